@@ -1,0 +1,32 @@
+#pragma once
+// Everything that tunes a step. Filled from the configuration and the robot file by app.
+
+#include "control/parameters.h"
+#include "course/robot.h"
+#include "estimation/parameters.h"
+
+namespace tp100::bridge {
+
+/// One setting that fixes pitch source, yaw source and the firmware's use of its gyro together.
+enum class Setup {
+  kBench,    ///< tracks spin free on a stand: the gyro must not steer
+  kFlat,     ///< flat floor, obstacles only in the virtual world: yaw from the gyro
+  kTerrain,  ///< the floor has the obstacles too: pitch from the IMU
+};
+
+/// Which pose steers.
+enum class Steering { kModel, kOdometry };
+
+struct Parameters {
+  Setup setup = Setup::kFlat;
+  Steering steering = Steering::kOdometry;
+  bool paper_model = false;          ///< `model` runs eqs 1-5 with the paper's constants
+  course::ModelValues model{};
+  course::DriveValues drive{};
+  estimation::Parameters estimation{};
+  control::Parameters control{};
+  double command_life_s = 0.100;     ///< expiry of a command after the step, at most 0.2
+  double max_sample_age_s = 0.060;   ///< older samples are not steered by: samples_stale
+};
+
+}  // namespace tp100::bridge

@@ -1,0 +1,16 @@
+#pragma once
+// The one exception of the project, thrown at set-up only. The loop returns results instead.
+
+#include <stdexcept>
+#include <string>
+
+namespace tp100 {
+
+/// A bad file, option or port. what() is one line: what, where (file:line:column for files), what to do.
+/// Programs print it and exit with status 2.
+class SetupError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace tp100

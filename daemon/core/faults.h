@@ -1,0 +1,29 @@
+#pragma once
+// The fault list in words. The list itself is wire/faults.h, shared with the firmware.
+
+#include <optional>
+#include <string_view>
+
+#include "wire/faults.h"
+
+namespace tp100 {
+
+using wire::Fault;
+using wire::fault_bit;
+using wire::FaultMask;
+
+/// One row of the fault list.
+struct FaultText {
+  Fault fault;
+  std::string_view name;    ///< stable identifier, as in logs and JSON
+  std::string_view cause;   ///< what happened
+  std::string_view remedy;  ///< what to do
+};
+
+/// The row of `fault`; a row named "unknown" for a bit that this version does not know.
+const FaultText& describe(Fault fault);
+
+/// Lowest fault in `mask`, or nothing if the mask is empty.
+std::optional<Fault> first_fault(FaultMask mask);
+
+}  // namespace tp100

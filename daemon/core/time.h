@@ -1,0 +1,50 @@
+#pragma once
+// Time of the host and of the robot. Neither is ever the wall clock.
+
+#include <cstdint>
+#include <type_traits>
+
+namespace tp100 {
+
+/// Host time: monotonic nanoseconds (CLOCK_MONOTONIC live, virtual time in lockstep).
+using HostNs = std::int64_t;
+/// Device time: the robot's microsecond clock extended to 64 bit, so that it never wraps.
+using DeviceUs = std::int64_t;
+
+inline constexpr HostNs kNsPerUs = 1'000;
+inline constexpr HostNs kNsPerMs = 1'000'000;
+inline constexpr HostNs kNsPerS = 1'000'000'000;
+
+/// Nanoseconds as seconds.
+inline constexpr double to_s(HostNs ns) { return static_cast<double>(ns) * 1e-9; }
+/// Seconds as nanoseconds, rounded towards zero.
+inline constexpr HostNs from_s(double s) { return static_cast<HostNs>(s * 1e9); }
+
+/// Extends a wrapping unsigned counter of the robot (time or sequence) to 64 bit. A value up to half a
+/// range behind the last one is an older value, not a wrap. No allocation.
+template <class Unsigned>
+class Unwrapped {
+ public:
+  /// Starts anew at `value` (a new boot).
+  void reset(Unsigned value) {
+    last_ = value;
+    extended_ = static_cast<std::int64_t>(value);
+  }
+  /// The extended value; moves forward only if `value` is newer.
+  std::int64_t extend(Unsigned value) {
+    using Signed = std::make_signed_t<Unsigned>;
+    const auto ahead = static_cast<Signed>(static_cast<Unsigned>(value - last_));
+    const std::int64_t result = extended_ + ahead;
+    if (ahead > 0) {
+      last_ = value;
+      extended_ = result;
+    }
+    return result;
+  }
+
+ private:
+  Unsigned last_ = 0;
+  std::int64_t extended_ = 0;
+};
+
+}  // namespace tp100

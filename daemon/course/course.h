@@ -1,0 +1,56 @@
+#pragma once
+// A course as data: path, terrain and disturbances. Lengths and radii that the paper does not print are
+// marked `ours` in the file.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/pose.h"
+
+namespace tp100::course {
+
+/// Straight piece. [m]
+struct Line {
+  double length_m;
+};
+/// Circular piece; a positive angle turns left.
+struct Arc {
+  double radius_m;
+  double angle_rad;
+};
+/// Turn on the spot; a positive angle turns left.
+struct Pivot {
+  double angle_rad;
+};
+using Segment = std::variant<Line, Arc, Pivot>;
+
+/// Someone pushes the robot: sideways (left positive) and in yaw, once it has driven `at_m` of the path.
+struct Shove {
+  double at_m;          ///< path length at which it happens
+  double sideways_m;    ///< in the robot's own y direction
+  double yaw_rad;
+  double duration_s;    ///< the push is spread over this time
+};
+
+/// Axis-aligned bounds of the reference point in the world frame.
+struct Fence {
+  double min_x_m, max_x_m, min_y_m, max_y_m;
+};
+
+/// One course. The path starts at `start` and is followed at `speed_mps`.
+struct Course {
+  std::string name;          ///< file stem, e.g. "1-curve"
+  std::string description;
+  double speed_mps = 0.10;
+  Pose start{};              ///< x, y, yaw
+  std::vector<Segment> path; ///< never empty
+  std::vector<Shove> shoves; ///< ascending at_m
+  Fence fence{};
+};
+
+/// Parses a course file. `file` is only used in messages. Throws SetupError (file:line:column).
+/// Pure: reads no file itself.
+Course parse_course(const std::string& text, const std::string& file);
+
+}  // namespace tp100::course

@@ -1,0 +1,51 @@
+#pragma once
+// The geometry of a course's path: where the reference is, and which point of it is nearest.
+
+#include <cstddef>
+#include <vector>
+
+#include "course/course.h"
+
+namespace tp100::course {
+
+/// A point of the path.
+struct PathPoint {
+  double s_m = 0.0;              ///< length from the start; pivots add none
+  double x_m = 0.0, y_m = 0.0;
+  double yaw_rad = 0.0;          ///< tangent, unwrapped along the path
+  double curvature_1pm = 0.0;    ///< left positive
+};
+
+/// One stretch between two stops: the robot comes to rest before and after every pivot.
+struct Piece {
+  enum class Kind { kLine, kArc, kPivot } kind = Kind::kLine;
+  PathPoint begin{};
+  PathPoint end{};        ///< for a pivot: same place, yaw turned
+  double length_m = 0.0;  ///< 0 for a pivot
+};
+
+/// The path in closed form. Built once; queries allocate nothing and are safe in the real-time thread.
+class Path {
+ public:
+  explicit Path(const Course& course);
+
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  double length_m() const { return length_m_; }
+
+  /// Point `offset_m` into piece `index`, offset clamped to the piece.
+  PathPoint at(std::size_t index, double offset_m) const;
+  /// Point at length `s_m` from the start, clamped; at a pivot, the pose before it.
+  PathPoint at(double s_m) const;
+
+  /// Offset in [0, length] of the point of piece `index` nearest to (x, y).
+  double project(std::size_t index, double x_m, double y_m) const;
+
+  /// Smallest distance from (x, y) to the part of the path between lengths s_from and s_to.
+  double distance(double x_m, double y_m, double s_from, double s_to) const;
+
+ private:
+  std::vector<Piece> pieces_;
+  double length_m_ = 0.0;
+};
+
+}  // namespace tp100::course

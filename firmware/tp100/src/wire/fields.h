@@ -1,0 +1,98 @@
+// Little-endian fields. A message lists its fields once, in visit(); writing, reading, size and the
+// schema hash all walk that list.
+#ifndef TP100_WIRE_FIELDS_H
+#define TP100_WIRE_FIELDS_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+// Names travel to the visitor on the host only: on the Mega they would take RAM.
+#ifdef __AVR__
+#define TP100_WIRE_FIELD(visitor, name) (visitor).field("", name)
+#else
+#define TP100_WIRE_FIELD(visitor, name) (visitor).field(#name, name)
+#endif
+
+namespace tp100 {
+namespace wire {
+
+/// Puts fields into a buffer that the caller sized with Message::kSize.
+class Writer {
+ public:
+  explicit Writer(uint8_t* out) : begin_(out), at_(out) {}
+  void field(const char*, const uint8_t& value) { put(value, 1); }
+  void field(const char*, const uint16_t& value) { put(value, 2); }
+  void field(const char*, const uint32_t& value) { put(value, 4); }
+  void field(const char*, const int16_t& value) { put(static_cast<uint16_t>(value), 2); }
+  void field(const char*, const int32_t& value) { put(static_cast<uint32_t>(value), 4); }
+  void field(const char*, const float& value) {
+    uint32_t bits;
+    memcpy(&bits, &value, 4);
+    put(bits, 4);
+  }
+  template <class T, size_t N>
+  void field(const char* name, const T (&values)[N]) {
+    for (size_t i = 0; i < N; ++i) field(name, values[i]);
+  }
+  size_t size() const { return static_cast<size_t>(at_ - begin_); }
+
+ private:
+  void put(uint32_t value, uint8_t bytes) {
+    for (uint8_t i = 0; i < bytes; ++i) {
+      *at_++ = static_cast<uint8_t>(value);
+      value >>= 8;
+    }
+  }
+  uint8_t* begin_;
+  uint8_t* at_;
+};
+
+/// Takes fields from a payload whose size was checked against Message::kSize.
+class Reader {
+ public:
+  explicit Reader(const uint8_t* in) : at_(in) {}
+  void field(const char*, uint8_t& value) { value = static_cast<uint8_t>(take(1)); }
+  void field(const char*, uint16_t& value) { value = static_cast<uint16_t>(take(2)); }
+  void field(const char*, uint32_t& value) { value = take(4); }
+  void field(const char*, int16_t& value) { value = static_cast<int16_t>(take(2)); }
+  void field(const char*, int32_t& value) { value = static_cast<int32_t>(take(4)); }
+  void field(const char*, float& value) {
+    const uint32_t bits = take(4);
+    memcpy(&value, &bits, 4);
+  }
+  template <class T, size_t N>
+  void field(const char* name, T (&values)[N]) {
+    for (size_t i = 0; i < N; ++i) field(name, values[i]);
+  }
+
+ private:
+  uint32_t take(uint8_t bytes) {
+    uint32_t value = 0;
+    for (uint8_t i = 0; i < bytes; ++i) value |= static_cast<uint32_t>(*at_++) << (8 * i);
+    return value;
+  }
+  const uint8_t* at_;
+};
+
+/// Writes `message` to `out` (room for Message::kSize). Returns Message::kSize.
+template <class Message>
+size_t write_payload(const Message& message, uint8_t* out) {
+  Writer writer(out);
+  const_cast<Message&>(message).visit(writer);
+  return writer.size();
+}
+
+/// Reads `message` from a payload. False if the size is not exactly Message::kSize.
+template <class Message>
+bool read_payload(const uint8_t* payload, size_t size, Message& message) {
+  if (size != Message::kSize) return false;
+  Reader reader(payload);
+  message.visit(reader);
+  return true;
+}
+
+}  // namespace wire
+}  // namespace tp100
+
+#endif

@@ -1,0 +1,127 @@
+// Framing: a body is `type (1) | payload | CRC-16 of both, little-endian (2)`. The body is COBS-coded,
+// so that it holds no zero byte, and a single 0x00 ends the frame. A receiver that joins in the middle
+// or meets a damaged byte is in step again at the next 0x00; no length is ever read from the wire.
+#ifndef TP100_WIRE_FRAME_H
+#define TP100_WIRE_FRAME_H
+
+#include "crc16.h"
+
+namespace tp100 {
+namespace wire {
+
+const uint8_t kDelimiter = 0x00;
+/// Largest payload of any message in either direction, bytes.
+const size_t kMaxPayload = 96;
+/// Largest body: type, payload, CRC.
+const size_t kMaxBody = 1 + kMaxPayload + 2;
+/// Largest frame on the wire: COBS adds one byte below 255, and the delimiter follows.
+const size_t kMaxFrame = kMaxBody + 2;
+
+/// Codes one frame into `out` (room for kMaxFrame bytes). Returns its length with the delimiter, or 0
+/// if `size` exceeds kMaxPayload. No allocation; safe in the real-time thread.
+inline size_t encode_frame(uint8_t type, const uint8_t* payload, size_t size, uint8_t* out) {
+  if (size > kMaxPayload) return 0;
+  uint16_t crc = crc16_update(kCrcInitial, type);
+  crc = crc16(payload, size, crc);
+
+  size_t code_at = 0;
+  size_t at = 1;
+  uint8_t code = 1;
+  const size_t body = 1 + size + 2;
+  for (size_t i = 0; i < body; ++i) {
+    uint8_t byte;
+    if (i == 0) {
+      byte = type;
+    } else if (i <= size) {
+      byte = payload[i - 1];
+    } else {
+      byte = static_cast<uint8_t>(i == size + 1 ? (crc & 0xFF) : (crc >> 8));
+    }
+    if (byte == 0) {
+      out[code_at] = code;
+      code_at = at++;
+      code = 1;
+    } else {
+      out[at++] = byte;
+      ++code;
+    }
+  }
+  out[code_at] = code;
+  out[at++] = kDelimiter;
+  return at;
+}
+
+/// What one received byte did.
+enum class Received : uint8_t {
+  kNothing,   ///< in the middle of a frame, or a spare delimiter
+  kFrame,     ///< a good frame is in type(), payload(), size() until the next push
+  kOversize,  ///< more bytes than any frame has; counted once, skipped to the next delimiter
+  kCobs,      ///< a code byte that points past the end
+  kShort,     ///< decodes, but is smaller than type and CRC
+  kCrc,       ///< decodes, but the CRC differs
+};
+
+/// Byte-wise receiver with one fixed buffer. Never allocates, never reads past its buffer, accepts any
+/// bytes. One damaged byte costs the frame it is in and, if it is a delimiter, the one after it.
+class FrameDecoder {
+ public:
+  FrameDecoder() : used_(0), skipping_(false), type_(0), size_(0) {}
+
+  Received push(uint8_t byte) {
+    if (byte != kDelimiter) {
+      if (skipping_) return Received::kNothing;
+      if (used_ == kMaxFrame - 1) {
+        skipping_ = true;
+        return Received::kOversize;
+      }
+      buffer_[used_++] = byte;
+      return Received::kNothing;
+    }
+    const size_t coded = used_;
+    const bool skipped = skipping_;
+    used_ = 0;
+    skipping_ = false;
+    if (skipped || coded == 0) return Received::kNothing;
+    return finish(coded);
+  }
+
+  /// Forgets a half-received frame (a new connection).
+  void reset() {
+    used_ = 0;
+    skipping_ = false;
+  }
+
+  uint8_t type() const { return type_; }
+  const uint8_t* payload() const { return buffer_ + 1; }
+  size_t size() const { return size_; }
+
+ private:
+  // Decodes in place: the write index never passes the read index.
+  Received finish(size_t coded) {
+    size_t read = 0;
+    size_t write = 0;
+    while (read < coded) {
+      const uint8_t code = buffer_[read++];
+      if (static_cast<size_t>(code - 1) > coded - read) return Received::kCobs;
+      for (uint8_t i = 1; i < code; ++i) buffer_[write++] = buffer_[read++];
+      if (code != 0xFF && read < coded) buffer_[write++] = 0;
+    }
+    if (write < 3) return Received::kShort;
+    const uint16_t sent = static_cast<uint16_t>(buffer_[write - 2] | (buffer_[write - 1] << 8));
+    if (crc16(buffer_, write - 2) != sent) return Received::kCrc;
+    type_ = buffer_[0];
+    size_ = write - 3;
+    return Received::kFrame;
+  }
+
+  uint8_t buffer_[kMaxFrame];
+  size_t used_;
+  bool skipping_;
+  uint8_t type_;
+  size_t size_;
+};
+
+}  // namespace wire
+}  // namespace tp100
+
+#endif

@@ -1,0 +1,57 @@
+# A room is one folder of sources and one CMake target. A room sees the headers of the rooms it
+# names in DEPENDS and no others: each room's folder is reachable only through a directory of its
+# own, so an include that the plan forbids does not compile.
+
+add_library(tp100_options INTERFACE)
+target_compile_options(tp100_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+  -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion -Wformat=2 -Werror
+  # Bit-identical runs need the same rounding whatever the optimiser fuses.
+  -ffp-contract=off)
+if(TP100_SANITIZE)
+  target_compile_options(tp100_options INTERFACE
+    -fsanitize=${TP100_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    # Sanitizers make these two report paths that cannot happen.
+    -Wno-null-dereference -Wno-maybe-uninitialized)
+  target_link_options(tp100_options INTERFACE -fsanitize=${TP100_SANITIZE})
+endif()
+
+# tp100_room(NAME PREFIX <include prefix> [SOURCES ...] [DEPENDS rooms...] [LIBRARIES targets...]
+#            [PRIVATE_LIBRARIES targets...])
+# Headers of the room are included as "<PREFIX>/<header>.h".
+function(tp100_room name)
+  cmake_parse_arguments(ROOM "" "PREFIX" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  set(view ${CMAKE_BINARY_DIR}/rooms/${name})
+  cmake_path(GET ROOM_PREFIX PARENT_PATH parent)
+  file(MAKE_DIRECTORY ${view}/${parent})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${view}/${ROOM_PREFIX} SYMBOLIC)
+
+  list(TRANSFORM ROOM_DEPENDS PREPEND "tp100_")
+  if(ROOM_SOURCES)
+    add_library(tp100_${name} STATIC ${ROOM_SOURCES})
+    target_include_directories(tp100_${name} PUBLIC ${view})
+    target_link_libraries(tp100_${name}
+      PUBLIC ${ROOM_DEPENDS} ${ROOM_LIBRARIES}
+      PRIVATE tp100_options ${ROOM_PRIVATE_LIBRARIES})
+  else()
+    add_library(tp100_${name} INTERFACE)
+    target_include_directories(tp100_${name} INTERFACE ${view})
+    target_link_libraries(tp100_${name} INTERFACE ${ROOM_DEPENDS} ${ROOM_LIBRARIES})
+  endif()
+endfunction()
+
+# tp100_test(NAME SOURCES ... DEPENDS rooms... [LABELS ...] [LIBRARIES ...])
+function(tp100_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS;LABELS;LIBRARIES" ${ARGN})
+  list(TRANSFORM TEST_DEPENDS PREPEND "tp100_")
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE
+    tp100_options ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    TP100_SOURCE_DIR="${CMAKE_SOURCE_DIR}" TP100_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  if(NOT TEST_LABELS)
+    set(TEST_LABELS unit)
+  endif()
+  gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${TEST_LABELS}" TIMEOUT 300)
+endfunction()

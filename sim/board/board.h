@@ -1,0 +1,49 @@
+#pragma once
+// A Mega running the firmware, seen from its pins. Time is virtual; one call advances one quantum.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/sensors/mpu6050.h"
+
+namespace tp100::sim {
+
+/// One encoder edge. Channels: 0 left A, 1 left B, 2 right A, 3 right B.
+struct Edge {
+  std::int64_t at_ns;
+  std::uint8_t channel;
+  bool level;
+};
+
+/// One byte with the time at which its stop bit ends.
+struct TimedByte {
+  std::int64_t at_ns;
+  std::uint8_t value;
+};
+
+enum class PowerUp { kPowerOn, kExternal, kBrownOut, kWatchdog };
+
+/// Signed duties at the motor driver, -1..1.
+struct Drive {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+class Board {
+ public:
+  virtual ~Board() = default;
+  /// (Re)starts the firmware at virtual time `now_ns`.
+  virtual void reset(PowerUp cause, std::int64_t now_ns) = 0;
+  /// Runs until `until_ns`. `edges` and `received` are ascending in time and lie in this quantum.
+  virtual void advance(std::int64_t until_ns, std::span<const Edge> edges,
+                       std::span<const TimedByte> received) = 0;
+  /// Bytes sent since the last take, with the end of their stop bits.
+  virtual std::vector<TimedByte> take_sent() = 0;
+  /// Outputs in effect at the end of the quantum.
+  virtual Drive drive() const = 0;
+  /// Voltage at the battery divider, set before each quantum.
+  virtual void set_battery(double volts) = 0;
+};
+
+}  // namespace tp100::sim
