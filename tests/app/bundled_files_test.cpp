@@ -1,0 +1,58 @@
+#include "app/bundled_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace tp100::app {
+namespace {
+
+class BundledFiles : public ::testing::Test {
+ protected:
+  BundledFiles() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "tp100-files-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~BundledFiles() override { std::filesystem::remove_all(folder_); }
+
+  static std::string failure(Bundled folder, const std::string& name) {
+    try {
+      read_bundled(folder, name);
+    } catch (const SetupError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(BundledFiles, ReadsAFileWholeWithEveryByte) {
+  const std::string text("a\r\n\0b\xff", 6);
+  std::ofstream(folder_ / "x.toml", std::ios::binary) << text;
+  const TextFile file = read_text_file((folder_ / "x.toml").string());
+  EXPECT_EQ(file.text, text);
+  EXPECT_EQ(file_stem(file.path), "x");
+}
+
+TEST_F(BundledFiles, NamesAMissingFileInOneLine) {
+  const std::string message = failure(Bundled::kCourses, (folder_ / "none.toml").string());
+  EXPECT_THAT(message, ::testing::HasSubstr("none.toml: cannot be opened (No such file"));
+  EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+TEST_F(BundledFiles, RefusesADirectory) {
+  EXPECT_THAT(failure(Bundled::kRobots, folder_.string() + "/"),
+              ::testing::HasSubstr("is a directory"));
+}
+
+TEST_F(BundledFiles, AnUnknownNameListsWhatThereIs) {
+  EXPECT_THAT(failure(Bundled::kCourses, "no-such-course"),
+              ::testing::HasSubstr("no-such-course: no such course; give a file or one of"));
+}
+
+}  // namespace
+}  // namespace tp100::app
