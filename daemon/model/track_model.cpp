@@ -1,0 +1,66 @@
+#include "model/track_model.h"
+
+#include <cmath>
+
+#include "model/slip_table.h"
+
+namespace tp100::model {
+
+Slip slip_on_slope(const TrackParameters& parameters, Mode mode, double slope_rad) {
+  Slip slip{parameters.slip_left, parameters.slip_right};
+  if (mode == Mode::kPaper || slope_rad == 0.0) return slip;
+  const SlipPair flat = slip_at_slope(0.0);
+  const SlipPair here = slip_at_slope(slope_rad);
+  slip.left += here.left - flat.left;
+  slip.right += here.right - flat.right;
+  return slip;
+}
+
+Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
+                 double slope_rad) {
+  const Slip slip = slip_on_slope(parameters, mode, slope_rad);
+  const double left = left_mps * (1.0 - slip.left);
+  const double right = right_mps * (1.0 - slip.right);
+  Twist twist;
+  twist.vx_mps = (right + left) / 2.0;
+  twist.yaw_rate_radps = (right - left) / parameters.wheelbase_m;
+  const bool turning = std::abs(twist.yaw_rate_radps) > parameters.turning_threshold_radps;
+  const double slip_angle =
+      turning ? parameters.slip_angle_turning_rad : parameters.slip_angle_straight_rad;
+  twist.vy_mps = twist.vx_mps * std::tan(slip_angle);
+  if (mode == Mode::kExtended) twist.vy_mps -= parameters.x_icr_m * twist.yaw_rate_radps;
+  return twist;
+}
+
+void advance(Pose& pose, const Twist& twist, double dt_s, double slope_rad) {
+  const double turn = twist.yaw_rate_radps * dt_s;
+  double along = 1.0;
+  double across = 0.0;
+  if (std::abs(turn) < 1e-4) {
+    along = 1.0 - turn * turn / 6.0;
+    across = turn / 2.0;
+  } else {
+    along = std::sin(turn) / turn;
+    across = (1.0 - std::cos(turn)) / turn;
+  }
+  const double forward = twist.vx_mps * std::cos(slope_rad);
+  const double dx = (forward * along - twist.vy_mps * across) * dt_s;
+  const double dy = (forward * across + twist.vy_mps * along) * dt_s;
+  const double c = std::cos(pose.yaw_rad);
+  const double s = std::sin(pose.yaw_rad);
+  pose.x_m += c * dx - s * dy;
+  pose.y_m += s * dx + c * dy;
+  pose.z_m += twist.vx_mps * std::sin(slope_rad) * dt_s;
+  pose.pitch_rad = slope_rad == 0.0 ? 0.0 : -slope_rad;
+  pose.yaw_rad += turn;
+}
+
+const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s, double slope_rad) {
+  const double slope = mode_ == Mode::kPaper ? 0.0 : slope_rad;
+  slip_ = slip_on_slope(parameters_, mode_, slope);
+  twist_ = body_twist(parameters_, mode_, left_mps, right_mps, slope);
+  model::advance(pose_, twist_, dt_s, slope);
+  return twist_;
+}
+
+}  // namespace tp100::model
