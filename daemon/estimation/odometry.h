@@ -1,0 +1,37 @@
+#pragma once
+// Odometry: way from the encoders through the slip model, turn from the gyro.
+
+#include "model/track_model.h"
+
+namespace tp100::estimation {
+
+/// Belt speeds, constant over one interval.
+struct BeltSpeeds {
+  double left_mps = 0.0;
+  double right_mps = 0.0;
+};
+
+/// Pose by encoders and gyro. No allocation; safe in the real-time thread.
+class Odometry {
+ public:
+  explicit Odometry(const model::TrackParameters& parameters) : parameters_(parameters) {}
+
+  void reset(const Pose& pose) { pose_ = pose; }
+
+  /// One interval with the mean yaw rate `yaw_rate_radps` of the gyro, bias removed. The slip
+  /// angle's turning switch and the ICR offset follow the gyro too, not the belts.
+  const Twist& advance(const BeltSpeeds& belts, double yaw_rate_radps, double dt_s,
+                       double slope_rad = 0.0);
+  /// One interval without a usable gyro (bench, dead sensor): eq 5 gives the turn.
+  const Twist& advance_without_gyro(const BeltSpeeds& belts, double dt_s, double slope_rad = 0.0);
+
+  const Pose& pose() const { return pose_; }
+  const Twist& twist() const { return twist_; }
+
+ private:
+  model::TrackParameters parameters_;
+  Pose pose_{};
+  Twist twist_{};
+};
+
+}  // namespace tp100::estimation

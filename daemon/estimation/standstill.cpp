@@ -1,0 +1,58 @@
+#include "estimation/standstill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace tp100::estimation {
+namespace {
+
+// One edge may flicker under a resting wheel.
+constexpr std::int64_t kRestCounts = 1;
+
+}  // namespace
+
+void Standstill::begin_window(const Sample& sample, double gyro_z_radps) {
+  started_ = true;
+  still_ = false;
+  left_counts_ = sample.left_counts;
+  right_counts_ = sample.right_counts;
+  window_start_us_ = sample.device_us;
+  window_size_ = 1;
+  window_mean_ = gyro_z_radps;
+  window_squares_ = 0.0;
+}
+
+void Standstill::update(const Sample& sample, double gyro_z_radps) {
+  const double dt_s = static_cast<double>(sample.device_us - last_us_) * 1e-6;
+  last_us_ = sample.device_us;
+  const bool moved = std::abs(sample.left_counts - left_counts_) > kRestCounts ||
+                     std::abs(sample.right_counts - right_counts_) > kRestCounts;
+  if (!started_ || moved || sample.imu_age != 0) {
+    begin_window(sample, gyro_z_radps);
+    return;
+  }
+  // Welford's running mean and variance.
+  ++window_size_;
+  const double difference = gyro_z_radps - window_mean_;
+  window_mean_ += difference / static_cast<double>(window_size_);
+  window_squares_ += difference * (gyro_z_radps - window_mean_);
+  const double sd = std::sqrt(window_squares_ / static_cast<double>(window_size_));
+  const bool quiet = sd < parameters_.still_gyro_sd_radps &&
+                     std::abs(difference) < 6.0 * parameters_.still_gyro_sd_radps;
+  if (!quiet) {
+    begin_window(sample, gyro_z_radps);
+    return;
+  }
+  const double window_s = static_cast<double>(sample.device_us - window_start_us_) * 1e-6;
+  if (window_s < parameters_.still_s) return;
+  still_ = true;
+  if (!bias_known_) {
+    bias_radps_ = window_mean_;
+    bias_known_ = true;
+    return;
+  }
+  bias_radps_ += (gyro_z_radps - bias_radps_) * std::min(1.0, dt_s / parameters_.bias_time_s);
+}
+
+}  // namespace tp100::estimation

@@ -1,0 +1,45 @@
+#pragma once
+// Gyro bias, learned while the robot stands still.
+
+#include <cstdint>
+
+#include "core/sample.h"
+#include "estimation/parameters.h"
+
+namespace tp100::estimation {
+
+/// Both conditions must hold for `still_s`: belts at rest and a quiet gyro. Encoders alone would
+/// take a robot that is being turned by hand, the gyro alone one that turns slowly and evenly. No
+/// allocation; safe in the real-time thread.
+class Standstill {
+ public:
+  explicit Standstill(const Parameters& parameters) : parameters_(parameters) {}
+
+  /// One more sample; `gyro_z_radps` is its calibrated z rate.
+  void update(const Sample& sample, double gyro_z_radps);
+  /// A new boot: counts start anew; the bias is kept.
+  void restart() { started_ = false; }
+
+  bool still() const { return still_; }
+  /// True once a bias has been measured.
+  bool bias_known() const { return bias_known_; }
+  double bias_radps() const { return bias_radps_; }
+
+ private:
+  void begin_window(const Sample& sample, double gyro_z_radps);
+
+  Parameters parameters_;
+  bool started_ = false;
+  bool still_ = false;
+  bool bias_known_ = false;
+  double bias_radps_ = 0.0;
+  std::int64_t left_counts_ = 0;
+  std::int64_t right_counts_ = 0;
+  DeviceUs window_start_us_ = 0;
+  DeviceUs last_us_ = 0;
+  std::int64_t window_size_ = 0;
+  double window_mean_ = 0.0;
+  double window_squares_ = 0.0;
+};
+
+}  // namespace tp100::estimation
