@@ -1,0 +1,69 @@
+#include "control/monitor.h"
+
+#include <cmath>
+
+namespace tp100::control {
+namespace {
+
+constexpr double kHeadingS = 0.5;
+constexpr double kTiltS = 0.3;
+constexpr double kBatteryS = 2.0;
+constexpr double kAgainstDutyS = 0.5;
+// Below these a belt may well stand still or creep for good reasons.
+constexpr double kDrivenMps = 0.03;
+constexpr double kStandingMps = 0.003;
+constexpr double kFullyDriven = 0.3;
+constexpr double kBackwardsMps = 0.02;
+
+bool against(double duty, double belt_mps) {
+  return std::abs(duty) > kFullyDriven && std::abs(belt_mps) > kBackwardsMps && duty * belt_mps < 0;
+}
+
+bool stands(double commanded_mps, double belt_mps) {
+  return std::abs(commanded_mps) > kDrivenMps && std::abs(belt_mps) < kStandingMps;
+}
+
+}  // namespace
+
+void Monitor::restart() {
+  heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
+}
+
+FaultMask Monitor::update(const Observation& seen) {
+  FaultMask faults = 0;
+  const auto raise = [&faults](bool condition, Fault fault) {
+    if (condition) faults |= fault_bit(fault);
+  };
+  const double dt = seen.dt_s;
+  const Sample& sample = *seen.sample;
+
+  raise(std::abs(seen.target.cross_track_m) > parameters_.max_cross_track_m, Fault::cross_track);
+  raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
+                        dt, kHeadingS),
+        Fault::heading);
+  const double horizontal = std::hypot(sample.accel_mps2[0], sample.accel_mps2[1]);
+  const double tilt = std::atan2(horizontal, sample.accel_mps2[2]);
+  raise(tilt_.update(sample.imu_age == 0 && tilt > parameters_.max_tilt_rad, dt, kTiltS),
+        Fault::tilt);
+  raise(seen.pose.x_m < fence_.min_x_m || seen.pose.x_m > fence_.max_x_m ||
+            seen.pose.y_m < fence_.min_y_m || seen.pose.y_m > fence_.max_y_m,
+        Fault::fence);
+  raise(seen.elapsed_s > parameters_.time_limit_factor * nominal_duration_s_, Fault::time_limit);
+  raise(battery_.update(sample.battery_v < parameters_.min_battery_v, dt, kBatteryS),
+        Fault::low_cell_voltage);
+  raise(stalled_.update(stands(seen.commanded_left_mps, seen.left_mps) ||
+                            stands(seen.commanded_right_mps, seen.right_mps),
+                        dt, parameters_.stall_s),
+        Fault::stalled_track);
+  raise(against_duty_.update(
+            against(sample.left_duty, seen.left_mps) || against(sample.right_duty, seen.right_mps),
+            dt, kAgainstDutyS),
+        Fault::encoders_against_duty);
+  const double disagreement = std::abs(seen.gyro_yaw_rate_radps - seen.encoder_yaw_rate_radps);
+  raise(disagreement_.update(seen.gyro_in_use && disagreement > parameters_.disagreement_radps, dt,
+                             parameters_.disagreement_s),
+        Fault::gyro_against_encoders);
+  return faults;
+}
+
+}  // namespace tp100::control

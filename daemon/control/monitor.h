@@ -1,0 +1,58 @@
+#pragma once
+// The aborts: conditions under which a run ends, each with its own fault.
+
+#include "control/parameters.h"
+#include "control/tracker.h"
+#include "core/faults.h"
+#include "core/sample.h"
+
+namespace tp100::control {
+
+/// What one step looks like to the monitor. SI units.
+struct Observation {
+  const Sample* sample = nullptr;  ///< newest sample; never null while a run is on
+  Pose pose{};                     ///< steering pose
+  double left_mps = 0.0;           ///< measured belt speeds
+  double right_mps = 0.0;
+  double encoder_yaw_rate_radps = 0.0;  ///< eq 5
+  double gyro_yaw_rate_radps = 0.0;     ///< bias removed
+  bool gyro_in_use = false;
+  Target target{};
+  double commanded_left_mps = 0.0;  ///< belt speeds that the command means
+  double commanded_right_mps = 0.0;
+  double elapsed_s = 0.0;  ///< since the run began
+  double dt_s = 0.0;       ///< since the last observation
+};
+
+/// A condition that must last before it counts.
+class Lasting {
+ public:
+  /// True once `condition` has held for `needed_s`.
+  bool update(bool condition, double dt_s, double needed_s) {
+    held_s_ = condition ? held_s_ + dt_s : 0.0;
+    return condition && held_s_ >= needed_s;
+  }
+
+ private:
+  double held_s_ = 0.0;
+};
+
+/// Watches one run. No allocation; safe in the real-time thread.
+class Monitor {
+ public:
+  Monitor(const Parameters& parameters, const course::Fence& fence, double nominal_duration_s)
+      : parameters_(parameters), fence_(fence), nominal_duration_s_(nominal_duration_s) {}
+
+  /// Forgets what has lasted; call when a run begins.
+  void restart();
+  /// The faults that end the run now; 0 to go on.
+  FaultMask update(const Observation& seen);
+
+ private:
+  Parameters parameters_;
+  course::Fence fence_;
+  double nominal_duration_s_;
+  Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_;
+};
+
+}  // namespace tp100::control
