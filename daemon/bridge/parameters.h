@@ -20,13 +20,13 @@ enum class Steering { kModel, kOdometry };
 struct Parameters {
   Setup setup = Setup::kFlat;
   Steering steering = Steering::kOdometry;
-  bool paper_model = false;          ///< `model` runs eqs 1-5 with the paper's constants
+  bool paper_model = false;  ///< `model` runs eqs 1-5 with the paper's constants
   course::ModelValues model{};
   course::DriveValues drive{};
   estimation::Parameters estimation{};
   control::Parameters control{};
-  double command_life_s = 0.100;     ///< expiry of a command after the step, at most 0.2
-  double max_sample_age_s = 0.060;   ///< older samples are not steered by: samples_stale
+  double command_life_s = 0.100;    ///< expiry of a command after the step, at most 0.2
+  double max_sample_age_s = 0.060;  ///< older samples are not steered by: samples_stale
 };
 
 }  // namespace tp100::bridge

@@ -2,6 +2,7 @@
 // The step: samples in, pose and command out. The same object runs live, in lockstep and in replay.
 // Pure: no clock, no port, no file; no allocation after construction; safe in the real-time thread.
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -14,18 +15,18 @@ namespace tp100::bridge {
 
 /// What happened since the last step.
 struct Inputs {
-  std::span<const Sample> samples;             ///< oldest first; may be empty
-  std::span<const OperatorRequest> requests;   ///< oldest first
+  std::span<const Sample> samples;            ///< oldest first; may be empty
+  std::span<const OperatorRequest> requests;  ///< oldest first
   SessionState session = SessionState::kClosed;
   ClockState clock{};
-  std::uint32_t session_number = 0;            ///< +1 each time a session becomes ready
-  bool robot_rebooted = false;                 ///< a new boot nonce since the last step
-  bool request_refused = false;                ///< the robot refused, or never acknowledged, arm
+  std::uint32_t session_number = 0;  ///< +1 each time a session becomes ready
+  bool robot_rebooted = false;       ///< a new boot nonce since the last step
+  bool request_refused = false;      ///< the robot refused, or never acknowledged, arm
 };
 
 /// What to do now.
 struct Outputs {
-  bool command_valid = false;                  ///< false: send nothing (no session, no sample yet)
+  bool command_valid = false;  ///< false: send nothing (no session, no sample yet)
   Command command{};
   RobotRequest request = RobotRequest::kNone;  ///< hand to the link once
   Snapshot snapshot{};
@@ -33,8 +34,8 @@ struct Outputs {
 
 class Step {
  public:
-  /// `course` may be null: poses only, the robot stands still. Throws SetupError if parameters and course
-  /// do not fit together.
+  /// `course` may be null: poses only, the robot stands still. Throws SetupError if parameters and
+  /// course do not fit together.
   Step(const Parameters& parameters, std::shared_ptr<const course::Course> course);
   ~Step();
   Step(Step&&) noexcept;

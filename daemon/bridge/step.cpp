@@ -1,0 +1,267 @@
+#include "bridge/step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "bridge/tracks.h"
+#include "control/arming.h"
+#include "control/monitor.h"
+#include "control/tracker.h"
+#include "core/angle.h"
+#include "core/error.h"
+#include "estimation/odometry.h"
+#include "estimation/standstill.h"
+#include "model/track_model.h"
+
+namespace tp100::bridge {
+namespace {
+
+// Belt speeds over one sample interval are a few edges; control looks at them through this lag.
+constexpr double kSpeedLagS = 0.04;
+
+model::TrackParameters track_parameters(const course::ModelValues& values) {
+  return {.slip_left = values.slip_left,
+          .slip_right = values.slip_right,
+          .slip_angle_straight_rad = values.slip_angle_straight_rad,
+          .slip_angle_turning_rad = values.slip_angle_turning_rad,
+          .turning_threshold_radps = values.turning_threshold_radps,
+          .wheelbase_m = values.wheelbase_m,
+          .x_icr_m = values.x_icr_m};
+}
+
+model::TrackModel make_model(const Parameters& parameters) {
+  if (parameters.paper_model) return {model::TrackParameters{}, model::Mode::kPaper};
+  return {track_parameters(parameters.model), model::Mode::kExtended};
+}
+
+/// First-order lag.
+void follow(double& value, double target, double dt_s) {
+  value += (target - value) * std::min(1.0, dt_s / kSpeedLagS);
+}
+
+}  // namespace
+
+struct Step::State {
+  State(const Parameters& p, std::shared_ptr<const course::Course> c)
+      : parameters(p),
+        course(std::move(c)),
+        tracks(p.drive.counts_per_metre, p.model.gyro_scale),
+        standstill(p.estimation),
+        track_model(make_model(p)),
+        odometry(track_parameters(p.model)) {
+    if (course == nullptr) return;
+    path.emplace(*course);
+    tracker.emplace(p.control, *path, course->speed_mps, p.model.slip_angle_straight_rad);
+    monitor.emplace(p.control, course->fence, tracker->nominal_duration_s());
+  }
+
+  bool gyro_steers() const { return parameters.setup != Setup::kBench; }
+  const Pose& steering_pose() const {
+    return parameters.steering == Steering::kModel ? track_model.pose() : odometry.pose();
+  }
+  void take_sample(const Sample& sample);
+  void take_requests(std::span<const OperatorRequest> requests);
+  void begin_run(HostNs now);
+  void steer(double dt_s);
+  void command(const Inputs& in, HostNs now);
+  control::Observation observe(HostNs now, double dt_s) const;
+  void publish(HostNs now);
+
+  Parameters parameters;
+  std::shared_ptr<const course::Course> course;
+  std::optional<course::Path> path;
+  Tracks tracks;
+  estimation::Standstill standstill;
+  model::TrackModel track_model;
+  estimation::Odometry odometry;
+  std::optional<control::Tracker> tracker;
+  std::optional<control::Monitor> monitor;
+  control::Arming arming;
+
+  Sample sample{};
+  bool has_sample = false;
+  Interval interval{};
+  Twist steering_twist{};
+  double left_mps = 0.0, right_mps = 0.0;
+  double encoder_rate_radps = 0.0, gyro_rate_radps = 0.0;
+  control::Target target{};
+  HostNs last_step_ns = 0, run_began_ns = 0;
+  std::uint32_t session_number = 0;
+  Outputs out{};
+};
+
+Step::Step(const Parameters& parameters, std::shared_ptr<const course::Course> course) {
+  if (course != nullptr && course->speed_mps > parameters.drive.max_track_mps) {
+    throw SetupError("course " + course->name + ": speed_mps " + std::to_string(course->speed_mps) +
+                     " is above this robot's drive.max_track_mps " +
+                     std::to_string(parameters.drive.max_track_mps) +
+                     "; lower the course's speed or use another robot");
+  }
+  state_ = std::make_unique<State>(parameters, std::move(course));
+}
+Step::~Step() = default;
+Step::Step(Step&&) noexcept = default;
+
+void Step::State::take_sample(const Sample& next) {
+  standstill.update(next, tracks.gyro_z_radps(next));
+  const std::optional<Interval> step = tracks.update(next);
+  sample = next;
+  has_sample = true;
+  if (!step) return;
+  interval = *step;
+  const double dt = step->dt_s;
+  track_model.advance(step->belts.left_mps, step->belts.right_mps, dt);
+  const double rate = step->gyro_z_radps - standstill.bias_radps();
+  const Twist& turned = gyro_steers() && step->gyro_fresh
+                            ? odometry.advance(step->belts, rate, dt)
+                            : odometry.advance_without_gyro(step->belts, dt);
+  const Twist& steering = parameters.steering == Steering::kModel ? track_model.twist() : turned;
+  follow(steering_twist.vx_mps, steering.vx_mps, dt);
+  follow(steering_twist.vy_mps, steering.vy_mps, dt);
+  follow(steering_twist.yaw_rate_radps, steering.yaw_rate_radps, dt);
+  follow(left_mps, step->belts.left_mps, dt);
+  follow(right_mps, step->belts.right_mps, dt);
+  follow(encoder_rate_radps, track_model.twist().yaw_rate_radps, dt);
+  follow(gyro_rate_radps, rate, dt);
+}
+
+void Step::State::take_requests(std::span<const OperatorRequest> requests) {
+  for (const OperatorRequest request : requests) {
+    switch (request) {
+      case OperatorRequest::kStart:
+        arming.start();
+        break;
+      case OperatorRequest::kHold:
+        arming.hold();
+        break;
+      case OperatorRequest::kStop:
+        arming.stop();
+        break;
+    }
+  }
+}
+
+void Step::State::begin_run(HostNs now) {
+  track_model.reset(course->start);
+  odometry.reset(course->start);
+  tracker->restart();
+  monitor->restart();
+  run_began_ns = now;
+}
+
+control::Observation Step::State::observe(HostNs now, double dt_s) const {
+  const double turn =
+      std::clamp(target.yaw_rate_radps + parameters.drive.yaw_kp * target.heading_error_rad,
+                 -parameters.drive.max_yaw_radps, parameters.drive.max_yaw_radps);
+  const double half = turn * parameters.model.wheelbase_m / 2.0;
+  return {.sample = &sample,
+          .pose = steering_pose(),
+          .left_mps = left_mps,
+          .right_mps = right_mps,
+          .encoder_yaw_rate_radps = encoder_rate_radps,
+          .gyro_yaw_rate_radps = gyro_rate_radps,
+          .gyro_in_use = gyro_steers(),
+          .target = target,
+          .commanded_left_mps = (target.speed_mps - half) / (1.0 - parameters.model.slip_left),
+          .commanded_right_mps = (target.speed_mps + half) / (1.0 - parameters.model.slip_right),
+          .elapsed_s = to_s(now - run_began_ns),
+          .dt_s = dt_s};
+}
+
+void Step::State::steer(double dt_s) {
+  const Pose& pose = steering_pose();
+  if (arming.state() == RunState::kRunning) {
+    target = tracker->update(pose, steering_twist, dt_s);
+    return;
+  }
+  target.speed_mps = 0.0;
+  target.yaw_rate_radps = 0.0;
+  target.desired_yaw_rad = pose.yaw_rad;
+  target.heading_error_rad = 0.0;
+}
+
+void Step::State::command(const Inputs& in, HostNs now) {
+  const std::int64_t age_ns = now - sample.measured_ns;
+  out.command_valid = in.session == SessionState::kReady && in.clock.valid && has_sample &&
+                      age_ns <= from_s(parameters.max_sample_age_s);
+  Command& command = out.command;
+  command.answers = sample.sequence;
+  command.answered_us = sample.device_us;
+  command.pose = steering_pose();
+  command.desired_yaw_rad = target.desired_yaw_rad;
+  command.yaw_rate_radps = target.yaw_rate_radps;
+  command.speed_mps = target.speed_mps;
+  command.gyro_bias_radps = standstill.bias_radps();
+  command.expiry_us = in.clock.valid ? in.clock.to_device(now) +
+                                           static_cast<DeviceUs>(parameters.command_life_s * 1e6)
+                                     : 0;
+}
+
+void Step::State::publish(HostNs now) {
+  Snapshot& snapshot = out.snapshot;
+  snapshot.now_ns = now;
+  snapshot.sample = sample;
+  snapshot.has_sample = has_sample;
+  snapshot.age_us = (now - sample.measured_ns) / kNsPerUs;
+  snapshot.model = track_model.pose();
+  snapshot.model_twist = track_model.twist();
+  snapshot.odometry = odometry.pose();
+  snapshot.odometry_twist = odometry.twist();
+  snapshot.left_mps = interval.belts.left_mps;
+  snapshot.right_mps = interval.belts.right_mps;
+  snapshot.slip_left = track_model.slip().left;
+  snapshot.slip_right = track_model.slip().right;
+  snapshot.gyro_bias_radps = standstill.bias_radps();
+  snapshot.command = out.command;
+  snapshot.cross_track_m = target.cross_track_m;
+  snapshot.heading_error_rad = target.heading_error_rad;
+  snapshot.progress_m = target.progress_m;
+  snapshot.run_state = arming.state();
+  snapshot.faults = (has_sample ? sample.faults : 0) | arming.faults();
+}
+
+const Outputs& Step::operator()(const Inputs& in, HostNs now) {
+  State& s = *state_;
+  const double dt_s = s.last_step_ns == 0 ? 0.0 : to_s(now - s.last_step_ns);
+  s.last_step_ns = now;
+
+  const bool new_session = in.session_number != s.session_number;
+  if (new_session || in.robot_rebooted) {
+    s.session_number = in.session_number;
+    s.tracks.restart();
+    s.standstill.restart();
+  }
+  if (in.session != SessionState::kReady && in.session != SessionState::kSyncing) {
+    s.has_sample = false;
+  }
+  for (const Sample& sample : in.samples) s.take_sample(sample);
+  s.take_requests(in.requests);
+
+  FaultMask aborts = 0;
+  const bool running = s.arming.state() == RunState::kRunning;
+  if (running && s.has_sample) {
+    aborts = s.monitor->update(s.observe(now, dt_s));
+    const double age_s = to_s(now - s.sample.measured_ns);
+    // A little late is answered with silence, which the robot bridges; this late is a broken link.
+    if (age_s > 0.2) aborts |= fault_bit(Fault::samples_stale);
+  }
+  s.out.request = s.arming.update(
+      {.session = in.session,
+       .sample = s.has_sample ? &s.sample : nullptr,
+       .ready_to_run = s.course != nullptr && (!s.gyro_steers() || s.standstill.bias_known()),
+       .new_session = new_session,
+       .rebooted = in.robot_rebooted,
+       .request_refused = in.request_refused,
+       .aborts = aborts,
+       .path_done = running && s.target.done},
+      dt_s);
+  if (s.arming.just_began()) s.begin_run(now);
+  s.steer(dt_s);
+  s.command(in, now);
+  s.publish(now);
+  return s.out;
+}
+
+}  // namespace tp100::bridge
