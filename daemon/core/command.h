@@ -10,14 +10,14 @@ namespace tp100 {
 
 /// One command. The link adds boot nonce and sequence and turns it into bytes.
 struct Command {
-  std::uint16_t answers = 0;      ///< sequence of the sample that `pose` belongs to
-  DeviceUs answered_us = 0;       ///< device time of that sample
-  Pose pose{};                    ///< steering estimate at that sample
-  double desired_yaw_rad = 0.0;   ///< unwrapped, same branch as pose.yaw_rad
-  double yaw_rate_radps = 0.0;    ///< feed-forward turn rate
-  double speed_mps = 0.0;         ///< ground speed of the reference point
-  double gyro_bias_radps = 0.0;   ///< z axis
-  DeviceUs expiry_us = 0;         ///< device time after which the robot must not use it
+  std::uint16_t answers = 0;     ///< sequence of the sample that `pose` belongs to
+  DeviceUs answered_us = 0;      ///< device time of that sample
+  Pose pose{};                   ///< steering estimate at that sample
+  double desired_yaw_rad = 0.0;  ///< unwrapped, same branch as pose.yaw_rad
+  double yaw_rate_radps = 0.0;   ///< feed-forward turn rate
+  double speed_mps = 0.0;        ///< ground speed of the reference point
+  double gyro_bias_radps = 0.0;  ///< z axis
+  DeviceUs expiry_us = 0;        ///< device time after which the robot must not use it
 };
 
 /// One-shot requests to the robot; the link repeats them until they are acknowledged.

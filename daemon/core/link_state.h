@@ -10,9 +10,9 @@ namespace tp100 {
 
 /// States of a session, in the order in which a connection passes them.
 enum class SessionState : std::uint8_t {
-  kClosed,      ///< no port
-  kListening,   ///< port open, silent until the robot's first frame (a bootloader must hear nothing)
-  kHello,       ///< hello asked for
+  kClosed,     ///< no port
+  kListening,  ///< port open, silent until the robot's first frame (a bootloader must hear nothing)
+  kHello,      ///< hello asked for
   kParameters,  ///< parameters sent, acknowledgement awaited
   kSyncing,     ///< samples flow, the clock relation is being found
   kReady,       ///< samples and commands flow
@@ -26,38 +26,40 @@ std::string_view to_string(SessionState state);
 struct LinkCounters {
   std::uint64_t bytes_in = 0, bytes_out = 0;
   std::uint64_t frames_in = 0, frames_out = 0;  ///< good frames
-  std::uint64_t samples = 0;            ///< samples handed on
-  std::uint64_t lost = 0;               ///< samples missing by sequence
-  std::uint64_t duplicated = 0;         ///< samples with a sequence that was already handed on
-  std::uint64_t reordered = 0;          ///< samples older than one already handed on
+  std::uint64_t samples = 0;                    ///< samples handed on
+  std::uint64_t lost = 0;                       ///< samples missing by sequence
+  std::uint64_t duplicated = 0;  ///< samples with a sequence that was already handed on
+  std::uint64_t reordered = 0;   ///< samples older than one already handed on
   std::uint64_t crc_errors = 0;
   std::uint64_t cobs_errors = 0;
   std::uint64_t oversize = 0;
   std::uint64_t undersize = 0;
-  std::uint64_t unknown_type = 0;       ///< good frames of a type that a robot never sends
-  std::uint64_t wrong_size = 0;         ///< good frames whose payload has another size than its type
-  std::uint64_t implausible = 0;        ///< good frames whose values cannot be (time going back, ...)
-  std::uint64_t foreign_bytes = 0;      ///< bytes before the first good frame (boot banner, modem probe)
-  std::uint64_t unwritten = 0;          ///< frames dropped because the port did not take them
+  std::uint64_t unknown_type = 0;  ///< good frames of a type that a robot never sends
+  std::uint64_t wrong_size = 0;    ///< good frames whose payload has another size than its type
+  std::uint64_t implausible = 0;   ///< good frames whose values cannot be (time going back, ...)
+  std::uint64_t foreign_bytes =
+      0;                        ///< bytes before the first good frame (boot banner, modem probe)
+  std::uint64_t unwritten = 0;  ///< frames dropped because the port did not take them
   std::uint64_t sync_replies = 0, sync_rejected = 0;
-  std::uint64_t reconnects = 0;         ///< sessions after the first one
-  std::uint64_t reboots = 0;            ///< new boot nonce
+  std::uint64_t reconnects = 0;  ///< sessions after the first one
+  std::uint64_t reboots = 0;     ///< new boot nonce
 };
 
-/// Device clock against host clock: host_ns = reference_host_ns + (device - reference_us)(1 + drift).
+/// Device clock against host clock: host_ns = reference_host_ns + (device - reference_us)(1 +
+/// drift).
 struct ClockState {
   bool valid = false;
   HostNs reference_host_ns = 0;
   DeviceUs reference_us = 0;
-  double drift = 0.0;              ///< how much faster host time runs, e.g. 40e-6 for a slow crystal
-  double uncertainty_us = 0.0;     ///< half the best round trip, aged
+  double drift = 0.0;           ///< how much faster host time runs, e.g. 40e-6 for a slow crystal
+  double uncertainty_us = 0.0;  ///< half the best round trip, aged
   HostNs to_host(DeviceUs device_us) const {
     return reference_host_ns +
            static_cast<HostNs>(static_cast<double>(device_us - reference_us) * 1e3 * (1.0 + drift));
   }
   DeviceUs to_device(HostNs host_ns) const {
-    return reference_us +
-           static_cast<DeviceUs>(static_cast<double>(host_ns - reference_host_ns) * 1e-3 / (1.0 + drift));
+    return reference_us + static_cast<DeviceUs>(static_cast<double>(host_ns - reference_host_ns) *
+                                                1e-3 / (1.0 + drift));
   }
 };
 

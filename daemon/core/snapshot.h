@@ -12,24 +12,24 @@ namespace tp100 {
 /// One step's result.
 struct Snapshot {
   HostNs now_ns = 0;
-  Sample sample{};              ///< newest sample; sample.sequence is valid only if has_sample
+  Sample sample{};  ///< newest sample; sample.sequence is valid only if has_sample
   bool has_sample = false;
-  std::int64_t age_us = 0;      ///< now - when the newest sample was measured
-  Pose model{};                 ///< eqs 1-5 on encoder counts alone
+  std::int64_t age_us = 0;  ///< now - when the newest sample was measured
+  Pose model{};             ///< eqs 1-5 on encoder counts alone
   Twist model_twist{};
-  Pose odometry{};              ///< encoders + gyro
+  Pose odometry{};  ///< encoders + gyro
   Twist odometry_twist{};
-  double left_mps = 0.0;        ///< belt speeds over the last sample interval
+  double left_mps = 0.0;  ///< belt speeds over the last sample interval
   double right_mps = 0.0;
-  double slip_left = 0.0;       ///< slip ratios in use
+  double slip_left = 0.0;  ///< slip ratios in use
   double slip_right = 0.0;
   double gyro_bias_radps = 0.0;
   Command command{};
-  double cross_track_m = 0.0;   ///< steering pose against the path, left positive
+  double cross_track_m = 0.0;      ///< steering pose against the path, left positive
   double heading_error_rad = 0.0;  ///< desired - actual
-  double progress_m = 0.0;      ///< along the path
+  double progress_m = 0.0;         ///< along the path
   RunState run_state = RunState::kIdle;
-  FaultMask faults = 0;         ///< robot's and daemon's
+  FaultMask faults = 0;  ///< robot's and daemon's
 };
 
 }  // namespace tp100

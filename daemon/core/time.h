@@ -20,8 +20,8 @@ inline constexpr double to_s(HostNs ns) { return static_cast<double>(ns) * 1e-9;
 /// Seconds as nanoseconds, rounded towards zero.
 inline constexpr HostNs from_s(double s) { return static_cast<HostNs>(s * 1e9); }
 
-/// Extends a wrapping unsigned counter of the robot (time or sequence) to 64 bit. A value up to half a
-/// range behind the last one is an older value, not a wrap. No allocation.
+/// Extends a wrapping unsigned counter of the robot (time or sequence) to 64 bit. A value up to
+/// half a range behind the last one is an older value, not a wrap. No allocation.
 template <class Unsigned>
 class Unwrapped {
  public:
