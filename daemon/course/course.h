@@ -1,6 +1,6 @@
 #pragma once
-// A course as data: path, terrain and disturbances. Lengths and radii that the paper does not print are
-// marked `ours` in the file.
+// A course as data: path, terrain and disturbances. Lengths and radii that the paper does not print
+// are marked `ours` in the file.
 
 #include <string>
 #include <variant>
@@ -25,12 +25,13 @@ struct Pivot {
 };
 using Segment = std::variant<Line, Arc, Pivot>;
 
-/// Someone pushes the robot: sideways (left positive) and in yaw, once it has driven `at_m` of the path.
+/// Someone pushes the robot: sideways (left positive) and in yaw, once it has driven `at_m` of the
+/// path.
 struct Shove {
-  double at_m;          ///< path length at which it happens
-  double sideways_m;    ///< in the robot's own y direction
+  double at_m;        ///< path length at which it happens
+  double sideways_m;  ///< in the robot's own y direction
   double yaw_rad;
-  double duration_s;    ///< the push is spread over this time
+  double duration_s;  ///< the push is spread over this time
 };
 
 /// Axis-aligned bounds of the reference point in the world frame.
@@ -40,12 +41,12 @@ struct Fence {
 
 /// One course. The path starts at `start` and is followed at `speed_mps`.
 struct Course {
-  std::string name;          ///< file stem, e.g. "1-curve"
+  std::string name;  ///< file stem, e.g. "1-curve"
   std::string description;
   double speed_mps = 0.10;
-  Pose start{};              ///< x, y, yaw
-  std::vector<Segment> path; ///< never empty
-  std::vector<Shove> shoves; ///< ascending at_m
+  Pose start{};               ///< x, y, yaw
+  std::vector<Segment> path;  ///< never empty
+  std::vector<Shove> shoves;  ///< ascending at_m
   Fence fence{};
 };
 

@@ -10,10 +10,10 @@ namespace tp100::course {
 
 /// A point of the path.
 struct PathPoint {
-  double s_m = 0.0;              ///< length from the start; pivots add none
+  double s_m = 0.0;  ///< length from the start; pivots add none
   double x_m = 0.0, y_m = 0.0;
-  double yaw_rad = 0.0;          ///< tangent, unwrapped along the path
-  double curvature_1pm = 0.0;    ///< left positive
+  double yaw_rad = 0.0;        ///< tangent, unwrapped along the path
+  double curvature_1pm = 0.0;  ///< left positive
 };
 
 /// One stretch between two stops: the robot comes to rest before and after every pivot.
@@ -24,7 +24,8 @@ struct Piece {
   double length_m = 0.0;  ///< 0 for a pivot
 };
 
-/// The path in closed form. Built once; queries allocate nothing and are safe in the real-time thread.
+/// The path in closed form. Built once; queries allocate nothing and are safe in the real-time
+/// thread.
 class Path {
  public:
   explicit Path(const Course& course);

@@ -1,10 +1,11 @@
 #pragma once
-// A robot file as data. `model` and `drive` are what the daemon believes and tells the firmware; they come
-// from driving the robot (identify). `emulated` is the physics of an emulated robot of that kind; the daemon
-// never reads it, and `model` is never copied from it.
+// A robot file as data. `model` and `drive` are what the daemon believes and tells the firmware;
+// they come from driving the robot (identify). `emulated` is the physics of an emulated robot of
+// that kind; the daemon never reads it, and `model` is never copied from it.
 
-#include <cstdint>
 #include <string>
+
+#include "core/angle.h"
 
 namespace tp100::course {
 
@@ -12,24 +13,25 @@ namespace tp100::course {
 struct ModelValues {
   double slip_left = 0.1;
   double slip_right = 0.1188;
-  double slip_angle_straight_rad = 0.0070511;  ///< 0.404 deg
+  double slip_angle_straight_rad = 0.404 * kRadPerDeg;
   double slip_angle_turning_rad = 0.0;
-  double turning_threshold_radps = 0.05;       ///< |yaw rate| above it counts as turning
-  double wheelbase_m = 0.2742;                 ///< equivalent wheelbase L
-  double x_icr_m = 0.0;                        ///< Vy gets -x_icr * yaw rate
-  double gyro_scale = 1.0;                     ///< true rate / nominal rate, z axis
+  double turning_threshold_radps = 0.05;  ///< |yaw rate| above it counts as turning; not in robot
+                                          ///< files: it comes from the configuration
+  double wheelbase_m = 0.2742;            ///< equivalent wheelbase L
+  double x_icr_m = 0.0;                   ///< Vy gets -x_icr * yaw rate
+  double gyro_scale = 1.0;                ///< true rate / nominal rate, z axis
 };
 
 /// How the robot is wired and driven; sent to the firmware at connect.
 struct DriveValues {
-  double counts_per_metre = 11140.0;   ///< encoder edges per metre of belt
+  double counts_per_metre = 11140.0;  ///< encoder edges per metre of belt
   double max_track_mps = 0.20;
   double max_track_mps2 = 0.6;
-  double feed_forward = 4.0;           ///< duty per (m/s) above the dead band
-  double dead_band = 0.15;             ///< duty at which a belt just moves
-  double speed_kp = 4.0;               ///< duty per (m/s)
-  double speed_ki = 30.0;              ///< duty per m
-  double yaw_kp = 4.0;                 ///< (rad/s) per rad
+  double feed_forward = 4.0;  ///< duty per (m/s) above the dead band
+  double dead_band = 0.15;    ///< duty at which a belt just moves
+  double speed_kp = 4.0;      ///< duty per (m/s)
+  double speed_ki = 30.0;     ///< duty per m
+  double yaw_kp = 4.0;        ///< (rad/s) per rad
   double max_yaw_radps = 1.2;
   double battery_cutoff_v = 6.0;
   double stall_duty = 0.6;
@@ -44,49 +46,49 @@ struct EmulatedBody {
   double mass_kg = 0.922;
   double length_m = 0.185, width_m = 0.205, height_m = 0.060;  ///< inertia box
   double axle_spacing_m = 0.133;
-  double belt_radius_m = 0.026;        ///< outer radius of wheel and belt
-  double gauge_m = 0.155;              ///< distance between belt centre lines
+  double belt_radius_m = 0.026;  ///< outer radius of wheel and belt
+  double gauge_m = 0.155;        ///< distance between belt centre lines
   double belt_width_m = 0.045;
-  double com_height_m = 0.022;         ///< above the ground
-  double com_forward_m = 0.0;          ///< from the middle of the axles
+  double com_height_m = 0.022;  ///< above the ground
+  double com_forward_m = 0.0;   ///< from the middle of the axles
   double com_left_m = 0.0;
-  double mid_lift_m = 0.0003;          ///< mid stations above the end stations: 0.3 mm loads the ends only
+  double mid_lift_m = 0.0003;  ///< mid stations above the end stations: 0.3 mm loads the ends only
   double friction = 0.9;
-  double creep_left = 0.148;           ///< contact creep, slip per unit of traction / weight
+  double creep_left = 0.148;  ///< contact creep, slip per unit of traction / weight
   double creep_right = 0.148;
-  double belt_deficit_left = 0.160;    ///< surface speed lost against the encoder's belt speed
+  double belt_deficit_left = 0.160;  ///< surface speed lost against the encoder's belt speed
   double belt_deficit_right = 0.160;
 };
 
 /// DC motor behind an L293D (sim/sensors).
 struct EmulatedMotor {
-  double no_load_mps_per_v = 0.052;    ///< belt speed per motor volt without load
-  double stall_n_per_v = 2.0;          ///< belt force per motor volt at rest
-  double friction_n = 1.0;             ///< Coulomb friction of motor and gears at the belt: the dead band
-  double lag_s = 0.080;                ///< speed time constant without load
-  double bridge_drop_v = 2.0;          ///< L293D, both transistors
-  double current_limit_n = 12.0;       ///< belt force at the driver's current limit
-  double left_gain = 1.0;              ///< asymmetry of the two motors
+  double no_load_mps_per_v = 0.052;  ///< belt speed per motor volt without load
+  double stall_n_per_v = 2.0;        ///< belt force per motor volt at rest
+  double friction_n = 1.0;     ///< Coulomb friction of motor and gears at the belt: the dead band
+  double lag_s = 0.080;        ///< speed time constant without load
+  double bridge_drop_v = 2.0;  ///< L293D, both transistors
+  double current_limit_n = 12.0;  ///< belt force at the driver's current limit
+  double left_gain = 1.0;         ///< asymmetry of the two motors
   double right_gain = 1.0;
 };
 
 /// Quadrature encoders.
 struct EmulatedEncoder {
-  double counts_per_metre = 11140.0;   ///< true edges per metre of belt
-  double phase_error = 0.05;           ///< edge position error, parts of one edge
+  double counts_per_metre = 11140.0;  ///< true edges per metre of belt
+  double phase_error = 0.05;          ///< edge position error, parts of one edge
 };
 
 /// MPU6050 (data sheet rev 3.4, sections 6.1, 6.2).
 struct EmulatedImu {
-  double gyro_noise_radps_rthz = 8.7e-5;   ///< 0.005 deg/s/sqrt(Hz)
-  double gyro_bias_radps = 0.02;           ///< sd of the turn-on bias over seeds
+  double gyro_noise_radps_rthz = 8.7e-5;  ///< 0.005 deg/s/sqrt(Hz)
+  double gyro_bias_radps = 0.02;          ///< sd of the turn-on bias over seeds
   double gyro_bias_walk_radps_rts = 1e-5;
-  double gyro_scale_error = 0.01;          ///< z axis, fixed for this robot
-  double gyro_bias_per_degc = 5e-4;        ///< [rad/s per K]
-  double accel_noise_mps2_rthz = 3.9e-3;   ///< 400 ug/sqrt(Hz)
-  double accel_bias_mps2 = 0.3;            ///< sd over seeds
+  double gyro_scale_error = 0.01;         ///< z axis, fixed for this robot
+  double gyro_bias_per_degc = 5e-4;       ///< [rad/s per K]
+  double accel_noise_mps2_rthz = 3.9e-3;  ///< 400 ug/sqrt(Hz)
+  double accel_bias_mps2 = 0.3;           ///< sd over seeds
   double start_temperature_degc = 25.0;
-  double warm_up_degc = 6.0;               ///< rise after power-on
+  double warm_up_degc = 6.0;  ///< rise after power-on
   double warm_up_s = 180.0;
 };
 
@@ -95,7 +97,7 @@ struct EmulatedBattery {
   double full_v = 8.2;
   double internal_ohm = 0.12;
   double capacity_as = 7200.0;
-  double amps_per_n = 0.10;                ///< motor current per belt force
+  double amps_per_n = 0.10;  ///< motor current per belt force
   double idle_a = 0.15;
 };
 
@@ -105,19 +107,24 @@ struct Emulated {
   EmulatedEncoder encoder{};
   EmulatedImu imu{};
   EmulatedBattery battery{};
-  double clock_ppm = 40.0;                 ///< error of the Mega's resonator
+  double clock_ppm = 40.0;  ///< error of the Mega's resonator
 };
 
 /// One robot.
 struct Robot {
-  std::string name;         ///< file stem, e.g. "end-loaded"
+  std::string name;  ///< file stem, e.g. "end-loaded"
   std::string description;
   ModelValues model{};
   DriveValues drive{};
   Emulated emulated{};
 };
 
-/// Parses a robot file. `file` is only used in messages. Throws SetupError (file:line:column). Pure.
+/// Parses a robot file. `file` is only used in messages. Throws SetupError (file:line:column).
+/// Pure.
 Robot parse_robot(const std::string& text, const std::string& file);
+
+/// The robot as a commented file that parse_robot reads back: every key with meaning, unit,
+/// default, range. `note` becomes the comment at its head.
+std::string write_robot(const Robot& robot, const std::string& note);
 
 }  // namespace tp100::course

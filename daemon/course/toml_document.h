@@ -1,10 +1,9 @@
 #pragma once
-// Strict reading of TOML: every key is asked for by name with its range, and a key that nobody asked for,
-// a wrong type or a value out of range is one line with file:line:column and the nearest valid name.
-// toml++ stays in the source file.
+// Strict reading of TOML: every key is asked for by name with its range, and a key that nobody
+// asked for, a wrong type or a value out of range is one line with file:line:column and the nearest
+// valid name. toml++ stays in the source file.
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,9 +18,23 @@ struct Range {
   double max;
 };
 
+/// Largest file that is read as TOML, bytes. Ours are below 20 kB.
+inline constexpr std::size_t kMaxTomlSize = 1 << 18;
+
+/// Unit of a key, by the end of its name (speed_mps: "m/s"); empty if it has none.
+std::string_view unit_of(std::string_view key);
+
+/// `text` on one line: control characters and bytes outside ASCII replaced by '?', cut at `most`
+/// characters.
+std::string one_line(std::string_view text, std::size_t most = 80);
+
+/// A number in messages: at most ten significant digits.
+std::string number_text(double value);
+
 class TomlDocument;
 
-/// One table of a document. Cheap to copy; valid while its document lives.
+/// One table of a document. Cheap to copy; keeps its document alive. An absent table reads as
+/// empty.
 class TomlTable {
  public:
   /// The value of `key`, or `fallback` if absent. `range` in the key's own unit. Throws SetupError.
@@ -34,6 +47,8 @@ class TomlTable {
   /// One of `choices`; anything else is an error that names the nearest.
   std::string choice(std::string_view key, std::string_view fallback,
                      const std::vector<std::string_view>& choices);
+  /// Same, but the key must be there.
+  std::string required_choice(std::string_view key, const std::vector<std::string_view>& choices);
   /// Sub-table; an absent one reads as empty.
   TomlTable table(std::string_view key);
   /// Array of tables; absent reads as empty.
@@ -43,7 +58,8 @@ class TomlTable {
   /// Throws SetupError at `key` (or at the table if absent): "file:line:column: what".
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
 
-  /// Throws SetupError for the first key of this table that was never asked for.
+  /// Throws SetupError for the first key of this table, or of a table taken from it, that was never
+  /// asked for.
   void finish() const;
 
  private:
@@ -55,7 +71,8 @@ class TomlTable {
 /// A parsed file.
 class TomlDocument {
  public:
-  /// Throws SetupError for text that is not TOML. `file` is only used in messages.
+  /// Throws SetupError for text that is not TOML, or larger than kMaxTomlSize. `file` is only used
+  /// in messages.
   TomlDocument(const std::string& text, const std::string& file);
   TomlTable root() const { return root_; }
 

@@ -1,0 +1,114 @@
+#include <cmath>
+#include <filesystem>
+
+#include "core/angle.h"
+#include "course/course.h"
+#include "course/path.h"
+#include "course/toml_document.h"
+
+namespace tp100::course {
+namespace {
+
+constexpr std::size_t kMaxSegments = 1000;
+constexpr std::size_t kMaxShoves = 100;
+constexpr Range kPlace{-100.0, 100.0};
+constexpr Range kAngle{-3600.0, 3600.0};
+constexpr Range kLength{0.001, 100.0};
+constexpr double kSmallestAngleDeg = 0.1;
+
+double turn_rad(TomlTable& table) {
+  const double angle_deg = table.required_number("angle_deg", kAngle);
+  if (std::abs(angle_deg) < kSmallestAngleDeg)
+    table.fail("angle_deg", "'angle_deg' is " + number_text(angle_deg) + ", smallest turn is " +
+                                number_text(kSmallestAngleDeg) + " deg to either side");
+  return angle_deg * kRadPerDeg;
+}
+
+Segment segment_of(TomlTable table) {
+  const std::string type = table.required_choice("type", {"line", "arc", "pivot"});
+  if (type == "line") return Line{table.required_number("length_m", kLength)};
+  if (type == "pivot") return Pivot{turn_rad(table)};
+  const double radius_m = table.required_number("radius_m", {0.01, 100.0});
+  return Arc{radius_m, turn_rad(table)};
+}
+
+Pose start_of(TomlTable table) {
+  Pose start;
+  start.x_m = table.number("x_m", 0.0, kPlace);
+  start.y_m = table.number("y_m", 0.0, kPlace);
+  start.yaw_rad = table.number("yaw_deg", 0.0, kAngle) * kRadPerDeg;
+  return start;
+}
+
+Fence fence_of(TomlTable table) {
+  Fence fence{};
+  fence.min_x_m = table.required_number("min_x_m", kPlace);
+  fence.max_x_m = table.required_number("max_x_m", kPlace);
+  fence.min_y_m = table.required_number("min_y_m", kPlace);
+  fence.max_y_m = table.required_number("max_y_m", kPlace);
+  if (fence.min_x_m >= fence.max_x_m) table.fail("max_x_m", "'max_x_m' must exceed 'min_x_m'");
+  if (fence.min_y_m >= fence.max_y_m) table.fail("max_y_m", "'max_y_m' must exceed 'min_y_m'");
+  return fence;
+}
+
+Shove shove_of(TomlTable table, double length_m, double after_m) {
+  Shove shove{};
+  shove.at_m = table.required_number("at_m", {0.0, 1e5});
+  shove.sideways_m = table.number("sideways_m", 0.0, {-0.3, 0.3});
+  shove.yaw_rad = table.number("yaw_deg", 0.0, {-90.0, 90.0}) * kRadPerDeg;
+  shove.duration_s = table.number("duration_s", 0.3, {0.05, 5.0});
+  if (shove.at_m > length_m)
+    table.fail("at_m", "'at_m' is " + number_text(shove.at_m) + ", but the path is only " +
+                           number_text(length_m) + " m long");
+  if (shove.at_m < after_m) table.fail("at_m", "shoves must be listed in the order of 'at_m'");
+  return shove;
+}
+
+void require_inside(const Path& path, const Fence& fence, const TomlTable& table) {
+  constexpr int kSteps = 180;
+  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
+    const Piece& piece = path.pieces()[i];
+    for (int step = 0; step <= kSteps; ++step) {
+      const PathPoint point = path.at(i, piece.length_m * step / kSteps);
+      if (point.x_m < fence.min_x_m || point.x_m > fence.max_x_m || point.y_m < fence.min_y_m ||
+          point.y_m > fence.max_y_m)
+        table.fail("fence", "the path leaves the fence at (" + number_text(point.x_m) + ", " +
+                                number_text(point.y_m) + ") m, " + number_text(point.s_m) +
+                                " m from its start");
+    }
+  }
+}
+
+}  // namespace
+
+Course parse_course(const std::string& text, const std::string& file) {
+  const TomlDocument document(text, file);
+  TomlTable root = document.root();
+  Course course;
+  course.name = std::filesystem::path(file).stem().string();
+  course.description = root.text("description", "");
+  course.speed_mps = root.number("speed_mps", course.speed_mps, {0.01, 0.3});
+  course.start = start_of(root.table("start"));
+
+  const std::vector<TomlTable> segments = root.tables("segment");
+  const std::vector<TomlTable> shoves = root.tables("shove");
+  course.fence = fence_of(root.table("fence"));
+  // A mistyped table name is better named than its absence.
+  if (segments.empty()) {
+    root.finish();
+    root.fail("segment", "a course needs at least one [[segment]]");
+  }
+  if (segments.size() > kMaxSegments) root.fail("segment", "more than 1000 segments");
+  if (shoves.size() > kMaxShoves) root.fail("shove", "more than 100 shoves");
+  for (const TomlTable& segment : segments) course.path.push_back(segment_of(segment));
+
+  const Path path(course);
+  for (const TomlTable& shove : shoves)
+    course.shoves.push_back(
+        shove_of(shove, path.length_m(), course.shoves.empty() ? 0.0 : course.shoves.back().at_m));
+  root.finish();
+  require_inside(path, course.fence, root);
+  return course;
+}
+
+}  // namespace tp100::course

@@ -1,0 +1,123 @@
+#include "course/path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/angle.h"
+
+namespace tp100::course {
+namespace {
+
+PathPoint along(const PathPoint& begin, double offset_m) {
+  PathPoint point = begin;
+  point.s_m += offset_m;
+  const double k = begin.curvature_1pm;
+  if (k == 0.0) {
+    point.x_m += offset_m * std::cos(begin.yaw_rad);
+    point.y_m += offset_m * std::sin(begin.yaw_rad);
+  } else {
+    point.yaw_rad += k * offset_m;
+    point.x_m += (std::sin(point.yaw_rad) - std::sin(begin.yaw_rad)) / k;
+    point.y_m -= (std::cos(point.yaw_rad) - std::cos(begin.yaw_rad)) / k;
+  }
+  return point;
+}
+
+/// Offset in [0, length] of the point nearest to (x, y) on the line or arc that starts at `begin`.
+double nearest_offset(const PathPoint& begin, double length_m, double x_m, double y_m) {
+  const double dx = x_m - begin.x_m, dy = y_m - begin.y_m;
+  const double c = std::cos(begin.yaw_rad), s = std::sin(begin.yaw_rad);
+  const double k = begin.curvature_1pm;
+  if (k == 0.0) return std::clamp(dx * c + dy * s, 0.0, length_m);
+  // In the frame of `begin`, mirrored to a left turn, the centre lies at (0, radius).
+  const double radius = 1.0 / std::abs(k);
+  const double ahead = dx * c + dy * s;
+  const double inward = (k > 0.0 ? 1.0 : -1.0) * (dy * c - dx * s);
+  double angle = std::atan2(ahead, radius - inward);
+  if (angle < 0.0) angle += 2.0 * kPi;
+  const double sweep = length_m / radius;
+  if (angle <= sweep) return std::min(angle * radius, length_m);
+  return angle - sweep < 2.0 * kPi - angle ? length_m : 0.0;
+}
+
+struct Builder {
+  PathPoint here;
+
+  Piece operator()(const Line& line) const { return moved(Piece::Kind::kLine, line.length_m, 0.0); }
+
+  Piece operator()(const Arc& arc) const {
+    const double sign = arc.angle_rad < 0.0 ? -1.0 : 1.0;
+    Piece piece =
+        moved(Piece::Kind::kArc, arc.radius_m * std::abs(arc.angle_rad), sign / arc.radius_m);
+    piece.end.yaw_rad = here.yaw_rad + arc.angle_rad;
+    return piece;
+  }
+
+  Piece operator()(const Pivot& pivot) const {
+    Piece piece = moved(Piece::Kind::kPivot, 0.0, 0.0);
+    piece.end.yaw_rad += pivot.angle_rad;
+    return piece;
+  }
+
+ private:
+  Piece moved(Piece::Kind kind, double length_m, double curvature_1pm) const {
+    Piece piece;
+    piece.kind = kind;
+    piece.begin = here;
+    piece.begin.curvature_1pm = curvature_1pm;
+    piece.end = along(piece.begin, length_m);
+    piece.length_m = length_m;
+    return piece;
+  }
+};
+
+}  // namespace
+
+Path::Path(const Course& course) {
+  Builder builder;
+  builder.here.x_m = course.start.x_m;
+  builder.here.y_m = course.start.y_m;
+  builder.here.yaw_rad = course.start.yaw_rad;
+  pieces_.reserve(course.path.size());
+  for (const Segment& segment : course.path) {
+    pieces_.push_back(std::visit(builder, segment));
+    builder.here = pieces_.back().end;
+  }
+  length_m_ = builder.here.s_m;
+}
+
+PathPoint Path::at(std::size_t index, double offset_m) const {
+  const Piece& piece = pieces_[std::min(index, pieces_.size() - 1)];
+  return along(piece.begin, std::clamp(offset_m, 0.0, piece.length_m));
+}
+
+PathPoint Path::at(double s_m) const {
+  std::size_t index = 0;
+  while (index + 1 < pieces_.size() && pieces_[index].end.s_m < s_m) ++index;
+  // Past the end, a closing pivot would hide the curvature and pose before it.
+  while (index > 0 && pieces_[index].kind == Piece::Kind::kPivot) --index;
+  return at(index, s_m - pieces_[index].begin.s_m);
+}
+
+double Path::project(std::size_t index, double x_m, double y_m) const {
+  const Piece& piece = pieces_[std::min(index, pieces_.size() - 1)];
+  return nearest_offset(piece.begin, piece.length_m, x_m, y_m);
+}
+
+double Path::distance(double x_m, double y_m, double s_from, double s_to) const {
+  s_from = std::clamp(s_from, 0.0, length_m_);
+  s_to = std::clamp(s_to, s_from, length_m_);
+  double best = std::numeric_limits<double>::infinity();
+  for (const Piece& piece : pieces_) {
+    if (piece.end.s_m < s_from || piece.begin.s_m > s_to) continue;
+    const double from = std::max(0.0, s_from - piece.begin.s_m);
+    const double to = std::clamp(s_to - piece.begin.s_m, from, std::max(from, piece.length_m));
+    const PathPoint begin = along(piece.begin, from);
+    const PathPoint near = along(begin, nearest_offset(begin, to - from, x_m, y_m));
+    best = std::min(best, std::hypot(x_m - near.x_m, y_m - near.y_m));
+  }
+  return best;
+}
+
+}  // namespace tp100::course

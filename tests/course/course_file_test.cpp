@@ -1,0 +1,105 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "course/course.h"
+
+namespace tp100::course {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kFence = "[fence]\nmin_x_m = -1\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n";
+const std::string kLine = "[[segment]]\ntype = 'line'\nlength_m = 1.5\n";
+
+std::string told(const std::string& text) {
+  try {
+    parse_course(text, "dir/c.toml");
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(CourseFile, ReadsEveryKey) {
+  const Course course = parse_course(
+      "description = 'd'\nspeed_mps = 0.2\n[start]\nx_m = 0.1\ny_m = 0.2\nyaw_deg = 90\n"
+      "[[segment]]\ntype = 'line'\nlength_m = 0.3\n"
+      "[[segment]]\ntype = 'arc'\nradius_m = 0.25\nangle_deg = -180\n"
+      "[[segment]]\ntype = 'pivot'\nangle_deg = 45\n"
+      "[[shove]]\nat_m = 0.1\nsideways_m = -0.04\nyaw_deg = -15\nduration_s = 0.5\n"
+      "[[shove]]\nat_m = 0.1\n" +
+          kFence,
+      "dir/c.toml");
+  EXPECT_EQ(course.name, "c");
+  EXPECT_EQ(course.description, "d");
+  EXPECT_EQ(course.speed_mps, 0.2);
+  EXPECT_EQ(course.start.x_m, 0.1);
+  EXPECT_EQ(course.start.y_m, 0.2);
+  EXPECT_DOUBLE_EQ(course.start.yaw_rad, kPi / 2);
+  ASSERT_EQ(course.path.size(), 3u);
+  EXPECT_EQ(std::get<Line>(course.path[0]).length_m, 0.3);
+  EXPECT_EQ(std::get<Arc>(course.path[1]).radius_m, 0.25);
+  EXPECT_DOUBLE_EQ(std::get<Arc>(course.path[1]).angle_rad, -kPi);
+  EXPECT_DOUBLE_EQ(std::get<Pivot>(course.path[2]).angle_rad, kPi / 4);
+  ASSERT_EQ(course.shoves.size(), 2u);
+  EXPECT_EQ(course.shoves[0].sideways_m, -0.04);
+  EXPECT_DOUBLE_EQ(course.shoves[0].yaw_rad, -15 * kRadPerDeg);
+  EXPECT_EQ(course.shoves[0].duration_s, 0.5);
+  EXPECT_EQ(course.shoves[1].duration_s, 0.3);
+  EXPECT_EQ(course.fence.max_x_m, 3.0);
+}
+
+TEST(CourseFile, RefusesACourseWithoutPathOrFence) {
+  EXPECT_THAT(told(kFence), HasSubstr("at least one [[segment]]"));
+  EXPECT_THAT(told(kLine), HasSubstr("missing key 'fence.min_x_m'"));
+  EXPECT_THAT(told(kLine + "[fense]\nmin_x_m = -1\n"),
+              HasSubstr(":4:2: unknown key 'fense'; did you mean 'fence'?"));
+  EXPECT_THAT(told(""), StartsWith("dir/c.toml:1:1: "));
+  EXPECT_THAT(told("segment = []\n" + kFence), HasSubstr("at least one [[segment]]"));
+}
+
+TEST(CourseFile, NamesAMistypedKeyAtItsPlace) {
+  EXPECT_EQ(told("speeed_mps = 0.1\n" + kLine + kFence),
+            "dir/c.toml:1:1: unknown key 'speeed_mps'; did you mean 'speed_mps'?");
+  EXPECT_EQ(told("[[segments]]\ntype = 'line'\n" + kFence),
+            "dir/c.toml:1:3: unknown key 'segments'; did you mean 'segment'?");
+  EXPECT_THAT(told("[[segment]]\ntype = 'line'\nradius_m = 1\nlength_m = 1\n" + kFence),
+              StartsWith("dir/c.toml:3:1: unknown key 'segment.radius_m'"));
+}
+
+TEST(CourseFile, RefusesValuesThatMakeNoPath) {
+  EXPECT_THAT(told("[[segment]]\ntype = 'line'\nlength_m = 0\n" + kFence),
+              HasSubstr("'segment.length_m' is 0, allowed 0.001 to 100 m"));
+  EXPECT_THAT(told("[[segment]]\ntype = 'pivot'\nangle_deg = 0\n" + kFence),
+              HasSubstr("smallest turn is 0.1 deg"));
+  EXPECT_THAT(told("[[segment]]\ntype = 'arc'\nangle_deg = 90\n" + kFence),
+              HasSubstr("missing key 'segment.radius_m'"));
+  EXPECT_THAT(told("[[segment]]\ntype = 'spiral'\n" + kFence), HasSubstr("Allowed: 'line', 'arc'"));
+  EXPECT_THAT(told("[[segment]]\nlength_m = 1\n" + kFence),
+              HasSubstr("missing key 'segment.type'"));
+}
+
+TEST(CourseFile, RefusesAFenceThatThePathLeaves) {
+  EXPECT_THAT(told("[[segment]]\ntype = 'arc'\nradius_m = 0.6\nangle_deg = 180\n" + kFence),
+              HasSubstr("leaves the fence at"));
+  EXPECT_THAT(told(kLine + "[fence]\nmin_x_m = 1\nmax_x_m = 1\nmin_y_m = 0\nmax_y_m = 1\n"),
+              HasSubstr("'max_x_m' must exceed 'min_x_m'"));
+}
+
+TEST(CourseFile, RefusesShovesBeyondThePathOrOutOfOrder) {
+  EXPECT_THAT(told(kLine + "[[shove]]\nat_m = 1.6\n" + kFence), HasSubstr("only 1.5 m long"));
+  EXPECT_THAT(told(kLine + "[[shove]]\nat_m = 1.0\n[[shove]]\nat_m = 0.5\n" + kFence),
+              HasSubstr("order of 'at_m'"));
+}
+
+TEST(CourseFile, RefusesMoreSegmentsThanACourseCanHave) {
+  std::string text = kFence;
+  for (int i = 0; i < 1001; ++i) text += "[[segment]]\ntype='pivot'\nangle_deg=1\n";
+  EXPECT_THAT(told(text), HasSubstr("more than 1000 segments"));
+}
+
+}  // namespace
+}  // namespace tp100::course

@@ -1,0 +1,131 @@
+#include "course/path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/angle.h"
+
+namespace tp100::course {
+namespace {
+
+Course course_of(std::vector<Segment> path) {
+  Course course;
+  course.path = std::move(path);
+  return course;
+}
+
+const Course kMixed = course_of({Line{0.5}, Arc{0.3, -kPi / 2}, Pivot{kPi / 2}, Line{0.4},
+                                 Arc{0.2, 1.5 * kPi}, Pivot{-3 * kPi}});
+
+TEST(Path, EndsWhereGeometrySays) {
+  const Path path(
+      course_of({Line{1.2}, Arc{0.3, -kPi / 2}, Line{0.2}, Pivot{-kPi / 2}, Line{1.2}}));
+  const PathPoint end = path.pieces().back().end;
+  EXPECT_NEAR(end.x_m, 0.3, 1e-12);
+  EXPECT_NEAR(end.y_m, -0.5, 1e-12);
+  EXPECT_DOUBLE_EQ(end.yaw_rad, -kPi);
+  EXPECT_NEAR(path.length_m(), 2.6 + 0.15 * kPi, 1e-12);
+}
+
+TEST(Path, BeginsAtTheStartPose) {
+  Course course = course_of({Line{1.0}});
+  course.start.x_m = 2.0;
+  course.start.y_m = -1.0;
+  course.start.yaw_rad = kPi / 2;
+  const PathPoint end = Path(course).at(1.0);
+  EXPECT_NEAR(end.x_m, 2.0, 1e-12);
+  EXPECT_NEAR(end.y_m, 0.0, 1e-12);
+}
+
+TEST(Path, PositionIsTheIntegralOfItsTangent) {
+  const Path path(kMixed);
+  for (const Piece& piece : path.pieces()) {
+    if (piece.kind == Piece::Kind::kPivot) continue;
+    const auto index = static_cast<std::size_t>(&piece - path.pieces().data());
+    const double step = 1e-5;
+    for (double s = step; s < piece.length_m - step; s += 0.01) {
+      const PathPoint a = path.at(index, s - step), b = path.at(index, s + step);
+      const PathPoint here = path.at(index, s);
+      EXPECT_NEAR((b.x_m - a.x_m) / (2 * step), std::cos(here.yaw_rad), 1e-8);
+      EXPECT_NEAR((b.y_m - a.y_m) / (2 * step), std::sin(here.yaw_rad), 1e-8);
+      EXPECT_NEAR((b.yaw_rad - a.yaw_rad) / (2 * step), here.curvature_1pm, 1e-8);
+    }
+  }
+}
+
+TEST(Path, PiecesJoinWithoutAGapAndYawIsUnwrapped) {
+  const Path path(kMixed);
+  for (std::size_t i = 1; i < path.pieces().size(); ++i) {
+    EXPECT_DOUBLE_EQ(path.pieces()[i].begin.x_m, path.pieces()[i - 1].end.x_m);
+    EXPECT_DOUBLE_EQ(path.pieces()[i].begin.y_m, path.pieces()[i - 1].end.y_m);
+    EXPECT_DOUBLE_EQ(path.pieces()[i].begin.yaw_rad, path.pieces()[i - 1].end.yaw_rad);
+    EXPECT_DOUBLE_EQ(path.pieces()[i].begin.s_m, path.pieces()[i - 1].end.s_m);
+  }
+  EXPECT_NEAR(path.pieces().back().end.yaw_rad, -1.5 * kPi, 1e-12);
+}
+
+TEST(Path, ProjectionReturnsTheOffsetOfPointsBesideThePiece) {
+  const Path path(kMixed);
+  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
+    const double length = path.pieces()[i].length_m;
+    for (double part = 0.02; part < 1.0; part += 0.07)
+      for (const double aside : {-0.1, -0.01, 0.0, 0.05, 0.1}) {
+        const PathPoint p = path.at(i, part * length);
+        const double x = p.x_m - aside * std::sin(p.yaw_rad);
+        const double y = p.y_m + aside * std::cos(p.yaw_rad);
+        EXPECT_NEAR(path.project(i, x, y), part * length, 1e-12);
+      }
+  }
+}
+
+TEST(Path, ProjectionStopsAtTheEnds) {
+  const Path path(course_of({Line{1.0}, Arc{0.5, kPi / 2}}));
+  EXPECT_EQ(path.project(0, -3.0, 1.0), 0.0);
+  EXPECT_EQ(path.project(0, 4.0, 1.0), 1.0);
+  EXPECT_EQ(path.project(1, 0.9, -0.1), 0.0);
+  EXPECT_EQ(path.project(1, 1.4, 0.7), path.pieces()[1].length_m);
+}
+
+TEST(Path, OffsetsAreClamped) {
+  const Path path(course_of({Line{1.0}}));
+  EXPECT_EQ(path.at(0, -5.0).x_m, 0.0);
+  EXPECT_EQ(path.at(0, 5.0).x_m, 1.0);
+  EXPECT_EQ(path.at(-5.0).x_m, 0.0);
+  EXPECT_EQ(path.at(5.0).x_m, 1.0);
+}
+
+TEST(Path, AtAPivotTheLengthGivesThePoseBeforeIt) {
+  const Path path(course_of({Line{1.0}, Pivot{1.0}, Line{1.0}, Pivot{1.0}}));
+  EXPECT_DOUBLE_EQ(path.at(1.0).yaw_rad, 0.0);
+  EXPECT_DOUBLE_EQ(path.at(1.5).yaw_rad, 1.0);
+  EXPECT_DOUBLE_EQ(path.at(9.0).yaw_rad, 1.0);
+  EXPECT_DOUBLE_EQ(path.at(9.0).x_m, 1.0 + std::cos(1.0));
+}
+
+TEST(Path, DistanceAgreesWithADenseSearch) {
+  const Path path(kMixed);
+  for (const auto& [from, to] : {std::pair(0.0, 9.0), std::pair(0.3, 0.7), std::pair(1.2, 2.0)})
+    for (double x = -0.5; x < 1.6; x += 0.21)
+      for (double y = -1.0; y < 1.0; y += 0.19) {
+        double best = 1e9;
+        for (double s = from; s <= std::min(to, path.length_m()); s += 1e-4) {
+          const PathPoint p = path.at(s);
+          best = std::min(best, std::hypot(p.x_m - x, p.y_m - y));
+        }
+        EXPECT_NEAR(path.distance(x, y, from, to), best, 1e-4) << x << " " << y << " " << from;
+      }
+}
+
+TEST(Path, AFullCircleAndAPathOfPivotsArePaths) {
+  const Path circle(course_of({Arc{0.5, 2 * kPi}}));
+  EXPECT_NEAR(circle.at(circle.length_m()).x_m, 0.0, 1e-12);
+  EXPECT_NEAR(circle.distance(0.0, 0.5, 0.0, 10.0), 0.5, 1e-12);
+  const Path spin(course_of({Pivot{kPi}}));
+  EXPECT_EQ(spin.length_m(), 0.0);
+  EXPECT_DOUBLE_EQ(spin.distance(0.3, 0.4, 0.0, 0.0), 0.5);
+  EXPECT_EQ(spin.at(1.0).yaw_rad, 0.0);
+}
+
+}  // namespace
+}  // namespace tp100::course

@@ -1,0 +1,81 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "course/robot.h"
+
+namespace tp100::course {
+namespace {
+
+using testing::HasSubstr;
+
+std::string told(const std::string& text) {
+  try {
+    parse_robot(text, "r.toml");
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(RobotFile, AnEmptyFileIsTheDefaultRobot) {
+  const Robot robot = parse_robot("", "dir/plain.toml");
+  EXPECT_EQ(robot.name, "plain");
+  EXPECT_EQ(robot.model.wheelbase_m, ModelValues{}.wheelbase_m);
+  EXPECT_EQ(robot.emulated.body.mid_lift_m, EmulatedBody{}.mid_lift_m);
+}
+
+TEST(RobotFile, ReadsTablesInTheFilesUnits) {
+  const Robot robot = parse_robot(
+      "[model]\nslip_left = 0.2\nslip_angle_straight_deg = 1\n[drive]\nswap_tracks = true\n"
+      "[emulated]\nclock_ppm = -30\n[emulated.body]\nmid_lift_m = 0\n[emulated.imu]\nwarm_up_s = "
+      "9\n",
+      "r.toml");
+  EXPECT_EQ(robot.model.slip_left, 0.2);
+  EXPECT_DOUBLE_EQ(robot.model.slip_angle_straight_rad, kRadPerDeg);
+  EXPECT_TRUE(robot.drive.swap_tracks);
+  EXPECT_EQ(robot.emulated.clock_ppm, -30.0);
+  EXPECT_EQ(robot.emulated.body.mid_lift_m, 0.0);
+  EXPECT_EQ(robot.emulated.imu.warm_up_s, 9.0);
+}
+
+TEST(RobotFile, RefusesUnknownAndImpossibleValues) {
+  EXPECT_EQ(told("[model]\nwheelbse_m = 1\n"),
+            "r.toml:2:1: unknown key 'model.wheelbse_m'; did you mean 'model.wheelbase_m'?");
+  EXPECT_EQ(told("[emulated.body]\nmass_kg = -1\n"),
+            "r.toml:2:11: 'emulated.body.mass_kg' is -1, allowed 0.1 to 10 kg");
+  EXPECT_THAT(told("[emulated.body]\nbelt_width_m = 0.2\n"), HasSubstr("must be below"));
+  EXPECT_THAT(told("[emulated]\nbodi = {}\n"), HasSubstr("did you mean 'emulated.body'?"));
+}
+
+TEST(RobotFile, AWrittenRobotReadsBackTheSame) {
+  Robot robot;
+  robot.description = "a \"quoted\" back\\slash\nand line";
+  robot.model.slip_angle_straight_rad = 0.123 * kRadPerDeg;
+  robot.drive.invert_left_motor = true;
+  robot.emulated.imu.gyro_noise_radps_rthz = 8.7e-5;
+  const std::string text = write_robot(robot, "A note.");
+  const Robot again = parse_robot(text, "r.toml");
+  EXPECT_EQ(again.description, robot.description);
+  EXPECT_NEAR(again.model.slip_angle_straight_rad, robot.model.slip_angle_straight_rad, 1e-12);
+  EXPECT_TRUE(again.drive.invert_left_motor);
+  EXPECT_EQ(again.emulated.imu.gyro_noise_radps_rthz, 8.7e-5);
+  EXPECT_EQ(write_robot(again, "A note."), text);
+}
+
+TEST(RobotFile, EveryWrittenKeySaysDefaultAndRange) {
+  const std::string text = write_robot(Robot{}, "");
+  EXPECT_THAT(text, HasSubstr("Default 0.2742, range 0.05 to 2 m.\nwheelbase_m = 0.2742\n"));
+  for (std::size_t at = 0; (at = text.find(" = ", at)) != std::string::npos; ++at) {
+    const std::size_t line = text.rfind('\n', at) + 1;
+    if (text.compare(line, 11, "description") == 0) continue;
+    const std::size_t comment = text.rfind("\n#", line);
+    EXPECT_NE(text.substr(0, line).rfind("Default "), std::string::npos);
+    EXPECT_NE(comment, std::string::npos);
+    EXPECT_EQ(text[line - 2], '.') << text.substr(line, 30);
+  }
+}
+
+}  // namespace
+}  // namespace tp100::course
