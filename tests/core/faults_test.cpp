@@ -8,9 +8,10 @@ namespace {
 TEST(Faults, EveryFaultHasNameCauseAndRemedy) {
   FaultMask all = 0;
 #define TP100_ALL(bit, name, cause, remedy) all |= fault_bit(Fault::name);
-  TP100_ROBOT_FAULTS(TP100_ALL) TP100_DAEMON_FAULTS(TP100_ALL)
+  TP100_ROBOT_FAULTS(TP100_ALL)
+  TP100_DAEMON_FAULTS(TP100_ALL)
 #undef TP100_ALL
-  for (FaultMask rest = all; rest != 0; rest &= rest - 1) {
+      for (FaultMask rest = all; rest != 0; rest &= rest - 1) {
     const FaultText& text = describe(*first_fault(rest));
     EXPECT_NE(text.name, "unknown");
     EXPECT_FALSE(text.cause.empty());

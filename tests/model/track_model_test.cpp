@@ -47,11 +47,12 @@ TEST_P(ConstantSpeeds, PaperModeAgreesWithAnIndependentIntegrationWhateverTheSte
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Drives, ConstantSpeeds,
-    testing::Values(std::array{0.1, 0.1}, std::array{0.1, 0.1 * 0.9 / 0.8812}, std::array{0.05, 0.15},
-                    std::array{-0.1, 0.1}, std::array{0.1, -0.1}, std::array{-0.12, -0.08},
-                    std::array{0.0, 0.0}, std::array{0.0, 0.2}, std::array{0.1, 0.117}));
+INSTANTIATE_TEST_SUITE_P(Drives, ConstantSpeeds,
+                         testing::Values(std::array{0.1, 0.1}, std::array{0.1, 0.1 * 0.9 / 0.8812},
+                                         std::array{0.05, 0.15}, std::array{-0.1, 0.1},
+                                         std::array{0.1, -0.1}, std::array{-0.12, -0.08},
+                                         std::array{0.0, 0.0}, std::array{0.0, 0.2},
+                                         std::array{0.1, 0.117}));
 
 TEST(TrackModel, StraightDriveOfThePaperTurnsByFourPointFourDegreesPerMetre) {
   TrackModel model(TrackParameters{}, Mode::kPaper);

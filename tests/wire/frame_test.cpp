@@ -1,8 +1,8 @@
 #include "wire/frame.h"
 
-#include <cstring>
-
 #include <gtest/gtest.h>
+
+#include <cstring>
 
 namespace tp100::wire {
 namespace {
