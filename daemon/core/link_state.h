@@ -27,7 +27,8 @@ struct LinkCounters {
   std::uint64_t bytes_in = 0, bytes_out = 0;
   std::uint64_t frames_in = 0, frames_out = 0;  ///< good frames
   std::uint64_t samples = 0;                    ///< samples handed on
-  std::uint64_t lost = 0;                       ///< samples missing by sequence
+  std::uint64_t early = 0;       ///< samples before the clock relation was known; not handed on
+  std::uint64_t lost = 0;        ///< samples missing by sequence
   std::uint64_t duplicated = 0;  ///< samples with a sequence that was already handed on
   std::uint64_t reordered = 0;   ///< samples older than one already handed on
   std::uint64_t crc_errors = 0;

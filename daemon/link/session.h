@@ -1,6 +1,6 @@
 #pragma once
-// The session with one robot: bytes and time in, samples and bytes out. A state machine without clock or
-// port; no allocation after construction; safe in the real-time thread.
+// The session with one robot: bytes and time in, samples and bytes out. A state machine without
+// clock or port; no allocation after construction; safe in the real-time thread.
 
 #include <array>
 #include <cstdint>
@@ -9,15 +9,20 @@
 #include "core/command.h"
 #include "core/link_state.h"
 #include "core/sample.h"
+#include "link/clock_sync.h"
+#include "link/frame_reader.h"
+#include "link/one_shot_request.h"
+#include "link/output_queue.h"
+#include "link/sample_intake.h"
 #include "wire/messages.h"
 
 namespace tp100::link {
 
 /// Settings of a session.
 struct SessionSettings {
-  wire::Parameters parameters{};     ///< nonce and token are filled in by the session
-  std::uint32_t baud = wire::kBaud;  ///< for wire times; 0: bytes take no time
-  HostNs timeout_ns = 500 * kNsPerMs;         ///< no good frame for this long: link lost
+  wire::Parameters parameters{};                ///< nonce and token are filled in by the session
+  std::uint32_t baud = wire::kBaud;             ///< for wire times; 0: bytes take no time
+  HostNs timeout_ns = 500 * kNsPerMs;           ///< no good frame for this long: link lost
   HostNs first_frame_timeout_ns = 5 * kNsPerS;  ///< nothing heard for this long: warn
 };
 
@@ -32,7 +37,7 @@ struct SessionEvent {
     kRobotLog,         ///< text
     kAcknowledged,     ///< a: request wire::Type, b: wire::Result, detail
     kNotAcknowledged,  ///< a: request wire::Type
-    kTimeout,          ///< no good frame within the time-out
+    kTimeout,          ///< no good frame within the time-out; a: SessionState in which it passed
   };
   Kind kind = Kind::kState;
   HostNs at_ns = 0;
@@ -44,11 +49,14 @@ struct SessionEvent {
 
 class Session {
  public:
-  static constexpr std::size_t kMaxSamples = 64;  ///< kept between two takes; older ones count as lost
+  static constexpr std::size_t kMaxSamples =
+      SampleIntake::kCapacity;  ///< kept between two takes; older ones count as lost
   static constexpr std::size_t kMaxEvents = 32;
-  static constexpr std::size_t kMaxOut = 1024;    ///< bytes waiting for the port
+  static constexpr std::size_t kMaxOut = 1024;  ///< bytes waiting for the port
 
   explicit Session(const SessionSettings& settings);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   /// A port was opened: forget the peer, stay silent, listen.
   void open(HostNs now);
@@ -62,8 +70,8 @@ class Session {
 
   /// Queues one command frame. Ignored unless the state is kSyncing or kReady.
   void send(const Command& command, HostNs now);
-  /// Starts a one-shot request, repeated until acknowledged or 200 ms have passed. STOP waits for the next
-  /// session if there is none.
+  /// Starts a one-shot request, repeated until acknowledged or 200 ms have passed. STOP waits for
+  /// the next session if there is none.
   void request(RobotRequest request, HostNs now);
 
   /// Samples since the last take, oldest first; valid until the next receive().
@@ -83,7 +91,71 @@ class Session {
   /// True once after a new boot nonce / a refused or unacknowledged arm.
   bool take_rebooted();
   bool take_refused();
-  // private members are up to the implementation
+  /// True while a request waits for its acknowledgement.
+  bool request_pending() const { return motion_.pending() || stop_.pending(); }
+
+ private:
+  void enter(SessionState state, HostNs now);
+  void on_frame(HostNs now);
+  void on_hello(HostNs now);
+  void on_other_hello(HostNs now);
+  void on_sample(const wire::Sample& sample, HostNs now);
+  void on_acknowledge(const wire::Acknowledge& acknowledge, HostNs now);
+  void on_parameters_answer(const wire::Acknowledge& acknowledge, HostNs now);
+  void on_sync_reply(const wire::SyncReply& reply, HostNs now);
+  void on_fault(const wire::FaultReport& report, HostNs now);
+  void on_log(const wire::Log& log, HostNs now);
+  template <class Message>
+  bool read(Message& message);
+
+  void ask_hello(HostNs now);
+  void begin_session(HostNs now);
+  void end_session(HostNs now);
+  void fail_arm(HostNs now);
+  void poll_timeout(HostNs now);
+  void poll_requests(HostNs now);
+  void poll_handshake(HostNs now);
+  void poll_sync(HostNs now);
+  bool connected() const;
+  bool in_session() const;
+  std::uint32_t next_token(HostNs now);
+  HostNs wire_ns(std::size_t bytes) const;
+  void note(SessionEvent::Kind kind, HostNs now, std::int32_t a = 0, std::int32_t b = 0,
+            std::uint32_t detail = 0);
+  SessionEvent* new_event(SessionEvent::Kind kind, HostNs now, std::size_t room);
+
+  SessionSettings settings_;
+  LinkCounters counters_{};
+  FrameReader reader_{counters_};
+  OutputQueue<kMaxOut> output_{counters_};
+  SampleIntake intake_{counters_};
+  ClockSync sync_;
+  DeviceClock device_clock_;
+  ClockState clock_{};
+  OneShotRequest motion_;  // arm or disarm
+  wire::Type motion_type_ = wire::Type::kDisarm;
+  wire::Arm arm_{};
+  std::uint32_t overdue_arm_token_ = 0;
+  OneShotRequest stop_;
+
+  SessionState state_ = SessionState::kClosed;
+  wire::Hello hello_{};
+  bool known_boot_ = false;
+  bool new_boot_ = true;
+  bool rebooted_ = false;
+  bool refused_ = false;
+  std::uint32_t session_number_ = 0;
+  std::uint32_t token_ = 0;
+  std::uint16_t command_sequence_ = 0;
+  bool sequence_known_ = false;
+
+  HostNs last_good_ns_ = 0;
+  HostNs last_sent_ns_ = 0;
+  HostNs next_hello_ns_ = 0;
+  HostNs next_parameters_ns_ = 0;
+
+  std::array<SessionEvent, kMaxEvents> events_{};
+  std::size_t event_count_ = 0;
 };
 
 }  // namespace tp100::link

@@ -1,0 +1,83 @@
+#pragma once
+// Relation of the robot's clock to the host's from request/reply exchanges. Fed with times only; no
+// allocation; safe in the real-time thread.
+//
+// One exchange gives four times. With both frames' wire times removed, the rest of the round trip
+// is queueing and USB latency, and the true relation lies within half of it around the middle. A
+// straight line is fitted through the last exchanges, each weighted by what its round trip exceeds
+// the best one by; the drift has a prior, because the quick exchanges at the start span too little
+// time to show it.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/link_state.h"
+
+namespace tp100::link {
+
+class ClockSync {
+ public:
+  static constexpr HostNs kQuickPeriodNs = 50 * kNsPerMs;
+  /// No multiple of any other period here, so that exchanges do not keep meeting the same
+  /// disturbance.
+  static constexpr HostNs kPeriodNs = 983'900'000;
+  static constexpr int kQuickExchanges = 8;
+  static constexpr std::size_t kValidAfter = 4;  ///< accepted exchanges
+
+  /// What became of a reply.
+  enum class Verdict : std::uint8_t {
+    kAccepted,
+    kUnmatched,  ///< late, duplicated or never asked for
+    kOutlier,    ///< a round trip far above the usual one, or impossible times
+    kRestarted,  ///< the relation jumped: the fit starts anew from this exchange
+  };
+
+  /// Forgets everything (a new session).
+  void reset(HostNs now);
+
+  /// The id to ask with if an exchange is due at `now`.
+  std::optional<std::uint16_t> due(HostNs now) const;
+  /// When the next exchange is due.
+  HostNs next_ns() const { return next_ask_ns_; }
+  /// The request `id` was handed to the port at `now`; its last byte is on the wire `wire_ns`
+  /// later.
+  void asked(std::uint16_t id, HostNs now, HostNs wire_ns);
+  /// A reply was read at `now`; it took `wire_ns` on the wire. Device times are unwrapped.
+  Verdict answered(std::uint16_t id, DeviceUs received_us, DeviceUs sent_us, HostNs now,
+                   HostNs wire_ns);
+
+  const ClockState& state() const { return state_; }
+  /// The relation with its uncertainty as of `now`.
+  ClockState state_at(HostNs now) const;
+
+ private:
+  struct Exchange {
+    DeviceUs device_us;   // middle, whole us
+    double host_ns;       // host time of device_us, minus origin_ns_
+    double half_trip_ns;  // half of what remains of the round trip
+  };
+  static constexpr std::size_t kWindow = 32;
+
+  void store(const Exchange& exchange);
+  void fit(HostNs now);
+  double best_half_trip_ns(HostNs now) const;
+
+  std::array<Exchange, kWindow> window_{};
+  std::size_t count_ = 0;
+  std::size_t next_ = 0;
+  HostNs origin_ns_ = 0;
+  ClockState state_{};
+
+  HostNs next_ask_ns_ = 0;
+  HostNs asked_ns_ = 0;
+  HostNs request_wire_ns_ = 0;
+  std::uint16_t id_ = 0;
+  bool outstanding_ = false;
+  int quick_left_ = kQuickExchanges;
+  double usual_excess_ns_ = 0.0;
+  int misfits_ = 0;  // in a row
+};
+
+}  // namespace tp100::link

@@ -1,0 +1,44 @@
+#pragma once
+// Bytes of the robot → good frames; what is not one is counted by its cause. No allocation.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/link_state.h"
+#include "wire/frame.h"
+
+namespace tp100::link {
+
+/// Receiver of one port. Before the first good frame of a port every byte is foreign (a bootloader,
+/// a modem probe, the tail of a frame); afterwards a damaged frame is one count of its cause.
+class FrameReader {
+ public:
+  /// `counters` must outlive the reader.
+  explicit FrameReader(LinkCounters& counters) : counters_(counters) {}
+
+  /// A port was opened or closed: what is half received is lost.
+  void reset();
+
+  /// Takes one byte. True: a good frame is in type(), payload(), size() until the next push.
+  bool push(std::uint8_t byte);
+
+  std::uint8_t type() const { return decoder_.type(); }
+  const std::uint8_t* payload() const { return decoder_.payload(); }
+  std::size_t size() const { return decoder_.size(); }
+  /// Bytes of the last good frame on the wire, delimiter included.
+  std::size_t frame_bytes() const { return frame_bytes_; }
+  /// True from the first good frame of this port on.
+  bool in_step() const { return in_step_; }
+
+ private:
+  void count(wire::Received cause);
+
+  LinkCounters& counters_;
+  wire::FrameDecoder decoder_;
+  std::uint64_t pending_ = 0;  // bytes since the last delimiter, it included
+  std::size_t frame_bytes_ = 0;
+  bool in_step_ = false;
+  bool skipping_ = false;
+};
+
+}  // namespace tp100::link

@@ -1,0 +1,165 @@
+#include "link/sample_intake.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/angle.h"
+
+namespace tp100::link {
+namespace {
+
+constexpr double kStandardGravity = 9.80665;
+const double kGyroRadpsPerLsb = kRadPerDeg / static_cast<double>(wire::kGyroLsbPerDegps);
+const double kAccelMps2PerLsb = kStandardGravity / static_cast<double>(wire::kAccelLsbPerG);
+// A sample cannot have been measured after it was read; this much is left to the clock relation.
+constexpr HostNs kFutureNs = 50 * kNsPerMs;
+constexpr std::uint64_t kNewest = 1;
+
+std::int32_t signed_difference(std::uint32_t value, std::uint32_t from) {
+  return static_cast<std::int32_t>(value - from);
+}
+
+bool values_plausible(const wire::Sample& sample) {
+  return sample.state <= static_cast<std::uint8_t>(wire::State::kFaulted) &&
+         std::abs(int{sample.left_duty}) <= wire::kFullDuty &&
+         std::abs(int{sample.right_duty}) <= wire::kFullDuty;
+}
+
+}  // namespace
+
+DeviceUs DeviceClock::extend(std::uint32_t device_us, HostNs now) {
+  if (!known_) {
+    known_ = true;
+    newest_us_ = device_us;
+    newest_ns_ = now;
+    return newest_us_;
+  }
+  // The host's clock tells how many wraps went by, so that a long silence does not matter.
+  const DeviceUs expected = newest_us_ + (now - newest_ns_) / kNsPerUs;
+  const DeviceUs result =
+      expected + signed_difference(device_us, static_cast<std::uint32_t>(expected));
+  if (result > newest_us_) {
+    newest_us_ = result;
+    newest_ns_ = now;
+  }
+  return result;
+}
+
+void SampleIntake::begin(bool new_boot) {
+  started_ = false;
+  if (new_boot) counting_ = false;
+  refused_in_row_ = 0;
+  count_ = 0;
+  dropped_ = 0;
+}
+
+bool SampleIntake::in_order(std::uint16_t sequence, DeviceUs device_us, std::uint32_t& missing) {
+  missing = 0;
+  if (!started_) return true;
+  const auto ahead =
+      static_cast<std::int16_t>(static_cast<std::uint16_t>(sequence - last_sequence_));
+  if (ahead <= 0) {
+    const unsigned back = static_cast<unsigned>(-int{ahead});
+    const std::uint64_t bit = back < 64 ? kNewest << back : 0;
+    if (bit != 0 && (seen_ & bit) == 0) {
+      seen_ |= bit;
+      ++counters_.reordered;
+      if (counters_.lost > 0) --counters_.lost;
+    } else if (bit != 0) {
+      ++counters_.duplicated;
+    } else {
+      ++counters_.reordered;
+    }
+    return false;
+  }
+  if (device_us <= last_device_us_) {
+    ++counters_.implausible;
+    return false;
+  }
+  missing = static_cast<std::uint32_t>(ahead - 1);
+  return true;
+}
+
+void SampleIntake::push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock,
+                        HostNs now) {
+  std::uint32_t missing = 0;
+  const HostNs measured_ns = clock.valid ? clock.to_host(device_us) : 0;
+  if (!values_plausible(wire) || (clock.valid && measured_ns > now + kFutureNs)) {
+    ++counters_.implausible;
+    ++refused_in_row_;
+    return;
+  }
+  if (!in_order(wire.sequence, device_us, missing)) {
+    ++refused_in_row_;
+    return;
+  }
+  refused_in_row_ = 0;
+
+  const unsigned ahead = missing + 1;
+  seen_ = started_ && ahead < 64 ? (seen_ << ahead) | kNewest
+                                 : (started_ ? kNewest : ~std::uint64_t{0});
+  started_ = true;
+  last_sequence_ = wire.sequence;
+  last_device_us_ = device_us;
+  counters_.lost += missing;
+  dropped_ += missing;
+
+  if (!counting_) {
+    counting_ = true;
+    left_counts_ = last_left_ = wire.left_counts;
+    right_counts_ = last_right_ = wire.right_counts;
+  }
+  left_counts_ += signed_difference(static_cast<std::uint32_t>(wire.left_counts),
+                                    static_cast<std::uint32_t>(last_left_));
+  right_counts_ += signed_difference(static_cast<std::uint32_t>(wire.right_counts),
+                                     static_cast<std::uint32_t>(last_right_));
+  last_left_ = wire.left_counts;
+  last_right_ = wire.right_counts;
+  if (!clock.valid) {
+    ++counters_.early;
+    dropped_ = 0;
+    return;
+  }
+  Sample sample;
+  sample.sequence = wire.sequence;
+  sample.left_counts = left_counts_;
+  sample.right_counts = right_counts_;
+  sample.lost_before = dropped_;
+  sample.device_us = device_us;
+  sample.measured_ns = measured_ns;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    sample.gyro_radps[axis] = wire.gyro[axis] * kGyroRadpsPerLsb;
+    sample.accel_mps2[axis] = wire.accel[axis] * kAccelMps2PerLsb;
+  }
+  sample.temperature_degc = wire.temperature / static_cast<double>(wire::kTemperatureLsbPerDegc) +
+                            static_cast<double>(wire::kTemperatureOffsetDegc);
+  sample.battery_v = wire.battery_mv * 1e-3;
+  sample.left_duty = wire.left_duty / static_cast<double>(wire::kFullDuty);
+  sample.right_duty = wire.right_duty / static_cast<double>(wire::kFullDuty);
+  sample.state = static_cast<RobotState>(wire.state);
+  sample.faults = wire.faults;
+  sample.last_command = wire.last_command;
+  sample.imu_age = wire.imu_age;
+  keep(sample);
+  dropped_ = 0;
+}
+
+void SampleIntake::keep(const Sample& sample) {
+  if (count_ == kCapacity) {
+    const std::uint32_t gap = samples_[0].lost_before + 1;
+    std::move(samples_.begin() + 1, samples_.end(), samples_.begin());
+    --count_;
+    samples_[0].lost_before += gap;
+    ++counters_.lost;
+  }
+  samples_[count_++] = sample;
+}
+
+std::span<const Sample> SampleIntake::take() {
+  const std::span<const Sample> result(samples_.data(), count_);
+  counters_.samples += count_;
+  count_ = 0;
+  return result;
+}
+
+}  // namespace tp100::link

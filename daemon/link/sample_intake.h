@@ -1,0 +1,66 @@
+#pragma once
+// Sample frames → samples: units, unwrapped time and counts, host time, and a check of order and
+// plausibility. Fixed size, no allocation.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/link_state.h"
+#include "core/sample.h"
+#include "wire/messages.h"
+
+namespace tp100::link {
+
+/// Device time extended to 64 bit within one boot, across sessions.
+class DeviceClock {
+ public:
+  /// A new boot: no relation to earlier times.
+  void forget() { known_ = false; }
+  /// The extended time of a value read at host time `now`.
+  DeviceUs extend(std::uint32_t device_us, HostNs now);
+
+ private:
+  DeviceUs newest_us_ = 0;
+  HostNs newest_ns_ = 0;
+  bool known_ = false;
+};
+
+class SampleIntake {
+ public:
+  static constexpr std::size_t kCapacity = 64;  ///< kept between two takes
+  /// This many refused samples in a row: the stream makes no sense, ask for a new session.
+  static constexpr int kNonsense = 40;
+
+  /// `counters` must outlive the intake.
+  explicit SampleIntake(LinkCounters& counters) : counters_(counters) {}
+
+  /// A new session: the next sample is the first one. Counts continue unless it is a new boot.
+  void begin(bool new_boot);
+  /// Takes one sample with its extended device time. Kept only if `clock` is valid.
+  void push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock, HostNs now);
+  /// Samples since the last take, oldest first; valid until the next push.
+  std::span<const Sample> take();
+  bool nonsense() const { return refused_in_row_ >= kNonsense; }
+
+ private:
+  bool in_order(std::uint16_t sequence, DeviceUs device_us, std::uint32_t& missing);
+  void keep(const Sample& sample);
+
+  LinkCounters& counters_;
+  std::array<Sample, kCapacity> samples_{};
+  std::size_t count_ = 0;
+  std::uint32_t dropped_ = 0;  // since the last kept sample
+
+  bool started_ = false;
+  bool counting_ = false;  // counts are unwrapped relative to an earlier sample
+  std::uint16_t last_sequence_ = 0;
+  std::uint64_t seen_ = 0;  // bit i: sequence last - i was taken
+  DeviceUs last_device_us_ = 0;
+  std::int64_t left_counts_ = 0, right_counts_ = 0;
+  std::int32_t last_left_ = 0, last_right_ = 0;
+  int refused_in_row_ = 0;
+};
+
+}  // namespace tp100::link

@@ -1,0 +1,472 @@
+#include "link/session.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tp100::link {
+namespace {
+
+using wire::Result;
+using wire::Type;
+
+constexpr HostNs kHelloRequestPeriodNs = 200 * kNsPerMs;
+constexpr HostNs kParametersPeriodNs = 100 * kNsPerMs;
+// The robot takes a host that is silent for kHostSilenceMs as lost.
+constexpr HostNs kKeepAliveNs = 400 * kNsPerMs;
+constexpr HostNs kArmLifeNs = kRequestLimitNs;
+// Tokens of an earlier daemon in the same boot of the robot lie below: 10 ms a step, wraps after
+// 497 days.
+constexpr HostNs kTokenTickNs = 10 * kNsPerMs;
+constexpr std::uint32_t kTokenLeap = 1U << 24U;
+// Protocol, firmware version and schema open every hello, whatever its version.
+constexpr std::size_t kHelloPrefix = 9;
+
+std::int32_t number(SessionState state) { return static_cast<std::int32_t>(state); }
+std::int32_t number(Type type) { return static_cast<std::int32_t>(type); }
+
+}  // namespace
+
+Session::Session(const SessionSettings& settings) : settings_(settings) {}
+
+void Session::open(HostNs now) {
+  end_session(now);
+  reader_.reset();
+  output_.reset();
+  last_good_ns_ = now;
+  next_hello_ns_ = now;
+  enter(SessionState::kListening, now);
+}
+
+void Session::close(HostNs now) {
+  end_session(now);
+  reader_.reset();
+  output_.reset();
+  enter(SessionState::kClosed, now);
+}
+
+void Session::receive(std::span<const std::uint8_t> bytes, HostNs now) {
+  counters_.bytes_in += bytes.size();
+  if (state_ == SessionState::kClosed) return;
+  for (const std::uint8_t byte : bytes) {
+    if (reader_.push(byte)) on_frame(now);
+  }
+}
+
+template <class Message>
+bool Session::read(Message& message) {
+  if (wire::read_payload(reader_.payload(), reader_.size(), message)) return true;
+  ++counters_.wrong_size;
+  return false;
+}
+
+void Session::on_frame(HostNs now) {
+  last_good_ns_ = now;
+  const Type type{reader_.type()};
+  if (state_ == SessionState::kListening) {
+    if (stop_.pending()) stop_.start(next_token(now), now);
+    if (type != Type::kHello) ask_hello(now);
+  }
+  switch (type) {
+    case Type::kHello:
+      return on_hello(now);
+    case Type::kSample: {
+      wire::Sample sample;
+      if (read(sample)) on_sample(sample, now);
+      return;
+    }
+    case Type::kAcknowledge: {
+      wire::Acknowledge acknowledge;
+      if (read(acknowledge)) on_acknowledge(acknowledge, now);
+      return;
+    }
+    case Type::kSyncReply: {
+      wire::SyncReply reply;
+      if (read(reply)) on_sync_reply(reply, now);
+      return;
+    }
+    case Type::kFaultReport: {
+      wire::FaultReport report;
+      if (read(report)) on_fault(report, now);
+      return;
+    }
+    case Type::kLog: {
+      wire::Log log;
+      if (read(log)) on_log(log, now);
+      return;
+    }
+    default:
+      ++counters_.unknown_type;
+  }
+}
+
+void Session::on_hello(HostNs now) {
+  wire::Hello hello;
+  if (!wire::read_payload(reader_.payload(), reader_.size(), hello)) return on_other_hello(now);
+  if (hello.protocol != wire::kProtocolVersion || hello.schema != wire::kSchemaHash) {
+    return on_other_hello(now);
+  }
+  if (hello.boot_nonce == 0 || hello.state > static_cast<std::uint8_t>(wire::State::kFaulted)) {
+    ++counters_.implausible;
+    return;
+  }
+  const bool same_boot = known_boot_ && hello.boot_nonce == hello_.boot_nonce;
+  // A hello that was under way when the parameters were sent.
+  if (same_boot && state_ == SessionState::kParameters) return;
+  if (known_boot_ && !same_boot) {
+    ++counters_.reboots;
+    rebooted_ = true;
+  }
+  const bool reboot = known_boot_ && !same_boot;
+  hello_ = hello;
+  known_boot_ = true;
+  if (!same_boot) {
+    new_boot_ = true;
+    device_clock_.forget();
+  }
+  if (reboot) note(SessionEvent::Kind::kReboot, now, 0, 0, hello.boot_nonce);
+  note(SessionEvent::Kind::kHello, now);
+  end_session(now);
+  settings_.parameters.boot_nonce = hello.boot_nonce;
+  settings_.parameters.token = next_token(now);
+  next_parameters_ns_ = now;
+  enter(SessionState::kParameters, now);
+}
+
+void Session::on_other_hello(HostNs now) {
+  if (reader_.size() < kHelloPrefix) {
+    ++counters_.wrong_size;
+    return;
+  }
+  wire::Hello hello{};
+  wire::Reader prefix(reader_.payload());
+  prefix.field("", hello.protocol);
+  prefix.field("", hello.firmware);
+  prefix.field("", hello.schema);
+  if (hello.protocol == wire::kProtocolVersion && hello.schema == wire::kSchemaHash) {
+    ++counters_.wrong_size;
+    return;
+  }
+  const bool repeated = state_ == SessionState::kRefused && hello.protocol == hello_.protocol &&
+                        hello.schema == hello_.schema;
+  if (repeated) return;
+  end_session(now);
+  hello_ = hello;
+  known_boot_ = false;
+  enter(SessionState::kRefused, now);
+  note(SessionEvent::Kind::kVersionMismatch, now, hello.protocol, wire::kProtocolVersion,
+       hello.schema);
+}
+
+void Session::on_sample(const wire::Sample& sample, HostNs now) {
+  if (!in_session()) {
+    ++counters_.early;
+    return;
+  }
+  if (!sequence_known_) {
+    command_sequence_ = sample.last_command;
+    sequence_known_ = true;
+  }
+  const DeviceUs device_us = device_clock_.extend(sample.device_us, now);
+  const ClockState clock = state_ == SessionState::kReady ? sync_.state() : ClockState{};
+  intake_.push(sample, device_us, clock, now);
+  if (intake_.nonsense()) ask_hello(now);
+}
+
+void Session::on_acknowledge(const wire::Acknowledge& acknowledge, HostNs now) {
+  const auto result = static_cast<std::int32_t>(acknowledge.result);
+  const bool accepted = acknowledge.result == static_cast<std::uint8_t>(Result::kAccepted);
+  const Type type{acknowledge.request};
+  if (type == Type::kParameters) return on_parameters_answer(acknowledge, now);
+  if (type == Type::kStop) {
+    if (!stop_.acknowledge(acknowledge.token)) return;
+  } else if (type == motion_type_ && motion_.acknowledge(acknowledge.token)) {
+    if (type == Type::kArm && !accepted) {
+      refused_ = true;
+      if (acknowledge.result == static_cast<std::uint8_t>(Result::kStaleToken))
+        token_ += kTokenLeap;
+    }
+  } else if (type == Type::kArm && accepted && acknowledge.token == overdue_arm_token_) {
+    // Armed after all, but nobody waits for it any more.
+    overdue_arm_token_ = 0;
+    if (!motion_.pending()) request(RobotRequest::kDisarm, now);
+    return;
+  } else {
+    return;
+  }
+  note(SessionEvent::Kind::kAcknowledged, now, number(type), result, acknowledge.detail);
+}
+
+void Session::on_parameters_answer(const wire::Acknowledge& acknowledge, HostNs now) {
+  if (state_ != SessionState::kParameters || acknowledge.token != settings_.parameters.token)
+    return;
+  note(SessionEvent::Kind::kAcknowledged, now, number(Type::kParameters), acknowledge.result,
+       acknowledge.detail);
+  switch (Result{acknowledge.result}) {
+    case Result::kAccepted:
+      return begin_session(now);
+    case Result::kStaleToken:
+      token_ += kTokenLeap;
+      settings_.parameters.token = next_token(now);
+      return;
+    case Result::kOutOfRange:
+      return enter(SessionState::kRefused, now);
+    default:
+      return ask_hello(now);
+  }
+}
+
+void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
+  if (!in_session()) {
+    ++counters_.sync_rejected;
+    return;
+  }
+  const DeviceUs received_us = device_clock_.extend(reply.received_us, now);
+  const DeviceUs sent_us = device_clock_.extend(reply.sent_us, now);
+  const auto verdict =
+      sync_.answered(reply.id, received_us, sent_us, now, wire_ns(reader_.frame_bytes()));
+  if (verdict == ClockSync::Verdict::kAccepted || verdict == ClockSync::Verdict::kRestarted) {
+    ++counters_.sync_replies;
+  } else {
+    ++counters_.sync_rejected;
+  }
+  clock_ = sync_.state_at(now);
+  if (state_ == SessionState::kSyncing && clock_.valid) {
+    if (++session_number_ > 1) ++counters_.reconnects;
+    enter(SessionState::kReady, now);
+  }
+}
+
+void Session::on_fault(const wire::FaultReport& report, HostNs now) {
+  if (SessionEvent* event = new_event(SessionEvent::Kind::kRobotFault, now, kMaxEvents / 2)) {
+    event->a = report.fault;
+    event->b = report.detail;
+    event->detail = report.device_us;
+  }
+}
+
+void Session::on_log(const wire::Log& log, HostNs now) {
+  SessionEvent* event = new_event(SessionEvent::Kind::kRobotLog, now, kMaxEvents / 2);
+  if (event == nullptr) return;
+  event->a = log.level;
+  event->detail = log.device_us;
+  for (std::size_t i = 0; i < wire::Log::kTextSize && log.text[i] != 0; ++i) {
+    const auto character = static_cast<char>(log.text[i]);
+    event->text[i] = character >= ' ' && character <= '~' ? character : '?';
+  }
+}
+
+void Session::ask_hello(HostNs now) {
+  end_session(now);
+  enter(SessionState::kHello, now);
+}
+
+void Session::begin_session(HostNs now) {
+  intake_.begin(new_boot_);
+  new_boot_ = false;
+  sequence_known_ = false;
+  sync_.reset(now);
+  clock_ = {};
+  enter(SessionState::kSyncing, now);
+}
+
+void Session::end_session(HostNs now) {
+  fail_arm(now);
+  motion_.cancel();
+  clock_ = {};
+}
+
+void Session::fail_arm(HostNs now) {
+  if (!motion_.pending() || motion_type_ != Type::kArm) return;
+  overdue_arm_token_ = motion_.token();
+  motion_.cancel();
+  refused_ = true;
+  note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kArm));
+}
+
+void Session::poll(HostNs now) {
+  poll_timeout(now);
+  poll_requests(now);
+  poll_handshake(now);
+  poll_sync(now);
+  if (clock_.valid) clock_ = sync_.state_at(now);
+}
+
+void Session::poll_timeout(HostNs now) {
+  if (state_ == SessionState::kClosed) return;
+  const bool listening = state_ == SessionState::kListening;
+  const HostNs limit = listening ? settings_.first_frame_timeout_ns : settings_.timeout_ns;
+  if (now - last_good_ns_ < limit) return;
+  note(SessionEvent::Kind::kTimeout, now, number(state_));
+  last_good_ns_ = now;
+  if (listening) return;
+  end_session(now);
+  output_.reset();
+  enter(SessionState::kListening, now);
+}
+
+void Session::poll_requests(HostNs now) {
+  if (stop_.take_overdue(now)) note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kStop));
+  if (motion_.take_overdue(now)) {
+    if (motion_type_ == Type::kArm) {
+      fail_arm(now);
+    } else {
+      motion_.cancel();
+      note(SessionEvent::Kind::kNotAcknowledged, now, number(motion_type_));
+    }
+  }
+  if (!connected()) return;
+  if (stop_.due(now)) {
+    output_.push(wire::Stop{stop_.token()});
+    stop_.sent(now);
+    last_sent_ns_ = now;
+  }
+  if (!motion_.due(now)) return;
+  if (motion_type_ == Type::kArm) {
+    if (stop_.pending()) return;
+    output_.push(arm_);
+  } else {
+    output_.push(wire::Disarm{motion_.token()});
+  }
+  motion_.sent(now);
+  last_sent_ns_ = now;
+}
+
+void Session::poll_handshake(HostNs now) {
+  if (state_ == SessionState::kHello && now >= next_hello_ns_) {
+    output_.push(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+    next_hello_ns_ = now + kHelloRequestPeriodNs;
+    last_sent_ns_ = now;
+  }
+  if (state_ == SessionState::kParameters && now >= next_parameters_ns_) {
+    output_.push(settings_.parameters);
+    next_parameters_ns_ = now + kParametersPeriodNs;
+    last_sent_ns_ = now;
+  }
+}
+
+void Session::poll_sync(HostNs now) {
+  if (!in_session()) return;
+  const auto id = sync_.due(now - last_sent_ns_ >= kKeepAliveNs ? sync_.next_ns() : now);
+  if (!id) return;
+  const std::size_t ahead = output_.bytes().size();
+  const std::size_t size = output_.push(wire::SyncRequest{*id});
+  if (size == 0) return;
+  sync_.asked(*id, now, wire_ns(ahead + size));
+  last_sent_ns_ = now;
+}
+
+void Session::send(const Command& command, HostNs now) {
+  if (!in_session()) return;
+  wire::Command out{};
+  out.boot_nonce = hello_.boot_nonce;
+  out.sequence = ++command_sequence_;
+  out.answers = command.answers;
+  out.x_m = static_cast<float>(command.pose.x_m);
+  out.y_m = static_cast<float>(command.pose.y_m);
+  out.yaw_rad = static_cast<float>(command.pose.yaw_rad);
+  out.desired_yaw_rad = static_cast<float>(command.desired_yaw_rad);
+  out.yaw_rate_radps = static_cast<float>(command.yaw_rate_radps);
+  out.speed_mps = static_cast<float>(command.speed_mps);
+  out.expiry_us = static_cast<std::uint32_t>(command.expiry_us);
+  out.gyro_bias_radps = static_cast<float>(command.gyro_bias_radps);
+  if (output_.push(out) > 0) last_sent_ns_ = now;
+}
+
+void Session::request(RobotRequest request, HostNs now) {
+  switch (request) {
+    case RobotRequest::kNone:
+      return;
+    case RobotRequest::kStop:
+      fail_arm(now);
+      stop_.start(next_token(now), now);
+      return;
+    case RobotRequest::kDisarm:
+      fail_arm(now);
+      if (!connected()) {
+        note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kDisarm));
+        return;
+      }
+      motion_type_ = Type::kDisarm;
+      motion_.start(next_token(now), now);
+      return;
+    case RobotRequest::kArm:
+      fail_arm(now);
+      if (state_ != SessionState::kReady) {
+        refused_ = true;
+        note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kArm));
+        return;
+      }
+      motion_type_ = Type::kArm;
+      motion_.start(next_token(now), now);
+      arm_ = {hello_.boot_nonce, motion_.token(),
+              static_cast<std::uint32_t>(clock_.to_device(now + kArmLifeNs))};
+      return;
+  }
+}
+
+std::span<const Sample> Session::take_samples() { return intake_.take(); }
+
+std::span<const SessionEvent> Session::take_events() {
+  const std::span<const SessionEvent> result(events_.data(), event_count_);
+  event_count_ = 0;
+  return result;
+}
+
+std::span<const std::uint8_t> Session::output() const { return output_.bytes(); }
+void Session::written(std::size_t n) { output_.written(n); }
+void Session::drop_output() { output_.drop(); }
+
+SessionState Session::state() const { return state_; }
+const LinkCounters& Session::counters() const { return counters_; }
+const ClockState& Session::clock() const { return clock_; }
+const wire::Hello& Session::hello() const { return hello_; }
+std::uint32_t Session::session_number() const { return session_number_; }
+
+bool Session::take_rebooted() { return std::exchange(rebooted_, false); }
+bool Session::take_refused() { return std::exchange(refused_, false); }
+
+void Session::enter(SessionState state, HostNs now) {
+  if (state == state_) return;
+  note(SessionEvent::Kind::kState, now, number(state_), number(state));
+  state_ = state;
+}
+
+bool Session::connected() const {
+  return in_session() || state_ == SessionState::kHello || state_ == SessionState::kParameters;
+}
+
+bool Session::in_session() const {
+  return state_ == SessionState::kSyncing || state_ == SessionState::kReady;
+}
+
+std::uint32_t Session::next_token(HostNs now) {
+  const auto tick = static_cast<std::uint32_t>(now / kTokenTickNs);
+  token_ = std::max(token_, tick) + 1;
+  return token_;
+}
+
+HostNs Session::wire_ns(std::size_t bytes) const {
+  constexpr HostNs kBitsPerByte = 10;
+  if (settings_.baud == 0) return 0;
+  return static_cast<HostNs>(bytes) * kBitsPerByte * kNsPerS / settings_.baud;
+}
+
+void Session::note(SessionEvent::Kind kind, HostNs now, std::int32_t a, std::int32_t b,
+                   std::uint32_t detail) {
+  if (SessionEvent* event = new_event(kind, now, kMaxEvents)) {
+    event->a = a;
+    event->b = b;
+    event->detail = detail;
+  }
+}
+
+SessionEvent* Session::new_event(SessionEvent::Kind kind, HostNs now, std::size_t room) {
+  if (event_count_ >= room) return nullptr;
+  SessionEvent& event = events_[event_count_++];
+  event = {};
+  event.kind = kind;
+  event.at_ns = now;
+  return &event;
+}
+
+}  // namespace tp100::link
