@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace tp100::course {
 namespace {
@@ -33,7 +34,10 @@ std::string_view nearest_name(std::string_view name,
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = edit_distance(name, candidate);
+    std::size_t distance = edit_distance(name, candidate);
+    // A unit that was left out: rate for rate_hz.
+    if (name.size() >= 2 && candidate.starts_with(std::string(name) + "_"))
+      distance = std::min<std::size_t>(distance, 1);
     if (distance < best_distance && distance < candidate.size()) {
       best = candidate;
       best_distance = distance;

@@ -16,6 +16,12 @@ TEST(NearestName, FindsInsertedDeletedReplacedAndSwappedLetters) {
   EXPECT_EQ(nearest_name("lenght_m", kNames), "length_m");
 }
 
+TEST(NearestName, FindsAUnitThatWasLeftOut) {
+  EXPECT_EQ(nearest_name("at", kNames), "at_m");
+  EXPECT_EQ(nearest_name("rate", {"date", "rate_hz"}), "date");
+  EXPECT_EQ(nearest_name("rate", {"spin_us", "rate_hz"}), "rate_hz");
+}
+
 TEST(NearestName, IsEmptyForNamesThatAreNoTypingError) {
   EXPECT_EQ(nearest_name("colour", kNames), "");
   EXPECT_EQ(nearest_name("", kNames), "");

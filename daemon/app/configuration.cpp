@@ -1,0 +1,274 @@
+#include "app/configuration.h"
+
+#include <array>
+#include <span>
+
+#include "core/angle.h"
+#include "course/key.h"
+
+namespace tp100::app {
+namespace {
+
+using course::Choice;
+using course::Key;
+
+constexpr double kDeg = kRadPerDeg;
+constexpr double kMs = 1e-3;
+
+// Keys of these tables live in bridge::Parameters; the file shows them in the sections where a user
+// looks.
+std::span<const Key<Configuration>> run_keys() {
+  using T = Configuration;
+  static const std::array<Key<T>, 3> kKeys = {{
+      {"robot", &T::robot, {}, "Robot: a name from config/robots or the path of a robot file"},
+      {"course",
+       &T::course,
+       {},
+       "Course: a name from config/courses or the path of a course file; empty: poses only, the "
+       "robot "
+       "stands still"},
+      {"setup",
+       Choice<T>{{"bench", "flat", "terrain"},
+                 [](const T& c) { return static_cast<std::size_t>(c.parameters.setup); },
+                 [](T& c, std::size_t i) { c.parameters.setup = static_cast<bridge::Setup>(i); }},
+       {},
+       "Where the robot stands. bench: tracks spin free, the gyro does not steer; flat: flat "
+       "floor, "
+       "obstacles only in the virtual world; terrain: the real floor has the obstacles too"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<LinkSettings>> link_keys() {
+  using T = LinkSettings;
+  static const std::array<Key<T>, 5> kKeys = {{
+      {"port",
+       &T::port,
+       {},
+       "Serial port: a device path, or auto for the only one that may be a TP100"},
+      {"baud", &T::baud, {9600, 2000000}, "Speed of the port; the firmware speaks the default"},
+      {"timeout_ms",
+       &T::timeout_ms,
+       {50, 10000},
+       "Without a good frame for this long the link is lost"},
+      {"first_frame_timeout_ms",
+       &T::first_frame_timeout_ms,
+       {500, 60000},
+       "Nothing heard after opening the port for this long: warn"},
+      {"hang_up",
+       &T::hang_up,
+       {},
+       "Drop DTR when the port is closed, so that the next opening resets a Mega"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<LoopSettings>> loop_keys() {
+  using T = LoopSettings;
+  static const std::array<Key<T>, 7> kKeys = {{
+      {"rate_hz", &T::rate_hz, {50, 1000}, "Steps per second"},
+      {"pacing",
+       Choice<T>{{"host", "robot"},
+                 [](const T& l) { return static_cast<std::size_t>(l.pacing); },
+                 [](T& l, std::size_t i) { l.pacing = static_cast<Pacing>(i); }},
+       {},
+       "What starts a step: the host's clock, or the robot's samples with the clock as deadline"},
+      {"spin_us", &T::spin_us, {0, 1000}, "The last part of each wait is spun instead of slept"},
+      {"priority", &T::priority, {0, 99}, "SCHED_FIFO priority; 0 for ordinary scheduling"},
+      {"cpu", &T::cpu, {-1, 1023}, "Processor that the loop is tied to; -1 for any"},
+      {"lock_memory", &T::lock_memory, {}, "Lock all memory, so that no step waits for a page"},
+      {"hold_cpu_latency",
+       &T::hold_cpu_latency,
+       {},
+       "Hold /dev/cpu_dma_latency at 0 while running: halves the wake-up time"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<bridge::Parameters>> model_keys() {
+  using T = bridge::Parameters;
+  static const std::array<Key<T>, 1> kKeys = {{
+      {"mode",
+       Choice<T>{{"extended", "paper"},
+                 [](const T& p) { return static_cast<std::size_t>(p.paper_model); },
+                 [](T& p, std::size_t i) { p.paper_model = i == 1; }},
+       {},
+       "paper: eqs 1-5 with the paper's constants whatever the robot file says; extended: the "
+       "robot's "
+       "values, turning centre and slope"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<course::ModelValues>> turning_keys() {
+  using T = course::ModelValues;
+  static const std::array<Key<T>, 1> kKeys = {{
+      {"turning_threshold_radps",
+       &T::turning_threshold_radps,
+       {0, 10},
+       "Above this yaw rate the slip angle of turning applies"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<bridge::Parameters>> steering_keys() {
+  using T = bridge::Parameters;
+  static const std::array<Key<T>, 1> kKeys = {{
+      {"steering",
+       Choice<T>{{"model", "odometry"},
+                 [](const T& p) { return static_cast<std::size_t>(p.steering); },
+                 [](T& p, std::size_t i) { p.steering = static_cast<bridge::Steering>(i); }},
+       {},
+       "Pose that steers. model: encoders alone; odometry: encoders and gyro"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<estimation::Parameters>> estimation_keys() {
+  using T = estimation::Parameters;
+  static const std::array<Key<T>, 3> kKeys = {{
+      {"still_s",
+       &T::still_s,
+       {0.1, 10},
+       "Both belts rest for this long before the gyro bias is taken"},
+      {"still_gyro_sd_radps",
+       &T::still_gyro_sd_radps,
+       {0.0005, 0.2},
+       "Standard deviation of the gyro above which the robot is not at rest"},
+      {"bias_time_s", &T::bias_time_s, {0.05, 60}, "Time constant of the gyro bias while at rest"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<control::Parameters>> control_keys() {
+  using T = control::Parameters;
+  static const std::array<Key<T>, 18> kKeys = {{
+      {"preview_s",
+       &T::preview_s,
+       {0, 1},
+       "Lag of loop and motors: the path is read this far ahead"},
+      {"cross_track_gain_1pm",
+       &T::cross_track_gain_1pm,
+       {0, 200},
+       "Approach angle per cross-track error, before its arc tangent"},
+      {"max_approach_deg", &T::max_approach_rad, {1, 80}, "Steepest approach to the path", kDeg},
+      {"acceleration_mps2", &T::acceleration_mps2, {0.01, 5}, "Acceleration along the path"},
+      {"min_speed_mps", &T::min_speed_mps, {0.001, 0.3}, "Creep speed towards a stop"},
+      {"pivot_rate_radps", &T::pivot_rate_radps, {0.05, 5}, "Turn rate on the spot"},
+      {"pivot_acceleration_radps2",
+       &T::pivot_acceleration_radps2,
+       {0.05, 50},
+       "Change of the turn rate on the spot"},
+      {"pivot_tolerance_deg",
+       &T::pivot_tolerance_rad,
+       {0.05, 20},
+       "A turn on the spot ends within this",
+       kDeg},
+      {"stop_tolerance_m",
+       &T::stop_tolerance_m,
+       {0.0005, 0.1},
+       "A straight piece or arc ends within this"},
+      {"settle_s", &T::settle_s, {0, 5}, "At rest within the tolerances for this long: piece done"},
+      {"max_cross_track_m",
+       &T::max_cross_track_m,
+       {0.01, 10},
+       "Abort beyond this distance from the path"},
+      {"max_heading_error_deg",
+       &T::max_heading_error_rad,
+       {5, 180},
+       "Abort beyond this heading error",
+       kDeg},
+      {"max_tilt_deg", &T::max_tilt_rad, {5, 90}, "Abort beyond this roll or pitch", kDeg},
+      {"time_limit_factor",
+       &T::time_limit_factor,
+       {1, 100},
+       "Abort after this many times the nominal duration of the course"},
+      {"min_battery_v", &T::min_battery_v, {0, 20}, "Abort below this voltage of both cells"},
+      {"stall_s",
+       &T::stall_s,
+       {0.1, 30},
+       "Abort after a belt stood still against its command for this long"},
+      {"disagreement_radps",
+       &T::disagreement_radps,
+       {0.05, 10},
+       "Largest difference between the yaw rates of gyro and encoders"},
+      {"disagreement_s", &T::disagreement_s, {0.1, 30}, "Abort after it was larger for this long"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<bridge::Parameters>> bridge_keys() {
+  using T = bridge::Parameters;
+  static const std::array<Key<T>, 2> kKeys = {{
+      {"command_life_ms",
+       &T::command_life_s,
+       {20, 200},
+       "The robot does not drive on a command older than this",
+       kMs},
+      {"max_sample_age_ms",
+       &T::max_sample_age_s,
+       {10, 200},
+       "No command is sent on a sample older than this",
+       kMs},
+  }};
+  return kKeys;
+}
+
+/// Calls visit(section, keys, values) for every section in the order of the file.
+template <class Values, class Visit>
+void for_each_section(Values& configuration, Visit visit) {
+  auto& parameters = configuration.parameters;
+  visit("", run_keys(), configuration);
+  visit("link", link_keys(), configuration.link);
+  visit("loop", loop_keys(), configuration.loop);
+  visit("model", model_keys(), parameters);
+  visit("model", turning_keys(), parameters.model);
+  visit("estimation", steering_keys(), parameters);
+  visit("estimation", estimation_keys(), parameters.estimation);
+  visit("control", control_keys(), parameters.control);
+  visit("control", bridge_keys(), parameters);
+}
+
+}  // namespace
+
+Configuration parse_configuration(const std::string& text, const std::string& file) {
+  const course::TomlDocument document(text, file);
+  course::TomlTable root = document.root();
+  Configuration configuration;
+  std::string last;
+  course::TomlTable table = root;
+  for_each_section(configuration, [&](const std::string& section, auto keys, auto& values) {
+    if (section != last) table = root.table(section);
+    last = section;
+    course::read_keys(table, keys, values);
+  });
+  root.finish();
+  return configuration;
+}
+
+std::string write_configuration(const Configuration& configuration) {
+  std::string text = course::toml_comment(
+      "Configuration of tp100d and tp100-sim, with every key at its default. A file needs only the "
+      "keys "
+      "that differ. Angles are in degrees; a key's end names its unit. `tp100d check FILE` says "
+      "whether "
+      "a file is right.");
+  std::string last = "none";
+  for_each_section(configuration, [&](const std::string& section, auto keys, const auto& values) {
+    if (section != last) text += section.empty() ? "\n" : "\n[" + section + "]\n";
+    last = section;
+    text += course::write_keys(keys, values);
+  });
+  return text;
+}
+
+bridge::Parameters bridge_parameters(const Configuration& configuration,
+                                     const course::Robot& robot) {
+  bridge::Parameters parameters = configuration.parameters;
+  parameters.model = robot.model;
+  parameters.model.turning_threshold_radps = configuration.parameters.model.turning_threshold_radps;
+  parameters.drive = robot.drive;
+  return parameters;
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,59 @@
+#pragma once
+// The configuration file (config/tp100.toml) as data. One table of keys in the source file both
+// reads it and writes it with meaning, unit, default and range.
+
+#include <string>
+
+#include "bridge/parameters.h"
+#include "course/robot.h"
+
+namespace tp100::app {
+
+/// How the robot is reached.
+struct LinkSettings {
+  std::string port = "auto";  ///< device path, or "auto": the only port that looks like a TP100
+  int baud = 500000;
+  double timeout_ms = 500.0;               ///< no good frame for this long: link lost
+  double first_frame_timeout_ms = 5000.0;  ///< nothing heard for this long: warn
+  bool hang_up = false;  ///< HUPCL: closing drops DTR, the next open resets a Mega
+};
+
+/// What starts a step.
+enum class Pacing {
+  kHost,   ///< the host's clock
+  kRobot,  ///< the robot's samples, the host's clock if they do not come
+};
+
+/// The real-time loop.
+struct LoopSettings {
+  double rate_hz = 200.0;
+  Pacing pacing = Pacing::kHost;
+  int spin_us = 60;   ///< the last part of the wait is spun
+  int priority = 80;  ///< SCHED_FIFO; 0: ordinary scheduling
+  int cpu = -1;       ///< -1: any
+  bool lock_memory = true;
+  bool hold_cpu_latency = true;  ///< /dev/cpu_dma_latency at 0
+};
+
+/// Everything that a file can set. Privileges that the system refuses are reported, not fatal.
+struct Configuration {
+  std::string robot = "end-loaded";  ///< bundled name or file
+  std::string course;                ///< bundled name or file; empty: none, the robot stands still
+  LinkSettings link{};
+  LoopSettings loop{};
+  bridge::Parameters parameters{};  ///< model and drive are the robot's: see bridge_parameters
+};
+
+/// Parses a configuration file. `file` is only used in messages. Throws SetupError
+/// (file:line:column). Pure: reads no file itself.
+Configuration parse_configuration(const std::string& text, const std::string& file);
+
+/// A commented file that parse_configuration reads back.
+std::string write_configuration(const Configuration& configuration);
+
+/// Settings of the step for this robot: the configuration's, with the robot's model and drive
+/// values.
+bridge::Parameters bridge_parameters(const Configuration& configuration,
+                                     const course::Robot& robot);
+
+}  // namespace tp100::app
