@@ -67,11 +67,14 @@ ClockSync::Verdict ClockSync::answered(std::uint16_t id, DeviceUs received_us, D
   const double best = best_half_trip_ns(now);
   const double excess = count_ == 0 ? 0.0 : std::max(0.0, exchange.half_trip_ns - best);
   Verdict verdict = Verdict::kAccepted;
+  const double gate = kGateNs + kGateFactor * usual_excess_ns_;
+  usual_excess_ns_ += (std::min(excess, gate) - usual_excess_ns_) / 8.0;
   if (state_.valid) {
+    if (excess > gate) return Verdict::kOutlier;
     const double predicted = static_cast<double>(state_.to_host(device_us) - origin_ns_);
     const double misfit = std::abs(exchange.host_ns - predicted) - exchange.half_trip_ns -
                           state_.uncertainty_us * 1e3;
-    if (misfit > kMisfitNs || excess > kGateNs + kGateFactor * usual_excess_ns_) {
+    if (misfit > kMisfitNs) {
       if (++misfits_ < kMisfitsBeforeRestart) return Verdict::kOutlier;
       count_ = next_ = 0;
       usual_excess_ns_ = 0.0;
@@ -81,7 +84,6 @@ ClockSync::Verdict ClockSync::answered(std::uint16_t id, DeviceUs received_us, D
   }
   misfits_ = 0;
   if (quick_left_ > 0) --quick_left_;
-  usual_excess_ns_ += (excess - usual_excess_ns_) / 8.0;
   store(exchange);
   fit(now);
   return verdict;

@@ -110,8 +110,9 @@ void Session::on_hello(HostNs now) {
     return;
   }
   const bool same_boot = known_boot_ && hello.boot_nonce == hello_.boot_nonce;
-  // A hello that was under way when the parameters were sent.
-  if (same_boot && state_ == SessionState::kParameters) return;
+  // A hello that was under way when the parameters were sent, or of a boot that refused them.
+  if (same_boot && (state_ == SessionState::kParameters || state_ == SessionState::kRefused))
+    return;
   if (known_boot_ && !same_boot) {
     ++counters_.reboots;
     rebooted_ = true;

@@ -1,0 +1,207 @@
+#pragma once
+// A robot that keeps the protocol unless a test tells it not to. Virtual time, no port.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/time.h"
+#include "wire/frame.h"
+#include "wire/messages.h"
+
+namespace tp100 {
+
+template <class Message>
+std::vector<std::uint8_t> frame_of(const Message& message) {
+  std::uint8_t payload[Message::kSize];
+  wire::write_payload(message, payload);
+  std::vector<std::uint8_t> frame(wire::kMaxFrame);
+  frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
+                                  Message::kSize, frame.data()));
+  return frame;
+}
+
+class ScriptedRobot {
+ public:
+  // What it received, by kind.
+  struct Heard {
+    std::vector<wire::HelloRequest> hello_requests;
+    std::vector<wire::Parameters> parameters;
+    std::vector<wire::Command> commands;
+    std::vector<wire::Arm> arms;
+    std::vector<wire::Disarm> disarms;
+    std::vector<wire::Stop> stops;
+    std::vector<std::uint8_t> types;  // of every frame, in order
+    int sync_requests = 0;
+    int bad_frames = 0;
+  };
+
+  // Knobs.
+  std::uint16_t protocol = wire::kProtocolVersion;
+  std::uint32_t schema = wire::kSchemaHash;
+  std::uint32_t boot_nonce = 0xB007;
+  bool answers_parameters = true;
+  bool answers_requests = true;
+  bool answers_sync = true;
+  bool samples = true;
+  bool silent = false;
+  wire::Result parameters_result = wire::Result::kAccepted;
+  wire::Result arm_result = wire::Result::kAccepted;
+  double clock_ppm = 0.0;
+  std::uint32_t device_offset_us = 0;
+  double metres_per_s = 0.0;
+
+  Heard heard;
+  wire::State state = wire::State::kHello;
+  std::uint16_t sequence = 0;
+  std::uint16_t faults = 0;
+
+  explicit ScriptedRobot(HostNs boot_ns = 0) : boot_ns_(boot_ns) {}
+
+  void reboot(HostNs now) {
+    ++boot_nonce;
+    boot_ns_ = now;
+    state = wire::State::kHello;
+    sequence = 0;
+    next_hello_ns_ = next_sample_ns_ = now;
+    out_.clear();
+  }
+
+  std::uint32_t device_us(HostNs now) const {
+    return device_offset_us +
+           static_cast<std::uint32_t>(static_cast<std::int64_t>(
+               static_cast<double>(now - boot_ns_) * 1e-3 * (1.0 + clock_ppm * 1e-6)));
+  }
+
+  template <class Message>
+  void say(const Message& message) {
+    const auto frame = frame_of(message);
+    out_.insert(out_.end(), frame.begin(), frame.end());
+  }
+  void say_hello() {
+    say(wire::Hello{protocol,
+                    {0, 1, 0},
+                    schema,
+                    static_cast<std::uint8_t>(wire::Board::kNative),
+                    boot_nonce,
+                    0,
+                    static_cast<std::uint8_t>(state),
+                    faults});
+  }
+  wire::Sample sample(HostNs now) const {
+    wire::Sample sample{};
+    sample.sequence = sequence;
+    sample.device_us = device_us(now);
+    const auto counts = static_cast<std::int32_t>(metres_per_s * to_s(now - boot_ns_) * 11140.0);
+    sample.left_counts = sample.right_counts = counts;
+    sample.accel[2] = 8192;
+    sample.battery_mv = 7900;
+    sample.state = static_cast<std::uint8_t>(state);
+    sample.faults = faults;
+    sample.last_command =
+        heard.commands.empty() ? std::uint16_t{0} : heard.commands.back().sequence;
+    return sample;
+  }
+
+  /// Time passes: spontaneous frames.
+  void tick(HostNs now) {
+    if (silent) return;
+    if (state == wire::State::kHello && now >= next_hello_ns_) {
+      say_hello();
+      next_hello_ns_ = now + wire::kHelloPeriodMs * kNsPerMs;
+    }
+    if (samples && state >= wire::State::kDisarmed && now >= next_sample_ns_) {
+      say(sample(now));
+      ++sequence;
+      next_sample_ns_ = now + wire::kSamplePeriodUs * kNsPerUs;
+    }
+  }
+
+  void hear(std::span<const std::uint8_t> bytes, HostNs now) {
+    for (const std::uint8_t byte : bytes) {
+      const wire::Received received = decoder_.push(byte);
+      if (received == wire::Received::kFrame) {
+        on_frame(now);
+      } else if (received != wire::Received::kNothing) {
+        ++heard.bad_frames;
+      }
+    }
+  }
+
+  std::vector<std::uint8_t> take() {
+    std::vector<std::uint8_t> out;
+    out.swap(out_);
+    return out;
+  }
+
+ private:
+  template <class Message>
+  Message read() const {
+    Message message{};
+    if (!wire::read_payload(decoder_.payload(), decoder_.size(), message)) std::abort();
+    return message;
+  }
+  void acknowledge(wire::Type type, std::uint32_t token, wire::Result result) {
+    if (!silent) {
+      say(wire::Acknowledge{static_cast<std::uint8_t>(type), token,
+                            static_cast<std::uint8_t>(result), 0});
+    }
+  }
+  void on_frame(HostNs now) {
+    heard.types.push_back(decoder_.type());
+    switch (wire::Type{decoder_.type()}) {
+      case wire::Type::kHelloRequest:
+        heard.hello_requests.push_back(read<wire::HelloRequest>());
+        state = wire::State::kParameters;
+        if (!silent) say_hello();
+        return;
+      case wire::Type::kParameters:
+        heard.parameters.push_back(read<wire::Parameters>());
+        if (!answers_parameters) return;
+        if (parameters_result == wire::Result::kAccepted) {
+          state = wire::State::kDisarmed;
+          next_sample_ns_ = now;
+        }
+        return acknowledge(wire::Type::kParameters, heard.parameters.back().token,
+                           parameters_result);
+      case wire::Type::kCommand:
+        heard.commands.push_back(read<wire::Command>());
+        return;
+      case wire::Type::kArm:
+        heard.arms.push_back(read<wire::Arm>());
+        if (!answers_requests) return;
+        if (arm_result == wire::Result::kAccepted) state = wire::State::kArmed;
+        return acknowledge(wire::Type::kArm, heard.arms.back().token, arm_result);
+      case wire::Type::kDisarm:
+        heard.disarms.push_back(read<wire::Disarm>());
+        if (!answers_requests) return;
+        if (state >= wire::State::kDisarmed) state = wire::State::kDisarmed;
+        return acknowledge(wire::Type::kDisarm, heard.disarms.back().token,
+                           wire::Result::kAccepted);
+      case wire::Type::kStop:
+        heard.stops.push_back(read<wire::Stop>());
+        if (!answers_requests) return;
+        if (state >= wire::State::kDisarmed) state = wire::State::kFaulted;
+        return acknowledge(wire::Type::kStop, heard.stops.back().token, wire::Result::kAccepted);
+      case wire::Type::kSyncRequest: {
+        ++heard.sync_requests;
+        const auto request = read<wire::SyncRequest>();
+        if (answers_sync && !silent) {
+          say(wire::SyncReply{request.id, device_us(now), device_us(now)});
+        }
+        return;
+      }
+      default:
+        return;
+    }
+  }
+
+  HostNs boot_ns_;
+  HostNs next_hello_ns_ = 0;
+  HostNs next_sample_ns_ = 0;
+  wire::FrameDecoder decoder_;
+  std::vector<std::uint8_t> out_;
+};
+
+}  // namespace tp100

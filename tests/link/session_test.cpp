@@ -1,0 +1,434 @@
+#include "link/session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "session_bench.h"
+
+namespace tp100::link {
+namespace {
+
+using Kind = SessionEvent::Kind;
+
+TEST(Session, PassesItsStatesInOrderAndDeliversSamples) {
+  SessionBench bench;
+  bench.connect();
+  EXPECT_EQ(bench.states, "listening parameters syncing ready");
+  EXPECT_EQ(bench.session.session_number(), 1u);
+  ASSERT_GT(bench.samples.size(), 20u);
+  EXPECT_EQ(bench.session.counters().lost, 0u);
+  EXPECT_TRUE(bench.robot.heard.hello_requests.empty());
+  ASSERT_EQ(bench.robot.heard.parameters.size(), 1u);
+  EXPECT_EQ(bench.robot.heard.parameters[0].boot_nonce, bench.robot.boot_nonce);
+}
+
+TEST(Session, StaysSilentUntilTheRobotSpeaks) {
+  SessionBench bench;
+  bench.robot.silent = true;
+  bench.session.open(bench.now);
+  bench.run(3000);
+  const std::vector<std::uint8_t> banner(100, 'U');
+  bench.session.receive(banner, bench.now);
+  bench.run(100);
+  EXPECT_TRUE(bench.session.output().empty());
+  EXPECT_TRUE(bench.robot.heard.types.empty());
+  EXPECT_EQ(bench.states, "listening");
+}
+
+TEST(Session, WarnsWhenNothingIsHeardAndKeepsListening) {
+  SessionBench bench;
+  bench.robot.silent = true;
+  bench.session.open(bench.now);
+  bench.run(5200);
+  EXPECT_EQ(bench.count(Kind::kTimeout), 1);
+  EXPECT_EQ(bench.session.state(), SessionState::kListening);
+  bench.robot.silent = false;
+  bench.run(400);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+}
+
+TEST(Session, AsksForAHelloWhenItJoinsInTheMiddle) {
+  SessionBench bench;
+  bench.robot.state = wire::State::kRunning;
+  bench.connect();
+  EXPECT_EQ(bench.states, "listening hello parameters syncing ready");
+  EXPECT_EQ(bench.robot.heard.hello_requests.size(), 1u);
+}
+
+TEST(Session, GivesTheSameSamplesHoweverTheBytesAreSplit) {
+  SessionBench whole;
+  whole.connect();
+  for (std::size_t split = 1; split <= wire::kMaxFrame; ++split) {
+    SessionBench bench;
+    bench.split = split;
+    bench.connect();
+    ASSERT_EQ(bench.samples.size(), whole.samples.size()) << split;
+    ASSERT_EQ(bench.samples.back().device_us, whole.samples.back().device_us) << split;
+    ASSERT_EQ(bench.states, whole.states) << split;
+  }
+}
+
+TEST(Session, RefusesAnotherProtocolOrSchemaAndFallsSilent) {
+  for (const bool older : {true, false}) {
+    SessionBench bench;
+    if (older) bench.robot.protocol = 7;
+    if (!older) bench.robot.schema ^= 1;
+    bench.connect();
+    EXPECT_EQ(bench.session.state(), SessionState::kRefused);
+    EXPECT_EQ(bench.count(Kind::kVersionMismatch), 1);
+    EXPECT_EQ(bench.session.hello().protocol, bench.robot.protocol);
+    EXPECT_TRUE(bench.robot.heard.types.empty());
+  }
+}
+
+TEST(Session, ReadsTheVersionOfAHelloWithMoreFields) {
+  SessionBench bench;
+  bench.session.open(bench.now);
+  std::vector<std::uint8_t> payload(30, 0x11);
+  payload[0] = 9;
+  payload[1] = 0;
+  std::vector<std::uint8_t> frame(wire::kMaxFrame);
+  frame.resize(wire::encode_frame(static_cast<std::uint8_t>(wire::Type::kHello), payload.data(),
+                                  payload.size(), frame.data()));
+  bench.session.receive(frame, bench.now);
+  EXPECT_EQ(bench.session.state(), SessionState::kRefused);
+  EXPECT_EQ(bench.session.hello().protocol, 9);
+}
+
+TEST(Session, ConnectsOnceTheRefusedBoardWasFlashed) {
+  SessionBench bench;
+  bench.robot.protocol = 7;
+  bench.connect();
+  bench.robot.protocol = wire::kProtocolVersion;
+  bench.robot.reboot(bench.now);
+  bench.run(500);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  EXPECT_FALSE(bench.session.take_rebooted());
+}
+
+TEST(Session, NoticesARebootAndStartsAnew) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.reboot(bench.now);
+  bench.run(400);
+  EXPECT_EQ(bench.count(Kind::kReboot), 1);
+  EXPECT_EQ(bench.session.counters().reboots, 1u);
+  EXPECT_EQ(bench.session.counters().reconnects, 1u);
+  EXPECT_TRUE(bench.session.take_rebooted());
+  EXPECT_FALSE(bench.session.take_rebooted());
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  EXPECT_EQ(bench.session.session_number(), 2u);
+  EXPECT_EQ(bench.robot.heard.parameters.back().boot_nonce, bench.robot.boot_nonce);
+}
+
+TEST(Session, ShakesHandsAgainWhenTheRobotLostTheHost) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.state = wire::State::kHello;
+  bench.run(500);
+  EXPECT_EQ(bench.session.counters().reboots, 0u);
+  EXPECT_FALSE(bench.session.take_rebooted());
+  EXPECT_EQ(bench.session.session_number(), 2u);
+  EXPECT_THAT(bench.states, ::testing::EndsWith("ready parameters syncing ready"));
+}
+
+TEST(Session, RepeatsParametersUntilTheyAreAcknowledged) {
+  SessionBench bench;
+  bench.robot.answers_parameters = false;
+  bench.session.open(bench.now);
+  bench.run(1000);
+  EXPECT_EQ(bench.session.state(), SessionState::kParameters);
+  const auto& sent = bench.robot.heard.parameters;
+  ASSERT_GE(sent.size(), 9u);
+  ASSERT_LE(sent.size(), 11u);
+  EXPECT_EQ(sent.front().token, sent.back().token);
+  bench.robot.answers_parameters = true;
+  bench.run(400);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+}
+
+TEST(Session, StopsWithAnEventWhenParametersAreOutOfRange) {
+  SessionBench bench;
+  bench.robot.parameters_result = wire::Result::kOutOfRange;
+  bench.connect();
+  EXPECT_EQ(bench.session.state(), SessionState::kRefused);
+  EXPECT_EQ(bench.robot.heard.parameters.size(), 1u);
+  EXPECT_EQ(bench.count(Kind::kAcknowledged), 1);
+}
+
+TEST(Session, TimesOutWhenGoodFramesStopAndRecovers) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.silent = true;
+  bench.run(480);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  bench.run(25);
+  EXPECT_EQ(bench.count(Kind::kTimeout), 1);
+  EXPECT_EQ(bench.session.state(), SessionState::kListening);
+  EXPECT_FALSE(bench.session.clock().valid);
+  bench.robot.silent = false;
+  bench.run(600);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady) << bench.states;
+  EXPECT_EQ(bench.session.session_number(), 2u);
+}
+
+TEST(Session, GarbageAloneIsNoLife) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.silent = true;
+  for (int i = 0; i < 600; ++i) {
+    const std::vector<std::uint8_t> noise{0x17, 0x99, 0x00, 0x55};
+    bench.session.receive(noise, bench.now);
+    bench.step();
+  }
+  EXPECT_EQ(bench.session.state(), SessionState::kListening);
+  const LinkCounters& counters = bench.session.counters();
+  EXPECT_GT(counters.crc_errors + counters.cobs_errors + counters.undersize, 400u);
+}
+
+TEST(Session, ArmIsAcknowledgedOnceWithAFreshToken) {
+  SessionBench bench;
+  bench.connect();
+  bench.session.request(RobotRequest::kArm, bench.now);
+  bench.run(50);
+  bench.session.request(RobotRequest::kDisarm, bench.now);
+  bench.run(50);
+  bench.session.request(RobotRequest::kArm, bench.now);
+  bench.run(50);
+  ASSERT_EQ(bench.robot.heard.arms.size(), 2u);
+  ASSERT_EQ(bench.robot.heard.disarms.size(), 1u);
+  EXPECT_LT(bench.robot.heard.arms[0].token, bench.robot.heard.disarms[0].token);
+  EXPECT_LT(bench.robot.heard.disarms[0].token, bench.robot.heard.arms[1].token);
+  EXPECT_GT(bench.robot.heard.arms[0].token, bench.robot.heard.parameters[0].token);
+  EXPECT_FALSE(bench.session.take_refused());
+  EXPECT_EQ(bench.robot.state, wire::State::kArmed);
+}
+
+TEST(Session, TokensExceedThoseOfAnEarlierDaemon) {
+  SessionBench first;
+  first.connect();
+  first.session.request(RobotRequest::kArm, first.now);
+  first.run(50);
+  SessionBench second;
+  second.now = first.now;
+  second.robot = first.robot;
+  second.robot.heard = {};
+  second.connect();
+  ASSERT_FALSE(second.robot.heard.parameters.empty());
+  EXPECT_GT(second.robot.heard.parameters[0].token, first.robot.heard.arms[0].token);
+}
+
+TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.answers_requests = false;
+  bench.session.request(RobotRequest::kArm, bench.now);
+  bench.run(190);
+  EXPECT_FALSE(bench.session.take_refused());
+  bench.run(20);
+  EXPECT_TRUE(bench.session.take_refused());
+  EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 1);
+  const auto& arms = bench.robot.heard.arms;
+  EXPECT_GE(arms.size(), 6u);
+  EXPECT_LE(arms.size(), 8u);
+  EXPECT_EQ(arms.front().token, arms.back().token);
+  EXPECT_EQ(arms.front().expiry_us, arms.back().expiry_us);
+
+  bench.robot.answers_requests = true;
+  bench.robot.say(
+      wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kArm), arms.back().token, 0, 0});
+  bench.run(20);
+  EXPECT_EQ(bench.robot.heard.disarms.size(), 1u);
+}
+
+TEST(Session, AnArmWithoutASessionIsRefusedAtOnce) {
+  SessionBench bench;
+  bench.session.request(RobotRequest::kArm, bench.now);
+  EXPECT_TRUE(bench.session.take_refused());
+  bench.connect();
+  EXPECT_TRUE(bench.robot.heard.arms.empty());
+}
+
+TEST(Session, AnArmUnderWayEndsWithItsSession) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.answers_requests = false;
+  bench.session.request(RobotRequest::kArm, bench.now);
+  bench.run(20);
+  bench.robot.reboot(bench.now);
+  const std::size_t before = bench.robot.heard.arms.size();
+  bench.run(400);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  EXPECT_EQ(bench.robot.heard.arms.size(), before);
+  EXPECT_TRUE(bench.session.take_refused());
+}
+
+TEST(Session, ARefusedArmIsReported) {
+  SessionBench bench;
+  bench.robot.arm_result = wire::Result::kFaultPersists;
+  bench.connect();
+  bench.session.request(RobotRequest::kArm, bench.now);
+  bench.run(20);
+  EXPECT_TRUE(bench.session.take_refused());
+  EXPECT_EQ(bench.robot.heard.arms.size(), 1u);
+}
+
+TEST(Session, LearnsFromAStaleToken) {
+  SessionBench bench;
+  bench.robot.arm_result = wire::Result::kStaleToken;
+  bench.connect();
+  bench.session.request(RobotRequest::kArm, bench.now);
+  bench.run(20);
+  bench.session.request(RobotRequest::kArm, bench.now);
+  bench.run(20);
+  ASSERT_EQ(bench.robot.heard.arms.size(), 2u);
+  EXPECT_GT(bench.robot.heard.arms[1].token, bench.robot.heard.arms[0].token + 1000u);
+}
+
+TEST(Session, StopSupersedesArmAndIsRepeatedUntilAcknowledged) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.answers_requests = false;
+  bench.session.request(RobotRequest::kArm, bench.now);
+  bench.session.request(RobotRequest::kStop, bench.now);
+  bench.run(210);
+  EXPECT_TRUE(bench.robot.heard.arms.empty());
+  EXPECT_TRUE(bench.session.take_refused());
+  EXPECT_GE(bench.robot.heard.stops.size(), 6u);
+  EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 2);
+  bench.robot.answers_requests = true;
+  bench.run(300);
+  EXPECT_FALSE(bench.session.request_pending());
+}
+
+TEST(Session, StopIsTheFirstThingSentOnTheNextSession) {
+  SessionBench bench;
+  bench.connect();
+  bench.session.close(bench.now);
+  bench.session.request(RobotRequest::kStop, bench.now);
+  bench.run(300);
+  EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 1);
+  bench.robot.heard = {};
+  bench.robot.state = wire::State::kHello;
+  bench.connect();
+  ASSERT_FALSE(bench.robot.heard.types.empty());
+  EXPECT_EQ(bench.robot.heard.types[0], static_cast<std::uint8_t>(wire::Type::kStop));
+  EXPECT_FALSE(bench.session.request_pending());
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+}
+
+TEST(Session, CommandsCarryNonceAscendingSequenceAndExpiry) {
+  SessionBench bench;
+  bench.commands = true;
+  bench.connect();
+  bench.command.pose.yaw_rad = 0.25;
+  bench.command.speed_mps = 0.1;
+  bench.command.expiry_us = (DeviceUs{1} << 32U) + 77;
+  bench.command.answers = 42;
+  bench.run(3);
+  const auto& commands = bench.robot.heard.commands;
+  ASSERT_GT(commands.size(), 10u);
+  for (std::size_t i = 1; i < commands.size(); ++i) {
+    ASSERT_EQ(commands[i].sequence, static_cast<std::uint16_t>(commands[i - 1].sequence + 1));
+  }
+  EXPECT_EQ(commands.back().boot_nonce, bench.robot.boot_nonce);
+  EXPECT_FLOAT_EQ(commands.back().yaw_rad, 0.25F);
+  EXPECT_FLOAT_EQ(commands.back().speed_mps, 0.1F);
+  EXPECT_EQ(commands.back().expiry_us, 77u);
+  EXPECT_EQ(commands.back().answers, 42);
+}
+
+TEST(Session, CommandSequenceContinuesAboveThatOfAnEarlierDaemon) {
+  SessionBench first;
+  first.commands = true;
+  first.connect();
+  SessionBench second;
+  second.now = first.now;
+  second.robot = first.robot;
+  second.commands = true;
+  second.connect();
+  const auto& commands = second.robot.heard.commands;
+  const std::size_t border = first.robot.heard.commands.size();
+  ASSERT_GT(commands.size(), border);
+  EXPECT_EQ(commands[border].sequence,
+            static_cast<std::uint16_t>(commands[border - 1].sequence + 1));
+}
+
+TEST(Session, DropsAndCountsWhatThePortDoesNotTake) {
+  SessionBench bench;
+  bench.commands = true;
+  bench.connect();
+  bench.port_takes = false;
+  bench.run(100);
+  const std::uint64_t overflow = bench.session.counters().unwritten;
+  EXPECT_GT(overflow, 50u);
+  bench.session.written(10);
+  bench.session.drop_output();
+  EXPECT_GT(bench.session.counters().unwritten, overflow);
+  EXPECT_TRUE(bench.session.output().empty());
+  bench.port_takes = true;
+  const std::size_t before = bench.robot.heard.commands.size();
+  bench.run(5);
+  EXPECT_EQ(bench.robot.heard.commands.size(), before + 5);
+}
+
+TEST(Session, HalfOpenLinkIsNoticedByTheRobotsHello) {
+  SessionBench bench;
+  bench.connect();
+  bench.loses_output = true;
+  bench.run(300);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  bench.robot.state = wire::State::kHello;
+  bench.run(300);
+  EXPECT_EQ(bench.session.state(), SessionState::kParameters);
+}
+
+TEST(Session, CountsForeignBytesBeforeTheFirstFrameOnly) {
+  SessionBench bench;
+  bench.session.open(bench.now);
+  const std::string banner = "AT+GCAP\r\nboot v1\r\n";
+  std::vector<std::uint8_t> bytes(banner.begin(), banner.end());
+  bytes.push_back(0);
+  bench.session.receive(bytes, bench.now);
+  bench.run(400);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  EXPECT_EQ(bench.session.counters().foreign_bytes, bytes.size());
+  EXPECT_EQ(bench.session.counters().cobs_errors + bench.session.counters().crc_errors, 0u);
+}
+
+TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
+  SessionBench bench;
+  bench.connect();
+  wire::Log log{};
+  log.text[0] = 'h';
+  log.text[1] = 0x1B;
+  log.text[2] = 'i';
+  bench.robot.say(log);
+  bench.robot.say(wire::FaultReport{1, static_cast<std::uint8_t>(Fault::battery_low), 0, 5900});
+  bench.run(2);
+  ASSERT_EQ(bench.count(Kind::kRobotLog), 1);
+  ASSERT_EQ(bench.count(Kind::kRobotFault), 1);
+  for (const SessionEvent& event : bench.events) {
+    if (event.kind == Kind::kRobotLog) {
+      EXPECT_STREQ(event.text.data(), "h?i");
+    }
+    if (event.kind == Kind::kRobotFault) {
+      EXPECT_EQ(event.b, 5900);
+    }
+  }
+}
+
+TEST(Session, AFloodOfLogsDisplacesNoStateChange) {
+  SessionBench bench;
+  bench.connect();
+  for (int i = 0; i < 200; ++i) bench.robot.say(wire::Log{});
+  bench.robot.reboot(bench.now);
+  bench.robot.say(wire::Log{});
+  bench.events.clear();
+  bench.run(300);
+  EXPECT_EQ(bench.count(Kind::kReboot), 1);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+}
+
+}  // namespace
+}  // namespace tp100::link
