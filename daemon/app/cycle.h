@@ -1,0 +1,78 @@
+#pragma once
+// Session and step joined: bytes and time in, bytes out. The same object runs in the live loop and
+// in lockstep with the emulated robot. No clock, port or file; no allocation after construction.
+//
+// One turn:  receive(bytes, now)...  step(now)  output() → port  written(n)
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "bridge/step.h"
+#include "link/session.h"
+
+namespace tp100::app {
+
+/// Session settings for this robot: wire parameters of the bridge's drive and model values. Values
+/// that the firmware would refuse are sent as they are; the refusal names the field.
+link::SessionSettings session_settings(const bridge::Parameters& parameters);
+
+/// Name of a field of wire::Parameters by its index, as a refusal reports it; "unknown" beyond the
+/// last.
+const char* parameter_name(unsigned index);
+
+class Cycle {
+ public:
+  static constexpr std::size_t kMaxRequests = 16;  ///< operator requests between two steps
+
+  /// Throws SetupError if parameters and course do not fit together.
+  Cycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
+        std::shared_ptr<const course::Course> course);
+
+  /// A port was opened or is gone.
+  void open(HostNs now);
+  void close(HostNs now);
+
+  /// Bytes that arrived; `now` is the time at which the last of them was read.
+  void receive(std::span<const std::uint8_t> bytes, HostNs now);
+  /// What an operator asks; taken by the next step. A STOP is never dropped, others are if too many
+  /// come.
+  void request(OperatorRequest request);
+  /// One turn: session time, step, command. The reference stays valid until the next call.
+  const bridge::Outputs& step(HostNs now);
+  /// Motors off for good (the program ends): from now on the step cannot arm. See
+  /// request_pending().
+  void disarm(HostNs now);
+  /// True until the last request to the robot is acknowledged or given up (200 ms).
+  bool request_pending() const { return session_.request_pending(); }
+
+  /// Bytes to write. After writing `n` of them call written(n).
+  std::span<const std::uint8_t> output() const { return session_.output(); }
+  void written(std::size_t n) { session_.written(n); }
+  /// Drops bytes that the port did not take in time.
+  void drop_output() { session_.drop_output(); }
+
+  /// Session events since the last take; valid until the next call that takes time or bytes.
+  std::span<const link::SessionEvent> take_events() { return session_.take_events(); }
+  /// Samples that the last step took; valid until the next receive().
+  std::span<const Sample> samples() const { return samples_; }
+  /// The inputs of the last step exactly as they were passed; valid until the next receive().
+  const bridge::Inputs& inputs() const { return inputs_; }
+  const bridge::Outputs& outputs() const { return *outputs_; }
+  const link::Session& session() const { return session_; }
+
+ private:
+  link::Session session_;
+  bridge::Step step_;
+  bridge::Outputs none_{};
+  const bridge::Outputs* outputs_ = &none_;
+  std::span<const Sample> samples_;
+  bridge::Inputs inputs_{};
+  std::array<OperatorRequest, kMaxRequests> requests_{};
+  std::size_t request_count_ = 0;
+  bool stopping_ = false;
+};
+
+}  // namespace tp100::app
