@@ -5,16 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/sensors/mpu6050.h"
+#include "sim/sensors/edge.h"
 
 namespace tp100::sim {
-
-/// One encoder edge. Channels: 0 left A, 1 left B, 2 right A, 3 right B.
-struct Edge {
-  std::int64_t at_ns;
-  std::uint8_t channel;
-  bool level;
-};
 
 /// One byte with the time at which its stop bit ends.
 struct TimedByte {

@@ -1,5 +1,6 @@
 #pragma once
-// MPU6050 behind its register map (MPU-6000/6050 register map rev 4.2): what a firmware sees over I2C.
+// MPU6050 behind its register map (MPU-6000/6050 register map rev 4.2): what a firmware sees over
+// I2C.
 
 #include <array>
 #include <cstdint>

@@ -1,0 +1,216 @@
+#include "sim/body/body.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/angle.h"
+#include "sim/body/belts.h"
+#include "sim/body/ode_world.h"
+
+namespace tp100::sim {
+namespace {
+
+// Contact stiffness and damping, friction compliance: sweeps with these keep slip and turning
+// resistance unchanged to four digits between 0.25 and 2 ms.
+constexpr double kStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
+constexpr double kStiffnessNpm = 4000.0;
+constexpr double kDampingNspm = 30.0;
+constexpr double kErp = kStepS * kStiffnessNpm / (kStepS * kStiffnessNpm + kDampingNspm);
+constexpr double kCfm = 1.0 / (kStepS * kStiffnessNpm + kDampingNspm);
+constexpr double kCreepFloor = 1e-5;
+constexpr double kGravity = 9.81;
+// Slower than this the direction of slip is noise.
+constexpr double kSlipDirectionMps = 1e-3;
+constexpr int kSettleSteps = 500;
+
+Eigen::Vector3d to_vector(const dReal* v) { return {v[0], v[1], v[2]}; }
+
+Eigen::Matrix3d to_matrix(const dReal* r) {
+  Eigen::Matrix3d m;
+  m << r[0], r[1], r[2], r[4], r[5], r[6], r[8], r[9], r[10];
+  return m;
+}
+
+void copy(const Eigen::Vector3d& from, std::array<double, 3>& to) {
+  to = {from.x(), from.y(), from.z()};
+}
+
+}  // namespace
+
+struct Body::World {
+  World(const course::EmulatedBody& v, bool stand)
+      : values(v), on_stand(stand), belts(v), feedback(2 * 20) {}
+
+  void create(const Pose& start);
+  void touch(double left_mps, double right_mps);
+  void apply_shove();
+  void observe();
+
+  course::EmulatedBody values;
+  bool on_stand;
+  Belts belts;
+  OdeWorld ode;
+  dBodyID body = nullptr;
+  std::vector<dJointFeedback> feedback;
+  std::vector<const BeltContact*> touching;
+  Eigen::Vector3d last_velocity = Eigen::Vector3d::Zero();
+  double shove_per_step_m = 0.0, shove_yaw_per_step = 0.0;
+  int shove_steps = 0;
+  BodyState state{};
+};
+
+Body::Body(const course::EmulatedBody& values, const Pose& start, bool on_stand)
+    : world_(std::make_unique<World>(values, on_stand)) {
+  world_->create(start);
+}
+Body::~Body() = default;
+Body::Body(Body&&) noexcept = default;
+
+bool Body::shoving() const { return world_->shove_steps > 0; }
+const BodyState& Body::state() const { return world_->state; }
+
+void Body::World::create(const Pose& start) {
+  body = dBodyCreate(ode.id());
+  dMass mass;
+  dMassSetBoxTotal(&mass, values.mass_kg, values.length_m, values.width_m, values.height_m);
+  dBodySetMass(body, &mass);
+  dMatrix3 rotation;
+  dRFromAxisAndAngle(rotation, 0.0, 0.0, 1.0, start.yaw_rad);
+  dBodySetRotation(body, rotation);
+  const Eigen::Matrix3d r = to_matrix(dBodyGetRotation(body));
+  const Eigen::Vector3d com =
+      Eigen::Vector3d(start.x_m, start.y_m, 0.0) +
+      r * Eigen::Vector3d(values.com_forward_m, values.com_left_m, values.com_height_m);
+  dBodySetPosition(body, com.x(), com.y(), com.z());
+  state.pose.yaw_rad = start.yaw_rad;
+  if (!on_stand) {
+    for (int i = 0; i < kSettleSteps; ++i) {
+      touch(0.0, 0.0);
+      ode.step(kStepS);
+    }
+    const dReal* settled = dBodyGetPosition(body);
+    dBodySetPosition(body, com.x(), com.y(), settled[2]);
+    dBodySetRotation(body, rotation);
+    dBodySetLinearVel(body, 0, 0, 0);
+    dBodySetAngularVel(body, 0, 0, 0);
+  }
+  observe();
+  copy({0.0, 0.0, kGravity}, state.specific_force_mps2);
+}
+
+void Body::World::touch(double left_mps, double right_mps) {
+  const Eigen::Vector3d position = to_vector(dBodyGetPosition(body));
+  const Eigen::Matrix3d rotation = to_matrix(dBodyGetRotation(body));
+  const Eigen::Vector3d velocity = to_vector(dBodyGetLinearVel(body));
+  const Eigen::Vector3d rate = to_vector(dBodyGetAngularVel(body));
+  const std::vector<BeltContact>& contacts = belts.touch(position, rotation);
+
+  const double faster = std::max(std::abs(left_mps), std::abs(right_mps));
+  const double per_creep =
+      faster * static_cast<double>(contacts.size()) / (values.mass_kg * kGravity);
+  touching.clear();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const BeltContact& at = contacts[i];
+    const Eigen::Vector3d forward = rotation.col(1).cross(at.normal).normalized();
+    const Eigen::Vector3d belt = forward * (at.left ? left_mps : right_mps);
+    Eigen::Vector3d slip = velocity + rate.cross(at.point_m - position) - belt;
+    slip -= at.normal * at.normal.dot(slip);
+    const Eigen::Vector3d along =
+        slip.norm() > kSlipDirectionMps ? slip.normalized().eval() : forward;
+    const Eigen::Vector3d across = at.normal.cross(along);
+
+    dContact contact{};
+    contact.surface.mode = dContactMu2 | dContactFDir1 | dContactSoftERP | dContactSoftCFM |
+                           dContactMotion1 | dContactMotion2 | dContactSlip1 | dContactSlip2 |
+                           dContactApprox1;
+    contact.surface.mu = contact.surface.mu2 = values.friction;
+    contact.surface.soft_erp = kErp;
+    contact.surface.soft_cfm = kCfm;
+    contact.surface.motion1 = belt.dot(along);
+    contact.surface.motion2 = belt.dot(across);
+    contact.surface.slip1 = contact.surface.slip2 =
+        (at.left ? values.creep_left : values.creep_right) * per_creep + kCreepFloor;
+    for (int k = 0; k < 3; ++k) {
+      contact.geom.pos[k] = at.point_m[k];
+      contact.geom.normal[k] = at.normal[k];
+      contact.fdir1[k] = along[k];
+    }
+    contact.geom.depth = at.depth_m;
+    const dJointID joint = dJointCreateContact(ode.id(), ode.contacts(), &contact);
+    dJointAttach(joint, body, nullptr);
+    dJointSetFeedback(joint, &feedback[i]);
+    touching.push_back(&at);
+  }
+}
+
+void Body::World::apply_shove() {
+  if (shove_steps == 0) return;
+  --shove_steps;
+  const Eigen::Matrix3d rotation = to_matrix(dBodyGetRotation(body));
+  const Eigen::Vector3d position = to_vector(dBodyGetPosition(body));
+  const Eigen::Vector3d arm =
+      rotation * Eigen::Vector3d(values.com_forward_m, values.com_left_m, values.com_height_m);
+  const Eigen::AngleAxisd turn(shove_yaw_per_step, Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d moved = position - arm + rotation.col(1) * shove_per_step_m + turn * arm;
+  const Eigen::Quaterniond q(turn.toRotationMatrix() * rotation);
+  const dQuaternion quaternion = {q.w(), q.x(), q.y(), q.z()};
+  dBodySetPosition(body, moved.x(), moved.y(), moved.z());
+  dBodySetQuaternion(body, quaternion);
+}
+
+void Body::World::observe() {
+  const Eigen::Matrix3d rotation = to_matrix(dBodyGetRotation(body));
+  const Eigen::Vector3d arm =
+      rotation * Eigen::Vector3d(values.com_forward_m, values.com_left_m, values.com_height_m);
+  const Eigen::Vector3d reference = to_vector(dBodyGetPosition(body)) - arm;
+  Eigen::Vector3d velocity = to_vector(dBodyGetLinearVel(body));
+  Eigen::Vector3d rate = to_vector(dBodyGetAngularVel(body));
+
+  copy(rotation.transpose() *
+           ((velocity - last_velocity) / kStepS + Eigen::Vector3d(0.0, 0.0, kGravity)),
+       state.specific_force_mps2);
+  last_velocity = velocity;
+  if (shove_steps > 0) {
+    rate.z() += shove_yaw_per_step / kStepS;
+    velocity += rotation.col(1) * shove_per_step_m / kStepS;
+  }
+  copy(velocity - rate.cross(arm), state.velocity_mps);
+  copy(rotation.transpose() * rate, state.rate_radps);
+
+  Pose& pose = state.pose;
+  pose.x_m = reference.x();
+  pose.y_m = reference.y();
+  pose.z_m = reference.z();
+  pose.roll_rad = std::atan2(rotation(2, 1), rotation(2, 2));
+  pose.pitch_rad = std::asin(std::clamp(-rotation(2, 0), -1.0, 1.0));
+  const double heading = std::atan2(rotation(1, 0), rotation(0, 0));
+  pose.yaw_rad += wrap_angle(heading - pose.yaw_rad);
+}
+
+void Body::step(double left_belt_mps, double right_belt_mps) {
+  World& w = *world_;
+  if (w.on_stand) return;
+  w.touch(left_belt_mps * (1.0 - w.values.belt_deficit_left),
+          right_belt_mps * (1.0 - w.values.belt_deficit_right));
+  const Eigen::Vector3d ahead = to_matrix(dBodyGetRotation(w.body)).col(0);
+  w.ode.step(kStepS);
+  w.state.left_load_n = w.state.right_load_n = 0.0;
+  for (std::size_t i = 0; i < w.touching.size(); ++i) {
+    const double traction = to_vector(w.feedback[i].f1).dot(ahead);
+    (w.touching[i]->left ? w.state.left_load_n : w.state.right_load_n) += traction;
+  }
+  w.apply_shove();
+  w.observe();
+}
+
+void Body::shove(double sideways_m, double yaw_rad, double duration_s) {
+  World& w = *world_;
+  if (w.on_stand) return;
+  w.shove_steps = std::max(1, static_cast<int>(std::lround(duration_s / kStepS)));
+  w.shove_per_step_m = sideways_m / w.shove_steps;
+  w.shove_yaw_per_step = yaw_rad / w.shove_steps;
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,122 @@
+#include "sim/body/body.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/angle.h"
+
+namespace tp100::sim {
+namespace {
+
+course::EmulatedBody end_loaded() { return {}; }
+
+course::EmulatedBody uniform() {
+  course::EmulatedBody values;
+  values.mid_lift_m = 0.0;
+  return values;
+}
+
+BodyState drive(Body& body, double left_mps, double right_mps, double duration_s) {
+  const int steps = static_cast<int>(std::lround(duration_s * 1000));
+  for (int i = 0; i < steps; ++i) body.step(left_mps, right_mps);
+  return body.state();
+}
+
+/// L of eq 5 for a spin, slip ratios taken out.
+double wheelbase_in_a_spin(const course::EmulatedBody& values) {
+  Body body(values, {}, false);
+  const double belt = 0.08;
+  const double begin = drive(body, -belt, belt, 0.5).pose.yaw_rad;
+  const double duration_s = 2.0;
+  const double yaw = drive(body, -belt, belt, duration_s).pose.yaw_rad - begin;
+  const double surface = belt * (1.0 - values.belt_deficit_left);
+  return 2.0 * surface * duration_s / yaw;
+}
+
+TEST(Body, SlipsOnTheFlatAsMuchAsTheRampBoardOfThePaper) {
+  Body body(end_loaded(), {}, false);
+  const double begin = drive(body, 0.1, 0.1, 0.5).pose.x_m;
+  const double way = drive(body, 0.1, 0.1, 2.0).pose.x_m - begin;
+  EXPECT_NEAR(1.0 - way / 0.2, 0.160, 0.005);
+}
+
+TEST(Body, AnEndLoadedRobotTurnsWithTheWheelbaseOfEquationSeven) {
+  EXPECT_NEAR(wheelbase_in_a_spin(end_loaded()), 0.274, 0.006);
+}
+
+TEST(Body, AUniformlyLoadedRobotTurnsMuchMoreEasily) {
+  EXPECT_NEAR(wheelbase_in_a_spin(uniform()), 0.194, 0.004);
+}
+
+TEST(Body, StandsStill) {
+  Body body(end_loaded(), {.x_m = 0.3, .y_m = -0.2, .yaw_rad = 1.0}, false);
+  const BodyState state = drive(body, 0.0, 0.0, 5.0);
+  EXPECT_NEAR(state.pose.x_m, 0.3, 1e-6);
+  EXPECT_NEAR(state.pose.y_m, -0.2, 1e-6);
+  EXPECT_NEAR(state.pose.yaw_rad, 1.0, 1e-6);
+  EXPECT_NEAR(state.specific_force_mps2[2], 9.81, 0.01);
+  EXPECT_NEAR(state.pose.pitch_rad, 0.0, 1e-4);
+}
+
+TEST(Body, TheSameCallsGiveTheSameBitsWhateverOtherBodiesDo) {
+  Body alone(end_loaded(), {}, false);
+  Body one(end_loaded(), {}, false);
+  Body other(uniform(), {}, false);
+  for (int i = 0; i < 800; ++i) alone.step(0.1, 0.05);
+  for (int i = 0; i < 800; ++i) {
+    one.step(0.1, 0.05);
+    other.step(-0.05, 0.1);
+  }
+  EXPECT_EQ(alone.state().pose.x_m, one.state().pose.x_m);
+  EXPECT_EQ(alone.state().pose.y_m, one.state().pose.y_m);
+  EXPECT_EQ(alone.state().pose.yaw_rad, one.state().pose.yaw_rad);
+}
+
+TEST(Body, LeftAndRightAreMirrorImages) {
+  Body left(end_loaded(), {}, false);
+  Body right(end_loaded(), {}, false);
+  const Pose a = drive(left, 0.06, 0.1, 2.0).pose;
+  const Pose b = drive(right, 0.1, 0.06, 2.0).pose;
+  EXPECT_NEAR(a.x_m, b.x_m, 1e-5);
+  EXPECT_NEAR(a.y_m, -b.y_m, 1e-5);
+  EXPECT_NEAR(a.yaw_rad, -b.yaw_rad, 1e-4);
+  EXPECT_GT(a.yaw_rad, 0.1);
+}
+
+TEST(Body, AShoveMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
+  Body body(end_loaded(), {}, false);
+  drive(body, 0.1, 0.1, 1.0);
+  const Pose before = body.state().pose;
+  body.shove(0.04, 15 * kRadPerDeg, 0.3);
+  double turned = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    body.step(0.1, 0.1);
+    turned += body.state().rate_radps[2] * 1e-3;
+  }
+  EXPECT_FALSE(body.shoving());
+  const Pose& after = body.state().pose;
+  EXPECT_NEAR(after.yaw_rad - before.yaw_rad, 15 * kRadPerDeg, 0.01);
+  EXPECT_NEAR(turned, after.yaw_rad - before.yaw_rad, 0.005);
+  const double ahead = 0.1 * 0.84 * 0.3;
+  EXPECT_NEAR(std::hypot(after.x_m - before.x_m, after.y_m - before.y_m), std::hypot(0.04, ahead),
+              0.006);
+}
+
+TEST(Body, OnAStandNothingMoves) {
+  Body body(end_loaded(), {}, true);
+  const BodyState state = drive(body, 0.1, -0.1, 1.0);
+  EXPECT_EQ(state.pose.x_m, 0.0);
+  EXPECT_EQ(state.pose.yaw_rad, 0.0);
+  EXPECT_EQ(state.left_load_n, 0.0);
+}
+
+TEST(Body, SpinningBeltsFeelTheGround) {
+  Body body(end_loaded(), {}, false);
+  const BodyState state = drive(body, -0.08, 0.08, 1.0);
+  EXPECT_GT(state.right_load_n, 0.5);
+  EXPECT_LT(state.left_load_n, -0.5);
+}
+
+}  // namespace
+}  // namespace tp100::sim
