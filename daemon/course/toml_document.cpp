@@ -324,6 +324,13 @@ bool TomlTable::has(std::string_view key) const {
   return state_->table && state_->table->contains(key);
 }
 
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> names;
+  if (state_->table)
+    for (const auto& [key, node] : *state_->table) names.emplace_back(key.str());
+  return names;
+}
+
 void TomlTable::fail(std::string_view key, const std::string& what) const {
   const toml::node* node = state_->table ? state_->table->get(key) : nullptr;
   throw SetupError(at(state_->file, node ? node->source().begin : state_->where) + what);

@@ -54,6 +54,8 @@ class TomlTable {
   /// Array of tables; absent reads as empty.
   std::vector<TomlTable> tables(std::string_view key);
   bool has(std::string_view key) const;
+  /// Names of all keys, asked for or not, sorted.
+  std::vector<std::string> keys() const;
 
   /// Throws SetupError at `key` (or at the table if absent): "file:line:column: what".
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;

@@ -1,0 +1,73 @@
+#include "analysis/result_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace tp100::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const PoseErrors& errors) {
+  return {{"max_position_error_m", errors.max_position_error_m},
+          {"mean_position_error_m", errors.mean_position_error_m},
+          {"rms_position_error_m", errors.rms_position_error_m},
+          {"final_position_error_m", errors.final_position_error_m},
+          {"mse_x_m2", errors.mse_x_m2},
+          {"mse_y_m2", errors.mse_y_m2},
+          {"mse_yaw_rad2", errors.mse_yaw_rad2},
+          {"max_yaw_error_rad", errors.max_yaw_error_rad}};
+}
+
+Json json_of(const TrackingErrors& errors) {
+  Json recovery = Json::array();
+  for (const std::optional<double>& time : errors.recovery_s)
+    recovery.push_back(time ? Json(*time) : Json(nullptr));
+  return {{"max_cross_track_m", errors.max_cross_track_m},
+          {"rms_cross_track_m", errors.rms_cross_track_m},
+          {"max_yaw_error_rad", errors.max_yaw_error_rad},
+          {"recovery_s", recovery}};
+}
+
+Json json_of(const LinkCounters& link) {
+  return {{"samples", link.samples},
+          {"lost", link.lost},
+          {"crc_errors", link.crc_errors},
+          {"cobs_errors", link.cobs_errors},
+          {"duplicated", link.duplicated},
+          {"reordered", link.reordered},
+          {"oversize", link.oversize},
+          {"undersize", link.undersize},
+          {"unknown_type", link.unknown_type},
+          {"wrong_size", link.wrong_size},
+          {"implausible", link.implausible},
+          {"foreign_bytes", link.foreign_bytes},
+          {"unwritten", link.unwritten},
+          {"bytes_in", link.bytes_in},
+          {"bytes_out", link.bytes_out},
+          {"frames_in", link.frames_in},
+          {"frames_out", link.frames_out},
+          {"sync_replies", link.sync_replies},
+          {"sync_rejected", link.sync_rejected},
+          {"reconnects", link.reconnects},
+          {"reboots", link.reboots}};
+}
+
+}  // namespace
+
+std::string result_json(const RunResult& run, const RunFigures& figures) {
+  Json json = {{"course", run.course}, {"board", run.board}, {"robot", run.robot},
+               {"setup", run.setup},   {"seed", run.seed},   {"completed", run.completed}};
+  if (!run.completed) json["cause"] = run.cause;
+  json["duration_s"] = run.duration_s;
+  json["realtime_factor"] = run.realtime_factor;
+  json["model"] = json_of(figures.model);
+  json["odometry"] = json_of(figures.odometry);
+  json["tracking"] = json_of(figures.tracking);
+  json["link"] = json_of(run.link);
+  json["loop"] = Json::object();
+  for (const auto& [name, value] : run.loop) json["loop"][name] = value;
+  // Names of files may hold any bytes.
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+}  // namespace tp100::analysis

@@ -1,0 +1,123 @@
+#include "analysis/result_table.h"
+
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+
+#include "core/angle.h"
+
+namespace tp100::analysis {
+namespace {
+
+constexpr double kCmPerM = 100.0;
+
+/// What the paper printed for a course, in its own units; negative: not printed.
+struct Published {
+  const char* course;
+  double max_position_error_cm;
+  double mse_x, mse_y, mse_yaw;
+};
+
+constexpr std::array<Published, 5> kPublished = {{
+    {"1-straight", 1.5625, -1, -1, -1},
+    {"1-curve", 1.2028, -1, -1, -1},
+    {"1-sharp", 8.5838, -1, -1, -1},
+    {"2", -1, 0.1854, 0.1486, 0.801},
+    {"3", 34.1, 1.6607, 0.4948, 0.821},
+}};
+
+__attribute__((format(printf, 1, 2))) std::string format(const char* text, ...) {
+  std::array<char, 256> buffer{};
+  va_list arguments;
+  va_start(arguments, text);
+  std::vsnprintf(buffer.data(), buffer.size(), text, arguments);
+  va_end(arguments);
+  return buffer.data();
+}
+
+std::string row(const char* name, const PoseErrors& e) {
+  return format("%-27s%8.2f%8.2f%8.2f%8.2f%11.2e%11.2e%11.2e%8.2f\n", name,
+                e.max_position_error_m * kCmPerM, e.mean_position_error_m * kCmPerM,
+                e.rms_position_error_m * kCmPerM, e.final_position_error_m * kCmPerM, e.mse_x_m2,
+                e.mse_y_m2, e.mse_yaw_rad2, e.max_yaw_error_rad * kDegPerRad);
+}
+
+std::string printed_cell(int width, const char* as, double value) {
+  std::array<char, 32> buffer{};
+  if (value < 0)
+    std::snprintf(buffer.data(), buffer.size(), "%*s", width, "-");
+  else if (as[0] == 'f')
+    std::snprintf(buffer.data(), buffer.size(), "%*.2f", width, value);
+  else
+    std::snprintf(buffer.data(), buffer.size(), "%*.4f", width, value);
+  return buffer.data();
+}
+
+std::string printed_row(const Published& p) {
+  return format("%-27s", "paper, as printed") + printed_cell(8, "f", p.max_position_error_cm) +
+         printed_cell(8, "f", -1) + printed_cell(8, "f", -1) + printed_cell(8, "f", -1) +
+         printed_cell(11, "g", p.mse_x) + printed_cell(11, "g", p.mse_y) +
+         printed_cell(11, "g", p.mse_yaw) + printed_cell(8, "f", -1) + "\n";
+}
+
+const Published* published(const std::string& course) {
+  for (const Published& one : kPublished)
+    if (course == one.course) return &one;
+  return nullptr;
+}
+
+std::string recoveries(const TrackingErrors& tracking) {
+  if (tracking.recovery_s.empty()) return {};
+  std::string text = "ours: back inside 1 cm and 3 deg of the path after each shove:";
+  for (const auto& time : tracking.recovery_s)
+    text += time ? format(" %.2f s", *time) : std::string(" never");
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string result_table(const RunResult& run, const RunFigures& figures) {
+  std::string text = format("Course %.40s, robot %.40s, set-up %.20s, board %.20s, seed %llu: ",
+                            run.course.c_str(), run.robot.c_str(), run.setup.c_str(),
+                            run.board.c_str(), static_cast<unsigned long long>(run.seed));
+  text += run.completed ? format("completed") : "NOT completed (" + run.cause + ")";
+  text +=
+      format("\n%.1f s of robot time, %.0f x real time\n\n", run.duration_s, run.realtime_factor);
+  text += format("%-27s%32s%33s%8s\n", "", "position error [cm]", "mean squared error", "yaw");
+  text += format("%-27s%8s%8s%8s%8s%11s%11s%11s%8s\n", "against the true pose", "max", "mean",
+                 "rms", "final", "x [m^2]", "y [m^2]", "[rad^2]", "max deg");
+  text += row("ours: model (encoders)", figures.model);
+  text += row("ours: odometry (+ gyro)", figures.odometry);
+  const Published* paper = published(run.course);
+  if (paper != nullptr) text += printed_row(*paper);
+  const TrackingErrors& tracking = figures.tracking;
+  text += format(
+      "\nours: true path against the reference [cm, deg]: cross-track max %.2f, rms %.2f, yaw max "
+      "%.1f\n",
+      tracking.max_cross_track_m * kCmPerM, tracking.rms_cross_track_m * kCmPerM,
+      tracking.max_yaw_error_rad * kDegPerRad);
+  text += recoveries(tracking);
+  text += format("link: %llu samples, %llu lost, %llu with a wrong CRC\n\n",
+                 static_cast<unsigned long long>(run.link.samples),
+                 static_cast<unsigned long long>(run.link.lost),
+                 static_cast<unsigned long long>(run.link.crc_errors));
+  if (!run.shoves.empty())
+    text +=
+        "The model is judged between the shoves, set onto the truth after each: encoders cannot "
+        "see one.\n";
+  if (paper != nullptr) {
+    text += "Lengths, radii and shoves of the course are ours: the paper does not print them.\n";
+    if (paper->mse_x >= 0)
+      text +=
+          "The paper prints its mean squared errors in m and rad, and they contradict each other:\n"
+          "shown, not compared.\n";
+  }
+  if (run.robot == "end-loaded")
+    text +=
+        "This robot's slip is fitted through its contacts and its belts make eqs 1-5 nearly "
+        "exact;\n"
+        "the uniformly loaded robot is the harder judge.\n";
+  return text;
+}
+
+}  // namespace tp100::analysis

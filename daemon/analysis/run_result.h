@@ -1,0 +1,46 @@
+#pragma once
+// What a run was and what happened in it, as plain data: the input of metrics, table and JSON.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/link_state.h"
+#include "core/pose.h"
+
+namespace tp100::analysis {
+
+/// One instant of a run; all poses belong to the same time. World frame; yaw of any branch.
+struct TrackPoint {
+  double t_s = 0.0;  ///< from the start of the run
+  Pose truth{};      ///< exact pose of the reference point; on bench and flat courses with virtual
+                     ///< obstacles, the pose in the virtual world
+  Pose model{};      ///< eqs 1-5 on encoder counts alone
+  Pose odometry{};   ///< encoders + gyro
+  double progress_m =
+      0.0;  ///< along the path, as the controller sees it; tells crossing pieces apart
+};
+
+/// Time during which someone pushed the robot.
+struct ShoveWindow {
+  double begin_s = 0.0;
+  double end_s = 0.0;
+};
+
+/// One run. `points` runs from the first to the last step of the course, ascending in time.
+struct RunResult {
+  std::string course, board, robot, setup;
+  std::uint64_t seed = 0;
+  bool completed =
+      false;          ///< the controller finished and the true end lies within 15 cm of the path's
+  std::string cause;  ///< why it was not completed; empty otherwise
+  double duration_s = 0.0;  ///< virtual time of the run
+  double realtime_factor = 0.0;
+  std::vector<TrackPoint> points;
+  std::vector<ShoveWindow> shoves;
+  LinkCounters link{};
+  std::vector<std::pair<std::string, double>> loop;  ///< figures of the loop by name
+};
+
+}  // namespace tp100::analysis

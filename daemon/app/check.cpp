@@ -1,0 +1,114 @@
+#include "app/check.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
+
+#include "app/bundled_files.h"
+#include "app/configuration.h"
+#include "course/course.h"
+#include "course/nearest.h"
+#include "course/path.h"
+#include "course/robot.h"
+#include "course/toml_document.h"
+
+namespace tp100::app {
+namespace {
+
+using Word = std::pair<std::string_view, FileKind>;
+
+constexpr std::array<Word, 14> kWords = {{
+    {"robot", FileKind::kConfiguration},
+    {"course", FileKind::kConfiguration},
+    {"setup", FileKind::kConfiguration},
+    {"link", FileKind::kConfiguration},
+    {"loop", FileKind::kConfiguration},
+    {"estimation", FileKind::kConfiguration},
+    {"control", FileKind::kConfiguration},
+    {"speed_mps", FileKind::kCourse},
+    {"start", FileKind::kCourse},
+    {"segment", FileKind::kCourse},
+    {"shove", FileKind::kCourse},
+    {"fence", FileKind::kCourse},
+    {"drive", FileKind::kRobot},
+    {"emulated", FileKind::kRobot},
+}};
+
+std::string text_of(const course::Course& course) {
+  const course::Path path(course);
+  return "course " + course.name + ": " + course::number_text(path.length_m()) + " m in " +
+         std::to_string(path.pieces().size()) + " pieces at " +
+         course::number_text(course.speed_mps) + " m/s, " + std::to_string(course.shoves.size()) +
+         " shoves";
+}
+
+std::string text_of(const course::Robot& robot) {
+  return "robot " + robot.name + ": wheelbase " + course::number_text(robot.model.wheelbase_m) +
+         " m, slip " + course::number_text(robot.model.slip_left) + " / " +
+         course::number_text(robot.model.slip_right);
+}
+
+std::string check_configuration(const TextFile& file) {
+  const Configuration configuration = parse_configuration(file.text, file.path);
+  const TextFile robot = read_bundled(Bundled::kRobots, configuration.robot);
+  std::string text = "configuration with " + text_of(course::parse_robot(robot.text, robot.path));
+  if (configuration.course.empty()) return text;
+  const TextFile course = read_bundled(Bundled::kCourses, configuration.course);
+  return text + ", " + text_of(course::parse_course(course.text, course.path));
+}
+
+}  // namespace
+
+FileKind file_kind(const std::string& text, const std::string& file) {
+  const course::TomlDocument document(text, file);
+  course::TomlTable root = document.root();
+  std::vector<std::string_view> words;
+  for (const Word& word : kWords) words.push_back(word.first);
+  // Each key, mistyped or not, votes for the kind of file that has it.
+  std::array<int, 3> votes{};
+  for (const std::string& key : root.keys()) {
+    const std::string_view word = course::nearest_name(key, words);
+    for (const auto& [name, kind] : kWords)
+      if (name == word) ++votes[static_cast<std::size_t>(kind)];
+  }
+  // [model] is a table of two kinds.
+  if (root.has("model")) {
+    const course::TomlTable model = root.table("model");
+    const bool configures = model.has("mode") || model.has("turning_threshold_radps");
+    ++votes[static_cast<std::size_t>(configures ? FileKind::kConfiguration : FileKind::kRobot)];
+  }
+  FileKind best = FileKind::kConfiguration;
+  for (const FileKind kind : {FileKind::kCourse, FileKind::kRobot})
+    if (votes[static_cast<std::size_t>(kind)] > votes[static_cast<std::size_t>(best)]) best = kind;
+  return best;
+}
+
+std::string check_file(const std::string& path) {
+  const TextFile file = read_text_file(path);
+  switch (file_kind(file.text, file.path)) {
+    case FileKind::kCourse:
+      return text_of(course::parse_course(file.text, file.path));
+    case FileKind::kRobot:
+      return text_of(course::parse_robot(file.text, file.path));
+    case FileKind::kConfiguration:
+      break;
+  }
+  return check_configuration(file);
+}
+
+int run_check(const std::vector<std::string>& files) {
+  int status = 0;
+  for (const std::string& path : files) {
+    try {
+      const std::string found = check_file(path);
+      std::printf("%s: OK, %s\n", path.c_str(), found.c_str());
+    } catch (const SetupError& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      status = 2;
+    }
+  }
+  return status;
+}
+
+}  // namespace tp100::app

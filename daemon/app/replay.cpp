@@ -1,0 +1,208 @@
+#include "app/replay.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "analysis/atomic_file.h"
+#include "analysis/csv_reader.h"
+#include "app/bundled_files.h"
+#include "core/angle.h"
+#include "course/nearest.h"
+#include "course/toml_document.h"
+#include "estimation/odometry.h"
+#include "estimation/standstill.h"
+#include "model/track_model.h"
+
+namespace tp100::app {
+namespace {
+
+constexpr const char* kHeader =
+    "t_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,vx_mps,vy_mps,yaw_rate_radps,slip_left,slip_"
+    "right\n";
+
+/// One row of the input, valid until the next.
+struct Row {
+  double t_s = 0.0;
+  double left_mps = 0.0, right_mps = 0.0;
+  double slope_rad = 0.0;
+  double gyro_z_radps = 0.0;
+};
+
+/// What one row of the output shows.
+struct State {
+  Pose pose{};
+  Twist twist{};
+  model::Slip slip{};
+};
+
+model::TrackParameters track_parameters(ReplayModel kind, const bridge::Parameters& parameters) {
+  const course::ModelValues& values = parameters.model;
+  model::TrackParameters result;
+  result.turning_threshold_radps = values.turning_threshold_radps;
+  if (kind == ReplayModel::kPaper) return result;
+  result.slip_left = values.slip_left;
+  result.slip_right = values.slip_right;
+  result.slip_angle_straight_rad = values.slip_angle_straight_rad;
+  result.slip_angle_turning_rad = values.slip_angle_turning_rad;
+  result.wheelbase_m = values.wheelbase_m;
+  result.x_icr_m = values.x_icr_m;
+  return result;
+}
+
+class Replay {
+ public:
+  Replay(ReplayModel kind, const bridge::Parameters& parameters)
+      : kind_(kind),
+        parameters_(track_parameters(kind, parameters)),
+        mode_(kind == ReplayModel::kPaper ? model::Mode::kPaper : model::Mode::kExtended),
+        counts_per_metre_(parameters.drive.counts_per_metre),
+        standstill_(parameters.estimation) {}
+
+  /// The state at the row's own time, with the motion that begins there.
+  State begin(const Row& row) {
+    row_ = row;
+    if (mode_ == model::Mode::kPaper) row_.slope_rad = 0.0;
+    learn_bias();
+    State state;
+    state.pose = pose_;
+    state.pose.pitch_rad = row_.slope_rad == 0.0 ? 0.0 : -row_.slope_rad;
+    state.slip = model::slip_on_slope(parameters_, mode_, row_.slope_rad);
+    state.twist = advanced(0.0);
+    return state;
+  }
+
+  /// Carries the pose on by `dt_s` with the values of the row that began last.
+  void advance(double dt_s) {
+    advanced(dt_s);
+    left_m_ += row_.left_mps * dt_s;
+    right_m_ += row_.right_mps * dt_s;
+  }
+
+ private:
+  Twist advanced(double dt_s) {
+    Twist twist;
+    if (kind_ == ReplayModel::kOdometry) {
+      estimation::Odometry odometry(parameters_);
+      odometry.reset(pose_);
+      twist = odometry.advance({row_.left_mps, row_.right_mps},
+                               row_.gyro_z_radps - standstill_.bias_radps(), dt_s, row_.slope_rad);
+      pose_ = odometry.pose();
+    } else {
+      twist = model::body_twist(parameters_, mode_, row_.left_mps, row_.right_mps, row_.slope_rad);
+      model::advance(pose_, twist, dt_s, row_.slope_rad);
+    }
+    return twist;
+  }
+
+  void learn_bias() {
+    if (kind_ != ReplayModel::kOdometry) return;
+    Sample sample;
+    sample.device_us = std::llround(row_.t_s * 1e6);
+    sample.left_counts = std::llround(left_m_ * counts_per_metre_);
+    sample.right_counts = std::llround(right_m_ * counts_per_metre_);
+    sample.imu_age = 0;
+    standstill_.update(sample, row_.gyro_z_radps);
+  }
+
+  ReplayModel kind_;
+  model::TrackParameters parameters_;
+  model::Mode mode_;
+  double counts_per_metre_;
+  estimation::Standstill standstill_;
+  Row row_{};
+  Pose pose_{};
+  double left_m_ = 0.0, right_m_ = 0.0;
+};
+
+Row row_of(const analysis::CsvTable& table, std::size_t i) {
+  const auto value = [&](const char* column) { return table.has(column) ? table[column][i] : 0.0; };
+  Row row{table["t_s"][i], table["left_mps"][i], table["right_mps"][i], value("slope_rad"),
+          value("gyro_z_radps")};
+  const auto limit = [&](const char* column, double found, double most) {
+    if (std::abs(found) > most)
+      throw SetupError(table.where(i) + ": " + column + " is " + course::number_text(found) +
+                       ", allowed " + course::number_text(-most) + " to " +
+                       course::number_text(most));
+  };
+  limit("t_s", row.t_s, 1e9);
+  limit("left_mps", row.left_mps, 100.0);
+  limit("right_mps", row.right_mps, 100.0);
+  limit("slope_rad", row.slope_rad, 1.57);
+  limit("gyro_z_radps", row.gyro_z_radps, 1000.0);
+  return row;
+}
+
+std::string text_of(double t_s, const State& s) {
+  const std::array<double, 12> values = {t_s,
+                                         s.pose.x_m,
+                                         s.pose.y_m,
+                                         s.pose.z_m,
+                                         s.pose.roll_rad,
+                                         s.pose.pitch_rad,
+                                         s.pose.yaw_rad,
+                                         s.twist.vx_mps,
+                                         s.twist.vy_mps,
+                                         s.twist.yaw_rate_radps,
+                                         s.slip.left,
+                                         s.slip.right};
+  std::string text;
+  for (const double value : values) {
+    std::array<char, 40> cell{};
+    std::snprintf(cell.data(), cell.size(), text.empty() ? "%.17g" : ",%.17g", value);
+    text += cell.data();
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+ReplayModel replay_model(const std::string& name) {
+  if (name == "paper") return ReplayModel::kPaper;
+  if (name == "extended") return ReplayModel::kExtended;
+  if (name == "odometry") return ReplayModel::kOdometry;
+  if (name == "fused")
+    throw SetupError(
+        "--model fused needs camera poses, which this version does not have; use odometry");
+  const std::string_view meant = course::nearest_name(name, {"paper", "extended", "odometry"});
+  throw SetupError(
+      "--model '" + course::one_line(name) + "' is unknown" +
+      (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?") +
+      " Use paper, extended or odometry");
+}
+
+std::string replay_csv(const std::string& text, const std::string& file, ReplayModel model,
+                       const bridge::Parameters& parameters) {
+  const analysis::CsvTable table = analysis::parse_csv(
+      text, file, {{"t_s", "left_mps", "right_mps"}, {"slope_rad", "gyro_z_radps"}});
+  if (model == ReplayModel::kOdometry && !table.has("gyro_z_radps"))
+    throw SetupError(file +
+                     ":1: column 'gyro_z_radps' is missing; --model odometry needs the gyro");
+  Replay replay(model, parameters);
+  std::string out = kHeader;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const Row row = row_of(table, i);
+    if (i > 0) replay.advance(row.t_s - table["t_s"][i - 1]);
+    out += text_of(row.t_s, replay.begin(row));
+  }
+  return out;
+}
+
+int run_replay(const ReplayOptions& options) {
+  Configuration configuration;
+  if (!options.config.empty()) {
+    const TextFile file = read_text_file(options.config);
+    configuration = parse_configuration(file.text, file.path);
+  }
+  const ReplayModel model = !options.model.empty()                 ? replay_model(options.model)
+                            : configuration.parameters.paper_model ? ReplayModel::kPaper
+                                                                   : ReplayModel::kExtended;
+  const TextFile robot = read_bundled(Bundled::kRobots, configuration.robot);
+  const bridge::Parameters parameters =
+      bridge_parameters(configuration, course::parse_robot(robot.text, robot.path));
+  const TextFile in = read_text_file(options.in);
+  analysis::write_file(options.out, replay_csv(in.text, in.path, model, parameters));
+  return 0;
+}
+
+}  // namespace tp100::app

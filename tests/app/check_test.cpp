@@ -1,0 +1,76 @@
+#include "app/check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+
+namespace tp100::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(FileKind, IsToldByTheKeysEvenIfSomeAreMistyped) {
+  EXPECT_EQ(file_kind("", "f"), FileKind::kConfiguration);
+  EXPECT_EQ(file_kind("[loop]\nrate_hz = 100\n", "f"), FileKind::kConfiguration);
+  EXPECT_EQ(file_kind("[model]\nmode = 'paper'\n", "f"), FileKind::kConfiguration);
+  EXPECT_EQ(file_kind("[model]\nwheelbase_m = 1\n", "f"), FileKind::kRobot);
+  EXPECT_EQ(file_kind("[drve]\n", "f"), FileKind::kRobot);
+  EXPECT_EQ(file_kind("speeed_mps = 1\n", "f"), FileKind::kCourse);
+  EXPECT_EQ(file_kind("[[segments]]\n[fence]\n", "f"), FileKind::kCourse);
+}
+
+TEST(Check, EveryBundledFileIsRight) {
+  const std::filesystem::path config = std::filesystem::path(TP100_SOURCE_DIR) / "config";
+  int files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(config)) {
+    if (entry.path().extension() != ".toml") continue;
+    ++files;
+    const std::string folder = entry.path().parent_path().filename().string();
+    const std::string kind = folder == "courses"  ? "course " + entry.path().stem().string()
+                             : folder == "robots" ? "robot " + entry.path().stem().string()
+                                                  : "configuration";
+    EXPECT_THAT(check_file(entry.path().string()), StartsWith(kind));
+  }
+  EXPECT_GE(files, 7);
+}
+
+TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "tp100-check-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(pattern.data());
+  const std::string path = (folder / "c.toml").string();
+  const auto told = [&](const std::string& text) -> std::string {
+    std::ofstream(path) << text;
+    try {
+      return check_file(path);
+    } catch (const SetupError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_THAT(told("robot = 'nobody'\n"), HasSubstr("nobody: no such robot"));
+  EXPECT_THAT(told("course = 'nowhere'\n"), HasSubstr("nowhere: no such course"));
+  EXPECT_THAT(told("course = '2'\n"), HasSubstr("robot end-loaded"));
+  EXPECT_THAT(told("speed_mps = 3.5\n"), HasSubstr("c.toml:1:13: 'speed_mps' is 3.5, allowed"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Check, TheExitStatusIs2IfAnyFileIsWrong) {
+  const std::string good = TP100_SOURCE_DIR "/config/courses/2.toml";
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_check({good}), 0);
+  EXPECT_EQ(run_check({"/nowhere/x.toml", good}), 2);
+  const std::string out = testing::internal::GetCapturedStdout();
+  const std::string err = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(out, HasSubstr("2.toml: OK, course 2: 3.0712"));
+  EXPECT_THAT(err, StartsWith("/nowhere/x.toml: cannot be opened"));
+  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1);
+}
+
+}  // namespace
+}  // namespace tp100::app

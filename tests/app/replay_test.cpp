@@ -1,0 +1,222 @@
+#include "app/replay.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "analysis/csv_reader.h"
+#include "core/angle.h"
+#include "core/error.h"
+
+namespace tp100::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+analysis::CsvTable replayed(const std::string& csv, ReplayModel model,
+                            const bridge::Parameters& parameters = {}) {
+  return analysis::parse_csv(replay_csv(csv, "in.csv", model, parameters), "out.csv",
+                             {{"t_s", "x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad",
+                               "vx_mps", "vy_mps", "yaw_rate_radps", "slip_left", "slip_right"},
+                              {}});
+}
+
+std::string told(const std::string& csv, ReplayModel model = ReplayModel::kPaper) {
+  try {
+    replay_csv(csv, "in.csv", model, {});
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// Rows of constant speeds every `dt_s`.
+std::string constant(double left_mps, double right_mps, double dt_s, int rows) {
+  std::string text = "t_s,left_mps,right_mps\n";
+  for (int i = 0; i < rows; ++i) {
+    std::array<char, 120> line{};
+    std::snprintf(line.data(), line.size(), "%.17g,%.17g,%.17g\n", i * dt_s, left_mps, right_mps);
+    text += line.data();
+  }
+  return text;
+}
+
+/// Eqs 1-5 of the paper with its constants, written down anew: pose after `t_s` of constant speeds.
+struct Expected {
+  double x, y, yaw, vx, vy, rate;
+};
+Expected paper(double left, double right, double t_s) {
+  const double wl = left * (1 - 0.1), wr = right * (1 - 0.1188), width = 0.2742;
+  const double vx = (wr + wl) / 2, rate = (wr - wl) / width;
+  const double beta = std::abs(rate) > 0.05 ? 0.0 : 0.404 * 3.14159265358979323846 / 180;
+  const double vy = vx * std::tan(beta);
+  const double a = rate * t_s;
+  if (rate == 0.0) return {vx * t_s, vy * t_s, 0.0, vx, vy, rate};
+  // Circle about the instantaneous centre.
+  return {(vx * std::sin(a) - vy * (1 - std::cos(a))) / rate,
+          (vx * (1 - std::cos(a)) + vy * std::sin(a)) / rate,
+          a,
+          vx,
+          vy,
+          rate};
+}
+
+TEST(Replay, PaperModeIsEquations1To5WhateverTheConfiguration) {
+  bridge::Parameters other;
+  other.model.slip_left = 0.3;
+  other.model.wheelbase_m = 0.5;
+  other.model.x_icr_m = 0.1;
+  const double kSpeeds[][2] = {{0.1, 0.1},    {0.05, 0.12}, {-0.1, 0.1},
+                               {-0.08, -0.1}, {0.1, 0.0},   {0.1 * 0.8812 / 0.9, 0.1}};
+  for (const auto& [left, right] : kSpeeds) {
+    const analysis::CsvTable table =
+        replayed(constant(left, right, 0.005, 4001), ReplayModel::kPaper, other);
+    for (std::size_t i = 0; i < table.rows(); i += 400) {
+      const Expected want = paper(left, right, table["t_s"][i]);
+      EXPECT_NEAR(table["x_m"][i], want.x, 1e-9);
+      EXPECT_NEAR(table["y_m"][i], want.y, 1e-9);
+      EXPECT_NEAR(table["yaw_rad"][i], want.yaw, 1e-9);
+      EXPECT_NEAR(table["vx_mps"][i], want.vx, 1e-15);
+      EXPECT_NEAR(table["vy_mps"][i], want.vy, 1e-15);
+      EXPECT_NEAR(table["yaw_rate_radps"][i], want.rate, 1e-15);
+      EXPECT_EQ(table["slip_left"][i], 0.1);
+      EXPECT_EQ(table["slip_right"][i], 0.1188);
+    }
+  }
+}
+
+TEST(Replay, TheStepSizeDoesNotMatter) {
+  const analysis::CsvTable coarse = replayed(constant(-0.05, 0.2, 30.0, 2), ReplayModel::kPaper);
+  const analysis::CsvTable fine = replayed(constant(-0.05, 0.2, 0.001, 30001), ReplayModel::kPaper);
+  EXPECT_GT(std::abs(coarse["yaw_rad"][1]), 2 * kPi);  // unwrapped
+  EXPECT_NEAR(coarse["x_m"][1], fine["x_m"].back(), 1e-9);
+  EXPECT_NEAR(coarse["y_m"][1], fine["y_m"].back(), 1e-9);
+  EXPECT_NEAR(coarse["yaw_rad"][1], fine["yaw_rad"].back(), 1e-9);
+}
+
+TEST(Replay, TheTurningThresholdIsConfigured) {
+  bridge::Parameters parameters;
+  parameters.model.turning_threshold_radps = 10.0;
+  const std::string csv = constant(0.05, 0.12, 1.0, 2);
+  EXPECT_EQ(replayed(csv, ReplayModel::kPaper)["vy_mps"][0], 0.0);
+  EXPECT_GT(replayed(csv, ReplayModel::kPaper, parameters)["vy_mps"][0], 1e-4);
+}
+
+TEST(Replay, RowsHoldUntilTheNextAndThePoseStartsAtZero) {
+  const analysis::CsvTable table = replayed(
+      "t_s,left_mps,right_mps\n5,0.1,0.1\n6,0,0\n8,0.2,0.2\n9,0.5,0.5\n", ReplayModel::kPaper);
+  EXPECT_EQ(table["t_s"][0], 5.0);
+  EXPECT_EQ(table["x_m"][0], 0.0);
+  EXPECT_EQ(table["yaw_rad"][0], 0.0);
+  EXPECT_NEAR(table["x_m"][1], paper(0.1, 0.1, 1.0).x, 1e-12);
+  EXPECT_EQ(table["x_m"][2], table["x_m"][1]);
+  EXPECT_GT(table["x_m"][3], table["x_m"][2]);
+  EXPECT_EQ(table["vx_mps"][1], 0.0);
+  EXPECT_GT(table["vx_mps"][3], 0.4);
+}
+
+TEST(Replay, ExtendedModeUsesTheRobotsValuesAndTheSlope) {
+  bridge::Parameters parameters;
+  parameters.model.slip_left = parameters.model.slip_right = 0.2;
+  parameters.model.slip_angle_straight_rad = 0.0;
+  parameters.model.x_icr_m = 0.01;
+  parameters.model.wheelbase_m = 0.3;
+  const analysis::CsvTable turn =
+      replayed("t_s,left_mps,right_mps\n0,-0.1,0.1\n1,0,0\n", ReplayModel::kExtended, parameters);
+  const double rate = 0.16 / 0.3;
+  EXPECT_NEAR(turn["yaw_rad"][1], rate, 1e-12);
+  EXPECT_NEAR(turn["vy_mps"][0], -0.01 * rate, 1e-15);
+  const double slope = 28 * kRadPerDeg;
+  const analysis::CsvTable climb = replayed(
+      "t_s,left_mps,right_mps,slope_rad\n0,0.1,0.1," + std::to_string(slope) + "\n1,0,0,0\n",
+      ReplayModel::kExtended, parameters);
+  EXPECT_NEAR(climb["slip_left"][0], 0.2 + 0.06, 1e-6);
+  EXPECT_NEAR(climb["slip_right"][0], 0.2 + 0.098, 1e-6);
+  EXPECT_NEAR(climb["pitch_rad"][0], -slope, 1e-6);
+  EXPECT_NEAR(climb["z_m"][1], climb["vx_mps"][0] * std::sin(slope), 1e-6);
+  EXPECT_EQ(climb["pitch_rad"][1], 0.0);
+}
+
+TEST(Replay, OdometryTurnsWithTheGyro) {
+  const analysis::CsvTable table =
+      replayed("t_s,left_mps,right_mps,gyro_z_radps\n0,0.1,0.1,0.5\n1,0.1,0.1,-0.25\n3,0,0,0\n",
+               ReplayModel::kOdometry);
+  EXPECT_NEAR(table["yaw_rad"][1], 0.5, 1e-12);
+  EXPECT_NEAR(table["yaw_rad"][2], 0.0, 1e-12);
+}
+
+TEST(Replay, OdometryTakesTheGyrosBiasWhileStandingStill) {
+  std::string csv = "t_s,left_mps,right_mps,gyro_z_radps\n";
+  for (int i = 0; i < 600; ++i)
+    csv += std::to_string(i * 0.01) + (i < 200 ? ",0,0,0.02\n" : ",0.1,0.1,0.02\n");
+  const analysis::CsvTable table = replayed(csv, ReplayModel::kOdometry);
+  EXPECT_NEAR(table["yaw_rad"].back() - table["yaw_rad"][200], 0.0, 1e-6);
+}
+
+TEST(Replay, RefusesBadInputAtItsLine) {
+  EXPECT_EQ(told("t_s,left_mps,right_mps\n0,0.1,0.1\n0.1,0.1,x\n"),
+            "in.csv:3: right_mps is 'x', expected a number");
+  EXPECT_EQ(told("t_s,left_mps,right_mps\n0,1e300,0.1\n"),
+            "in.csv:2: left_mps is 1e+300, allowed -100 to 100");
+  EXPECT_THAT(told("t_s,left_mps,right_mps\n0,0.1,0.1\n", ReplayModel::kOdometry),
+              HasSubstr("in.csv:1: column 'gyro_z_radps' is missing"));
+  EXPECT_THAT(told(""), StartsWith("in.csv:1: "));
+}
+
+TEST(Replay, KnowsItsModelsByName) {
+  EXPECT_EQ(replay_model("paper"), ReplayModel::kPaper);
+  EXPECT_EQ(replay_model("odometry"), ReplayModel::kOdometry);
+  EXPECT_THROW(replay_model("fused"), SetupError);
+  try {
+    replay_model("papre");
+    FAIL();
+  } catch (const SetupError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean 'paper'?"));
+  }
+}
+
+class ReplayFiles : public testing::Test {
+ protected:
+  ReplayFiles() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "tp100-replay-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~ReplayFiles() override { std::filesystem::remove_all(folder_); }
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(ReplayFiles, WriteOneRowPerInputRow) {
+  const std::string in = file("in.csv", constant(0.1, 0.12, 0.005, 10));
+  const std::string out = (folder_ / "out.csv").string();
+  EXPECT_EQ(run_replay({in, out, "", "paper"}), 0);
+  std::ifstream result(out);
+  std::ostringstream text;
+  text << result.rdbuf();
+  EXPECT_EQ(text.str(), replay_csv(constant(0.1, 0.12, 0.005, 10), "", ReplayModel::kPaper, {}));
+}
+
+TEST_F(ReplayFiles, LeaveNothingBehindOnFailure) {
+  const std::string out = (folder_ / "out.csv").string();
+  const std::string bad = file("in.csv", "t_s,left_mps,right_mps\n0,1,1\n1,1");
+  EXPECT_THROW(run_replay({bad, out, "", ""}), SetupError);
+  EXPECT_THROW(run_replay({(folder_ / "none").string(), out, "", ""}), SetupError);
+  const std::string good = file("good.csv", constant(0.1, 0.1, 0.1, 3));
+  EXPECT_THROW(run_replay({good, (folder_ / "no" / "out").string(), "", ""}), SetupError);
+  EXPECT_THROW(run_replay({good, out, file("c.toml", "robt = 1"), ""}), SetupError);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 3);
+}
+
+}  // namespace
+}  // namespace tp100::app
