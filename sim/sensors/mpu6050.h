@@ -9,31 +9,42 @@
 
 #include "course/robot.h"
 #include "sim/body/body.h"
+#include "sim/sensors/i2c_slave.h"
 
 namespace tp100::sim {
 
 /// One sensor: noise, bias, scale error and temperature of one robot and one seed.
-class Mpu6050 {
+class Mpu6050 : public I2cSlave {
  public:
   static constexpr std::uint8_t kAddress = 0x68;
 
   Mpu6050(const course::EmulatedImu& values, std::uint64_t seed);
 
-  /// Measures the body at virtual time `now_ns`; called once per physics step.
+  /// Measures the body at virtual time `now_ns`; called once per physics step (1 ms, the sensor's
+  /// own rate with the low-pass on).
   void measure(const BodyState& body, std::int64_t now_ns);
 
-  /// I2C write of `bytes` starting at the register in bytes[0]. False: NACK.
-  bool write(std::span<const std::uint8_t> bytes);
-  /// I2C read from the register pointer on, auto-increment. False: NACK.
-  bool read(std::span<std::uint8_t> bytes);
-  /// Power-on register values.
+  bool write(std::span<const std::uint8_t> bytes) override;
+  bool read(std::span<std::uint8_t> bytes) override;
+  /// Power-on register values: asleep, +-250 deg/s, +-2 g.
   void power_on();
 
  private:
+  /// First-order low-pass with white noise ahead of it.
+  double filtered(double& state, double value, double noise_sd, double share);
+  void put(std::uint8_t reg, double value);
+  double temperature_degc(std::int64_t now_ns) const;
+
   course::EmulatedImu values_;
   std::mt19937_64 random_;
+  std::normal_distribution<double> normal_{0.0, 1.0};
   std::array<std::uint8_t, 128> registers_{};
-  // the rest is up to the implementation
+  std::uint8_t pointer_ = 0;
+  std::array<double, 3> gyro_bias_radps_{};
+  std::array<double, 3> accel_bias_mps2_{};
+  std::array<double, 3> gyro_radps_{};
+  std::array<double, 3> accel_mps2_{};
+  int until_output_ = 0;
 };
 
 }  // namespace tp100::sim

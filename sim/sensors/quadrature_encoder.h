@@ -1,0 +1,40 @@
+#pragma once
+// A two-phase encoder on a belt.
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "course/robot.h"
+#include "sim/sensors/edge.h"
+
+namespace tp100::sim {
+
+/// Turns belt travel into edges of phases A and B with their times; A leads when the belt moves
+/// forward.
+class QuadratureEncoder {
+ public:
+  /// `first_channel`: 0 for the left belt, 2 for the right one (sim/sensors/edge.h).
+  QuadratureEncoder(const course::EmulatedEncoder& values, std::uint8_t first_channel,
+                    std::uint64_t seed);
+
+  /// The belt moves `travel_m` evenly between `from_ns` and `to_ns`; edges are appended in time
+  /// order.
+  void move(double travel_m, std::int64_t from_ns, std::int64_t to_ns, std::vector<Edge>& edges);
+
+  /// Edges forward less edges backward.
+  std::int64_t counts() const { return counts_; }
+
+ private:
+  double boundary(std::int64_t count) const;
+  void emit(std::int64_t count, std::int64_t at_ns, std::vector<Edge>& edges);
+
+  double counts_per_metre_;
+  std::uint8_t first_channel_;
+  std::array<double, 4> offsets_{};  // of the four edges of a cycle, in edges
+  double position_ = 0.5;            // in edges; the start lies between two of them
+  std::int64_t counts_ = 0;
+};
+
+}  // namespace tp100::sim

@@ -1,0 +1,69 @@
+#include "sim/sensors/quadrature_encoder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tp100::sim {
+namespace {
+
+/// Decodes edges as a controller does: by the levels alone.
+class Decoder {
+ public:
+  void feed(const Edge& edge) {
+    const unsigned bit = edge.channel % 2 == 0 ? 0b10 : 0b01;
+    const unsigned after = edge.level ? levels_ | bit : levels_ & ~bit;
+    ASSERT_NE(after, levels_) << "an edge must change its level";
+    static constexpr std::array<int, 4> kOrder = {0, 3, 1, 2};  // position of 00 01 10 11
+    const int step = (kOrder[after] - kOrder[levels_] + 4) % 4;
+    ASSERT_NE(step, 2);
+    counts += step == 1 ? 1 : -1;
+    levels_ = after;
+  }
+  long counts = 0;
+
+ private:
+  unsigned levels_ = 0;
+};
+
+TEST(QuadratureEncoder, EdgesDecodeToTheTravelUnderAnySpeedProfile) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> speed(-0.25, 0.25);
+    course::EmulatedEncoder values;
+    values.phase_error = 0.3;
+    QuadratureEncoder encoder(values, 2, seed);
+    Decoder decoder;
+    double travel = 0.0;
+    std::int64_t last_ns = 0;
+    for (int ms = 0; ms < 3000; ++ms) {
+      const double step_m = speed(random) * 1e-3;
+      travel += step_m;
+      std::vector<Edge> edges;
+      encoder.move(step_m, ms * 1'000'000LL, (ms + 1) * 1'000'000LL, edges);
+      for (const Edge& edge : edges) {
+        ASSERT_GE(edge.at_ns, last_ns);
+        ASSERT_LE(edge.at_ns, (ms + 1) * 1'000'000LL);
+        ASSERT_GE(edge.channel, 2);
+        last_ns = edge.at_ns;
+        decoder.feed(edge);
+      }
+    }
+    EXPECT_EQ(decoder.counts, encoder.counts());
+    EXPECT_NEAR(static_cast<double>(decoder.counts), travel * values.counts_per_metre, 1.5);
+  }
+}
+
+TEST(QuadratureEncoder, ForwardIsALeadingB) {
+  QuadratureEncoder encoder({}, 0, 1);
+  std::vector<Edge> edges;
+  encoder.move(4.0 / 11140.0, 0, 1'000'000, edges);
+  ASSERT_EQ(edges.size(), 4u);
+  EXPECT_EQ(edges[0].channel, 0);
+  EXPECT_TRUE(edges[0].level);
+  EXPECT_EQ(edges[1].channel, 1);
+  EXPECT_TRUE(edges[1].level);
+}
+
+}  // namespace
+}  // namespace tp100::sim
