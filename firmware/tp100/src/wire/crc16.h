@@ -1,5 +1,6 @@
-// CRC-16/IBM-3740 (also called CCITT-FALSE): polynomial 0x1021, initial value 0xFFFF, not reflected,
-// no final xor; check value of "123456789" is 0x29B1. Half-byte table: 32 bytes of flash on the Mega.
+// CRC-16/IBM-3740 (also called CCITT-FALSE): polynomial 0x1021, initial value 0xFFFF, not
+// reflected, no final xor; check value of "123456789" is 0x29B1. Half-byte table: 32 bytes of flash
+// on the Mega.
 #ifndef TP100_WIRE_CRC16_H
 #define TP100_WIRE_CRC16_H
 
@@ -27,8 +28,8 @@ inline uint16_t crc16_update(uint16_t crc, uint8_t byte) {
       0x8108, 0x9129, 0xA14A, 0xB16B, 0xC18C, 0xD1AD, 0xE1CE, 0xF1EF};
   crc = static_cast<uint16_t>((crc << 4) ^
                               TP100_WIRE_READ_WORD(&table[((crc >> 12) ^ (byte >> 4)) & 0x0F]));
-  crc = static_cast<uint16_t>((crc << 4) ^
-                              TP100_WIRE_READ_WORD(&table[((crc >> 12) ^ byte) & 0x0F]));
+  crc =
+      static_cast<uint16_t>((crc << 4) ^ TP100_WIRE_READ_WORD(&table[((crc >> 12) ^ byte) & 0x0F]));
   return crc;
 }
 

@@ -1,56 +1,57 @@
-// The one list of faults. A robot latches the lower sixteen and sends them in every sample; the daemon
-// latches the upper sixteen. A latched fault keeps the motors off until a fresh arm message, which is
-// refused while the cause persists.
+// The one list of faults. A robot latches the lower sixteen and sends them in every sample; the
+// daemon latches the upper sixteen. A latched fault keeps the motors off until a fresh arm message,
+// which is refused while the cause persists.
 #ifndef TP100_WIRE_FAULTS_H
 #define TP100_WIRE_FAULTS_H
 
 #include <stdint.h>
 
 // X(bit, name, cause, remedy)
-#define TP100_ROBOT_FAULTS(X)                                                                        \
-  X(0, command_timeout, "no fresh valid command for 200 ms",                                         \
-    "check the cable and that the daemon runs; start again")                                         \
-  X(1, stop_requested, "STOP was pressed", "make sure that the robot is free; start again")          \
-  X(2, watchdog_reset, "the main loop hung and the watchdog restarted the board",                    \
-    "update the firmware (scripts/flash); report it if it comes back")                               \
-  X(3, brown_out, "the supply of the board dipped and it restarted",                                 \
-    "charge the cells, check the power wiring")                                                      \
-  X(4, loop_hung, "the main loop did not run for 100 ms; motors were switched off by the timer",     \
-    "check the I2C wiring of the MPU6050")                                                           \
-  X(5, imu_missing, "the MPU6050 does not answer at I2C address 0x68",                               \
-    "check SDA (20), SCL (21), 3.3 V and AD0 to ground, or use set-up bench")                        \
-  X(6, imu_stale, "the MPU6050 stopped delivering new values",                                       \
-    "check the I2C wiring; the firmware re-initialises the sensor by itself")                        \
-  X(7, battery_low, "the cells are below the cut-off voltage", "charge the cells")                   \
-  X(8, stalled_left, "left motor driven but its belt does not move",                                 \
-    "free the belt; check motor and encoder plugs")                                                  \
-  X(9, stalled_right, "right motor driven but its belt does not move",                               \
-    "free the belt; check motor and encoder plugs")                                                  \
-  X(10, reversed_left, "left belt moves against its duty",                                           \
-    "swap the motor leads or set drive.invert_left_motor / drive.invert_left_encoder")               \
-  X(11, reversed_right, "right belt moves against its duty",                                         \
-    "swap the motor leads or set drive.invert_right_motor / drive.invert_right_encoder")             \
+#define TP100_ROBOT_FAULTS(X)                                                                    \
+  X(0, command_timeout, "no fresh valid command for 200 ms",                                     \
+    "check the cable and that the daemon runs; start again")                                     \
+  X(1, stop_requested, "STOP was pressed", "make sure that the robot is free; start again")      \
+  X(2, watchdog_reset, "the main loop hung and the watchdog restarted the board",                \
+    "update the firmware (scripts/flash); report it if it comes back")                           \
+  X(3, brown_out, "the supply of the board dipped and it restarted",                             \
+    "charge the cells, check the power wiring")                                                  \
+  X(4, loop_hung, "the main loop did not run for 100 ms; motors were switched off by the timer", \
+    "check the I2C wiring of the MPU6050")                                                       \
+  X(5, imu_missing, "the MPU6050 does not answer at I2C address 0x68",                           \
+    "check SDA (20), SCL (21), 3.3 V and AD0 to ground, or use set-up bench")                    \
+  X(6, imu_stale, "the MPU6050 stopped delivering new values",                                   \
+    "check the I2C wiring; the firmware re-initialises the sensor by itself")                    \
+  X(7, battery_low, "the cells are below the cut-off voltage", "charge the cells")               \
+  X(8, stalled_left, "left motor driven but its belt does not move",                             \
+    "free the belt; check motor and encoder plugs")                                              \
+  X(9, stalled_right, "right motor driven but its belt does not move",                           \
+    "free the belt; check motor and encoder plugs")                                              \
+  X(10, reversed_left, "left belt moves against its duty",                                       \
+    "swap the motor leads or set drive.invert_left_motor / drive.invert_left_encoder")           \
+  X(11, reversed_right, "right belt moves against its duty",                                     \
+    "swap the motor leads or set drive.invert_right_motor / drive.invert_right_encoder")         \
   X(12, parameters_missing, "the board has no parameters yet", "wait for the handshake to finish")
 
-#define TP100_DAEMON_FAULTS(X)                                                                       \
-  X(16, link_lost, "no frame from the robot within link.timeout_ms",                                 \
-    "check the cable; the daemon reconnects by itself, then start again")                            \
-  X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again")       \
-  X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",               \
-    "put it back to the start; identify the robot if it happens again")                              \
-  X(19, heading, "the heading error stayed above control.max_heading_error_deg",                     \
-    "check gyro sign and belts; identify the robot")                                                 \
-  X(20, tilt, "roll or pitch beyond control.max_tilt_deg", "set the robot upright")                  \
-  X(21, fence, "the reference point left the arena of the course", "put the robot back to the start")\
-  X(22, time_limit, "the run took longer than control.time_limit_factor allows",                     \
-    "look for a belt that slips or a low battery")                                                   \
-  X(23, stalled_track, "a belt stands still against its commanded speed", "free the belt")           \
-  X(24, low_cell_voltage, "cells below control.min_battery_v", "charge the cells")                   \
-  X(25, encoders_against_duty, "a belt turns against its duty, or not at all",                       \
-    "check motor and encoder wiring")                                                                \
-  X(26, gyro_against_encoders, "gyro and encoders disagree about the turn (mis-wired yaw loop)",     \
-    "check which track is left, and the gyro's axis and sign")                                       \
-  X(27, not_acknowledged, "the robot did not confirm arm or disarm in time", "check the cable")      \
+#define TP100_DAEMON_FAULTS(X)                                                                   \
+  X(16, link_lost, "no frame from the robot within link.timeout_ms",                             \
+    "check the cable; the daemon reconnects by itself, then start again")                        \
+  X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again")   \
+  X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",           \
+    "put it back to the start; identify the robot if it happens again")                          \
+  X(19, heading, "the heading error stayed above control.max_heading_error_deg",                 \
+    "check gyro sign and belts; identify the robot")                                             \
+  X(20, tilt, "roll or pitch beyond control.max_tilt_deg", "set the robot upright")              \
+  X(21, fence, "the reference point left the arena of the course",                               \
+    "put the robot back to the start")                                                           \
+  X(22, time_limit, "the run took longer than control.time_limit_factor allows",                 \
+    "look for a belt that slips or a low battery")                                               \
+  X(23, stalled_track, "a belt stands still against its commanded speed", "free the belt")       \
+  X(24, low_cell_voltage, "cells below control.min_battery_v", "charge the cells")               \
+  X(25, encoders_against_duty, "a belt turns against its duty, or not at all",                   \
+    "check motor and encoder wiring")                                                            \
+  X(26, gyro_against_encoders, "gyro and encoders disagree about the turn (mis-wired yaw loop)", \
+    "check which track is left, and the gyro's axis and sign")                                   \
+  X(27, not_acknowledged, "the robot did not confirm arm or disarm in time", "check the cable")  \
   X(28, samples_stale, "samples arrive too late to steer by", "check USB hub and host load")
 
 namespace tp100 {

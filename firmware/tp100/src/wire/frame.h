@@ -1,6 +1,7 @@
-// Framing: a body is `type (1) | payload | CRC-16 of both, little-endian (2)`. The body is COBS-coded,
-// so that it holds no zero byte, and a single 0x00 ends the frame. A receiver that joins in the middle
-// or meets a damaged byte is in step again at the next 0x00; no length is ever read from the wire.
+// Framing: a body is `type (1) | payload | CRC-16 of both, little-endian (2)`. The body is
+// COBS-coded, so that it holds no zero byte, and a single 0x00 ends the frame. A receiver that
+// joins in the middle or meets a damaged byte is in step again at the next 0x00; no length is ever
+// read from the wire.
 #ifndef TP100_WIRE_FRAME_H
 #define TP100_WIRE_FRAME_H
 
@@ -16,9 +17,12 @@ const size_t kMaxPayload = 96;
 const size_t kMaxBody = 1 + kMaxPayload + 2;
 /// Largest frame on the wire: COBS adds one byte below 255, and the delimiter follows.
 const size_t kMaxFrame = kMaxBody + 2;
+// encode_frame() writes one code byte a block and never needs 0xFF, the code of a block without
+// zero.
+static_assert(kMaxBody < 254, "a longer body needs COBS blocks of code 0xFF");
 
-/// Codes one frame into `out` (room for kMaxFrame bytes). Returns its length with the delimiter, or 0
-/// if `size` exceeds kMaxPayload. No allocation; safe in the real-time thread.
+/// Codes one frame into `out` (room for kMaxFrame bytes). Returns its length with the delimiter, or
+/// 0 if `size` exceeds kMaxPayload. No allocation; safe in the real-time thread.
 inline size_t encode_frame(uint8_t type, const uint8_t* payload, size_t size, uint8_t* out) {
   if (size > kMaxPayload) return 0;
   uint16_t crc = crc16_update(kCrcInitial, type);
@@ -61,8 +65,9 @@ enum class Received : uint8_t {
   kCrc,       ///< decodes, but the CRC differs
 };
 
-/// Byte-wise receiver with one fixed buffer. Never allocates, never reads past its buffer, accepts any
-/// bytes. One damaged byte costs the frame it is in and, if it is a delimiter, the one after it.
+/// Byte-wise receiver with one fixed buffer. Never allocates, never reads past its buffer, accepts
+/// any bytes. One damaged byte costs the frame it is in and, if it is a delimiter, the one after
+/// it.
 class FrameDecoder {
  public:
   FrameDecoder() : used_(0), skipping_(false), type_(0), size_(0) {}
@@ -107,7 +112,8 @@ class FrameDecoder {
       if (code != 0xFF && read < coded) buffer_[write++] = 0;
     }
     if (write < 3) return Received::kShort;
-    const uint16_t sent = static_cast<uint16_t>(buffer_[write - 2] | (buffer_[write - 1] << 8));
+    const uint16_t sent = static_cast<uint16_t>(buffer_[write - 2] |
+                                                (static_cast<uint16_t>(buffer_[write - 1]) << 8));
     if (crc16(buffer_, write - 2) != sent) return Received::kCrc;
     type_ = buffer_[0];
     size_ = write - 3;

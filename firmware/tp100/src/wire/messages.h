@@ -1,8 +1,8 @@
-// Every message of the wire, defined once for firmware, daemon and emulator. Byte tables, state diagram
-// and timings in prose: firmware/PROTOCOL.md. C++11 without libstdc++.
+// Every message of the wire, defined once for firmware, daemon and emulator. Byte tables, state
+// diagram and timings in prose: firmware/PROTOCOL.md. C++11 without libstdc++.
 //
-// Frames and signs: x forward, y left, z up, yaw counter-clockwise positive (REP-103); left and right as
-// seen from the driver's seat; a positive count, speed or duty moves that belt forward.
+// Frames and signs: x forward, y left, z up, yaw counter-clockwise positive (REP-103); left and
+// right as seen from the driver's seat; a positive count, speed or duty moves that belt forward.
 #ifndef TP100_WIRE_MESSAGES_H
 #define TP100_WIRE_MESSAGES_H
 
@@ -14,7 +14,7 @@ namespace wire {
 /// Raised when a robot or client of the old version could misread the new one.
 const uint16_t kProtocolVersion = 1;
 /// FNV-1a of every message's type, field names and field types; a test recomputes it.
-const uint32_t kSchemaHash = 0x00000000;
+const uint32_t kSchemaHash = 0x8435DBD4;
 const uint32_t kBaud = 500000;
 
 /// A robot may drive on a command no longer than this, whatever the command's expiry says. [ms]
@@ -26,7 +26,8 @@ const uint16_t kHelloPeriodMs = 200;
 /// A robot without a valid host frame for this long says hello again. [ms]
 const uint16_t kHostSilenceMs = 1000;
 
-/// Gyro full scale +-1000 deg/s, accelerometer +-4 g (MPU-6000/6050 register map rev 4.2, 4.4 and 4.5).
+/// Gyro full scale +-1000 deg/s, accelerometer +-4 g (MPU-6000/6050 register map rev 4.2, 4.4
+/// and 4.5).
 const float kGyroLsbPerDegps = 32.8f;
 const float kAccelLsbPerG = 8192.0f;
 /// Temperature [deg C] = raw / 340 + 36.53 (register map rev 4.2, 4.18).
@@ -66,34 +67,45 @@ enum class State : uint8_t {
 };
 
 enum class ResetCause : uint8_t {
-  kUnknown = 0, kPowerOn = 1, kExternal = 2, kBrownOut = 3, kWatchdog = 4
+  kUnknown = 0,
+  kPowerOn = 1,
+  kExternal = 2,
+  kBrownOut = 3,
+  kWatchdog = 4
 };
 
 enum class Result : uint8_t {
   kAccepted = 0,
-  kWrongBoot = 1,        ///< nonce of another boot
-  kStaleToken = 2,       ///< token not above the last one
-  kFaultPersists = 3,    ///< detail: mask of faults whose cause persists
-  kOutOfRange = 4,       ///< detail: index of the field
-  kWrongState = 5,       ///< detail: state
+  kWrongBoot = 1,      ///< nonce of another boot
+  kStaleToken = 2,     ///< token not above the last one
+  kFaultPersists = 3,  ///< detail: mask of faults whose cause persists
+  kOutOfRange = 4,     ///< detail: index of the field
+  kWrongState = 5,     ///< detail: state
 };
 
-/// robot -> host: who I am. Every kHelloPeriodMs until a host speaks, and in answer to a hello request.
+/// robot -> host: who I am. Every kHelloPeriodMs until a host speaks, and in answer to a hello
+/// request.
 struct Hello {
   static constexpr Type kType = Type::kHello;
   static constexpr size_t kSize = 18;
-  uint16_t protocol;       ///< kProtocolVersion of the firmware
-  uint8_t firmware[3];     ///< major, minor, patch
-  uint32_t schema;         ///< kSchemaHash of the firmware
-  uint8_t board;           ///< Board
-  uint32_t boot_nonce;     ///< differs at every boot; never 0
-  uint8_t reset_cause;     ///< ResetCause
-  uint8_t state;           ///< State
-  uint16_t faults;         ///< latched robot faults
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, protocol); TP100_WIRE_FIELD(v, firmware); TP100_WIRE_FIELD(v, schema);
-    TP100_WIRE_FIELD(v, board); TP100_WIRE_FIELD(v, boot_nonce); TP100_WIRE_FIELD(v, reset_cause);
-    TP100_WIRE_FIELD(v, state); TP100_WIRE_FIELD(v, faults);
+  uint16_t protocol;    ///< kProtocolVersion of the firmware
+  uint8_t firmware[3];  ///< major, minor, patch
+  uint32_t schema;      ///< kSchemaHash of the firmware
+  uint8_t board;        ///< Board
+  uint32_t boot_nonce;  ///< differs at every boot; never 0
+  uint8_t reset_cause;  ///< ResetCause
+  uint8_t state;        ///< State
+  uint16_t faults;      ///< latched robot faults
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, protocol);
+    TP100_WIRE_FIELD(v, firmware);
+    TP100_WIRE_FIELD(v, schema);
+    TP100_WIRE_FIELD(v, board);
+    TP100_WIRE_FIELD(v, boot_nonce);
+    TP100_WIRE_FIELD(v, reset_cause);
+    TP100_WIRE_FIELD(v, state);
+    TP100_WIRE_FIELD(v, faults);
   }
 };
 
@@ -101,27 +113,36 @@ struct Hello {
 struct Sample {
   static constexpr Type kType = Type::kSample;
   static constexpr size_t kSize = 40;
-  uint16_t sequence;       ///< +1 a sample, wraps
-  uint32_t device_us;      ///< when counts and IMU were read; wraps after 71.6 min [us]
-  int32_t left_counts;     ///< quadrature edges since boot, wraps
+  uint16_t sequence;    ///< +1 a sample, wraps
+  uint32_t device_us;   ///< when counts and IMU were read; wraps after 71.6 min [us]
+  int32_t left_counts;  ///< quadrature edges since boot, wraps
   int32_t right_counts;
-  int16_t gyro[3];         ///< x, y, z; kGyroLsbPerDegps
-  int16_t accel[3];        ///< x, y, z; kAccelLsbPerG
-  int16_t temperature;     ///< kTemperatureLsbPerDegc
-  uint16_t battery_mv;     ///< both cells together [mV]
-  int16_t left_duty;       ///< -kFullDuty..kFullDuty, as applied
+  int16_t gyro[3];      ///< x, y, z; kGyroLsbPerDegps
+  int16_t accel[3];     ///< x, y, z; kAccelLsbPerG
+  int16_t temperature;  ///< kTemperatureLsbPerDegc
+  uint16_t battery_mv;  ///< both cells together [mV]
+  int16_t left_duty;    ///< -kFullDuty..kFullDuty, as applied
   int16_t right_duty;
-  uint8_t state;           ///< State
-  uint16_t faults;         ///< latched robot faults
-  uint16_t last_command;   ///< sequence of the last accepted command
-  uint8_t imu_age;         ///< samples since the IMU values were new; 0 fresh, 255 never
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, sequence); TP100_WIRE_FIELD(v, device_us);
-    TP100_WIRE_FIELD(v, left_counts); TP100_WIRE_FIELD(v, right_counts);
-    TP100_WIRE_FIELD(v, gyro); TP100_WIRE_FIELD(v, accel); TP100_WIRE_FIELD(v, temperature);
-    TP100_WIRE_FIELD(v, battery_mv); TP100_WIRE_FIELD(v, left_duty);
-    TP100_WIRE_FIELD(v, right_duty); TP100_WIRE_FIELD(v, state); TP100_WIRE_FIELD(v, faults);
-    TP100_WIRE_FIELD(v, last_command); TP100_WIRE_FIELD(v, imu_age);
+  uint8_t state;          ///< State
+  uint16_t faults;        ///< latched robot faults
+  uint16_t last_command;  ///< sequence of the last accepted command
+  uint8_t imu_age;        ///< samples since the IMU values were new; 0 fresh, 255 never
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, sequence);
+    TP100_WIRE_FIELD(v, device_us);
+    TP100_WIRE_FIELD(v, left_counts);
+    TP100_WIRE_FIELD(v, right_counts);
+    TP100_WIRE_FIELD(v, gyro);
+    TP100_WIRE_FIELD(v, accel);
+    TP100_WIRE_FIELD(v, temperature);
+    TP100_WIRE_FIELD(v, battery_mv);
+    TP100_WIRE_FIELD(v, left_duty);
+    TP100_WIRE_FIELD(v, right_duty);
+    TP100_WIRE_FIELD(v, state);
+    TP100_WIRE_FIELD(v, faults);
+    TP100_WIRE_FIELD(v, last_command);
+    TP100_WIRE_FIELD(v, imu_age);
   }
 };
 
@@ -129,12 +150,15 @@ struct Sample {
 struct Acknowledge {
   static constexpr Type kType = Type::kAcknowledge;
   static constexpr size_t kSize = 8;
-  uint8_t request;         ///< Type of the message that is answered
-  uint32_t token;          ///< its token
-  uint8_t result;          ///< Result
-  uint16_t detail;         ///< see Result
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, request); TP100_WIRE_FIELD(v, token); TP100_WIRE_FIELD(v, result);
+  uint8_t request;  ///< Type of the message that is answered
+  uint32_t token;   ///< its token
+  uint8_t result;   ///< Result
+  uint16_t detail;  ///< see Result
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, request);
+    TP100_WIRE_FIELD(v, token);
+    TP100_WIRE_FIELD(v, result);
     TP100_WIRE_FIELD(v, detail);
   }
 };
@@ -143,11 +167,14 @@ struct Acknowledge {
 struct SyncReply {
   static constexpr Type kType = Type::kSyncReply;
   static constexpr size_t kSize = 10;
-  uint16_t id;             ///< of the request
-  uint32_t received_us;    ///< device time at which the request's last byte was taken [us]
-  uint32_t sent_us;        ///< device time at which this reply was handed to the UART [us]
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, id); TP100_WIRE_FIELD(v, received_us); TP100_WIRE_FIELD(v, sent_us);
+  uint16_t id;           ///< of the request
+  uint32_t received_us;  ///< device time at which the request's last byte was taken [us]
+  uint32_t sent_us;      ///< device time at which this reply was handed to the UART [us]
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, id);
+    TP100_WIRE_FIELD(v, received_us);
+    TP100_WIRE_FIELD(v, sent_us);
   }
 };
 
@@ -155,12 +182,15 @@ struct SyncReply {
 struct FaultReport {
   static constexpr Type kType = Type::kFaultReport;
   static constexpr size_t kSize = 11;
-  uint32_t device_us;      ///< when it latched [us]
-  uint8_t fault;           ///< Fault
-  uint16_t faults;         ///< all latched robot faults
-  int32_t detail;          ///< fault-specific number, see PROTOCOL.md
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, device_us); TP100_WIRE_FIELD(v, fault); TP100_WIRE_FIELD(v, faults);
+  uint32_t device_us;  ///< when it latched [us]
+  uint8_t fault;       ///< Fault
+  uint16_t faults;     ///< all latched robot faults
+  int32_t detail;      ///< fault-specific number, see PROTOCOL.md
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, device_us);
+    TP100_WIRE_FIELD(v, fault);
+    TP100_WIRE_FIELD(v, faults);
     TP100_WIRE_FIELD(v, detail);
   }
 };
@@ -170,11 +200,14 @@ struct Log {
   static constexpr Type kType = Type::kLog;
   static constexpr size_t kTextSize = 40;
   static constexpr size_t kSize = 5 + kTextSize;
-  uint32_t device_us;      ///< [us]
-  uint8_t level;           ///< 0 information, 1 warning, 2 error
+  uint32_t device_us;  ///< [us]
+  uint8_t level;       ///< 0 information, 1 warning, 2 error
   uint8_t text[kTextSize];
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, device_us); TP100_WIRE_FIELD(v, level); TP100_WIRE_FIELD(v, text);
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, device_us);
+    TP100_WIRE_FIELD(v, level);
+    TP100_WIRE_FIELD(v, text);
   }
 };
 
@@ -182,16 +215,18 @@ struct Log {
 struct HelloRequest {
   static constexpr Type kType = Type::kHelloRequest;
   static constexpr size_t kSize = 6;
-  uint16_t protocol;       ///< kProtocolVersion of the host
-  uint32_t schema;         ///< kSchemaHash of the host
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, protocol); TP100_WIRE_FIELD(v, schema);
+  uint16_t protocol;  ///< kProtocolVersion of the host
+  uint32_t schema;    ///< kSchemaHash of the host
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, protocol);
+    TP100_WIRE_FIELD(v, schema);
   }
 };
 
 /// Bits of Parameters::flags.
 enum ParameterFlag {
-  kUseGyro = 1 << 0,           ///< carry the answered sample's yaw forward with the gyro (not on a bench)
+  kUseGyro = 1 << 0,  ///< carry the answered sample's yaw forward with the gyro (not on a bench)
   kInvertLeftEncoder = 1 << 1,
   kInvertRightEncoder = 1 << 2,
   kInvertLeftMotor = 1 << 3,
@@ -199,65 +234,87 @@ enum ParameterFlag {
   kSwapTracks = 1 << 5,
 };
 
-/// host -> robot at connect; acknowledged. Refused while armed or running, and if any value is out of range.
+/// host -> robot at connect; acknowledged. Refused while armed or running, and if any value is out
+/// of range.
 struct Parameters {
   static constexpr Type kType = Type::kParameters;
   static constexpr size_t kSize = 71;
-  uint32_t boot_nonce;          ///< of this boot
-  uint32_t token;               ///< comes back in the acknowledgement
-  float counts_per_metre;       ///< edges per metre of belt, 100..1e6
-  float wheelbase_m;            ///< equivalent wheelbase L of eq 5, 0.05..2
-  float slip_left;              ///< slip ratio used to invert eqs 1 and 5, -0.5..0.9
+  uint32_t boot_nonce;     ///< of this boot
+  uint32_t token;          ///< comes back in the acknowledgement
+  float counts_per_metre;  ///< edges per metre of belt, 100..1e6
+  float wheelbase_m;       ///< equivalent wheelbase L of eq 5, 0.05..2
+  float slip_left;         ///< slip ratio used to invert eqs 1 and 5, -0.5..0.9
   float slip_right;
-  float max_track_mps;          ///< belt speed limit, 0.01..2
-  float max_track_mps2;         ///< belt acceleration limit, 0.05..20
-  float feed_forward;           ///< duty per (m/s) above the dead band, 0..100
-  float dead_band;              ///< duty at which a belt just moves, 0..0.9
-  float speed_kp;               ///< duty per (m/s) of error, 0..100
-  float speed_ki;               ///< duty per m of belt lag, 0..1000
-  float yaw_kp;                 ///< (rad/s) per rad, 0..50
-  float max_yaw_radps;          ///< 0.05..10
-  float gyro_z_radps_per_lsb;   ///< sign and calibrated scale, |value| 1e-5..1e-2
-  uint16_t battery_cutoff_mv;   ///< fault below this for 1 s; 0 never [mV]
-  uint16_t stall_duty;          ///< a belt at rest above this duty is stalled, thousandths, 0 never
-  uint16_t stall_ms;            ///< after this long, 50..10000
-  uint16_t command_life_ms;     ///< 20..kMaxCommandLifeMs
-  uint16_t yaw_window_ms;       ///< how far back an answered sample may lie, 20..200
-  uint8_t flags;                ///< ParameterFlag bits
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, boot_nonce); TP100_WIRE_FIELD(v, token);
-    TP100_WIRE_FIELD(v, counts_per_metre); TP100_WIRE_FIELD(v, wheelbase_m);
-    TP100_WIRE_FIELD(v, slip_left); TP100_WIRE_FIELD(v, slip_right);
-    TP100_WIRE_FIELD(v, max_track_mps); TP100_WIRE_FIELD(v, max_track_mps2);
-    TP100_WIRE_FIELD(v, feed_forward); TP100_WIRE_FIELD(v, dead_band);
-    TP100_WIRE_FIELD(v, speed_kp); TP100_WIRE_FIELD(v, speed_ki); TP100_WIRE_FIELD(v, yaw_kp);
-    TP100_WIRE_FIELD(v, max_yaw_radps); TP100_WIRE_FIELD(v, gyro_z_radps_per_lsb);
-    TP100_WIRE_FIELD(v, battery_cutoff_mv); TP100_WIRE_FIELD(v, stall_duty);
-    TP100_WIRE_FIELD(v, stall_ms); TP100_WIRE_FIELD(v, command_life_ms);
-    TP100_WIRE_FIELD(v, yaw_window_ms); TP100_WIRE_FIELD(v, flags);
+  float max_track_mps;         ///< belt speed limit, 0.01..2
+  float max_track_mps2;        ///< belt acceleration limit, 0.05..20
+  float feed_forward;          ///< duty per (m/s) above the dead band, 0..100
+  float dead_band;             ///< duty at which a belt just moves, 0..0.9
+  float speed_kp;              ///< duty per (m/s) of error, 0..100
+  float speed_ki;              ///< duty per m of belt lag, 0..1000
+  float yaw_kp;                ///< (rad/s) per rad, 0..50
+  float max_yaw_radps;         ///< 0.05..10
+  float gyro_z_radps_per_lsb;  ///< sign and calibrated scale, |value| 1e-5..1e-2
+  uint16_t battery_cutoff_mv;  ///< fault below this for 1 s; 0 never [mV]
+  uint16_t stall_duty;         ///< a belt at rest above this duty is stalled, thousandths, 0 never
+  uint16_t stall_ms;           ///< after this long, 50..10000
+  uint16_t command_life_ms;    ///< 20..kMaxCommandLifeMs
+  uint16_t yaw_window_ms;      ///< how far back an answered sample may lie, 20..200
+  uint8_t flags;               ///< ParameterFlag bits
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, boot_nonce);
+    TP100_WIRE_FIELD(v, token);
+    TP100_WIRE_FIELD(v, counts_per_metre);
+    TP100_WIRE_FIELD(v, wheelbase_m);
+    TP100_WIRE_FIELD(v, slip_left);
+    TP100_WIRE_FIELD(v, slip_right);
+    TP100_WIRE_FIELD(v, max_track_mps);
+    TP100_WIRE_FIELD(v, max_track_mps2);
+    TP100_WIRE_FIELD(v, feed_forward);
+    TP100_WIRE_FIELD(v, dead_band);
+    TP100_WIRE_FIELD(v, speed_kp);
+    TP100_WIRE_FIELD(v, speed_ki);
+    TP100_WIRE_FIELD(v, yaw_kp);
+    TP100_WIRE_FIELD(v, max_yaw_radps);
+    TP100_WIRE_FIELD(v, gyro_z_radps_per_lsb);
+    TP100_WIRE_FIELD(v, battery_cutoff_mv);
+    TP100_WIRE_FIELD(v, stall_duty);
+    TP100_WIRE_FIELD(v, stall_ms);
+    TP100_WIRE_FIELD(v, command_life_ms);
+    TP100_WIRE_FIELD(v, yaw_window_ms);
+    TP100_WIRE_FIELD(v, flags);
   }
 };
 
-/// host -> robot, once per loop. Streams in every state from parameters on; moves only an armed robot.
+/// host -> robot, once per loop. Streams in every state from parameters on; moves only an armed
+/// robot.
 struct Command {
   static constexpr Type kType = Type::kCommand;
   static constexpr size_t kSize = 40;
-  uint32_t boot_nonce;     ///< of this boot
-  uint16_t sequence;       ///< +1 a command, wraps; one not newer than the last is ignored
-  uint16_t answers;        ///< sequence of the sample that the pose belongs to
-  float x_m;               ///< estimated pose at that sample; |value| < 1e4
+  uint32_t boot_nonce;  ///< of this boot
+  uint16_t sequence;    ///< +1 a command, wraps; one not newer than the last is ignored
+  uint16_t answers;     ///< sequence of the sample that the pose belongs to
+  float x_m;            ///< estimated pose at that sample; |value| < 1e4
   float y_m;
-  float yaw_rad;           ///< unwrapped; |value| < 1e3
-  float desired_yaw_rad;   ///< unwrapped; |value| < 1e3
-  float yaw_rate_radps;    ///< feed-forward turn rate, |value| <= 10
-  float speed_mps;         ///< ground speed of the reference point, |value| <= 2
-  uint32_t expiry_us;      ///< device time after which it must not be used [us]
-  float gyro_bias_radps;   ///< of the z axis, subtracted while carrying the yaw forward, |value| <= 1
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, boot_nonce); TP100_WIRE_FIELD(v, sequence); TP100_WIRE_FIELD(v, answers);
-    TP100_WIRE_FIELD(v, x_m); TP100_WIRE_FIELD(v, y_m); TP100_WIRE_FIELD(v, yaw_rad);
-    TP100_WIRE_FIELD(v, desired_yaw_rad); TP100_WIRE_FIELD(v, yaw_rate_radps);
-    TP100_WIRE_FIELD(v, speed_mps); TP100_WIRE_FIELD(v, expiry_us);
+  float yaw_rad;          ///< unwrapped; |value| < 1e3
+  float desired_yaw_rad;  ///< unwrapped; |value| < 1e3
+  float yaw_rate_radps;   ///< feed-forward turn rate, |value| <= 10
+  float speed_mps;        ///< ground speed of the reference point, |value| <= 2
+  uint32_t expiry_us;     ///< device time after which it must not be used [us]
+  float
+      gyro_bias_radps;  ///< of the z axis, subtracted while carrying the yaw forward, |value| <= 1
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, boot_nonce);
+    TP100_WIRE_FIELD(v, sequence);
+    TP100_WIRE_FIELD(v, answers);
+    TP100_WIRE_FIELD(v, x_m);
+    TP100_WIRE_FIELD(v, y_m);
+    TP100_WIRE_FIELD(v, yaw_rad);
+    TP100_WIRE_FIELD(v, desired_yaw_rad);
+    TP100_WIRE_FIELD(v, yaw_rate_radps);
+    TP100_WIRE_FIELD(v, speed_mps);
+    TP100_WIRE_FIELD(v, expiry_us);
     TP100_WIRE_FIELD(v, gyro_bias_radps);
   }
 };
@@ -266,11 +323,15 @@ struct Command {
 struct Arm {
   static constexpr Type kType = Type::kArm;
   static constexpr size_t kSize = 12;
-  uint32_t boot_nonce;     ///< of this boot
-  uint32_t token;          ///< above every token of this boot; the same one again is acknowledged without effect
-  uint32_t expiry_us;      ///< device time after which it must not be used [us]
-  template <class V> void visit(V& v) {
-    TP100_WIRE_FIELD(v, boot_nonce); TP100_WIRE_FIELD(v, token); TP100_WIRE_FIELD(v, expiry_us);
+  uint32_t boot_nonce;  ///< of this boot
+  uint32_t
+      token;  ///< above every token of this boot; the same one again is acknowledged without effect
+  uint32_t expiry_us;  ///< device time after which it must not be used [us]
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, boot_nonce);
+    TP100_WIRE_FIELD(v, token);
+    TP100_WIRE_FIELD(v, expiry_us);
   }
 };
 
@@ -278,24 +339,33 @@ struct Arm {
 struct Disarm {
   static constexpr Type kType = Type::kDisarm;
   static constexpr size_t kSize = 4;
-  uint32_t token;          ///< comes back in the acknowledgement
-  template <class V> void visit(V& v) { TP100_WIRE_FIELD(v, token); }
+  uint32_t token;  ///< comes back in the acknowledgement
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, token);
+  }
 };
 
 /// host -> robot: motors off and stop_requested latched. Accepted in every state and from any boot.
 struct Stop {
   static constexpr Type kType = Type::kStop;
   static constexpr size_t kSize = 4;
-  uint32_t token;          ///< comes back in the acknowledgement
-  template <class V> void visit(V& v) { TP100_WIRE_FIELD(v, token); }
+  uint32_t token;  ///< comes back in the acknowledgement
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, token);
+  }
 };
 
 /// host -> robot: clock-sync request.
 struct SyncRequest {
   static constexpr Type kType = Type::kSyncRequest;
   static constexpr size_t kSize = 2;
-  uint16_t id;             ///< comes back; replies to other ids are discarded
-  template <class V> void visit(V& v) { TP100_WIRE_FIELD(v, id); }
+  uint16_t id;  ///< comes back; replies to other ids are discarded
+  template <class V>
+  void visit(V& v) {
+    TP100_WIRE_FIELD(v, id);
+  }
 };
 
 }  // namespace wire

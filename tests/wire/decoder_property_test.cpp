@@ -1,0 +1,245 @@
+// Properties of FrameDecoder over seeded hostile streams.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "wire/frame.h"
+
+namespace tp100::wire {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+struct Frame {
+  std::uint8_t type;
+  Bytes payload;
+  bool operator==(const Frame&) const = default;
+};
+
+struct Outcome {
+  std::vector<Frame> frames;
+  std::map<Received, int> losses;
+  int lost() const {
+    int sum = 0;
+    for (const auto& [cause, count] : losses) sum += count;
+    return sum;
+  }
+};
+
+// The decoder between guards: an overflow of its buffer would show.
+struct Guarded {
+  std::uint64_t before = 0xA5A5A5A5A5A5A5A5U;
+  FrameDecoder decoder;
+  std::uint64_t after = 0x5A5A5A5A5A5A5A5AU;
+  bool intact() const { return before == 0xA5A5A5A5A5A5A5A5U && after == 0x5A5A5A5A5A5A5A5AU; }
+};
+
+void feed(FrameDecoder& decoder, std::uint8_t byte, Outcome& outcome) {
+  const Received received = decoder.push(byte);
+  if (received == Received::kFrame) {
+    outcome.frames.push_back(
+        {decoder.type(), Bytes(decoder.payload(), decoder.payload() + decoder.size())});
+  } else if (received != Received::kNothing) {
+    ++outcome.losses[received];
+  }
+}
+
+Outcome decode(const Bytes& stream) {
+  Guarded guarded;
+  Outcome outcome;
+  for (const std::uint8_t byte : stream) {
+    feed(guarded.decoder, byte, outcome);
+    EXPECT_LE(guarded.decoder.size(), kMaxPayload);
+  }
+  EXPECT_TRUE(guarded.intact());
+  return outcome;
+}
+
+Bytes coded(const Frame& frame) {
+  Bytes out(kMaxFrame);
+  out.resize(encode_frame(frame.type, frame.payload.data(), frame.payload.size(), out.data()));
+  return out;
+}
+
+// Payloads rich in zeros, as real ones are. The first two bytes number the frame, so that no two
+// frames are equal.
+std::vector<Frame> random_frames(std::mt19937& random, std::size_t count) {
+  std::vector<Frame> frames;
+  for (std::size_t n = 0; n < count; ++n) {
+    Frame frame{static_cast<std::uint8_t>(random() % 256), Bytes(2 + random() % (kMaxPayload - 1))};
+    for (std::uint8_t& byte : frame.payload) {
+      byte = static_cast<std::uint8_t>(random() % 3 == 0 ? 0 : random());
+    }
+    frame.payload[0] = static_cast<std::uint8_t>(n);
+    frame.payload[1] = static_cast<std::uint8_t>(n >> 8);
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+Bytes join(const std::vector<Frame>& frames) {
+  Bytes stream;
+  for (const Frame& frame : frames) {
+    const Bytes bytes = coded(frame);
+    stream.insert(stream.end(), bytes.begin(), bytes.end());
+  }
+  return stream;
+}
+
+// How many of `sent` are not in `received`; -1 if something was received that was never sent.
+int missing(const std::vector<Frame>& sent, const std::vector<Frame>& received) {
+  std::size_t at = 0;
+  for (const Frame& frame : received) {
+    while (at < sent.size() && !(sent[at] == frame)) ++at;
+    if (at == sent.size()) return -1;
+    ++at;
+  }
+  return static_cast<int>(sent.size() - received.size());
+}
+
+class DecoderProperty : public testing::TestWithParam<unsigned> {
+ protected:
+  std::mt19937 random_{GetParam()};
+};
+
+TEST_P(DecoderProperty, RandomBytesNeverOverflow) {
+  Bytes stream(200000);
+  const bool few_delimiters = GetParam() % 2 == 0;
+  for (std::uint8_t& byte : stream) {
+    byte = static_cast<std::uint8_t>(random_());
+    if (few_delimiters && byte == 0 && random_() % 8 != 0) byte = 1;
+  }
+  const Outcome outcome = decode(stream);
+  EXPECT_GT(outcome.lost(), 50);
+}
+
+TEST_P(DecoderProperty, RandomSmallCodesNeverOverflow) {
+  Bytes stream(100000);
+  for (std::uint8_t& byte : stream) byte = static_cast<std::uint8_t>(random_() % 24);
+  const Outcome outcome = decode(stream);
+  EXPECT_GT(outcome.losses.at(Received::kCobs), 100);
+  EXPECT_GT(outcome.losses.at(Received::kCrc) + outcome.losses.at(Received::kShort), 100);
+}
+
+TEST_P(DecoderProperty, AStreamMayBeJoinedAnywhere) {
+  const std::vector<Frame> frames = random_frames(random_, 20);
+  const Bytes stream = join(frames);
+  for (std::size_t from = 0; from < stream.size(); ++from) {
+    const Outcome outcome = decode(Bytes(stream.begin() + static_cast<long>(from), stream.end()));
+    ASSERT_GE(missing(frames, outcome.frames), 0) << from;
+    ASSERT_LE(outcome.lost(), 1) << from;
+    // Everything after the first delimiter that was seen.
+    const auto delimiters = std::count(stream.begin() + static_cast<long>(from), stream.end(), 0);
+    ASSERT_GE(static_cast<long>(outcome.frames.size()), delimiters - 1) << from;
+  }
+}
+
+TEST_P(DecoderProperty, AnInterruptedStreamContinuesWithTheSameDecoder) {
+  const std::vector<Frame> frames = random_frames(random_, 50);
+  const Bytes stream = join(frames);
+  FrameDecoder decoder;
+  Outcome outcome;
+  std::size_t at = 0;
+  while (at < stream.size()) {
+    const std::size_t chunk = std::min<std::size_t>(stream.size() - at, random_() % 17);
+    for (std::size_t i = 0; i < chunk; ++i) feed(decoder, stream[at + i], outcome);
+    at += chunk;
+    decoder = FrameDecoder(decoder);  // nothing outside the object belongs to its state
+  }
+  EXPECT_EQ(outcome.frames, frames);
+  EXPECT_EQ(outcome.lost(), 0);
+}
+
+TEST_P(DecoderProperty, OneFlippedBitCostsItsFrameAndAtMostOneMore) {
+  const std::vector<Frame> frames = random_frames(random_, 12);
+  const Bytes stream = join(frames);
+  for (std::size_t bit = 0; bit < stream.size() * 8; ++bit) {
+    Bytes damaged = stream;
+    damaged[bit / 8] = static_cast<std::uint8_t>(damaged[bit / 8] ^ (1U << (bit % 8)));
+    // A delimiter that is gone at the very end is made up by the next frame's.
+    damaged.push_back(kDelimiter);
+    const Outcome outcome = decode(damaged);
+    const int gone = missing(frames, outcome.frames);
+    ASSERT_GE(gone, 1) << "bit " << bit;
+    const bool delimiter = stream[bit / 8] == kDelimiter;
+    ASSERT_LE(gone, delimiter ? 2 : 1) << "bit " << bit;
+    ASSERT_GE(outcome.lost(), 1) << "bit " << bit;
+    ASSERT_LE(outcome.lost(), 2) << "bit " << bit;
+  }
+}
+
+TEST_P(DecoderProperty, ATruncatedFrameCostsItselfAndAtMostTheNext) {
+  const std::vector<Frame> frames = random_frames(random_, 3);
+  const Bytes second = coded(frames[1]);
+  for (std::size_t keep = 0; keep < second.size(); ++keep) {
+    Bytes stream = coded(frames[0]);
+    stream.insert(stream.end(), second.begin(), second.begin() + static_cast<long>(keep));
+    const Bytes third = coded(frames[2]);
+    stream.insert(stream.end(), third.begin(), third.end());
+    stream.insert(stream.end(), third.begin(), third.end());
+    const Outcome outcome = decode(stream);
+    ASSERT_GE(outcome.frames.size(), 2u) << keep;
+    ASSERT_EQ(outcome.frames.front(), frames[0]) << keep;
+    ASSERT_EQ(outcome.frames.back(), frames[2]) << keep;
+    ASSERT_EQ(outcome.lost(), keep == 0 ? 0 : 1) << keep;
+  }
+}
+
+TEST_P(DecoderProperty, DuplicatedAndReorderedFramesArriveAsSent) {
+  std::vector<Frame> frames = random_frames(random_, 60);
+  frames.insert(frames.end(), frames.begin(), frames.begin() + 30);
+  std::shuffle(frames.begin(), frames.end(), random_);
+  const Outcome outcome = decode(join(frames));
+  EXPECT_EQ(outcome.frames, frames);
+  EXPECT_EQ(outcome.lost(), 0);
+}
+
+TEST_P(DecoderProperty, OversizeIsCountedOnceAndSkippedToTheNextDelimiter) {
+  const std::vector<Frame> frames = random_frames(random_, 2);
+  for (const std::size_t length : {kMaxFrame, kMaxFrame + 1, std::size_t{5000}}) {
+    Bytes stream = coded(frames[0]);
+    for (std::size_t i = 0; i < length; ++i) {
+      stream.push_back(static_cast<std::uint8_t>(1 + random_() % 255));
+    }
+    stream.push_back(kDelimiter);
+    const Bytes second = coded(frames[1]);
+    stream.insert(stream.end(), second.begin(), second.end());
+    const Outcome outcome = decode(stream);
+    EXPECT_EQ(outcome.frames, frames);
+    EXPECT_EQ(outcome.losses, (std::map<Received, int>{{Received::kOversize, 1}}));
+  }
+}
+
+TEST_P(DecoderProperty, ForgettingAHalfFrameMakesRoomForTheNext) {
+  const std::vector<Frame> frames = random_frames(random_, 2);
+  const Bytes first = coded(frames[0]);
+  const Bytes second = coded(frames[1]);
+  FrameDecoder decoder;
+  Outcome outcome;
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) feed(decoder, first[i], outcome);
+  decoder.reset();
+  for (const std::uint8_t byte : second) feed(decoder, byte, outcome);
+  EXPECT_EQ(outcome.frames, std::vector<Frame>{frames[1]});
+  EXPECT_EQ(outcome.lost(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DecoderProperty, testing::Range(1U, 9U));
+
+TEST(Decoder, NamesTheCauseOfEveryLoss) {
+  EXPECT_EQ(decode({0x05, 0x01, 0x00}).losses, (std::map<Received, int>{{Received::kCobs, 1}}));
+  EXPECT_EQ(decode({0xFF, 0x01, 0x00}).losses, (std::map<Received, int>{{Received::kCobs, 1}}));
+  EXPECT_EQ(decode({0x03, 0x01, 0x02, 0x00}).losses,
+            (std::map<Received, int>{{Received::kShort, 1}}));
+  EXPECT_EQ(decode({0x01, 0x00}).losses, (std::map<Received, int>{{Received::kShort, 1}}));
+  EXPECT_EQ(decode({0x04, 0x01, 0x02, 0x03, 0x00}).losses,
+            (std::map<Received, int>{{Received::kCrc, 1}}));
+}
+
+TEST(Decoder, SpareDelimitersAreNoLoss) { EXPECT_EQ(decode({0x00, 0x00, 0x00}).lost(), 0); }
+
+}  // namespace
+}  // namespace tp100::wire

@@ -1,0 +1,44 @@
+#include "golden.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "all_messages.h"
+
+namespace tp100::golden {
+namespace {
+
+std::vector<Line> golden_lines() {
+  return read_lines(TP100_SOURCE_DIR "/tests/wire/golden_frames.txt");
+}
+
+TEST(GoldenFrames, CodeAndDecodeAsCommitted) {
+  for (const Line& line : golden_lines()) EXPECT_EQ(check(line), "");
+}
+
+TEST(GoldenFrames, CoverEveryMessageOnce) {
+  std::multiset<std::string> names;
+  for (const Line& line : golden_lines()) names.insert(line.name);
+  std::size_t messages = 0;
+  wire::for_each_message([&](const char* name, auto) {
+    EXPECT_EQ(names.count(name), 1u) << name;
+    ++messages;
+  });
+  EXPECT_EQ(names.size(), messages);
+}
+
+TEST(GoldenFrames, ADifferentValueOrByteIsNoticed) {
+  for (const Line& line : golden_lines()) {
+    Line value = line;
+    std::string& text = value.values.begin()->second;
+    text = (text[0] == '1' ? "2" : "1");
+    EXPECT_NE(check(value), "") << line.name;
+    Line byte = line;
+    byte.hex[4] = byte.hex[4] == '7' ? '6' : '7';
+    EXPECT_NE(check(byte), "") << line.name;
+  }
+}
+
+}  // namespace
+}  // namespace tp100::golden

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <set>
+#include <string>
+
+#include "all_messages.h"
+#include "wire/frame.h"
+
+namespace tp100::wire {
+namespace {
+
+// `0x43 boot_nonce:u32 sequence:u16 ... gyro:i16[3]\n` a message.
+class SchemaText {
+ public:
+  void field(const char* name, const std::uint8_t&) { add(name, "u8"); }
+  void field(const char* name, const std::uint16_t&) { add(name, "u16"); }
+  void field(const char* name, const std::uint32_t&) { add(name, "u32"); }
+  void field(const char* name, const std::int16_t&) { add(name, "i16"); }
+  void field(const char* name, const std::int32_t&) { add(name, "i32"); }
+  void field(const char* name, const float&) { add(name, "f32"); }
+  template <class T, std::size_t N>
+  void field(const char* name, const T (&values)[N]) {
+    field(name, values[0]);
+    text_ += "[" + std::to_string(N) + "]";
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void add(const char* name, const char* type) { text_ += std::string(" ") + name + ":" + type; }
+  std::string text_;
+};
+
+std::string schema_text() {
+  std::string text;
+  for_each_message([&](const char*, auto message) {
+    char type[8];
+    std::snprintf(type, sizeof type, "0x%02X", static_cast<unsigned>(message.kType));
+    SchemaText fields;
+    message.visit(fields);
+    text += type + fields.text() + "\n";
+  });
+  return text;
+}
+
+std::uint32_t fnv1a(const std::string& text) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 16777619U;
+  return hash;
+}
+
+TEST(Schema, HashIsThatOfTheMessagesAsTheyAre) {
+  char right[64];
+  std::snprintf(right, sizeof right, "kSchemaHash must be 0x%08X", fnv1a(schema_text()));
+  EXPECT_EQ(kSchemaHash, fnv1a(schema_text())) << right << " for\n" << schema_text();
+}
+
+TEST(Schema, HashMatchesThePublishedTestVector) { EXPECT_EQ(fnv1a("foobar"), 0xBF9CF968U); }
+
+TEST(Schema, EveryMessageStatesTheSizeItIsWrittenWith) {
+  for_each_message([](const char* name, auto message) {
+    std::uint8_t payload[kMaxPayload * 2] = {};
+    EXPECT_EQ(write_payload(message, payload), message.kSize) << name;
+    EXPECT_LE(message.kSize, kMaxPayload) << name;
+  });
+}
+
+TEST(Schema, TypesAreDistinctAndTellTheDirection) {
+  std::set<Type> types;
+  for_each_message([&](const char* name, auto message) {
+    EXPECT_TRUE(types.insert(message.kType).second) << name;
+  });
+  EXPECT_EQ(types.size(), 13u);
+}
+
+TEST(Schema, APayloadOfAnotherSizeIsNotRead) {
+  for_each_message([](const char* name, auto message) {
+    const std::uint8_t payload[kMaxPayload + 1] = {};
+    EXPECT_TRUE(read_payload(payload, message.kSize, message)) << name;
+    EXPECT_FALSE(read_payload(payload, message.kSize - 1, message)) << name;
+    EXPECT_FALSE(read_payload(payload, message.kSize + 1, message)) << name;
+    EXPECT_FALSE(read_payload(payload, 0, message)) << name;
+  });
+}
+
+}  // namespace
+}  // namespace tp100::wire
