@@ -1,0 +1,90 @@
+// tp100d: the command line. Each subcommand is a file of app/; this one only names the options.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/check.h"
+#include "app/replay.h"
+#include "core/error.h"
+#include "course/nearest.h"
+#include "course/toml_document.h"
+
+namespace tp100::app {
+namespace {
+
+/// What to do once the command line is understood. Returns the exit status.
+using Action = std::function<int()>;
+
+void add_check(CLI::App& app, Action& action) {
+  static std::vector<std::string> files;
+  CLI::App* command =
+      app.add_subcommand("check", "Say whether configuration, course and robot files are right");
+  command->add_option("FILE", files, "Files of any of these kinds")->required();
+  command->callback([&action] { action = [] { return run_check(files); }; });
+}
+
+void add_replay(CLI::App& app, Action& action) {
+  static ReplayOptions options;
+  CLI::App* command = app.add_subcommand("replay", "Turn belt speeds into poses");
+  command->add_option("IN", options.in, "CSV t_s,left_mps,right_mps[,slope_rad][,gyro_z_radps]")
+      ->required();
+  command->add_option("--out", options.out, "CSV file of poses to write")->required();
+  command->add_option("--config", options.config, "Configuration file");
+  command->add_option("--model", options.model,
+                      "paper, extended or odometry; default as configured");
+  command->callback([&action] { action = [] { return run_replay(options); }; });
+}
+
+/// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
+std::string unknown_subcommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(std::function<bool(const CLI::App*)>{}))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
+  const std::string_view meant = course::nearest_name(argv[1], {names.begin(), names.end()});
+  return "unknown subcommand '" + course::one_line(argv[1]) + "'" +
+         (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?");
+}
+
+int fail(const std::string& message) {
+  std::fprintf(stderr, "tp100d: %s\n", course::one_line(message, 500).c_str());
+  return 2;
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Real-time bridge for the TP100 crawler", "tp100d");
+  app.set_version_flag("--version", TP100_VERSION);
+  app.require_subcommand(1);
+  Action action;
+  add_check(app, action);
+  add_replay(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    const std::string unknown = unknown_subcommand(app, argc, argv);
+    return fail((unknown.empty() ? std::string(error.what()) : unknown) + "; see tp100d --help");
+  }
+  return action();
+}
+
+}  // namespace
+}  // namespace tp100::app
+
+int main(int argc, char** argv) {
+  try {
+    return tp100::app::run_program(argc, argv);
+  } catch (const tp100::SetupError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  } catch (const std::exception& error) {
+    return tp100::app::fail(std::string("stopped: ") + error.what());
+  }
+  return 2;
+}
