@@ -39,6 +39,8 @@ class ClockSync {
 
   /// The id to ask with if an exchange is due at `now`.
   std::optional<std::uint16_t> due(HostNs now) const;
+  /// True while a reply may come at any moment; its time of arrival matters.
+  bool expects_reply(HostNs now) const { return outstanding_ && now - asked_ns_ < 30 * kNsPerMs; }
   /// When the next exchange is due.
   HostNs next_ns() const { return next_ask_ns_; }
   /// The request `id` was handed to the port at `now`; its last byte is on the wire `wire_ns`

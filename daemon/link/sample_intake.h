@@ -42,6 +42,7 @@ class SampleIntake {
   void push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock, HostNs now);
   /// Samples since the last take, oldest first; valid until the next push.
   std::span<const Sample> take();
+  bool empty() const { return count_ == 0; }
   bool nonsense() const { return refused_in_row_ >= kNonsense; }
 
  private:

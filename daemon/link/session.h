@@ -91,6 +91,10 @@ class Session {
   /// True once after a new boot nonce / a refused or unacknowledged arm.
   bool take_rebooted();
   bool take_refused();
+  /// True if there are samples to take.
+  bool has_samples() const { return !intake_.empty(); }
+  /// True while a clock-sync reply may come at any moment: bytes should be read as they arrive.
+  bool expects_reply(HostNs now) const { return in_session() && sync_.expects_reply(now); }
   /// True while a request waits for its acknowledgement.
   bool request_pending() const { return motion_.pending() || stop_.pending(); }
 

@@ -1,0 +1,189 @@
+#include "link/transport.h"
+
+#include <fcntl.h>
+#include <grp.h>
+#include <linux/serial.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "core/error.h"
+#include "link/port_holder.h"
+#include "link/serial_port.h"
+
+namespace tp100::link {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string resolved(const std::string& path) {
+  char real[PATH_MAX];
+  return ::realpath(path.c_str(), real) == nullptr ? path : std::string(real);
+}
+
+std::string owner_group(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return "dialout";
+  const group* entry = ::getgrgid(status.st_gid);
+  return entry == nullptr ? std::to_string(status.st_gid) : entry->gr_name;
+}
+
+[[noreturn]] void fail_busy(const std::string& path) {
+  const std::string holder = port_holder(resolved(path));
+  throw SetupError(path + ": port is busy" + (holder.empty() ? "" : ", held by " + holder) +
+                   "; end that program or choose another port with --port");
+}
+
+[[noreturn]] void fail_open(const std::string& path, int error) {
+  switch (error) {
+    case ENOENT:
+    case ENXIO:
+    case ENODEV:
+      throw SetupError(path + ": no such port; plug the robot in, or see `tp100d ports`");
+    case EACCES:
+    case EPERM: {
+      const std::string owner = owner_group(path);
+      throw SetupError(path + ": no permission; run `sudo adduser $USER " + owner +
+                       "` and log in again");
+    }
+    case EBUSY:
+      fail_busy(path);
+    default:
+      throw SetupError(path + ": cannot be opened (" + std::strerror(error) +
+                       "); see `tp100d ports`");
+  }
+}
+
+// Closes the descriptor unless it is released: set-up fails at many points.
+class Guard {
+ public:
+  explicit Guard(int fd) : fd_(fd) {}
+  ~Guard() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+  int release() { return std::exchange(fd_, -1); }
+
+ private:
+  int fd_;
+};
+
+speed_t standard_speed(int baud) {
+  switch (baud) {
+    case 57600:
+      return B57600;
+    case 115200:
+      return B115200;
+    case 230400:
+      return B230400;
+    case 1000000:
+      return B1000000;
+    case 2000000:
+      return B2000000;
+    default:
+      return B500000;
+  }
+}
+
+int open_pty(const std::string& real, int& error) {
+  const int fd = ::open(real.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  error = errno;
+  return fd;
+}
+
+void set_raw(int fd, const std::string& path, bool physical, const PortOptions& options) {
+  termios settings{};
+  if (::tcgetattr(fd, &settings) != 0) {
+    throw SetupError(path + ": is not a serial port; see `tp100d ports`");
+  }
+  ::cfmakeraw(&settings);
+  settings.c_cflag |= CLOCAL | CREAD;
+  if (options.hang_up) {
+    settings.c_cflag |= HUPCL;
+  } else {
+    settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
+  }
+  // A pty moves bytes at once whatever its speed says; an emulator may look at it.
+  if (!physical) ::cfsetspeed(&settings, standard_speed(options.baud));
+  // With 0 an empty read returns 0, which looks like the end of the file.
+  settings.c_cc[VMIN] = 1;
+  settings.c_cc[VTIME] = 0;
+  if (::tcsetattr(fd, TCSANOW, &settings) != 0) {
+    throw SetupError(path + ": cannot be configured (" + std::strerror(errno) +
+                     "); unplug the port and plug it in again");
+  }
+}
+
+void ask_low_latency(int fd) {
+  serial_struct serial{};
+  if (::ioctl(fd, TIOCGSERIAL, &serial) != 0) return;
+  serial.flags |= static_cast<int>(ASYNC_LOW_LATENCY);
+  ::ioctl(fd, TIOCSSERIAL, &serial);
+}
+
+}  // namespace
+
+Port::Port(Port&& other) noexcept
+    : fd_(std::exchange(other.fd_, -1)),
+      path_(std::move(other.path_)),
+      physical_(other.physical_) {}
+
+Port& Port::operator=(Port&& other) noexcept {
+  if (this != &other) {
+    close();
+    fd_ = std::exchange(other.fd_, -1);
+    path_ = std::move(other.path_);
+    physical_ = other.physical_;
+  }
+  return *this;
+}
+
+Port::~Port() { close(); }
+
+void Port::close() {
+  if (fd_ < 0) return;
+  ::tcflush(fd_, TCOFLUSH);
+  ::ioctl(fd_, TIOCNXCL);
+  ::close(std::exchange(fd_, -1));
+}
+
+bool is_physical_port(const std::string& path) {
+  std::error_code error;
+  const fs::path real = resolved(path);
+  return fs::exists(fs::path("/sys/class/tty") / real.filename(), error) &&
+         real.parent_path() == "/dev";
+}
+
+Port open_port(const std::string& path, const PortOptions& options) {
+  const std::string real = resolved(path);
+  const bool physical = is_physical_port(path);
+  // A named pipe or a disk file must not be touched.
+  struct stat status {};
+  if (::stat(real.c_str(), &status) != 0) fail_open(path, errno);
+  if (!S_ISCHR(status.st_mode)) {
+    throw SetupError(path + ": is not a serial port; see `tp100d ports`");
+  }
+  int error = 0;
+  const int fd = physical ? open_serial_port(real, options.baud, error) : open_pty(real, error);
+  if (fd < 0) fail_open(path, error);
+  Guard guard(fd);
+  if (::isatty(fd) == 0) throw SetupError(path + ": is not a serial port; see `tp100d ports`");
+  if (::flock(fd, LOCK_EX | LOCK_NB) != 0) fail_busy(path);
+  ::ioctl(fd, TIOCEXCL);
+  set_raw(fd, path, physical, options);
+  if (physical) ask_low_latency(fd);
+  ::tcflush(fd, TCIFLUSH);
+  return {guard.release(), path, physical};
+}
+
+}  // namespace tp100::link

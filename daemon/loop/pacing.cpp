@@ -1,0 +1,54 @@
+#include "loop/pacing.h"
+
+#include <poll.h>
+#include <time.h>
+
+#include <cerrno>
+
+namespace tp100::loop {
+namespace {
+
+timespec to_timespec(HostNs ns) {
+  return {static_cast<time_t>(ns / kNsPerS), static_cast<long>(ns % kNsPerS)};
+}
+
+}  // namespace
+
+HostNs monotonic_now() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<HostNs>(now.tv_sec) * kNsPerS + now.tv_nsec;
+}
+
+std::uint64_t Schedule::advance(HostNs now) {
+  deadline_ns_ += period_ns_;
+  if (deadline_ns_ > now) return 0;
+  const HostNs missed = (now - deadline_ns_) / period_ns_ + 1;
+  if (policy_ == OverrunPolicy::kSkipMissed) {
+    deadline_ns_ += missed * period_ns_;
+  } else {
+    deadline_ns_ = now + period_ns_;
+  }
+  return static_cast<std::uint64_t>(missed);
+}
+
+void sleep_until(HostNs deadline) {
+  if (deadline <= 0) return;
+  const timespec at = to_timespec(deadline);
+  while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR) {
+  }
+}
+
+void spin_until(HostNs deadline) {
+  while (monotonic_now() < deadline) {
+  }
+}
+
+bool wait_readable(int fd, HostNs deadline) {
+  const HostNs left = deadline - monotonic_now();
+  const timespec timeout = to_timespec(left > 0 ? left : 0);
+  pollfd wait{fd, POLLIN, 0};
+  return ::ppoll(&wait, 1, &timeout, nullptr) > 0;
+}
+
+}  // namespace tp100::loop

@@ -1,0 +1,97 @@
+#include "loop/real_time.h"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace tp100::loop {
+namespace {
+
+// With less, locking succeeds at first and later threads and buffers cannot be had.
+constexpr rlim_t kEnoughLockable = 256U << 20U;
+constexpr std::size_t kStackTouched = 64U << 10U;
+
+Grant lock_memory() {
+  Grant grant{"memory locked", false, "set memlock to unlimited in /etc/security/limits.d"};
+  rlimit limit{};
+  const bool enough = ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur >= kEnoughLockable;
+  if (!enough && ::geteuid() != 0) return grant;
+  grant.granted = ::mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  return grant;
+}
+
+Grant fifo(int priority) {
+  Grant grant{"SCHED_FIFO " + std::to_string(priority), false,
+              "set rtprio to 90 in /etc/security/limits.d"};
+  sched_param wanted{};
+  wanted.sched_priority = priority;
+  ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted);
+  int policy = SCHED_OTHER;
+  sched_param got{};
+  ::pthread_getschedparam(::pthread_self(), &policy, &got);
+  grant.granted = policy == SCHED_FIFO && got.sched_priority == priority;
+  return grant;
+}
+
+Grant affinity(int cpu) {
+  Grant grant{"processor " + std::to_string(cpu), false, "set loop.cpu to a processor that exists"};
+  if (cpu >= CPU_SETSIZE) return grant;
+  cpu_set_t wanted;
+  CPU_ZERO(&wanted);
+  CPU_SET(static_cast<std::size_t>(cpu), &wanted);
+  ::pthread_setaffinity_np(::pthread_self(), sizeof wanted, &wanted);
+  cpu_set_t got;
+  CPU_ZERO(&got);
+  ::pthread_getaffinity_np(::pthread_self(), sizeof got, &got);
+  grant.granted = CPU_EQUAL(&wanted, &got);
+  return grant;
+}
+
+void touch_stack() {
+  std::array<volatile char, kStackTouched> stack;
+  for (std::size_t i = 0; i < stack.size(); i += 1024) stack[i] = 0;
+}
+
+void settle(Grant& grant) {
+  if (grant.granted) grant.remedy.clear();
+}
+
+}  // namespace
+
+RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
+  if (request.lock_memory) grants_.push_back(lock_memory());
+  if (request.hold_cpu_latency) {
+    latency_fd_ = ::open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
+    const std::int32_t zero = 0;
+    const bool held = latency_fd_ >= 0 && ::write(latency_fd_, &zero, sizeof zero) == sizeof zero;
+    grants_.push_back({"processor kept awake (/dev/cpu_dma_latency)", held,
+                       "give your group write access to /dev/cpu_dma_latency by a udev rule"});
+  }
+  for (Grant& grant : grants_) settle(grant);
+}
+
+RealTimeProcess::~RealTimeProcess() {
+  if (latency_fd_ >= 0) ::close(latency_fd_);
+}
+
+std::vector<Grant> apply_to_this_thread(const ThreadRequest& request) {
+  std::vector<Grant> grants;
+  // Ordinary threads are woken up to 50 us late by default.
+  ::prctl(PR_SET_TIMERSLACK, 1UL);
+  if (request.cpu >= 0) grants.push_back(affinity(request.cpu));
+  if (request.priority > 0) grants.push_back(fifo(request.priority));
+  for (Grant& grant : grants) settle(grant);
+  touch_stack();
+  return grants;
+}
+
+}  // namespace tp100::loop

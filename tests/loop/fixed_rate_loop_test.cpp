@@ -1,0 +1,200 @@
+#include "loop/fixed_rate_loop.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace tp100::loop {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Answers every byte with itself; tells the test what happened.
+class Echo : public Driven {
+ public:
+  void opened(HostNs) override { ++openings; }
+  void closed(HostNs) override { ++closings; }
+  bool received(std::span<const std::uint8_t> bytes, HostNs) override {
+    received_bytes += bytes.size();
+    if (bytes.size() > largest_read) largest_read = bytes.size();
+    if (echo) out_.insert(out_.end(), bytes.begin(), bytes.end());
+    return true;
+  }
+  void step(HostNs) override { ++steps; }
+  std::span<const std::uint8_t> output() override { return out_; }
+  void written(std::size_t n) override {
+    out_.erase(out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(n));
+  }
+  void drop_output() override {
+    ++drops;
+    out_.clear();
+  }
+  bool expects_reply(HostNs) override { return prompt; }
+  bool take_hang_up() override { return hang_up.exchange(false); }
+  bool wind_up(HostNs) override { return ++wind_ups >= wind_up_turns; }
+
+  std::atomic<int> openings{0}, closings{0}, drops{0}, wind_ups{0}, wind_up_turns{1};
+  std::atomic<std::uint64_t> steps{0}, received_bytes{0}, largest_read{0};
+  std::atomic<bool> echo{true}, prompt{false}, hang_up{false};
+
+ private:
+  std::vector<std::uint8_t> out_;
+};
+
+struct SocketPair {
+  SocketPair() {
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends) != 0) ends[0] = ends[1] = -1;
+  }
+  ~SocketPair() {
+    close_far();
+    ::close(ends[0]);
+  }
+  void close_far() {
+    if (ends[1] >= 0) ::close(ends[1]);
+    ends[1] = -1;
+  }
+  int ends[2];
+};
+
+template <class Condition>
+bool eventually(Condition condition) {
+  for (int i = 0; i < 5000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(1ms);
+  }
+  return false;
+}
+
+LoopSettings settings() {
+  LoopSettings settings;
+  settings.period_ns = 2 * kNsPerMs;
+  settings.spin_ns = 0;
+  settings.thread.priority = 0;
+  return settings;
+}
+
+TEST(FixedRateLoop, StepsWithoutAPort) {
+  Echo echo;
+  FixedRateLoop loop(settings(), echo);
+  loop.start();
+  EXPECT_TRUE(eventually([&] { return echo.steps > 20; }));
+  EXPECT_EQ(echo.openings, 0);
+}
+
+TEST(FixedRateLoop, ReadsStepsAndWrites) {
+  for (const bool robot_paced : {false, true}) {
+    Echo echo;
+    SocketPair sockets;
+    LoopSettings set = settings();
+    set.robot_paced = robot_paced;
+    FixedRateLoop loop(set, echo);
+    loop.start();
+    ASSERT_TRUE(loop.offer({sockets.ends[0], 7}));
+    ASSERT_EQ(::write(sockets.ends[1], "hello", 5), 5);
+    std::string back;
+    EXPECT_TRUE(eventually([&] {
+      char buffer[16];
+      const ssize_t n = ::read(sockets.ends[1], buffer, sizeof buffer);
+      if (n > 0) back.append(buffer, static_cast<std::size_t>(n));
+      return back == "hello";
+    }));
+    EXPECT_EQ(echo.openings, 1);
+    loop.request_stop();
+    loop.join();
+    EXPECT_TRUE(loop.ended());
+    EXPECT_EQ(echo.closings, 1);
+  }
+}
+
+TEST(FixedRateLoop, GivesALostPortBackAndTakesTheNext) {
+  Echo echo;
+  SocketPair first;
+  SocketPair second;
+  FixedRateLoop loop(settings(), echo);
+  loop.start();
+  ASSERT_TRUE(loop.offer({first.ends[0], 1}));
+  EXPECT_TRUE(eventually([&] { return echo.openings == 1; }));
+  first.close_far();
+  LostPort lost;
+  ASSERT_TRUE(eventually([&] { return loop.take_lost(lost); }));
+  EXPECT_EQ(lost.id, 1u);
+  EXPECT_EQ(lost.end, PortEnd::kHungUp);
+  ASSERT_TRUE(loop.offer({second.ends[0], 2}));
+  EXPECT_TRUE(eventually([&] { return echo.openings == 2; }));
+  echo.hang_up = true;
+  ASSERT_TRUE(eventually([&] { return loop.take_lost(lost); }));
+  EXPECT_EQ(lost.id, 2u);
+  EXPECT_EQ(lost.end, PortEnd::kSilent);
+}
+
+TEST(FixedRateLoop, DropsOutputThatNobodyTakes) {
+  Echo echo;
+  SocketPair sockets;
+  // Fill the socket, so that a write of ours finds no room.
+  char block[4096] = {};
+  while (::write(sockets.ends[0], block, sizeof block) > 0) {
+  }
+  FixedRateLoop loop(settings(), echo);
+  loop.start();
+  ASSERT_TRUE(loop.offer({sockets.ends[0], 1}));
+  ASSERT_EQ(::write(sockets.ends[1], "x", 1), 1);
+  EXPECT_TRUE(eventually([&] { return echo.drops > 0; }));
+}
+
+TEST(FixedRateLoop, WindsUpAndThenEnds) {
+  Echo echo;
+  echo.wind_up_turns = 5;
+  FixedRateLoop loop(settings(), echo);
+  loop.start();
+  loop.request_stop();
+  loop.join();
+  EXPECT_EQ(echo.wind_ups, 5);
+}
+
+TEST(FixedRateLoop, EndsEvenIfWindingUpNeverSucceeds) {
+  Echo echo;
+  echo.wind_up_turns = 1'000'000;
+  FixedRateLoop loop(settings(), echo);
+  loop.start();
+  loop.request_stop();
+  EXPECT_TRUE(eventually([&] { return loop.ended(); }));
+}
+
+// A peer that sends without pause: what it costs is bounded by the time that passes.
+TEST(FixedRateLoop, AFloodingPeerDoesNotKeepItBusy) {
+  for (const bool robot_paced : {false, true}) {
+    Echo echo;
+    echo.echo = false;
+    SocketPair sockets;
+    LoopSettings set = settings();
+    set.period_ns = 5 * kNsPerMs;
+    set.robot_paced = robot_paced;
+    FixedRateLoop loop(set, echo);
+    loop.start();
+    ASSERT_TRUE(loop.offer({sockets.ends[0], 1}));
+    std::vector<char> block(65536, 'U');
+    const auto began = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - began < 300ms) {
+      if (::write(sockets.ends[1], block.data(), block.size()) < 0)
+        std::this_thread::sleep_for(100us);
+    }
+    loop.request_stop();
+    loop.join();
+    const auto elapsed = std::chrono::steady_clock::now() - began;
+    EXPECT_GT(echo.received_bytes, 0u);
+    EXPECT_LE(echo.largest_read, FixedRateLoop::kReadSize);
+    const auto turns = static_cast<std::uint64_t>(elapsed / 2500us) + 2;
+    EXPECT_LE(loop.statistics().turns, turns);
+    const auto reads = turns + static_cast<std::uint64_t>(elapsed / 200us) + 2;
+    EXPECT_LE(echo.received_bytes, reads * FixedRateLoop::kReadSize);
+  }
+}
+
+}  // namespace
+}  // namespace tp100::loop

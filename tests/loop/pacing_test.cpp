@@ -1,0 +1,60 @@
+#include "loop/pacing.h"
+
+#include <gtest/gtest.h>
+
+#include "loop/real_time.h"
+
+namespace tp100::loop {
+namespace {
+
+TEST(Schedule, StaysOnItsGridWhateverTheLateness) {
+  Schedule schedule(5, OverrunPolicy::kSkipMissed, 100);
+  EXPECT_EQ(schedule.deadline(), 105);
+  EXPECT_EQ(schedule.advance(107), 0u);
+  EXPECT_EQ(schedule.deadline(), 110);
+  EXPECT_EQ(schedule.advance(110), 0u);
+  EXPECT_EQ(schedule.deadline(), 115);
+}
+
+TEST(Schedule, SkipsMissedTurnsAndKeepsThePhase) {
+  Schedule schedule(5, OverrunPolicy::kSkipMissed, 0);
+  EXPECT_EQ(schedule.advance(23), 3u);
+  EXPECT_EQ(schedule.deadline(), 25);
+}
+
+TEST(Schedule, ShiftsThePhaseIfAskedTo) {
+  Schedule schedule(5, OverrunPolicy::kShiftPhase, 0);
+  EXPECT_EQ(schedule.advance(23), 3u);
+  EXPECT_EQ(schedule.deadline(), 28);
+}
+
+TEST(Schedule, NeverReturnsADeadlineInThePast) {
+  for (HostNs now = 0; now < 40; ++now) {
+    Schedule schedule(5, OverrunPolicy::kSkipMissed, 0);
+    schedule.advance(now);
+    ASSERT_GT(schedule.deadline(), now);
+  }
+}
+
+TEST(Waiting, NeverEndsBeforeTheDeadline) {
+  for (int i = 0; i < 20; ++i) {
+    const HostNs deadline = monotonic_now() + 300 * kNsPerUs;
+    sleep_until(deadline);
+    ASSERT_GE(monotonic_now(), deadline);
+  }
+  const HostNs deadline = monotonic_now() + 50 * kNsPerUs;
+  spin_until(deadline);
+  EXPECT_GE(monotonic_now(), deadline);
+}
+
+TEST(RealTime, EveryPrivilegeIsGrantedOrComesWithARemedy) {
+  const RealTimeProcess process({.lock_memory = false, .hold_cpu_latency = true});
+  for (const Grant& grant : process.grants()) EXPECT_NE(grant.granted, !grant.remedy.empty());
+  for (const Grant& grant : apply_to_this_thread({.priority = 0, .cpu = 100'000})) {
+    EXPECT_FALSE(grant.granted);
+    EXPECT_FALSE(grant.remedy.empty());
+  }
+}
+
+}  // namespace
+}  // namespace tp100::loop
