@@ -1,0 +1,48 @@
+// Decides whether a command may be used, and until when.
+#ifndef TP100_FIRMWARE_COMMAND_GATE_H
+#define TP100_FIRMWARE_COMMAND_GATE_H
+
+#include "yaw_loop.h"
+
+namespace tp100 {
+namespace firmware {
+
+enum class Verdict : uint8_t {
+  kAccepted,
+  kWrongBoot,
+  kRepeated,    ///< sequence not newer than the last accepted one
+  kOutOfRange,  ///< or not finite
+  kExpired,
+  kTooFarAhead,    ///< expiry lies further ahead than any honest host needs
+  kUnknownSample,  ///< answers a sample that was not sent, or one outside yaw_window_ms
+};
+
+class CommandGate {
+ public:
+  CommandGate();
+  /// A new session: the next sequence is new whatever it is, and no command is fresh.
+  void open(uint32_t boot_nonce);
+  /// Judges a command that was received at `now_us`; if accepted it is the current one.
+  Verdict judge(const wire::Command& command, uint32_t now_us, const TurnHistory& history,
+                const wire::Parameters& parameters);
+  /// True while the current command may be used.
+  bool fresh(uint32_t now_us);
+  const wire::Command& current() const { return current_; }
+  /// What the robot had turned at the answered sample.
+  const TurnMark& answered() const { return answered_; }
+  uint16_t last_sequence() const { return current_.sequence; }
+
+ private:
+  wire::Command current_;
+  TurnMark answered_;
+  uint32_t boot_nonce_;
+  uint32_t received_us_;
+  uint32_t life_us_;
+  bool any_;
+  bool fresh_;
+};
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

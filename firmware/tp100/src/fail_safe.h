@@ -1,0 +1,62 @@
+// Switches the motors off whatever the main loop does. tick() runs in the 1 kHz timer interrupt;
+// nothing reaches the motors except through drive(), and only while enabled.
+#ifndef TP100_FIRMWARE_FAIL_SAFE_H
+#define TP100_FIRMWARE_FAIL_SAFE_H
+
+#include "hal.h"
+#include "wire/faults.h"
+
+namespace tp100 {
+namespace firmware {
+
+/// Main loop silent for this long: motors off. [ms]
+const uint8_t kLoopLimitMs = 100;
+
+/// What tripped the fail-safe.
+struct Trip {
+  wire::FaultMask faults;  ///< empty: nothing
+  uint32_t at_us;          ///< device time
+  int32_t silence_ms;      ///< since the last fresh command
+  bool was_enabled;        ///< the motors were switched off by it
+};
+
+class FailSafe {
+ public:
+  explicit FailSafe(Hal& hal);
+
+  /// Timer interrupt, every millisecond.
+  void tick();
+
+  /// The rest is for the main loop.
+  void beat();
+  /// A valid command was accepted at `now_us`.
+  void fresh(uint32_t now_us);
+  /// Lets drive() through from now on, until a trip or disable().
+  void enable();
+  /// Motors off at once.
+  void disable();
+  bool enabled() const { return enabled_; }
+  /// Duties to the motors; nothing happens unless enabled.
+  void drive(int16_t left, int16_t right);
+  /// What happened since the last take.
+  Trip take_trip();
+  /// Ticks since boot, wraps. [ms]
+  uint8_t ticks() const { return ticks_; }
+
+ private:
+  void trip(wire::Fault fault, uint32_t now_us);
+
+  Hal& hal_;
+  volatile uint8_t ticks_;
+  volatile uint8_t silent_ticks_;
+  volatile bool enabled_;
+  volatile uint32_t fresh_us_;
+  volatile uint16_t tripped_;
+  volatile bool was_enabled_;
+  volatile uint32_t tripped_us_;
+};
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

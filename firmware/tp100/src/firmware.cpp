@@ -1,0 +1,429 @@
+#include "firmware.h"
+
+#include <string.h>
+
+#include "number.h"
+#include "parameters.h"
+#include "version.h"
+
+namespace tp100 {
+namespace firmware {
+namespace {
+
+using wire::Fault;
+using wire::Result;
+using wire::State;
+using wire::Type;
+
+const uint8_t kSampleTicks = wire::kSamplePeriodUs / 1000;
+// More than a command and an arm frame; a host that floods the wire must not hold up the loop.
+const uint8_t kReceiveBudget = 64;
+const int32_t kArmFurthestUs = 500000;
+const uint16_t kArmExpiryField = 2;
+const float kLongestStepS = 0.05f;
+const float kShortestStepS = 0.001f;
+
+const char* const kFaultNames[] = {
+#define TP100_FAULT_NAME(bit, name, cause, remedy) #name,
+    TP100_ROBOT_FAULTS(TP100_FAULT_NAME)
+#undef TP100_FAULT_NAME
+};
+const char* const kResetNames[] = {"unknown", "power-on", "external", "brown-out", "watchdog"};
+
+uint16_t bit(Fault fault) { return static_cast<uint16_t>(wire::fault_bit(fault)); }
+
+}  // namespace
+
+Firmware::Firmware(Hal& hal)
+    : hal_(hal),
+      fail_safe_(hal),
+      link_(hal),
+      imu_(hal),
+      left_(),
+      right_(),
+      target_(),
+      parameters_(),
+      state_(State::kHello),
+      faults_(0),
+      boot_nonce_(0),
+      last_verdict_(Verdict::kAccepted),
+      any_token_(false),
+      last_token_(0),
+      last_result_(Result::kAccepted),
+      last_detail_(0),
+      sequence_(0),
+      sampled_ticks_(0),
+      sampled_us_(0),
+      host_spoke_us_(0),
+      hello_us_(0) {}
+
+void Firmware::setup() {
+  fail_safe_.disable();
+  boot_nonce_ = hal_.boot_nonce();
+  if (boot_nonce_ == 0) boot_nonce_ = 1;
+  gate_.open(boot_nonce_);
+  const uint32_t now_us = hal_.micros();
+  const wire::ResetCause cause = hal_.reset_cause();
+  if (cause == wire::ResetCause::kWatchdog) latch(Fault::watchdog_reset, 0, now_us);
+  if (cause == wire::ResetCause::kBrownOut) latch(Fault::brown_out, 0, now_us);
+  send_hello(now_us);
+  log(0, "boot, reset: ", kResetNames[static_cast<uint8_t>(cause)], now_us);
+  hal_.kick_watchdog();
+  imu_.start();
+}
+
+void Firmware::loop() {
+  fail_safe_.beat();
+  hal_.kick_watchdog();
+  check_trip();
+  receive();
+  const uint8_t ticks = fail_safe_.ticks();
+  const uint8_t late = static_cast<uint8_t>(ticks - sampled_ticks_);
+  if (late >= kSampleTicks) {
+    const bool skipped = late >= 2 * kSampleTicks;
+    sampled_ticks_ = skipped ? ticks : static_cast<uint8_t>(sampled_ticks_ + kSampleTicks);
+    take_sample();
+  }
+  check_host(hal_.micros());
+  link_.flush();
+  hal_.idle();
+}
+
+void Firmware::receive() {
+  uint8_t budget = kReceiveBudget;
+  while (link_.receive(budget)) dispatch();
+}
+
+void Firmware::dispatch() {
+  const Type type = static_cast<Type>(link_.type());
+  switch (type) {
+    case Type::kHelloRequest:
+      return on_hello_request();
+    case Type::kParameters: {
+      wire::Parameters message;
+      if (link_.read(message)) on_parameters(message);
+      return;
+    }
+    case Type::kCommand: {
+      wire::Command message;
+      if (link_.read(message)) on_command(message);
+      return;
+    }
+    case Type::kArm: {
+      wire::Arm message;
+      if (link_.read(message)) on_arm(message);
+      return;
+    }
+    case Type::kDisarm: {
+      wire::Disarm message;
+      if (link_.read(message)) on_disarm(message);
+      return;
+    }
+    case Type::kStop: {
+      wire::Stop message;
+      if (link_.read(message)) on_stop(message);
+      return;
+    }
+    case Type::kSyncRequest: {
+      wire::SyncRequest message;
+      if (!link_.read(message)) return;
+      const wire::SyncReply reply = {message.id, link_.received_us(), 0};
+      link_.post(reply);
+      host_spoke_us_ = link_.received_us();
+      return;
+    }
+    default:
+      link_.count_unknown();
+  }
+}
+
+void Firmware::on_hello_request() {
+  const uint32_t now_us = link_.received_us();
+  disarm("hello request", now_us);
+  // A host of another version has another layout; it still gets the hello, so that it can say both.
+  wire::HelloRequest request = {};
+  const bool same = link_.read(request) && request.protocol == wire::kProtocolVersion &&
+                    request.schema == wire::kSchemaHash;
+  state_ = same ? State::kParameters : State::kHello;
+  host_spoke_us_ = now_us;
+  send_hello(now_us);
+}
+
+void Firmware::on_parameters(const wire::Parameters& parameters) {
+  if (parameters.boot_nonce != boot_nonce_) {
+    return acknowledge(Type::kParameters, parameters.token, Result::kWrongBoot, 0);
+  }
+  host_spoke_us_ = link_.received_us();
+  if (may_drive()) {
+    return acknowledge(Type::kParameters, parameters.token, Result::kWrongState,
+                       static_cast<uint16_t>(state_));
+  }
+  const uint8_t bad = bad_field(parameters);
+  if (bad != 0) return acknowledge(Type::kParameters, parameters.token, Result::kOutOfRange, bad);
+  const bool repeated = in_session() && parameters.token == parameters_.token;
+  if (!repeated) {
+    parameters_ = parameters;
+    open_session();
+  }
+  acknowledge(Type::kParameters, parameters.token, Result::kAccepted, 0);
+}
+
+void Firmware::open_session() {
+  gate_.open(boot_nonce_);
+  history_.clear();
+  left_.loop.restart();
+  right_.loop.restart();
+  state_ = faults_ != 0 ? State::kFaulted : State::kDisarmed;
+}
+
+void Firmware::on_command(const wire::Command& command) {
+  if (command.boot_nonce == boot_nonce_) host_spoke_us_ = link_.received_us();
+  if (!in_session()) return;
+  const uint32_t now_us = hal_.micros();
+  last_verdict_ = gate_.judge(command, now_us, history_, parameters_);
+  if (last_verdict_ == Verdict::kAccepted) fail_safe_.fresh(now_us);
+}
+
+void Firmware::on_arm(const wire::Arm& arm) {
+  uint16_t detail = 0;
+  const Result result = try_to_arm(arm, detail);
+  acknowledge(Type::kArm, arm.token, result, detail);
+}
+
+wire::Result Firmware::try_to_arm(const wire::Arm& arm, uint16_t& detail) {
+  if (arm.boot_nonce != boot_nonce_) return Result::kWrongBoot;
+  host_spoke_us_ = link_.received_us();
+  if (any_token_ && arm.token == last_token_) {
+    detail = last_detail_;
+    return last_result_;
+  }
+  if (any_token_ && arm.token < last_token_) return Result::kStaleToken;
+  const int32_t ahead_us = distance(arm.expiry_us, hal_.micros());
+  if (ahead_us <= 0 || ahead_us > kArmFurthestUs) {
+    detail = kArmExpiryField;
+    return Result::kOutOfRange;
+  }
+  // A trip that the timer has just latched must not be cleared unseen.
+  check_trip();
+  detail = persisting_causes();
+  any_token_ = true;
+  last_token_ = arm.token;
+  last_detail_ = detail;
+  last_result_ = detail != 0 ? Result::kFaultPersists : Result::kAccepted;
+  if (detail == 0 && !may_drive()) {
+    faults_ = 0;
+    target_ = BeltSpeeds();
+    left_.loop.reset();
+    right_.loop.reset();
+    left_.watch.reset();
+    right_.watch.reset();
+    state_ = State::kArmed;
+    fail_safe_.enable();
+  }
+  return last_result_;
+}
+
+uint16_t Firmware::persisting_causes() {
+  if (!in_session()) return bit(Fault::parameters_missing);
+  uint16_t causes = 0;
+  if (!gate_.fresh(hal_.micros())) causes |= bit(Fault::command_timeout);
+  if (uses_gyro(parameters_)) {
+    if (imu_.missing()) causes |= bit(Fault::imu_missing);
+    if (imu_.stale()) causes |= bit(Fault::imu_stale);
+  }
+  if (battery_.below()) causes |= bit(Fault::battery_low);
+  return causes;
+}
+
+void Firmware::on_disarm(const wire::Disarm& request) {
+  host_spoke_us_ = link_.received_us();
+  disarm("disarm", host_spoke_us_);
+  acknowledge(Type::kDisarm, request.token, Result::kAccepted, 0);
+}
+
+void Firmware::on_stop(const wire::Stop& stop) {
+  host_spoke_us_ = link_.received_us();
+  latch(Fault::stop_requested, 0, host_spoke_us_);
+  acknowledge(Type::kStop, stop.token, Result::kAccepted, 0);
+}
+
+void Firmware::acknowledge(Type request, uint32_t token, Result result, uint16_t detail) {
+  const wire::Acknowledge message = {static_cast<uint8_t>(request), token,
+                                     static_cast<uint8_t>(result), detail};
+  link_.post(message);
+}
+
+void Firmware::disarm(const char* reason, uint32_t at_us) {
+  fail_safe_.disable();
+  left_.loop.reset();
+  right_.loop.reset();
+  left_.duty = 0;
+  right_.duty = 0;
+  if (!may_drive()) return;
+  state_ = State::kDisarmed;
+  log(0, "motors off: ", reason, at_us);
+}
+
+void Firmware::latch(Fault fault, int32_t detail, uint32_t at_us) {
+  const uint8_t index = static_cast<uint8_t>(fault);
+  disarm(kFaultNames[index], at_us);
+  if (in_session()) state_ = State::kFaulted;
+  if ((faults_ & bit(fault)) != 0) return;
+  faults_ = static_cast<uint16_t>(faults_ | bit(fault));
+  const wire::FaultReport report = {at_us, index, faults_, detail};
+  link_.post(report);
+}
+
+void Firmware::check_trip() {
+  const Trip trip = fail_safe_.take_trip();
+  if ((trip.faults & bit(Fault::loop_hung)) != 0) latch(Fault::loop_hung, kLoopLimitMs, trip.at_us);
+  if ((trip.faults & bit(Fault::command_timeout)) != 0) {
+    latch(Fault::command_timeout, trip.silence_ms, trip.at_us);
+  }
+}
+
+void Firmware::check_host(uint32_t now_us) {
+  if (state_ == State::kHello) {
+    if (now_us - hello_us_ >= wire::kHelloPeriodMs * 1000UL) send_hello(now_us);
+    return;
+  }
+  if (distance(now_us, host_spoke_us_) < wire::kHostSilenceMs * 1000L) return;
+  disarm("host silent", now_us);
+  state_ = State::kHello;
+  send_hello(now_us);
+}
+
+void Firmware::take_sample() {
+  uint32_t now_us = 0;
+  read_belts(now_us);
+  const float measured_s = static_cast<float>(distance(now_us, sampled_us_)) * 1e-6f;
+  const float dt_s = within(measured_s, kShortestStepS, kLongestStepS) ? measured_s : kLongestStepS;
+  sampled_us_ = now_us;
+  imu_.update();
+  battery_.update(hal_.battery_mv(), parameters_.battery_cutoff_mv);
+  if (!in_session()) return;
+  ++sequence_;
+  history_.add(sequence_, now_us, imu_.values().gyro[2], left_.counts, right_.counts);
+  check_sensors(now_us);
+  send_sample(now_us);
+  drive(now_us, dt_s);
+}
+
+void Firmware::read_belts(uint32_t& now_us) {
+  const CriticalSection section(hal_);
+  int32_t left = 0;
+  int32_t right = 0;
+  now_us = hal_.micros();
+  hal_.counts(left, right);
+  if (has(wire::kSwapTracks)) {
+    const int32_t other = left;
+    left = right;
+    right = other;
+  }
+  left_.counts = has(wire::kInvertLeftEncoder) ? distance(INT32_C(0), left) : left;
+  right_.counts = has(wire::kInvertRightEncoder) ? distance(INT32_C(0), right) : right;
+}
+
+void Firmware::check_sensors(uint32_t now_us) {
+  if (uses_gyro(parameters_)) {
+    if (imu_.missing()) latch(Fault::imu_missing, imu_.errors(), now_us);
+    if (imu_.stale()) latch(Fault::imu_stale, imu_.errors(), now_us);
+  }
+  if (battery_.low()) latch(Fault::battery_low, battery_.millivolts(), now_us);
+}
+
+void Firmware::send_sample(uint32_t now_us) {
+  const ImuValues& imu = imu_.values();
+  wire::Sample sample = {};
+  sample.sequence = sequence_;
+  sample.device_us = now_us;
+  sample.left_counts = left_.counts;
+  sample.right_counts = right_.counts;
+  memcpy(sample.gyro, imu.gyro, sizeof sample.gyro);
+  memcpy(sample.accel, imu.accel, sizeof sample.accel);
+  sample.temperature = imu.temperature;
+  sample.battery_mv = battery_.millivolts();
+  sample.left_duty = left_.duty;
+  sample.right_duty = right_.duty;
+  sample.state = static_cast<uint8_t>(state_);
+  sample.faults = faults_;
+  sample.last_command = gate_.last_sequence();
+  sample.imu_age = imu_.age();
+  link_.post(sample);
+}
+
+void Firmware::drive(uint32_t now_us, float dt_s) {
+  left_.loop.measure(left_.counts, dt_s, parameters_);
+  right_.loop.measure(right_.counts, dt_s, parameters_);
+  if (!may_drive()) return;
+  check_belts(now_us, static_cast<uint16_t>(dt_s * 1000.0f + 0.5f));
+  if (!may_drive()) return;
+  target_ = approach(target_, wanted(now_us), parameters_.max_track_mps2 * dt_s);
+  const float full = static_cast<float>(wire::kFullDuty);
+  const float left = left_.loop.update(target_.left, dt_s, parameters_) * full;
+  const float right = right_.loop.update(target_.right, dt_s, parameters_) * full;
+  apply(static_cast<int16_t>(left), static_cast<int16_t>(right));
+}
+
+void Firmware::check_belts(uint32_t now_us, uint16_t dt_ms) {
+  const BeltWatch::Verdict left = left_.watch.update(left_.duty, left_.counts, dt_ms, parameters_);
+  const BeltWatch::Verdict right =
+      right_.watch.update(right_.duty, right_.counts, dt_ms, parameters_);
+  if (left == BeltWatch::kStalled) latch(Fault::stalled_left, left_.duty, now_us);
+  if (left == BeltWatch::kReversed) latch(Fault::reversed_left, left_.duty, now_us);
+  if (right == BeltWatch::kStalled) latch(Fault::stalled_right, right_.duty, now_us);
+  if (right == BeltWatch::kReversed) latch(Fault::reversed_right, right_.duty, now_us);
+}
+
+BeltSpeeds Firmware::wanted(uint32_t now_us) {
+  const wire::Command& command = gate_.current();
+  const bool stand = command.speed_mps == 0.0f && command.yaw_rate_radps == 0.0f &&
+                     command.desired_yaw_rad == command.yaw_rad;
+  if (stand || !gate_.fresh(now_us)) return BeltSpeeds();
+  state_ = State::kRunning;
+  const float turned_rad = turned(gate_.answered(), history_.newest(), uses_gyro(parameters_),
+                                  command.gyro_bias_radps, parameters_);
+  const float error_rad = command.desired_yaw_rad - command.yaw_rad - turned_rad;
+  const float rate_radps = turn_rate(error_rad, command.yaw_rate_radps, parameters_);
+  return belt_speeds(command.speed_mps, rate_radps, parameters_);
+}
+
+void Firmware::apply(int16_t left, int16_t right) {
+  left_.duty = left;
+  right_.duty = right;
+  if (has(wire::kInvertLeftMotor)) left = static_cast<int16_t>(-left);
+  if (has(wire::kInvertRightMotor)) right = static_cast<int16_t>(-right);
+  if (has(wire::kSwapTracks)) {
+    fail_safe_.drive(right, left);
+  } else {
+    fail_safe_.drive(left, right);
+  }
+}
+
+void Firmware::send_hello(uint32_t now_us) {
+  hello_us_ = now_us;
+  const wire::Hello hello = {wire::kProtocolVersion,
+                             {kVersionMajor, kVersionMinor, kVersionPatch},
+                             wire::kSchemaHash,
+                             static_cast<uint8_t>(hal_.board()),
+                             boot_nonce_,
+                             static_cast<uint8_t>(hal_.reset_cause()),
+                             static_cast<uint8_t>(state_),
+                             faults_};
+  link_.post(hello);
+}
+
+void Firmware::log(uint8_t level, const char* text, const char* more, uint32_t at_us) {
+  wire::Log message = {};
+  message.device_us = at_us;
+  message.level = level;
+  uint8_t at = 0;
+  for (; *text != 0 && at < wire::Log::kTextSize; ++text)
+    message.text[at++] = static_cast<uint8_t>(*text);
+  for (; *more != 0 && at < wire::Log::kTextSize; ++more)
+    message.text[at++] = static_cast<uint8_t>(*more);
+  link_.post(message);
+}
+
+}  // namespace firmware
+}  // namespace tp100

@@ -1,0 +1,109 @@
+// The firmware: one object, no globals, so that several robots live in one process on the host.
+#ifndef TP100_FIRMWARE_FIRMWARE_H
+#define TP100_FIRMWARE_FIRMWARE_H
+
+#include "battery.h"
+#include "belt_watch.h"
+#include "belts.h"
+#include "command_gate.h"
+#include "fail_safe.h"
+#include "host_link.h"
+#include "imu.h"
+#include "speed_loop.h"
+
+namespace tp100 {
+namespace firmware {
+
+class Firmware {
+ public:
+  explicit Firmware(Hal& hal);
+  /// Once, before the timer interrupt runs.
+  void setup();
+  /// Again and again; returns within a few milliseconds whatever happens outside.
+  void loop();
+  /// From the timer interrupt, every millisecond. Short.
+  void tick_1khz() { fail_safe_.tick(); }
+
+  wire::State state() const { return state_; }
+  uint16_t faults() const { return faults_; }
+  uint32_t boot_nonce() const { return boot_nonce_; }
+  const LinkCounts& link_counts() const { return link_.counts(); }
+  /// Verdict on the last command.
+  Verdict last_verdict() const { return last_verdict_; }
+
+ private:
+  struct Belt {
+    SpeedLoop loop;
+    BeltWatch watch;
+    int32_t counts;
+    int16_t duty;
+  };
+
+  void receive();
+  void dispatch();
+  void on_hello_request();
+  void on_parameters(const wire::Parameters& parameters);
+  void on_command(const wire::Command& command);
+  void on_arm(const wire::Arm& arm);
+  void on_disarm(const wire::Disarm& disarm);
+  void on_stop(const wire::Stop& stop);
+  void acknowledge(wire::Type request, uint32_t token, wire::Result result, uint16_t detail);
+
+  wire::Result try_to_arm(const wire::Arm& arm, uint16_t& detail);
+  uint16_t persisting_causes();
+  void open_session();
+  void disarm(const char* reason, uint32_t at_us);
+  void latch(wire::Fault fault, int32_t detail, uint32_t at_us);
+  void check_trip();
+  void check_sensors(uint32_t now_us);
+  void check_belts(uint32_t now_us, uint16_t dt_ms);
+  void check_host(uint32_t now_us);
+
+  void take_sample();
+  void read_belts(uint32_t& now_us);
+  void send_sample(uint32_t now_us);
+  void drive(uint32_t now_us, float dt_s);
+  BeltSpeeds wanted(uint32_t now_us);
+  void apply(int16_t left, int16_t right);
+
+  void send_hello(uint32_t now_us);
+  void log(uint8_t level, const char* text, const char* more, uint32_t at_us);
+  bool in_session() const { return state_ >= wire::State::kDisarmed; }
+  bool may_drive() const {
+    return state_ == wire::State::kArmed || state_ == wire::State::kRunning;
+  }
+  bool has(wire::ParameterFlag flag) const { return (parameters_.flags & flag) != 0; }
+
+  Hal& hal_;
+  FailSafe fail_safe_;
+  HostLink link_;
+  Imu imu_;
+  Battery battery_;
+  TurnHistory history_;
+  CommandGate gate_;
+  Belt left_;
+  Belt right_;
+  BeltSpeeds target_;
+  wire::Parameters parameters_;
+
+  wire::State state_;
+  uint16_t faults_;
+  uint32_t boot_nonce_;
+  Verdict last_verdict_;
+
+  bool any_token_;
+  uint32_t last_token_;
+  wire::Result last_result_;
+  uint16_t last_detail_;
+
+  uint16_t sequence_;
+  uint8_t sampled_ticks_;
+  uint32_t sampled_us_;
+  uint32_t host_spoke_us_;
+  uint32_t hello_us_;
+};
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

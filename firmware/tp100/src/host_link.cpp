@@ -1,0 +1,116 @@
+#include "host_link.h"
+
+namespace tp100 {
+namespace firmware {
+namespace {
+
+const uint32_t kByteUs = 10UL * 1000000UL / wire::kBaud;
+
+}  // namespace
+
+HostLink::HostLink(Hal& hal)
+    : hal_(hal),
+      received_us_(0),
+      counts_(),
+      sync_(),
+      acknowledges_(),
+      sample_(),
+      reports_(),
+      hello_(),
+      logs_() {}
+
+bool HostLink::receive(uint8_t& budget) {
+  uint8_t byte;
+  while (budget > 0 && hal_.uart_read(byte)) {
+    --budget;
+    const uint32_t now_us = byte == wire::kDelimiter ? hal_.micros() : 0;
+    switch (decoder_.push(byte)) {
+      case wire::Received::kNothing:
+        break;
+      case wire::Received::kFrame:
+        received_us_ = now_us;
+        ++counts_.good;
+        return true;
+      case wire::Received::kOversize:
+        ++counts_.oversize;
+        break;
+      case wire::Received::kCobs:
+        ++counts_.cobs;
+        break;
+      case wire::Received::kShort:
+        ++counts_.undersize;
+        break;
+      case wire::Received::kCrc:
+        ++counts_.crc;
+        break;
+    }
+  }
+  return false;
+}
+
+bool HostLink::send(uint8_t type, const uint8_t* payload, uint8_t size) {
+  // COBS adds one byte below 255 and the delimiter follows, so the length is known before coding.
+  const uint8_t length = static_cast<uint8_t>(1 + size + 2 + 2);
+  if (hal_.uart_room() < length) return false;
+  uint8_t frame[wire::kMaxFrame];
+  wire::encode_frame(type, payload, size, frame);
+  hal_.uart_write(frame, length);
+  return true;
+}
+
+void HostLink::post(const wire::Sample& sample) {
+  if (sample_.size > 0) ++counts_.unsent;
+  sample_.push_over(sample);
+  flush();
+}
+
+void HostLink::post(const wire::Hello& hello) {
+  hello_.push_over(hello);
+  flush();
+}
+
+void HostLink::post(const wire::SyncReply& reply) {
+  if (sync_.size > 0) ++counts_.unsent;
+  sync_.push_over(reply);
+  flush();
+}
+
+void HostLink::post(const wire::Acknowledge& acknowledge) {
+  if (!acknowledges_.push(acknowledge)) ++counts_.unsent;
+  flush();
+}
+
+void HostLink::post(const wire::FaultReport& report) {
+  if (!reports_.push(report)) ++counts_.unsent;
+  flush();
+}
+
+void HostLink::post(const wire::Log& log) {
+  if (!logs_.push(log)) ++counts_.unsent;
+  flush();
+}
+
+void HostLink::flush() {
+  if (!flush_sync() || !flush(acknowledges_) || !flush(sample_)) return;
+  if (!flush(reports_) || !flush(hello_)) return;
+  flush(logs_);
+}
+
+bool HostLink::flush_sync() {
+  if (sync_.size == 0) return true;
+  wire::SyncReply& reply = sync_.items[sync_.first];
+  reply.sent_us = hal_.micros() + hal_.uart_waiting() * kByteUs;
+  return flush(sync_);
+}
+
+template <class Message, uint8_t kCapacity>
+bool HostLink::flush(Queue<Message, kCapacity>& queue) {
+  while (queue.size > 0) {
+    if (!send(queue.items[queue.first])) return false;
+    queue.pop();
+  }
+  return true;
+}
+
+}  // namespace firmware
+}  // namespace tp100

@@ -1,0 +1,107 @@
+// Frames to and from the host. Never blocks: a frame is written only if the UART takes all of it.
+#ifndef TP100_FIRMWARE_HOST_LINK_H
+#define TP100_FIRMWARE_HOST_LINK_H
+
+#include "hal.h"
+#include "wire/frame.h"
+
+namespace tp100 {
+namespace firmware {
+
+/// Frames lost on the way in, by cause, and on the way out. Wrap.
+struct LinkCounts {
+  uint16_t good;
+  uint16_t oversize;
+  uint16_t cobs;
+  uint16_t undersize;
+  uint16_t crc;
+  uint16_t unknown;  ///< good frame of another type or size
+  uint16_t unsent;   ///< own message dropped for want of room
+};
+
+class HostLink {
+ public:
+  explicit HostLink(Hal& hal);
+
+  /// Takes bytes until a good frame is complete or `budget` bytes are used up. True: a frame is in
+  /// type(), payload(), size() until the next call.
+  bool receive(uint8_t& budget);
+  uint8_t type() const { return decoder_.type(); }
+  const uint8_t* payload() const { return decoder_.payload(); }
+  size_t size() const { return decoder_.size(); }
+  /// Device time at which the delimiter of that frame was taken. [us]
+  uint32_t received_us() const { return received_us_; }
+  /// The current frame as a message. False, and counted, if its size is another one.
+  template <class Message>
+  bool read(Message& message) {
+    if (wire::read_payload(payload(), size(), message)) return true;
+    ++counts_.unknown;
+    return false;
+  }
+  void count_unknown() { ++counts_.unknown; }
+
+  /// Writes a message at once. False: no room now.
+  template <class Message>
+  bool send(const Message& message) {
+    uint8_t payload[Message::kSize];
+    wire::write_payload(message, payload);
+    return send(static_cast<uint8_t>(Message::kType), payload, Message::kSize);
+  }
+
+  /// Sends now, or as soon as there is room. One that waits is replaced by a newer one.
+  void post(const wire::Sample& sample);
+  void post(const wire::Hello& hello);
+  /// The reply's sent_us is filled in when it leaves.
+  void post(const wire::SyncReply& reply);
+  /// Sends now, or as soon as there is room; dropped and counted if too many wait.
+  void post(const wire::Acknowledge& acknowledge);
+  void post(const wire::FaultReport& report);
+  void post(const wire::Log& log);
+  /// Writes what waits, while there is room.
+  void flush();
+
+  const LinkCounts& counts() const { return counts_; }
+
+ private:
+  template <class Message, uint8_t kCapacity>
+  struct Queue {
+    Message items[kCapacity];
+    uint8_t first;
+    uint8_t size;
+    bool push(const Message& message) {
+      if (size == kCapacity) return false;
+      items[(first + size) % kCapacity] = message;
+      ++size;
+      return true;
+    }
+    void push_over(const Message& message) {
+      size = 0;
+      push(message);
+    }
+    void pop() {
+      first = static_cast<uint8_t>((first + 1) % kCapacity);
+      --size;
+    }
+  };
+
+  bool send(uint8_t type, const uint8_t* payload, uint8_t size);
+  bool flush_sync();
+  template <class Message, uint8_t kCapacity>
+  bool flush(Queue<Message, kCapacity>& queue);
+
+  Hal& hal_;
+  wire::FrameDecoder decoder_;
+  uint32_t received_us_;
+  LinkCounts counts_;
+  Queue<wire::SyncReply, 1> sync_;
+  Queue<wire::Acknowledge, 4> acknowledges_;
+  Queue<wire::Sample, 1> sample_;
+  Queue<wire::FaultReport, 4> reports_;
+  Queue<wire::Hello, 1> hello_;
+  Queue<wire::Log, 2> logs_;
+};
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

@@ -1,0 +1,62 @@
+// MPU6050 over I2C (MPU-6000/6050 register map rev 4.2). It never holds up the rest: a device that
+// does not answer is tried again every 100 ms.
+#ifndef TP100_FIRMWARE_IMU_H
+#define TP100_FIRMWARE_IMU_H
+
+#include "hal.h"
+
+namespace tp100 {
+namespace firmware {
+
+/// Raw values in the order of the registers from 0x3B on.
+struct ImuValues {
+  int16_t accel[3];
+  int16_t temperature;
+  int16_t gyro[3];
+};
+
+class Imu {
+ public:
+  static const uint8_t kAddress = 0x68;
+  static const uint8_t kNever = 255;
+
+  explicit Imu(Hal& hal);
+  /// Identifies and configures the sensor: gyro +-1000 deg/s, accelerometer +-4 g, 500 Hz, low pass
+  /// of 94 Hz. About 1 ms.
+  bool start();
+  /// Reads all values, once a sample.
+  void update();
+
+  const ImuValues& values() const { return values_; }
+  /// Samples since the values were new; 0 fresh, kNever before the first.
+  uint8_t age() const { return age_; }
+  /// No answer, or another device answers.
+  bool missing() const { return !started_ && age_ >= kStaleSamples; }
+  /// Answers, but its values did not change for 100 ms: a sensor that lives has noise in its last
+  /// digits.
+  bool stale() const { return started_ && age_ >= kStaleSamples; }
+  /// Good enough to integrate.
+  bool fresh() const { return age_ < kStaleSamples; }
+  uint16_t errors() const { return errors_; }
+
+ private:
+  static const uint8_t kStaleSamples = 20;  // 100 ms
+  static const uint8_t kRetrySamples = 20;
+  static const uint8_t kFailuresBeforeRestart = 3;
+
+  bool read(ImuValues& values);
+  void grow_old();
+
+  Hal& hal_;
+  ImuValues values_;
+  bool started_;
+  uint8_t age_;
+  uint8_t failures_;
+  uint8_t wait_;
+  uint16_t errors_;
+};
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

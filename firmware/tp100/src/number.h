@@ -1,0 +1,37 @@
+// Small float helpers without libm.
+#ifndef TP100_FIRMWARE_NUMBER_H
+#define TP100_FIRMWARE_NUMBER_H
+
+#include <stdint.h>
+
+namespace tp100 {
+namespace firmware {
+
+const float kPi = 3.14159265f;
+
+/// False for NaN and infinities too, as every comparison with them is.
+inline bool within(float value, float low, float high) { return value >= low && value <= high; }
+
+inline float magnitude(float value) { return value < 0.0f ? -value : value; }
+
+inline float clamp(float value, float limit) {
+  return value > limit ? limit : value < -limit ? -limit : value;
+}
+
+/// The same direction in [-pi, pi], for |rad| < 1e4.
+inline float wrap_angle(float rad) {
+  const float turns = rad / (2.0f * kPi);
+  const int32_t whole = static_cast<int32_t>(turns + (turns < 0.0f ? -0.5f : 0.5f));
+  return rad - static_cast<float>(whole) * (2.0f * kPi);
+}
+
+/// a - b of wrapping counters, as a signed distance.
+inline int32_t distance(uint32_t a, uint32_t b) { return static_cast<int32_t>(a - b); }
+inline int32_t distance(int32_t a, int32_t b) {
+  return static_cast<int32_t>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
+}
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

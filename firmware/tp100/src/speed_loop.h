@@ -1,0 +1,45 @@
+// Speed of one belt: feed-forward with dead band, proportional on speed, integral on the way that
+// the belt lags behind its target.
+#ifndef TP100_FIRMWARE_SPEED_LOOP_H
+#define TP100_FIRMWARE_SPEED_LOOP_H
+
+#include <stdint.h>
+
+#include "wire/messages.h"
+
+namespace tp100 {
+namespace firmware {
+
+class SpeedLoop {
+ public:
+  SpeedLoop();
+  /// Belt position, once a sample and in every state. [counts]
+  void measure(int32_t counts, float dt_s, const wire::Parameters& parameters);
+  /// Duty for the target; 0 with a cleared integrator if the belt is meant to stand. Call after
+  /// measure().
+  /// [-1, 1]
+  float update(float target_mps, float dt_s, const wire::Parameters& parameters);
+  /// Clears the integrator.
+  void reset() { lag_m_ = 0.0f; }
+  /// Forgets where the belt was (new parameters).
+  void restart() { measured_ = 0; }
+  /// Belt speed, mean of the last four samples. [m/s]
+  float speed_mps() const { return speed_mps_; }
+  float lag_m() const { return lag_m_; }
+
+ private:
+  static const uint8_t kWindow = 4;
+  int32_t counts_[kWindow];
+  float dt_s_[kWindow];
+  uint8_t next_;
+  uint8_t measured_;
+  int32_t last_counts_;
+  float moved_m_;
+  float speed_mps_;
+  float lag_m_;
+};
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

@@ -1,0 +1,56 @@
+#include "yaw_loop.h"
+
+#include "number.h"
+
+namespace tp100 {
+namespace firmware {
+namespace {
+
+const uint32_t kTimeUnits = 0x1FFFFFFFUL;  // micros() in units of 8 us wraps here
+const float kSecondsPerUnit = 8e-6f;
+
+}  // namespace
+
+TurnHistory::TurnHistory() : marks_(), newest_(), last_sequence_(0), last_gyro_z_(0), size_(0) {}
+
+void TurnHistory::add(uint16_t sequence, uint32_t device_us, int16_t gyro_z, int32_t left_counts,
+                      int32_t right_counts) {
+  // Differences of the divided times, so that no remainder is lost from sample to sample.
+  const uint32_t units = ((device_us >> 3) - (newest_.device_us >> 3)) & kTimeUnits;
+  const int32_t mean_twice = static_cast<int32_t>(gyro_z) + last_gyro_z_;
+  // A first sample, or one after a long silence, has no interval that could be integrated.
+  const int32_t turned = size_ == 0 ? 0 : mean_twice * static_cast<int32_t>(units & 0x7FFF) / 2;
+  last_gyro_z_ = gyro_z;
+  newest_.gyro += static_cast<uint32_t>(turned);
+  newest_.device_us = device_us;
+  newest_.left_counts = left_counts;
+  newest_.right_counts = right_counts;
+  last_sequence_ = sequence;
+  marks_[sequence % kCapacity] = newest_;
+  if (size_ < kCapacity) ++size_;
+}
+
+const TurnMark* TurnHistory::find(uint16_t sequence) const {
+  const uint16_t back = static_cast<uint16_t>(last_sequence_ - sequence);
+  return back < size_ ? &marks_[sequence % kCapacity] : NULL;
+}
+
+float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyro_bias_radps,
+             const wire::Parameters& p) {
+  if (use_gyro) {
+    const float raw = static_cast<float>(distance(now.gyro, then.gyro)) * kSecondsPerUnit;
+    const float elapsed_s = static_cast<float>(distance(now.device_us, then.device_us)) * 1e-6f;
+    return raw * p.gyro_z_radps_per_lsb - gyro_bias_radps * elapsed_s;
+  }
+  const float left = static_cast<float>(distance(now.left_counts, then.left_counts));
+  const float right = static_cast<float>(distance(now.right_counts, then.right_counts));
+  const float arc_counts = right * (1.0f - p.slip_right) - left * (1.0f - p.slip_left);
+  return arc_counts / (p.counts_per_metre * p.wheelbase_m);
+}
+
+float turn_rate(float error_rad, float feed_forward_radps, const wire::Parameters& p) {
+  return clamp(feed_forward_radps + p.yaw_kp * wrap_angle(error_rad), p.max_yaw_radps);
+}
+
+}  // namespace firmware
+}  // namespace tp100

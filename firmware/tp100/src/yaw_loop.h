@@ -1,0 +1,55 @@
+// The inner yaw loop: carries the yaw of the answered sample forward to now and turns the error
+// into a turn rate. Between commands only this loop steers.
+#ifndef TP100_FIRMWARE_YAW_LOOP_H
+#define TP100_FIRMWARE_YAW_LOOP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "wire/messages.h"
+
+namespace tp100 {
+namespace firmware {
+
+/// What the robot had turned by one sample. Integrals since boot; only differences mean anything.
+struct TurnMark {
+  uint32_t device_us;
+  uint32_t gyro;  ///< integral of the raw z rate, LSB x 8 us, wraps
+  int32_t left_counts;
+  int32_t right_counts;
+};
+
+/// Marks of the last samples, looked up by the sequence that a command answers.
+class TurnHistory {
+ public:
+  TurnHistory();
+  /// Adds a sample. `gyro_z` is held over samples in which the IMU did not answer.
+  void add(uint16_t sequence, uint32_t device_us, int16_t gyro_z, int32_t left_counts,
+           int32_t right_counts);
+  /// Mark of that sample, or null if it was never sent or is overwritten.
+  const TurnMark* find(uint16_t sequence) const;
+  const TurnMark& newest() const { return newest_; }
+  /// Forgets all samples (a new session).
+  void clear() { size_ = 0; }
+
+ private:
+  static const uint8_t kCapacity = 64;
+  TurnMark marks_[kCapacity];
+  TurnMark newest_;
+  uint16_t last_sequence_;
+  int16_t last_gyro_z_;
+  uint8_t size_;
+};
+
+/// Turn from `then` to `now`: by the gyro minus its bias if `use_gyro`, else by the belts and eq 5
+/// (a bench, where the body does not turn). [rad]
+float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyro_bias_radps,
+             const wire::Parameters& parameters);
+
+/// Turn rate that reduces `error_rad` (desired yaw - yaw now), limited to max_yaw_radps. [rad/s]
+float turn_rate(float error_rad, float feed_forward_radps, const wire::Parameters& parameters);
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif
