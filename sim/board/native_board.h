@@ -1,0 +1,56 @@
+#pragma once
+// The firmware built for this machine, on a Mega's timing: virtual time, a 64-byte receive buffer,
+// byte times, blocking I2C bursts and a clock that is off by some ppm. Same inputs, same bytes.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/board/board.h"
+#include "sim/sensors/i2c_slave.h"
+
+namespace tp100::sim {
+
+/// One board.
+struct NativeBoardSettings {
+  std::uint64_t seed = 1;                  ///< of the boot nonces
+  double clock_ppm = 0.0;                  ///< error of the resonator; positive runs fast
+  std::uint32_t start_us = 0;              ///< device clock at each boot [us]
+  std::int64_t boot_delay_ns = 4'000'000;  ///< from reset to setup(); bytes are lost meanwhile
+};
+
+/// What the pins went through since construction.
+struct NativeBoardCounters {
+  std::uint64_t rx_overruns = 0;  ///< bytes that found the receive buffer full
+  std::uint64_t rx_lost_in_boot = 0;
+  std::uint64_t boots = 0;
+  std::uint64_t loops = 0;
+};
+
+class NativeBoard final : public Board {
+ public:
+  /// `imu` answers at I2C address 0x68; null: nobody does. It must outlive the board. The board is
+  /// without power until the first reset().
+  NativeBoard(const NativeBoardSettings& settings, I2cSlave* imu);
+  ~NativeBoard() override;
+  NativeBoard(NativeBoard&&) noexcept;
+  NativeBoard& operator=(NativeBoard&&) noexcept;
+
+  void reset(PowerUp cause, std::int64_t now_ns) override;
+  void advance(std::int64_t until_ns, std::span<const Edge> edges,
+               std::span<const TimedByte> received) override;
+  std::vector<TimedByte> take_sent() override;
+  Drive drive() const override;
+  void set_battery(double volts) override;
+
+  NativeBoardCounters counters() const;
+  /// Device clock at the end of the last quantum, wraps. [us]
+  std::uint32_t device_us() const;
+
+ private:
+  struct Machine;
+  std::unique_ptr<Machine> machine_;
+};
+
+}  // namespace tp100::sim
