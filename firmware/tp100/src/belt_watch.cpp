@@ -17,7 +17,6 @@ BeltWatch::BeltWatch() : sign_(0), start_counts_(0), standing_ms_(0), best_count
 
 BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_ms,
                                      const wire::Parameters& p) {
-  if (p.stall_duty == 0) return kGood;
   const float size = magnitude(static_cast<float>(duty));
   const int8_t sign = duty > 0 ? 1 : duty < 0 ? -1 : 0;
   if (sign == 0 || size < p.dead_band * static_cast<float>(wire::kFullDuty)) {
@@ -38,7 +37,8 @@ BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_m
 
   const float moved_m =
       magnitude(static_cast<float>(distance(counts, start_counts_))) / p.counts_per_metre;
-  if (moved_m > kStandingM || size < static_cast<float>(p.stall_duty)) {
+  const bool pushes = p.stall_duty > 0 && size >= static_cast<float>(p.stall_duty);
+  if (moved_m > kStandingM || !pushes) {
     start_counts_ = counts;
     standing_ms_ = 0;
     return kGood;

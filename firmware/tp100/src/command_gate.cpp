@@ -6,8 +6,7 @@ namespace tp100 {
 namespace firmware {
 namespace {
 
-// The longest life, and room for the error of a host's clock estimate.
-const int32_t kFurthestExpiryUs = 250000;
+const int32_t kFurthestExpiryUs = wire::kMaxCommandLifeMs * 1000L;
 
 bool in_range(const wire::Command& c) {
   return within(c.x_m, -1e4f, 1e4f) && within(c.y_m, -1e4f, 1e4f) &&

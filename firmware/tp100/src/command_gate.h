@@ -13,7 +13,7 @@ enum class Verdict : uint8_t {
   kRepeated,    ///< sequence not newer than the last accepted one
   kOutOfRange,  ///< or not finite
   kExpired,
-  kTooFarAhead,    ///< expiry lies further ahead than any honest host needs
+  kTooFarAhead,    ///< expiry lies further ahead than kMaxCommandLifeMs
   kUnknownSample,  ///< answers a sample that was not sent, or one outside yaw_window_ms
 };
 
@@ -28,6 +28,8 @@ class CommandGate {
   /// True while the current command may be used.
   bool fresh(uint32_t now_us);
   const wire::Command& current() const { return current_; }
+  /// How long the current command may be used, from its receipt on. [us]
+  uint32_t life_us() const { return life_us_; }
   /// What the robot had turned at the answered sample.
   const TurnMark& answered() const { return answered_; }
   uint16_t last_sequence() const { return current_.sequence; }

@@ -7,7 +7,7 @@ namespace firmware {
 namespace {
 
 // One tick early, so that the motors are off when the time is over and not a tick later.
-const int32_t kSilenceLimitUs = (wire::kMaxCommandLifeMs - 1) * 1000L;
+const int32_t kTickUs = 1000;
 
 uint16_t bit(wire::Fault fault) { return static_cast<uint16_t>(wire::fault_bit(fault)); }
 
@@ -18,21 +18,35 @@ FailSafe::FailSafe(Hal& hal)
       ticks_(0),
       silent_ticks_(0),
       enabled_(false),
+      watching_(false),
+      starved_(false),
+      fresh_(false),
+      grace_ms_(0),
       fresh_us_(0),
+      life_us_(0),
       tripped_(0),
       was_enabled_(false),
       tripped_us_(0) {}
 
 void FailSafe::tick() {
   ticks_ = static_cast<uint8_t>(ticks_ + 1);
+  const uint32_t now_us = hal_.micros();
   const uint8_t silent = static_cast<uint8_t>(silent_ticks_ + 1);
   if (silent <= kLoopLimitMs) silent_ticks_ = silent;
-  if (silent == kLoopLimitMs) trip(wire::Fault::loop_hung, hal_.micros());
-  if (enabled_) {
-    const uint32_t now_us = hal_.micros();
-    if (distance(now_us, fresh_us_) >= kSilenceLimitUs) trip(wire::Fault::command_timeout, now_us);
-  }
+  if (silent == kLoopLimitMs) trip(wire::Fault::loop_hung, now_us);
+  check_commands(now_us);
   if (!enabled_) hal_.motors(0, 0);
+}
+
+void FailSafe::check_commands(uint32_t now_us) {
+  if (fresh_ && distance(now_us, fresh_us_) + kTickUs >= static_cast<int32_t>(life_us_)) {
+    fresh_ = false;
+  }
+  if (grace_ms_ > 0) grace_ms_ = static_cast<uint16_t>(grace_ms_ - 1);
+  const bool expected = enabled_ || (watching_ && grace_ms_ == 0);
+  if (fresh_ || starved_ || !expected) return;
+  starved_ = true;
+  trip(wire::Fault::command_timeout, now_us);
 }
 
 void FailSafe::trip(wire::Fault fault, uint32_t now_us) {
@@ -44,14 +58,34 @@ void FailSafe::trip(wire::Fault fault, uint32_t now_us) {
 
 void FailSafe::beat() { silent_ticks_ = 0; }
 
-void FailSafe::fresh(uint32_t now_us) {
+void FailSafe::watch(uint32_t now_us) {
   const CriticalSection section(hal_);
+  watching_ = true;
+  starved_ = false;
+  fresh_ = false;
   fresh_us_ = now_us;
+  grace_ms_ = kSessionGraceMs;
 }
 
-void FailSafe::enable() {
+void FailSafe::unwatch() {
   const CriticalSection section(hal_);
-  if (tripped_ == 0) enabled_ = true;
+  watching_ = false;
+  fresh_ = false;
+}
+
+void FailSafe::fresh(uint32_t now_us, uint32_t life_us) {
+  const CriticalSection section(hal_);
+  fresh_ = true;
+  starved_ = false;
+  fresh_us_ = now_us;
+  life_us_ = life_us;
+}
+
+bool FailSafe::enable() {
+  const CriticalSection section(hal_);
+  if (tripped_ != 0 || !fresh_) return false;
+  enabled_ = true;
+  return true;
 }
 
 void FailSafe::disable() {

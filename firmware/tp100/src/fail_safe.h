@@ -11,6 +11,8 @@ namespace firmware {
 
 /// Main loop silent for this long: motors off. [ms]
 const uint8_t kLoopLimitMs = 100;
+/// A disarmed host may take this long until its first command. [ms]
+const uint16_t kSessionGraceMs = 500 + wire::kMaxCommandLifeMs;
 
 /// What tripped the fail-safe.
 struct Trip {
@@ -29,10 +31,15 @@ class FailSafe {
 
   /// The rest is for the main loop.
   void beat();
-  /// A valid command was accepted at `now_us`.
-  void fresh(uint32_t now_us);
-  /// Lets drive() through from now on, until a trip or disable().
-  void enable();
+  /// A session begins: commands are expected from kSessionGraceMs on, whether armed or not.
+  void watch(uint32_t now_us);
+  /// No session: nobody is expected to send commands.
+  void unwatch();
+  /// A valid command was accepted at `now_us` and may be used for `life_us`.
+  void fresh(uint32_t now_us, uint32_t life_us);
+  /// Lets drive() through from now on, until a trip or disable(). False: tripped, or no command is
+  /// fresh.
+  bool enable();
   /// Motors off at once.
   void disable();
   bool enabled() const { return enabled_; }
@@ -44,13 +51,19 @@ class FailSafe {
   uint8_t ticks() const { return ticks_; }
 
  private:
+  void check_commands(uint32_t now_us);
   void trip(wire::Fault fault, uint32_t now_us);
 
   Hal& hal_;
   volatile uint8_t ticks_;
   volatile uint8_t silent_ticks_;
   volatile bool enabled_;
+  volatile bool watching_;
+  volatile bool starved_;  // tripped, and no command since
+  volatile bool fresh_;
+  volatile uint16_t grace_ms_;
   volatile uint32_t fresh_us_;
+  volatile uint32_t life_us_;
   volatile uint16_t tripped_;
   volatile bool was_enabled_;
   volatile uint32_t tripped_us_;

@@ -16,8 +16,8 @@ using wire::State;
 using wire::Type;
 
 const uint8_t kSampleTicks = wire::kSamplePeriodUs / 1000;
-// More than a command and an arm frame; a host that floods the wire must not hold up the loop.
-const uint8_t kReceiveBudget = 64;
+// A host that floods the wire must not hold up the loop.
+const uint8_t kReceiveBudget = 32;
 const int32_t kArmFurthestUs = 500000;
 const uint16_t kArmExpiryField = 2;
 const float kLongestStepS = 0.05f;
@@ -139,12 +139,10 @@ void Firmware::dispatch() {
 
 void Firmware::on_hello_request() {
   const uint32_t now_us = link_.received_us();
+  // Whatever its size: a host of another version still gets the hello, so that it can print both.
   disarm("hello request", now_us);
-  // A host of another version has another layout; it still gets the hello, so that it can say both.
-  wire::HelloRequest request = {};
-  const bool same = link_.read(request) && request.protocol == wire::kProtocolVersion &&
-                    request.schema == wire::kSchemaHash;
-  state_ = same ? State::kParameters : State::kHello;
+  fail_safe_.unwatch();
+  state_ = State::kParameters;
   host_spoke_us_ = now_us;
   send_hello(now_us);
 }
@@ -174,6 +172,7 @@ void Firmware::open_session() {
   left_.loop.restart();
   right_.loop.restart();
   state_ = faults_ != 0 ? State::kFaulted : State::kDisarmed;
+  fail_safe_.watch(hal_.micros());
 }
 
 void Firmware::on_command(const wire::Command& command) {
@@ -181,7 +180,7 @@ void Firmware::on_command(const wire::Command& command) {
   if (!in_session()) return;
   const uint32_t now_us = hal_.micros();
   last_verdict_ = gate_.judge(command, now_us, history_, parameters_);
-  if (last_verdict_ == Verdict::kAccepted) fail_safe_.fresh(now_us);
+  if (last_verdict_ == Verdict::kAccepted) fail_safe_.fresh(now_us, gate_.life_us());
 }
 
 void Firmware::on_arm(const wire::Arm& arm) {
@@ -206,21 +205,24 @@ wire::Result Firmware::try_to_arm(const wire::Arm& arm, uint16_t& detail) {
   // A trip that the timer has just latched must not be cleared unseen.
   check_trip();
   detail = persisting_causes();
+  if (detail == 0 && !may_drive() && !enable()) detail = bit(Fault::command_timeout);
   any_token_ = true;
   last_token_ = arm.token;
   last_detail_ = detail;
   last_result_ = detail != 0 ? Result::kFaultPersists : Result::kAccepted;
-  if (detail == 0 && !may_drive()) {
-    faults_ = 0;
-    target_ = BeltSpeeds();
-    left_.loop.reset();
-    right_.loop.reset();
-    left_.watch.reset();
-    right_.watch.reset();
-    state_ = State::kArmed;
-    fail_safe_.enable();
-  }
   return last_result_;
+}
+
+bool Firmware::enable() {
+  target_ = BeltSpeeds();
+  left_.loop.reset();
+  right_.loop.reset();
+  left_.watch.reset();
+  right_.watch.reset();
+  if (!fail_safe_.enable()) return false;
+  faults_ = 0;
+  state_ = State::kArmed;
+  return true;
 }
 
 uint16_t Firmware::persisting_causes() {
@@ -289,6 +291,7 @@ void Firmware::check_host(uint32_t now_us) {
   }
   if (distance(now_us, host_spoke_us_) < wire::kHostSilenceMs * 1000L) return;
   disarm("host silent", now_us);
+  fail_safe_.unwatch();
   state_ = State::kHello;
   send_hello(now_us);
 }
@@ -381,8 +384,9 @@ BeltSpeeds Firmware::wanted(uint32_t now_us) {
                      command.desired_yaw_rad == command.yaw_rad;
   if (stand || !gate_.fresh(now_us)) return BeltSpeeds();
   state_ = State::kRunning;
-  const float turned_rad = turned(gate_.answered(), history_.newest(), uses_gyro(parameters_),
-                                  command.gyro_bias_radps, parameters_);
+  const bool use_gyro = uses_gyro(parameters_) && imu_.fresh();
+  const float turned_rad =
+      turned(gate_.answered(), history_.newest(), use_gyro, command.gyro_bias_radps, parameters_);
   const float error_rad = command.desired_yaw_rad - command.yaw_rad - turned_rad;
   const float rate_radps = turn_rate(error_rad, command.yaw_rate_radps, parameters_);
   return belt_speeds(command.speed_mps, rate_radps, parameters_);

@@ -51,6 +51,7 @@ class Firmware {
 
   wire::Result try_to_arm(const wire::Arm& arm, uint16_t& detail);
   uint16_t persisting_causes();
+  bool enable();
   void open_session();
   void disarm(const char* reason, uint32_t at_us);
   void latch(wire::Fault fault, int32_t detail, uint32_t at_us);

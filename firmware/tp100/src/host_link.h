@@ -94,11 +94,12 @@ class HostLink {
   uint32_t received_us_;
   LinkCounts counts_;
   Queue<wire::SyncReply, 1> sync_;
-  Queue<wire::Acknowledge, 4> acknowledges_;
+  Queue<wire::Acknowledge, 6> acknowledges_;
   Queue<wire::Sample, 1> sample_;
-  Queue<wire::FaultReport, 4> reports_;
+  // One for each fault of the robot: a report is never lost.
+  Queue<wire::FaultReport, 13> reports_;
   Queue<wire::Hello, 1> hello_;
-  Queue<wire::Log, 2> logs_;
+  Queue<wire::Log, 4> logs_;
 };
 
 }  // namespace firmware

@@ -20,7 +20,7 @@ struct Setting {
 };
 const Setting kSettings[] = {
     {kPowerManagement1, 0x01},   // awake, clock from the x gyro
-    {kSampleRateDivider, 0x01},  // 1 kHz / 2
+    {kSampleRateDivider, 0x00},  // 1 kHz
     {kConfig, 0x02},             // low pass 94 Hz (accelerometer), 98 Hz (gyro)
     {kGyroConfig, 0x10},         // +-1000 deg/s
     {kAccelConfig, 0x08},        // +-4 g

@@ -21,7 +21,7 @@ class Imu {
   static const uint8_t kNever = 255;
 
   explicit Imu(Hal& hal);
-  /// Identifies and configures the sensor: gyro +-1000 deg/s, accelerometer +-4 g, 500 Hz, low pass
+  /// Identifies and configures the sensor: gyro +-1000 deg/s, accelerometer +-4 g, 1 kHz, low pass
   /// of 94 Hz. About 1 ms.
   bool start();
   /// Reads all values, once a sample.
@@ -30,17 +30,17 @@ class Imu {
   const ImuValues& values() const { return values_; }
   /// Samples since the values were new; 0 fresh, kNever before the first.
   uint8_t age() const { return age_; }
-  /// No answer, or another device answers.
-  bool missing() const { return !started_ && age_ >= kStaleSamples; }
-  /// Answers, but its values did not change for 100 ms: a sensor that lives has noise in its last
-  /// digits.
-  bool stale() const { return started_ && age_ >= kStaleSamples; }
+  /// Never answered, or another device answers.
+  bool missing() const { return age_ == kNever && !started_ && failures_ > 0; }
+  /// No new values for ten samples: it stopped answering, or they do not change any more. A sensor
+  /// that lives has noise in its last digits.
+  bool stale() const { return age_ != kNever && age_ >= kStaleSamples; }
   /// Good enough to integrate.
   bool fresh() const { return age_ < kStaleSamples; }
   uint16_t errors() const { return errors_; }
 
  private:
-  static const uint8_t kStaleSamples = 20;  // 100 ms
+  static const uint8_t kStaleSamples = 10;
   static const uint8_t kRetrySamples = 20;
   static const uint8_t kFailuresBeforeRestart = 3;
 

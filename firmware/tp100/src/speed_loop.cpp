@@ -8,6 +8,9 @@ namespace {
 
 // Below this a belt is meant to stand: one count in 180 ms.
 const float kStandstillMps = 0.0005f;
+const float kStandingS = 0.1f;
+// A belt that was held up does not make up for more than this.
+const float kLongestLagM = 0.02f;
 // The dead band is stepped over linearly below this speed, or noise around zero would rattle the
 // gears.
 const float kDeadBandRampMps = 0.005f;
@@ -22,7 +25,8 @@ SpeedLoop::SpeedLoop()
       last_counts_(0),
       moved_m_(0.0f),
       speed_mps_(0.0f),
-      lag_m_(0.0f) {}
+      lag_m_(0.0f),
+      standing_s_(0.0f) {}
 
 void SpeedLoop::measure(int32_t counts, float dt_s, const wire::Parameters& p) {
   if (measured_ == 0) {
@@ -48,11 +52,17 @@ void SpeedLoop::measure(int32_t counts, float dt_s, const wire::Parameters& p) {
 
 float SpeedLoop::update(float target_mps, float dt_s, const wire::Parameters& p) {
   if (magnitude(target_mps) < kStandstillMps) {
-    reset();
+    target_mps = 0.0f;
+    if (standing_s_ < kStandingS) standing_s_ += dt_s;
+  } else {
+    standing_s_ = 0.0f;
+  }
+  if (standing_s_ >= kStandingS && speed_mps_ == 0.0f) {
+    lag_m_ = 0.0f;
     return 0.0f;
   }
   const float lag_before = lag_m_;
-  lag_m_ += target_mps * dt_s - moved_m_;
+  lag_m_ = clamp(lag_m_ + target_mps * dt_s - moved_m_, kLongestLagM);
   const float edge = clamp(target_mps / kDeadBandRampMps, 1.0f);
   const float rest =
       p.feed_forward * target_mps + p.dead_band * edge + p.speed_kp * (target_mps - speed_mps_);

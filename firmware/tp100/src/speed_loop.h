@@ -15,20 +15,22 @@ class SpeedLoop {
   SpeedLoop();
   /// Belt position, once a sample and in every state. [counts]
   void measure(int32_t counts, float dt_s, const wire::Parameters& parameters);
-  /// Duty for the target; 0 with a cleared integrator if the belt is meant to stand. Call after
-  /// measure().
-  /// [-1, 1]
+  /// Duty for the target; 0 with a cleared integrator once the belt was meant to stand for 100 ms
+  /// and does. Call after measure(). [-1, 1]
   float update(float target_mps, float dt_s, const wire::Parameters& parameters);
   /// Clears the integrator.
-  void reset() { lag_m_ = 0.0f; }
+  void reset() {
+    lag_m_ = 0.0f;
+    standing_s_ = 0.0f;
+  }
   /// Forgets where the belt was (new parameters).
   void restart() { measured_ = 0; }
-  /// Belt speed, mean of the last four samples. [m/s]
+  /// Belt speed, mean of the last eight samples. [m/s]
   float speed_mps() const { return speed_mps_; }
   float lag_m() const { return lag_m_; }
 
  private:
-  static const uint8_t kWindow = 4;
+  static const uint8_t kWindow = 8;
   int32_t counts_[kWindow];
   float dt_s_[kWindow];
   uint8_t next_;
@@ -37,6 +39,7 @@ class SpeedLoop {
   float moved_m_;
   float speed_mps_;
   float lag_m_;
+  float standing_s_;
 };
 
 }  // namespace firmware
