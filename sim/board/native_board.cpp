@@ -73,11 +73,11 @@ class ReceiveBuffer {
 
 // One encoder as the interrupt sees it: levels survive a reset of the board, the count does not.
 struct EncoderPins {
-  std::uint8_t levels = 0;  // bit 1 is A, bit 0 is B
+  std::uint8_t levels = 0;  // bit 0 is A, bit 1 is B
   std::uint32_t count = 0;
 
   void edge(bool is_a, bool level) {
-    const std::uint8_t mask = is_a ? 2 : 1;
+    const std::uint8_t mask = is_a ? 1 : 2;
     const auto after = static_cast<std::uint8_t>(level ? levels | mask : levels & ~mask);
     count += static_cast<std::uint32_t>(firmware::quadrature_step(levels, after));
     levels = after;

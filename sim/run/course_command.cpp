@@ -1,0 +1,71 @@
+#include "sim/run/course_command.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "analysis/atomic_file.h"
+#include "analysis/metrics.h"
+#include "analysis/result_json.h"
+#include "analysis/result_table.h"
+#include "core/error.h"
+#include "sim/run/lockstep.h"
+
+namespace tp100::sim {
+namespace {
+
+std::string poses_csv(const analysis::RunResult& result) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "t_s,truth_x_m,truth_y_m,truth_yaw_rad,model_x_m,model_y_m,model_yaw_rad,"
+         "odometry_x_m,odometry_y_m,odometry_yaw_rad\n";
+  for (const analysis::TrackPoint& point : result.points) {
+    out << point.t_s;
+    for (const Pose* pose : {&point.truth, &point.model, &point.odometry}) {
+      out << ',' << pose->x_m << ',' << pose->y_m << ',' << pose->yaw_rad;
+    }
+    out << '\n';
+  }
+  return out.str();
+}
+
+void write_results(const std::string& folder, const analysis::RunResult& result,
+                   const std::string& json) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw SetupError(folder + ": cannot create the folder: " + error.message());
+  const std::string stem =
+      folder + "/" + result.course + "-" + result.robot + "-" + std::to_string(result.seed);
+  analysis::write_file(stem + ".json", json + "\n");
+  analysis::write_file(stem + ".csv", poses_csv(result));
+}
+
+}  // namespace
+
+int run_course(const CourseCommand& command) {
+  const Loaded loaded = load(command.options);
+  const course::Course course = load_course(command.course);
+  bool all_completed = true;
+  for (int i = 0; i < command.runs; ++i) {
+    const analysis::RunResult result =
+        run_lockstep({.course = course,
+                      .robot = loaded.robot,
+                      .configuration = loaded.configuration,
+                      .setup = loaded.setup,
+                      .board = loaded.board,
+                      .seed = command.options.seed + static_cast<std::uint64_t>(i)});
+    const analysis::RunFigures figures = analysis::figures(result, course);
+    const std::string json = analysis::result_json(result, figures);
+    if (command.json) {
+      std::printf("%s\n", json.c_str());
+    } else {
+      std::printf("%s\n", analysis::result_table(result, figures).c_str());
+    }
+    std::fflush(stdout);
+    if (!command.out.empty()) write_results(command.out, result, json);
+    all_completed = all_completed && result.completed;
+  }
+  return all_completed ? 0 : 1;
+}
+
+}  // namespace tp100::sim

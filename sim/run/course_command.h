@@ -1,0 +1,22 @@
+#pragma once
+// tp100-sim course: a course in lockstep, in virtual time.
+
+#include <string>
+
+#include "sim/run/options.h"
+
+namespace tp100::sim {
+
+struct CourseCommand {
+  Options options{};
+  std::string course;
+  int runs = 1;
+  std::string out;  ///< folder for results; empty: none
+  bool json = false;
+};
+
+/// Runs, prints tables or JSON lines. Returns 0 if every run was completed, else 1. Throws
+/// SetupError.
+int run_course(const CourseCommand& command);
+
+}  // namespace tp100::sim

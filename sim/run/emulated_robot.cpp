@@ -1,0 +1,89 @@
+#include "sim/run/emulated_robot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/board/native_board.h"
+
+namespace tp100::sim {
+namespace {
+
+// Independent streams from one seed (SplitMix64's finaliser).
+std::uint64_t stream(std::uint64_t seed, std::uint64_t number) {
+  std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + number * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+  return z ^ (z >> 31);
+}
+
+// Errors that belong to the robot and not to a run.
+constexpr std::uint64_t kLeftEncoder = 11;
+constexpr std::uint64_t kRightEncoder = 12;
+
+std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlave& imu) {
+  switch (settings.board) {
+    case BoardKind::kNative:
+      break;
+  }
+  const std::uint64_t phase = stream(settings.seed, 2);
+  return std::make_unique<NativeBoard>(
+      NativeBoardSettings{
+          .seed = stream(settings.seed, 1),
+          .clock_ppm = settings.values.clock_ppm,
+          .boot_delay_ns = 4'000'000 + static_cast<std::int64_t>(phase % 5'000'000)},
+      &imu);
+}
+
+}  // namespace
+
+EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
+    : body_(settings.values.body, settings.start, settings.on_stand),
+      left_motor_(settings.values.motor, settings.values.motor.left_gain),
+      right_motor_(settings.values.motor, settings.values.motor.right_gain),
+      left_encoder_(settings.values.encoder, 0, kLeftEncoder),
+      right_encoder_(settings.values.encoder, 2, kRightEncoder),
+      imu_(settings.values.imu, stream(settings.seed, 3)),
+      battery_(settings.values.battery),
+      board_(make_board(settings, imu_)),
+      to_board_(settings.baud) {}
+
+EmulatedRobot::~EmulatedRobot() = default;
+
+void EmulatedRobot::reset(PowerUp cause) {
+  if (cause == PowerUp::kPowerOn) imu_.power_on();
+  board_->reset(cause, now_ns_);
+}
+
+void EmulatedRobot::receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns) {
+  to_board_.send(bytes, now_ns);
+}
+
+void EmulatedRobot::shove(double sideways_m, double yaw_rad, double duration_s) {
+  body_.shove(sideways_m, yaw_rad, duration_s);
+}
+
+std::vector<TimedByte> EmulatedRobot::advance() {
+  constexpr double kStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
+  const std::int64_t until_ns = now_ns_ + kPhysicsStepNs;
+  const Drive drive = board_->drive();
+  const double volts = battery_.volts();
+  left_motor_.step(drive.left, volts, body_.state().left_load_n);
+  right_motor_.step(drive.right, volts, body_.state().right_load_n);
+  battery_.step(std::abs(left_motor_.force_n()) + std::abs(right_motor_.force_n()));
+  body_.step(left_motor_.belt_mps(), right_motor_.belt_mps());
+  imu_.measure(body_.state(), now_ns_);
+
+  edges_.clear();
+  left_encoder_.move(left_motor_.belt_mps() * kStepS, now_ns_, until_ns, edges_);
+  const auto left_edges = static_cast<std::ptrdiff_t>(edges_.size());
+  right_encoder_.move(right_motor_.belt_mps() * kStepS, now_ns_, until_ns, edges_);
+  std::inplace_merge(edges_.begin(), edges_.begin() + left_edges, edges_.end(),
+                     [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+
+  board_->set_battery(volts);
+  board_->advance(until_ns, edges_, to_board_.take(until_ns));
+  now_ns_ = until_ns;
+  return board_->take_sent();
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,66 @@
+#pragma once
+// The whole emulated TP100 in virtual time: body, motors, encoders, IMU, battery and board.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "course/robot.h"
+#include "sim/board/board.h"
+#include "sim/body/body.h"
+#include "sim/sensors/battery.h"
+#include "sim/sensors/motor.h"
+#include "sim/sensors/mpu6050.h"
+#include "sim/sensors/quadrature_encoder.h"
+#include "sim/wire/uart_line.h"
+
+namespace tp100::sim {
+
+/// What runs the firmware.
+enum class BoardKind { kNative };
+
+/// One emulated robot. A seed is the noise of one robot; another robot is another `values`.
+struct EmulatedRobotSettings {
+  course::Emulated values{};
+  Pose start{};
+  bool on_stand = false;  ///< belts spin free
+  std::uint64_t seed = 1;
+  BoardKind board = BoardKind::kNative;
+  std::uint32_t baud = 500000;
+};
+
+/// The same settings and the same bytes at the same times give the same bytes back.
+class EmulatedRobot {
+ public:
+  explicit EmulatedRobot(const EmulatedRobotSettings& settings);
+  ~EmulatedRobot();
+
+  /// Restarts the board now.
+  void reset(PowerUp cause);
+  /// Bytes that the host's UART takes at `now_ns`; they arrive at byte times.
+  void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
+  /// Advances one physics step and returns the bytes that the robot sent in it.
+  std::vector<TimedByte> advance();
+  /// Someone pushes the robot.
+  void shove(double sideways_m, double yaw_rad, double duration_s);
+  bool shoving() const { return body_.shoving(); }
+
+  std::int64_t now_ns() const { return now_ns_; }
+  const BodyState& truth() const { return body_.state(); }
+  Drive drive() const { return board_->drive(); }
+  double battery_v() const { return battery_.volts(); }
+
+ private:
+  Body body_;
+  Motor left_motor_, right_motor_;
+  QuadratureEncoder left_encoder_, right_encoder_;
+  Mpu6050 imu_;
+  Battery battery_;
+  std::unique_ptr<Board> board_;
+  UartLine to_board_;
+  std::vector<Edge> edges_;
+  std::int64_t now_ns_ = 0;
+};
+
+}  // namespace tp100::sim

@@ -1,0 +1,237 @@
+#include "sim/run/lockstep.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cycle.h"
+#include "core/faults.h"
+
+namespace tp100::sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kEndToleranceM = 0.15;
+// The robot stands still this long before the host opens the port.
+constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
+// Handshake, clock sync and gyro bias take well below this; a robot that never begins is a failure.
+constexpr double kBeginWithinS = 10.0;
+constexpr double kRestS = 0.5;
+
+/// Truth of the last steps, to pair an estimate with the instant that it belongs to.
+class TruthHistory {
+ public:
+  void add(std::int64_t at_ns, const Pose& pose) { at(at_ns) = pose; }
+  /// Between two physics steps the pose is interpolated; `at_ns` is at most a quarter second old.
+  Pose find(std::int64_t at_ns) const {
+    const std::int64_t before = at_ns / kPhysicsStepNs * kPhysicsStepNs;
+    const double share = static_cast<double>(at_ns - before) / static_cast<double>(kPhysicsStepNs);
+    const Pose& a = history_[index(before)];
+    const Pose& b = history_[index(before + kPhysicsStepNs)];
+    return {.x_m = std::lerp(a.x_m, b.x_m, share),
+            .y_m = std::lerp(a.y_m, b.y_m, share),
+            .z_m = std::lerp(a.z_m, b.z_m, share),
+            .roll_rad = std::lerp(a.roll_rad, b.roll_rad, share),
+            .pitch_rad = std::lerp(a.pitch_rad, b.pitch_rad, share),
+            .yaw_rad = std::lerp(a.yaw_rad, b.yaw_rad, share)};
+  }
+
+ private:
+  static std::size_t index(std::int64_t at_ns) {
+    return static_cast<std::size_t>(at_ns / kPhysicsStepNs) % kSize;
+  }
+  Pose& at(std::int64_t at_ns) { return history_[index(at_ns)]; }
+
+  static constexpr std::size_t kSize = 256;
+  std::array<Pose, kSize> history_{};
+};
+
+const char* to_string(bridge::Setup setup) {
+  switch (setup) {
+    case bridge::Setup::kBench:
+      return "bench";
+    case bridge::Setup::kFlat:
+      return "flat";
+    case bridge::Setup::kTerrain:
+      return "terrain";
+  }
+  return "unknown";
+}
+
+class Lockstep {
+ public:
+  explicit Lockstep(const LockstepSettings& settings);
+  analysis::RunResult run();
+
+ private:
+  void advance_robot();
+  void step_host();
+  void push();
+  void record(const Snapshot& snapshot);
+  bool bench() const { return settings_.setup == bridge::Setup::kBench; }
+
+  LockstepSettings settings_;
+  bridge::Parameters parameters_;
+  course::Path path_;
+  app::Cycle cycle_;
+  EmulatedRobot robot_;
+  TruthHistory truth_;
+  std::vector<std::uint8_t> arriving_;
+  analysis::RunResult result_{};
+  std::int64_t period_ns_;
+  std::int64_t begin_ns_ = -1;
+  std::int64_t last_recorded_us_ = -1;
+  std::size_t next_shove_ = 0;
+  bool shoving_ = false;
+  std::uint64_t steps_ = 0;
+  std::chrono::nanoseconds step_time_{0};
+  std::chrono::nanoseconds longest_step_{0};
+};
+
+bridge::Parameters parameters_of(const LockstepSettings& settings) {
+  bridge::Parameters parameters = app::bridge_parameters(settings.configuration, settings.robot);
+  parameters.setup = settings.setup;
+  return parameters;
+}
+
+Lockstep::Lockstep(const LockstepSettings& settings)
+    : settings_(settings),
+      parameters_(parameters_of(settings)),
+      path_(settings.course),
+      cycle_(app::session_settings(parameters_), parameters_,
+             std::make_shared<const course::Course>(settings.course)),
+      robot_({.values = settings.robot.emulated,
+              .start = settings.course.start,
+              .on_stand = settings.setup == bridge::Setup::kBench,
+              .seed = settings.seed,
+              .board = settings.board}),
+      period_ns_(static_cast<std::int64_t>(std::lround(1e3 / settings.configuration.loop.rate_hz)) *
+                 kNsPerMs) {
+  if (period_ns_ < kPhysicsStepNs) period_ns_ = kPhysicsStepNs;
+  result_.course = settings.course.name;
+  result_.board = "native";
+  result_.robot = settings.robot.name;
+  result_.setup = to_string(settings.setup);
+  result_.seed = settings.seed;
+}
+
+void Lockstep::advance_robot() {
+  for (const TimedByte& byte : robot_.advance()) {
+    arriving_.push_back(byte.value);
+    // The live loop wakes up for bytes; a frame's end is what its time stamp belongs to.
+    if (byte.value == wire::kDelimiter) {
+      cycle_.receive(arriving_, byte.at_ns);
+      arriving_.clear();
+    }
+  }
+  truth_.add(robot_.now_ns(), robot_.truth().pose);
+}
+
+void Lockstep::push() {
+  if (next_shove_ < settings_.course.shoves.size() && !shoving_) {
+    const course::Shove& shove = settings_.course.shoves[next_shove_];
+    if (cycle_.outputs().snapshot.progress_m >= shove.at_m) {
+      robot_.shove(shove.sideways_m, shove.yaw_rad, shove.duration_s);
+      shoving_ = true;
+      ++next_shove_;
+      const double now_s = to_s(robot_.now_ns() - begin_ns_);
+      result_.shoves.push_back({now_s, now_s + shove.duration_s});
+    }
+  }
+  if (shoving_ && !robot_.shoving()) shoving_ = false;
+}
+
+void Lockstep::record(const Snapshot& snapshot) {
+  if (!snapshot.has_sample || snapshot.sample.device_us == last_recorded_us_) return;
+  const std::int64_t measured_ns = snapshot.sample.measured_ns;
+  if (measured_ns < begin_ns_ || measured_ns > robot_.now_ns()) return;
+  last_recorded_us_ = snapshot.sample.device_us;
+  const Pose steering =
+      parameters_.steering == bridge::Steering::kModel ? snapshot.model : snapshot.odometry;
+  result_.points.push_back({.t_s = to_s(measured_ns - begin_ns_),
+                            .truth = bench() ? steering : truth_.find(measured_ns),
+                            .model = snapshot.model,
+                            .odometry = snapshot.odometry,
+                            .progress_m = snapshot.progress_m});
+}
+
+void Lockstep::step_host() {
+  const std::int64_t now = robot_.now_ns();
+  if (!arriving_.empty()) {
+    cycle_.receive(arriving_, now);
+    arriving_.clear();
+  }
+  const Clock::time_point before = Clock::now();
+  const bridge::Outputs& out = cycle_.step(now);
+  const std::chrono::nanoseconds took = Clock::now() - before;
+  step_time_ += took;
+  longest_step_ = std::max(longest_step_, took);
+  ++steps_;
+  cycle_.take_events();
+  robot_.receive(cycle_.output(), now);
+  cycle_.written(cycle_.output().size());
+  if (out.snapshot.run_state == RunState::kRunning) {
+    if (begin_ns_ < 0) begin_ns_ = now;
+    push();
+    record(out.snapshot);
+  }
+}
+
+analysis::RunResult Lockstep::run() {
+  const Clock::time_point wall_begin = Clock::now();
+  robot_.reset(PowerUp::kPowerOn);
+  while (robot_.now_ns() < kOpenNs) robot_.advance();
+  cycle_.open(robot_.now_ns());
+  cycle_.request(OperatorRequest::kStart);
+
+  std::int64_t next_step_ns = robot_.now_ns();
+  std::int64_t end_ns = 0;
+  RunState state = RunState::kIdle;
+  while (end_ns == 0 || robot_.now_ns() < end_ns) {
+    advance_robot();
+    if (robot_.now_ns() < next_step_ns) continue;
+    next_step_ns += period_ns_;
+    step_host();
+    state = cycle_.outputs().snapshot.run_state;
+    const bool over = state == RunState::kFinished || state == RunState::kAborted;
+    const bool never_begins = begin_ns_ < 0 && to_s(robot_.now_ns()) > kBeginWithinS;
+    if (end_ns == 0 && (over || never_begins)) end_ns = robot_.now_ns() + from_s(kRestS);
+  }
+
+  result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kRestS) - begin_ns_);
+  const course::PathPoint goal = path_.at(path_.pieces().size() - 1, path_.length_m());
+  const Pose end = result_.points.empty() ? settings_.course.start
+                   : bench()              ? result_.points.back().truth
+                                          : robot_.truth().pose;
+  const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
+  result_.completed = state == RunState::kFinished && miss_m <= kEndToleranceM;
+  if (!result_.completed) {
+    const std::optional<Fault> fault = first_fault(cycle_.outputs().snapshot.faults);
+    result_.cause = begin_ns_ < 0                  ? "never began"
+                    : state == RunState::kFinished ? "ended too far from the end of the path"
+                    : fault                        ? std::string(describe(*fault).name)
+                                                   : "unknown";
+  }
+  result_.link = cycle_.session().counters();
+  const std::chrono::duration<double> wall = Clock::now() - wall_begin;
+  result_.realtime_factor = to_s(robot_.now_ns()) / wall.count();
+  result_.loop = {{"steps", static_cast<double>(steps_)},
+                  {"mean_step_us", static_cast<double>(step_time_.count()) * 1e-3 /
+                                       static_cast<double>(std::max<std::uint64_t>(steps_, 1))},
+                  {"max_step_us", static_cast<double>(longest_step_.count()) * 1e-3}};
+  return result_;
+}
+
+}  // namespace
+
+analysis::RunResult run_lockstep(const LockstepSettings& settings) {
+  return Lockstep(settings).run();
+}
+
+}  // namespace tp100::sim

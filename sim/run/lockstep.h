@@ -1,0 +1,29 @@
+#pragma once
+// One course in virtual time: the daemon's cycle and the emulated robot in one process, exchanging
+// the same bytes as over a cable.
+
+#include <cstdint>
+#include <string>
+
+#include "analysis/run_result.h"
+#include "app/configuration.h"
+#include "course/course.h"
+#include "course/robot.h"
+#include "sim/run/emulated_robot.h"
+
+namespace tp100::sim {
+
+struct LockstepSettings {
+  course::Course course{};
+  course::Robot robot{};
+  app::Configuration configuration{};
+  bridge::Setup setup = bridge::Setup::kFlat;
+  BoardKind board = BoardKind::kNative;
+  std::uint64_t seed = 1;
+};
+
+/// Drives the course once. Deterministic but for `realtime_factor` and `loop`. Throws SetupError if
+/// course and robot do not fit together.
+analysis::RunResult run_lockstep(const LockstepSettings& settings);
+
+}  // namespace tp100::sim

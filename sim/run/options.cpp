@@ -1,0 +1,43 @@
+#include "sim/run/options.h"
+
+#include "app/bundled_files.h"
+#include "core/error.h"
+
+namespace tp100::sim {
+namespace {
+
+BoardKind board_kind(const std::string& name) {
+  if (name == "native") return BoardKind::kNative;
+  throw SetupError("--board " + name + ": not a board of this build; use native");
+}
+
+bridge::Setup setup_kind(const std::string& name) {
+  if (name == "bench") return bridge::Setup::kBench;
+  if (name == "flat") return bridge::Setup::kFlat;
+  if (name == "terrain") return bridge::Setup::kTerrain;
+  throw SetupError("--setup " + name + ": not a set-up; use bench, flat or terrain");
+}
+
+}  // namespace
+
+Loaded load(const Options& options) {
+  Loaded loaded;
+  loaded.board = board_kind(options.board);
+  if (!options.config.empty()) {
+    const app::TextFile file = app::read_text_file(options.config);
+    loaded.configuration = app::parse_configuration(file.text, file.path);
+  }
+  const std::string& robot = options.robot.empty() ? loaded.configuration.robot : options.robot;
+  const app::TextFile file = app::read_bundled(app::Bundled::kRobots, robot);
+  loaded.robot = course::parse_robot(file.text, file.path);
+  loaded.setup =
+      options.setup.empty() ? loaded.configuration.parameters.setup : setup_kind(options.setup);
+  return loaded;
+}
+
+course::Course load_course(const std::string& name_or_path) {
+  const app::TextFile file = app::read_bundled(app::Bundled::kCourses, name_or_path);
+  return course::parse_course(file.text, file.path);
+}
+
+}  // namespace tp100::sim

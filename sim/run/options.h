@@ -1,0 +1,36 @@
+#pragma once
+// Options that several commands of tp100-sim share, and what they resolve to.
+
+#include <cstdint>
+#include <string>
+
+#include "app/configuration.h"
+#include "bridge/parameters.h"
+#include "course/course.h"
+#include "course/robot.h"
+#include "sim/run/emulated_robot.h"
+
+namespace tp100::sim {
+
+/// As given on the command line.
+struct Options {
+  std::string board = "native";
+  std::string robot;   ///< bundled name or file; empty: the configuration's
+  std::string config;  ///< file; empty: defaults
+  std::string setup;   ///< empty: the configuration's
+  std::uint64_t seed = 1;
+};
+
+/// Everything loaded. Throws SetupError.
+struct Loaded {
+  BoardKind board = BoardKind::kNative;
+  app::Configuration configuration{};
+  course::Robot robot{};
+  bridge::Setup setup = bridge::Setup::kFlat;
+};
+Loaded load(const Options& options);
+
+/// A course by bundled name or file. Throws SetupError.
+course::Course load_course(const std::string& name_or_path);
+
+}  // namespace tp100::sim

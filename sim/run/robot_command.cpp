@@ -1,0 +1,132 @@
+#include "sim/run/robot_command.h"
+
+#include <time.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <vector>
+
+#include "core/time.h"
+#include "sim/wire/pty.h"
+#include "wire/frame.h"
+#include "wire/messages.h"
+
+namespace tp100::sim {
+namespace {
+
+// Behind real time by more than this (a suspended machine): go on from here instead of catching up.
+constexpr std::int64_t kGiveUpNs = 500 * kNsPerMs;
+
+volatile std::sig_atomic_t g_stop = 0;
+
+void on_signal(int) { g_stop = 1; }
+
+std::int64_t monotonic_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * kNsPerS + now.tv_nsec;
+}
+
+void sleep_until(std::int64_t at_ns) {
+  const timespec at{at_ns / kNsPerS, at_ns % kNsPerS};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR && g_stop == 0) {
+  }
+}
+
+/// Prints what the firmware says about itself.
+class FirmwareLog {
+ public:
+  void push(std::uint8_t byte) {
+    if (decoder_.push(byte) != wire::Received::kFrame) return;
+    if (decoder_.type() != static_cast<std::uint8_t>(wire::Type::kLog)) return;
+    wire::Log log{};
+    if (!wire::read_payload(decoder_.payload(), decoder_.size(), log)) return;
+    std::array<char, wire::Log::kTextSize + 1> text{};
+    for (std::size_t i = 0; i < wire::Log::kTextSize; ++i) text[i] = static_cast<char>(log.text[i]);
+    std::printf("robot: %.6f s: %s\n", static_cast<double>(log.device_us) * 1e-6, text.data());
+    std::fflush(stdout);
+  }
+
+ private:
+  wire::FrameDecoder decoder_;
+};
+
+/// The robot's end of the cable in real time.
+class Cable {
+ public:
+  Cable(EmulatedRobot& robot, const std::string& link) : robot_(robot), pty_(link) {}
+
+  const std::string& device() const { return pty_.device(); }
+
+  /// Opening the port resets the board, as DTR does on a Mega.
+  void watch() {
+    const bool open = pty_.open();
+    if (open == open_) return;
+    open_ = open;
+    std::printf("robot: port %s\n", open ? "opened, board resets" : "closed");
+    std::fflush(stdout);
+    if (open) robot_.reset(PowerUp::kExternal);
+    waiting_.clear();
+  }
+  void from_host() {
+    std::array<std::uint8_t, 4096> buffer;
+    const std::size_t n = pty_.read(buffer);
+    robot_.receive(std::span(buffer.data(), n), robot_.now_ns());
+  }
+  void to_host(const std::vector<TimedByte>& sent) {
+    for (const TimedByte& byte : sent) {
+      log_.push(byte.value);
+      if (open_) waiting_.push_back(byte.value);
+    }
+    if (waiting_.empty()) return;
+    const std::size_t n = pty_.write(waiting_);
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(n));
+    // A client that does not read loses bytes, as it would on a real port.
+    if (waiting_.size() > kMostWaiting) waiting_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kMostWaiting = 8192;
+  EmulatedRobot& robot_;
+  Pty pty_;
+  FirmwareLog log_;
+  bool open_ = false;
+  std::vector<std::uint8_t> waiting_;
+};
+
+}  // namespace
+
+int run_robot(const RobotCommand& command) {
+  const Loaded loaded = load(command.options);
+  course::Course course;
+  if (!command.course.empty()) course = load_course(command.course);
+  EmulatedRobot robot({.values = loaded.robot.emulated,
+                       .start = course.start,
+                       .on_stand = loaded.setup == bridge::Setup::kBench,
+                       .seed = command.options.seed,
+                       .board = loaded.board});
+  Cable cable(robot, command.link);
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  std::printf("robot: %s, seed %llu, on %s%s%s\n", loaded.robot.name.c_str(),
+              static_cast<unsigned long long>(command.options.seed), cable.device().c_str(),
+              command.link.empty() ? "" : ", linked from ", command.link.c_str());
+  std::fflush(stdout);
+
+  robot.reset(PowerUp::kPowerOn);
+  std::int64_t begin_ns = monotonic_ns();
+  while (g_stop == 0) {
+    cable.watch();
+    cable.from_host();
+    cable.to_host(robot.advance());
+    const std::int64_t due_ns = begin_ns + robot.now_ns();
+    const std::int64_t now_ns = monotonic_ns();
+    if (now_ns - due_ns > kGiveUpNs) begin_ns = now_ns - robot.now_ns();
+    if (now_ns < due_ns) sleep_until(due_ns);
+  }
+  return 0;
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,19 @@
+#pragma once
+// tp100-sim robot: the emulated robot on a pseudo-terminal, in real time.
+
+#include <string>
+
+#include "sim/run/options.h"
+
+namespace tp100::sim {
+
+struct RobotCommand {
+  Options options{};
+  std::string link;    ///< symbolic link to the port; empty: print the device only
+  std::string course;  ///< start pose and shoves come from it; empty: origin
+};
+
+/// Runs until SIGINT or SIGTERM. Returns the exit status. Throws SetupError.
+int run_robot(const RobotCommand& command);
+
+}  // namespace tp100::sim
