@@ -1,0 +1,289 @@
+#include "hal_mega.h"
+
+#if defined(__AVR__)
+
+#include <Arduino.h>
+#include <Wire.h>
+#include <avr/eeprom.h>
+#include <avr/interrupt.h>
+#include <avr/io.h>
+#include <avr/sleep.h>
+#include <avr/wdt.h>
+
+#include "quadrature.h"
+#include "uart_mega.h"
+
+namespace {
+
+using tp100::firmware::kIllegalStep;
+using tp100::firmware::quadrature_step;
+
+const uint32_t kI2cHz = 400000;
+const uint32_t kI2cTimeoutUs = 3000;
+const uint8_t kScl = _BV(PD0);
+const uint8_t kSda = _BV(PD1);
+const uint8_t kDirections = _BV(PA0) | _BV(PA1) | _BV(PA2) | _BV(PA3);
+const uint8_t kNoisePin = 7;
+
+// 16 bits in the interrupt routines, extended by whoever reads.
+struct Encoder {
+  volatile uint16_t steps;
+  volatile uint8_t phase;
+  int32_t counts;
+};
+
+Encoder left_encoder;
+Encoder right_encoder;
+uint32_t boot_counter EEMEM;
+// Neither cleared nor set by the start-up code, which runs after .init3.
+uint8_t mcusr_mirror __attribute__((section(".noinit")));
+
+// A on PE4, B on PE5. The compiler would shift by a loop of 22 cycles.
+inline uint8_t left_phase() { return __builtin_avr_swap(PINE) & 3; }
+// B on PD2, A on PD3: the other way round.
+inline uint8_t right_phase() { return (PIND >> 2) & 3; }
+
+}  // namespace
+
+ISR(INT4_vect) {
+  const uint8_t phase = left_phase();
+  const int8_t step = quadrature_step(left_encoder.phase, phase);
+  left_encoder.phase = phase;
+  if (step != kIllegalStep) left_encoder.steps = left_encoder.steps + step;
+}
+ISR(INT5_vect, ISR_ALIASOF(INT4_vect));
+
+ISR(INT3_vect) {
+  const uint8_t phase = right_phase();
+  const int8_t step = quadrature_step(right_encoder.phase, phase);
+  right_encoder.phase = phase;
+  if (step != kIllegalStep) right_encoder.steps = right_encoder.steps - step;
+}
+ISR(INT2_vect, ISR_ALIASOF(INT3_vect));
+
+// The watchdog stays armed at its shortest period after it has fired: off before anything else.
+extern "C" void save_reset_cause() __attribute__((naked, used, section(".init3")));
+extern "C" void save_reset_cause() {
+  mcusr_mirror = MCUSR;
+  MCUSR = 0;
+  wdt_disable();
+}
+
+namespace tp100 {
+namespace firmware {
+namespace {
+
+// Interrupts are off. Right as long as fewer than 32768 edges lie between two calls.
+int32_t extended(Encoder& encoder) {
+  const uint16_t last = static_cast<uint16_t>(encoder.counts);
+  const int16_t moved = static_cast<int16_t>(encoder.steps - last);
+  encoder.counts = static_cast<int32_t>(static_cast<uint32_t>(encoder.counts) +
+                                        static_cast<uint32_t>(static_cast<int32_t>(moved)));
+  return encoder.counts;
+}
+
+void begin_motors() {
+  PORTA &= static_cast<uint8_t>(~kDirections);
+  DDRA |= kDirections;
+  TCCR4A &= static_cast<uint8_t>(~(_BV(COM4A1) | _BV(COM4B1)));
+  PORTH &= static_cast<uint8_t>(~(_BV(PH3) | _BV(PH4)));
+  DDRH |= _BV(PH3) | _BV(PH4);
+}
+
+void begin_encoders() {
+  PORTE |= _BV(PE4) | _BV(PE5);
+  PORTD |= _BV(PD2) | _BV(PD3);
+  left_encoder.phase = left_phase();
+  right_encoder.phase = right_phase();
+  EICRA = static_cast<uint8_t>((EICRA & 0x0F) | _BV(ISC20) | _BV(ISC30));
+  EICRB = static_cast<uint8_t>((EICRB & 0xF0) | _BV(ISC40) | _BV(ISC50));
+  EIFR = _BV(INTF2) | _BV(INTF3) | _BV(INTF4) | _BV(INTF5);
+  EIMSK |= _BV(INT2) | _BV(INT3) | _BV(INT4) | _BV(INT5);
+}
+
+void begin_i2c() {
+  Wire.begin();
+  Wire.setClock(kI2cHz);
+  Wire.setWireTimeout(kI2cTimeoutUs, true);
+}
+
+void start_conversion(uint8_t channel) {
+  ADMUX = static_cast<uint8_t>(_BV(REFS0) | channel);
+  ADCSRA |= _BV(ADSC);
+}
+
+uint32_t mixed(uint32_t hash, uint32_t value) {
+  hash ^= value;
+  hash *= 0x9E3779B1UL;
+  return hash ^ (hash >> 15);
+}
+
+// The counter differs at every boot of this board, the noise of an open pin from board to board.
+uint32_t new_nonce() {
+  const uint32_t boots = eeprom_read_dword(&boot_counter) + 1;
+  eeprom_update_dword(&boot_counter, boots);
+  uint32_t hash = mixed(0x811C9DC5UL, boots);
+  for (uint8_t i = 0; i < 16; ++i) {
+    start_conversion(kNoisePin);
+    for (uint16_t wait = 0; (ADCSRA & _BV(ADSC)) != 0 && wait < 2000; ++wait) {
+    }
+    hash = mixed(hash, ADC);
+  }
+  hash = mixed(hash, ::micros());
+  return hash != 0 ? hash : 1;
+}
+
+void half_clock() { delayMicroseconds(3); }
+
+// Open drain: the line is pulled low by making it an output.
+void pull(uint8_t line) { DDRD |= line; }
+void release(uint8_t line) { DDRD &= static_cast<uint8_t>(~line); }
+
+uint8_t duty_byte(int16_t duty) {
+  const uint16_t size = static_cast<uint16_t>(duty < 0 ? -duty : duty);
+  if (size >= static_cast<uint16_t>(wire::kFullDuty)) return 255;
+  // 255/1000 to within a 250th of a step, without a division.
+  return static_cast<uint8_t>((size * 16712UL + 32768UL) >> 16);
+}
+
+}  // namespace
+
+void MegaHal::begin() {
+  begin_motors();
+  wdt_enable(WDTO_250MS);
+  uart_mega::begin();
+  begin_encoders();
+  nonce_ = new_nonce();
+  start_conversion(0);
+  begin_i2c();
+}
+
+uint32_t MegaHal::micros() { return ::micros(); }
+
+bool MegaHal::uart_read(uint8_t& byte) { return uart_mega::read(byte); }
+uint8_t MegaHal::uart_room() { return uart_mega::room(); }
+uint8_t MegaHal::uart_waiting() { return uart_mega::waiting(); }
+void MegaHal::uart_write(const uint8_t* bytes, uint8_t size) { uart_mega::write(bytes, size); }
+
+bool MegaHal::i2c_write(uint8_t address, uint8_t reg, uint8_t value) {
+  Wire.beginTransmission(address);
+  Wire.write(reg);
+  Wire.write(value);
+  return Wire.endTransmission() == 0;
+}
+
+bool MegaHal::i2c_read(uint8_t address, uint8_t reg, uint8_t* bytes, uint8_t size) {
+  Wire.beginTransmission(address);
+  Wire.write(reg);
+  if (Wire.endTransmission(static_cast<uint8_t>(false)) != 0) return false;
+  if (Wire.requestFrom(address, size) != size) return false;
+  for (uint8_t i = 0; i < size; ++i) bytes[i] = static_cast<uint8_t>(Wire.read());
+  return true;
+}
+
+void MegaHal::i2c_recover() {
+  Wire.end();
+  const uint8_t saved = lock();
+  PORTD &= static_cast<uint8_t>(~(kScl | kSda));
+  release(kSda | kScl);
+  unlock(saved);
+  // A device that was cut off in the middle of a byte lets go of SDA within nine clocks.
+  for (uint8_t i = 0; i < 9; ++i) {
+    pull(kScl);
+    half_clock();
+    release(kScl);
+    half_clock();
+  }
+  pull(kScl);
+  pull(kSda);
+  half_clock();
+  release(kScl);
+  half_clock();
+  release(kSda);
+  half_clock();
+  begin_i2c();
+}
+
+void MegaHal::counts(int32_t& left, int32_t& right) {
+  const CriticalSection section(*this);
+  left = extended(left_encoder);
+  right = extended(right_encoder);
+}
+
+void MegaHal::motors(int16_t left, int16_t right) {
+  const CriticalSection section(*this);
+  if (left == 0 || right == 0) {
+    // A compare value of 0 still lets a spike through: the pin itself is low instead.
+    uint8_t off = 0;
+    if (left == 0) off |= _BV(COM4A1);
+    if (right == 0) off |= _BV(COM4B1);
+    TCCR4A &= static_cast<uint8_t>(~off);
+  }
+  uint8_t directions = 0;
+  if (left > 0) directions |= _BV(PA0);
+  if (left < 0) directions |= _BV(PA1);
+  if (right > 0) directions |= _BV(PA2);
+  if (right < 0) directions |= _BV(PA3);
+  PORTA = static_cast<uint8_t>((PORTA & ~kDirections) | directions);
+  if (left != 0) {
+    OCR4A = duty_byte(left);
+    TCCR4A |= _BV(COM4A1);
+  }
+  if (right != 0) {
+    OCR4B = duty_byte(right);
+    TCCR4A |= _BV(COM4B1);
+  }
+}
+
+uint16_t MegaHal::battery_mv() {
+  if ((ADCSRA & _BV(ADSC)) == 0) {
+    // 3 * 5000 mV / 1024 a step.
+    battery_mv_ = static_cast<uint16_t>((ADC * 1875UL) >> 7);
+    start_conversion(0);
+  }
+  return battery_mv_;
+}
+
+void MegaHal::kick_watchdog() { wdt_reset(); }
+
+wire::ResetCause MegaHal::reset_cause() {
+  const uint8_t cause = mcusr_mirror;
+  if ((cause & _BV(WDRF)) != 0) return wire::ResetCause::kWatchdog;
+  // A supply that rises slowly sets both.
+  if ((cause & _BV(PORF)) != 0) return wire::ResetCause::kPowerOn;
+  if ((cause & _BV(BORF)) != 0) return wire::ResetCause::kBrownOut;
+  if ((cause & _BV(EXTRF)) != 0) return wire::ResetCause::kExternal;
+  return wire::ResetCause::kUnknown;
+}
+
+uint8_t MegaHal::lock() {
+  const uint8_t saved = SREG;
+  cli();
+  return saved;
+}
+
+void MegaHal::unlock(uint8_t saved) {
+  __asm__ volatile("" ::: "memory");
+  SREG = saved;
+}
+
+void MegaHal::idle() {
+  set_sleep_mode(SLEEP_MODE_IDLE);
+  cli();
+  // A tick or a byte since the loop looked is work to do now, not after the next interrupt.
+  const bool work = ticked_ || uart_mega::readable();
+  ticked_ = false;
+  if (!work) {
+    sleep_enable();
+    // The instruction after sei runs before any interrupt, so none can slip in between.
+    sei();
+    sleep_cpu();
+    sleep_disable();
+  }
+  sei();
+}
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

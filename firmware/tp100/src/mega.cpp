@@ -1,0 +1,43 @@
+#include "mega.h"
+
+#if defined(__AVR__)
+
+#include <avr/interrupt.h>
+#include <avr/io.h>
+
+#include "firmware.h"
+#include "hal_mega.h"
+
+namespace {
+
+tp100::firmware::MegaHal hal;
+tp100::firmware::Firmware robot(hal);
+
+}  // namespace
+
+ISR(TIMER3_COMPA_vect) {
+  robot.tick_1khz();
+  hal.ticked();
+}
+
+namespace tp100 {
+namespace firmware {
+
+void mega_setup() {
+  hal.begin();
+  robot.setup();
+  // Timer 3: clear on compare, 16 MHz / 64 / 250.
+  TCCR3A = 0;
+  TCCR3B = _BV(WGM32) | _BV(CS31) | _BV(CS30);
+  OCR3A = 249;
+  TCNT3 = 0;
+  TIFR3 = _BV(OCF3A);
+  TIMSK3 = _BV(OCIE3A);
+}
+
+void mega_loop() { robot.loop(); }
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif
