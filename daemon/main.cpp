@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "app/check.h"
+#include "app/ports.h"
 #include "app/replay.h"
+#include "app/run.h"
 #include "core/error.h"
 #include "course/nearest.h"
 #include "course/toml_document.h"
@@ -19,6 +21,26 @@ namespace {
 
 /// What to do once the command line is understood. Returns the exit status.
 using Action = std::function<int()>;
+
+void add_run(CLI::App& app, Action& action) {
+  static RunOptions options;
+  CLI::App* command = app.add_subcommand("run", "Drive a robot, or just watch its pose");
+  command->add_option("--config", options.config, "Configuration file");
+  command->add_option("--port", options.port, "Device, or auto");
+  command->add_flag("--wait", options.wait, "Wait for port and robot instead of failing");
+  command->add_flag("--go", options.go, "Start by itself on a physical port too");
+  command->add_option("--course", options.course, "Bundled course or file");
+  command->add_option("--robot", options.robot, "Bundled robot or file");
+  command->add_option("--setup", options.setup, "bench, flat or terrain");
+  command->add_option("--duration", options.duration_s, "End after this time [s]");
+  command->add_option("--stats", options.stats, "JSON file for the figures of the run");
+  command->callback([&action] { action = [] { return run_run(options); }; });
+}
+
+void add_ports(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("ports", "List serial ports, likely robots first");
+  command->callback([&action] { action = [] { return run_ports(); }; });
+}
 
 void add_check(CLI::App& app, Action& action) {
   static std::vector<std::string> files;
@@ -62,6 +84,8 @@ int run_program(int argc, char** argv) {
   app.set_version_flag("--version", TP100_VERSION);
   app.require_subcommand(1);
   Action action;
+  add_run(app, action);
+  add_ports(app, action);
   add_check(app, action);
   add_replay(app, action);
   try {

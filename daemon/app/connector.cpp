@@ -1,0 +1,79 @@
+#include "app/connector.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "core/error.h"
+#include "link/port_discovery.h"
+
+namespace tp100::app {
+
+Connector::Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
+                     std::function<void(const std::string&)> say)
+    : settings_(std::move(settings)), loop_(loop), say_(std::move(say)) {}
+
+void Connector::tick(HostNs now) {
+  loop::LostPort lost;
+  while (loop_.take_lost(lost)) take_back(lost, now);
+  if (!stopped_ && !port_.is_open() && now >= next_try_ns_) try_open(now);
+}
+
+void Connector::take_back(const loop::LostPort& lost, HostNs now) {
+  if (!port_.is_open() || lost.id != id_) return;
+  port_.close();
+  next_try_ns_ = now + retry_ns_;
+  retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
+  const bool silent = lost.end == loop::PortEnd::kSilent;
+  if (silent) ++silent_ports_;
+  std::string line = path_ + ": ";
+  if (silent) {
+    line += found_ ? "the robot fell silent"
+                   : "nothing that speaks like a TP100; flash the board with scripts/flash, or "
+                     "choose another port with --port";
+  } else {
+    line += std::string("port is gone (") +
+            (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
+            "); plug the robot in again";
+  }
+  if (!found_ && !settings_.wait && !(silent && silent_ports_ < candidates_)) {
+    throw SetupError(line);
+  }
+  say_once(line);
+}
+
+void Connector::try_open(HostNs now) {
+  try {
+    port_ = open_next();
+  } catch (const SetupError& error) {
+    if (!found_ && !settings_.wait) throw;
+    say_once(std::string(error.what()) + "; waiting");
+    next_try_ns_ = now + retry_ns_;
+    retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
+    return;
+  }
+  path_ = port_.path();
+  physical_ = port_.physical();
+  say_once(path_ + ": open");
+  loop_.offer({port_.fd(), ++id_});
+}
+
+link::Port Connector::open_next() {
+  if (settings_.port != "auto") return link::open_port(settings_.port, settings_.options);
+  const std::vector<link::PortInfo> ports = link::candidates(link::list_ports());
+  if (ports.empty()) {
+    throw SetupError(
+        "no USB port that may be a TP100; plug the robot in, or name its port with --port (see "
+        "`tp100d ports`)");
+  }
+  candidates_ = ports.size();
+  return link::open_port(ports[silent_ports_ % ports.size()].path, settings_.options);
+}
+
+void Connector::say_once(const std::string& line) {
+  if (line == last_line_) return;
+  last_line_ = line;
+  say_(line);
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,42 @@
+#pragma once
+// The log: one line per event on standard error. spdlog stays in the source file; never used by the
+// real-time thread.
+
+#include <string>
+
+#include "app/live_cycle.h"
+#include "loop/real_time.h"
+
+namespace tp100::app {
+
+class EventLog {
+ public:
+  EventLog();
+
+  void info(const std::string& line);
+  void warn(const std::string& line);
+  /// `state: A -> B` for every state change, of session and run; the other events in words. Bursts
+  /// of the same kind are folded.
+  void event(const LiveEvent& event);
+  /// What the real-time thread asked for and got.
+  void grants(const std::vector<loop::Grant>& grants);
+  /// The line of figures, every ten seconds.
+  void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
+
+ private:
+  void session_event(const LiveEvent& event);
+  bool allow(HostNs at_ns);
+
+  HostNs next_status_ns_ = 0;
+  HostNs burst_began_ns_ = 0;
+  int burst_ = 0;
+  std::uint64_t folded_ = 0;
+};
+
+/// Robot's and daemon's versions side by side and what to do, for a hello of another version.
+std::string version_mismatch(const wire::Hello& hello);
+
+/// Names of the faults in a mask, separated by commas; "none" if it is empty.
+std::string fault_names(FaultMask faults);
+
+}  // namespace tp100::app

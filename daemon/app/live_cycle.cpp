@@ -1,0 +1,83 @@
+#include "app/live_cycle.h"
+
+#include <utility>
+
+namespace tp100::app {
+namespace {
+
+constexpr HostNs kStatusPeriodNs = 100 * kNsPerMs;
+
+}  // namespace
+
+LiveCycle::LiveCycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
+                     std::shared_ptr<const course::Course> course)
+    : cycle_(settings, parameters, std::move(course)) {}
+
+bool LiveCycle::take_status(LiveStatus& status) {
+  bool any = false;
+  while (statuses_.pop(status)) any = true;
+  return any;
+}
+
+bool LiveCycle::received(std::span<const std::uint8_t> bytes, HostNs now) {
+  cycle_.receive(bytes, now);
+  return cycle_.session().has_samples();
+}
+
+void LiveCycle::step(HostNs now) {
+  take_requests();
+  const Snapshot& snapshot = cycle_.step(now).snapshot;
+  if (!cycle_.samples().empty()) sample_age_.add(now - cycle_.samples().back().measured_ns);
+  pass_events();
+  if (snapshot.run_state != run_state_) {
+    LiveEvent event;
+    event.kind = LiveEvent::Kind::kRunState;
+    event.from = std::exchange(run_state_, snapshot.run_state);
+    event.to = run_state_;
+    event.faults = snapshot.faults;
+    push(event);
+  }
+  publish(now);
+}
+
+void LiveCycle::take_requests() {
+  OperatorRequest request{};
+  while (requests_.pop(request)) {
+    if (!winding_up_) cycle_.request(request);
+  }
+  // A start that was not carried out when its session ended is void: nothing moves after a
+  // reconnect.
+  const bool ready = cycle_.session().state() == SessionState::kReady;
+  if (run_state_ == RunState::kArming && !ready) cycle_.request(OperatorRequest::kHold);
+}
+
+void LiveCycle::pass_events() {
+  for (const link::SessionEvent& session : cycle_.take_events()) {
+    LiveEvent event;
+    event.session = session;
+    event.hello = cycle_.session().hello();
+    push(event);
+    if (session.kind == link::SessionEvent::Kind::kTimeout) hang_up_ = true;
+  }
+}
+
+void LiveCycle::push(const LiveEvent& event) {
+  if (!events_.push(event)) lost_events_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void LiveCycle::publish(HostNs now) {
+  if (now < next_status_ns_ && !winding_up_) return;
+  next_status_ns_ = now + kStatusPeriodNs;
+  const link::Session& session = cycle_.session();
+  statuses_.push({session.state(), session.counters(), session.clock(), session.hello(),
+                  cycle_.outputs().snapshot});
+}
+
+bool LiveCycle::take_hang_up() { return std::exchange(hang_up_, false); }
+
+bool LiveCycle::wind_up(HostNs now) {
+  if (!std::exchange(winding_up_, true)) cycle_.disarm(now);
+  return !cycle_.request_pending();
+}
+
+}  // namespace tp100::app

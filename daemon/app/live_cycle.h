@@ -1,0 +1,83 @@
+#pragma once
+// The cycle in the real-time thread: joins the loop with session and step, and passes plain records
+// to the other thread through lock-free rings. Nothing here logs, allocates or waits.
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+#include "app/cycle.h"
+#include "core/snapshot.h"
+#include "loop/driven.h"
+#include "loop/histogram.h"
+#include "loop/spsc_queue.h"
+
+namespace tp100::app {
+
+/// Something that happened, for log and supervisor.
+struct LiveEvent {
+  enum class Kind : std::uint8_t { kSession, kRunState };
+  Kind kind = Kind::kSession;
+  link::SessionEvent session{};
+  wire::Hello hello{};              ///< kSession: as far as it is known
+  RunState from = RunState::kIdle;  ///< kRunState
+  RunState to = RunState::kIdle;
+  FaultMask faults = 0;  ///< kRunState: in force at the change
+};
+
+/// State of the moment, about ten times a second.
+struct LiveStatus {
+  SessionState session = SessionState::kClosed;
+  LinkCounters counters{};
+  ClockState clock{};
+  wire::Hello hello{};
+  Snapshot snapshot{};
+};
+
+class LiveCycle : public loop::Driven {
+ public:
+  LiveCycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
+            std::shared_ptr<const course::Course> course);
+
+  // Other thread.
+  /// False: too many requests wait.
+  bool request(OperatorRequest request) { return requests_.push(request); }
+  bool take_event(LiveEvent& event) { return events_.pop(event); }
+  /// The newest status since the last take; false if there is none.
+  bool take_status(LiveStatus& status);
+  /// Events that found no room.
+  std::uint64_t lost_events() const { return lost_events_.load(std::memory_order_relaxed); }
+  /// Age of the newest sample at each step that got one [ns].
+  const loop::Histogram& sample_age() const { return sample_age_; }
+
+  // Real-time thread.
+  void opened(HostNs now) override { cycle_.open(now); }
+  void closed(HostNs now) override { cycle_.close(now); }
+  bool received(std::span<const std::uint8_t> bytes, HostNs now) override;
+  void step(HostNs now) override;
+  std::span<const std::uint8_t> output() override { return cycle_.output(); }
+  void written(std::size_t n) override { cycle_.written(n); }
+  void drop_output() override { cycle_.drop_output(); }
+  bool expects_reply(HostNs now) override { return cycle_.session().expects_reply(now); }
+  bool take_hang_up() override;
+  bool wind_up(HostNs now) override;
+
+ private:
+  void take_requests();
+  void pass_events();
+  void push(const LiveEvent& event);
+  void publish(HostNs now);
+
+  Cycle cycle_;
+  loop::SpscQueue<OperatorRequest, 16> requests_;
+  loop::SpscQueue<LiveEvent, 256> events_;
+  loop::SpscQueue<LiveStatus, 4> statuses_;
+  loop::Histogram sample_age_;
+  std::atomic<std::uint64_t> lost_events_{0};
+  RunState run_state_ = RunState::kIdle;
+  HostNs next_status_ns_ = 0;
+  bool hang_up_ = false;
+  bool winding_up_ = false;
+};
+
+}  // namespace tp100::app

@@ -1,0 +1,68 @@
+#include "app/ports.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace tp100::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// udev's name for the device with that serial number.
+std::string stable_name(const std::string& path) {
+  std::error_code error;
+  const fs::path wanted = fs::canonical(path, error);
+  if (error) return {};
+  for (fs::directory_iterator at("/dev/serial/by-id", error), end; !error && at != end;
+       at.increment(error)) {
+    std::error_code unreadable;
+    if (fs::canonical(at->path(), unreadable) == wanted) return at->path().string();
+  }
+  return {};
+}
+
+std::string usb_id(const link::PortInfo& port) {
+  if (port.vendor_id < 0 || port.product_id < 0) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%04x:%04x", static_cast<unsigned>(port.vendor_id),
+                static_cast<unsigned>(port.product_id));
+  return text;
+}
+
+}  // namespace
+
+std::string ports_text(const std::vector<link::PortInfo>& ports,
+                       const std::vector<std::string>& stable_names) {
+  if (ports.empty()) {
+    return "no serial ports; plug the robot in (an emulated robot's port is the path that its "
+           "--link "
+           "names)\n";
+  }
+  std::string text;
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    const link::PortInfo& port = ports[i];
+    text += port.path + "  " + usb_id(port) + "  " + link::describe(port);
+    if (!port.serial.empty()) text += ", serial " + port.serial;
+    if (link::classify(port) != link::PortKind::kOther) {
+      text += "\n    port = \"" + (stable_names[i].empty() ? port.path : stable_names[i]) + "\"";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+int run_ports() {
+  const std::vector<link::PortInfo> all = link::list_ports();
+  std::vector<link::PortInfo> ports = link::candidates(all);
+  for (const link::PortInfo& port : all) {
+    if (link::classify(port) == link::PortKind::kOther) ports.push_back(port);
+  }
+  std::vector<std::string> names;
+  for (const link::PortInfo& port : ports) names.push_back(stable_name(port.path));
+  std::fputs(ports_text(ports, names).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,25 @@
+#pragma once
+// `tp100d run`: the live bridge.
+
+#include <optional>
+#include <string>
+
+namespace tp100::app {
+
+struct RunOptions {
+  std::string config;
+  std::string port;  ///< empty: as configured
+  std::string course;
+  std::string robot;
+  std::string setup;
+  std::string stats;  ///< JSON file; empty: none
+  bool wait = false;  ///< wait for a port and a robot instead of failing
+  bool go = false;    ///< start by itself on a physical port too
+  std::optional<double> duration_s;
+};
+
+/// The command. 0: course completed; 1: aborted, interrupted or --duration passed. Throws
+/// SetupError.
+int run_run(const RunOptions& options);
+
+}  // namespace tp100::app

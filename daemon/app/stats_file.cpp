@@ -1,0 +1,124 @@
+#include "app/stats_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace tp100::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json durations_us(const loop::Histogram& histogram) {
+  const auto us = [](double ns) { return ns * 1e-3; };
+  const auto at = [&](double p) { return us(static_cast<double>(histogram.percentile(p))); };
+  return {{"count", histogram.count()},
+          {"mean", us(histogram.mean())},
+          {"p50", at(0.5)},
+          {"p99", at(0.99)},
+          {"p999", at(0.999)},
+          {"max", us(static_cast<double>(histogram.max()))}};
+}
+
+Json pose(const Pose& pose) {
+  return {{"x_m", pose.x_m}, {"y_m", pose.y_m}, {"yaw_rad", pose.yaw_rad}};
+}
+
+Json link_figures(const LinkCounters& link) {
+  return {{"bytes_in", link.bytes_in},
+          {"bytes_out", link.bytes_out},
+          {"frames_in", link.frames_in},
+          {"frames_out", link.frames_out},
+          {"samples", link.samples},
+          {"early", link.early},
+          {"lost", link.lost},
+          {"duplicated", link.duplicated},
+          {"reordered", link.reordered},
+          {"crc_errors", link.crc_errors},
+          {"cobs_errors", link.cobs_errors},
+          {"oversize", link.oversize},
+          {"undersize", link.undersize},
+          {"unknown_type", link.unknown_type},
+          {"wrong_size", link.wrong_size},
+          {"implausible", link.implausible},
+          {"foreign_bytes", link.foreign_bytes},
+          {"unwritten", link.unwritten},
+          {"sync_replies", link.sync_replies},
+          {"sync_rejected", link.sync_rejected},
+          {"reconnects", link.reconnects},
+          {"reboots", link.reboots}};
+}
+
+Json fault_list(FaultMask faults) {
+  Json names = Json::array();
+  while (const auto fault = first_fault(faults)) {
+    names.push_back(describe(*fault).name);
+    faults &= ~fault_bit(*fault);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& loop,
+                       const loop::Histogram& sample_age) {
+  const LiveStatus& status = figures.status;
+  const Snapshot& snapshot = status.snapshot;
+  Json privileges = Json::object();
+  for (const loop::Grant& grant : figures.grants) privileges[grant.what] = grant.granted;
+  const Json json = {
+      {"result", figures.result},
+      {"completed", figures.result == "completed"},
+      {"duration_s", figures.duration_s},
+      {"course", figures.course},
+      {"robot", figures.robot},
+      {"setup", figures.setup},
+      {"port", figures.port},
+      {"faults", fault_list(figures.faults)},
+      {"session", to_string(status.session)},
+      {"run", to_string(snapshot.run_state)},
+      {"firmware", std::to_string(status.hello.firmware[0]) + "." +
+                       std::to_string(status.hello.firmware[1]) + "." +
+                       std::to_string(status.hello.firmware[2])},
+      {"odometry", pose(snapshot.odometry)},
+      {"model", pose(snapshot.model)},
+      {"progress_m", snapshot.progress_m},
+      {"battery_v", snapshot.sample.battery_v},
+      {"link", link_figures(status.counters)},
+      {"clock",
+       {{"valid", status.clock.valid},
+        {"drift_ppm", status.clock.drift * 1e6},
+        {"uncertainty_us", status.clock.uncertainty_us}}},
+      {"loop",
+       {{"turns", loop.turns.load()},
+        {"overruns", loop.overruns.load()},
+        {"missed", loop.missed.load()},
+        {"without_frame", loop.without_frame.load()},
+        {"lateness_us", durations_us(loop.lateness)},
+        {"work_us", durations_us(loop.work)},
+        {"sample_age_us", durations_us(sample_age)},
+        {"privileges", privileges}}},
+  };
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_stats(const std::string& path, const std::string& text) {
+  const std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
+  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  if (!file || std::rename(temporary.c_str(), path.c_str()) != 0) {
+    const int error = errno;
+    std::remove(temporary.c_str());
+    throw SetupError(path + ": cannot be written (" + std::strerror(error) +
+                     "); choose another file for --stats");
+  }
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,32 @@
+#pragma once
+// The figures of a run as JSON (--stats). Written to a temporary file and renamed.
+
+#include <string>
+#include <vector>
+
+#include "app/live_cycle.h"
+#include "loop/fixed_rate_loop.h"
+
+namespace tp100::app {
+
+/// What a run came to.
+struct RunFigures {
+  std::string result;  ///< "running", "completed", "aborted", "interrupted", "duration"
+  std::string port;
+  std::string course;  ///< empty: none
+  std::string robot;
+  std::string setup;
+  double duration_s = 0.0;
+  FaultMask faults = 0;  ///< of the last abort
+  LiveStatus status{};
+  std::vector<loop::Grant> grants;
+};
+
+/// One JSON object.
+std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& loop,
+                       const loop::Histogram& sample_age);
+
+/// Writes `text` to `path` as a whole or not at all. Throws SetupError.
+void write_stats(const std::string& path, const std::string& text);
+
+}  // namespace tp100::app

@@ -1,0 +1,245 @@
+#include "app/supervisor.h"
+
+#include <csignal>
+#include <cstdio>
+// Asio 1.74 uses std::exchange without including it.
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <utility>
+
+#include "app/event_log.h"
+#include "app/operator_input.h"
+#include "app/stats_file.h"
+#include "core/error.h"
+
+namespace tp100::app {
+namespace {
+
+namespace asio = boost::asio;
+using Kind = link::SessionEvent::Kind;
+
+constexpr auto kTick = std::chrono::milliseconds(10);
+constexpr HostNs kStatsPeriodNs = kNsPerS;
+// Causes after which the robot may come back: the daemon waits for a new start.
+constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
+                                   fault_bit(Fault::stop_requested);
+
+}  // namespace
+
+struct Supervisor::State {
+  State(const SupervisorSettings& s, LiveCycle& c, loop::FixedRateLoop& l)
+      : settings(s),
+        cycle(c),
+        loop(l),
+        connector(s.connector, l, [this](const std::string& line) { log.info(line); }),
+        signals(context, SIGINT, SIGTERM),
+        timer(context) {}
+
+  int run();
+  void tick();
+  void schedule_tick();
+  void take_events();
+  void take_status(HostNs now);
+  void fail_early(const LiveEvent& event) const;
+  void on_session(const LiveEvent& event);
+  void on_session_state(SessionState state);
+  void on_run_state(const LiveEvent& event);
+  void on_enter();
+  void end(int exit_status, const std::string& result);
+  void write_figures();
+  void summarize() const;
+
+  SupervisorSettings settings;
+  LiveCycle& cycle;
+  loop::FixedRateLoop& loop;
+  EventLog log;
+  asio::io_context context;
+  Connector connector;
+  asio::signal_set signals;
+  asio::steady_timer timer;
+  std::unique_ptr<OperatorInput> input;
+  RunFigures figures;
+  RunState run_state = RunState::kIdle;
+  SessionState session = SessionState::kClosed;
+  HostNs began_ns = 0;
+  HostNs next_stats_ns = 0;
+  std::string refusal;
+  bool had_session = false;
+  bool ending = false;
+  int status = 1;
+};
+
+Supervisor::Supervisor(const SupervisorSettings& settings, LiveCycle& cycle,
+                       loop::FixedRateLoop& loop)
+    : state_(std::make_unique<State>(settings, cycle, loop)) {}
+Supervisor::~Supervisor() = default;
+int Supervisor::run() { return state_->run(); }
+
+int Supervisor::State::run() {
+  figures.result = "running";
+  figures.course = settings.course;
+  figures.robot = settings.robot;
+  figures.setup = settings.setup;
+  figures.grants = settings.process_grants;
+  began_ns = loop::monotonic_now();
+  write_figures();
+  signals.async_wait([this](const boost::system::error_code& error, int signal) {
+    if (error) return;
+    log.info(signal == SIGINT ? "SIGINT" : "SIGTERM");
+    end(1, "interrupted");
+  });
+  loop.start();
+  figures.grants.insert(figures.grants.end(), loop.grants().begin(), loop.grants().end());
+  input = std::make_unique<OperatorInput>(context, [this] { on_enter(); });
+  try {
+    tick();
+    log.grants(figures.grants);
+    context.run();
+  } catch (...) {
+    // The port must outlive the loop that uses it.
+    loop.request_stop();
+    loop.join();
+    throw;
+  }
+  loop.join();
+  take_events();
+  take_status(loop::monotonic_now());
+  figures.duration_s = to_s(loop::monotonic_now() - began_ns);
+  write_figures();
+  summarize();
+  return status;
+}
+
+void Supervisor::State::schedule_tick() {
+  timer.expires_after(kTick);
+  timer.async_wait([this](const boost::system::error_code& error) {
+    if (!error) tick();
+  });
+}
+
+void Supervisor::State::tick() {
+  const HostNs now = loop::monotonic_now();
+  take_events();
+  connector.tick(now);
+  take_status(now);
+  if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
+  if (ending && loop.ended()) {
+    input->stop();
+    signals.cancel();
+    return;
+  }
+  if (now >= next_stats_ns) {
+    next_stats_ns = now + kStatsPeriodNs;
+    figures.duration_s = to_s(now - began_ns);
+    write_figures();
+  }
+  schedule_tick();
+}
+
+void Supervisor::State::take_events() {
+  LiveEvent event;
+  while (cycle.take_event(event)) {
+    // What ends the program is said once, by the error.
+    if (event.kind == LiveEvent::Kind::kSession) fail_early(event);
+    log.event(event);
+    if (event.kind == LiveEvent::Kind::kRunState) {
+      on_run_state(event);
+    } else {
+      on_session(event);
+    }
+  }
+}
+
+void Supervisor::State::take_status(HostNs now) {
+  if (!cycle.take_status(figures.status)) return;
+  log.status(figures.status, loop.statistics().overruns.load(), now);
+}
+
+// Before the first session a robot that does not fit is an error, unless someone asked to wait.
+void Supervisor::State::fail_early(const LiveEvent& event) const {
+  if (settings.connector.wait || had_session || ending) return;
+  if (event.session.kind == Kind::kVersionMismatch) {
+    throw SetupError(connector.path() + ": " + version_mismatch(event.hello));
+  }
+  const bool refused = event.session.kind == Kind::kAcknowledged &&
+                       event.session.a == static_cast<std::int32_t>(wire::Type::kParameters) &&
+                       event.session.b == static_cast<std::int32_t>(wire::Result::kOutOfRange);
+  if (refused) {
+    throw SetupError("robot " + settings.robot + ": the firmware refuses " +
+                     parameter_name(event.session.detail) +
+                     " as out of range; correct it in the robot file");
+  }
+}
+
+void Supervisor::State::on_session(const LiveEvent& event) {
+  if (event.session.kind == Kind::kHello) connector.robot_found();
+  if (event.session.kind == Kind::kState) {
+    on_session_state(static_cast<SessionState>(event.session.b));
+  }
+}
+
+void Supervisor::State::on_session_state(SessionState next) {
+  session = next;
+  figures.port = connector.path();
+  if (next != SessionState::kReady) return;
+  connector.session_ready();
+  const bool first = !std::exchange(had_session, true);
+  if (settings.course.empty() || ending) return;
+  // On a physical port nothing moves before someone said so; and nothing ever moves by itself
+  // again.
+  if (first && (settings.go || !connector.physical())) {
+    cycle.request(OperatorRequest::kStart);
+  } else {
+    log.info("ready; press Enter to start course " + settings.course);
+  }
+}
+
+void Supervisor::State::on_run_state(const LiveEvent& event) {
+  run_state = event.to;
+  if (event.to == RunState::kFinished) end(0, "completed");
+  if (event.to != RunState::kAborted) return;
+  figures.faults = event.faults;
+  if ((event.faults & kRecoverable) == 0) end(1, "aborted");
+}
+
+void Supervisor::State::on_enter() {
+  if (settings.course.empty() || ending) return;
+  if (run_state == RunState::kArming || run_state == RunState::kRunning) {
+    log.warn("Enter: STOP");
+    cycle.request(OperatorRequest::kStop);
+  } else if (session == SessionState::kReady) {
+    cycle.request(OperatorRequest::kStart);
+  } else {
+    log.info("no robot yet; nothing is started");
+  }
+}
+
+void Supervisor::State::end(int exit_status, const std::string& result) {
+  if (std::exchange(ending, true)) return;
+  status = exit_status;
+  figures.result = result;
+  connector.stop();
+  loop.request_stop();
+}
+
+void Supervisor::State::write_figures() {
+  if (settings.stats_path.empty()) return;
+  write_stats(settings.stats_path, stats_json(figures, loop.statistics(), cycle.sample_age()));
+}
+
+void Supervisor::State::summarize() const {
+  const Snapshot& snapshot = figures.status.snapshot;
+  const LinkCounters& link = figures.status.counters;
+  std::printf("%s: %s after %.1f s at x %.3f m, y %.3f m, yaw %.1f deg; %llu samples, %llu lost\n",
+              settings.course.empty() ? "no course" : settings.course.c_str(),
+              figures.result.c_str(), figures.duration_s, snapshot.odometry.x_m,
+              snapshot.odometry.y_m, snapshot.odometry.yaw_rad * 57.29577951308232,
+              static_cast<unsigned long long>(link.samples),
+              static_cast<unsigned long long>(link.lost));
+  if (figures.faults != 0) std::printf("faults: %s\n", fault_names(figures.faults).c_str());
+  std::fflush(stdout);
+}
+
+}  // namespace tp100::app

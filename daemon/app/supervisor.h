@@ -1,0 +1,43 @@
+#pragma once
+// The second thread of `tp100d run`: ports, log, operator, signals, figures. Talks to the real-time
+// thread through its rings only.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/connector.h"
+#include "app/live_cycle.h"
+#include "loop/fixed_rate_loop.h"
+
+namespace tp100::app {
+
+struct SupervisorSettings {
+  ConnectorSettings connector{};
+  bool go = false;
+  std::optional<double> duration_s;
+  std::string stats_path;
+  std::string course;  ///< names for log and figures; an empty course is none
+  std::string robot;
+  std::string setup;
+  std::vector<loop::Grant> process_grants;
+};
+
+class Supervisor {
+ public:
+  /// `cycle` and `loop` must outlive the supervisor.
+  Supervisor(const SupervisorSettings& settings, LiveCycle& cycle, loop::FixedRateLoop& loop);
+  ~Supervisor();
+
+  /// Runs until the course is completed, the run fails, the time is over or a signal comes; the
+  /// robot is disarmed first. Returns the exit status; throws SetupError for what is wrong before
+  /// the first session.
+  int run();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tp100::app
