@@ -36,25 +36,12 @@ struct State {
   model::Slip slip{};
 };
 
-model::TrackParameters track_parameters(ReplayModel kind, const bridge::Parameters& parameters) {
-  const course::ModelValues& values = parameters.model;
-  model::TrackParameters result;
-  result.turning_threshold_radps = values.turning_threshold_radps;
-  if (kind == ReplayModel::kPaper) return result;
-  result.slip_left = values.slip_left;
-  result.slip_right = values.slip_right;
-  result.slip_angle_straight_rad = values.slip_angle_straight_rad;
-  result.slip_angle_turning_rad = values.slip_angle_turning_rad;
-  result.wheelbase_m = values.wheelbase_m;
-  result.x_icr_m = values.x_icr_m;
-  return result;
-}
-
 class Replay {
  public:
   Replay(ReplayModel kind, const bridge::Parameters& parameters)
       : kind_(kind),
-        parameters_(track_parameters(kind, parameters)),
+        parameters_(kind == ReplayModel::kPaper ? bridge::paper_parameters(parameters.model)
+                                                : bridge::track_parameters(parameters.model)),
         mode_(kind == ReplayModel::kPaper ? model::Mode::kPaper : model::Mode::kExtended),
         counts_per_metre_(parameters.drive.counts_per_metre),
         standstill_(parameters.estimation) {}

@@ -4,6 +4,7 @@
 #include "control/parameters.h"
 #include "course/robot.h"
 #include "estimation/parameters.h"
+#include "model/track_model.h"
 
 namespace tp100::bridge {
 
@@ -28,5 +29,10 @@ struct Parameters {
   double command_life_s = 0.100;    ///< expiry of a command after the step, at most 0.2
   double max_sample_age_s = 0.060;  ///< older samples are not steered by: samples_stale
 };
+
+/// Eqs 1-5 with this robot's values.
+model::TrackParameters track_parameters(const course::ModelValues& values);
+/// Eqs 1-5 with the paper's constants; only the turning threshold is `values`'.
+model::TrackParameters paper_parameters(const course::ModelValues& values);
 
 }  // namespace tp100::bridge

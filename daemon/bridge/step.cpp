@@ -21,18 +21,8 @@ namespace {
 // Belt speeds over one sample interval are a few edges; control looks at them through this lag.
 constexpr double kSpeedLagS = 0.04;
 
-model::TrackParameters track_parameters(const course::ModelValues& values) {
-  return {.slip_left = values.slip_left,
-          .slip_right = values.slip_right,
-          .slip_angle_straight_rad = values.slip_angle_straight_rad,
-          .slip_angle_turning_rad = values.slip_angle_turning_rad,
-          .turning_threshold_radps = values.turning_threshold_radps,
-          .wheelbase_m = values.wheelbase_m,
-          .x_icr_m = values.x_icr_m};
-}
-
 model::TrackModel make_model(const Parameters& parameters) {
-  if (parameters.paper_model) return {model::TrackParameters{}, model::Mode::kPaper};
+  if (parameters.paper_model) return {paper_parameters(parameters.model), model::Mode::kPaper};
   return {track_parameters(parameters.model), model::Mode::kExtended};
 }
 

@@ -15,8 +15,8 @@ namespace tp100::bridge {
 
 /// What happened since the last step.
 struct Inputs {
-  std::span<const Sample> samples;            ///< oldest first; may be empty
-  std::span<const OperatorRequest> requests;  ///< oldest first
+  std::span<const Sample> samples{};            ///< oldest first; may be empty
+  std::span<const OperatorRequest> requests{};  ///< oldest first
   SessionState session = SessionState::kClosed;
   ClockState clock{};
   std::uint32_t session_number = 0;  ///< +1 each time a session becomes ready
