@@ -1,0 +1,250 @@
+#include "bridge/step.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "support/alloc_count.h"
+
+namespace tp100::bridge {
+namespace {
+
+constexpr HostNs kPeriod = 5 * kNsPerMs;
+
+/// A robot that obeys commands at once and slips exactly as the parameters say.
+class KinematicRobot {
+ public:
+  explicit KinematicRobot(const Parameters& parameters) : parameters_(parameters) {}
+
+  Sample sample(HostNs now) {
+    Sample sample;
+    sample.sequence = static_cast<std::uint16_t>(now / kPeriod);
+    sample.device_us = now / kNsPerUs;
+    sample.measured_ns = now;
+    sample.left_counts = std::llround(left_m_ * parameters_.drive.counts_per_metre);
+    sample.right_counts = std::llround(right_m_ * parameters_.drive.counts_per_metre);
+    sample.gyro_radps[2] = rate_radps_ + 0.01;
+    sample.accel_mps2[2] = 9.81;
+    sample.battery_v = 7.6;
+    sample.state = armed ? RobotState::kRunning : RobotState::kDisarmed;
+    sample.faults = faults;
+    sample.imu_age = 0;
+    return sample;
+  }
+
+  void obey(const Outputs& out) {
+    if (out.request == RobotRequest::kArm) armed = true;
+    if (out.request == RobotRequest::kDisarm || out.request == RobotRequest::kStop) armed = false;
+    double speed = 0.0;
+    rate_radps_ = 0.0;
+    if (armed && out.command_valid) {
+      speed = out.command.speed_mps;
+      rate_radps_ =
+          std::clamp(out.command.yaw_rate_radps +
+                         4.0 * wrap_angle(out.command.desired_yaw_rad - out.command.pose.yaw_rad),
+                     -1.2, 1.2);
+    }
+    const double half = rate_radps_ * parameters_.model.wheelbase_m / 2.0;
+    left_m_ += (speed - half) / (1.0 - parameters_.model.slip_left) * to_s(kPeriod);
+    right_m_ += (speed + half) / (1.0 - parameters_.model.slip_right) * to_s(kPeriod);
+    x_m += speed * std::cos(yaw_rad) * to_s(kPeriod);
+    y_m += speed * std::sin(yaw_rad) * to_s(kPeriod);
+    yaw_rad += rate_radps_ * to_s(kPeriod);
+  }
+
+  bool armed = false;
+  FaultMask faults = 0;
+  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
+
+ private:
+  Parameters parameters_;
+  double left_m_ = 0.0, right_m_ = 0.0, rate_radps_ = 0.0;
+};
+
+class StepTest : public testing::Test {
+ protected:
+  StepTest() {
+    auto course = std::make_shared<course::Course>();
+    course->name = "test";
+    course->path = {course::Line{0.3}, course::Arc{0.3, kPi / 2}, course::Pivot{-kPi / 2},
+                    course::Line{0.2}};
+    course->fence = {-5, 5, -5, 5};
+    course_ = course;
+    parameters_.model.slip_angle_straight_rad = 0.0;
+  }
+
+  /// One period: sample, step, robot.
+  const Outputs& tick(Step& step, KinematicRobot& robot,
+                      std::span<const OperatorRequest> requests = {}) {
+    now_ += kPeriod;
+    samples_.assign(1, robot.sample(now_));
+    ClockState clock;
+    clock.valid = true;
+    const Outputs& out =
+        step({.samples = connected_ ? std::span<const Sample>(samples_) : std::span<const Sample>(),
+              .requests = requests,
+              .session = connected_ ? SessionState::kReady : SessionState::kClosed,
+              .clock = clock,
+              .session_number = session_},
+             now_);
+    robot.obey(out);
+    return out;
+  }
+  RunState run(Step& step, KinematicRobot& robot, double duration_s) {
+    RunState state = RunState::kIdle;
+    for (double t = 0; t < duration_s; t += to_s(kPeriod)) {
+      state = tick(step, robot).snapshot.run_state;
+      if (state == RunState::kFinished || state == RunState::kAborted) break;
+    }
+    return state;
+  }
+  void start(Step& step, KinematicRobot& robot) {
+    const OperatorRequest request = OperatorRequest::kStart;
+    tick(step, robot, std::span(&request, 1));
+  }
+
+  Parameters parameters_{};
+  std::shared_ptr<const course::Course> course_;
+  std::vector<Sample> samples_ = std::vector<Sample>(1);
+  HostNs now_ = 0;
+  bool connected_ = true;
+  std::uint32_t session_ = 1;
+};
+
+TEST_F(StepTest, DrivesACourseToItsEndAndDisarms) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  EXPECT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  EXPECT_FALSE(robot.armed);
+  EXPECT_NEAR(robot.x_m, 0.8, 0.02);
+  EXPECT_NEAR(robot.y_m, 0.3, 0.02);
+}
+
+TEST_F(StepTest, NothingMovesWithoutAStart) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  robot.armed = true;
+  run(step, robot, 5.0);
+  EXPECT_EQ(robot.x_m, 0.0);
+  EXPECT_NEAR(robot.yaw_rad, 0.0, 1e-9);
+}
+
+TEST_F(StepTest, WaitsForTheGyroBiasBeforeItArms) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  for (int i = 0; i < 80; ++i) ASSERT_EQ(tick(step, robot).request, RobotRequest::kNone);
+  EXPECT_EQ(run(step, robot, 1.0), RunState::kRunning);
+}
+
+TEST_F(StepTest, OnABenchTheGyroNeitherSteersNorHoldsUpTheStart) {
+  parameters_.setup = Setup::kBench;
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  EXPECT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  EXPECT_NEAR(robot.x_m, 0.8, 0.02);
+}
+
+TEST_F(StepTest, ALostLinkEndsTheRunAndNothingMovesUntilTheNextStart) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 2.0), RunState::kRunning);
+  connected_ = false;
+  EXPECT_FALSE(tick(step, robot).command_valid);
+  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kAborted);
+  connected_ = true;
+  ++session_;
+  const double x_m = robot.x_m;
+  run(step, robot, 2.0);
+  EXPECT_EQ(robot.x_m, x_m);
+  start(step, robot);
+  EXPECT_EQ(run(step, robot, 1.0), RunState::kRunning);
+}
+
+TEST_F(StepTest, LateSamplesAreNotSteeredBy) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  tick(step, robot);
+  ASSERT_TRUE(tick(step, robot).command_valid);
+  ClockState clock;
+  clock.valid = true;
+  now_ += 100 * kNsPerMs;
+  EXPECT_FALSE(step({.session = SessionState::kReady, .clock = clock, .session_number = 1}, now_)
+                   .command_valid);
+}
+
+TEST_F(StepTest, TheSameInputsGiveTheSameBits) {
+  const auto drive = [&] {
+    now_ = 0;
+    Step step(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    start(step, robot);
+    std::vector<double> poses;
+    for (int i = 0; i < 2000; ++i) {
+      const Snapshot& s = tick(step, robot).snapshot;
+      poses.insert(poses.end(), {s.model.x_m, s.model.y_m, s.odometry.x_m, s.odometry.yaw_rad,
+                                 s.command.desired_yaw_rad, s.command.speed_mps});
+    }
+    return poses;
+  };
+  const std::vector<double> a = drive(), b = drive();
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0);
+}
+
+TEST_F(StepTest, AllocatesNothing) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  std::uint64_t calls = 0;
+  bool finished = false;
+  for (int i = 0; i < 6000 && !finished; ++i) {
+    now_ += kPeriod;
+    samples_[0] = robot.sample(now_);
+    ClockState clock;
+    clock.valid = true;
+    const test::AllocCount count;
+    const Outputs& out = step(
+        {.samples = samples_, .session = SessionState::kReady, .clock = clock, .session_number = 1},
+        now_);
+    calls += count.calls();
+    robot.obey(out);
+    finished = out.snapshot.run_state == RunState::kFinished;
+  }
+  EXPECT_TRUE(finished);
+  EXPECT_EQ(calls, 0u);
+}
+
+TEST_F(StepTest, TheCounterOfTheTestAboveCounts) {
+  if (!test::counting()) return;
+  const test::AllocCount count;
+  const auto block = std::make_unique<std::vector<int>>(100);
+  EXPECT_GE(count.calls(), 2u);
+}
+
+TEST_F(StepTest, ACourseFasterThanTheRobotIsRefused) {
+  auto fast = std::make_shared<course::Course>(*course_);
+  fast->speed_mps = 0.25;
+  EXPECT_THROW(Step(parameters_, fast), SetupError);
+}
+
+TEST_F(StepTest, PaperModeUsesThePrintedConstantsWhateverTheRobotSays) {
+  parameters_.paper_model = true;
+  parameters_.model.slip_left = parameters_.model.slip_right = 0.5;
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  const Snapshot& snapshot = tick(step, robot).snapshot;
+  tick(step, robot);
+  EXPECT_DOUBLE_EQ(snapshot.slip_left, 0.1);
+  EXPECT_DOUBLE_EQ(snapshot.slip_right, 0.1188);
+}
+
+}  // namespace
+}  // namespace tp100::bridge
