@@ -17,8 +17,8 @@ constexpr double kGateNs = 500'000.0;
 constexpr double kGateFactor = 5.0;
 constexpr double kMisfitNs = 2'000'000.0;
 constexpr int kMisfitsBeforeRestart = 4;
-// Wire times are nominal, so that a perfect exchange can come out a little below zero.
-constexpr HostNs kEarliestNs = -300 * kNsPerUs;
+// Clocks are read a little before or after the bytes move.
+constexpr HostNs kEarliestNs = -200 * kNsPerUs;
 
 }  // namespace
 
@@ -54,7 +54,10 @@ ClockSync::Verdict ClockSync::answered(std::uint16_t id, DeviceUs received_us, D
   const HostNs start = asked_ns_ + request_wire_ns_;
   const HostNs end = now - wire_ns;
   const HostNs trip = (end - start) - (sent_us - received_us) * kNsPerUs;
-  if (sent_us < received_us || trip < kEarliestNs) return Verdict::kOutlier;
+  // Wire times are nominal (an emulator may skip part of them), so that a good exchange can come
+  // out below zero; but no reply is older than its request.
+  const HostNs whole_trip = trip + request_wire_ns_ + wire_ns;
+  if (sent_us < received_us || whole_trip < kEarliestNs) return Verdict::kOutlier;
 
   const DeviceUs device_us = received_us + (sent_us - received_us) / 2;
   const double half_us_ns = (sent_us - received_us) % 2 == 0 ? 0.0 : 500.0;
