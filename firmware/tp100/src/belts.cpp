@@ -6,12 +6,16 @@ namespace tp100 {
 namespace firmware {
 
 BeltSpeeds belt_speeds(float speed_mps, float yaw_rate_radps, const wire::Parameters& p) {
-  const float arc = yaw_rate_radps * p.wheelbase_m * 0.5f;
-  const float left = (speed_mps - arc) / (1.0f - p.slip_left);
-  const float right = (speed_mps + arc) / (1.0f - p.slip_right);
-  const float turn = clamp((right - left) * 0.5f, p.max_track_mps);
-  const float mean = clamp((right + left) * 0.5f, p.max_track_mps - magnitude(turn));
-  const BeltSpeeds result = {mean - turn, mean + turn};
+  const float left_grip = 1.0f - p.slip_left;
+  const float right_grip = 1.0f - p.slip_right;
+  const float left_limit = p.max_track_mps * left_grip;
+  const float right_limit = p.max_track_mps * right_grip;
+  const float arc = clamp(yaw_rate_radps * p.wheelbase_m * 0.5f, (left_limit + right_limit) * 0.5f);
+  // Ground speeds at which each belt stays within its limit while the turn is kept.
+  const float slowest = larger(arc - left_limit, -arc - right_limit);
+  const float fastest = smaller(arc + left_limit, -arc + right_limit);
+  const float speed = larger(slowest, smaller(fastest, speed_mps));
+  const BeltSpeeds result = {(speed - arc) / left_grip, (speed + arc) / right_grip};
   return result;
 }
 

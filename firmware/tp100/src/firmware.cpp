@@ -361,7 +361,9 @@ void Firmware::drive(uint32_t now_us, float dt_s) {
   if (!may_drive()) return;
   check_belts(now_us, static_cast<uint16_t>(dt_s * 1000.0f + 0.5f));
   if (!may_drive()) return;
-  target_ = approach(target_, wanted(now_us), parameters_.max_track_mps2 * dt_s);
+  const BeltSpeeds speeds = wanted(now_us);
+  if (state_ == State::kArmed) return;
+  target_ = approach(target_, speeds, parameters_.max_track_mps2 * dt_s);
   const float full = static_cast<float>(wire::kFullDuty);
   const float left = left_.loop.update(target_.left, dt_s, parameters_) * full;
   const float right = right_.loop.update(target_.right, dt_s, parameters_) * full;

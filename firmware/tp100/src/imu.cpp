@@ -68,9 +68,11 @@ void Imu::update() {
   if (!read(values)) {
     grow_old();
     ++errors_;
-    if (++failures_ >= kFailuresBeforeRestart) {
+    if (++failures_ >= kStaleSamples) {
       started_ = false;
       wait_ = 0;
+    } else if (failures_ % kFailuresBeforeRecovery == 0) {
+      hal_.i2c_recover();
     }
     return;
   }

@@ -42,7 +42,7 @@ class Imu {
  private:
   static const uint8_t kStaleSamples = 10;
   static const uint8_t kRetrySamples = 20;
-  static const uint8_t kFailuresBeforeRestart = 3;
+  static const uint8_t kFailuresBeforeRecovery = 3;
 
   bool read(ImuValues& values);
   void grow_old();

@@ -18,6 +18,9 @@ inline float clamp(float value, float limit) {
   return value > limit ? limit : value < -limit ? -limit : value;
 }
 
+inline float smaller(float a, float b) { return a < b ? a : b; }
+inline float larger(float a, float b) { return a > b ? a : b; }
+
 /// The same direction in [-pi, pi], for |rad| < 1e4.
 inline float wrap_angle(float rad) {
   const float turns = rad / (2.0f * kPi);
