@@ -1,0 +1,375 @@
+#include "sim/board/native_board.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include "wire/frame.h"
+#include "wire/messages.h"
+
+namespace tp100::sim {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kByteNs = 20'000;
+
+// An MPU6050 that stands still, with a little noise.
+class StillImu final : public I2cSlave {
+ public:
+  bool write(std::span<const std::uint8_t> bytes) override {
+    if (!answers) return false;
+    pointer_ = bytes[0];
+    return true;
+  }
+  bool read(std::span<std::uint8_t> bytes) override {
+    if (!answers) return false;
+    ++reads_;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      const std::size_t reg = pointer_ + i;
+      bytes[i] = reg == 0x75 ? 0x68 : reg == 0x3C ? static_cast<std::uint8_t>(reads_ % 5) : 0;
+    }
+    return true;
+  }
+  bool answers = true;
+
+ private:
+  std::size_t pointer_ = 0;
+  unsigned reads_ = 0;
+};
+
+template <class Message>
+std::vector<std::uint8_t> frame_of(const Message& message) {
+  std::uint8_t payload[Message::kSize];
+  wire::write_payload(message, payload);
+  std::vector<std::uint8_t> frame(wire::kMaxFrame);
+  frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
+                                  Message::kSize, frame.data()));
+  return frame;
+}
+
+wire::Parameters parameters(std::uint32_t nonce) {
+  wire::Parameters p{};
+  p.boot_nonce = nonce;
+  p.token = 1;
+  p.counts_per_metre = 11140.0f;
+  p.wheelbase_m = 0.274f;
+  p.max_track_mps = 0.2f;
+  p.max_track_mps2 = 0.6f;
+  p.feed_forward = 4.0f;
+  p.dead_band = 0.15f;
+  p.speed_kp = 4.0f;
+  p.speed_ki = 30.0f;
+  p.yaw_kp = 4.0f;
+  p.max_yaw_radps = 1.2f;
+  p.gyro_z_radps_per_lsb = 5.3e-4f;
+  p.stall_ms = 1000;
+  p.command_life_ms = 200;
+  p.yaw_window_ms = 200;
+  p.flags = wire::kUseGyro;
+  return p;
+}
+
+// A board, a host that collects frames, and the wires between them.
+class Rig {
+ public:
+  explicit Rig(NativeBoardSettings settings = {}) : board(settings, &imu) {
+    board.set_battery(7.9);
+    board.reset(PowerUp::kPowerOn, 0);
+  }
+
+  void run(int ms) {
+    for (int i = 0; i < ms; ++i) {
+      const std::int64_t until_ns = now_ns + kMs;
+      std::vector<TimedByte> arriving;
+      while (!host_out.empty() && host_out.front().at_ns <= until_ns) {
+        arriving.push_back(host_out.front());
+        host_out.erase(host_out.begin());
+      }
+      std::vector<Edge> now_edges;
+      while (!edges.empty() && edges.front().at_ns <= until_ns) {
+        now_edges.push_back(edges.front());
+        edges.erase(edges.begin());
+      }
+      board.advance(until_ns, now_edges, arriving);
+      now_ns = until_ns;
+      for (const TimedByte& byte : board.take_sent()) take(byte);
+    }
+  }
+  template <class Message>
+  void send(const Message& message) {
+    send_bytes(frame_of(message));
+  }
+  void send_bytes(const std::vector<std::uint8_t>& bytes) {
+    for (const std::uint8_t value : bytes) {
+      line_free_ns = std::max(line_free_ns, now_ns) + kByteNs;
+      host_out.push_back({line_free_ns, value});
+    }
+  }
+  void connect() {
+    run(20);
+    ASSERT_FALSE(hellos.empty());
+    send(parameters(hellos.back().boot_nonce));
+    run(20);
+    ASSERT_FALSE(samples.empty());
+  }
+
+  StillImu imu;
+  NativeBoard board;
+  std::int64_t now_ns = 0;
+  std::int64_t line_free_ns = 0;
+  std::vector<TimedByte> host_out;
+  std::vector<Edge> edges;
+  std::vector<TimedByte> sent;
+  std::vector<wire::Hello> hellos;
+  std::vector<std::int64_t> hello_at_ns;
+  std::vector<wire::Sample> samples;
+  std::vector<std::int64_t> sample_at_ns;
+  std::vector<wire::SyncReply> sync_replies;
+  int bad_frames = 0;
+
+ private:
+  template <class Message>
+  void keep(std::vector<Message>& list) {
+    Message message{};
+    if (!wire::read_payload(decoder_.payload(), decoder_.size(), message)) ++bad_frames;
+    list.push_back(message);
+  }
+  void take(const TimedByte& byte) {
+    sent.push_back(byte);
+    const wire::Received received = decoder_.push(byte.value);
+    if (received != wire::Received::kFrame) {
+      if (received != wire::Received::kNothing) ++bad_frames;
+      return;
+    }
+    const wire::Type type{decoder_.type()};
+    if (type == wire::Type::kHello) {
+      keep(hellos);
+      hello_at_ns.push_back(byte.at_ns);
+    } else if (type == wire::Type::kSample) {
+      keep(samples);
+      sample_at_ns.push_back(byte.at_ns);
+    } else if (type == wire::Type::kSyncReply) {
+      keep(sync_replies);
+    }
+  }
+  wire::FrameDecoder decoder_;
+};
+
+TEST(NativeBoard, IsSilentWithoutPower) {
+  NativeBoard board({}, nullptr);
+  board.advance(100 * kMs, {}, {});
+  EXPECT_TRUE(board.take_sent().empty());
+}
+
+TEST(NativeBoard, SaysHelloAfterItsBootDelay) {
+  NativeBoardSettings settings;
+  settings.boot_delay_ns = 840 * kMs;
+  Rig rig(settings);
+  rig.run(1500);
+  ASSERT_GE(rig.hellos.size(), 3U);
+  EXPECT_GT(rig.hello_at_ns[0], 840 * kMs);
+  EXPECT_LT(rig.hello_at_ns[0], 845 * kMs);
+  EXPECT_NEAR(static_cast<double>(rig.hello_at_ns[2] - rig.hello_at_ns[1]), 200.0 * kMs, 1.0 * kMs);
+  EXPECT_EQ(rig.hellos[0].board, static_cast<std::uint8_t>(wire::Board::kNative));
+  EXPECT_EQ(rig.hellos[0].reset_cause, static_cast<std::uint8_t>(wire::ResetCause::kPowerOn));
+  EXPECT_EQ(rig.bad_frames, 0);
+}
+
+TEST(NativeBoard, SwallowsBytesWhileItBoots) {
+  NativeBoardSettings settings;
+  settings.boot_delay_ns = 100 * kMs;
+  Rig rig(settings);
+  rig.send_bytes(std::vector<std::uint8_t>(30, 0x55));
+  rig.run(50);
+  EXPECT_EQ(rig.board.counters().rx_lost_in_boot, 30U);
+  EXPECT_EQ(rig.board.counters().rx_overruns, 0U);
+}
+
+TEST(NativeBoard, EveryBytesTakesItsTimeOnTheWire) {
+  Rig rig;
+  rig.connect();
+  rig.run(500);
+  ASSERT_GT(rig.sent.size(), 4000U);
+  for (std::size_t i = 1; i < rig.sent.size(); ++i) {
+    ASSERT_GE(rig.sent[i].at_ns - rig.sent[i - 1].at_ns, kByteNs);
+  }
+  const std::size_t frame = wire::Sample::kSize + 5;
+  const std::int64_t delay_ns =
+      rig.sample_at_ns.back() - rig.sample_at_ns[rig.sample_at_ns.size() - 2];
+  EXPECT_NEAR(static_cast<double>(delay_ns), 5.0 * kMs, 0.6 * kMs);
+  // The burst of the IMU and the frame lie between the measurement and its arrival.
+  const double measured_ns = rig.samples.back().device_us * 1e3 + 4.0 * kMs;
+  const double arrival_ns = static_cast<double>(rig.sample_at_ns.back());
+  EXPECT_GE(arrival_ns - measured_ns, 471e3 + static_cast<double>(frame) * kByteNs - 2e3);
+  EXPECT_LT(arrival_ns - measured_ns, 471e3 + static_cast<double>(frame) * kByteNs + 1e6);
+}
+
+TEST(NativeBoard, CountsBytesThatFindTheBufferFull) {
+  Rig rig;
+  rig.run(20);
+  // 200 bytes in one instant: no wire does that, but the ring holds 63 whatever comes.
+  std::vector<TimedByte> burst(200, TimedByte{rig.now_ns + 1, 0x55});
+  rig.board.advance(rig.now_ns + kMs, {}, burst);
+  EXPECT_EQ(rig.board.counters().rx_overruns, 200U - 63U);
+}
+
+TEST(NativeBoard, ALineAtFullRateDoesNotOverrun) {
+  Rig rig;
+  rig.connect();
+  rig.send_bytes(std::vector<std::uint8_t>(20'000, 0x55));
+  rig.run(450);
+  EXPECT_EQ(rig.board.counters().rx_overruns, 0U);
+}
+
+TEST(NativeBoard, CountsEveryEdgeExactly) {
+  Rig rig;
+  rig.connect();
+  // A leads B forward; the right encoder turns back half as fast.
+  constexpr std::array<std::pair<std::uint8_t, bool>, 4> kCycle = {
+      {{0, true}, {1, true}, {0, false}, {1, false}}};
+  for (int i = 0; i < 4001; ++i) {
+    const auto& [channel, level] = kCycle[static_cast<std::size_t>(i % 4)];
+    rig.edges.push_back({rig.now_ns + 1 + i * 100'000, channel, level});
+    if (i % 2 == 0) {
+      // B leads: 3 up, 2 up, 3 down, 2 down.
+      const auto& [other, other_level] = kCycle[static_cast<std::size_t>((i / 2) % 4)];
+      rig.edges.push_back(
+          {rig.now_ns + 1 + i * 100'000, static_cast<std::uint8_t>(3 - other), other_level});
+    }
+  }
+  rig.run(420);
+  EXPECT_EQ(rig.samples.back().left_counts, 4001);
+  EXPECT_EQ(rig.samples.back().right_counts, -2001);
+}
+
+TEST(NativeBoard, TheSampleHoldsTheEdgesUpToItsTime) {
+  Rig rig;
+  rig.connect();
+  const std::int64_t step_ns = rig.now_ns + 50 * kMs;
+  rig.edges.push_back({step_ns, 0, true});
+  rig.run(100);
+  const double boot_us = 4000.0;
+  for (const wire::Sample& sample : rig.samples) {
+    const double at_us = static_cast<double>(sample.device_us) + boot_us;
+    EXPECT_EQ(sample.left_counts, at_us * 1e3 > static_cast<double>(step_ns) ? 1 : 0);
+  }
+}
+
+TEST(NativeBoard, SameInputsGiveTheSameBytes) {
+  const auto run = [](std::uint64_t seed) {
+    NativeBoardSettings settings;
+    settings.seed = seed;
+    settings.clock_ppm = 37.0;
+    Rig rig(settings);
+    rig.connect();
+    std::mt19937_64 random(5);
+    for (int i = 0; i < 300; ++i) {
+      rig.send(wire::SyncRequest{static_cast<std::uint16_t>(i)});
+      rig.edges.push_back({rig.now_ns + static_cast<std::int64_t>(random() % kMs), 0, i % 2 == 0});
+      rig.run(3);
+    }
+    std::vector<std::pair<std::int64_t, std::uint8_t>> bytes;
+    for (const TimedByte& byte : rig.sent) bytes.emplace_back(byte.at_ns, byte.value);
+    return bytes;
+  };
+  EXPECT_EQ(run(3), run(3));
+  EXPECT_NE(run(3), run(4)) << "the boot nonce comes from the seed";
+}
+
+TEST(NativeBoard, TheQuantumDoesNotChangeWhatItDoes) {
+  const auto run = [](std::int64_t quantum_ns) {
+    StillImu imu;
+    NativeBoard board({}, &imu);
+    board.reset(PowerUp::kPowerOn, 0);
+    std::vector<std::pair<std::int64_t, std::uint8_t>> bytes;
+    for (std::int64_t at_ns = quantum_ns; at_ns <= 600 * kMs; at_ns += quantum_ns) {
+      board.advance(at_ns, {}, {});
+      for (const TimedByte& byte : board.take_sent()) bytes.emplace_back(byte.at_ns, byte.value);
+    }
+    return bytes;
+  };
+  EXPECT_EQ(run(kMs), run(kMs / 8));
+  EXPECT_EQ(run(kMs), run(3 * kMs));
+}
+
+TEST(NativeBoard, ItsClockIsOffByItsPpmAndStartsWhereItIsTold) {
+  NativeBoardSettings settings;
+  settings.clock_ppm = 500.0;
+  settings.start_us = 0xFFFFFFFFU - 1'000'000U;
+  Rig rig(settings);
+  rig.connect();
+  const wire::Sample first = rig.samples.front();
+  const std::int64_t first_ns = rig.sample_at_ns.front();
+  for (int i = 0; i < 50; ++i) {
+    rig.send(wire::SyncRequest{1});
+    rig.run(200);
+  }
+  const double device_us = rig.samples.back().device_us - first.device_us;
+  const double true_us = static_cast<double>(rig.sample_at_ns.back() - first_ns) * 1e-3;
+  EXPECT_NEAR(device_us / true_us, 1.0005, 1e-4);
+  EXPECT_GT(first.device_us, 0xFFFFFFFFU - 1'000'000U);
+  EXPECT_LT(rig.samples.back().device_us, 20'000'000U) << "wrapped";
+}
+
+TEST(NativeBoard, ResetGivesANewNonceAndItsCause) {
+  Rig rig;
+  rig.connect();
+  const std::uint32_t first = rig.hellos.back().boot_nonce;
+  rig.board.reset(PowerUp::kBrownOut, rig.now_ns);
+  rig.run(20);
+  EXPECT_NE(rig.hellos.back().boot_nonce, first);
+  EXPECT_NE(rig.hellos.back().boot_nonce, 0U);
+  EXPECT_EQ(rig.hellos.back().reset_cause, static_cast<std::uint8_t>(wire::ResetCause::kBrownOut));
+  EXPECT_EQ(rig.hellos.back().state, static_cast<std::uint8_t>(wire::State::kHello));
+}
+
+TEST(NativeBoard, DrivesAndStopsWhenItsHostFallsSilent) {
+  Rig rig;
+  rig.connect();
+  const std::uint32_t nonce = rig.hellos.back().boot_nonce;
+  const auto command = [&](std::uint16_t sequence) {
+    wire::Command c{};
+    c.boot_nonce = nonce;
+    c.sequence = sequence;
+    c.answers = rig.samples.back().sequence;
+    c.speed_mps = 0.1f;
+    c.expiry_us = rig.board.device_us() + 190'000;
+    return c;
+  };
+  std::uint16_t sequence = 0;
+  for (int i = 0; i < 100; ++i) {
+    rig.send(command(++sequence));
+    if (i == 10) rig.send(wire::Arm{nonce, 5, rig.board.device_us() + 200'000});
+    rig.run(5);
+  }
+  EXPECT_GT(rig.board.drive().left, 0.2);
+  EXPECT_GT(rig.board.drive().right, 0.2);
+  rig.run(200);
+  EXPECT_EQ(rig.board.drive().left, 0.0);
+  EXPECT_EQ(rig.board.drive().right, 0.0);
+}
+
+TEST(NativeBoard, TheBatteryIsReadInStepsOfTheConverter) {
+  Rig rig;
+  rig.board.set_battery(7.9);
+  rig.connect();
+  EXPECT_NEAR(rig.samples.back().battery_mv, 7900, 10);
+  rig.board.set_battery(99.0);
+  rig.run(500);
+  EXPECT_LE(rig.samples.back().battery_mv, 10'000);
+}
+
+TEST(NativeBoard, WithoutAnImuFramesGoOn) {
+  Rig rig;
+  rig.imu.answers = false;
+  rig.connect();
+  const std::size_t before = rig.samples.size();
+  rig.run(500);
+  EXPECT_NEAR(static_cast<double>(rig.samples.size() - before), 100.0, 3.0);
+  EXPECT_EQ(rig.samples.back().imu_age, 255);
+}
+
+}  // namespace
+}  // namespace tp100::sim

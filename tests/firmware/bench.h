@@ -1,0 +1,238 @@
+#pragma once
+// A firmware on a scripted board with a host that keeps the protocol and two belts that follow
+// their duties. 250 us a loop, a tick each millisecond.
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "firmware/firmware.h"
+#include "scripted_hal.h"
+#include "wire/frame.h"
+
+namespace tp100::firmware {
+
+class Bench {
+ public:
+  static constexpr float kGyroScale = 0.0174532925f / 32.8f;  // 1000 deg/s full scale
+
+  static wire::Parameters good_parameters() {
+    wire::Parameters p{};
+    p.boot_nonce = 0xB007;
+    p.token = 1;
+    p.counts_per_metre = 11140.0f;
+    p.wheelbase_m = 0.274f;
+    p.slip_left = 0.16f;
+    p.slip_right = 0.10f;
+    p.max_track_mps = 0.2f;
+    p.max_track_mps2 = 0.6f;
+    p.feed_forward = 4.0f;
+    p.dead_band = 0.15f;
+    p.speed_kp = 4.0f;
+    p.speed_ki = 30.0f;
+    p.yaw_kp = 4.0f;
+    p.max_yaw_radps = 1.2f;
+    p.gyro_z_radps_per_lsb = kGyroScale;
+    p.battery_cutoff_mv = 6000;
+    p.stall_duty = 600;
+    p.stall_ms = 1000;
+    p.command_life_ms = 200;
+    p.yaw_window_ms = 200;
+    p.flags = wire::kUseGyro;
+    return p;
+  }
+
+  explicit Bench(bool boot_now = true) {
+    if (boot_now) boot();
+  }
+  void boot() { program.setup(); }
+
+  ScriptedHal hal;
+  Firmware program{hal};
+
+  // The host.
+  wire::Parameters parameters = good_parameters();
+  bool streams = false;  // a command each 5 ms
+  float speed_mps = 0.0f;
+  float yaw_rate_radps = 0.0f;
+  float yaw_rad = 0.0f;  // as the host estimates it
+  float desired_yaw_rad = 0.0f;
+  std::uint16_t sequence = 100;
+  std::uint32_t token = 10;
+
+  // The body.
+  bool belts_follow = false;
+  bool left_blocked = false;
+  double left_mps = 0.0;
+  double right_mps = 0.0;
+  double true_yaw_rad = 0.0;
+
+  // What came back.
+  std::vector<wire::Hello> hellos;
+  std::vector<wire::Sample> samples;
+  std::vector<wire::Acknowledge> acknowledges;
+  std::vector<wire::SyncReply> sync_replies;
+  std::vector<wire::FaultReport> reports;
+  std::vector<std::string> logs;
+  int bad_frames = 0;
+
+  template <class Message>
+  static std::vector<std::uint8_t> frame_of(const Message& message) {
+    std::uint8_t payload[Message::kSize];
+    wire::write_payload(message, payload);
+    std::vector<std::uint8_t> frame(wire::kMaxFrame);
+    frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
+                                    Message::kSize, frame.data()));
+    return frame;
+  }
+  template <class Message>
+  void send(const Message& message) {
+    const auto frame = frame_of(message);
+    hal.received.insert(hal.received.end(), frame.begin(), frame.end());
+  }
+
+  void tick() { program.tick_1khz(); }
+  /// Loops and ticks for `ms` milliseconds.
+  void run(int ms) {
+    for (int i = 0; i < ms; ++i) {
+      if (streams && ++since_command_ >= 5) {
+        since_command_ = 0;
+        send(command());
+      }
+      for (int loop = 0; loop < 4; ++loop) {
+        hal.room = 200;
+        program.loop();
+        hal.now_us += 250;
+      }
+      tick();
+      move();
+      collect();
+    }
+  }
+  /// The main loop hangs; the timer goes on.
+  void hang(int ms) {
+    for (int i = 0; i < ms; ++i) {
+      hal.now_us += 1000;
+      tick();
+    }
+  }
+
+  wire::Command command() {
+    wire::Command c{};
+    c.boot_nonce = hal.nonce;
+    c.sequence = ++sequence;
+    c.answers = samples.empty() ? std::uint16_t{0} : samples.back().sequence;
+    c.yaw_rad = yaw_rad;
+    c.desired_yaw_rad = desired_yaw_rad;
+    c.yaw_rate_radps = yaw_rate_radps;
+    c.speed_mps = speed_mps;
+    c.expiry_us = hal.now_us + 195'000;
+    return c;
+  }
+  wire::Arm arm_message() { return {hal.nonce, ++token, hal.now_us + 200'000}; }
+
+  /// Parameters accepted, samples flow.
+  void connect() {
+    send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+    run(2);
+    parameters.boot_nonce = hal.nonce;
+    parameters.token = ++token;
+    send(parameters);
+    run(20);
+  }
+  wire::Acknowledge arm() {
+    send(arm_message());
+    run(2);
+    return acknowledges.empty() ? wire::Acknowledge{} : acknowledges.back();
+  }
+  /// Connected, commands stream, armed; the commands ask for `speed`.
+  void drive(float speed = 0.1f) {
+    connect();
+    streams = true;
+    run(20);
+    arm();
+    speed_mps = speed;
+    run(20);
+  }
+  bool motors_on() const { return hal.duties != ScriptedHal::Duties{}; }
+  bool has(wire::Fault fault) const { return (program.faults() & wire::fault_bit(fault)) != 0; }
+  int count_logs(const std::string& start) const {
+    return static_cast<int>(std::count_if(logs.begin(), logs.end(), [&](const std::string& line) {
+      return line.starts_with(start);
+    }));
+  }
+
+  void collect() {
+    for (const std::uint8_t byte : hal.sent) {
+      const wire::Received received = decoder_.push(byte);
+      if (received == wire::Received::kFrame) {
+        take();
+      } else if (received != wire::Received::kNothing) {
+        ++bad_frames;
+      }
+    }
+    hal.sent.clear();
+  }
+
+ private:
+  template <class Message>
+  void keep(std::vector<Message>& list) {
+    Message message{};
+    if (wire::read_payload(decoder_.payload(), decoder_.size(), message)) {
+      list.push_back(message);
+    } else {
+      ++bad_frames;
+    }
+  }
+  void take() {
+    switch (wire::Type{decoder_.type()}) {
+      case wire::Type::kHello:
+        return keep(hellos);
+      case wire::Type::kSample:
+        return keep(samples);
+      case wire::Type::kAcknowledge:
+        return keep(acknowledges);
+      case wire::Type::kSyncReply:
+        return keep(sync_replies);
+      case wire::Type::kFaultReport:
+        return keep(reports);
+      case wire::Type::kLog: {
+        std::vector<wire::Log> one;
+        keep(one);
+        std::string text;
+        for (const std::uint8_t c : one.at(0).text) {
+          if (c != 0) text.push_back(static_cast<char>(c));
+        }
+        logs.push_back(text);
+        return;
+      }
+      default:
+        ++bad_frames;
+    }
+  }
+  static double follow(double mps, std::int16_t duty) {
+    const double size = std::abs(duty) / 1000.0;
+    const double wanted = std::copysign(std::max(0.0, size - 0.13) / 4.3, duty);
+    return mps + (wanted - mps) * (1.0 / 80.0);
+  }
+  void move() {
+    if (!belts_follow) return;
+    left_mps = left_blocked ? 0.0 : follow(left_mps, hal.duties.left);
+    right_mps = follow(right_mps, hal.duties.right);
+    left_m_ += left_mps * 1e-3;
+    right_m_ += right_mps * 1e-3;
+    hal.left_counts = static_cast<std::int32_t>(std::floor(left_m_ * 11140.0));
+    hal.right_counts = static_cast<std::int32_t>(std::floor(right_m_ * 11140.0));
+    const double rate = (right_mps * 0.90 - left_mps * 0.84) / 0.274;
+    true_yaw_rad += rate * 1e-3;
+    hal.gyro_z = static_cast<std::int16_t>(std::lround(rate / static_cast<double>(kGyroScale)));
+  }
+
+  wire::FrameDecoder decoder_;
+  int since_command_ = 0;
+  double left_m_ = 0.0;
+  double right_m_ = 0.0;
+};
+
+}  // namespace tp100::firmware

@@ -1,0 +1,238 @@
+// Motors go off by themselves.
+
+#include <gtest/gtest.h>
+
+#include "bench.h"
+
+namespace tp100::firmware {
+namespace {
+
+using wire::Fault;
+using wire::State;
+
+TEST(FailSafe, SilenceOf200MsSwitchesARunningRobotOff) {
+  Bench bench;
+  bench.drive();
+  bench.run(200);
+  ASSERT_TRUE(bench.motors_on());
+  bench.streams = false;
+  // The last command is at most 5 ms old and lives for 195 ms.
+  bench.run(185);
+  EXPECT_TRUE(bench.motors_on());
+  bench.run(15);
+  EXPECT_FALSE(bench.motors_on());
+  EXPECT_EQ(bench.program.state(), State::kFaulted);
+  ASSERT_EQ(bench.reports.size(), 1U);
+  EXPECT_EQ(bench.reports[0].fault, static_cast<std::uint8_t>(Fault::command_timeout));
+  EXPECT_EQ(bench.count_logs("motors off: command_timeout"), 1);
+}
+
+TEST(FailSafe, AShorterCommandLifeHolds) {
+  Bench bench;
+  bench.parameters.command_life_ms = 50;
+  bench.drive();
+  ASSERT_TRUE(bench.motors_on());
+  bench.streams = false;
+  bench.run(40);
+  EXPECT_TRUE(bench.motors_on());
+  bench.run(12);
+  EXPECT_FALSE(bench.motors_on());
+  EXPECT_TRUE(bench.has(Fault::command_timeout));
+}
+
+TEST(FailSafe, TheExpiryOfACommandHolds) {
+  Bench bench;
+  bench.drive();
+  bench.streams = false;
+  wire::Command command = bench.command();
+  command.expiry_us = bench.hal.now_us + 30'000;
+  bench.send(command);
+  bench.run(25);
+  EXPECT_TRUE(bench.motors_on());
+  bench.run(7);
+  EXPECT_FALSE(bench.motors_on());
+}
+
+TEST(FailSafe, AnArmedRobotTimesOutToo) {
+  Bench bench;
+  bench.connect();
+  bench.streams = true;
+  bench.run(20);
+  bench.arm();
+  bench.streams = false;
+  bench.run(210);
+  EXPECT_EQ(bench.program.state(), State::kFaulted);
+  EXPECT_TRUE(bench.has(Fault::command_timeout));
+  EXPECT_EQ(bench.count_logs("motors off: command_timeout"), 1);
+}
+
+TEST(FailSafe, ADisarmedRobotLatchesAfterTheGraceOfANewSession) {
+  Bench bench;
+  bench.connect();
+  bench.run(450);
+  EXPECT_EQ(bench.program.state(), State::kDisarmed);
+  EXPECT_EQ(bench.program.faults(), 0);
+  bench.run(300);
+  EXPECT_EQ(bench.program.state(), State::kFaulted);
+  EXPECT_TRUE(bench.has(Fault::command_timeout));
+  EXPECT_EQ(bench.reports.size(), 1U);
+  EXPECT_EQ(bench.count_logs("motors off"), 0) << "they were not on";
+}
+
+TEST(FailSafe, ADisarmedRobotWhoseCommandsEndLatches) {
+  Bench bench;
+  bench.connect();
+  bench.streams = true;
+  bench.run(1000);
+  EXPECT_EQ(bench.program.faults(), 0);
+  bench.streams = false;
+  bench.run(210);
+  EXPECT_TRUE(bench.has(Fault::command_timeout));
+}
+
+TEST(FailSafe, NobodyIsExpectedToSendCommandsBeforeASession) {
+  Bench bench;
+  bench.run(3000);
+  bench.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  bench.run(900);
+  EXPECT_EQ(bench.program.faults(), 0);
+}
+
+TEST(FailSafe, RefusedCommandsDoNotKeepARobotRunning) {
+  Bench bench;
+  bench.drive();
+  bench.run(50);
+  bench.streams = false;
+  for (int i = 0; i < 50; ++i) {
+    wire::Command command = bench.command();
+    command.boot_nonce += 1;
+    bench.send(command);
+    bench.run(5);
+  }
+  EXPECT_FALSE(bench.motors_on());
+  EXPECT_TRUE(bench.has(Fault::command_timeout));
+}
+
+TEST(FailSafe, ATickAloneCutsBetweenTwoLoops) {
+  Bench bench;
+  bench.drive();
+  bench.run(50);
+  ASSERT_TRUE(bench.motors_on());
+  bench.hang(100);
+  EXPECT_FALSE(bench.motors_on());
+  // A loop that comes back must not switch on again.
+  bench.run(50);
+  EXPECT_FALSE(bench.motors_on());
+  EXPECT_TRUE(bench.has(Fault::loop_hung));
+  EXPECT_EQ(bench.count_logs("motors off: loop_hung"), 1);
+}
+
+TEST(FailSafe, EveryTickForcesTheOutputsOfADisarmedRobotToZero) {
+  Bench bench;
+  bench.connect();
+  bench.hal.duties = {500, 500};  // a stray write
+  bench.tick();
+  EXPECT_FALSE(bench.motors_on());
+}
+
+TEST(FailSafe, OnlyTheLoopFeedsTheWatchdog) {
+  Bench bench;
+  bench.drive();
+  const int kicks = bench.hal.kicks;
+  bench.hang(300);
+  EXPECT_EQ(bench.hal.kicks, kicks);
+  bench.program.loop();
+  EXPECT_EQ(bench.hal.kicks, kicks + 1);
+}
+
+TEST(FailSafe, LocksAreReleased) {
+  Bench bench;
+  bench.drive();
+  bench.run(300);
+  EXPECT_EQ(bench.hal.locks, 0);
+}
+
+TEST(FailSafe, ClockWrapDuringADriveChangesNothing) {
+  Bench bench(false);
+  bench.hal.now_us = 0xFFFFFFFFU - 700'000U;
+  bench.boot();
+  bench.belts_follow = true;
+  bench.drive();
+  int off = 0;
+  for (int i = 0; i < 1500; ++i) {
+    bench.run(1);
+    off += bench.motors_on() ? 0 : 1;
+  }
+  EXPECT_LT(bench.hal.now_us, 2'000'000U);
+  EXPECT_EQ(off, 0);
+  EXPECT_EQ(bench.program.faults(), 0);
+  bench.streams = false;
+  bench.run(205);
+  EXPECT_FALSE(bench.motors_on());
+}
+
+TEST(FailSafe, AFaultIsReportedOncePerLatch) {
+  Bench bench;
+  bench.drive();
+  bench.streams = false;
+  bench.run(900);
+  EXPECT_EQ(bench.reports.size(), 1U);
+  bench.streams = true;
+  bench.run(100);
+  bench.arm();
+  bench.streams = false;
+  bench.run(300);
+  EXPECT_EQ(bench.reports.size(), 2U);
+}
+
+TEST(FailSafe, LowCellsSwitchOffAfterASecond) {
+  Bench bench;
+  bench.belts_follow = true;
+  bench.drive();
+  bench.run(200);
+  bench.hal.cells_mv = 5000;
+  bench.run(900);
+  EXPECT_EQ(bench.program.state(), State::kRunning);
+  bench.run(300);
+  EXPECT_EQ(bench.program.state(), State::kFaulted);
+  EXPECT_TRUE(bench.has(Fault::battery_low));
+  EXPECT_FALSE(bench.motors_on());
+}
+
+TEST(FailSafe, AShortDipOfTheCellsIsNoFault) {
+  Bench bench;
+  bench.belts_follow = true;
+  bench.drive();
+  for (int i = 0; i < 10; ++i) {
+    bench.hal.cells_mv = 5000;
+    bench.run(300);
+    bench.hal.cells_mv = 7900;
+    bench.run(300);
+  }
+  EXPECT_FALSE(bench.has(Fault::battery_low));
+}
+
+TEST(FailSafe, ABlockedBeltIsStalled) {
+  Bench bench;
+  bench.belts_follow = true;
+  bench.left_blocked = true;
+  bench.drive(0.15f);
+  bench.run(3000);
+  EXPECT_TRUE(bench.has(Fault::stalled_left));
+  EXPECT_FALSE(bench.has(Fault::stalled_right));
+  EXPECT_FALSE(bench.motors_on());
+}
+
+TEST(FailSafe, ABeltThatRunsAgainstItsDutyIsReversed) {
+  Bench bench;
+  bench.parameters.flags = wire::kInvertRightMotor;
+  bench.belts_follow = true;
+  bench.drive(0.15f);
+  bench.run(1500);
+  EXPECT_TRUE(bench.has(Fault::reversed_right));
+  EXPECT_FALSE(bench.has(Fault::reversed_left));
+  EXPECT_FALSE(bench.motors_on());
+}
+
+}  // namespace
+}  // namespace tp100::firmware

@@ -1,0 +1,126 @@
+#pragma once
+// A board whose time, wires and sensors are in the test's hands.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "firmware/hal.h"
+
+namespace tp100::firmware {
+
+class ScriptedHal final : public Hal {
+ public:
+  struct Duties {
+    std::int16_t left = 0;
+    std::int16_t right = 0;
+    bool operator==(const Duties&) const = default;
+  };
+
+  // Knobs.
+  std::uint32_t now_us = 1'000'000;
+  std::size_t room = 200;  // what the UART takes, refilled by the test
+  bool imu_answers = true;
+  bool imu_frozen = false;           // answers with the same values again and again
+  std::uint32_t i2c_timeout_us = 0;  // what a dead bus costs a call
+  std::int16_t gyro_z = 0;
+  std::int32_t left_counts = 0;
+  std::int32_t right_counts = 0;
+  std::uint16_t cells_mv = 7900;
+  wire::ResetCause cause = wire::ResetCause::kPowerOn;
+  std::uint32_t nonce = 0xB007;
+
+  // What the firmware did.
+  std::deque<std::uint8_t> received;
+  std::vector<std::uint8_t> sent;
+  Duties duties;
+  int nonzero_writes = 0;
+  int i2c_calls = 0;
+  int recoveries = 0;
+  int kicks = 0;
+  int locks = 0;
+  std::size_t most_read_in_a_row = 0;
+
+  std::uint32_t micros() override { return now_us; }
+
+  bool uart_read(std::uint8_t& byte) override {
+    if (received.empty()) return false;
+    byte = received.front();
+    received.pop_front();
+    ++read_in_a_row_;
+    most_read_in_a_row = std::max(most_read_in_a_row, read_in_a_row_);
+    return true;
+  }
+  std::uint8_t uart_room() override { return static_cast<std::uint8_t>(room); }
+  std::uint8_t uart_waiting() override { return 0; }
+  void uart_write(const std::uint8_t* bytes, std::uint8_t size) override {
+    overfilled = overfilled || size > room;
+    room -= std::min<std::size_t>(room, size);
+    sent.insert(sent.end(), bytes, bytes + size);
+  }
+  bool overfilled = false;
+
+  bool i2c_write(std::uint8_t address, std::uint8_t reg, std::uint8_t value) override {
+    if (!answers(address)) return false;
+    registers_[reg & 0x7F] = value;
+    return true;
+  }
+  bool i2c_read(std::uint8_t address, std::uint8_t reg, std::uint8_t* bytes,
+                std::uint8_t size) override {
+    if (!answers(address)) return false;
+    registers_[0x75] = 0x68;
+    if (reg == 0x3B && !imu_frozen) measure();
+    for (std::uint8_t i = 0; i < size; ++i) bytes[i] = registers_[(reg + i) & 0x7F];
+    return true;
+  }
+  void i2c_recover() override { ++recoveries; }
+  std::uint8_t reg(std::uint8_t index) const { return registers_[index]; }
+
+  void counts(std::int32_t& left, std::int32_t& right) override {
+    left = left_counts;
+    right = right_counts;
+  }
+  void motors(std::int16_t left, std::int16_t right) override {
+    duties = {left, right};
+    if (left != 0 || right != 0) ++nonzero_writes;
+  }
+  std::uint16_t battery_mv() override { return cells_mv; }
+
+  void kick_watchdog() override {
+    ++kicks;
+    read_in_a_row_ = 0;
+  }
+  std::uint32_t boot_nonce() override { return nonce; }
+  wire::ResetCause reset_cause() override { return cause; }
+  wire::Board board() override { return wire::Board::kNative; }
+
+  std::uint8_t lock() override { return static_cast<std::uint8_t>(locks++); }
+  void unlock(std::uint8_t saved) override { locks = saved; }
+  void idle() override {}
+
+ private:
+  bool answers(std::uint8_t address) {
+    ++i2c_calls;
+    if (imu_answers && address == 0x68) return true;
+    now_us += i2c_timeout_us;
+    return false;
+  }
+  void put(std::size_t reg, std::int16_t value) {
+    registers_[reg] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(value) >> 8U);
+    registers_[reg + 1] = static_cast<std::uint8_t>(value);
+  }
+  void measure() {
+    ++burst_;
+    put(0x3B, static_cast<std::int16_t>(burst_ % 7));  // noise
+    put(0x3F, 8192);
+    put(0x47, gyro_z);
+  }
+
+  std::uint8_t registers_[128] = {};
+  int burst_ = 0;
+  std::size_t read_in_a_row_ = 0;
+};
+
+}  // namespace tp100::firmware

@@ -1,0 +1,262 @@
+// Hello, parameters, acknowledgements, clock sync, silence.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "bench.h"
+
+namespace tp100::firmware {
+namespace {
+
+using wire::Fault;
+using wire::Result;
+using wire::State;
+using wire::Type;
+
+void expect_answer(const Bench& bench, Type request, std::uint32_t token, Result result,
+                   std::uint16_t detail = 0) {
+  ASSERT_FALSE(bench.acknowledges.empty());
+  const wire::Acknowledge& last = bench.acknowledges.back();
+  EXPECT_EQ(last.request, static_cast<std::uint8_t>(request));
+  EXPECT_EQ(last.token, token);
+  EXPECT_EQ(last.result, static_cast<std::uint8_t>(result));
+  EXPECT_EQ(last.detail, detail);
+}
+
+TEST(Session, SaysHelloEvery200MsUntilAHostSpeaks) {
+  Bench bench;
+  bench.run(1010);
+  EXPECT_EQ(bench.hellos.size(), 6U);
+  EXPECT_EQ(bench.hellos[0].boot_nonce, 0xB007U);
+  EXPECT_EQ(bench.hellos[0].protocol, wire::kProtocolVersion);
+  EXPECT_EQ(bench.hellos[0].schema, wire::kSchemaHash);
+  EXPECT_EQ(bench.hellos[0].firmware[1], 1);
+  EXPECT_TRUE(bench.samples.empty());
+  EXPECT_EQ(bench.count_logs("boot"), 1);
+  EXPECT_EQ(bench.bad_frames, 0);
+}
+
+TEST(Session, AHelloRequestIsAnsweredAndEndsTheStreamOfHellos) {
+  Bench bench;
+  bench.run(10);
+  bench.hellos.clear();
+  bench.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  bench.run(500);
+  ASSERT_EQ(bench.hellos.size(), 1U);
+  EXPECT_EQ(bench.hellos[0].state, static_cast<std::uint8_t>(State::kParameters));
+}
+
+TEST(Session, AHostOfAnotherVersionGetsTheHelloToo) {
+  Bench bench;
+  bench.run(10);
+  bench.hellos.clear();
+  const std::uint8_t longer[9] = {99, 0, 1, 2, 3, 4, 5, 6, 7};
+  std::uint8_t frame[wire::kMaxFrame];
+  const std::size_t size =
+      wire::encode_frame(static_cast<std::uint8_t>(Type::kHelloRequest), longer, 9, frame);
+  bench.hal.received.insert(bench.hal.received.end(), frame, frame + size);
+  bench.run(10);
+  ASSERT_EQ(bench.hellos.size(), 1U);
+  EXPECT_EQ(bench.hellos[0].protocol, wire::kProtocolVersion);
+}
+
+TEST(Session, AHelloRequestSwitchesARunningRobotOff) {
+  Bench bench;
+  bench.drive();
+  ASSERT_TRUE(bench.motors_on());
+  bench.streams = false;
+  bench.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  bench.run(2);
+  EXPECT_FALSE(bench.motors_on());
+  EXPECT_EQ(bench.program.state(), State::kParameters);
+  EXPECT_EQ(bench.count_logs("motors off"), 1);
+}
+
+TEST(Session, ParametersMayFollowAHelloWithoutARequest) {
+  Bench bench;
+  bench.send(bench.parameters);
+  bench.run(3);
+  expect_answer(bench, Type::kParameters, 1, Result::kAccepted);
+  EXPECT_EQ(bench.program.state(), State::kDisarmed);
+}
+
+TEST(Session, ParametersOfAnotherBootAreRefused) {
+  Bench bench;
+  bench.parameters.boot_nonce ^= 1U;
+  bench.send(bench.parameters);
+  bench.run(3);
+  expect_answer(bench, Type::kParameters, 1, Result::kWrongBoot);
+  EXPECT_EQ(bench.program.state(), State::kHello);
+}
+
+TEST(Session, EveryParameterOutsideItsRangeIsNamed) {
+  struct Case {
+    std::uint16_t field;
+    std::function<void(wire::Parameters&)> spoil;
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  const std::vector<Case> cases = {
+      {2, [=](auto& p) { p.counts_per_metre = nan; }},
+      {2, [=](auto& p) { p.counts_per_metre = 99.0f; }},
+      {3, [=](auto& p) { p.wheelbase_m = 0.0f; }},
+      {4, [=](auto& p) { p.slip_left = 1.0f; }},
+      {5, [=](auto& p) { p.slip_right = -0.6f; }},
+      {6, [=](auto& p) { p.max_track_mps = inf; }},
+      {7, [=](auto& p) { p.max_track_mps2 = 0.0f; }},
+      {8, [=](auto& p) { p.feed_forward = -1.0f; }},
+      {9, [=](auto& p) { p.dead_band = 0.95f; }},
+      {10, [=](auto& p) { p.speed_kp = 101.0f; }},
+      {11, [=](auto& p) { p.speed_ki = -inf; }},
+      {12, [=](auto& p) { p.yaw_kp = 51.0f; }},
+      {13, [=](auto& p) { p.max_yaw_radps = 0.0f; }},
+      {14, [=](auto& p) { p.gyro_z_radps_per_lsb = 0.0f; }},
+      {14, [=](auto& p) { p.gyro_z_radps_per_lsb = -0.1f; }},
+      {16, [=](auto& p) { p.stall_duty = 1001; }},
+      {17, [=](auto& p) { p.stall_ms = 49; }},
+      {18, [=](auto& p) { p.command_life_ms = 201; }},
+      {18, [=](auto& p) { p.command_life_ms = 19; }},
+      {19, [=](auto& p) { p.yaw_window_ms = 201; }},
+      {20, [=](auto& p) { p.flags = 0x40; }},
+  };
+  for (const Case& one : cases) {
+    Bench bench;
+    one.spoil(bench.parameters);
+    bench.send(bench.parameters);
+    bench.run(3);
+    expect_answer(bench, Type::kParameters, 1, Result::kOutOfRange, one.field);
+    EXPECT_EQ(bench.program.state(), State::kHello);
+  }
+}
+
+TEST(Session, ParametersAreRefusedWhileArmed) {
+  Bench bench;
+  bench.connect();
+  bench.streams = true;
+  bench.run(20);
+  bench.arm();
+  ASSERT_EQ(bench.program.state(), State::kArmed);
+  bench.parameters.token = 999;
+  bench.send(bench.parameters);
+  bench.run(2);
+  expect_answer(bench, Type::kParameters, 999, Result::kWrongState,
+                static_cast<std::uint16_t>(State::kArmed));
+}
+
+TEST(Session, SamplesComeAt200HzOnceParametersAreAccepted) {
+  Bench bench;
+  bench.connect();
+  bench.streams = true;
+  bench.run(100);
+  bench.samples.clear();
+  bench.run(1000);
+  ASSERT_GE(bench.samples.size(), 199U);
+  ASSERT_LE(bench.samples.size(), 201U);
+  for (std::size_t i = 1; i < bench.samples.size(); ++i) {
+    EXPECT_EQ(bench.samples[i].sequence,
+              static_cast<std::uint16_t>(bench.samples[i - 1].sequence + 1));
+    EXPECT_NEAR(bench.samples[i].device_us - bench.samples[i - 1].device_us, 5000.0, 300.0);
+    EXPECT_EQ(bench.samples[i].imu_age, 0);
+  }
+  EXPECT_EQ(bench.samples.back().accel[2], 8192);
+  EXPECT_NEAR(bench.samples.back().battery_mv, 7900, 1);
+  EXPECT_LE(bench.sequence - bench.samples.back().last_command, 1);
+}
+
+TEST(Session, ASampleWithoutRoomIsDroppedAndNumberedAcknowledgementsWait) {
+  Bench bench;
+  bench.connect();
+  bench.acknowledges.clear();
+  const auto before = bench.program.link_counts().unsent;
+  bench.samples.clear();
+  for (int i = 0; i < 400; ++i) {
+    if (i == 10) bench.send(wire::Disarm{77});
+    bench.hal.room = 5;
+    bench.program.loop();
+    bench.hal.now_us += 250;
+    if (i % 4 == 3) bench.tick();
+  }
+  EXPECT_GT(bench.program.link_counts().unsent, before + 15);
+  EXPECT_TRUE(bench.hal.sent.empty());
+  bench.run(20);
+  expect_answer(bench, Type::kDisarm, 77, Result::kAccepted);
+  EXPECT_FALSE(bench.samples.empty());
+  EXPECT_FALSE(bench.hal.overfilled);
+}
+
+TEST(Session, SyncReplyCarriesTheTimesOfReceiptAndReply) {
+  Bench bench;
+  bench.connect();
+  const std::uint32_t before = bench.hal.now_us;
+  bench.send(wire::SyncRequest{4711});
+  bench.run(2);
+  ASSERT_EQ(bench.sync_replies.size(), 1U);
+  EXPECT_EQ(bench.sync_replies[0].id, 4711);
+  EXPECT_GE(bench.sync_replies[0].received_us, before);
+  EXPECT_LE(bench.sync_replies[0].received_us, bench.sync_replies[0].sent_us);
+  EXPECT_LE(bench.sync_replies[0].sent_us, bench.hal.now_us);
+}
+
+TEST(Session, ASilentHostIsForgottenAfterASecond) {
+  Bench bench;
+  bench.drive();
+  bench.streams = false;
+  bench.run(900);
+  EXPECT_NE(bench.program.state(), State::kHello);
+  bench.hellos.clear();
+  bench.run(310);
+  EXPECT_EQ(bench.program.state(), State::kHello);
+  EXPECT_GE(bench.hellos.size(), 1U);
+  EXPECT_FALSE(bench.motors_on());
+}
+
+TEST(Session, WiringFlagsTurnAndSwapBothWays) {
+  Bench bench;
+  bench.parameters.flags = wire::kSwapTracks | wire::kInvertLeftEncoder | wire::kInvertRightMotor;
+  bench.hal.left_counts = 5;
+  bench.hal.right_counts = 9;
+  bench.drive();
+  EXPECT_EQ(bench.samples.back().left_counts, -9);
+  EXPECT_EQ(bench.samples.back().right_counts, 5);
+  ASSERT_GT(bench.samples.back().left_duty, 0);
+  ASSERT_GT(bench.samples.back().right_duty, 0);
+  // The right track's motor is turned and hangs on the left channel.
+  EXPECT_LT(bench.hal.duties.left, 0);
+  EXPECT_GT(bench.hal.duties.right, 0);
+}
+
+TEST(Session, ALoopTakesNoMoreThan32Bytes) {
+  Bench bench;
+  bench.hal.received.insert(bench.hal.received.end(), 5000, std::uint8_t{0x55});
+  bench.run(20);
+  EXPECT_EQ(bench.hal.most_read_in_a_row, 32U);
+}
+
+TEST(Session, TwoFirmwaresInOneProcessDoNotInfluenceEachOther) {
+  Bench alone;
+  Bench first;
+  Bench second;
+  second.hal.nonce = 0xC0DE;
+  second.parameters.boot_nonce = 0xC0DE;
+  alone.drive();
+  first.connect();
+  first.streams = true;
+  first.run(10);
+  second.send(wire::Stop{1});
+  second.run(50);
+  first.run(10);
+  first.arm();
+  second.run(50);
+  first.speed_mps = 0.1f;
+  first.run(20);
+  EXPECT_EQ(first.hal.duties, alone.hal.duties);
+  EXPECT_EQ(first.samples.size(), alone.samples.size());
+  EXPECT_EQ(first.samples.back().device_us, alone.samples.back().device_us);
+  EXPECT_FALSE(second.motors_on());
+  EXPECT_TRUE(second.has(Fault::stop_requested));
+  EXPECT_FALSE(first.has(Fault::stop_requested));
+}
+
+}  // namespace
+}  // namespace tp100::firmware
