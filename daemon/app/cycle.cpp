@@ -108,6 +108,7 @@ const bridge::Outputs& Cycle::step(HostNs now) {
 
 void Cycle::disarm(HostNs now) {
   stopping_ = true;
+  request(OperatorRequest::kHold);
   session_.request(RobotRequest::kDisarm, now);
 }
 

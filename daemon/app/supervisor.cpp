@@ -84,7 +84,6 @@ int Supervisor::State::run() {
   figures.setup = settings.setup;
   figures.grants = settings.process_grants;
   began_ns = loop::monotonic_now();
-  write_figures();
   signals.async_wait([this](const boost::system::error_code& error, int signal) {
     if (error) return;
     log.info(signal == SIGINT ? "SIGINT" : "SIGTERM");

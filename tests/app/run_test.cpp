@@ -1,0 +1,210 @@
+// `tp100d run` against a scripted robot on a pty, both in this process.
+#include "app/run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <sstream>
+
+#include "core/error.h"
+#include "link/transport.h"
+#include "pty_robot.h"
+
+namespace tp100::app {
+namespace {
+
+using ::testing::HasSubstr;
+using namespace std::chrono_literals;
+
+class Run : public ::testing::Test {
+ protected:
+  Run() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "tp100-run-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    robot_ = std::make_unique<PtyRobot>(port());
+    // Ordinary scheduling: the tests of a whole machine run at once.
+    std::ofstream(folder_ / "config.toml")
+        << "[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n"
+           "[link]\nfirst_frame_timeout_ms = 700\n";
+    options_.config = (folder_ / "config.toml").string();
+    options_.port = port().string();
+    options_.stats = stats_path().string();
+    options_.duration_s = 60.0;
+  }
+  ~Run() override {
+    robot_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+
+  std::filesystem::path port() const { return folder_ / "robot"; }
+  std::filesystem::path stats_path() const { return folder_ / "stats.json"; }
+
+  // The command with `script` beside it; a script ends it by SIGTERM.
+  int run(const std::function<void()>& script = {}) {
+    std::thread beside([&] {
+      if (!script) return;
+      script();
+      ::kill(::getpid(), SIGTERM);
+    });
+    testing::internal::CaptureStderr();
+    int status = -1;
+    try {
+      status = run_run(options_);
+    } catch (const SetupError& error) {
+      message_ = error.what();
+    }
+    beside.join();
+    log_ = testing::internal::GetCapturedStderr();
+    return status;
+  }
+  std::string stats() const {
+    std::ostringstream text;
+    text << std::ifstream(stats_path()).rdbuf();
+    return text.str();
+  }
+  bool eventually(const std::function<bool(const ScriptedRobot&)>& condition) {
+    for (int i = 0; i < 4000; ++i) {
+      if (robot_->with(condition)) return true;
+      std::this_thread::sleep_for(5ms);
+    }
+    ADD_FAILURE() << "did not happen";
+    return false;
+  }
+  static bool commanded(const ScriptedRobot& robot) { return robot.heard.commands.size() > 20; }
+
+  std::filesystem::path folder_;
+  std::unique_ptr<PtyRobot> robot_;
+  RunOptions options_;
+  std::string message_;
+  std::string log_;
+};
+
+TEST_F(Run, AMissingPortIsAnErrorOfOneLine) {
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("robot: no such port"));
+  EXPECT_EQ(log_, "");
+  EXPECT_FALSE(std::filesystem::exists(stats_path()));
+}
+
+TEST_F(Run, ABusyPortIsAnErrorOfOneLine) {
+  robot_->plug_in();
+  const link::Port held = link::open_port(port().string(), {});
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("port is busy"));
+}
+
+TEST_F(Run, ASilentPortIsAnErrorUnlessAskedToWait) {
+  robot_->plug_in();
+  robot_->with([](ScriptedRobot& robot) { robot.silent = true; });
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("nothing that speaks like a TP100"));
+}
+
+TEST_F(Run, AWrongVersionIsRefusedWithBothVersions) {
+  robot_->plug_in();
+  robot_->with([](ScriptedRobot& robot) { robot.protocol = 77; });
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("robot has protocol 77"));
+  EXPECT_THAT(message_, HasSubstr("needs protocol 1"));
+  EXPECT_THAT(message_, HasSubstr("flash"));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.types.empty(); }));
+}
+
+TEST_F(Run, WaitsForAPortThatComesLater) {
+  options_.wait = true;
+  EXPECT_EQ(run([&] {
+              std::this_thread::sleep_for(200ms);
+              robot_->plug_in();
+              eventually(commanded);
+            }),
+            1);
+  EXPECT_THAT(log_, HasSubstr("state: closed -> listening"));
+  EXPECT_THAT(log_, HasSubstr("state: syncing -> ready"));
+}
+
+TEST_F(Run, EndsWithStatus1WhenItsTimeIsOver) {
+  options_.duration_s = 0.5;
+  robot_->plug_in();
+  EXPECT_EQ(run(), 1);
+  EXPECT_THAT(stats(), HasSubstr("\"result\": \"duration\""));
+}
+
+TEST_F(Run, SigtermDisarmsFirst) {
+  options_.course = "1-straight";
+  robot_->plug_in();
+  EXPECT_EQ(run([&] {
+              eventually([](const ScriptedRobot& r) { return r.state == wire::State::kArmed; });
+            }),
+            1);
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return !robot.heard.disarms.empty(); }));
+  EXPECT_EQ(robot_->with([](ScriptedRobot& robot) { return robot.state; }), wire::State::kDisarmed);
+  EXPECT_THAT(log_, HasSubstr("state: idle -> arming"));
+  EXPECT_THAT(log_, HasSubstr("state: arming -> running"));
+}
+
+TEST_F(Run, ARobotThatNeverMovesAbortsTheRun) {
+  options_.course = "1-straight";
+  robot_->plug_in();
+  EXPECT_EQ(run(), 1);
+  EXPECT_THAT(log_, HasSubstr("state: running -> aborted"));
+  EXPECT_THAT(stats(), HasSubstr("\"result\": \"aborted\""));
+}
+
+TEST_F(Run, ReconnectsByItselfAndStaysDisarmed) {
+  options_.course = "1-straight";
+  robot_->plug_in();
+  EXPECT_EQ(run([&] {
+              eventually([](const ScriptedRobot& r) { return r.state == wire::State::kArmed; });
+              robot_->unplug();
+              std::this_thread::sleep_for(100ms);
+              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              robot_->plug_in();
+              eventually(commanded);
+              std::this_thread::sleep_for(800ms);
+            }),
+            1);
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+  EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 1"));
+  EXPECT_THAT(log_, HasSubstr("link_lost"));
+  EXPECT_THAT(log_, HasSubstr("press Enter to start"));
+}
+
+TEST_F(Run, SurvivesManyUnpluggings) {
+  robot_->plug_in();
+  EXPECT_EQ(run([&] {
+              for (int i = 0; i < 5; ++i) {
+                robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+                if (!eventually(commanded)) return;
+                robot_->unplug();
+                robot_->plug_in();
+              }
+              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              eventually(commanded);
+            }),
+            1);
+  EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 5"));
+}
+
+TEST_F(Run, AStatsFileThatCannotBeWrittenIsAnError) {
+  robot_->plug_in();
+  options_.stats = (folder_ / "none" / "stats.json").string();
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("stats.json: cannot be written"));
+}
+
+TEST_F(Run, BadOptionsAreErrors) {
+  options_.setup = "moon";
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("use bench, flat or terrain"));
+  options_.setup = "bench";
+  options_.course = "no-such";
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("no such course"));
+}
+
+}  // namespace
+}  // namespace tp100::app
