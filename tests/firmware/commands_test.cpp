@@ -82,10 +82,17 @@ TEST_F(Commands, OneThatAnswersAnUnknownSampleDoesNot) {
 }
 
 TEST_F(Commands, OneThatAnswersAnOldSampleDoesNot) {
+  bench.speed_mps = 0.0f;
+  bench.streams = true;
+  bench.run(400);
+  bench.streams = false;
+  bench.speed_mps = 0.1f;
   // 42 samples back is 210 ms: outside yaw_window_ms but still in the history.
   EXPECT_FALSE(
       spoilt_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 42); }));
   EXPECT_EQ(bench.program.last_verdict(), Verdict::kUnknownSample);
+  EXPECT_TRUE(
+      spoilt_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 30); }));
 }
 
 TEST_F(Commands, NothingThatIsNotFiniteOrOutOfRangeMoves) {

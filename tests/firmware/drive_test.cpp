@@ -117,6 +117,45 @@ TEST(Drive, IntegratorsStartClearedAfterAnArm) {
   EXPECT_EQ(bench.hal.nonzero_writes, writes);
 }
 
+TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
+  wire::Parameters p = Bench::good_parameters();
+  p.speed_ki = 1.0f;
+  SpeedLoop loop;
+  for (int i = 0; i < 100; ++i) {
+    loop.measure(0, 5e-3f, p);
+    EXPECT_FLOAT_EQ(loop.update(0.2f, 5e-3f, p), 1.0f);
+  }
+  EXPECT_EQ(loop.lag_m(), 0.0f);
+}
+
+TEST(SpeedLoop, TheLagOfABeltThatDoesNotFollowIsBounded) {
+  wire::Parameters p = Bench::good_parameters();
+  p.speed_kp = 0.0f;
+  p.speed_ki = 10.0f;
+  SpeedLoop loop;
+  float duty = 0.0f;
+  for (int i = 0; i < 2000; ++i) {
+    loop.measure(0, 5e-3f, p);
+    duty = loop.update(0.02f, 5e-3f, p);
+  }
+  EXPECT_FLOAT_EQ(loop.lag_m(), 0.02f);
+  EXPECT_NEAR(duty, 0.15f + 4.0f * 0.02f + 0.2f, 1e-4f);
+}
+
+TEST(SpeedLoop, TheDeadBandIsBlendedIn) {
+  wire::Parameters p = Bench::good_parameters();
+  p.speed_ki = 0.0f;
+  SpeedLoop loop;
+  float last = 0.0f;
+  for (float target = 0.0006f; target < 0.02f; target += 0.0001f) {
+    loop.measure(0, 5e-3f, p);
+    const float duty = loop.update(target, 5e-3f, p);
+    EXPECT_GT(duty, last);
+    EXPECT_LT(duty - last, 0.03f);
+    last = duty;
+  }
+}
+
 // Right less left duty, 30 ms after a command that answers a sample 50 ms old. The gyro reads
 // `rate_radps` until the command comes.
 int turning_duty(float rate_radps, float desired_yaw_rad) {

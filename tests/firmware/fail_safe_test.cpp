@@ -234,5 +234,30 @@ TEST(FailSafe, ABeltThatRunsAgainstItsDutyIsReversed) {
   EXPECT_FALSE(bench.motors_on());
 }
 
+TEST(FailSafeAlone, DrivesOnlyWhileEnabledAndIsEnabledOnlyWithAFreshCommand) {
+  ScriptedHal hal;
+  FailSafe fail_safe(hal);
+  fail_safe.watch(hal.now_us);
+  fail_safe.drive(300, 300);
+  EXPECT_EQ(hal.duties, ScriptedHal::Duties{});
+  EXPECT_FALSE(fail_safe.enable());
+  fail_safe.fresh(hal.now_us, 50'000);
+  EXPECT_TRUE(fail_safe.enable());
+  fail_safe.drive(300, -200);
+  EXPECT_EQ(hal.duties, (ScriptedHal::Duties{300, -200}));
+  for (int i = 0; i < 50; ++i) {
+    hal.now_us += 1000;
+    fail_safe.beat();
+    fail_safe.tick();
+  }
+  EXPECT_EQ(hal.duties, ScriptedHal::Duties{});
+  fail_safe.drive(300, 300);
+  EXPECT_EQ(hal.duties, ScriptedHal::Duties{});
+  fail_safe.fresh(hal.now_us, 50'000);
+  EXPECT_FALSE(fail_safe.enable()) << "the main loop has not seen the trip yet";
+  EXPECT_EQ(fail_safe.take_trip().faults, wire::fault_bit(Fault::command_timeout));
+  EXPECT_TRUE(fail_safe.enable());
+}
+
 }  // namespace
 }  // namespace tp100::firmware
