@@ -43,6 +43,10 @@ struct Body::World {
   World(const course::EmulatedBody& v, bool stand)
       : values(v), on_stand(stand), belts(v), feedback(2 * 20) {}
 
+  /// From the reference point to the centre of mass, body frame.
+  Eigen::Vector3d arm_m() const {
+    return {values.com_forward_m, values.com_left_m, values.com_height_m};
+  }
   void create(const Pose& start);
   void touch(double left_mps, double right_mps);
   void apply_shove();
@@ -57,7 +61,8 @@ struct Body::World {
   std::vector<const BeltContact*> touching;
   Eigen::Vector3d last_velocity = Eigen::Vector3d::Zero();
   double shove_per_step_m = 0.0, shove_yaw_per_step = 0.0;
-  int shove_steps = 0;
+  int shove_steps = 0;  // to come
+  bool shoved = false;  // in the last step
   BodyState state{};
 };
 
@@ -70,6 +75,7 @@ Body::Body(Body&&) noexcept = default;
 
 bool Body::shoving() const { return world_->shove_steps > 0; }
 const BodyState& Body::state() const { return world_->state; }
+std::uint64_t Body::solver_messages() { return OdeWorld::solver_messages(); }
 
 void Body::World::create(const Pose& start) {
   body = dBodyCreate(ode.id());
@@ -80,9 +86,7 @@ void Body::World::create(const Pose& start) {
   dRFromAxisAndAngle(rotation, 0.0, 0.0, 1.0, start.yaw_rad);
   dBodySetRotation(body, rotation);
   const Eigen::Matrix3d r = to_matrix(dBodyGetRotation(body));
-  const Eigen::Vector3d com =
-      Eigen::Vector3d(start.x_m, start.y_m, 0.0) +
-      r * Eigen::Vector3d(values.com_forward_m, values.com_left_m, values.com_height_m);
+  const Eigen::Vector3d com = Eigen::Vector3d(start.x_m, start.y_m, 0.0) + r * arm_m();
   dBodySetPosition(body, com.x(), com.y(), com.z());
   state.pose.yaw_rad = start.yaw_rad;
   if (!on_stand) {
@@ -90,14 +94,22 @@ void Body::World::create(const Pose& start) {
       touch(0.0, 0.0);
       ode.step(kStepS);
     }
-    const dReal* settled = dBodyGetPosition(body);
-    dBodySetPosition(body, com.x(), com.y(), settled[2]);
-    dBodySetRotation(body, rotation);
+    // A centre of mass off the middle leaves it tilted: keep the tilt, undo the drift.
+    const Eigen::Matrix3d settled = to_matrix(dBodyGetRotation(body));
+    const double heading = std::atan2(settled(1, 0), settled(0, 0));
+    const Eigen::Matrix3d tilted =
+        Eigen::AngleAxisd(wrap_angle(start.yaw_rad - heading), Eigen::Vector3d::UnitZ()) * settled;
+    const Eigen::Vector3d reach = tilted * arm_m();
+    const Eigen::Quaterniond q(tilted);
+    const dQuaternion quaternion = {q.w(), q.x(), q.y(), q.z()};
+    dBodySetPosition(body, start.x_m + reach.x(), start.y_m + reach.y(), dBodyGetPosition(body)[2]);
+    dBodySetQuaternion(body, quaternion);
     dBodySetLinearVel(body, 0, 0, 0);
     dBodySetAngularVel(body, 0, 0, 0);
   }
   observe();
-  copy({0.0, 0.0, kGravity}, state.specific_force_mps2);
+  copy(to_matrix(dBodyGetRotation(body)).transpose() * Eigen::Vector3d(0.0, 0.0, kGravity),
+       state.specific_force_mps2);
 }
 
 void Body::World::touch(double left_mps, double right_mps) {
@@ -146,12 +158,12 @@ void Body::World::touch(double left_mps, double right_mps) {
 }
 
 void Body::World::apply_shove() {
-  if (shove_steps == 0) return;
+  shoved = shove_steps > 0;
+  if (!shoved) return;
   --shove_steps;
   const Eigen::Matrix3d rotation = to_matrix(dBodyGetRotation(body));
   const Eigen::Vector3d position = to_vector(dBodyGetPosition(body));
-  const Eigen::Vector3d arm =
-      rotation * Eigen::Vector3d(values.com_forward_m, values.com_left_m, values.com_height_m);
+  const Eigen::Vector3d arm = rotation * arm_m();
   const Eigen::AngleAxisd turn(shove_yaw_per_step, Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d moved = position - arm + rotation.col(1) * shove_per_step_m + turn * arm;
   const Eigen::Quaterniond q(turn.toRotationMatrix() * rotation);
@@ -162,8 +174,7 @@ void Body::World::apply_shove() {
 
 void Body::World::observe() {
   const Eigen::Matrix3d rotation = to_matrix(dBodyGetRotation(body));
-  const Eigen::Vector3d arm =
-      rotation * Eigen::Vector3d(values.com_forward_m, values.com_left_m, values.com_height_m);
+  const Eigen::Vector3d arm = rotation * arm_m();
   const Eigen::Vector3d reference = to_vector(dBodyGetPosition(body)) - arm;
   Eigen::Vector3d velocity = to_vector(dBodyGetLinearVel(body));
   Eigen::Vector3d rate = to_vector(dBodyGetAngularVel(body));
@@ -172,7 +183,7 @@ void Body::World::observe() {
            ((velocity - last_velocity) / kStepS + Eigen::Vector3d(0.0, 0.0, kGravity)),
        state.specific_force_mps2);
   last_velocity = velocity;
-  if (shove_steps > 0) {
+  if (shoved) {
     rate.z() += shove_yaw_per_step / kStepS;
     velocity += rotation.col(1) * shove_per_step_m / kStepS;
   }

@@ -43,6 +43,9 @@ class Body {
   bool shoving() const;
   const BodyState& state() const;
 
+  /// Messages that the solver has printed in this process, of all bodies; 0 in a sound run.
+  static std::uint64_t solver_messages();
+
  private:
   struct World;
   std::unique_ptr<World> world_;

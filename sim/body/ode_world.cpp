@@ -58,6 +58,8 @@ OdeWorld::~OdeWorld() {
 
 void OdeWorld::step(double dt_s) {
   const std::lock_guard lock(ode_mutex());
+  thread_local const int allocated = dAllocateODEDataForThread(dAllocateFlagBasicData);
+  static_cast<void>(allocated);
   dRandSetSeed(static_cast<unsigned long>(steps_++));
   dWorldQuickStep(world_, dt_s);
   dJointGroupEmpty(contacts_);

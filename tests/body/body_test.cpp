@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "core/angle.h"
 
@@ -45,6 +47,17 @@ TEST(Body, AnEndLoadedRobotTurnsWithTheWheelbaseOfEquationSeven) {
   EXPECT_NEAR(wheelbase_in_a_spin(end_loaded()), 0.274, 0.006);
 }
 
+TEST(Body, AnEndLoadedRobotTurnsWithTheSameWheelbaseAtEveryRadius) {
+  const course::EmulatedBody values = end_loaded();
+  for (const double inner : {-0.05, 0.0, 0.05, 0.06}) {
+    Body body(values, {}, false);
+    const double begin = drive(body, inner, 0.1, 0.5).pose.yaw_rad;
+    const double yaw = drive(body, inner, 0.1, 1.0).pose.yaw_rad - begin;
+    const double surface = (0.1 - inner) * (1.0 - values.belt_deficit_left);
+    EXPECT_NEAR(surface / yaw, 0.274, 0.02 * 0.274) << inner;
+  }
+}
+
 TEST(Body, AUniformlyLoadedRobotTurnsMuchMoreEasily) {
   EXPECT_NEAR(wheelbase_in_a_spin(uniform()), 0.194, 0.004);
 }
@@ -73,6 +86,56 @@ TEST(Body, TheSameCallsGiveTheSameBitsWhateverOtherBodiesDo) {
   EXPECT_EQ(alone.state().pose.yaw_rad, one.state().pose.yaw_rad);
 }
 
+TEST(Body, BodiesInThreadsDoNotInfluenceEachOther) {
+  const auto end_of_run = [](double left_mps) {
+    Body body(uniform(), {}, false);
+    return drive(body, left_mps, 0.1, 0.3).pose;
+  };
+  const Pose alone = end_of_run(0.05);
+  Pose beside{};
+  std::thread thread([&] { beside = end_of_run(0.05); });
+  end_of_run(-0.1);
+  thread.join();
+  EXPECT_EQ(alone.x_m, beside.x_m);
+  EXPECT_EQ(alone.y_m, beside.y_m);
+  EXPECT_EQ(alone.yaw_rad, beside.yaw_rad);
+}
+
+TEST(Body, StandsStillTiltedWhenItsMassIsOffTheMiddle) {
+  course::EmulatedBody values = end_loaded();
+  values.com_forward_m = 0.005;
+  Body body(values, {.x_m = 0.1, .y_m = 0.2, .yaw_rad = -2.0}, false);
+  const double pitch = body.state().pose.pitch_rad;
+  EXPECT_GT(pitch, 1e-4) << "nose down";
+  const Pose pose = drive(body, 0.0, 0.0, 2.0).pose;
+  EXPECT_NEAR(pose.x_m, 0.1, 1e-5);
+  EXPECT_NEAR(pose.y_m, 0.2, 1e-5);
+  EXPECT_NEAR(pose.yaw_rad, -2.0, 1e-5);
+  EXPECT_NEAR(pose.pitch_rad, pitch, 1e-4);
+}
+
+TEST(Body, YawRunsOnBeyondOneTurn) {
+  Body body(uniform(), {.yaw_rad = 3.0}, false);
+  double last = 3.0;
+  for (int i = 0; i < 2500; ++i) {
+    body.step(-0.2, 0.2);
+    ASSERT_LT(std::abs(body.state().pose.yaw_rad - last), 0.01);
+    last = body.state().pose.yaw_rad;
+  }
+  EXPECT_GT(last, 3.0 + 4.0);
+}
+
+TEST(Body, TheAccelerometerFeelsTheStartAndNothingAfterwards) {
+  Body body(end_loaded(), {}, false);
+  double gained = 0.0;
+  for (int i = 0; i < 500; ++i) {
+    body.step(0.1 * std::min(1.0, i / 200.0), 0.1 * std::min(1.0, i / 200.0));
+    gained += body.state().specific_force_mps2[0] * 1e-3;
+  }
+  EXPECT_NEAR(gained, body.state().velocity_mps[0], 0.01);
+  EXPECT_NEAR(body.state().specific_force_mps2[0], 0.0, 0.02);
+}
+
 TEST(Body, LeftAndRightAreMirrorImages) {
   Body left(end_loaded(), {}, false);
   Body right(end_loaded(), {}, false);
@@ -97,7 +160,7 @@ TEST(Body, AShoveMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
   EXPECT_FALSE(body.shoving());
   const Pose& after = body.state().pose;
   EXPECT_NEAR(after.yaw_rad - before.yaw_rad, 15 * kRadPerDeg, 0.01);
-  EXPECT_NEAR(turned, after.yaw_rad - before.yaw_rad, 0.005);
+  EXPECT_NEAR(turned, after.yaw_rad - before.yaw_rad, 1e-4);
   const double ahead = 0.1 * 0.84 * 0.3;
   EXPECT_NEAR(std::hypot(after.x_m - before.x_m, after.y_m - before.y_m), std::hypot(0.04, ahead),
               0.006);
@@ -116,6 +179,18 @@ TEST(Body, SpinningBeltsFeelTheGround) {
   const BodyState state = drive(body, -0.08, 0.08, 1.0);
   EXPECT_GT(state.right_load_n, 0.5);
   EXPECT_LT(state.left_load_n, -0.5);
+}
+
+TEST(Body, TheSolverHasNothingToSay) {
+  for (const course::EmulatedBody& values : {end_loaded(), uniform()}) {
+    Body body(values, {}, false);
+    drive(body, 0.2, 0.2, 0.2);
+    drive(body, -0.2, 0.2, 0.2);
+    body.shove(0.04, 0.26, 0.1);
+    drive(body, 0.0, 0.1, 0.2);
+    drive(body, 0.0, 0.0, 0.2);
+  }
+  EXPECT_EQ(Body::solver_messages(), 0u);
 }
 
 }  // namespace
