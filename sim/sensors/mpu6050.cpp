@@ -83,7 +83,10 @@ void Mpu6050::measure(const BodyState& body, std::int64_t now_ns) {
              values_.accel_noise_mps2_rthz * per_sample, share);
   }
   if (until_output_-- > 0) return;
-  until_output_ = registers_[kSampleDivider];
+  // The divider counts in 8 kHz without the low-pass, of which we see every eighth.
+  const std::uint8_t low_pass = registers_[kConfig] & 7u;
+  const int divider = registers_[kSampleDivider];
+  until_output_ = low_pass == 0 || low_pass == 7 ? std::max(0, (divider + 1) / 8 - 1) : divider;
 
   const double gyro_lsb = 131.072 / (1 << full_scale(registers_[kGyroConfig])) * kDegPerRad;
   const double accel_lsb = 16384.0 / (1 << full_scale(registers_[kAccelConfig])) / kStandardGravity;
