@@ -27,6 +27,13 @@ TEST(Motor, TopSpeedIsThatOfTheRealKind) {
 
 TEST(Motor, CarriesTheLoadOfASpinAtTestSpeed) { EXPECT_GT(speed_after(1.0, 3.0), 0.12); }
 
+TEST(Motor, ClimbsTwentyEightDegreesAtTestSpeedOnAnEmptyBattery) {
+  const double load_n = 0.922 * 9.81 * std::sin(28.0 * M_PI / 180.0) / 2.0;
+  Motor motor({}, 1.0);
+  for (int i = 0; i < 1500; ++i) motor.step(1.0, 6.2, load_n);
+  EXPECT_GT(motor.belt_mps(), 0.12);
+}
+
 TEST(Motor, ReachesTwoThirdsOfItsSpeedInItsTimeConstant) {
   const double end = speed_after(0.8, 0.0);
   EXPECT_NEAR(speed_after(0.8, 0.0, 80), end * (1.0 - std::exp(-1.0)), 0.05 * end);

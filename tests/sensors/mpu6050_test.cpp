@@ -94,6 +94,56 @@ TEST_F(Mpu6050Test, BiasDiffersBetweenSeedsAndIsRepeatable) {
   EXPECT_NE(bias(1), bias(2));
 }
 
+TEST_F(Mpu6050Test, OnlyTheZAxisHasAScaleError) {
+  course::EmulatedImu values = perfect();
+  values.gyro_scale_error = 0.02;
+  Mpu6050 imu(values, 1);
+  wake(imu);
+  BodyState body;
+  body.rate_radps = {2.0, 2.0, 2.0};
+  for (int i = 0; i < 200; ++i) imu.measure(body, i * 1'000'000LL);
+  const double nominal = 2.0 * 180.0 / M_PI * 32.768;
+  EXPECT_NEAR(word(imu, 0x43), nominal, 1.0);
+  EXPECT_NEAR(word(imu, 0x45), nominal, 1.0);
+  EXPECT_NEAR(word(imu, 0x47), nominal * 1.02, 1.0);
+}
+
+TEST_F(Mpu6050Test, WarmingUpShowsAndMovesTheBias) {
+  course::EmulatedImu values = perfect();
+  values.gyro_bias_per_degc = 0.01;
+  Mpu6050 imu(values, 1);
+  wake(imu);
+  const auto temperature = [&] { return word(imu, 0x41) / 340.0 + 36.53; };
+  const auto rate = [&] { return word(imu, 0x47) / 32.768 * M_PI / 180.0; };
+  for (int i = 0; i < 200; ++i) imu.measure({}, i * 1'000'000LL);
+  EXPECT_NEAR(temperature(), 25.0, 0.05);
+  EXPECT_NEAR(rate(), 0.0, 0.001);
+  for (int i = 0; i < 200; ++i) imu.measure({}, 180'000'000'000LL + i * 1'000'000LL);
+  const double rise = 6.0 * (1.0 - std::exp(-1.0));
+  EXPECT_NEAR(temperature(), 25.0 + rise, 0.05);
+  EXPECT_NEAR(rate(), 0.01 * rise, 0.001);
+}
+
+TEST_F(Mpu6050Test, ABurstReadsAllFourteenBytesInOrder) {
+  Mpu6050 imu(perfect(), 1);
+  wake(imu);
+  BodyState body;
+  body.rate_radps = {0.1, -0.2, 0.3};
+  body.specific_force_mps2 = {1.0, -2.0, 9.81};
+  for (int i = 0; i < 200; ++i) imu.measure(body, i * 1'000'000LL);
+  const std::array<std::uint8_t, 1> pointer = {0x3B};
+  std::array<std::uint8_t, 14> bytes{};
+  ASSERT_TRUE(imu.write(pointer));
+  ASSERT_TRUE(imu.read(bytes));
+  for (std::uint8_t i = 0; i < 7; ++i) {
+    const auto at = static_cast<std::size_t>(2 * i);
+    EXPECT_EQ(static_cast<std::int16_t>((bytes[at] << 8) | bytes[at + 1]),
+              word(imu, static_cast<std::uint8_t>(0x3B + 2 * i)));
+  }
+  EXPECT_LT(word(imu, 0x45), 0);
+  EXPECT_LT(word(imu, 0x3D), 0);
+}
+
 TEST_F(Mpu6050Test, TheSampleRateDividerHoldsTheOutputs) {
   Mpu6050 imu(perfect(), 1);
   wake(imu);
