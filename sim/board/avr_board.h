@@ -1,0 +1,66 @@
+#pragma once
+// The firmware image on an emulated ATmega2560: the same bytes that a programmer writes into a real
+// board. Edges, bytes and the ends of quanta happen at their cycles. Same inputs, same bytes.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/board/avr_i2c.h"
+#include "sim/board/board.h"
+
+namespace tp100::sim {
+
+/// One board.
+struct AvrBoardSettings {
+  std::string image;               ///< ELF or HEX; empty: the one built with this program
+  bool bootloader = false;         ///< Arduino's bootloader runs first and listens for a second
+  std::uint64_t seed = 1;          ///< of EEPROM, SRAM at power-on and the ADC's noise
+  double clock_ppm = 0.0;          ///< error of the resonator; positive runs fast
+  std::uint32_t start_us = 0;      ///< device clock at each boot, in steps of 1024; needs an ELF
+  std::int64_t reset_hold_ns = 0;  ///< from reset() to the first instruction
+  std::uint32_t run_cycle_limit = 16000;  ///< of simavr; changes nothing but speed
+};
+
+/// What happened since construction.
+struct AvrBoardCounters {
+  std::uint64_t rx_overruns = 0;      ///< bytes that found the receiver full
+  std::uint64_t rx_unheard = 0;       ///< bytes that came while the receiver was off
+  std::uint64_t watchdog_resets = 0;  ///< of the chip by itself
+  std::uint64_t cycles = 0;
+  std::uint64_t slept_cycles = 0;
+  std::uint64_t i2c_bytes = 0;
+};
+
+class AvrBoard final : public Board {
+ public:
+  /// `imu` answers at I2C address 0x68; null: nobody does. It must outlive the board. The board is
+  /// without power until the first reset(). Throws SetupError.
+  AvrBoard(const AvrBoardSettings& settings, I2cSlave* imu);
+  ~AvrBoard() override;
+  AvrBoard(AvrBoard&&) noexcept;
+  AvrBoard& operator=(AvrBoard&&) noexcept;
+
+  void reset(PowerUp cause, std::int64_t now_ns) override;
+  void advance(std::int64_t until_ns, std::span<const Edge> edges,
+               std::span<const TimedByte> received) override;
+  std::vector<TimedByte> take_sent() override;
+  Drive drive() const override;
+  void set_battery(double volts) override;
+
+  void set_i2c_fault(I2cFault fault);
+  /// The main loop turns in one place from its next sleep on, interrupts go on; until a reset.
+  void hang_main_loop();
+  AvrBoardCounters counters() const;
+  /// For measurements and tests.
+  AvrCore& core();
+  const AvrImage& image() const;
+
+ private:
+  struct Machine;
+  std::unique_ptr<Machine> machine_;
+};
+
+}  // namespace tp100::sim

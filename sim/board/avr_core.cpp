@@ -1,0 +1,146 @@
+#include "sim/board/avr_core.h"
+
+#include <avr_extint.h>
+#include <avr_timer.h>
+#include <sim_avr.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/error.h"
+
+namespace tp100::sim {
+namespace {
+
+constexpr std::uint16_t kMcusr = 0x54;
+constexpr std::uint8_t kExternalInterrupts = 8;
+
+void say_nothing(avr_t*, int, const char*, va_list) {}
+
+// Where a chip's callbacks find the object that owns it: simavr's hook for such data.
+AvrCore& owner(avr_t* avr) { return *static_cast<AvrCore*>(avr->custom.data); }
+
+avr_t* make_chip() {
+  avr_global_logger_set(say_nothing);
+  avr_t* avr = avr_make_mcu_by_name("atmega2560");
+  if (avr == nullptr) throw SetupError("libsimavr: does not know the atmega2560; reinstall it");
+  avr_init(avr);
+  return avr;
+}
+
+}  // namespace
+
+AvrCore::AvrCore(const AvrImage& image, std::uint32_t run_cycle_limit)
+    : avr_(make_chip()), run_cycle_limit_(run_cycle_limit) {
+  avr_->custom.data = this;
+  avr_->frequency = kHz;
+  avr_->vcc = avr_->avcc = avr_->aref = 5000;
+  avr_->sleep = on_sleep;
+  chip_reset_ = avr_->reset;
+  avr_->reset = on_chip_reset;
+  mend_timers();
+  program(image);
+}
+
+AvrCore::~AvrCore() {
+  avr_terminate(avr_);
+  std::free(avr_);
+}
+
+void AvrCore::program(const AvrImage& image) {
+  std::copy(image.flash.begin(), image.flash.end(), avr_->flash + image.begin);
+  avr_->codeend = avr_->flashend;
+}
+
+void AvrCore::set_reset_address(std::uint32_t address) { avr_->reset_pc = address; }
+
+// Phase-correct PWM of 8 to 10 bits, Arduino's default, is missing for the 16-bit timers, and of
+// 8 bits for timer 2: they would overflow every few cycles.
+void AvrCore::mend_timers() {
+  for (avr_io_t* io = avr_->io_port; io != nullptr; io = io->next) {
+    if (std::strcmp(io->kind, "timer") != 0) continue;
+    auto* timer = reinterpret_cast<avr_timer_t*>(io);
+    const int modes = timer->r_tcnth != 0 ? 3 : 1;
+    for (int mode = 1; mode <= modes; ++mode) {
+      avr_timer_wgm_t& op = timer->wgm_op[mode];
+      if (op.kind != avr_timer_wgm_none) continue;
+      op.kind = avr_timer_wgm_fc_pwm;
+      op.size = static_cast<std::uint32_t>(7 + mode) & 0xFFU;
+    }
+  }
+}
+
+void AvrCore::on_chip_reset(avr_t* avr) {
+  AvrCore& core = owner(avr);
+  core.was_reset_ = true;
+  if (core.chip_reset_ != nullptr) core.chip_reset_(avr);
+}
+
+// The default would sleep on the host.
+void AvrCore::on_sleep(avr_t* avr, Cycle cycles) { owner(avr).slept_ += cycles + 1; }
+
+Cycle AvrCore::on_timer(avr_t* avr, Cycle, void* self) {
+  AvrCore& core = *static_cast<AvrCore*>(self);
+  const Cycle now = core.cycle();
+  if (now >= core.next_) core.next_ = core.on_event ? core.on_event(now) : kNever;
+  if (now >= core.until_) {
+    core.reached_ = true;
+    // A sleeping CPU would otherwise skip to the chip's next timer.
+    return avr->cycle + 1;
+  }
+  return std::max(std::min(core.next_, core.until_) - core.offset_, avr->cycle + 1);
+}
+
+// Everything that a reset takes with it.
+void AvrCore::arm() {
+  avr_->run_cycle_limit = run_cycle_limit_;
+  // Or a low pin whose interrupt is not set up yet would be looked at in every cycle.
+  for (std::uint8_t i = 0; i < kExternalInterrupts; ++i) {
+    avr_extint_set_strict_lvl_trig(avr_, i, 0);
+  }
+  if (on_reset) on_reset();
+}
+
+void AvrCore::reset(std::uint8_t mcusr) {
+  const Cycle before = cycle();
+  avr_reset(avr_);
+  was_reset_ = false;
+  offset_ = before - avr_->cycle;
+  avr_->data[kMcusr] = mcusr;
+  arm();
+}
+
+void AvrCore::run_until(Cycle until) {
+  until_ = until;
+  next_ = 0;
+  reached_ = false;
+  const auto wake = [&] { avr_cycle_timer_register(avr_, 1, on_timer, this); };
+  wake();
+  while (!reached_) {
+    const Cycle before = avr_->cycle;
+    avr_run(avr_);
+    if (was_reset_) {
+      was_reset_ = false;
+      ++own_resets_;
+      offset_ += before - std::min(before, avr_->cycle);
+      arm();
+      wake();
+    }
+    if (avr_->state == cpu_Done || avr_->state == cpu_Crashed) {
+      // Dead until somebody resets it: time passes.
+      const Cycle now = cycle();
+      if (now < until_) offset_ += until_ - now;
+      reached_ = true;
+    }
+  }
+  avr_cycle_timer_cancel(avr_, on_timer, this);
+}
+
+Cycle AvrCore::cycle() const { return avr_->cycle + offset_; }
+std::uint8_t* AvrCore::data() const { return avr_->data; }
+std::uint8_t* AvrCore::flash() const { return avr_->flash; }
+std::uint32_t AvrCore::program_counter() const { return avr_->pc; }
+bool AvrCore::asleep() const { return avr_->state == cpu_Sleeping; }
+
+}  // namespace tp100::sim

@@ -1,0 +1,77 @@
+#pragma once
+// An emulated ATmega2560 at 16 MHz without anything around it: simavr, with its defects mended from
+// outside. The rest of the board hangs on its pins and registers.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "sim/board/avr_image.h"
+
+struct avr_t;
+
+namespace tp100::sim {
+
+/// Cycles since the core was made; runs on over resets.
+using Cycle = std::uint64_t;
+
+class AvrCore {
+ public:
+  static constexpr std::uint32_t kHz = 16'000'000;
+  static constexpr Cycle kNever = ~Cycle{0};
+
+  /// `run_cycle_limit` is simavr's: the most cycles between two looks at its timers. Results do not
+  /// depend on it. Throws SetupError.
+  AvrCore(const AvrImage& image, std::uint32_t run_cycle_limit);
+  ~AvrCore();
+  AvrCore(const AvrCore&) = delete;
+  AvrCore& operator=(const AvrCore&) = delete;
+
+  /// Called at the cycle that the last call gave (kNever: at the next run_until()), between two
+  /// instructions; does what is due and gives the cycle of its next call.
+  std::function<Cycle(Cycle now)> on_event;
+  /// After each reset, the chip's own too: put back what hangs on the pins.
+  std::function<void()> on_reset;
+
+  /// Puts another program into the flash, for instance a bootloader.
+  void program(const AvrImage& image);
+  /// First instruction after a reset.
+  void set_reset_address(std::uint32_t address);
+  /// Resets, with these bits of MCUSR set.
+  void reset(std::uint8_t mcusr);
+  /// Runs until the first instruction boundary at or after `cycle`.
+  void run_until(Cycle cycle);
+
+  Cycle cycle() const;
+  /// Cycles that the CPU spent asleep.
+  Cycle slept() const { return slept_; }
+  /// Resets by the chip's own watchdog.
+  std::uint64_t own_resets() const { return own_resets_; }
+  /// Registers, I/O and SRAM by data address.
+  std::uint8_t* data() const;
+  std::uint8_t* flash() const;
+  /// Byte address of the next instruction.
+  std::uint32_t program_counter() const;
+  bool asleep() const;
+  avr_t* chip() const { return avr_; }
+
+ private:
+  static void on_chip_reset(avr_t* avr);
+  static Cycle on_timer(avr_t* avr, Cycle when, void* core);
+  static void on_sleep(avr_t* avr, Cycle cycles);
+  void mend_timers();
+  void arm();
+
+  avr_t* avr_;
+  std::uint32_t run_cycle_limit_;
+  void (*chip_reset_)(avr_t*) = nullptr;
+  Cycle offset_ = 0;  // of simavr's own count
+  Cycle slept_ = 0;
+  Cycle until_ = 0;
+  Cycle next_ = kNever;
+  bool reached_ = true;
+  bool was_reset_ = false;
+  std::uint64_t own_resets_ = 0;
+};
+
+}  // namespace tp100::sim

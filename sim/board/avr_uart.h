@@ -1,0 +1,54 @@
+#pragma once
+// UART 0 of the emulated Mega with true byte times. Receiving follows the datasheet: two bytes of
+// buffer and the shift register behind it; a byte that finds all three taken is lost.
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "sim/board/avr_core.h"
+
+struct avr_irq_t;
+struct avr_uart_t;
+
+namespace tp100::sim {
+
+/// A sent byte with the cycle at which its stop bit ends.
+struct SentByte {
+  Cycle at;
+  std::uint8_t value;
+};
+
+class AvrUart {
+ public:
+  explicit AvrUart(AvrCore& core);
+
+  /// The stop bit of a byte for the chip ends now.
+  void receive(std::uint8_t value);
+  /// Bytes sent since the last take, also those still on their way.
+  std::vector<SentByte>& sent() { return sent_; }
+  /// After a reset of the chip.
+  void restore();
+
+  std::uint64_t overruns() const { return overruns_; }
+  /// Bytes that came while the receiver was off.
+  std::uint64_t unheard() const { return unheard_; }
+  std::size_t waiting() const { return received_.size(); }
+
+ private:
+  static void on_baud(avr_irq_t*, std::uint32_t, void* uart);
+  static void on_send(avr_irq_t*, std::uint32_t value, void* uart);
+  static std::uint8_t on_read(avr_t*, std::uint16_t address, void* uart);
+  Cycle byte_cycles() const;
+
+  AvrCore& core_;
+  avr_uart_t* uart_;
+  std::deque<std::uint8_t> received_;
+  std::vector<SentByte> sent_;
+  Cycle transmitter_free_ = 0;
+  std::uint64_t overruns_ = 0;
+  std::uint64_t unheard_ = 0;
+};
+
+}  // namespace tp100::sim
