@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kLoopNs = 250'000;
-constexpr std::int64_t kTickNs = 1'000'000;
+constexpr double kTickNs = 1e6;
 constexpr std::int64_t kByteNs = 10'000'000'000LL / wire::kBaud;
 constexpr std::size_t kUartBuffer = 64;  // one slot of the ring stays free, as in the Arduino's
 // A burst of 14 registers is 17 bytes on the bus and blocks a Mega for 471 us.
@@ -88,7 +88,9 @@ struct EncoderPins {
 
 struct NativeBoard::Machine final : firmware::Hal {
   Machine(const NativeBoardSettings& board_settings, I2cSlave* imu_slave)
-      : settings(board_settings), imu(imu_slave) {}
+      : settings(board_settings),
+        tick_ns(std::llround(kTickNs / (1.0 + board_settings.clock_ppm * 1e-6))),
+        imu(imu_slave) {}
 
   void reset(PowerUp power_up, std::int64_t at_ns) {
     program.reset();
@@ -99,7 +101,7 @@ struct NativeBoard::Machine final : firmware::Hal {
     now_ns = at_ns;
     boot_ns = at_ns + settings.boot_delay_ns;
     next_loop_ns = boot_ns;
-    next_tick_ns = boot_ns + kTickNs;
+    next_tick_ns = boot_ns + tick_ns;
     received.clear();
     // What has not left completely never arrives.
     while (!sent.empty() && sent.back().at_ns > at_ns) sent.pop_back();
@@ -126,7 +128,7 @@ struct NativeBoard::Machine final : firmware::Hal {
         ++byte;
       } else if (next_ns == next_tick_ns) {
         program->tick_1khz();
-        next_tick_ns += kTickNs;
+        next_tick_ns += tick_ns;
       } else {
         run_loop();
       }
@@ -140,7 +142,7 @@ struct NativeBoard::Machine final : firmware::Hal {
       for (EncoderPins& pins : encoders) pins.count = 0;
       program.emplace(*this);
       program->setup();
-      next_tick_ns = now_ns + kTickNs;
+      next_tick_ns = now_ns + tick_ns;
     } else {
       program->loop();
       ++counters.loops;
@@ -228,6 +230,7 @@ struct NativeBoard::Machine final : firmware::Hal {
   void idle() override {}
 
   NativeBoardSettings settings;
+  std::int64_t tick_ns;  // the timer hangs on the same resonator
   I2cSlave* imu;
   NativeBoardCounters counters{};
   wire::ResetCause cause = wire::ResetCause::kUnknown;
