@@ -76,6 +76,10 @@ class Run : public ::testing::Test {
   }
   static bool commanded(const ScriptedRobot& robot) { return robot.heard.commands.size() > 20; }
 
+  static bool driven(const ScriptedRobot& robot) {
+    return commanded(robot) && robot.heard.commands.back().speed_mps > 0.0F;
+  }
+
   std::filesystem::path folder_;
   std::unique_ptr<PtyRobot> robot_;
   RunOptions options_;
@@ -136,10 +140,7 @@ TEST_F(Run, EndsWithStatus1WhenItsTimeIsOver) {
 TEST_F(Run, SigtermDisarmsFirst) {
   options_.course = "1-straight";
   robot_->plug_in();
-  EXPECT_EQ(run([&] {
-              eventually([](const ScriptedRobot& r) { return r.state == wire::State::kArmed; });
-            }),
-            1);
+  EXPECT_EQ(run([&] { eventually(driven); }), 1);
   EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return !robot.heard.disarms.empty(); }));
   EXPECT_EQ(robot_->with([](ScriptedRobot& robot) { return robot.state; }), wire::State::kDisarmed);
   EXPECT_THAT(log_, HasSubstr("state: idle -> arming"));
@@ -158,7 +159,7 @@ TEST_F(Run, ReconnectsByItselfAndStaysDisarmed) {
   options_.course = "1-straight";
   robot_->plug_in();
   EXPECT_EQ(run([&] {
-              eventually([](const ScriptedRobot& r) { return r.state == wire::State::kArmed; });
+              eventually(driven);
               robot_->unplug();
               std::this_thread::sleep_for(100ms);
               robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });

@@ -2,20 +2,12 @@
 
 #include <vector>
 
-#include "allocation_count.h"
 #include "link/session.h"
 #include "scripted_robot.h"
+#include "support/alloc_count.h"
 
-#if TP100_COUNTS_ALLOCATIONS
 namespace tp100::link {
 namespace {
-
-TEST(Allocation, TheCounterCounts) {
-  const AllocationCount heap;
-  const std::vector<int> kept(100, 7);
-  EXPECT_GE(heap.calls(), 1u);
-  EXPECT_EQ(kept[50], 7);
-}
 
 // Handshake, samples, noise, requests, a reboot and a time-out: the whole life of a session.
 TEST(Allocation, ASessionNeverTouchesTheHeap) {
@@ -35,7 +27,7 @@ TEST(Allocation, ASessionNeverTouchesTheHeap) {
     std::vector<std::uint8_t> bytes = robot.take();
     if (turn % 50 == 0) bytes.insert(bytes.end(), noise.begin(), noise.end());
     {
-      const AllocationCount heap;
+      const test::AllocCount heap;
       session.receive(bytes, now);
       samples += session.take_samples().size();
       session.take_events();
@@ -55,4 +47,3 @@ TEST(Allocation, ASessionNeverTouchesTheHeap) {
 
 }  // namespace
 }  // namespace tp100::link
-#endif
