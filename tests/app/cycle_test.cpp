@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../link/scripted_robot.h"
+#include "support/alloc_count.h"
 
 namespace tp100::app {
 namespace {
@@ -82,6 +83,30 @@ TEST(Cycle, AStopIsNeverCrowdedOut) {
   bench.cycle.request(OperatorRequest::kStop);
   bench.run(50);
   EXPECT_EQ(bench.robot.heard.stops.size(), 1u);
+}
+
+TEST(Cycle, AWholeTurnNeverTouchesTheHeap) {
+  HostNs now = kNsPerS;
+  ScriptedRobot robot;
+  Cycle cycle(session_settings({}), {}, nullptr);
+  cycle.open(now);
+  std::uint64_t calls = 0;
+  for (int turn = 0; turn < 1000; ++turn) {
+    now += 5 * kNsPerMs;
+    robot.tick(now);
+    const std::vector<std::uint8_t> bytes = robot.take();
+    {
+      const test::AllocCount heap;
+      cycle.receive(bytes, now);
+      cycle.step(now);
+      cycle.take_events();
+      calls += heap.calls();
+    }
+    robot.hear(cycle.output(), now);
+    cycle.written(cycle.output().size());
+  }
+  EXPECT_EQ(calls, 0u);
+  EXPECT_EQ(cycle.session().state(), SessionState::kReady);
 }
 
 TEST(Cycle, NamesEveryParameterThatARobotCanRefuse) {
