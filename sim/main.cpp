@@ -12,7 +12,8 @@ namespace {
 using namespace tp100::sim;
 
 void add_common(CLI::App& app, Options& options) {
-  app.add_option("--board", options.board, "What runs the firmware: native")->capture_default_str();
+  app.add_option("--board", options.board, "What runs the firmware: native or avr")
+      ->capture_default_str();
   app.add_option("--robot", options.robot, "Robot: bundled name or file (default: end-loaded)");
   app.add_option("--setup", options.setup, "bench, flat or terrain (default: flat)");
   app.add_option("--seed", options.seed, "Noise of this run")->capture_default_str();

@@ -15,7 +15,7 @@ namespace tp100::sim {
 
 /// One board.
 struct AvrBoardSettings {
-  std::string image;               ///< ELF or HEX; empty: the one built with this program
+  std::string image{};             ///< ELF or HEX; empty: the one built with this program
   bool bootloader = false;         ///< Arduino's bootloader runs first and listens for a second
   std::uint64_t seed = 1;          ///< of EEPROM, SRAM at power-on and the ADC's noise
   double clock_ppm = 0.0;          ///< error of the resonator; positive runs fast

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/board/avr_board.h"
 #include "sim/board/native_board.h"
 
 namespace tp100::sim {
@@ -21,20 +22,36 @@ constexpr std::uint64_t kLeftEncoder = 11;
 constexpr std::uint64_t kRightEncoder = 12;
 
 std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlave& imu) {
+  const auto phase_ns = static_cast<std::int64_t>(stream(settings.seed, 2) % 5'000'000);
+  const std::uint64_t seed = stream(settings.seed, 1);
+  const double clock_ppm = settings.values.clock_ppm;
   switch (settings.board) {
     case BoardKind::kNative:
       break;
+    case BoardKind::kAvr:
+      return std::make_unique<AvrBoard>(AvrBoardSettings{.bootloader = settings.bootloader,
+                                                         .seed = seed,
+                                                         .clock_ppm = clock_ppm,
+                                                         .reset_hold_ns = phase_ns},
+                                        &imu);
   }
-  const std::uint64_t phase = stream(settings.seed, 2);
   return std::make_unique<NativeBoard>(
       NativeBoardSettings{
-          .seed = stream(settings.seed, 1),
-          .clock_ppm = settings.values.clock_ppm,
-          .boot_delay_ns = 4'000'000 + static_cast<std::int64_t>(phase % 5'000'000)},
+          .seed = seed, .clock_ppm = clock_ppm, .boot_delay_ns = 4'000'000 + phase_ns},
       &imu);
 }
 
 }  // namespace
+
+const char* to_string(BoardKind board) {
+  switch (board) {
+    case BoardKind::kNative:
+      return "native";
+    case BoardKind::kAvr:
+      return "avr";
+  }
+  return "unknown";
+}
 
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
     : body_(settings.values.body, settings.start, settings.on_stand),

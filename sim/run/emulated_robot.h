@@ -18,7 +18,10 @@
 namespace tp100::sim {
 
 /// What runs the firmware.
-enum class BoardKind { kNative };
+enum class BoardKind { kNative, kAvr };
+
+/// As on the command line and in results.
+const char* to_string(BoardKind board);
 
 /// One emulated robot. A seed is the noise of one robot; another robot is another `values`.
 struct EmulatedRobotSettings {
@@ -27,6 +30,7 @@ struct EmulatedRobotSettings {
   bool on_stand = false;  ///< belts spin free
   std::uint64_t seed = 1;
   BoardKind board = BoardKind::kNative;
+  bool bootloader = false;  ///< the avr board starts as on a desk, silent for a second
   std::uint32_t baud = 500000;
 };
 

@@ -8,7 +8,8 @@ namespace {
 
 BoardKind board_kind(const std::string& name) {
   if (name == "native") return BoardKind::kNative;
-  throw SetupError("--board " + name + ": not a board of this build; use native");
+  if (name == "avr") return BoardKind::kAvr;
+  throw SetupError("--board " + name + ": not a board; use native or avr");
 }
 
 bridge::Setup setup_kind(const std::string& name) {
