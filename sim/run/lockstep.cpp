@@ -11,6 +11,7 @@
 
 #include "app/cycle.h"
 #include "core/faults.h"
+#include "sim/run/pusher.h"
 
 namespace tp100::sim {
 namespace {
@@ -87,8 +88,7 @@ class Lockstep {
   std::int64_t period_ns_;
   std::int64_t begin_ns_ = -1;
   std::int64_t last_recorded_us_ = -1;
-  std::size_t next_shove_ = 0;
-  bool shoving_ = false;
+  Pusher pusher_;
   std::uint64_t steps_ = 0;
   std::chrono::nanoseconds step_time_{0};
   std::chrono::nanoseconds longest_step_{0};
@@ -112,10 +112,11 @@ Lockstep::Lockstep(const LockstepSettings& settings)
               .seed = settings.seed,
               .board = settings.board}),
       period_ns_(static_cast<std::int64_t>(std::lround(1e3 / settings.configuration.loop.rate_hz)) *
-                 kNsPerMs) {
+                 kNsPerMs),
+      pusher_(settings.course.shoves) {
   if (period_ns_ < kPhysicsStepNs) period_ns_ = kPhysicsStepNs;
   result_.course = settings.course.name;
-  result_.board = "native";
+  result_.board = to_string(settings.board);
   result_.robot = settings.robot.name;
   result_.setup = to_string(settings.setup);
   result_.seed = settings.seed;
@@ -134,17 +135,10 @@ void Lockstep::advance_robot() {
 }
 
 void Lockstep::push() {
-  if (next_shove_ < settings_.course.shoves.size() && !shoving_) {
-    const course::Shove& shove = settings_.course.shoves[next_shove_];
-    if (cycle_.outputs().snapshot.progress_m >= shove.at_m) {
-      robot_.shove(shove.sideways_m, shove.yaw_rad, shove.duration_s);
-      shoving_ = true;
-      ++next_shove_;
-      const double now_s = to_s(robot_.now_ns() - begin_ns_);
-      result_.shoves.push_back({now_s, now_s + shove.duration_s});
-    }
-  }
-  if (shoving_ && !robot_.shoving()) shoving_ = false;
+  const course::Shove* shove = pusher_.update(robot_);
+  if (shove == nullptr) return;
+  const double now_s = to_s(robot_.now_ns() - begin_ns_);
+  result_.shoves.push_back({now_s, now_s + shove->duration_s});
 }
 
 void Lockstep::record(const Snapshot& snapshot) {
@@ -178,7 +172,6 @@ void Lockstep::step_host() {
   cycle_.written(cycle_.output().size());
   if (out.snapshot.run_state == RunState::kRunning) {
     if (begin_ns_ < 0) begin_ns_ = now;
-    push();
     record(out.snapshot);
   }
 }
@@ -195,6 +188,7 @@ analysis::RunResult Lockstep::run() {
   RunState state = RunState::kIdle;
   while (end_ns == 0 || robot_.now_ns() < end_ns) {
     advance_robot();
+    if (begin_ns_ >= 0) push();
     if (robot_.now_ns() < next_step_ns) continue;
     next_step_ns += period_ns_;
     step_host();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/time.h"
+#include "sim/run/pusher.h"
 #include "sim/wire/pty.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
@@ -65,9 +66,14 @@ class Cable {
     const bool open = pty_.open();
     if (open == open_) return;
     open_ = open;
-    std::printf("robot: port %s\n", open ? "opened, board resets" : "closed");
+    // On the board's clock, as the firmware's own lines.
+    std::printf("robot: %.6f s: port %s\n", to_s(robot_.now_ns() - reset_ns_),
+                open ? "opened, board resets" : "closed");
     std::fflush(stdout);
-    if (open) robot_.reset(PowerUp::kExternal);
+    if (open) {
+      robot_.reset(PowerUp::kExternal);
+      reset_ns_ = robot_.now_ns();
+    }
     waiting_.clear();
   }
   void from_host() {
@@ -93,6 +99,7 @@ class Cable {
   Pty pty_;
   FirmwareLog log_;
   bool open_ = false;
+  std::int64_t reset_ns_ = 0;
   std::vector<std::uint8_t> waiting_;
 };
 
@@ -106,8 +113,10 @@ int run_robot(const RobotCommand& command) {
                        .start = course.start,
                        .on_stand = loaded.setup == bridge::Setup::kBench,
                        .seed = command.options.seed,
-                       .board = loaded.board});
+                       .board = loaded.board,
+                       .bootloader = true});
   Cable cable(robot, command.link);
+  Pusher pusher(course.shoves);
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   std::printf("robot: %s, seed %llu, on %s%s%s\n", loaded.robot.name.c_str(),
@@ -121,6 +130,10 @@ int run_robot(const RobotCommand& command) {
     cable.watch();
     cable.from_host();
     cable.to_host(robot.advance());
+    if (pusher.update(robot) != nullptr) {
+      std::printf("robot: somebody pushes the robot\n");
+      std::fflush(stdout);
+    }
     const std::int64_t due_ns = begin_ns + robot.now_ns();
     const std::int64_t now_ns = monotonic_ns();
     if (now_ns - due_ns > kGiveUpNs) begin_ns = now_ns - robot.now_ns();

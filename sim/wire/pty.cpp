@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include "core/error.h"
 
@@ -18,15 +20,28 @@ namespace tp100::sim {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
 
 [[noreturn]] void fail(const std::string& what) {
   throw SetupError(what + ": " + std::strerror(errno));
 }
 
+/// True if nobody serves `link` any more. A client of a robot that was killed keeps the old device
+/// alive until it notices: that takes a moment.
+bool dangling(const std::string& device, const std::string& link) {
+  std::error_code error;
+  for (int i = 0; i < 20; ++i) {
+    // A pty that has just been made cannot be somebody else's, even under a number used before.
+    if (fs::read_symlink(link, error) == device || !fs::exists(link, error)) return true;
+    std::this_thread::sleep_for(50ms);
+  }
+  return false;
+}
+
 void make_link(const std::string& device, const std::string& link) {
   std::error_code error;
   const fs::file_status own = fs::symlink_status(link, error);
-  if (fs::is_symlink(own) && !fs::exists(link, error)) {
+  if (fs::is_symlink(own) && dangling(device, link)) {
     fs::remove(link, error);
   } else if (fs::exists(own)) {
     throw SetupError(link + ": exists already; give another --link or remove it");

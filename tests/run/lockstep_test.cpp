@@ -1,0 +1,122 @@
+#include "sim/run/lockstep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analysis/metrics.h"
+#include "analysis/result_json.h"
+#include "app/bundled_files.h"
+#include "sim/run/options.h"
+
+namespace tp100::sim {
+namespace {
+
+// Sanitized builds run the same code some ten times slower: fewer seeds there.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t kSeeds = 1;
+#else
+constexpr std::uint64_t kSeeds = 10;
+#endif
+
+LockstepSettings settings(const std::string& course, const std::string& robot) {
+  Options options;
+  options.robot = robot;
+  const Loaded loaded = load(options);
+  return {.course = load_course(course),
+          .robot = loaded.robot,
+          .configuration = loaded.configuration,
+          .setup = loaded.setup};
+}
+
+struct Case {
+  const char* course;
+  const char* robot;
+  double model_limit_m;  ///< median over the seeds of the largest position error; 0: none
+};
+
+class Courses : public testing::TestWithParam<Case> {};
+
+TEST_P(Courses, AreCompletedForEverySeedAndTheModelKeepsItsLimit) {
+  const Case& which = GetParam();
+  LockstepSettings run = settings(which.course, which.robot);
+  std::vector<double> model_m;
+  for (run.seed = 1; run.seed <= kSeeds; ++run.seed) {
+    const analysis::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
+    EXPECT_EQ(result.link.lost, 0u);
+    EXPECT_EQ(result.link.crc_errors, 0u);
+    model_m.push_back(analysis::figures(result, run.course).model.max_position_error_m);
+  }
+  std::sort(model_m.begin(), model_m.end());
+  const double median_m = model_m[model_m.size() / 2];
+  if (which.model_limit_m > 0.0) {
+    EXPECT_LE(median_m, which.model_limit_m);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Flat, Courses,
+    testing::Values(Case{"1-straight", "end-loaded", 0.010}, Case{"1-curve", "end-loaded", 0.010},
+                    Case{"1-sharp", "end-loaded", 0.030}, Case{"2", "end-loaded", 0.0},
+                    Case{"1-straight", "uniform", 0.0}, Case{"1-curve", "uniform", 0.0},
+                    Case{"1-sharp", "uniform", 0.0}, Case{"2", "uniform", 0.0}),
+    [](const testing::TestParamInfo<Case>& param) {
+      std::string name = std::string(param.param.course) + "_" + param.param.robot;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+std::string without_time(analysis::RunResult result, const course::Course& course) {
+  result.realtime_factor = 0.0;
+  result.loop.clear();
+  return analysis::result_json(result, analysis::figures(result, course));
+}
+
+TEST(Lockstep, OneSeedGivesOneResultAndAnotherSeedAnother) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  const std::string first = without_time(run_lockstep(run), run.course);
+  EXPECT_EQ(first, without_time(run_lockstep(run), run.course));
+  run.seed = 2;
+  EXPECT_NE(first, without_time(run_lockstep(run), run.course));
+}
+
+TEST(Lockstep, OnABenchTheVirtualRobotCompletesTheCourseAndTheBodyStays) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  run.setup = bridge::Setup::kBench;
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_NEAR(result.points.back().truth.y_m, 0.7, 0.03);
+}
+
+TEST(Lockstep, ARobotThatLeavesItsFenceIsStoppedAndTheCauseIsNamed) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  run.course.fence.max_y_m = 0.3;
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_FALSE(result.completed);
+  EXPECT_EQ(result.cause, "fence");
+}
+
+TEST(Lockstep, AReversedMotorIsFoundBeforeTheRobotGetsFar) {
+  LockstepSettings run = settings("1-straight", "end-loaded");
+  run.robot.drive.invert_right_motor = true;
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_FALSE(result.completed);
+  EXPECT_FALSE(result.cause.empty());
+  ASSERT_FALSE(result.points.empty());
+  EXPECT_LT(std::abs(result.points.back().truth.x_m), 0.10) << result.cause;
+}
+
+TEST(Lockstep, AGyroOfTheWrongSignIsFound) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  run.robot.model.gyro_scale = -1.0;
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_FALSE(result.completed);
+  EXPECT_FALSE(result.cause.empty());
+}
+
+}  // namespace
+}  // namespace tp100::sim

@@ -1,0 +1,119 @@
+#include "process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace tp100::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "tp100-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
+  path_ = pattern;
+}
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code error;
+  std::filesystem::remove_all(path_, error);
+}
+
+Process::Process(std::vector<std::string> arguments) {
+  arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/" + arguments[0];
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("pipe2 failed");
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  const int error = posix_spawn(&pid_, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  pipe_ = ends[0];
+  fcntl(pipe_, F_SETFL, O_NONBLOCK);
+  if (error != 0) throw std::runtime_error("cannot start " + arguments[0]);
+}
+
+Process::~Process() {
+  if (pid_ > 0) {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  ::close(pipe_);
+}
+
+bool Process::read_some(std::chrono::milliseconds patience) {
+  pollfd descriptor{pipe_, POLLIN, 0};
+  poll(&descriptor, 1, static_cast<int>(patience.count()));
+  std::array<char, 4096> buffer;
+  const ssize_t n = ::read(pipe_, buffer.data(), buffer.size());
+  if (n > 0) output_.append(buffer.data(), static_cast<std::size_t>(n));
+  return n != 0;
+}
+
+bool Process::wait_for(const std::string& text) {
+  const auto deadline = Clock::now() + 60s;
+  while (Clock::now() < deadline) {
+    const std::size_t at = output_.find(text, searched_);
+    if (at != std::string::npos) {
+      searched_ = at + text.size();
+      return true;
+    }
+    if (!read_some(50ms)) return output_.find(text, searched_) != std::string::npos;
+  }
+  return false;
+}
+
+void Process::signal(int number) { kill(pid_, number); }
+
+int Process::wait() {
+  const auto deadline = Clock::now() + 120s;
+  while (pid_ > 0 && Clock::now() < deadline) {
+    int status = 0;
+    if (waitpid(pid_, &status, WNOHANG) == pid_) {
+      pid_ = -1;
+      status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      break;
+    }
+    read_some(10ms);
+  }
+  output();
+  return status_;
+}
+
+const std::string& Process::output() {
+  std::size_t before = 0;
+  do {
+    before = output_.size();
+    read_some(0ms);
+  } while (output_.size() != before);
+  return output_;
+}
+
+Finished run(std::vector<std::string> arguments) {
+  Process process(std::move(arguments));
+  const int status = process.wait();
+  return {status, process.output()};
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace tp100::test

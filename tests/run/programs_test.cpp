@@ -1,0 +1,136 @@
+// The two real programs as separate processes on a real pseudo-terminal.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "process.h"
+
+namespace tp100::test {
+namespace {
+
+class Programs : public testing::Test {
+ protected:
+  std::string port() const { return folder_.file("tp100"); }
+  std::vector<std::string> robot_arguments() const {
+    return {"tp100-sim", "robot", "--link", port(), "--course", "1-curve"};
+  }
+  std::vector<std::string> daemon_arguments(const std::string& course = "1-curve") const {
+    return {"tp100d", "run", "--port", port(), "--course", course};
+  }
+  /// Board time of the first line after `from` that holds `text`. [s]
+  static double time_of(const std::string& output, const std::string& text, std::size_t from = 0) {
+    const std::size_t at = output.find(text, from);
+    if (at == std::string::npos) return -1.0;
+    const std::size_t line = output.rfind('\n', at) + 1;
+    double seconds = -1.0;
+    std::sscanf(output.c_str() + line, "robot: %lf s:", &seconds);
+    return seconds;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Programs, DriveACourseInRealTimeAndBothEndCleanly) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  std::vector<std::string> arguments = daemon_arguments();
+  arguments.insert(arguments.end(), {"--stats", folder_.file("stats.json")});
+  Process bridge(arguments);
+  EXPECT_EQ(bridge.wait(), 0) << bridge.output();
+  EXPECT_NE(bridge.output().find("state: running -> finished"), std::string::npos);
+  EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
+  std::ifstream stats(folder_.file("stats.json"));
+  std::stringstream text;
+  text << stats.rdbuf();
+  EXPECT_NE(text.str().find("\"reconnects\""), std::string::npos);
+  robot.signal(SIGTERM);
+  EXPECT_EQ(robot.wait(), 0);
+  EXPECT_FALSE(std::filesystem::is_symlink(port()));
+}
+
+TEST_F(Programs, AKilledDaemonLeavesTheMotorsOffWithinTwoHundredMilliseconds) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  Process bridge(daemon_arguments());
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  usleep(500'000);
+  bridge.signal(SIGKILL);
+  bridge.wait();
+  ASSERT_TRUE(robot.wait_for("port closed")) << robot.output();
+  ASSERT_TRUE(robot.wait_for("motors off: command_timeout")) << robot.output();
+  const double closed_s = time_of(robot.output(), "port closed");
+  const double off_s = time_of(robot.output(), "motors off: command_timeout");
+  // Both on the board's clock: one loop and one physics step of slack.
+  EXPECT_LE(off_s - closed_s, 0.200 + 0.010) << robot.output();
+
+  // The robot survives its client: the next one finds it again.
+  Process next(daemon_arguments());
+  EXPECT_EQ(next.wait_for("state: syncing -> ready"), true) << next.output();
+}
+
+TEST_F(Programs, AKilledRobotLeavesTheDaemonWaitingAndDisarmedUntilANewStart) {
+  auto robot = std::make_unique<Process>(robot_arguments());
+  ASSERT_TRUE(robot->wait_for("linked from"));
+  Process bridge(daemon_arguments());
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  robot->signal(SIGKILL);
+  robot->wait();
+  ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
+  robot = std::make_unique<Process>(robot_arguments());
+  ASSERT_TRUE(robot->wait_for("linked from")) << robot->output();
+  ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
+  usleep(1'500'000);
+  EXPECT_EQ(bridge.output().rfind("-> arming"), bridge.output().find("-> arming"))
+      << "it must not arm again by itself: " << bridge.output();
+  bridge.signal(SIGTERM);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+}
+
+TEST_F(Programs, SigtermDisarmsFirst) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  Process bridge(daemon_arguments());
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  bridge.signal(SIGTERM);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+  EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
+}
+
+TEST_F(Programs, TheDaemonWaitsForARobotThatComesLater) {
+  std::vector<std::string> arguments = daemon_arguments("1-straight");
+  arguments.push_back("--wait");
+  Process bridge(arguments);
+  usleep(300'000);
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  EXPECT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+}
+
+TEST_F(Programs, TheDurationLimitEndsARunWithStatusOne) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  std::vector<std::string> arguments = daemon_arguments();
+  arguments.insert(arguments.end(), {"--duration", "2"});
+  EXPECT_EQ(run(arguments).status, 1);
+  EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
+}
+
+TEST_F(Programs, OneSeedPrintsOneJsonButForTimings) {
+  const std::regex timings(
+      R"re("(realtime_factor|[a-z_]*time[a-z_]*)":[-0-9.e+]+|"loop":\{[^}]*\})re");
+  const auto json = [&](const char* seed) {
+    const Finished finished = run({"tp100-sim", "course", "1-sharp", "--json", "--seed", seed});
+    EXPECT_EQ(finished.status, 0) << finished.output;
+    return std::regex_replace(finished.output, timings, "");
+  };
+  EXPECT_EQ(json("4"), json("4"));
+  EXPECT_NE(json("4"), json("5"));
+}
+
+}  // namespace
+}  // namespace tp100::test

@@ -1,0 +1,84 @@
+#include "sim/wire/pty.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/error.h"
+
+namespace tp100::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PtyTest : public testing::Test {
+ protected:
+  PtyTest() {
+    std::string pattern = (fs::temp_directory_path() / "tp100-pty-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~PtyTest() override { fs::remove_all(folder_); }
+  std::string link() const { return (folder_ / "tp100").string(); }
+  fs::path folder_;
+};
+
+TEST_F(PtyTest, NoticesOpeningAndClosing) {
+  Pty pty("");
+  EXPECT_FALSE(pty.open());
+  const int client = ::open(pty.device().c_str(), O_RDWR | O_NOCTTY);
+  ASSERT_GE(client, 0);
+  EXPECT_TRUE(pty.open());
+  ::close(client);
+  EXPECT_FALSE(pty.open());
+}
+
+TEST_F(PtyTest, CarriesEveryByteUnchangedBothWays) {
+  Pty pty(link());
+  const int client = ::open(link().c_str(), O_RDWR | O_NOCTTY);
+  ASSERT_GE(client, 0);
+  std::array<std::uint8_t, 256> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint8_t>(i);
+  ASSERT_EQ(pty.write(all), all.size());
+  std::array<std::uint8_t, 512> got{};
+  std::size_t n = 0;
+  while (n < all.size()) {
+    const ssize_t more = ::read(client, got.data() + n, got.size() - n);
+    ASSERT_GT(more, 0);
+    n += static_cast<std::size_t>(more);
+  }
+  EXPECT_TRUE(std::equal(all.begin(), all.end(), got.begin()));
+  ASSERT_EQ(::write(client, all.data(), all.size()), 256);
+  n = 0;
+  for (int tries = 0; tries < 1000 && n < all.size(); ++tries) {
+    n += pty.read(std::span(got).subspan(n));
+    usleep(1000);
+  }
+  EXPECT_TRUE(std::equal(all.begin(), all.end(), got.begin()));
+  ::close(client);
+}
+
+TEST_F(PtyTest, ReplacesADanglingLinkAndRemovesItsOwn) {
+  fs::create_symlink("/dev/pts/no-such", link());
+  {
+    Pty pty(link());
+    EXPECT_EQ(fs::read_symlink(link()), pty.device());
+  }
+  EXPECT_FALSE(fs::is_symlink(link()));
+}
+
+TEST_F(PtyTest, DoesNotReplaceAFileOrALiveLink) {
+  std::ofstream(link()) << "mine";
+  EXPECT_THROW(Pty pty(link()), SetupError);
+  EXPECT_TRUE(fs::is_regular_file(link()));
+  const std::string other = (folder_ / "other").string();
+  Pty first(other);
+  EXPECT_THROW(Pty second(other), SetupError);
+}
+
+}  // namespace
+}  // namespace tp100::sim
