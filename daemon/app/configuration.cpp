@@ -202,8 +202,8 @@ std::span<const Key<bridge::Parameters>> bridge_keys() {
   static const std::array<Key<T>, 2> kKeys = {{
       {"command_life_ms",
        &T::command_life_s,
-       {20, 200},
-       "The robot does not drive on a command older than this",
+       {20, 190},
+       "The robot stops when it has had no newer command than this; it refuses 200 and more",
        kMs},
       {"max_sample_age_ms",
        &T::max_sample_age_s,

@@ -26,7 +26,8 @@ struct Parameters {
   course::DriveValues drive{};
   estimation::Parameters estimation{};
   control::Parameters control{};
-  double command_life_s = 0.100;    ///< expiry of a command after the step, at most 0.2
+  double command_life_s =
+      0.180;  ///< expiry of a command after the step; the robot takes 0.2 at most
   double max_sample_age_s = 0.060;  ///< older samples are not steered by: samples_stale
 };
 
