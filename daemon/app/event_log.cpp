@@ -3,6 +3,8 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <utility>
+
 namespace tp100::app {
 namespace {
 
@@ -119,6 +121,8 @@ void EventLog::event(const LiveEvent& event) {
 
 void EventLog::session_event(const LiveEvent& live) {
   const link::SessionEvent& event = live.session;
+  // A port on which nothing is heard says so once.
+  const bool told = std::exchange(silence_told_, event.kind == Kind::kTimeout);
   switch (event.kind) {
     case Kind::kState:
       spdlog::info("state: {} -> {}", to_string(static_cast<SessionState>(event.a)),
@@ -153,6 +157,7 @@ void EventLog::session_event(const LiveEvent& live) {
       spdlog::warn("{} not acknowledged", request_name(event.a));
       return;
     case Kind::kTimeout:
+      if (told) return;
       spdlog::warn("no good frame from the robot in time (state {})",
                    to_string(static_cast<SessionState>(event.a)));
       return;

@@ -30,6 +30,7 @@ class EventLog {
   HostNs next_status_ns_ = 0;
   HostNs burst_began_ns_ = 0;
   int burst_ = 0;
+  bool silence_told_ = false;
   std::uint64_t folded_ = 0;
 };
 

@@ -10,8 +10,8 @@ constexpr HostNs kStatusPeriodNs = 100 * kNsPerMs;
 }  // namespace
 
 LiveCycle::LiveCycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
-                     std::shared_ptr<const course::Course> course)
-    : cycle_(settings, parameters, std::move(course)) {}
+                     std::shared_ptr<const course::Course> course, bool leave_silent_port)
+    : cycle_(settings, parameters, std::move(course)), leave_silent_port_(leave_silent_port) {}
 
 bool LiveCycle::take_status(LiveStatus& status) {
   bool any = false;
@@ -57,7 +57,9 @@ void LiveCycle::pass_events() {
     event.session = session;
     event.hello = cycle_.session().hello();
     push(event);
-    if (session.kind == link::SessionEvent::Kind::kTimeout) hang_up_ = true;
+    if (session.kind != link::SessionEvent::Kind::kTimeout) continue;
+    const bool spoke = session.a != static_cast<std::int32_t>(SessionState::kListening);
+    hang_up_ = hang_up_ || spoke || leave_silent_port_;
   }
 }
 

@@ -36,8 +36,10 @@ struct LiveStatus {
 
 class LiveCycle : public loop::Driven {
  public:
+  /// `leave_silent_port`: a port on which nobody ever spoke is given back, so that another can be
+  /// tried.
   LiveCycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
-            std::shared_ptr<const course::Course> course);
+            std::shared_ptr<const course::Course> course, bool leave_silent_port);
 
   // Other thread.
   /// False: too many requests wait.
@@ -76,6 +78,7 @@ class LiveCycle : public loop::Driven {
   std::atomic<std::uint64_t> lost_events_{0};
   RunState run_state_ = RunState::kIdle;
   HostNs next_status_ns_ = 0;
+  bool leave_silent_port_;
   bool hang_up_ = false;
   bool winding_up_ = false;
 };

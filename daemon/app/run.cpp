@@ -81,7 +81,8 @@ int run_run(const RunOptions& options) {
   session.baud = static_cast<std::uint32_t>(configuration.link.baud);
   session.timeout_ns = ns_of_ms(configuration.link.timeout_ms);
   session.first_frame_timeout_ns = ns_of_ms(configuration.link.first_frame_timeout_ms);
-  LiveCycle cycle(session, parameters, course);
+  const bool leave_silent_port = !options.wait || configuration.link.port == "auto";
+  LiveCycle cycle(session, parameters, course, leave_silent_port);
 
   const loop::RealTimeProcess process({.lock_memory = configuration.loop.lock_memory,
                                        .hold_cpu_latency = configuration.loop.hold_cpu_latency});
