@@ -87,7 +87,7 @@ TEST(Configuration, RefusesUnknownKeysAndValuesOutOfRangeInOneLine) {
   EXPECT_EQ(told("[loop]\nrate_hz = 2000\n"),
             "tp100.toml:2:11: 'loop.rate_hz' is 2000, allowed 50 to 1000 Hz");
   EXPECT_EQ(told("[control]\ncommand_life_ms = 500\n"),
-            "tp100.toml:2:19: 'control.command_life_ms' is 500, allowed 20 to 200 ms");
+            "tp100.toml:2:19: 'control.command_life_ms' is 500, allowed 20 to 190 ms");
   EXPECT_THAT(told("setup = 'flatt'\n"), HasSubstr("did you mean 'flat'?"));
   EXPECT_THAT(told("[lopp]\n"), HasSubstr("unknown key 'lopp'; did you mean 'loop'?"));
 }
