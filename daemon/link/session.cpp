@@ -9,11 +9,6 @@ namespace {
 using wire::Result;
 using wire::Type;
 
-constexpr HostNs kHelloRequestPeriodNs = 200 * kNsPerMs;
-constexpr HostNs kParametersPeriodNs = 100 * kNsPerMs;
-// The robot takes a host that is silent for kHostSilenceMs as lost.
-constexpr HostNs kKeepAliveNs = 400 * kNsPerMs;
-constexpr HostNs kArmLifeNs = kRequestLimitNs;
 // Tokens of an earlier daemon in the same boot of the robot lie below: 10 ms a step, wraps after
 // 497 days.
 constexpr HostNs kTokenTickNs = 10 * kNsPerMs;
@@ -282,127 +277,6 @@ void Session::fail_arm(HostNs now) {
   motion_.cancel();
   refused_ = true;
   note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kArm));
-}
-
-void Session::poll(HostNs now) {
-  poll_timeout(now);
-  poll_requests(now);
-  poll_handshake(now);
-  poll_sync(now);
-  if (clock_.valid) clock_ = sync_.state_at(now);
-}
-
-void Session::poll_timeout(HostNs now) {
-  if (state_ == SessionState::kClosed) return;
-  const bool listening = state_ == SessionState::kListening;
-  const HostNs limit = listening ? settings_.first_frame_timeout_ns : settings_.timeout_ns;
-  if (now - last_good_ns_ < limit) return;
-  note(SessionEvent::Kind::kTimeout, now, number(state_));
-  last_good_ns_ = now;
-  if (listening) return;
-  end_session(now);
-  output_.reset();
-  enter(SessionState::kListening, now);
-}
-
-void Session::poll_requests(HostNs now) {
-  if (stop_.take_overdue(now)) note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kStop));
-  if (motion_.take_overdue(now)) {
-    if (motion_type_ == Type::kArm) {
-      fail_arm(now);
-    } else {
-      motion_.cancel();
-      note(SessionEvent::Kind::kNotAcknowledged, now, number(motion_type_));
-    }
-  }
-  if (!connected()) return;
-  if (stop_.due(now)) {
-    output_.push(wire::Stop{stop_.token()});
-    stop_.sent(now);
-    last_sent_ns_ = now;
-  }
-  if (!motion_.due(now)) return;
-  if (motion_type_ == Type::kArm) {
-    if (stop_.pending()) return;
-    output_.push(arm_);
-  } else {
-    output_.push(wire::Disarm{motion_.token()});
-  }
-  motion_.sent(now);
-  last_sent_ns_ = now;
-}
-
-void Session::poll_handshake(HostNs now) {
-  if (state_ == SessionState::kHello && now >= next_hello_ns_) {
-    output_.push(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-    next_hello_ns_ = now + kHelloRequestPeriodNs;
-    last_sent_ns_ = now;
-  }
-  if (state_ == SessionState::kParameters && now >= next_parameters_ns_) {
-    output_.push(settings_.parameters);
-    next_parameters_ns_ = now + kParametersPeriodNs;
-    last_sent_ns_ = now;
-  }
-}
-
-void Session::poll_sync(HostNs now) {
-  if (!in_session()) return;
-  const auto id = sync_.due(now - last_sent_ns_ >= kKeepAliveNs ? sync_.next_ns() : now);
-  if (!id) return;
-  const std::size_t ahead = output_.bytes().size();
-  const std::size_t size = output_.push(wire::SyncRequest{*id});
-  if (size == 0) return;
-  sync_.asked(*id, now, wire_ns(ahead + size));
-  last_sent_ns_ = now;
-}
-
-void Session::send(const Command& command, HostNs now) {
-  if (!in_session()) return;
-  wire::Command out{};
-  out.boot_nonce = hello_.boot_nonce;
-  out.sequence = ++command_sequence_;
-  out.answers = command.answers;
-  out.x_m = static_cast<float>(command.pose.x_m);
-  out.y_m = static_cast<float>(command.pose.y_m);
-  out.yaw_rad = static_cast<float>(command.pose.yaw_rad);
-  out.desired_yaw_rad = static_cast<float>(command.desired_yaw_rad);
-  out.yaw_rate_radps = static_cast<float>(command.yaw_rate_radps);
-  out.speed_mps = static_cast<float>(command.speed_mps);
-  out.expiry_us = static_cast<std::uint32_t>(command.expiry_us);
-  out.gyro_bias_radps = static_cast<float>(command.gyro_bias_radps);
-  if (output_.push(out) > 0) last_sent_ns_ = now;
-}
-
-void Session::request(RobotRequest request, HostNs now) {
-  switch (request) {
-    case RobotRequest::kNone:
-      return;
-    case RobotRequest::kStop:
-      fail_arm(now);
-      stop_.start(next_token(now), now);
-      return;
-    case RobotRequest::kDisarm:
-      fail_arm(now);
-      if (!connected()) {
-        note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kDisarm));
-        return;
-      }
-      motion_type_ = Type::kDisarm;
-      motion_.start(next_token(now), now);
-      return;
-    case RobotRequest::kArm:
-      fail_arm(now);
-      if (state_ != SessionState::kReady) {
-        refused_ = true;
-        note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kArm));
-        return;
-      }
-      motion_type_ = Type::kArm;
-      motion_.start(next_token(now), now);
-      arm_ = {hello_.boot_nonce, motion_.token(),
-              static_cast<std::uint32_t>(clock_.to_device(now + kArmLifeNs))};
-      return;
-  }
 }
 
 std::span<const Sample> Session::take_samples() { return intake_.take(); }
