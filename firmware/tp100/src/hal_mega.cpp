@@ -267,20 +267,21 @@ void MegaHal::unlock(uint8_t saved) {
   SREG = saved;
 }
 
+// An edge, a byte of a frame or a byte sent wakes the processor but is no work for the loop: a loop
+// for each would take more time than all the rest.
 void MegaHal::idle() {
   set_sleep_mode(SLEEP_MODE_IDLE);
-  cli();
-  // A tick or a byte since the loop looked is work to do now, not after the next interrupt.
-  const bool work = ticked_ || uart_mega::readable();
-  ticked_ = false;
-  if (!work) {
-    sleep_enable();
+  sleep_enable();
+  for (;;) {
+    cli();
+    if (ticked_ || uart_mega::worth_reading()) break;
     // The instruction after sei runs before any interrupt, so none can slip in between.
     sei();
     sleep_cpu();
-    sleep_disable();
   }
+  ticked_ = false;
   sei();
+  sleep_disable();
 }
 
 }  // namespace firmware

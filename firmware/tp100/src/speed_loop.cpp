@@ -13,13 +13,15 @@ const float kStandingS = 0.1f;
 const float kLongestLagM = 0.02f;
 // The dead band is stepped over linearly below this speed, or noise around zero would rattle the
 // gears.
-const float kDeadBandRampMps = 0.005f;
+const float kDeadBandRampPerMps = 200.0f;
 
 }  // namespace
 
 SpeedLoop::SpeedLoop()
     : counts_(),
-      dt_s_(),
+      dt_us_(),
+      sum_counts_(0),
+      sum_us_(0),
       next_(0),
       measured_(0),
       last_counts_(0),
@@ -32,22 +34,28 @@ void SpeedLoop::measure(int32_t counts, float dt_s, const wire::Parameters& p) {
   if (measured_ == 0) {
     last_counts_ = counts;
     next_ = 0;
+    sum_counts_ = 0;
+    sum_us_ = 0;
   }
   const int32_t moved = distance(counts, last_counts_);
   last_counts_ = counts;
-  counts_[next_] = moved;
-  dt_s_[next_] = dt_s;
-  next_ = static_cast<uint8_t>((next_ + 1) % kWindow);
-  if (measured_ < kWindow) ++measured_;
-  int32_t sum = 0;
-  float time_s = 0.0f;
-  for (uint8_t i = 0; i < measured_; ++i) {
-    sum += counts_[i];
-    time_s += dt_s_[i];
+  // Sums in whole numbers: they neither drift nor take the time of eight float additions.
+  const uint16_t dt_us = static_cast<uint16_t>(dt_s * 1e6f + 0.5f);
+  if (measured_ == kWindow) {
+    sum_counts_ -= counts_[next_];
+    sum_us_ -= dt_us_[next_];
+  } else {
+    ++measured_;
   }
+  sum_counts_ += moved;
+  sum_us_ += dt_us;
+  counts_[next_] = moved;
+  dt_us_[next_] = dt_us;
+  next_ = static_cast<uint8_t>((next_ + 1) % kWindow);
   const float metres_per_count = 1.0f / p.counts_per_metre;
   moved_m_ = static_cast<float>(moved) * metres_per_count;
-  speed_mps_ = time_s > 0.0f ? static_cast<float>(sum) * metres_per_count / time_s : 0.0f;
+  const float travel_m = static_cast<float>(sum_counts_) * metres_per_count;
+  speed_mps_ = sum_us_ > 0 ? travel_m * 1e6f / static_cast<float>(sum_us_) : 0.0f;
 }
 
 float SpeedLoop::update(float target_mps, float dt_s, const wire::Parameters& p) {
@@ -63,7 +71,7 @@ float SpeedLoop::update(float target_mps, float dt_s, const wire::Parameters& p)
   }
   const float lag_before = lag_m_;
   lag_m_ = clamp(lag_m_ + target_mps * dt_s - moved_m_, kLongestLagM);
-  const float edge = clamp(target_mps / kDeadBandRampMps, 1.0f);
+  const float edge = clamp(target_mps * kDeadBandRampPerMps, 1.0f);
   const float rest =
       p.feed_forward * target_mps + p.dead_band * edge + p.speed_kp * (target_mps - speed_mps_);
   const float duty = rest + clamp(p.speed_ki * lag_m_, 1.0f);

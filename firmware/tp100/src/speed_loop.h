@@ -32,7 +32,9 @@ class SpeedLoop {
  private:
   static const uint8_t kWindow = 8;
   int32_t counts_[kWindow];
-  float dt_s_[kWindow];
+  uint16_t dt_us_[kWindow];
+  int32_t sum_counts_;
+  uint32_t sum_us_;
   uint8_t next_;
   uint8_t measured_;
   int32_t last_counts_;

@@ -5,6 +5,7 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
+#include "wire/frame.h"
 #include "wire/messages.h"
 
 namespace {
@@ -13,9 +14,15 @@ namespace {
 uint8_t received[256];
 volatile uint8_t received_head;
 volatile uint8_t received_tail;
+// Ends of frames put into the ring and taken out of it.
+volatile uint8_t frames_in;
+volatile uint8_t frames_out;
 uint8_t sending[256];
 volatile uint8_t sending_head;
 volatile uint8_t sending_tail;
+
+// Without an end of a frame among them: a host that floods the wire.
+const uint8_t kMany = 32;
 
 }  // namespace
 
@@ -27,6 +34,7 @@ ISR(USART0_RX_vect) {
   if (next == received_tail) return;
   received[head] = byte;
   received_head = next;
+  if (byte == tp100::wire::kDelimiter) frames_in = static_cast<uint8_t>(frames_in + 1);
 }
 
 ISR(USART0_UDRE_vect) {
@@ -49,13 +57,16 @@ void begin() {
   UCSR0B = _BV(RXEN0) | _BV(TXEN0) | _BV(RXCIE0);
 }
 
-bool readable() { return received_tail != received_head; }
+bool worth_reading() {
+  return frames_in != frames_out || static_cast<uint8_t>(received_head - received_tail) >= kMany;
+}
 
 bool read(uint8_t& byte) {
   const uint8_t tail = received_tail;
   if (tail == received_head) return false;
   byte = received[tail];
   received_tail = static_cast<uint8_t>(tail + 1);
+  if (byte == wire::kDelimiter) frames_out = static_cast<uint8_t>(frames_out + 1);
   return true;
 }
 

@@ -15,8 +15,8 @@ namespace uart_mega {
 void begin();
 /// Takes one received byte. False: nothing there.
 bool read(uint8_t& byte);
-/// True if read() would take a byte.
-bool readable();
+/// True if a whole frame waits, or so many bytes that they should not wait for more.
+bool worth_reading();
 /// Bytes that write() takes now.
 uint8_t room();
 /// Bytes given to write() that are not yet in the shift register.

@@ -26,10 +26,11 @@ inline uint16_t crc16_update(uint16_t crc, uint8_t byte) {
   static const uint16_t table[16] TP100_WIRE_FLASH = {
       0x0000, 0x1021, 0x2042, 0x3063, 0x4084, 0x50A5, 0x60C6, 0x70E7,
       0x8108, 0x9129, 0xA14A, 0xB16B, 0xC18C, 0xD1AD, 0xE1CE, 0xF1EF};
-  crc = static_cast<uint16_t>((crc << 4) ^
-                              TP100_WIRE_READ_WORD(&table[((crc >> 12) ^ (byte >> 4)) & 0x0F]));
-  crc =
-      static_cast<uint16_t>((crc << 4) ^ TP100_WIRE_READ_WORD(&table[((crc >> 12) ^ byte) & 0x0F]));
+  // In bytes: an AVR shifts a word by one place a cycle and more.
+  uint8_t index = static_cast<uint8_t>(static_cast<uint8_t>((crc >> 8) ^ byte) >> 4);
+  crc = static_cast<uint16_t>((crc << 4) ^ TP100_WIRE_READ_WORD(&table[index]));
+  index = static_cast<uint8_t>((static_cast<uint8_t>(crc >> 8) >> 4) ^ byte) & 0x0F;
+  crc = static_cast<uint16_t>((crc << 4) ^ TP100_WIRE_READ_WORD(&table[index]));
   return crc;
 }
 
