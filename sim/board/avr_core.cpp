@@ -120,6 +120,9 @@ void AvrCore::run_until(Cycle until) {
   while (!reached_) {
     const Cycle before = avr_->cycle;
     avr_run(avr_);
+    // simavr lets two instructions pass after sei, the chip one: in `sei, sleep, cli` a waiting
+    // interrupt would never run.
+    if (avr_->interrupt_state > 0 && avr_->sreg[S_I] != 0) avr_service_interrupts(avr_);
     if (was_reset_) {
       was_reset_ = false;
       ++own_resets_;
