@@ -79,7 +79,7 @@ class Cable {
   void from_host() {
     std::array<std::uint8_t, 4096> buffer;
     const std::size_t n = pty_.read(buffer);
-    robot_.receive(std::span(buffer.data(), n), robot_.now_ns());
+    robot_.receive(std::span(buffer.data(), n), robot_.now_ns() + kPhysicsStepNs);
   }
   void to_host(const std::vector<TimedByte>& sent) {
     for (const TimedByte& byte : sent) {
@@ -127,6 +127,12 @@ int run_robot(const RobotCommand& command) {
   robot.reset(PowerUp::kPowerOn);
   std::int64_t begin_ns = monotonic_ns();
   while (g_stop == 0) {
+    // A quantum is computed when it is over: nothing reaches the host before its time, and what the
+    // host wrote meanwhile arrives with the next one.
+    const std::int64_t due_ns = begin_ns + robot.now_ns() + kPhysicsStepNs;
+    const std::int64_t now_ns = monotonic_ns();
+    if (now_ns - due_ns > kGiveUpNs) begin_ns += now_ns - due_ns;
+    if (now_ns < due_ns) sleep_until(due_ns);
     cable.watch();
     cable.from_host();
     cable.to_host(robot.advance());
@@ -134,10 +140,6 @@ int run_robot(const RobotCommand& command) {
       std::printf("robot: somebody pushes the robot\n");
       std::fflush(stdout);
     }
-    const std::int64_t due_ns = begin_ns + robot.now_ns();
-    const std::int64_t now_ns = monotonic_ns();
-    if (now_ns - due_ns > kGiveUpNs) begin_ns = now_ns - robot.now_ns();
-    if (now_ns < due_ns) sleep_until(due_ns);
   }
   return 0;
 }
