@@ -46,6 +46,8 @@ int run(int argc, char** argv) {
       app.add_subcommand("demo", "Start tp100d and tp100-sim robot and watch them drive");
   demo_app->add_option("--course", demo.course, "Course: bundled name or file")
       ->capture_default_str();
+  demo_app->add_option("--board", demo.options.board, "What runs the firmware: native or avr")
+      ->capture_default_str();
   demo_app->add_option("--robot", demo.options.robot, "Robot: bundled name or file");
   demo_app->add_option("--seed", demo.options.seed, "Noise of this run")->capture_default_str();
   demo_app->add_flag("--headless", demo.headless, "No live line; end with the result table");

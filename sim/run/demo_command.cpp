@@ -64,7 +64,8 @@ int run_demo(const DemoCommand& command) {
               loaded.robot.name.c_str(), course.name.c_str());
   std::fflush(stdout);
   Child robot({(programs / "tp100-sim").string(), "robot", "--link", link, "--robot", robot_name,
-               "--course", command.course, "--seed", std::to_string(command.options.seed)},
+               "--board", command.options.board, "--course", command.course, "--seed",
+               std::to_string(command.options.seed)},
               command.headless);
   wait_for(link, robot);
   Child bridge({daemon, "run", "--port", link, "--course", command.course, "--robot", robot_name},
