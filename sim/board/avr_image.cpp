@@ -29,6 +29,8 @@ constexpr std::uint32_t kDataBase = 0x800000;
 }
 
 Bytes read_file(const std::string& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) refuse(path, "is a directory");
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse(path, "cannot be opened");
   return Bytes(std::istreambuf_iterator<char>(file), {});

@@ -1,0 +1,191 @@
+#include "avr_rig.h"
+
+#include <algorithm>
+
+namespace tp100::sim {
+namespace {
+
+constexpr std::int64_t kByteNs = 20'000;
+constexpr double kTopMps = 0.25;  // belt speed at full duty
+
+BodyState at_rest() {
+  BodyState body{};
+  body.specific_force_mps2 = {0.0, 0.0, 9.80665};
+  return body;
+}
+
+}  // namespace
+
+AvrRig::AvrRig(const AvrBoardSettings& settings)
+    : imu({}, settings.seed), board(settings, &imu), left({}, 0, 11), right({}, 2, 12) {}
+
+void AvrRig::send_bytes(const std::vector<std::uint8_t>& sent) {
+  for (const std::uint8_t value : sent) {
+    wire_free_ns_ = std::max(wire_free_ns_, now_ns) + kByteNs;
+    to_board_.push_back({wire_free_ns_, value});
+  }
+}
+
+void AvrRig::run(int ms) {
+  for (int i = 0; i < ms; ++i) {
+    if (streams && ++since_command_ >= 10) {
+      since_command_ = 0;
+      send(command());
+    }
+    step();
+  }
+}
+
+void AvrRig::step() {
+  const std::int64_t until = now_ns + kStepNs;
+  const Drive duty = board.drive();
+  const auto travel = [&](double share) {
+    return (forced_mps != 0.0 ? forced_mps : share * kTopMps) * 1e-3;
+  };
+  edges_.clear();
+  left.move(travel(duty.left), now_ns, until, edges_);
+  const auto middle = static_cast<std::ptrdiff_t>(edges_.size());
+  right.move(travel(duty.right), now_ns, until, edges_);
+  std::inplace_merge(edges_.begin(), edges_.begin() + middle, edges_.end(),
+                     [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+  imu.measure(at_rest(), now_ns);
+  board.set_battery(8.0);
+  const auto due = std::find_if(to_board_.begin(), to_board_.end(),
+                                [&](const TimedByte& byte) { return byte.at_ns > until; });
+  const std::vector<TimedByte> received(to_board_.begin(), due);
+  to_board_.erase(to_board_.begin(), due);
+  board.advance(until, edges_, received);
+  now_ns = until;
+  collect();
+}
+
+template <class Message>
+void AvrRig::keep(std::vector<Message>& messages) {
+  Message message{};
+  if (wire::read_payload(decoder_.payload(), decoder_.size(), message)) {
+    messages.push_back(message);
+  } else {
+    ++bad_frames;
+  }
+}
+
+void AvrRig::collect() {
+  for (const TimedByte& byte : board.take_sent()) {
+    bytes.push_back(byte);
+    const wire::Received received = decoder_.push(byte.value);
+    if (received == wire::Received::kNothing) continue;
+    if (received != wire::Received::kFrame) {
+      ++bad_frames;
+      continue;
+    }
+    switch (static_cast<wire::Type>(decoder_.type())) {
+      case wire::Type::kHello:
+        keep(hellos);
+        nonce = hellos.back().boot_nonce;
+        break;
+      case wire::Type::kSample:
+        keep(samples);
+        sample_ns.push_back(byte.at_ns);
+        break;
+      case wire::Type::kAcknowledge:
+        keep(acknowledges);
+        break;
+      case wire::Type::kSyncReply:
+        keep(sync_replies);
+        break;
+      case wire::Type::kFaultReport:
+        keep(reports);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+bool AvrRig::boot(PowerUp cause) {
+  const std::size_t before = hellos.size();
+  if (cause == PowerUp::kPowerOn) imu.power_on();
+  board.reset(cause, now_ns);
+  decoder_.reset();
+  for (int ms = 0; ms < 1500; ++ms) {
+    run(1);
+    if (hellos.size() > before) return true;
+  }
+  return false;
+}
+
+wire::Parameters AvrRig::parameters() const {
+  wire::Parameters p{};
+  p.boot_nonce = nonce;
+  p.token = token;
+  p.counts_per_metre = 11140.0f;
+  p.wheelbase_m = 0.274f;
+  p.slip_left = 0.16f;
+  p.slip_right = 0.10f;
+  p.max_track_mps = 0.2f;
+  p.max_track_mps2 = 0.6f;
+  p.feed_forward = 4.0f;
+  p.dead_band = 0.05f;
+  p.speed_kp = 4.0f;
+  p.speed_ki = 30.0f;
+  p.yaw_kp = 4.0f;
+  p.max_yaw_radps = 1.2f;
+  p.gyro_z_radps_per_lsb = 0.0174532925f / wire::kGyroLsbPerDegps;
+  p.battery_cutoff_mv = 6000;
+  p.stall_duty = 600;
+  p.stall_ms = 1000;
+  p.command_life_ms = 200;
+  p.yaw_window_ms = 200;
+  p.flags = wire::kUseGyro;
+  return p;
+}
+
+std::uint32_t AvrRig::device_us() const {
+  if (samples.empty()) return 0;
+  return last().device_us + static_cast<std::uint32_t>((now_ns - sample_ns.back()) / 1000) + 1000;
+}
+
+wire::Command AvrRig::command() {
+  wire::Command c{};
+  c.boot_nonce = nonce;
+  c.sequence = ++sequence;
+  c.answers = samples.empty() ? std::uint16_t{0} : last().sequence;
+  c.speed_mps = speed_mps;
+  c.expiry_us = device_us() + 195'000;
+  return c;
+}
+
+wire::Arm AvrRig::arm_message() { return {nonce, ++token, device_us() + 200'000}; }
+
+void AvrRig::connect() {
+  send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  run(4);
+  ++token;
+  send(parameters());
+  run(30);
+}
+
+wire::Acknowledge AvrRig::arm() {
+  send(arm_message());
+  run(5);
+  return acknowledges.empty() ? wire::Acknowledge{} : acknowledges.back();
+}
+
+void AvrRig::drive(float speed) {
+  connect();
+  streams = true;
+  run(50);
+  arm();
+  speed_mps = speed;
+  run(300);
+}
+
+int AvrRig::ms_until_off(int limit_ms) {
+  for (int ms = 0; ms <= limit_ms; ++ms) {
+    if (!moves()) return ms;
+    run(1);
+  }
+  return -1;
+}
+
+}  // namespace tp100::sim
