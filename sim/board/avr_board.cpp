@@ -253,6 +253,7 @@ AvrBoardCounters AvrBoard::counters() const {
           .i2c_bytes = m.i2c.bytes()};
 }
 
+Cycle AvrBoard::longest_i2c_transfer() const { return machine_->i2c.longest_transfer(); }
 AvrCore& AvrBoard::core() { return machine_->core; }
 const AvrImage& AvrBoard::image() const { return machine_->image; }
 

@@ -54,6 +54,8 @@ class AvrBoard final : public Board {
   /// The main loop turns in one place from its next sleep on, interrupts go on; until a reset.
   void hang_main_loop();
   AvrBoardCounters counters() const;
+  /// From START to STOP.
+  Cycle longest_i2c_transfer() const;
   /// For measurements and tests.
   AvrCore& core();
   const AvrImage& image() const;

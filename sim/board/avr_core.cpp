@@ -45,7 +45,21 @@ AvrCore::AvrCore(const AvrImage& image, std::uint32_t run_cycle_limit)
 
 AvrCore::~AvrCore() {
   avr_terminate(avr_);
+  free_what_terminate_leaves();
   std::free(avr_);
+}
+
+void AvrCore::free_what_terminate_leaves() {
+  for (auto& io : avr_->io) {
+    if (io.irq != nullptr) avr_free_irq(io.irq, AVR_IOMEM_IRQ_ALL + 1);
+    io.irq = nullptr;
+  }
+  avr_irq_pool_t& pool = avr_->irq_pool;
+  for (int i = 0; i < pool.count; ++i) {
+    avr_irq_t* irq = pool.irq[i];
+    if (irq != nullptr && (irq->flags & IRQ_FLAG_ALLOC) == 0) avr_free_irq(irq, 1);
+  }
+  std::free(pool.irq);
 }
 
 void AvrCore::program(const AvrImage& image) {

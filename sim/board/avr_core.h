@@ -60,6 +60,7 @@ class AvrCore {
   static Cycle on_timer(avr_t* avr, Cycle when, void* core);
   static void on_sleep(avr_t* avr, Cycle cycles);
   void mend_timers();
+  void free_what_terminate_leaves();
   void arm();
 
   avr_t* avr_;

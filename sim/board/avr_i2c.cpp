@@ -4,6 +4,7 @@
 #include <avr_twi.h>
 #include <sim_avr.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/error.h"
@@ -95,6 +96,9 @@ void AvrI2c::begin_step(std::uint8_t value) {
   const bool low = fault_ == I2cFault::kHeld || fault_ == I2cFault::kStuck;
   if ((value & kStop) != 0) {
     if (low) return;  // no edge of SDA: the bit stays set
+    if (state_ != State::kIdle) {
+      longest_transfer_ = std::max(longest_transfer_, core_.cycle() - began_);
+    }
     finish_transfer();
     control = static_cast<std::uint8_t>(control & ~kStop);
     core_.data()[kTwsr] = static_cast<std::uint8_t>(core_.data()[kTwsr] | kStatusMask);
@@ -102,6 +106,7 @@ void AvrI2c::begin_step(std::uint8_t value) {
   if ((value & kStart) != 0) {
     if (low) return;  // the master waits for a free bus
     const bool repeated = state_ != State::kIdle;
+    if (!repeated) began_ = core_.cycle();
     finish_transfer();
     state_ = State::kStarted;
     complete(1, repeated ? kRepeatedStartSent : kStartSent);

@@ -32,6 +32,8 @@ class AvrI2c {
   void restore();
   /// Bytes, addresses included, since the core was made.
   std::uint64_t bytes() const { return bytes_; }
+  /// From the first START to STOP.
+  Cycle longest_transfer() const { return longest_transfer_; }
 
  private:
   enum class State { kIdle, kStarted, kSending, kReceiving, kRefused };
@@ -62,6 +64,8 @@ class AvrI2c {
   std::vector<std::uint8_t> latched_;
   std::size_t next_latched_ = 0;
   std::uint64_t bytes_ = 0;
+  Cycle began_ = 0;
+  Cycle longest_transfer_ = 0;
 };
 
 }  // namespace tp100::sim

@@ -1,0 +1,37 @@
+#pragma once
+// How long an interrupt routine of the emulated chip takes.
+
+#include <algorithm>
+#include <cstdint>
+
+#include "sim/board/avr_core.h"
+
+struct avr_irq_t;
+
+namespace tp100::sim {
+
+class IsrWatch {
+ public:
+  /// Watches from now on; it must outlive the core's last run.
+  IsrWatch(AvrCore& core, std::uint8_t vector);
+
+  /// From the interrupt to the end of its RETI. simavr enters in no time; the 5 cycles of the chip
+  /// are added.
+  Cycle longest() const { return longest_; }
+  double mean() const {
+    return runs_ == 0 ? 0.0 : static_cast<double>(sum_) / static_cast<double>(runs_);
+  }
+  std::uint64_t runs() const { return runs_; }
+  void clear() { longest_ = sum_ = runs_ = 0; }
+
+ private:
+  static void on_running(avr_irq_t*, std::uint32_t running, void* watch);
+
+  AvrCore& core_;
+  Cycle began_ = 0;
+  Cycle longest_ = 0;
+  Cycle sum_ = 0;
+  std::uint64_t runs_ = 0;
+};
+
+}  // namespace tp100::sim
