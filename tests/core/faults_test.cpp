@@ -11,7 +11,7 @@ TEST(Faults, EveryFaultHasNameCauseAndRemedy) {
   TP100_ROBOT_FAULTS(TP100_ALL)
   TP100_DAEMON_FAULTS(TP100_ALL)
 #undef TP100_ALL
-      for (FaultMask rest = all; rest != 0; rest &= rest - 1) {
+  for (FaultMask rest = all; rest != 0; rest &= rest - 1) {
     const FaultText& text = describe(*first_fault(rest));
     EXPECT_NE(text.name, "unknown");
     EXPECT_FALSE(text.cause.empty());
