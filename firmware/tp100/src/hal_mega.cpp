@@ -3,7 +3,6 @@
 #if defined(__AVR__)
 
 #include <Arduino.h>
-#include <Wire.h>
 #include <avr/eeprom.h>
 #include <avr/interrupt.h>
 #include <avr/io.h>
@@ -11,6 +10,7 @@
 #include <avr/wdt.h>
 
 #include "quadrature.h"
+#include "twi_mega.h"
 #include "uart_mega.h"
 
 namespace {
@@ -18,8 +18,6 @@ namespace {
 using tp100::firmware::kIllegalStep;
 using tp100::firmware::quadrature_step;
 
-const uint32_t kI2cHz = 400000;
-const uint32_t kI2cTimeoutUs = 3000;
 const uint8_t kScl = _BV(PD0);
 const uint8_t kSda = _BV(PD1);
 const uint8_t kDirections = _BV(PA0) | _BV(PA1) | _BV(PA2) | _BV(PA3);
@@ -101,12 +99,6 @@ void begin_encoders() {
   EIMSK |= _BV(INT2) | _BV(INT3) | _BV(INT4) | _BV(INT5);
 }
 
-void begin_i2c() {
-  Wire.begin();
-  Wire.setClock(kI2cHz);
-  Wire.setWireTimeout(kI2cTimeoutUs, true);
-}
-
 void start_conversion(uint8_t channel) {
   ADMUX = static_cast<uint8_t>(_BV(REFS0) | channel);
   ADCSRA |= _BV(ADSC);
@@ -155,7 +147,7 @@ void MegaHal::begin() {
   begin_encoders();
   nonce_ = new_nonce();
   start_conversion(0);
-  begin_i2c();
+  twi_mega::begin();
 }
 
 uint32_t MegaHal::micros() { return ::micros(); }
@@ -166,23 +158,16 @@ uint8_t MegaHal::uart_waiting() { return uart_mega::waiting(); }
 void MegaHal::uart_write(const uint8_t* bytes, uint8_t size) { uart_mega::write(bytes, size); }
 
 bool MegaHal::i2c_write(uint8_t address, uint8_t reg, uint8_t value) {
-  Wire.beginTransmission(address);
-  Wire.write(reg);
-  Wire.write(value);
-  return Wire.endTransmission() == 0;
+  const uint8_t bytes[] = {reg, value};
+  return twi_mega::write(address, bytes, sizeof bytes);
 }
 
 bool MegaHal::i2c_read(uint8_t address, uint8_t reg, uint8_t* bytes, uint8_t size) {
-  Wire.beginTransmission(address);
-  Wire.write(reg);
-  if (Wire.endTransmission(static_cast<uint8_t>(false)) != 0) return false;
-  if (Wire.requestFrom(address, size) != size) return false;
-  for (uint8_t i = 0; i < size; ++i) bytes[i] = static_cast<uint8_t>(Wire.read());
-  return true;
+  return twi_mega::read(address, reg, bytes, size);
 }
 
 void MegaHal::i2c_recover() {
-  Wire.end();
+  twi_mega::end();
   const uint8_t saved = lock();
   PORTD &= static_cast<uint8_t>(~(kScl | kSda));
   release(kSda | kScl);
@@ -201,7 +186,7 @@ void MegaHal::i2c_recover() {
   half_clock();
   release(kSda);
   half_clock();
-  begin_i2c();
+  twi_mega::begin();
 }
 
 void MegaHal::counts(int32_t& left, int32_t& right) {
