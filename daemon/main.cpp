@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/check.h"
+#include "app/hello.h"
 #include "app/ports.h"
 #include "app/replay.h"
 #include "app/run.h"
@@ -38,8 +39,14 @@ void add_run(CLI::App& app, Action& action) {
 }
 
 void add_ports(CLI::App& app, Action& action) {
+  static HelloOptions hello;
   CLI::App* command = app.add_subcommand("ports", "List serial ports, likely robots first");
-  command->callback([&action] { action = [] { return run_ports(); }; });
+  command->add_option("--hello", hello.port, "Wait for the firmware on this port and name it");
+  command->add_option("--timeout", hello.timeout_s, "How long to wait for it [s]")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command->callback(
+      [&action] { action = [] { return hello.port.empty() ? run_ports() : run_hello(hello); }; });
 }
 
 void add_check(CLI::App& app, Action& action) {
