@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   CLI::App* robot_app = app.add_subcommand("robot", "A robot on a pseudo-terminal, in real time");
   add_common(*robot_app, robot.options);
   robot_app->add_option("--link", robot.link, "Symbolic link to the port");
+  robot_app->add_flag("--blank", robot.blank, "Only the bootloader is on the avr board: flash it");
   robot_app->add_option("--course", robot.course, "Course whose start pose it stands at");
 
   DemoCommand demo;

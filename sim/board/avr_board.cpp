@@ -45,7 +45,9 @@ std::uint8_t mcusr(PowerUp cause) {
 struct AvrBoard::Machine {
   Machine(const AvrBoardSettings& board_settings, I2cSlave* imu)
       : settings(board_settings),
-        image(read_avr_image(settings.image.empty() ? built_firmware() : settings.image)),
+        image(settings.blank
+                  ? AvrImage{}
+                  : read_avr_image(settings.image.empty() ? built_firmware() : settings.image)),
         core(image, settings.run_cycle_limit),
         uart(core),
         encoders(core),

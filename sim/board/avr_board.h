@@ -17,6 +17,7 @@ namespace tp100::sim {
 struct AvrBoardSettings {
   std::string image{};             ///< ELF or HEX; empty: the one built with this program
   bool bootloader = false;         ///< Arduino's bootloader runs first and listens for a second
+  bool blank = false;              ///< no firmware yet: `image` is not read
   std::uint64_t seed = 1;          ///< of EEPROM, SRAM at power-on and the ADC's noise
   double clock_ppm = 0.0;          ///< error of the resonator; positive runs fast
   std::uint32_t start_us = 0;      ///< device clock at each boot, in steps of 1024; needs an ELF

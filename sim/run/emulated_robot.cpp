@@ -30,6 +30,7 @@ std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlav
       break;
     case BoardKind::kAvr:
       return std::make_unique<AvrBoard>(AvrBoardSettings{.bootloader = settings.bootloader,
+                                                         .blank = settings.blank,
                                                          .seed = seed,
                                                          .clock_ppm = clock_ppm,
                                                          .reset_hold_ns = phase_ns},

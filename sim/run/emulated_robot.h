@@ -31,6 +31,7 @@ struct EmulatedRobotSettings {
   std::uint64_t seed = 1;
   BoardKind board = BoardKind::kNative;
   bool bootloader = false;  ///< the avr board starts as on a desk, silent for a second
+  bool blank = false;       ///< the avr board waits for its first firmware
   std::uint32_t baud = 500000;
 };
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "core/error.h"
 #include "core/time.h"
 #include "sim/run/pusher.h"
 #include "sim/wire/pty.h"
@@ -107,6 +108,9 @@ class Cable {
 
 int run_robot(const RobotCommand& command) {
   const Loaded loaded = load(command.options);
+  if (command.blank && loaded.board != BoardKind::kAvr) {
+    throw SetupError("--blank: only an emulated chip can be blank; add --board avr");
+  }
   course::Course course;
   if (!command.course.empty()) course = load_course(command.course);
   EmulatedRobot robot({.values = loaded.robot.emulated,
@@ -114,7 +118,8 @@ int run_robot(const RobotCommand& command) {
                        .on_stand = loaded.setup == bridge::Setup::kBench,
                        .seed = command.options.seed,
                        .board = loaded.board,
-                       .bootloader = true});
+                       .bootloader = true,
+                       .blank = command.blank});
   Cable cable(robot, command.link);
   Pusher pusher(course.shoves);
   std::signal(SIGINT, on_signal);

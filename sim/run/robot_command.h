@@ -10,6 +10,7 @@ namespace tp100::sim {
 struct RobotCommand {
   Options options{};
   std::string link;    ///< symbolic link to the port; empty: print the device only
+  bool blank = false;  ///< no firmware on the avr board yet, only its bootloader
   std::string course;  ///< start pose and shoves come from it; empty: origin
 };
 
