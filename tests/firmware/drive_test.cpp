@@ -122,7 +122,7 @@ TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
   p.speed_ki = 1.0f;
   SpeedLoop loop;
   for (int i = 0; i < 100; ++i) {
-    loop.measure(0, 5e-3f, p);
+    loop.measure(0, 5000, p);
     EXPECT_FLOAT_EQ(loop.update(0.2f, 5e-3f, p), 1.0f);
   }
   EXPECT_EQ(loop.lag_m(), 0.0f);
@@ -135,7 +135,7 @@ TEST(SpeedLoop, TheLagOfABeltThatDoesNotFollowIsBounded) {
   SpeedLoop loop;
   float duty = 0.0f;
   for (int i = 0; i < 2000; ++i) {
-    loop.measure(0, 5e-3f, p);
+    loop.measure(0, 5000, p);
     duty = loop.update(0.02f, 5e-3f, p);
   }
   EXPECT_FLOAT_EQ(loop.lag_m(), 0.02f);
@@ -148,7 +148,7 @@ TEST(SpeedLoop, TheDeadBandIsBlendedIn) {
   SpeedLoop loop;
   float last = 0.0f;
   for (float target = 0.0006f; target < 0.02f; target += 0.0001f) {
-    loop.measure(0, 5e-3f, p);
+    loop.measure(0, 5000, p);
     const float duty = loop.update(target, 5e-3f, p);
     EXPECT_GT(duty, last);
     EXPECT_LT(duty - last, 0.03f);

@@ -17,9 +17,9 @@ BeltWatch::BeltWatch() : sign_(0), start_counts_(0), standing_ms_(0), best_count
 
 BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_ms,
                                      const wire::Parameters& p) {
-  const float size = magnitude(static_cast<float>(duty));
+  const uint16_t size = static_cast<uint16_t>(duty < 0 ? -duty : duty);
   const int8_t sign = duty > 0 ? 1 : duty < 0 ? -1 : 0;
-  if (sign == 0 || size < p.dead_band * static_cast<float>(wire::kFullDuty)) {
+  if (sign == 0 || static_cast<float>(size) < p.dead_band * static_cast<float>(wire::kFullDuty)) {
     sign_ = 0;
     return kGood;
   }
@@ -31,14 +31,16 @@ BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_m
     return kGood;
   }
   if (distance(counts, best_counts_) * sign > 0) best_counts_ = counts;
-  // In counts: a division takes an AVR four times as long as a product.
-  const float back = static_cast<float>(-distance(counts, best_counts_) * sign);
-  const float furthest_m = kRunOnM + kRunOnS * p.max_track_mps;
-  if (back > furthest_m * p.counts_per_metre) return kReversed;
+  // In counts, and only if it may be: a float operation takes an AVR a hundred cycles and more.
+  const int32_t back = -distance(counts, best_counts_) * sign;
+  if (back > 0) {
+    const float furthest_m = kRunOnM + kRunOnS * p.max_track_mps;
+    if (static_cast<float>(back) > furthest_m * p.counts_per_metre) return kReversed;
+  }
 
-  const float moved = magnitude(static_cast<float>(distance(counts, start_counts_)));
-  const bool pushes = p.stall_duty > 0 && size >= static_cast<float>(p.stall_duty);
-  if (moved > kStandingM * p.counts_per_metre || !pushes) {
+  const bool pushes = p.stall_duty > 0 && size >= p.stall_duty;
+  const float moved = static_cast<float>(distance(counts, start_counts_));
+  if (!pushes || magnitude(moved) > kStandingM * p.counts_per_metre) {
     start_counts_ = counts;
     standing_ms_ = 0;
     return kGood;

@@ -9,10 +9,9 @@ namespace {
 const int32_t kFurthestExpiryUs = wire::kMaxCommandLifeMs * 1000L;
 
 bool in_range(const wire::Command& c) {
-  return within(c.x_m, -1e4f, 1e4f) && within(c.y_m, -1e4f, 1e4f) &&
-         within(c.yaw_rad, -1e3f, 1e3f) && within(c.desired_yaw_rad, -1e3f, 1e3f) &&
-         within(c.yaw_rate_radps, -10.0f, 10.0f) && within(c.speed_mps, -2.0f, 2.0f) &&
-         within(c.gyro_bias_radps, -1.0f, 1.0f);
+  return magnitude(c.x_m) <= 1e4f && magnitude(c.y_m) <= 1e4f && magnitude(c.yaw_rad) <= 1e3f &&
+         magnitude(c.desired_yaw_rad) <= 1e3f && magnitude(c.yaw_rate_radps) <= 10.0f &&
+         magnitude(c.speed_mps) <= 2.0f && magnitude(c.gyro_bias_radps) <= 1.0f;
 }
 
 }  // namespace

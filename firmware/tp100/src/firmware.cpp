@@ -20,8 +20,8 @@ const uint8_t kSampleTicks = wire::kSamplePeriodUs / 1000;
 const uint8_t kReceiveBudget = 32;
 const int32_t kArmFurthestUs = 500000;
 const uint16_t kArmExpiryField = 2;
-const float kLongestStepS = 0.05f;
-const float kShortestStepS = 0.001f;
+const uint16_t kLongestStepUs = 50000;
+const uint16_t kShortestStepUs = 1000;
 
 const char* const kFaultNames[] = {
 #define TP100_FAULT_NAME(bit, name, cause, remedy) #name,
@@ -299,8 +299,9 @@ void Firmware::check_host(uint32_t now_us) {
 void Firmware::take_sample() {
   uint32_t now_us = 0;
   read_belts(now_us);
-  const float measured_s = static_cast<float>(distance(now_us, sampled_us_)) * 1e-6f;
-  const float dt_s = within(measured_s, kShortestStepS, kLongestStepS) ? measured_s : kLongestStepS;
+  const uint32_t measured_us = now_us - sampled_us_;
+  const bool usable = measured_us >= kShortestStepUs && measured_us <= kLongestStepUs;
+  const uint16_t dt_us = usable ? static_cast<uint16_t>(measured_us) : kLongestStepUs;
   sampled_us_ = now_us;
   imu_.update();
   battery_.update(hal_.battery_mv(), parameters_.battery_cutoff_mv);
@@ -309,7 +310,7 @@ void Firmware::take_sample() {
   history_.add(sequence_, now_us, imu_.values().gyro[2], left_.counts, right_.counts);
   check_sensors(now_us);
   send_sample(now_us);
-  drive(now_us, dt_s);
+  drive(now_us, dt_us);
 }
 
 void Firmware::read_belts(uint32_t& now_us) {
@@ -355,14 +356,15 @@ void Firmware::send_sample(uint32_t now_us) {
   link_.post(sample);
 }
 
-void Firmware::drive(uint32_t now_us, float dt_s) {
-  left_.loop.measure(left_.counts, dt_s, parameters_);
-  right_.loop.measure(right_.counts, dt_s, parameters_);
+void Firmware::drive(uint32_t now_us, uint16_t dt_us) {
+  left_.loop.measure(left_.counts, dt_us, parameters_);
+  right_.loop.measure(right_.counts, dt_us, parameters_);
   if (!may_drive()) return;
-  check_belts(now_us, static_cast<uint16_t>(dt_s * 1000.0f + 0.5f));
+  check_belts(now_us, static_cast<uint16_t>((dt_us + 500) / 1000));
   if (!may_drive()) return;
   const BeltSpeeds speeds = wanted(now_us);
   if (state_ == State::kArmed) return;
+  const float dt_s = static_cast<float>(dt_us) * 1e-6f;
   target_ = approach(target_, speeds, parameters_.max_track_mps2 * dt_s);
   const float full = static_cast<float>(wire::kFullDuty);
   const float left = left_.loop.update(target_.left, dt_s, parameters_) * full;

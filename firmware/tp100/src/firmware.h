@@ -63,7 +63,7 @@ class Firmware {
   void take_sample();
   void read_belts(uint32_t& now_us);
   void send_sample(uint32_t now_us);
-  void drive(uint32_t now_us, float dt_s);
+  void drive(uint32_t now_us, uint16_t dt_us);
   BeltSpeeds wanted(uint32_t now_us);
   void apply(int16_t left, int16_t right);
 

@@ -12,7 +12,7 @@ const float kPi = 3.14159265f;
 /// False for NaN and infinities too, as every comparison with them is.
 inline bool within(float value, float low, float high) { return value >= low && value <= high; }
 
-inline float magnitude(float value) { return value < 0.0f ? -value : value; }
+inline float magnitude(float value) { return __builtin_fabsf(value); }
 
 inline float clamp(float value, float limit) {
   return value > limit ? limit : value < -limit ? -limit : value;
@@ -23,7 +23,7 @@ inline float larger(float a, float b) { return a > b ? a : b; }
 
 /// The same direction in [-pi, pi], for |rad| < 1e4.
 inline float wrap_angle(float rad) {
-  const float turns = rad / (2.0f * kPi);
+  const float turns = rad * (0.5f / kPi);
   const int32_t whole = static_cast<int32_t>(turns + (turns < 0.0f ? -0.5f : 0.5f));
   return rad - static_cast<float>(whole) * (2.0f * kPi);
 }

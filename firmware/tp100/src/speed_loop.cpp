@@ -22,6 +22,9 @@ SpeedLoop::SpeedLoop()
       dt_us_(),
       sum_counts_(0),
       sum_us_(0),
+      counts_per_metre_(0.0f),
+      metres_per_count_(0.0f),
+      mps_per_count_us_(0.0f),
       next_(0),
       measured_(0),
       last_counts_(0),
@@ -30,7 +33,7 @@ SpeedLoop::SpeedLoop()
       lag_m_(0.0f),
       standing_s_(0.0f) {}
 
-void SpeedLoop::measure(int32_t counts, float dt_s, const wire::Parameters& p) {
+void SpeedLoop::measure(int32_t counts, uint16_t dt_us, const wire::Parameters& p) {
   if (measured_ == 0) {
     last_counts_ = counts;
     next_ = 0;
@@ -40,7 +43,6 @@ void SpeedLoop::measure(int32_t counts, float dt_s, const wire::Parameters& p) {
   const int32_t moved = distance(counts, last_counts_);
   last_counts_ = counts;
   // Sums in whole numbers: they neither drift nor take the time of eight float additions.
-  const uint16_t dt_us = static_cast<uint16_t>(dt_s * 1e6f + 0.5f);
   if (measured_ == kWindow) {
     sum_counts_ -= counts_[next_];
     sum_us_ -= dt_us_[next_];
@@ -52,10 +54,15 @@ void SpeedLoop::measure(int32_t counts, float dt_s, const wire::Parameters& p) {
   counts_[next_] = moved;
   dt_us_[next_] = dt_us;
   next_ = static_cast<uint8_t>((next_ + 1) % kWindow);
-  const float metres_per_count = 1.0f / p.counts_per_metre;
-  moved_m_ = static_cast<float>(moved) * metres_per_count;
-  const float travel_m = static_cast<float>(sum_counts_) * metres_per_count;
-  speed_mps_ = sum_us_ > 0 ? travel_m * 1e6f / static_cast<float>(sum_us_) : 0.0f;
+  if (p.counts_per_metre != counts_per_metre_) {
+    counts_per_metre_ = p.counts_per_metre;
+    metres_per_count_ = 1.0f / counts_per_metre_;
+    mps_per_count_us_ = metres_per_count_ * 1e6f;
+  }
+  moved_m_ = static_cast<float>(moved) * metres_per_count_;
+  speed_mps_ = sum_us_ > 0 ? static_cast<float>(sum_counts_) * mps_per_count_us_ /
+                                 static_cast<float>(sum_us_)
+                           : 0.0f;
 }
 
 float SpeedLoop::update(float target_mps, float dt_s, const wire::Parameters& p) {

@@ -14,7 +14,7 @@ class SpeedLoop {
  public:
   SpeedLoop();
   /// Belt position, once a sample and in every state. [counts]
-  void measure(int32_t counts, float dt_s, const wire::Parameters& parameters);
+  void measure(int32_t counts, uint16_t dt_us, const wire::Parameters& parameters);
   /// Duty for the target; 0 with a cleared integrator once the belt was meant to stand for 100 ms
   /// and does. Call after measure(). [-1, 1]
   float update(float target_mps, float dt_s, const wire::Parameters& parameters);
@@ -35,6 +35,9 @@ class SpeedLoop {
   uint16_t dt_us_[kWindow];
   int32_t sum_counts_;
   uint32_t sum_us_;
+  float counts_per_metre_;  // that metres_per_count_ belongs to
+  float metres_per_count_;
+  float mps_per_count_us_;
   uint8_t next_;
   uint8_t measured_;
   int32_t last_counts_;

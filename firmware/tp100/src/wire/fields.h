@@ -52,13 +52,13 @@ class Writer {
 class Reader {
  public:
   explicit Reader(const uint8_t* in) : at_(in) {}
-  void field(const char*, uint8_t& value) { value = static_cast<uint8_t>(take(1)); }
-  void field(const char*, uint16_t& value) { value = static_cast<uint16_t>(take(2)); }
-  void field(const char*, uint32_t& value) { value = take(4); }
-  void field(const char*, int16_t& value) { value = static_cast<int16_t>(take(2)); }
-  void field(const char*, int32_t& value) { value = static_cast<int32_t>(take(4)); }
+  void field(const char*, uint8_t& value) { value = *at_++; }
+  void field(const char*, uint16_t& value) { value = take2(); }
+  void field(const char*, uint32_t& value) { value = take4(); }
+  void field(const char*, int16_t& value) { value = static_cast<int16_t>(take2()); }
+  void field(const char*, int32_t& value) { value = static_cast<int32_t>(take4()); }
   void field(const char*, float& value) {
-    const uint32_t bits = take(4);
+    const uint32_t bits = take4();
     memcpy(&value, &bits, 4);
   }
   template <class T, size_t N>
@@ -67,10 +67,15 @@ class Reader {
   }
 
  private:
-  uint32_t take(uint8_t bytes) {
-    uint32_t value = 0;
-    for (uint8_t i = 0; i < bytes; ++i) value |= static_cast<uint32_t>(*at_++) << (8 * i);
+  // No shift by a variable: on an AVR that is a loop.
+  uint16_t take2() {
+    const uint16_t value = static_cast<uint16_t>(at_[0] | static_cast<uint16_t>(at_[1]) << 8);
+    at_ += 2;
     return value;
+  }
+  uint32_t take4() {
+    const uint16_t low = take2();
+    return low | static_cast<uint32_t>(take2()) << 16;
   }
   const uint8_t* at_;
 };
