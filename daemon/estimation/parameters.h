@@ -1,12 +1,50 @@
 #pragma once
 // Settings of the estimators.
 
+#include "core/angle.h"
+
 namespace tp100::estimation {
+
+/// Noise that the pose filter assumes. Densities are per root of what they grow with: time, way or
+/// turned angle.
+struct FilterParameters {
+  double start_sd_m = 0.005;  ///< how well a robot is put on the start
+  double start_sd_rad = 1.0 * kRadPerDeg;
+  double gyro_sd_rad_rts = 4e-4;  ///< gyro noise, discretization included
+  double gyro_scale_sd = 0.004;   ///< scale error left after calibration
+  double gyro_scale_s = 1.0;      ///< ... which counts as constant for this long
+  double bias_sd_radps = 0.05;    ///< turn-on bias
+  double bias_walk_radps_rts = 5e-5;
+  double along_sd_m_rtm = 0.003;  ///< way, per root metre
+  double across_sd_m_rtm = 0.003;
+  double turn_sd_m_rtrad = 0.002;   ///< shift of the reference point by turning, per root radian
+  double slip_sd = 0.03;            ///< slip ratio around its prior
+  double slip_s = 2.0;              ///< time constant of its return to the prior
+  double residual_window_s = 0.05;  ///< belts and gyro are compared over this long
+  double residual_sd_radps = 0.03;  ///< of yaw rate by belts against gyro, driving straight
+  double residual_share = 0.15;     ///< ... and per yaw rate: the wheelbase's error lives in turns
+  double push_radps = 0.5;          ///< belts against gyro above this: someone turns the robot
+  double disturbed_sd_m = 0.05;     ///< added to the pose after a push or a contradiction
+  double disturbed_sd_rad = 15.0 * kRadPerDeg;
+};
+
+/// What the filter believes of the overhead camera. It looks straight down.
+struct CameraParameters {
+  double position_sd_m = 0.002;
+  double yaw_sd_rad = 0.5 * kRadPerDeg;
+  double time_sd_s = 0.002;  ///< of the time stamps
+  double height_m = 2.5;     ///< of the lens above the floor
+  double offset_x_m = 0.0;   ///< of the lens from the middle of the course's fence
+  double offset_y_m = 0.0;
+  double marker_height_m = 0.06;  ///< above the reference point of the upright robot
+};
 
 struct Parameters {
   double still_s = 0.5;  ///< both belts at rest for this long before the gyro bias is taken
   double still_gyro_sd_radps = 0.01;  ///< gyro noise above this is not rest
   double bias_time_s = 2.0;           ///< time constant of the bias while at rest
+  FilterParameters filter{};
+  CameraParameters camera{};
 };
 
 }  // namespace tp100::estimation

@@ -1,0 +1,153 @@
+#include "estimation/motion.h"
+
+#include <cmath>
+
+#include "estimation/kalman_update.h"
+
+namespace tp100::estimation {
+namespace {
+
+double square(double value) { return value * value; }
+
+// Belts whose yaw rate is off by more than this many standard deviations say nothing.
+constexpr double kResidualGate = 10.8;
+// Without a gyro the belts' error counts as constant for this long.
+constexpr double kBeltErrorS = 0.1;
+constexpr double kMovingMps = 0.002;
+
+}  // namespace
+
+double MotionModel::slip_angle_rad(double yaw_rate_radps) const {
+  return std::abs(yaw_rate_radps) > tracks_.turning_threshold_radps
+             ? tracks_.slip_angle_turning_rad
+             : tracks_.slip_angle_straight_rad;
+}
+
+Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
+  const double left = motion.belts.left_mps * (1.0 - mean[kSlipLeft]);
+  const double right = motion.belts.right_mps * (1.0 - mean[kSlipRight]);
+  Twist twist;
+  twist.vx_mps = (right + left) / 2.0;
+  twist.yaw_rate_radps =
+      motion.gyro ? motion.gyro_z_radps - mean[kBias] : (right - left) / tracks_.wheelbase_m;
+  twist.vy_mps = twist.vx_mps * std::tan(slip_angle_rad(twist.yaw_rate_radps)) -
+                 tracks_.x_icr_m * twist.yaw_rate_radps;
+  return twist;
+}
+
+void MotionModel::predict(FilterState& state, const Motion& motion) const {
+  const double dt = motion.dt_s;
+  const Twist twist = this->twist(state.mean, motion);
+  Pose pose{.x_m = state.mean[kX], .y_m = state.mean[kY], .yaw_rad = state.mean[kYaw]};
+  model::advance(pose, twist, dt, motion.ground.slope_rad);
+  const double dx = pose.x_m - state.mean[kX];
+  const double dy = pose.y_m - state.mean[kY];
+  const double turn = twist.yaw_rate_radps * dt;
+  const double middle = state.mean[kYaw] + turn / 2.0;
+  const double c = std::cos(middle), s = std::sin(middle);
+
+  // What a change of speed and of yaw rate does to the place.
+  const double planar = std::cos(motion.ground.slope_rad);
+  const double sideways = std::tan(slip_angle_rad(twist.yaw_rate_radps));
+  const double x_by_speed = dt * (planar * c - sideways * s);
+  const double y_by_speed = dt * (planar * s + sideways * c);
+  const double x_by_rate = dt * (-dy / 2.0 + tracks_.x_icr_m * s);
+  const double y_by_rate = dt * (dx / 2.0 - tracks_.x_icr_m * c);
+
+  const bool moves =
+      std::abs(motion.belts.left_mps) > kMovingMps || std::abs(motion.belts.right_mps) > kMovingMps;
+  const bool held = motion.ground.hold_slip || !moves;
+  const double kept = held ? 1.0 : std::exp(-dt / noise_.slip_s);
+
+  StateMatrix f = StateMatrix::Identity();
+  f(kX, kYaw) = -dy;
+  f(kY, kYaw) = dx;
+  const auto by_rate = [&](Eigen::Index of, double rate) {
+    f(kX, of) += x_by_rate * rate;
+    f(kY, of) += y_by_rate * rate;
+    f(kYaw, of) += dt * rate;
+  };
+  const auto by_slip = [&](Eigen::Index of, double belt_mps, double rate) {
+    f(kX, of) = -x_by_speed * belt_mps / 2.0;
+    f(kY, of) = -y_by_speed * belt_mps / 2.0;
+    f(of, of) = kept;
+    if (!motion.gyro) by_rate(of, rate);
+  };
+  if (motion.gyro) by_rate(kBias, -1.0);
+  by_slip(kSlipLeft, motion.belts.left_mps, motion.belts.left_mps / tracks_.wheelbase_m);
+  by_slip(kSlipRight, motion.belts.right_mps, -motion.belts.right_mps / tracks_.wheelbase_m);
+
+  const double way = std::abs(twist.vx_mps) * dt;
+  const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
+  const double along = square(noise_.along_sd_m_rtm) * way + by_turning;
+  const double across = square(noise_.across_sd_m_rtm) * way + by_turning;
+  const double rate = std::abs(twist.yaw_rate_radps);
+  const double yaw =
+      motion.gyro ? (square(noise_.gyro_sd_rad_rts) +
+                     square(noise_.gyro_scale_sd * rate) * noise_.gyro_scale_s) *
+                        dt
+                  : (moves ? square(noise_.residual_sd_radps + noise_.residual_share * rate) *
+                                 kBeltErrorS * dt
+                           : 0.0);
+
+  state.mean[kX] = pose.x_m;
+  state.mean[kY] = pose.y_m;
+  state.mean[kYaw] = pose.yaw_rad;
+  const model::Slip& slip = motion.ground.slip;
+  state.mean[kSlipLeft] = slip.left + (state.mean[kSlipLeft] - slip.left) * kept;
+  state.mean[kSlipRight] = slip.right + (state.mean[kSlipRight] - slip.right) * kept;
+
+  const StateMatrix moved = f * state.covariance * f.transpose();
+  StateMatrix& p = state.covariance;
+  p = (moved + moved.transpose()) / 2.0;
+  p(kX, kX) += along * c * c + across * s * s;
+  p(kY, kY) += along * s * s + across * c * c;
+  p(kX, kY) += (along - across) * c * s;
+  p(kY, kX) += (along - across) * c * s;
+  p(kYaw, kYaw) += yaw;
+  p(kBias, kBias) += square(noise_.bias_walk_radps_rts) * dt;
+  p(kSlipLeft, kSlipLeft) += square(noise_.slip_sd) * (1.0 - kept * kept);
+  p(kSlipRight, kSlipRight) += square(noise_.slip_sd) * (1.0 - kept * kept);
+}
+
+void MotionModel::measure(FilterState& state, const Motion& motion) const {
+  if (motion.rest_sd_radps > 0.0) {
+    Measurement<1> rest;
+    rest.innovation << motion.rest_radps - state.mean[kBias];
+    rest.jacobian.setZero();
+    rest.jacobian(0, kBias) = 1.0;
+    rest.noise << square(motion.rest_sd_radps);
+    update(state, rest);
+  }
+  if (!motion.has_residual || motion.ground.hold_slip) return;
+  const Residual& seen = motion.residual;
+  const double left = seen.belts.left_mps, right = seen.belts.right_mps;
+  const double base = tracks_.wheelbase_m;
+  const double by_belts =
+      (right * (1.0 - state.mean[kSlipRight]) - left * (1.0 - state.mean[kSlipLeft])) / base;
+  Measurement<1> residual;
+  residual.innovation << seen.gyro_z_radps - by_belts - state.mean[kBias];
+  if (std::abs(residual.innovation[0]) > noise_.push_radps) {
+    disturb(state);
+    return;
+  }
+  residual.jacobian.setZero();
+  residual.jacobian(0, kBias) = 1.0;
+  residual.jacobian(0, kSlipLeft) = left / base;
+  residual.jacobian(0, kSlipRight) = -right / base;
+  const double rate = std::abs(seen.gyro_z_radps - state.mean[kBias]);
+  residual.noise << square(noise_.residual_sd_radps + noise_.residual_share * rate);
+  if (normalized_innovation(state, residual) < kResidualGate) update(state, residual);
+}
+
+void MotionModel::disturb(FilterState& state) const {
+  constexpr Eigen::Index kPose = kYaw + 1;
+  StateMatrix& p = state.covariance;
+  p.topRows<kPose>().rightCols<kStates - kPose>().setZero();
+  p.bottomRows<kStates - kPose>().leftCols<kPose>().setZero();
+  p(kX, kX) += square(noise_.disturbed_sd_m);
+  p(kY, kY) += square(noise_.disturbed_sd_m);
+  p(kYaw, kYaw) += square(noise_.disturbed_sd_rad);
+}
+
+}  // namespace tp100::estimation

@@ -1,0 +1,274 @@
+#include "estimation/pose_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/angle.h"
+#include "support/alloc_count.h"
+
+namespace tp100::estimation {
+namespace {
+
+constexpr HostNs kPeriod = 5 * kNsPerMs;
+constexpr double kDt = 0.005;
+
+class PoseFilterTest : public testing::Test {
+ protected:
+  PoseFilterTest() {
+    tracks_.slip_left = tracks_.slip_right = 0.16;
+    tracks_.slip_angle_straight_rad = 0.0;
+  }
+  PoseFilter filter() const { return {tracks_, noise_, camera_, {}}; }
+
+  /// Belts that drive at `speed_mps` and turn at `rate_radps` with the given slip.
+  FilterInput interval(double speed_mps, double rate_radps, model::Slip slip) {
+    now_ += kPeriod;
+    const double half = rate_radps * tracks_.wheelbase_m / 2.0;
+    return {
+        .end_ns = now_,
+        .dt_s = kDt,
+        .belts = {(speed_mps - half) / (1.0 - slip.left), (speed_mps + half) / (1.0 - slip.right)},
+        .gyro_z_radps = rate_radps,
+        .gyro = true,
+        .ground = {.slip = {tracks_.slip_left, tracks_.slip_right}}};
+  }
+  FilterInput interval(double speed_mps, double rate_radps) {
+    return interval(speed_mps, rate_radps, {tracks_.slip_left, tracks_.slip_right});
+  }
+  CameraSample seen(const Pose& pose) {
+    return {pose.x_m, pose.y_m, pose.yaw_rad, now_, ++sequence_};
+  }
+
+  model::TrackParameters tracks_{};
+  FilterParameters noise_{};
+  CameraParameters camera_{};
+  HostNs now_ = kNsPerS;
+  std::uint32_t sequence_ = 0;
+};
+
+TEST_F(PoseFilterTest, WithoutACameraItGoesWhereOdometryGoes) {
+  PoseFilter fused = filter();
+  Odometry odometry(tracks_);
+  for (int i = 0; i < 2000; ++i) {
+    const double rate = 0.3 * std::sin(i * kDt);
+    const FilterInput in = interval(0.1, rate);
+    fused.advance(in);
+    odometry.advance(in.belts, rate, kDt);
+  }
+  EXPECT_NEAR(fused.pose().x_m, odometry.pose().x_m, 1e-4);
+  EXPECT_NEAR(fused.pose().y_m, odometry.pose().y_m, 1e-4);
+  EXPECT_NEAR(fused.pose().yaw_rad, odometry.pose().yaw_rad, 1e-4);
+  EXPECT_EQ(fused.fused(now_).camera_age_us, -1);
+}
+
+TEST_F(PoseFilterTest, WithoutAGyroTheBeltsGiveTheTurn) {
+  PoseFilter fused = filter();
+  Odometry odometry(tracks_);
+  for (int i = 0; i < 1000; ++i) {
+    FilterInput in = interval(0.1, 0.4);
+    in.gyro = false;
+    in.gyro_z_radps = 99.0;
+    fused.advance(in);
+    odometry.advance_without_gyro(in.belts, kDt);
+  }
+  EXPECT_NEAR(fused.pose().x_m, odometry.pose().x_m, 1e-9);
+  EXPECT_NEAR(fused.pose().yaw_rad, odometry.pose().yaw_rad, 1e-9);
+  EXPECT_GT(fused.fused(now_).variance_yaw_rad2, 1e-4);
+}
+
+TEST_F(PoseFilterTest, ALateSampleDoesWhatItWouldHaveDoneInTime) {
+  PoseFilter in_time = filter(), late = filter();
+  CameraSample sample;
+  for (int i = 0; i < 100; ++i) {
+    FilterInput in = interval(0.1, 0.5 * std::cos(i * 0.1));
+    in.belts.left_mps *= 1.05;
+    in_time.advance(in);
+    late.advance(in);
+    if (i == 60) {
+      sample = seen({.x_m = in_time.pose().x_m + 0.004,
+                     .y_m = in_time.pose().y_m - 0.003,
+                     .yaw_rad = in_time.pose().yaw_rad + 0.01});
+      in_time.camera(sample);
+    }
+    if (i == 85) late.camera(sample);
+  }
+  EXPECT_EQ(late.fused(now_).camera_used, 1u);
+  EXPECT_LT((in_time.state().mean - late.state().mean).norm(), 1e-12);
+  EXPECT_LT((in_time.state().covariance - late.state().covariance).norm(), 1e-12);
+}
+
+TEST_F(PoseFilterTest, ASampleFromWithinAnIntervalIsPutThere) {
+  PoseFilter fine = filter(), coarse = filter();
+  CameraSample sample;
+  for (int i = 0; i < 20; ++i) {
+    FilterInput in = interval(0.1, 0.0);
+    coarse.advance(in);
+    FilterInput first = in, second = in;
+    first.dt_s = 0.003;
+    first.end_ns -= 2 * kNsPerMs;
+    second.dt_s = 0.002;
+    if (i == 19) {
+      fine.advance(first);
+      sample = {fine.pose().x_m + 0.003, 0.002, 0.0, first.end_ns, 1};
+      fine.camera(sample);
+      fine.advance(second);
+    } else {
+      fine.advance(in);
+    }
+  }
+  coarse.camera(sample);
+  EXPECT_LT((fine.state().mean.head<3>() - coarse.state().mean.head<3>()).norm(), 1e-9);
+}
+
+TEST_F(PoseFilterTest, SamplesThatMakeNoSenseAreNotUsed) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 400; ++i) fused.advance(interval(0.0, 0.0));
+  const FilterState before = fused.state();
+  CameraSample bad = seen({});
+  bad.x_m = std::numeric_limits<double>::quiet_NaN();
+  fused.camera(bad);
+  CameraSample old = seen({});
+  old.measured_ns -= 2 * kNsPerS;
+  fused.camera(old);
+  fused.camera(seen({.x_m = 0.5}));
+  EXPECT_EQ(fused.state().mean, before.mean);
+  EXPECT_EQ(fused.fused(now_).camera_rejected, 3u);
+  CameraSample again = seen({});
+  again.measured_ns -= kNsPerMs;  // older than the one above
+  fused.camera(again);
+  EXPECT_EQ(fused.fused(now_).camera_rejected, 4u);
+}
+
+TEST_F(PoseFilterTest, ASampleAheadOfTheEncodersWaitsForThem) {
+  PoseFilter fused = filter();
+  fused.advance(interval(0.1, 0.0));
+  CameraSample early = seen({.x_m = 0.003});
+  early.measured_ns += 12 * kNsPerMs;
+  fused.camera(early);
+  fused.advance(interval(0.1, 0.0));
+  EXPECT_EQ(fused.fused(now_).camera_used, 0u);
+  for (int i = 0; i < 3; ++i) fused.advance(interval(0.1, 0.0));
+  EXPECT_EQ(fused.fused(now_).camera_used, 1u);
+}
+
+TEST_F(PoseFilterTest, OneOutlierIsRejectedAndARobotThatWasMovedIsFoundInTwoFrames) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 200; ++i) {
+    fused.advance(interval(0.0, 0.0));
+    if (i % 6 == 0) fused.camera(seen({}));
+  }
+  fused.camera(seen({.x_m = 0.3, .y_m = -0.2}));
+  EXPECT_NEAR(fused.pose().x_m, 0.0, 1e-6);
+  for (int i = 0; i < 6; ++i) fused.advance(interval(0.0, 0.0));
+  // Another outlier that tells another story is no confirmation.
+  fused.camera(seen({.x_m = -0.3, .y_m = 0.1}));
+  EXPECT_NEAR(fused.pose().x_m, 0.0, 1e-6);
+  for (int i = 0; i < 6; ++i) fused.advance(interval(0.0, 0.0));
+  const Pose moved{.x_m = 0.02, .y_m = 0.04, .yaw_rad = 0.26};
+  fused.camera(seen(moved));
+  for (int i = 0; i < 6; ++i) fused.advance(interval(0.0, 0.0));
+  fused.camera(seen(moved));
+  EXPECT_NEAR(fused.pose().x_m, 0.02, 1e-3);
+  EXPECT_NEAR(fused.pose().y_m, 0.04, 1e-3);
+  EXPECT_NEAR(fused.pose().yaw_rad, 0.26, 5e-3);
+  EXPECT_EQ(fused.fused(now_).recoveries, 1u);
+  EXPECT_NEAR(fused.state().mean[kSlipLeft], tracks_.slip_left, 1e-3);
+}
+
+TEST_F(PoseFilterTest, RestTeachesTheGyroBias) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 200; ++i) {
+    FilterInput in = interval(0.0, 0.0);
+    in.gyro_z_radps = 0.03;
+    fused.advance(in);
+    fused.rest(0.03, 0.003);
+  }
+  EXPECT_NEAR(fused.fused(now_).gyro_bias_radps, 0.03, 1e-3);
+  const double yaw = fused.pose().yaw_rad;
+  for (int i = 0; i < 200; ++i) {
+    FilterInput in = interval(0.0, 0.0);
+    in.gyro_z_radps = 0.03;
+    fused.advance(in);
+  }
+  EXPECT_NEAR(fused.pose().yaw_rad, yaw, 1e-3);
+}
+
+TEST_F(PoseFilterTest, GyroAgainstBeltsShowsTheDifferenceOfTheSlipsButNotTheirMean) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 200; ++i) {
+    fused.advance(interval(0.0, 0.0));
+    fused.rest(0.0, 0.003);
+  }
+  for (int i = 0; i < 4000; ++i) fused.advance(interval(0.1, 0.0, {0.18, 0.22}));
+  const Fused known = fused.fused(now_);
+  EXPECT_NEAR(known.slip_right - known.slip_left, 0.04, 0.02);
+  EXPECT_NEAR((known.slip_right + known.slip_left) / 2.0, 0.16, 0.01);
+}
+
+TEST_F(PoseFilterTest, TheCameraShowsTheMeanSlip) {
+  PoseFilter fused = filter();
+  double x_m = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    fused.advance(interval(0.1, 0.0, {0.20, 0.20}));
+    x_m += 0.1 * kDt;
+    if (i % 6 == 0) fused.camera(seen({.x_m = x_m}));
+  }
+  EXPECT_NEAR((fused.fused(now_).slip_left + fused.fused(now_).slip_right) / 2.0, 0.20, 0.015);
+  EXPECT_NEAR(fused.pose().x_m, x_m, 1e-3);
+}
+
+TEST_F(PoseFilterTest, YawIsKnownOnTheBranchOfTheCourse) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 100; ++i) {
+    fused.advance(interval(0.0, 0.0));
+    if (i % 6 == 0) fused.camera(seen({.yaw_rad = -2.0 * kPi}));
+  }
+  EXPECT_NEAR(fused.pose().yaw_rad, 0.0, 1e-6);
+  fused.begin({.yaw_rad = 2.0 * kPi}, now_);
+  EXPECT_NEAR(fused.pose().yaw_rad, 2.0 * kPi, 1e-6);
+}
+
+TEST_F(PoseFilterTest, ABeginWithoutACameraTakesTheStartAndKeepsTheBias) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 200; ++i) {
+    fused.advance(interval(0.0, 0.0));
+    fused.rest(0.02, 0.003);
+  }
+  fused.begin({.x_m = 0.4, .y_m = -0.2, .yaw_rad = 1.0}, now_);
+  EXPECT_EQ(fused.pose().x_m, 0.4);
+  EXPECT_EQ(fused.pose().yaw_rad, 1.0);
+  EXPECT_NEAR(fused.fused(now_).gyro_bias_radps, 0.02, 1e-3);
+}
+
+TEST_F(PoseFilterTest, TheCovarianceStaysSymmetricAndPositive) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 20000; ++i) {
+    fused.advance(interval(0.1, std::sin(i * 0.01)));
+    if (i % 6 == 0) fused.camera(seen(fused.pose()));
+    if (i % 500 == 0) {
+      const StateMatrix& p = fused.state().covariance;
+      ASSERT_EQ(p, p.transpose());
+      ASSERT_GT(Eigen::SelfAdjointEigenSolver<StateMatrix>(p).eigenvalues().minCoeff(), 0.0);
+    }
+  }
+}
+
+TEST_F(PoseFilterTest, AllocatesNothing) {
+  PoseFilter fused = filter();
+  const test::AllocCount count;
+  for (int i = 0; i < 500; ++i) {
+    fused.advance(interval(0.1, 0.2));
+    fused.rest(0.0, 0.003);
+    CameraSample sample = seen(fused.pose());
+    sample.measured_ns -= 60 * kNsPerMs;
+    fused.camera(sample);
+  }
+  EXPECT_EQ(count.calls(), 0u);
+}
+
+}  // namespace
+}  // namespace tp100::estimation
