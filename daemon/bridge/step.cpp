@@ -20,6 +20,8 @@ namespace {
 
 // Belt speeds over one sample interval are a few edges; control looks at them through this lag.
 constexpr double kSpeedLagS = 0.04;
+// Nobody saw what happened in a longer gap between two steps: it does not count as having lasted.
+constexpr double kLongestSeenS = 0.05;
 
 model::TrackModel make_model(const Parameters& parameters) {
   if (parameters.paper_model) return {paper_parameters(parameters.model), model::Mode::kPaper};
@@ -157,7 +159,7 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .commanded_left_mps = (target.speed_mps - half) / (1.0 - parameters.model.slip_left),
           .commanded_right_mps = (target.speed_mps + half) / (1.0 - parameters.model.slip_right),
           .elapsed_s = to_s(now - run_began_ns),
-          .dt_s = dt_s};
+          .dt_s = std::min(dt_s, kLongestSeenS)};
 }
 
 void Step::State::steer(double dt_s) {
@@ -235,7 +237,8 @@ const Outputs& Step::operator()(const Inputs& in, HostNs now) {
     aborts = s.monitor->update(s.observe(now, dt_s));
     const double age_s = to_s(now - s.sample.measured_ns);
     // A little late is answered with silence, which the robot bridges; this late is a broken link.
-    if (age_s > 0.2) aborts |= fault_bit(Fault::samples_stale);
+    // Without any sample it is the session that says when the link is lost.
+    if (age_s > 0.2 && !in.samples.empty()) aborts |= fault_bit(Fault::samples_stale);
   }
   s.out.request = s.arming.update(
       {.session = in.session,

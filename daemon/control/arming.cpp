@@ -82,8 +82,9 @@ RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
 }
 
 RobotRequest Arming::run(const ArmingInputs& in) {
-  if (in.rebooted) faults_ |= fault_bit(Fault::robot_rebooted);
-  if (in.session != SessionState::kReady || in.new_session || in.sample == nullptr) {
+  if (in.rebooted) {
+    faults_ |= fault_bit(Fault::robot_rebooted);
+  } else if (in.session != SessionState::kReady || in.new_session || in.sample == nullptr) {
     faults_ |= fault_bit(Fault::link_lost);
   } else if (!enabled(*in.sample)) {
     // The robot switched itself off; its own latched fault says why.

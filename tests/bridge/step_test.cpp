@@ -181,6 +181,53 @@ TEST_F(StepTest, LateSamplesAreNotSteeredBy) {
                    .command_valid);
 }
 
+TEST_F(StepTest, LateSamplesAbortTheRunButSilenceIsLeftToTheSession) {
+  ClockState clock;
+  clock.valid = true;
+  for (const bool silent : {true, false}) {
+    Step step(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    start(step, robot);
+    ASSERT_EQ(run(step, robot, 2.0), RunState::kRunning);
+    samples_.assign(1, robot.sample(now_ + kPeriod));
+    now_ += 300 * kNsPerMs;
+    const Snapshot& snapshot =
+        step({.samples = silent ? std::span<const Sample>() : std::span<const Sample>(samples_),
+              .session = SessionState::kReady,
+              .clock = clock,
+              .session_number = 1},
+             now_)
+            .snapshot;
+    EXPECT_EQ(snapshot.run_state, silent ? RunState::kRunning : RunState::kAborted);
+    EXPECT_EQ(snapshot.faults, silent ? 0u : fault_bit(Fault::samples_stale));
+  }
+}
+
+TEST_F(StepTest, AHostThatPausedDoesNotBlameTheBelts) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 2.0), RunState::kRunning);
+  // Both belts rest for one sample, then the host is away for longer than stall_s.
+  ClockState clock;
+  clock.valid = true;
+  Sample sample = robot.sample(now_);
+  for (const HostNs gap : {60 * kNsPerMs, 60 * kNsPerMs, 3 * kNsPerS}) {
+    now_ += gap;
+    ++sample.sequence;
+    sample.measured_ns = now_;
+    sample.device_us = now_ / kNsPerUs;
+    samples_.assign(1, sample);
+    EXPECT_EQ(step({.samples = samples_,
+                    .session = SessionState::kReady,
+                    .clock = clock,
+                    .session_number = 1},
+                   now_)
+                  .snapshot.faults,
+              0u);
+  }
+}
+
 TEST_F(StepTest, TheSameInputsGiveTheSameBits) {
   const auto drive = [&] {
     now_ = 0;

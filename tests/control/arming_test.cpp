@@ -89,6 +89,15 @@ TEST_F(ArmingTest, ASessionThatCameBackWithinOneStepEndsTheRunToo) {
   EXPECT_EQ(run(1), RobotRequest::kDisarm);
 }
 
+TEST_F(ArmingTest, ARestartOfTheRobotIsNotALostLinkToo) {
+  begin();
+  in_.session = SessionState::kParameters;
+  in_.rebooted = true;
+  in_.sample = nullptr;
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::robot_rebooted));
+}
+
 TEST_F(ArmingTest, ARobotThatSwitchesItselfOffEndsTheRunWithItsOwnFault) {
   begin();
   sample_.state = RobotState::kFaulted;
