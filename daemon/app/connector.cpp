@@ -16,6 +16,12 @@ Connector::Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
 void Connector::tick(HostNs now) {
   loop::LostPort lost;
   while (loop_.take_lost(lost)) take_back(lost, now);
+  const bool waiting = !stopped_ && !found_ && !settings_.wait && port_.is_open();
+  if (waiting && now - opened_ns_ > settings_.hello_timeout_ns) {
+    throw SetupError(path_ +
+                     ": speaks the protocol's frames but says no hello; reset the board, or flash "
+                     "it with scripts/flash");
+  }
   if (!stopped_ && !port_.is_open() && now >= next_try_ns_) try_open(now);
 }
 
@@ -52,6 +58,7 @@ void Connector::try_open(HostNs now) {
     retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
     return;
   }
+  opened_ns_ = now;
   path_ = port_.path();
   physical_ = port_.physical();
   say_once(path_ + ": open");

@@ -15,7 +15,8 @@ namespace tp100::app {
 struct ConnectorSettings {
   std::string port = "auto";  ///< path, or auto: the ports that may be a TP100, most likely first
   link::PortOptions options{};
-  bool wait = false;  ///< do not give up before the first hello
+  bool wait = false;                      ///< do not give up before the first hello
+  HostNs hello_timeout_ns = 6 * kNsPerS;  ///< after opening, for who speaks but says no hello
 };
 
 class Connector {
@@ -57,6 +58,7 @@ class Connector {
   std::size_t silent_ports_ = 0;  // candidates that did not answer, in a row
   std::size_t candidates_ = 1;
   std::uint32_t id_ = 0;
+  HostNs opened_ns_ = 0;
   HostNs next_try_ns_ = 0;
   HostNs retry_ns_ = kFirstRetryNs;
   bool physical_ = false;

@@ -32,11 +32,11 @@ const char* request_name(std::int32_t type) {
 const char* board_name(std::uint8_t board) {
   switch (static_cast<wire::Board>(board)) {
     case wire::Board::kMega2560:
-      return "Mega 2560";
+      return "a Mega 2560";
     case wire::Board::kNative:
-      return "emulated board";
+      return "an emulated board";
     default:
-      return "unknown board";
+      return "an unknown board";
   }
 }
 
@@ -129,7 +129,7 @@ void EventLog::session_event(const LiveEvent& live) {
                    to_string(static_cast<SessionState>(event.b)));
       return;
     case Kind::kHello:
-      spdlog::info("hello from a {}, firmware {}, boot {:08x}", board_name(live.hello.board),
+      spdlog::info("hello from {}, firmware {}, boot {:08x}", board_name(live.hello.board),
                    version_text(live.hello), live.hello.boot_nonce);
       return;
     case Kind::kVersionMismatch:

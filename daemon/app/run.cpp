@@ -92,7 +92,9 @@ int run_run(const RunOptions& options) {
   settings.connector = {
       .port = configuration.link.port,
       .options = {.baud = configuration.link.baud, .hang_up = configuration.link.hang_up},
-      .wait = options.wait};
+      .wait = options.wait,
+      // Silence is noticed first.
+      .hello_timeout_ns = session.first_frame_timeout_ns + kNsPerS};
   settings.go = options.go;
   settings.duration_s = options.duration_s;
   settings.stats_path = options.stats;

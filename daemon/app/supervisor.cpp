@@ -34,7 +34,7 @@ struct Supervisor::State {
         cycle(c),
         loop(l),
         connector(s.connector, l, [this](const std::string& line) { log.info(line); }),
-        signals(context, SIGINT, SIGTERM),
+        signals(context),
         timer(context) {}
 
   int run();
@@ -47,6 +47,7 @@ struct Supervisor::State {
   void on_session_state(SessionState state);
   void on_run_state(const LiveEvent& event);
   void on_enter();
+  void take_signals();
   void end(int exit_status, const std::string& result);
   void write_figures();
   void summarize() const;
@@ -84,11 +85,7 @@ int Supervisor::State::run() {
   figures.setup = settings.setup;
   figures.grants = settings.process_grants;
   began_ns = loop::monotonic_now();
-  signals.async_wait([this](const boost::system::error_code& error, int signal) {
-    if (error) return;
-    log.info(signal == SIGINT ? "SIGINT" : "SIGTERM");
-    end(1, "interrupted");
-  });
+  take_signals();
   loop.start();
   figures.grants.insert(figures.grants.end(), loop.grants().begin(), loop.grants().end());
   input = std::make_unique<OperatorInput>(context, [this] { on_enter(); });
@@ -109,6 +106,23 @@ int Supervisor::State::run() {
   write_figures();
   summarize();
   return status;
+}
+
+void Supervisor::State::take_signals() {
+  // Who closes the log must not end a run without a disarm.
+  std::signal(SIGPIPE, SIG_IGN);
+  signals.add(SIGINT);
+  signals.add(SIGTERM);
+  // The terminal is closed; nohup ignores that before the start.
+  struct sigaction hang_up {};
+  if (::sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler == SIG_DFL) {
+    signals.add(SIGHUP);
+  }
+  signals.async_wait([this](const boost::system::error_code& error, int signal) {
+    if (error) return;
+    log.info(signal == SIGINT ? "SIGINT" : signal == SIGHUP ? "SIGHUP" : "SIGTERM");
+    end(1, "interrupted");
+  });
 }
 
 void Supervisor::State::schedule_tick() {

@@ -108,6 +108,22 @@ TEST_F(Run, ASilentPortIsAnErrorUnlessAskedToWait) {
   EXPECT_THAT(message_, HasSubstr("nothing that speaks like a TP100"));
 }
 
+TEST_F(Run, FramesWithoutAHelloAreAnErrorUnlessAskedToWait) {
+  robot_->plug_in();
+  robot_->with([](ScriptedRobot& robot) { robot.silent = true; });
+  std::atomic<bool> over{false};
+  std::thread chatter([&] {
+    while (!over) {
+      robot_->with([](ScriptedRobot& robot) { robot.say(wire::Log{}); });
+      std::this_thread::sleep_for(10ms);
+    }
+  });
+  EXPECT_EQ(run(), -1);
+  over = true;
+  chatter.join();
+  EXPECT_THAT(message_, HasSubstr("says no hello"));
+}
+
 TEST_F(Run, AWrongVersionIsRefusedWithBothVersions) {
   robot_->plug_in();
   robot_->with([](ScriptedRobot& robot) { robot.protocol = 77; });
@@ -172,6 +188,26 @@ TEST_F(Run, ReconnectsByItselfAndStaysDisarmed) {
   EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 1"));
   EXPECT_THAT(log_, HasSubstr("link_lost"));
   EXPECT_THAT(log_, HasSubstr("press Enter to start"));
+}
+
+TEST_F(Run, ARobotThatFallsSilentIsALostLinkAndIsWaitedFor) {
+  options_.course = "1-straight";
+  robot_->plug_in();
+  EXPECT_EQ(
+      run([&] {
+        eventually(driven);
+        robot_->with([](ScriptedRobot& robot) { robot.samples = robot.answers_sync = false; });
+        std::this_thread::sleep_for(1500ms);
+        robot_->with([](ScriptedRobot& robot) {
+          robot.samples = robot.answers_sync = true;
+          robot.heard = {};
+        });
+        eventually(commanded);
+      }),
+      1);
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+  EXPECT_THAT(log_, HasSubstr("link_lost"));
+  EXPECT_THAT(log_, HasSubstr("SIGTERM")) << "it waits until somebody ends it";
 }
 
 TEST_F(Run, SurvivesManyUnpluggings) {
