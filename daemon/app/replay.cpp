@@ -112,7 +112,8 @@ Row row_of(const analysis::CsvTable& table, std::size_t i) {
                        ", allowed " + course::number_text(-most) + " to " +
                        course::number_text(most));
   };
-  limit("t_s", row.t_s, 1e9);
+  // Unix time in seconds, even in milliseconds, is fine.
+  limit("t_s", row.t_s, 1e13);
   limit("left_mps", row.left_mps, 100.0);
   limit("right_mps", row.right_mps, 100.0);
   limit("slope_rad", row.slope_rad, 1.57);
@@ -155,7 +156,7 @@ ReplayModel replay_model(const std::string& name) {
   throw SetupError(
       "--model '" + course::one_line(name) + "' is unknown" +
       (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?") +
-      " Use paper, extended or odometry");
+      "; use paper, extended or odometry");
 }
 
 std::string replay_csv(const std::string& text, const std::string& file, ReplayModel model,

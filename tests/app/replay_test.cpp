@@ -69,6 +69,17 @@ Expected paper(double left, double right, double t_s) {
           rate};
 }
 
+TEST(Replay, TimesMayBeUnixTime) {
+  const auto end = [](double begin_s) {
+    std::string csv = "t_s,left_mps,right_mps\n";
+    for (const double t_s : {begin_s, begin_s + 1.0}) csv += std::to_string(t_s) + ",0.1,0.13\n";
+    const analysis::CsvTable poses = replayed(csv, ReplayModel::kPaper);
+    return std::array{poses["x_m"][1], poses["y_m"][1], poses["yaw_rad"][1]};
+  };
+  EXPECT_EQ(end(1.8e9), end(0.0));
+  EXPECT_EQ(end(1.8e12), end(0.0)) << "in milliseconds the speeds are the user's affair";
+}
+
 TEST(Replay, PaperModeIsEquations1To5WhateverTheConfiguration) {
   bridge::Parameters other;
   other.model.slip_left = 0.3;
