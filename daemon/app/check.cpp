@@ -18,7 +18,7 @@ namespace {
 
 using Word = std::pair<std::string_view, FileKind>;
 
-constexpr std::array<Word, 14> kWords = {{
+constexpr std::array<Word, 17> kWords = {{
     {"robot", FileKind::kConfiguration},
     {"course", FileKind::kConfiguration},
     {"setup", FileKind::kConfiguration},
@@ -30,6 +30,9 @@ constexpr std::array<Word, 14> kWords = {{
     {"start", FileKind::kCourse},
     {"segment", FileKind::kCourse},
     {"shove", FileKind::kCourse},
+    {"ramp", FileKind::kCourse},
+    {"block", FileKind::kCourse},
+    {"surface", FileKind::kCourse},
     {"fence", FileKind::kCourse},
     {"drive", FileKind::kRobot},
     {"emulated", FileKind::kRobot},

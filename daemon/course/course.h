@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/pose.h"
+#include "course/terrain.h"
 
 namespace tp100::course {
 
@@ -47,6 +48,7 @@ struct Course {
   Pose start{};               ///< x, y, yaw
   std::vector<Segment> path;  ///< never empty
   std::vector<Shove> shoves;  ///< ascending at_m
+  Terrain terrain{};
   Fence fence{};
 };
 

@@ -4,6 +4,7 @@
 #include "core/angle.h"
 #include "course/course.h"
 #include "course/path.h"
+#include "course/terrain_file.h"
 #include "course/toml_document.h"
 
 namespace tp100::course {
@@ -92,6 +93,7 @@ Course parse_course(const std::string& text, const std::string& file) {
 
   const std::vector<TomlTable> segments = root.tables("segment");
   const std::vector<TomlTable> shoves = root.tables("shove");
+  course.terrain = terrain_of(root);
   course.fence = fence_of(root.table("fence"));
   // A mistyped table name is better named than its absence.
   if (segments.empty()) {

@@ -24,6 +24,7 @@ constexpr double kGravity = 9.81;
 // Slower than this the direction of slip is noise.
 constexpr double kSlipDirectionMps = 1e-3;
 constexpr int kSettleSteps = 500;
+constexpr std::size_t kMostContacts = 256;
 
 Eigen::Vector3d to_vector(const dReal* v) { return {v[0], v[1], v[2]}; }
 
@@ -33,6 +34,16 @@ Eigen::Matrix3d to_matrix(const dReal* r) {
   return m;
 }
 
+/// Along which the belt's surface moves where it touches the ground.
+Eigen::Vector3d forward_at(const Eigen::Vector3d& normal, const Eigen::Matrix3d& rotation) {
+  Eigen::Vector3d forward = rotation.col(1).cross(normal);
+  // A flank that rubs along a wall moves as the underside does.
+  if (forward.squaredNorm() < 1e-2) {
+    forward = rotation.col(0) - normal * normal.dot(rotation.col(0));
+  }
+  return forward.normalized();
+}
+
 void copy(const Eigen::Vector3d& from, std::array<double, 3>& to) {
   to = {from.x(), from.y(), from.z()};
 }
@@ -40,8 +51,8 @@ void copy(const Eigen::Vector3d& from, std::array<double, 3>& to) {
 }  // namespace
 
 struct Body::World {
-  World(const course::EmulatedBody& v, bool stand)
-      : values(v), on_stand(stand), belts(v), feedback(2 * 20) {}
+  World(const course::EmulatedBody& v, bool stand, const course::Terrain& t)
+      : values(v), on_stand(stand), terrain(t), belts(v, t), feedback(kMostContacts) {}
 
   /// From the reference point to the centre of mass, body frame.
   Eigen::Vector3d arm_m() const {
@@ -54,11 +65,16 @@ struct Body::World {
 
   course::EmulatedBody values;
   bool on_stand;
+  course::Terrain terrain;
   Belts belts;
   OdeWorld ode;
   dBodyID body = nullptr;
   std::vector<dJointFeedback> feedback;
-  std::vector<const BeltContact*> touching;
+  struct Traction {
+    Eigen::Vector3d forward;  // in which the belt pushes the ground back
+    bool left;
+  };
+  std::vector<Traction> tractions;  // one per contact, in the order of `feedback`
   Eigen::Vector3d last_velocity = Eigen::Vector3d::Zero();
   double shove_per_step_m = 0.0, shove_yaw_per_step = 0.0;
   int shove_steps = 0;  // to come
@@ -66,8 +82,9 @@ struct Body::World {
   BodyState state{};
 };
 
-Body::Body(const course::EmulatedBody& values, const Pose& start, bool on_stand)
-    : world_(std::make_unique<World>(values, on_stand)) {
+Body::Body(const course::EmulatedBody& values, const Pose& start, bool on_stand,
+           const course::Terrain& terrain)
+    : world_(std::make_unique<World>(values, on_stand, terrain)) {
   world_->create(start);
 }
 Body::~Body() = default;
@@ -85,8 +102,15 @@ void Body::World::create(const Pose& start) {
   dMatrix3 rotation;
   dRFromAxisAndAngle(rotation, 0.0, 0.0, 1.0, start.yaw_rad);
   dBodySetRotation(body, rotation);
+  if (start.pitch_rad != 0.0 || start.roll_rad != 0.0) {
+    const Eigen::Quaterniond q = Eigen::AngleAxisd(start.yaw_rad, Eigen::Vector3d::UnitZ()) *
+                                 Eigen::AngleAxisd(start.pitch_rad, Eigen::Vector3d::UnitY()) *
+                                 Eigen::AngleAxisd(start.roll_rad, Eigen::Vector3d::UnitX());
+    const dQuaternion quaternion = {q.w(), q.x(), q.y(), q.z()};
+    dBodySetQuaternion(body, quaternion);
+  }
   const Eigen::Matrix3d r = to_matrix(dBodyGetRotation(body));
-  const Eigen::Vector3d com = Eigen::Vector3d(start.x_m, start.y_m, 0.0) + r * arm_m();
+  const Eigen::Vector3d com = Eigen::Vector3d(start.x_m, start.y_m, start.z_m) + r * arm_m();
   dBodySetPosition(body, com.x(), com.y(), com.z());
   state.pose.yaw_rad = start.yaw_rad;
   if (!on_stand) {
@@ -122,11 +146,14 @@ void Body::World::touch(double left_mps, double right_mps) {
   const double faster = std::max(std::abs(left_mps), std::abs(right_mps));
   const double per_creep =
       faster * static_cast<double>(contacts.size()) / (values.mass_kg * kGravity);
-  touching.clear();
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  tractions.clear();
+  for (std::size_t i = 0; i < std::min(contacts.size(), kMostContacts); ++i) {
     const BeltContact& at = contacts[i];
-    const Eigen::Vector3d forward = rotation.col(1).cross(at.normal).normalized();
-    const Eigen::Vector3d belt = forward * (at.left ? left_mps : right_mps);
+    const course::Surface* surface = terrain.surface_at(at.point_m.x(), at.point_m.y());
+    const Eigen::Vector3d forward = forward_at(at.normal, rotation);
+    const double deficit = (at.left ? values.belt_deficit_left : values.belt_deficit_right) +
+                           (surface == nullptr ? 0.0 : surface->slip_offset);
+    const Eigen::Vector3d belt = forward * ((at.left ? left_mps : right_mps) * (1.0 - deficit));
     Eigen::Vector3d slip = velocity + rate.cross(at.point_m - position) - belt;
     slip -= at.normal * at.normal.dot(slip);
     const Eigen::Vector3d along =
@@ -137,7 +164,8 @@ void Body::World::touch(double left_mps, double right_mps) {
     contact.surface.mode = dContactMu2 | dContactFDir1 | dContactSoftERP | dContactSoftCFM |
                            dContactMotion1 | dContactMotion2 | dContactSlip1 | dContactSlip2 |
                            dContactApprox1;
-    contact.surface.mu = contact.surface.mu2 = values.friction;
+    contact.surface.mu = contact.surface.mu2 =
+        values.friction * (surface == nullptr ? 1.0 : surface->friction_factor);
     contact.surface.soft_erp = kErp;
     contact.surface.soft_cfm = kCfm;
     contact.surface.motion1 = belt.dot(along);
@@ -153,7 +181,7 @@ void Body::World::touch(double left_mps, double right_mps) {
     const dJointID joint = dJointCreateContact(ode.id(), ode.contacts(), &contact);
     dJointAttach(joint, body, nullptr);
     dJointSetFeedback(joint, &feedback[i]);
-    touching.push_back(&at);
+    tractions.push_back({forward, at.left});
   }
 }
 
@@ -203,14 +231,12 @@ void Body::World::observe() {
 void Body::step(double left_belt_mps, double right_belt_mps) {
   World& w = *world_;
   if (w.on_stand) return;
-  w.touch(left_belt_mps * (1.0 - w.values.belt_deficit_left),
-          right_belt_mps * (1.0 - w.values.belt_deficit_right));
-  const Eigen::Vector3d ahead = to_matrix(dBodyGetRotation(w.body)).col(0);
+  w.touch(left_belt_mps, right_belt_mps);
   w.ode.step(kStepS);
   w.state.left_load_n = w.state.right_load_n = 0.0;
-  for (std::size_t i = 0; i < w.touching.size(); ++i) {
-    const double traction = to_vector(w.feedback[i].f1).dot(ahead);
-    (w.touching[i]->left ? w.state.left_load_n : w.state.right_load_n) += traction;
+  for (std::size_t i = 0; i < w.tractions.size(); ++i) {
+    const double traction = to_vector(w.feedback[i].f1).dot(w.tractions[i].forward);
+    (w.tractions[i].left ? w.state.left_load_n : w.state.right_load_n) += traction;
   }
   w.apply_shove();
   w.observe();

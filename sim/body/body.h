@@ -8,6 +8,7 @@
 
 #include "core/pose.h"
 #include "course/robot.h"
+#include "course/terrain.h"
 
 namespace tp100::sim {
 
@@ -29,8 +30,10 @@ struct BodyState {
 /// bits.
 class Body {
  public:
-  /// Standing at `start` on flat ground. `on_stand`: the belts spin free and nothing moves.
-  Body(const course::EmulatedBody& values, const Pose& start, bool on_stand);
+  /// Standing at `start`: on the floor, or with its height and tilt if it stands on `terrain`.
+  /// `on_stand`: the belts spin free and nothing moves.
+  Body(const course::EmulatedBody& values, const Pose& start, bool on_stand,
+       const course::Terrain& terrain = {});
   ~Body();
   Body(Body&&) noexcept;
 

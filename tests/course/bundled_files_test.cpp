@@ -66,6 +66,26 @@ TEST(BundledCourses, LieInThePapersArenaWithRoomForAShove) {
   }
 }
 
+TEST(BundledCourses, Course3HasThePapersStepAndRampOnItsWayBack) {
+  const Course course = bundled_course("3");
+  const Path path(course);
+  EXPECT_NEAR(path.pieces().back().end.x_m, 0.0, 1e-9);
+  EXPECT_NEAR(path.pieces().back().end.y_m, -0.8, 1e-9);
+  EXPECT_NEAR(course.fence.max_x_m - course.fence.min_x_m, 1.9, 1e-9);
+  EXPECT_NEAR(course.fence.max_y_m - course.fence.min_y_m, 1.0, 1e-9);
+  ASSERT_EQ(course.terrain.blocks.size(), 1u);
+  const Block& block = course.terrain.blocks[0];
+  EXPECT_EQ(block.place.x_m, 1.20);
+  EXPECT_EQ(block.place.y_m, -0.80);
+  EXPECT_EQ(block.height_m, 0.037);
+  ASSERT_EQ(course.terrain.ramps.size(), 1u);
+  const Ramp& ramp = course.terrain.ramps[0];
+  EXPECT_EQ(ramp.place.x_m, 0.70);
+  EXPECT_EQ(ramp.place.y_m, -0.80);
+  EXPECT_DOUBLE_EQ(ramp.up_rad, 28 * kRadPerDeg);
+  EXPECT_NEAR(ramp.length_m(), 0.2 + 2 * 0.08 / std::tan(28 * kRadPerDeg), 1e-12);
+}
+
 TEST(BundledCourses, Course2IsShovedAt80CmAnd50CmBeforeItsEnd) {
   const Course course = bundled_course("2");
   ASSERT_EQ(course.shoves.size(), 2u);

@@ -95,6 +95,37 @@ TEST(CourseFile, RefusesShovesBeyondThePathOrOutOfOrder) {
               HasSubstr("order of 'at_m'"));
 }
 
+TEST(CourseFile, ReadsTerrain) {
+  const Course course = parse_course(
+      kLine + kFence +
+          "[[ramp]]\nx_m = 0.5\ny_m = 0.1\nheading_deg = 90\nheight_m = 0.08\nup_deg = 28\n"
+          "top_m = 0\ndown_deg = 20\nwidth_m = 0.4\n"
+          "[[block]]\nx_m = 1\ny_m = 0\nheight_m = 0.03\ndepth_m = 0.1\nwidth_m = 0.4\n"
+          "[[surface]]\nname = 'mat'\nx_m = 0\ny_m = 0\nlength_m = 1\nwidth_m = 0.5\n"
+          "[[surface]]\nname = 'wet'\nx_m = 0.4\ny_m = 0\nheading_deg = 90\nlength_m = 0.4\n"
+          "width_m = 0.1\nfriction_factor = 0.5\nslip_offset = 0.05\n",
+      "c.toml");
+  const Terrain& terrain = course.terrain;
+  ASSERT_EQ(terrain.ramps.size(), 1u);
+  EXPECT_DOUBLE_EQ(terrain.ramps[0].place.heading_rad, kPi / 2);
+  EXPECT_DOUBLE_EQ(terrain.ramps[0].down_rad, 20 * kRadPerDeg);
+  ASSERT_EQ(terrain.blocks.size(), 1u);
+  EXPECT_EQ(terrain.blocks[0].depth_m, 0.1);
+  EXPECT_FALSE(terrain.flat());
+  EXPECT_EQ(terrain.surface_at(0.0, 0.2)->name, "mat");
+  EXPECT_EQ(terrain.surface_at(0.4, 0.15)->name, "wet");
+  EXPECT_EQ(terrain.surface_at(0.3, 0.15)->name, "mat");
+  EXPECT_EQ(terrain.surface_at(0.0, 0.3), nullptr);
+}
+
+TEST(CourseFile, RefusesTerrainThatIsNone) {
+  EXPECT_THAT(told(kLine + "[[block]]\nx_m = 1\n" + kFence), HasSubstr("missing key 'block.y_m'"));
+  EXPECT_THAT(told(kLine + "[[ramp]]\nx_m = 1\ny_m = 0\nheight_m = 0.1\nup_deg = 90\n" + kFence),
+              HasSubstr("'ramp.up_deg' is 90, allowed 1 to 60 deg"));
+  EXPECT_THAT(told(kLine + "[[surface]]\nx_m = 1\n" + kFence), HasSubstr("needs a 'name'"));
+  EXPECT_THAT(told(kLine + "[[blok]]\nx_m = 1\n" + kFence), HasSubstr("did you mean 'block'?"));
+}
+
 TEST(CourseFile, RefusesMoreSegmentsThanACourseCanHave) {
   std::string text = kFence;
   for (int i = 0; i < 1001; ++i) text += "[[segment]]\ntype='pivot'\nangle_deg=1\n";

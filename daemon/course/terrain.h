@@ -1,0 +1,61 @@
+#pragma once
+// What stands and lies on the floor, as data. Both the daemon's virtual world and the emulated
+// robot's physical one are built from it; neither shares anything else.
+
+#include <string>
+#include <vector>
+
+namespace tp100::course {
+
+/// Where a piece lies: the centre of its footprint and the direction of its own x axis, world
+/// frame.
+struct Place {
+  double x_m = 0.0, y_m = 0.0;
+  double heading_rad = 0.0;
+};
+
+/// Up, flat top, down. Who drives along its heading meets the up side first.
+struct Ramp {
+  Place place{};
+  double height_m;
+  double up_rad;  ///< slope of the side that is met first; 90 deg would be a block
+  double top_m;   ///< length of the flat top, may be 0
+  double down_rad;
+  double width_m;
+
+  double up_length_m() const;    ///< of the footprint under the up side
+  double down_length_m() const;  ///< of the footprint under the down side
+  double length_m() const;       ///< of the whole footprint
+};
+
+/// A box: a step up and a step down.
+struct Block {
+  Place place{};
+  double height_m;
+  double depth_m;  ///< along its heading
+  double width_m;
+};
+
+/// A rectangle of other ground; it covers whatever stands on it, ramps and blocks included.
+struct Surface {
+  std::string name;
+  Place place{};
+  double length_m;  ///< along its heading
+  double width_m;
+  double friction_factor = 1.0;  ///< on the friction coefficient that belt and floor have elsewhere
+  double slip_offset = 0.0;      ///< added to the slip ratio of both belts
+
+  bool covers(double x_m, double y_m) const;
+};
+
+struct Terrain {
+  std::vector<Ramp> ramps;
+  std::vector<Block> blocks;
+  std::vector<Surface> surfaces;  ///< where several overlap, the last one is on top
+
+  bool flat() const { return ramps.empty() && blocks.empty(); }
+  /// The surface at a place of the floor; null: the ordinary floor.
+  const Surface* surface_at(double x_m, double y_m) const;
+};
+
+}  // namespace tp100::course
