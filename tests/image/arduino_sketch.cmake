@@ -1,0 +1,37 @@
+# cmake -D SKETCH=<tp100.ino> -D WORK=<folder> -P arduino_sketch.cmake: compiles the sketch as the Arduino
+# IDE does, every warning on. Fails if a source of ours warns or the image is above its budget.
+set(ARDUINO /usr/share/arduino/hardware)
+find_program(BUILDER arduino-builder)
+if(NOT BUILDER)
+  message(FATAL_ERROR "arduino-builder is missing; run scripts/setup")
+endif()
+
+# What is compiled already would not warn again.
+file(REMOVE_RECURSE ${WORK}/build)
+file(MAKE_DIRECTORY ${WORK}/build ${WORK}/cache)
+cmake_path(GET BUILDER PARENT_PATH bin)
+execute_process(
+  COMMAND ${BUILDER} -compile -warnings all -ide-version 10819 -fqbn arduino:avr:mega:cpu=atmega2560
+    # The second folder has the patterns of ctags.
+    -hardware ${ARDUINO} -hardware /usr/share/arduino-builder -tools ${bin}
+    -prefs compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__
+    -build-path ${WORK}/build -build-cache ${WORK}/cache ${SKETCH}
+  RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+if(status)
+  message(FATAL_ERROR "${text}\narduino-builder ended with ${status}")
+endif()
+
+# Sources are compiled as copies in <build>/sketch, the .ino under its own name.
+cmake_path(GET SKETCH PARENT_PATH folder)
+string(REPLACE ";" "," text "${text}")
+string(REPLACE "\n" ";" lines "${text}")
+foreach(line IN LISTS lines)
+  string(FIND "${line}" "${WORK}/build/sketch/" copied)
+  string(FIND "${line}" "${folder}/" own)
+  if(line MATCHES "warning:" AND (copied EQUAL 0 OR own EQUAL 0))
+    message(SEND_ERROR "${line}")
+  endif()
+endforeach()
+
+set(IMAGE ${WORK}/build/tp100.ino.elf)
+include(${CMAKE_CURRENT_LIST_DIR}/../../firmware/image/budget.cmake)
