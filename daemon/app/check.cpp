@@ -18,7 +18,7 @@ namespace {
 
 using Word = std::pair<std::string_view, FileKind>;
 
-constexpr std::array<Word, 17> kWords = {{
+constexpr std::array<Word, 18> kWords = {{
     {"robot", FileKind::kConfiguration},
     {"course", FileKind::kConfiguration},
     {"setup", FileKind::kConfiguration},
@@ -34,6 +34,7 @@ constexpr std::array<Word, 17> kWords = {{
     {"block", FileKind::kCourse},
     {"surface", FileKind::kCourse},
     {"fence", FileKind::kCourse},
+    {"shape", FileKind::kRobot},
     {"drive", FileKind::kRobot},
     {"emulated", FileKind::kRobot},
 }};

@@ -1,7 +1,8 @@
 #pragma once
-// A robot file as data. `model` and `drive` are what the daemon believes and tells the firmware;
-// they come from driving the robot (identify). `emulated` is the physics of an emulated robot of
-// that kind; the daemon never reads it, and `model` is never copied from it.
+// A robot file as data. `model`, `shape` and `drive` are what the daemon believes and tells the
+// firmware; they come from driving the robot (identify) and from measuring it. `emulated` is the
+// physics of an emulated robot of that kind; the daemon never reads it, and `model` is never copied
+// from it.
 
 #include <string>
 
@@ -20,6 +21,18 @@ struct ModelValues {
   double wheelbase_m = 0.2742;            ///< equivalent wheelbase L
   double x_icr_m = 0.0;                   ///< Vy gets -x_icr * yaw rate
   double gyro_scale = 1.0;                ///< true rate / nominal rate, z axis
+};
+
+/// What a ruler and a balance find: how the robot stands on ramps and steps. `emulated.body` has
+/// its own values; a robot file may be wrong about its robot.
+struct ShapeValues {
+  double length_m = 0.185;
+  double height_m = 0.060;
+  double axle_spacing_m = 0.133;
+  double belt_radius_m = 0.026;  ///< outer radius of wheel and belt
+  double gauge_m = 0.155;        ///< distance between belt centre lines
+  double com_height_m = 0.022;   ///< above the belts' underside
+  double com_forward_m = 0.0;    ///< from the middle of the axles
 };
 
 /// How the robot is wired and driven; sent to the firmware at connect.
@@ -115,6 +128,7 @@ struct Robot {
   std::string name;  ///< file stem, e.g. "end-loaded"
   std::string description;
   ModelValues model{};
+  ShapeValues shape{};
   DriveValues drive{};
   Emulated emulated{};
 };

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <span>
 
@@ -38,6 +39,26 @@ std::span<const Key<ModelValues>> model_keys() {
        &T::gyro_scale,
        {0.8, 1.25},
        "True over nominal rate of the gyro's z axis, from turning on the spot by a known angle"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<ShapeValues>> shape_keys() {
+  using T = ShapeValues;
+  static const std::array<Key<T>, 7> kKeys = {{
+      {"length_m", &T::length_m, {0.05, 1}, "Length over the belts"},
+      {"height_m", &T::height_m, {0.02, 0.5}, "Height"},
+      {"axle_spacing_m", &T::axle_spacing_m, {0.03, 1}, "Distance between the two axles"},
+      {"belt_radius_m", &T::belt_radius_m, {0.005, 0.2}, "Outer radius of wheel and belt"},
+      {"gauge_m", &T::gauge_m, {0.03, 1}, "Distance between the belts' centre lines"},
+      {"com_height_m",
+       &T::com_height_m,
+       {0.005, 0.2},
+       "Centre of mass above the belts' underside; decides which step can be climbed"},
+      {"com_forward_m",
+       &T::com_forward_m,
+       {-0.2, 0.2},
+       "Centre of mass ahead of the middle of the axles"},
   }};
   return kKeys;
 }
@@ -212,6 +233,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   robot.name = std::filesystem::path(file).stem().string();
   robot.description = root.text("description", "");
   TomlTable model = root.table("model");
+  TomlTable shape = root.table("shape");
   TomlTable drive = root.table("drive");
   TomlTable emulated = root.table("emulated");
   TomlTable body = emulated.table("body");
@@ -220,6 +242,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   TomlTable imu = emulated.table("imu");
   TomlTable battery = emulated.table("battery");
   read_keys(model, model_keys(), robot.model);
+  read_keys(shape, shape_keys(), robot.shape);
   read_keys(drive, drive_keys(), robot.drive);
   read_keys(emulated, emulated_keys(), robot.emulated);
   read_keys(body, body_keys(), robot.emulated.body);
@@ -230,6 +253,8 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   root.finish();
   if (robot.emulated.body.belt_width_m >= robot.emulated.body.gauge_m)
     body.fail("belt_width_m", "'emulated.body.belt_width_m' must be below 'emulated.body.gauge_m'");
+  if (std::abs(robot.shape.com_forward_m) >= robot.shape.axle_spacing_m / 2.0)
+    shape.fail("com_forward_m", "'shape.com_forward_m' must lie between the axles");
   return robot;
 }
 
@@ -239,6 +264,8 @@ std::string write_robot(const Robot& robot, const std::string& note) {
          "\n# What the daemon believes of this robot. Found by driving it, never copied from "
          "[emulated].\n" +
          section("model", model_keys(), robot.model).substr(1) +
+         "\n# What a ruler and a balance find: how it stands on ramps and steps.\n" +
+         section("shape", shape_keys(), robot.shape).substr(1) +
          "\n# How it is wired and driven; sent to the firmware at connect.\n" +
          section("drive", drive_keys(), robot.drive).substr(1) +
          "\n# Physics of an emulated robot of this kind; a real robot ignores all of it, and so "

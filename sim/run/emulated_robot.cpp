@@ -55,7 +55,7 @@ const char* to_string(BoardKind board) {
 }
 
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
-    : body_(settings.values.body, settings.start, settings.on_stand),
+    : body_(settings.values.body, settings.start, settings.on_stand, settings.terrain),
       left_motor_(settings.values.motor, settings.values.motor.left_gain),
       right_motor_(settings.values.motor, settings.values.motor.right_gain),
       left_encoder_(settings.values.encoder, 0, kLeftEncoder),

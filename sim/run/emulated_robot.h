@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "course/robot.h"
+#include "course/terrain.h"
 #include "sim/board/board.h"
 #include "sim/body/body.h"
 #include "sim/sensors/battery.h"
@@ -27,7 +28,8 @@ const char* to_string(BoardKind board);
 struct EmulatedRobotSettings {
   course::Emulated values{};
   Pose start{};
-  bool on_stand = false;  ///< belts spin free
+  bool on_stand = false;      ///< belts spin free
+  course::Terrain terrain{};  ///< what really stands and lies on its floor
   std::uint64_t seed = 1;
   BoardKind board = BoardKind::kNative;
   bool bootloader = false;  ///< the avr board starts as on a desk, silent for a second

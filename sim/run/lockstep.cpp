@@ -11,6 +11,7 @@
 
 #include "app/cycle.h"
 #include "core/faults.h"
+#include "sim/run/options.h"
 #include "sim/run/pusher.h"
 
 namespace tp100::sim {
@@ -109,6 +110,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
       robot_({.values = settings.robot.emulated,
               .start = settings.course.start,
               .on_stand = settings.setup == bridge::Setup::kBench,
+              .terrain = floor_of(settings.course.terrain, settings.setup),
               .seed = settings.seed,
               .board = settings.board}),
       period_ns_(static_cast<std::int64_t>(std::lround(1e3 / settings.configuration.loop.rate_hz)) *
