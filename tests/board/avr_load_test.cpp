@@ -43,6 +43,16 @@ TEST(AvrLoad, NoByteIsLostAtLineRate) {
   ASSERT_GT(rig.sync_replies.size(), before);
 }
 
+TEST(AvrLoad, TheReceiverHoldsThreeBytesAndLosesTheRest) {
+  AvrRig rig;
+  ASSERT_TRUE(rig.boot());
+  rig.run(10);
+  const std::int64_t at_ns = rig.now_ns + 500'000;
+  const std::vector<TimedByte> at_once(10, {at_ns, 0x55});
+  rig.board.advance(rig.now_ns + AvrRig::kStepNs, {}, at_once);
+  EXPECT_EQ(rig.board.counters().rx_overruns, 7U);
+}
+
 TEST(AvrLoad, DeviceTimeWrapsWithoutAJump) {
   AvrRig rig({.start_us = 0xFFFFFFFFU - 1'500'000U});
   ASSERT_TRUE(rig.boot());
