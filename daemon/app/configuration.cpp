@@ -115,11 +115,12 @@ std::span<const Key<bridge::Parameters>> steering_keys() {
   using T = bridge::Parameters;
   static const std::array<Key<T>, 1> kKeys = {{
       {"steering",
-       Choice<T>{{"model", "odometry"},
+       Choice<T>{{"model", "odometry", "fused"},
                  [](const T& p) { return static_cast<std::size_t>(p.steering); },
                  [](T& p, std::size_t i) { p.steering = static_cast<bridge::Steering>(i); }},
        {},
-       "Pose that steers. model: encoders alone; odometry: encoders and gyro"},
+       "Pose that steers. model: encoders alone; odometry: encoders and gyro; fused: these and the "
+       "overhead camera"},
   }};
   return kKeys;
 }
@@ -136,6 +137,29 @@ std::span<const Key<estimation::Parameters>> estimation_keys() {
        {0.0005, 0.2},
        "Standard deviation of the gyro above which the robot is not at rest"},
       {"bias_time_s", &T::bias_time_s, {0.05, 60}, "Time constant of the gyro bias while at rest"},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<estimation::CameraParameters>> camera_keys() {
+  using T = estimation::CameraParameters;
+  static const std::array<Key<T>, 7> kKeys = {{
+      {"position_sd_m",
+       &T::position_sd_m,
+       {1e-4, 0.1},
+       "Overhead camera: standard deviation of the marker's place"},
+      {"yaw_sd_deg", &T::yaw_sd_rad, {0.01, 20}, "Same of its direction", kDeg},
+      {"time_sd_ms", &T::time_sd_s, {0, 100}, "Same of its time stamps", kMs},
+      {"height_m", &T::height_m, {0.5, 20}, "Lens above the floor; it looks straight down"},
+      {"offset_x_m",
+       &T::offset_x_m,
+       {-10, 10},
+       "Lens from the middle of the course's fence, along the world's x"},
+      {"offset_y_m", &T::offset_y_m, {-10, 10}, "Same along the world's y"},
+      {"marker_height_m",
+       &T::marker_height_m,
+       {0, 0.4},
+       "Marker above the reference point; the height of the plane that the camera measures in"},
   }};
   return kKeys;
 }
@@ -225,6 +249,7 @@ void for_each_section(Values& configuration, Visit visit) {
   visit("model", turning_keys(), parameters.model);
   visit("estimation", steering_keys(), parameters);
   visit("estimation", estimation_keys(), parameters.estimation);
+  visit("camera", camera_keys(), parameters.estimation.camera);
   visit("control", control_keys(), parameters.control);
   visit("control", bridge_keys(), parameters);
 }

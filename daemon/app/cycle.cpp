@@ -87,10 +87,15 @@ void Cycle::request(OperatorRequest request) {
   }
 }
 
+void Cycle::camera(const CameraSample& seen) {
+  if (camera_count_ < kMaxCamera) camera_[camera_count_++] = seen;
+}
+
 const bridge::Outputs& Cycle::step(HostNs now) {
   samples_ = session_.take_samples();
   inputs_ = {.samples = samples_,
              .requests = std::span(requests_.data(), request_count_),
+             .camera = std::span(camera_.data(), camera_count_),
              .session = session_.state(),
              .clock = session_.clock(),
              .session_number = session_.session_number(),
@@ -98,6 +103,7 @@ const bridge::Outputs& Cycle::step(HostNs now) {
              .request_refused = session_.take_refused()};
   outputs_ = &step_(inputs_, now);
   request_count_ = 0;
+  camera_count_ = 0;
   const bool disarming = stopping_ && outputs_->request != RobotRequest::kStop;
   if (outputs_->request != RobotRequest::kNone && !disarming)
     session_.request(outputs_->request, now);

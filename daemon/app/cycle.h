@@ -26,6 +26,7 @@ const char* parameter_name(unsigned index);
 class Cycle {
  public:
   static constexpr std::size_t kMaxRequests = 16;  ///< operator requests between two steps
+  static constexpr std::size_t kMaxCamera = 8;     ///< camera samples between two steps
 
   /// Throws SetupError if parameters and course do not fit together.
   Cycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
@@ -40,6 +41,8 @@ class Cycle {
   /// What an operator asks; taken by the next step. A STOP is never dropped, others are if too many
   /// come.
   void request(OperatorRequest request);
+  /// What the overhead camera saw; taken by the next step. Dropped if too many come.
+  void camera(const CameraSample& seen);
   /// One turn: session time, step, command. The reference stays valid until the next call.
   const bridge::Outputs& step(HostNs now);
   /// Motors off for good (the program ends): from now on the step cannot arm. See
@@ -72,6 +75,8 @@ class Cycle {
   bridge::Inputs inputs_{};
   std::array<OperatorRequest, kMaxRequests> requests_{};
   std::size_t request_count_ = 0;
+  std::array<CameraSample, kMaxCamera> camera_{};
+  std::size_t camera_count_ = 0;
   bool stopping_ = false;
 };
 

@@ -16,7 +16,7 @@ enum class Setup {
 };
 
 /// Which pose steers.
-enum class Steering { kModel, kOdometry };
+enum class Steering { kModel, kOdometry, kFused };
 
 struct Parameters {
   Setup setup = Setup::kFlat;

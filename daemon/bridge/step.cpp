@@ -12,6 +12,7 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "estimation/odometry.h"
+#include "estimation/pose_filter.h"
 #include "estimation/standstill.h"
 #include "model/track_model.h"
 
@@ -23,9 +24,25 @@ constexpr double kSpeedLagS = 0.04;
 // Nobody saw what happened in a longer gap between two steps: it does not count as having lasted.
 constexpr double kLongestSeenS = 0.05;
 
+// Noise of the gyro at rest: of one sample, and of the mean over the first still window with what
+// the warm-up adds.
+constexpr double kRestSampleSdRadps = 0.003;
+constexpr double kRestWindowSdRadps = 0.0005;
+
 model::TrackModel make_model(const Parameters& parameters) {
   if (parameters.paper_model) return {paper_parameters(parameters.model), model::Mode::kPaper};
   return {track_parameters(parameters.model), model::Mode::kExtended};
+}
+
+/// The camera hangs near the middle of the fence.
+estimation::CameraPlace camera_place(const Parameters& parameters, const course::Course* course) {
+  estimation::CameraPlace place{parameters.estimation.camera.offset_x_m,
+                                parameters.estimation.camera.offset_y_m};
+  if (course != nullptr) {
+    place.x_m += (course->fence.min_x_m + course->fence.max_x_m) / 2.0;
+    place.y_m += (course->fence.min_y_m + course->fence.max_y_m) / 2.0;
+  }
+  return place;
 }
 
 /// First-order lag.
@@ -42,7 +59,9 @@ struct Step::State {
         tracks(p.drive.counts_per_metre, p.model.gyro_scale),
         standstill(p.estimation),
         track_model(make_model(p)),
-        odometry(track_parameters(p.model)) {
+        odometry(track_parameters(p.model)),
+        filter(track_parameters(p.model), p.estimation.filter, p.estimation.camera,
+               camera_place(p, course.get())) {
     if (course == nullptr) return;
     path.emplace(*course);
     tracker.emplace(p.control, *path, course->speed_mps, p.model.slip_angle_straight_rad);
@@ -50,9 +69,9 @@ struct Step::State {
   }
 
   bool gyro_steers() const { return parameters.setup != Setup::kBench; }
-  const Pose& steering_pose() const {
-    return parameters.steering == Steering::kModel ? track_model.pose() : odometry.pose();
-  }
+  Pose steering_pose() const;
+  const Twist& newest_steering_twist() const;
+  void filter_sample(const Interval& step);
   void take_sample(const Sample& sample);
   void take_requests(std::span<const OperatorRequest> requests);
   void begin_run(HostNs now);
@@ -68,12 +87,14 @@ struct Step::State {
   estimation::Standstill standstill;
   model::TrackModel track_model;
   estimation::Odometry odometry;
+  estimation::PoseFilter filter;
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
   control::Arming arming;
 
   Sample sample{};
   bool has_sample = false;
+  bool bias_taken = false;
   Interval interval{};
   Twist steering_twist{};
   double left_mps = 0.0, right_mps = 0.0;
@@ -96,6 +117,46 @@ Step::Step(const Parameters& parameters, std::shared_ptr<const course::Course> c
 Step::~Step() = default;
 Step::Step(Step&&) noexcept = default;
 
+Pose Step::State::steering_pose() const {
+  switch (parameters.steering) {
+    case Steering::kModel:
+      return track_model.pose();
+    case Steering::kOdometry:
+      return odometry.pose();
+    case Steering::kFused:
+      return filter.pose();
+  }
+  return {};
+}
+
+const Twist& Step::State::newest_steering_twist() const {
+  switch (parameters.steering) {
+    case Steering::kModel:
+      return track_model.twist();
+    case Steering::kOdometry:
+      return odometry.twist();
+    case Steering::kFused:
+      break;
+  }
+  return filter.twist();
+}
+
+void Step::State::filter_sample(const Interval& step) {
+  filter.advance({.end_ns = sample.measured_ns,
+                  .dt_s = step.dt_s,
+                  .belts = step.belts,
+                  .gyro_z_radps = step.gyro_z_radps,
+                  .gyro = gyro_steers() && step.gyro_fresh,
+                  .ground = {.slip = {parameters.model.slip_left, parameters.model.slip_right}}});
+  if (!standstill.still()) return;
+  if (bias_taken) {
+    filter.rest(tracks.gyro_z_radps(sample), kRestSampleSdRadps);
+  } else {
+    bias_taken = true;
+    filter.rest(standstill.bias_radps(), kRestWindowSdRadps);
+  }
+}
+
 void Step::State::take_sample(const Sample& next) {
   standstill.update(next, tracks.gyro_z_radps(next));
   const std::optional<Interval> step = tracks.update(next);
@@ -106,10 +167,13 @@ void Step::State::take_sample(const Sample& next) {
   const double dt = step->dt_s;
   track_model.advance(step->belts.left_mps, step->belts.right_mps, dt);
   const double rate = step->gyro_z_radps - standstill.bias_radps();
-  const Twist& turned = gyro_steers() && step->gyro_fresh
-                            ? odometry.advance(step->belts, rate, dt)
-                            : odometry.advance_without_gyro(step->belts, dt);
-  const Twist& steering = parameters.steering == Steering::kModel ? track_model.twist() : turned;
+  if (gyro_steers() && step->gyro_fresh) {
+    odometry.advance(step->belts, rate, dt);
+  } else {
+    odometry.advance_without_gyro(step->belts, dt);
+  }
+  filter_sample(*step);
+  const Twist& steering = newest_steering_twist();
   follow(steering_twist.vx_mps, steering.vx_mps, dt);
   follow(steering_twist.vy_mps, steering.vy_mps, dt);
   follow(steering_twist.yaw_rate_radps, steering.yaw_rate_radps, dt);
@@ -138,6 +202,7 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
 void Step::State::begin_run(HostNs now) {
   track_model.reset(course->start);
   odometry.reset(course->start);
+  filter.begin(course->start, now);
   tracker->restart();
   monitor->restart();
   run_began_ns = now;
@@ -163,7 +228,7 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
 }
 
 void Step::State::steer(double dt_s) {
-  const Pose& pose = steering_pose();
+  const Pose pose = steering_pose();
   if (arming.state() == RunState::kRunning) {
     target = tracker->update(pose, steering_twist, dt_s);
     return;
@@ -201,6 +266,7 @@ void Step::State::publish(HostNs now) {
   snapshot.model_twist = track_model.twist();
   snapshot.odometry = odometry.pose();
   snapshot.odometry_twist = odometry.twist();
+  snapshot.fused = filter.fused(now);
   snapshot.left_mps = interval.belts.left_mps;
   snapshot.right_mps = interval.belts.right_mps;
   snapshot.slip_left = track_model.slip().left;
@@ -224,11 +290,16 @@ const Outputs& Step::operator()(const Inputs& in, HostNs now) {
     s.session_number = in.session_number;
     s.tracks.restart();
     s.standstill.restart();
+    s.filter.interrupt();
   }
   if (in.session != SessionState::kReady && in.session != SessionState::kSyncing) {
     s.has_sample = false;
   }
   for (const Sample& sample : in.samples) s.take_sample(sample);
+  // On a bench the robot that the camera sees stays where it is.
+  if (s.parameters.setup != Setup::kBench) {
+    for (const CameraSample& seen : in.camera) s.filter.camera(seen);
+  }
   s.take_requests(in.requests);
 
   FaultMask aborts = 0;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "bridge/parameters.h"
+#include "core/camera_sample.h"
 #include "core/link_state.h"
 #include "core/snapshot.h"
 #include "course/path.h"
@@ -17,6 +18,7 @@ namespace tp100::bridge {
 struct Inputs {
   std::span<const Sample> samples{};            ///< oldest first; may be empty
   std::span<const OperatorRequest> requests{};  ///< oldest first
+  std::span<const CameraSample> camera{};       ///< as they arrived; empty without a camera
   SessionState session = SessionState::kClosed;
   ClockState clock{};
   std::uint32_t session_number = 0;  ///< +1 each time a session becomes ready

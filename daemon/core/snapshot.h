@@ -3,6 +3,7 @@
 
 #include "core/command.h"
 #include "core/faults.h"
+#include "core/fused.h"
 #include "core/pose.h"
 #include "core/run_state.h"
 #include "core/sample.h"
@@ -19,6 +20,7 @@ struct Snapshot {
   Twist model_twist{};
   Pose odometry{};  ///< encoders + gyro
   Twist odometry_twist{};
+  Fused fused{};          ///< encoders + gyro + overhead camera
   double left_mps = 0.0;  ///< belt speeds over the last sample interval
   double right_mps = 0.0;
   double slip_left = 0.0;  ///< slip ratios in use

@@ -1,5 +1,6 @@
 #include "estimation/pose_filter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/angle.h"
@@ -101,7 +102,8 @@ void PoseFilter::advance(const FilterInput& in) {
     past_.push(base);
   }
   Step step;
-  step.motion = {.end_ns = in.end_ns,
+  // The clock relation may be set back a little; a motion still ends after the one before.
+  step.motion = {.end_ns = std::max(in.end_ns, past_.back().motion.end_ns + 1),
                  .dt_s = in.dt_s,
                  .belts = in.belts,
                  .gyro_z_radps = in.gyro_z_radps,
