@@ -31,7 +31,9 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 Process::Process(std::vector<std::string> arguments) {
-  arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/" + arguments[0];
+  if (!arguments[0].starts_with('/')) {
+    arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/" + arguments[0];
+  }
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);

@@ -27,7 +27,8 @@ class TemporaryFolder {
 /// One of the project's programs; killed at the end if it still runs.
 class Process {
  public:
-  /// `arguments[0]` is tp100d or tp100-sim. Standard output and error go to one buffer.
+  /// `arguments[0]` is tp100d, tp100-sim or an absolute path. Standard output and error go to one
+  /// buffer.
   explicit Process(std::vector<std::string> arguments);
   ~Process();
   Process(const Process&) = delete;

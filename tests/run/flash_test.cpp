@@ -1,0 +1,191 @@
+// scripts/flash: against Arduino's own bootloader on the emulated chip, with the real avrdude; and
+// what it says when there is nothing to flash.
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "firmware/version.h"
+#include "process.h"
+#include "sim/wire/pty.h"
+
+namespace tp100::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kFlash = std::string(TP100_SOURCE_DIR) + "/scripts/flash";
+
+std::string firmware_version() {
+  return "firmware " + std::to_string(firmware::kVersionMajor) + "." +
+         std::to_string(firmware::kVersionMinor) + "." + std::to_string(firmware::kVersionPatch);
+}
+
+/// The image of this build onto an emulated chip.
+class FlashEmulatedMega : public testing::Test {
+ protected:
+  std::string port() const { return folder_.file("tp100"); }
+  Finished flash(std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments{kFlash, "--build", TP100_BINARY_DIR, "--port", port()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  Finished hello(const std::string& timeout_s) const {
+    return run({"tp100d", "ports", "--hello", port(), "--timeout", timeout_s});
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(FlashEmulatedMega, ABlankBoardSaysHelloOnlyOnceItIsFlashed) {
+  Process robot({"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
+  EXPECT_EQ(hello("2").status, 1);
+
+  const Finished flashed = flash();
+  EXPECT_EQ(flashed.status, 0) << flashed.output;
+  EXPECT_THAT(flashed.output, HasSubstr("bytes of flash verified"));
+  EXPECT_THAT(flashed.output, HasSubstr("board Mega 2560, " + firmware_version()));
+
+  // It stays.
+  const Finished again = hello("10");
+  EXPECT_EQ(again.status, 0) << again.output;
+  EXPECT_THAT(again.output, HasSubstr(firmware_version()));
+}
+
+TEST_F(FlashEmulatedMega, AnImageReplacesTheRunningOneAndSilenceIsReported) {
+  Process robot({"tp100-sim", "robot", "--board", "avr", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
+  EXPECT_EQ(hello("10").status, 0);
+
+  // rjmp .
+  std::ofstream(folder_.file("silent.hex")) << ":02000000FFCF30\n:00000001FF\n";
+  const Finished silent = flash({"--hex", folder_.file("silent.hex")});
+  EXPECT_EQ(silent.status, 1) << silent.output;
+  EXPECT_THAT(silent.output, HasSubstr("2 bytes of flash verified"));
+  EXPECT_THAT(silent.output, HasSubstr("no hello"));
+  EXPECT_THAT(silent.output, HasSubstr("press the board's reset button"));
+
+  const Finished flashed = flash();
+  EXPECT_EQ(flashed.status, 0) << flashed.output;
+}
+
+TEST_F(FlashEmulatedMega, ADryRunWritesNothing) {
+  Process robot({"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
+  const Finished dry = flash({"--dry-run"});
+  EXPECT_EQ(dry.status, 0) << dry.output;
+  EXPECT_THAT(dry.output, HasSubstr("avrdude -q -c wiring -p m2560 -P " + port()));
+  EXPECT_THAT(robot.output(), Not(HasSubstr("port opened")));
+}
+
+/// A build folder whose tp100d lists the ports of the test: whatever hangs on this machine's USB is
+/// left alone.
+class FlashOf : public testing::Test {
+ protected:
+  FlashOf() {
+    fs::create_directories(folder_.path() / "bin");
+    fs::create_directories(folder_.path() / "firmware");
+    std::ofstream(folder_.path() / "firmware" / "tp100.hex") << ":00000001FF\n";
+    list({});
+  }
+  void program(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name) << "#!/bin/sh\n" << text;
+    fs::permissions(folder_.path() / name, fs::perms::owner_all);
+  }
+  /// What tp100d ports finds likely.
+  void list(const std::vector<std::string>& ports) const {
+    std::string text = "cat <<'END'\n/dev/ttyS0  -  serial port\n";
+    for (const std::string& port : ports) {
+      text += port + "  2341:0042  Arduino Mega 2560\n    port = \"" + port + "\"\n";
+    }
+    program("bin/tp100d", text + "END\n");
+  }
+  Finished flash(std::vector<std::string> more, const std::string& path = {}) const {
+    std::vector<std::string> arguments{
+        "/usr/bin/env",
+        "PATH=" + (path.empty() ? folder_.path().string() + ":/usr/bin:/bin" : path), kFlash,
+        "--build", folder_.path().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  void expect_refused(const std::vector<std::string>& arguments,
+                      const std::vector<std::string>& says, const std::string& path = {}) const {
+    const Finished finished = flash(arguments, path);
+    EXPECT_EQ(finished.status, 2) << finished.output;
+    EXPECT_EQ(lines(finished.output), 1u) << finished.output;
+    for (const std::string& text : says) EXPECT_THAT(finished.output, HasSubstr(text));
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(FlashOf, NothingSaysToPlugTheBoardIn) {
+  expect_refused({}, {"no board found", "plug the Mega in", "--port"});
+}
+
+TEST_F(FlashOf, SeveralBoardsNamesThemAndAsks) {
+  list({"/dev/ttyACM0", "/dev/ttyACM1"});
+  expect_refused({}, {"/dev/ttyACM0 /dev/ttyACM1", "--port"});
+}
+
+TEST_F(FlashOf, TheOnlyBoardNeedsNoOption) {
+  const sim::Pty board("");
+  list({board.device()});
+  const Finished finished = flash({"--dry-run"});
+  EXPECT_EQ(finished.status, 0) << finished.output;
+  EXPECT_THAT(finished.output, HasSubstr("-P " + board.device()));
+}
+
+TEST_F(FlashOf, ABusyPortNamesItsHolder) {
+  const sim::Pty board("");
+  const int held = ::open(board.device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_GE(held, 0);
+  expect_refused({"--port", board.device()},
+                 {"busy", "(pid " + std::to_string(::getpid()) + ")", "end that program"});
+  ::close(held);
+}
+
+TEST_F(FlashOf, WhatIsNoPortIsLeftAlone) {
+  expect_refused({"--port", folder_.file("none")}, {"no such port", "plug"});
+  expect_refused({"--port", folder_.file("firmware/tp100.hex")}, {"is not a serial port"});
+  expect_refused({"--port"}, {"--port needs a value", "--help"});
+  expect_refused({"--fast"}, {"--fast", "--help"});
+  expect_refused({"--hex", folder_.file("none.hex")}, {"none.hex: no image", "scripts/build"});
+}
+
+TEST_F(FlashOf, AMissingAvrdudeIsNamed) {
+  fs::create_directories(folder_.path() / "few");
+  for (const char* name : {"bash", "dirname", "sed", "realpath", "find"}) {
+    fs::create_symlink(fs::path("/usr/bin") / name, folder_.path() / "few" / name);
+  }
+  expect_refused({}, {"avrdude is missing", "scripts/setup"}, folder_.file("few"));
+}
+
+TEST_F(FlashOf, AFailureSaysWhetherTheBootloaderAnswered) {
+  const sim::Pty board("");
+  program("avrdude", "echo x >> '" + folder_.file("tries") + "'\n" +
+                         "echo 'avrdude error: unable to open programmer wiring'; exit 1\n");
+  const Finished silent = flash({"--port", board.device()});
+  EXPECT_EQ(silent.status, 1) << silent.output;
+  EXPECT_THAT(silent.output, HasSubstr("no bootloader answers"));
+  EXPECT_EQ(fs::file_size(folder_.file("tries")), 4u) << "a second try";
+
+  program("avrdude",
+          "echo 'avrdude: AVR device initialized and ready to accept instructions'\n"
+          "echo 'avrdude error: verification mismatch'; exit 1\n");
+  const Finished mismatch = flash({"--port", board.device()});
+  EXPECT_EQ(mismatch.status, 1) << mismatch.output;
+  EXPECT_THAT(mismatch.output, HasSubstr("verification mismatch"));
+  EXPECT_THAT(mismatch.output, HasSubstr("writing or verifying failed"));
+}
+
+}  // namespace
+}  // namespace tp100::test
