@@ -1,0 +1,98 @@
+#include "model/climb_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "model/climb_curve.h"
+
+namespace tp100::model {
+namespace {
+
+ClimbGeometry with_com_height(double height_m) {
+  ClimbGeometry geometry;
+  geometry.com_height_m = height_m;
+  return geometry;
+}
+
+TEST(ClimbLimit, FallsWithTheHeightOfTheCentreOfMassAsPublished) {
+  // The published figures are the first heights in steps of 0.2 mm that fail.
+  EXPECT_NEAR(climb_limit_m(with_com_height(0.018)), 0.0446, 2e-4);
+  EXPECT_NEAR(climb_limit_m(with_com_height(0.022)), 0.0404, 2e-4);
+  EXPECT_NEAR(climb_limit_m(with_com_height(0.026)), 0.0366, 2e-4);
+  EXPECT_NEAR(climb_limit_m(with_com_height(0.030)), 0.0336, 2e-4);
+}
+
+TEST(ClimbLimit, ACentreOfMassFurtherForwardRestoresTheStepOfThePaper) {
+  ClimbGeometry geometry = with_com_height(0.030);
+  EXPECT_LT(climb_limit_m(geometry), 0.037);
+  geometry.com_forward_m += 0.005;
+  EXPECT_NEAR(climb_limit_m(geometry), 0.037, 5e-4);
+}
+
+TEST(ClimbLimit, IsWhereTheTipAngleCeasesToExist) {
+  for (const double height : {0.012, 0.018, 0.022, 0.030, 0.045}) {
+    const ClimbGeometry geometry = with_com_height(height);
+    const double limit = climb_limit_m(geometry);
+    EXPECT_TRUE(tip_angle_rad(geometry, limit - 1e-6)) << height;
+    EXPECT_FALSE(tip_angle_rad(geometry, limit + 1e-6)) << height;
+  }
+}
+
+TEST(ClimbLimit, NoAngleOfACoarseSearchBeatsIt) {
+  const ClimbGeometry g;
+  double best = 0.0;
+  for (double angle = 0.0; angle < 1.2; angle += 1e-4) {
+    best =
+        std::max(best, g.belt_radius_m * (1 - std::cos(angle)) + g.com_forward_m * std::sin(angle) -
+                           g.com_height_m * std::sin(angle) * std::tan(angle));
+  }
+  EXPECT_NEAR(climb_limit_m(g), best, 1e-9);
+}
+
+TEST(TipAngle, OfThePapersStepIsFortyDegrees) {
+  const auto angle = tip_angle_rad({}, 0.037);
+  ASSERT_TRUE(angle);
+  EXPECT_NEAR(*angle * kDegPerRad, 40.1, 0.05);
+}
+
+TEST(CheckClimb, NamesTheLimitOfAStepThatIsTooHigh) {
+  try {
+    check_climb(with_com_height(0.030), {0.037, 0.1});
+    FAIL();
+  } catch (const SetupError& error) {
+    EXPECT_NE(std::string(error.what()).find("37.0 mm"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("33.4 mm"), std::string::npos) << error.what();
+  }
+}
+
+TEST(CheckClimb, RefusesWhatIsNoGeometry) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NO_THROW(check_climb({}, {}));
+  EXPECT_NO_THROW(check_climb({}, {0.037, std::numeric_limits<double>::infinity()}));
+  EXPECT_THROW(check_climb({}, {nan, 0.1}), SetupError);
+  EXPECT_THROW(check_climb({}, {0.037, nan}), SetupError);
+  EXPECT_THROW(check_climb({}, {0.037, 0.0}), SetupError);
+  EXPECT_THROW(check_climb({}, {-0.01, 0.1}), SetupError);
+  EXPECT_THROW(check_climb(with_com_height(0.0), {}), SetupError);
+  ClimbGeometry geometry;
+  geometry.com_forward_m = 0.140;
+  EXPECT_THROW(check_climb(geometry, {}), SetupError);
+  geometry = {};
+  geometry.axle_spacing_m = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(check_climb(geometry, {}), SetupError);
+}
+
+TEST(CheckClimb, RefusesABlockBehindWhichTheRobotFallsOnItsNose) {
+  ClimbGeometry geometry;
+  geometry.com_forward_m = 0.125;
+  ASSERT_GT(climb_limit_m(geometry), 0.060);
+  EXPECT_THROW(check_climb(geometry, {0.060, 0.1}), SetupError);
+}
+
+}  // namespace
+}  // namespace tp100::model
