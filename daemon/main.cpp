@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/standard_streams.h"
 #include "app/check.h"
 #include "app/hello.h"
 #include "app/ports.h"
@@ -26,22 +27,40 @@ using Action = std::function<int()>;
 void add_run(CLI::App& app, Action& action) {
   static RunOptions options;
   CLI::App* command = app.add_subcommand("run", "Drive a robot, or just watch its pose");
-  command->add_option("--config", options.config, "Configuration file");
-  command->add_option("--port", options.port, "Device, or auto");
-  command->add_flag("--wait", options.wait, "Wait for port and robot instead of failing");
-  command->add_flag("--go", options.go, "Start by itself on a physical port too");
-  command->add_option("--course", options.course, "Bundled course or file");
-  command->add_option("--robot", options.robot, "Bundled robot or file");
-  command->add_option("--setup", options.setup, "bench, flat or terrain");
-  command->add_option("--duration", options.duration_s, "End after this time [s]");
-  command->add_option("--stats", options.stats, "JSON file for the figures of the run");
+  command->add_option("--config", options.config, "Configuration (default: as config/tp100.toml)")
+      ->type_name("FILE");
+  command
+      ->add_option("--port", options.port,
+                   "Serial port, or auto for the only likely one (default: auto)")
+      ->type_name("DEVICE");
+  command->add_flag("--wait", options.wait,
+                    "Wait for port and robot instead of ending with status 2");
+  command->add_flag("--go", options.go, "Start without Enter on a physical port too");
+  command
+      ->add_option("--course", options.course,
+                   "Name in config/courses or file (default: none, poses only)")
+      ->type_name("COURSE");
+  command
+      ->add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
+      ->type_name("ROBOT");
+  command->add_option("--setup", options.setup, "bench, flat or terrain (default: flat)")
+      ->type_name("SETUP");
+  command
+      ->add_option("--duration", options.duration_s,
+                   "End with status 1 after this time [s] (default: no limit)")
+      ->type_name("SECONDS");
+  command
+      ->add_option("--stats", options.stats,
+                   "JSON file for the figures of the run, written once a second and at the end")
+      ->type_name("FILE");
   command->callback([&action] { action = [] { return run_run(options); }; });
 }
 
 void add_ports(CLI::App& app, Action& action) {
   static HelloOptions hello;
   CLI::App* command = app.add_subcommand("ports", "List serial ports, likely robots first");
-  command->add_option("--hello", hello.port, "Wait for the firmware on this port and name it");
+  command->add_option("--hello", hello.port, "Wait for the firmware on this port and name it")
+      ->type_name("DEVICE");
   command->add_option("--timeout", hello.timeout_s, "How long to wait for it [s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
@@ -53,7 +72,7 @@ void add_check(CLI::App& app, Action& action) {
   static std::vector<std::string> files;
   CLI::App* command =
       app.add_subcommand("check", "Say whether configuration, course and robot files are right");
-  command->add_option("FILE", files, "Files of any of these kinds")->required();
+  command->add_option("FILE", files, "Files of any of these kinds")->type_name("FILE")->required();
   command->callback([&action] { action = [] { return run_check(files); }; });
 }
 
@@ -61,11 +80,17 @@ void add_replay(CLI::App& app, Action& action) {
   static ReplayOptions options;
   CLI::App* command = app.add_subcommand("replay", "Turn belt speeds into poses");
   command->add_option("IN", options.in, "CSV t_s,left_mps,right_mps[,slope_rad][,gyro_z_radps]")
+      ->type_name("FILE")
       ->required();
-  command->add_option("--out", options.out, "CSV file of poses to write")->required();
-  command->add_option("--config", options.config, "Configuration file");
-  command->add_option("--model", options.model,
-                      "paper, extended or odometry; default as configured");
+  command->add_option("--out", options.out, "CSV file of poses to write [s, m, rad]")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--config", options.config, "Configuration (default: as config/tp100.toml)")
+      ->type_name("FILE");
+  command
+      ->add_option("--model", options.model,
+                   "paper, extended or odometry (default: model.mode, extended)")
+      ->type_name("MODEL");
   command->callback([&action] { action = [] { return run_replay(options); }; });
 }
 
@@ -110,8 +135,9 @@ int run_program(int argc, char** argv) {
 }  // namespace tp100::app
 
 int main(int argc, char** argv) {
+  tp100::analysis::claim_standard_streams();
   try {
-    return tp100::app::run_program(argc, argv);
+    return tp100::analysis::finish_standard_output("tp100d", tp100::app::run_program(argc, argv));
   } catch (const tp100::SetupError& error) {
     std::fprintf(stderr, "%s\n", error.what());
   } catch (const std::exception& error) {

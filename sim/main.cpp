@@ -1,8 +1,15 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "analysis/standard_streams.h"
 #include "core/error.h"
+#include "course/nearest.h"
+#include "course/toml_document.h"
 #include "sim/run/course_command.h"
 #include "sim/run/demo_command.h"
 #include "sim/run/robot_command.h"
@@ -11,55 +18,103 @@ namespace {
 
 using namespace tp100::sim;
 
+void add_seed(CLI::App& app, Options& options) {
+  app.add_option("--seed", options.seed, "Noise of this run, 0 or more")
+      ->check([](const std::string& text) {
+        return text.empty() || text[0] != '-' ? std::string() : text + " is below 0";
+      })
+      ->type_name("NUMBER")
+      ->capture_default_str();
+}
+
 void add_common(CLI::App& app, Options& options) {
   app.add_option("--board", options.board, "What runs the firmware: native or avr")
+      ->type_name("BOARD")
       ->capture_default_str();
-  app.add_option("--robot", options.robot, "Robot: bundled name or file (default: end-loaded)");
-  app.add_option("--setup", options.setup, "bench, flat or terrain (default: flat)");
-  app.add_option("--seed", options.seed, "Noise of this run")->capture_default_str();
+  app.add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
+      ->type_name("ROBOT");
+  app.add_option("--setup", options.setup, "bench, flat or terrain (default: flat)")
+      ->type_name("SETUP");
+  add_seed(app, options);
+}
+
+/// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
+std::string unknown_subcommand(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  const std::vector<std::string_view> names = {"course", "robot", "demo"};
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
+  const std::string_view meant = tp100::course::nearest_name(argv[1], names);
+  return "unknown subcommand '" + tp100::course::one_line(argv[1]) + "'" +
+         (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?");
+}
+
+int fail(const std::string& message, int status = 2) {
+  std::fprintf(stderr, "tp100-sim: %s\n", message.c_str());
+  return status;
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Emulated TP100: the firmware on a physical body, over a wire with real byte times"};
+  CLI::App app{"Emulated TP100: the firmware on a physical body, over a wire with real byte times",
+               "tp100-sim"};
+  app.set_version_flag("--version", TP100_VERSION);
   app.require_subcommand(1);
 
   CourseCommand course;
   CLI::App* course_app =
       app.add_subcommand("course", "Drive a course in virtual time and score it");
-  course_app->add_option("COURSE", course.course, "Course: bundled name or file")->required();
+  course_app->add_option("COURSE", course.course, "Name in config/courses or file")->required();
   add_common(*course_app, course.options);
-  course_app->add_option("--config", course.options.config, "Configuration of the daemon's part");
+  course_app
+      ->add_option("--config", course.options.config,
+                   "Configuration of the daemon's part (default: as config/tp100.toml)")
+      ->type_name("FILE");
+  course_app
+      ->add_flag("--camera{overhead}", course.camera,
+                 "An overhead camera looks on; =CAMERA: name in config/cameras or file")
+      ->type_name("CAMERA");
   course_app->add_option("--runs", course.runs, "Runs with this and the following seeds")
       ->check(CLI::Range(1, 1000000))
+      ->type_name("NUMBER")
       ->capture_default_str();
-  course_app->add_option("--out", course.out, "Folder for one JSON and one CSV file a run");
+  course_app->add_option("--out", course.out, "Folder for one JSON and one CSV file a run")
+      ->type_name("FOLDER");
   course_app->add_flag("--json", course.json, "One JSON object a line instead of tables");
 
   RobotCommand robot;
   CLI::App* robot_app = app.add_subcommand("robot", "A robot on a pseudo-terminal, in real time");
   add_common(*robot_app, robot.options);
-  robot_app->add_option("--link", robot.link, "Symbolic link to the port");
+  robot_app->add_option("--link", robot.link, "Symbolic link to make to the port")
+      ->type_name("PATH");
   robot_app->add_flag("--blank", robot.blank, "Only the bootloader is on the avr board: flash it");
-  robot_app->add_option("--course", robot.course, "Course whose start pose it stands at");
+  robot_app
+      ->add_option("--course", robot.course,
+                   "Course at whose start it stands and whose shoves it gets (default: none)")
+      ->type_name("COURSE");
 
   DemoCommand demo;
   CLI::App* demo_app =
       app.add_subcommand("demo", "Start tp100d and tp100-sim robot and watch them drive");
-  demo_app->add_option("--course", demo.course, "Course: bundled name or file")
+  demo_app->add_option("--course", demo.course, "Name in config/courses or file")
+      ->type_name("COURSE")
       ->capture_default_str();
   demo_app->add_option("--board", demo.options.board, "What runs the firmware: native or avr")
+      ->type_name("BOARD")
       ->capture_default_str();
-  demo_app->add_option("--robot", demo.options.robot, "Robot: bundled name or file");
-  demo_app->add_option("--seed", demo.options.seed, "Noise of this run")->capture_default_str();
+  demo_app
+      ->add_option("--robot", demo.options.robot,
+                   "Name in config/robots or file (default: end-loaded)")
+      ->type_name("ROBOT");
+  add_seed(*demo_app, demo.options);
   demo_app->add_flag("--headless", demo.headless, "No live line; end with the result table");
 
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "tp100-sim: %s; see tp100-sim --help\n", error.what());
-    return 2;
+    const std::string unknown = unknown_subcommand(argc, argv);
+    return fail(tp100::course::one_line(unknown.empty() ? error.what() : unknown, 500) +
+                "; see tp100-sim --help");
   }
   if (*course_app) return run_course(course);
   if (*robot_app) return run_robot(robot);
@@ -69,13 +124,12 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  tp100::analysis::claim_standard_streams();
   try {
-    return run(argc, argv);
+    return tp100::analysis::finish_standard_output("tp100-sim", run(argc, argv));
   } catch (const tp100::SetupError& error) {
-    std::fprintf(stderr, "tp100-sim: %s\n", error.what());
-    return 2;
+    return fail(error.what());
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "tp100-sim: %s; this is a defect, please report it\n", error.what());
-    return 1;
+    return fail(std::string(error.what()) + "; this is a defect, please report it", 1);
   }
 }

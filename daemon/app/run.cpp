@@ -10,6 +10,7 @@
 #include "app/supervisor.h"
 #include "core/error.h"
 #include "course/course.h"
+#include "course/toml_document.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
 
@@ -20,7 +21,8 @@ bridge::Setup setup_of(const std::string& name) {
   if (name == "bench") return bridge::Setup::kBench;
   if (name == "flat") return bridge::Setup::kFlat;
   if (name == "terrain") return bridge::Setup::kTerrain;
-  throw SetupError("--setup " + name + ": not a set-up; use bench, flat or terrain");
+  throw SetupError("--setup " + course::one_line(name) +
+                   ": not a set-up; use bench, flat or terrain");
 }
 
 const char* name_of(bridge::Setup setup) {

@@ -23,7 +23,8 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string pattern = (fs::temp_directory_path() / "tp100-demo-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw SetupError(pattern + ": cannot create a folder");
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw SetupError(pattern + ": cannot create a folder; check $TMPDIR");
     path_ = pattern;
   }
   ~TemporaryFolder() {

@@ -2,6 +2,8 @@
 
 #include "app/bundled_files.h"
 #include "core/error.h"
+#include "course/toml_document.h"
+#include "sim/sensors/camera_file.h"
 
 namespace tp100::sim {
 namespace {
@@ -9,14 +11,15 @@ namespace {
 BoardKind board_kind(const std::string& name) {
   if (name == "native") return BoardKind::kNative;
   if (name == "avr") return BoardKind::kAvr;
-  throw SetupError("--board " + name + ": not a board; use native or avr");
+  throw SetupError("--board " + course::one_line(name) + ": not a board; use native or avr");
 }
 
 bridge::Setup setup_kind(const std::string& name) {
   if (name == "bench") return bridge::Setup::kBench;
   if (name == "flat") return bridge::Setup::kFlat;
   if (name == "terrain") return bridge::Setup::kTerrain;
-  throw SetupError("--setup " + name + ": not a set-up; use bench, flat or terrain");
+  throw SetupError("--setup " + course::one_line(name) +
+                   ": not a set-up; use bench, flat or terrain");
 }
 
 }  // namespace
@@ -46,6 +49,11 @@ course::Terrain floor_of(const course::Terrain& terrain, bridge::Setup setup) {
       break;
   }
   return {};
+}
+
+OverheadCameraValues load_camera(const std::string& name_or_path) {
+  const app::TextFile file = app::read_bundled(app::Bundled::kCameras, name_or_path);
+  return parse_camera(file.text, file.path);
 }
 
 course::Course load_course(const std::string& name_or_path) {

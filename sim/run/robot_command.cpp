@@ -116,6 +116,7 @@ int run_robot(const RobotCommand& command) {
   EmulatedRobot robot({.values = loaded.robot.emulated,
                        .start = course.start,
                        .on_stand = loaded.setup == bridge::Setup::kBench,
+                       .terrain = floor_of(course.terrain, loaded.setup),
                        .seed = command.options.seed,
                        .board = loaded.board,
                        .bootloader = true,
@@ -124,6 +125,10 @@ int run_robot(const RobotCommand& command) {
   Pusher pusher(course.shoves);
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  // Under nohup it stays ignored.
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  // The robot lives on when nobody reads its log any more.
+  std::signal(SIGPIPE, SIG_IGN);
   std::printf("robot: %s, seed %llu, on %s%s%s\n", loaded.robot.name.c_str(),
               static_cast<unsigned long long>(command.options.seed), cable.device().c_str(),
               command.link.empty() ? "" : ", linked from ", command.link.c_str());

@@ -47,7 +47,9 @@ void make_link(const std::string& device, const std::string& link) {
     throw SetupError(link + ": exists already; give another --link or remove it");
   }
   fs::create_symlink(device, link, error);
-  if (error) throw SetupError(link + ": cannot create the link: " + error.message());
+  if (error)
+    throw SetupError(link + ": cannot create the link (" + error.message() +
+                     "); give another --link");
 }
 
 }  // namespace

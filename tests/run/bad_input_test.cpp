@@ -35,6 +35,9 @@ TEST_F(BadInput, UsageErrors) {
   expect_refused({"tp100-sim", "course", "1-curve", "--setup", "moon"}, "moon");
   expect_refused({"tp100-sim", "course", "1-curve", "--board", "uno"}, "uno");
   expect_refused({"tp100-sim", "course", "1-curve", "--seed", "x"}, "seed");
+  expect_refused({"tp100-sim", "course", "1-curve", "--seed", "-1"}, "seed");
+  expect_refused({"tp100-sim", "corse", "1-curve"}, "did you mean 'course'");
+  expect_refused({"tp100-sim", "course", "1-curve", "--board", "two\nlines"}, "two");
 }
 
 TEST_F(BadInput, MissingFiles) {

@@ -101,6 +101,24 @@ TEST_F(Programs, SigtermDisarmsFirst) {
   EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
 }
 
+TEST_F(Programs, TheRobotRemovesItsLinkWhenTheTerminalIsClosed) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  robot.signal(SIGHUP);
+  EXPECT_EQ(robot.wait(), 0);
+  EXPECT_FALSE(std::filesystem::is_symlink(port()));
+}
+
+TEST_F(Programs, AClosedTerminalDisarmsFirst) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  Process bridge(daemon_arguments());
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  bridge.signal(SIGHUP);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+  EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
+}
+
 TEST_F(Programs, TheDaemonWaitsForARobotThatComesLater) {
   std::vector<std::string> arguments = daemon_arguments("1-straight");
   arguments.push_back("--wait");
