@@ -78,6 +78,12 @@ TEST_F(FlashEmulatedMega, AnImageReplacesTheRunningOneAndSilenceIsReported) {
   EXPECT_EQ(flashed.status, 0) << flashed.output;
 }
 
+TEST_F(FlashEmulatedMega, OnlyAnEmulatedChipCanBeBlank) {
+  const Finished native = run({"tp100-sim", "robot", "--blank", "--link", port()});
+  EXPECT_EQ(native.status, 2);
+  EXPECT_THAT(native.output, HasSubstr("--board avr"));
+}
+
 TEST_F(FlashEmulatedMega, ADryRunWritesNothing) {
   Process robot({"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()});
   ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
