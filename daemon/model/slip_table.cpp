@@ -1,5 +1,6 @@
 #include "model/slip_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -13,28 +14,35 @@ struct Row {
   double slope_deg, left, right;
 };
 
-constexpr std::array<Row, 7> kTable{{{0, 0.16, 0.162},
-                                     {8, 0.17, 0.176},
-                                     {12, 0.18, 0.197},
-                                     {16, 0.19, 0.204},
-                                     {20, 0.20, 0.218},
-                                     {24, 0.21, 0.247},
-                                     {28, 0.22, 0.260}}};
+constexpr std::array<Row, 7> kRows{{{0, 0.16, 0.162},
+                                    {8, 0.17, 0.176},
+                                    {12, 0.18, 0.197},
+                                    {16, 0.19, 0.204},
+                                    {20, 0.20, 0.218},
+                                    {24, 0.21, 0.247},
+                                    {28, 0.22, 0.260}}};
+
+SlipPair interpolated(double deg) {
+  std::size_t upper = 1;
+  while (upper + 1 < kRows.size() && kRows[upper].slope_deg < deg) ++upper;
+  const Row& low = kRows[upper - 1];
+  const Row& high = kRows[upper];
+  const double share = (deg - low.slope_deg) / (high.slope_deg - low.slope_deg);
+  return {std::lerp(low.left, high.left, share), std::lerp(low.right, high.right, share), false};
+}
 
 }  // namespace
 
-SlipPair slip_at_slope(double slope_rad) {
+SlipPair slip_at_slope(double slope_rad, SlipCurve curve) {
   const double deg = slope_rad * kDegPerRad;
-  const Row& first = kTable.front();
-  const Row& last = kTable.back();
-  if (!(deg >= first.slope_deg)) return {first.left, first.right, true};
-  if (deg > last.slope_deg) return {last.left, last.right, true};
-  std::size_t upper = 1;
-  while (upper + 1 < kTable.size() && kTable[upper].slope_deg < deg) ++upper;
-  const Row& low = kTable[upper - 1];
-  const Row& high = kTable[upper];
-  const double share = (deg - low.slope_deg) / (high.slope_deg - low.slope_deg);
-  return {std::lerp(low.left, high.left, share), std::lerp(low.right, high.right, share), false};
+  const double first = kRows.front().slope_deg, last = kRows.back().slope_deg;
+  const double lowest = curve == SlipCurve::kFitDownhill ? -last : first;
+  const double held = std::isnan(deg) ? first : std::clamp(deg, lowest, last);
+  SlipPair slip = curve == SlipCurve::kTable
+                      ? interpolated(held)
+                      : SlipPair{0.1557 + 0.00222 * held, 0.1534 + 0.00362 * held, false};
+  slip.outside = !(deg >= first && deg <= last);
+  return slip;
 }
 
 }  // namespace tp100::model

@@ -1,5 +1,5 @@
 #pragma once
-// Slip ratio against slope: the paper's table, straight climb at 0.10 m/s.
+// Slip ratio against slope: the paper's table, straight climb at 0.10 m/s, and lines through it.
 
 namespace tp100::model {
 
@@ -7,10 +7,20 @@ namespace tp100::model {
 struct SlipPair {
   double left = 0.0;
   double right = 0.0;
-  bool outside = false;  ///< the slope lies outside the table and its end was used
+  bool outside = false;  ///< the slope lies outside the table; the values are not measured
 };
 
-/// Linear interpolation in the paper's table. `slope_rad`: climb angle, 0..28 deg inside. Pure.
-SlipPair slip_at_slope(double slope_rad);
+/// How the table is read between and beyond its rows. It has no downhill rows: `kTable` and `kFit`
+/// hold the level value there, which overstates slip (contact physics gives about 0.09 at -28 deg,
+/// 0.16 level); `kFitDownhill` continues the fit to -28 deg instead, which is ours.
+enum class SlipCurve {
+  kTable,        ///< linear between the rows, ends held
+  kFit,          ///< left 0.1557 + 0.00222 per deg, right 0.1534 + 0.00362 per deg, ends held
+  kFitDownhill,  ///< the same, held at -28 and 28 deg
+};
+
+/// Slip of the board that the paper measured. `slope_rad`: climb angle, 0..28 deg inside; anything
+/// else, not-a-number included, gives the nearest end (the level one) and says `outside`. Pure.
+SlipPair slip_at_slope(double slope_rad, SlipCurve curve = SlipCurve::kTable);
 
 }  // namespace tp100::model
