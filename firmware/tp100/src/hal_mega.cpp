@@ -12,6 +12,7 @@
 #include "quadrature.h"
 #include "twi_mega.h"
 #include "uart_mega.h"
+#include "work_flag.h"
 
 namespace {
 
@@ -255,16 +256,18 @@ void MegaHal::unlock(uint8_t saved) {
 // An edge, a byte of a frame or a byte sent wakes the processor but is no work for the loop: a loop
 // for each would take more time than all the rest.
 void MegaHal::idle() {
+  // The last loop left some behind.
+  if (uart_mega::worth_reading()) return;
   set_sleep_mode(SLEEP_MODE_IDLE);
   sleep_enable();
   for (;;) {
     cli();
-    if (ticked_ || uart_mega::worth_reading()) break;
+    if (work_raised()) break;
     // The instruction after sei runs before any interrupt, so none can slip in between.
     sei();
     sleep_cpu();
   }
-  ticked_ = false;
+  clear_work();
   sei();
   sleep_disable();
 }

@@ -23,10 +23,7 @@ namespace firmware {
 
 class MegaHal final : public Hal {
  public:
-  MegaHal() : battery_mv_(0), nonce_(0), ticked_(false) {}
-
-  /// The 1 kHz interrupt was here: idle() does not sleep over it.
-  void ticked() { ticked_ = true; }
+  MegaHal() : battery_mv_(0), nonce_(0) {}
 
   /// Outputs off, watchdog on, then everything else. Once, before any other call.
   void begin();
@@ -57,7 +54,6 @@ class MegaHal final : public Hal {
  private:
   uint16_t battery_mv_;
   uint32_t nonce_;
-  volatile bool ticked_;
 };
 
 }  // namespace firmware

@@ -7,6 +7,7 @@
 
 #include "firmware.h"
 #include "hal_mega.h"
+#include "work_flag.h"
 
 namespace {
 
@@ -17,7 +18,7 @@ tp100::firmware::Firmware robot(hal);
 
 ISR(TIMER3_COMPA_vect) {
   robot.tick_1khz();
-  hal.ticked();
+  tp100::firmware::raise_work();
 }
 
 namespace tp100 {

@@ -3,6 +3,7 @@
 #define TP100_FIRMWARE_NUMBER_H
 
 #include <stdint.h>
+#include <string.h>
 
 namespace tp100 {
 namespace firmware {
@@ -14,8 +15,15 @@ inline bool within(float value, float low, float high) { return value >= low && 
 
 inline float magnitude(float value) { return __builtin_fabsf(value); }
 
+/// Into [-limit, limit], for limit >= 0. By their bits, in whose order sizes of floats are: an AVR
+/// compares floats in four times the time.
 inline float clamp(float value, float limit) {
-  return value > limit ? limit : value < -limit ? -limit : value;
+  uint32_t bits;
+  uint32_t limit_bits;
+  memcpy(&bits, &value, sizeof bits);
+  memcpy(&limit_bits, &limit, sizeof limit_bits);
+  if ((bits & 0x7FFFFFFFUL) <= limit_bits) return value;
+  return (bits >> 31) != 0 ? -limit : limit;
 }
 
 inline float smaller(float a, float b) { return a < b ? a : b; }

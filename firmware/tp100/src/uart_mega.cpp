@@ -7,6 +7,7 @@
 
 #include "wire/frame.h"
 #include "wire/messages.h"
+#include "work_flag.h"
 
 namespace {
 
@@ -34,7 +35,12 @@ ISR(USART0_RX_vect) {
   if (next == received_tail) return;
   received[head] = byte;
   received_head = next;
-  if (byte == tp100::wire::kDelimiter) frames_in = static_cast<uint8_t>(frames_in + 1);
+  if (byte == tp100::wire::kDelimiter) {
+    frames_in = static_cast<uint8_t>(frames_in + 1);
+    tp100::firmware::raise_work();
+  } else if (next % kMany == 0) {
+    tp100::firmware::raise_work();
+  }
 }
 
 ISR(USART0_UDRE_vect) {
