@@ -12,6 +12,8 @@ namespace tp100::sim {
 
 class IsrWatch {
  public:
+  static constexpr std::uint8_t kAny = 0xFF;
+
   /// Watches from now on; it must outlive the core's last run.
   IsrWatch(AvrCore& core, std::uint8_t vector);
 
