@@ -14,11 +14,25 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestFile = 64U << 20U;
 
-const char* folder_name(Bundled folder) {
-  return folder == Bundled::kCourses ? "courses" : "robots";
+struct Name {
+  const char* folder;
+  const char* noun;
+};
+
+Name name_of(Bundled folder) {
+  switch (folder) {
+    case Bundled::kCourses:
+      return {"courses", "course"};
+    case Bundled::kRobots:
+      return {"robots", "robot"};
+    case Bundled::kCameras:
+      break;
+  }
+  return {"cameras", "camera"};
 }
 
-const char* noun(Bundled folder) { return folder == Bundled::kCourses ? "course" : "robot"; }
+const char* folder_name(Bundled folder) { return name_of(folder).folder; }
+const char* noun(Bundled folder) { return name_of(folder).noun; }
 
 bool is_file(const fs::path& path) {
   std::error_code error;

@@ -15,7 +15,7 @@ struct TextFile {
 };
 
 /// Folders of config/.
-enum class Bundled { kCourses, kRobots };
+enum class Bundled { kCourses, kRobots, kCameras };
 
 /// Reads a whole file of at most 64 MiB. Throws SetupError naming the file and why it cannot be
 /// read.
