@@ -177,6 +177,10 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
                                      [](const TrackPoint& p) -> const Pose& { return p.model; });
   result.odometry =
       pose_errors(run.points, [](const TrackPoint& p) -> const Pose& { return p.odometry; });
+  if (run.has_camera) {
+    result.fused =
+        pose_errors(run.points, [](const TrackPoint& p) -> const Pose& { return p.fused; });
+  }
   result.tracking = tracking_errors(run.points, run.shoves, path);
   return result;
 }

@@ -35,8 +35,9 @@ struct TrackingErrors {
 
 /// All figures of one run.
 struct RunFigures {
-  PoseErrors model{};     ///< piece by piece between shoves, which encoders cannot see
-  PoseErrors odometry{};  ///< from start to end
+  PoseErrors model{};                 ///< piece by piece between shoves, which encoders cannot see
+  PoseErrors odometry{};              ///< from start to end
+  std::optional<PoseErrors> fused{};  ///< from start to end, shoves included; only with a camera
   TrackingErrors tracking{};
 };
 

@@ -62,6 +62,7 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
   json["realtime_factor"] = run.realtime_factor;
   json["model"] = json_of(figures.model);
   json["odometry"] = json_of(figures.odometry);
+  if (figures.fused) json["fused"] = json_of(*figures.fused);
   json["tracking"] = json_of(figures.tracking);
   json["link"] = json_of(run.link);
   json["loop"] = Json::object();

@@ -88,6 +88,7 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
                  "rms", "final", "x [m^2]", "y [m^2]", "[rad^2]", "max deg");
   text += row("ours: model (encoders)", figures.model);
   text += row("ours: odometry (+ gyro)", figures.odometry);
+  if (figures.fused) text += row("ours: fused (+ camera)", *figures.fused);
   const Published* paper = published(run.course);
   if (paper != nullptr) text += printed_row(*paper);
   const TrackingErrors& tracking = figures.tracking;

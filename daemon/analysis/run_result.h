@@ -18,6 +18,7 @@ struct TrackPoint {
                      ///< obstacles, the pose in the virtual world
   Pose model{};      ///< eqs 1-5 on encoder counts alone
   Pose odometry{};   ///< encoders + gyro
+  Pose fused{};      ///< with the overhead camera, if the run had one
   double progress_m =
       0.0;  ///< along the path, as the controller sees it; tells crossing pieces apart
 };
@@ -37,6 +38,7 @@ struct RunResult {
   std::string cause;  ///< why it was not completed; empty otherwise
   double duration_s = 0.0;  ///< virtual time of the run
   double realtime_factor = 0.0;
+  bool has_camera = false;  ///< an overhead camera looked on; else `fused` is not judged
   std::vector<TrackPoint> points;
   std::vector<ShoveWindow> shoves;
   LinkCounters link{};

@@ -69,6 +69,17 @@ TEST(ResultJson, IsOneLineWhoseNumbersReadBackExactly) {
   EXPECT_EQ(text, result_json(a_run(), some_figures()));
 }
 
+TEST(ResultJson, FusedIsThereOnlyIfACameraWas) {
+  EXPECT_FALSE(Json::parse(result_json(a_run(), some_figures())).contains("fused"));
+  RunFigures figures = some_figures();
+  figures.fused.emplace().max_position_error_m = 0.004;
+  const Json json = Json::parse(result_json(a_run(), figures));
+  EXPECT_EQ(json["fused"]["max_position_error_m"], 0.004);
+  EXPECT_EQ(keys(json["fused"]), keys(json["model"]));
+  EXPECT_THAT(result_table(a_run(), figures), HasSubstr("ours: fused (+ camera)"));
+  EXPECT_THAT(result_table(a_run(), some_figures()), Not(HasSubstr("fused")));
+}
+
 TEST(ResultJson, AShoveWithoutRecoveryIsNull) {
   const Json json = Json::parse(result_json(a_run(), some_figures()));
   EXPECT_EQ(json["tracking"]["recovery_s"].dump(), "[1.5,null]");
