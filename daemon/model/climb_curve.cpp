@@ -136,6 +136,15 @@ Lean ClimbCurve::cross(double travel_m) const {
   return lean;
 }
 
+double ClimbCurve::cross_bend(double travel_m) const {
+  const double radius = geometry_.belt_radius_m;
+  const double flat = geometry_.com_forward_m - past_near_edge_m(travel_m);
+  const double angle = edge_angle(flat), s = std::sin(angle), c = std::cos(angle);
+  const double lever = flat * c + radius * s, rate = s / lever;
+  const double lever_change = -c + rate * (radius * c - flat * s);
+  return (c * rate - rate * lever_change) / lever;
+}
+
 Lean ClimbCurve::nose(double travel_m) const {
   const double behind = geometry_.com_forward_m - past_far_edge_m(travel_m);
   const double ahead = geometry_.axle_spacing_m - behind;

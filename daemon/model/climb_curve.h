@@ -55,6 +55,9 @@ class ClimbCurve {
   Lean slide(double travel_m) const;     ///< rear end on the far edge; the front contact holds
   Lean down(double travel_m) const;      ///< flat behind the block
 
+  /// How the rate of `cross` changes with travel. [rad/m^2]
+  double cross_bend(double travel_m) const;
+
   /// Body turned by `angle_rad` about the near (phases 4 and 5) or the far edge. Rate 0.
   Lean about_near_edge(double travel_m, double angle_rad) const;
   Lean about_far_edge(double travel_m, double angle_rad) const;

@@ -11,6 +11,7 @@ constexpr double kGravityMps2 = 9.80665;
 constexpr double kFallStepS = 2.5e-4;
 constexpr double kMostFallSteps = 2000.0;
 constexpr int kHalvings = 40;
+constexpr double kTouchRad = 1e-9;
 constexpr int kMostPhases = 24;
 constexpr double kEver = std::numeric_limits<double>::infinity();
 
@@ -21,8 +22,11 @@ PlaneVector along(const PlaneVector& from, double forward, double up, double ang
 
 }  // namespace
 
-StepClimb::StepClimb(const ClimbGeometry& geometry, const Block& block, RiserForm form)
-    : curve_(geometry, block, form), gyration_squared_m2_(gyration_squared_m2(geometry)) {
+StepClimb::StepClimb(const ClimbGeometry& geometry, const Block& block, RiserForm form,
+                     TipStart tip_start)
+    : curve_(geometry, block, form),
+      tip_start_(tip_start),
+      gyration_squared_m2_(gyration_squared_m2(geometry)) {
   reset(0.0);
 }
 
@@ -64,7 +68,7 @@ double StepClimb::run(double speed, double time) {
       return follow(speed, time, marks.riser_end, marks.wrap_end,
                     marks.riser_end > 0.0 ? kRiser : kApproach, kCross);
     case kCross:
-      return follow(speed, time, marks.wrap_end, marks.cross_end, kWrap, kTip);
+      return follow(speed, time, marks.wrap_end, cross_end_m(speed, time), kWrap, kTip);
     case kTip:
       return fall(speed, time, Edge::kNear);
     case kFlat:
@@ -106,6 +110,32 @@ double StepClimb::follow(double speed, double time, double begin, double end, Cl
   return std::clamp(left, 0.0, time);
 }
 
+// Whether the rear contact would have to pull to keep the moving body on the curve. It lets go a
+// little before the centre of mass has passed the edge, at rest exactly there.
+bool StepClimb::lifts_off(double travel_m, double speed) const {
+  const double height = curve_.geometry().com_height_m;
+  const Lean at = curve_.cross(travel_m);
+  const double q = curve_.past_near_edge_m(travel_m);
+  const double ahead = q * std::cos(at.angle_rad) - height * std::sin(at.angle_rad);
+  const double inertia = gyration_squared_m2_ + q * q + height * height;
+  return kGravityMps2 * ahead +
+             speed * speed * (2.0 * q * at.rate_radpm + inertia * curve_.cross_bend(travel_m)) >=
+         0.0;
+}
+
+double StepClimb::cross_end_m(double speed, double time) const {
+  const double end = curve_.marks().cross_end;
+  const double to = std::min(travel_m_ + speed * time, end);
+  if (tip_start_ == TipStart::kBalance || !(speed > 0.0) || !lifts_off(to, speed)) return end;
+  double low = travel_m_, high = to;
+  if (lifts_off(low, speed)) return low;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2.0;
+    (lifts_off(middle, speed) ? high : low) = middle;
+  }
+  return high;
+}
+
 double StepClimb::arm_m(Edge edge) const {
   return edge == Edge::kNear ? curve_.past_near_edge_m(travel_m_)
                              : curve_.past_far_edge_m(travel_m_);
@@ -136,7 +166,8 @@ ClimbPhase StepClimb::landed(const Fall& fall, double travel_m, Edge edge) const
   const ClimbMarks& marks = curve_.marks();
   if (edge == Edge::kNear) {
     if (fall.angle <= 0.0 && fall.rate < 0.0) return ClimbPhase::kFlat;
-    const bool back = travel_m <= marks.cross_end && fall.angle >= curve_.cross(travel_m).angle_rad;
+    const bool back =
+        travel_m <= marks.cross_end && fall.angle > curve_.cross(travel_m).angle_rad + kTouchRad;
     return back ? ClimbPhase::kCross : ClimbPhase::kTip;
   }
   if (fall.angle >= 0.0 && fall.rate > 0.0) return ClimbPhase::kFlat;

@@ -32,6 +32,11 @@ struct ClimbState {
   PlaneVector reference_mps{};
 };
 
+/// When the rear leaves the ground and phase 4 begins. `kBalance`: the centre of mass is over the
+/// edge, as published (40.1 deg at 136.9 mm for the TP100 on 37 mm). `kLiftOff`: the load on the
+/// rear contact has gone, which the turning body's inertia makes earlier by some millimetres.
+enum class TipStart { kBalance, kLiftOff };
+
 /// One robot, one block, driven straight at it. Quasi-static but for the two falls. The belt holds
 /// at one contact and slips at the other: it holds on the riser, then on the edge, and on the
 /// ground in front while sliding off. Landings do not bounce. Belts that drive back undo a phase,
@@ -43,7 +48,7 @@ class StepClimb {
  public:
   /// Throws SetupError as check_climb does; starts at first touch.
   StepClimb(const ClimbGeometry& geometry, const Block& block,
-            RiserForm form = RiserForm::kBeltHolds);
+            RiserForm form = RiserForm::kBeltHolds, TipStart tip_start = TipStart::kBalance);
 
   /// Flat on the ground, `distance_m` >= 0 of travel in front of first touch.
   void reset(double distance_m);
@@ -63,6 +68,8 @@ class StepClimb {
   };
   double follow(double speed, double time, double begin, double end, ClimbPhase before,
                 ClimbPhase after);
+  bool lifts_off(double travel_m, double speed) const;
+  double cross_end_m(double speed, double time) const;
   double fall(double speed, double time, Edge edge);
   double run(double speed, double time);
   double arm_m(Edge edge) const;
@@ -74,6 +81,7 @@ class StepClimb {
   void publish(double speed);
 
   ClimbCurve curve_;
+  TipStart tip_start_;
   double gyration_squared_m2_;
   ClimbPhase phase_ = ClimbPhase::kApproach;
   double travel_m_ = 0.0;

@@ -21,6 +21,7 @@ struct Case {
   ClimbGeometry geometry{};
   Block block{};
   RiserForm form = RiserForm::kBeltHolds;
+  TipStart tip_start = TipStart::kBalance;
   double speed = kSpeed;
 };
 
@@ -42,12 +43,15 @@ ClimbGeometry com_forward(double forward_m) {
 void PrintTo(const Case& what, std::ostream* out) {
   *out << what.block.height_m << " x " << what.block.depth_m << " m, com "
        << what.geometry.com_forward_m << ", " << what.speed << " m/s"
-       << (what.form == RiserForm::kPaper ? ", paper" : "");
+       << (what.form == RiserForm::kPaper ? ", paper" : "")
+       << (what.tip_start == TipStart::kLiftOff ? ", lift-off" : "");
 }
 
 std::vector<Case> cases() {
   return {{},
           {.form = RiserForm::kPaper},
+          {.tip_start = TipStart::kLiftOff},
+          {.tip_start = TipStart::kLiftOff, .speed = 0.14},
           {.block = {0.026, 0.100}},
           {.block = {0.020, 0.100}},
           {.block = {0.003, 0.100}},
@@ -63,7 +67,7 @@ std::vector<Case> cases() {
 }
 
 std::vector<ClimbState> drive(const Case& what, double dt_s, double duration_s) {
-  StepClimb climb(what.geometry, what.block, what.form);
+  StepClimb climb(what.geometry, what.block, what.form, what.tip_start);
   climb.reset(0.02);
   std::vector<ClimbState> states{climb.state()};
   const auto steps = static_cast<int>(duration_s / dt_s);
@@ -97,7 +101,7 @@ TEST(StepClimb, GivesThePublishedCheckValues) {
   EXPECT_NEAR(curve.cross(marks.cross_end).angle_rad * kDegPerRad, 40.1, 0.05);
 }
 
-TEST(StepClimb, LandsOnTheBlockWhereTheIndependentPhysicsDoes) {
+TEST(StepClimb, LandsOnTheBlockWherePublished) {
   const auto states = drive({}, 1e-4, 3.0);
   const ClimbState* flat = begin_of(states, ClimbPhase::kFlat);
   ASSERT_NE(flat, nullptr);
@@ -202,6 +206,11 @@ TEST_P(EveryClimb, HasTheDerivativesThatItClaims) {
   check([&](double s) { return curve.riser(s); }, 0.0, m.riser_end, "riser");
   check([&](double s) { return curve.wrap(s); }, m.riser_end, m.wrap_end, "wrap");
   check([&](double s) { return curve.cross(s); }, m.wrap_end, m.cross_end, "cross");
+  for (double s = m.wrap_end + 0.001; s < m.cross_end; s += 0.003) {
+    const double h = 1e-5;
+    const double bend = (curve.cross(s + h).rate_radpm - curve.cross(s - h).rate_radpm) / (2 * h);
+    EXPECT_NEAR(curve.cross_bend(s), bend, 1e-5 * std::abs(bend) + 1e-6);
+  }
   check([&](double s) { return curve.nose(s); }, m.flat_end, m.nose_end, "nose");
   // The face begins at a kink of the curve; both sides of it are checked.
   const double face = m.slide_end - 0.002 * what.block.height_m / 0.037;
@@ -212,7 +221,7 @@ TEST_P(EveryClimb, HasTheDerivativesThatItClaims) {
 
 TEST_P(EveryClimb, ReportsTheVelocityOfTheMotionThatItReports) {
   const Case& what = GetParam();
-  const double dt = 1e-5;
+  const double dt = 4e-5;
   const auto states = drive(what, dt, distance_m(what) / what.speed);
   for (std::size_t i = 1; i + 1 < states.size(); ++i) {
     const ClimbState &a = states[i - 1], &b = states[i], &c = states[i + 1];
@@ -221,7 +230,7 @@ TEST_P(EveryClimb, ReportsTheVelocityOfTheMotionThatItReports) {
     const auto agree = [&](double before, double after, const char* what_moves, double rate_before,
                            double rate, double rate_after) {
       EXPECT_NEAR((after - before) / (2 * dt), rate,
-                  0.6 * std::abs(rate_after - rate_before) + 1e-5)
+                  0.6 * std::abs(rate_after - rate_before) + 1e-4)
           << what_moves << " in phase " << static_cast<int>(b.phase) << " at " << b.travel_m;
     };
     agree(a.pitch_rad, c.pitch_rad, "pitch", a.pitch_rate_radps, b.pitch_rate_radps,
@@ -239,8 +248,8 @@ TEST_P(EveryClimb, ReportsTheVelocityOfTheMotionThatItReports) {
 TEST_P(EveryClimb, ComesOutTheSameWhateverTheStep) {
   const Case& what = GetParam();
   const double duration = distance_m(what) / what.speed;
-  StepClimb coarse(what.geometry, what.block, what.form);
-  StepClimb fine(what.geometry, what.block, what.form);
+  StepClimb coarse(what.geometry, what.block, what.form, what.tip_start);
+  StepClimb fine(what.geometry, what.block, what.form, what.tip_start);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> step(1e-3, 5e-2);
   for (double at = 0.0; at < duration;) {
