@@ -13,6 +13,7 @@
 #include "sim/run/course_command.h"
 #include "sim/run/demo_command.h"
 #include "sim/run/robot_command.h"
+#include "sim/run/slope_command.h"
 
 namespace {
 
@@ -41,7 +42,7 @@ void add_common(CLI::App& app, Options& options) {
 /// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
 std::string unknown_subcommand(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
-  const std::vector<std::string_view> names = {"course", "robot", "demo"};
+  const std::vector<std::string_view> names = {"course", "robot", "slope", "demo"};
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
   const std::string_view meant = tp100::course::nearest_name(argv[1], names);
   return "unknown subcommand '" + tp100::course::one_line(argv[1]) + "'" +
@@ -87,6 +88,14 @@ int run(int argc, char** argv) {
                    "Course at whose start it stands and whose shoves it gets (default: none)")
       ->type_name("COURSE");
 
+  SlopeCommand slope;
+  CLI::App* slope_app =
+      app.add_subcommand("slope", "Measure slip up to 28 deg of slope, beside the paper's table");
+  slope_app
+      ->add_option("--robot", slope.robot, "Name in config/robots or file (default: end-loaded)")
+      ->type_name("ROBOT");
+  slope_app->add_flag("--json", slope.json, "One JSON object instead of a table");
+
   DemoCommand demo;
   CLI::App* demo_app =
       app.add_subcommand("demo", "Start tp100d and tp100-sim robot and watch them drive");
@@ -114,6 +123,7 @@ int run(int argc, char** argv) {
   }
   if (*course_app) return run_course(course);
   if (*robot_app) return run_robot(robot);
+  if (*slope_app) return run_slope(slope);
   return run_demo(demo);
 }
 
