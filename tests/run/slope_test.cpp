@@ -15,7 +15,9 @@ class ReferenceRobot : public testing::TestWithParam<PaperRow> {};
 
 TEST_P(ReferenceRobot, SlipsWithin2HundredthsOfThePapersTable) {
   const PaperRow& row = GetParam();
-  const course::Robot robot = load({.robot = "end-loaded"}).robot;
+  Options options;
+  options.robot = "end-loaded";
+  const course::Robot robot = load(options).robot;
   const SlopeSlip slip = measure_slope(robot.emulated.body, row.slope_deg * kRadPerDeg, 0.10);
   EXPECT_TRUE(slip.climbed);
   EXPECT_NEAR(slip.left, row.left, 0.02);
