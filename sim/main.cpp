@@ -69,6 +69,10 @@ int run(int argc, char** argv) {
       ->add_option("--config", course.options.config,
                    "Configuration of the daemon's part (default: as config/tp100.toml)")
       ->type_name("FILE");
+  course_app
+      ->add_flag("--camera{overhead}", course.camera,
+                 "An overhead camera looks on; =CAMERA: name in config/cameras or file")
+      ->type_name("CAMERA");
   course_app->add_option("--runs", course.runs, "Runs with this and the following seeds")
       ->check(CLI::Range(1, 1000000))
       ->type_name("NUMBER")

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 #include "analysis/atomic_file.h"
@@ -18,12 +19,18 @@ std::string poses_csv(const analysis::RunResult& result) {
   std::ostringstream out;
   out.precision(17);
   out << "t_s,truth_x_m,truth_y_m,truth_yaw_rad,model_x_m,model_y_m,model_yaw_rad,"
-         "odometry_x_m,odometry_y_m,odometry_yaw_rad\n";
+         "odometry_x_m,odometry_y_m,odometry_yaw_rad";
+  if (result.has_camera) out << ",fused_x_m,fused_y_m,fused_yaw_rad";
+  out << '\n';
   for (const analysis::TrackPoint& point : result.points) {
     out << point.t_s;
-    for (const Pose* pose : {&point.truth, &point.model, &point.odometry}) {
-      out << ',' << pose->x_m << ',' << pose->y_m << ',' << pose->yaw_rad;
-    }
+    const auto write = [&out](const Pose& pose) {
+      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.yaw_rad;
+    };
+    write(point.truth);
+    write(point.model);
+    write(point.odometry);
+    if (result.has_camera) write(point.fused);
     out << '\n';
   }
   return out.str();
@@ -47,6 +54,8 @@ void write_results(const std::string& folder, const analysis::RunResult& result,
 int run_course(const CourseCommand& command) {
   const Loaded loaded = load(command.options);
   const course::Course course = load_course(command.course);
+  const std::optional<OverheadCameraValues> camera =
+      command.camera.empty() ? std::nullopt : std::optional(load_camera(command.camera));
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {
     const analysis::RunResult result =
@@ -55,6 +64,7 @@ int run_course(const CourseCommand& command) {
                       .configuration = loaded.configuration,
                       .setup = loaded.setup,
                       .board = loaded.board,
+                      .camera = camera,
                       .seed = command.options.seed + static_cast<std::uint64_t>(i)});
     const analysis::RunFigures figures = analysis::figures(result, course);
     const std::string json = analysis::result_json(result, figures);

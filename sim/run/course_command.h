@@ -10,6 +10,7 @@ namespace tp100::sim {
 struct CourseCommand {
   Options options{};
   std::string course;
+  std::string camera;  ///< overhead camera: bundled name or file; empty: none
   int runs = 1;
   std::string out;  ///< folder for results; empty: none
   bool json = false;

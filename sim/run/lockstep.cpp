@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cycle.h"
+#include "core/error.h"
 #include "core/faults.h"
 #include "sim/run/options.h"
 #include "sim/run/pusher.h"
@@ -74,6 +75,7 @@ class Lockstep {
  private:
   void advance_robot();
   void step_host();
+  void look();
   void push();
   void record(const Snapshot& snapshot);
   bool bench() const { return settings_.setup == bridge::Setup::kBench; }
@@ -83,6 +85,7 @@ class Lockstep {
   course::Path path_;
   app::Cycle cycle_;
   EmulatedRobot robot_;
+  std::optional<OverheadCamera> camera_;
   TruthHistory truth_;
   std::vector<std::uint8_t> arriving_;
   analysis::RunResult result_{};
@@ -117,6 +120,14 @@ Lockstep::Lockstep(const LockstepSettings& settings)
                  kNsPerMs),
       pusher_(settings.course.shoves) {
   if (period_ns_ < kPhysicsStepNs) period_ns_ = kPhysicsStepNs;
+  if (settings.camera) {
+    if (bench())
+      throw SetupError("--camera: on a bench it would see a robot that stands still; leave it out");
+    const course::Fence& fence = settings.course.fence;
+    camera_.emplace(*settings.camera, (fence.min_x_m + fence.max_x_m) / 2.0,
+                    (fence.min_y_m + fence.max_y_m) / 2.0, settings.seed);
+  }
+  result_.has_camera = camera_.has_value();
   result_.course = settings.course.name;
   result_.board = to_string(settings.board);
   result_.robot = settings.robot.name;
@@ -136,6 +147,12 @@ void Lockstep::advance_robot() {
   truth_.add(robot_.now_ns(), robot_.truth().pose);
 }
 
+void Lockstep::look() {
+  camera_->look(robot_.truth().pose, robot_.now_ns());
+  while (const std::optional<CameraSample> seen = camera_->take(robot_.now_ns()))
+    cycle_.camera(*seen);
+}
+
 void Lockstep::push() {
   const course::Shove* shove = pusher_.update(robot_);
   if (shove == nullptr) return;
@@ -148,12 +165,14 @@ void Lockstep::record(const Snapshot& snapshot) {
   const std::int64_t measured_ns = snapshot.sample.measured_ns;
   if (measured_ns < begin_ns_ || measured_ns > robot_.now_ns()) return;
   last_recorded_us_ = snapshot.sample.device_us;
-  const Pose steering =
-      parameters_.steering == bridge::Steering::kModel ? snapshot.model : snapshot.odometry;
+  const Pose steering = parameters_.steering == bridge::Steering::kModel   ? snapshot.model
+                        : parameters_.steering == bridge::Steering::kFused ? snapshot.fused.pose
+                                                                           : snapshot.odometry;
   result_.points.push_back({.t_s = to_s(measured_ns - begin_ns_),
                             .truth = bench() ? steering : truth_.find(measured_ns),
                             .model = snapshot.model,
                             .odometry = snapshot.odometry,
+                            .fused = snapshot.fused.pose,
                             .progress_m = snapshot.progress_m});
 }
 
@@ -190,6 +209,7 @@ analysis::RunResult Lockstep::run() {
   RunState state = RunState::kIdle;
   while (end_ns == 0 || robot_.now_ns() < end_ns) {
     advance_robot();
+    if (camera_) look();
     if (begin_ns_ >= 0) push();
     if (robot_.now_ns() < next_step_ns) continue;
     next_step_ns += period_ns_;

@@ -3,6 +3,7 @@
 // the same bytes as over a cable.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "analysis/run_result.h"
@@ -10,6 +11,7 @@
 #include "course/course.h"
 #include "course/robot.h"
 #include "sim/run/emulated_robot.h"
+#include "sim/sensors/overhead_camera.h"
 
 namespace tp100::sim {
 
@@ -19,11 +21,13 @@ struct LockstepSettings {
   app::Configuration configuration{};
   bridge::Setup setup = bridge::Setup::kFlat;
   BoardKind board = BoardKind::kNative;
+  std::optional<OverheadCameraValues> camera{};  ///< none: nobody looks on
   std::uint64_t seed = 1;
 };
 
-/// Drives the course once. Deterministic but for `realtime_factor` and `loop`. Throws SetupError if
-/// course and robot do not fit together.
+/// Drives the course once. A bench is no place for a camera: the robot that it sees stands still.
+/// Deterministic but for `realtime_factor` and `loop`. Throws SetupError if course and robot do not
+/// fit together.
 analysis::RunResult run_lockstep(const LockstepSettings& settings);
 
 }  // namespace tp100::sim

@@ -9,6 +9,7 @@
 #include "course/course.h"
 #include "course/robot.h"
 #include "sim/run/emulated_robot.h"
+#include "sim/sensors/overhead_camera.h"
 
 namespace tp100::sim {
 
@@ -36,5 +37,8 @@ course::Terrain floor_of(const course::Terrain& terrain, bridge::Setup setup);
 
 /// A course by bundled name or file. Throws SetupError.
 course::Course load_course(const std::string& name_or_path);
+
+/// An overhead camera by bundled name or file. Throws SetupError.
+OverheadCameraValues load_camera(const std::string& name_or_path);
 
 }  // namespace tp100::sim

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/metrics.h"
+#include "analysis/result_json.h"
+#include "core/angle.h"
+#include "core/error.h"
+#include "sim/run/lockstep.h"
+#include "sim/run/options.h"
+
+namespace tp100::sim {
+namespace {
+
+// Sanitized builds run the same code some ten times slower: fewer seeds there.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t kSeeds = 1;
+#else
+constexpr std::uint64_t kSeeds = 10;
+#endif
+
+LockstepSettings settings(const std::string& course, const std::string& robot,
+                          bridge::Steering steering) {
+  Options options;
+  options.robot = robot;
+  const Loaded loaded = load(options);
+  LockstepSettings settings{.course = load_course(course),
+                            .robot = loaded.robot,
+                            .configuration = loaded.configuration,
+                            .setup = loaded.setup,
+                            .camera = load_camera("overhead")};
+  settings.configuration.parameters.steering = steering;
+  return settings;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+struct Case {
+  const char* course;
+  const char* robot;
+  double max_m;  ///< largest error of the fused pose, median over the seeds; 0: none
+  double tracking_m;
+};
+
+class FusedCourses : public testing::TestWithParam<Case> {};
+
+TEST_P(FusedCourses, FusedSteersAndKeepsItsLimits) {
+  const Case& which = GetParam();
+  LockstepSettings run = settings(which.course, which.robot, bridge::Steering::kFused);
+  std::vector<double> max_m, rms_m, yaw_rad, tracking_m;
+  for (run.seed = 1; run.seed <= kSeeds; ++run.seed) {
+    const analysis::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
+    const analysis::RunFigures figures = analysis::figures(result, run.course);
+    max_m.push_back(figures.fused->max_position_error_m);
+    rms_m.push_back(figures.fused->rms_position_error_m);
+    yaw_rad.push_back(std::sqrt(figures.fused->mse_yaw_rad2));
+    tracking_m.push_back(figures.tracking.max_cross_track_m);
+    for (const std::optional<double>& recovery : figures.tracking.recovery_s) {
+      ASSERT_TRUE(recovery.has_value()) << "seed " << run.seed;
+      EXPECT_LE(*recovery, 2.5) << "seed " << run.seed;
+    }
+  }
+  EXPECT_LE(median(rms_m), 0.010);
+  EXPECT_LE(median(yaw_rad), 1.0 * kRadPerDeg);
+  if (which.max_m > 0.0) {
+    EXPECT_LE(median(max_m), which.max_m);
+    EXPECT_LE(median(tracking_m), which.tracking_m);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Flat, FusedCourses,
+    testing::Values(Case{"1-straight", "end-loaded", 0.006, 0.008},
+                    Case{"1-curve", "end-loaded", 0.006, 0.008},
+                    Case{"1-sharp", "end-loaded", 0.010, 0.015}, Case{"2", "end-loaded", 0.0, 0.0},
+                    Case{"1-curve", "uniform", 0.006, 0.008}, Case{"2", "uniform", 0.0, 0.0}),
+    [](const testing::TestParamInfo<Case>& param) {
+      std::string name = std::string(param.param.course) + "_" + param.param.robot;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+TEST(CameraRun, ACameraChangesNothingOfARunThatOdometrySteers) {
+  LockstepSettings run = settings("1-curve", "end-loaded", bridge::Steering::kOdometry);
+  const auto text = [&run] {
+    analysis::RunResult result = run_lockstep(run);
+    result.realtime_factor = 0.0;
+    result.loop.clear();
+    auto json =
+        nlohmann::json::parse(analysis::result_json(result, analysis::figures(result, run.course)));
+    EXPECT_EQ(json.contains("fused"), run.camera.has_value());
+    json.erase("fused");
+    return json.dump();
+  };
+  const std::string seen = text();
+  run.camera.reset();
+  EXPECT_EQ(seen, text());
+}
+
+TEST(CameraRun, WithoutACameraTheFilterStillSteers) {
+  LockstepSettings run = settings("1-sharp", "uniform", bridge::Steering::kFused);
+  run.camera.reset();
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_LT(analysis::figures(result, run.course).tracking.max_cross_track_m, 0.03);
+}
+
+TEST(CameraRun, OutliersAndLostFramesDoNotPullThePoseAway) {
+  LockstepSettings run = settings("1-curve", "uniform", bridge::Steering::kFused);
+  run.camera->outliers = 0.05;
+  run.camera->dropped = 0.3;
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_LT(analysis::figures(result, run.course).fused->max_position_error_m, 0.006);
+}
+
+TEST(CameraRun, ABenchIsNoPlaceForACamera) {
+  LockstepSettings run = settings("1-curve", "end-loaded", bridge::Steering::kOdometry);
+  run.setup = bridge::Setup::kBench;
+  EXPECT_THROW(run_lockstep(run), SetupError);
+}
+
+}  // namespace
+}  // namespace tp100::sim
