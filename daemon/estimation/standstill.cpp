@@ -9,6 +9,9 @@ namespace {
 
 // One edge may flicker under a resting wheel.
 constexpr std::int64_t kRestCounts = 1;
+// The sensor's zero-rate offset is at most 20 deg/s (MPU6050 data sheet rev 3.4, 6.1), with some
+// room for temperature: anything faster is a turn.
+constexpr double kMostBiasRadps = 0.45;
 
 }  // namespace
 
@@ -38,7 +41,8 @@ void Standstill::update(const Sample& sample, double gyro_z_radps) {
   window_mean_ += difference / static_cast<double>(window_size_);
   window_squares_ += difference * (gyro_z_radps - window_mean_);
   const double sd = std::sqrt(window_squares_ / static_cast<double>(window_size_));
-  const bool quiet = sd < parameters_.still_gyro_sd_radps &&
+  const bool quiet = std::abs(window_mean_) <= kMostBiasRadps &&
+                     sd < parameters_.still_gyro_sd_radps &&
                      std::abs(difference) < 6.0 * parameters_.still_gyro_sd_radps;
   if (!quiet) {
     begin_window(sample, gyro_z_radps);

@@ -57,6 +57,11 @@ TEST_F(StandstillTest, FollowsASlowDriftAtRestAndHoldsWhileDriving) {
   EXPECT_NEAR(standstill_.bias_radps(), before, 1e-4);
 }
 
+TEST_F(StandstillTest, ATurnFasterThanAnyOffsetIsNotRest) {
+  feed(400, 0.5, 0.0);
+  EXPECT_FALSE(standstill_.bias_known());
+}
+
 TEST_F(StandstillTest, AStaleImuTeachesNothing) {
   for (int i = 0; i < 400; ++i) {
     sample_.device_us += kPeriodUs;
