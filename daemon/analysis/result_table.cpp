@@ -113,6 +113,11 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
           "The paper prints its mean squared errors in m and rad, and they contradict each other:\n"
           "shown, not compared.\n";
   }
+  if (run.setup == "bench")
+    text +=
+        "On a bench nothing moves: the virtual pose stands in for the truth and is judged against "
+        "itself.\n"
+        "Only completion and tracking mean something here.\n";
   if (run.robot == "end-loaded")
     text +=
         "This robot's slip is fitted through its contacts and its belts make eqs 1-5 nearly "
