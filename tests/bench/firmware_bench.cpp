@@ -117,7 +117,7 @@ void bench() {
   left_encoder.clear();
   right_encoder.clear();
   force_edges(rig, 10'000.0);
-  share(rig, loop, interrupts, "4 x 10 kHz edges", 500);
+  share(rig, loop, interrupts, "4 x 10 kHz edges, motors off", 500);
   rig.speed_mps = 0.0f;
   rig.forced_mps = 0.0;
   rig.run(20);
