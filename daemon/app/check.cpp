@@ -7,6 +7,7 @@
 
 #include "app/bundled_files.h"
 #include "app/configuration.h"
+#include "course/camera.h"
 #include "course/course.h"
 #include "course/nearest.h"
 #include "course/path.h"
@@ -18,25 +19,21 @@ namespace {
 
 using Word = std::pair<std::string_view, FileKind>;
 
-constexpr std::array<Word, 18> kWords = {{
-    {"robot", FileKind::kConfiguration},
-    {"course", FileKind::kConfiguration},
-    {"setup", FileKind::kConfiguration},
-    {"link", FileKind::kConfiguration},
-    {"loop", FileKind::kConfiguration},
-    {"estimation", FileKind::kConfiguration},
-    {"control", FileKind::kConfiguration},
-    {"speed_mps", FileKind::kCourse},
-    {"start", FileKind::kCourse},
-    {"segment", FileKind::kCourse},
-    {"shove", FileKind::kCourse},
-    {"ramp", FileKind::kCourse},
-    {"block", FileKind::kCourse},
-    {"surface", FileKind::kCourse},
-    {"fence", FileKind::kCourse},
-    {"shape", FileKind::kRobot},
-    {"drive", FileKind::kRobot},
-    {"emulated", FileKind::kRobot},
+constexpr std::array<Word, 28> kWords = {{
+    {"robot", FileKind::kConfiguration},  {"course", FileKind::kConfiguration},
+    {"setup", FileKind::kConfiguration},  {"link", FileKind::kConfiguration},
+    {"loop", FileKind::kConfiguration},   {"estimation", FileKind::kConfiguration},
+    {"camera", FileKind::kConfiguration}, {"control", FileKind::kConfiguration},
+    {"speed_mps", FileKind::kCourse},     {"start", FileKind::kCourse},
+    {"segment", FileKind::kCourse},       {"shove", FileKind::kCourse},
+    {"ramp", FileKind::kCourse},          {"block", FileKind::kCourse},
+    {"surface", FileKind::kCourse},       {"fence", FileKind::kCourse},
+    {"shape", FileKind::kRobot},          {"drive", FileKind::kRobot},
+    {"emulated", FileKind::kRobot},       {"rate_hz", FileKind::kCamera},
+    {"delay_ms", FileKind::kCamera},      {"noise_m", FileKind::kCamera},
+    {"noise_deg", FileKind::kCamera},     {"bias_m", FileKind::kCamera},
+    {"dropped", FileKind::kCamera},       {"outliers", FileKind::kCamera},
+    {"height_m", FileKind::kCamera},      {"marker_size_m", FileKind::kCamera},
 }};
 
 std::string text_of(const course::Course& course) {
@@ -51,6 +48,11 @@ std::string text_of(const course::Robot& robot) {
   return "robot " + robot.name + ": wheelbase " + course::number_text(robot.model.wheelbase_m) +
          " m, slip " + course::number_text(robot.model.slip_left) + " / " +
          course::number_text(robot.model.slip_right);
+}
+
+std::string text_of(const course::EmulatedCamera& camera, const std::string& path) {
+  return "camera " + file_stem(path) + ": " + course::number_text(camera.rate_hz) +
+         " pictures/s, " + course::number_text(camera.delay_s * 1e3) + " ms late";
 }
 
 std::string check_configuration(const TextFile& file) {
@@ -70,7 +72,7 @@ FileKind file_kind(const std::string& text, const std::string& file) {
   std::vector<std::string_view> words;
   for (const Word& word : kWords) words.push_back(word.first);
   // Each key, mistyped or not, votes for the kind of file that has it.
-  std::array<int, 3> votes{};
+  std::array<int, 4> votes{};
   for (const std::string& key : root.keys()) {
     const std::string_view word = course::nearest_name(key, words);
     for (const auto& [name, kind] : kWords)
@@ -83,7 +85,7 @@ FileKind file_kind(const std::string& text, const std::string& file) {
     ++votes[static_cast<std::size_t>(configures ? FileKind::kConfiguration : FileKind::kRobot)];
   }
   FileKind best = FileKind::kConfiguration;
-  for (const FileKind kind : {FileKind::kCourse, FileKind::kRobot})
+  for (const FileKind kind : {FileKind::kCourse, FileKind::kRobot, FileKind::kCamera})
     if (votes[static_cast<std::size_t>(kind)] > votes[static_cast<std::size_t>(best)]) best = kind;
   return best;
 }
@@ -95,6 +97,8 @@ std::string check_file(const std::string& path) {
       return text_of(course::parse_course(file.text, file.path));
     case FileKind::kRobot:
       return text_of(course::parse_robot(file.text, file.path));
+    case FileKind::kCamera:
+      return text_of(course::parse_camera(file.text, file.path), path);
     case FileKind::kConfiguration:
       break;
   }

@@ -7,7 +7,7 @@
 namespace tp100::app {
 
 /// Kinds of files that a user writes.
-enum class FileKind { kConfiguration, kCourse, kRobot };
+enum class FileKind { kConfiguration, kCourse, kRobot, kCamera };
 
 /// What a file means to be, by its keys. Throws SetupError if the text is not TOML. Pure.
 FileKind file_kind(const std::string& text, const std::string& file);

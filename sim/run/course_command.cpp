@@ -54,7 +54,7 @@ void write_results(const std::string& folder, const analysis::RunResult& result,
 int run_course(const CourseCommand& command) {
   const Loaded loaded = load(command.options);
   const course::Course course = load_course(command.course);
-  const std::optional<OverheadCameraValues> camera =
+  const std::optional<course::EmulatedCamera> camera =
       command.camera.empty() ? std::nullopt : std::optional(load_camera(command.camera));
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {

@@ -33,13 +33,15 @@ std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlav
                                                          .blank = settings.blank,
                                                          .seed = seed,
                                                          .clock_ppm = clock_ppm,
+                                                         .start_us = settings.start_us,
                                                          .reset_hold_ns = phase_ns},
                                         &imu);
   }
-  return std::make_unique<NativeBoard>(
-      NativeBoardSettings{
-          .seed = seed, .clock_ppm = clock_ppm, .boot_delay_ns = 4'000'000 + phase_ns},
-      &imu);
+  return std::make_unique<NativeBoard>(NativeBoardSettings{.seed = seed,
+                                                           .clock_ppm = clock_ppm,
+                                                           .start_us = settings.start_us,
+                                                           .boot_delay_ns = 4'000'000 + phase_ns},
+                                       &imu);
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ struct EmulatedRobotSettings {
   bool bootloader = false;  ///< the avr board starts as on a desk, silent for a second
   bool blank = false;       ///< the avr board waits for its first firmware
   std::uint32_t baud = 500000;
+  std::uint32_t start_us = 0;  ///< device clock at each boot, in steps of 1024
 };
 
 /// The same settings and the same bytes at the same times give the same bytes back.

@@ -14,6 +14,7 @@
 #include "core/faults.h"
 #include "sim/run/options.h"
 #include "sim/run/pusher.h"
+#include "sim/sensors/overhead_camera.h"
 
 namespace tp100::sim {
 namespace {
@@ -115,7 +116,8 @@ Lockstep::Lockstep(const LockstepSettings& settings)
               .on_stand = settings.setup == bridge::Setup::kBench,
               .terrain = floor_of(settings.course.terrain, settings.setup),
               .seed = settings.seed,
-              .board = settings.board}),
+              .board = settings.board,
+              .start_us = settings.start_us}),
       period_ns_(static_cast<std::int64_t>(std::lround(1e3 / settings.configuration.loop.rate_hz)) *
                  kNsPerMs),
       pusher_(settings.course.shoves) {
@@ -241,6 +243,13 @@ analysis::RunResult Lockstep::run() {
                   {"mean_step_us", static_cast<double>(step_time_.count()) * 1e-3 /
                                        static_cast<double>(std::max<std::uint64_t>(steps_, 1))},
                   {"max_step_us", static_cast<double>(longest_step_.count()) * 1e-3}};
+  if (camera_) {
+    const Fused& fused = cycle_.outputs().snapshot.fused;
+    result_.loop.insert(result_.loop.end(), {{"camera_used", fused.camera_used},
+                                             {"camera_rejected", fused.camera_rejected},
+                                             {"camera_recoveries", fused.recoveries},
+                                             {"camera_nis_mean", fused.nis_mean}});
+  }
   return result_;
 }
 

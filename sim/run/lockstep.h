@@ -8,10 +8,10 @@
 
 #include "analysis/run_result.h"
 #include "app/configuration.h"
+#include "course/camera.h"
 #include "course/course.h"
 #include "course/robot.h"
 #include "sim/run/emulated_robot.h"
-#include "sim/sensors/overhead_camera.h"
 
 namespace tp100::sim {
 
@@ -21,8 +21,9 @@ struct LockstepSettings {
   app::Configuration configuration{};
   bridge::Setup setup = bridge::Setup::kFlat;
   BoardKind board = BoardKind::kNative;
-  std::optional<OverheadCameraValues> camera{};  ///< none: nobody looks on
+  std::optional<course::EmulatedCamera> camera{};  ///< none: nobody looks on
   std::uint64_t seed = 1;
+  std::uint32_t start_us = 0;  ///< device clock at boot; near 2^32 it wraps in the run
 };
 
 /// Drives the course once. A bench is no place for a camera: the robot that it sees stands still.

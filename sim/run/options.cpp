@@ -3,7 +3,6 @@
 #include "app/bundled_files.h"
 #include "core/error.h"
 #include "course/toml_document.h"
-#include "sim/sensors/camera_file.h"
 
 namespace tp100::sim {
 namespace {
@@ -51,9 +50,9 @@ course::Terrain floor_of(const course::Terrain& terrain, bridge::Setup setup) {
   return {};
 }
 
-OverheadCameraValues load_camera(const std::string& name_or_path) {
+course::EmulatedCamera load_camera(const std::string& name_or_path) {
   const app::TextFile file = app::read_bundled(app::Bundled::kCameras, name_or_path);
-  return parse_camera(file.text, file.path);
+  return course::parse_camera(file.text, file.path);
 }
 
 course::Course load_course(const std::string& name_or_path) {

@@ -6,10 +6,10 @@
 
 #include "app/configuration.h"
 #include "bridge/parameters.h"
+#include "course/camera.h"
 #include "course/course.h"
 #include "course/robot.h"
 #include "sim/run/emulated_robot.h"
-#include "sim/sensors/overhead_camera.h"
 
 namespace tp100::sim {
 
@@ -39,6 +39,6 @@ course::Terrain floor_of(const course::Terrain& terrain, bridge::Setup setup);
 course::Course load_course(const std::string& name_or_path);
 
 /// An overhead camera by bundled name or file. Throws SetupError.
-OverheadCameraValues load_camera(const std::string& name_or_path);
+course::EmulatedCamera load_camera(const std::string& name_or_path);
 
 }  // namespace tp100::sim

@@ -12,7 +12,7 @@ constexpr double kShortestDelayS = 0.005;
 
 }  // namespace
 
-OverheadCamera::OverheadCamera(const OverheadCameraValues& values, double middle_x_m,
+OverheadCamera::OverheadCamera(const course::EmulatedCamera& values, double middle_x_m,
                                double middle_y_m, std::uint64_t seed)
     : values_(values), x_m_(middle_x_m + values.offset_x_m), y_m_(middle_y_m + values.offset_y_m) {
   // Not the stream of any other sensor of this seed.

@@ -7,36 +7,17 @@
 #include <optional>
 #include <random>
 
-#include "core/angle.h"
 #include "core/camera_sample.h"
 #include "core/pose.h"
+#include "course/camera.h"
 
 namespace tp100::sim {
-
-/// One camera. Its lens looks straight down on the floor.
-struct OverheadCameraValues {
-  double rate_hz = 33.0;
-  double delay_s = 0.060;         ///< from the picture to the sample's arrival
-  double delay_jitter_s = 0.008;  ///< standard deviation of that
-  double stamp_error_s = 0.001;   ///< standard deviation of the time stamp
-  double noise_m = 0.0015;        ///< standard deviation per axis
-  double noise_rad = 0.4 * kRadPerDeg;
-  double bias_m = 0.0015;   ///< error of the place that stays, its direction drawn by the seed
-  double dropped = 0.03;    ///< share of the frames without a detection
-  double outliers = 0.0;    ///< share of the frames with a false one
-  double outlier_m = 0.3;   ///< a false detection lies this far away at most, in each axis
-  double height_m = 2.5;    ///< of the lens above the floor
-  double offset_x_m = 0.0;  ///< of the lens from the middle of the course's fence
-  double offset_y_m = 0.0;
-  double marker_height_m = 0.06;  ///< above the reference point; also the plane it measures in
-  double marker_size_m = 0.10;
-};
 
 /// Pictures of one run; the same seed gives the same samples.
 class OverheadCamera {
  public:
   /// Over (`middle_x_m`, `middle_y_m`) plus the values' offset.
-  OverheadCamera(const OverheadCameraValues& values, double middle_x_m, double middle_y_m,
+  OverheadCamera(const course::EmulatedCamera& values, double middle_x_m, double middle_y_m,
                  std::uint64_t seed);
 
   /// Shows it the body's exact pose at virtual time `now_ns`; call once per physics step.
@@ -57,7 +38,7 @@ class OverheadCamera {
   double normal() { return normal_(random_); }
   double uniform() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
 
-  OverheadCameraValues values_;
+  course::EmulatedCamera values_;
   double x_m_, y_m_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_{0.0, 1.0};

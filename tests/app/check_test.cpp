@@ -22,6 +22,8 @@ TEST(FileKind, IsToldByTheKeysEvenIfSomeAreMistyped) {
   EXPECT_EQ(file_kind("[model]\nwheelbase_m = 1\n", "f"), FileKind::kRobot);
   EXPECT_EQ(file_kind("[drve]\n", "f"), FileKind::kRobot);
   EXPECT_EQ(file_kind("speeed_mps = 1\n", "f"), FileKind::kCourse);
+  EXPECT_EQ(file_kind("delay_sm = 1\n", "f"), FileKind::kCamera);
+  EXPECT_EQ(file_kind("[camera]\nheight_m = 3\n", "f"), FileKind::kConfiguration);
   EXPECT_EQ(file_kind("[[segments]]\n[fence]\n", "f"), FileKind::kCourse);
 }
 
@@ -32,9 +34,10 @@ TEST(Check, EveryBundledFileIsRight) {
     if (entry.path().extension() != ".toml") continue;
     ++files;
     const std::string folder = entry.path().parent_path().filename().string();
-    const std::string kind = folder == "courses"  ? "course " + entry.path().stem().string()
-                             : folder == "robots" ? "robot " + entry.path().stem().string()
-                                                  : "configuration";
+    const std::string kind = folder == "courses"   ? "course " + entry.path().stem().string()
+                             : folder == "robots"  ? "robot " + entry.path().stem().string()
+                             : folder == "cameras" ? "camera " + entry.path().stem().string()
+                                                   : "configuration";
     EXPECT_THAT(check_file(entry.path().string()), StartsWith(kind));
   }
   EXPECT_GE(files, 7);

@@ -3,14 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <vector>
 
 #include "core/angle.h"
-#include "core/error.h"
-#include "sim/sensors/camera_file.h"
 
 namespace tp100::sim {
 namespace {
@@ -20,7 +16,7 @@ struct Taken {
   std::int64_t arrived_ns;
 };
 
-std::vector<Taken> watch(const OverheadCameraValues& values, const Pose& pose, double duration_s,
+std::vector<Taken> watch(const course::EmulatedCamera& values, const Pose& pose, double duration_s,
                          std::uint64_t seed = 1) {
   OverheadCamera camera(values, 0.0, 0.0, seed);
   std::vector<Taken> taken;
@@ -31,8 +27,8 @@ std::vector<Taken> watch(const OverheadCameraValues& values, const Pose& pose, d
   return taken;
 }
 
-OverheadCameraValues perfect() {
-  OverheadCameraValues values;
+course::EmulatedCamera perfect() {
+  course::EmulatedCamera values;
   values.noise_m = values.noise_rad = values.bias_m = values.dropped = values.stamp_error_s = 0.0;
   return values;
 }
@@ -85,7 +81,7 @@ TEST(OverheadCamera, APitchedMarkerFallsBackAndARaisedOneLooksFurtherOut) {
 }
 
 TEST(OverheadCamera, OutliersAreFarOff) {
-  OverheadCameraValues values = perfect();
+  course::EmulatedCamera values = perfect();
   values.outliers = 0.1;
   int far = 0;
   const std::vector<Taken> taken = watch(values, {}, 60.0);
@@ -103,30 +99,6 @@ TEST(OverheadCamera, TheSameSeedGivesTheSamePictures) {
   };
   EXPECT_EQ(text(1), text(1));
   EXPECT_NE(text(1), text(2));
-}
-
-// TP100_REWRITE_CONFIG=1 writes the bundled file anew from the key table.
-TEST(CameraFile, TheBundledFileIsWhatTheKeyTableSays) {
-  const std::string path = TP100_SOURCE_DIR "/config/cameras/overhead.toml";
-  const std::string text = write_camera({});
-  if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
-    std::ofstream(path, std::ios::binary) << text;
-    return;
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bundled;
-  bundled << file.rdbuf();
-  EXPECT_EQ(bundled.str(), text) << "config/cameras/overhead.toml has drifted from the key table";
-}
-
-TEST(CameraFile, ReadsBackWhatItWritesAndRefusesWhatItDoesNotKnow) {
-  OverheadCameraValues values;
-  values.delay_s = 0.1;
-  values.noise_rad = 1.5 * kRadPerDeg;
-  values.outliers = 0.02;
-  EXPECT_EQ(write_camera(parse_camera(write_camera(values), "f")), write_camera(values));
-  EXPECT_THROW(parse_camera("rate_hz = 0.0\n", "f"), SetupError);
-  EXPECT_THROW(parse_camera("hight_m = 2.0\n", "f"), SetupError);
 }
 
 }  // namespace

@@ -1,21 +1,17 @@
-#include "sim/sensors/camera_file.h"
-
 #include <array>
 #include <span>
 
-#include "core/angle.h"
+#include "course/camera.h"
 #include "course/key.h"
 
-namespace tp100::sim {
+namespace tp100::course {
 namespace {
-
-using course::Key;
 
 constexpr double kDeg = kRadPerDeg;
 constexpr double kMs = 1e-3;
 
-std::span<const Key<OverheadCameraValues>> keys() {
-  using T = OverheadCameraValues;
+std::span<const Key<EmulatedCamera>> keys() {
+  using T = EmulatedCamera;
   static const std::array<Key<T>, 15> kKeys = {{
       {"rate_hz", &T::rate_hz, {1, 500}, "Pictures per second"},
       {"delay_ms", &T::delay_s, {5, 400}, "From the picture to the arrival of its sample", kMs},
@@ -51,20 +47,20 @@ std::span<const Key<OverheadCameraValues>> keys() {
 
 }  // namespace
 
-OverheadCameraValues parse_camera(const std::string& text, const std::string& file) {
-  const course::TomlDocument document(text, file);
-  course::TomlTable root = document.root();
-  OverheadCameraValues values;
-  course::read_keys(root, keys(), values);
+EmulatedCamera parse_camera(const std::string& text, const std::string& file) {
+  const TomlDocument document(text, file);
+  TomlTable root = document.root();
+  EmulatedCamera values;
+  read_keys(root, keys(), values);
   root.finish();
   return values;
 }
 
-std::string write_camera(const OverheadCameraValues& values) {
-  return course::toml_comment(
+std::string write_camera(const EmulatedCamera& values) {
+  return toml_comment(
              "An emulated overhead camera, with every key at its default. What the daemon believes "
              "of the camera is in the configuration's [camera], not here.") +
-         "\n" + course::write_keys(keys(), values);
+         "\n" + write_keys(keys(), values);
 }
 
-}  // namespace tp100::sim
+}  // namespace tp100::course

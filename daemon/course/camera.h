@@ -1,0 +1,37 @@
+#pragma once
+// A camera file (config/cameras) as data: one emulated overhead camera. The daemon never reads it;
+// what it believes of its camera is in the configuration's [camera].
+
+#include <string>
+
+#include "core/angle.h"
+
+namespace tp100::course {
+
+/// One camera. Its lens looks straight down on the floor.
+struct EmulatedCamera {
+  double rate_hz = 33.0;
+  double delay_s = 0.060;         ///< from the picture to the sample's arrival
+  double delay_jitter_s = 0.008;  ///< standard deviation of that
+  double stamp_error_s = 0.001;   ///< standard deviation of the time stamp
+  double noise_m = 0.0015;        ///< standard deviation per axis
+  double noise_rad = 0.4 * kRadPerDeg;
+  double bias_m = 0.0015;   ///< error of the place that stays, its direction drawn by the seed
+  double dropped = 0.03;    ///< share of the frames without a detection
+  double outliers = 0.0;    ///< share of the frames with a false one
+  double outlier_m = 0.3;   ///< a false detection lies this far away at most, in each axis
+  double height_m = 2.5;    ///< of the lens above the floor
+  double offset_x_m = 0.0;  ///< of the lens from the middle of the course's fence
+  double offset_y_m = 0.0;
+  double marker_height_m = 0.06;  ///< above the reference point; also the plane it measures in
+  double marker_size_m = 0.10;
+};
+
+/// Parses a camera file. `file` is only used in messages. Throws SetupError (file:line:column).
+/// Pure: reads no file itself.
+EmulatedCamera parse_camera(const std::string& text, const std::string& file);
+
+/// A commented file that parse_camera reads back.
+std::string write_camera(const EmulatedCamera& values);
+
+}  // namespace tp100::course
