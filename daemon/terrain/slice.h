@@ -1,0 +1,47 @@
+#pragma once
+// One ramp or block, cut by the vertical plane in which a belt runs.
+
+#include <array>
+#include <cstddef>
+
+#include "course/terrain.h"
+
+namespace tp100::terrain {
+
+/// Outline of a piece from above, in its own frame: heights at places along its heading.
+struct Outline {
+  struct Point {
+    double along_m, height_m;
+  };
+  course::Place place{};
+  std::array<Point, 4> points{};
+  double half_width_m = 0.0;
+  double radius_m = 0.0;  ///< of a circle around the footprint
+};
+Outline outline_of(const course::Ramp& ramp);
+Outline outline_of(const course::Block& block);
+
+/// The cut through an outline: a polyline over the distance along the plane. No allocation.
+class Slice {
+ public:
+  /// Plane through (x, y) in the direction (cos, sin); distances count from (x, y).
+  Slice(const Outline& outline, double x_m, double y_m, double cos_yaw, double sin_yaw);
+
+  bool empty() const { return count_ == 0; }
+  double begin_m() const { return points_[0].along_m; }
+  double end_m() const { return points_[count_ - 1].along_m; }
+  /// Height of the piece at a distance; 0 beside it. At a wall, the top.
+  double height_m(double at_m) const;
+  /// Lowest height of the centre of a wheel above `at_m` that does not cut into the piece; below
+  /// 0 where the wheel does not reach it.
+  double wheel_m(double at_m, double radius_m) const;
+
+ private:
+  using Point = Outline::Point;
+  void add(double along_m, double height_m) { points_[count_++] = {along_m, height_m}; }
+
+  std::array<Point, 6> points_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace tp100::terrain

@@ -1,0 +1,145 @@
+#include "terrain/world.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tp100::terrain {
+namespace {
+
+// The belt's underside is looked at in this many places.
+constexpr int kPlaces = 41;
+// The tilt moves the centre of mass and shortens the belt, which change the tilt.
+constexpr int kRounds = 12;
+constexpr double kSettledRad = 1e-5;
+// Beside walls that no belt climbs.
+constexpr double kSteepestRad = 1.2;
+// More pieces than this never lie under one robot.
+constexpr std::size_t kMostSlices = 8;
+
+}  // namespace
+
+World::World(const course::Terrain& terrain, const course::ShapeValues& shape)
+    : terrain_(terrain), shape_(shape) {
+  for (const course::Ramp& ramp : terrain_.ramps)
+    pieces_.push_back({outline_of(ramp), Ground::kRamp});
+  for (const course::Block& block : terrain_.blocks)
+    pieces_.push_back({outline_of(block), Ground::kBlock});
+}
+
+bool World::near(const Outline& outline, double x_m, double y_m) const {
+  const double reach = outline.radius_m + shape_.axle_spacing_m + shape_.belt_radius_m;
+  const double dx = x_m - outline.place.x_m;
+  const double dy = y_m - outline.place.y_m;
+  return dx * dx + dy * dy < reach * reach;
+}
+
+World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
+                        double slope_rad) const {
+  const double radius = shape_.belt_radius_m;
+  struct Under {
+    Slice slice;
+    Ground ground;
+  };
+  std::array<std::optional<Under>, kMostSlices> under;
+  std::size_t count = 0;
+  for (const Piece& piece : pieces_) {
+    if (count == kMostSlices || !near(piece.outline, x_m, y_m)) continue;
+    const Slice slice(piece.outline, x_m, y_m, cos_yaw, sin_yaw);
+    if (!slice.empty()) under[count++].emplace(Under{slice, piece.ground});
+  }
+  Rest result{0.0, 0.0, Ground::kFloor};
+  if (count == 0) return result;
+  result.slope_rad = std::clamp(slope_rad, -kSteepestRad, kSteepestRad);
+
+  std::array<double, kPlaces> wheel{};
+  std::array<Ground, kPlaces> ground{};
+  for (int round = 0; round < kRounds; ++round) {
+    const double c = std::cos(result.slope_rad);
+    const double s = std::sin(result.slope_rad);
+    const double middle = -radius * s;
+    const double half = shape_.axle_spacing_m / 2.0 * c;
+    const double step = 2.0 * half / (kPlaces - 1);
+    for (int i = 0; i < kPlaces; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      wheel[k] = radius;
+      ground[k] = Ground::kFloor;
+      for (std::size_t n = 0; n < count; ++n) {
+        const double height = under[n]->slice.wheel_m(middle - half + i * step, radius);
+        if (height <= wheel[k]) continue;
+        wheel[k] = height;
+        ground[k] = under[n]->ground;
+      }
+    }
+    // The line through two places that carries the centre of mass highest touches and cuts nothing.
+    // Places are those of the wheels' centres; the belt touches the ground radius * s further on.
+    const double com = shape_.com_forward_m * c - shape_.com_height_m * s + half;
+    const int before = std::clamp(static_cast<int>(std::floor(com / step)), 0, kPlaces - 2);
+    double highest = -1.0, slope = 0.0;
+    for (int i = 0; i <= before; ++i) {
+      for (int j = before + 1; j < kPlaces; ++j) {
+        const auto a = static_cast<std::size_t>(i);
+        const auto b = static_cast<std::size_t>(j);
+        const double rise = (wheel[b] - wheel[a]) / ((j - i) * step);
+        const double height = wheel[a] + rise * (com - i * step);
+        if (height <= highest) continue;
+        highest = height;
+        slope = rise;
+        result.ground = std::max(ground[a], ground[b]);
+      }
+    }
+    const double tilt = std::clamp(std::atan(slope), -kSteepestRad, kSteepestRad);
+    const bool settled = std::abs(tilt - result.slope_rad) < kSettledRad;
+    result.slope_rad = tilt;
+    result.height_m = highest + slope * (half - com) - radius * std::cos(tilt);
+    if (settled) break;
+  }
+  return result;
+}
+
+Footing World::at(const Pose& pose) const {
+  Footing footing;
+  if (!std::isfinite(pose.x_m + pose.y_m + pose.yaw_rad + pose.pitch_rad)) return footing;
+  footing.surface = terrain_.surface_at(pose.x_m, pose.y_m);
+  if (std::none_of(pieces_.begin(), pieces_.end(),
+                   [&](const Piece& piece) { return near(piece.outline, pose.x_m, pose.y_m); }))
+    return footing;
+  const double c = std::cos(pose.yaw_rad);
+  const double s = std::sin(pose.yaw_rad);
+  const double half = shape_.gauge_m / 2.0;
+  const Rest left = rest(pose.x_m - half * s, pose.y_m + half * c, c, s, -pose.pitch_rad);
+  const Rest right = rest(pose.x_m + half * s, pose.y_m - half * c, c, s, -pose.pitch_rad);
+  footing.height_m = (left.height_m + right.height_m) / 2.0;
+  footing.slope_rad = (left.slope_rad + right.slope_rad) / 2.0;
+  footing.pitch_rad = -footing.slope_rad;
+  footing.roll_rad = std::atan2(left.height_m - right.height_m, shape_.gauge_m);
+  footing.ground = std::max(left.ground, right.ground);
+  return footing;
+}
+
+double World::height_m(double x_m, double y_m) const {
+  double height = 0.0;
+  for (const Piece& piece : pieces_) {
+    const course::Place& place = piece.outline.place;
+    const Slice slice(piece.outline, x_m, y_m, std::cos(place.heading_rad),
+                      std::sin(place.heading_rad));
+    if (!slice.empty()) height = std::max(height, slice.height_m(0.0));
+  }
+  return height;
+}
+
+std::optional<BlockAhead> World::next_block(const Pose& pose, double within_m) const {
+  std::optional<BlockAhead> next;
+  const double rear = -shape_.axle_spacing_m / 2.0 - shape_.belt_radius_m;
+  const double c = std::cos(pose.yaw_rad);
+  const double s = std::sin(pose.yaw_rad);
+  for (std::size_t i = 0; i < terrain_.blocks.size(); ++i) {
+    const Slice slice(pieces_[terrain_.ramps.size() + i].outline, pose.x_m, pose.y_m, c, s);
+    if (slice.empty() || slice.end_m() < rear || slice.begin_m() > within_m) continue;
+    if (!next || slice.begin_m() < next->distance_m)
+      next = {&terrain_.blocks[i], slice.begin_m(), slice.end_m() - slice.begin_m()};
+  }
+  return next;
+}
+
+}  // namespace tp100::terrain

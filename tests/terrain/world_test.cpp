@@ -1,0 +1,183 @@
+#include "terrain/world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/angle.h"
+#include "support/alloc_count.h"
+
+namespace tp100::terrain {
+namespace {
+
+constexpr double kSlope = 28 * kRadPerDeg;
+
+course::Terrain one_ramp() {
+  course::Ramp ramp{};
+  ramp.place = {0.7, -0.8, kPi};
+  ramp.height_m = 0.20;
+  ramp.up_rad = ramp.down_rad = kSlope;
+  ramp.top_m = 0.3;
+  ramp.width_m = 0.4;
+  course::Terrain terrain;
+  terrain.ramps.push_back(ramp);
+  return terrain;
+}
+
+course::Terrain one_block() {
+  course::Block block{};
+  block.place = {1.2, -0.8, kPi};
+  block.height_m = 0.037;
+  block.depth_m = 0.3;
+  block.width_m = 0.4;
+  course::Terrain terrain;
+  terrain.blocks.push_back(block);
+  return terrain;
+}
+
+Pose heading_back(double x_m, double y_m = -0.8) {
+  return {.x_m = x_m, .y_m = y_m, .yaw_rad = kPi};
+}
+
+TEST(World, IsLevelWhereNothingStands) {
+  const World empty({}, {});
+  EXPECT_TRUE(empty.flat());
+  EXPECT_EQ(empty.at({.x_m = 1.0}).slope_rad, 0.0);
+  const World world(one_ramp(), {});
+  const Footing footing = world.at({.x_m = 0.5});
+  EXPECT_EQ(footing.height_m, 0.0);
+  EXPECT_EQ(footing.pitch_rad, 0.0);
+  EXPECT_EQ(footing.ground, Ground::kFloor);
+  EXPECT_EQ(footing.surface, nullptr);
+}
+
+TEST(World, OnARampTheRobotLiesOnItsSlope) {
+  const course::Terrain terrain = one_ramp();
+  const World world(terrain, {});
+  const double foot = 0.7 + terrain.ramps[0].length_m() / 2.0;
+  const Footing up = world.at(heading_back(foot - 0.2));
+  EXPECT_NEAR(up.slope_rad, kSlope, 1e-3);
+  EXPECT_NEAR(up.pitch_rad, -kSlope, 1e-3) << "nose-up is negative pitch";
+  EXPECT_NEAR(up.height_m, 0.2 * std::tan(kSlope), 5e-4);
+  EXPECT_NEAR(up.roll_rad, 0.0, 1e-9);
+  EXPECT_EQ(up.ground, Ground::kRamp);
+  const Footing top = world.at(heading_back(0.7));
+  EXPECT_NEAR(top.slope_rad, 0.0, 1e-6);
+  EXPECT_NEAR(top.height_m, 0.20, 1e-6);
+  const Footing down = world.at(heading_back(2 * 0.7 - foot + 0.2));
+  EXPECT_NEAR(down.slope_rad, -kSlope, 1e-3);
+}
+
+TEST(World, DrivingARampTheOtherWayIsItsMirrorImage) {
+  const World world(one_ramp(), {});
+  for (double x = 0.0; x < 0.7; x += 0.013) {
+    const Footing back = world.at(heading_back(0.7 + x));
+    const Footing forth = world.at({.x_m = 0.7 + x, .y_m = -0.8, .yaw_rad = 0.0});
+    EXPECT_NEAR(back.slope_rad, -forth.slope_rad, 2e-3) << x;
+    EXPECT_NEAR(back.height_m, forth.height_m, 1e-3) << x;
+  }
+}
+
+TEST(World, OverACrestItKeepsThePitchThatItHasUntilItsMassIsPastTheEdge) {
+  const course::Terrain terrain = one_ramp();
+  const World world(terrain, {});
+  const double crest = 0.7 + terrain.ramps[0].top_m / 2.0;
+  Pose pose = heading_back(crest - 0.006);
+  EXPECT_NEAR(world.at(pose).slope_rad, 0.0, 1e-3) << "came from the top";
+  pose.pitch_rad = -kSlope;
+  EXPECT_NEAR(world.at(pose).slope_rad, kSlope, 1e-3) << "came from below";
+  pose.x_m = crest - 0.013;
+  EXPECT_NEAR(world.at(pose).slope_rad, 0.0, 1e-3);
+}
+
+TEST(World, AcrossASlopeTheRobotRolls) {
+  const course::Terrain terrain = one_ramp();
+  const World world(terrain, {});
+  const double foot = 0.7 + terrain.ramps[0].length_m() / 2.0;
+  const Footing footing = world.at({.x_m = foot - 0.19, .y_m = -0.8, .yaw_rad = kPi / 2});
+  EXPECT_NEAR(footing.roll_rad, std::atan(std::tan(kSlope)), 0.02) << "the slope rises to the left";
+  EXPECT_NEAR(footing.pitch_rad, 0.0, 1e-6);
+}
+
+TEST(World, BesideARampTheRobotIsOnTheFloor) {
+  const World world(one_ramp(), {});
+  EXPECT_EQ(world.at(heading_back(0.7, -0.8 + 0.35)).height_m, 0.0);
+  const Footing half_on = world.at(heading_back(0.7, -0.8 + 0.2));
+  EXPECT_NEAR(std::abs(half_on.roll_rad), std::atan2(0.20, 0.155), 1e-6);
+  EXPECT_GT(half_on.roll_rad, 0.0) << "its left belt is on the ramp";
+}
+
+TEST(World, OnABlockTheRobotStandsLevelAtItsHeight) {
+  const World world(one_block(), {});
+  const Footing footing = world.at(heading_back(1.2));
+  EXPECT_NEAR(footing.height_m, 0.037, 1e-6);
+  EXPECT_NEAR(footing.slope_rad, 0.0, 1e-6);
+  EXPECT_EQ(footing.ground, Ground::kBlock);
+  const Footing climbing = world.at(heading_back(1.2 + 0.15 + 0.03));
+  EXPECT_GT(climbing.slope_rad, 15 * kRadPerDeg);
+  EXPECT_EQ(climbing.ground, Ground::kBlock);
+}
+
+TEST(World, HeightIsThatOfThePieceUnderThePoint) {
+  const World ramp(one_ramp(), {});
+  EXPECT_NEAR(ramp.height_m(0.7, -0.8), 0.20, 1e-12);
+  EXPECT_EQ(ramp.height_m(0.7, -0.5), 0.0);
+  const World block(one_block(), {});
+  EXPECT_NEAR(block.height_m(1.2, -0.9), 0.037, 1e-12);
+  EXPECT_EQ(block.height_m(1.4, -0.8), 0.0);
+}
+
+TEST(World, FindsTheNextBlockOnTheLineOfTheHeading) {
+  const World world(one_block(), {});
+  const auto ahead = world.next_block(heading_back(1.6), 1.0);
+  ASSERT_TRUE(ahead);
+  EXPECT_NEAR(ahead->distance_m, 0.25, 1e-9);
+  EXPECT_NEAR(ahead->depth_m, 0.3, 1e-9);
+  EXPECT_EQ(ahead->block->height_m, 0.037);
+  EXPECT_FALSE(world.next_block(heading_back(1.6), 0.2)) << "too far";
+  EXPECT_FALSE(world.next_block({.x_m = 1.6, .y_m = -0.8, .yaw_rad = 0.0}, 1.0)) << "behind";
+  EXPECT_FALSE(world.next_block(heading_back(1.6, 0.0), 1.0)) << "beside";
+  EXPECT_NEAR(world.next_block(heading_back(1.0), 1.0)->distance_m, -0.35, 1e-9);
+  Pose oblique = heading_back(1.6);
+  oblique.yaw_rad += 20 * kRadPerDeg;
+  EXPECT_NEAR(world.next_block(oblique, 1.0)->distance_m, 0.25 / std::cos(20 * kRadPerDeg), 1e-9);
+}
+
+TEST(World, SaysTheSurfaceUnderTheReferencePoint) {
+  course::Terrain terrain;
+  terrain.surfaces.push_back({.name = "mat",
+                              .place = {0.5, 0.0, 0.0},
+                              .length_m = 0.2,
+                              .width_m = 0.2,
+                              .friction_factor = 1.0,
+                              .slip_offset = 0.05});
+  const World world(terrain, {});
+  ASSERT_NE(world.at({.x_m = 0.45}).surface, nullptr);
+  EXPECT_EQ(world.at({.x_m = 0.45}).surface->name, "mat");
+  EXPECT_EQ(world.at({.x_m = 0.75}).surface, nullptr);
+}
+
+TEST(World, AnswersEveryPoseWithinBoundsAndWithoutHeap) {
+  course::Terrain terrain = one_ramp();
+  terrain.blocks = one_block().blocks;
+  const World world(terrain, {});
+  const test::AllocCount heap;
+  for (double x = -0.2; x < 2.0; x += 0.017) {
+    for (double y = -1.2; y < 0.0; y += 0.031) {
+      for (double yaw = -4.0; yaw < 4.0; yaw += 0.61) {
+        const Footing footing = world.at({.x_m = x, .y_m = y, .yaw_rad = yaw});
+        ASSERT_TRUE(std::abs(footing.slope_rad) < 70 * kRadPerDeg) << x << " " << y << " " << yaw;
+        ASSERT_TRUE(footing.height_m > -0.05 && footing.height_m < 0.30);
+        world.next_block({.x_m = x, .y_m = y, .yaw_rad = yaw}, 0.5);
+      }
+    }
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  world.at({.x_m = nan, .y_m = nan, .yaw_rad = nan});
+  world.at({.x_m = 0.7, .y_m = -0.8, .yaw_rad = nan});
+  EXPECT_EQ(heap.calls(), 0u);
+}
+
+}  // namespace
+}  // namespace tp100::terrain
