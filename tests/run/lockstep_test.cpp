@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -21,30 +22,40 @@ constexpr std::uint64_t kSeeds = 1;
 #else
 constexpr std::uint64_t kSeeds = 10;
 #endif
+constexpr std::uint64_t kAvrSeeds = 5;
 
-LockstepSettings settings(const std::string& course, const std::string& robot) {
+LockstepSettings settings(const std::string& course, const std::string& robot,
+                          const std::string& board = "native") {
   Options options;
+  options.board = board;
   options.robot = robot;
   const Loaded loaded = load(options);
   return {.course = load_course(course),
           .robot = loaded.robot,
           .configuration = loaded.configuration,
-          .setup = loaded.setup};
+          .setup = loaded.setup,
+          .board = loaded.board};
 }
 
 struct Case {
+  const char* board;
   const char* course;
   const char* robot;
   double model_limit_m;  ///< median over the seeds of the largest position error; 0: none
 };
 
+void PrintTo(const Case& which, std::ostream* out) {
+  *out << which.board << ' ' << which.course << ' ' << which.robot;
+}
+
 class Courses : public testing::TestWithParam<Case> {};
 
 TEST_P(Courses, AreCompletedForEverySeedAndTheModelKeepsItsLimit) {
   const Case& which = GetParam();
-  LockstepSettings run = settings(which.course, which.robot);
+  LockstepSettings run = settings(which.course, which.robot, which.board);
+  const std::uint64_t seeds = run.board == BoardKind::kAvr ? kAvrSeeds : kSeeds;
   std::vector<double> model_m;
-  for (run.seed = 1; run.seed <= kSeeds; ++run.seed) {
+  for (run.seed = 1; run.seed <= seeds; ++run.seed) {
     const analysis::RunResult result = run_lockstep(run);
     EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
     EXPECT_EQ(result.link.lost, 0u);
@@ -58,17 +69,43 @@ TEST_P(Courses, AreCompletedForEverySeedAndTheModelKeepsItsLimit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Flat, Courses,
-    testing::Values(Case{"1-straight", "end-loaded", 0.010}, Case{"1-curve", "end-loaded", 0.010},
-                    Case{"1-sharp", "end-loaded", 0.030}, Case{"2", "end-loaded", 0.0},
-                    Case{"1-straight", "uniform", 0.0}, Case{"1-curve", "uniform", 0.0},
-                    Case{"1-sharp", "uniform", 0.0}, Case{"2", "uniform", 0.0}),
-    [](const testing::TestParamInfo<Case>& param) {
-      std::string name = std::string(param.param.course) + "_" + param.param.robot;
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
+std::vector<Case> cases(const char* board) {
+  return {{board, "1-straight", "end-loaded", 0.010}, {board, "1-curve", "end-loaded", 0.010},
+          {board, "1-sharp", "end-loaded", 0.030},    {board, "2", "end-loaded", 0.0},
+          {board, "1-straight", "uniform", 0.0},      {board, "1-curve", "uniform", 0.0},
+          {board, "1-sharp", "uniform", 0.0},         {board, "2", "uniform", 0.0}};
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& param) {
+  std::string name = std::string(param.param.course) + "_" + param.param.robot;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Native, Courses, testing::ValuesIn(cases("native")), name_of);
+// Only builds that make the image can fly it.
+#ifdef TP100_HAS_IMAGE
+INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr")), name_of);
+
+TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
+  LockstepSettings run = settings("1-curve", "end-loaded", "avr");
+  // Ten seconds before the wrap, in steps of the board's timer.
+  run.start_us = (0xFFFFFFFFu - 10'000'000u) / 1024u * 1024u;
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_EQ(result.link.implausible, 0u);
+  EXPECT_EQ(result.link.lost, 0u);
+  EXPECT_LE(analysis::figures(result, run.course).model.max_position_error_m, 0.010);
+}
+#endif
+
+TEST(Lockstep, TheDeviceClockWrapsWithoutAJump) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  run.start_us = 0xFFFFFFFFu - 10'000'000u;
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_LE(analysis::figures(result, run.course).model.max_position_error_m, 0.010);
+}
 
 std::string without_time(analysis::RunResult result, const course::Course& course) {
   result.realtime_factor = 0.0;
