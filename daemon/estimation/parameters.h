@@ -39,12 +39,23 @@ struct CameraParameters {
   double marker_height_m = 0.06;  ///< above the reference point of the upright robot
 };
 
+/// Roll, pitch and slope from the IMU.
+struct AttitudeParameters {
+  double gravity_s = 0.7;     ///< gravity counts over longer times, the gyro over shorter ones
+  double steady_share = 0.1;  ///< of gravity: more than this off is no gravity
+  double level_s = 5.0;       ///< offsets are learned over this long
+  double enter_slope_rad = 4.0 * kRadPerDeg;
+  double leave_slope_rad = 2.0 * kRadPerDeg;
+  double slope_lasts_s = 0.15;  ///< a change counts after this long
+};
+
 struct Parameters {
   double still_s = 0.5;  ///< both belts at rest for this long before the gyro bias is taken
   double still_gyro_sd_radps = 0.01;  ///< gyro noise above this is not rest
   double bias_time_s = 2.0;           ///< time constant of the bias while at rest
   FilterParameters filter{};
   CameraParameters camera{};
+  AttitudeParameters attitude{};
 };
 
 }  // namespace tp100::estimation

@@ -1,0 +1,45 @@
+#include "estimation/attitude_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tp100::estimation {
+namespace {
+
+double roll_of(const AttitudeFilter::Vector& a) { return std::atan2(a[1], a[2]); }
+double pitch_of(const AttitudeFilter::Vector& a) {
+  return std::atan2(-a[0], std::hypot(a[1], a[2]));
+}
+double norm(const AttitudeFilter::Vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+}  // namespace
+
+void AttitudeFilter::level(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s) {
+  if (dt_s <= 0.0) return;
+  // A plain mean at first, then one that forgets.
+  levelled_s_ = std::min(levelled_s_ + dt_s, parameters_.level_s);
+  const double share = dt_s / levelled_s_;
+  for (std::size_t i = 0; i < 3; ++i) gyro_offset_[i] += (gyro_radps[i] - gyro_offset_[i]) * share;
+  level_roll_rad_ += (roll_of(accel_mps2) - level_roll_rad_) * share;
+  level_pitch_rad_ += (pitch_of(accel_mps2) - level_pitch_rad_) * share;
+  gravity_mps2_ += (norm(accel_mps2) - gravity_mps2_) * share;
+}
+
+void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s) {
+  const double wx = gyro_radps[0] - gyro_offset_[0];
+  const double wy = gyro_radps[1] - gyro_offset_[1];
+  const double wz = gyro_radps[2] - gyro_offset_[2];
+  const double cr = std::cos(roll_rad_), sr = std::sin(roll_rad_);
+  // Turning while tilted turns pitch into roll and back.
+  pitch_rate_radps_ = cr * wy - sr * wz;
+  const double roll_rate = wx + std::tan(pitch_rad_) * (sr * wy + cr * wz);
+  roll_rad_ += roll_rate * dt_s;
+  pitch_rad_ += pitch_rate_radps_ * dt_s;
+  const double off = std::abs(norm(accel_mps2) - gravity_mps2_);
+  if (off > parameters_.steady_share * gravity_mps2_) return;
+  const double share = dt_s / (parameters_.gravity_s + dt_s);
+  roll_rad_ += (roll_of(accel_mps2) - level_roll_rad_ - roll_rad_) * share;
+  pitch_rad_ += (pitch_of(accel_mps2) - level_pitch_rad_ - pitch_rad_) * share;
+}
+
+}  // namespace tp100::estimation

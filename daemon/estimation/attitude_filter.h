@@ -1,0 +1,40 @@
+#pragma once
+// Roll and pitch from gyro and accelerometer: the gyro over short times, gravity over long ones.
+
+#include <array>
+
+#include "estimation/parameters.h"
+
+namespace tp100::estimation {
+
+/// Complementary filter, z-y-x angles, nose-up pitch negative. What it reads at rest on the start
+/// counts as level: an accelerometer may be off by 3 deg. No allocation; safe in the real-time
+/// thread.
+class AttitudeFilter {
+ public:
+  using Vector = std::array<double, 3>;
+
+  explicit AttitudeFilter(const AttitudeParameters& parameters) : parameters_(parameters) {}
+
+  /// The robot stands level and still; learns both sensors' offsets over `dt_s`. Not to be called
+  /// on a slope.
+  void level(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s);
+  /// One interval; body axes, specific force.
+  void update(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s);
+
+  double roll_rad() const { return roll_rad_; }
+  double pitch_rad() const { return pitch_rad_; }
+  /// Of roll and pitch, offsets removed; body axes.
+  double pitch_rate_radps() const { return pitch_rate_radps_; }
+
+ private:
+  AttitudeParameters parameters_;
+  double levelled_s_ = 0.0;
+  Vector gyro_offset_{};
+  double level_roll_rad_ = 0.0, level_pitch_rad_ = 0.0;
+  double gravity_mps2_ = 9.80665;
+  double roll_rad_ = 0.0, pitch_rad_ = 0.0;
+  double pitch_rate_radps_ = 0.0;
+};
+
+}  // namespace tp100::estimation
