@@ -13,6 +13,7 @@
 #include "course/path.h"
 #include "course/robot.h"
 #include "course/toml_document.h"
+#include "terrain/climbable.h"
 
 namespace tp100::app {
 namespace {
@@ -41,7 +42,8 @@ std::string text_of(const course::Course& course) {
   return "course " + course.name + ": " + course::number_text(path.length_m()) + " m in " +
          std::to_string(path.pieces().size()) + " pieces at " +
          course::number_text(course.speed_mps) + " m/s, " + std::to_string(course.shoves.size()) +
-         " shoves";
+         " shoves, " + std::to_string(course.terrain.ramps.size()) + " ramps, " +
+         std::to_string(course.terrain.blocks.size()) + " blocks";
 }
 
 std::string text_of(const course::Robot& robot) {
@@ -57,11 +59,14 @@ std::string text_of(const course::EmulatedCamera& camera, const std::string& pat
 
 std::string check_configuration(const TextFile& file) {
   const Configuration configuration = parse_configuration(file.text, file.path);
-  const TextFile robot = read_bundled(Bundled::kRobots, configuration.robot);
-  std::string text = "configuration with " + text_of(course::parse_robot(robot.text, robot.path));
+  const TextFile robot_file = read_bundled(Bundled::kRobots, configuration.robot);
+  const course::Robot robot = course::parse_robot(robot_file.text, robot_file.path);
+  const std::string text = "configuration with " + text_of(robot);
   if (configuration.course.empty()) return text;
-  const TextFile course = read_bundled(Bundled::kCourses, configuration.course);
-  return text + ", " + text_of(course::parse_course(course.text, course.path));
+  const TextFile course_file = read_bundled(Bundled::kCourses, configuration.course);
+  const course::Course course = course::parse_course(course_file.text, course_file.path);
+  terrain::require_climbable(course, robot);
+  return text + ", " + text_of(course);
 }
 
 }  // namespace

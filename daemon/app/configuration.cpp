@@ -292,6 +292,7 @@ bridge::Parameters bridge_parameters(const Configuration& configuration,
   bridge::Parameters parameters = configuration.parameters;
   parameters.model = robot.model;
   parameters.model.turning_threshold_radps = configuration.parameters.model.turning_threshold_radps;
+  parameters.shape = robot.shape;
   parameters.drive = robot.drive;
   return parameters;
 }

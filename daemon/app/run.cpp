@@ -13,6 +13,7 @@
 #include "course/toml_document.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
+#include "terrain/climbable.h"
 
 namespace tp100::app {
 namespace {
@@ -78,6 +79,7 @@ int run_run(const RunOptions& options) {
   const course::Robot robot = course::parse_robot(robot_file.text, robot_file.path);
   const bridge::Parameters parameters = bridge_parameters(configuration, robot);
   const auto course = load_course(configuration.course);
+  if (course != nullptr) terrain::require_climbable(*course, robot);
 
   link::SessionSettings session = session_settings(parameters);
   session.baud = static_cast<std::uint32_t>(configuration.link.baud);

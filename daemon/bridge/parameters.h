@@ -23,6 +23,7 @@ struct Parameters {
   Steering steering = Steering::kOdometry;
   bool paper_model = false;  ///< `model` runs eqs 1-5 with the paper's constants
   course::ModelValues model{};
+  course::ShapeValues shape{};
   course::DriveValues drive{};
   estimation::Parameters estimation{};
   control::Parameters control{};

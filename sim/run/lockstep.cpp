@@ -15,6 +15,7 @@
 #include "sim/run/options.h"
 #include "sim/run/pusher.h"
 #include "sim/sensors/overhead_camera.h"
+#include "terrain/climbable.h"
 
 namespace tp100::sim {
 namespace {
@@ -121,6 +122,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
       period_ns_(static_cast<std::int64_t>(std::lround(1e3 / settings.configuration.loop.rate_hz)) *
                  kNsPerMs),
       pusher_(settings.course.shoves) {
+  terrain::require_climbable(settings.course, settings.robot);
   if (period_ns_ < kPhysicsStepNs) period_ns_ = kPhysicsStepNs;
   if (settings.camera) {
     if (bench())

@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "sim/run/lockstep.h"
+#include "sim/run/options.h"
+
+namespace tp100::sim {
+namespace {
+
+LockstepSettings course_3(bridge::Setup setup) {
+  const Loaded loaded = load({});
+  LockstepSettings settings;
+  settings.course = load_course("3");
+  settings.robot = loaded.robot;
+  settings.configuration = loaded.configuration;
+  settings.setup = setup;
+  return settings;
+}
+
+double largest_nose_up_deg(const analysis::RunResult& result) {
+  double largest = 0.0;
+  for (const analysis::TrackPoint& point : result.points)
+    largest = std::max(largest, -point.truth.pitch_rad / kRadPerDeg);
+  return largest;
+}
+
+TEST(Terrain, OnTerrainTheBodyClimbsStepAndRamp) {
+  const analysis::RunResult result = run_lockstep(course_3(bridge::Setup::kTerrain));
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_NEAR(largest_nose_up_deg(result), 42.0, 2.0);
+}
+
+TEST(Terrain, OnAFlatFloorTheObstaclesExistInTheDaemonsWorldOnly) {
+  const analysis::RunResult result = run_lockstep(course_3(bridge::Setup::kFlat));
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_LT(largest_nose_up_deg(result), 0.1);
+}
+
+TEST(Terrain, OnABenchTheCourseIsCompletedToo) {
+  const analysis::RunResult result = run_lockstep(course_3(bridge::Setup::kBench));
+  EXPECT_TRUE(result.completed) << result.cause;
+}
+
+TEST(Terrain, AStepThatThisRobotCannotClimbIsRefusedInEverySetUp) {
+  for (const bridge::Setup setup :
+       {bridge::Setup::kBench, bridge::Setup::kFlat, bridge::Setup::kTerrain}) {
+    LockstepSettings settings = course_3(setup);
+    settings.robot.shape.com_height_m = 0.030;
+    try {
+      run_lockstep(settings);
+      FAIL() << "not refused";
+    } catch (const SetupError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("limit is 33.4 mm"));
+    }
+  }
+}
+
+TEST(Terrain, WithTooLittleGripTheRunEndsInsteadOfGrinding) {
+  LockstepSettings settings = course_3(bridge::Setup::kTerrain);
+  settings.robot.emulated.body.friction = 0.6;
+  const analysis::RunResult result = run_lockstep(settings);
+  EXPECT_FALSE(result.completed);
+  EXPECT_LT(largest_nose_up_deg(result), 5.0);
+}
+
+}  // namespace
+}  // namespace tp100::sim
