@@ -11,8 +11,10 @@
 #include "control/tracker.h"
 #include "core/angle.h"
 #include "core/error.h"
+#include "estimation/attitude_filter.h"
 #include "estimation/odometry.h"
 #include "estimation/pose_filter.h"
+#include "estimation/slope_state.h"
 #include "estimation/standstill.h"
 #include "model/track_model.h"
 
@@ -58,6 +60,8 @@ struct Step::State {
         course(std::move(c)),
         tracks(p.drive.counts_per_metre, p.model.gyro_scale),
         standstill(p.estimation),
+        attitude(p.estimation.attitude),
+        slope(p.estimation.attitude),
         track_model(make_model(p)),
         odometry(track_parameters(p.model)),
         filter(track_parameters(p.model), p.estimation.filter, p.estimation.camera,
@@ -71,6 +75,8 @@ struct Step::State {
   bool gyro_steers() const { return parameters.setup != Setup::kBench; }
   Pose steering_pose() const;
   const Twist& newest_steering_twist() const;
+  void take_attitude(double dt_s);
+  estimation::Ground ground() const;
   void filter_sample(const Interval& step);
   void take_sample(const Sample& sample);
   void take_requests(std::span<const OperatorRequest> requests);
@@ -85,6 +91,8 @@ struct Step::State {
   std::optional<course::Path> path;
   Tracks tracks;
   estimation::Standstill standstill;
+  estimation::AttitudeFilter attitude;
+  estimation::SlopeState slope;
   model::TrackModel track_model;
   estimation::Odometry odometry;
   estimation::PoseFilter filter;
@@ -141,13 +149,34 @@ const Twist& Step::State::newest_steering_twist() const {
   return filter.twist();
 }
 
+void Step::State::take_attitude(double dt_s) {
+  if (sample.imu_age != 0) return;
+  // A robot is put on a level start; later rest may be on a ramp.
+  if (standstill.still() && arming.state() != RunState::kRunning)
+    attitude.level(sample.gyro_radps, sample.accel_mps2, dt_s);
+  attitude.update(sample.gyro_radps, sample.accel_mps2, dt_s);
+  slope.update(attitude.pitch_rad(), dt_s);
+}
+
+estimation::Ground Step::State::ground() const {
+  const model::TrackParameters values = track_parameters(parameters.model);
+  if (parameters.setup != Setup::kTerrain || slope.state() == Slope::kFlat)
+    return {.slip = {values.slip_left, values.slip_right}};
+  const double climb_rad = -attitude.pitch_rad();
+  return {.slope_rad = climb_rad,
+          .z_m = 0.0,
+          .roll_rad = attitude.roll_rad(),
+          .pitch_rad = attitude.pitch_rad(),
+          .slip = model::slip_on_slope(values, model::Mode::kExtended, climb_rad)};
+}
+
 void Step::State::filter_sample(const Interval& step) {
   filter.advance({.end_ns = sample.measured_ns,
                   .dt_s = step.dt_s,
                   .belts = step.belts,
                   .gyro_z_radps = step.gyro_z_radps,
                   .gyro = gyro_steers() && step.gyro_fresh,
-                  .ground = {.slip = {parameters.model.slip_left, parameters.model.slip_right}}});
+                  .ground = ground()});
   if (!standstill.still()) return;
   if (bias_taken) {
     filter.rest(tracks.gyro_z_radps(sample), kRestSampleSdRadps);
@@ -172,6 +201,7 @@ void Step::State::take_sample(const Sample& next) {
   } else {
     odometry.advance_without_gyro(step->belts, dt);
   }
+  take_attitude(dt);
   filter_sample(*step);
   const Twist& steering = newest_steering_twist();
   follow(steering_twist.vx_mps, steering.vx_mps, dt);
@@ -272,6 +302,9 @@ void Step::State::publish(HostNs now) {
   snapshot.slip_left = track_model.slip().left;
   snapshot.slip_right = track_model.slip().right;
   snapshot.gyro_bias_radps = standstill.bias_radps();
+  snapshot.imu_roll_rad = attitude.roll_rad();
+  snapshot.imu_pitch_rad = attitude.pitch_rad();
+  snapshot.imu_slope = slope.state();
   snapshot.command = out.command;
   snapshot.cross_track_m = target.cross_track_m;
   snapshot.heading_error_rad = target.heading_error_rad;

@@ -7,6 +7,7 @@
 #include "core/pose.h"
 #include "core/run_state.h"
 #include "core/sample.h"
+#include "core/slope.h"
 
 namespace tp100 {
 
@@ -26,6 +27,9 @@ struct Snapshot {
   double slip_left = 0.0;  ///< slip ratios in use
   double slip_right = 0.0;
   double gyro_bias_radps = 0.0;
+  double imu_roll_rad = 0.0;  ///< of the real body, whatever the virtual world does
+  double imu_pitch_rad = 0.0;
+  Slope imu_slope = Slope::kFlat;
   Command command{};
   double cross_track_m = 0.0;      ///< steering pose against the path, left positive
   double heading_error_rad = 0.0;  ///< desired - actual

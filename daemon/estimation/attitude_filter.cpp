@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
+
 namespace tp100::estimation {
 namespace {
 
@@ -10,12 +12,27 @@ double roll_of(const AttitudeFilter::Vector& a) { return std::atan2(a[1], a[2]);
 double pitch_of(const AttitudeFilter::Vector& a) {
   return std::atan2(-a[0], std::hypot(a[1], a[2]));
 }
+// 80 mg, the worst of the MPU6050's data sheet; a steeper rest is a slope.
+constexpr double kWorstOffsetRad = 4.6 * kRadPerDeg;
+// Somebody tilts the robot.
+constexpr double kTiltingRadps = 0.05;
+constexpr double kFirstS = 0.2;
+
 double norm(const AttitudeFilter::Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
 }  // namespace
 
+bool AttitudeFilter::looks_level(const Vector& gyro_radps, const Vector& accel_mps2) const {
+  if (std::abs(roll_of(accel_mps2)) > kWorstOffsetRad ||
+      std::abs(pitch_of(accel_mps2)) > kWorstOffsetRad)
+    return false;
+  if (levelled_s_ < kFirstS) return true;
+  return std::abs(gyro_radps[0] - gyro_offset_[0]) < kTiltingRadps &&
+         std::abs(gyro_radps[1] - gyro_offset_[1]) < kTiltingRadps;
+}
+
 void AttitudeFilter::level(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s) {
-  if (dt_s <= 0.0) return;
+  if (dt_s <= 0.0 || !looks_level(gyro_radps, accel_mps2)) return;
   // A plain mean at first, then one that forgets.
   levelled_s_ = std::min(levelled_s_ + dt_s, parameters_.level_s);
   const double share = dt_s / levelled_s_;

@@ -16,18 +16,20 @@ class AttitudeFilter {
 
   explicit AttitudeFilter(const AttitudeParameters& parameters) : parameters_(parameters) {}
 
-  /// The robot stands level and still; learns both sensors' offsets over `dt_s`. Not to be called
-  /// on a slope.
+  /// The belts rest for `dt_s`: learns both sensors' offsets, unless the robot is being tilted or
+  /// stands steeper than any offset.
   void level(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s);
   /// One interval; body axes, specific force.
   void update(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s);
 
   double roll_rad() const { return roll_rad_; }
   double pitch_rad() const { return pitch_rad_; }
-  /// Of roll and pitch, offsets removed; body axes.
+  /// Rate of pitch_rad(), offsets removed.
   double pitch_rate_radps() const { return pitch_rate_radps_; }
 
  private:
+  bool looks_level(const Vector& gyro_radps, const Vector& accel_mps2) const;
+
   AttitudeParameters parameters_;
   double levelled_s_ = 0.0;
   Vector gyro_offset_{};

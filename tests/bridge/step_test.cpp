@@ -346,6 +346,35 @@ TEST_F(CameraStepTest, OnABenchTheCameraIsNotLookedAt) {
   EXPECT_NEAR(snapshot().fused.pose.y_m, 0.0, 1e-9);
 }
 
+TEST_F(StepTest, TheImuTellsTheSlopeOfTheRealBody) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  ClockState clock;
+  clock.valid = true;
+  const Snapshot* snapshot = nullptr;
+  for (int i = 0; i < 600; ++i) {
+    now_ += kPeriod;
+    samples_[0] = robot.sample(now_);
+    if (i >= 200) {
+      const double nose_up = std::min(i - 200, 280) * 0.1 * kRadPerDeg;
+      samples_[0].accel_mps2 = {9.81 * std::sin(nose_up), 0.0, 9.81 * std::cos(nose_up)};
+      samples_[0].gyro_radps[1] = i < 480 ? -20.0 * kRadPerDeg : 0.0;
+    }
+    snapshot = &step({.samples = samples_,
+                      .session = SessionState::kReady,
+                      .clock = clock,
+                      .session_number = 1},
+                     now_)
+                    .snapshot;
+    if (i == 199) {
+      EXPECT_EQ(snapshot->imu_slope, Slope::kFlat);
+      EXPECT_NEAR(snapshot->imu_pitch_rad, 0.0, 1e-6);
+    }
+  }
+  EXPECT_EQ(snapshot->imu_slope, Slope::kUp);
+  EXPECT_NEAR(snapshot->imu_pitch_rad, -28.0 * kRadPerDeg, 1.5 * kRadPerDeg);
+}
+
 TEST_F(StepTest, TheCounterOfTheTestAboveCounts) {
   if (!test::counting()) return;
   const test::AllocCount count;

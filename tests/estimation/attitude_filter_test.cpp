@@ -67,6 +67,15 @@ TEST(AttitudeFilter, FollowsARampWithin1AndAHalfDegrees) {
   EXPECT_LT(worst, 1.5 * kRadPerDeg);
 }
 
+TEST(AttitudeFilter, ASlopeIsNotTakenForALevel) {
+  AttitudeFilter filter{{}};
+  for (int i = 0; i < 2000; ++i) {
+    filter.level({0, 0, 0}, gravity(0.0, -8.0 * kRadPerDeg), kDt);
+    filter.update({0, 0, 0}, gravity(0.0, -8.0 * kRadPerDeg), kDt);
+  }
+  EXPECT_NEAR(filter.pitch_rad(), -8.0 * kRadPerDeg, 1e-3);
+}
+
 TEST(AttitudeFilter, ABlowIsNotTakenForGravity) {
   AttitudeFilter filter{{}};
   for (int i = 0; i < 40; ++i) filter.update({0, 0, 0}, {8.0, 0.0, kG}, kDt);
