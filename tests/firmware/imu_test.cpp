@@ -15,7 +15,7 @@ TEST(Imu, IsConfigured) {
   EXPECT_EQ(bench.hal.reg(0x6B) & 0x40, 0) << "awake";
   EXPECT_EQ(bench.hal.reg(0x1B), 0x10) << "+-1000 deg/s";
   EXPECT_EQ(bench.hal.reg(0x1C), 0x08) << "+-4 g";
-  EXPECT_EQ(bench.hal.reg(0x1A), 0x02) << "low pass 94 Hz";
+  EXPECT_EQ(bench.hal.reg(0x1A), 0x03) << "low pass 42 Hz";
   EXPECT_EQ(bench.hal.reg(0x19), 0x00) << "1 kHz";
 }
 

@@ -21,9 +21,11 @@ struct Setting {
 const Setting kSettings[] = {
     {kPowerManagement1, 0x01},   // awake, clock from the x gyro
     {kSampleRateDivider, 0x00},  // 1 kHz
-    {kConfig, 0x02},             // low pass 94 Hz (accelerometer), 98 Hz (gyro)
-    {kGyroConfig, 0x10},         // +-1000 deg/s
-    {kAccelConfig, 0x08},        // +-4 g
+    // Low pass 44 Hz (accelerometer), 42 Hz (gyro): well below half the sample rate, or noise folds
+    // back.
+    {kConfig, 0x03},
+    {kGyroConfig, 0x10},   // +-1000 deg/s
+    {kAccelConfig, 0x08},  // +-4 g
 };
 
 int16_t word(const uint8_t* bytes) {

@@ -22,7 +22,7 @@ class Imu {
 
   explicit Imu(Hal& hal);
   /// Identifies and configures the sensor: gyro +-1000 deg/s, accelerometer +-4 g, 1 kHz, low pass
-  /// of 94 Hz. About 1 ms.
+  /// of 42 Hz. About 1 ms.
   bool start();
   /// Reads all values, once a sample.
   void update();
