@@ -69,7 +69,7 @@ void Mpu6050::measure(const BodyState& body, std::int64_t now_ns) {
   for (double& bias : gyro_bias_radps_) {
     bias += values_.gyro_bias_walk_radps_rts * normal_(random_) / std::sqrt(kRateHz);
   }
-  if ((registers_[kPower] & kSleep) != 0) return;
+  if ((registers_[kPower] & kSleep) != 0 || frozen_) return;
 
   const double bandwidth = kBandwidthHz[registers_[kConfig] & 7u];
   const double share = 1.0 - std::exp(-2.0 * kPi * bandwidth / kRateHz);

@@ -26,6 +26,8 @@ class Mpu6050 : public I2cSlave {
 
   bool write(std::span<const std::uint8_t> bytes) override;
   bool read(std::span<std::uint8_t> bytes) override;
+  /// A defect: the registers keep their values from now on, the bus answers as before.
+  void freeze() { frozen_ = true; }
   /// Power-on register values: asleep, +-250 deg/s, +-2 g.
   void power_on();
 
@@ -45,6 +47,7 @@ class Mpu6050 : public I2cSlave {
   std::array<double, 3> gyro_radps_{};
   std::array<double, 3> accel_mps2_{};
   int until_output_ = 0;
+  bool frozen_ = false;
 };
 
 }  // namespace tp100::sim

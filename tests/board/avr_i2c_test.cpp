@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "avr_rig.h"
+#include "wire/faults.h"
 
 namespace tp100::sim {
 namespace {
@@ -64,6 +65,17 @@ TEST(AvrI2c, ASensorThatStaysSilentIsAFaultAndForbidsToArm) {
   rig.run(300);
   EXPECT_EQ(rig.last().imu_age, 255);
   EXPECT_EQ(rig.arm().result, static_cast<std::uint8_t>(wire::Result::kFaultPersists));
+}
+
+TEST(AvrI2c, AFrozenSensorStopsTheRobotAndIsNamed) {
+  AvrRig rig;
+  ASSERT_TRUE(rig.boot());
+  rig.drive();
+  ASSERT_TRUE(rig.moves());
+  rig.imu.freeze();
+  EXPECT_GE(rig.ms_until_off(200), 0);
+  ASSERT_FALSE(rig.reports.empty());
+  EXPECT_EQ(rig.reports.back().fault, static_cast<std::uint8_t>(wire::Fault::imu_stale));
 }
 
 TEST(AvrI2c, WhatTheSensorMeasuresReachesTheHost) {
