@@ -74,6 +74,7 @@ TEST(AvrI2c, AFrozenSensorStopsTheRobotAndIsNamed) {
   ASSERT_TRUE(rig.moves());
   rig.imu.freeze();
   EXPECT_GE(rig.ms_until_off(200), 0);
+  rig.run(20);
   ASSERT_FALSE(rig.reports.empty());
   EXPECT_EQ(rig.reports.back().fault, static_cast<std::uint8_t>(wire::Fault::imu_stale));
 }
