@@ -20,6 +20,8 @@ constexpr double kDampingNspm = 30.0;
 constexpr double kErp = kStepS * kStiffnessNpm / (kStepS * kStiffnessNpm + kDampingNspm);
 constexpr double kCfm = 1.0 / (kStepS * kStiffnessNpm + kDampingNspm);
 constexpr double kCreepFloor = 1e-5;
+// The three above are for this mass; heavier bodies sink in and creep at rest as little.
+constexpr double kTheirMassKg = 0.922;
 constexpr double kGravity = 9.81;
 // Slower than this the direction of slip is noise.
 constexpr double kSlipDirectionMps = 1e-3;
@@ -146,6 +148,7 @@ void Body::World::touch(double left_mps, double right_mps) {
   const double faster = std::max(std::abs(left_mps), std::abs(right_mps));
   const double per_creep =
       faster * static_cast<double>(contacts.size()) / (values.mass_kg * kGravity);
+  const double lighter = kTheirMassKg / values.mass_kg;
   tractions.clear();
   for (std::size_t i = 0; i < std::min(contacts.size(), kMostContacts); ++i) {
     const BeltContact& at = contacts[i];
@@ -167,11 +170,11 @@ void Body::World::touch(double left_mps, double right_mps) {
     contact.surface.mu = contact.surface.mu2 =
         values.friction * (surface == nullptr ? 1.0 : surface->friction_factor);
     contact.surface.soft_erp = kErp;
-    contact.surface.soft_cfm = kCfm;
+    contact.surface.soft_cfm = kCfm * lighter;
     contact.surface.motion1 = belt.dot(along);
     contact.surface.motion2 = belt.dot(across);
     contact.surface.slip1 = contact.surface.slip2 =
-        (at.left ? values.creep_left : values.creep_right) * per_creep + kCreepFloor;
+        (at.left ? values.creep_left : values.creep_right) * per_creep + kCreepFloor * lighter;
     for (int k = 0; k < 3; ++k) {
       contact.geom.pos[k] = at.point_m[k];
       contact.geom.normal[k] = at.normal[k];

@@ -67,5 +67,40 @@ TEST(Terrain, WithTooLittleGripTheRunEndsInsteadOfGrinding) {
   EXPECT_LT(largest_nose_up_deg(result), 5.0);
 }
 
+class OtherRobots : public testing::TestWithParam<const char*> {};
+
+TEST_P(OtherRobots, DriveCurvesAndSharpTurns) {
+  Options options;
+  options.robot = GetParam();
+  const Loaded loaded = load(options);
+  for (const char* course : {"1-curve", "1-sharp"}) {
+    SCOPED_TRACE(course);
+    LockstepSettings settings;
+    settings.course = load_course(course);
+    settings.robot = loaded.robot;
+    settings.configuration = loaded.configuration;
+    const analysis::RunResult result = run_lockstep(settings);
+    EXPECT_TRUE(result.completed) << result.cause;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, OtherRobots, testing::Values("front-heavy", "slippery", "large"));
+
+TEST(OtherRobotsOnTerrain, TheClimbersCrossStepAndRampAndTheOthersAreRefused) {
+  for (const char* name : {"uniform", "front-heavy", "large"}) {
+    Options options;
+    options.robot = name;
+    LockstepSettings settings = course_3(bridge::Setup::kTerrain);
+    settings.robot = load(options).robot;
+    const analysis::RunResult result = run_lockstep(settings);
+    EXPECT_TRUE(result.completed) << name << ": " << result.cause;
+  }
+  Options options;
+  options.robot = "slippery";
+  LockstepSettings settings = course_3(bridge::Setup::kTerrain);
+  settings.robot = load(options).robot;
+  EXPECT_THROW(run_lockstep(settings), SetupError);
+}
+
 }  // namespace
 }  // namespace tp100::sim
