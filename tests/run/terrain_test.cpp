@@ -59,7 +59,7 @@ TEST(Terrain, AStepThatThisRobotCannotClimbIsRefusedInEverySetUp) {
   }
 }
 
-TEST(Terrain, WithTooLittleGripTheRunEndsInsteadOfGrinding) {
+TEST(Terrain, WithTooLittleGripTheRunIsNotCompleted) {
   LockstepSettings settings = course_3(bridge::Setup::kTerrain);
   settings.robot.emulated.body.friction = 0.6;
   const analysis::RunResult result = run_lockstep(settings);
