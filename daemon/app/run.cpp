@@ -19,23 +19,9 @@ namespace tp100::app {
 namespace {
 
 bridge::Setup setup_of(const std::string& name) {
-  if (name == "bench") return bridge::Setup::kBench;
-  if (name == "flat") return bridge::Setup::kFlat;
-  if (name == "terrain") return bridge::Setup::kTerrain;
+  if (const auto setup = bridge::setup_named(name)) return *setup;
   throw SetupError("--setup " + course::one_line(name) +
                    ": not a set-up; use bench, flat or terrain");
-}
-
-const char* name_of(bridge::Setup setup) {
-  switch (setup) {
-    case bridge::Setup::kBench:
-      return "bench";
-    case bridge::Setup::kFlat:
-      return "flat";
-    case bridge::Setup::kTerrain:
-      return "terrain";
-  }
-  return "unknown";
 }
 
 Configuration configuration_of(const RunOptions& options) {
@@ -104,7 +90,7 @@ int run_run(const RunOptions& options) {
   settings.stats_path = options.stats;
   settings.course = course == nullptr ? "" : course->name;
   settings.robot = robot.name;
-  settings.setup = name_of(parameters.setup);
+  settings.setup = bridge::to_string(parameters.setup);
   settings.process_grants = process.grants();
   Supervisor supervisor(settings, cycle, loop);
   return supervisor.run();

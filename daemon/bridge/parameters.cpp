@@ -2,6 +2,25 @@
 
 namespace tp100::bridge {
 
+const char* to_string(Setup setup) {
+  switch (setup) {
+    case Setup::kBench:
+      return "bench";
+    case Setup::kFlat:
+      return "flat";
+    case Setup::kTerrain:
+      return "terrain";
+  }
+  return "unknown";
+}
+
+std::optional<Setup> setup_named(std::string_view name) {
+  for (const Setup setup : {Setup::kBench, Setup::kFlat, Setup::kTerrain}) {
+    if (name == to_string(setup)) return setup;
+  }
+  return std::nullopt;
+}
+
 model::TrackParameters track_parameters(const course::ModelValues& values) {
   return {.slip_left = values.slip_left,
           .slip_right = values.slip_right,

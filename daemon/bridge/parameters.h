@@ -1,6 +1,9 @@
 #pragma once
 // Everything that tunes a step. Filled from the configuration and the robot file by app.
 
+#include <optional>
+#include <string_view>
+
 #include "control/parameters.h"
 #include "course/robot.h"
 #include "estimation/parameters.h"
@@ -14,6 +17,11 @@ enum class Setup {
   kFlat,     ///< flat floor, obstacles only in the virtual world: yaw from the gyro
   kTerrain,  ///< the floor has the obstacles too: pitch from the IMU
 };
+
+/// Name of a set-up, as in options, files and results.
+const char* to_string(Setup setup);
+/// The set-up of that name, or nothing.
+std::optional<Setup> setup_named(std::string_view name);
 
 /// Which pose steers.
 enum class Steering { kModel, kOdometry, kFused };

@@ -57,18 +57,6 @@ class TruthHistory {
   std::array<Pose, kSize> history_{};
 };
 
-const char* to_string(bridge::Setup setup) {
-  switch (setup) {
-    case bridge::Setup::kBench:
-      return "bench";
-    case bridge::Setup::kFlat:
-      return "flat";
-    case bridge::Setup::kTerrain:
-      return "terrain";
-  }
-  return "unknown";
-}
-
 class Lockstep {
  public:
   explicit Lockstep(const LockstepSettings& settings);
@@ -135,7 +123,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
   result_.course = settings.course.name;
   result_.board = to_string(settings.board);
   result_.robot = settings.robot.name;
-  result_.setup = to_string(settings.setup);
+  result_.setup = bridge::to_string(settings.setup);
   result_.seed = settings.seed;
 }
 

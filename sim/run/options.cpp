@@ -14,9 +14,7 @@ BoardKind board_kind(const std::string& name) {
 }
 
 bridge::Setup setup_kind(const std::string& name) {
-  if (name == "bench") return bridge::Setup::kBench;
-  if (name == "flat") return bridge::Setup::kFlat;
-  if (name == "terrain") return bridge::Setup::kTerrain;
+  if (const auto setup = bridge::setup_named(name)) return *setup;
   throw SetupError("--setup " + course::one_line(name) +
                    ": not a set-up; use bench, flat or terrain");
 }
