@@ -1,0 +1,38 @@
+// Bundles the page into dist/, the folder that CMake embeds. The same sources and lock file give
+// the same bytes. `node build.mjs OUT` writes elsewhere, to compare.
+import { build } from 'esbuild';
+import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
+
+const here = import.meta.dirname ?? new URL('.', import.meta.url).pathname;
+const out = process.argv[2] ?? join(here, 'dist');
+
+await rm(out, { recursive: true, force: true });
+await mkdir(out, { recursive: true });
+await build({
+  absWorkingDir: here,
+  entryPoints: { cockpit: 'page/main.ts' },
+  outdir: out,
+  bundle: true,
+  minify: true,
+  format: 'esm',
+  target: ['chrome100', 'firefox100', 'safari15'],
+  charset: 'utf8',
+  legalComments: 'none',
+  loader: { '.woff2': 'file' },
+  assetNames: '[name]',
+  logLevel: 'warning',
+});
+for (const file of ['index.html', 'favicon.svg']) {
+  await copyFile(join(here, 'page', file), join(out, file));
+}
+
+const parts = ['three', 'uplot', '@fontsource/b612', '@fontsource/b612-mono'];
+let licences = 'The cockpit page contains these works.\n';
+for (const part of parts) {
+  const folder = join(here, 'node_modules', part);
+  const { name, version } = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8'));
+  const text = (await readFile(join(folder, 'LICENSE'), 'utf8')).replaceAll('\r', '').trim();
+  licences += `\n== ${name} ${version} ==\n\n${text}\n`;
+}
+await writeFile(join(out, 'licences.txt'), licences);

@@ -1,0 +1,1 @@
+document.body.append("TP100 cockpit");

@@ -1,0 +1,102 @@
+// One WebSocket that comes back by itself: opens, watches for silence, closes, waits, opens again.
+
+/** What Connection needs of a WebSocket; a test passes its own. */
+export interface Socket {
+  readonly bufferedAmount: number;
+  send(data: string | ArrayBuffer): void;
+  close(): void;
+  onopen: (() => void) | null;
+  onclose: (() => void) | null;
+  onmessage: ((event: { data: unknown }) => void) | null;
+}
+
+export interface ConnectionEvents {
+  opened(): void;
+  /** `retry_ms` from now it tries again. */
+  closed(retry_ms: number): void;
+  text(frame: string): void;
+  binary(frame: ArrayBuffer): void;
+}
+
+export const kFirstRetry_ms = 200;
+export const kLongestRetry_ms = 2000;
+/** A daemon says something at least five times a second; a socket that says nothing is dead. */
+export const kSilence_ms = 3000;
+const kWatch_ms = 500;
+
+export class Connection {
+  private socket: Socket | undefined;
+  private isOpen = false;
+  private heard_ms = 0;
+  private retry_ms = kFirstRetry_ms;
+  private retryTimer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    private readonly make: () => Socket,
+    private readonly events: ConnectionEvents,
+    private readonly now: () => number = () => performance.now(),
+  ) {
+    setInterval(() => {
+      this.watch();
+    }, kWatch_ms);
+    this.open();
+  }
+
+  get connected(): boolean {
+    return this.isOpen;
+  }
+
+  /** False if there is nobody to send to. */
+  send(data: string | ArrayBuffer): boolean {
+    if (!this.isOpen || this.socket === undefined) return false;
+    this.socket.send(data);
+    return true;
+  }
+
+  /** Tries at once instead of waiting for the next turn. */
+  retryNow(): void {
+    if (this.retryTimer === undefined) return;
+    clearTimeout(this.retryTimer);
+    this.open();
+  }
+
+  private open(): void {
+    this.retryTimer = undefined;
+    const socket = this.make();
+    this.socket = socket;
+    this.heard_ms = this.now();
+    socket.onopen = () => {
+      this.isOpen = true;
+      this.heard_ms = this.now();
+      this.retry_ms = kFirstRetry_ms;
+      this.events.opened();
+    };
+    socket.onmessage = ({ data }) => {
+      this.heard_ms = this.now();
+      if (typeof data === 'string') this.events.text(data);
+      else if (data instanceof ArrayBuffer) this.events.binary(data);
+    };
+    socket.onclose = () => {
+      this.drop();
+    };
+  }
+
+  private watch(): void {
+    if (this.socket !== undefined && this.now() - this.heard_ms > kSilence_ms) this.drop();
+  }
+
+  private drop(): void {
+    const socket = this.socket;
+    if (socket === undefined) return;
+    socket.onopen = socket.onclose = socket.onmessage = null;
+    socket.close();
+    this.socket = undefined;
+    this.isOpen = false;
+    const wait_ms = this.retry_ms;
+    this.retry_ms = Math.min(2 * wait_ms, kLongestRetry_ms);
+    this.events.closed(wait_ms);
+    this.retryTimer = setTimeout(() => {
+      this.open();
+    }, wait_ms);
+  }
+}

@@ -1,0 +1,65 @@
+#include "web/bundle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace tp100::web {
+namespace {
+
+std::filesystem::path dist() {
+  return std::filesystem::path(TP100_SOURCE_DIR) / "daemon" / "web" / "dist";
+}
+
+TEST(Bundle, HoldsEveryFileOfThePage) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(dist())) {
+    const File* file = find("/" + entry.path().filename().string());
+    ASSERT_NE(file, nullptr) << entry.path();
+    EXPECT_FALSE(file->mime.empty());
+    if (file->encoding.empty()) {
+      EXPECT_EQ(file->bytes.size(), entry.file_size());
+    } else {
+      ASSERT_EQ(file->encoding, "gzip");
+      ASSERT_GT(file->bytes.size(), 18U);
+      EXPECT_EQ(file->bytes[0], 0x1f);
+      EXPECT_EQ(file->bytes[1], 0x8b);
+      // A gzip member ends with the size of what it holds.
+      std::size_t size = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        size |= std::size_t{file->bytes[file->bytes.size() - 4 + i]} << (8 * i);
+      }
+      EXPECT_EQ(size, entry.file_size());
+    }
+    ++files;
+  }
+  EXPECT_EQ(bundle().size(), files);
+}
+
+TEST(Bundle, AnswersTheRootWithThePage) {
+  const File* page = find("/");
+  ASSERT_NE(page, nullptr);
+  EXPECT_EQ(page, find("/index.html"));
+  EXPECT_EQ(page->mime, "text/html; charset=utf-8");
+}
+
+TEST(Bundle, KnowsNothingElse) {
+  EXPECT_EQ(find(""), nullptr);
+  EXPECT_EQ(find("/../CMakeLists.txt"), nullptr);
+  EXPECT_EQ(find("/cockpit.js/"), nullptr);
+}
+
+TEST(Bundle, TagsDifferAndAreQuoted) {
+  for (const File& file : bundle()) {
+    ASSERT_GT(file.etag.size(), 2U);
+    EXPECT_EQ(file.etag.front(), '"');
+    EXPECT_EQ(file.etag.back(), '"');
+    EXPECT_EQ(std::ranges::count(bundle(), file.etag, &File::etag), 1) << file.path;
+  }
+}
+
+}  // namespace
+}  // namespace tp100::web
