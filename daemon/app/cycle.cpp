@@ -1,5 +1,6 @@
 #include "app/cycle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -102,6 +103,8 @@ const bridge::Outputs& Cycle::step(HostNs now) {
              .robot_rebooted = session_.take_rebooted(),
              .request_refused = session_.take_refused()};
   outputs_ = &step_(inputs_, now);
+  now_ns_ = now;
+  ++steps_;
   request_count_ = 0;
   camera_count_ = 0;
   const bool disarming = stopping_ && outputs_->request != RobotRequest::kStop;
@@ -110,6 +113,29 @@ const bridge::Outputs& Cycle::step(HostNs now) {
   session_.poll(now);
   if (outputs_->command_valid) session_.send(outputs_->command, now);
   return *outputs_;
+}
+
+void Cycle::record(StepRecord& out) const {
+  static_assert(StepRecord::kMaxSamples >= link::Session::kMaxSamples);
+  static_assert(StepRecord::kMaxRequests >= kMaxRequests);
+  static_assert(StepRecord::kMaxCamera >= kMaxCamera);
+  out.now_ns = now_ns_;
+  out.step = steps_;
+  std::copy(inputs_.samples.begin(), inputs_.samples.end(), out.samples.begin());
+  out.sample_count = static_cast<std::uint32_t>(inputs_.samples.size());
+  std::copy(inputs_.requests.begin(), inputs_.requests.end(), out.requests.begin());
+  out.request_count = static_cast<std::uint32_t>(inputs_.requests.size());
+  std::copy(inputs_.camera.begin(), inputs_.camera.end(), out.camera.begin());
+  out.camera_count = static_cast<std::uint32_t>(inputs_.camera.size());
+  out.session = inputs_.session;
+  out.clock = inputs_.clock;
+  out.session_number = inputs_.session_number;
+  out.robot_rebooted = inputs_.robot_rebooted;
+  out.request_refused = inputs_.request_refused;
+  out.link = session_.counters();
+  out.command_valid = outputs_->command_valid;
+  out.request = outputs_->request;
+  out.snapshot = outputs_->snapshot;
 }
 
 void Cycle::disarm(HostNs now) {

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "bridge/step.h"
+#include "core/step_record.h"
 #include "link/session.h"
 
 namespace tp100::app {
@@ -65,6 +66,9 @@ class Cycle {
   const bridge::Inputs& inputs() const { return inputs_; }
   const bridge::Outputs& outputs() const { return *outputs_; }
   const link::Session& session() const { return session_; }
+  /// Writes the last step into `out`, but for entries beyond the counts, which stay as they are.
+  /// Call it before the next receive(), request() or camera().
+  void record(StepRecord& out) const;
 
  private:
   link::Session session_;
@@ -73,6 +77,8 @@ class Cycle {
   const bridge::Outputs* outputs_ = &none_;
   std::span<const Sample> samples_;
   bridge::Inputs inputs_{};
+  HostNs now_ns_ = 0;
+  std::uint64_t steps_ = 0;
   std::array<OperatorRequest, kMaxRequests> requests_{};
   std::size_t request_count_ = 0;
   std::array<CameraSample, kMaxCamera> camera_{};

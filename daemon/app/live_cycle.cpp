@@ -28,6 +28,7 @@ void LiveCycle::step(HostNs now) {
   take_requests();
   const Snapshot& snapshot = cycle_.step(now).snapshot;
   if (!cycle_.samples().empty()) sample_age_.add(now - cycle_.samples().back().measured_ns);
+  record();
   pass_events();
   if (snapshot.run_state != run_state_) {
     LiveEvent event;
@@ -38,6 +39,15 @@ void LiveCycle::step(HostNs now) {
     push(event);
   }
   publish(now);
+}
+
+void LiveCycle::record() {
+  if (StepRecord* slot = records_.free_slot()) {
+    cycle_.record(*slot);
+    records_.publish();
+  } else {
+    lost_records_.fetch_add(1, std::memory_order_relaxed);
+  }
 }
 
 void LiveCycle::take_requests() {

@@ -8,8 +8,10 @@
 
 #include "app/cycle.h"
 #include "core/snapshot.h"
+#include "core/step_record.h"
 #include "loop/driven.h"
 #include "loop/histogram.h"
+#include "loop/slot_ring.h"
 #include "loop/spsc_queue.h"
 
 namespace tp100::app {
@@ -36,6 +38,9 @@ struct LiveStatus {
 
 class LiveCycle : public loop::Driven {
  public:
+  /// Steps that may wait for the other thread: half a second at 1 kHz, 5 MB.
+  static constexpr std::size_t kWaitingRecords = 512;
+
   /// `leave_silent_port`: a port on which nobody ever spoke is given back, so that another can be
   /// tried.
   LiveCycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
@@ -47,6 +52,11 @@ class LiveCycle : public loop::Driven {
   bool take_event(LiveEvent& event) { return events_.pop(event); }
   /// The newest status since the last take; false if there is none.
   bool take_status(LiveStatus& status);
+  /// The oldest step that was not yet released, valid until then; null: none.
+  const StepRecord* front_record() const { return records_.front(); }
+  void release_record() { records_.release(); }
+  /// Steps that found no room; StepRecord::step has a gap there.
+  std::uint64_t lost_records() const { return lost_records_.load(std::memory_order_relaxed); }
   /// Events that found no room.
   std::uint64_t lost_events() const { return lost_events_.load(std::memory_order_relaxed); }
   /// Age of the newest sample at each step that got one [ns].
@@ -68,14 +78,17 @@ class LiveCycle : public loop::Driven {
   void take_requests();
   void pass_events();
   void push(const LiveEvent& event);
+  void record();
   void publish(HostNs now);
 
   Cycle cycle_;
   loop::SpscQueue<OperatorRequest, 16> requests_;
   loop::SpscQueue<LiveEvent, 256> events_;
   loop::SpscQueue<LiveStatus, 4> statuses_;
+  loop::SlotRing<StepRecord> records_{kWaitingRecords};
   loop::Histogram sample_age_;
   std::atomic<std::uint64_t> lost_events_{0};
+  std::atomic<std::uint64_t> lost_records_{0};
   RunState run_state_ = RunState::kIdle;
   HostNs next_status_ns_ = 0;
   bool leave_silent_port_;

@@ -42,6 +42,7 @@ struct Supervisor::State {
   void schedule_tick();
   void take_events();
   void take_status(HostNs now);
+  void take_records();
   void fail_early(const LiveEvent& event) const;
   void on_session(const LiveEvent& event);
   void on_session_state(SessionState state);
@@ -61,6 +62,7 @@ struct Supervisor::State {
   asio::signal_set signals;
   asio::steady_timer timer;
   std::unique_ptr<OperatorInput> input;
+  std::vector<publish::Sink*> sinks;
   RunFigures figures;
   RunState run_state = RunState::kIdle;
   SessionState session = SessionState::kClosed;
@@ -76,6 +78,7 @@ Supervisor::Supervisor(const SupervisorSettings& settings, LiveCycle& cycle,
                        loop::FixedRateLoop& loop)
     : state_(std::make_unique<State>(settings, cycle, loop)) {}
 Supervisor::~Supervisor() = default;
+void Supervisor::add_sink(publish::Sink& sink) { state_->sinks.push_back(&sink); }
 int Supervisor::run() { return state_->run(); }
 
 int Supervisor::State::run() {
@@ -100,6 +103,7 @@ int Supervisor::State::run() {
     throw;
   }
   loop.join();
+  take_records();
   take_events();
   take_status(loop::monotonic_now());
   figures.duration_s = to_s(loop::monotonic_now() - began_ns);
@@ -134,6 +138,7 @@ void Supervisor::State::schedule_tick() {
 
 void Supervisor::State::tick() {
   const HostNs now = loop::monotonic_now();
+  take_records();
   take_events();
   connector.tick(now);
   take_status(now);
@@ -168,6 +173,13 @@ void Supervisor::State::take_events() {
 void Supervisor::State::take_status(HostNs now) {
   if (!cycle.take_status(figures.status)) return;
   log.status(figures.status, loop.statistics().overruns.load(), now);
+}
+
+void Supervisor::State::take_records() {
+  while (const StepRecord* record = cycle.front_record()) {
+    for (publish::Sink* sink : sinks) sink->take(*record);
+    cycle.release_record();
+  }
 }
 
 // Before the first session a robot that does not fit is an error, unless someone asked to wait.

@@ -10,6 +10,7 @@
 #include "app/connector.h"
 #include "app/live_cycle.h"
 #include "loop/fixed_rate_loop.h"
+#include "publish/sink.h"
 
 namespace tp100::app {
 
@@ -29,6 +30,9 @@ class Supervisor {
   /// `cycle` and `loop` must outlive the supervisor.
   Supervisor(const SupervisorSettings& settings, LiveCycle& cycle, loop::FixedRateLoop& loop);
   ~Supervisor();
+
+  /// `sink` gets every step from now on, from the thread of run(), and must outlive it.
+  void add_sink(publish::Sink& sink);
 
   /// Runs until the course is completed, the run fails, the time is over or a signal comes; the
   /// robot is disarmed first. Returns the exit status; throws SetupError for what is wrong before

@@ -28,6 +28,7 @@ constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
 // Handshake, clock sync and gyro bias take well below this; a robot that never begins is a failure.
 constexpr double kBeginWithinS = 10.0;
 constexpr double kRestS = 0.5;
+constexpr std::int64_t kOldestTruthNs = 200 * kNsPerMs;
 
 /// Truth of the last steps, to pair an estimate with the instant that it belongs to.
 class TruthHistory {
@@ -68,6 +69,7 @@ class Lockstep {
   void look();
   void push();
   void record(const Snapshot& snapshot);
+  void publish();
   bool bench() const { return settings_.setup == bridge::Setup::kBench; }
 
   LockstepSettings settings_;
@@ -77,6 +79,7 @@ class Lockstep {
   EmulatedRobot robot_;
   std::optional<OverheadCamera> camera_;
   TruthHistory truth_;
+  StepRecord record_{};
   std::vector<std::uint8_t> arriving_;
   analysis::RunResult result_{};
   std::int64_t period_ns_;
@@ -168,6 +171,18 @@ void Lockstep::record(const Snapshot& snapshot) {
                             .progress_m = snapshot.progress_m});
 }
 
+void Lockstep::publish() {
+  if (settings_.sink == nullptr) return;
+  cycle_.record(record_);
+  settings_.sink->take(record_);
+  if (bench()) return;
+  for (const Sample& sample : cycle_.samples()) {
+    const std::int64_t age_ns = robot_.now_ns() - sample.measured_ns;
+    if (age_ns >= 0 && age_ns < kOldestTruthNs)
+      settings_.sink->take_truth(sample.measured_ns, truth_.find(sample.measured_ns));
+  }
+}
+
 void Lockstep::step_host() {
   const std::int64_t now = robot_.now_ns();
   if (!arriving_.empty()) {
@@ -180,6 +195,7 @@ void Lockstep::step_host() {
   step_time_ += took;
   longest_step_ = std::max(longest_step_, took);
   ++steps_;
+  publish();
   cycle_.take_events();
   robot_.receive(cycle_.output(), now);
   cycle_.written(cycle_.output().size());

@@ -11,6 +11,7 @@
 #include "course/camera.h"
 #include "course/course.h"
 #include "course/robot.h"
+#include "publish/sink.h"
 #include "sim/run/emulated_robot.h"
 
 namespace tp100::sim {
@@ -23,7 +24,8 @@ struct LockstepSettings {
   BoardKind board = BoardKind::kNative;
   std::optional<course::EmulatedCamera> camera{};  ///< none: nobody looks on
   std::uint64_t seed = 1;
-  std::uint32_t start_us = 0;  ///< device clock at boot; near 2^32 it wraps in the run
+  std::uint32_t start_us = 0;     ///< device clock at boot; near 2^32 it wraps in the run
+  publish::Sink* sink = nullptr;  ///< gets every step, and the truth of each new sample's instant
 };
 
 /// Drives the course once. A bench is no place for a camera: the robot that it sees stands still.

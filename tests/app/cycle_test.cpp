@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "../link/scripted_robot.h"
 #include "support/alloc_count.h"
 
@@ -85,11 +87,35 @@ TEST(Cycle, AStopIsNeverCrowdedOut) {
   EXPECT_EQ(bench.robot.heard.stops.size(), 1u);
 }
 
+TEST(Cycle, TheRecordOfAStepHoldsItsInputsAndResults) {
+  CycleBench bench;
+  bench.run(600);
+  bench.cycle.request(OperatorRequest::kHold);
+  bench.cycle.camera({.x_m = 0.1, .y_m = 0.2, .yaw_rad = 0.3, .measured_ns = bench.now});
+  bench.run(1);
+  auto record = std::make_unique<StepRecord>();
+  bench.cycle.record(*record);
+  EXPECT_EQ(record->step, 121u);
+  EXPECT_EQ(record->now_ns, bench.now);
+  ASSERT_EQ(record->sample_count, bench.cycle.inputs().samples.size());
+  ASSERT_GT(record->sample_count, 0u);
+  EXPECT_EQ(record->samples[0].device_us, bench.cycle.inputs().samples[0].device_us);
+  ASSERT_EQ(record->request_count, 1u);
+  EXPECT_EQ(record->requests[0], OperatorRequest::kHold);
+  ASSERT_EQ(record->camera_count, 1u);
+  EXPECT_EQ(record->camera[0].y_m, 0.2);
+  EXPECT_EQ(record->session, SessionState::kReady);
+  EXPECT_EQ(record->link.samples, bench.cycle.session().counters().samples);
+  EXPECT_TRUE(record->command_valid);
+  EXPECT_EQ(record->snapshot.sample.device_us, record->samples[0].device_us);
+}
+
 TEST(Cycle, AWholeTurnNeverTouchesTheHeap) {
   HostNs now = kNsPerS;
   ScriptedRobot robot;
   Cycle cycle(session_settings({}), {}, nullptr);
   cycle.open(now);
+  const auto record = std::make_unique<StepRecord>();
   std::uint64_t calls = 0;
   for (int turn = 0; turn < 1000; ++turn) {
     now += 5 * kNsPerMs;
@@ -99,6 +125,7 @@ TEST(Cycle, AWholeTurnNeverTouchesTheHeap) {
       const test::AllocCount heap;
       cycle.receive(bytes, now);
       cycle.step(now);
+      cycle.record(*record);
       cycle.take_events();
       calls += heap.calls();
     }
