@@ -1,0 +1,65 @@
+#pragma once
+// One detection of an overhead camera as a datagram: the only definition of it, for tp100-camera
+// and the emulated camera, which send it, and for tp100d, which takes it. It stands beside the
+// frame codec because it is the same work: bytes to samples. No OpenCV, no socket, no clock.
+//
+// A datagram is one JSON object of at most kMaxCameraDatagram bytes, UTF-8, no line end needed:
+//
+//   {"format":"tp100-camera/1","stream":193755201,"clock":"6b0c...","sequence":412,
+//    "stamp_us":81234567890,"age_us":41250,"marker":0,"x_m":1.203411,"y_m":-0.418220,
+//    "yaw_rad":0.310552}
+//
+//   format    text     kCameraFormat; another number is another format
+//   stream    integer  0 to 2^32-1, drawn when the sender starts: a restart is seen
+//   clock     text     1 to 64 characters; names the clock of stamp_us. Clocks of one name are the
+//                      same clock. On Linux: CLOCK_MONOTONIC of the boot with this
+//                      /proc/sys/kernel/random/boot_id
+//   sequence  integer  0 to 2^32-1, number of the picture; grows. A gap is pictures that were
+//                      dropped or that do not show the marker
+//   stamp_us  integer  0 to 2^53, when the picture was taken (the middle of its exposure) on that
+//                      clock. Microseconds, so that readers with doubles lose nothing
+//   age_us    integer  0 to 10^7, from that instant to the sending, on the same clock. A receiver
+//                      on another machine knows from it when the picture was taken but for the time
+//                      on the way
+//   marker    integer  0 to 10^6, id of the marker
+//   x_m, y_m  number   -1000 to 1000, middle of the marker in the world frame (REP-103: z up), seen
+//                      in the plane at the marker's height over a flat floor: see CameraSample
+//   yaw_rad   number   -100 to 100, any branch: direction of the marker's top edge side, as seen in
+//                      that plane; from the world's x, counterclockwise from above
+//
+// Every key is required; unknown ones are ignored.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tp100::link {
+
+inline constexpr std::string_view kCameraFormat = "tp100-camera/1";
+inline constexpr std::size_t kMaxCameraDatagram = 1024;
+/// Where a camera is sent and listened for if nobody says otherwise.
+inline constexpr std::uint16_t kCameraPort = 47100;
+
+/// A decoded datagram. Values as above, in range.
+struct CameraMessage {
+  std::uint32_t stream = 0;
+  std::string clock;
+  std::uint32_t sequence = 0;
+  std::int64_t stamp_us = 0;
+  std::int64_t age_us = 0;
+  std::uint32_t marker = 0;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double yaw_rad = 0.0;
+};
+
+/// The datagram. Places are rounded to a micrometre and angles to a microradian.
+std::string encode(const CameraMessage& message);
+
+/// What a datagram says; nothing if it is not one: too long, no such JSON, a key missing, of
+/// another type or out of range. Hostile input is welcome. Allocates: not for the real-time thread.
+std::optional<CameraMessage> decode_camera(std::string_view datagram);
+
+}  // namespace tp100::link

@@ -1,0 +1,102 @@
+#include "link/udp.h"
+
+#include <netdb.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+
+#include "core/error.h"
+
+namespace tp100::link {
+namespace {
+
+constexpr std::size_t kMaxHost = 253;
+
+std::string printable(std::string_view text) {
+  std::string line(text.substr(0, 100));
+  for (char& c : line)
+    if (c < 0x20 || c > 0x7e) c = '?';
+  return line;
+}
+
+}  // namespace
+
+UdpAddress parse_udp(std::string_view text, const std::string& where) {
+  constexpr std::string_view kScheme = "udp:";
+  const auto wrong = [&] {
+    return SetupError(where + " " + printable(text) +
+                      ": not an address; use udp:PORT or udp:HOST:PORT, as in udp:47100");
+  };
+  if (!text.starts_with(kScheme)) throw wrong();
+  std::string_view rest = text.substr(kScheme.size());
+  UdpAddress address;
+  if (const std::size_t colon = rest.rfind(':'); colon != std::string_view::npos) {
+    const std::string_view host = rest.substr(0, colon);
+    const bool plain = host.find_first_of(" :\t/") == std::string_view::npos;
+    if (host.empty() || host.size() > kMaxHost || !plain) throw wrong();
+    address.host = host;
+    rest.remove_prefix(colon + 1);
+  }
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), address.port);
+  if (error != std::errc{} || end != rest.data() + rest.size() || address.port == 0) throw wrong();
+  return address;
+}
+
+std::string to_string(const UdpAddress& address) {
+  return address.host + ":" + std::to_string(address.port);
+}
+
+sockaddr_in resolve(const UdpAddress& address) {
+  addrinfo hints{};
+  hints.ai_family = AF_INET;
+  hints.ai_socktype = SOCK_DGRAM;
+  addrinfo* found = nullptr;
+  const int error = ::getaddrinfo(address.host.c_str(), nullptr, &hints, &found);
+  if (error != 0 || found == nullptr) {
+    throw SetupError("udp:" + printable(to_string(address)) + ": no such host (" +
+                     ::gai_strerror(error) + "); use its IPv4 address");
+  }
+  sockaddr_in out{};
+  std::memcpy(&out, found->ai_addr, sizeof out);
+  ::freeaddrinfo(found);
+  out.sin_port = htons(address.port);
+  return out;
+}
+
+UdpSender::UdpSender(const UdpAddress& to) {
+  const sockaddr_in address = resolve(to);
+  socket_ = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  sockaddr generic{};
+  static_assert(sizeof generic == sizeof address);
+  std::memcpy(&generic, &address, sizeof generic);
+  if (socket_ < 0 || ::connect(socket_, &generic, sizeof generic) != 0) {
+    const int error = errno;
+    if (socket_ >= 0) ::close(socket_);
+    throw SetupError("udp:" + to_string(to) + ": cannot send there (" + std::strerror(error) +
+                     "); choose another address");
+  }
+}
+
+UdpSender::~UdpSender() { ::close(socket_); }
+
+bool UdpSender::send(std::string_view datagram) {
+  // A refusal is the answer to the datagram before; this one goes out at the second try.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    if (::send(socket_, datagram.data(), datagram.size(), MSG_NOSIGNAL) >= 0) return true;
+    if (errno != ECONNREFUSED && errno != EINTR) return false;
+  }
+  return false;
+}
+
+std::string monotonic_clock_name() {
+  std::ifstream file("/proc/sys/kernel/random/boot_id");
+  std::string id;
+  if (file >> id && id.size() <= 64) return id;
+  return "unknown-clock-" + std::to_string(::getpid());
+}
+
+}  // namespace tp100::link

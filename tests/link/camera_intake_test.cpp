@@ -1,0 +1,141 @@
+#include "link/camera_intake.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace tp100::link {
+namespace {
+
+constexpr HostNs kAge = 60 * kNsPerMs;
+
+/// A sender with a clock of its own and the way to us.
+struct Sender {
+  std::string clock = "here";
+  HostNs ahead_ns = 0;  ///< its clock minus ours
+  std::uint32_t stream = 1;
+  std::uint32_t sequence = 0;
+
+  /// A picture taken at `taken_ns`, our clock, that left after `age_ns`.
+  std::string datagram(HostNs taken_ns, HostNs age_ns = kAge) {
+    CameraMessage message;
+    message.stream = stream;
+    message.clock = clock;
+    message.sequence = ++sequence;
+    message.stamp_us = (taken_ns + ahead_ns) / kNsPerUs;
+    message.age_us = age_ns / kNsPerUs;
+    message.x_m = 1.0;
+    return encode(message);
+  }
+};
+
+TEST(CameraIntake, StampsOfThisMachineAreTakenAsTheyAre) {
+  CameraIntake intake("here", 400 * kNsPerMs);
+  Sender sender;
+  const HostNs now = 100 * kNsPerS;
+  const auto sample = intake.receive(sender.datagram(now - kAge), now + 3 * kNsPerMs);
+  ASSERT_TRUE(sample.has_value());
+  EXPECT_EQ(sample->measured_ns, now - kAge);
+  EXPECT_EQ(sample->sequence, 1U);
+  EXPECT_EQ(sample->x_m, 1.0);
+  EXPECT_EQ(intake.counters().accepted, 1U);
+}
+
+TEST(CameraIntake, TheClockOfAnotherMachineIsFoundToTheShortestWay) {
+  CameraIntake intake("here", 400 * kNsPerMs);
+  Sender sender{.clock = "there", .ahead_ns = 7777 * kNsPerS};
+  std::mt19937 random(3);
+  std::exponential_distribution<double> way_ms(1.0 / 3.0);
+  double worst_s = 0.0;
+  HostNs now = 100 * kNsPerS;
+  for (int i = 0; i < 3000; ++i) {
+    now += 30 * kNsPerMs;
+    // 30 ppm of drift.
+    sender.ahead_ns += 900;
+    const HostNs way_ns = 200 * kNsPerUs + from_s(way_ms(random) * 1e-3);
+    const auto sample = intake.receive(sender.datagram(now - kAge), now + way_ns);
+    ASSERT_TRUE(sample.has_value());
+    if (i > 100) worst_s = std::max(worst_s, std::abs(to_s(sample->measured_ns - (now - kAge))));
+  }
+  EXPECT_LT(worst_s, 0.001);
+  EXPECT_GT(worst_s, 0.0001) << "the shortest way stays in";
+}
+
+TEST(CameraIntake, WhatIsTooOldOrFromTheFutureIsNotUsed) {
+  CameraIntake intake("here", 400 * kNsPerMs);
+  Sender sender;
+  const HostNs now = 100 * kNsPerS;
+  EXPECT_FALSE(intake.receive(sender.datagram(now - 401 * kNsPerMs), now));
+  EXPECT_EQ(intake.counters().late, 1U);
+  EXPECT_FALSE(intake.receive(sender.datagram(now + 11 * kNsPerMs), now));
+  EXPECT_EQ(intake.counters().early, 1U);
+  EXPECT_TRUE(intake.receive(sender.datagram(now - 399 * kNsPerMs), now));
+}
+
+TEST(CameraIntake, RepeatedAndReorderedDatagramsAreNotUsedTwice) {
+  CameraIntake intake("here", 400 * kNsPerMs);
+  Sender sender;
+  HostNs now = 100 * kNsPerS;
+  const std::string first = sender.datagram(now - kAge);
+  const std::string second = sender.datagram(now - kAge + 30 * kNsPerMs);
+  EXPECT_TRUE(intake.receive(second, now));
+  EXPECT_FALSE(intake.receive(first, now));
+  EXPECT_FALSE(intake.receive(second, now));
+  EXPECT_EQ(intake.counters().late, 2U);
+}
+
+TEST(CameraIntake, PicturesThatDidNotComeAreCounted) {
+  CameraIntake intake("here", 400 * kNsPerMs);
+  Sender sender;
+  HostNs now = 100 * kNsPerS;
+  EXPECT_TRUE(intake.receive(sender.datagram(now - kAge), now));
+  sender.sequence += 3;
+  EXPECT_TRUE(intake.receive(sender.datagram(now), now));
+  EXPECT_EQ(intake.counters().missing, 3U);
+}
+
+TEST(CameraIntake, ASecondStreamIsIgnoredWhileTheFirstSpeaksAndHeardAfterIt) {
+  CameraIntake intake("here", 400 * kNsPerMs);
+  Sender first, second{.stream = 2};
+  HostNs now = 100 * kNsPerS;
+  for (int i = 0; i < 10; ++i) {
+    now += 30 * kNsPerMs;
+    EXPECT_TRUE(intake.receive(first.datagram(now - kAge), now));
+    EXPECT_FALSE(intake.receive(second.datagram(now - kAge), now));
+  }
+  EXPECT_EQ(intake.counters().foreign, 10U);
+  now += kNsPerS;
+  EXPECT_TRUE(intake.receive(second.datagram(now - kAge), now));
+  EXPECT_FALSE(intake.receive(first.datagram(now - kAge), now));
+  EXPECT_EQ(intake.counters().streams, 2U);
+}
+
+TEST(CameraIntake, OneDatagramWithAnAbsurdSequenceDoesNotDeafenItForLong) {
+  CameraIntake intake("here", 400 * kNsPerMs);
+  Sender sender;
+  HostNs now = 100 * kNsPerS;
+  sender.sequence = 4'000'000'000U;
+  EXPECT_TRUE(intake.receive(sender.datagram(now - kAge), now));
+  sender.sequence = 0;
+  int used = 0;
+  for (int i = 0; i < 100; ++i) {
+    now += 30 * kNsPerMs;
+    used += intake.receive(sender.datagram(now - kAge), now).has_value();
+  }
+  EXPECT_GT(used, 60);
+  EXPECT_EQ(intake.counters().streams, 1U);
+}
+
+TEST(CameraIntake, RubbishIsCountedAndChangesNothing) {
+  CameraIntake intake("here", 400 * kNsPerMs);
+  Sender sender;
+  HostNs now = 100 * kNsPerS;
+  EXPECT_TRUE(intake.receive(sender.datagram(now - kAge), now));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(intake.receive("rubbish", now));
+  EXPECT_EQ(intake.counters().malformed, 100U);
+  EXPECT_EQ(intake.counters().received, 101U);
+  EXPECT_TRUE(intake.receive(sender.datagram(now), now));
+}
+
+}  // namespace
+}  // namespace tp100::link

@@ -1,0 +1,109 @@
+#include "link/camera_message.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace tp100::link {
+namespace {
+
+CameraMessage example() {
+  return {.stream = 4'294'967'295U,
+          .clock = "6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111",
+          .sequence = 412,
+          .stamp_us = 9'007'199'254'740'992,
+          .age_us = 41'250,
+          .marker = 7,
+          .x_m = 1.203411,
+          .y_m = -0.41822,
+          .yaw_rad = 3.141593};
+}
+
+// The format as other programs know it: a change here breaks them.
+TEST(CameraMessage, IsWrittenAsDocumented) {
+  EXPECT_EQ(encode(example()), R"({"format":"tp100-camera/1","stream":4294967295,)"
+                               R"("clock":"6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111","sequence":412,)"
+                               R"("stamp_us":9007199254740992,"age_us":41250,"marker":7,)"
+                               R"("x_m":1.203411,"y_m":-0.41822,"yaw_rad":3.141593})");
+}
+
+TEST(CameraMessage, ComesBackAsItWent) {
+  const auto back = decode_camera(encode(example()));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->stream, example().stream);
+  EXPECT_EQ(back->clock, example().clock);
+  EXPECT_EQ(back->sequence, example().sequence);
+  EXPECT_EQ(back->stamp_us, example().stamp_us);
+  EXPECT_EQ(back->age_us, example().age_us);
+  EXPECT_EQ(back->marker, example().marker);
+  EXPECT_DOUBLE_EQ(back->x_m, example().x_m);
+  EXPECT_DOUBLE_EQ(back->y_m, example().y_m);
+  EXPECT_DOUBLE_EQ(back->yaw_rad, example().yaw_rad);
+}
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = encode(example());
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(CameraMessage, OtherOrderSpacesAndUnknownKeysAreTaken) {
+  EXPECT_TRUE(decode_camera(changed("{", "{ \"more\" : [1, {}], ")).has_value());
+  EXPECT_TRUE(decode_camera(encode(example()) + "\n").has_value());
+  EXPECT_EQ(decode_camera(changed("1.203411", "1"))->x_m, 1.0);
+}
+
+TEST(CameraMessage, WhatIsNotOfTheFormatIsRefused) {
+  EXPECT_FALSE(decode_camera(""));
+  EXPECT_FALSE(decode_camera("[]"));
+  EXPECT_FALSE(decode_camera("null"));
+  EXPECT_FALSE(decode_camera("{}"));
+  EXPECT_FALSE(decode_camera(encode(example()) + "}"));
+  EXPECT_FALSE(decode_camera(changed("camera/1", "camera/2")));
+  EXPECT_FALSE(decode_camera(changed("\"x_m\"", "\"x\"")));
+  EXPECT_FALSE(decode_camera(changed("1.203411", "\"1\"")));
+  EXPECT_FALSE(decode_camera(changed("412", "412.5")));
+  EXPECT_FALSE(decode_camera(changed("412", "true")));
+  EXPECT_FALSE(decode_camera(changed("6b0c", "\xff\xfe")));
+  EXPECT_FALSE(decode_camera(std::string(600, '[') + std::string(400, ']')));
+}
+
+TEST(CameraMessage, WhatIsOutOfRangeIsRefused) {
+  for (const char* number : {"1e999", "-1e999", "NaN", "Infinity", "1000.001", "-1e300"})
+    EXPECT_FALSE(decode_camera(changed("1.203411", number))) << number;
+  EXPECT_FALSE(decode_camera(changed("3.141593", "101")));
+  for (const char* number : {"-1", "4294967296", "18446744073709551616", "1e3"})
+    EXPECT_FALSE(decode_camera(changed("412", number))) << number;
+  EXPECT_FALSE(decode_camera(changed("9007199254740992", "9007199254740993")));
+  EXPECT_FALSE(decode_camera(changed("41250", "10000001")));
+  EXPECT_FALSE(decode_camera(changed("6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111", "")));
+  EXPECT_FALSE(
+      decode_camera(changed("6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111", std::string(65, 'a'))));
+  EXPECT_FALSE(decode_camera(changed("{", "{\"pad\":\"" + std::string(1024, 'x') + "\",")));
+}
+
+TEST(CameraMessage, DamagedDatagramsAreRefusedOrStillInRange) {
+  std::mt19937 random(7);
+  const std::string good = encode(example());
+  std::uniform_int_distribution<std::size_t> place(0, good.size() - 1);
+  std::uniform_int_distribution<int> byte(0, 255);
+  int taken = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::string bad = good;
+    for (int flips = i % 4; flips >= 0; --flips)
+      bad[place(random)] = static_cast<char>(byte(random));
+    if (i % 5 == 0) bad.resize(place(random));
+    const auto decoded = decode_camera(bad);
+    if (!decoded) continue;
+    ++taken;
+    EXPECT_LE(std::abs(decoded->x_m), 1000.0);
+    EXPECT_LE(std::abs(decoded->yaw_rad), 100.0);
+    EXPECT_GE(decoded->stamp_us, 0);
+    EXPECT_LE(decoded->age_us, 10'000'000);
+  }
+  EXPECT_GT(taken, 0) << "a damaged digit is still a number";
+}
+
+}  // namespace
+}  // namespace tp100::link
