@@ -46,6 +46,10 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--setup", options.setup, "bench, flat or terrain (default: flat)")
       ->type_name("SETUP");
   command
+      ->add_option("--camera", options.camera,
+                   "Listen for an overhead camera: udp:PORT or udp:ADDRESS:PORT (default: none)")
+      ->type_name("ADDRESS");
+  command
       ->add_option("--duration", options.duration_s,
                    "End with status 1 after this time [s] (default: no limit)")
       ->type_name("SECONDS");

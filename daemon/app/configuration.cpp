@@ -141,13 +141,26 @@ std::span<const Key<estimation::Parameters>> estimation_keys() {
   return kKeys;
 }
 
+std::span<const Key<CameraSettings>> camera_stream_keys() {
+  using T = CameraSettings;
+  static const std::array<Key<T>, 2> kKeys = {{
+      {"listen",
+       &T::listen,
+       {},
+       "Overhead camera: where its detections come in, udp:PORT for this machine alone or "
+       "udp:ADDRESS:PORT; empty: no camera"},
+      {"max_age_ms", &T::max_age_ms, {20, 500}, "Detections older than this are not used"},
+  }};
+  return kKeys;
+}
+
 std::span<const Key<estimation::CameraParameters>> camera_keys() {
   using T = estimation::CameraParameters;
   static const std::array<Key<T>, 7> kKeys = {{
       {"position_sd_m",
        &T::position_sd_m,
        {1e-4, 0.1},
-       "Overhead camera: standard deviation of the marker's place"},
+       "Standard deviation of the marker's place as the camera gives it"},
       {"yaw_sd_deg", &T::yaw_sd_rad, {0.01, 20}, "Same of its direction", kDeg},
       {"time_sd_ms", &T::time_sd_s, {0, 100}, "Same of its time stamps", kMs},
       {"height_m", &T::height_m, {0.5, 20}, "Lens above the floor; it looks straight down"},
@@ -249,6 +262,7 @@ void for_each_section(Values& configuration, Visit visit) {
   visit("model", turning_keys(), parameters.model);
   visit("estimation", steering_keys(), parameters);
   visit("estimation", estimation_keys(), parameters.estimation);
+  visit("camera", camera_stream_keys(), configuration.camera);
   visit("camera", camera_keys(), parameters.estimation.camera);
   visit("control", control_keys(), parameters.control);
   visit("control", bridge_keys(), parameters);

@@ -35,12 +35,19 @@ struct LoopSettings {
   bool hold_cpu_latency = true;  ///< /dev/cpu_dma_latency at 0
 };
 
+/// Where the overhead camera is heard. What is believed of it is in the parameters.
+struct CameraSettings {
+  std::string listen;         ///< "udp:[HOST:]PORT"; empty: no camera
+  double max_age_ms = 400.0;  ///< older detections are of no use any more
+};
+
 /// Everything that a file can set. Privileges that the system refuses are reported, not fatal.
 struct Configuration {
   std::string robot = "end-loaded";  ///< bundled name or file
   std::string course;                ///< bundled name or file; empty: none, the robot stands still
   LinkSettings link{};
   LoopSettings loop{};
+  CameraSettings camera{};
   bridge::Parameters parameters{};  ///< model and drive are the robot's: see bridge_parameters
 };
 

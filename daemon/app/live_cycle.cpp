@@ -25,7 +25,7 @@ bool LiveCycle::received(std::span<const std::uint8_t> bytes, HostNs now) {
 }
 
 void LiveCycle::step(HostNs now) {
-  take_requests();
+  take_inputs();
   const Snapshot& snapshot = cycle_.step(now).snapshot;
   if (!cycle_.samples().empty()) sample_age_.add(now - cycle_.samples().back().measured_ns);
   record();
@@ -50,11 +50,13 @@ void LiveCycle::record() {
   }
 }
 
-void LiveCycle::take_requests() {
+void LiveCycle::take_inputs() {
   OperatorRequest request{};
   while (requests_.pop(request)) {
     if (!winding_up_) cycle_.request(request);
   }
+  CameraSample seen;
+  for (std::size_t i = 0; i < Cycle::kMaxCamera && camera_.pop(seen); ++i) cycle_.camera(seen);
   // A start that was not carried out when its session ended is void: nothing moves after a
   // reconnect.
   const bool ready = cycle_.session().state() == SessionState::kReady;

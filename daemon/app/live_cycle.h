@@ -49,6 +49,8 @@ class LiveCycle : public loop::Driven {
   // Other thread.
   /// False: too many requests wait.
   bool request(OperatorRequest request) { return requests_.push(request); }
+  /// What the overhead camera saw. False: too many wait.
+  bool camera(const CameraSample& seen) { return camera_.push(seen); }
   bool take_event(LiveEvent& event) { return events_.pop(event); }
   /// The newest status since the last take; false if there is none.
   bool take_status(LiveStatus& status);
@@ -75,7 +77,7 @@ class LiveCycle : public loop::Driven {
   bool wind_up(HostNs now) override;
 
  private:
-  void take_requests();
+  void take_inputs();
   void pass_events();
   void push(const LiveEvent& event);
   void record();
@@ -83,6 +85,7 @@ class LiveCycle : public loop::Driven {
 
   Cycle cycle_;
   loop::SpscQueue<OperatorRequest, 16> requests_;
+  loop::SpscQueue<CameraSample, Cycle::kMaxCamera> camera_;
   loop::SpscQueue<LiveEvent, 256> events_;
   loop::SpscQueue<LiveStatus, 4> statuses_;
   loop::SlotRing<StepRecord> records_{kWaitingRecords};

@@ -33,6 +33,7 @@ Configuration configuration_of(const RunOptions& options) {
   if (!options.port.empty()) configuration.link.port = options.port;
   if (!options.course.empty()) configuration.course = options.course;
   if (!options.robot.empty()) configuration.robot = options.robot;
+  if (!options.camera.empty()) configuration.camera.listen = options.camera;
   if (!options.setup.empty()) configuration.parameters.setup = setup_of(options.setup);
   return configuration;
 }
@@ -66,6 +67,9 @@ int run_run(const RunOptions& options) {
   const bridge::Parameters parameters = bridge_parameters(configuration, robot);
   const auto course = load_course(configuration.course);
   if (course != nullptr) terrain::require_climbable(*course, robot);
+  if (!configuration.camera.listen.empty() && parameters.setup == bridge::Setup::kBench) {
+    throw SetupError("--camera: on a bench it sees a robot that stands still; leave it out");
+  }
 
   link::SessionSettings session = session_settings(parameters);
   session.baud = static_cast<std::uint32_t>(configuration.link.baud);
@@ -85,6 +89,7 @@ int run_run(const RunOptions& options) {
       .wait = options.wait,
       // Silence is noticed first.
       .hello_timeout_ns = session.first_frame_timeout_ns + kNsPerS};
+  settings.camera = configuration.camera;
   settings.go = options.go;
   settings.duration_s = options.duration_s;
   settings.stats_path = options.stats;

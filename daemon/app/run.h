@@ -12,9 +12,10 @@ struct RunOptions {
   std::string course;
   std::string robot;
   std::string setup;
-  std::string stats;  ///< JSON file; empty: none
-  bool wait = false;  ///< wait for a port and a robot instead of failing
-  bool go = false;    ///< start by itself on a physical port too
+  std::string camera;  ///< "udp:[HOST:]PORT"; empty: as configured
+  std::string stats;   ///< JSON file; empty: none
+  bool wait = false;   ///< wait for a port and a robot instead of failing
+  bool go = false;     ///< start by itself on a physical port too
   std::optional<double> duration_s;
 };
 

@@ -55,6 +55,22 @@ Json link_figures(const LinkCounters& link) {
           {"reboots", link.reboots}};
 }
 
+Json camera_figures(const link::CameraCounters& camera, const Fused& fused) {
+  return {{"received", camera.received},
+          {"accepted", camera.accepted},
+          {"malformed", camera.malformed},
+          {"late", camera.late},
+          {"early", camera.early},
+          {"foreign", camera.foreign},
+          {"missing", camera.missing},
+          {"dropped", camera.dropped},
+          {"streams", camera.streams},
+          {"used", fused.camera_used},
+          {"rejected", fused.camera_rejected},
+          {"recoveries", fused.recoveries},
+          {"nis_mean", fused.nis_mean}};
+}
+
 Json fault_list(FaultMask faults) {
   Json names = Json::array();
   while (const auto fault = first_fault(faults)) {
@@ -72,7 +88,7 @@ std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& lo
   const Snapshot& snapshot = status.snapshot;
   Json privileges = Json::object();
   for (const loop::Grant& grant : figures.grants) privileges[grant.what] = grant.granted;
-  const Json json = {
+  Json json = {
       {"result", figures.result},
       {"completed", figures.result == "completed"},
       {"duration_s", figures.duration_s},
@@ -88,6 +104,7 @@ std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& lo
                        std::to_string(status.hello.firmware[2])},
       {"odometry", pose(snapshot.odometry)},
       {"model", pose(snapshot.model)},
+      {"fused", pose(snapshot.fused.pose)},
       {"progress_m", snapshot.progress_m},
       {"battery_v", snapshot.sample.battery_v},
       {"link", link_figures(status.counters)},
@@ -105,6 +122,7 @@ std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& lo
         {"sample_age_us", durations_us(sample_age)},
         {"privileges", privileges}}},
   };
+  if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.fused);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 // The figures of a run as JSON (--stats). Written to a temporary file and renamed.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/live_cycle.h"
+#include "link/camera_intake.h"
 #include "loop/fixed_rate_loop.h"
 
 namespace tp100::app {
@@ -19,6 +21,7 @@ struct RunFigures {
   double duration_s = 0.0;
   FaultMask faults = 0;  ///< of the last abort
   LiveStatus status{};
+  std::optional<link::CameraCounters> camera;  ///< nothing: no camera was asked for
   std::vector<loop::Grant> grants;
 };
 

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/camera_port.h"
 #include "app/event_log.h"
 #include "app/operator_input.h"
 #include "app/stats_file.h"
@@ -63,6 +64,7 @@ struct Supervisor::State {
   asio::steady_timer timer;
   std::unique_ptr<OperatorInput> input;
   std::vector<publish::Sink*> sinks;
+  std::unique_ptr<CameraPort> camera;
   RunFigures figures;
   RunState run_state = RunState::kIdle;
   SessionState session = SessionState::kClosed;
@@ -89,6 +91,10 @@ int Supervisor::State::run() {
   figures.grants = settings.process_grants;
   began_ns = loop::monotonic_now();
   take_signals();
+  if (!settings.camera.listen.empty()) {
+    camera = std::make_unique<CameraPort>(
+        context, settings.camera, [this](const CameraSample& seen) { return cycle.camera(seen); });
+  }
   loop.start();
   figures.grants.insert(figures.grants.end(), loop.grants().begin(), loop.grants().end());
   input = std::make_unique<OperatorInput>(context, [this] { on_enter(); });
@@ -145,6 +151,7 @@ void Supervisor::State::tick() {
   if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
   if (ending && loop.ended()) {
     input->stop();
+    if (camera != nullptr) camera->stop();
     signals.cancel();
     return;
   }
@@ -250,6 +257,7 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 }
 
 void Supervisor::State::write_figures() {
+  if (camera != nullptr) figures.camera = camera->counters();
   if (settings.stats_path.empty()) return;
   write_stats(settings.stats_path, stats_json(figures, loop.statistics(), cycle.sample_age()));
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/configuration.h"
 #include "app/connector.h"
 #include "app/live_cycle.h"
 #include "loop/fixed_rate_loop.h"
@@ -16,6 +17,7 @@ namespace tp100::app {
 
 struct SupervisorSettings {
   ConnectorSettings connector{};
+  CameraSettings camera{};
   bool go = false;
   std::optional<double> duration_s;
   std::string stats_path;

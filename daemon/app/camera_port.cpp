@@ -1,0 +1,84 @@
+#include "app/camera_port.h"
+
+// Asio 1.74 uses std::exchange without including it.
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <utility>
+
+#include "core/error.h"
+#include "link/udp.h"
+#include "loop/pacing.h"
+
+namespace tp100::app {
+namespace {
+
+using boost::asio::ip::udp;
+
+// More than a frame's worth at once is a flood: the operator and the log come first.
+constexpr int kMostAtOnce = 32;
+
+udp::endpoint endpoint_of(const link::UdpAddress& address) {
+  const sockaddr_in resolved = link::resolve(address);
+  return {boost::asio::ip::address_v4(ntohl(resolved.sin_addr.s_addr)), address.port};
+}
+
+}  // namespace
+
+struct CameraPort::State : std::enable_shared_from_this<State> {
+  State(boost::asio::io_context& context, const CameraSettings& settings, Give action)
+      : socket(context),
+        intake(link::monotonic_clock_name(), from_s(settings.max_age_ms * 1e-3)),
+        give(std::move(action)) {}
+
+  void open(const link::UdpAddress& address) {
+    boost::system::error_code error;
+    const udp::endpoint endpoint = endpoint_of(address);
+    socket.open(udp::v4(), error);
+    if (!error) socket.bind(endpoint, error);
+    if (!error) socket.non_blocking(true, error);
+    if (error) {
+      throw SetupError("camera: cannot listen at udp:" + link::to_string(address) + " (" +
+                       error.message() + "); choose another port or an address of this machine");
+    }
+  }
+  void wait() {
+    socket.async_wait(udp::socket::wait_read,
+                      [self = shared_from_this()](const boost::system::error_code& error) {
+                        if (!error && self->socket.is_open()) self->take();
+                      });
+  }
+  void take() {
+    boost::system::error_code error;
+    for (int i = 0; i < kMostAtOnce && !error; ++i) {
+      const std::size_t n = socket.receive(boost::asio::buffer(buffer), 0, error);
+      if (error) break;
+      const auto sample = intake.receive({buffer.data(), n}, loop::monotonic_now());
+      if (sample && !give(*sample)) intake.count_dropped();
+    }
+    wait();
+  }
+
+  udp::socket socket;
+  link::CameraIntake intake;
+  Give give;
+  // One more than a datagram may have: a longer one is seen to be too long.
+  std::array<char, link::kMaxCameraDatagram + 1> buffer{};
+};
+
+CameraPort::CameraPort(boost::asio::io_context& context, const CameraSettings& settings, Give give)
+    : state_(std::make_shared<State>(context, settings, std::move(give))) {
+  state_->open(link::parse_udp(settings.listen, "camera"));
+  state_->wait();
+}
+
+CameraPort::~CameraPort() { stop(); }
+
+void CameraPort::stop() {
+  boost::system::error_code ignored;
+  state_->socket.close(ignored);
+}
+
+const link::CameraCounters& CameraPort::counters() const { return state_->intake.counters(); }
+
+}  // namespace tp100::app
