@@ -91,6 +91,14 @@ int run(int argc, char** argv) {
       ->add_option("--course", robot.course,
                    "Course at whose start it stands and whose shoves it gets (default: none)")
       ->type_name("COURSE");
+  robot_app
+      ->add_flag("--camera{overhead}", robot.camera,
+                 "An overhead camera looks on; =CAMERA: name in config/cameras or file")
+      ->type_name("CAMERA");
+  robot_app
+      ->add_option("--camera-to", robot.camera_to,
+                   "Where its detections go, udp:PORT or udp:HOST:PORT (default: udp:47100)")
+      ->type_name("ADDRESS");
 
   SlopeCommand slope;
   CLI::App* slope_app =

@@ -6,10 +6,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 #include <vector>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "core/time.h"
+#include "sim/run/camera_stream.h"
 #include "sim/run/pusher.h"
 #include "sim/wire/pty.h"
 #include "wire/frame.h"
@@ -104,6 +107,28 @@ class Cable {
   std::vector<std::uint8_t> waiting_;
 };
 
+/// The camera that was asked for, over the middle of the course's fence.
+std::optional<CameraStream> camera_stream(const RobotCommand& command, const Loaded& loaded,
+                                          const course::Fence& fence) {
+  if (command.camera.empty() && command.camera_to.empty()) return std::nullopt;
+  if (loaded.setup == bridge::Setup::kBench)
+    throw SetupError("--camera: on a bench it would see a robot that stands still; leave it out");
+  const link::UdpAddress to = command.camera_to.empty()
+                                  ? link::UdpAddress{.port = link::kCameraPort}
+                                  : link::parse_udp(command.camera_to, "--camera-to");
+  const course::EmulatedCamera values =
+      load_camera(command.camera.empty() ? "overhead" : command.camera);
+  const OverheadCamera camera(values, (fence.min_x_m + fence.max_x_m) / 2.0,
+                              (fence.min_y_m + fence.max_y_m) / 2.0, command.options.seed);
+  return std::optional<CameraStream>(std::in_place, camera, to, command.options.seed);
+}
+
+void print_place(const Pose& truth) {
+  std::printf("robot: stands at x %.4f m, y %.4f m, yaw %.2f deg\n", truth.x_m, truth.y_m,
+              truth.yaw_rad * kDegPerRad);
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int run_robot(const RobotCommand& command) {
@@ -121,6 +146,7 @@ int run_robot(const RobotCommand& command) {
                        .board = loaded.board,
                        .bootloader = true,
                        .blank = command.blank});
+  std::optional<CameraStream> camera = camera_stream(command, loaded, course.fence);
   Cable cable(robot, command.link);
   Pusher pusher(course.shoves);
   std::signal(SIGINT, on_signal);
@@ -146,11 +172,13 @@ int run_robot(const RobotCommand& command) {
     cable.watch();
     cable.from_host();
     cable.to_host(robot.advance());
+    if (camera) camera->look(robot.truth().pose, robot.now_ns(), begin_ns, monotonic_ns());
     if (pusher.update(robot) != nullptr) {
       std::printf("robot: somebody pushes the robot\n");
       std::fflush(stdout);
     }
   }
+  print_place(robot.truth().pose);
   return 0;
 }
 

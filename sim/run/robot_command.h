@@ -11,7 +11,10 @@ struct RobotCommand {
   Options options{};
   std::string link;    ///< symbolic link to the port; empty: print the device only
   bool blank = false;  ///< no firmware on the avr board yet, only its bootloader
-  std::string course;  ///< start pose and shoves come from it; empty: origin
+  std::string camera;  ///< overhead camera, bundled name or file; empty: none, or `overhead` with
+                       ///< camera_to
+  std::string camera_to;  ///< "udp:[HOST:]PORT"; empty: kCameraPort of this machine
+  std::string course;     ///< start pose and shoves come from it; empty: origin
 };
 
 /// Runs until SIGINT or SIGTERM. Returns the exit status. Throws SetupError.
