@@ -1,0 +1,132 @@
+// The messages of Foxglove's own schemas.
+
+#include <cmath>
+
+#include "publish/foxglove_json.h"
+#include "publish/messages.h"
+
+namespace tp100::publish {
+namespace {
+
+constexpr double kPathSpacingM = 0.02;
+
+void write_transform(JsonWriter& json, std::string_view child, const Pose& pose,
+                     std::uint64_t unix_ns) {
+  json.begin_object();
+  write_time(json, "timestamp", unix_ns);
+  json.field("parent_frame_id", "world").field("child_frame_id", child);
+  write_xyz(json, "translation", {pose.x_m, pose.y_m, pose.z_m});
+  write_rotation(json, "rotation", pose);
+  json.end_object();
+}
+
+int log_level(Event::Level level) {
+  switch (level) {
+    case Event::Level::kInfo:
+      return 2;
+    case Event::Level::kWarning:
+      return 3;
+    case Event::Level::kError:
+      break;
+  }
+  return 4;
+}
+
+}  // namespace
+
+std::array<double, 4> quaternion(double roll_rad, double pitch_rad, double yaw_rad) {
+  const double cr = std::cos(roll_rad / 2.0), sr = std::sin(roll_rad / 2.0);
+  const double cp = std::cos(pitch_rad / 2.0), sp = std::sin(pitch_rad / 2.0);
+  const double cy = std::cos(yaw_rad / 2.0), sy = std::sin(yaw_rad / 2.0);
+  return {sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy,
+          cr * cp * cy + sr * sp * sy};
+}
+
+void write_rotation(JsonWriter& json, std::string_view name, const Pose& pose) {
+  const auto q = quaternion(pose.roll_rad, pose.pitch_rad, pose.yaw_rad);
+  json.key(name)
+      .begin_object()
+      .field("x", q[0])
+      .field("y", q[1])
+      .field("z", q[2])
+      .field("w", q[3])
+      .end_object();
+}
+
+void write_foxglove_pose(JsonWriter& json, const Pose& pose) {
+  json.key("pose").begin_object();
+  write_xyz(json, "position", {pose.x_m, pose.y_m, pose.z_m});
+  write_rotation(json, "orientation", pose);
+  json.end_object();
+}
+
+std::string Messages::transforms(const StepRecord& record,
+                                 const std::optional<Truth>& truth) const {
+  const std::uint64_t at = clock_.unix_ns(record.now_ns);
+  std::string text;
+  text.reserve(1400);
+  JsonWriter json(text);
+  json.begin_object().key("transforms").begin_array();
+  write_transform(json, "robot", steering_pose(record.snapshot, subject_), at);
+  for (const Estimator estimator : kEstimators)
+    write_transform(json, to_string(estimator), pose_of(record.snapshot, estimator), at);
+  if (truth) write_transform(json, "truth", truth->pose, clock_.unix_ns(truth->at_ns));
+  json.end_array().end_object();
+  return text;
+}
+
+std::string Messages::pose(HostNs at, const Pose& pose) const {
+  std::string text;
+  text.reserve(256);
+  JsonWriter json(text);
+  json.begin_object();
+  write_time(json, "timestamp", clock_.unix_ns(at));
+  json.field("frame_id", "world");
+  write_foxglove_pose(json, pose);
+  json.end_object();
+  return text;
+}
+
+std::string Messages::path_poses(HostNs at) const {
+  std::string text;
+  JsonWriter json(text);
+  json.begin_object();
+  write_time(json, "timestamp", clock_.unix_ns(at));
+  json.field("frame_id", "world").key("poses").begin_array();
+  if (path() != nullptr) {
+    for (const course::PathPoint& point : path_points(*path(), kPathSpacingM)) {
+      const auto q = quaternion(0.0, 0.0, point.yaw_rad);
+      json.begin_object();
+      write_xyz(json, "position", {point.x_m, point.y_m, 0.0});
+      json.key("orientation")
+          .begin_object()
+          .field("x", q[0])
+          .field("y", q[1])
+          .field("z", q[2])
+          .field("w", q[3])
+          .end_object()
+          .end_object();
+    }
+  }
+  json.end_array().end_object();
+  return text;
+}
+
+std::string Messages::log(const Event& event) const {
+  std::string text;
+  JsonWriter json(text);
+  json.begin_object();
+  write_time(json, "timestamp", clock_.unix_ns(event.at_ns));
+  std::string message = event.text;
+  if (!event.cause.empty()) message += ": " + event.cause;
+  if (!event.remedy.empty()) message += "; " + event.remedy;
+  json.field("level", log_level(event.level))
+      .field("message", message)
+      .field("name", event.kind)
+      .field("file", "")
+      .field("line", 0)
+      .end_object();
+  return text;
+}
+
+}  // namespace tp100::publish

@@ -1,0 +1,77 @@
+#pragma once
+// Messages of the channels, as JSON (CHANNELS.md): from plain data to text. No socket, file or
+// clock; any thread.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/step_record.h"
+#include "course/path.h"
+#include "publish/publish_clock.h"
+#include "publish/subject.h"
+
+namespace tp100::publish {
+
+/// Where the robot truly was, as somebody outside measured it.
+struct Truth {
+  HostNs at_ns = 0;
+  Pose pose{};
+};
+
+/// One thing that happened.
+struct Event {
+  enum class Level : std::uint8_t { kInfo, kWarning, kError };
+  HostNs at_ns = 0;
+  std::string kind = "daemon";  ///< as listed in CHANNELS.md
+  Level level = Level::kInfo;
+  std::string text{};
+  std::string cause{};   ///< empty unless there is something to do
+  std::string remedy{};  ///< what
+};
+
+/// Which of the three estimates.
+enum class Estimator : std::uint8_t { kModel, kOdometry, kFused };
+inline constexpr Estimator kEstimators[] = {Estimator::kModel, Estimator::kOdometry,
+                                            Estimator::kFused};
+const char* to_string(Estimator estimator);
+const Pose& pose_of(const Snapshot& snapshot, Estimator estimator);
+/// The pose that steers, by `subject`.
+const Pose& steering_pose(const Snapshot& snapshot, const Subject& subject);
+
+/// Writes messages about one subject. Each function returns the whole text of one message.
+class Messages {
+ public:
+  Messages(Subject subject, PublishClock clock);
+
+  const Subject& subject() const { return subject_; }
+  const PublishClock& clock() const { return clock_; }
+  /// Null without a course.
+  const course::Path* path() const { return path_ ? &*path_ : nullptr; }
+
+  // Our own schemas.
+  std::string estimate(const StepRecord& record, const std::optional<Truth>& truth) const;
+  std::string sample(const Sample& sample, HostNs now) const;
+  /// Of a record whose command is valid.
+  std::string command(const StepRecord& record) const;
+  std::string slip(const StepRecord& record) const;
+  std::string course() const;
+  std::string event(const Event& event) const;
+
+  // Foxglove's schemas.
+  std::string transforms(const StepRecord& record, const std::optional<Truth>& truth) const;
+  std::string pose(HostNs at, const Pose& pose) const;
+  std::string path_poses(HostNs at) const;
+  std::string scene(HostNs at) const;
+  std::string log(const Event& event) const;
+
+ private:
+  Subject subject_;
+  PublishClock clock_;
+  std::optional<course::Path> path_;
+};
+
+/// The reference path, a point at most every `spacing_m`; both ends of every piece are among them.
+std::vector<course::PathPoint> path_points(const course::Path& path, double spacing_m);
+
+}  // namespace tp100::publish
