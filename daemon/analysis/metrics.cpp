@@ -91,14 +91,14 @@ struct Deviation {
 Deviation deviation(const course::Path& path, const TrackPoint& point) {
   const double from = point.progress_m - kWindowM, to = point.progress_m + kWindowM;
   Deviation result;
-  result.cross_track_m = path.distance(point.truth.x_m, point.truth.y_m, from, to);
+  result.cross_track_m = path.distance(point.world.x_m, point.world.y_m, from, to);
   for (std::size_t i = 0; i < path.pieces().size(); ++i) {
     const course::Piece& piece = path.pieces()[i];
     if (piece.end.s_m < from || piece.begin.s_m > to) continue;
-    const course::PathPoint near = path.at(i, path.project(i, point.truth.x_m, point.truth.y_m));
-    const double distance = std::hypot(near.x_m - point.truth.x_m, near.y_m - point.truth.y_m);
+    const course::PathPoint near = path.at(i, path.project(i, point.world.x_m, point.world.y_m));
+    const double distance = std::hypot(near.x_m - point.world.x_m, near.y_m - point.world.y_m);
     if (distance > result.cross_track_m + kCornerM) continue;
-    result.yaw_rad = std::min(result.yaw_rad, yaw_error(piece, near, point.truth.yaw_rad));
+    result.yaw_rad = std::min(result.yaw_rad, yaw_error(piece, near, point.world.yaw_rad));
   }
   if (!std::isfinite(result.yaw_rad)) result.yaw_rad = 0.0;
   return result;

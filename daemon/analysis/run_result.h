@@ -14,11 +14,12 @@ namespace tp100::analysis {
 /// One instant of a run; all poses belong to the same time. World frame; yaw of any branch.
 struct TrackPoint {
   double t_s = 0.0;  ///< from the start of the run
-  Pose truth{};      ///< exact pose of the reference point; on bench and flat courses with virtual
-                     ///< obstacles, the pose in the virtual world
-  Pose model{};      ///< eqs 1-5 on encoder counts alone
-  Pose odometry{};   ///< encoders + gyro
-  Pose fused{};      ///< with the overhead camera, if the run had one
+  Pose truth{};      ///< exact pose of the reference point; on a bench the steering pose
+  Pose world{};     ///< the same in the course's world: behind `truth` where a virtual obstacle has
+                    ///< cost the virtual robot way; judged against the reference path
+  Pose model{};     ///< eqs 1-5 on encoder counts alone
+  Pose odometry{};  ///< encoders + gyro
+  Pose fused{};     ///< with the overhead camera, if the run had one
   double progress_m =
       0.0;  ///< along the path, as the controller sees it; tells crossing pieces apart
 };

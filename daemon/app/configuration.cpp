@@ -87,7 +87,7 @@ std::span<const Key<LoopSettings>> loop_keys() {
 
 std::span<const Key<bridge::Parameters>> model_keys() {
   using T = bridge::Parameters;
-  static const std::array<Key<T>, 1> kKeys = {{
+  static const std::array<Key<T>, 2> kKeys = {{
       {"mode",
        Choice<T>{{"extended", "paper"},
                  [](const T& p) { return static_cast<std::size_t>(p.paper_model); },
@@ -96,6 +96,13 @@ std::span<const Key<bridge::Parameters>> model_keys() {
        "paper: eqs 1-5 with the paper's constants whatever the robot file says; extended: the "
        "robot's "
        "values, turning centre and slope"},
+      {"slip_curve",
+       Choice<T>{{"table", "fit", "table-downhill", "fit-downhill"},
+                 [](const T& p) { return static_cast<std::size_t>(p.slip_curve); },
+                 [](T& p, std::size_t i) { p.slip_curve = static_cast<model::SlipCurve>(i); }},
+       {},
+       "How slip follows the slope: the paper's table or the straight line through it, held at its "
+       "level value downhill (where the paper has no rows), or continued downhill, which is ours"},
   }};
   return kKeys;
 }

@@ -41,7 +41,7 @@ class Replay {
   Replay(ReplayModel kind, const bridge::Parameters& parameters)
       : kind_(kind),
         parameters_(kind == ReplayModel::kPaper ? bridge::paper_parameters(parameters.model)
-                                                : bridge::track_parameters(parameters.model)),
+                                                : bridge::track_parameters(parameters)),
         mode_(kind == ReplayModel::kPaper ? model::Mode::kPaper : model::Mode::kExtended),
         counts_per_metre_(parameters.drive.counts_per_metre),
         standstill_(parameters.estimation) {}
@@ -54,7 +54,7 @@ class Replay {
     State state;
     state.pose = pose_;
     state.pose.pitch_rad = row_.slope_rad == 0.0 ? 0.0 : -row_.slope_rad;
-    state.slip = model::slip_on_slope(parameters_, mode_, row_.slope_rad);
+    state.slip = model::slip_on(parameters_, mode_, model::inclined(row_.slope_rad));
     state.twist = advanced(0.0);
     return state;
   }
@@ -73,11 +73,13 @@ class Replay {
       estimation::Odometry odometry(parameters_);
       odometry.reset(pose_);
       twist = odometry.advance({row_.left_mps, row_.right_mps},
-                               row_.gyro_z_radps - standstill_.bias_radps(), dt_s, row_.slope_rad);
+                               row_.gyro_z_radps - standstill_.bias_radps(), dt_s,
+                               model::inclined(row_.slope_rad));
       pose_ = odometry.pose();
     } else {
-      twist = model::body_twist(parameters_, mode_, row_.left_mps, row_.right_mps, row_.slope_rad);
-      model::advance(pose_, twist, dt_s, row_.slope_rad);
+      twist = model::body_twist(parameters_, mode_, row_.left_mps, row_.right_mps,
+                                model::inclined(row_.slope_rad));
+      model::advance(pose_, twist, dt_s, model::inclined(row_.slope_rad));
     }
     return twist;
   }

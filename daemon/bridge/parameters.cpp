@@ -21,14 +21,16 @@ std::optional<Setup> setup_named(std::string_view name) {
   return std::nullopt;
 }
 
-model::TrackParameters track_parameters(const course::ModelValues& values) {
+model::TrackParameters track_parameters(const Parameters& parameters) {
+  const course::ModelValues& values = parameters.model;
   return {.slip_left = values.slip_left,
           .slip_right = values.slip_right,
           .slip_angle_straight_rad = values.slip_angle_straight_rad,
           .slip_angle_turning_rad = values.slip_angle_turning_rad,
           .turning_threshold_radps = values.turning_threshold_radps,
           .wheelbase_m = values.wheelbase_m,
-          .x_icr_m = values.x_icr_m};
+          .x_icr_m = values.x_icr_m,
+          .slip_curve = parameters.slip_curve};
 }
 
 model::TrackParameters paper_parameters(const course::ModelValues& values) {

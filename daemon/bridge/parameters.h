@@ -30,6 +30,7 @@ struct Parameters {
   Setup setup = Setup::kFlat;
   Steering steering = Steering::kOdometry;
   bool paper_model = false;  ///< `model` runs eqs 1-5 with the paper's constants
+  model::SlipCurve slip_curve = model::SlipCurve::kTableDownhill;
   course::ModelValues model{};
   course::ShapeValues shape{};
   course::DriveValues drive{};
@@ -41,7 +42,7 @@ struct Parameters {
 };
 
 /// Eqs 1-5 with this robot's values.
-model::TrackParameters track_parameters(const course::ModelValues& values);
+model::TrackParameters track_parameters(const Parameters& parameters);
 /// Eqs 1-5 with the paper's constants; only the turning threshold is `values`'.
 model::TrackParameters paper_parameters(const course::ModelValues& values);
 

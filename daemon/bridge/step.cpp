@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "bridge/grip.h"
+#include "bridge/grounds.h"
 #include "bridge/tracks.h"
 #include "control/arming.h"
 #include "control/monitor.h"
@@ -25,6 +27,8 @@ namespace {
 constexpr double kSpeedLagS = 0.04;
 // Nobody saw what happened in a longer gap between two steps: it does not count as having lasted.
 constexpr double kLongestSeenS = 0.05;
+// A camera that was used this recently sees the robot.
+constexpr double kCameraNowS = 0.15;
 
 // Noise of the gyro at rest: of one sample, and of the mean over the first still window with what
 // the warm-up adds.
@@ -33,7 +37,7 @@ constexpr double kRestWindowSdRadps = 0.0005;
 
 model::TrackModel make_model(const Parameters& parameters) {
   if (parameters.paper_model) return {paper_parameters(parameters.model), model::Mode::kPaper};
-  return {track_parameters(parameters.model), model::Mode::kExtended};
+  return {track_parameters(parameters), model::Mode::kExtended};
 }
 
 /// The camera hangs near the middle of the fence.
@@ -62,9 +66,10 @@ struct Step::State {
         standstill(p.estimation),
         attitude(p.estimation.attitude),
         slope(p.estimation.attitude),
+        grounds(p, course.get()),
         track_model(make_model(p)),
-        odometry(track_parameters(p.model)),
-        filter(track_parameters(p.model), p.estimation.filter, p.estimation.camera,
+        odometry(track_parameters(p)),
+        filter(track_parameters(p), p.estimation.filter, p.estimation.camera,
                camera_place(p, course.get())) {
     if (course == nullptr) return;
     path.emplace(*course);
@@ -76,8 +81,10 @@ struct Step::State {
   Pose steering_pose() const;
   const Twist& newest_steering_twist() const;
   void take_attitude(double dt_s);
-  estimation::Ground ground() const;
-  void filter_sample(const Interval& step);
+  double heading_rate_radps(double body_z_radps) const;
+  void take_grounds(const Interval& step);
+  void take_grip(const Interval& step);
+  void filter_sample(const Interval& step, double rate_radps);
   void take_sample(const Sample& sample);
   void take_requests(std::span<const OperatorRequest> requests);
   void begin_run(HostNs now);
@@ -93,6 +100,8 @@ struct Step::State {
   estimation::Standstill standstill;
   estimation::AttitudeFilter attitude;
   estimation::SlopeState slope;
+  Grounds grounds;
+  Grip grip;
   model::TrackModel track_model;
   estimation::Odometry odometry;
   estimation::PoseFilter filter;
@@ -158,25 +167,47 @@ void Step::State::take_attitude(double dt_s) {
   slope.update(attitude.pitch_rad(), dt_s);
 }
 
-estimation::Ground Step::State::ground() const {
-  const model::TrackParameters values = track_parameters(parameters.model);
-  if (parameters.setup != Setup::kTerrain || slope.state() == Slope::kFlat)
-    return {.slip = {values.slip_left, values.slip_right}};
-  const double climb_rad = -attitude.pitch_rad();
-  return {.slope_rad = climb_rad,
-          .z_m = 0.0,
-          .roll_rad = attitude.roll_rad(),
-          .pitch_rad = attitude.pitch_rad(),
-          .slip = model::slip_on_slope(values, model::Mode::kExtended, climb_rad)};
+// Where the body leans, its own z axis is not the world's.
+double Step::State::heading_rate_radps(double body_z_radps) const {
+  const bool leans = parameters.setup == Setup::kTerrain && slope.state() != Slope::kFlat;
+  return leans ? attitude.yaw_rate_radps(body_z_radps) : body_z_radps;
 }
 
-void Step::State::filter_sample(const Interval& step) {
+void Step::State::take_grounds(const Interval& step) {
+  grounds.advance({.model = track_model.pose(),
+                   .odometry = odometry.pose(),
+                   .fused = filter.pose(),
+                   .steering = steering_pose(),
+                   .belts = step.belts,
+                   .dt_s = step.dt_s,
+                   .imu = {attitude.roll_rad(), attitude.pitch_rad()}});
+}
+
+void Step::State::take_grip(const Interval& step) {
+  if (arming.state() != RunState::kRunning) {
+    grip.restart();
+    return;
+  }
+  const Underfoot on = grounds.underfoot();
+  const double way_m = (step.belts.left_mps * (1.0 - parameters.model.slip_left) +
+                        step.belts.right_mps * (1.0 - parameters.model.slip_right)) /
+                       2.0 * step.dt_s;
+  grip.update({.dt_s = step.dt_s,
+               .way_m = way_m,
+               .fused = filter.pose(),
+               .camera = filter.camera_age_s(sample.measured_ns) < kCameraNowS,
+               .climbing = on.climbing,
+               .mapped_pitch_rad = grounds.mapped_pitch_rad(),
+               .measured_pitch_rad = attitude.pitch_rad()});
+}
+
+void Step::State::filter_sample(const Interval& step, double rate_radps) {
   filter.advance({.end_ns = sample.measured_ns,
                   .dt_s = step.dt_s,
                   .belts = step.belts,
-                  .gyro_z_radps = step.gyro_z_radps,
+                  .gyro_z_radps = rate_radps + standstill.bias_radps(),
                   .gyro = gyro_steers() && step.gyro_fresh,
-                  .ground = ground()});
+                  .ground = grounds.fused()});
   if (!standstill.still()) return;
   if (bias_taken) {
     filter.rest(tracks.gyro_z_radps(sample), kRestSampleSdRadps);
@@ -194,15 +225,17 @@ void Step::State::take_sample(const Sample& next) {
   if (!step) return;
   interval = *step;
   const double dt = step->dt_s;
-  track_model.advance(step->belts.left_mps, step->belts.right_mps, dt);
-  const double rate = step->gyro_z_radps - standstill.bias_radps();
-  if (gyro_steers() && step->gyro_fresh) {
-    odometry.advance(step->belts, rate, dt);
-  } else {
-    odometry.advance_without_gyro(step->belts, dt);
-  }
   take_attitude(dt);
-  filter_sample(*step);
+  take_grounds(*step);
+  track_model.advance(step->belts.left_mps, step->belts.right_mps, dt, grounds.model());
+  const double rate = heading_rate_radps(step->gyro_z_radps - standstill.bias_radps());
+  if (gyro_steers() && step->gyro_fresh) {
+    odometry.advance(step->belts, rate, dt, grounds.odometry());
+  } else {
+    odometry.advance_without_gyro(step->belts, dt, grounds.odometry());
+  }
+  filter_sample(*step, rate);
+  take_grip(*step);
   const Twist& steering = newest_steering_twist();
   follow(steering_twist.vx_mps, steering.vx_mps, dt);
   follow(steering_twist.vy_mps, steering.vy_mps, dt);
@@ -233,6 +266,8 @@ void Step::State::begin_run(HostNs now) {
   track_model.reset(course->start);
   odometry.reset(course->start);
   filter.begin(course->start, now);
+  grounds.restart();
+  grip.restart();
   tracker->restart();
   monitor->restart();
   run_began_ns = now;
@@ -244,12 +279,13 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
                  -parameters.drive.max_yaw_radps, parameters.drive.max_yaw_radps);
   const double half = turn * parameters.model.wheelbase_m / 2.0;
   return {.sample = &sample,
-          .pose = steering_pose(),
+          .pose = grounds.world(steering_pose()),
           .left_mps = left_mps,
           .right_mps = right_mps,
           .encoder_yaw_rate_radps = encoder_rate_radps,
           .gyro_yaw_rate_radps = gyro_rate_radps,
           .gyro_in_use = gyro_steers(),
+          .immobilised = grip.state() == Traction::kImmobilised,
           .target = target,
           .commanded_left_mps = (target.speed_mps - half) / (1.0 - parameters.model.slip_left),
           .commanded_right_mps = (target.speed_mps + half) / (1.0 - parameters.model.slip_right),
@@ -258,7 +294,7 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
 }
 
 void Step::State::steer(double dt_s) {
-  const Pose pose = steering_pose();
+  const Pose pose = grounds.world(steering_pose());
   if (arming.state() == RunState::kRunning) {
     target = tracker->update(pose, steering_twist, dt_s);
     return;
@@ -297,6 +333,10 @@ void Step::State::publish(HostNs now) {
   snapshot.odometry = odometry.pose();
   snapshot.odometry_twist = odometry.twist();
   snapshot.fused = filter.fused(now);
+  grounds.stand(snapshot.model, snapshot.odometry, snapshot.fused.pose);
+  snapshot.world = grounds.world(steering_pose());
+  snapshot.underfoot = grounds.underfoot();
+  snapshot.underfoot.traction = grip.state();
   snapshot.left_mps = interval.belts.left_mps;
   snapshot.right_mps = interval.belts.right_mps;
   snapshot.slip_left = track_model.slip().left;

@@ -63,6 +63,7 @@ FaultMask Monitor::update(const Observation& seen) {
   raise(disagreement_.update(seen.gyro_in_use && disagreement > parameters_.disagreement_radps, dt,
                              parameters_.disagreement_s),
         Fault::gyro_against_encoders);
+  raise(seen.immobilised, Fault::immobilised);
   return faults;
 }
 

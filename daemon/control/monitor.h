@@ -17,6 +17,7 @@ struct Observation {
   double encoder_yaw_rate_radps = 0.0;  ///< eq 5
   double gyro_yaw_rate_radps = 0.0;     ///< bias removed
   bool gyro_in_use = false;
+  bool immobilised = false;  ///< the belts run, the robot does not
   Target target{};
   double commanded_left_mps = 0.0;  ///< belt speeds that the command means
   double commanded_right_mps = 0.0;

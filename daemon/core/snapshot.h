@@ -8,6 +8,7 @@
 #include "core/run_state.h"
 #include "core/sample.h"
 #include "core/slope.h"
+#include "core/underfoot.h"
 
 namespace tp100 {
 
@@ -21,7 +22,12 @@ struct Snapshot {
   Twist model_twist{};
   Pose odometry{};  ///< encoders + gyro
   Twist odometry_twist{};
-  Fused fused{};          ///< encoders + gyro + overhead camera
+  Fused fused{};  ///< encoders + gyro + overhead camera
+  /// The steering pose in the course's world. Where ramps and blocks are virtual, the robot on them
+  /// is slower than the one on the floor: x and y run behind. Elsewhere the same as the steering
+  /// pose.
+  Pose world{};
+  Underfoot underfoot{};
   double left_mps = 0.0;  ///< belt speeds over the last sample interval
   double right_mps = 0.0;
   double slip_left = 0.0;  ///< slip ratios in use

@@ -12,7 +12,7 @@ constexpr double kMs = 1e-3;
 
 std::span<const Key<EmulatedCamera>> keys() {
   using T = EmulatedCamera;
-  static const std::array<Key<T>, 15> kKeys = {{
+  static const std::array<Key<T>, 17> kKeys = {{
       {"rate_hz", &T::rate_hz, {1, 500}, "Pictures per second"},
       {"delay_ms", &T::delay_s, {5, 400}, "From the picture to the arrival of its sample", kMs},
       {"delay_jitter_ms", &T::delay_jitter_s, {0, 100}, "Standard deviation of that delay", kMs},
@@ -28,6 +28,11 @@ std::span<const Key<EmulatedCamera>> keys() {
        {0, 0.1},
        "Error of the place that stays for a run; the seed draws its direction"},
       {"dropped", &T::dropped, {0, 1}, "Share of the pictures without a detection"},
+      {"blind_from_s",
+       &T::blind_from_s,
+       {0, 100000},
+       "From here on, counted from the first picture, nothing is detected"},
+      {"blind_s", &T::blind_s, {0, 100000}, "... for this long"},
       {"outliers", &T::outliers, {0, 1}, "Share of the pictures with a false detection"},
       {"outlier_m", &T::outlier_m, {0, 5}, "A false detection is off by this at most, per axis"},
       {"height_m", &T::height_m, {0.5, 20}, "Lens above the floor; it looks straight down"},

@@ -17,6 +17,8 @@ constexpr double kWorstOffsetRad = 4.6 * kRadPerDeg;
 // Somebody tilts the robot.
 constexpr double kTiltingRadps = 0.05;
 constexpr double kFirstS = 0.2;
+// Near the vertical there is no heading.
+constexpr double kLeastCosPitch = 0.2;
 
 double norm(const AttitudeFilter::Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
@@ -48,6 +50,7 @@ void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, 
   const double wz = gyro_radps[2] - gyro_offset_[2];
   const double cr = std::cos(roll_rad_), sr = std::sin(roll_rad_);
   // Turning while tilted turns pitch into roll and back.
+  body_y_radps_ = wy;
   pitch_rate_radps_ = cr * wy - sr * wz;
   const double roll_rate = wx + std::tan(pitch_rad_) * (sr * wy + cr * wz);
   roll_rad_ += roll_rate * dt_s;
@@ -57,6 +60,11 @@ void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, 
   const double share = dt_s / (parameters_.gravity_s + dt_s);
   roll_rad_ += (roll_of(accel_mps2) - level_roll_rad_ - roll_rad_) * share;
   pitch_rad_ += (pitch_of(accel_mps2) - level_pitch_rad_ - pitch_rad_) * share;
+}
+
+double AttitudeFilter::yaw_rate_radps(double body_z_radps) const {
+  return (std::sin(roll_rad_) * body_y_radps_ + std::cos(roll_rad_) * body_z_radps) /
+         std::max(std::cos(pitch_rad_), kLeastCosPitch);
 }
 
 }  // namespace tp100::estimation

@@ -26,6 +26,9 @@ class AttitudeFilter {
   double pitch_rad() const { return pitch_rad_; }
   /// Rate of pitch_rad(), offsets removed.
   double pitch_rate_radps() const { return pitch_rate_radps_; }
+  /// Rate of the heading (z-y-x Euler rate) of a body whose own z axis turns at `body_z_radps`,
+  /// offset removed.
+  double yaw_rate_radps(double body_z_radps) const;
 
  private:
   bool looks_level(const Vector& gyro_radps, const Vector& accel_mps2) const;
@@ -37,6 +40,7 @@ class AttitudeFilter {
   double gravity_mps2_ = 9.80665;
   double roll_rad_ = 0.0, pitch_rad_ = 0.0;
   double pitch_rate_radps_ = 0.0;
+  double body_y_radps_ = 0.0;
 };
 
 }  // namespace tp100::estimation

@@ -39,7 +39,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const double dt = motion.dt_s;
   const Twist twist = this->twist(state.mean, motion);
   Pose pose{.x_m = state.mean[kX], .y_m = state.mean[kY], .yaw_rad = state.mean[kYaw]};
-  model::advance(pose, twist, dt, motion.ground.slope_rad);
+  model::advance(pose, twist, dt, {.planar = motion.ground.planar});
   const double dx = pose.x_m - state.mean[kX];
   const double dy = pose.y_m - state.mean[kY];
   const double turn = twist.yaw_rate_radps * dt;
@@ -47,7 +47,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const double c = std::cos(middle), s = std::sin(middle);
 
   // What a change of speed and of yaw rate does to the place.
-  const double planar = std::cos(motion.ground.slope_rad);
+  const double planar = motion.ground.planar;
   const double sideways = std::tan(slip_angle_rad(twist.yaw_rate_radps));
   const double x_by_speed = dt * (planar * c - sideways * s);
   const double y_by_speed = dt * (planar * s + sideways * c);
@@ -79,7 +79,9 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
 
   const double way = std::abs(twist.vx_mps) * dt;
   const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
-  const double along = square(noise_.along_sd_m_rtm) * way + by_turning;
+  const double along =
+      square(motion.ground.hold_slip ? noise_.obstacle_sd_m_rtm : noise_.along_sd_m_rtm) * way +
+      by_turning;
   const double across = square(noise_.across_sd_m_rtm) * way + by_turning;
   const double rate = std::abs(twist.yaw_rate_radps);
   const double yaw =

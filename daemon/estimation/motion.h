@@ -11,12 +11,13 @@ namespace tp100::estimation {
 
 /// What the floor does under the robot. Everything zero on a plane.
 struct Ground {
-  double slope_rad = 0.0;  ///< climb angle along the robot
-  double z_m = 0.0;        ///< attitude of the body; tilts the marker
+  double planar = 1.0;  ///< planar way per way along the ground, see model::Incline
+  double z_m = 0.0;     ///< height and attitude of the body: they shift the marker
   double roll_rad = 0.0;
   double pitch_rad = 0.0;
   model::Slip slip{};      ///< slip ratios to expect here
-  bool hold_slip = false;  ///< on an obstacle: belts say nothing about the slip of the surface
+  bool hold_slip = false;  ///< on an obstacle: belts say nothing about the slip of the surface, and
+                           ///< the way is known less well
 };
 
 /// Belts against gyro over a window of several intervals.

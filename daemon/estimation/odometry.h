@@ -21,9 +21,12 @@ class Odometry {
   /// One interval with the mean yaw rate `yaw_rate_radps` of the gyro, bias removed. The slip
   /// angle's turning switch and the ICR offset follow the gyro too, not the belts.
   const Twist& advance(const BeltSpeeds& belts, double yaw_rate_radps, double dt_s,
-                       double slope_rad = 0.0);
+                       const model::Incline& incline = {});
   /// One interval without a usable gyro (bench, dead sensor): eq 5 gives the turn.
-  const Twist& advance_without_gyro(const BeltSpeeds& belts, double dt_s, double slope_rad = 0.0);
+  const Twist& advance_without_gyro(const BeltSpeeds& belts, double dt_s,
+                                    const model::Incline& incline = {});
+  /// How the robot stands there, where something else knows it better than the slope.
+  void stand(double z_m, double roll_rad, double pitch_rad);
 
   const Pose& pose() const { return pose_; }
   const Twist& twist() const { return twist_; }

@@ -17,6 +17,7 @@ struct FilterParameters {
   double bias_walk_radps_rts = 5e-5;
   double along_sd_m_rtm = 0.003;  ///< way, per root metre
   double across_sd_m_rtm = 0.003;
+  double obstacle_sd_m_rtm = 0.03;  ///< way while climbing a block, where belts slip at one end
   double turn_sd_m_rtrad = 0.002;   ///< shift of the reference point by turning, per root radian
   double slip_sd = 0.03;            ///< slip ratio around its prior
   double slip_s = 2.0;              ///< time constant of its return to the prior

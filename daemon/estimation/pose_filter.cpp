@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/angle.h"
 
@@ -191,6 +192,10 @@ Pose PoseFilter::pose() const {
           .roll_rad = ground_.roll_rad,
           .pitch_rad = ground_.pitch_rad,
           .yaw_rad = state_.mean[kYaw] + branch_rad_};
+}
+
+double PoseFilter::camera_age_s(HostNs now) const {
+  return camera_known_ ? to_s(now - camera_ns_) : std::numeric_limits<double>::infinity();
 }
 
 Fused PoseFilter::fused(HostNs now) const {

@@ -45,6 +45,8 @@ class PoseFilter {
   /// State at the end of the newest interval. z, roll and pitch are the ground's.
   Pose pose() const;
   const Twist& twist() const { return twist_; }
+  /// Since the last camera sample that was used was taken; infinite before the first. [s]
+  double camera_age_s(HostNs now) const;
   const FilterState& state() const { return state_; }
   /// Everything to publish at host time `now`.
   Fused fused(HostNs now) const;

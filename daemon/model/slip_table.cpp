@@ -22,6 +22,9 @@ constexpr std::array<Row, 7> kRows{{{0, 0.16, 0.162},
                                     {24, 0.21, 0.247},
                                     {28, 0.22, 0.260}}};
 
+// Steepness of the straight line through the rows.
+constexpr double kLeftPerDeg = 0.00222, kRightPerDeg = 0.00362;
+
 SlipPair interpolated(double deg) {
   std::size_t upper = 1;
   while (upper + 1 < kRows.size() && kRows[upper].slope_deg < deg) ++upper;
@@ -36,11 +39,14 @@ SlipPair interpolated(double deg) {
 SlipPair slip_at_slope(double slope_rad, SlipCurve curve) {
   const double deg = slope_rad * kDegPerRad;
   const double first = kRows.front().slope_deg, last = kRows.back().slope_deg;
-  const double lowest = curve == SlipCurve::kFitDownhill ? -last : first;
+  const bool downhill = curve == SlipCurve::kTableDownhill || curve == SlipCurve::kFitDownhill;
+  const bool table = curve == SlipCurve::kTable || curve == SlipCurve::kTableDownhill;
+  const double lowest = downhill ? -last : first;
   const double held = std::isnan(deg) ? first : std::clamp(deg, lowest, last);
-  SlipPair slip = curve == SlipCurve::kTable
-                      ? interpolated(held)
-                      : SlipPair{0.1557 + 0.00222 * held, 0.1534 + 0.00362 * held, false};
+  SlipPair slip{0.1557 + kLeftPerDeg * held, 0.1534 + kRightPerDeg * held, false};
+  if (table && held >= first) slip = interpolated(held);
+  if (table && held < first)
+    slip = {kRows[0].left + kLeftPerDeg * held, kRows[0].right + kRightPerDeg * held, false};
   slip.outside = !(deg >= first && deg <= last);
   return slip;
 }

@@ -12,15 +12,19 @@ struct SlipPair {
 
 /// How the table is read between and beyond its rows. It has no downhill rows: `kTable` and `kFit`
 /// hold the level value there, which overstates slip (contact physics gives about 0.09 at -28 deg,
-/// 0.16 level); `kFitDownhill` continues the fit to -28 deg instead, which is ours.
+/// 0.16 level); the other two continue with the fit's steepness to -28 deg, which is ours.
 enum class SlipCurve {
-  kTable,        ///< linear between the rows, ends held
-  kFit,          ///< left 0.1557 + 0.00222 per deg, right 0.1534 + 0.00362 per deg, ends held
-  kFitDownhill,  ///< the same, held at -28 and 28 deg
+  kTable,          ///< linear between the rows, ends held
+  kFit,            ///< left 0.1557 + 0.00222 per deg, right 0.1534 + 0.00362 per deg, ends held
+  kTableDownhill,  ///< kTable uphill, from its level value down with the steepness of the fit
+  kFitDownhill,    ///< the same, held at -28 and 28 deg
 };
 
 /// Slip of the board that the paper measured. `slope_rad`: climb angle, 0..28 deg inside; anything
 /// else, not-a-number included, gives the nearest end (the level one) and says `outside`. Pure.
 SlipPair slip_at_slope(double slope_rad, SlipCurve curve = SlipCurve::kTable);
+
+/// Bound that keeps 1 - slip away from 0 where slip is divided out of a command.
+inline constexpr double kMostSlip = 0.95;
 
 }  // namespace tp100::model

@@ -1,24 +1,22 @@
 #include "model/track_model.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "model/slip_table.h"
 
 namespace tp100::model {
 
-Slip slip_on_slope(const TrackParameters& parameters, Mode mode, double slope_rad) {
+Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& incline) {
   Slip slip{parameters.slip_left, parameters.slip_right};
-  if (mode == Mode::kPaper || slope_rad == 0.0) return slip;
-  const SlipPair flat = slip_at_slope(0.0);
-  const SlipPair here = slip_at_slope(slope_rad);
-  slip.left += here.left - flat.left;
-  slip.right += here.right - flat.right;
-  return slip;
+  if (mode == Mode::kPaper || (incline.slope_rad == 0.0 && incline.slip_offset == 0.0)) return slip;
+  const SlipPair level = slip_at_slope(0.0, parameters.slip_curve);
+  const SlipPair here = slip_at_slope(incline.slope_rad, parameters.slip_curve);
+  return {std::min(slip.left + (here.left - level.left) + incline.slip_offset, kMostSlip),
+          std::min(slip.right + (here.right - level.right) + incline.slip_offset, kMostSlip)};
 }
 
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
-                 double slope_rad) {
-  const Slip slip = slip_on_slope(parameters, mode, slope_rad);
+                 const Incline& incline) {
+  const Slip slip = slip_on(parameters, mode, incline);
   const double left = left_mps * (1.0 - slip.left);
   const double right = right_mps * (1.0 - slip.right);
   Twist twist;
@@ -32,7 +30,7 @@ Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, 
   return twist;
 }
 
-void advance(Pose& pose, const Twist& twist, double dt_s, double slope_rad) {
+void advance(Pose& pose, const Twist& twist, double dt_s, const Incline& incline) {
   const double turn = twist.yaw_rate_radps * dt_s;
   double along = 1.0;
   double across = 0.0;
@@ -43,24 +41,31 @@ void advance(Pose& pose, const Twist& twist, double dt_s, double slope_rad) {
     along = std::sin(turn) / turn;
     across = (1.0 - std::cos(turn)) / turn;
   }
-  const double forward = twist.vx_mps * std::cos(slope_rad);
+  const double forward = twist.vx_mps * incline.planar;
   const double dx = (forward * along - twist.vy_mps * across) * dt_s;
   const double dy = (forward * across + twist.vy_mps * along) * dt_s;
   const double c = std::cos(pose.yaw_rad);
   const double s = std::sin(pose.yaw_rad);
   pose.x_m += c * dx - s * dy;
   pose.y_m += s * dx + c * dy;
-  pose.z_m += twist.vx_mps * std::sin(slope_rad) * dt_s;
-  pose.pitch_rad = slope_rad == 0.0 ? 0.0 : -slope_rad;
+  pose.z_m += twist.vx_mps * std::sin(incline.slope_rad) * dt_s;
+  pose.pitch_rad = incline.slope_rad == 0.0 ? 0.0 : -incline.slope_rad;
   pose.yaw_rad += turn;
 }
 
-const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s, double slope_rad) {
-  const double slope = mode_ == Mode::kPaper ? 0.0 : slope_rad;
-  slip_ = slip_on_slope(parameters_, mode_, slope);
-  twist_ = body_twist(parameters_, mode_, left_mps, right_mps, slope);
-  model::advance(pose_, twist_, dt_s, slope);
+const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s,
+                                 const Incline& incline) {
+  const Incline under = mode_ == Mode::kPaper ? Incline{} : incline;
+  slip_ = slip_on(parameters_, mode_, under);
+  twist_ = body_twist(parameters_, mode_, left_mps, right_mps, under);
+  model::advance(pose_, twist_, dt_s, under);
   return twist_;
+}
+
+void TrackModel::stand(double z_m, double roll_rad, double pitch_rad) {
+  pose_.z_m = z_m;
+  pose_.roll_rad = roll_rad;
+  pose_.pitch_rad = pitch_rad;
 }
 
 }  // namespace tp100::model

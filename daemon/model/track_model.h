@@ -3,11 +3,14 @@
 
 #include "core/angle.h"
 #include "core/pose.h"
+#include "model/incline.h"
+#include "model/slip_table.h"
 
 namespace tp100::model {
 
-/// `kPaper`: exactly eqs 1-5. `kExtended` adds -x_icr * yaw rate to Vy, multiplies the planar part
-/// by cos(slope), climbs with sin(slope) and shifts the slip ratios with the slope.
+/// `kPaper`: exactly eqs 1-5 on a plane. `kExtended` adds -x_icr * yaw rate to Vy, multiplies the
+/// planar part by cos(slope), climbs with sin(slope) and shifts the slip ratios with surface and
+/// slope.
 enum class Mode { kPaper, kExtended };
 
 /// Parameters of eqs 1-5. The defaults are the paper's (tarpaulin; wheelbase as printed).
@@ -19,25 +22,27 @@ struct TrackParameters {
   double turning_threshold_radps =
       0.05;  ///< |yaw rate of eq 5| above it takes the turning slip angle
   double wheelbase_m = 0.2742;
-  double x_icr_m = 0.0;  ///< extended only
+  double x_icr_m = 0.0;                              ///< extended only
+  SlipCurve slip_curve = SlipCurve::kTableDownhill;  ///< extended only
 };
 
-/// Slip ratios that apply on a slope: the paper's in `kPaper`; else shifted by the paper's slope
-/// table against its own zero, so that the parameters stay those of the flat surface.
+/// Slip ratios that apply on an incline: those of the parameters in `kPaper`; else shifted by the
+/// surface, and by the paper's slope table against its own zero, so that the parameters stay those
+/// of the flat floor.
 struct Slip {
   double left = 0.0;
   double right = 0.0;
 };
-Slip slip_on_slope(const TrackParameters& parameters, Mode mode, double slope_rad);
+Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& incline);
 
 /// Eqs 1, 2 and 5: body twist of belts at `left_mps`, `right_mps`. Negative speeds take the literal
 /// equations. Pure.
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
-                 double slope_rad = 0.0);
+                 const Incline& incline = {});
 
-/// Eqs 3 and 4 over `dt_s` of constant twist: the exact arc; exact for any step size. `slope_rad`
-/// is the climb angle; pass 0 for a plane. Yaw stays unwrapped. Pure.
-void advance(Pose& pose, const Twist& twist, double dt_s, double slope_rad = 0.0);
+/// Eqs 3 and 4 over `dt_s` of constant twist: the exact arc; exact for any step size. z and pitch
+/// follow the slope. Yaw stays unwrapped. Pure.
+void advance(Pose& pose, const Twist& twist, double dt_s, const Incline& incline = {});
 
 /// Pose by encoders alone. No allocation; safe in the real-time thread.
 class TrackModel {
@@ -47,7 +52,9 @@ class TrackModel {
   /// Continues from `pose`.
   void reset(const Pose& pose) { pose_ = pose; }
   /// Belts at constant speeds for `dt_s`. Returns the twist that was integrated.
-  const Twist& advance(double left_mps, double right_mps, double dt_s, double slope_rad = 0.0);
+  const Twist& advance(double left_mps, double right_mps, double dt_s, const Incline& incline = {});
+  /// How the robot stands there, where something else knows it better than the slope.
+  void stand(double z_m, double roll_rad, double pitch_rad);
 
   const Pose& pose() const { return pose_; }
   const Twist& twist() const { return twist_; }

@@ -22,9 +22,9 @@ constexpr std::size_t kMostSlices = 8;
 World::World(const course::Terrain& terrain, const course::ShapeValues& shape)
     : terrain_(terrain), shape_(shape) {
   for (const course::Ramp& ramp : terrain_.ramps)
-    pieces_.push_back({outline_of(ramp), Ground::kRamp});
+    pieces_.push_back({outline_of(ramp), Obstacle::kRamp});
   for (const course::Block& block : terrain_.blocks)
-    pieces_.push_back({outline_of(block), Ground::kBlock});
+    pieces_.push_back({outline_of(block), Obstacle::kBlock});
 }
 
 bool World::near(const Outline& outline, double x_m, double y_m) const {
@@ -39,21 +39,21 @@ World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
   const double radius = shape_.belt_radius_m;
   struct Under {
     Slice slice;
-    Ground ground;
+    Obstacle ground;
   };
   std::array<std::optional<Under>, kMostSlices> under;
   std::size_t count = 0;
   for (const Piece& piece : pieces_) {
     if (count == kMostSlices || !near(piece.outline, x_m, y_m)) continue;
     const Slice slice(piece.outline, x_m, y_m, cos_yaw, sin_yaw);
-    if (!slice.empty()) under[count++].emplace(Under{slice, piece.ground});
+    if (!slice.empty()) under[count++].emplace(Under{slice, piece.obstacle});
   }
-  Rest result{0.0, 0.0, Ground::kFloor};
+  Rest result{0.0, 0.0, Obstacle::kNone};
   if (count == 0) return result;
   result.slope_rad = std::clamp(slope_rad, -kSteepestRad, kSteepestRad);
 
   std::array<double, kPlaces> wheel{};
-  std::array<Ground, kPlaces> ground{};
+  std::array<Obstacle, kPlaces> ground{};
   for (int round = 0; round < kRounds; ++round) {
     const double c = std::cos(result.slope_rad);
     const double s = std::sin(result.slope_rad);
@@ -63,7 +63,7 @@ World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
     for (int i = 0; i < kPlaces; ++i) {
       const auto k = static_cast<std::size_t>(i);
       wheel[k] = radius;
-      ground[k] = Ground::kFloor;
+      ground[k] = Obstacle::kNone;
       for (std::size_t n = 0; n < count; ++n) {
         const double height = under[n]->slice.wheel_m(middle - half + i * step, radius);
         if (height <= wheel[k]) continue;
@@ -85,7 +85,7 @@ World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
         if (height <= highest) continue;
         highest = height;
         slope = rise;
-        result.ground = std::max(ground[a], ground[b]);
+        result.obstacle = std::max(ground[a], ground[b]);
       }
     }
     const double tilt = std::clamp(std::atan(slope), -kSteepestRad, kSteepestRad);
@@ -113,7 +113,7 @@ Footing World::at(const Pose& pose) const {
   footing.slope_rad = (left.slope_rad + right.slope_rad) / 2.0;
   footing.pitch_rad = -footing.slope_rad;
   footing.roll_rad = std::atan2(left.height_m - right.height_m, shape_.gauge_m);
-  footing.ground = std::max(left.ground, right.ground);
+  footing.obstacle = std::max(left.obstacle, right.obstacle);
   return footing;
 }
 

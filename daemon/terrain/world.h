@@ -6,18 +6,12 @@
 #include <vector>
 
 #include "core/pose.h"
+#include "core/underfoot.h"
 #include "course/robot.h"
 #include "course/terrain.h"
 #include "terrain/slice.h"
 
 namespace tp100::terrain {
-
-/// What carries the robot.
-enum class Ground {
-  kFloor,  ///< the level floor alone
-  kRamp,   ///< a ramp, at least in part; its flat top included
-  kBlock,  ///< a block, at least in part
-};
 
 /// How the robot stands.
 struct Footing {
@@ -25,7 +19,7 @@ struct Footing {
   double slope_rad = 0.0;  ///< climb angle along the heading, nose-up positive
   double pitch_rad = 0.0;  ///< the same as REP-103 has it: nose-up negative
   double roll_rad = 0.0;   ///< left side up positive
-  Ground ground = Ground::kFloor;
+  Obstacle obstacle = Obstacle::kNone;
   const course::Surface* surface = nullptr;  ///< under the reference point; null: ordinary floor
 };
 
@@ -56,17 +50,20 @@ class World {
   /// reference point.
   std::optional<BlockAhead> next_block(const Pose& pose, double within_m) const;
 
+  /// Blocks that next_block() points into.
+  const std::vector<course::Block>& blocks() const { return terrain_.blocks; }
+
   bool flat() const { return pieces_.empty(); }
 
  private:
   struct Piece {
     Outline outline;
-    Ground ground;
+    Obstacle obstacle;
   };
   struct Rest {
     double slope_rad;
     double height_m;  // of the reference point
-    Ground ground;
+    Obstacle obstacle;
   };
   bool near(const Outline& outline, double x_m, double y_m) const;
   Rest rest(double x_m, double y_m, double cos_yaw, double sin_yaw, double slope_rad) const;

@@ -18,14 +18,18 @@ namespace {
 std::string poses_csv(const analysis::RunResult& result) {
   std::ostringstream out;
   out.precision(17);
-  out << "t_s,truth_x_m,truth_y_m,truth_yaw_rad,model_x_m,model_y_m,model_yaw_rad,"
-         "odometry_x_m,odometry_y_m,odometry_yaw_rad";
-  if (result.has_camera) out << ",fused_x_m,fused_y_m,fused_yaw_rad";
+  out << "t_s";
+  for (const char* pose : {"truth", "model", "odometry", "fused"}) {
+    if (pose == std::string("fused") && !result.has_camera) continue;
+    for (const char* value : {"x_m", "y_m", "z_m", "pitch_rad", "yaw_rad"})
+      out << ',' << pose << '_' << value;
+  }
   out << '\n';
   for (const analysis::TrackPoint& point : result.points) {
     out << point.t_s;
     const auto write = [&out](const Pose& pose) {
-      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.yaw_rad;
+      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.z_m << ',' << pose.pitch_rad << ','
+          << pose.yaw_rad;
     };
     write(point.truth);
     write(point.model);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cycle.h"
+#include "bridge/grounds.h"
 #include "core/error.h"
 #include "core/faults.h"
 #include "sim/run/options.h"
@@ -70,6 +71,8 @@ class Lockstep {
   void push();
   void record(const Snapshot& snapshot);
   void publish();
+  /// Of the virtual robot against the real one.
+  Pose in_world(Pose real) const;
   bool bench() const { return settings_.setup == bridge::Setup::kBench; }
 
   LockstepSettings settings_;
@@ -83,6 +86,7 @@ class Lockstep {
   std::vector<std::uint8_t> arriving_;
   analysis::RunResult result_{};
   std::int64_t period_ns_;
+  double behind_x_m_ = 0.0, behind_y_m_ = 0.0;
   std::int64_t begin_ns_ = -1;
   std::int64_t last_recorded_us_ = -1;
   Pusher pusher_;
@@ -106,7 +110,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
       robot_({.values = settings.robot.emulated,
               .start = settings.course.start,
               .on_stand = settings.setup == bridge::Setup::kBench,
-              .terrain = floor_of(settings.course.terrain, settings.setup),
+              .terrain = bridge::floor_of(settings.course.terrain, settings.setup),
               .seed = settings.seed,
               .board = settings.board,
               .start_us = settings.start_us}),
@@ -155,6 +159,12 @@ void Lockstep::push() {
   result_.shoves.push_back({now_s, now_s + shove->duration_s});
 }
 
+Pose Lockstep::in_world(Pose real) const {
+  real.x_m += behind_x_m_;
+  real.y_m += behind_y_m_;
+  return real;
+}
+
 void Lockstep::record(const Snapshot& snapshot) {
   if (!snapshot.has_sample || snapshot.sample.device_us == last_recorded_us_) return;
   const std::int64_t measured_ns = snapshot.sample.measured_ns;
@@ -163,8 +173,12 @@ void Lockstep::record(const Snapshot& snapshot) {
   const Pose steering = parameters_.steering == bridge::Steering::kModel   ? snapshot.model
                         : parameters_.steering == bridge::Steering::kFused ? snapshot.fused.pose
                                                                            : snapshot.odometry;
+  const Pose truth = bench() ? steering : truth_.find(measured_ns);
+  behind_x_m_ = snapshot.world.x_m - steering.x_m;
+  behind_y_m_ = snapshot.world.y_m - steering.y_m;
   result_.points.push_back({.t_s = to_s(measured_ns - begin_ns_),
-                            .truth = bench() ? steering : truth_.find(measured_ns),
+                            .truth = truth,
+                            .world = in_world(truth),
                             .model = snapshot.model,
                             .odometry = snapshot.odometry,
                             .fused = snapshot.fused.pose,
@@ -231,8 +245,8 @@ analysis::RunResult Lockstep::run() {
   result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kRestS) - begin_ns_);
   const course::PathPoint goal = path_.at(path_.pieces().size() - 1, path_.length_m());
   const Pose end = result_.points.empty() ? settings_.course.start
-                   : bench()              ? result_.points.back().truth
-                                          : robot_.truth().pose;
+                   : bench()              ? result_.points.back().world
+                                          : in_world(robot_.truth().pose);
   const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
   result_.completed = state == RunState::kFinished && miss_m <= kEndToleranceM;
   if (!result_.completed) {

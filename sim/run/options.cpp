@@ -36,18 +36,6 @@ Loaded load(const Options& options) {
   return loaded;
 }
 
-course::Terrain floor_of(const course::Terrain& terrain, bridge::Setup setup) {
-  switch (setup) {
-    case bridge::Setup::kTerrain:
-      return terrain;
-    case bridge::Setup::kFlat:
-      return {.ramps = {}, .blocks = {}, .surfaces = terrain.surfaces};
-    case bridge::Setup::kBench:
-      break;
-  }
-  return {};
-}
-
 course::EmulatedCamera load_camera(const std::string& name_or_path) {
   const app::TextFile file = app::read_bundled(app::Bundled::kCameras, name_or_path);
   return course::parse_camera(file.text, file.path);

@@ -31,10 +31,6 @@ struct Loaded {
 };
 Loaded load(const Options& options);
 
-/// What of a course's terrain really is on the robot's floor: everything on `terrain`, only other
-/// ground on `flat`, whose ramps and blocks exist in the daemon's world alone, nothing on `bench`.
-course::Terrain floor_of(const course::Terrain& terrain, bridge::Setup setup);
-
 /// A course by bundled name or file. Throws SetupError.
 course::Course load_course(const std::string& name_or_path);
 

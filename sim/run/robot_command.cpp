@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "bridge/grounds.h"
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/time.h"
@@ -141,7 +142,7 @@ int run_robot(const RobotCommand& command) {
   EmulatedRobot robot({.values = loaded.robot.emulated,
                        .start = course.start,
                        .on_stand = loaded.setup == bridge::Setup::kBench,
-                       .terrain = floor_of(course.terrain, loaded.setup),
+                       .terrain = bridge::floor_of(course.terrain, loaded.setup),
                        .seed = command.options.seed,
                        .board = loaded.board,
                        .bootloader = true,

@@ -64,7 +64,8 @@ void OverheadCamera::look(const Pose& truth, std::int64_t now_ns) {
     sample.y_m += values_.outlier_m * (2.0 * uniform() - 1.0);
     sample.yaw_rad = kPi * (2.0 * uniform() - 1.0);
   }
-  if (dropped) return;
+  const double seen_s = due_s - first_frame_s_ - values_.blind_from_s;
+  if (dropped || (seen_s >= 0.0 && seen_s < values_.blind_s)) return;
   std::int64_t at_ns = now_ns + from_s(delay_s);
   if (!under_way_.empty()) at_ns = std::max(at_ns, under_way_.back().at_ns);
   under_way_.push_back({at_ns, sample});

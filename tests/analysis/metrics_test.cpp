@@ -16,6 +16,7 @@ TrackPoint point(double t_s, const Pose& truth, const Pose& model) {
   TrackPoint result;
   result.t_s = t_s;
   result.truth = truth;
+  result.world = truth;
   result.model = model;
   return result;
 }
@@ -107,7 +108,7 @@ TEST(TrackingErrors, ATurnOnTheSpotIsNoYawError) {
     points.back().progress_m = 1.0;
   }
   EXPECT_NEAR(tracking_errors(points, {}, course::Path(course)).max_yaw_error_rad, 0.0, 1e-12);
-  points.back().truth.yaw_rad += 0.3;
+  points.back().world.yaw_rad += 0.3;
   EXPECT_NEAR(tracking_errors(points, {}, course::Path(course)).max_yaw_error_rad, 0.3, 1e-12);
 }
 
@@ -118,7 +119,7 @@ TEST(TrackingErrors, ACrossingPathIsComparedNearTheProgressOnly) {
   TrackPoint crossing = point(0, pose(0.5, 0.0, 0.0), {});
   crossing.progress_m = 0.5;
   EXPECT_NEAR(tracking_errors({crossing}, {}, path).max_cross_track_m, 0.0, 1e-12);
-  crossing.truth.y_m = 0.4;  // nearly on the arc, but that part comes much later
+  crossing.world.y_m = 0.4;  // nearly on the arc, but that part comes much later
   EXPECT_NEAR(tracking_errors({crossing}, {}, path).max_cross_track_m, 0.4, 1e-9);
 }
 

@@ -70,7 +70,7 @@ TEST(TrackModel, YawStaysUnwrapped) {
 TEST(TrackModel, PaperModeIgnoresTheSlopeAndExtendedModeClimbsIt) {
   const double slope = 20.0 * kRadPerDeg;
   TrackModel paper(TrackParameters{}, Mode::kPaper);
-  paper.advance(0.1, 0.1, 1.0, slope);
+  paper.advance(0.1, 0.1, 1.0, inclined(slope));
   EXPECT_EQ(paper.pose().z_m, 0.0);
 
   TrackParameters symmetric;
@@ -78,7 +78,7 @@ TEST(TrackModel, PaperModeIgnoresTheSlopeAndExtendedModeClimbsIt) {
   symmetric.slip_angle_straight_rad = 0.0;
   TrackModel extended(symmetric, Mode::kExtended);
   const double table_left = 0.1 + 0.20 - 0.16;
-  extended.advance(0.1, 0.1, 1.0, slope);
+  extended.advance(0.1, 0.1, 1.0, inclined(slope));
   EXPECT_NEAR(extended.slip().left, table_left, 1e-12);
   const double vx = extended.twist().vx_mps;
   EXPECT_NEAR(extended.pose().z_m, vx * std::sin(slope), 1e-12);

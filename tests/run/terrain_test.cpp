@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/angle.h"
 #include "core/error.h"
@@ -59,12 +60,31 @@ TEST(Terrain, AStepThatThisRobotCannotClimbIsRefusedInEverySetUp) {
   }
 }
 
-TEST(Terrain, WithTooLittleGripTheRunIsNotCompleted) {
+TEST(Terrain, WithTooLittleGripTheRobotIsImmobilisedAndTheRunStops) {
   LockstepSettings settings = course_3(bridge::Setup::kTerrain);
   settings.robot.emulated.body.friction = 0.6;
   const analysis::RunResult result = run_lockstep(settings);
   EXPECT_FALSE(result.completed);
+  EXPECT_EQ(result.cause, "immobilised");
   EXPECT_LT(largest_nose_up_deg(result), 5.0);
+
+  settings.camera = course::EmulatedCamera{};
+  settings.configuration.parameters.steering = bridge::Steering::kFused;
+  EXPECT_EQ(run_lockstep(settings).cause, "immobilised");
+}
+
+TEST(Terrain, ThreeSecondsWithoutACameraOverTheStepLeaveThePoseWithinThreeCentimetres) {
+  LockstepSettings settings = course_3(bridge::Setup::kTerrain);
+  settings.camera = course::EmulatedCamera{};
+  settings.camera->blind_from_s = 29.5;
+  settings.camera->blind_s = 3.0;
+  const analysis::RunResult result = run_lockstep(settings);
+  ASSERT_TRUE(result.completed) << result.cause;
+  double largest_m = 0.0;
+  for (const analysis::TrackPoint& point : result.points)
+    largest_m = std::max(largest_m, std::hypot(point.fused.x_m - point.truth.x_m,
+                                               point.fused.y_m - point.truth.y_m));
+  EXPECT_LT(largest_m, 0.03);
 }
 
 class OtherRobots : public testing::TestWithParam<const char*> {};

@@ -48,7 +48,7 @@ TEST(World, IsLevelWhereNothingStands) {
   const Footing footing = world.at({.x_m = 0.5});
   EXPECT_EQ(footing.height_m, 0.0);
   EXPECT_EQ(footing.pitch_rad, 0.0);
-  EXPECT_EQ(footing.ground, Ground::kFloor);
+  EXPECT_EQ(footing.obstacle, Obstacle::kNone);
   EXPECT_EQ(footing.surface, nullptr);
 }
 
@@ -61,7 +61,7 @@ TEST(World, OnARampTheRobotLiesOnItsSlope) {
   EXPECT_NEAR(up.pitch_rad, -kSlope, 1e-3) << "nose-up is negative pitch";
   EXPECT_NEAR(up.height_m, 0.2 * std::tan(kSlope), 5e-4);
   EXPECT_NEAR(up.roll_rad, 0.0, 1e-9);
-  EXPECT_EQ(up.ground, Ground::kRamp);
+  EXPECT_EQ(up.obstacle, Obstacle::kRamp);
   const Footing top = world.at(heading_back(0.7));
   EXPECT_NEAR(top.slope_rad, 0.0, 1e-6);
   EXPECT_NEAR(top.height_m, 0.20, 1e-6);
@@ -113,10 +113,10 @@ TEST(World, OnABlockTheRobotStandsLevelAtItsHeight) {
   const Footing footing = world.at(heading_back(1.2));
   EXPECT_NEAR(footing.height_m, 0.037, 1e-6);
   EXPECT_NEAR(footing.slope_rad, 0.0, 1e-6);
-  EXPECT_EQ(footing.ground, Ground::kBlock);
+  EXPECT_EQ(footing.obstacle, Obstacle::kBlock);
   const Footing climbing = world.at(heading_back(1.2 + 0.15 + 0.03));
   EXPECT_GT(climbing.slope_rad, 15 * kRadPerDeg);
-  EXPECT_EQ(climbing.ground, Ground::kBlock);
+  EXPECT_EQ(climbing.obstacle, Obstacle::kBlock);
 }
 
 TEST(World, HeightIsThatOfThePieceUnderThePoint) {

@@ -52,7 +52,9 @@
   X(26, gyro_against_encoders, "gyro and encoders disagree about the turn (mis-wired yaw loop)", \
     "check which track is left, and the gyro's axis and sign")                                   \
   X(27, not_acknowledged, "the robot did not confirm arm or disarm in time", "check the cable")  \
-  X(28, samples_stale, "samples arrive too late to steer by", "check USB hub and host load")
+  X(28, samples_stale, "samples arrive too late to steer by", "check USB hub and host load")     \
+  X(29, immobilised, "the belts run but the robot does not move, or not over the obstacle",      \
+    "free the robot; check the grip of belts and floor")
 
 namespace tp100 {
 namespace wire {

@@ -1,4 +1,4 @@
-#include "model/traction.h"
+#include "model/traction_watch.h"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ bool enough(double evidence_s, double after_s) {
 
 }  // namespace
 
-TractionState Traction::update(double track_mps, std::optional<double> ground_mps, double dt_s) {
+Traction TractionWatch::update(double track_mps, std::optional<double> ground_mps, double dt_s) {
   if (!std::isfinite(track_mps) || !(dt_s > 0.0) || !std::isfinite(dt_s)) return state_;
   if (std::abs(track_mps) < limits_.least_track_speed_mps) {
     reset();
@@ -33,11 +33,11 @@ TractionState Traction::update(double track_mps, std::optional<double> ground_mp
   gather(recovered_s_, std::abs(slip_) < limits_.recovered_below, dt_s);
 
   if (enough(standing_s_, limits_.immobilised_after_s)) {
-    state_ = TractionState::kImmobilised;
+    state_ = Traction::kImmobilised;
   } else if (enough(recovered_s_, limits_.recovered_after_s)) {
-    state_ = TractionState::kGripping;
-  } else if (state_ == TractionState::kGripping && enough(slipping_s_, limits_.slipping_after_s)) {
-    state_ = TractionState::kSlipping;
+    state_ = Traction::kGripping;
+  } else if (state_ == Traction::kGripping && enough(slipping_s_, limits_.slipping_after_s)) {
+    state_ = Traction::kSlipping;
   }
   return state_;
 }

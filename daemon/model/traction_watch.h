@@ -3,13 +3,9 @@
 
 #include <optional>
 
-namespace tp100::model {
+#include "core/underfoot.h"
 
-enum class TractionState {
-  kGripping,     ///< slip within its bound, or nothing to judge by
-  kSlipping,     ///< slip beyond its bound
-  kImmobilised,  ///< the belts run and the robot hardly moves
-};
+namespace tp100::model {
 
 /// When to change state. A speed here is along the robot, forward positive.
 struct TractionLimits {
@@ -24,25 +20,25 @@ struct TractionLimits {
 
 /// State machine over track speed and an independent ground speed. No allocation; safe in the
 /// real-time thread.
-class Traction {
+class TractionWatch {
  public:
-  explicit Traction(const TractionLimits& limits = {}) : limits_(limits) {}
+  explicit TractionWatch(const TractionLimits& limits = {}) : limits_(limits) {}
 
-  void reset() { *this = Traction(limits_); }
+  void reset() { *this = TractionWatch(limits_); }
 
   /// `dt_s` with belts at the mean speed `track_mps`. `ground_mps` comes from the camera or the
   /// accelerometer, never from the encoders; without one (or with values that are not finite) the
   /// state and its evidence stay as they are. Belts slower than the least track speed end every
   /// state, so that a stopped robot may try again.
-  TractionState update(double track_mps, std::optional<double> ground_mps, double dt_s);
+  Traction update(double track_mps, std::optional<double> ground_mps, double dt_s);
 
-  TractionState state() const { return state_; }
+  Traction state() const { return state_; }
   /// 1 - ground / track of the last judgement; 0 before there was one. Negative: sliding ahead.
   double slip() const { return slip_; }
 
  private:
   TractionLimits limits_;
-  TractionState state_ = TractionState::kGripping;
+  Traction state_ = Traction::kGripping;
   double slip_ = 0.0;
   double standing_s_ = 0.0;
   double slipping_s_ = 0.0;
