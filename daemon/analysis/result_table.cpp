@@ -4,27 +4,13 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "analysis/published.h"
 #include "core/angle.h"
 
 namespace tp100::analysis {
 namespace {
 
 constexpr double kCmPerM = 100.0;
-
-/// What the paper printed for a course, in its own units; negative: not printed.
-struct Published {
-  const char* course;
-  double max_position_error_cm;
-  double mse_x, mse_y, mse_yaw;
-};
-
-constexpr std::array<Published, 5> kPublished = {{
-    {"1-straight", 1.5625, -1, -1, -1},
-    {"1-curve", 1.2028, -1, -1, -1},
-    {"1-sharp", 8.5838, -1, -1, -1},
-    {"2", -1, 0.1854, 0.1486, 0.801},
-    {"3", 34.1, 1.6607, 0.4948, 0.821},
-}};
 
 __attribute__((format(printf, 1, 2))) std::string format(const char* text, ...) {
   std::array<char, 256> buffer{};
@@ -53,17 +39,11 @@ std::string printed_cell(int width, const char* as, double value) {
   return buffer.data();
 }
 
-std::string printed_row(const Published& p) {
+std::string printed_row(const PublishedErrors& p) {
   return format("%-27s", "paper, as printed") + printed_cell(8, "f", p.max_position_error_cm) +
          printed_cell(8, "f", -1) + printed_cell(8, "f", -1) + printed_cell(8, "f", -1) +
          printed_cell(11, "g", p.mse_x) + printed_cell(11, "g", p.mse_y) +
          printed_cell(11, "g", p.mse_yaw) + printed_cell(8, "f", -1) + "\n";
-}
-
-const Published* published(const std::string& course) {
-  for (const Published& one : kPublished)
-    if (course == one.course) return &one;
-  return nullptr;
 }
 
 std::string recoveries(const TrackingErrors& tracking) {
@@ -89,8 +69,8 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   text += row("ours: model (encoders)", figures.model);
   text += row("ours: odometry (+ gyro)", figures.odometry);
   if (figures.fused) text += row("ours: fused (+ camera)", *figures.fused);
-  const Published* paper = published(run.course);
-  if (paper != nullptr) text += printed_row(*paper);
+  const auto paper = published_errors(run.course);
+  if (paper) text += printed_row(*paper);
   const TrackingErrors& tracking = figures.tracking;
   text += format(
       "\nours: true path against the reference [cm, deg]: cross-track max %.2f, rms %.2f, yaw max "
@@ -106,7 +86,7 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
     text +=
         "The model is judged between the shoves, set onto the truth after each: encoders cannot "
         "see one.\n";
-  if (paper != nullptr) {
+  if (paper) {
     text += "Lengths, radii and shoves of the course are ours: the paper does not print them.\n";
     if (paper->mse_x >= 0)
       text +=

@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 #include "analysis/atomic_file.h"
 #include "analysis/metrics.h"
+#include "analysis/poses_csv.h"
 #include "analysis/result_json.h"
 #include "analysis/result_table.h"
 #include "core/error.h"
@@ -14,31 +14,6 @@
 
 namespace tp100::sim {
 namespace {
-
-std::string poses_csv(const analysis::RunResult& result) {
-  std::ostringstream out;
-  out.precision(17);
-  out << "t_s";
-  for (const char* pose : {"truth", "model", "odometry", "fused"}) {
-    if (pose == std::string("fused") && !result.has_camera) continue;
-    for (const char* value : {"x_m", "y_m", "z_m", "pitch_rad", "yaw_rad"})
-      out << ',' << pose << '_' << value;
-  }
-  out << '\n';
-  for (const analysis::TrackPoint& point : result.points) {
-    out << point.t_s;
-    const auto write = [&out](const Pose& pose) {
-      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.z_m << ',' << pose.pitch_rad << ','
-          << pose.yaw_rad;
-    };
-    write(point.truth);
-    write(point.model);
-    write(point.odometry);
-    if (result.has_camera) write(point.fused);
-    out << '\n';
-  }
-  return out.str();
-}
 
 void write_results(const std::string& folder, const analysis::RunResult& result,
                    const std::string& json) {
@@ -50,7 +25,7 @@ void write_results(const std::string& folder, const analysis::RunResult& result,
   const std::string stem =
       folder + "/" + result.course + "-" + result.robot + "-" + std::to_string(result.seed);
   analysis::write_file(stem + ".json", json + "\n");
-  analysis::write_file(stem + ".csv", poses_csv(result));
+  analysis::write_file(stem + ".csv", analysis::poses_csv(result));
 }
 
 }  // namespace
