@@ -55,56 +55,56 @@ export function parseText(frame: string): ServerText | undefined {
     return undefined;
   }
   if (!isObject(message)) return undefined;
-  switch (message['op']) {
+  switch (message.op) {
     case 'serverInfo':
       return {
         op: 'serverInfo',
-        name: text(message['name']),
-        sessionId: text(message['sessionId']),
-        capabilities: Array.isArray(message['capabilities']) ? message['capabilities'].map(text) : [],
-        metadata: isObject(message['metadata'])
-          ? Object.fromEntries(Object.entries(message['metadata']).map(([key, value]) => [key, text(value)]))
+        name: text(message.name),
+        sessionId: text(message.sessionId),
+        capabilities: Array.isArray(message.capabilities) ? message.capabilities.map(text) : [],
+        metadata: isObject(message.metadata)
+          ? Object.fromEntries(Object.entries(message.metadata).map(([key, value]) => [key, text(value)]))
           : {},
       };
     case 'advertise':
       return {
         op: 'advertise',
-        channels: list(message['channels'])
-          .filter((channel) => isId(channel['id']))
+        channels: list(message.channels)
+          .filter((channel) => isId(channel.id))
           .map((channel) => ({
-            id: channel['id'] as number,
-            topic: text(channel['topic']),
-            encoding: text(channel['encoding']),
-            schemaName: text(channel['schemaName']),
+            id: channel.id as number,
+            topic: text(channel.topic),
+            encoding: text(channel.encoding),
+            schemaName: text(channel.schemaName),
           })),
       };
     case 'unadvertise':
-      return { op: 'unadvertise', channelIds: ids(message['channelIds']) };
+      return { op: 'unadvertise', channelIds: ids(message.channelIds) };
     case 'advertiseServices':
       return {
         op: 'advertiseServices',
-        services: list(message['services'])
-          .filter((service) => isId(service['id']))
-          .map((service) => ({ id: service['id'] as number, name: text(service['name']) })),
+        services: list(message.services)
+          .filter((service) => isId(service.id))
+          .map((service) => ({ id: service.id as number, name: text(service.name) })),
       };
     case 'unadvertiseServices':
-      return { op: 'unadvertiseServices', serviceIds: ids(message['serviceIds']) };
+      return { op: 'unadvertiseServices', serviceIds: ids(message.serviceIds) };
     case 'parameterValues':
       return {
         op: 'parameterValues',
-        parameters: list(message['parameters'])
-          .filter((parameter) => typeof parameter['name'] === 'string')
+        parameters: list(message.parameters)
+          .filter((parameter) => typeof parameter.name === 'string')
           .map((parameter) => ({
-            name: text(parameter['name']),
-            value: parameter['value'] as ParameterValue | undefined,
+            name: text(parameter.name),
+            value: parameter.value as ParameterValue | undefined,
           })),
-        id: typeof message['id'] === 'string' ? message['id'] : undefined,
+        id: typeof message.id === 'string' ? message.id : undefined,
       };
     case 'serviceCallFailure':
-      if (!isId(message['callId'])) return undefined;
-      return { op: 'serviceCallFailure', callId: message['callId'], message: text(message['message']) };
+      if (!isId(message.callId)) return undefined;
+      return { op: 'serviceCallFailure', callId: message.callId, message: text(message.message) };
     case 'status':
-      return { op: 'status', level: Number(message['level']) || 0, message: text(message['message']) };
+      return { op: 'status', level: Number(message.level) || 0, message: text(message.message) };
     default:
       return undefined;
   }

@@ -1,14 +1,7 @@
 // One WebSocket that comes back by itself: opens, watches for silence, closes, waits, opens again.
 
 /** What Connection needs of a WebSocket; a test passes its own. */
-export interface Socket {
-  readonly bufferedAmount: number;
-  send(data: string | ArrayBuffer): void;
-  close(): void;
-  onopen: (() => void) | null;
-  onclose: (() => void) | null;
-  onmessage: ((event: { data: unknown }) => void) | null;
-}
+export type Socket = Pick<WebSocket, 'send' | 'close' | 'onopen' | 'onclose' | 'onmessage'>;
 
 export interface ConnectionEvents {
   opened(): void;
@@ -71,7 +64,8 @@ export class Connection {
       this.retry_ms = kFirstRetry_ms;
       this.events.opened();
     };
-    socket.onmessage = ({ data }) => {
+    socket.onmessage = (event) => {
+      const data: unknown = event.data;
       this.heard_ms = this.now();
       if (typeof data === 'string') this.events.text(data);
       else if (data instanceof ArrayBuffer) this.events.binary(data);

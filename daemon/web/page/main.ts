@@ -1,2 +1,197 @@
-import './style.css';
-document.body.append('TP100 cockpit');
+// The cockpit: joins the daemon's channels to what is on the page.
+import 'uplot/dist/uPlot.min.css';
+import './base.css';
+import './header.css';
+import './view.css';
+import './plots.css';
+import './drawer.css';
+import './layout.css';
+import { Client, type ServerInfo } from '../foxglove/client.ts';
+import { kSubprotocols } from '../foxglove/codec.ts';
+import { Controls, type Command } from '../panel/controls.ts';
+import { h, setAttribute, setText } from '../panel/dom.ts';
+import { Drawer } from '../panel/drawer.ts';
+import { EventLog } from '../panel/event_log.ts';
+import { Histogram } from '../panel/histogram.ts';
+import { LinkTable } from '../panel/link_table.ts';
+import { Notice } from '../panel/notice.ts';
+import { Numbers } from '../panel/numbers.ts';
+import { ParameterTable } from '../panel/parameter_table.ts';
+import { Plots } from '../panel/plots.ts';
+import { RunList } from '../panel/run_list.ts';
+import { StatusBar } from '../panel/status_bar.ts';
+import { StopPanel } from '../panel/stop_panel.ts';
+import { Timeline } from '../panel/timeline.ts';
+import { kModes, Viewport } from '../panel/viewport.ts';
+import type { State, Topic } from '../state/messages.ts';
+import { StopButton } from '../state/stop.ts';
+import { Store } from '../state/store.ts';
+import { listen } from './keys.ts';
+
+const kTopics: Topic[] = [
+  '/state',
+  '/course',
+  '/trail',
+  '/estimate',
+  '/slip',
+  '/link',
+  '/loop',
+  '/event',
+  '/parameter',
+  '/recording',
+  '/client',
+];
+const kNumbers_ms = 100;
+const kPlots_ms = 50;
+const kChips_ms = 200;
+
+const live = new Store();
+const stop = new StopButton();
+let metadata: ServerInfo['metadata'] = {};
+let retryAt_ms = 0;
+
+const client = new Client(
+  () => {
+    const socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/', kSubprotocols);
+    socket.binaryType = 'arraybuffer';
+    return socket;
+  },
+  {
+    serverInfo: (info) => {
+      metadata = info.metadata;
+    },
+    ready: () => {
+      if (stop.unsent) sendStop();
+    },
+    closed: (retry_ms) => {
+      retryAt_ms = performance.now() + retry_ms;
+      stop.disconnected();
+    },
+    status: (level, message) => {
+      if (level > 0) notice.say(message, performance.now());
+    },
+    parameters: () => undefined,
+  },
+);
+
+function pressStop(): void {
+  controls.forget();
+  stop.press(performance.now());
+  if (client.ready) sendStop();
+  else client.retryNow();
+  stopPanel.show(stop.view(performance.now()));
+}
+
+function sendStop(): void {
+  stop.sent();
+  client.call('stop').then(
+    (response) => {
+      const answer = response as { acknowledged?: unknown; acknowledged_ms?: unknown } | undefined;
+      const took_ms = typeof answer?.acknowledged_ms === 'number' ? answer.acknowledged_ms : null;
+      stop.answered(answer?.acknowledged === true, took_ms);
+    },
+    () => {
+      // Not acknowledged, and the page says so; a lost connection sends it again.
+    },
+  );
+}
+
+function command(name: Command): void {
+  client.call(name).catch((error: unknown) => {
+    notice.say(error instanceof Error ? error.message : String(error), performance.now());
+  });
+}
+
+const stopPanel = new StopPanel(pressStop);
+const controls = new Controls(command);
+const status = new StatusBar();
+const notice = new Notice();
+const viewport = new Viewport();
+const timeline = new Timeline();
+const numbers = new Numbers();
+const plots = new Plots();
+const histogram = new Histogram();
+const events = new EventLog();
+const runs = new RunList(() => undefined);
+const parameters = new ParameterTable((name, value) => {
+  client.setParameter(name, value);
+});
+const links = new LinkTable();
+
+const drawer = new Drawer([
+  { id: 'events', title: 'Events', element: events.element, show: () => { events.show(live); } },
+  { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
+  { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live); } },
+  { id: 'link', title: 'Link', element: links.element, show: () => { links.show(live); } },
+]);
+
+const badge = h('span', { class: 'badge' });
+const setting = h('span', { class: 'setting' });
+const header = h(
+  'header',
+  { class: 'bar' },
+  h('div', { class: 'identity' }, h('h1', {}, 'TP100'), setting, badge),
+  status.element,
+  controls.element,
+  stopPanel.element,
+);
+plots.element.append(histogram.element);
+viewport.element.append(notice.element, timeline.element);
+document.body.append(header, h('main', {}, viewport.element, numbers.element, plots.element, drawer.element));
+
+for (const topic of kTopics) {
+  client.subscribe(topic, (message) => {
+    live.receive(topic, message as never);
+    if (topic === '/state') stop.heard((message as State).stop);
+    else if (topic === '/recording') runs.changed();
+    // Only what was driven before; from here on the page draws its own.
+    else if (topic === '/trail') client.unsubscribe(topic);
+  });
+}
+
+listen({
+  stop: pressStop,
+  start: () => { controls.pressStart(); },
+  hold: () => { controls.pressHold(); },
+  camera: (index) => { viewport.set(kModes[index] ?? 'free'); },
+  nextCamera: () => { viewport.next(); },
+  step: () => undefined,
+});
+
+function identity(): void {
+  const state = live.get('/state');
+  const parts = [state?.robot ?? metadata.robot, state?.setup ?? metadata.setup].filter(Boolean);
+  setText(setting, parts.join(' \u00b7 '));
+  const kind = live.get('/link')?.kind;
+  setText(badge, kind ?? '');
+  setAttribute(badge, 'data-kind', kind ?? '');
+}
+
+let last_ms = performance.now();
+const due = { numbers: 0, plots: 0, chips: 0 };
+function frame(now_ms: number): void {
+  const dt_s = Math.min((now_ms - last_ms) / 1000, 0.1);
+  last_ms = now_ms;
+  stopPanel.show(stop.view(performance.now()));
+  viewport.draw(live, dt_s);
+  if (now_ms >= due.numbers) {
+    due.numbers = now_ms + kNumbers_ms;
+    numbers.show(live);
+    timeline.show(live);
+  }
+  if (now_ms >= due.plots) {
+    due.plots = now_ms + kPlots_ms;
+    plots.show(live);
+  }
+  if (now_ms >= due.chips) {
+    due.chips = now_ms + kChips_ms;
+    status.show(live, client.ready);
+    controls.show(live, client.ready, metadata.commands !== 'stop');
+    notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms);
+    histogram.show(live);
+    drawer.show();
+    identity();
+  }
+  requestAnimationFrame(frame);
+}
+requestAnimationFrame(frame);

@@ -1,0 +1,46 @@
+// The keyboard: STOP before everything else.
+
+export interface Keys {
+  stop(): void;
+  start(): void;
+  hold(): void;
+  camera(index: number): void;
+  nextCamera(): void;
+  /** Steps through a recording; nothing while live. */
+  step(direction: 1 | -1): void;
+}
+
+/** Where the space bar belongs to what is being typed. */
+function typing(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && target.matches('input, select, textarea');
+}
+
+export function listen(keys: Keys): void {
+  // Before any element that might take the key for itself.
+  window.addEventListener(
+    'keydown',
+    (event) => {
+      if (event.key === 'Escape' || (event.code === 'Space' && !typing(event.target))) {
+        event.preventDefault();
+        if (!event.repeat) keys.stop();
+        return;
+      }
+      if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+      if (event.key === 'r' && !event.repeat) keys.start();
+      else if (event.key === 'h' && !event.repeat) keys.hold();
+      else if (event.key === 'c') keys.nextCamera();
+      else if (event.key >= '1' && event.key <= '4') keys.camera(Number(event.key) - 1);
+      else if (event.key === '[') keys.step(-1);
+      else if (event.key === ']') keys.step(1);
+    },
+    { capture: true },
+  );
+  // The space bar must not also click what has the focus.
+  window.addEventListener(
+    'keyup',
+    (event) => {
+      if (event.code === 'Space' && !typing(event.target)) event.preventDefault();
+    },
+    { capture: true },
+  );
+}

@@ -1,0 +1,88 @@
+// Start, hold and record. What sets the robot in motion is confirmed where a real robot or a latched
+// STOP is concerned; what stops it never is.
+import { bytes, clock } from '../state/format.ts';
+import type { Store } from '../state/store.ts';
+import { h, icon, setAttribute, setClass, setText } from './dom.ts';
+
+export type Command = 'start' | 'hold' | 'record_start' | 'record_stop';
+
+const kConfirm_ms = 3000;
+
+export class Controls {
+  readonly element = h('div', { class: 'controls', role: 'group', 'aria-label': 'Run' });
+  private readonly start = button('start', 'play', 'Start', 'r');
+  private readonly hold = button('hold', 'pause', 'Hold', 'h');
+  private readonly record = button('record', 'record', 'Record', '');
+  private confirmUntil_ms = 0;
+  private needsConfirmation = true;
+  private recording = false;
+
+  constructor(
+    private readonly send: (command: Command) => void,
+    private readonly now: () => number = () => performance.now(),
+  ) {
+    this.element.append(this.start.button, this.hold.button, this.record.button);
+    this.start.button.addEventListener('click', () => {
+      this.pressStart();
+    });
+    this.hold.button.addEventListener('click', () => {
+      this.pressHold();
+    });
+    this.record.button.addEventListener('click', () => {
+      this.send(this.recording ? 'record_stop' : 'record_start');
+    });
+  }
+
+  pressStart(): void {
+    if (this.start.button.disabled) return;
+    const now_ms = this.now();
+    if (this.needsConfirmation && now_ms > this.confirmUntil_ms) {
+      this.confirmUntil_ms = now_ms + kConfirm_ms;
+      return;
+    }
+    this.confirmUntil_ms = 0;
+    this.send('start');
+  }
+
+  pressHold(): void {
+    if (!this.hold.button.disabled) this.send('hold');
+  }
+
+  /** STOP was pressed: no half-given start survives it. */
+  forget(): void {
+    this.confirmUntil_ms = 0;
+  }
+
+  show(store: Store, connected: boolean, mayCommand: boolean): void {
+    const state = store.get('/state');
+    const fresh = connected && mayCommand && state !== undefined && !store.stale('/state');
+    this.needsConfirmation = store.get('/link')?.kind !== 'emulated' || state?.stop.latched === true;
+    const confirm = this.now() < this.confirmUntil_ms;
+    this.start.button.disabled = !(fresh && state.can.start);
+    setClass(this.start.button, 'confirm', confirm);
+    setText(this.start.label, confirm ? 'Really?' : 'Start');
+    const why = !mayCommand ? 'Commands are taken from the daemon\u2019s own machine only' : (state?.why_not_start ?? '');
+    setAttribute(this.start.button, 'title', why === '' ? 'Start the course (r)' : why);
+    this.hold.button.disabled = !(fresh && state.can.hold);
+
+    const recording = store.get('/recording');
+    this.recording = recording?.active === true;
+    this.record.button.disabled = !(fresh && (state.can.record || this.recording));
+    setClass(this.record.button, 'active', this.recording);
+    setText(this.record.label, this.recording ? clock(recording?.elapsed_s) : 'Record');
+    const title = recording?.available === false ? 'No directory to record to: start tp100d with --record DIR' : '';
+    const file = this.recording ? `${recording?.run ?? ''}, ${bytes(recording?.bytes)}` : title;
+    setAttribute(this.record.button, 'title', recording?.warning === '' || recording === undefined ? file : recording.warning);
+    setClass(this.record.button, 'warn', (recording?.warning ?? '') !== '');
+  }
+}
+
+function button(id: string, symbol: Parameters<typeof icon>[0], text: string, shortcut: string): {
+  button: HTMLButtonElement;
+  label: HTMLElement;
+} {
+  const label = h('span', { class: 'button-label' }, text);
+  const element = h('button', { type: 'button', id, class: 'control' }, icon(symbol), label);
+  if (shortcut !== '') element.setAttribute('aria-keyshortcuts', shortcut);
+  return { button: element, label };
+}

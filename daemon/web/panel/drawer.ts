@@ -1,0 +1,60 @@
+// Tabs under the picture; keyboard as usual for tabs: arrows move, the chosen one is shown.
+import { h, setAttribute } from './dom.ts';
+
+export interface Page {
+  id: string;
+  title: string;
+  element: HTMLElement;
+  /** Called when it is brought forward, and again and again while it is there. */
+  show(): void;
+}
+
+export class Drawer {
+  readonly element = h('section', { class: 'drawer', 'aria-label': 'Details' });
+  private readonly tabs: HTMLButtonElement[];
+  private current = 0;
+
+  constructor(private readonly pages: Page[]) {
+    const list = h('div', { class: 'tabs', role: 'tablist' });
+    this.tabs = pages.map((page, i) => {
+      const tab = h('button', { type: 'button', role: 'tab', id: `tab-${page.id}`, 'aria-controls': `page-${page.id}` }, page.title);
+      tab.addEventListener('click', () => {
+        this.choose(i);
+      });
+      tab.addEventListener('keydown', (event) => {
+        const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+        if (step === undefined) return;
+        this.choose((this.current + step + pages.length) % pages.length);
+        this.tabs[this.current]?.focus();
+      });
+      return tab;
+    });
+    list.append(...this.tabs);
+    this.element.append(list);
+    for (const page of pages) {
+      setAttribute(page.element, 'id', `page-${page.id}`);
+      setAttribute(page.element, 'role', 'tabpanel');
+      setAttribute(page.element, 'aria-labelledby', `tab-${page.id}`);
+      page.element.classList.add('page');
+      this.element.append(page.element);
+    }
+    this.choose(0);
+  }
+
+  show(): void {
+    this.pages[this.current]?.show();
+  }
+
+  choose(index: number): void {
+    this.current = index;
+    this.pages.forEach((page, i) => {
+      const chosen = i === index;
+      page.element.hidden = !chosen;
+      const tab = this.tabs[i];
+      if (tab === undefined) return;
+      setAttribute(tab, 'aria-selected', String(chosen));
+      tab.tabIndex = chosen ? 0 : -1;
+    });
+    this.show();
+  }
+}

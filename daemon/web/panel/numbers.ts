@@ -1,0 +1,82 @@
+// The figures of the moment, large.
+import { degrees, fixed, millimetres, percent } from '../state/format.ts';
+import type { Topic } from '../state/messages.ts';
+import type { Store } from '../state/store.ts';
+import { h, setClass, setText } from './dom.ts';
+
+interface Figure {
+  id: string;
+  label: string;
+  unit: string;
+  topic: Topic;
+  text(store: Store): string;
+}
+
+const kFigures: Figure[] = [
+  { id: 'x', label: 'x', unit: 'm', topic: '/estimate', text: (store) => fixed(store.pose?.x_m, 3) },
+  { id: 'y', label: 'y', unit: 'm', topic: '/estimate', text: (store) => fixed(store.pose?.y_m, 3) },
+  { id: 'yaw', label: 'yaw', unit: '°', topic: '/estimate', text: (store) => degrees(store.pose?.yaw_rad, 1) },
+  // Nose-up reads as a climb.
+  {
+    id: 'climb',
+    label: 'climb',
+    unit: '°',
+    topic: '/estimate',
+    text: (store) => degrees(store.pose === undefined ? null : -store.pose.pitch_rad, 1),
+  },
+  {
+    id: 'cross-track',
+    label: 'off path',
+    unit: 'mm',
+    topic: '/estimate',
+    text: (store) => millimetres(store.get('/estimate')?.cross_track_m, 1),
+  },
+  {
+    id: 'heading-error',
+    label: 'heading',
+    unit: '°',
+    topic: '/estimate',
+    text: (store) => degrees(store.get('/estimate')?.heading_error_rad, 1),
+  },
+  { id: 'left', label: 'left belt', unit: 'm/s', topic: '/estimate', text: (store) => fixed(store.get('/estimate')?.tracks.left_mps, 3) },
+  { id: 'right', label: 'right belt', unit: 'm/s', topic: '/estimate', text: (store) => fixed(store.get('/estimate')?.tracks.right_mps, 3) },
+  { id: 'slip-left', label: 'slip left', unit: '%', topic: '/slip', text: (store) => percent(store.get('/slip')?.left, 1) },
+  { id: 'slip-right', label: 'slip right', unit: '%', topic: '/slip', text: (store) => percent(store.get('/slip')?.right, 1) },
+  {
+    id: 'age',
+    label: 'data age',
+    unit: 'ms',
+    topic: '/estimate',
+    text: (store) => {
+      const age_us = store.get('/estimate')?.age_us;
+      return fixed(age_us === null || age_us === undefined ? null : Math.min(age_us / 1000, 99_999), age_us !== null && (age_us ?? 0) >= 1e5 ? 0 : 1);
+    },
+  },
+  { id: 'battery', label: 'cells', unit: 'V', topic: '/state', text: (store) => fixed(store.get('/state')?.battery_v, 2) },
+];
+
+export class Numbers {
+  readonly element = h('section', { class: 'numbers', 'aria-label': 'Figures' });
+  private readonly rows: { figure: Figure; tile: HTMLElement; value: HTMLElement }[];
+
+  constructor() {
+    this.rows = kFigures.map((figure) => {
+      const value = h('output', { class: 'number-value', id: `number-${figure.id}` }, '\u2013');
+      const tile = h(
+        'div',
+        { class: 'number stale' },
+        h('span', { class: 'number-label' }, figure.label),
+        h('span', { class: 'number-line' }, value, h('span', { class: 'number-unit' }, figure.unit)),
+      );
+      this.element.append(tile);
+      return { figure, tile, value };
+    });
+  }
+
+  show(store: Store): void {
+    for (const { figure, tile, value } of this.rows) {
+      setText(value, figure.text(store));
+      setClass(tile, 'stale', store.stale(figure.topic));
+    }
+  }
+}

@@ -1,0 +1,153 @@
+// One diagram over time, with its key and the figures under the cursor in the head line.
+import uPlot from 'uplot';
+import { fixed } from '../state/format.ts';
+import { extent, niceRange } from '../state/scale.ts';
+import { kColumns, type Column, type Store } from '../state/store.ts';
+import * as palette from '../scene/palette.ts';
+import { h, setClass, setText } from './dom.ts';
+
+export interface Curve {
+  label: string;
+  column: Column;
+  colour: string;
+  dash?: number[];
+  width?: number;
+  /** No figure in the head line. */
+  quiet?: boolean;
+}
+
+export interface PlotOptions {
+  id: string;
+  title: string;
+  unit: string;
+  decimals: number;
+  soft: [number, number];
+  curves: Curve[];
+  /** Times under the axis. */
+  times?: boolean;
+}
+
+const kAxis_px = 44;
+const kTimes_px = 20;
+const kFont = '11px B612, sans-serif';
+
+export class Plot {
+  readonly element: HTMLElement;
+  private readonly canvas = h('div', { class: 'plot-canvas' });
+  private readonly values: HTMLElement[] = [];
+  private readonly plot: uPlot;
+  private end_s = 0;
+  private from_s = 0;
+  private range: [number, number];
+
+  constructor(private readonly options: PlotOptions) {
+    this.range = niceRange(NaN, NaN, options.soft);
+    const key = h('div', { class: 'plot-key' });
+    for (const curve of options.curves) {
+      const value = h('span', { class: 'plot-value' });
+      this.values.push(value);
+      if (curve.quiet === true) continue;
+      const swatch = h('i', { class: curve.dash ? 'swatch dashed' : 'swatch' });
+      swatch.style.color = curve.colour;
+      key.append(h('span', { class: 'plot-curve' }, swatch, curve.label, value));
+    }
+    this.element = h(
+      'section',
+      { class: 'plot', id: `plot-${options.id}`, 'aria-label': `${options.title}, ${options.unit}` },
+      h('header', {}, h('h2', {}, options.title, h('span', { class: 'plot-unit' }, options.unit)), key),
+      this.canvas,
+    );
+    this.plot = new uPlot(this.uplotOptions(), options.curves.reduce<number[][]>((all) => [...all, []], [[]]) as uPlot.AlignedData, this.canvas);
+  }
+
+  resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width > 0 && height > 0 && (width !== this.plot.width || height !== this.plot.height)) {
+      this.plot.setSize({ width, height });
+    }
+  }
+
+  /** Draws the `window_s` before the newest row. */
+  show(store: Store, window_s: number): void {
+    setClass(this.element, 'stale', store.stale('/estimate'));
+    if (store.series.length === 0) return;
+    this.end_s = store.series.last_s;
+    this.from_s = this.end_s - window_s;
+    const columns = store.series.since(this.from_s);
+    const pick = (name: Column): Float64Array => columns[kColumns[name]] ?? new Float64Array();
+    const curves = this.options.curves.map((curve) => pick(curve.column));
+    this.range = niceRange(...extent(curves), this.options.soft);
+    this.plot.setData([pick('t_s'), ...curves]);
+    this.figures();
+  }
+
+  /** What the newest row, or the one under the cursor, says. */
+  private figures(): void {
+    const data = this.plot.data as unknown as Float64Array[];
+    const index = this.plot.cursor.idx ?? (data[0]?.length ?? 0) - 1;
+    this.values.forEach((element, i) => {
+      setText(element, fixed(data[i + 1]?.[index], this.options.decimals));
+    });
+  }
+
+  private uplotOptions(): uPlot.Options {
+    const grid = { stroke: '#1b242e', width: 1 };
+    const times = this.options.times === true;
+    return {
+      width: 300,
+      height: 100,
+      legend: { show: false },
+      padding: [6, 10, times ? 0 : 4, 0],
+      cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false }, sync: { key: 'time', setSeries: false } },
+      scales: {
+        x: { time: false, range: () => [this.from_s, Math.max(this.end_s, this.from_s + 1)] },
+        y: { range: () => this.range },
+      },
+      axes: [
+        {
+          show: true,
+          size: times ? kTimes_px : 0,
+          stroke: palette.kDim,
+          font: kFont,
+          grid,
+          ticks: { show: false },
+          gap: 4,
+          space: 48,
+          values: (_, splits) => (times ? splits.map((t_s) => fixed(t_s, 0)) : splits.map(() => '')),
+        },
+        {
+          size: kAxis_px,
+          stroke: palette.kDim,
+          font: kFont,
+          grid,
+          ticks: { show: false },
+          gap: 6,
+          space: 22,
+          values: (_, splits) => splits.map((value) => fixed(value, tickDecimals(splits))),
+        },
+      ],
+      series: [
+        {},
+        ...this.options.curves.map((curve) => ({
+          stroke: curve.colour,
+          width: curve.width ?? 1.5,
+          ...(curve.dash ? { dash: curve.dash } : {}),
+          points: { show: false },
+        })),
+      ],
+      hooks: {
+        setCursor: [
+          () => {
+            this.figures();
+          },
+        ],
+      },
+    };
+  }
+}
+
+/** Digits that tell the ticks apart. */
+function tickDecimals(splits: readonly number[]): number {
+  const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0));
+  return Math.max(0, Math.min(3, Math.ceil(-Math.log10(step) - 1e-9) + (/[^0]5/.test(step.toPrecision(2)) ? 1 : 0)));
+}

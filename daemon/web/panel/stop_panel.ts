@@ -1,0 +1,51 @@
+// The STOP button: always there, acts on press, says what came of it.
+import { fixed } from '../state/format.ts';
+import type { StopView } from '../state/stop.ts';
+import { h, icon, setAttribute, setText } from './dom.ts';
+
+const kClickAfterPress_ms = 3000;
+
+export class StopPanel {
+  readonly element: HTMLButtonElement;
+  private readonly line = h('span', { class: 'stop-line' });
+
+  constructor(pressed: () => void) {
+    this.element = h('button', { class: 'stop', id: 'stop', type: 'button', 'data-state': 'ready' });
+    const word = h('span', { class: 'stop-word' }, icon('stop'), 'STOP');
+    this.element.append(word, this.line);
+    this.line.setAttribute('role', 'status');
+    this.line.setAttribute('aria-live', 'assertive');
+    this.element.setAttribute('aria-keyshortcuts', 'Space Escape');
+    // On press, not on release. The click that follows is the same press; one without a pointer
+    // comes from the enter key or from assistive technology.
+    let pointer_ms = -Infinity;
+    this.element.addEventListener('pointerdown', (event) => {
+      pointer_ms = event.timeStamp;
+      pressed();
+    });
+    this.element.addEventListener('click', (event) => {
+      if (event.detail === 0 || event.timeStamp - pointer_ms > kClickAfterPress_ms) pressed();
+    });
+  }
+
+  show(view: StopView): void {
+    setAttribute(this.element, 'data-state', view.kind);
+    setText(this.line, describe(view));
+  }
+}
+
+/** One short line; as wide as the button, whatever it says. */
+export function describe(view: StopView): string {
+  switch (view.kind) {
+    case 'ready':
+      return 'space or esc';
+    case 'pending':
+      return 'sent\u2026';
+    case 'not_acknowledged':
+      return view.waiting ? 'not acknowledged \u00b7 no link' : 'not acknowledged';
+    case 'stopped': {
+      const by = view.by === '' || view.took_ms !== null ? '' : ` \u00b7 ${view.by}`;
+      return view.took_ms === null ? `stopped${by}` : `robot stopped in ${fixed(view.took_ms, view.took_ms < 10 ? 1 : 0)} ms`;
+    }
+  }
+}

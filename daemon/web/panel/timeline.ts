@@ -1,0 +1,71 @@
+// Progress along the course as a strip: its pieces, its obstacles, how far the robot is.
+import { clock, fixed } from '../state/format.ts';
+import type { Course, Place } from '../state/messages.ts';
+import type { Store } from '../state/store.ts';
+import { h, setClass, setText } from './dom.ts';
+
+export class Timeline {
+  readonly element = h('section', { class: 'timeline', 'aria-label': 'Progress' });
+  private readonly name = h('span', { class: 'timeline-name' });
+  private readonly strip = h('div', { class: 'strip' });
+  private readonly fill = h('i', { class: 'strip-fill' });
+  private readonly marks = h('div', { class: 'strip-marks' });
+  private readonly time = h('output', { class: 'timeline-time' });
+  private readonly way = h('output', { class: 'timeline-way' });
+  private courseShown = -1;
+
+  constructor() {
+    this.strip.append(this.fill, this.marks);
+    this.element.append(this.name, this.strip, this.way, this.time);
+  }
+
+  show(store: Store): void {
+    const received = store.received['/course'] ?? 0;
+    const course = store.get('/course');
+    if (received !== this.courseShown) {
+      this.courseShown = received;
+      this.build(course);
+    }
+    const state = store.get('/state');
+    const length_m = course?.length_m ?? 0;
+    const progress_m = state?.run === 'idle' ? 0 : (store.get('/estimate')?.progress_m ?? 0);
+    const share = length_m > 0 ? Math.min(Math.max(progress_m / length_m, 0), 1) : 0;
+    const transform = `scaleX(${share.toFixed(4)})`;
+    if (this.fill.style.transform !== transform) this.fill.style.transform = transform;
+    setText(this.way, length_m > 0 ? `${fixed(progress_m, 2)} / ${fixed(length_m, 2)} m` : '\u2013');
+    setText(this.time, clock(state?.run_s ?? 0));
+    setClass(this.element, 'stale', store.stale('/estimate'));
+  }
+
+  reset(): void {
+    this.courseShown = -1;
+  }
+
+  private build(course: Course | undefined): void {
+    setText(this.name, course === undefined || course.name === '' ? 'no course' : `course ${course.name}`);
+    this.name.title = course?.description ?? '';
+    this.marks.replaceChildren();
+    if (course === undefined || course.length_m <= 0) return;
+    const mark = (from_m: number, to_m: number, kind: string, title: string): void => {
+      const element = h('i', { class: `mark ${kind}`, title });
+      element.style.left = `${((100 * from_m) / course.length_m).toFixed(2)}%`;
+      element.style.width = `${((100 * (to_m - from_m)) / course.length_m).toFixed(2)}%`;
+      this.marks.append(element);
+    };
+    for (const [kind, pieces] of [['ramp', course.ramps], ['block', course.blocks]] as const) {
+      for (const piece of pieces) {
+        const stretch = along(course, piece, 'top_m' in piece ? piece.top_m + 0.3 : piece.depth_m);
+        if (stretch) mark(stretch[0], stretch[1], kind, `${kind}, ${fixed(1000 * piece.height_m, 0)} mm high`);
+      }
+    }
+    for (const shove of course.shoves) mark(shove.at_m, shove.at_m + 0.01, 'shove', 'somebody pushes the robot');
+  }
+}
+
+/** The stretch of the path within half of `length` of a piece's middle; undefined if the path passes it by. */
+export function along(course: Course, place: Place, length: number): [number, number] | undefined {
+  const near = course.path.filter((point) => Math.hypot(point.x_m - place.x_m, point.y_m - place.y_m) <= length / 2);
+  const first = near[0];
+  const last = near.at(-1);
+  return first && last ? [first.s_m, last.s_m] : undefined;
+}

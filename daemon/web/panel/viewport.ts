@@ -1,0 +1,145 @@
+// The picture of the course: 3-D where WebGL works, a map where it does not, with its key and cameras.
+import { kCameraModes, type CameraMode } from '../scene/camera_rig.ts';
+import { MapView } from '../scene/map_view.ts';
+import * as palette from '../scene/palette.ts';
+import { SceneView } from '../scene/scene_view.ts';
+import type { View } from '../scene/view.ts';
+import type { Course } from '../state/messages.ts';
+import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
+import { h, setAttribute, setClass } from './dom.ts';
+
+export const kModes = [...kCameraModes, 'map'] as const;
+export type Mode = (typeof kModes)[number];
+
+export class Viewport {
+  readonly element = h('section', { class: 'viewport', 'aria-label': 'Course' });
+  private readonly stage = h('div', { class: 'stage' });
+  private readonly buttons = new Map<Mode, HTMLButtonElement>();
+  private readonly toggles = new Map<EstimateName, HTMLButtonElement>();
+  private readonly hidden = new Set<EstimateName>();
+  private view: View;
+  private mode: Mode = 'free';
+  private webgl = true;
+  private course: Course | undefined;
+  private courseShown = -1;
+
+  constructor() {
+    const modes = h('div', { class: 'modes', role: 'group', 'aria-label': 'Camera' });
+    for (const mode of kModes) {
+      const button = h('button', { type: 'button', 'aria-pressed': 'false', id: `camera-${mode}` }, mode);
+      button.addEventListener('click', () => {
+        this.set(mode);
+      });
+      this.buttons.set(mode, button);
+      modes.append(button);
+    }
+    const key = h('div', { class: 'key', role: 'group', 'aria-label': 'Paths' });
+    const plan = h('i', { class: 'swatch dashed' });
+    plan.style.color = palette.kPath;
+    key.append(h('span', { class: 'key-item' }, plan, 'plan'));
+    for (const name of kEstimates) {
+      const swatch = h('i', { class: 'swatch' });
+      swatch.style.color = palette.kEstimateColours[name];
+      const button = h('button', { type: 'button', class: 'key-item', 'aria-pressed': 'true', id: `show-${name}` }, swatch, name);
+      button.addEventListener('click', () => {
+        this.toggle(name);
+      });
+      this.toggles.set(name, button);
+      key.append(button);
+    }
+    this.element.append(this.stage, key, modes);
+    this.view = this.make('free');
+    this.set(this.webgl ? 'free' : 'map');
+    new ResizeObserver(() => {
+      this.view.resize();
+    }).observe(this.stage);
+  }
+
+  set(mode: Mode): void {
+    if (mode !== 'map' && !this.webgl) return;
+    const wasMap = this.view instanceof MapView;
+    if (wasMap !== (mode === 'map')) {
+      this.view.dispose();
+      this.view = this.make(mode);
+    }
+    this.mode = this.view instanceof MapView ? 'map' : mode;
+    if (this.mode !== 'map') this.view.setCamera(this.mode);
+    this.mark();
+  }
+
+  next(): void {
+    const all: readonly Mode[] = this.webgl ? kModes : ['map'];
+    this.set(all[(all.indexOf(this.mode) + 1) % all.length] ?? 'map');
+  }
+
+  draw(store: Store, dt_s: number): void {
+    const received = store.received['/course'] ?? 0;
+    if (received !== this.courseShown) {
+      this.courseShown = received;
+      this.course = store.get('/course');
+      this.view.setCourse(this.course);
+    }
+    const truth = this.toggles.get('truth');
+    if (truth) setClass(truth, 'absent', !store.get('/estimate')?.truth);
+    setClass(this.element, 'stale', store.stale('/estimate'));
+    this.view.draw(store, dt_s);
+  }
+
+  /** Another source: what was drawn belongs to the old one. */
+  reset(): void {
+    this.courseShown = -1;
+  }
+
+  private toggle(name: EstimateName): void {
+    if (!this.hidden.delete(name)) this.hidden.add(name);
+    const visible = !this.hidden.has(name);
+    this.view.show(name, visible);
+    const button = this.toggles.get(name);
+    if (button) setAttribute(button, 'aria-pressed', String(visible));
+  }
+
+  private make(mode: Mode): View {
+    const view = this.scene(mode) ?? new MapView();
+    this.stage.replaceChildren(view.element);
+    view.element.setAttribute('aria-hidden', 'true');
+    view.resize();
+    view.setCourse(this.course);
+    for (const name of this.hidden) view.show(name, false);
+    return view;
+  }
+
+  private scene(mode: Mode): View | undefined {
+    if (mode === 'map' || !this.webgl) return undefined;
+    try {
+      return new SceneView(
+        () => {
+          this.mode = 'free';
+          this.mark();
+        },
+        () => {
+          this.withoutWebgl();
+          this.set('map');
+        },
+      );
+    } catch {
+      this.withoutWebgl();
+      return undefined;
+    }
+  }
+
+  private withoutWebgl(): void {
+    this.webgl = false;
+    for (const mode of kCameraModes) {
+      const button = this.buttons.get(mode);
+      if (button === undefined) continue;
+      button.disabled = true;
+      button.title = 'This browser has no WebGL';
+    }
+  }
+
+  private mark(): void {
+    for (const [mode, button] of this.buttons) setAttribute(button, 'aria-pressed', String(mode === this.mode));
+  }
+}
+
+export type { CameraMode };

@@ -1,0 +1,129 @@
+// Where the view looks from: behind the robot, from above, or where the mouse leaves it.
+import { PerspectiveCamera, Vector3 } from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { Pose } from '../state/messages.ts';
+import type { Bounds } from './geometry.ts';
+
+export const kCameraModes = ['chase', 'top', 'free'] as const;
+export type CameraMode = (typeof kCameraModes)[number];
+
+const kChaseBack_m = 0.52;
+const kChaseUp_m = 0.29;
+const kChaseAhead_m = 0.16;
+/** Time constant with which the chase camera turns. */
+const kChaseTurn_s = 0.5;
+const kGlide_s = 0.18;
+
+export class CameraRig {
+  readonly camera = new PerspectiveCamera(40, 1, 0.02, 60);
+  private readonly controls: OrbitControls;
+  private mode_: CameraMode = 'free';
+  private heading_rad = 0;
+  private box: Bounds = { min_x: -1, max_x: 1, min_y: -1, max_y: 1 };
+  private moved = true;
+  private readonly wantedEye = new Vector3();
+  private readonly wantedTarget = new Vector3();
+
+  constructor(
+    element: HTMLElement,
+    /** The mouse took over. */
+    private readonly taken: () => void,
+  ) {
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, element);
+    this.controls.enableDamping = false;
+    this.controls.maxPolarAngle = Math.PI / 2 - 0.02;
+    this.controls.minDistance = 0.15;
+    this.controls.maxDistance = 8;
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener('start', () => {
+      if (this.mode_ === 'free') return;
+      this.mode_ = 'free';
+      this.taken();
+    });
+    this.controls.addEventListener('change', () => {
+      this.moved = true;
+    });
+    this.overview();
+  }
+
+  get mode(): CameraMode {
+    return this.mode_;
+  }
+
+  set(mode: CameraMode, pose: Pose | undefined): void {
+    this.mode_ = mode;
+    if (mode === 'chase' && pose !== undefined) this.heading_rad = pose.yaw_rad;
+    this.moved = true;
+  }
+
+  frame(box: Bounds): void {
+    this.box = box;
+    if (this.mode_ === 'free') this.overview();
+    this.moved = true;
+  }
+
+  resize(aspect: number): void {
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
+    if (this.mode_ === 'free') this.overview();
+    this.moved = true;
+  }
+
+  /** Moves on by `dt_s`; true if the picture changes. */
+  update(pose: Pose | undefined, dt_s: number): boolean {
+    if (this.mode_ === 'chase' && pose !== undefined) this.chase(pose, dt_s);
+    else if (this.mode_ === 'top') this.above(dt_s);
+    const moved = this.moved;
+    this.moved = false;
+    return moved;
+  }
+
+  /** From the south-east, all of the course in view. */
+  private overview(): void {
+    const { x, y, reach } = this.middle();
+    const distance = reach * 1.02;
+    this.controls.target.set(x, y, 0);
+    this.camera.position.set(x + 0.16 * distance, y - 0.78 * distance, 0.72 * distance);
+    this.controls.update();
+  }
+
+  private chase(pose: Pose, dt_s: number): void {
+    const turn = Math.atan2(Math.sin(pose.yaw_rad - this.heading_rad), Math.cos(pose.yaw_rad - this.heading_rad));
+    this.heading_rad += turn * (1 - Math.exp(-dt_s / kChaseTurn_s));
+    const cos = Math.cos(this.heading_rad);
+    const sin = Math.sin(this.heading_rad);
+    this.wantedEye.set(pose.x_m - kChaseBack_m * cos, pose.y_m - kChaseBack_m * sin, pose.z_m + kChaseUp_m);
+    this.wantedTarget.set(pose.x_m + kChaseAhead_m * cos, pose.y_m + kChaseAhead_m * sin, pose.z_m + 0.03);
+    this.glide(dt_s);
+  }
+
+  private above(dt_s: number): void {
+    const { x, y, height } = this.middle();
+    // A hair to the south, so that north stays up.
+    this.wantedEye.set(x, y - 0.002, height);
+    this.wantedTarget.set(x, y, 0);
+    this.glide(dt_s);
+  }
+
+  private glide(dt_s: number): void {
+    const share = 1 - Math.exp(-dt_s / kGlide_s);
+    const { position } = this.camera;
+    const far = position.distanceToSquared(this.wantedEye) + this.controls.target.distanceToSquared(this.wantedTarget);
+    if (far < 1e-9) return;
+    position.lerp(this.wantedEye, share);
+    this.controls.target.lerp(this.wantedTarget, share);
+    this.camera.lookAt(this.controls.target);
+    this.moved = true;
+  }
+
+  private middle(): { x: number; y: number; reach: number; height: number } {
+    const { min_x, max_x, min_y, max_y } = this.box;
+    const tan = Math.tan((this.camera.fov * Math.PI) / 360);
+    const width = max_x - min_x + 0.25;
+    const depth = max_y - min_y + 0.25;
+    const height = Math.max(depth, width / this.camera.aspect) / (2 * tan);
+    const reach = Math.max(width / this.camera.aspect, depth * 0.85) / (2 * tan) + 0.3;
+    return { x: (min_x + max_x) / 2, y: (min_y + max_y) / 2, reach, height };
+  }
+}

@@ -1,0 +1,200 @@
+// Shapes as numbers: x forward, y left, z up, metres. Nothing here draws.
+import type { Block, Course, Place, Ramp } from '../state/messages.ts';
+
+export interface Point2 {
+  x: number;
+  y: number;
+}
+
+/** Side view of a ramp along its own x axis, centred on its footprint, counter-clockwise from the near foot: x, z. */
+export function rampProfile(ramp: Ramp): Point2[] {
+  const up = ramp.height_m / Math.tan(ramp.up_rad);
+  const down = ramp.height_m / Math.tan(ramp.down_rad);
+  const half = (up + ramp.top_m + down) / 2;
+  return [
+    { x: -half, y: 0 },
+    { x: half, y: 0 },
+    { x: half - down, y: ramp.height_m },
+    { x: -half + up, y: ramp.height_m },
+  ];
+}
+
+export function blockProfile(block: Block): Point2[] {
+  const half = block.depth_m / 2;
+  return [
+    { x: -half, y: 0 },
+    { x: half, y: 0 },
+    { x: half, y: block.height_m },
+    { x: -half, y: block.height_m },
+  ];
+}
+
+/** A belt from the side: two half circles around the axles, standing on z = 0, counter-clockwise. */
+export function stadium(spacing: number, radius: number, steps = 12): Point2[] {
+  const points: Point2[] = [];
+  for (const [centre, from] of [
+    [spacing / 2, -Math.PI / 2],
+    [-spacing / 2, Math.PI / 2],
+  ] as const) {
+    for (let i = 0; i <= steps; i++) {
+      const angle = from + (Math.PI * i) / steps;
+      points.push({ x: centre + radius * Math.cos(angle), y: radius + radius * Math.sin(angle) });
+    }
+  }
+  return points;
+}
+
+/** Length of a belt. */
+export function stadiumLength(spacing: number, radius: number): number {
+  return 2 * spacing + 2 * Math.PI * radius;
+}
+
+/** Place and outward direction on a belt, `s` along it from the middle of its lower run, towards the front first. */
+export function onStadium(spacing: number, radius: number, s: number): Point2 & { outward_rad: number } {
+  const length = stadiumLength(spacing, radius);
+  const half = Math.PI * radius;
+  let rest = ((s % length) + length) % length;
+  if (rest < spacing / 2) return { x: rest, y: 0, outward_rad: -Math.PI / 2 };
+  rest -= spacing / 2;
+  if (rest < half) return around(spacing / 2, radius, -Math.PI / 2 + rest / radius);
+  rest -= half;
+  if (rest < spacing) return { x: spacing / 2 - rest, y: 2 * radius, outward_rad: Math.PI / 2 };
+  rest -= spacing;
+  if (rest < half) return around(-spacing / 2, radius, Math.PI / 2 + rest / radius);
+  return { x: -spacing / 2 + rest - half, y: 0, outward_rad: -Math.PI / 2 };
+}
+
+function around(centre: number, radius: number, angle: number): Point2 & { outward_rad: number } {
+  return { x: centre + radius * Math.cos(angle), y: radius + radius * Math.sin(angle), outward_rad: angle };
+}
+
+/** Triangles of a convex x-z outline (counter-clockwise) drawn out along y over +-width/2; normals point outwards. */
+export function prism(outline: readonly Point2[], width: number): Float32Array {
+  const n = outline.length;
+  const triangles: number[] = [];
+  const near = -width / 2;
+  const far = width / 2;
+  const add = (...corners: [i: number, y: number][]): void => {
+    for (const [i, y] of corners) {
+      const point = outline[i % n] ?? { x: 0, y: 0 };
+      triangles.push(point.x, y, point.y);
+    }
+  };
+  for (let i = 0; i < n; i++) {
+    add([i, near], [i + 1, far], [i + 1, near]);
+    add([i, near], [i, far], [i + 1, far]);
+  }
+  for (let i = 1; i < n - 1; i++) {
+    add([0, near], [i, near], [i + 1, near]);
+    add([0, far], [i + 1, far], [i, far]);
+  }
+  return new Float32Array(triangles);
+}
+
+/** A point of the world in a piece's own frame. */
+export function inside(place: Place, x: number, y: number): Point2 {
+  const cos = Math.cos(place.heading_rad);
+  const sin = Math.sin(place.heading_rad);
+  const dx = x - place.x_m;
+  const dy = y - place.y_m;
+  return { x: cos * dx + sin * dy, y: -sin * dx + cos * dy };
+}
+
+/** Corners of a rectangle around a place, counter-clockwise. */
+export function footprint(place: Place, length: number, width: number): Point2[] {
+  const cos = Math.cos(place.heading_rad);
+  const sin = Math.sin(place.heading_rad);
+  return [
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+    [-1, 1],
+  ].map(([u = 0, v = 0]) => {
+    const x = (u * length) / 2;
+    const y = (v * width) / 2;
+    return { x: place.x_m + cos * x - sin * y, y: place.y_m + sin * x + cos * y };
+  });
+}
+
+export function rampLength(ramp: Ramp): number {
+  return 2 * (rampProfile(ramp)[1]?.x ?? 0);
+}
+
+/** Height of ramps and blocks at a place of the floor. */
+export function groundHeight(course: Course, x: number, y: number): number {
+  let height = 0;
+  for (const ramp of course.ramps) {
+    const at = inside(ramp, x, y);
+    const half = rampLength(ramp) / 2;
+    if (Math.abs(at.y) > ramp.width_m / 2 || Math.abs(at.x) >= half) continue;
+    const rise = Math.min((at.x + half) * Math.tan(ramp.up_rad), (half - at.x) * Math.tan(ramp.down_rad));
+    height = Math.max(height, Math.min(rise, ramp.height_m));
+  }
+  for (const block of course.blocks) {
+    const at = inside(block, x, y);
+    if (Math.abs(at.y) <= block.width_m / 2 && Math.abs(at.x) <= block.depth_m / 2) {
+      height = Math.max(height, block.height_m);
+    }
+  }
+  return height;
+}
+
+/** The path lying on the ground, x, y, z in turn, at most `spacing` apart. */
+export function drape(course: Course, spacing = 0.005): Float32Array {
+  const points: number[] = [];
+  course.path.forEach((point, i) => {
+    const last = course.path[i - 1];
+    const steps = last === undefined ? 1 : Math.ceil(Math.hypot(point.x_m - last.x_m, point.y_m - last.y_m) / spacing);
+    for (let k = 1; k <= steps; k++) {
+      const x = last === undefined ? point.x_m : last.x_m + ((point.x_m - last.x_m) * k) / steps;
+      const y = last === undefined ? point.y_m : last.y_m + ((point.y_m - last.y_m) * k) / steps;
+      points.push(x, y, groundHeight(course, x, y));
+    }
+  });
+  return new Float32Array(points);
+}
+
+export interface Bounds {
+  min_x: number;
+  max_x: number;
+  min_y: number;
+  max_y: number;
+}
+
+/** What a course covers: its fence and its path; an arena of 2 m by 1.2 m without a course. */
+export function bounds(course: Course | undefined): Bounds {
+  const box: Bounds = { min_x: Infinity, max_x: -Infinity, min_y: Infinity, max_y: -Infinity };
+  const cover = (x: number, y: number): void => {
+    box.min_x = Math.min(box.min_x, x);
+    box.max_x = Math.max(box.max_x, x);
+    box.min_y = Math.min(box.min_y, y);
+    box.max_y = Math.max(box.max_y, y);
+  };
+  for (const point of course?.path ?? []) cover(point.x_m, point.y_m);
+  const fence = course?.fence;
+  if (fence) {
+    cover(fence.min_x_m, fence.min_y_m);
+    cover(fence.max_x_m, fence.max_y_m);
+  }
+  if (box.min_x > box.max_x) return { min_x: -1, max_x: 1, min_y: -0.6, max_y: 0.6 };
+  return box;
+}
+
+/** Left and right edge of a ribbon of `width` along a strip of points (x, y, z in turn), lying level: two vertices a point. */
+export function ribbon(points: Float32Array, from: number, to: number, width: number, lift: number, out: Float32Array): void {
+  const total = points.length / 3;
+  for (let i = from; i < to; i++) {
+    const before = 3 * Math.max(i - 1, 0);
+    const after = 3 * Math.min(i + 1, total - 1);
+    const at = 3 * i;
+    let dx = (points[after] ?? 0) - (points[before] ?? 0);
+    let dy = (points[after + 1] ?? 0) - (points[before + 1] ?? 0);
+    const length = Math.hypot(dx, dy) || 1;
+    dx *= width / 2 / length;
+    dy *= width / 2 / length;
+    const x = points[at] ?? 0;
+    const y = points[at + 1] ?? 0;
+    const z = (points[at + 2] ?? 0) + lift;
+    out.set([x - dy, y + dx, z, x + dy, y - dx, z], 6 * i);
+  }
+}

@@ -1,0 +1,242 @@
+// The course and the robot from above on a plain canvas: needs no WebGL.
+import type { Course, Pose, RobotShape } from '../state/messages.ts';
+import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
+import type { CameraMode } from './camera_rig.ts';
+import { bounds, footprint, inside, onStadium, rampLength, stadiumLength, type Point2 } from './geometry.ts';
+import * as palette from './palette.ts';
+import { kDefaultShape } from './robot_model.ts';
+import type { View } from './view.ts';
+
+const kMargin_m = 0.12;
+const kCleat_m = 0.02;
+
+/** World to picture: x to the right, y up. */
+export interface Projection {
+  scale: number;
+  left: number;
+  top: number;
+}
+
+/** The largest picture of a box in a canvas. */
+export function fit(course: Course | undefined, width: number, height: number): Projection {
+  const box = bounds(course);
+  const across = box.max_x - box.min_x + 2 * kMargin_m;
+  const up = box.max_y - box.min_y + 2 * kMargin_m;
+  const scale = Math.min(width / across, height / up);
+  return {
+    scale,
+    left: width / 2 - (scale * (box.min_x + box.max_x)) / 2,
+    top: height / 2 + (scale * (box.min_y + box.max_y)) / 2,
+  };
+}
+
+export class MapView implements View {
+  readonly element = document.createElement('canvas');
+  private readonly ground = document.createElement('canvas');
+  private readonly visible: Record<EstimateName, boolean> = { model: true, odometry: true, fused: true, truth: true };
+  private course: Course | undefined;
+  private projection: Projection = { scale: 100, left: 0, top: 0 };
+  private ratio = 1;
+  private drawn = '';
+
+  setCourse(course: Course | undefined): void {
+    this.course = course;
+    this.paintGround();
+  }
+
+  // A map has one point of view.
+  setCamera(_mode: CameraMode): void {
+    this.drawn = '';
+  }
+
+  show(name: EstimateName, visible: boolean): void {
+    this.visible[name] = visible;
+    this.drawn = '';
+  }
+
+  resize(): void {
+    const { clientWidth, clientHeight } = this.element.parentElement ?? this.element;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.ratio = Math.min(window.devicePixelRatio, 2);
+    this.element.width = this.ground.width = Math.round(clientWidth * this.ratio);
+    this.element.height = this.ground.height = Math.round(clientHeight * this.ratio);
+    this.paintGround();
+  }
+
+  draw(store: Store): void {
+    const estimate = store.get('/estimate');
+    const key = `${store.received['/estimate'] ?? 0} ${kEstimates.map((name) => store.trails[name].length).join()}`;
+    const context = this.element.getContext('2d');
+    if (context === null || key === this.drawn) return;
+    this.drawn = key;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(this.ground, 0, 0);
+    for (const name of kEstimates) {
+      if (!this.visible[name]) continue;
+      const points = store.trails[name].coordinates;
+      context.strokeStyle = palette.kEstimateColours[name];
+      context.lineWidth = 2 * this.ratio;
+      context.lineJoin = 'round';
+      context.beginPath();
+      for (let i = 0; i < points.length; i += 3) {
+        const at = this.pixel(points[i] ?? 0, points[i + 1] ?? 0);
+        context.lineTo(at.x, at.y);
+      }
+      context.stroke();
+    }
+    if (estimate === undefined) return;
+    for (const name of kEstimates) {
+      const pose = estimate[name];
+      if (pose === null || name === estimate.steering || !this.visible[name]) continue;
+      this.polygon(context, footprint(place(pose), this.shape.length_m, this.shape.width_m));
+      context.strokeStyle = palette.kEstimateColours[name];
+      context.lineWidth = 1.5 * this.ratio;
+      context.stroke();
+    }
+    this.robot(context, estimate[estimate.steering], store.leftBelt_m, store.rightBelt_m);
+  }
+
+  dispose(): void {
+    this.element.remove();
+  }
+
+  private get shape(): RobotShape {
+    return this.course?.robot ?? kDefaultShape;
+  }
+
+  private pixel(x: number, y: number): Point2 {
+    const { scale, left, top } = this.projection;
+    return { x: left + scale * x, y: top - scale * y };
+  }
+
+  private polygon(context: CanvasRenderingContext2D, corners: readonly Point2[]): void {
+    context.beginPath();
+    for (const { x, y } of corners) {
+      const at = this.pixel(x, y);
+      context.lineTo(at.x, at.y);
+    }
+    context.closePath();
+  }
+
+  private robot(context: CanvasRenderingContext2D, pose: Pose, left_m: number, right_m: number): void {
+    const { axle_spacing_m: spacing, belt_radius_m: radius, gauge_m: gauge, belt_width_m: width } = this.shape;
+    const at = this.pixel(pose.x_m, pose.y_m);
+    context.save();
+    context.translate(at.x, at.y);
+    context.scale(this.projection.scale, -this.projection.scale);
+    context.rotate(pose.yaw_rad);
+    const length = spacing + 2 * radius;
+    context.fillStyle = '#c9d1da';
+    context.fillRect(-0.42 * length, -(gauge - width) / 2, 0.84 * length, gauge - width);
+    context.fillStyle = '#fff3c4';
+    context.fillRect(0.42 * length - 0.008, -0.03, 0.008, 0.06);
+    const around = stadiumLength(spacing, radius);
+    const count = Math.round(around / kCleat_m);
+    for (const [side, travelled_m] of [[1, left_m], [-1, right_m]] as const) {
+      const y = (side * gauge) / 2 - width / 2;
+      context.fillStyle = '#05080b';
+      context.fillRect(-length / 2, y, length, width);
+      context.fillStyle = '#5b6672';
+      for (let i = 0; i < count; i++) {
+        const cleat = onStadium(spacing, radius, (i * around) / count - travelled_m);
+        if (cleat.y > radius) context.fillRect(cleat.x - 0.003, y, 0.006, width);
+      }
+    }
+    context.restore();
+  }
+
+  private paintGround(): void {
+    const context = this.ground.getContext('2d');
+    if (context === null) return;
+    const { width, height } = this.ground;
+    this.projection = fit(this.course, width, height);
+    this.drawn = '';
+    context.fillStyle = palette.kFloor;
+    context.fillRect(0, 0, width, height);
+    this.grid(context);
+    const course = this.course;
+    if (course === undefined) return;
+    for (const surface of course.surfaces) {
+      this.polygon(context, footprint(surface, surface.length_m, surface.width_m));
+      context.fillStyle = palette.kSurface;
+      context.fill();
+    }
+    context.strokeStyle = palette.kObstacleEdge;
+    context.lineWidth = this.ratio;
+    for (const ramp of course.ramps) {
+      this.polygon(context, footprint(ramp, rampLength(ramp), ramp.width_m));
+      context.fillStyle = palette.kObstacle;
+      context.fill();
+      context.stroke();
+      const up = ramp.height_m / Math.tan(ramp.up_rad);
+      for (const from of [up - rampLength(ramp) / 2, up + ramp.top_m - rampLength(ramp) / 2]) {
+        this.across(context, ramp, from, ramp.width_m);
+      }
+    }
+    for (const block of course.blocks) {
+      this.polygon(context, footprint(block, block.depth_m, block.width_m));
+      context.fillStyle = palette.kObstacle;
+      context.fill();
+      context.stroke();
+    }
+    if (course.fence) {
+      const { min_x_m, max_x_m, min_y_m, max_y_m } = course.fence;
+      this.polygon(context, [
+        { x: min_x_m, y: min_y_m },
+        { x: max_x_m, y: min_y_m },
+        { x: max_x_m, y: max_y_m },
+        { x: min_x_m, y: max_y_m },
+      ]);
+      context.strokeStyle = palette.kFence;
+      context.stroke();
+    }
+    context.setLineDash([6 * this.ratio, 5 * this.ratio]);
+    context.strokeStyle = palette.kPath;
+    context.lineWidth = 1.5 * this.ratio;
+    context.beginPath();
+    for (const point of course.path) {
+      const at = this.pixel(point.x_m, point.y_m);
+      context.lineTo(at.x, at.y);
+    }
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  /** The line at `x` of a piece's own frame. */
+  private across(context: CanvasRenderingContext2D, at: Parameters<typeof inside>[0], x: number, width: number): void {
+    const cos = Math.cos(at.heading_rad);
+    const sin = Math.sin(at.heading_rad);
+    context.beginPath();
+    for (const y of [-width / 2, width / 2]) {
+      const end = this.pixel(at.x_m + cos * x - sin * y, at.y_m + sin * x + cos * y);
+      context.lineTo(end.x, end.y);
+    }
+    context.stroke();
+  }
+
+  private grid(context: CanvasRenderingContext2D): void {
+    const { scale, left, top } = this.projection;
+    const { width, height } = this.ground;
+    const step = 0.1;
+    context.lineWidth = 1;
+    const line = (bold: boolean, x0: number, y0: number, x1: number, y1: number): void => {
+      context.strokeStyle = bold ? palette.kGridBold : palette.kGrid;
+      context.beginPath();
+      context.moveTo(Math.round(x0) + 0.5, Math.round(y0) + 0.5);
+      context.lineTo(Math.round(x1) + 0.5, Math.round(y1) + 0.5);
+      context.stroke();
+    };
+    for (let i = Math.ceil(-left / scale / step); i * step * scale + left < width; i++) {
+      line(i % 5 === 0, left + i * step * scale, 0, left + i * step * scale, height);
+    }
+    for (let i = Math.ceil((top - height) / scale / step); i * step * scale < top; i++) {
+      line(i % 5 === 0, 0, top - i * step * scale, width, top - i * step * scale);
+    }
+  }
+}
+
+const place = (pose: Pose): { x_m: number; y_m: number; heading_rad: number } => ({
+  x_m: pose.x_m,
+  y_m: pose.y_m,
+  heading_rad: pose.yaw_rad,
+});

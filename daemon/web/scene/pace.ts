@@ -1,0 +1,37 @@
+// How often and how finely to draw, so that a slow graphics card never keeps the page from STOP.
+
+const kSlow_ms = 45;
+const kSlowFrames = 40;
+/** Of the page's time, at most this much goes into pictures that are slow. */
+const kShare = 0.5;
+
+export class Pace {
+  private drawn_ms = -Infinity;
+  private free_ms = -Infinity;
+  private slow = 0;
+  private waiting = false;
+
+  /** 0: everything; 1: no shadows; 2: coarse. Never goes back up: no flicker. */
+  level = 0;
+
+  /** To be called on every frame; true if this one may be drawn. */
+  tick(now_ms: number): boolean {
+    if (this.waiting) {
+      this.waiting = false;
+      const cost_ms = now_ms - this.drawn_ms;
+      this.free_ms = cost_ms > kSlow_ms ? now_ms + cost_ms * (1 / kShare - 1) : -Infinity;
+      this.slow = cost_ms > kSlow_ms ? this.slow + 1 : Math.max(0, this.slow - 1);
+      if (this.slow > kSlowFrames && this.level < 2) {
+        this.level++;
+        this.slow = 0;
+      }
+    }
+    return now_ms >= this.free_ms;
+  }
+
+  /** A frame was drawn; the next tick shows what it cost. */
+  drawn(now_ms: number): void {
+    this.drawn_ms = now_ms;
+    this.waiting = true;
+  }
+}

@@ -1,0 +1,76 @@
+// A coloured band that lies on the ground and grows at its end: a trail or the planned path.
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
+import type { Trail } from '../state/trail.ts';
+import { ribbon } from './geometry.ts';
+
+export class Ribbon {
+  readonly mesh: Mesh<BufferGeometry, MeshBasicMaterial>;
+  private readonly vertices: Float32Array;
+  private readonly attribute: BufferAttribute;
+  private readonly indices: Uint32Array;
+  private shown = 0;
+  private generation = -1;
+
+  constructor(
+    private readonly capacity: number,
+    colour: string,
+    private readonly width_m: number,
+    private readonly lift_m: number,
+  ) {
+    this.vertices = new Float32Array(6 * capacity);
+    this.attribute = new BufferAttribute(this.vertices, 3);
+    this.indices = new Uint32Array(6 * capacity);
+    for (let i = 0; i + 1 < capacity; i++) this.indices.set(quad(i), 6 * i);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.attribute);
+    geometry.setIndex(new BufferAttribute(this.indices, 1));
+    geometry.setDrawRange(0, 0);
+    const material = new MeshBasicMaterial({
+      color: colour,
+      side: DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: -2,
+      polygonOffsetUnits: -4,
+    });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+  }
+
+  /** True if there was something new. */
+  follow(trail: Trail): boolean {
+    if (trail.generation === this.generation && trail.length === this.shown) return false;
+    const from = trail.generation === this.generation ? Math.max(this.shown - 1, 0) : 0;
+    this.generation = trail.generation;
+    this.show(trail.coordinates, from);
+    return true;
+  }
+
+  /** All points at once; `dash` > 0 leaves out every other stretch of so many points. */
+  set(points: Float32Array, dash = 0): void {
+    const count = Math.min(points.length / 3, this.capacity);
+    for (let i = 0; i + 1 < this.capacity; i++) {
+      const gap = dash > 0 && Math.floor(i / dash) % 2 === 1;
+      this.indices.set(gap ? [0, 0, 0, 0, 0, 0] : quad(i), 6 * i);
+    }
+    const index = this.mesh.geometry.getIndex();
+    if (index !== null) index.needsUpdate = true;
+    this.show(points.subarray(0, 3 * count), 0);
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+
+  private show(points: Float32Array, from: number): void {
+    const count = points.length / 3;
+    ribbon(points, from, count, this.width_m, this.lift_m, this.vertices);
+    this.attribute.clearUpdateRanges();
+    if (count > from) this.attribute.addUpdateRange(6 * from, 6 * (count - from));
+    this.attribute.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, 6 * Math.max(count - 1, 0));
+    this.shown = count;
+  }
+}
+
+const quad = (i: number): number[] => [2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 1, 2 * i + 3, 2 * i + 2];

@@ -1,0 +1,155 @@
+// The robot to scale, with belts that run as the real ones do.
+import {
+  BoxGeometry,
+  DataTexture,
+  EdgesGeometry,
+  Group,
+  InstancedMesh,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  MeshLambertMaterial,
+  NearestFilter,
+  PlaneGeometry,
+  Quaternion,
+  SRGBColorSpace,
+  Vector3,
+} from 'three';
+import type { Pose, RobotShape } from '../state/messages.ts';
+import { onStadium, stadium, stadiumLength } from './geometry.ts';
+import { box, prismGeometry, solid } from './solid.ts';
+
+export const kDefaultShape: RobotShape = {
+  name: '',
+  length_m: 0.185,
+  width_m: 0.2,
+  height_m: 0.06,
+  gauge_m: 0.155,
+  axle_spacing_m: 0.133,
+  belt_radius_m: 0.026,
+  belt_width_m: 0.045,
+};
+
+const kCleat_m = 0.012;
+/** ArUco-like: the marker that the overhead camera looks for. */
+const kMarker = ['000000', '011010', '001110', '010010', '011100', '000000'];
+
+export class RobotModel {
+  readonly group = new Group();
+  private readonly cleats: [InstancedMesh, InstancedMesh];
+
+  constructor(private readonly shape: RobotShape) {
+    const { axle_spacing_m: spacing, belt_radius_m: radius, belt_width_m: belt, gauge_m: gauge } = shape;
+    const outline = stadium(spacing, radius - 0.002);
+    const left = this.belt(gauge / 2, outline);
+    const right = this.belt(-gauge / 2, outline);
+    this.cleats = [left, right];
+
+    const inner = gauge - belt;
+    const deck = shape.height_m - 0.012;
+    this.group.add(
+      box([0, 0, (0.016 + deck) / 2], [spacing + radius * 0.9, inner - 0.006, deck - 0.016], '#2b333d'),
+      box([0, 0, deck], [spacing + radius * 1.2, inner + 0.01, 0.003], '#c9d1da'),
+      box([-0.02, 0, deck + 0.004], [0.075, 0.05, 0.003], '#0f7f86'), // the Mega
+      box([-0.054, 0.012, deck + 0.008], [0.014, 0.012, 0.01], '#aab3bd'), // its USB plug
+      box([spacing / 2 + radius * 0.62, 0, deck - 0.008], [0.006, inner * 0.7, 0.006], '#fff3c4'), // lamps: the front
+      marker(shape.height_m),
+    );
+    this.group.rotation.order = 'ZYX';
+  }
+
+  /** Pose and how far each belt has run. */
+  set(pose: Pose, left_m: number, right_m: number): void {
+    place(this.group, pose);
+    this.run(this.cleats[0], left_m);
+    this.run(this.cleats[1], right_m);
+  }
+
+  private belt(y: number, outline: { x: number; y: number }[]): InstancedMesh {
+    const { axle_spacing_m: spacing, belt_radius_m: radius, belt_width_m: width } = this.shape;
+    const belt = solid(outline, width, '#1b2026');
+    belt.position.y = y;
+    this.group.add(belt);
+    for (const x of [-spacing / 2, spacing / 2]) {
+      const wheel = solid(stadium(0, radius - 0.007, 10), width + 0.002, '#8b96a3');
+      wheel.position.set(x, y, 0.007);
+      this.group.add(wheel);
+    }
+    const count = Math.round(stadiumLength(spacing, radius) / kCleat_m);
+    const cleats = new InstancedMesh(
+      new BoxGeometry(kCleat_m * 0.5, width + 0.001, 0.0035),
+      new MeshLambertMaterial({ color: '#4a545f' }),
+      count,
+    );
+    cleats.position.y = y;
+    cleats.castShadow = true;
+    cleats.frustumCulled = false;
+    this.group.add(cleats);
+    return cleats;
+  }
+
+  private run(cleats: InstancedMesh, travelled_m: number): void {
+    const { axle_spacing_m: spacing, belt_radius_m: radius } = this.shape;
+    const length = stadiumLength(spacing, radius);
+    for (let i = 0; i < cleats.count; i++) {
+      // The lower run goes backwards as the robot goes forwards.
+      const at = onStadium(spacing, radius - 0.002, (i * length) / cleats.count - travelled_m);
+      turn.setFromAxisAngle(kSideways, Math.PI / 2 - at.outward_rad);
+      matrix.compose(point.set(at.x, 0, at.y + 0.0005), turn, kOne);
+      cleats.setMatrixAt(i, matrix);
+    }
+    cleats.instanceMatrix.needsUpdate = true;
+  }
+}
+
+/** The outline of a robot, for a pose that does not steer. */
+export class GhostModel {
+  readonly group = new Group();
+
+  constructor(shape: RobotShape, colour: string) {
+    const outline = stadium(shape.axle_spacing_m, shape.belt_radius_m, 6);
+    const geometry = prismGeometry(outline, shape.belt_width_m);
+    const edges = new EdgesGeometry(geometry, 40);
+    geometry.dispose();
+    for (const side of [-1, 1]) {
+      const lines = new LineSegments(edges, new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.9 }));
+      lines.position.y = (side * shape.gauge_m) / 2;
+      this.group.add(lines);
+    }
+    this.group.rotation.order = 'ZYX';
+  }
+
+  set(pose: Pose): void {
+    place(this.group, pose);
+  }
+}
+
+function place(group: Group, pose: Pose): void {
+  group.position.set(pose.x_m, pose.y_m, pose.z_m);
+  group.rotation.set(pose.roll_rad, pose.pitch_rad, pose.yaw_rad, 'ZYX');
+}
+
+function marker(height: number): Mesh {
+  const size = kMarker.length + 2;
+  const pixels = new Uint8Array(4 * size * size).fill(255);
+  kMarker.forEach((line, j) => {
+    for (let i = 0; i < line.length; i++) {
+      const at = 4 * ((j + 1) * size + i + 1);
+      if (line[i] === '0') pixels.fill(16, at, at + 3);
+    }
+  });
+  const texture = new DataTexture(pixels, size, size);
+  texture.colorSpace = SRGBColorSpace;
+  texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  const mesh = new Mesh(new PlaneGeometry(0.05, 0.05), new MeshLambertMaterial({ map: texture }));
+  mesh.position.set(0.045, 0, height);
+  return mesh;
+}
+
+const kSideways = new Vector3(0, 1, 0);
+const kOne = new Vector3(1, 1, 1);
+const point = new Vector3();
+const turn = new Quaternion();
+const matrix = new Matrix4();

@@ -1,0 +1,162 @@
+// The course and the robot in three dimensions (WebGL).
+import { Color, DirectionalLight, Fog, HemisphereLight, PCFShadowMap, Scene, WebGLRenderer } from 'three';
+import type { Course, RobotShape } from '../state/messages.ts';
+import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
+import { CameraRig, type CameraMode } from './camera_rig.ts';
+import { CourseModel } from './course_model.ts';
+import { bounds } from './geometry.ts';
+import { kEstimateColours, kSky } from './palette.ts';
+import { Pace } from './pace.ts';
+import { Ribbon } from './ribbon.ts';
+import { GhostModel, kDefaultShape, RobotModel } from './robot_model.ts';
+import { dispose } from './solid.ts';
+import type { View } from './view.ts';
+
+const kTrailWidth_m = 0.007;
+const kTrailLift_m: Record<EstimateName, number> = { model: 0.002, odometry: 0.0025, fused: 0.003, truth: 0.0035 };
+const kMostPixels = 2;
+
+export class SceneView implements View {
+  readonly element: HTMLCanvasElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly rig: CameraRig;
+  private readonly sun = new DirectionalLight('#ffffff', 2.2);
+  private readonly course = new CourseModel();
+  private readonly ribbons: Record<EstimateName, Ribbon>;
+  private ghosts: Record<EstimateName, GhostModel>;
+  private robot: RobotModel;
+  private shape: RobotShape = kDefaultShape;
+  private readonly visible: Record<EstimateName, boolean> = { model: true, odometry: true, fused: true, truth: true };
+  private readonly pace = new Pace();
+  private level = 0;
+  private lag_s = 0;
+  private shown = -1;
+  private changed = true;
+
+  /** Throws if there is no WebGL. `lost`: the graphics card went away. */
+  constructor(taken: () => void, lost: () => void) {
+    this.renderer = new WebGLRenderer({ antialias: true, powerPreference: 'low-power' });
+    this.element = this.renderer.domElement;
+    this.element.addEventListener('webglcontextlost', lost);
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.scene.background = new Color(kSky);
+    this.scene.fog = new Fog(kSky, 3.5, 9);
+    this.scene.add(new HemisphereLight('#bcd6f5', '#26303c', 1.4), this.sun, this.sun.target, this.course.group);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(1024, 1024);
+    this.sun.shadow.bias = -0.0004;
+    this.sun.shadow.normalBias = 0.002;
+    this.rig = new CameraRig(this.element, taken);
+    this.ribbons = record((name) => new Ribbon(4000, kEstimateColours[name], kTrailWidth_m, kTrailLift_m[name]));
+    for (const name of kEstimates) this.scene.add(this.ribbons[name].mesh);
+    this.robot = new RobotModel(this.shape);
+    this.ghosts = this.makeGhosts();
+    this.scene.add(this.robot.group);
+    this.setCourse(undefined);
+  }
+
+  setCourse(course: Course | undefined): void {
+    this.course.set(course);
+    const box = bounds(course);
+    this.rig.frame(box);
+    const x = (box.min_x + box.max_x) / 2;
+    const y = (box.min_y + box.max_y) / 2;
+    const half = Math.hypot(box.max_x - box.min_x, box.max_y - box.min_y) / 2 + 0.2;
+    this.sun.target.position.set(x, y, 0);
+    this.sun.position.set(x - 0.6 * half, y - 0.35 * half, 1.4 * half);
+    const camera = this.sun.shadow.camera;
+    [camera.left, camera.right, camera.bottom, camera.top] = [-half, half, -half, half];
+    [camera.near, camera.far] = [0.1, 4 * half];
+    camera.updateProjectionMatrix();
+    if (course !== undefined && JSON.stringify(course.robot) !== JSON.stringify(this.shape)) {
+      this.shape = course.robot;
+      for (const old of [this.robot, ...Object.values(this.ghosts)]) {
+        this.scene.remove(old.group);
+        dispose(old.group);
+      }
+      this.robot = new RobotModel(this.shape);
+      this.scene.add(this.robot.group);
+      this.ghosts = this.makeGhosts();
+    }
+    this.changed = true;
+  }
+
+  setCamera(mode: CameraMode): void {
+    this.rig.set(mode, undefined);
+    this.changed = true;
+  }
+
+  show(name: EstimateName, visible: boolean): void {
+    this.visible[name] = visible;
+    this.shown = -1;
+  }
+
+  draw(store: Store, dt_s: number): void {
+    const now_ms = performance.now();
+    this.lag_s += dt_s;
+    if (!this.pace.tick(now_ms)) return;
+    this.degrade();
+    for (const name of kEstimates) {
+      const ribbon = this.ribbons[name];
+      if (ribbon.follow(store.trails[name])) this.changed = true;
+      ribbon.mesh.visible = this.visible[name];
+    }
+    const estimate = store.get('/estimate');
+    const received = store.received['/estimate'] ?? 0;
+    if (received !== this.shown) {
+      this.shown = received;
+      this.changed = true;
+      this.robot.group.visible = estimate !== undefined;
+      if (estimate !== undefined) this.robot.set(estimate[estimate.steering], store.leftBelt_m, store.rightBelt_m);
+      for (const name of kEstimates) {
+        const pose = estimate?.[name];
+        const ghost = this.ghosts[name];
+        ghost.group.visible = !!pose && name !== estimate.steering && this.visible[name];
+        if (pose) ghost.set(pose);
+      }
+    }
+    const moved = this.rig.update(store.pose, this.lag_s);
+    this.lag_s = 0;
+    if (!moved && !this.changed) return;
+    this.changed = false;
+    this.renderer.render(this.scene, this.rig.camera);
+    this.pace.drawn(now_ms);
+  }
+
+  resize(): void {
+    const { clientWidth, clientHeight } = this.element.parentElement ?? this.element;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(this.level > 1 ? 0.6 : Math.min(window.devicePixelRatio, kMostPixels));
+    this.renderer.setSize(clientWidth, clientHeight);
+    this.rig.resize(clientWidth / clientHeight);
+    this.changed = true;
+  }
+
+  dispose(): void {
+    dispose(this.scene);
+    this.renderer.dispose();
+    this.element.remove();
+  }
+
+  private degrade(): void {
+    if (this.pace.level === this.level) return;
+    this.level = this.pace.level;
+    this.sun.castShadow = false;
+    if (this.level > 1) this.resize();
+  }
+
+  private makeGhosts(): Record<EstimateName, GhostModel> {
+    return record((name) => {
+      const ghost = new GhostModel(this.shape, kEstimateColours[name]);
+      ghost.group.visible = false;
+      this.scene.add(ghost.group);
+      return ghost;
+    });
+  }
+}
+
+function record<T>(make: (name: EstimateName) => T): Record<EstimateName, T> {
+  return { model: make('model'), odometry: make('odometry'), fused: make('fused'), truth: make('truth') };
+}

@@ -1,0 +1,15 @@
+// What the 3-D scene and the 2-D map have in common.
+import type { Course } from '../state/messages.ts';
+import type { EstimateName, Store } from '../state/store.ts';
+import type { CameraMode } from './camera_rig.ts';
+
+export interface View {
+  readonly element: HTMLElement;
+  setCourse(course: Course | undefined): void;
+  setCamera(mode: CameraMode): void;
+  show(name: EstimateName, visible: boolean): void;
+  /** Draws if anything changed. */
+  draw(store: Store, dt_s: number): void;
+  resize(): void;
+  dispose(): void;
+}

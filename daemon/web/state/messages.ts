@@ -1,0 +1,285 @@
+// The daemon's channels as types (daemon/publish/CHANNELS.md). SI units, REP-103 frames; null: not known.
+
+export interface Pose {
+  x_m: number;
+  y_m: number;
+  z_m: number;
+  roll_rad: number;
+  pitch_rad: number;
+  yaw_rad: number;
+}
+
+export interface MovingPose extends Pose {
+  vx_mps: number;
+  vy_mps: number;
+  yaw_rate_radps: number;
+}
+
+export interface FusedPose extends MovingPose {
+  sd_x_m: number;
+  sd_y_m: number;
+  sd_yaw_rad: number;
+  camera_age_us: number | null;
+}
+
+export type Steering = 'model' | 'odometry' | 'fused';
+
+export interface Estimate {
+  t_s: number;
+  step: number;
+  age_us: number | null;
+  steering: Steering;
+  model: MovingPose;
+  odometry: MovingPose;
+  fused: FusedPose;
+  truth: (Pose & { age_us: number }) | null;
+  reference: { x_m: number; y_m: number; yaw_rad: number } | null;
+  pitch_source: string;
+  tracks: {
+    left_mps: number;
+    right_mps: number;
+    left_commanded_mps: number | null;
+    right_commanded_mps: number | null;
+  };
+  cross_track_m: number;
+  heading_error_rad: number;
+  desired_yaw_rad: number;
+  desired_speed_mps: number;
+  progress_m: number;
+}
+
+export interface Slip {
+  t_s: number;
+  left: number;
+  right: number;
+  fused_left: number;
+  fused_right: number;
+  gyro_bias_radps: number;
+  slope_rad: number | null;
+}
+
+export interface Distribution {
+  count: number;
+  mean: number;
+  p50: number;
+  p99: number;
+  p999: number;
+  max: number;
+}
+
+export type Session = 'closed' | 'listening' | 'hello' | 'parameters' | 'syncing' | 'ready' | 'refused';
+
+export interface Link {
+  t_s: number;
+  session: Session;
+  quality: 'good' | 'poor' | 'lost';
+  port: string;
+  kind: 'physical' | 'emulated';
+  firmware: string | null;
+  samples_hz: number;
+  lost_hz: number;
+  bad_hz: number;
+  in_bytes_ps: number;
+  out_bytes_ps: number;
+  round_trip_us: number | null;
+  clock: { valid: boolean; drift_ppm: number; uncertainty_us: number };
+  sample_age_us: Distribution;
+  counters: Record<string, number>;
+}
+
+export interface Loop {
+  t_s: number;
+  rate_hz: number;
+  pacing: string;
+  turns: number;
+  overruns: number;
+  missed: number;
+  lateness_us: Distribution;
+  work_us: Distribution;
+  histogram: { edges_us: number[]; lateness: number[] };
+  privileges: Record<string, boolean>;
+  lost_records: number;
+}
+
+export type Run = 'idle' | 'arming' | 'running' | 'finished' | 'aborted';
+
+export interface Fault {
+  name: string;
+  cause: string;
+  remedy: string;
+  from: 'robot' | 'daemon';
+}
+
+export interface StopState {
+  count: number;
+  latched: boolean;
+  by: string;
+  requested_t_s: number | null;
+  status: 'none' | 'pending' | 'acknowledged' | 'not_acknowledged';
+  acknowledged_ms: number | null;
+}
+
+export interface State {
+  t_s: number;
+  run: Run;
+  session: Session;
+  robot_state: string | null;
+  run_s: number | null;
+  progress_m: number | null;
+  length_m: number | null;
+  course: string;
+  robot: string;
+  setup: string;
+  steering: Steering;
+  world: string;
+  battery_v: number | null;
+  can: { start: boolean; hold: boolean; stop: boolean; record: boolean };
+  why_not_start: string;
+  faults: Fault[];
+  stop: StopState;
+}
+
+export interface Place {
+  x_m: number;
+  y_m: number;
+  heading_rad: number;
+}
+
+export interface Ramp extends Place {
+  height_m: number;
+  up_rad: number;
+  top_m: number;
+  down_rad: number;
+  width_m: number;
+}
+
+export interface Block extends Place {
+  height_m: number;
+  depth_m: number;
+  width_m: number;
+}
+
+export interface Surface extends Place {
+  name: string;
+  length_m: number;
+  width_m: number;
+}
+
+export interface PathPoint {
+  x_m: number;
+  y_m: number;
+  yaw_rad: number;
+  s_m: number;
+}
+
+export interface RobotShape {
+  name: string;
+  length_m: number;
+  width_m: number;
+  height_m: number;
+  gauge_m: number;
+  axle_spacing_m: number;
+  belt_radius_m: number;
+  belt_width_m: number;
+}
+
+export interface Fence {
+  min_x_m: number;
+  max_x_m: number;
+  min_y_m: number;
+  max_y_m: number;
+}
+
+export interface Course {
+  name: string;
+  description: string;
+  speed_mps: number;
+  length_m: number;
+  start: { x_m: number; y_m: number; yaw_rad: number };
+  path: PathPoint[];
+  ramps: Ramp[];
+  blocks: Block[];
+  surfaces: Surface[];
+  shoves: { at_m: number; sideways_m: number; yaw_rad: number; duration_s: number }[];
+  fence: Fence | null;
+  robot: RobotShape;
+}
+
+export interface Event {
+  t_s: number;
+  kind: string;
+  level: 'info' | 'warning' | 'error';
+  text: string;
+  cause: string;
+  remedy: string;
+}
+
+export interface Parameter {
+  name: string;
+  value: number | boolean | string;
+  default: number | boolean | string;
+  type: 'number' | 'integer' | 'boolean' | 'text' | 'choice';
+  unit: string;
+  min?: number;
+  max?: number;
+  choices?: string[];
+  meaning: string;
+  live: boolean;
+  when: 'always' | 'not running';
+}
+
+export interface ParameterList {
+  parameters: Parameter[];
+}
+
+export interface Recording {
+  available: boolean;
+  active: boolean;
+  run: string;
+  file: string;
+  elapsed_s: number;
+  bytes: number;
+  dropped: number;
+  warning: string;
+}
+
+export interface Viewer {
+  id: number;
+  address: string;
+  agent: string;
+  subscriptions: number;
+  sent: number;
+  dropped: number;
+  queued: number;
+  connected_s: number;
+}
+
+export interface ClientList {
+  clients: Viewer[];
+  dropped_total: number;
+  refused_total: number;
+  closed_total: number;
+  queue_limit: number;
+}
+
+/** `/trail`: line strips of a SceneUpdate. */
+export interface SceneUpdate {
+  entities: { id: string; lines: { points: { x: number; y: number; z: number }[] }[] }[];
+}
+
+/** What each channel of ours carries. */
+export interface Channels {
+  '/estimate': Estimate;
+  '/slip': Slip;
+  '/link': Link;
+  '/loop': Loop;
+  '/state': State;
+  '/course': Course;
+  '/event': Event;
+  '/parameter': ParameterList;
+  '/recording': Recording;
+  '/client': ClientList;
+  '/trail': SceneUpdate;
+}
+
+export type Topic = keyof Channels;

@@ -1,0 +1,188 @@
+// Everything that the views draw, from the channels of one source: the live daemon or a recording.
+// Memory is bounded however long it runs.
+import type { Channels, Estimate, Event, Pose, SceneUpdate, Slip, State, Topic } from './messages.ts';
+import { Series } from './series.ts';
+import { Trail } from './trail.ts';
+
+export const kEstimates = ['model', 'odometry', 'fused', 'truth'] as const;
+export type EstimateName = (typeof kEstimates)[number];
+
+/** Columns of `Store.series`, in the units that the plots show. */
+export const kColumns = {
+  t_s: 0,
+  desired_yaw_deg: 1,
+  model_yaw_deg: 2,
+  odometry_yaw_deg: 3,
+  fused_yaw_deg: 4,
+  truth_yaw_deg: 5,
+  cross_track_mm: 6,
+  heading_error_deg: 7,
+  left_mps: 8,
+  right_mps: 9,
+  left_commanded_mps: 10,
+  right_commanded_mps: 11,
+  slip_left_percent: 12,
+  slip_right_percent: 13,
+  fused_slip_left_percent: 14,
+  fused_slip_right_percent: 15,
+  model_error_mm: 16,
+  odometry_error_mm: 17,
+  fused_error_mm: 18,
+} as const;
+export type Column = keyof typeof kColumns;
+
+export const kHistory_s = 120;
+const kInterval_s = 0.0199; // 50 rows a second
+export const kEvents = 300;
+/** No pose moves this far between two messages: another run, daemon or place in a recording. */
+const kJump_m = 0.5;
+
+/** Above this age a value is grey. */
+const kStale_ms: Record<Topic, number> = {
+  '/estimate': 400,
+  '/slip': 600,
+  '/link': 1000,
+  '/loop': 1500,
+  '/state': 1000,
+  '/course': Infinity,
+  '/event': Infinity,
+  '/parameter': Infinity,
+  '/recording': Infinity,
+  '/client': 3000,
+  '/trail': Infinity,
+};
+const kStaleSample_us = 400_000;
+
+export class Store {
+  readonly series = new Series(Object.keys(kColumns).length, Math.ceil(kHistory_s / kInterval_s), kInterval_s);
+  readonly trails: Record<EstimateName, Trail> = {
+    model: new Trail(),
+    odometry: new Trail(),
+    fused: new Trail(),
+    truth: new Trail(),
+  };
+  readonly events: Event[] = [];
+  /** How far each belt has run. */
+  leftBelt_m = 0;
+  rightBelt_m = 0;
+  /** Messages received so far, by topic: tells a view whether there is something new. */
+  readonly received: Record<string, number> = {};
+
+  private readonly latest: { [T in Topic]?: Channels[T] } = {};
+  private readonly heard_ms: Record<string, number> = {};
+
+  constructor(private readonly now: () => number = () => performance.now()) {}
+
+  get<T extends Topic>(topic: T): Channels[T] | undefined {
+    return this.latest[topic];
+  }
+
+  receive<T extends Topic>(topic: T, message: Channels[T]): void {
+    if (topic === '/estimate') this.estimate(message as Estimate);
+    else if (topic === '/event') this.event(message as Event);
+    else if (topic === '/state') this.state(message as State);
+    else if (topic === '/trail') this.history(message as SceneUpdate);
+    this.latest[topic] = message as never;
+    this.heard_ms[topic] = this.now();
+    this.received[topic] = (this.received[topic] ?? 0) + 1;
+  }
+
+  /** True where what is shown of `topic` is too old to be believed. */
+  stale(topic: Topic): boolean {
+    const heard_ms = this.heard_ms[topic];
+    if (heard_ms === undefined || this.now() - heard_ms > kStale_ms[topic]) return true;
+    if (topic !== '/estimate' && topic !== '/slip') return false;
+    const age_us = this.latest['/estimate']?.age_us;
+    return age_us === undefined || age_us === null || age_us > kStaleSample_us;
+  }
+
+  /** The pose that steers. */
+  get pose(): Pose | undefined {
+    const estimate = this.latest['/estimate'];
+    return estimate?.[estimate.steering];
+  }
+
+  clear(): void {
+    this.series.clear();
+    this.clearTrails();
+    this.events.length = 0;
+    for (const topic of Object.keys(this.latest) as Topic[]) Reflect.deleteProperty(this.latest, topic);
+  }
+
+  clearTrails(): void {
+    for (const name of kEstimates) this.trails[name].clear();
+  }
+
+  private estimate(next: Estimate): void {
+    const last = this.latest['/estimate'];
+    if (last !== undefined) {
+      const dt_s = next.t_s - last.t_s;
+      if (dt_s > 0 && dt_s < 1) {
+        this.leftBelt_m += next.tracks.left_mps * dt_s;
+        this.rightBelt_m += next.tracks.right_mps * dt_s;
+      }
+      const jump_m = Math.hypot(next.model.x_m - last.model.x_m, next.model.y_m - last.model.y_m);
+      if (jump_m > kJump_m || dt_s < 0) this.clearTrails();
+    }
+    for (const name of kEstimates) {
+      const pose = next[name];
+      if (pose !== null) this.trails[name].add(pose.x_m, pose.y_m, pose.z_m);
+    }
+    this.series.push(row(next, this.latest['/slip']));
+  }
+
+  private event(event: Event): void {
+    // A new connection repeats what was kept.
+    const known = this.events.some((other) => other.t_s === event.t_s && other.text === event.text);
+    if (known) return;
+    this.events.push(event);
+    if (this.events.length > kEvents) this.events.shift();
+  }
+
+  private state(next: State): void {
+    const began = next.run === 'running' && this.latest['/state']?.run === 'arming';
+    if (began) this.clearTrails();
+  }
+
+  /** What was driven before this viewer came. */
+  private history(update: SceneUpdate): void {
+    for (const name of ['model', 'odometry', 'fused'] as const) {
+      const trail = this.trails[name];
+      if (trail.length > 10) continue;
+      const strips = update.entities.filter((entity) => entity.id.startsWith(`trail/${name}/`));
+      if (strips.length === 0) continue;
+      trail.clear();
+      for (const strip of strips) {
+        for (const line of strip.lines) for (const { x, y, z } of line.points) trail.add(x, y, z);
+      }
+    }
+  }
+}
+
+function row(estimate: Estimate, slip: Slip | undefined): number[] {
+  const { model, odometry, fused, truth, tracks } = estimate;
+  const deg = (value_rad: number | undefined): number => ((value_rad ?? NaN) * 180) / Math.PI;
+  const error_mm = (pose: Pose): number =>
+    truth === null ? NaN : 1000 * Math.hypot(pose.x_m - truth.x_m, pose.y_m - truth.y_m);
+  return [
+    estimate.t_s,
+    deg(estimate.desired_yaw_rad),
+    deg(model.yaw_rad),
+    deg(odometry.yaw_rad),
+    deg(fused.yaw_rad),
+    deg(truth?.yaw_rad),
+    1000 * estimate.cross_track_m,
+    deg(estimate.heading_error_rad),
+    tracks.left_mps,
+    tracks.right_mps,
+    tracks.left_commanded_mps ?? NaN,
+    tracks.right_commanded_mps ?? NaN,
+    100 * (slip?.left ?? NaN),
+    100 * (slip?.right ?? NaN),
+    100 * (slip?.fused_left ?? NaN),
+    100 * (slip?.fused_right ?? NaN),
+    error_mm(model),
+    error_mm(odometry),
+    error_mm(fused),
+  ];
+}

@@ -1,0 +1,15 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vitest/config';
+
+export default defineConfig({
+  root: fileURLToPath(new URL('../../', import.meta.url)).replace(/\/$/, ''),
+  cacheDir: 'daemon/web/node_modules/.vite',
+  resolve: { preserveSymlinks: true },
+  server: { fs: { strict: false } },
+  test: {
+    include: ['tests/web/browser/**/*_test.ts'],
+    testTimeout: 120_000,
+    hookTimeout: 60_000,
+    fileParallelism: false,
+  },
+});

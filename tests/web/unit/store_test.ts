@@ -1,0 +1,115 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { Estimate, MovingPose, State } from '../../../daemon/web/state/messages.ts';
+import { kColumns, kEvents, Store } from '../../../daemon/web/state/store.ts';
+
+const at = (x_m: number, y_m = 0): MovingPose => ({
+  x_m,
+  y_m,
+  z_m: 0,
+  roll_rad: 0,
+  pitch_rad: 0,
+  yaw_rad: 0,
+  vx_mps: 0,
+  vy_mps: 0,
+  yaw_rate_radps: 0,
+});
+
+function estimate(t_s: number, x_m: number, more: Partial<Estimate> = {}): Estimate {
+  return {
+    t_s,
+    step: 0,
+    age_us: 3000,
+    steering: 'odometry',
+    model: at(x_m),
+    odometry: at(x_m, 0.001),
+    fused: { ...at(x_m), sd_x_m: 0, sd_y_m: 0, sd_yaw_rad: 0, camera_age_us: null },
+    truth: null,
+    reference: null,
+    pitch_source: 'none',
+    tracks: { left_mps: 0.1, right_mps: 0.2, left_commanded_mps: null, right_commanded_mps: null },
+    cross_track_m: 0.002,
+    heading_error_rad: 0,
+    desired_yaw_rad: 0,
+    desired_speed_mps: 0,
+    progress_m: x_m,
+    ...more,
+  };
+}
+
+let now_ms: number;
+let store: Store;
+beforeEach(() => {
+  now_ms = 0;
+  store = new Store(() => now_ms);
+});
+
+describe('Store', () => {
+  it('knows the pose that steers', () => {
+    expect(store.pose).toBeUndefined();
+    store.receive('/estimate', estimate(0, 1));
+    expect(store.pose?.y_m).toBe(0.001);
+    store.receive('/estimate', estimate(0.005, 1, { steering: 'model' }));
+    expect(store.pose?.y_m).toBe(0);
+  });
+
+  it('calls a value stale when its message is old, or the robot’s sample is', () => {
+    expect(store.stale('/estimate')).toBe(true);
+    store.receive('/estimate', estimate(0, 0));
+    expect(store.stale('/estimate')).toBe(false);
+    now_ms = 2000;
+    expect(store.stale('/estimate')).toBe(true);
+    store.receive('/estimate', estimate(2, 0, { age_us: 2e6 }));
+    expect(store.stale('/estimate')).toBe(true);
+    store.receive('/estimate', estimate(2, 0, { age_us: null }));
+    expect(store.stale('/estimate')).toBe(true);
+  });
+
+  it('adds up how far the belts ran', () => {
+    for (let i = 0; i <= 200; i++) store.receive('/estimate', estimate(i * 0.005, 0));
+    expect(store.leftBelt_m).toBeCloseTo(0.1, 6);
+    expect(store.rightBelt_m).toBeCloseTo(0.2, 6);
+  });
+
+  it('clears the trails when another run begins or the pose jumps', () => {
+    for (let i = 0; i < 100; i++) store.receive('/estimate', estimate(i * 0.1, i * 0.01));
+    expect(store.trails.model.length).toBe(100);
+    store.receive('/estimate', estimate(10, -0.2));
+    expect(store.trails.model.length).toBe(1);
+    const state = { run: 'arming' } as State;
+    store.receive('/state', state);
+    store.receive('/state', { ...state, run: 'running' });
+    expect(store.trails.model.length).toBe(0);
+  });
+
+  it('stays bounded however long it runs', () => {
+    for (let i = 0; i < 20_000; i++) store.receive('/estimate', estimate(i * 0.02, (i % 1000) * 0.001));
+    expect(store.series.length).toBeLessThanOrEqual(store.series.capacity);
+    for (let i = 0; i < 1000; i++) {
+      store.receive('/event', { t_s: i, kind: 'run', level: 'info', text: 'x', cause: '', remedy: '' });
+    }
+    expect(store.events.length).toBe(kEvents);
+    expect(store.events.at(-1)?.t_s).toBe(999);
+  });
+
+  it('takes an event that is repeated after a reconnection once', () => {
+    const event = { t_s: 1, kind: 'run', level: 'info', text: 'x', cause: '', remedy: '' } as const;
+    store.receive('/event', event);
+    store.receive('/event', { ...event });
+    expect(store.events.length).toBe(1);
+  });
+
+  it('measures errors against truth only where there is one', () => {
+    store.receive('/estimate', estimate(0, 1));
+    store.receive('/estimate', estimate(1, 1, { truth: { ...at(1, 0.003), age_us: 0 } }));
+    const column = store.series.since(0)[kColumns.model_error_mm];
+    expect(column?.[0]).toBeNaN();
+    expect(column?.[1]).toBeCloseTo(3, 6);
+  });
+
+  it('fills the trails with what was driven before', () => {
+    const points = Array.from({ length: 50 }, (_, i) => ({ x: 0.02 * i, y: 0, z: 0 }));
+    store.receive('/trail', { entities: [{ id: 'trail/model/0', lines: [{ points }] }] });
+    expect(store.trails.model.length).toBe(50);
+    expect(store.trails.fused.length).toBe(0);
+  });
+});
