@@ -1,0 +1,146 @@
+// tp100-camera: the command line.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+
+#include "analysis/atomic_file.h"
+#include "analysis/standard_streams.h"
+#include "camera/board.h"
+#include "camera/lens_calibration.h"
+#include "camera/print.h"
+#include "camera/view.h"
+#include "camera/watch.h"
+#include "core/error.h"
+#include "course/toml_document.h"
+#include "link/camera_message.h"
+
+namespace tp100::camera {
+namespace {
+
+constexpr double kBoardPixelsPerM = 600.0 / 0.0254;
+
+struct Options {
+  WatchOptions watch;
+  std::string size;
+  std::string lens_out;
+  std::string board;
+  std::string print_marker, print_board;
+  int marker_id = -1;
+};
+
+int fail(const std::string& message, int status = 2) {
+  std::fprintf(stderr, "tp100-camera: %s\n", course::one_line(message, 500).c_str());
+  return status;
+}
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("SOURCE", options.watch.source,
+                 "Video file, folder of pictures, or device (/dev/video0, or 0 for short)")
+      ->type_name("");
+  app.add_option("--view", options.watch.view,
+                 "View file: lens, marker, points on the floor (as config/view.toml)")
+      ->type_name("FILE");
+  app.add_option("--send", options.watch.send,
+                 "Where poses go, udp:PORT or udp:HOST:PORT (default: udp:47100 without --tum)")
+      ->type_name("ADDRESS");
+  app.add_option("--tum", options.watch.tum, "Also write the poses to a TUM file")
+      ->type_name("FILE");
+  app.add_option("--fps", options.watch.pictures.fps,
+                 "Pictures per second: of a folder without times.csv, or asked of a device")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->type_name("HZ");
+  app.add_option("--size", options.size, "Picture size asked of a device, as 1920x1080")
+      ->type_name("WxH");
+  app.add_option("--calibrate-lens", options.lens_out,
+                 "Find the lens from pictures of --board and write it to this file")
+      ->type_name("FILE");
+  app.add_option("--board", options.board,
+                 "chessboard:9x6:0.025 (inner corners, square in m) or charuco:7x5:0.04:0.03 "
+                 "(squares, square and marker in m)")
+      ->type_name("BOARD");
+  app.add_option("--print-marker", options.print_marker,
+                 "Write the marker as an SVG of true size (of --view, else of its defaults)")
+      ->type_name("FILE");
+  app.add_option("--id", options.marker_id, "Another marker to print, such as one of the floor")
+      ->check(CLI::Range(0, 1023))
+      ->type_name("NUMBER");
+  app.add_option("--print-board", options.print_board, "Write --board as a PNG of 600 dpi")
+      ->type_name("FILE");
+}
+
+int print_marker(const Options& options) {
+  const View view = options.watch.view.empty() ? View{} : read_view(options.watch.view);
+  const int id = options.marker_id < 0 ? view.marker_id : options.marker_id;
+  analysis::write_file(options.print_marker, marker_svg(view, id));
+  return 0;
+}
+
+int print_board(const Options& options) {
+  const cv::Mat picture = Board::parse(options.board).draw(kBoardPixelsPerM);
+  std::vector<unsigned char> png;
+  cv::imencode(".png", picture, png);
+  analysis::write_file(options.print_board,
+                       {reinterpret_cast<const char*>(png.data()), png.size()});
+  return 0;
+}
+
+int run_watch(Options& options) {
+  WatchOptions& watch_options = options.watch;
+  if (watch_options.view.empty())
+    throw SetupError("no --view; copy config/view.toml, fill it in and pass it");
+  if (watch_options.send.empty() && watch_options.tum.empty())
+    watch_options.send = "udp:" + std::to_string(link::kCameraPort);
+  SourceOptions& pictures = watch_options.pictures;
+  int used = -1;
+  if (!options.size.empty() &&
+      (std::sscanf(options.size.c_str(), "%dx%d%n", &pictures.width_px, &pictures.height_px,
+                   &used) != 2 ||
+       used != static_cast<int>(options.size.size()) || pictures.width_px < 16 ||
+       pictures.height_px < 16 || pictures.width_px > 16384 || pictures.height_px > 16384))
+    throw SetupError("--size " + course::one_line(options.size) + ": not a size; use 1920x1080");
+  return watch(watch_options);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Overhead camera: the pose of a marked robot from pictures", "tp100-camera");
+  app.set_version_flag("--version", TP100_VERSION);
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    return fail(std::string(error.what()) + "; see tp100-camera --help");
+  }
+  if (!options.print_marker.empty()) return print_marker(options);
+  if (!options.print_board.empty()) return print_board(options);
+  if (options.watch.source.empty()) return fail("SOURCE is required; see tp100-camera --help");
+  if (options.lens_out.empty()) return run_watch(options);
+  return calibrate_lens(options.watch.source, options.watch.pictures, options.board,
+                        options.lens_out);
+}
+
+}  // namespace
+}  // namespace tp100::camera
+
+int main(int argc, char** argv) {
+  tp100::analysis::claim_standard_streams();
+  // One line of ours says what is wrong; and the processors belong to the bridge.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  cv::setNumThreads(1);
+  try {
+    return tp100::analysis::finish_standard_output("tp100-camera", tp100::camera::run(argc, argv));
+  } catch (const tp100::SetupError& error) {
+    return tp100::camera::fail(error.what());
+  } catch (const cv::Exception& error) {
+    return tp100::camera::fail(std::string("stopped: ") + error.what(), 1);
+  } catch (const std::exception& error) {
+    return tp100::camera::fail(std::string("stopped: ") + error.what(), 1);
+  }
+}

@@ -1,0 +1,42 @@
+#pragma once
+// A view file as data: which marker an overhead camera looks for, and the points on the floor that
+// make its pictures places in the world. config/view.toml is the commented example.
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "camera/floor_plane.h"
+
+namespace tp100::camera {
+
+/// A marker that lies on the floor with its middle at a known place.
+struct FloorMarker {
+  int id = 0;
+  cv::Point2d world_m;
+};
+
+struct View {
+  std::string lens;      ///< lens file, relative to the view file's folder
+  double delay_s = 0.0;  ///< devices: from the middle of the exposure to the driver's time stamp
+  std::string dictionary = "4x4_50";
+  int marker_id = 0;
+  double marker_size_m = 0.10;    ///< side of the black square
+  double marker_height_m = 0.06;  ///< above the floor on the upright robot
+  double marker_turned_rad =
+      0.0;  ///< its top edge points this far to the left of the robot's front
+  std::vector<FloorMarker> floor_markers;
+  std::vector<FloorPoint> floor_points;  ///< instead of markers: pixels read off a picture
+};
+
+/// Parses a view file. `file` is only used in messages; `lens` is returned as written. Throws
+/// SetupError (file:line:column), also for fewer than four floor points. Pure.
+View parse_view(const std::string& text, const std::string& file);
+
+/// A commented file that parse_view reads back.
+std::string write_view(const View& view);
+
+/// Reads a view file; its lens path is made relative to the working directory.
+View read_view(const std::string& path);
+
+}  // namespace tp100::camera

@@ -1,0 +1,193 @@
+#include "camera/observer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "marker_scene.h"
+
+namespace tp100::test {
+namespace {
+
+using camera::Observer;
+
+struct Errors {
+  double place_rms_m = 0.0, place_max_m = 0.0, yaw_rms_rad = 0.0, yaw_max_rad = 0.0;
+  int found = 0;
+};
+
+double place_error(const camera::MarkerPose& found, const Pose& truth) {
+  return std::hypot(found.x_m - truth.x_m, found.y_m - truth.y_m);
+}
+
+/// The robot in places all over the floor, in every direction.
+Errors errors_over_the_floor(Scene& scene, const camera::View& view, int pictures,
+                             const Twist& twist = {}, const SceneNoise& noise = {}) {
+  Observer observer(lens_of(scene.camera()), view);
+  Errors errors;
+  for (int i = 0; i < pictures; ++i) {
+    // Low-discrepancy: no two places alike.
+    const double a = std::fmod(0.5 + i * 0.7548776662, 1.0);
+    const double b = std::fmod(0.5 + i * 0.5698402910, 1.0);
+    const Pose truth{.x_m = -1.2 + 2.4 * a, .y_m = -0.55 + 1.1 * b, .yaw_rad = 2.4 * i};
+    const auto found = observer.look(scene.picture(truth, twist, noise));
+    if (!found) continue;
+    ++errors.found;
+    const double place = place_error(*found, truth);
+    const double yaw = std::abs(wrap_angle(found->yaw_rad - truth.yaw_rad));
+    errors.place_rms_m += place * place;
+    errors.yaw_rms_rad += yaw * yaw;
+    errors.place_max_m = std::max(errors.place_max_m, place);
+    errors.yaw_max_rad = std::max(errors.yaw_max_rad, yaw);
+  }
+  errors.place_rms_m = std::sqrt(errors.place_rms_m / errors.found);
+  errors.yaw_rms_rad = std::sqrt(errors.yaw_rms_rad / errors.found);
+  std::printf("%d of %d found; place %.2f mm rms, %.2f mm max; direction %.2f deg rms, %.2f max\n",
+              errors.found, pictures, errors.place_rms_m * 1e3, errors.place_max_m * 1e3,
+              errors.yaw_rms_rad * kDegPerRad, errors.yaw_max_rad * kDegPerRad);
+  return errors;
+}
+
+TEST(Observer, FindsTheRobotToAMillimetreAllOverTheFloor) {
+  Scene scene = corner_scene();
+  const Errors errors = errors_over_the_floor(scene, corner_view(), 24);
+  EXPECT_EQ(errors.found, 24);
+  EXPECT_LT(errors.place_rms_m, 0.0005);
+  EXPECT_LT(errors.place_max_m, 0.001);
+  EXPECT_LT(errors.yaw_rms_rad, 0.3 * kRadPerDeg);
+  EXPECT_LT(errors.yaw_max_rad, 0.6 * kRadPerDeg);
+}
+
+TEST(Observer, StraightDownTheRobotIsFoundAsWell) {
+  Scene scene = corner_scene(SceneCamera{}, 2);
+  const Errors errors = errors_over_the_floor(scene, corner_view(), 8);
+  EXPECT_EQ(errors.found, 8);
+  EXPECT_LT(errors.place_max_m, 0.002);
+}
+
+TEST(Observer, PixelsReadOffAPictureServeAsFloorPoints) {
+  Scene scene = corner_scene();
+  camera::View view = corner_view();
+  for (const camera::FloorMarker& marker : view.floor_markers) {
+    const auto pixel = scene.camera().pixel({marker.world_m.x, marker.world_m.y, 0.0});
+    // As a person reads them.
+    view.floor_points.push_back({{std::round(pixel[0]), std::round(pixel[1])}, marker.world_m});
+  }
+  view.floor_markers.clear();
+  const Errors errors = errors_over_the_floor(scene, view, 8);
+  EXPECT_EQ(errors.found, 8);
+  EXPECT_LT(errors.place_max_m, 0.003);
+}
+
+TEST(Observer, BlurNoiseAndMotionCostLessThanTwoMillimetres) {
+  Scene scene = corner_scene(tilted_camera(), 3);
+  const Twist twist{.vx_mps = 0.2, .yaw_rate_radps = 0.8};
+  const SceneNoise noise{.blur_px = 1.3, .grey_sd = 6.0, .exposure_s = 0.02};
+  const Errors errors = errors_over_the_floor(scene, corner_view(), 12, twist, noise);
+  EXPECT_EQ(errors.found, 12);
+  EXPECT_LT(errors.place_rms_m, 0.001);
+  EXPECT_LT(errors.place_max_m, 0.002);
+  EXPECT_LT(errors.yaw_rms_rad, 0.4 * kRadPerDeg);
+}
+
+// The largest single error of an overhead camera, and what the lift is for.
+TEST(Observer, WithoutItsHeightAMarkerFarOutWouldBeThirtyMillimetresOff) {
+  Scene scene = corner_scene(SceneCamera{}, 4);
+  const Pose truth{.x_m = 1.2, .y_m = 0.0, .yaw_rad = 0.7};
+  const cv::Mat picture = scene.picture(truth);
+  camera::View view = corner_view();
+  const auto lifted = Observer(lens_of(scene.camera()), view).look(picture);
+  ASSERT_TRUE(lifted.has_value());
+  EXPECT_LT(place_error(*lifted, truth), 0.0015);
+  EXPECT_NEAR(lifted->side_m, 0.10, 0.0015);
+  view.marker_height_m = 0.0;
+  const auto flat = Observer(lens_of(scene.camera()), view).look(picture);
+  ASSERT_TRUE(flat.has_value());
+  EXPECT_NEAR(flat->x_m - truth.x_m, 1.2 * 0.06 / 2.44, 0.002);
+}
+
+TEST(Observer, TheMountedAngleOfTheMarkerIsTakenOut) {
+  Scene scene = corner_scene();
+  camera::View view = corner_view();
+  view.marker_turned_rad = kPi / 2;
+  const Pose truth{.x_m = 0.3, .y_m = 0.2, .yaw_rad = 0.5};
+  const auto found = Observer(lens_of(scene.camera()), view).look(scene.picture(truth));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(wrap_angle(found->yaw_rad - (0.5 - kPi / 2)), 0.0, 0.01);
+}
+
+TEST(Observer, FollowsADriveAndLosesNothing) {
+  Scene scene = corner_scene(tilted_camera(), 5);
+  Observer observer(lens_of(scene.camera()), corner_view());
+  Pose truth{.x_m = -0.5, .y_m = -0.2};
+  for (int i = 0; i < 40; ++i) {
+    truth.x_m += 0.03;
+    truth.yaw_rad += 0.05;
+    const auto found = observer.look(scene.picture(truth));
+    ASSERT_TRUE(found.has_value()) << i;
+    EXPECT_LT(place_error(*found, truth), 0.002) << i;
+  }
+}
+
+TEST(Observer, SaysNothingWithoutTheMarker) {
+  Scene scene = corner_scene();
+  Observer observer(lens_of(scene.camera()), corner_view());
+  EXPECT_FALSE(observer.look(scene.empty_floor({})).has_value());
+  EXPECT_TRUE(observer.take_floor_news());
+  EXPECT_TRUE(observer.floor().plane().has_value());
+  // Seen before, then covered: the last place is no answer.
+  EXPECT_TRUE(observer.look(scene.picture({.x_m = 0.1})).has_value());
+  EXPECT_FALSE(observer.look(scene.empty_floor({})).has_value());
+}
+
+TEST(Observer, SaysNothingWithoutAFloor) {
+  Scene scene(tilted_camera(), 1);
+  scene.carry(marker_bits(0), 0.10, 0.06);
+  Observer observer(lens_of(scene.camera()), corner_view());
+  EXPECT_FALSE(observer.look(scene.picture({})).has_value());
+  EXPECT_NE(observer.floor().problem(), "");
+}
+
+TEST(Observer, AMarkerOfAnotherSizeIsNotOurs) {
+  Scene scene = corner_scene();
+  scene.carry(marker_bits(0), 0.16, 0.06);
+  EXPECT_FALSE(
+      Observer(lens_of(scene.camera()), corner_view()).look(scene.picture({})).has_value());
+}
+
+TEST(Observer, OfTwoWithItsIdTheOneOfTheRightSizeCounts) {
+  Scene scene = corner_scene();
+  scene.lay(marker_bits(0), 0.12, -0.6, 0.3, 1.0);
+  const Pose truth{.x_m = 0.5, .y_m = 0.1};
+  const auto found = Observer(lens_of(scene.camera()), corner_view()).look(scene.picture(truth));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_LT(place_error(*found, truth), 0.002);
+}
+
+TEST(Observer, AnotherPictureSizeIsAnError) {
+  const SceneCamera camera;
+  Observer observer(lens_of(camera), corner_view());
+  EXPECT_THROW(observer.look(cv::Mat(720, 1280, CV_8U, cv::Scalar(0))), SetupError);
+}
+
+TEST(Observer, ABumpedCameraIsNoticedAndTheFloorFoundAgain) {
+  Scene before = corner_scene(tilted_camera(), 6);
+  SceneCamera bumped = tilted_camera();
+  bumped.tilt_x_rad += 0.02;
+  Scene after = corner_scene(bumped, 6);
+  Observer observer(lens_of(bumped), corner_view());
+  const Pose truth{.x_m = -0.4, .y_m = 0.3, .yaw_rad = 1.0};
+  const cv::Mat first = before.picture(truth), second = after.picture(truth);
+  for (int i = 0; i < 25; ++i) observer.look(first);
+  ASSERT_FALSE(observer.floor().hungry());
+  std::optional<camera::MarkerPose> found;
+  for (int i = 0; i < 150; ++i) found = observer.look(second);
+  EXPECT_EQ(observer.floor().moves(), 1);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_LT(place_error(*found, truth), 0.002);
+}
+
+}  // namespace
+}  // namespace tp100::test

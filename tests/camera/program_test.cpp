@@ -1,0 +1,201 @@
+// The program tp100-camera on recordings of drawn pictures.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+#include <sstream>
+
+#include "../link/udp_receiver.h"
+#include "../run/process.h"
+#include "core/angle.h"
+#include "link/camera_message.h"
+#include "link/udp.h"
+#include "marker_scene.h"
+
+namespace tp100::test {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr double kFps = 20.0;
+
+class CameraProgram : public testing::Test {
+ protected:
+  CameraProgram() {
+    std::ofstream(folder_.file("lens.toml")) << camera::write_lens(lens_of(tilted_camera()));
+    std::ofstream(view()) << camera::write_view(corner_view());
+    fs::create_directory(pictures());
+  }
+  std::string view() const { return folder_.file("view.toml"); }
+  std::string pictures() const { return folder_.file("pictures"); }
+  std::string program() const { return TP100_BINARY_DIR "/bin/tp100-camera"; }
+  static Pose drive(double t_s) {
+    return {.x_m = -0.4 + 0.2 * t_s, .y_m = 0.1 + 0.05 * t_s, .yaw_rad = 0.3 + 0.5 * t_s};
+  }
+  /// Pictures of a drive; those in `dropped` are left out.
+  void record(int count, const std::vector<int>& dropped = {}) {
+    Scene scene = corner_scene();
+    std::ofstream times(folder_.file("pictures/times.csv"));
+    for (int i = 0; i < count; ++i) {
+      if (std::find(dropped.begin(), dropped.end(), i) != dropped.end()) continue;
+      const std::string name = "p" + std::to_string(i) + ".png";
+      cv::imwrite(pictures() + "/" + name, scene.picture(drive(i / kFps)),
+                  {cv::IMWRITE_PNG_COMPRESSION, 1});
+      times << name << ',' << i / kFps << '\n';
+    }
+  }
+  Finished watch(const std::string& source, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments = {program(), source, "--view", view()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  void expect_error(const Finished& finished, const std::string& text) const {
+    EXPECT_EQ(finished.status, 2) << finished.output;
+    EXPECT_EQ(lines(finished.output), 1U) << finished.output;
+    EXPECT_THAT(finished.output, HasSubstr(text));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(CameraProgram, WritesTheDriveAsATumFile) {
+  record(12, {6, 7});
+  const std::string tum = folder_.file("drive.tum");
+  const Finished finished = watch(pictures(), {"--tum", tum});
+  EXPECT_EQ(finished.status, 0) << finished.output;
+  EXPECT_THAT(finished.output, HasSubstr("pictures 10, dropped 2"));
+  EXPECT_THAT(finished.output, HasSubstr("seen in 10"));
+  std::ifstream file(tum);
+  std::string row;
+  int rows = 0;
+  while (std::getline(file, row)) {
+    if (row.starts_with("#")) continue;
+    std::istringstream fields(row);
+    double t_s, x, y, z, qx, qy, qz, qw;
+    ASSERT_TRUE(fields >> t_s >> x >> y >> z >> qx >> qy >> qz >> qw) << row;
+    const Pose truth = drive(t_s);
+    EXPECT_LT(std::hypot(x - truth.x_m, y - truth.y_m), 0.001) << row;
+    EXPECT_NEAR(wrap_angle(2.0 * std::atan2(qz, qw) - truth.yaw_rad), 0.0, 0.8 * kRadPerDeg);
+    EXPECT_NEAR(qz * qz + qw * qw, 1.0, 1e-6);
+    ++rows;
+  }
+  EXPECT_EQ(rows, 10);
+}
+
+TEST_F(CameraProgram, SendsTheDriveInRealTimeWithTheTimesAtWhichItWasTaken) {
+  record(12, {6, 7});
+  UdpReceiver receiver;
+  const std::string to = "udp:" + std::to_string(receiver.port());
+  Process sender({program(), pictures(), "--view", view(), "--send", to});
+  std::optional<link::CameraMessage> first;
+  std::uint32_t last = 0;
+  int received = 0;
+  // On a busy machine it leaves pictures out, and says so in the numbers.
+  for (std::string datagram; !(datagram = receiver.wait(3000)).empty() || received == 0;) {
+    const auto message = link::decode_camera(datagram);
+    ASSERT_TRUE(message.has_value()) << datagram;
+    EXPECT_EQ(message->clock, link::monotonic_clock_name());
+    EXPECT_GT(message->sequence, last);
+    last = message->sequence;
+    if (!first) first = message;
+    const double t_s = static_cast<double>(message->stamp_us - first->stamp_us) * 1e-6 +
+                       (first->sequence - 1) / kFps;
+    EXPECT_NEAR(t_s, (message->sequence - 1) / kFps, 1e-3);
+    const Pose truth = drive(t_s);
+    EXPECT_LT(std::hypot(message->x_m - truth.x_m, message->y_m - truth.y_m), 0.0015);
+    EXPECT_LT(message->age_us, 10'000'000);
+    ++received;
+  }
+  EXPECT_EQ(sender.wait(), 0) << sender.output();
+  EXPECT_GT(received, 0);
+  EXPECT_LE(last, 12U);
+}
+
+TEST_F(CameraProgram, AVideoGivesTheSamePoses) {
+  Scene scene = corner_scene();
+  const std::string path = folder_.file("drive.avi");
+  {
+    cv::VideoWriter writer(path, cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
+                           kFps, {1920, 1080});
+    ASSERT_TRUE(writer.isOpened());
+    for (int i = 0; i < 10; ++i) {
+      const cv::Mat grey = scene.picture(drive(i / kFps));
+      cv::Mat colour;
+      cv::merge(std::vector<cv::Mat>{grey, grey, grey}, colour);
+      writer.write(colour);
+    }
+  }
+  const std::string tum = folder_.file("drive.tum");
+  EXPECT_EQ(watch(path, {"--tum", tum}).status, 0);
+  std::ifstream file(tum);
+  std::string row;
+  int rows = 0;
+  for (double t_s, x, y; std::getline(file, row);) {
+    if (row.starts_with("#")) continue;
+    ASSERT_EQ(std::sscanf(row.c_str(), "%lf %lf %lf", &t_s, &x, &y), 3);
+    EXPECT_LT(std::hypot(x - drive(t_s).x_m, y - drive(t_s).y_m), 0.002) << row;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 10);
+
+  // Cut in the middle: an error, but what was there is kept.
+  fs::resize_file(path, fs::file_size(path) / 2);
+  const Finished cut = watch(path, {"--tum", tum});
+  EXPECT_EQ(cut.status, 2) << cut.output;
+  EXPECT_THAT(cut.output, HasSubstr("drive.avi: "));
+}
+
+TEST_F(CameraProgram, WhatIsWrongAtTheStartIsAnErrorOfOneLine) {
+  record(1);
+  expect_error(run({program()}), "SOURCE");
+  expect_error(run({program(), pictures()}), "--view");
+  expect_error(watch("/nowhere"), "no such video");
+  expect_error(watch(pictures(), {"--send", "47100"}), "--send");
+  expect_error(watch(pictures(), {"--tum", "/nowhere/drive.tum"}), "cannot be written");
+  expect_error(watch(pictures(), {"--size", "big"}), "--size");
+  expect_error(run({program(), pictures(), "--view", folder_.file("none.toml")}), "none.toml");
+  expect_error(run({program(), pictures(), "--calibrate-lens", folder_.file("l.toml")}), "--board");
+  fs::remove(folder_.file("lens.toml"));
+  expect_error(watch(pictures(), {"--tum", folder_.file("t")}), "lens.toml");
+}
+
+TEST_F(CameraProgram, HostileFilesInTheFolderAreErrorsOfOneLine) {
+  record(2);
+  std::ofstream(folder_.file("pictures/q.png")) << "\x89PNG\r\n\x1a\n and no more";
+  std::ofstream(folder_.file("pictures/times.csv"), std::ios::app) << "q.png,9\n";
+  const Finished finished = watch(pictures(), {"--tum", folder_.file("t")});
+  EXPECT_EQ(finished.status, 2) << finished.output;
+  EXPECT_THAT(finished.output, HasSubstr("q.png: cannot be read"));
+  EXPECT_EQ(lines(finished.output), 2U) << "the floor, and what is wrong: " << finished.output;
+  std::ofstream(folder_.file("pictures/notes.txt")) << "no picture";
+  expect_error(watch(pictures(), {"--tum", folder_.file("t")}), "notes.txt");
+}
+
+TEST_F(CameraProgram, ARecordingWithoutTheMarkerFails) {
+  Scene scene = corner_scene();
+  cv::imwrite(pictures() + "/p.png", scene.empty_floor({}));
+  const Finished finished = watch(pictures(), {"--fps", "30", "--tum", folder_.file("t")});
+  EXPECT_EQ(finished.status, 1) << finished.output;
+  EXPECT_THAT(finished.output, HasSubstr("no picture shows marker 0"));
+}
+
+TEST_F(CameraProgram, PrintsMarkersAndBoards) {
+  const std::string svg = folder_.file("marker.svg"), png = folder_.file("board.png");
+  EXPECT_EQ(run({program(), "--print-marker", svg, "--view", view()}).status, 0);
+  std::ostringstream text;
+  text << std::ifstream(svg).rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr("width=\"150mm\""));
+  EXPECT_EQ(run({program(), "--print-board", png, "--board", "charuco:7x5:0.04:0.03"}).status, 0);
+  EXPECT_FALSE(cv::imread(png).empty());
+  EXPECT_EQ(run({program(), "--print-marker", svg, "--id", "999"}).status, 2);
+}
+
+}  // namespace
+}  // namespace tp100::test

@@ -1,0 +1,151 @@
+#include "camera/source.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "../run/process.h"
+#include "camera/folder_source.h"
+#include "core/error.h"
+
+namespace tp100::test {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class Sources : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.file(name), std::ios::binary) << text;
+  }
+  void draw(const std::string& name, int grey) const {
+    cv::imwrite(folder_.file(name), cv::Mat(48, 64, CV_8U, cv::Scalar(grey)));
+  }
+  std::string problem(const std::string& source, std::optional<double> fps = {}) const {
+    try {
+      const auto opened = camera::open_source(source, {.fps = fps});
+      camera::Picture picture;
+      while (opened->next(picture)) {
+      }
+      return "none";
+    } catch (const SetupError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      return error.what();
+    }
+  }
+  /// Motion JPEG, which every OpenCV writes; each picture has its own grey.
+  std::string video(int pictures, double fps) const {
+    const std::string path = folder_.file("video.avi");
+    cv::VideoWriter writer(path, cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
+                           fps, {64, 48});
+    for (int i = 0; i < pictures; ++i)
+      writer.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(20 + 2 * i)));
+    return path;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Sources, AFolderIsReadInTheOrderOfItsNumbers) {
+  draw("f10.png", 100);
+  draw("f9.png", 90);
+  draw("f011.png", 110);
+  write(".hidden", "x");
+  const auto source = camera::open_source(folder_.path().string(), {.fps = 20.0});
+  camera::Picture picture;
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(source->next(picture));
+    EXPECT_EQ(picture.taken_ns, i * 50 * kNsPerMs);
+    EXPECT_EQ(picture.grey.at<unsigned char>(0, 0), 90 + 10 * i);
+  }
+  EXPECT_FALSE(source->next(picture));
+  EXPECT_FALSE(source->live());
+}
+
+TEST_F(Sources, TimesComeFromTheFileBesideThePictures) {
+  draw("a.png", 10);
+  draw("b.jpg", 20);
+  write("times.csv", "file,t_s\r\nb.jpg,1.25\r\na.png,2.5\r\n");
+  const auto files = camera::list_pictures(folder_.path().string(), {});
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_THAT(files[0].path, HasSubstr("b.jpg"));
+  EXPECT_EQ(files[0].taken_ns, 1'250 * kNsPerMs);
+  EXPECT_EQ(files[1].taken_ns, 2'500 * kNsPerMs);
+}
+
+TEST_F(Sources, BadTimesAreNamedByLine) {
+  draw("a.png", 10);
+  draw("b.png", 10);
+  const auto said = [&](const std::string& times) {
+    write("times.csv", times);
+    return problem(folder_.path().string());
+  };
+  EXPECT_THAT(said("a.png,1\nb.png,1\n"), HasSubstr("times.csv:2: not later"));
+  EXPECT_THAT(said("a.png,1\nb.png,nan\n"), HasSubstr("times.csv:2: no time"));
+  EXPECT_THAT(said("a.png,1\nb.png 2\n"), HasSubstr("times.csv:2: no comma"));
+  EXPECT_THAT(said("a.png,1\na.png,2\n"), HasSubstr("times.csv:2: named twice"));
+  EXPECT_THAT(said("a.png,1\n"), HasSubstr("no time for b.png"));
+  EXPECT_THAT(said("a.png,1\nb.png,2\nc.png,3\n"), HasSubstr("c.png is not in the folder"));
+}
+
+TEST_F(Sources, WhatIsNoPictureInAFolderIsAnError) {
+  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("no pictures"));
+  draw("a.png", 10);
+  EXPECT_THAT(problem(folder_.path().string()), HasSubstr("--fps"));
+  EXPECT_EQ(problem(folder_.path().string(), 30.0), "none");
+  write("notes.txt", "hello");
+  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("notes.txt: no picture"));
+  fs::remove(folder_.file("notes.txt"));
+  write("b.png", "this is no picture");
+  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("b.png: cannot be read"));
+  draw("b.png", 10);
+  fs::resize_file(folder_.file("b.png"), 60);
+  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("b.png: cannot be read"));
+  fs::remove(folder_.file("b.png"));
+  fs::create_directory(folder_.file("c.png"));
+  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("c.png: no picture"));
+}
+
+TEST_F(Sources, AVideoHasItsOwnTimes) {
+  const auto source = camera::open_source(video(50, 25.0), {});
+  camera::Picture picture;
+  for (int i = 0; i < 50; ++i) {
+    ASSERT_TRUE(source->next(picture)) << i;
+    EXPECT_NEAR(to_s(picture.taken_ns), i * 0.04, 1e-4) << i;
+    EXPECT_NEAR(picture.grey.at<unsigned char>(20, 20), 20 + 2 * i, 3) << i;
+  }
+  EXPECT_FALSE(source->next(picture));
+}
+
+TEST_F(Sources, ATruncatedVideoIsAnErrorThatSaysHowMuchIsThere) {
+  const std::string path = video(50, 25.0);
+  fs::resize_file(path, fs::file_size(path) / 2);
+  const std::string said = problem(path);
+  EXPECT_THAT(said, HasSubstr("video.avi: "));
+  EXPECT_TRUE(said.find("ends after") != std::string::npos ||
+              said.find("cannot be read") != std::string::npos)
+      << said;
+  fs::resize_file(path, 100);
+  EXPECT_THAT(problem(path), HasSubstr("cannot be read as a video"));
+  fs::resize_file(path, 0);
+  EXPECT_THAT(problem(path), HasSubstr("cannot be read as a video"));
+}
+
+TEST_F(Sources, WhatIsNeitherIsAnErrorOfOneLine) {
+  EXPECT_THAT(problem(folder_.file("nothing")), HasSubstr("no such video"));
+  EXPECT_THAT(problem("997"), HasSubstr("/dev/video997"));
+  write("text.mp4", "this is no video\n");
+  EXPECT_THAT(problem(folder_.file("text.mp4")), HasSubstr("cannot be read as a video"));
+  EXPECT_THAT(problem("/dev/null"), HasSubstr("cannot be opened as a camera"));
+  // A list of other files is no video of ours.
+  write("list.m3u8", "#EXTM3U\n#EXTINF:1,\nhttp://127.0.0.1:9/a.ts\n#EXT-X-ENDLIST\n");
+  EXPECT_THAT(problem(folder_.file("list.m3u8")), HasSubstr("cannot be read as a video"));
+}
+
+}  // namespace
+}  // namespace tp100::test
