@@ -12,6 +12,7 @@
 #include "course/toml_document.h"
 #include "sim/run/course_command.h"
 #include "sim/run/demo_command.h"
+#include "sim/run/reproduce.h"
 #include "sim/run/robot_command.h"
 #include "sim/run/slope_command.h"
 
@@ -42,7 +43,7 @@ void add_common(CLI::App& app, Options& options) {
 /// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
 std::string unknown_subcommand(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
-  const std::vector<std::string_view> names = {"course", "robot", "slope", "demo"};
+  const std::vector<std::string_view> names = {"course", "robot", "slope", "reproduce", "demo"};
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
   const std::string_view meant = tp100::course::nearest_name(argv[1], names);
   return "unknown subcommand '" + tp100::course::one_line(argv[1]) + "'" +
@@ -108,6 +109,26 @@ int run(int argc, char** argv) {
       ->type_name("ROBOT");
   slope_app->add_flag("--json", slope.json, "One JSON object instead of a table");
 
+  ReproduceCommand reproduce;
+  CLI::App* reproduce_app = app.add_subcommand(
+      "reproduce", "Drive the paper's whole experiment; one page and one JSON of figures");
+  reproduce_app->add_option("--out", reproduce.out, "Folder for page, JSON and trajectories")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  reproduce_app
+      ->add_option("--part", reproduce.part,
+                   "paper (reference robot), robots (all others), held-out (courses that are not "
+                   "bundled), avr (course 3 on the image) or all")
+      ->type_name("PART")
+      ->capture_default_str();
+  reproduce_app->add_option("--seed", reproduce.seed, "First seed")
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  reproduce_app->add_option("--runs", reproduce.runs, "Seeds a course, each driven both ways round")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+
   DemoCommand demo;
   CLI::App* demo_app =
       app.add_subcommand("demo", "Start tp100d and tp100-sim robot and watch them drive");
@@ -136,6 +157,7 @@ int run(int argc, char** argv) {
   if (*course_app) return run_course(course);
   if (*robot_app) return run_robot(robot);
   if (*slope_app) return run_slope(slope);
+  if (*reproduce_app) return run_reproduce(reproduce);
   return run_demo(demo);
 }
 

@@ -14,8 +14,9 @@ double percentile(std::vector<double> values, double share) {
   const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(at);
   const auto above = std::min(below + 1, values.size() - 1);
-  if (values[below] == values[above]) return values[below];
-  return std::lerp(values[below], values[above], at - static_cast<double>(below));
+  const double share_above = at - static_cast<double>(below);
+  if (share_above == 0.0 || values[below] == values[above]) return values[below];
+  return std::lerp(values[below], values[above], share_above);
 }
 
 Spread spread(const std::vector<double>& values) {

@@ -18,20 +18,14 @@ constexpr double kBeltMps = 0.10;
 constexpr double kRunInS = 0.5;
 constexpr double kMeasureS = 2.0;
 
-struct Row {
-  double slope_deg;
-  // The paper's table; it has no row for 4 deg.
-  std::optional<double> left, right;
-};
-
-constexpr std::array<Row, 8> kRows = {{{0, 0.16, 0.162},
-                                       {4, {}, {}},
-                                       {8, 0.17, 0.176},
-                                       {12, 0.18, 0.197},
-                                       {16, 0.19, 0.204},
-                                       {20, 0.20, 0.218},
-                                       {24, 0.21, 0.247},
-                                       {28, 0.22, 0.260}}};
+constexpr std::array<SlopeRow, 8> kRows = {{{0, 0.16, 0.162},
+                                            {4, {}, {}},
+                                            {8, 0.17, 0.176},
+                                            {12, 0.18, 0.197},
+                                            {16, 0.19, 0.204},
+                                            {20, 0.20, 0.218},
+                                            {24, 0.21, 0.247},
+                                            {28, 0.22, 0.260}}};
 
 /// A ramp that the drive does not leave, and where it starts.
 course::Terrain slope_of(double slope_rad, double length_m) {
@@ -66,7 +60,7 @@ void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.siz
       "  [deg]       left     right        left     right       left     right      [deg/s]\n");
   double worst = 0.0;
   for (std::size_t i = 0; i < kRows.size(); ++i) {
-    const Row& row = kRows[i];
+    const SlopeRow& row = kRows[i];
     const SlopeSlip& slip = measured[i];
     std::printf("  %5.0f  ", row.slope_deg);
     if (!slip.climbed) {
@@ -74,12 +68,12 @@ void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.siz
       continue;
     }
     std::printf("    %5.3f     %5.3f", slip.left, slip.right);
-    if (row.left && row.right) {
-      const double left = signed_deviation(slip.left, row.left);
-      const double right = signed_deviation(slip.right, row.right);
+    if (row.paper_left && row.paper_right) {
+      const double left = signed_deviation(slip.left, row.paper_left);
+      const double right = signed_deviation(slip.right, row.paper_right);
       worst = std::max({worst, std::abs(left), std::abs(right)});
-      std::printf("       %5.3f     %5.3f     %+6.3f    %+6.3f", *row.left, *row.right, left,
-                  right);
+      std::printf("       %5.3f     %5.3f     %+6.3f    %+6.3f", *row.paper_left, *row.paper_right,
+                  left, right);
     } else {
       std::printf("           -         -          -         -");
     }
@@ -95,7 +89,7 @@ void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.siz
       worst);
 }
 
-std::string json_of(const Row& row, const SlopeSlip& slip) {
+std::string json_of(const SlopeRow& row, const SlopeSlip& slip) {
   const auto number = [](const std::optional<double>& value) {
     return value ? course::number_text(*value) : std::string("null");
   };
@@ -105,8 +99,8 @@ std::string json_of(const Row& row, const SlopeSlip& slip) {
   return R"({"slope_deg":)" + number(row.slope_deg) + R"(,"climbed":)" +
          (slip.climbed ? "true" : "false") + R"(,"slip_left":)" + measured(slip.left) +
          R"(,"slip_right":)" + measured(slip.right) + R"(,"yaw_rate_radps":)" +
-         measured(slip.yaw_rate_radps) + R"(,"paper_slip_left":)" + number(row.left) +
-         R"(,"paper_slip_right":)" + number(row.right) + "}";
+         measured(slip.yaw_rate_radps) + R"(,"paper_slip_left":)" + number(row.paper_left) +
+         R"(,"paper_slip_right":)" + number(row.paper_right) + "}";
 }
 
 void print_json(const std::string& robot, const std::array<SlopeSlip, kRows.size()>& measured) {
@@ -120,6 +114,8 @@ void print_json(const std::string& robot, const std::array<SlopeSlip, kRows.size
 }
 
 }  // namespace
+
+std::span<const SlopeRow> slope_rows() { return kRows; }
 
 SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double belt_mps) {
   const double start_m = 2.0 * values.length_m;

@@ -1,6 +1,8 @@
 #pragma once
 // tp100-sim slope: the paper's slope experiment on the emulated body.
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,14 @@ struct SlopeSlip {
   double yaw_rate_radps = 0.0;
   bool climbed = false;  ///< false: it slid or fell over
 };
+
+/// A slope of the experiment and what the paper's table has for it; it has no row for 4 deg.
+struct SlopeRow {
+  double slope_deg;
+  std::optional<double> paper_left, paper_right;
+};
+/// 0, 4 ... 28 deg.
+std::span<const SlopeRow> slope_rows();
 
 /// Straight up an even slope, both belts at `belt_mps` for two seconds after half a second of
 /// running in. Pure.

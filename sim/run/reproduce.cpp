@@ -1,0 +1,160 @@
+#include "sim/run/reproduce.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "analysis/atomic_file.h"
+#include "analysis/poses_csv.h"
+#include "analysis/tum.h"
+#include "app/bundled_files.h"
+#include "core/angle.h"
+#include "core/error.h"
+#include "sim/run/held_out.h"
+#include "sim/run/options.h"
+#include "sim/run/reproduce_page.h"
+#include "terrain/climbable.h"
+
+namespace tp100::sim {
+namespace {
+
+constexpr const char* kKinds[] = {"1-straight", "1-curve", "1-sharp", "2", "3"};
+constexpr double kBeltMps = 0.10;
+// Apart from every seed that parameters were found with.
+constexpr std::uint64_t kHeldOutSeed = 5001;
+// Over the step, over the ramp, and in the curve of course 3.
+constexpr double kBlindFromS[] = {15.0, 28.0, 33.0};
+constexpr double kBlindS = 3.0;
+
+course::Robot robot_named(const std::string& name) {
+  Options options;
+  options.robot = name;
+  return load(options).robot;
+}
+
+Trial trial_of(const ReproduceCommand& command, const course::Course& course,
+               const course::Robot& robot, bridge::Setup setup) {
+  return {.course = course,
+          .robot = robot,
+          .setup = setup,
+          .first_seed = command.seed,
+          .runs = command.runs};
+}
+
+/// Where the course's obstacles are real, if it has any.
+bridge::Setup floor_for(const course::Course& course) {
+  return course.terrain.flat() ? bridge::Setup::kFlat : bridge::Setup::kTerrain;
+}
+
+bool climbs(const course::Course& course, const course::Robot& robot) {
+  try {
+    terrain::require_climbable(course, robot);
+    return true;
+  } catch (const SetupError& error) {
+    std::fprintf(stderr, "left out: %s\n", error.what());
+    return false;
+  }
+}
+
+void drive_paper(const ReproduceCommand& command, Reproduction& what) {
+  for (const SlopeRow& row : slope_rows())
+    what.slopes.push_back(
+        measure_slope(what.reference.emulated.body, row.slope_deg * kRadPerDeg, kBeltMps));
+  for (const char* kind : kKinds) {
+    const course::Course course = load_course(kind);
+    what.studies.push_back(
+        study(trial_of(command, course, what.reference, floor_for(course)), kind, true));
+  }
+  const course::Course course_3 = load_course("3");
+  for (const bridge::Setup setup : {bridge::Setup::kFlat, bridge::Setup::kBench})
+    what.studies.push_back(study(trial_of(command, course_3, what.reference, setup), "3", true));
+  for (const double from_s : kBlindFromS) {
+    Trial blind = trial_of(command, course_3, what.reference, bridge::Setup::kTerrain);
+    blind.blind_from_s = from_s;
+    blind.blind_s = kBlindS;
+    what.studies.push_back(study(blind, "3", true));
+  }
+}
+
+void drive_robots(const ReproduceCommand& command, Reproduction& what) {
+  for (const std::string& name : app::bundled_names(app::Bundled::kRobots)) {
+    if (name == what.reference.name) continue;
+    const course::Robot robot = robot_named(name);
+    for (const char* kind : kKinds) {
+      const course::Course course = load_course(kind);
+      if (!climbs(course, robot)) continue;
+      what.studies.push_back(
+          study(trial_of(command, course, robot, floor_for(course)), kind, false));
+    }
+  }
+}
+
+void drive_held_out(const ReproduceCommand& command, Reproduction& what) {
+  for (const char* kind : kKinds) {
+    for (std::uint64_t i = 0; i < 2; ++i) {
+      const course::Course course = held_out_course(kind, kHeldOutSeed + i);
+      Trial trial = trial_of(command, course, what.reference, floor_for(course));
+      trial.first_seed = kHeldOutSeed;
+      what.studies.push_back(study(trial, kind, true));
+    }
+  }
+}
+
+void drive_image(const ReproduceCommand& command, Reproduction& what) {
+  const course::Course course_3 = load_course("3");
+  for (const bridge::Setup setup :
+       {bridge::Setup::kTerrain, bridge::Setup::kFlat, bridge::Setup::kBench}) {
+    Trial trial = trial_of(command, course_3, what.reference, setup);
+    trial.board = BoardKind::kAvr;
+    trial.runs = 1;
+    what.studies.push_back(study(trial, "3", true));
+  }
+}
+
+void write_trajectories(const std::string& folder, const CourseStudy& study) {
+  const analysis::RunResult& run = study.shown.result;
+  if (run.points.empty()) return;
+  const std::string stem = folder + "/" + run.course + "-" + run.robot + "-" + run.setup;
+  analysis::write_file(stem + ".csv", analysis::poses_csv(run));
+  std::string truth, model, odometry, fused;
+  for (const analysis::TrackPoint& point : run.points) {
+    truth += analysis::tum_line(point.t_s, point.truth);
+    model += analysis::tum_line(point.t_s, point.model);
+    odometry += analysis::tum_line(point.t_s, point.odometry);
+    fused += analysis::tum_line(point.t_s, point.fused);
+  }
+  analysis::write_file(stem + "-truth.tum", truth);
+  analysis::write_file(stem + "-model.tum", model);
+  analysis::write_file(stem + "-odometry.tum", odometry);
+  if (run.has_camera) analysis::write_file(stem + "-fused.tum", fused);
+}
+
+}  // namespace
+
+int run_reproduce(const ReproduceCommand& command) {
+  const bool all = command.part == "all";
+  const auto wanted = [&](const char* part) { return all || command.part == part; };
+  if (!all && command.part != "paper" && command.part != "robots" && command.part != "held-out" &&
+      command.part != "avr")
+    throw SetupError("--part " + command.part +
+                     ": unknown; give paper, robots, held-out, avr or all");
+  std::error_code error;
+  std::filesystem::create_directories(command.out, error);
+  if (error)
+    throw SetupError(command.out + ": cannot create the folder (" + error.message() +
+                     "); give another --out");
+  Reproduction what;
+  what.reference = robot_named({});
+  what.runs = command.runs;
+  what.seed = command.seed;
+  if (wanted("paper")) drive_paper(command, what);
+  if (wanted("robots")) drive_robots(command, what);
+  if (wanted("held-out")) drive_held_out(command, what);
+  if (wanted("avr")) drive_image(command, what);
+  for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);
+  analysis::write_file(command.out + "/results.json", reproduction_json(what));
+  analysis::write_file(command.out + "/index.html", reproduction_page(what));
+  std::printf("%s\n%s/index.html\n", reproduction_table(what).c_str(), command.out.c_str());
+  return all_hold(what) ? 0 : 1;
+}
+
+}  // namespace tp100::sim
