@@ -131,6 +131,44 @@ function record() {
   publish('/recording', { available: true, active: recording !== null, run: recording?.run ?? '', file: '', elapsed_s: recording ? t() - recording.began : 0, bytes: 123456, dropped: 0, warning: '' });
 }
 
+function estimate(t_s, s, moving, belts, target, age_us) {
+  const ref = at(s);
+  const wobble = 0.004 * Math.sin(3 * s) + 0.002 * Math.sin(17 * s);
+  const x = ref.x - wobble * Math.sin(ref.yaw), y = ref.y + wobble * Math.cos(ref.yaw);
+  const d = 0.06;
+  const front = ground(x + d * Math.cos(ref.yaw), y + d * Math.sin(ref.yaw)), rear = ground(x - d * Math.cos(ref.yaw), y - d * Math.sin(ref.yaw));
+  const pitch = -Math.atan2(front - rear, 2 * d), z = Math.max((front + rear) / 2, 0);
+  const pose = (dx, dy, dyaw) => ({ x_m: x + dx, y_m: y + dy, z_m: z, roll_rad: 0, pitch_rad: pitch, yaw_rad: ref.yaw + dyaw, vx_mps: moving ? 0.1 : 0, vy_mps: 0, yaw_rate_radps: 0 });
+  const message = {
+    t_s, step, age_us, steering: 'odometry',
+    model: pose(0.006 * s, -0.012 * s * s * 0.4, 0.012 * s), odometry: pose(0, 0, 0.004 * Math.sin(5 * s)),
+    fused: { ...pose(0.0015 * Math.sin(9 * s), 0.001, 0.002), sd_x_m: 0.002, sd_y_m: 0.002, sd_yaw_rad: 0.01, camera_age_us: null, camera_used: 0, camera_rejected: 0, nis: 0, nis_mean: 3, recoveries: 0 },
+    truth: process.env.TRUTH ? { ...pose(-0.002, 0.003 * s, -0.004), age_us: 0 } : null,
+    reference: { x_m: ref.x, y_m: ref.y, yaw_rad: ref.yaw }, imu: { roll_rad: 0, pitch_rad: 0, slope: 'flat' }, pitch_source: 'virtual',
+    tracks: { left_mps: belts[0], right_mps: belts[1], left_commanded_mps: moving ? target[0] : null, right_commanded_mps: moving ? target[1] : null },
+    cross_track_m: wobble, heading_error_rad: 0.03 * Math.cos(17 * s) * (moving ? 1 : 0), desired_yaw_rad: ref.yaw, desired_speed_mps: moving ? 0.1 : 0, progress_m: s,
+  };
+  return { message, pitch };
+}
+
+/** A drive of the course as an MCAP file without chunks. */
+function recordedRun() {
+  const text = (value) => { const b = Buffer.from(value); const n = Buffer.alloc(4); n.writeUInt32LE(b.length); return Buffer.concat([n, b]); };
+  const record = (op, ...parts) => { const body = Buffer.concat(parts); const head = Buffer.alloc(9); head[0] = op; head.writeBigUInt64LE(BigInt(body.length), 1); return Buffer.concat([head, body]); };
+  const u = (value, size) => { const b = Buffer.alloc(8); b.writeBigUInt64LE(BigInt(Math.round(value))); return b.subarray(0, size); };
+  const out = [Buffer.from([0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 13, 10]), record(1, text(''), text('mock'))];
+  topics.forEach((topic, i) => out.push(record(4, u(i, 2), u(0, 2), text(topic), text('json'), u(0, 4))));
+  const say = (t_s, topic, message) => out.push(record(5, u(topics.indexOf(topic), 2), u(0, 4), u((1767323045 + t_s) * 1e9, 8), u(0, 8), Buffer.from(JSON.stringify(message))));
+  say(-1, '/course', course);
+  say(0, '/event', { t_s: 0, kind: 'run', level: 'info', text: 'state: arming -> running', cause: '', remedy: '' });
+  for (let i = 0; 0.002 * i < length; i++) {
+    const { message, pitch } = estimate(0.02 * i, 0.002 * i, true, [0.118, 0.118], [0.118, 0.118], 3100);
+    say(0.02 * i, '/estimate', message);
+    if (i % 5 === 0) say(0.02 * i, '/slip', { left: 0.16 - 0.1 * pitch, right: 0.16 - 0.15 * pitch, fused_left: 0.16, fused_right: 0.16 });
+  }
+  return Buffer.concat(out);
+}
+
 let belts = [0, 0];
 function tick() {
   const now = t();
@@ -139,29 +177,15 @@ function tick() {
     if (robot) lastSample = now;
     if (moving) s = Math.min(s + 0.1 / kRate, length);
     if (run === 'running' && s >= length) { runEnded = t(); to('finished'); }
-    const ref = at(s);
-    const wobble = 0.004 * Math.sin(3 * s) + 0.002 * Math.sin(17 * s);
-    const x = ref.x - wobble * Math.sin(ref.yaw), y = ref.y + wobble * Math.cos(ref.yaw);
-    const d = 0.06;
-    const front = ground(x + d * Math.cos(ref.yaw), y + d * Math.sin(ref.yaw)), rear = ground(x - d * Math.cos(ref.yaw), y - d * Math.sin(ref.yaw));
-    const pitch = -Math.atan2(front - rear, 2 * d), z = Math.max((front + rear) / 2, 0);
-    const turning = s > 1.4 && s < 2.65 && moving ? 0.25 : 0;
-    const target = moving ? [0.118 + turning * 0.08, 0.118 - turning * 0.08] : [0, 0];
-    belts = belts.map((v, i) => v + (target[i] - v) * 0.05 + (moving ? (Math.random() - 0.5) * 0.002 : 0));
-    const pose = (dx, dy, dyaw) => ({ x_m: x + dx, y_m: y + dy, z_m: z, roll_rad: 0, pitch_rad: pitch, yaw_rad: ref.yaw + dyaw, vx_mps: moving ? 0.1 : 0, vy_mps: 0, yaw_rate_radps: -turning });
     const late = Math.exp(2.2 + 0.7 * (Math.random() + Math.random() + Math.random() - 1.5) * 2);
     const edges = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
     const bin = edges.findIndex((e) => late < e);
     lateness[bin < 0 ? 13 : bin]++;
-    publish('/estimate', {
-      t_s: step / kRate, step, age_us: Math.round((now - lastSample) * 1e6) + 3100, steering: 'odometry',
-      model: pose(0.006 * s, -0.012 * s * s * 0.4, 0.012 * s), odometry: pose(0, 0, 0.004 * Math.sin(5 * s)),
-      fused: { ...pose(0.0015 * Math.sin(9 * s), 0.001, 0.002), sd_x_m: 0.002, sd_y_m: 0.002, sd_yaw_rad: 0.01, camera_age_us: null, camera_used: 0, camera_rejected: 0, nis: 0, nis_mean: 3, recoveries: 0 },
-      truth: process.env.TRUTH ? { ...pose(-0.002, 0.003 * s, -0.004), age_us: 0 } : null,
-      reference: { x_m: ref.x, y_m: ref.y, yaw_rad: ref.yaw }, imu: { roll_rad: 0, pitch_rad: 0, slope: 'flat' }, pitch_source: 'virtual',
-      tracks: { left_mps: belts[0], right_mps: belts[1], left_commanded_mps: moving ? target[0] : null, right_commanded_mps: moving ? target[1] : null },
-      cross_track_m: wobble, heading_error_rad: 0.03 * Math.cos(17 * s) * (moving ? 1 : 0), desired_yaw_rad: ref.yaw, desired_speed_mps: moving ? 0.1 : 0, progress_m: s,
-    });
+    const turning = s > 1.4 && s < 2.65 && moving ? 0.25 : 0;
+    const target = moving ? [0.118 + turning * 0.08, 0.118 - turning * 0.08] : [0, 0];
+    belts = belts.map((v, i) => v + (target[i] - v) * 0.05 + (moving ? (Math.random() - 0.5) * 0.002 : 0));
+    const { message, pitch } = estimate(step / kRate, s, moving, belts, target, Math.round((now - lastSample) * 1e6) + 3100);
+    publish('/estimate', message);
     if (step % 10 === 0) publish('/slip', { t_s: now, left: 0.16 + Math.abs(pitch) * 0.13, right: 0.16 + Math.abs(pitch) * 0.2, fused_left: 0.158 + 0.003 * Math.sin(now), fused_right: 0.17 + 0.003 * Math.cos(now), gyro_bias_radps: 0.01, fused_gyro_bias_radps: 0.01, slope_rad: -pitch });
     if (step % 40 === 0) {
       state();
@@ -184,6 +208,10 @@ const http = createServer(async (request, response) => {
     const file = (kind, n, size) => ({ name: n, bytes: size, url: `/runs/20260102-030405-3/${n}`, kind });
     response.setHeader('Content-Type', 'application/json');
     response.end(JSON.stringify({ directory: '/var/lib/tp100/runs', runs: [{ run: '20260102-030405-3', modified_unix_s: 1767323045, bytes: 12_345_678, active: false, files: [file('recording', 'run.mcap', 12_000_000), file('report', 'report.html', 640_000), file('metrics', 'metrics.json', 2100)] }] }));
+    return;
+  }
+  if (request.url.endsWith('run.mcap')) {
+    response.end(recordedRun());
     return;
   }
   try {

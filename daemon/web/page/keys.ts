@@ -12,7 +12,7 @@ export interface Keys {
 
 /** Where the space bar belongs to what is being typed. */
 function typing(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && target.matches('input, select, textarea');
+  return target instanceof HTMLElement && target.matches('input:not([type=range]), select, textarea');
 }
 
 export function listen(keys: Keys): void {

@@ -22,7 +22,10 @@ import { RunList } from '../panel/run_list.ts';
 import { StatusBar } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
 import { Timeline } from '../panel/timeline.ts';
+import { Transport } from '../panel/transport.ts';
 import { kModes, Viewport } from '../panel/viewport.ts';
+import { Player } from '../replay/player.ts';
+import { loadRecording } from '../replay/recording.ts';
 import type { State, Topic } from '../state/messages.ts';
 import { StopButton } from '../state/stop.ts';
 import { Store } from '../state/store.ts';
@@ -46,6 +49,10 @@ const kPlots_ms = 50;
 const kChips_ms = 200;
 
 const live = new Store();
+/** What the picture, the figures and the diagrams show: the robot, or a recording. The bar is always live. */
+let shown = live;
+let player: Player | undefined;
+let loading: AbortController | undefined;
 const stop = new StopButton();
 let metadata: ServerInfo['metadata'] = {};
 let retryAt_ms = 0;
@@ -96,6 +103,39 @@ function sendStop(): void {
   );
 }
 
+async function replay(url: string, run: string): Promise<void> {
+  loading?.abort();
+  const mine = (loading = new AbortController());
+  transport.loading(run, 0);
+  try {
+    const frames = await loadRecording(url, (share) => { transport.loading(run, share); }, mine.signal);
+    // A recording does not grow old while it is looked at.
+    player = new Player(frames, new Store(() => 0));
+    transport.open(run, player);
+    look(player.store);
+    player.playing = true;
+  } catch (error: unknown) {
+    if (mine.signal.aborted) return;
+    backToLive();
+    notice.say(error instanceof Error ? error.message : String(error), performance.now());
+  }
+}
+
+function backToLive(): void {
+  loading?.abort();
+  player = undefined;
+  transport.close();
+  look(live);
+}
+
+function look(store: Store): void {
+  shown = store;
+  document.body.classList.toggle('replaying', store !== live);
+  viewport.reset();
+  timeline.reset();
+  histogram.reset();
+}
+
 function command(name: Command): void {
   client.call(name).catch((error: unknown) => {
     notice.say(error instanceof Error ? error.message : String(error), performance.now());
@@ -112,17 +152,20 @@ const numbers = new Numbers();
 const plots = new Plots();
 const histogram = new Histogram();
 const events = new EventLog();
-const runs = new RunList(() => undefined);
+const runs = new RunList((file, run) => {
+  void replay(file.url, run.run);
+});
+const transport = new Transport(backToLive);
 const parameters = new ParameterTable((name, value) => {
   client.setParameter(name, value);
 });
 const links = new LinkTable();
 
 const drawer = new Drawer([
-  { id: 'events', title: 'Events', element: events.element, show: () => { events.show(live); } },
+  { id: 'events', title: 'Events', element: events.element, show: () => { events.show(shown); } },
   { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live); } },
-  { id: 'link', title: 'Link', element: links.element, show: () => { links.show(live); } },
+  { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
 ]);
 
 const badge = h('span', { class: 'badge' });
@@ -136,7 +179,7 @@ const header = h(
   stopPanel.element,
 );
 plots.element.append(histogram.element);
-viewport.element.append(notice.element, timeline.element);
+viewport.element.append(notice.element, transport.element, timeline.element);
 document.body.append(header, h('main', {}, viewport.element, numbers.element, plots.element, drawer.element));
 
 for (const topic of kTopics) {
@@ -155,7 +198,7 @@ listen({
   hold: () => { controls.pressHold(); },
   camera: (index) => { viewport.set(kModes[index] ?? 'free'); },
   nextCamera: () => { viewport.next(); },
-  step: () => undefined,
+  step: (direction) => { transport.step(direction); },
 });
 
 function identity(): void {
@@ -170,25 +213,27 @@ function identity(): void {
 let last_ms = performance.now();
 const due = { numbers: 0, plots: 0, chips: 0 };
 function frame(now_ms: number): void {
-  const dt_s = Math.min((now_ms - last_ms) / 1000, 0.1);
+  const dt_s = Math.min((now_ms - last_ms) / 1000, 0.5);
   last_ms = now_ms;
   stopPanel.show(stop.view(performance.now()));
-  viewport.draw(live, dt_s);
+  player?.tick(dt_s);
+  viewport.draw(shown, dt_s);
   if (now_ms >= due.numbers) {
     due.numbers = now_ms + kNumbers_ms;
-    numbers.show(live);
-    timeline.show(live);
+    numbers.show(shown);
+    timeline.show(shown);
+    transport.show();
   }
   if (now_ms >= due.plots) {
     due.plots = now_ms + kPlots_ms;
-    plots.show(live);
+    plots.show(shown);
   }
   if (now_ms >= due.chips) {
     due.chips = now_ms + kChips_ms;
     status.show(live, client.ready);
     controls.show(live, client.ready, metadata.commands !== 'stop');
     notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms);
-    histogram.show(live);
+    histogram.show(shown);
     drawer.show();
     identity();
   }

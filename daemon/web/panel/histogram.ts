@@ -48,6 +48,15 @@ export class Histogram {
     setAttribute(this.bars, 'aria-label', summary);
   }
 
+  /** Another source. */
+  reset(): void {
+    this.shown = -1;
+    this.edges = '';
+    this.bars.replaceChildren();
+    this.labels.replaceChildren();
+    for (const figure of Object.values(this.figures)) setText(figure, '');
+  }
+
   private build(edges: readonly number[]): void {
     const key = edges.join();
     if (key === this.edges) return;

@@ -12,8 +12,9 @@ export interface Curve {
   colour: string;
   dash?: number[];
   width?: number;
-  /** No figure in the head line. */
+  /** Not in the head line at all, or there without a figure. */
   quiet?: boolean;
+  nameOnly?: boolean;
 }
 
 export interface PlotOptions {
@@ -36,7 +37,7 @@ export class Plot {
   private readonly canvas = h('div', { class: 'plot-canvas' });
   private readonly values: HTMLElement[] = [];
   private readonly plot: uPlot;
-  private end_s = 0;
+  private end_s = 1;
   private from_s = 0;
   private range: [number, number];
 
@@ -49,7 +50,7 @@ export class Plot {
       if (curve.quiet === true) continue;
       const swatch = h('i', { class: curve.dash ? 'swatch dashed' : 'swatch' });
       swatch.style.color = curve.colour;
-      key.append(h('span', { class: 'plot-curve' }, swatch, curve.label, value));
+      key.append(h('span', { class: 'plot-curve' }, swatch, curve.label, ...(curve.nameOnly === true ? [] : [value])));
     }
     this.element = h(
       'section',
@@ -72,7 +73,8 @@ export class Plot {
     setClass(this.element, 'stale', store.stale('/estimate'));
     if (store.series.length === 0) return;
     this.end_s = store.series.last_s;
-    this.from_s = this.end_s - window_s;
+    this.from_s = Math.max(this.end_s - window_s, 0);
+    this.end_s = Math.max(this.end_s, this.from_s + window_s);
     const columns = store.series.since(this.from_s);
     const pick = (name: Column): Float64Array => columns[kColumns[name]] ?? new Float64Array();
     const curves = this.options.curves.map((curve) => pick(curve.column));
@@ -100,7 +102,7 @@ export class Plot {
       padding: [6, 10, times ? 0 : 4, 0],
       cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false }, sync: { key: 'time', setSeries: false } },
       scales: {
-        x: { time: false, range: () => [this.from_s, Math.max(this.end_s, this.from_s + 1)] },
+        x: { time: false, range: () => [this.from_s, this.end_s] },
         y: { range: () => this.range },
       },
       axes: [

@@ -17,7 +17,7 @@ export class Plots {
   constructor() {
     this.truth = new Plot({
       id: 'truth',
-      title: 'Error against truth',
+      title: 'Error to truth',
       unit: 'mm',
       decimals: 1,
       soft: [0, 10],
@@ -40,7 +40,7 @@ export class Plots {
           { label: 'model', column: 'model_yaw_deg', colour: model },
           { label: 'odom', column: 'odometry_yaw_deg', colour: odometry },
           { label: 'fused', column: 'fused_yaw_deg', colour: fused },
-          { label: 'wanted', column: 'desired_yaw_deg', ...kPlan },
+          { label: 'plan', column: 'desired_yaw_deg', ...kPlan, nameOnly: true },
         ],
       }),
       new Plot({

@@ -45,7 +45,7 @@ export function describe(view: StopView): string {
       return view.waiting ? 'not acknowledged \u00b7 no link' : 'not acknowledged';
     case 'stopped': {
       const by = view.by === '' || view.took_ms !== null ? '' : ` \u00b7 ${view.by}`;
-      return view.took_ms === null ? `stopped${by}` : `robot stopped in ${fixed(view.took_ms, view.took_ms < 10 ? 1 : 0)} ms`;
+      return view.took_ms === null ? `stopped${by}` : `robot stopped in ${fixed(view.took_ms, view.took_ms < 100 ? 1 : 0)} ms`;
     }
   }
 }

@@ -1,5 +1,5 @@
 // The picture of the course: 3-D where WebGL works, a map where it does not, with its key and cameras.
-import { kCameraModes, type CameraMode } from '../scene/camera_rig.ts';
+import { kCameraModes } from '../scene/camera_rig.ts';
 import { MapView } from '../scene/map_view.ts';
 import * as palette from '../scene/palette.ts';
 import { SceneView } from '../scene/scene_view.ts';
@@ -88,6 +88,7 @@ export class Viewport {
   /** Another source: what was drawn belongs to the old one. */
   reset(): void {
     this.courseShown = -1;
+    this.view.reset();
   }
 
   private toggle(name: EstimateName): void {
@@ -110,6 +111,10 @@ export class Viewport {
 
   private scene(mode: Mode): View | undefined {
     if (mode === 'map' || !this.webgl) return undefined;
+    if (!hasWebgl()) {
+      this.withoutWebgl();
+      return undefined;
+    }
     try {
       return new SceneView(
         () => {
@@ -142,4 +147,9 @@ export class Viewport {
   }
 }
 
-export type { CameraMode };
+/** Asked first, because the scene's library complains to the console. */
+function hasWebgl(): boolean {
+  const context = document.createElement('canvas').getContext('webgl2');
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return context !== null;
+}

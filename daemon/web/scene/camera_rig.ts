@@ -51,9 +51,10 @@ export class CameraRig {
     return this.mode_;
   }
 
-  set(mode: CameraMode, pose: Pose | undefined): void {
+  /** Free from free goes back to where all of the course is in view. */
+  set(mode: CameraMode): void {
+    if (mode === 'free' && this.mode_ === 'free') this.overview();
     this.mode_ = mode;
-    if (mode === 'chase' && pose !== undefined) this.heading_rad = pose.yaw_rad;
     this.moved = true;
   }
 

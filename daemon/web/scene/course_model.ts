@@ -86,8 +86,14 @@ export class CourseModel {
         (i % 5 === 0 ? bold : fine).push(...line(i * step));
       }
     };
-    lines(x0, x1, (x) => [x, y0, 0, x, y1, 0]);
-    lines(y0, y1, (y) => [x0, y, 0, x1, y, 0]);
+    // In short pieces: some drivers drop a line whose end lies behind the camera.
+    const pieces = (from: number, to: number, piece: (a: number, b: number) => number[]): number[] => {
+      const all: number[] = [];
+      for (let i = Math.round(from / step); i < Math.round(to / step); i += 5) all.push(...piece(i * step, Math.min((i + 5) * step, to)));
+      return all;
+    };
+    lines(x0, x1, (x) => pieces(y0, y1, (a, b) => [x, a, 0, x, b, 0]));
+    lines(y0, y1, (y) => pieces(x0, x1, (a, b) => [a, y, 0, b, y, 0]));
     this.group.add(
       plane,
       new LineSegments(lineGeometry(fine), new LineBasicMaterial({ color: palette.kGrid })),

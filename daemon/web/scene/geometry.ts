@@ -161,7 +161,7 @@ export interface Bounds {
   max_y: number;
 }
 
-/** What a course covers: its fence and its path; an arena of 2 m by 1.2 m without a course. */
+/** What a course covers: fence, path and obstacles; an arena of 2 m by 1.2 m without a course. */
 export function bounds(course: Course | undefined): Bounds {
   const box: Bounds = { min_x: Infinity, max_x: -Infinity, min_y: Infinity, max_y: -Infinity };
   const cover = (x: number, y: number): void => {
@@ -171,6 +171,8 @@ export function bounds(course: Course | undefined): Bounds {
     box.max_y = Math.max(box.max_y, y);
   };
   for (const point of course?.path ?? []) cover(point.x_m, point.y_m);
+  for (const ramp of course?.ramps ?? []) for (const { x, y } of footprint(ramp, rampLength(ramp), ramp.width_m)) cover(x, y);
+  for (const block of course?.blocks ?? []) for (const { x, y } of footprint(block, block.depth_m, block.width_m)) cover(x, y);
   const fence = course?.fence;
   if (fence) {
     cover(fence.min_x_m, fence.min_y_m);

@@ -65,7 +65,7 @@ export class MapView implements View {
 
   draw(store: Store): void {
     const estimate = store.get('/estimate');
-    const key = `${store.received['/estimate'] ?? 0} ${kEstimates.map((name) => store.trails[name].length).join()}`;
+    const key = `${store.received['/estimate'] ?? 0} ${store.pose?.x_m ?? 0} ${kEstimates.map((name) => store.trails[name].length).join()}`;
     const context = this.element.getContext('2d');
     if (context === null || key === this.drawn) return;
     this.drawn = key;
@@ -94,6 +94,10 @@ export class MapView implements View {
       context.stroke();
     }
     this.robot(context, estimate[estimate.steering], store.leftBelt_m, store.rightBelt_m);
+  }
+
+  reset(): void {
+    this.drawn = '';
   }
 
   dispose(): void {

@@ -57,6 +57,11 @@ export class Ribbon {
     this.show(points.subarray(0, 3 * count), 0);
   }
 
+  /** Another trail comes next. */
+  reset(): void {
+    this.generation = -1;
+  }
+
   dispose(): void {
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();

@@ -84,7 +84,7 @@ export class SceneView implements View {
   }
 
   setCamera(mode: CameraMode): void {
-    this.rig.set(mode, undefined);
+    this.rig.set(mode);
     this.changed = true;
   }
 
@@ -123,6 +123,11 @@ export class SceneView implements View {
     this.changed = false;
     this.renderer.render(this.scene, this.rig.camera);
     this.pace.drawn(now_ms);
+  }
+
+  reset(): void {
+    this.shown = -1;
+    for (const name of kEstimates) this.ribbons[name].reset();
   }
 
   resize(): void {

@@ -10,6 +10,8 @@ export interface View {
   show(name: EstimateName, visible: boolean): void;
   /** Draws if anything changed. */
   draw(store: Store, dt_s: number): void;
+  /** Another store: nothing that was drawn holds. */
+  reset(): void;
   resize(): void;
   dispose(): void;
 }

@@ -102,10 +102,12 @@ export class Store {
     return estimate?.[estimate.steering];
   }
 
+  /** As new; what was received counts on, so that every view notices. */
   clear(): void {
     this.series.clear();
     this.clearTrails();
     this.events.length = 0;
+    this.leftBelt_m = this.rightBelt_m = 0;
     for (const topic of Object.keys(this.latest) as Topic[]) Reflect.deleteProperty(this.latest, topic);
   }
 

@@ -81,8 +81,9 @@ describe('ribbon', () => {
 });
 
 describe('bounds', () => {
-  it('covers fence and path, and something without a course', () => {
-    expect(geometry.bounds(course3)).toEqual({ min_x: -0.05, max_x: 1.85, min_y: -0.9, max_y: 0.1 });
+  it('covers fence, path and obstacles, and something without a course', () => {
+    expect(geometry.bounds(course3)).toMatchObject({ min_x: -0.05, max_x: 1.85, max_y: 0.1 });
+    expect(geometry.bounds(course3).min_y).toBeCloseTo(-1);
     const none = geometry.bounds(undefined);
     expect(none.max_x).toBeGreaterThan(none.min_x);
   });

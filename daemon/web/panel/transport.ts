@@ -1,0 +1,72 @@
+// The bar of a recording that is being looked at: play, scrub, speed, back to live.
+import type { Player } from '../replay/player.ts';
+import { clock } from '../state/format.ts';
+import { h, icon, setAttribute, setText } from './dom.ts';
+
+const kSpeeds = [1, 2, 4, 0.25];
+const kStep_s = 0.1;
+
+export class Transport {
+  readonly element = h('section', { class: 'transport', 'aria-label': 'Recording' });
+  private readonly name = h('span', { class: 'transport-name' });
+  private readonly play = h('button', { type: 'button', id: 'play', 'aria-label': 'Play' });
+  private readonly slider = h('input', { type: 'range', id: 'scrub', min: '0', step: '0.01', 'aria-label': 'Position in the recording, seconds' });
+  private readonly time = h('output', { class: 'transport-time' });
+  private readonly speed = h('button', { type: 'button', 'aria-label': 'Speed' }, '1\u00d7');
+  private player: Player | undefined;
+  private shownPlaying: boolean | undefined;
+
+  constructor(close: () => void) {
+    const leave = h('button', { type: 'button', id: 'live', class: 'transport-live' }, 'back to live');
+    this.element.append(this.name, this.play, this.slider, this.time, this.speed, leave);
+    this.element.hidden = true;
+    this.play.addEventListener('click', () => this.player?.toggle());
+    this.slider.addEventListener('input', () => {
+      if (this.player === undefined) return;
+      this.player.playing = false;
+      this.player.show(Number(this.slider.value));
+    });
+    this.speed.addEventListener('click', () => {
+      if (this.player === undefined) return;
+      this.player.speed = kSpeeds[(kSpeeds.indexOf(this.player.speed) + 1) % kSpeeds.length] ?? 1;
+      setText(this.speed, `${this.player.speed}\u00d7`);
+    });
+    leave.addEventListener('click', close);
+  }
+
+  loading(run: string, share: number): void {
+    this.element.hidden = false;
+    setText(this.name, `${run} \u00b7 loading ${(100 * share).toFixed(0)} %`);
+  }
+
+  open(run: string, player: Player): void {
+    this.player = player;
+    this.element.hidden = false;
+    this.slider.max = player.duration_s.toFixed(2);
+    setText(this.speed, '1\u00d7');
+    setText(this.name, run);
+  }
+
+  close(): void {
+    this.player = undefined;
+    this.element.hidden = true;
+  }
+
+  step(direction: 1 | -1): void {
+    if (this.player === undefined) return;
+    this.player.playing = false;
+    this.player.show(this.player.position_s + direction * kStep_s);
+  }
+
+  show(): void {
+    const player = this.player;
+    if (player === undefined) return;
+    const value = player.position_s.toFixed(2);
+    if (this.slider.value !== value) this.slider.value = value;
+    setText(this.time, `${clock(player.position_s)} / ${clock(player.duration_s)}`);
+    if (player.playing === this.shownPlaying) return;
+    this.shownPlaying = player.playing;
+    this.play.replaceChildren(icon(player.playing ? 'pause' : 'play'));
+    setAttribute(this.play, 'aria-label', player.playing ? 'Pause' : 'Play');
+  }
+}

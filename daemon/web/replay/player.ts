@@ -1,0 +1,65 @@
+// Plays a recorded run into a store: any moment of it, forwards at any speed.
+import type { Channels, Topic } from '../state/messages.ts';
+import type { Store } from '../state/store.ts';
+import type { Frame } from './recording.ts';
+
+export class Player {
+  readonly begin_s: number;
+  readonly end_s: number;
+  playing = false;
+  speed = 1;
+  private next = 0;
+  private at_s: number;
+
+  /** `frames` in order of time; not empty. */
+  constructor(
+    private readonly frames: readonly Frame[],
+    readonly store: Store,
+  ) {
+    // What comes before the first pose (course, path) belongs to the beginning.
+    this.begin_s = frames.find((frame) => frame.topic === '/estimate')?.time_s ?? 0;
+    this.end_s = frames.at(-1)?.time_s ?? 0;
+    this.at_s = this.begin_s;
+    this.seek(this.begin_s);
+  }
+
+  get duration_s(): number {
+    return this.end_s - this.begin_s;
+  }
+
+  /** Since the beginning. */
+  get position_s(): number {
+    return this.at_s - this.begin_s;
+  }
+
+  seek(time_s: number): void {
+    const to_s = Math.min(Math.max(time_s, this.begin_s), this.end_s);
+    if (to_s < this.at_s) {
+      this.next = 0;
+      this.store.clear();
+    }
+    this.at_s = to_s;
+    for (let frame = this.frames[this.next]; frame !== undefined && frame.time_s <= to_s; frame = this.frames[++this.next]) {
+      this.store.receive(frame.topic, frame.message as Channels[Topic]);
+    }
+  }
+
+  /** From the beginning: `position_s` of the run. */
+  show(position_s: number): void {
+    this.seek(this.begin_s + position_s);
+  }
+
+  tick(dt_s: number): void {
+    if (!this.playing) return;
+    if (this.at_s >= this.end_s) {
+      this.playing = false;
+      return;
+    }
+    this.seek(this.at_s + dt_s * this.speed);
+  }
+
+  toggle(): void {
+    if (!this.playing && this.at_s >= this.end_s) this.seek(this.begin_s);
+    this.playing = !this.playing;
+  }
+}

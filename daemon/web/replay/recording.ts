@@ -1,0 +1,77 @@
+// A recorded run, loaded as far as a viewer needs it: bounded in memory however long it is.
+import type { Topic } from '../state/messages.ts';
+import { McapScanner } from './mcap.ts';
+import { Thinned } from './thinned.ts';
+
+/** What is kept of each topic: at most so many messages, at least so far apart. */
+const kKept: Partial<Record<Topic, [capacity: number, interval_s: number]>> = {
+  '/course': [4, 0],
+  '/estimate': [20_000, 0.0199],
+  '/slip': [8_000, 0.049],
+  '/state': [8_000, 0],
+  '/event': [2_000, 0],
+  '/link': [2_000, 0.19],
+  '/loop': [2_000, 0.49],
+};
+
+export interface Frame {
+  time_s: number;
+  topic: Topic;
+  message: unknown;
+}
+
+export class Recording {
+  private readonly topics = new Map<string, Thinned<unknown>>();
+  private readonly decoder = new TextDecoder();
+  private readonly scanner: McapScanner;
+
+  constructor() {
+    for (const [topic, [capacity, interval_s]] of Object.entries(kKept)) {
+      this.topics.set(topic, new Thinned(capacity, interval_s));
+    }
+    this.scanner = new McapScanner(
+      ({ topic, time_s, data }) => {
+        try {
+          this.topics.get(topic)?.add(time_s, JSON.parse(this.decoder.decode(data)));
+        } catch {
+          // One message that is no JSON does not spoil the rest.
+        }
+      },
+      (topic, time_s) => this.topics.get(topic)?.wants(time_s) === true,
+    );
+  }
+
+  /** The next bytes of the file. Throws if they are no recording. */
+  push(bytes: Uint8Array): void {
+    this.scanner.push(bytes);
+  }
+
+  /** Everything so far, in order. */
+  frames(): Frame[] {
+    const frames: Frame[] = [];
+    for (const [topic, kept] of this.topics) {
+      for (const { time_s, item } of kept.items) frames.push({ time_s, topic: topic as Topic, message: item });
+    }
+    return frames.sort((a, b) => a.time_s - b.time_s);
+  }
+}
+
+/** Fetches a recording; `progress` from 0 to 1. What arrived before an error is used if it is of use. */
+export async function loadRecording(url: string, progress: (share: number) => void, signal: AbortSignal): Promise<Frame[]> {
+  const response = await fetch(url, { signal });
+  if (!response.ok || response.body === null) throw new Error(`${url}: ${response.status} ${response.statusText}`);
+  const size = Number(response.headers.get('Content-Length') ?? NaN);
+  const reader = response.body.getReader();
+  const recording = new Recording();
+  let received = 0;
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    received += value.length;
+    recording.push(value);
+    if (size > 0) progress(received / size);
+  }
+  const frames = recording.frames();
+  if (!frames.some((frame) => frame.topic === '/estimate')) throw new Error('the recording holds no poses');
+  return frames;
+}

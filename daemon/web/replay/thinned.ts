@@ -1,0 +1,31 @@
+// Items over time, bounded: when there are too many, every second one goes and fewer are taken.
+
+export class Thinned<T> {
+  readonly items: { time_s: number; item: T }[] = [];
+
+  constructor(
+    private readonly capacity: number,
+    private interval_s: number,
+  ) {}
+
+  /** Whether an item of this time would be taken. */
+  wants(time_s: number): boolean {
+    const last = this.items.at(-1);
+    return last === undefined || time_s - last.time_s >= this.interval_s;
+  }
+
+  add(time_s: number, item: T): void {
+    if (!this.wants(time_s)) return;
+    if (this.items.length === this.capacity) {
+      for (let i = 0; 2 * i < this.capacity; i++) {
+        const kept = this.items[2 * i];
+        if (kept !== undefined) this.items[i] = kept;
+      }
+      this.items.length = Math.ceil(this.capacity / 2);
+      const span_s = (this.items.at(-1)?.time_s ?? 0) - (this.items[0]?.time_s ?? 0);
+      this.interval_s = Math.max(2 * this.interval_s, span_s / this.items.length);
+      if (!this.wants(time_s)) return;
+    }
+    this.items.push({ time_s, item });
+  }
+}
