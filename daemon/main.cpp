@@ -11,6 +11,7 @@
 #include "analysis/standard_streams.h"
 #include "app/check.h"
 #include "app/hello.h"
+#include "app/identify.h"
 #include "app/ports.h"
 #include "app/replay.h"
 #include "app/run.h"
@@ -98,6 +99,34 @@ void add_replay(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_replay(options); }; });
 }
 
+void add_identify(CLI::App& app, Action& action) {
+  static IdentifyOptions options;
+  CLI::App* command =
+      app.add_subcommand("identify", "Find slip, wheelbase and gyro scale from recorded drives");
+  command
+      ->add_option("RUN", options.runs,
+                   "CSV t_s,left_count,right_count,gyro_z_radps"
+                   "[,camera_x_m,camera_y_m,camera_yaw_rad], one file a run")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--out", options.out, "Robot file to write")->type_name("FILE")->required();
+  command
+      ->add_option("--robot", options.robot,
+                   "Everything else is taken from it: name in config/robots or file (default: "
+                   "end-loaded)")
+      ->type_name("ROBOT");
+  command
+      ->add_option("--measured", options.measured,
+                   "CSV run[,distance_m][,ahead_m][,left_m][,turned_deg] of what was measured by "
+                   "hand; run counts from 1")
+      ->type_name("FILE");
+  command->add_option("--config", options.config, "Configuration (default: as config/tp100.toml)")
+      ->type_name("FILE");
+  command->add_option("--date", options.date, "Day of the runs for the file (default: today)")
+      ->type_name("DATE");
+  command->callback([&action] { action = [] { return run_identify(options); }; });
+}
+
 /// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
 std::string unknown_subcommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
@@ -124,6 +153,7 @@ int run_program(int argc, char** argv) {
   add_ports(app, action);
   add_check(app, action);
   add_replay(app, action);
+  add_identify(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

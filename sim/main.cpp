@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "course/nearest.h"
 #include "course/toml_document.h"
+#include "sim/run/calibrate_command.h"
 #include "sim/run/course_command.h"
 #include "sim/run/demo_command.h"
 #include "sim/run/reproduce.h"
@@ -43,7 +44,8 @@ void add_common(CLI::App& app, Options& options) {
 /// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
 std::string unknown_subcommand(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
-  const std::vector<std::string_view> names = {"course", "robot", "slope", "reproduce", "demo"};
+  const std::vector<std::string_view> names = {"course",    "robot",     "slope",
+                                               "reproduce", "calibrate", "demo"};
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
   const std::string_view meant = tp100::course::nearest_name(argv[1], names);
   return "unknown subcommand '" + tp100::course::one_line(argv[1]) + "'" +
@@ -78,7 +80,9 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(1, 1000000))
       ->type_name("NUMBER")
       ->capture_default_str();
-  course_app->add_option("--out", course.out, "Folder for one JSON and one CSV file a run")
+  course_app
+      ->add_option("--out", course.out,
+                   "Folder for the files of each run: figures (JSON), poses and samples (CSV)")
       ->type_name("FOLDER");
   course_app->add_flag("--json", course.json, "One JSON object a line instead of tables");
 
@@ -129,6 +133,30 @@ int run(int argc, char** argv) {
       ->type_name("NUMBER")
       ->capture_default_str();
 
+  CalibrateCommand calibrate;
+  CLI::App* calibrate_app = app.add_subcommand(
+      "calibrate", "Drive the calibration courses, identify, compare with the true motion");
+  calibrate_app->add_option("--board", calibrate.options.board, "native or avr")
+      ->type_name("BOARD")
+      ->capture_default_str();
+  calibrate_app
+      ->add_option("--robot", calibrate.options.robot,
+                   "Name in config/robots or file (default: end-loaded)")
+      ->type_name("ROBOT");
+  add_seed(*calibrate_app, calibrate.options);
+  calibrate_app->add_option("--repeats", calibrate.repeats, "Drives of each kind and direction")
+      ->check(CLI::Range(1, 100))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  calibrate_app
+      ->add_option("--runs", calibrate.runs, "Calibrations with this and the following seeds")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  calibrate_app->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
+      ->type_name("FOLDER");
+  calibrate_app->add_flag("--json", calibrate.json, "One JSON object a line instead of tables");
+
   DemoCommand demo;
   CLI::App* demo_app =
       app.add_subcommand("demo", "Start tp100d and tp100-sim robot and watch them drive");
@@ -158,6 +186,7 @@ int run(int argc, char** argv) {
   if (*robot_app) return run_robot(robot);
   if (*slope_app) return run_slope(slope);
   if (*reproduce_app) return run_reproduce(reproduce);
+  if (*calibrate_app) return run_calibrate(calibrate);
   return run_demo(demo);
 }
 

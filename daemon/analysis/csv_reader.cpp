@@ -141,7 +141,9 @@ class CsvReader {
         if (table_.has(name)) fail(1, "column '" + name + "' appears twice");
         targets_.push_back(&table_.columns_[name]);
         names_.push_back(name);
+        gap_allowed_.push_back(std::count(wanted_.gaps.begin(), wanted_.gaps.end(), name) > 0);
       } else {
+        gap_allowed_.push_back(false);
         targets_.push_back(nullptr);
         names_.push_back(one_line(name));
       }
@@ -158,6 +160,10 @@ class CsvReader {
                       std::to_string(targets_.size()) + " columns");
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (targets_[i] == nullptr) continue;
+      if (gap_allowed_[i] && trimmed(cells_[i]).empty()) {
+        targets_[i]->push_back(std::nan(""));
+        continue;
+      }
       const std::optional<double> value = number_of(cells_[i]);
       if (!value)
         fail(line_, names_[i] + " is '" + one_line(cells_[i], 40) + "', expected a number");
@@ -180,6 +186,7 @@ class CsvReader {
   std::size_t line_ = 1, next_line_ = 1;
   std::vector<std::string> cells_;
   std::vector<std::vector<double>*> targets_;  // null: a column that nobody asked for
+  std::vector<bool> gap_allowed_;
   std::vector<std::string> names_;
 };
 

@@ -32,6 +32,7 @@ class CsvTable {
 struct CsvColumns {
   std::vector<std::string_view> required;
   std::vector<std::string_view> optional;
+  std::vector<std::string_view> gaps{};  ///< of these: an empty cell reads as not-a-number
 };
 
 /// Parses the text of a CSV file (RFC 4180: commas, optional quotes). CRLF, a byte-order mark,

@@ -54,4 +54,30 @@ std::string range_and_unit(std::string_view key, Range range) {
          (unit.empty() ? std::string() : " " + std::string(unit));
 }
 
+Origins read_origins(std::string_view text, std::string_view table) {
+  constexpr std::string_view kFirst = "# From ";
+  Origins origins;
+  bool inside = false;
+  std::string origin;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with('[')) inside = line == "[" + std::string(table) + "]";
+    if (line.starts_with(kFirst)) {
+      origin = line.substr(kFirst.size());
+    } else if (line.starts_with("# ") && !origin.empty()) {
+      origin += line.substr(1);
+    } else {
+      const std::size_t equals = line.find(" = ");
+      if (origin.ends_with('.')) origin.pop_back();
+      if (inside && !origin.empty() && equals != std::string_view::npos)
+        origins[std::string(line.substr(0, equals))] = origin;
+      origin.clear();
+    }
+  }
+  return origins;
+}
+
 }  // namespace tp100::course

@@ -3,6 +3,7 @@
 // and writes the commented file, so that neither can drift from the other.
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -80,9 +81,16 @@ std::string show_key(const Key<T>& key, const T& values) {
   return toml_string(choice.names[choice.get(values)]);
 }
 
-/// The keys with meaning, unit, default and range as comments: the body of one table of a file.
+/// Where values came from, by key: one sentence each, without its first word "From" and its stop.
+using Origins = std::map<std::string, std::string, std::less<>>;
+
+/// Reads the origins of the keys of `[table]` back from a file that write_keys wrote.
+Origins read_origins(std::string_view text, std::string_view table);
+
+/// The keys with meaning, unit, default, range and origin as comments: the body of one table of a
+/// file.
 template <class T>
-std::string write_keys(std::span<const Key<T>> keys, const T& values) {
+std::string write_keys(std::span<const Key<T>> keys, const T& values, const Origins& origins = {}) {
   std::string text;
   for (const Key<T>& key : keys) {
     std::string comment = std::string(key.meaning) + ". Default " + show_key(key, T{});
@@ -95,8 +103,10 @@ std::string write_keys(std::span<const Key<T>> keys, const T& values) {
     } else if (std::holds_alternative<bool T::*>(key.field)) {
       comment += ", true or false";
     }
-    text +=
-        toml_comment(comment + ".") + std::string(key.name) + " = " + show_key(key, values) + "\n";
+    text += toml_comment(comment + ".");
+    if (const auto origin = origins.find(key.name); origin != origins.end())
+      text += toml_comment("From " + origin->second + ".");
+    text += std::string(key.name) + " = " + show_key(key, values) + "\n";
   }
   return text;
 }

@@ -4,6 +4,7 @@
 // physics of an emulated robot of that kind; the daemon never reads it, and `model` is never copied
 // from it.
 
+#include <map>
 #include <string>
 
 #include "core/angle.h"
@@ -20,6 +21,8 @@ struct ModelValues {
                                           ///< files: it comes from the configuration
   double wheelbase_m = 0.2742;            ///< equivalent wheelbase L
   double x_icr_m = 0.0;                   ///< Vy gets -x_icr * yaw rate
+  double wheelbase_spin_m = 0.0;          ///< L on the spot; 0: as wheelbase_m
+  double x_icr_spin_shift_m = 0.0;        ///< added to x_icr on the spot
   double gyro_scale = 1.0;                ///< true rate / nominal rate, z axis
 };
 
@@ -128,6 +131,8 @@ struct Robot {
   std::string name;  ///< file stem, e.g. "end-loaded"
   std::string description;
   ModelValues model{};
+  /// Where values of `model` came from, by key: a comment "# From ..." in the file.
+  std::map<std::string, std::string, std::less<>> origins;
   ShapeValues shape{};
   DriveValues drive{};
   Emulated emulated{};
@@ -137,8 +142,12 @@ struct Robot {
 /// Pure.
 Robot parse_robot(const std::string& text, const std::string& file);
 
+/// The comment at the head of a robot file, up to the first blank line, on one line without its
+/// marks. Pure.
+std::string head_note(const std::string& text);
+
 /// The robot as a commented file that parse_robot reads back: every key with meaning, unit,
-/// default, range. `note` becomes the comment at its head.
+/// default, range, and where a value of `model` came from. `note` becomes the comment at its head.
 std::string write_robot(const Robot& robot, const std::string& note);
 
 }  // namespace tp100::course

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <span>
+#include <sstream>
 
 #include "course/key.h"
 #include "course/robot.h"
@@ -13,7 +14,7 @@ constexpr double kDeg = kRadPerDeg;
 
 std::span<const Key<ModelValues>> model_keys() {
   using T = ModelValues;
-  static const std::array<Key<T>, 7> kKeys = {{
+  static const std::array<Key<T>, 9> kKeys = {{
       {"slip_left", &T::slip_left, {-0.5, 0.9}, "Slip ratio of the left belt on flat ground"},
       {"slip_right", &T::slip_right, {-0.5, 0.9}, "Slip ratio of the right belt on flat ground"},
       {"slip_angle_straight_deg",
@@ -35,6 +36,14 @@ std::span<const Key<ModelValues>> model_keys() {
        {-0.2, 0.2},
        "Turning centre ahead of the reference point: sideways speed is less by this times the yaw "
        "rate"},
+      {"wheelbase_spin_m",
+       &T::wheelbase_spin_m,
+       {0, 2},
+       "Equivalent wheelbase on the spot, where it differs from the one of wide turns; 0 nowhere"},
+      {"x_icr_spin_shift_m",
+       &T::x_icr_spin_shift_m,
+       {-0.2, 0.2},
+       "How much farther ahead the turning centre lies on the spot than in wide turns"},
       {"gyro_scale",
        &T::gyro_scale,
        {0.8, 1.25},
@@ -220,8 +229,9 @@ std::span<const Key<Emulated>> emulated_keys() {
 }
 
 template <class T>
-std::string section(const char* name, std::span<const Key<T>> keys, const T& values) {
-  return "\n[" + std::string(name) + "]\n" + write_keys(keys, values);
+std::string section(const char* name, std::span<const Key<T>> keys, const T& values,
+                    const Origins& origins = {}) {
+  return "\n[" + std::string(name) + "]\n" + write_keys(keys, values, origins);
 }
 
 }  // namespace
@@ -242,6 +252,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   TomlTable imu = emulated.table("imu");
   TomlTable battery = emulated.table("battery");
   read_keys(model, model_keys(), robot.model);
+  robot.origins = read_origins(text, "model");
   read_keys(shape, shape_keys(), robot.shape);
   read_keys(drive, drive_keys(), robot.drive);
   read_keys(emulated, emulated_keys(), robot.emulated);
@@ -255,7 +266,20 @@ Robot parse_robot(const std::string& text, const std::string& file) {
     body.fail("belt_width_m", "'emulated.body.belt_width_m' must be below 'emulated.body.gauge_m'");
   if (std::abs(robot.shape.com_forward_m) >= robot.shape.axle_spacing_m / 2.0)
     shape.fail("com_forward_m", "'shape.com_forward_m' must lie between the axles");
+  if (robot.model.wheelbase_spin_m != 0.0 && robot.model.wheelbase_spin_m < 0.05)
+    model.fail("wheelbase_spin_m", "'model.wheelbase_spin_m' must be 0 or at least 0.05 m");
   return robot;
+}
+
+std::string head_note(const std::string& text) {
+  std::string note;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line) && line.starts_with('#');) {
+    line.erase(0, line.find_first_not_of("# "));
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (!line.empty()) note += (note.empty() ? "" : " ") + line;
+  }
+  return note;
 }
 
 std::string write_robot(const Robot& robot, const std::string& note) {
@@ -263,7 +287,7 @@ std::string write_robot(const Robot& robot, const std::string& note) {
   return toml_comment(note) + "\ndescription = " + toml_string(robot.description) + "\n" +
          "\n# What the daemon believes of this robot. Found by driving it, never copied from "
          "[emulated].\n" +
-         section("model", model_keys(), robot.model).substr(1) +
+         section("model", model_keys(), robot.model, robot.origins).substr(1) +
          "\n# What a ruler and a balance find: how it stands on ramps and steps.\n" +
          section("shape", shape_keys(), robot.shape).substr(1) +
          "\n# How it is wired and driven; sent to the firmware at connect.\n" +

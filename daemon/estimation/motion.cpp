@@ -23,15 +23,20 @@ double MotionModel::slip_angle_rad(double yaw_rate_radps) const {
              : tracks_.slip_angle_straight_rad;
 }
 
+model::Turn MotionModel::turn_of(const Motion& motion) const {
+  return model::turn_of(tracks_, model::Mode::kExtended, motion.tight);
+}
+
 Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
   const double left = motion.belts.left_mps * (1.0 - mean[kSlipLeft]);
   const double right = motion.belts.right_mps * (1.0 - mean[kSlipRight]);
+  const model::Turn turn = turn_of(motion);
   Twist twist;
   twist.vx_mps = (right + left) / 2.0;
   twist.yaw_rate_radps =
-      motion.gyro ? motion.gyro_z_radps - mean[kBias] : (right - left) / tracks_.wheelbase_m;
+      motion.gyro ? motion.gyro_z_radps - mean[kBias] : (right - left) / turn.wheelbase_m;
   twist.vy_mps = twist.vx_mps * std::tan(slip_angle_rad(twist.yaw_rate_radps)) -
-                 tracks_.x_icr_m * twist.yaw_rate_radps;
+                 turn.x_icr_m * twist.yaw_rate_radps;
   return twist;
 }
 
@@ -47,12 +52,13 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const double c = std::cos(middle), s = std::sin(middle);
 
   // What a change of speed and of yaw rate does to the place.
+  const model::Turn shape = turn_of(motion);
   const double planar = motion.ground.planar;
   const double sideways = std::tan(slip_angle_rad(twist.yaw_rate_radps));
   const double x_by_speed = dt * (planar * c - sideways * s);
   const double y_by_speed = dt * (planar * s + sideways * c);
-  const double x_by_rate = dt * (-dy / 2.0 + tracks_.x_icr_m * s);
-  const double y_by_rate = dt * (dx / 2.0 - tracks_.x_icr_m * c);
+  const double x_by_rate = dt * (-dy / 2.0 + shape.x_icr_m * s);
+  const double y_by_rate = dt * (dx / 2.0 - shape.x_icr_m * c);
 
   const bool moves =
       std::abs(motion.belts.left_mps) > kMovingMps || std::abs(motion.belts.right_mps) > kMovingMps;
@@ -74,8 +80,8 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
     if (!motion.gyro) by_rate(of, rate);
   };
   if (motion.gyro) by_rate(kBias, -1.0);
-  by_slip(kSlipLeft, motion.belts.left_mps, motion.belts.left_mps / tracks_.wheelbase_m);
-  by_slip(kSlipRight, motion.belts.right_mps, -motion.belts.right_mps / tracks_.wheelbase_m);
+  by_slip(kSlipLeft, motion.belts.left_mps, motion.belts.left_mps / shape.wheelbase_m);
+  by_slip(kSlipRight, motion.belts.right_mps, -motion.belts.right_mps / shape.wheelbase_m);
 
   const double way = std::abs(twist.vx_mps) * dt;
   const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
@@ -124,7 +130,7 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
   if (!motion.has_residual || motion.ground.hold_slip) return;
   const Residual& seen = motion.residual;
   const double left = seen.belts.left_mps, right = seen.belts.right_mps;
-  const double base = tracks_.wheelbase_m;
+  const double base = turn_of(motion).wheelbase_m;
   const double by_belts =
       (right * (1.0 - state.mean[kSlipRight]) - left * (1.0 - state.mean[kSlipLeft])) / base;
   Measurement<1> residual;

@@ -16,7 +16,10 @@ class Odometry {
  public:
   explicit Odometry(const model::TrackParameters& parameters) : parameters_(parameters) {}
 
-  void reset(const Pose& pose) { pose_ = pose; }
+  void reset(const Pose& pose) {
+    pose_ = pose;
+    tightness_.restart();
+  }
 
   /// One interval with the mean yaw rate `yaw_rate_radps` of the gyro, bias removed. The slip
   /// angle's turning switch and the ICR offset follow the gyro too, not the belts.
@@ -32,9 +35,12 @@ class Odometry {
   const Twist& twist() const { return twist_; }
 
  private:
+  double tight(const BeltSpeeds& belts, double dt_s);
+
   model::TrackParameters parameters_;
   Pose pose_{};
   Twist twist_{};
+  model::Tightness tightness_{};
 };
 
 }  // namespace tp100::estimation

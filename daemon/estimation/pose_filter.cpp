@@ -104,12 +104,15 @@ void PoseFilter::advance(const FilterInput& in) {
   }
   Step step;
   // The clock relation may be set back a little; a motion still ends after the one before.
-  step.motion = {.end_ns = std::max(in.end_ns, past_.back().motion.end_ns + 1),
-                 .dt_s = in.dt_s,
-                 .belts = in.belts,
-                 .gyro_z_radps = in.gyro_z_radps,
-                 .gyro = in.gyro,
-                 .ground = in.ground};
+  step.motion = {
+      .end_ns = std::max(in.end_ns, past_.back().motion.end_ns + 1),
+      .dt_s = in.dt_s,
+      .belts = in.belts,
+      .tight = tightness_.update(in.belts.left_mps * (1.0 - state_.mean[kSlipLeft]),
+                                 in.belts.right_mps * (1.0 - state_.mean[kSlipRight]), in.dt_s),
+      .gyro_z_radps = in.gyro_z_radps,
+      .gyro = in.gyro,
+      .ground = in.ground};
   add_to_window(step.motion);
   motion_.predict(state_, step.motion);
   motion_.measure(state_, step.motion);

@@ -5,12 +5,13 @@
 #include "core/pose.h"
 #include "model/incline.h"
 #include "model/slip_table.h"
+#include "model/turn.h"
 
 namespace tp100::model {
 
-/// `kPaper`: exactly eqs 1-5 on a plane. `kExtended` adds -x_icr * yaw rate to Vy, multiplies the
-/// planar part by cos(slope), climbs with sin(slope) and shifts the slip ratios with surface and
-/// slope.
+/// `kPaper`: exactly eqs 1-5 on a plane. `kExtended` adds -x_icr * yaw rate to Vy, lets
+/// wheelbase and x_icr change with how tight the turn is, multiplies the planar part by cos(slope),
+/// climbs with sin(slope) and shifts the slip ratios with surface and slope.
 enum class Mode { kPaper, kExtended };
 
 /// Parameters of eqs 1-5. The defaults are the paper's (tarpaulin; wheelbase as printed).
@@ -22,9 +23,19 @@ struct TrackParameters {
   double turning_threshold_radps =
       0.05;  ///< |yaw rate of eq 5| above it takes the turning slip angle
   double wheelbase_m = 0.2742;
-  double x_icr_m = 0.0;                              ///< extended only
+  double x_icr_m = 0.0;             ///< extended only
+  double wheelbase_spin_m = 0.0;    ///< extended only; L on the spot, 0: the same everywhere
+  double x_icr_spin_shift_m = 0.0;  ///< extended only; added to x_icr_m on the spot
   SlipCurve slip_curve = SlipCurve::kTableDownhill;  ///< extended only
 };
+
+/// L of eq 5 and the turning centre in a turn of this tightness (model/turn.h). In `kPaper` always
+/// one L and no turning centre.
+struct Turn {
+  double wheelbase_m = 0.0;
+  double x_icr_m = 0.0;
+};
+Turn turn_of(const TrackParameters& parameters, Mode mode, double tight);
 
 /// Slip ratios that apply on an incline: those of the parameters in `kPaper`; else shifted by the
 /// surface, and by the paper's slope table against its own zero, so that the parameters stay those
@@ -39,6 +50,9 @@ Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& inclin
 /// equations. Pure.
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
                  const Incline& incline = {});
+/// Same in a turn whose tightness is known better than from these speeds.
+Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
+                 const Incline& incline, double tight);
 
 /// Eqs 3 and 4 over `dt_s` of constant twist: the exact arc; exact for any step size. z and pitch
 /// follow the slope. Yaw stays unwrapped. Pure.
@@ -50,7 +64,10 @@ class TrackModel {
   TrackModel(const TrackParameters& parameters, Mode mode) : parameters_(parameters), mode_(mode) {}
 
   /// Continues from `pose`.
-  void reset(const Pose& pose) { pose_ = pose; }
+  void reset(const Pose& pose) {
+    pose_ = pose;
+    tightness_.restart();
+  }
   /// Belts at constant speeds for `dt_s`. Returns the twist that was integrated.
   const Twist& advance(double left_mps, double right_mps, double dt_s, const Incline& incline = {});
   /// How the robot stands there, where something else knows it better than the slope.
@@ -68,6 +85,7 @@ class TrackModel {
   Pose pose_{};
   Twist twist_{};
   Slip slip_{};
+  Tightness tightness_{};
 };
 
 }  // namespace tp100::model

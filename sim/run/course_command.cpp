@@ -5,10 +5,12 @@
 #include <optional>
 
 #include "analysis/atomic_file.h"
+#include "analysis/drive_file.h"
 #include "analysis/metrics.h"
 #include "analysis/poses_csv.h"
 #include "analysis/result_json.h"
 #include "analysis/result_table.h"
+#include "app/drive_sink.h"
 #include "core/error.h"
 #include "sim/run/lockstep.h"
 
@@ -16,7 +18,7 @@ namespace tp100::sim {
 namespace {
 
 void write_results(const std::string& folder, const analysis::RunResult& result,
-                   const std::string& json) {
+                   const std::string& json, const analysis::Drive& drive) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
@@ -26,6 +28,7 @@ void write_results(const std::string& folder, const analysis::RunResult& result,
       folder + "/" + result.course + "-" + result.robot + "-" + std::to_string(result.seed);
   analysis::write_file(stem + ".json", json + "\n");
   analysis::write_file(stem + ".csv", analysis::poses_csv(result));
+  analysis::write_file(stem + "-samples.csv", analysis::write_drive(drive));
 }
 
 }  // namespace
@@ -37,6 +40,7 @@ int run_course(const CourseCommand& command) {
       command.camera.empty() ? std::nullopt : std::optional(load_camera(command.camera));
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {
+    app::DriveSink drive;
     const analysis::RunResult result =
         run_lockstep({.course = course,
                       .robot = loaded.robot,
@@ -44,7 +48,8 @@ int run_course(const CourseCommand& command) {
                       .setup = loaded.setup,
                       .board = loaded.board,
                       .camera = camera,
-                      .seed = command.options.seed + static_cast<std::uint64_t>(i)});
+                      .seed = command.options.seed + static_cast<std::uint64_t>(i),
+                      .sink = command.out.empty() ? nullptr : &drive});
     const analysis::RunFigures figures = analysis::figures(result, course);
     const std::string json = analysis::result_json(result, figures);
     if (command.json) {
@@ -53,7 +58,7 @@ int run_course(const CourseCommand& command) {
       std::printf("%s\n", analysis::result_table(result, figures).c_str());
     }
     std::fflush(stdout);
-    if (!command.out.empty()) write_results(command.out, result, json);
+    if (!command.out.empty()) write_results(command.out, result, json, drive.drive());
     all_completed = all_completed && result.completed;
   }
   return all_completed ? 0 : 1;

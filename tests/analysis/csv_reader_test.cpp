@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace tp100::analysis {
@@ -47,6 +48,15 @@ TEST(CsvReader, AcceptsWhatSpreadsheetsWrite) {
     EXPECT_THAT(table["t_s"], ElementsAre(0.0, 1.0)) << text;
     EXPECT_THAT(table["v"], ElementsAre(1.0, 2.0)) << text;
   }
+}
+
+TEST(CsvReader, AnEmptyCellIsAGapWhereGapsAreAllowed) {
+  const CsvTable table =
+      parse_csv("t_s,v,g\n0, ,1\n1,2,\n", "f.csv", {{"t_s", "v"}, {"g"}, {"v", "g"}});
+  EXPECT_TRUE(std::isnan(table["v"][0]));
+  EXPECT_EQ(table["v"][1], 2.0);
+  EXPECT_TRUE(std::isnan(table["g"][1]));
+  EXPECT_THROW(parse_csv("t_s,v\n,1\n", "f.csv", {{"t_s", "v"}, {}, {"v"}}), SetupError);
 }
 
 TEST(CsvReader, CountsTheLinesOfQuotedLineBreaks) {

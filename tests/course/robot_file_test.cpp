@@ -64,6 +64,27 @@ TEST(RobotFile, AWrittenRobotReadsBackTheSame) {
   EXPECT_EQ(write_robot(again, "A note."), text);
 }
 
+TEST(RobotFile, SaysWhereValuesCameFromAndReadsItBack) {
+  Robot robot;
+  robot.origins["wheelbase_m"] = "identify on 2024-05-06: +- 0.00100 (95 %), 10 runs " +
+                                 std::string(60, 'x') + " and some more of them";
+  robot.origins["gyro_scale"] = "ten turns by hand";
+  const std::string text = write_robot(robot,
+                                       "A note that is long enough to be wrapped onto a "
+                                       "second line because it exceeds the columns.");
+  EXPECT_THAT(text, HasSubstr("\n# From ten turns by hand.\ngyro_scale = 1.0\n"));
+  const Robot again = parse_robot(text, "r.toml");
+  EXPECT_EQ(again.origins, robot.origins);
+  EXPECT_EQ(write_robot(again, head_note(text)), text);
+  EXPECT_TRUE(parse_robot("[drive]\n# From nowhere.\nspeed_kp = 4.0\n", "r.toml").origins.empty());
+}
+
+TEST(RobotFile, AWheelbaseOnTheSpotIsOffOrPossible) {
+  EXPECT_EQ(told("[model]\nwheelbase_spin_m = 0\n"), "");
+  EXPECT_EQ(told("[model]\nwheelbase_spin_m = 0.01\n"),
+            "r.toml:2:20: 'model.wheelbase_spin_m' must be 0 or at least 0.05 m");
+}
+
 TEST(RobotFile, EveryWrittenKeySaysDefaultAndRange) {
   const std::string text = write_robot(Robot{}, "");
   EXPECT_THAT(text, HasSubstr("Default 0.2742, range 0.05 to 2 m.\nwheelbase_m = 0.2742\n"));

@@ -1,0 +1,32 @@
+#pragma once
+// One run that takes part in a fit: its motion, its pictures, and what is the run's own.
+
+#include <array>
+#include <vector>
+
+#include "analysis/drive.h"
+#include "analysis/drive_motion.h"
+
+namespace tp100::analysis {
+
+struct FittedRun {
+  /// Unknowns of a run: x, y, yaw of its start, and the zero of its gyro angle.
+  static constexpr std::size_t kOwn = 4;
+  using Own = std::array<double, kOwn>;
+
+  /// The start as the camera saw it at rest, outliers notwithstanding; the pictures' yaw on the
+  /// branch that the gyro says.
+  FittedRun(const Drive& drive, double counts_per_metre, double gyro_scale);
+
+  std::string name;
+  DriveMotion motion;
+  std::vector<SeenPose> pictures;  ///< between first and last sample
+  double pictures_per_s = 0.0;
+  HandMeasured measured;
+  Own own{};
+
+  /// World pose at `t_s` from the poses since the start.
+  Pose predicted(const std::vector<Pose>& poses, double t_s) const;
+};
+
+}  // namespace tp100::analysis

@@ -1,0 +1,64 @@
+#include "app/identify.h"
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+
+#include "analysis/atomic_file.h"
+#include "analysis/drive_file.h"
+#include "analysis/identify.h"
+#include "analysis/identify_report.h"
+#include "app/bundled_files.h"
+#include "app/configuration.h"
+
+namespace tp100::app {
+namespace {
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm day{};
+  ::gmtime_r(&now, &day);
+  std::array<char, 16> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d", &day);
+  return text.data();
+}
+
+}  // namespace
+
+int run_identify(const IdentifyOptions& options) {
+  Configuration configuration;
+  if (!options.config.empty()) {
+    const TextFile file = read_text_file(options.config);
+    configuration = parse_configuration(file.text, file.path);
+  }
+  const TextFile base_file =
+      read_bundled(Bundled::kRobots, options.robot.empty() ? configuration.robot : options.robot);
+  const course::Robot base = course::parse_robot(base_file.text, base_file.path);
+
+  std::vector<analysis::Drive> drives;
+  for (const std::string& path : options.runs) {
+    const TextFile file = read_text_file(path);
+    drives.push_back(analysis::parse_drive(file.text, file.path));
+  }
+  if (!options.measured.empty()) {
+    const TextFile file = read_text_file(options.measured);
+    analysis::add_measured(file.text, file.path, drives);
+  }
+
+  const analysis::Belief belief =
+      analysis::belief_of(base, configuration.parameters.model.turning_threshold_radps);
+  const analysis::Identification found = analysis::identify(drives, belief);
+  const std::string date = options.date.empty() ? today() : options.date;
+  const course::Robot robot = analysis::identified_robot(found, base, date);
+  const std::string note =
+      analysis::identified_note(found, course::head_note(base_file.text), date);
+  const std::string text = course::write_robot(robot, note);
+  // What no robot has is refused here, by name and range.
+  course::parse_robot(text, options.out);
+  std::printf("%s", analysis::identify_report(found, base).c_str());
+  analysis::write_file(options.out, text);
+  std::printf("written to %s\n", options.out.c_str());
+  return 0;
+}
+
+}  // namespace tp100::app

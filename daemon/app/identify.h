@@ -1,0 +1,24 @@
+#pragma once
+// `tp100d identify`: parameters of a robot from recorded drives, to a robot file.
+
+#include <string>
+#include <vector>
+
+#include "course/robot.h"
+
+namespace tp100::app {
+
+struct IdentifyOptions {
+  std::vector<std::string> runs;  ///< CSV files of drives
+  std::string out;                ///< robot file to write
+  std::string robot;     ///< what everything else is taken from; empty: the configuration's
+  std::string measured;  ///< CSV file of hand measurements; empty: none
+  std::string config;    ///< empty: defaults
+  std::string date;      ///< of the runs, as the file should say; empty: today
+};
+
+/// The command. Prints the report; writes nothing unless all went well. Exit status; throws
+/// SetupError.
+int run_identify(const IdentifyOptions& options);
+
+}  // namespace tp100::app
