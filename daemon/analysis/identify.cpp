@@ -15,20 +15,15 @@ constexpr double kUnseen = 0.5;
 // Turns of fewer radians in all say nothing of the wheelbase.
 constexpr double kTurnedRad = 1.0;
 
-constexpr std::array<Parameter, 3> kNotInThePaper = {Parameter::kXIcr, Parameter::kWheelbaseSpin,
-                                                     Parameter::kXIcrSpinShift};
+constexpr std::array<Parameter, 5> kNotInThePaper = {
+    Parameter::kXIcr, Parameter::kWheelbaseSpin, Parameter::kXIcrSpinShift, Parameter::kTurnSlip,
+    Parameter::kTurnSlipTight};
 
 Values values_of(const Belief& belief) {
   const model::TrackParameters& t = belief.tracks;
-  return {t.slip_left,
-          t.slip_right,
-          t.slip_angle_straight_rad,
-          t.slip_angle_turning_rad,
-          t.wheelbase_m,
-          t.x_icr_m,
-          t.wheelbase_spin_m,
-          belief.gyro_scale,
-          0.0};
+  return {t.slip_left,   t.slip_right,      t.slip_angle_straight_rad, t.slip_angle_turning_rad,
+          t.wheelbase_m, t.x_icr_m,         t.wheelbase_spin_m,        t.x_icr_spin_shift_m,
+          t.turn_slip,   t.turn_slip_tight, belief.gyro_scale,         0.0};
 }
 
 /// The wheelbase that explains how far the runs turned if slip is as believed: from there the rest
@@ -116,6 +111,8 @@ Identification identify(const std::vector<Drive>& drives, const Belief& base,
   tracks.x_icr_m = value(Parameter::kXIcr);
   tracks.wheelbase_spin_m = value(Parameter::kWheelbaseSpin);
   tracks.x_icr_spin_shift_m = value(Parameter::kXIcrSpinShift);
+  tracks.turn_slip = value(Parameter::kTurnSlip);
+  tracks.turn_slip_tight = value(Parameter::kTurnSlipTight);
   found.belief.gyro_scale = value(Parameter::kGyroScale);
   return found;
 }

@@ -42,6 +42,10 @@ double& field(course::ModelValues& m, Parameter parameter) {
       return m.wheelbase_spin_m;
     case Parameter::kXIcrSpinShift:
       return m.x_icr_spin_shift_m;
+    case Parameter::kTurnSlip:
+      return m.turn_slip;
+    case Parameter::kTurnSlipTight:
+      return m.turn_slip_tight;
     case Parameter::kGyroScale:
       break;
   }
@@ -106,7 +110,9 @@ Belief belief_of(const course::Robot& robot, double turning_threshold_radps) {
                      .wheelbase_m = m.wheelbase_m,
                      .x_icr_m = m.x_icr_m,
                      .wheelbase_spin_m = m.wheelbase_spin_m,
-                     .x_icr_spin_shift_m = m.x_icr_spin_shift_m},
+                     .x_icr_spin_shift_m = m.x_icr_spin_shift_m,
+                     .turn_slip = m.turn_slip,
+                     .turn_slip_tight = m.turn_slip_tight},
           .gyro_scale = m.gyro_scale,
           .counts_per_metre = robot.drive.counts_per_metre};
 }

@@ -23,6 +23,8 @@ constexpr std::array<Scale, kShared> kScales = {{
     {0.1, 0.01},                        // x_icr
     {0.25, 0.03},                       // wheelbase on the spot, parts of the wheelbase
     {0.1, 0.01},                        // shift of x_icr on the spot
+    {0.1, 0.01},                        // turn slip
+    {0.1, 0.01},                        // turn slip, tight
     {0.2, 0.01},                        // gyro scale
     {0.02, 0.02},                       // delay
 }};
@@ -75,7 +77,9 @@ model::TrackParameters ModelFit::tracks(const Values& v) const {
           .wheelbase_m = value(Parameter::kWheelbase),
           .x_icr_m = value(Parameter::kXIcr),
           .wheelbase_spin_m = value(Parameter::kWheelbaseSpin),
-          .x_icr_spin_shift_m = value(Parameter::kXIcrSpinShift)};
+          .x_icr_spin_shift_m = value(Parameter::kXIcrSpinShift),
+          .turn_slip = value(Parameter::kTurnSlip),
+          .turn_slip_tight = value(Parameter::kTurnSlipTight)};
 }
 
 double ModelFit::prior(Eigen::MatrixXd& information, Eigen::VectorXd& score) const {

@@ -19,9 +19,11 @@ enum class Parameter : std::size_t {
   kXIcr,
   kWheelbaseSpin,
   kXIcrSpinShift,
+  kTurnSlip,
+  kTurnSlipTight,
   kGyroScale,
 };
-inline constexpr std::size_t kParameters = 9;
+inline constexpr std::size_t kParameters = 11;
 inline constexpr std::size_t index(Parameter parameter) {
   return static_cast<std::size_t>(parameter);
 }
@@ -47,6 +49,8 @@ inline constexpr std::array<ParameterKey, kParameters> kParameterKeys = {{
     {"x_icr_m"},
     {"wheelbase_spin_m"},
     {"x_icr_spin_shift_m"},
+    {"turn_slip"},
+    {"turn_slip_tight"},
     {"gyro_scale"},
 }};
 

@@ -3,15 +3,21 @@
 namespace tp100::app {
 namespace {
 
-// A radius of 0.4 m is two and a half times the gauge of a TP100.
+// Half a metre is a wide arc for a TP100 and a tight one for a robot of twice its size.
 constexpr double kNarrowGaugeM = 0.2;
 
 }  // namespace
 
 std::vector<std::string> calibration_courses(const course::ShapeValues& shape) {
-  const std::string arc = shape.gauge_m <= kNarrowGaugeM ? "arc" : "wide";
-  return {"calibrate-straight", "calibrate-" + arc + "-left", "calibrate-" + arc + "-right",
-          "calibrate-spin-left", "calibrate-spin-right"};
+  const bool narrow = shape.gauge_m <= kNarrowGaugeM;
+  const std::string wide = narrow ? "arc" : "wide", tight = narrow ? "tight" : "arc";
+  return {"calibrate-straight",
+          "calibrate-" + wide + "-left",
+          "calibrate-" + wide + "-right",
+          "calibrate-" + tight + "-left",
+          "calibrate-" + tight + "-right",
+          "calibrate-spin-left",
+          "calibrate-spin-right"};
 }
 
 }  // namespace tp100::app

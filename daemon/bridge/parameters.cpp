@@ -32,6 +32,8 @@ model::TrackParameters track_parameters(const Parameters& parameters) {
           .x_icr_m = values.x_icr_m,
           .wheelbase_spin_m = values.wheelbase_spin_m,
           .x_icr_spin_shift_m = values.x_icr_spin_shift_m,
+          .turn_slip = values.turn_slip,
+          .turn_slip_tight = values.turn_slip_tight,
           .slip_curve = parameters.slip_curve};
 }
 

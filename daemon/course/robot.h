@@ -23,6 +23,8 @@ struct ModelValues {
   double x_icr_m = 0.0;                   ///< Vy gets -x_icr * yaw rate
   double wheelbase_spin_m = 0.0;          ///< L on the spot; 0: as wheelbase_m
   double x_icr_spin_shift_m = 0.0;        ///< added to x_icr on the spot
+  double turn_slip = 0.0;                 ///< slip that a left turn adds and a right one takes off
+  double turn_slip_tight = 0.0;           ///< the same in tight turns
   double gyro_scale = 1.0;                ///< true rate / nominal rate, z axis
 };
 

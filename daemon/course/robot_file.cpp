@@ -14,7 +14,7 @@ constexpr double kDeg = kRadPerDeg;
 
 std::span<const Key<ModelValues>> model_keys() {
   using T = ModelValues;
-  static const std::array<Key<T>, 9> kKeys = {{
+  static const std::array<Key<T>, 11> kKeys = {{
       {"slip_left", &T::slip_left, {-0.5, 0.9}, "Slip ratio of the left belt on flat ground"},
       {"slip_right", &T::slip_right, {-0.5, 0.9}, "Slip ratio of the right belt on flat ground"},
       {"slip_angle_straight_deg",
@@ -44,6 +44,12 @@ std::span<const Key<ModelValues>> model_keys() {
        &T::x_icr_spin_shift_m,
        {-0.2, 0.2},
        "How much farther ahead the turning centre lies on the spot than in wide turns"},
+      {"turn_slip",
+       &T::turn_slip,
+       {-0.5, 0.5},
+       "Slip of both belts that a left turn adds and a right turn takes off, where belts creep "
+       "unevenly; in turns until the slower belt makes 0.55 of the faster one's speed"},
+      {"turn_slip_tight", &T::turn_slip_tight, {-0.5, 0.5}, "The same in tight turns"},
       {"gyro_scale",
        &T::gyro_scale,
        {0.8, 1.25},

@@ -24,7 +24,7 @@ double MotionModel::slip_angle_rad(double yaw_rate_radps) const {
 }
 
 model::Turn MotionModel::turn_of(const Motion& motion) const {
-  return model::turn_of(tracks_, model::Mode::kExtended, motion.tight);
+  return model::turn_of(tracks_, model::Mode::kExtended, motion.shape);
 }
 
 Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
@@ -32,7 +32,7 @@ Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
   const double right = motion.belts.right_mps * (1.0 - mean[kSlipRight]);
   const model::Turn turn = turn_of(motion);
   Twist twist;
-  twist.vx_mps = (right + left) / 2.0;
+  twist.vx_mps = (right + left) / 2.0 * (1.0 - turn.slip);
   twist.yaw_rate_radps =
       motion.gyro ? motion.gyro_z_radps - mean[kBias] : (right - left) / turn.wheelbase_m;
   twist.vy_mps = twist.vx_mps * std::tan(slip_angle_rad(twist.yaw_rate_radps)) -
@@ -55,8 +55,8 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const model::Turn shape = turn_of(motion);
   const double planar = motion.ground.planar;
   const double sideways = std::tan(slip_angle_rad(twist.yaw_rate_radps));
-  const double x_by_speed = dt * (planar * c - sideways * s);
-  const double y_by_speed = dt * (planar * s + sideways * c);
+  const double x_by_speed = dt * (1.0 - shape.slip) * (planar * c - sideways * s);
+  const double y_by_speed = dt * (1.0 - shape.slip) * (planar * s + sideways * c);
   const double x_by_rate = dt * (-dy / 2.0 + shape.x_icr_m * s);
   const double y_by_rate = dt * (dx / 2.0 - shape.x_icr_m * c);
 

@@ -31,7 +31,7 @@ struct Motion {
   HostNs end_ns = 0;
   double dt_s = 0.0;
   BeltSpeeds belts{};
-  double tight = 0.0;         ///< tightness of the turn, model/turn.h
+  model::TurnShape shape{};   ///< of the turn
   double gyro_z_radps = 0.0;  ///< mean over the interval, bias included
   bool gyro = false;          ///< false: bench or dead sensor, eq 5 gives the turn
   Ground ground{};

@@ -4,21 +4,21 @@
 
 namespace tp100::estimation {
 
-double Odometry::tight(const BeltSpeeds& belts, double dt_s) {
-  return tightness_.update(belts.left_mps * (1.0 - parameters_.slip_left),
-                           belts.right_mps * (1.0 - parameters_.slip_right), dt_s);
+model::TurnShape Odometry::shape(const BeltSpeeds& belts, double dt_s) {
+  return turn_watch_.update(belts.left_mps * (1.0 - parameters_.slip_left),
+                            belts.right_mps * (1.0 - parameters_.slip_right), dt_s);
 }
 
 const Twist& Odometry::advance(const BeltSpeeds& belts, double yaw_rate_radps, double dt_s,
                                const model::Incline& incline) {
-  const double tight = this->tight(belts, dt_s);
+  const model::TurnShape shape = this->shape(belts, dt_s);
   twist_ = model::body_twist(parameters_, model::Mode::kExtended, belts.left_mps, belts.right_mps,
-                             incline, tight);
+                             incline, shape);
   twist_.yaw_rate_radps = yaw_rate_radps;
   const bool turning = std::abs(yaw_rate_radps) > parameters_.turning_threshold_radps;
   const double slip_angle =
       turning ? parameters_.slip_angle_turning_rad : parameters_.slip_angle_straight_rad;
-  const model::Turn turn = model::turn_of(parameters_, model::Mode::kExtended, tight);
+  const model::Turn turn = model::turn_of(parameters_, model::Mode::kExtended, shape);
   twist_.vy_mps = twist_.vx_mps * std::tan(slip_angle) - turn.x_icr_m * yaw_rate_radps;
   model::advance(pose_, twist_, dt_s, incline);
   return twist_;
@@ -27,7 +27,7 @@ const Twist& Odometry::advance(const BeltSpeeds& belts, double yaw_rate_radps, d
 const Twist& Odometry::advance_without_gyro(const BeltSpeeds& belts, double dt_s,
                                             const model::Incline& incline) {
   twist_ = model::body_twist(parameters_, model::Mode::kExtended, belts.left_mps, belts.right_mps,
-                             incline, tight(belts, dt_s));
+                             incline, shape(belts, dt_s));
   model::advance(pose_, twist_, dt_s, incline);
   return twist_;
 }

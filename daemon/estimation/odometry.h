@@ -18,7 +18,7 @@ class Odometry {
 
   void reset(const Pose& pose) {
     pose_ = pose;
-    tightness_.restart();
+    turn_watch_.restart();
   }
 
   /// One interval with the mean yaw rate `yaw_rate_radps` of the gyro, bias removed. The slip
@@ -35,12 +35,12 @@ class Odometry {
   const Twist& twist() const { return twist_; }
 
  private:
-  double tight(const BeltSpeeds& belts, double dt_s);
+  model::TurnShape shape(const BeltSpeeds& belts, double dt_s);
 
   model::TrackParameters parameters_;
   Pose pose_{};
   Twist twist_{};
-  model::Tightness tightness_{};
+  model::TurnWatch turn_watch_{};
 };
 
 }  // namespace tp100::estimation

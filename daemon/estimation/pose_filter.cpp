@@ -108,8 +108,8 @@ void PoseFilter::advance(const FilterInput& in) {
       .end_ns = std::max(in.end_ns, past_.back().motion.end_ns + 1),
       .dt_s = in.dt_s,
       .belts = in.belts,
-      .tight = tightness_.update(in.belts.left_mps * (1.0 - state_.mean[kSlipLeft]),
-                                 in.belts.right_mps * (1.0 - state_.mean[kSlipRight]), in.dt_s),
+      .shape = turn_watch_.update(in.belts.left_mps * (1.0 - state_.mean[kSlipLeft]),
+                                  in.belts.right_mps * (1.0 - state_.mean[kSlipRight]), in.dt_s),
       .gyro_z_radps = in.gyro_z_radps,
       .gyro = in.gyro,
       .ground = in.ground};

@@ -68,7 +68,7 @@ class PoseFilter {
   Ground ground_{};
   double branch_rad_ = 0.0;  ///< full turns between the filter's yaw and the course's
   RewindBuffer past_{};
-  model::Tightness tightness_{};
+  model::TurnWatch turn_watch_{};
   Residual window_{};
   double window_s_ = 0.0;
   std::array<CameraSample, kWaiting> waiting_{};

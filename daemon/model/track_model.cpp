@@ -14,27 +14,29 @@ Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& inclin
           std::min(slip.right + (here.right - level.right) + incline.slip_offset, kMostSlip)};
 }
 
-Turn turn_of(const TrackParameters& p, Mode mode, double tight) {
-  if (mode == Mode::kPaper) return {p.wheelbase_m, 0.0};
+Turn turn_of(const TrackParameters& p, Mode mode, const TurnShape& shape) {
+  if (mode == Mode::kPaper) return {p.wheelbase_m, 0.0, 0.0};
   const double spin_m = p.wheelbase_spin_m == 0.0 ? p.wheelbase_m : p.wheelbase_spin_m;
-  return {std::lerp(p.wheelbase_m, spin_m, tight), p.x_icr_m + p.x_icr_spin_shift_m * tight};
+  return {std::lerp(p.wheelbase_m, spin_m, shape.tight),
+          p.x_icr_m + p.x_icr_spin_shift_m * shape.tight,
+          shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight)};
 }
 
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
                  const Incline& incline) {
   const Slip slip = slip_on(parameters, mode, incline);
-  const double tight = tightness(left_mps * (1.0 - slip.left), right_mps * (1.0 - slip.right));
-  return body_twist(parameters, mode, left_mps, right_mps, incline, tight);
+  return body_twist(parameters, mode, left_mps, right_mps, incline,
+                    turn_shape(left_mps * (1.0 - slip.left), right_mps * (1.0 - slip.right)));
 }
 
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
-                 const Incline& incline, double tight) {
+                 const Incline& incline, const TurnShape& shape) {
   const Slip slip = slip_on(parameters, mode, incline);
   const double left = left_mps * (1.0 - slip.left);
   const double right = right_mps * (1.0 - slip.right);
-  const Turn turn = turn_of(parameters, mode, tight);
+  const Turn turn = turn_of(parameters, mode, shape);
   Twist twist;
-  twist.vx_mps = (right + left) / 2.0;
+  twist.vx_mps = (right + left) / 2.0 * (1.0 - turn.slip);
   twist.yaw_rate_radps = (right - left) / turn.wheelbase_m;
   const bool turning = std::abs(twist.yaw_rate_radps) > parameters.turning_threshold_radps;
   const double slip_angle =
@@ -70,9 +72,9 @@ const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s,
                                  const Incline& incline) {
   const Incline under = mode_ == Mode::kPaper ? Incline{} : incline;
   slip_ = slip_on(parameters_, mode_, under);
-  const double tight =
-      tightness_.update(left_mps * (1.0 - slip_.left), right_mps * (1.0 - slip_.right), dt_s);
-  twist_ = body_twist(parameters_, mode_, left_mps, right_mps, under, tight);
+  const TurnShape shape =
+      turn_watch_.update(left_mps * (1.0 - slip_.left), right_mps * (1.0 - slip_.right), dt_s);
+  twist_ = body_twist(parameters_, mode_, left_mps, right_mps, under, shape);
   model::advance(pose_, twist_, dt_s, under);
   return twist_;
 }

@@ -10,7 +10,7 @@
 namespace tp100::model {
 
 /// `kPaper`: exactly eqs 1-5 on a plane. `kExtended` adds -x_icr * yaw rate to Vy, lets
-/// wheelbase and x_icr change with how tight the turn is, multiplies the planar part by cos(slope),
+/// wheelbase, x_icr and slip change with the turn, multiplies the planar part by cos(slope),
 /// climbs with sin(slope) and shifts the slip ratios with surface and slope.
 enum class Mode { kPaper, kExtended };
 
@@ -26,16 +26,20 @@ struct TrackParameters {
   double x_icr_m = 0.0;             ///< extended only
   double wheelbase_spin_m = 0.0;    ///< extended only; L on the spot, 0: the same everywhere
   double x_icr_spin_shift_m = 0.0;  ///< extended only; added to x_icr_m on the spot
+  double turn_slip = 0.0;        ///< extended only; slip of both belts that a left turn adds and a
+                                 ///< right turn takes off: belts that creep unevenly
+  double turn_slip_tight = 0.0;  ///< the same in tight turns
   SlipCurve slip_curve = SlipCurve::kTableDownhill;  ///< extended only
 };
 
-/// L of eq 5 and the turning centre in a turn of this tightness (model/turn.h). In `kPaper` always
-/// one L and no turning centre.
+/// L of eq 5, the turning centre and what the turn takes off the forward speed, in a turn of this
+/// shape. In `kPaper` always one L and nothing else.
 struct Turn {
   double wheelbase_m = 0.0;
   double x_icr_m = 0.0;
+  double slip = 0.0;
 };
-Turn turn_of(const TrackParameters& parameters, Mode mode, double tight);
+Turn turn_of(const TrackParameters& parameters, Mode mode, const TurnShape& shape);
 
 /// Slip ratios that apply on an incline: those of the parameters in `kPaper`; else shifted by the
 /// surface, and by the paper's slope table against its own zero, so that the parameters stay those
@@ -50,9 +54,9 @@ Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& inclin
 /// equations. Pure.
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
                  const Incline& incline = {});
-/// Same in a turn whose tightness is known better than from these speeds.
+/// Same in a turn whose shape is known better than from these speeds.
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
-                 const Incline& incline, double tight);
+                 const Incline& incline, const TurnShape& shape);
 
 /// Eqs 3 and 4 over `dt_s` of constant twist: the exact arc; exact for any step size. z and pitch
 /// follow the slope. Yaw stays unwrapped. Pure.
@@ -66,7 +70,7 @@ class TrackModel {
   /// Continues from `pose`.
   void reset(const Pose& pose) {
     pose_ = pose;
-    tightness_.restart();
+    turn_watch_.restart();
   }
   /// Belts at constant speeds for `dt_s`. Returns the twist that was integrated.
   const Twist& advance(double left_mps, double right_mps, double dt_s, const Incline& incline = {});
@@ -85,7 +89,7 @@ class TrackModel {
   Pose pose_{};
   Twist twist_{};
   Slip slip_{};
-  Tightness tightness_{};
+  TurnWatch turn_watch_{};
 };
 
 }  // namespace tp100::model

@@ -6,25 +6,26 @@
 namespace tp100::model {
 namespace {
 
-// Difference of the belts' speeds in parts of the faster one, up to which a turn is wide.
-constexpr double kWideTurn = 0.45;
+// Difference of the belts' speeds in parts of the faster one: friction begins to saturate, and has.
+constexpr double kWideTurn = 0.45, kTightTurn = 0.70;
 constexpr double kLagS = 0.1;
 
 }  // namespace
 
-double tightness(double left_mps, double right_mps) {
+TurnShape turn_shape(double left_mps, double right_mps) {
   const double faster = std::max(std::abs(left_mps), std::abs(right_mps));
-  const double difference = std::abs(right_mps - left_mps);
-  if (difference <= kWideTurn * faster) return 0.0;
-  return std::min(1.0, (difference / faster - kWideTurn) / (1.0 - kWideTurn));
+  if (!(faster > 0.0)) return {};
+  const double difference = (right_mps - left_mps) / faster;
+  return {std::clamp(difference / kWideTurn, -1.0, 1.0),
+          std::clamp((std::abs(difference) - kWideTurn) / (kTightTurn - kWideTurn), 0.0, 1.0)};
 }
 
-double Tightness::update(double left_mps, double right_mps, double dt_s) {
+TurnShape TurnWatch::update(double left_mps, double right_mps, double dt_s) {
   const double share = started_ ? 1.0 - std::exp(-dt_s / kLagS) : 1.0;
   started_ = true;
   left_mps_ += (left_mps - left_mps_) * share;
   right_mps_ += (right_mps - right_mps_) * share;
-  return tightness(left_mps_, right_mps_);
+  return turn_shape(left_mps_, right_mps_);
 }
 
 }  // namespace tp100::model

@@ -1,23 +1,27 @@
 #pragma once
-// How tight a turn is, and what that does to the wheelbase and to the turning centre. Ours, not the
-// paper's: it fits one wheelbase to all turns, but belts that saturate in tight turns have another
-// one there.
+// What kind of turn the belts make, and what that does to wheelbase, turning centre and slip. Ours,
+// not the paper's: it fits one wheelbase and one pair of slip ratios to all turns, but the forces
+// with which the belts work against each other grow with the turn until friction saturates.
 
 namespace tp100::model {
 
-/// Where a turn lies between a wide one (0: the inner belt keeps at least 0.55 of the outer one's
-/// speed) and one on the spot (1: the inner belt stands still or runs backwards), for belts whose
-/// ground sides move at these speeds (slip taken out). A belt's friction saturates with the ratio
-/// of the two speeds, not with the speeds; where it begins to is much the same for uneven robots.
-/// Pure.
-double tightness(double left_mps, double right_mps);
+/// A turn by the ratio of the two belts' speeds, which is what friction follows, not the speeds.
+/// Where friction saturates is much the same for uneven robots.
+struct TurnShape {
+  double wide = 0.0;   ///< -1..1, left positive: grows with the turn until the slower belt makes
+                       ///< 0.55 of the faster one's speed, then stays
+  double tight = 0.0;  ///< 0..1: 0 up to there, 1 from 0.3 of the faster one's speed on to spins
+};
+
+/// For belts whose ground sides move at these speeds (slip taken out). Pure.
+TurnShape turn_shape(double left_mps, double right_mps);
 
 /// The same of encoders that give a few edges per interval: speeds are followed with a lag of 0.1
 /// s. No allocation; safe in the real-time thread.
-class Tightness {
+class TurnWatch {
  public:
-  /// One interval; returns the value at its end.
-  double update(double left_mps, double right_mps, double dt_s);
+  /// One interval; returns the shape at its end.
+  TurnShape update(double left_mps, double right_mps, double dt_s);
   void restart() { started_ = false; }
 
  private:

@@ -29,17 +29,19 @@ constexpr double kWheelbaseWithin = 0.02;
 // Seeds of the drives of one calibration lie apart, so that no two share their noise.
 constexpr std::uint64_t kSeedStride = 1'000'003;
 
-DriveKind kind_of(const std::string& course) {
-  if (course.find("straight") != std::string::npos) return DriveKind::kStraight;
-  return course.find("spin") != std::string::npos ? DriveKind::kSpin : DriveKind::kArc;
-}
+// The order of app::calibration_courses.
+constexpr std::array<DriveKind, 7> kKinds = {
+    DriveKind::kStraight, DriveKind::kWide, DriveKind::kWide, DriveKind::kTight,
+    DriveKind::kTight,    DriveKind::kSpin, DriveKind::kSpin};
 
 std::vector<CalibrationDrive> drive(const CalibrateCommand& command, const Loaded& loaded,
                                     std::uint64_t seed) {
   std::vector<CalibrationDrive> drives;
   course::Robot unknown = loaded.robot;
   unknown.model = {};
-  for (const std::string& name : app::calibration_courses(loaded.robot.shape)) {
+  const std::vector<std::string> courses = app::calibration_courses(loaded.robot.shape);
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    const std::string& name = courses.at(i);
     const course::Course course = load_course(name);
     for (int repeat = 1; repeat <= command.repeats; ++repeat) {
       app::DriveSink sink;
@@ -56,7 +58,7 @@ std::vector<CalibrationDrive> drive(const CalibrateCommand& command, const Loade
       analysis::Drive drive = sink.drive();
       drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
                    std::to_string(repeat);
-      drives.push_back({kind_of(name), std::move(drive), sink.truth()});
+      drives.push_back({kKinds[i], std::move(drive), sink.truth()});
     }
   }
   return drives;
@@ -74,8 +76,16 @@ void write_drives(const std::string& folder, const std::vector<CalibrationDrive>
 }
 
 std::array<double, kParameters> values_of(const EffectiveMotion& m) {
-  return {m.slip_left,   m.slip_right, m.slip_angle_straight_rad, m.slip_angle_turning_rad,
-          m.wheelbase_m, m.x_icr_m,    m.wheelbase_spin_m,        m.x_icr_spin_m - m.x_icr_m,
+  return {m.slip_left,
+          m.slip_right,
+          m.slip_angle_straight_rad,
+          m.slip_angle_turning_rad,
+          m.wheelbase_m,
+          m.x_icr_m,
+          m.wheelbase_spin_m,
+          m.x_icr_spin_m - m.x_icr_m,
+          m.turn_slip,
+          m.turn_slip_tight,
           m.gyro_scale};
 }
 

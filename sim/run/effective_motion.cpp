@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "model/turn.h"
 #include "wire/messages.h"
 
 namespace tp100::sim {
@@ -46,6 +47,13 @@ struct Ratio {
   double value() const { return above / below; }
 };
 
+/// What arcs to both sides lose and gain; the parameter is that of the widest turn that is full.
+struct TurnSlip {
+  Ratio lost{};
+  model::TurnShape shape{};
+  double of_full_turn() const { return lost.value() / std::abs(shape.wide); }
+};
+
 }  // namespace
 
 EffectiveMotion effective_motion(const std::vector<CalibrationDrive>& drives,
@@ -63,7 +71,8 @@ EffectiveMotion effective_motion(const std::vector<CalibrationDrive>& drives,
       straight_angle.below += way.ahead_m;
       continue;
     }
-    Ratio& of_kind = drive.kind == DriveKind::kArc ? centre : spin_centre;
+    if (drive.kind == DriveKind::kTight) continue;
+    Ratio& of_kind = drive.kind == DriveKind::kWide ? centre : spin_centre;
     of_kind.above -= way.sideways_by_turn;
     of_kind.below += way.turn_by_turn;
     if (drive.kind == DriveKind::kSpin) continue;
@@ -79,17 +88,30 @@ EffectiveMotion effective_motion(const std::vector<CalibrationDrive>& drives,
   motion.x_icr_spin_m = spin_centre.value();
 
   Ratio arc, spin;
+  TurnSlip wide_slip, tight_slip;
   for (const CalibrationDrive& drive : drives) {
     if (drive.kind == DriveKind::kStraight) continue;
     const Way way = way_of(drive, robot.encoder.counts_per_metre);
-    const double difference =
-        way.right_belt_m * (1.0 - motion.slip_right) - way.left_belt_m * (1.0 - motion.slip_left);
-    Ratio& ratio = drive.kind == DriveKind::kArc ? arc : spin;
+    const double left_m = way.left_belt_m * (1.0 - motion.slip_left);
+    const double right_m = way.right_belt_m * (1.0 - motion.slip_right);
+    const double difference = right_m - left_m;
+    if (drive.kind != DriveKind::kSpin) {
+      TurnSlip& slip = drive.kind == DriveKind::kWide ? wide_slip : tight_slip;
+      slip.lost.above += way.turned_rad > 0.0 ? (left_m + right_m) / 2.0 - way.ahead_m
+                                              : way.ahead_m - (left_m + right_m) / 2.0;
+      slip.lost.below += (left_m + right_m) / 2.0;
+      slip.shape = model::turn_shape(left_m, right_m);
+    }
+    if (drive.kind == DriveKind::kTight) continue;
+    Ratio& ratio = drive.kind == DriveKind::kWide ? arc : spin;
     ratio.above += way.turned_rad > 0.0 ? difference : -difference;
     ratio.below += std::abs(way.turned_rad);
   }
   motion.wheelbase_m = arc.value();
   motion.wheelbase_spin_m = spin.value();
+  motion.turn_slip = wide_slip.of_full_turn();
+  const double tight = tight_slip.shape.tight;
+  motion.turn_slip_tight = (tight_slip.of_full_turn() - (1.0 - tight) * motion.turn_slip) / tight;
   // The sensor's own counts per deg/s at this range are 2^15 / 1000.
   constexpr double kSensorLsbPerDegps = 32.768;
   motion.gyro_scale = static_cast<double>(wire::kGyroLsbPerDegps) / kSensorLsbPerDegps /

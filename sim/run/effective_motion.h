@@ -12,7 +12,7 @@
 namespace tp100::sim {
 
 /// What a calibration drive is.
-enum class DriveKind { kStraight, kArc, kSpin };
+enum class DriveKind { kStraight, kWide, kTight, kSpin };
 
 struct CalibrationDrive {
   DriveKind kind;
@@ -30,10 +30,13 @@ struct EffectiveMotion {
   double wheelbase_spin_m = 0.0;  ///< same over the turns on the spot
   double x_icr_m = 0.0;           ///< arcs: -(speed sideways / yaw rate), least squares
   double x_icr_spin_m = 0.0;      ///< same over the turns on the spot
-  double gyro_scale = 0.0;        ///< of the emulated sensor
+  double turn_slip = 0.0;  ///< wide arcs: way ahead that turning left costs and right gains, in
+                           ///< parts of the belts' way, slip out
+  double turn_slip_tight = 0.0;  ///< same over the tight arcs
+  double gyro_scale = 0.0;       ///< of the emulated sensor
 };
 
-/// Needs drives of all three kinds, turns to both sides.
+/// Needs drives of all kinds, turns to both sides.
 EffectiveMotion effective_motion(const std::vector<CalibrationDrive>& drives,
                                  const course::Emulated& robot);
 
