@@ -47,13 +47,16 @@ const kFigures: Figure[] = [
     label: 'data age',
     unit: 'ms',
     topic: '/estimate',
-    text: (store) => {
-      const age_us = store.get('/estimate')?.age_us;
-      return fixed(age_us === null || age_us === undefined ? null : Math.min(age_us / 1000, 99_999), age_us !== null && (age_us ?? 0) >= 1e5 ? 0 : 1);
-    },
+    // Clocks that are a little apart make a fresh sample seem to come from the future.
+    text: (store) => fixed(ageMs(store), (ageMs(store) ?? 0) < 100 ? 1 : 0),
   },
   { id: 'battery', label: 'cells', unit: 'V', topic: '/state', text: (store) => fixed(store.get('/state')?.battery_v, 2) },
 ];
+
+function ageMs(store: Store): number | null {
+  const age_us = store.get('/estimate')?.age_us ?? null;
+  return age_us === null ? null : Math.min(Math.max(age_us / 1000, 0), 99_999);
+}
 
 export class Numbers {
   readonly element = h('section', { class: 'numbers', 'aria-label': 'Figures' });

@@ -41,7 +41,7 @@ export class ParameterTable {
 
   private row(parameter: Parameter): HTMLElement {
     const changed = parameter.value !== parameter.default;
-    const limits = parameter.min === undefined ? (parameter.choices?.join(' ') ?? '') : `${parameter.min} \u2026 ${parameter.max ?? ''}`;
+    const limits = parameter.min === null ? parameter.choices.join(' ') : `${parameter.min} \u2026 ${parameter.max ?? ''}`;
     return h(
       'tr',
       { class: [parameter.live ? 'live' : '', changed ? 'changed' : ''].join(' ').trim() },
@@ -57,7 +57,7 @@ export class ParameterTable {
   private field(parameter: Parameter): HTMLElement {
     if (parameter.type === 'choice') {
       const select = h('select', { 'aria-label': parameter.name });
-      for (const choice of parameter.choices ?? []) select.append(h('option', { value: choice }, choice));
+      for (const choice of parameter.choices) select.append(h('option', { value: choice }, choice));
       select.value = String(parameter.value);
       select.addEventListener('change', () => {
         this.set(parameter.name, select.value);

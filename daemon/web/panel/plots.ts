@@ -60,7 +60,7 @@ export class Plots {
         title: 'Belt speed',
         unit: 'm/s',
         decimals: 3,
-        soft: [0, 0.15],
+        soft: [-0.05, 0.15],
         curves: [
           { label: 'wanted left', column: 'left_commanded_mps', colour: palette.kLeft, dash: [3, 3], width: 1, quiet: true },
           { label: 'wanted right', column: 'right_commanded_mps', colour: palette.kRight, dash: [3, 3], width: 1, quiet: true },

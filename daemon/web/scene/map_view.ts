@@ -93,7 +93,9 @@ export class MapView implements View {
       context.lineWidth = 1.5 * this.ratio;
       context.stroke();
     }
-    this.robot(context, estimate[estimate.steering], store.leftBelt_m, store.rightBelt_m);
+    const pose = estimate[estimate.steering];
+    this.robot(context, pose, store.leftBelt_m, store.rightBelt_m);
+    this.element.dataset.robot = [pose.x_m, pose.y_m, pose.z_m, pose.yaw_rad].join(' ');
   }
 
   reset(): void {

@@ -123,6 +123,8 @@ export class SceneView implements View {
     this.changed = false;
     this.renderer.render(this.scene, this.rig.camera);
     this.pace.drawn(now_ms);
+    const { position, rotation } = this.robot.group;
+    if (estimate !== undefined) this.element.dataset.robot = [position.x, position.y, position.z, rotation.z].join(' ');
   }
 
   reset(): void {

@@ -28,6 +28,7 @@ export function percent(ratio: number | null | undefined, decimals: number): str
 /** 7 µs, 1.2 ms, 3.4 s. */
 export function duration(value_us: number | null | undefined): string {
   if (!isKnown(value_us)) return kUnknown;
+  if (value_us > 0 && value_us < 0.95) return `${value_us.toFixed(1)} µs`;
   if (value_us < 1000) return `${value_us.toFixed(0)} µs`;
   if (value_us < 10_000) return `${(value_us / 1000).toFixed(1)} ms`;
   if (value_us < 1_000_000) return `${(value_us / 1000).toFixed(0)} ms`;

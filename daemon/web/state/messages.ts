@@ -220,9 +220,9 @@ export interface Parameter {
   default: number | boolean | string;
   type: 'number' | 'integer' | 'boolean' | 'text' | 'choice';
   unit: string;
-  min?: number;
-  max?: number;
-  choices?: string[];
+  min: number | null;
+  max: number | null;
+  choices: string[];
   meaning: string;
   live: boolean;
   when: 'always' | 'not running';
