@@ -20,21 +20,39 @@ namespace {
 
 using Word = std::pair<std::string_view, FileKind>;
 
-constexpr std::array<Word, 28> kWords = {{
-    {"robot", FileKind::kConfiguration},  {"course", FileKind::kConfiguration},
-    {"setup", FileKind::kConfiguration},  {"link", FileKind::kConfiguration},
-    {"loop", FileKind::kConfiguration},   {"estimation", FileKind::kConfiguration},
-    {"camera", FileKind::kConfiguration}, {"control", FileKind::kConfiguration},
-    {"speed_mps", FileKind::kCourse},     {"start", FileKind::kCourse},
-    {"segment", FileKind::kCourse},       {"shove", FileKind::kCourse},
-    {"ramp", FileKind::kCourse},          {"block", FileKind::kCourse},
-    {"surface", FileKind::kCourse},       {"fence", FileKind::kCourse},
-    {"shape", FileKind::kRobot},          {"drive", FileKind::kRobot},
-    {"emulated", FileKind::kRobot},       {"rate_hz", FileKind::kCamera},
-    {"delay_ms", FileKind::kCamera},      {"noise_m", FileKind::kCamera},
-    {"noise_deg", FileKind::kCamera},     {"bias_m", FileKind::kCamera},
-    {"dropped", FileKind::kCamera},       {"outliers", FileKind::kCamera},
-    {"height_m", FileKind::kCamera},      {"marker_size_m", FileKind::kCamera},
+constexpr std::array<Word, 32> kWords = {{
+    {"robot", FileKind::kConfiguration},
+    {"course", FileKind::kConfiguration},
+    {"setup", FileKind::kConfiguration},
+    {"link", FileKind::kConfiguration},
+    {"loop", FileKind::kConfiguration},
+    {"estimation", FileKind::kConfiguration},
+    {"camera", FileKind::kConfiguration},
+    {"control", FileKind::kConfiguration},
+    {"speed_mps", FileKind::kCourse},
+    {"start", FileKind::kCourse},
+    {"segment", FileKind::kCourse},
+    {"shove", FileKind::kCourse},
+    {"ramp", FileKind::kCourse},
+    {"block", FileKind::kCourse},
+    {"surface", FileKind::kCourse},
+    {"fence", FileKind::kCourse},
+    {"shape", FileKind::kRobot},
+    {"drive", FileKind::kRobot},
+    {"emulated", FileKind::kRobot},
+    {"rate_hz", FileKind::kCamera},
+    {"delay_ms", FileKind::kCamera},
+    {"noise_m", FileKind::kCamera},
+    {"noise_deg", FileKind::kCamera},
+    {"bias_m", FileKind::kCamera},
+    {"dropped", FileKind::kCamera},
+    {"outliers", FileKind::kCamera},
+    {"height_m", FileKind::kCamera},
+    {"marker_size_m", FileKind::kCamera},
+    {"lens", FileKind::kView},
+    {"marker", FileKind::kView},
+    {"floor_marker", FileKind::kView},
+    {"floor_point", FileKind::kView},
 }};
 
 std::string text_of(const course::Course& course) {
@@ -77,7 +95,7 @@ FileKind file_kind(const std::string& text, const std::string& file) {
   std::vector<std::string_view> words;
   for (const Word& word : kWords) words.push_back(word.first);
   // Each key, mistyped or not, votes for the kind of file that has it.
-  std::array<int, 4> votes{};
+  std::array<int, 5> votes{};
   for (const std::string& key : root.keys()) {
     const std::string_view word = course::nearest_name(key, words);
     for (const auto& [name, kind] : kWords)
@@ -90,7 +108,8 @@ FileKind file_kind(const std::string& text, const std::string& file) {
     ++votes[static_cast<std::size_t>(configures ? FileKind::kConfiguration : FileKind::kRobot)];
   }
   FileKind best = FileKind::kConfiguration;
-  for (const FileKind kind : {FileKind::kCourse, FileKind::kRobot, FileKind::kCamera})
+  for (const FileKind kind :
+       {FileKind::kCourse, FileKind::kRobot, FileKind::kCamera, FileKind::kView})
     if (votes[static_cast<std::size_t>(kind)] > votes[static_cast<std::size_t>(best)]) best = kind;
   return best;
 }
@@ -104,6 +123,11 @@ std::string check_file(const std::string& path) {
       return text_of(course::parse_robot(file.text, file.path));
     case FileKind::kCamera:
       return text_of(course::parse_camera(file.text, file.path), path);
+    case FileKind::kView:
+      throw SetupError(path +
+                       ": a view file of tp100-camera, which checks it itself; run tp100-camera "
+                       "SOURCE --view " +
+                       path);
     case FileKind::kConfiguration:
       break;
   }

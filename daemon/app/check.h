@@ -7,13 +7,14 @@
 namespace tp100::app {
 
 /// Kinds of files that a user writes.
-enum class FileKind { kConfiguration, kCourse, kRobot, kCamera };
+enum class FileKind { kConfiguration, kCourse, kRobot, kCamera, kView };
 
 /// What a file means to be, by its keys. Throws SetupError if the text is not TOML. Pure.
 FileKind file_kind(const std::string& text, const std::string& file);
 
-/// One line that says what is in a right file. Throws SetupError for any other. The robot and the
-/// course that a configuration names are checked too.
+/// One line that says what is in a right file. Throws SetupError for any other, and for a view
+/// file, which only tp100-camera knows. The robot and the course that a configuration names are
+/// checked too.
 std::string check_file(const std::string& path);
 
 /// The command: one line per file, errors on stderr. Exit status 0 if all are right, else 2.

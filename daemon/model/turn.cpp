@@ -7,7 +7,7 @@ namespace tp100::model {
 namespace {
 
 // Difference of the belts' speeds in parts of the faster one: friction begins to saturate, and has.
-constexpr double kWideTurn = 0.45, kTightTurn = 0.70;
+constexpr double kWideTurn = 0.45, kTightTurn = 0.65;
 constexpr double kLagS = 0.1;
 
 }  // namespace

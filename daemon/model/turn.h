@@ -10,7 +10,7 @@ namespace tp100::model {
 struct TurnShape {
   double wide = 0.0;   ///< -1..1, left positive: grows with the turn until the slower belt makes
                        ///< 0.55 of the faster one's speed, then stays
-  double tight = 0.0;  ///< 0..1: 0 up to there, 1 from 0.3 of the faster one's speed on to spins
+  double tight = 0.0;  ///< 0..1: 0 up to there, 1 from 0.35 of the faster one's speed on to spins
 };
 
 /// For belts whose ground sides move at these speeds (slip taken out). Pure.

@@ -31,7 +31,7 @@ TEST(Check, EveryBundledFileIsRight) {
   const std::filesystem::path config = std::filesystem::path(TP100_SOURCE_DIR) / "config";
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(config)) {
-    if (entry.path().extension() != ".toml") continue;
+    if (entry.path().extension() != ".toml" || entry.path().filename() == "view.toml") continue;
     ++files;
     const std::string folder = entry.path().parent_path().filename().string();
     const std::string kind = folder == "courses"   ? "course " + entry.path().stem().string()
@@ -41,6 +41,15 @@ TEST(Check, EveryBundledFileIsRight) {
     EXPECT_THAT(check_file(entry.path().string()), StartsWith(kind));
   }
   EXPECT_GE(files, 7);
+}
+
+TEST(Check, AViewFileIsSentToTheProgramThatReadsIt) {
+  try {
+    check_file(TP100_SOURCE_DIR "/config/view.toml");
+    FAIL() << "taken";
+  } catch (const SetupError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("tp100-camera SOURCE --view"));
+  }
 }
 
 TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {

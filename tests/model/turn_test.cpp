@@ -16,7 +16,7 @@ TEST(Turn, GrowsFromStraightOverWideToTight) {
   EXPECT_NEAR(turn_shape(0.0775, 0.1).wide, 0.5, 1e-12);
   EXPECT_EQ(turn_shape(0.0775, 0.1).tight, 0.0);
   EXPECT_NEAR(turn_shape(0.055, 0.1).wide, 1.0, 1e-12);
-  EXPECT_NEAR(turn_shape(0.0425, 0.1).tight, 0.5, 1e-12);
+  EXPECT_NEAR(turn_shape(0.045, 0.1).tight, 0.5, 1e-12);
   for (const double slower : {0.029, 0.0, -0.05, -0.1}) {
     EXPECT_EQ(turn_shape(slower, 0.1).wide, 1.0);
     EXPECT_EQ(turn_shape(slower, 0.1).tight, 1.0);
