@@ -7,6 +7,12 @@ constexpr double kSecondsPerUs = 1e-6;
 
 }  // namespace
 
+analysis::Drive recorded_drive(const analysis::Recording& recording) {
+  DriveSink sink;
+  recording.visit({.step = [&](const StepRecord& record) { sink.take(record); }});
+  return sink.drive();
+}
+
 void DriveSink::take(const StepRecord& record) {
   if (record.robot_rebooted) {
     drive_ = {};
