@@ -3,8 +3,10 @@
 // reads it and writes it with meaning, unit, default and range.
 
 #include <string>
+#include <vector>
 
 #include "bridge/parameters.h"
+#include "course/key.h"
 #include "course/robot.h"
 
 namespace tp100::app {
@@ -41,6 +43,18 @@ struct CameraSettings {
   double max_age_ms = 400.0;  ///< older detections are of no use any more
 };
 
+/// Whose commands the server takes; STOP is taken from everybody.
+enum class CommandsFrom { kLocal, kAll, kNone };
+
+/// The page and the viewers.
+struct ServerSettings {
+  std::string listen = "auto";  ///< HOST:PORT, "auto" or "off"
+  CommandsFrom commands = CommandsFrom::kLocal;
+  std::string origins;  ///< permitted besides the page's own, separated by spaces
+  std::string hosts;    ///< names in Host besides addresses and localhost
+  int max_clients = 64;
+};
+
 /// Everything that a file can set. Privileges that the system refuses are reported, not fatal.
 struct Configuration {
   std::string robot = "end-loaded";  ///< bundled name or file
@@ -48,6 +62,7 @@ struct Configuration {
   LinkSettings link{};
   LoopSettings loop{};
   CameraSettings camera{};
+  ServerSettings server{};
   bridge::Parameters parameters{};  ///< model and drive are the robot's: see bridge_parameters
 };
 
@@ -57,6 +72,9 @@ Configuration parse_configuration(const std::string& text, const std::string& fi
 
 /// A commented file that parse_configuration reads back.
 std::string write_configuration(const Configuration& configuration);
+
+/// Every key with its value, in the order of the file.
+std::vector<course::KeyText> configuration_keys(const Configuration& configuration);
 
 /// Settings of the step for this robot: the configuration's, with the robot's model and drive
 /// values.

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <span>
 
 #include "app/cycle.h"
@@ -20,6 +21,7 @@ namespace tp100::app {
 struct LiveEvent {
   enum class Kind : std::uint8_t { kSession, kRunState };
   Kind kind = Kind::kSession;
+  HostNs at_ns = 0;
   link::SessionEvent session{};
   wire::Hello hello{};              ///< kSession: as far as it is known
   RunState from = RunState::kIdle;  ///< kRunState
@@ -46,9 +48,10 @@ class LiveCycle : public loop::Driven {
   LiveCycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
             std::shared_ptr<const course::Course> course, bool leave_silent_port);
 
-  // Other thread.
-  /// False: too many requests wait.
-  bool request(OperatorRequest request) { return requests_.push(request); }
+  // Other threads.
+  /// Any thread but the real-time one. False: too many requests wait; a STOP never does.
+  bool request(OperatorRequest request);
+  // One other thread.
   /// What the overhead camera saw. False: too many wait.
   bool camera(const CameraSample& seen) { return camera_.push(seen); }
   bool take_event(LiveEvent& event) { return events_.pop(event); }
@@ -84,7 +87,9 @@ class LiveCycle : public loop::Driven {
   void publish(HostNs now);
 
   Cycle cycle_;
+  std::mutex asking_;  // among those who ask; the real-time thread never takes it
   loop::SpscQueue<OperatorRequest, 16> requests_;
+  std::atomic<bool> stop_asked_{false};
   loop::SpscQueue<CameraSample, Cycle::kMaxCamera> camera_;
   loop::SpscQueue<LiveEvent, 256> events_;
   loop::SpscQueue<LiveStatus, 4> statuses_;

@@ -6,7 +6,9 @@
 
 #include "app/bundled_files.h"
 #include "app/configuration.h"
+#include "app/live_controls.h"
 #include "app/live_cycle.h"
+#include "app/live_server.h"
 #include "app/supervisor.h"
 #include "core/error.h"
 #include "course/course.h"
@@ -34,6 +36,7 @@ Configuration configuration_of(const RunOptions& options) {
   if (!options.course.empty()) configuration.course = options.course;
   if (!options.robot.empty()) configuration.robot = options.robot;
   if (!options.camera.empty()) configuration.camera.listen = options.camera;
+  if (!options.listen.empty()) configuration.server.listen = options.listen;
   if (!options.setup.empty()) configuration.parameters.setup = setup_of(options.setup);
   return configuration;
 }
@@ -97,6 +100,16 @@ int run_run(const RunOptions& options) {
   settings.robot = robot.name;
   settings.setup = bridge::to_string(parameters.setup);
   settings.process_grants = process.grants();
+  LiveControls controls(cycle, loop);
+  const std::unique_ptr<publish::Server> server = make_server({.configuration = configuration,
+                                                               .parameters = parameters,
+                                                               .course = course,
+                                                               .robot = robot,
+                                                               .clock = read_clocks()},
+                                                              controls);
+  settings.server = server.get();
+  settings.controls = &controls;
+  settings.stay = options.stay;
   Supervisor supervisor(settings, cycle, loop);
   return supervisor.run();
 }

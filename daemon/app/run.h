@@ -12,10 +12,12 @@ struct RunOptions {
   std::string course;
   std::string robot;
   std::string setup;
+  std::string listen;  ///< "ADDRESS:PORT", "auto" or "off"; empty: as configured
   std::string camera;  ///< "udp:[HOST:]PORT"; empty: as configured
   std::string stats;   ///< JSON file; empty: none
   bool wait = false;   ///< wait for a port and a robot instead of failing
   bool go = false;     ///< start by itself on a physical port too
+  bool stay = false;   ///< a run that is over does not end the program: wait for the next start
   std::optional<double> duration_s;
 };
 

@@ -9,8 +9,10 @@
 
 #include "app/configuration.h"
 #include "app/connector.h"
+#include "app/live_controls.h"
 #include "app/live_cycle.h"
 #include "loop/fixed_rate_loop.h"
+#include "publish/server.h"
 #include "publish/sink.h"
 
 namespace tp100::app {
@@ -25,6 +27,9 @@ struct SupervisorSettings {
   std::string robot;
   std::string setup;
   std::vector<loop::Grant> process_grants;
+  bool stay = false;                  ///< a run that is over does not end the program
+  publish::Server* server = nullptr;  ///< null: none; started and fed here
+  LiveControls* controls = nullptr;   ///< of the server
 };
 
 class Supervisor {

@@ -5,6 +5,7 @@
 
 #include "course/key.h"
 #include "course/robot.h"
+#include "course/robot_keys.h"
 
 namespace tp100::course {
 namespace {
@@ -256,6 +257,14 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   if (std::abs(robot.shape.com_forward_m) >= robot.shape.axle_spacing_m / 2.0)
     shape.fail("com_forward_m", "'shape.com_forward_m' must lie between the axles");
   return robot;
+}
+
+std::vector<KeyText> robot_keys(const Robot& robot) {
+  std::vector<KeyText> out;
+  describe_keys("robot.model.", model_keys(), robot.model, out);
+  describe_keys("robot.shape.", shape_keys(), robot.shape, out);
+  describe_keys("robot.drive.", drive_keys(), robot.drive, out);
+  return out;
 }
 
 std::string write_robot(const Robot& robot, const std::string& note) {
