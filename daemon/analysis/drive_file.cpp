@@ -102,6 +102,7 @@ Drive parse_drive(std::string_view text, const std::string& file) {
 
   Drive drive;
   drive.name = std::filesystem::path(file).stem().string();
+  if (drive.name.ends_with("-samples")) drive.name.resize(drive.name.size() - 8);
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const Row row(table, i);
     const double t_s = row.number("t_s", kMostSeconds);

@@ -12,7 +12,8 @@ namespace tp100::analysis {
 
 /// Reads `t_s,left_count,right_count,gyro_z_radps[,camera_x_m,camera_y_m,camera_yaw_rad]`. A row
 /// holds a sample, a camera pose (at the time its picture was taken) or both; the cells of what it
-/// does not hold are empty. The drive is called by the file's name. Throws SetupError (file:line).
+/// does not hold are empty. The drive is called by the file's name,
+/// less "-samples". Throws SetupError (file:line).
 /// Pure.
 Drive parse_drive(std::string_view text, const std::string& file);
 
