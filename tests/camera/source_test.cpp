@@ -7,9 +7,11 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <sstream>
 
 #include "../run/process.h"
 #include "camera/folder_source.h"
+#include "camera/picture_gaps.h"
 #include "core/error.h"
 
 namespace tp100::test {
@@ -120,6 +122,56 @@ TEST_F(Sources, AVideoHasItsOwnTimes) {
     EXPECT_NEAR(picture.grey.at<unsigned char>(20, 20), 20 + 2 * i, 3) << i;
   }
   EXPECT_FALSE(source->next(picture));
+}
+
+// As phones record, and as a camera that drops two pictures. The writer knows fixed rates only: the
+// table of durations is changed in its file, from n to 5 of n, one of 3 n, and the rest.
+TEST_F(Sources, PicturesOfAVideoThatWereDroppedLeaveAGapInItsTimes) {
+  const std::string path = folder_.file("gap.mp4");
+  {
+    cv::VideoWriter writer(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 20.0,
+                           {64, 48});
+    ASSERT_TRUE(writer.isOpened());
+    for (int i = 0; i < 12; ++i)
+      writer.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(20 + 9 * i)));
+  }
+  std::ostringstream read;
+  read << std::ifstream(path, std::ios::binary).rdbuf();
+  std::string text = read.str();
+  const auto number = [&text](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = value << 8 | static_cast<unsigned char>(text.at(at + i));
+    return value;
+  };
+  const auto bytes = [](std::uint32_t value) {
+    std::string out;
+    for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(value >> shift & 0xff);
+    return out;
+  };
+  const std::size_t durations = text.find("stts") - 4;
+  ASSERT_EQ(number(durations + 12), 1U) << "one row: all last equally long";
+  const std::uint32_t size = number(durations), one = number(durations + 20);
+  const std::string changed = bytes(40) + "stts" + bytes(0) + bytes(3) + bytes(5) + bytes(one) +
+                              bytes(1) + bytes(3 * one) + bytes(6) + bytes(one);
+  ASSERT_LT(text.find("mdat"), durations) << "else the pictures would move";
+  text.replace(durations, size, changed);
+  for (const char* outer : {"moov", "trak", "mdia", "minf", "stbl"}) {
+    const std::size_t at = text.find(outer) - 4;
+    text.replace(at, 4, bytes(number(at) + 40 - size));
+  }
+  std::ofstream(path, std::ios::binary) << text;
+
+  const auto source = camera::open_source(path, {});
+  camera::PictureGaps gaps;
+  camera::Picture picture;
+  // The last ones lie beyond the duration that the file still names.
+  for (int i = 0; i < 9; ++i) {
+    ASSERT_TRUE(source->next(picture)) << i;
+    EXPECT_NEAR(to_s(picture.taken_ns), (i < 6 ? i : i + 2) * 0.05, 1e-3) << i;
+    EXPECT_EQ(gaps.number(picture.taken_ns), static_cast<std::uint32_t>(i < 6 ? i + 1 : i + 3));
+  }
+  EXPECT_EQ(gaps.missing(), 2U);
 }
 
 TEST_F(Sources, ATruncatedVideoIsAnErrorThatSaysHowMuchIsThere) {
