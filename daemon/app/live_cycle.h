@@ -85,7 +85,7 @@ class LiveCycle : public loop::Driven {
 
   Cycle cycle_;
   loop::SpscQueue<OperatorRequest, 16> requests_;
-  loop::SpscQueue<CameraSample, Cycle::kMaxCamera> camera_;
+  loop::SpscQueue<CameraSample, 32> camera_;  ///< a second of pictures
   loop::SpscQueue<LiveEvent, 256> events_;
   loop::SpscQueue<LiveStatus, 4> statuses_;
   loop::SlotRing<StepRecord> records_{kWaitingRecords};
