@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kBlock = std::size_t{1} << 16;
+
 [[noreturn]] void fail(const std::string& path, int error) {
   throw SetupError(path + ": cannot be written (" + std::strerror(error) +
                    "); check folder, permission and free space");
@@ -51,6 +53,13 @@ class Output {
     return result == 0 ? 0 : errno;
   }
 
+  /// The permissions of a file that was made in the ordinary way.
+  int open_to_all() {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return ::fchmod(descriptor_, 0666 & ~mask) == 0 ? 0 : errno;
+  }
+
   int rename_to(const std::string& path) {
     if (::rename(temporary_.c_str(), path.c_str()) != 0) return errno;
     temporary_.clear();
@@ -62,35 +71,74 @@ class Output {
   std::string temporary_;
 };
 
-void write_directly(const std::string& path, std::string_view content) {
-  Output output(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY), {});
-  int error = errno;
-  if (fs::is_directory(path)) fail(path, EISDIR);
-  if ((error = output.write(content)) != 0 || (error = output.close()) != 0) fail(path, error);
+/// Where the content really goes.
+struct Target {
+  std::string path;     // of what is replaced, links followed
+  bool direct = false;  // no ordinary file
+};
+
+Target target_of(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) fail(path, EISDIR);
+  if (!fs::exists(status)) return {path, false};
+  if (!fs::is_regular_file(status)) return {path, true};
+  // A link keeps its place; the file that it points to is replaced.
+  return {fs::canonical(path, error).string(), false};
+}
+
+Output open_output(const std::string& path, const Target& target) {
+  if (target.direct) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (descriptor < 0) fail(path, errno);
+    return {descriptor, {}};
+  }
+  std::string temporary = target.path + ".XXXXXX";
+  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (descriptor < 0) fail(path, errno);
+  return {descriptor, temporary};
 }
 
 }  // namespace
 
-void write_file(const std::string& path, std::string_view content) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    write_directly(path, content);
-    return;
+struct FileReplacement::State {
+  explicit State(const std::string& p)
+      : path(p), target(target_of(p)), output(open_output(p, target)) {}
+  std::string path;
+  Target target;
+  Output output;
+  std::string waiting;
+
+  int flush() {
+    const int error = output.write(waiting);
+    waiting.clear();
+    return error;
   }
-  // A link keeps its place; the file that it points to is replaced.
-  const std::string target = fs::exists(status) ? fs::canonical(path, error).string() : path;
-  std::string temporary = target + ".XXXXXX";
-  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
-  if (descriptor < 0) fail(path, errno);
-  Output output(descriptor, temporary);
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  int problem = output.write(content);
-  if (problem == 0 && ::fchmod(descriptor, 0666 & ~mask) != 0) problem = errno;
-  if (problem == 0) problem = output.close();
-  if (problem == 0) problem = output.rename_to(target);
-  if (problem != 0) fail(path, problem);
+};
+
+FileReplacement::FileReplacement(const std::string& path) : state_(std::make_unique<State>(path)) {}
+
+FileReplacement::~FileReplacement() = default;
+
+void FileReplacement::write(std::string_view content) {
+  state_->waiting += content;
+  if (state_->waiting.size() < kBlock) return;
+  if (const int error = state_->flush(); error != 0) fail(state_->path, error);
+}
+
+void FileReplacement::commit() {
+  State& s = *state_;
+  int error = s.flush();
+  if (error == 0 && !s.target.direct) error = s.output.open_to_all();
+  if (error == 0) error = s.output.close();
+  if (error == 0 && !s.target.direct) error = s.output.rename_to(s.target.path);
+  if (error != 0) fail(s.path, error);
+}
+
+void write_file(const std::string& path, std::string_view content) {
+  FileReplacement file(path);
+  file.write(content);
+  file.commit();
 }
 
 }  // namespace tp100::analysis

@@ -1,6 +1,7 @@
 #pragma once
 // A result file that is there completely or not at all.
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,21 @@ namespace tp100::analysis {
 /// failure (no such folder, no permission, disk full) the old file stays and nothing else is left
 /// behind. What is no ordinary file (a pipe, /dev/stdout) is written directly. Throws SetupError.
 void write_file(const std::string& path, std::string_view content);
+
+/// The same for content that comes in pieces. Without commit() nothing happens.
+class FileReplacement {
+ public:
+  /// Throws SetupError.
+  explicit FileReplacement(const std::string& path);
+  ~FileReplacement();
+  /// Appends. Throws SetupError.
+  void write(std::string_view content);
+  /// Puts the file in its place. Throws SetupError.
+  void commit();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace tp100::analysis

@@ -1,6 +1,8 @@
 #pragma once
 // Whoever takes what the steps produced: recorder, server, worlds.
 
+#include <vector>
+
 #include "core/pose.h"
 #include "core/step_record.h"
 
@@ -16,11 +18,28 @@ class Sink {
   /// One step. `record` is only valid during the call. A gap in record.step is a record that found
   /// no room.
   virtual void take(const StepRecord& record) = 0;
-  /// Where the robot truly was at host time `at`; only where somebody outside knows.
+  /// Where the robot truly was at host time `at`; only where somebody outside knows, and after the
+  /// step that took the sample of that time.
   virtual void take_truth(HostNs at, const Pose& truth) {
     (void)at;
     (void)truth;
   }
+};
+
+/// Several sinks as one; they must outlive it.
+class SinkList : public Sink {
+ public:
+  void add(Sink& sink) { sinks_.push_back(&sink); }
+  bool empty() const { return sinks_.empty(); }
+  void take(const StepRecord& record) override {
+    for (Sink* sink : sinks_) sink->take(record);
+  }
+  void take_truth(HostNs at, const Pose& truth) override {
+    for (Sink* sink : sinks_) sink->take_truth(at, truth);
+  }
+
+ private:
+  std::vector<Sink*> sinks_;
 };
 
 }  // namespace tp100::publish

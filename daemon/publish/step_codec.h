@@ -1,0 +1,45 @@
+#pragma once
+// A StepRecord as bytes, exactly: the channel /step of a recording. Little-endian, packed, in the
+// order of step_fields.h: integers of their size, doubles as IEEE 754, truth values and
+// enumerations as one byte, a list as u32 count and its entries. Pure.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/step_record.h"
+
+namespace tp100::publish {
+
+/// What a robot measures is far below these; above them sums would lose their meaning.
+inline constexpr double kMostInput = 1e9;
+inline constexpr std::int64_t kLongestTime = std::int64_t{1} << 60;
+
+/// Appends `record` to `out`.
+void encode_step(const StepRecord& record, std::vector<std::uint8_t>& out);
+
+/// Reads all of `bytes` into `record`; entries beyond the counts stay as they are. Returns nothing
+/// if all is well, else what is wrong: too few or too many bytes, a count, an enumeration or a
+/// truth value out of range, a time beyond kLongestTime, inputs that no robot can have measured
+/// (not finite, beyond kMostInput). Numbers among the results may be anything.
+std::optional<std::string> decode_step(std::span<const std::uint8_t> bytes, StepRecord& record);
+
+/// The layout as JSON: {"encoding": ..., "fields": [[name, type], ...]}. Two programs understand
+/// each other's records if these texts are equal.
+const std::string& step_schema();
+
+/// One result that is not as it was recorded.
+struct StepDifference {
+  std::string field;     ///< dotted name
+  std::string recorded;  ///< as text; doubles with all digits
+  std::string computed;
+};
+
+/// The first difference, bit by bit, between the results (command_valid, request, snapshot) of two
+/// records.
+std::optional<StepDifference> first_difference(const StepRecord& recorded,
+                                               const StepRecord& computed);
+
+}  // namespace tp100::publish

@@ -1,0 +1,190 @@
+#include "publish/recorder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "analysis/recording.h"
+#include "core/error.h"
+#include "fixtures.h"
+#include "publish/step_codec.h"
+#include "random_record.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::publish {
+namespace {
+
+using analysis::Recording;
+using testing::HasSubstr;
+
+class RecorderTest : public testing::Test {
+ protected:
+  RecorderSettings settings(const std::string& name = "run.mcap") const {
+    return {.recording = {.path = folder_.file(name), .clock = {0, 0}}, .patient = true};
+  }
+  static RunFacts facts() {
+    RunFacts facts;
+    facts.subject = example_subject();
+    facts.subject.version = "9.8.7";
+    facts.facts = {{"course", "example"}, {"seed", "7"}};
+    facts.files = {
+        {.name = "robot.toml", .media_type = "application/toml", .log_ns = 0, .data = "x = 1\n"}};
+    return facts;
+  }
+  static void feed(Recorder& recorder, std::uint64_t from, std::uint64_t to) {
+    for (std::uint64_t i = from; i <= to; ++i) recorder.take(*random_record(i));
+  }
+  static std::uint64_t steps_in(const Recording& recording) {
+    std::uint64_t steps = 0;
+    recording.visit({.step = [&](const StepRecord&) { ++steps; }});
+    return steps;
+  }
+  test::OwnFolder folder_;
+};
+
+TEST_F(RecorderTest, WhatWasTakenIsInTheFileBitForBit) {
+  {
+    Recorder recorder(settings(), facts());
+    for (std::uint64_t i = 1; i <= 500; ++i) {
+      recorder.take_truth(static_cast<HostNs>(i) * 5 * kNsPerMs,
+                          {.x_m = 0.1 * static_cast<double>(i)});
+      recorder.take(*random_record(i));
+    }
+  }
+  const Recording recording(folder_.path().string());
+  EXPECT_TRUE(recording.whole());
+  EXPECT_EQ(recording.fact("version"), "9.8.7");
+  EXPECT_EQ(recording.fact("seed"), "7");
+  EXPECT_EQ(recording.file("robot.toml"), "x = 1\n");
+  std::uint64_t step = 0, truth = 0;
+  recording.visit({.step =
+                       [&](const StepRecord& record) {
+                         std::vector<std::uint8_t> is, was;
+                         encode_step(record, is);
+                         encode_step(*random_record(++step), was);
+                         ASSERT_EQ(is, was) << step;
+                       },
+                   .truth =
+                       [&](HostNs at, const Pose& pose) {
+                         ++truth;
+                         ASSERT_EQ(at, static_cast<HostNs>(truth) * 5 * kNsPerMs);
+                         ASSERT_EQ(pose.x_m, 0.1 * static_cast<double>(truth));
+                       }});
+  EXPECT_EQ(step, 500u);
+  EXPECT_EQ(truth, 500u);
+}
+
+TEST_F(RecorderTest, ViewersFindTheirTopics) {
+  {
+    Recorder recorder(settings(), facts());
+    feed(recorder, 1, 100);
+    recorder.message(Channel::kEvent, 7, R"({"text":"hello"})");
+  }
+  std::map<std::string, int> counts;
+  std::string event;
+  Recording(folder_.file("run.mcap"))
+      .visit({.message = [&](const std::string& topic, std::uint64_t, std::string_view json) {
+        ++counts[topic];
+        if (topic == "/event") event = json;
+      }});
+  EXPECT_EQ(counts["/estimate"], 100);
+  EXPECT_EQ(counts["/course"], 1);
+  EXPECT_EQ(counts["/scene"], 1);
+  EXPECT_EQ(counts["/pose/model"], 25) << "fifty a second";
+  EXPECT_EQ(counts["/tf"], 25);
+  EXPECT_EQ(event, R"({"text":"hello"})");
+}
+
+TEST_F(RecorderTest, ARecordingThatIsNeverFinishedHasAllButItsLastHalfSecond) {
+  Recorder recorder(settings(), facts());
+  feed(recorder, 1, 1000);
+  // All of it has been taken out of the queue once the bytes stop growing.
+  const auto steps = [&] { return steps_in(Recording(folder_.file("run.mcap"))); };
+  for (int i = 0; i < 500 && steps() < 900; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_GE(steps(), 900u);
+  EXPECT_FALSE(Recording(folder_.file("run.mcap")).whole());
+}
+
+TEST_F(RecorderTest, AtItsSizeLimitItEndsWholeAndSaysSo) {
+  RecorderSettings small = settings();
+  small.recording.max_bytes = 1'000'000;
+  Recorder recorder(small, facts());
+  feed(recorder, 1, 4000);
+  recorder.finish();
+  const RecordingStatus status = recorder.status();
+  EXPECT_FALSE(status.active);
+  EXPECT_THAT(status.warning, HasSubstr("record.max_mb, 1 MB, is reached; the file is whole"));
+  EXPECT_LE(status.bytes, 1'000'000u);
+  EXPECT_GT(status.bytes, 500'000u);
+  const Recording recording(folder_.file("run.mcap"));
+  EXPECT_TRUE(recording.whole());
+  EXPECT_GT(steps_in(recording), 150u);
+}
+
+TEST_F(RecorderTest, WhereTheFileMayNotGrowAnyMoreItEndsWholeAndSaysSo) {
+  // The limit is the process's: a child runs into it alone.
+  const auto record_beyond_a_limit = [&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit = {1'000'000, 1'000'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    Recorder recorder(settings(), facts());
+    feed(recorder, 1, 4000);
+    recorder.finish();
+    const RecordingStatus status = recorder.status();
+    const bool said =
+        status.warning.find("the disk is full; the file is whole") != std::string::npos;
+    std::_Exit(said && !status.active && Recording(settings().recording.path).whole() ? 0 : 1);
+  };
+  EXPECT_EXIT(record_beyond_a_limit(), testing::ExitedWithCode(0), "");
+}
+
+TEST_F(RecorderTest, AFileThatCannotBeWrittenIsAnErrorOfOneLine) {
+  RecorderSettings bad = settings();
+  bad.recording.path = "/dev/full";
+  const auto told = [](const RecorderSettings& s) -> std::string {
+    try {
+      const Recorder recorder(s, facts());
+    } catch (const SetupError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_THAT(told(bad), HasSubstr("No space left on device"));
+  bad.recording.path = "/proc/none/run.mcap";
+  EXPECT_THAT(told(bad), HasSubstr("cannot create the folder"));
+}
+
+TEST_F(RecorderTest, WhoCannotWaitIsToldWhatWasDropped) {
+  RecorderSettings hasty = settings();
+  hasty.patient = false;
+  Recorder recorder(hasty, facts());
+  const auto record = random_record(1);
+  record->sample_count = StepRecord::kMaxSamples;
+  // Faster than any disk: more than the queue holds before the recorder is through.
+  for (std::uint64_t i = 1; i <= 20000 && recorder.status().dropped == 0; ++i) {
+    record->step = i;
+    record->now_ns = static_cast<HostNs>(i) * 5 * kNsPerMs;
+    recorder.take(*record);
+  }
+  recorder.finish();
+  const std::uint64_t dropped = recorder.status().dropped;
+  const Recording recording(folder_.file("run.mcap"));
+  EXPECT_TRUE(recording.whole());
+  EXPECT_GT(dropped, 0u);
+  EXPECT_GT(steps_in(recording), 0u);
+}
+
+TEST_F(RecorderTest, DiscardLeavesNothing) {
+  Recorder recorder(settings("sub/run.mcap"), facts());
+  feed(recorder, 1, 10);
+  recorder.discard();
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+}
+
+}  // namespace
+}  // namespace tp100::publish
