@@ -10,9 +10,11 @@
 
 #include "analysis/standard_streams.h"
 #include "app/check.h"
+#include "app/export.h"
 #include "app/hello.h"
 #include "app/identify.h"
 #include "app/ports.h"
+#include "app/recover.h"
 #include "app/replay.h"
 #include "app/run.h"
 #include "core/error.h"
@@ -55,6 +57,10 @@ void add_run(CLI::App& app, Action& action) {
                    "End with status 1 after this time [s] (default: no limit)")
       ->type_name("SECONDS");
   command
+      ->add_option("--record", options.record,
+                   "Folder for recordings; the run gets a folder of its own in it (default: none)")
+      ->type_name("FOLDER");
+  command
       ->add_option("--stats", options.stats,
                    "JSON file for the figures of the run, written once a second and at the end")
       ->type_name("FILE");
@@ -83,18 +89,24 @@ void add_check(CLI::App& app, Action& action) {
 
 void add_replay(CLI::App& app, Action& action) {
   static ReplayOptions options;
-  CLI::App* command = app.add_subcommand("replay", "Turn belt speeds into poses");
-  command->add_option("IN", options.in, "CSV t_s,left_mps,right_mps[,slope_rad][,gyro_z_radps]")
+  CLI::App* command = app.add_subcommand("replay", "Turn a recording, or belt speeds, into poses");
+  command
+      ->add_option("IN", options.in,
+                   "Recording or its folder: verified bit for bit; or CSV "
+                   "t_s,left_mps,right_mps[,slope_rad][,gyro_z_radps]")
       ->type_name("FILE")
       ->required();
   command->add_option("--out", options.out, "CSV file of poses to write [s, m, rad]")
       ->type_name("FILE")
       ->required();
-  command->add_option("--config", options.config, "Configuration (default: as config/tp100.toml)")
+  command
+      ->add_option("--config", options.config,
+                   "Configuration (default: as config/tp100.toml; of a recording, as recorded)")
       ->type_name("FILE");
   command
       ->add_option("--model", options.model,
-                   "paper, extended or odometry (default: model.mode, extended)")
+                   "paper, extended, odometry or, of a recording, fused (default: the pose that "
+                   "steered; of a CSV file model.mode)")
       ->type_name("MODEL");
   command->callback([&action] { action = [] { return run_replay(options); }; });
 }
@@ -105,8 +117,8 @@ void add_identify(CLI::App& app, Action& action) {
       app.add_subcommand("identify", "Find slip, wheelbase and gyro scale from recorded drives");
   command
       ->add_option("RUN", options.runs,
-                   "CSV t_s,left_count,right_count,gyro_z_radps"
-                   "[,camera_x_m,camera_y_m,camera_yaw_rad], one file a run")
+                   "Recordings, or CSV t_s,left_count,right_count,gyro_z_radps"
+                   "[,camera_x_m,camera_y_m,camera_yaw_rad]")
       ->type_name("FILE")
       ->required();
   command->add_option("--out", options.out, "Robot file to write")->type_name("FILE")->required();
@@ -125,6 +137,32 @@ void add_identify(CLI::App& app, Action& action) {
   command->add_option("--date", options.date, "Day of the runs for the file (default: today)")
       ->type_name("DATE");
   command->callback([&action] { action = [] { return run_identify(options); }; });
+}
+
+void add_recover(CLI::App& app, Action& action) {
+  static RecoverOptions options;
+  CLI::App* command =
+      app.add_subcommand("recover", "Make a recording whole that was cut off or damaged");
+  command->add_option("FILE", options.in, "Recording, or its folder")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--out", options.out, "File to write (default: beside it, ...-recovered.mcap)")
+      ->type_name("FILE");
+  command->callback([&action] { action = [] { return run_recover(options); }; });
+}
+
+void add_export(CLI::App& app, Action& action) {
+  static ExportOptions options;
+  CLI::App* command = app.add_subcommand("export", "Turn recordings into CSV and TUM files");
+  command->add_option("RUN", options.runs, "Recordings, or their folders")
+      ->type_name("RUN")
+      ->required();
+  command->add_flag("--csv", options.csv, "Only samples.csv and poses.csv");
+  command->add_flag("--tum", options.tum, "Only the trajectories, for evo: time x y z qx qy qz qw");
+  command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
+      ->type_name("FOLDER");
+  command->callback([&action] { action = [] { return run_export(options); }; });
 }
 
 /// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
@@ -154,6 +192,8 @@ int run_program(int argc, char** argv) {
   add_check(app, action);
   add_replay(app, action);
   add_identify(app, action);
+  add_recover(app, action);
+  add_export(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

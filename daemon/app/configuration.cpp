@@ -148,6 +148,22 @@ std::span<const Key<estimation::Parameters>> estimation_keys() {
   return kKeys;
 }
 
+std::span<const Key<RecordSettings>> record_keys() {
+  using T = RecordSettings;
+  static const std::array<Key<T>, 2> kKeys = {{
+      {"directory",
+       &T::directory,
+       {},
+       "Folder for recordings; each run gets a folder of its own in it. Empty: nothing is "
+       "recorded"},
+      {"max_mb",
+       &T::max_mb,
+       {1, 1000000},
+       "A recording that has grown to this size is ended, with a warning; the run goes on"},
+  }};
+  return kKeys;
+}
+
 std::span<const Key<CameraSettings>> camera_stream_keys() {
   using T = CameraSettings;
   static const std::array<Key<T>, 2> kKeys = {{
@@ -273,6 +289,7 @@ void for_each_section(Values& configuration, Visit visit) {
   visit("camera", camera_keys(), parameters.estimation.camera);
   visit("control", control_keys(), parameters.control);
   visit("control", bridge_keys(), parameters);
+  visit("record", record_keys(), configuration.record);
 }
 
 }  // namespace

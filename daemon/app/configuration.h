@@ -35,6 +35,12 @@ struct LoopSettings {
   bool hold_cpu_latency = true;  ///< /dev/cpu_dma_latency at 0
 };
 
+/// Where runs are recorded.
+struct RecordSettings {
+  std::string directory;  ///< each run gets a folder of its own in it; empty: nothing is recorded
+  int max_mb = 2000;
+};
+
 /// Where the overhead camera is heard. What is believed of it is in the parameters.
 struct CameraSettings {
   std::string listen;         ///< "udp:[HOST:]PORT"; empty: no camera
@@ -48,6 +54,7 @@ struct Configuration {
   LinkSettings link{};
   LoopSettings loop{};
   CameraSettings camera{};
+  RecordSettings record{};
   bridge::Parameters parameters{};  ///< model and drive are the robot's: see bridge_parameters
 };
 

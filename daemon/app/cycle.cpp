@@ -119,19 +119,22 @@ void Cycle::record(StepRecord& out) const {
   static_assert(StepRecord::kMaxSamples >= link::Session::kMaxSamples);
   static_assert(StepRecord::kMaxRequests >= kMaxRequests);
   static_assert(StepRecord::kMaxCamera >= kMaxCamera);
+  // An input that is not recorded cannot be replayed: a new one does not compile before it is here.
+  const auto& [samples, requests, camera, session, clock, session_number, rebooted, refused] =
+      inputs_;
   out.now_ns = now_ns_;
   out.step = steps_;
-  std::copy(inputs_.samples.begin(), inputs_.samples.end(), out.samples.begin());
-  out.sample_count = static_cast<std::uint32_t>(inputs_.samples.size());
-  std::copy(inputs_.requests.begin(), inputs_.requests.end(), out.requests.begin());
-  out.request_count = static_cast<std::uint32_t>(inputs_.requests.size());
-  std::copy(inputs_.camera.begin(), inputs_.camera.end(), out.camera.begin());
-  out.camera_count = static_cast<std::uint32_t>(inputs_.camera.size());
-  out.session = inputs_.session;
-  out.clock = inputs_.clock;
-  out.session_number = inputs_.session_number;
-  out.robot_rebooted = inputs_.robot_rebooted;
-  out.request_refused = inputs_.request_refused;
+  std::copy(samples.begin(), samples.end(), out.samples.begin());
+  out.sample_count = static_cast<std::uint32_t>(samples.size());
+  std::copy(requests.begin(), requests.end(), out.requests.begin());
+  out.request_count = static_cast<std::uint32_t>(requests.size());
+  std::copy(camera.begin(), camera.end(), out.camera.begin());
+  out.camera_count = static_cast<std::uint32_t>(camera.size());
+  out.session = session;
+  out.clock = clock;
+  out.session_number = session_number;
+  out.robot_rebooted = rebooted;
+  out.request_refused = refused;
   out.link = session_.counters();
   out.command_valid = outputs_->command_valid;
   out.request = outputs_->request;

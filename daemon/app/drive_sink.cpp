@@ -1,11 +1,28 @@
 #include "app/drive_sink.h"
 
+#include <string>
+
+#include "core/error.h"
+
 namespace tp100::app {
 namespace {
 
 constexpr double kSecondsPerUs = 1e-6;
+// Eleven hours at 200 Hz.
+constexpr std::size_t kMostSamples = 8'000'000;
 
 }  // namespace
+
+analysis::Drive recorded_drive(const analysis::Recording& recording) {
+  DriveSink sink;
+  recording.visit({.step = [&](const StepRecord& record) {
+    sink.take(record);
+    if (sink.drive().samples.size() + sink.drive().camera.size() > kMostSamples)
+      throw SetupError(recording.path() + ": more than " + std::to_string(kMostSamples) +
+                       " samples are too many for one drive; record shorter ones");
+  }});
+  return sink.drive();
+}
 
 void DriveSink::take(const StepRecord& record) {
   if (record.robot_rebooted) {

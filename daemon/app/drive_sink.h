@@ -4,9 +4,13 @@
 #include <vector>
 
 #include "analysis/drive.h"
+#include "analysis/recording.h"
 #include "publish/sink.h"
 
 namespace tp100::app {
+
+/// The drive in a recording. Throws SetupError.
+analysis::Drive recorded_drive(const analysis::Recording& recording);
 
 class DriveSink : public publish::Sink {
  public:

@@ -10,6 +10,7 @@
 #include "analysis/identify_report.h"
 #include "app/bundled_files.h"
 #include "app/configuration.h"
+#include "app/drive_sink.h"
 
 namespace tp100::app {
 namespace {
@@ -37,6 +38,11 @@ int run_identify(const IdentifyOptions& options) {
 
   std::vector<analysis::Drive> drives;
   for (const std::string& path : options.runs) {
+    if (analysis::is_recording(path)) {
+      drives.push_back(recorded_drive(analysis::Recording(path)));
+      drives.back().name = path;
+      continue;
+    }
     const TextFile file = read_text_file(path);
     drives.push_back(analysis::parse_drive(file.text, file.path));
   }

@@ -9,7 +9,7 @@
 namespace tp100::app {
 
 struct IdentifyOptions {
-  std::vector<std::string> runs;  ///< CSV files of drives
+  std::vector<std::string> runs;  ///< recordings, or CSV files, of drives
   std::string out;                ///< robot file to write
   std::string robot;     ///< what everything else is taken from; empty: the configuration's
   std::string measured;  ///< CSV file of hand measurements; empty: none

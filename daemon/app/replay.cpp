@@ -7,6 +7,7 @@
 #include "analysis/atomic_file.h"
 #include "analysis/csv_reader.h"
 #include "app/bundled_files.h"
+#include "app/replay_recording.h"
 #include "core/angle.h"
 #include "course/nearest.h"
 #include "course/toml_document.h"
@@ -16,10 +17,6 @@
 
 namespace tp100::app {
 namespace {
-
-constexpr const char* kHeader =
-    "t_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,vx_mps,vy_mps,yaw_rate_radps,slip_left,slip_"
-    "right\n";
 
 /// One row of the input, valid until the next.
 struct Row {
@@ -123,19 +120,19 @@ Row row_of(const analysis::CsvTable& table, std::size_t i) {
   return row;
 }
 
-std::string text_of(double t_s, const State& s) {
-  const std::array<double, 12> values = {t_s,
-                                         s.pose.x_m,
-                                         s.pose.y_m,
-                                         s.pose.z_m,
-                                         s.pose.roll_rad,
-                                         s.pose.pitch_rad,
-                                         s.pose.yaw_rad,
-                                         s.twist.vx_mps,
-                                         s.twist.vy_mps,
-                                         s.twist.yaw_rate_radps,
-                                         s.slip.left,
-                                         s.slip.right};
+}  // namespace
+
+const char* const kReplayHeader =
+    "t_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,vx_mps,vy_mps,yaw_rate_radps,slip_left,slip_"
+    "right\n";
+
+std::string replay_row(double t_s, const Pose& pose, const Twist& twist, const model::Slip& slip) {
+  const std::array<double, 12> values = {t_s,           pose.x_m,
+                                         pose.y_m,      pose.z_m,
+                                         pose.roll_rad, pose.pitch_rad,
+                                         pose.yaw_rad,  twist.vx_mps,
+                                         twist.vy_mps,  twist.yaw_rate_radps,
+                                         slip.left,     slip.right};
   std::string text;
   for (const double value : values) {
     std::array<char, 40> cell{};
@@ -145,40 +142,41 @@ std::string text_of(double t_s, const State& s) {
   return text + "\n";
 }
 
-}  // namespace
-
 ReplayModel replay_model(const std::string& name) {
   if (name == "paper") return ReplayModel::kPaper;
   if (name == "extended") return ReplayModel::kExtended;
   if (name == "odometry") return ReplayModel::kOdometry;
-  if (name == "fused")
-    throw SetupError(
-        "--model fused needs camera poses, which this version does not have; use odometry");
-  const std::string_view meant = course::nearest_name(name, {"paper", "extended", "odometry"});
+  if (name == "fused") return ReplayModel::kFused;
+  const std::string_view meant =
+      course::nearest_name(name, {"paper", "extended", "odometry", "fused"});
   throw SetupError(
       "--model '" + course::one_line(name) + "' is unknown" +
       (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?") +
-      "; use paper, extended or odometry");
+      "; use paper, extended, odometry or fused");
 }
 
 std::string replay_csv(const std::string& text, const std::string& file, ReplayModel model,
                        const bridge::Parameters& parameters) {
+  if (model == ReplayModel::kFused)
+    throw SetupError(file + ": --model fused needs a recording; use odometry");
   const analysis::CsvTable table = analysis::parse_csv(
       text, file, {{"t_s", "left_mps", "right_mps"}, {"slope_rad", "gyro_z_radps"}});
   if (model == ReplayModel::kOdometry && !table.has("gyro_z_radps"))
     throw SetupError(file +
                      ":1: column 'gyro_z_radps' is missing; --model odometry needs the gyro");
   Replay replay(model, parameters);
-  std::string out = kHeader;
+  std::string out = kReplayHeader;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const Row row = row_of(table, i);
     if (i > 0) replay.advance(row.t_s - table["t_s"][i - 1]);
-    out += text_of(row.t_s, replay.begin(row));
+    const State state = replay.begin(row);
+    out += replay_row(row.t_s, state.pose, state.twist, state.slip);
   }
   return out;
 }
 
 int run_replay(const ReplayOptions& options) {
+  if (analysis::is_recording(options.in)) return run_replay_recording(options);
   Configuration configuration;
   if (!options.config.empty()) {
     const TextFile file = read_text_file(options.config);

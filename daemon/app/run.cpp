@@ -2,11 +2,14 @@
 
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 
 #include "app/bundled_files.h"
 #include "app/configuration.h"
 #include "app/live_cycle.h"
+#include "app/live_recording.h"
+#include "app/run_setup.h"
 #include "app/supervisor.h"
 #include "core/error.h"
 #include "course/course.h"
@@ -24,18 +27,30 @@ bridge::Setup setup_of(const std::string& name) {
                    ": not a set-up; use bench, flat or terrain");
 }
 
-Configuration configuration_of(const RunOptions& options) {
-  Configuration configuration;
-  if (!options.config.empty()) {
-    const TextFile file = read_text_file(options.config);
-    configuration = parse_configuration(file.text, file.path);
+/// The files of the run and what the command line says otherwise.
+RunFiles files_of(const RunOptions& options) {
+  RunFiles files;
+  if (!options.config.empty()) files.configuration = read_text_file(options.config);
+  const Configuration configuration =
+      parse_configuration(files.configuration.text, files.configuration.path);
+  const std::string& course = options.course.empty() ? configuration.course : options.course;
+  if (!course.empty()) files.course = read_bundled(Bundled::kCourses, course);
+  files.robot =
+      read_bundled(Bundled::kRobots, options.robot.empty() ? configuration.robot : options.robot);
+  files.setup = options.setup.empty() ? configuration.parameters.setup : setup_of(options.setup);
+  return files;
+}
+
+RunSetup setup_run(const RunFiles& files, const RunOptions& options) {
+  RunSetup run = parse_run(files);
+  if (!options.port.empty()) run.configuration.link.port = options.port;
+  if (!options.camera.empty()) run.configuration.camera.listen = options.camera;
+  if (!options.record.empty()) run.configuration.record.directory = options.record;
+  if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
+  if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kBench) {
+    throw SetupError("--camera: on a bench it sees a robot that stands still; leave it out");
   }
-  if (!options.port.empty()) configuration.link.port = options.port;
-  if (!options.course.empty()) configuration.course = options.course;
-  if (!options.robot.empty()) configuration.robot = options.robot;
-  if (!options.camera.empty()) configuration.camera.listen = options.camera;
-  if (!options.setup.empty()) configuration.parameters.setup = setup_of(options.setup);
-  return configuration;
+  return run;
 }
 
 HostNs ns_of_ms(double ms) { return from_s(ms * 1e-3); }
@@ -49,10 +64,11 @@ loop::LoopSettings loop_settings(const LoopSettings& settings) {
   return out;
 }
 
-std::shared_ptr<const course::Course> load_course(const std::string& name) {
-  if (name.empty()) return nullptr;
-  const TextFile file = read_bundled(Bundled::kCourses, name);
-  return std::make_shared<const course::Course>(course::parse_course(file.text, file.path));
+publish::PublishClock read_clocks() {
+  std::timespec wall{};
+  std::timespec_get(&wall, TIME_UTC);
+  return {.start_ns = loop::monotonic_now(),
+          .start_unix_ns = std::int64_t{wall.tv_sec} * kNsPerS + wall.tv_nsec};
 }
 
 }  // namespace
@@ -61,22 +77,16 @@ int run_run(const RunOptions& options) {
   if (options.duration_s && !(*options.duration_s > 0.0 && *options.duration_s < 1e9)) {
     throw SetupError("--duration: give a number of seconds above 0");
   }
-  const Configuration configuration = configuration_of(options);
-  const TextFile robot_file = read_bundled(Bundled::kRobots, configuration.robot);
-  const course::Robot robot = course::parse_robot(robot_file.text, robot_file.path);
-  const bridge::Parameters parameters = bridge_parameters(configuration, robot);
-  const auto course = load_course(configuration.course);
-  if (course != nullptr) terrain::require_climbable(*course, robot);
-  if (!configuration.camera.listen.empty() && parameters.setup == bridge::Setup::kBench) {
-    throw SetupError("--camera: on a bench it sees a robot that stands still; leave it out");
-  }
+  const RunFiles files = files_of(options);
+  const RunSetup run = setup_run(files, options);
+  const Configuration& configuration = run.configuration;
 
-  link::SessionSettings session = session_settings(parameters);
+  link::SessionSettings session = session_settings(run.parameters);
   session.baud = static_cast<std::uint32_t>(configuration.link.baud);
   session.timeout_ns = ns_of_ms(configuration.link.timeout_ms);
   session.first_frame_timeout_ns = ns_of_ms(configuration.link.first_frame_timeout_ms);
   const bool leave_silent_port = !options.wait || configuration.link.port == "auto";
-  LiveCycle cycle(session, parameters, course, leave_silent_port);
+  LiveCycle cycle(session, run.parameters, run.course, leave_silent_port);
 
   const loop::RealTimeProcess process({.lock_memory = configuration.loop.lock_memory,
                                        .hold_cpu_latency = configuration.loop.hold_cpu_latency});
@@ -93,12 +103,21 @@ int run_run(const RunOptions& options) {
   settings.go = options.go;
   settings.duration_s = options.duration_s;
   settings.stats_path = options.stats;
-  settings.course = course == nullptr ? "" : course->name;
-  settings.robot = robot.name;
-  settings.setup = bridge::to_string(parameters.setup);
+  settings.course = run.course == nullptr ? "" : run.course->name;
+  settings.robot = run.robot.name;
+  settings.setup = bridge::to_string(run.parameters.setup);
   settings.process_grants = process.grants();
+  LiveRecording recording(files, run, read_clocks());
+  if (!configuration.record.directory.empty()) recording.start("");
+  settings.recording = &recording;
   Supervisor supervisor(settings, cycle, loop);
-  return supervisor.run();
+  try {
+    return supervisor.run();
+  } catch (const SetupError&) {
+    // It never began: there is nothing to look at.
+    recording.discard();
+    throw;
+  }
 }
 
 }  // namespace tp100::app

@@ -71,6 +71,13 @@ Json camera_figures(const link::CameraCounters& camera, const Fused& fused) {
           {"nis_mean", fused.nis_mean}};
 }
 
+Json recording_figures(const publish::RecordingFigures& recording, double cpu_s) {
+  return {{"file", recording.file},           {"active", recording.active},
+          {"elapsed_s", recording.elapsed_s}, {"bytes", recording.bytes},
+          {"dropped", recording.dropped},     {"cpu_s", cpu_s},
+          {"warning", recording.warning}};
+}
+
 Json fault_list(FaultMask faults) {
   Json names = Json::array();
   while (const auto fault = first_fault(faults)) {
@@ -123,6 +130,8 @@ std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& lo
         {"privileges", privileges}}},
   };
   if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.fused);
+  if (!figures.recording.file.empty())
+    json["recording"] = recording_figures(figures.recording, figures.recording_cpu_s);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -8,6 +8,7 @@
 #include "app/live_cycle.h"
 #include "link/camera_intake.h"
 #include "loop/fixed_rate_loop.h"
+#include "publish/figures.h"
 
 namespace tp100::app {
 
@@ -22,6 +23,8 @@ struct RunFigures {
   FaultMask faults = 0;  ///< of the last abort
   LiveStatus status{};
   std::optional<link::CameraCounters> camera;  ///< nothing: no camera was asked for
+  publish::RecordingFigures recording{};
+  double recording_cpu_s = 0.0;
   std::vector<loop::Grant> grants;
 };
 

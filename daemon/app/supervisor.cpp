@@ -52,6 +52,7 @@ struct Supervisor::State {
   void take_signals();
   void end(int exit_status, const std::string& result);
   void write_figures();
+  void take_recording();
   void summarize() const;
 
   SupervisorSettings settings;
@@ -72,6 +73,7 @@ struct Supervisor::State {
   HostNs next_stats_ns = 0;
   std::string refusal;
   bool had_session = false;
+  bool stats_written = false, stats_failed = false;
   bool ending = false;
   int status = 1;
 };
@@ -90,6 +92,7 @@ int Supervisor::State::run() {
   figures.setup = settings.setup;
   figures.grants = settings.process_grants;
   began_ns = loop::monotonic_now();
+  if (settings.recording != nullptr) sinks.push_back(settings.recording);
   take_signals();
   if (!settings.camera.listen.empty()) {
     camera = std::make_unique<CameraPort>(
@@ -112,6 +115,7 @@ int Supervisor::State::run() {
   take_records();
   take_events();
   take_status(loop::monotonic_now());
+  if (settings.recording != nullptr) settings.recording->stop();
   figures.duration_s = to_s(loop::monotonic_now() - began_ns);
   write_figures();
   summarize();
@@ -121,6 +125,8 @@ int Supervisor::State::run() {
 void Supervisor::State::take_signals() {
   // Who closes the log must not end a run without a disarm.
   std::signal(SIGPIPE, SIG_IGN);
+  // A file that may not grow any more is an error like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
   signals.add(SIGINT);
   signals.add(SIGTERM);
   // The terminal is closed; nohup ignores that before the start.
@@ -258,8 +264,28 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 
 void Supervisor::State::write_figures() {
   if (camera != nullptr) figures.camera = camera->counters();
+  if (settings.recording != nullptr) take_recording();
   if (settings.stats_path.empty()) return;
-  write_stats(settings.stats_path, stats_json(figures, loop.statistics(), cycle.sample_age()));
+  const std::string text = stats_json(figures, loop.statistics(), cycle.sample_age());
+  try {
+    write_stats(settings.stats_path, text);
+    stats_written = true;
+  } catch (const SetupError& error) {
+    // A disk that fills up during a run does not end it.
+    if (!stats_written) throw;
+    if (!std::exchange(stats_failed, true)) log.warn(error.what());
+  }
+}
+
+void Supervisor::State::take_recording() {
+  const publish::RecordingFigures was = std::move(figures.recording);
+  figures.recording = settings.recording->figures();
+  figures.recording_cpu_s = settings.recording->cpu_s();
+  const publish::RecordingFigures& is = figures.recording;
+  if (is.file != was.file) log.info("recording to " + is.file);
+  if (!is.warning.empty() && is.warning != was.warning) log.warn(is.warning);
+  if (is.dropped > 0 && was.dropped == 0)
+    log.warn(is.file + ": the disk is too slow, steps are missing in the recording");
 }
 
 void Supervisor::State::summarize() const {
@@ -271,6 +297,10 @@ void Supervisor::State::summarize() const {
               snapshot.odometry.y_m, snapshot.odometry.yaw_rad * 57.29577951308232,
               static_cast<unsigned long long>(link.samples),
               static_cast<unsigned long long>(link.lost));
+  if (!figures.recording.file.empty()) {
+    std::printf("recording: %s, %.1f MB\n", figures.recording.file.c_str(),
+                static_cast<double>(figures.recording.bytes) * 1e-6);
+  }
   if (figures.faults != 0) std::printf("faults: %s\n", fault_names(figures.faults).c_str());
   std::fflush(stdout);
 }

@@ -10,6 +10,7 @@
 #include "app/configuration.h"
 #include "app/connector.h"
 #include "app/live_cycle.h"
+#include "app/live_recording.h"
 #include "loop/fixed_rate_loop.h"
 #include "publish/sink.h"
 
@@ -25,6 +26,7 @@ struct SupervisorSettings {
   std::string robot;
   std::string setup;
   std::vector<loop::Grant> process_grants;
+  LiveRecording* recording = nullptr;  ///< gets every step; must outlive the supervisor
 };
 
 class Supervisor {

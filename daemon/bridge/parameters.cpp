@@ -14,6 +14,18 @@ const char* to_string(Setup setup) {
   return "unknown";
 }
 
+const char* to_string(Steering steering) {
+  switch (steering) {
+    case Steering::kModel:
+      return "model";
+    case Steering::kOdometry:
+      return "odometry";
+    case Steering::kFused:
+      return "fused";
+  }
+  return "unknown";
+}
+
 std::optional<Setup> setup_named(std::string_view name) {
   for (const Setup setup : {Setup::kBench, Setup::kFlat, Setup::kTerrain}) {
     if (name == to_string(setup)) return setup;

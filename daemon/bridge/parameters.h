@@ -26,6 +26,9 @@ std::optional<Setup> setup_named(std::string_view name);
 /// Which pose steers.
 enum class Steering { kModel, kOdometry, kFused };
 
+/// Name of a steering pose, as in files.
+const char* to_string(Steering steering);
+
 struct Parameters {
   Setup setup = Setup::kFlat;
   Steering steering = Steering::kOdometry;

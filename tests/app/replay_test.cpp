@@ -185,7 +185,9 @@ TEST(Replay, RefusesBadInputAtItsLine) {
 TEST(Replay, KnowsItsModelsByName) {
   EXPECT_EQ(replay_model("paper"), ReplayModel::kPaper);
   EXPECT_EQ(replay_model("odometry"), ReplayModel::kOdometry);
-  EXPECT_THROW(replay_model("fused"), SetupError);
+  EXPECT_EQ(replay_model("fused"), ReplayModel::kFused);
+  EXPECT_THAT(told("t_s,left_mps,right_mps\n0,0,0\n", ReplayModel::kFused),
+              HasSubstr("needs a recording"));
   try {
     replay_model("papre");
     FAIL();

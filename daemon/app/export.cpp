@@ -1,0 +1,158 @@
+#include "app/export.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "analysis/atomic_file.h"
+#include "analysis/drive_file.h"
+#include "analysis/tum.h"
+#include "app/drive_sink.h"
+
+namespace tp100::app {
+namespace {
+
+using analysis::Recording;
+
+std::string number(double value) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+/// When the run was: its first and last step, or everything if nothing ran.
+struct Window {
+  HostNs from_ns = std::numeric_limits<HostNs>::max();
+  HostNs to_ns = std::numeric_limits<HostNs>::min();
+  bool has(HostNs at) const { return at >= from_ns && at <= to_ns; }
+};
+
+Window window_of(const Recording& recording) {
+  Window run, all;
+  recording.visit({.step = [&](const StepRecord& record) {
+    const auto widen = [&](Window& window) {
+      window.from_ns = std::min(window.from_ns, record.now_ns);
+      window.to_ns = record.now_ns;
+    };
+    widen(all);
+    if (record.snapshot.run_state == RunState::kRunning) widen(run);
+  }});
+  return run.from_ns <= run.to_ns ? run : all;
+}
+
+using Write = std::function<void(std::string_view)>;
+
+/// Calls `each` with the snapshot of every step in the window that got a sample.
+template <class Each>
+void for_each_pose(const Recording& recording, Each each) {
+  const Window window = window_of(recording);
+  HostNs last = std::numeric_limits<HostNs>::min();
+  recording.visit({.step = [&](const StepRecord& record) {
+    const Snapshot& snapshot = record.snapshot;
+    const HostNs at = snapshot.sample.measured_ns;
+    if (record.sample_count == 0 || !window.has(at) || at <= last) return;
+    last = at;
+    each(to_s(at - recording.start_ns()), snapshot);
+  }});
+}
+
+void write_poses(const Recording& recording, const Write& write) {
+  std::string line = "t_s";
+  for (const char* pose : {"model", "odometry", "fused"})
+    for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
+      line += std::string(",") + pose + "_" + value;
+  write(line +
+        ",left_mps,right_mps,slip_left,slip_right,cross_track_m,heading_error_rad,progress_m,"
+        "desired_yaw_rad,speed_mps\n");
+  for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
+    line = number(t_s);
+    for (const Pose* pose : {&snapshot.model, &snapshot.odometry, &snapshot.fused.pose})
+      for (const double value :
+           {pose->x_m, pose->y_m, pose->z_m, pose->roll_rad, pose->pitch_rad, pose->yaw_rad})
+        line += "," + number(value);
+    for (const double value :
+         {snapshot.left_mps, snapshot.right_mps, snapshot.slip_left, snapshot.slip_right,
+          snapshot.cross_track_m, snapshot.heading_error_rad, snapshot.progress_m,
+          snapshot.command.desired_yaw_rad, snapshot.command.speed_mps})
+      line += "," + number(value);
+    write(line + "\n");
+  });
+}
+
+Write to(analysis::FileReplacement& file) {
+  return [&file](std::string_view text) { file.write(text); };
+}
+
+/// A file that is told once it is there.
+class Product {
+ public:
+  Product(const std::filesystem::path& folder, const char* name)
+      : path_((folder / name).string()), file_(path_) {}
+  analysis::FileReplacement& file() { return file_; }
+  void commit() {
+    file_.commit();
+    std::printf("%s\n", path_.c_str());
+  }
+
+ private:
+  std::string path_;
+  analysis::FileReplacement file_;
+};
+
+void export_csv(const Recording& recording, const std::filesystem::path& folder) {
+  Product samples(folder, "samples.csv");
+  samples.file().write(analysis::write_drive(recorded_drive(recording)));
+  samples.commit();
+  Product poses(folder, "poses.csv");
+  write_poses(recording, to(poses.file()));
+  poses.commit();
+}
+
+void export_tum(const Recording& recording, const std::filesystem::path& folder) {
+  Product model(folder, "model.tum"), odometry(folder, "odometry.tum"), fused(folder, "fused.tum");
+  for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
+    model.file().write(analysis::tum_line(t_s, snapshot.model));
+    odometry.file().write(analysis::tum_line(t_s, snapshot.odometry));
+    fused.file().write(analysis::tum_line(t_s, snapshot.fused.pose));
+  });
+  for (Product* product : {&model, &odometry, &fused}) product->commit();
+
+  std::optional<Product> truth;
+  const Window window = window_of(recording);
+  recording.visit({.truth = [&](HostNs at, const Pose& pose) {
+    if (!window.has(at)) return;
+    if (!truth) truth.emplace(folder, "truth.tum");
+    truth->file().write(analysis::tum_line(to_s(at - recording.start_ns()), pose));
+  }});
+  if (truth) truth->commit();
+}
+
+void export_run(const std::string& run, const ExportOptions& options) {
+  const Recording recording(run);
+  if (!recording.whole())
+    std::fprintf(stderr, "tp100d: %s: was cut off; exported up to there\n",
+                 recording.path().c_str());
+  const std::filesystem::path folder = options.out.empty()
+                                           ? std::filesystem::path(recording.path()).parent_path()
+                                           : std::filesystem::path(options.out);
+  if (options.csv) export_csv(recording, folder);
+  if (options.tum) export_tum(recording, folder);
+}
+
+}  // namespace
+
+int run_export(const ExportOptions& options) {
+  ExportOptions wanted = options;
+  if (!wanted.csv && !wanted.tum) wanted.csv = wanted.tum = true;
+  if (wanted.runs.size() > 1 && !wanted.out.empty())
+    throw SetupError("--out is for one run; without it the files go beside each recording");
+  for (const std::string& run : wanted.runs) export_run(run, wanted);
+  return 0;
+}
+
+}  // namespace tp100::app

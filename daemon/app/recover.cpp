@@ -1,0 +1,120 @@
+#include "app/recover.h"
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <tuple>
+
+#include "analysis/mcap_reader.h"
+#include "analysis/recording.h"
+#include "core/error.h"
+#include "publish/mcap_writer.h"
+
+namespace tp100::app {
+namespace {
+
+namespace fs = std::filesystem;
+using analysis::McapChannel;
+
+constexpr std::size_t kLargestChunk = std::size_t{4} << 20;
+
+/// Writes down again what it is given.
+class Copier : public analysis::McapHandler {
+ public:
+  explicit Copier(publish::McapWriter& writer) : writer_(writer) {}
+
+  bool channel(const McapChannel& channel) override {
+    channels_[channel.id] =
+        writer_.add_channel(schema_of(channel), channel.topic, channel.encoding);
+    return true;
+  }
+  bool message(const analysis::McapMessage& message) override {
+    writer_.message(channels_.at(message.channel->id), message.log_ns, message.data);
+    // Others write messages without chunks around them.
+    if (writer_.open_bytes() > kLargestChunk) writer_.end_chunk();
+    ++messages;
+    return true;
+  }
+  bool chunk_end() override {
+    writer_.end_chunk();
+    return true;
+  }
+  bool attachment(const std::string& name, const std::string& media_type, std::uint64_t log_ns,
+                  std::string_view data) override {
+    writer_.attach({name, media_type, log_ns, std::string(data)});
+    return true;
+  }
+  bool metadata(const std::string& name,
+                const std::map<std::string, std::string>& entries) override {
+    writer_.add_metadata(name, {entries.begin(), entries.end()});
+    return true;
+  }
+
+  std::uint64_t messages = 0;
+
+ private:
+  std::uint16_t schema_of(const McapChannel& channel) {
+    if (channel.schema_name.empty()) return 0;
+    const auto [entry, is_new] = schemas_.emplace(
+        std::tuple(channel.schema_name, channel.schema_encoding, channel.schema), 0);
+    if (is_new)
+      entry->second =
+          writer_.add_schema({channel.schema_name, channel.schema_encoding, channel.schema});
+    return entry->second;
+  }
+
+  publish::McapWriter& writer_;
+  std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> schemas_;
+  std::map<std::uint16_t, std::uint16_t> channels_;
+};
+
+std::string beside(const std::string& path) {
+  const fs::path in(path);
+  return (in.parent_path() / (in.stem().string() + "-recovered.mcap")).string();
+}
+
+}  // namespace
+
+Recovered recover(const std::string& in, const std::string& out) {
+  const analysis::McapReader reader(in);
+  std::error_code ignored;
+  if (fs::equivalent(in, out, ignored))
+    throw SetupError(out + ": is the file to recover; give another --out");
+  Recovered recovered;
+  recovered.path = out;
+  publish::RecordingFile file(out);
+  publish::McapWriter writer(file, "tp100d recover", publish::McapCompression::kZstd);
+  Copier copier(writer);
+  const analysis::McapEnd end = reader.stream(copier);
+  writer.finish();
+  if (file.error() != 0) {
+    fs::remove(out, ignored);
+    throw SetupError(out + ": cannot be written (" + std::strerror(file.error()) +
+                     "); check free space, or give another --out");
+  }
+  recovered.messages = copier.messages;
+  recovered.damaged = end.damaged;
+  recovered.problem = end.problem;
+  return recovered;
+}
+
+int run_recover(const RecoverOptions& options) {
+  const std::string in = analysis::recording_file(options.in);
+  {
+    analysis::McapHandler nobody;
+    if (analysis::McapReader(in).stream(nobody).whole) {
+      std::printf("%s: is whole, nothing to recover\n", in.c_str());
+      return 0;
+    }
+  }
+  const Recovered recovered = recover(in, options.out.empty() ? beside(in) : options.out);
+  std::printf("%s: %s; %llu messages saved in %s\n", in.c_str(), recovered.problem.c_str(),
+              static_cast<unsigned long long>(recovered.messages), recovered.path.c_str());
+  if (recovered.damaged > 0)
+    std::printf("%llu damaged parts are left out\n",
+                static_cast<unsigned long long>(recovered.damaged));
+  return 0;
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,41 @@
+#pragma once
+// `tp100d replay` of a recording: its inputs once more through the step, and whether every pose and
+// command comes out as it was, bit for bit.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "analysis/recording.h"
+#include "app/replay.h"
+#include "app/run_setup.h"
+#include "publish/step_codec.h"
+
+namespace tp100::app {
+
+/// The files of a recorded run. Throws SetupError: they are not in it, or make no sense.
+RunFiles recorded_files(const analysis::Recording& recording);
+
+/// What came of a replay.
+struct Replayed {
+  std::uint64_t steps = 0;  ///< replayed
+  HostNs last_ns = 0;       ///< time of the last step that was looked at
+  /// Steps that are missing before this one end the replay: what follows cannot be known.
+  std::optional<std::uint64_t> gap_before;
+  std::optional<std::uint64_t> differs_at;  ///< number of the first step that came out otherwise
+  publish::StepDifference difference{};
+};
+
+/// Feeds the recorded inputs to a step with these parameters and course. `each` gets the recorded
+/// inputs with the results of the replay. `verify`: compares them and stops at the first
+/// difference.
+Replayed replay_steps(const analysis::Recording& recording, const bridge::Parameters& parameters,
+                      std::shared_ptr<const course::Course> course, bool verify,
+                      const std::function<void(const StepRecord&)>& each);
+
+/// The command for a recording. 0: every result was as recorded (or other parameters were asked
+/// for); 1: not, or steps are missing, and nothing is written. Throws SetupError. The poses are
+/// those of `options.model`, else those that steered: a row for each step that got a sample.
+int run_replay_recording(const ReplayOptions& options);
+
+}  // namespace tp100::app

@@ -1,0 +1,43 @@
+#pragma once
+// What a run is set up from: files as they were loaded and what was chosen besides. A recording
+// keeps it, and replay gets the same parameters back from there.
+
+#include <memory>
+#include <string>
+
+#include "app/bundled_files.h"
+#include "app/configuration.h"
+#include "course/course.h"
+#include "publish/recording_writer.h"
+
+namespace tp100::app {
+
+/// The files of a run, and the set-up in force.
+struct RunFiles {
+  TextFile configuration;  ///< empty: all defaults
+  TextFile robot;
+  TextFile course;  ///< empty: none
+  bridge::Setup setup = bridge::Setup::kFlat;
+};
+
+/// The same, parsed.
+struct RunSetup {
+  Configuration configuration{};
+  course::Robot robot{};
+  std::shared_ptr<const course::Course> course;  ///< null: none
+  bridge::Parameters parameters{};
+};
+
+/// Parses the files. Throws SetupError.
+RunSetup parse_run(const RunFiles& files);
+
+/// What a recording of that run says of it. `more`: further names and values.
+publish::RunFacts run_facts(const RunFiles& files, const RunSetup& run,
+                            const publish::McapMap& more);
+
+// Names of the attachments.
+inline constexpr const char* kConfigurationFile = "tp100.toml";
+inline constexpr const char* kRobotFile = "robot.toml";
+inline constexpr const char* kCourseFile = "course.toml";
+
+}  // namespace tp100::app

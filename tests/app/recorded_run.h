@@ -1,0 +1,46 @@
+#pragma once
+// A short recording: the daemon's cycle with a scripted robot, which stands still.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "../link/scripted_robot.h"
+#include "app/cycle.h"
+#include "app/run_setup.h"
+#include "publish/recorder.h"
+#include "publish/step_codec.h"
+
+namespace tp100::app {
+
+/// Two seconds of course 1-curve, 200 steps a second. `edit` may change a record on its way, or
+/// leave it out by returning false.
+inline void record_run(
+    const std::string& path,
+    const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; }) {
+  RunFiles files;
+  files.robot = read_bundled(Bundled::kRobots, "end-loaded");
+  files.course = read_bundled(Bundled::kCourses, "1-curve");
+  const RunSetup run = parse_run(files);
+  publish::Recorder recorder({.recording = {.path = path, .clock = {kNsPerS, 0}}, .patient = true},
+                             run_facts(files, run, {{"seed", "5"}}));
+  ScriptedRobot robot;
+  Cycle cycle(session_settings(run.parameters), run.parameters, run.course);
+  HostNs now = kNsPerS;
+  cycle.open(now);
+  cycle.request(OperatorRequest::kStart);
+  const auto record = std::make_unique<StepRecord>();
+  for (int i = 0; i < 400; ++i) {
+    now += 5 * kNsPerMs;
+    robot.tick(now);
+    cycle.receive(robot.take(), now);
+    cycle.step(now);
+    cycle.record(*record);
+    if (edit(*record)) recorder.take(*record);
+    cycle.take_events();
+    robot.hear(cycle.output(), now);
+    cycle.written(cycle.output().size());
+  }
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,136 @@
+#include "app/replay_recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../publish/random_record.h"
+#include "app/replay.h"
+#include "core/error.h"
+#include "recorded_run.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class ReplayRecording : public testing::Test {
+ protected:
+  std::string file() const { return folder_.file("run.mcap"); }
+  std::string poses() const { return folder_.file("poses.csv"); }
+  ReplayOptions options() const {
+    return {.in = file(), .out = poses(), .config = {}, .model = {}};
+  }
+  Replayed replayed(bool verify = true) const {
+    const analysis::Recording recording(file());
+    const RunSetup run = parse_run(recorded_files(recording));
+    return replay_steps(recording, run.parameters, run.course, verify, [](const StepRecord&) {});
+  }
+  test::OwnFolder folder_;
+};
+
+TEST_F(ReplayRecording, TheRecordedInputsGiveTheRecordedResults) {
+  record_run(file());
+  const Replayed result = replayed();
+  EXPECT_EQ(result.steps, 400u);
+  EXPECT_FALSE(result.differs_at.has_value()) << result.difference.field;
+  EXPECT_FALSE(result.gap_before.has_value());
+}
+
+TEST_F(ReplayRecording, WritesAPoseForEachStepThatGotASample) {
+  record_run(file());
+  ASSERT_EQ(run_replay(options()), 0);
+  const std::string text = test::read_bytes(poses());
+  EXPECT_THAT(text, StartsWith(kReplayHeader));
+  EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 300);
+  // The folder of the run means the recording in it.
+  ReplayOptions folder = options();
+  folder.in = folder_.path().string();
+  EXPECT_EQ(run_replay(folder), 0);
+  EXPECT_EQ(test::read_bytes(poses()), text);
+}
+
+TEST_F(ReplayRecording, OneWrongBitOfOnePoseIsFoundAndNothingIsWritten) {
+  record_run(file(), [](StepRecord& record) {
+    if (record.step == 250)
+      record.snapshot.odometry.y_m = std::nextafter(record.snapshot.odometry.y_m, 1.0);
+    return true;
+  });
+  const Replayed result = replayed();
+  EXPECT_EQ(result.differs_at, 250u);
+  EXPECT_EQ(result.difference.field, "snapshot.odometry.y_m");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_replay(options()), 1);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              HasSubstr("step 250 after 1.250 s: snapshot.odometry.y_m is 0, recorded "));
+  EXPECT_FALSE(std::filesystem::exists(poses()));
+}
+
+TEST_F(ReplayRecording, AWrongCommandIsFound) {
+  record_run(file(), [](StepRecord& record) {
+    if (record.step == 390) record.snapshot.command.expiry_us += 1;
+    return true;
+  });
+  EXPECT_EQ(replayed().difference.field, "snapshot.command.expiry_us");
+}
+
+TEST_F(ReplayRecording, AMissingStepEndsTheReplay) {
+  record_run(file(), [](StepRecord& record) { return record.step < 200 || record.step > 209; });
+  const Replayed result = replayed();
+  EXPECT_EQ(result.steps, 199u);
+  EXPECT_EQ(result.gap_before, 210u);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_replay(options()), 1);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("steps 200 to 209 are missing"));
+}
+
+TEST_F(ReplayRecording, OtherParametersAreReplayedAndNotJudged) {
+  record_run(file());
+  ReplayOptions other = options();
+  other.model = "paper";
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_replay(other), 0);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("other parameters"));
+  test::write_bytes(folder_.file("tp100.toml"), "[control]\npreview_s = 0.2\n");
+  other = options();
+  other.config = folder_.file("tp100.toml");
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_replay(other), 0);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("other parameters"));
+}
+
+// Run under the address and undefined sanitizers this is the proof.
+TEST_F(ReplayRecording, InputsThatNoRobotSentDoNoHarm) {
+  record_run(file(), [](StepRecord& record) {
+    const std::uint64_t step = record.step;
+    const HostNs now = record.now_ns;
+    // Between them the robot's own, so that it gets somewhere.
+    if (step % 50 < 25) return true;
+    record = *publish::random_record(step);
+    record.step = step;
+    record.now_ns = step % 3 == 0 ? record.clock.reference_host_ns : now;
+    return true;
+  });
+  const Replayed result = replayed(false);
+  EXPECT_EQ(result.steps, 400u);
+  ReplayOptions other = options();
+  other.model = "paper";
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_replay(other), 0);
+  testing::internal::GetCapturedStdout();
+}
+
+TEST_F(ReplayRecording, TheRecordedConfigurationIsTheOneInForce) {
+  record_run(file());
+  const RunFiles files = recorded_files(analysis::Recording(file()));
+  EXPECT_EQ(files.robot.text, read_bundled(Bundled::kRobots, "end-loaded").text);
+  EXPECT_EQ(files.course.text, read_bundled(Bundled::kCourses, "1-curve").text);
+  EXPECT_EQ(files.setup, bridge::Setup::kFlat);
+  EXPECT_EQ(parse_run(files).course->name, "1-curve");
+}
+
+}  // namespace
+}  // namespace tp100::app
