@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -83,6 +84,10 @@ int run(int argc, char** argv) {
   course_app
       ->add_option("--out", course.out,
                    "Folder for the files of each run: figures (JSON), poses and samples (CSV)")
+      ->type_name("FOLDER");
+  course_app
+      ->add_option("--record", course.record,
+                   "Folder for recordings; each run gets a folder of its own in it")
       ->type_name("FOLDER");
   course_app->add_flag("--json", course.json, "One JSON object a line instead of tables");
 
@@ -194,6 +199,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   tp100::analysis::claim_standard_streams();
+  // A file that may not grow any more is an error like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return tp100::analysis::finish_standard_output("tp100-sim", run(argc, argv));
   } catch (const tp100::SetupError& error) {

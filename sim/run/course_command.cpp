@@ -13,6 +13,7 @@
 #include "app/drive_sink.h"
 #include "core/error.h"
 #include "sim/run/lockstep.h"
+#include "sim/run/run_recorder.h"
 
 namespace tp100::sim {
 namespace {
@@ -34,22 +35,30 @@ void write_results(const std::string& folder, const analysis::RunResult& result,
 }  // namespace
 
 int run_course(const CourseCommand& command) {
-  const Loaded loaded = load(command.options);
-  const course::Course course = load_course(command.course);
+  Loaded loaded = load(command.options);
+  loaded.files.course = app::read_bundled(app::Bundled::kCourses, command.course);
+  const course::Course course =
+      course::parse_course(loaded.files.course.text, loaded.files.course.path);
   const std::optional<course::EmulatedCamera> camera =
       command.camera.empty() ? std::nullopt : std::optional(load_camera(command.camera));
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {
+    const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);
+    std::optional<RunRecorder> recorder;
+    if (!command.record.empty()) recorder.emplace(command.record, loaded, seed);
     app::DriveSink drive;
-    const analysis::RunResult result =
-        run_lockstep({.course = course,
-                      .robot = loaded.robot,
-                      .configuration = loaded.configuration,
-                      .setup = loaded.setup,
-                      .board = loaded.board,
-                      .camera = camera,
-                      .seed = command.options.seed + static_cast<std::uint64_t>(i),
-                      .sink = command.out.empty() ? nullptr : &drive});
+    publish::SinkList sinks;
+    if (!command.out.empty()) sinks.add(drive);
+    if (recorder) sinks.add(*recorder);
+    const analysis::RunResult result = run_lockstep({.course = course,
+                                                     .robot = loaded.robot,
+                                                     .configuration = loaded.configuration,
+                                                     .setup = loaded.setup,
+                                                     .board = loaded.board,
+                                                     .camera = camera,
+                                                     .seed = seed,
+                                                     .sink = sinks.empty() ? nullptr : &sinks});
+    if (recorder) recorder->finish();
     const analysis::RunFigures figures = analysis::figures(result, course);
     const std::string json = analysis::result_json(result, figures);
     if (command.json) {

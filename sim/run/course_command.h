@@ -12,7 +12,8 @@ struct CourseCommand {
   std::string course;
   std::string camera;  ///< overhead camera: bundled name or file; empty: none
   int runs = 1;
-  std::string out;  ///< folder for results; empty: none
+  std::string record;  ///< folder for recordings; empty: none
+  std::string out;     ///< folder for results; empty: none
   bool json = false;
 };
 

@@ -25,14 +25,16 @@ Loaded load(const Options& options) {
   Loaded loaded;
   loaded.board = board_kind(options.board);
   if (!options.config.empty()) {
-    const app::TextFile file = app::read_text_file(options.config);
-    loaded.configuration = app::parse_configuration(file.text, file.path);
+    loaded.files.configuration = app::read_text_file(options.config);
+    loaded.configuration =
+        app::parse_configuration(loaded.files.configuration.text, loaded.files.configuration.path);
   }
   const std::string& robot = options.robot.empty() ? loaded.configuration.robot : options.robot;
-  const app::TextFile file = app::read_bundled(app::Bundled::kRobots, robot);
-  loaded.robot = course::parse_robot(file.text, file.path);
+  loaded.files.robot = app::read_bundled(app::Bundled::kRobots, robot);
+  loaded.robot = course::parse_robot(loaded.files.robot.text, loaded.files.robot.path);
   loaded.setup =
       options.setup.empty() ? loaded.configuration.parameters.setup : setup_kind(options.setup);
+  loaded.files.setup = loaded.setup;
   return loaded;
 }
 

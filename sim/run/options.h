@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/configuration.h"
+#include "app/run_setup.h"
 #include "bridge/parameters.h"
 #include "course/camera.h"
 #include "course/course.h"
@@ -27,6 +28,7 @@ struct Loaded {
   BoardKind board = BoardKind::kNative;
   app::Configuration configuration{};
   course::Robot robot{};
+  app::RunFiles files{};  ///< what it was loaded from; the course is left to who has one
   bridge::Setup setup = bridge::Setup::kFlat;
 };
 Loaded load(const Options& options);

@@ -1,0 +1,121 @@
+// What recording costs: the steps of an emulated run, handed to a recorder 200 times a second in
+// real time, against the same without a recorder. recording_bench [SECONDS]
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+#include <vector>
+
+#include "app/bundled_files.h"
+#include "app/run_setup.h"
+#include "publish/recorder.h"
+#include "sim/run/lockstep.h"
+#include "sim/run/options.h"
+#include "support/temporary_folder.h"
+
+namespace tp100 {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Keeps every step.
+class Keeper : public publish::Sink {
+ public:
+  void take(const StepRecord& record) override { records.push_back(record); }
+  std::vector<StepRecord> records;
+};
+
+double cpu_s() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+long resident_kb() {
+  std::ifstream status("/proc/self/statm");
+  long size = 0, resident = 0;
+  status >> size >> resident;
+  return resident * 4;
+}
+
+struct Cost {
+  double cpu_share = 0.0;
+  double take_us = 0.0, longest_take_us = 0.0;
+};
+
+Cost feed(const std::vector<StepRecord>& records, int steps, publish::Recorder* recorder) {
+  Cost cost;
+  const double before = cpu_s();
+  const Clock::time_point began = Clock::now();
+  for (int i = 0; i < steps; ++i) {
+    std::this_thread::sleep_until(began + i * std::chrono::milliseconds(5));
+    if (recorder == nullptr) continue;
+    const auto index = static_cast<std::size_t>(i) % records.size();
+    StepRecord record = records[index];
+    record.now_ns += static_cast<HostNs>(static_cast<std::size_t>(i) - index) * 5 * kNsPerMs;
+    const Clock::time_point take = Clock::now();
+    recorder->take(record);
+    const double us = std::chrono::duration<double, std::micro>(Clock::now() - take).count();
+    cost.take_us += us / steps;
+    cost.longest_take_us = std::max(cost.longest_take_us, us);
+  }
+  const double wall = std::chrono::duration<double>(Clock::now() - began).count();
+  cost.cpu_share = (cpu_s() - before) / wall;
+  return cost;
+}
+
+int run(double seconds) {
+  sim::Loaded loaded = sim::load({});
+  loaded.files.course = app::read_bundled(app::Bundled::kCourses, "1-curve");
+  const app::RunSetup setup = app::parse_run(loaded.files);
+  Keeper keeper;
+  sim::run_lockstep({.course = *setup.course,
+                     .robot = loaded.robot,
+                     .configuration = loaded.configuration,
+                     .setup = loaded.setup,
+                     .sink = &keeper});
+  const int steps = static_cast<int>(seconds * 200.0);
+  const Cost without = feed(keeper.records, steps, nullptr);
+
+  const test::OwnFolder folder;
+  publish::Recorder recorder({.recording = {.path = folder.file("run.mcap")}},
+                             app::run_facts(loaded.files, setup, {}));
+  const int warm_up = std::min(steps, 400);
+  feed(keeper.records, warm_up, &recorder);
+  const long resident = resident_kb();
+  const publish::RecordingStatus began = recorder.status();
+  const Cost with = feed(keeper.records, steps, &recorder);
+  const publish::RecordingStatus ended = recorder.status();
+  const long grown = resident_kb() - resident;
+  recorder.finish();
+
+  const double written = static_cast<double>(ended.bytes - began.bytes) * 1e-6;
+  std::printf("recording: %d steps at 200 Hz in real time\n", steps);
+  std::printf(
+      "  share of a core          %6.2f %%  (all threads, less %.2f %% without recording)\n",
+      100.0 * (with.cpu_share - without.cpu_share), 100.0 * without.cpu_share);
+  std::printf("  of it, its own thread    %6.2f %%\n",
+              100.0 * (ended.cpu_s - began.cpu_s) / seconds);
+  std::printf("  a step in the giver      %6.2f us, longest %.0f us\n", with.take_us,
+              with.longest_take_us);
+  std::printf("  size                     %6.2f MB a minute\n", written * 60.0 / seconds);
+  std::printf("  memory grown by          %6ld kB\n", grown);
+  std::printf("  dropped                  %6llu\n", static_cast<unsigned long long>(ended.dropped));
+  return 0;
+}
+
+}  // namespace
+}  // namespace tp100
+
+int main(int argc, char** argv) {
+  const double seconds = argc > 1 ? std::atof(argv[1]) : 20.0;
+  return tp100::run(std::clamp(seconds, 1.0, 36000.0));
+}

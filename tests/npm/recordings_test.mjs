@@ -1,0 +1,149 @@
+// Every recording is what another implementation of the format calls right: read as a stream and
+// through its index, with every CRC checked.
+import assert from 'node:assert/strict';
+import { execFileSync, spawn } from 'node:child_process';
+import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test from 'node:test';
+import { load } from './packages.mjs';
+
+const { McapIndexedReader, McapStreamReader } = load('@mcap/core');
+const { decompress } = load('fzstd');
+const decompressHandlers = { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) };
+const program = (name) => join(process.env.TP100_BIN, name);
+
+async function inFolder(work) {
+  const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
+  try {
+    return await work(folder);
+  } finally {
+    await rm(folder, { recursive: true, force: true });
+  }
+}
+
+/** The one run that was recorded into `folder`. */
+async function recorded(folder) {
+  const runs = await readdir(folder);
+  assert.equal(runs.length, 1, `runs: ${runs}`);
+  return join(folder, runs[0], 'run.mcap');
+}
+
+/** Message counts by topic; checks every record on the way. */
+function readAsStream(bytes) {
+  const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
+  reader.append(bytes);
+  const schemas = new Map(), channels = new Map(), counts = new Map();
+  const seen = { attachments: [], metadata: [], statistics: undefined, footer: false };
+  for (let record; (record = reader.nextRecord()) !== undefined;) {
+    if (record.type === 'Schema') schemas.set(record.id, record);
+    if (record.type === 'Channel') {
+      assert.ok(schemas.has(record.schemaId), `${record.topic} has a schema`);
+      channels.set(record.id, record);
+    }
+    if (record.type === 'Attachment') seen.attachments.push(record.name);
+    if (record.type === 'Metadata') seen.metadata.push(record.metadata);
+    if (record.type === 'Statistics') seen.statistics = record;
+    if (record.type === 'Footer') seen.footer = true;
+    if (record.type !== 'Message') continue;
+    const channel = channels.get(record.channelId);
+    counts.set(channel.topic, (counts.get(channel.topic) ?? 0) + 1);
+    if (channel.messageEncoding === 'json') {
+      checkAgainst(JSON.parse(new TextDecoder().decode(schemas.get(channel.schemaId).data)),
+        JSON.parse(new TextDecoder().decode(record.data)), channel.topic);
+    }
+  }
+  assert.ok(reader.done(), 'read to the end');
+  assert.ok(seen.footer);
+  return { counts, channels, ...seen };
+}
+
+/** Every value has the type that the schema says; null means "not known". */
+function checkAgainst(schema, value, where) {
+  if (value === null) return;
+  const type = Array.isArray(value) ? 'array'
+    : Number.isInteger(value) && schema.type === 'integer' ? 'integer' : typeof value;
+  assert.equal(type, schema.type, where);
+  if (type === 'array') value.forEach((entry) => checkAgainst(schema.items, entry, `${where}[]`));
+  if (type !== 'object') return;
+  for (const [name, entry] of Object.entries(value)) {
+    if (Object.keys(schema.properties).length === 0) continue;
+    assert.ok(schema.properties[name], `${where}.${name} is in the schema`);
+    checkAgainst(schema.properties[name], entry, `${where}.${name}`);
+  }
+}
+
+async function readThroughIndex(bytes) {
+  const readable = {
+    size: async () => BigInt(bytes.length),
+    read: async (offset, length) =>
+      new Uint8Array(bytes.buffer, bytes.byteOffset + Number(offset), Number(length)),
+  };
+  const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
+  const counts = new Map();
+  let last = 0n;
+  for await (const message of reader.readMessages({ validateCrcs: true })) {
+    assert.ok(message.logTime >= last);
+    last = message.logTime;
+    const topic = reader.channelsById.get(message.channelId).topic;
+    counts.set(topic, (counts.get(topic) ?? 0) + 1);
+  }
+  const attachments = [];
+  for await (const entry of reader.readAttachments({ validateCrcs: true })) attachments.push(entry.name);
+  const metadata = [];
+  for await (const entry of reader.readMetadata()) metadata.push(entry.metadata);
+  return { counts, attachments, metadata, statistics: reader.statistics };
+}
+
+async function check(file) {
+  const bytes = await readFile(file);
+  const streamed = readAsStream(bytes);
+  const indexed = await readThroughIndex(bytes);
+  assert.deepEqual(streamed.counts, indexed.counts);
+  assert.deepEqual(streamed.attachments, indexed.attachments);
+  assert.deepEqual(streamed.metadata, indexed.metadata);
+  const total = [...streamed.counts.values()].reduce((sum, count) => sum + count, 0);
+  assert.equal(Number(indexed.statistics.messageCount), total);
+  for (const [id, count] of indexed.statistics.channelMessageCounts)
+    assert.equal(Number(count), streamed.counts.get(streamed.channels.get(id).topic) ?? 0);
+  return streamed;
+}
+
+test('a course in virtual time', () => inFolder(async (folder) => {
+  execFileSync(program('tp100-sim'), ['course', '1-straight', '--record', folder, '--json']);
+  const { counts, attachments, metadata } = await check(await recorded(folder));
+  for (const topic of ['/step', '/estimate', '/sample', '/command', '/truth', '/tf', '/scene'])
+    assert.ok(counts.get(topic) > 0, topic);
+  assert.equal(counts.get('/step'), counts.get('/estimate'));
+  assert.deepEqual(attachments, ['tp100.toml', 'robot.toml', 'course.toml']);
+  assert.equal(metadata[0].get('course'), '1-straight');
+  assert.equal(metadata[0].get('seed'), '1');
+}));
+
+test('a live run, whole and killed', () => inFolder(async (folder) => {
+  const robot = spawn(program('tp100-sim'), ['robot', '--link', join(folder, 'port'), '--course', '1-straight'],
+    { stdio: ['ignore', 'pipe', 'pipe'] });
+  try {
+    await new Promise((resolve) => robot.stdout.once('data', resolve));
+    const configuration = join(folder, 'tp100.toml');
+    await (await import('node:fs/promises')).writeFile(configuration,
+      '[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n');
+    const run = (name, kill) => new Promise((resolve) => {
+      const daemon = spawn(program('tp100d'), ['run', '--config', configuration, '--port', join(folder, 'port'),
+        '--duration', '4', '--record', join(folder, name)], { stdio: 'ignore' });
+      daemon.once('exit', resolve);
+      if (kill) setTimeout(() => daemon.kill('SIGKILL'), 3000);
+    });
+    await run('whole', false);
+    const { counts } = await check(await recorded(join(folder, 'whole')));
+    assert.ok(counts.get('/step') > 100);
+
+    await run('killed', true);
+    const cut = await recorded(join(folder, 'killed'));
+    execFileSync(program('tp100d'), ['recover', cut]);
+    const saved = await check(cut.replace('.mcap', '-recovered.mcap'));
+    assert.ok(saved.counts.get('/step') > 50);
+  } finally {
+    robot.kill();
+  }
+}));

@@ -1,0 +1,255 @@
+// Recordings of emulated runs: replayed bit for bit, and cut off by a kill or a full disk.
+
+#include "analysis/recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "app/replay_recording.h"
+#include "process.h"
+#include "sim/run/lockstep.h"
+#include "sim/run/run_recorder.h"
+
+namespace tp100::sim {
+namespace {
+
+using analysis::Recording;
+using testing::HasSubstr;
+
+std::string bytes_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+app::Replayed replayed(const Recording& recording) {
+  const app::RunSetup run = app::parse_run(app::recorded_files(recording));
+  return app::replay_steps(recording, run.parameters, run.course, true, [](const StepRecord&) {});
+}
+
+struct Recorded {
+  analysis::RunResult result;
+  std::string path;
+};
+
+Recorded drive(const std::string& course, const std::string& folder, bool camera = false,
+               const Options& options = {}) {
+  Loaded loaded = load(options);
+  loaded.files.course = app::read_bundled(app::Bundled::kCourses, course);
+  RunRecorder recorder(folder, loaded, 1);
+  LockstepSettings settings{.course = load_course(course),
+                            .robot = loaded.robot,
+                            .configuration = loaded.configuration,
+                            .setup = loaded.setup,
+                            .board = loaded.board,
+                            .sink = &recorder};
+  if (camera) settings.camera = load_camera("overhead");
+  Recorded recorded{run_lockstep(settings), recorder.path()};
+  recorder.finish();
+  return recorded;
+}
+
+class RecordedCourse : public testing::TestWithParam<const char*> {
+ protected:
+  test::TemporaryFolder folder_;
+};
+
+TEST_P(RecordedCourse, ReplaysBitForBitAndHoldsTheTruth) {
+  const Recorded run = drive(GetParam(), folder_.path().string());
+  const Recording recording(run.path);
+  EXPECT_TRUE(recording.whole());
+  const app::Replayed replay = replayed(recording);
+  EXPECT_GT(replay.steps, 1000u);
+  EXPECT_FALSE(replay.differs_at) << *replay.differs_at << " " << replay.difference.field;
+  EXPECT_FALSE(replay.gap_before);
+
+  std::map<double, Pose> truth;
+  recording.visit({.truth = [&](HostNs at, const Pose& pose) { truth[to_s(at)] = pose; }});
+  // The run's own clock begins with the run.
+  ASSERT_FALSE(run.result.points.empty());
+  std::size_t found = 0;
+  auto known = truth.begin();
+  for (const analysis::TrackPoint& point : run.result.points) {
+    while (known != truth.end() && known->second.x_m != point.truth.x_m) ++known;
+    if (known != truth.end() && known->second.y_m == point.truth.y_m) ++found;
+  }
+  EXPECT_EQ(found, run.result.points.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Courses, RecordedCourse, testing::Values("1-curve", "2", "3"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::erase(name, '-');
+                           return "Course" + name;
+                         });
+
+#ifdef TP100_HAS_IMAGE
+constexpr const char* kBoards[] = {"native", "avr"};
+#else
+constexpr const char* kBoards[] = {"native"};
+#endif
+
+TEST(RecordedRun, EveryBoardReplaysBitForBitInEverySetup) {
+  for (const char* board : kBoards) {
+    for (const char* setup : {"bench", "flat", "terrain"}) {
+      const test::TemporaryFolder folder;
+      const Recording recording(drive("1-straight", folder.path().string(), false,
+                                      {.board = board, .robot = {}, .config = {}, .setup = setup})
+                                    .path);
+      EXPECT_EQ(recording.fact("board"), board);
+      EXPECT_EQ(recording.fact("setup"), setup);
+      const app::Replayed replay = replayed(recording);
+      EXPECT_GT(replay.steps, 1000u) << board << " " << setup;
+      EXPECT_FALSE(replay.differs_at) << board << " " << setup << " " << replay.difference.field;
+      EXPECT_FALSE(replay.gap_before) << board << " " << setup;
+    }
+  }
+}
+
+TEST(RecordedRun, ARampAndAStepUnderTheTracksReplayToo) {
+  const test::TemporaryFolder folder;
+  const Recording recording(
+      drive("3", folder.path().string(), false, {.robot = {}, .config = {}, .setup = "terrain"})
+          .path);
+  EXPECT_FALSE(replayed(recording).differs_at);
+}
+
+TEST(RecordedRun, ACameraIsAnInputToo) {
+  const test::TemporaryFolder folder;
+  const Recorded run = drive("1-curve", folder.path().string(), true);
+  const Recording recording(run.path);
+  std::uint64_t seen = 0;
+  recording.visit({.step = [&](const StepRecord& record) { seen += record.camera_count; }});
+  EXPECT_GT(seen, 100u);
+  EXPECT_FALSE(replayed(recording).differs_at);
+}
+
+TEST(RecordedRun, OneSeedGivesOneFile) {
+  const test::TemporaryFolder a, b;
+  const std::string first = bytes_of(drive("1-straight", a.path().string()).path);
+  EXPECT_GT(first.size(), 100000u);
+  EXPECT_TRUE(first == bytes_of(drive("1-straight", b.path().string()).path));
+}
+
+class RecordedPrograms : public testing::Test {
+ protected:
+  RecordedPrograms() {
+    std::ofstream(folder_.file("tp100.toml")) << "[loop]\npriority = 0\nlock_memory = false\n";
+  }
+  /// Without a course the run goes on whatever a crowded machine does to its times.
+  std::vector<std::string> daemon(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"tp100d", "run",  "--config", folder_.file("tp100.toml"),
+                                          "--port", port(), "--record", records()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  std::string port() const { return folder_.file("tp100"); }
+  std::string records() const { return folder_.file("records"); }
+  /// The only run's file.
+  std::string file() const {
+    for (const auto& entry : std::filesystem::directory_iterator(records()))
+      return (entry.path() / "run.mcap").string();
+    return "none";
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(RecordedPrograms, ALiveRunReplaysBitForBitAndIsExported) {
+  test::Process robot({"tp100-sim", "robot", "--link", port(), "--course", "1-curve"});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  test::Process bridge(daemon({"--course", "1-curve", "--duration", "6"}));
+  bridge.wait();
+  EXPECT_THAT(bridge.output(), HasSubstr("recording to " + file()));
+  EXPECT_THAT(bridge.output(), HasSubstr("state: arming -> running"));
+
+  const test::Finished replay = test::run({"tp100d", "replay", file(), "--out", folder_.file("p")});
+  EXPECT_EQ(replay.status, 0) << replay.output;
+  EXPECT_THAT(replay.output, HasSubstr("every pose and command as recorded, bit for bit"));
+  EXPECT_GT(test::lines(bytes_of(folder_.file("p"))), 50u);
+
+  const std::string out = folder_.file("out");
+  std::filesystem::create_directory(out);
+  EXPECT_EQ(test::run({"tp100d", "export", file(), "--out", out}).status, 0);
+  for (const char* name : {"samples.csv", "poses.csv", "model.tum", "odometry.tum", "fused.tum"})
+    EXPECT_GT(test::lines(bytes_of(out + "/" + name)), 10u) << name;
+  EXPECT_FALSE(std::filesystem::exists(out + "/truth.tum")) << "nobody knew it";
+}
+
+TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
+  test::Process robot({"tp100-sim", "robot", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  test::Process bridge(daemon());
+  ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  const HostNs killed = std::chrono::steady_clock::now().time_since_epoch().count();
+  bridge.signal(SIGKILL);
+  bridge.wait();
+
+  std::uint64_t steps = 0;
+  HostNs last = 0;
+  const Recording cut(file());
+  EXPECT_FALSE(cut.whole());
+  cut.visit({.step = [&](const StepRecord& record) {
+    ++steps;
+    last = record.now_ns;
+  }});
+  EXPECT_GT(steps, 50u);
+  // Less than a second on a machine that keeps up; a crowded one may be late.
+  RecordProperty("lost_ms", std::to_string((killed - last) / kNsPerMs));
+  EXPECT_LT(to_s(killed - last), 5.0);
+
+  const test::Finished recover = test::run({"tp100d", "recover", file()});
+  EXPECT_EQ(recover.status, 0) << recover.output;
+  const std::string saved = std::filesystem::path(file()).parent_path() / "run-recovered.mcap";
+  const Recording whole(saved);
+  EXPECT_TRUE(whole.whole());
+  const app::Replayed replay = replayed(whole);
+  EXPECT_EQ(replay.steps, steps);
+  EXPECT_FALSE(replay.differs_at);
+  EXPECT_THAT(test::run({"tp100d", "recover", saved}).output, HasSubstr("nothing to recover"));
+}
+
+TEST_F(RecordedPrograms, ARunGoesOnWhenTheDiskIsFull) {
+  test::Process robot({"tp100-sim", "robot", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  // 600 blocks of 512 bytes.
+  std::string command = "ulimit -f 600; exec \"$0\" \"$@\"";
+  std::vector<std::string> arguments = {"/bin/sh", "-c", command, TP100_BINARY_DIR "/bin/tp100d"};
+  const std::vector<std::string> run = daemon({"--duration", "10"});
+  arguments.insert(arguments.end(), run.begin() + 1, run.end());
+  test::Process bridge(arguments);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+  EXPECT_THAT(bridge.output(), HasSubstr("recording stopped, the disk is full; the file is whole"));
+  EXPECT_THAT(bridge.output(), HasSubstr("no course: duration after 10."));
+  EXPECT_TRUE(Recording(file()).whole());
+}
+
+TEST_F(RecordedPrograms, ARunThatNeverBeganLeavesNothing) {
+  EXPECT_EQ(test::run(daemon()).status, 2);
+  EXPECT_TRUE(std::filesystem::is_empty(records()));
+}
+
+TEST(RecordedErrors, AreOneLineEach) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.file("text.mcap")) << "\x89MCAP0\r\n and then nonsense";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"tp100d", "replay", folder.file("text.mcap"), "--out", "x"},
+        {"tp100d", "export", folder.file("none")},
+        {"tp100d", "export", folder.path().string()},
+        {"tp100d", "recover", folder.file("none")},
+        {"tp100-sim", "course", "1-straight", "--record", "/proc/none"}}) {
+    const test::Finished ended = test::run(arguments);
+    EXPECT_EQ(ended.status, 2) << ended.output;
+    EXPECT_EQ(test::lines(ended.output), 1u) << ended.output;
+  }
+}
+
+}  // namespace
+}  // namespace tp100::sim
