@@ -1,0 +1,57 @@
+#pragma once
+// The frames in which worlds think, and ours. Ours ("ros", REP-103): metres, radians, right-handed,
+// x forward, y left, z up; so nose-up is a negative pitch and a turn to the left a positive yaw.
+//
+//   unreal  centimetres, degrees, left-handed: x forward, y right, z up
+//   unity   metres, degrees, left-handed: x right, y up, z forward
+//
+// Pure.
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "core/pose.h"
+
+namespace tp100::worlds {
+
+enum class Frame { kRos, kUnreal, kUnity };
+
+std::string_view to_string(Frame frame);
+std::optional<Frame> frame_named(std::string_view name);
+
+/// Three numbers of a frame, in its order of axes.
+using Vector = std::array<double, 3>;
+
+/// A rotation, w last. Of length 1.
+struct Quaternion {
+  double x = 0.0, y = 0.0, z = 0.0, w = 1.0;
+};
+
+/// Metres to lengths of the frame, and back.
+double to_length(Frame frame, double m);
+double from_length(Frame frame, double length);
+/// Radians to angles of the frame, and back; the sign stays.
+double to_angle(Frame frame, double rad);
+double from_angle(Frame frame, double angle);
+
+/// Places, ways and velocities: metres to the frame's lengths.
+Vector to_place(Frame frame, const Vector& m);
+Vector from_place(Frame frame, const Vector& place);
+
+/// Turn rates about the three axes: radians to the frame's angles.
+Vector to_turn(Frame frame, const Vector& rad);
+
+/// Roll, pitch, yaw, each as the frame counts it. Unreal (FRotator): nose-up and clockwise yaw are
+/// positive. Unity (eulerAngles z, x, y): nose-down and clockwise yaw are positive, roll is
+/// positive with the right side up. In all three: first roll, then pitch, then yaw.
+Vector to_rpy(Frame frame, const Pose& pose);
+/// The angles into `pose`; its place stays.
+void from_rpy(Frame frame, const Vector& rpy, Pose& pose);
+
+Quaternion to_quaternion(Frame frame, const Pose& pose);
+/// Roll, pitch and yaw of a quaternion of length 1 into `pose`, yaw in [-pi, pi]. Looking straight
+/// up or down, roll and yaw are the same turn: it is given to yaw.
+void from_quaternion(Frame frame, const Quaternion& quaternion, Pose& pose);
+
+}  // namespace tp100::worlds

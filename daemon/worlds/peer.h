@@ -1,0 +1,112 @@
+#pragma once
+// The bridge's side of a world/1 conversation: hello until welcomed, poses out, answers in. Fed
+// bytes and time; it opens no socket. Input is hostile. Allocates: not for the real-time thread.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/step_record.h"
+#include "core/world_sample.h"
+#include "worlds/message.h"
+
+namespace tp100::worlds {
+
+struct PeerSettings {
+  Hello hello{};            ///< its session is where the numbers of the sessions begin
+  std::string_view source;  ///< name of the pose that steers
+  /// Names of the course's surfaces and what each adds to both slip ratios.
+  std::vector<std::pair<std::string, double>> surfaces;
+};
+
+/// What became of the datagrams, since the start.
+struct PeerCounters {
+  std::uint64_t hellos = 0;     ///< sent
+  std::uint64_t poses = 0;      ///< sent
+  std::uint64_t answered = 0;   ///< poses that an accepted message answered first
+  std::uint64_t received = 0;   ///< from the world's machine; each is in one of the next rows
+  std::uint64_t accepted = 0;   ///< welcomes and world messages that were used
+  std::uint64_t malformed = 0;  ///< too long, no such JSON, a value out of range
+  std::uint64_t wrong_version = 0;
+  std::uint64_t foreign = 0;          ///< another session, another port, or not welcomed yet
+  std::uint64_t reordered = 0;        ///< `seq` or `ack` not above the last one
+  std::uint64_t back_in_time = 0;     ///< `timestamp` below the last one
+  std::uint64_t unknown_ack = 0;      ///< answers a pose that was not sent, or long ago
+  std::uint64_t missing = 0;          ///< messages of the world that never came, by `seq`
+  std::uint64_t unknown_surface = 0;  ///< in accepted messages; the floor's slip is used
+  std::uint64_t dropped = 0;          ///< accepted, but the step had no room
+  std::uint64_t sessions = 0;         ///< welcomes
+  std::uint64_t losses = 0;           ///< sessions that ended in silence
+  double round_trip_ms = 0.0;         ///< of the last answer
+  double mean_round_trip_ms = 0.0;    ///< smoothed over about a hundred answers
+  double max_round_trip_ms = 0.0;
+};
+
+class Peer {
+ public:
+  explicit Peer(PeerSettings settings);
+
+  /// A step was made; `now` is the time of sending. The datagram to send, if one is due: hello
+  /// every quarter second until welcomed, then poses at their rate. A welcomed world that was
+  /// silent for the time-out is greeted anew.
+  std::optional<std::string> step(const StepRecord& record, HostNs now);
+
+  /// A datagram from the world's machine, sent from its `port`.
+  std::optional<WorldSample> receive(std::string_view datagram, std::uint16_t port, HostNs now);
+
+  /// What to answer the sender of the last datagram: an error, said once.
+  std::optional<std::string> take_reply() { return std::exchange(reply_, std::nullopt); }
+  /// Something to log since the last take, or empty.
+  std::string take_note() { return std::exchange(note_, {}); }
+
+  bool welcomed() const { return welcomed_; }
+  const std::string& name() const { return name_; }
+  /// Sequence of the last pose that was sent; 0: none.
+  std::uint64_t sent() const { return sequence_; }
+  /// Highest pose that was answered in this session.
+  std::uint64_t answered() const { return answers_; }
+  void count_dropped() { ++counters_.dropped; }
+  const PeerCounters& counters() const { return counters_; }
+
+ private:
+  struct Sent {
+    std::uint64_t sequence = 0;
+    HostNs step_ns = 0;
+    HostNs sent_ns = 0;
+  };
+
+  std::string pose(const StepRecord& record, HostNs now);
+  void welcome(const WorldMessage& message, std::uint16_t port, HostNs now);
+  std::optional<WorldSample> world(const WorldMessage& message, HostNs now);
+  WorldSample sample_of(const WorldMessage& message, HostNs answered_ns);
+  const Sent* find(std::uint64_t sequence) const;
+  void take_round_trip(HostNs round_trip_ns);
+  void refuse(const std::string& text);
+
+  PeerSettings settings_;
+  PeerCounters counters_;
+  std::array<Sent, 512> poses_{};
+  std::uint64_t sequence_ = 0;
+  std::uint32_t session_;
+  std::uint32_t run_ = 0;
+  RunState run_state_ = RunState::kIdle;
+  HostNs next_ns_ = 0;
+  bool began_ = false;
+
+  bool welcomed_ = false;
+  std::uint16_t port_ = 0;
+  std::string name_;
+  HostNs heard_ns_ = 0;
+  std::uint64_t world_sequence_ = 0;
+  std::uint64_t answers_ = 0;
+  std::optional<double> stamp_s_;
+  std::optional<std::string> reply_;
+  std::string note_;
+  bool refused_ = false;
+};
+
+}  // namespace tp100::worlds

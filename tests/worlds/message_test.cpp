@@ -1,0 +1,239 @@
+#include "worlds/message.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "core/angle.h"
+
+namespace tp100::worlds {
+namespace {
+
+using ::testing::HasSubstr;
+using Verdict = Decoded::Verdict;
+
+PoseReport report() {
+  PoseReport out;
+  out.session = 7;
+  out.sequence = 4711;
+  out.stamp_s = 12.345678;
+  out.run = 1;
+  out.source = "odometry";
+  out.pose = {.x_m = 0.612, .y_m = 0.034, .z_m = 0.041, .pitch_rad = -0.483, .yaw_rad = 0.024};
+  out.floor = {.x_m = 0.65, .y_m = 0.034, .yaw_rad = 0.024};
+  out.twist = {.vx_mps = 0.098, .vy_mps = 0.001, .yaw_rate_radps = 0.31};
+  out.left_mps = 0.101;
+  out.right_mps = 0.118;
+  out.slip_left = 0.17;
+  out.slip_right = 0.18;
+  out.mode = RunState::kRunning;
+  out.desired_yaw_rad = 0.05;
+  out.speed_mps = 0.1;
+  return out;
+}
+
+Hello hello() {
+  Hello out;
+  out.session = 7;
+  out.version = "0.1.0";
+  out.course = "3";
+  out.setup = "flat";
+  return out;
+}
+
+const std::string kWorld =
+    R"({"v":1,"type":"world","session":7,"seq":933,"ack":4711,"timestamp":12.35,)"
+    R"("ground":{"z":0.041,"pitch":-0.489,"roll":0.02,"surface":"tarpaulin"},)"
+    R"("contact":{"step":0.037,"blocked":true},)"
+    R"("pose":{"pos":[0.61,0.03,0.04],"rpy":[0,-0.48,0.02]},"cmd":{"estop":true}})";
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = kWorld;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+Verdict verdict(const std::string& text) { return decode_world(text, Frame::kRos).verdict; }
+
+// The format as other programs know it: a change here breaks them.
+TEST(WorldMessage, IsWrittenAsDocumented) {
+  EXPECT_EQ(encode(hello()),
+            R"({"v":1,"type":"hello","session":7,"name":"tp100d","version":"0.1.0","frame":"ros",)"
+            R"("authority":"bridge","rate_hz":100.0,"timeout_s":0.3,"lockstep":false,)"
+            R"("course":"3","setup":"flat"})");
+  EXPECT_EQ(encode(report(), Frame::kRos),
+            R"({"v":1,"type":"pose","session":7,"seq":4711,"timestamp":12.345678,"run":1,)"
+            R"("frame":"ros","src":"odometry","pos":[0.612,0.034,0.041],)"
+            R"("quat":[0.00287,-0.239142,0.011651,0.97091],"rpy":[0.0,-0.483,0.024],)"
+            R"("floor":{"pos":[0.65,0.034,0.0],"yaw":0.024},"vel":[0.098,0.001,0.0],)"
+            R"("omega":[0.0,0.0,0.31],"tracks":{"l":0.101,"r":0.118},)"
+            R"("slip":{"l":0.17,"r":0.18},"mode":"running","target":{"yaw":0.05,"speed":0.1}})");
+  EXPECT_EQ(encode(report(), Frame::kUnreal),
+            R"({"v":1,"type":"pose","session":7,"seq":4711,"timestamp":12.345678,"run":1,)"
+            R"("frame":"unreal","src":"odometry","pos":[61.2,-3.4,4.1],)"
+            R"("quat":[-0.00287,-0.239142,-0.011651,0.97091],"rpy":[0.0,27.673862,-1.375099],)"
+            R"("floor":{"pos":[65.0,-3.4,0.0],"yaw":-1.375099},"vel":[9.8,-0.1,0.0],)"
+            R"("omega":[0.0,0.0,-17.761692],"tracks":{"l":10.1,"r":11.8},)"
+            R"("slip":{"l":0.17,"r":0.18},"mode":"running",)"
+            R"("target":{"yaw":-2.864789,"speed":10.0}})");
+}
+
+TEST(WorldMessage, EveryFieldIsInTheDocument) {
+  std::ostringstream text;
+  text << std::ifstream(TP100_SOURCE_DIR "/daemon/worlds/WORLD.md").rdbuf();
+  const auto explain = [&](const nlohmann::json& json, const auto& self) -> void {
+    for (const auto& [key, value] : json.items()) {
+      EXPECT_THAT(text.str(), HasSubstr("`" + key + "`"));
+      if (value.is_object()) self(value, self);
+    }
+  };
+  for (const std::string& message :
+       {encode(hello()), encode(report(), Frame::kRos), encode_error("x"), kWorld})
+    explain(nlohmann::json::parse(message), explain);
+}
+
+TEST(WorldMessage, TheLongestFitsADatagram) {
+  PoseReport far = report();
+  far.session = 4294967295U;
+  far.sequence = std::uint64_t{1} << 53;
+  far.stamp_s = -1e9 - 0.123456;
+  far.pose = {-999.123456, -999.123456, -99.123456, -1.123456, -1.123456, -1234.123456};
+  far.floor = far.pose;
+  far.twist = {-9.123456, -9.123456, -9.123456};
+  far.left_mps = far.right_mps = far.slip_left = far.slip_right = -9.123456;
+  for (const Frame frame : {Frame::kRos, Frame::kUnreal, Frame::kUnity})
+    EXPECT_LE(encode(far, frame).size(), kMaxWorldDatagram);
+  Hello long_hello = hello();
+  long_hello.course = long_hello.setup = long_hello.version = std::string(5000, '\x01');
+  EXPECT_LE(encode(long_hello).size(), kMaxWorldDatagram);
+  EXPECT_LE(encode_error(std::string(5000, '"')).size(), kMaxWorldDatagram);
+}
+
+TEST(WorldMessage, SaysWhatTheWorldSaid) {
+  const Decoded decoded = decode_world(kWorld, Frame::kRos);
+  ASSERT_EQ(decoded.verdict, Verdict::kGood);
+  const WorldMessage& m = decoded.message;
+  EXPECT_EQ(m.type, WorldMessage::Type::kWorld);
+  EXPECT_EQ(m.session, 7u);
+  EXPECT_EQ(m.sequence, 933u);
+  EXPECT_EQ(m.answers, 4711u);
+  EXPECT_EQ(m.stamp_s, 12.35);
+  ASSERT_TRUE(m.ground);
+  EXPECT_EQ(m.ground->height_m, 0.041);
+  EXPECT_EQ(m.ground->pitch_rad, -0.489);
+  EXPECT_EQ(m.ground->roll_rad, 0.02);
+  EXPECT_EQ(m.ground->surface, "tarpaulin");
+  EXPECT_EQ(m.step_height_m, 0.037);
+  EXPECT_TRUE(m.blocked);
+  EXPECT_TRUE(m.stop);
+  ASSERT_TRUE(m.pose);
+  EXPECT_EQ(m.pose->x_m, 0.61);
+  EXPECT_EQ(m.pose->pitch_rad, -0.48);
+  EXPECT_EQ(m.pose->yaw_rad, 0.02);
+}
+
+TEST(WorldMessage, IsReadInTheFrameOfTheWorld) {
+  const Decoded unreal = decode_world(
+      R"({"v":1,"type":"world","seq":1,"ack":1,"ground":{"z":4.1,"pitch":28,"roll":5},)"
+      R"("contact":{"step":3.7},"pose":{"pos":[61,-3,4],"quat":[0,-0.2588190,0,0.9659258]}})",
+      Frame::kUnreal);
+  ASSERT_EQ(unreal.verdict, Verdict::kGood);
+  EXPECT_DOUBLE_EQ(unreal.message.ground->height_m, 0.041);
+  EXPECT_DOUBLE_EQ(unreal.message.ground->pitch_rad, -28 * kRadPerDeg);
+  EXPECT_DOUBLE_EQ(unreal.message.ground->roll_rad, 5 * kRadPerDeg);
+  EXPECT_DOUBLE_EQ(unreal.message.step_height_m, 0.037);
+  EXPECT_DOUBLE_EQ(unreal.message.pose->y_m, 0.03);
+  EXPECT_NEAR(unreal.message.pose->pitch_rad, -30 * kRadPerDeg, 1e-6);
+  const Decoded unity =
+      decode_world(R"({"v":1,"type":"world","seq":1,"ack":1,"ground":{"z":0.041,"pitch":-28},)"
+                   R"("pose":{"pos":[-0.03,0.04,0.61],"rpy":[0,-30,90]}})",
+                   Frame::kUnity);
+  ASSERT_EQ(unity.verdict, Verdict::kGood);
+  EXPECT_DOUBLE_EQ(unity.message.ground->pitch_rad, -28 * kRadPerDeg);
+  EXPECT_DOUBLE_EQ(unity.message.pose->x_m, 0.61);
+  EXPECT_DOUBLE_EQ(unity.message.pose->y_m, 0.03);
+  EXPECT_DOUBLE_EQ(unity.message.pose->z_m, 0.04);
+  EXPECT_DOUBLE_EQ(unity.message.pose->yaw_rad, -kPi / 2);
+}
+
+TEST(WorldMessage, OptionalBlocksMayBeMissingAndUnknownFieldsAreIgnored) {
+  EXPECT_EQ(verdict(R"({"v":1,"type":"world","seq":1,"ack":2})"), Verdict::kGood);
+  EXPECT_EQ(verdict(R"({"more":[{}],"v":1,"type":"world","seq":1,"ack":2,"ground":null,"x":{}})"),
+            Verdict::kGood);
+  EXPECT_EQ(verdict(R"({"v":1,"type":"welcome","session":3})"), Verdict::kGood);
+  EXPECT_EQ(verdict(kWorld + "\n"), Verdict::kGood);
+}
+
+TEST(WorldMessage, AnotherVersionIsToldApart) {
+  const Decoded decoded = decode_world(changed("\"v\":1", "\"v\":2"), Frame::kRos);
+  EXPECT_EQ(decoded.verdict, Verdict::kOtherVersion);
+  EXPECT_EQ(decoded.version, 2);
+}
+
+TEST(WorldMessage, WhatIsNotOfTheFormatIsRefused) {
+  for (const char* text :
+       {"", "[]", "null", "{}", "{\"v\":\"1\"}", "{\"v\":1}",
+        R"({"v":1,"type":"pose","seq":1,"ack":1})", R"({"v":1,"type":"world","seq":1})",
+        R"({"v":1,"type":"welcome"})", R"({"v":1,"type":7,"seq":1,"ack":1})"})
+    EXPECT_EQ(verdict(text), Verdict::kMalformed) << text;
+  EXPECT_EQ(verdict(kWorld + "}"), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("\"ack\":4711", "\"ack\":-1")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("\"ack\":4711", "\"ack\":1.5")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("\"ack\":4711", "\"ack\":18446744073709551615")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("\"estop\":true", "\"estop\":1")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("\"z\":0.041,", "")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("[0.61,0.03,0.04]", "[0.61,0.03]")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("\"rpy\":[0,-0.48,0.02]", "\"quat\":[0,0,0,0]")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("\"session\":7", "\"session\":4294967296")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("tarpaulin", std::string(65, 'a'))), Verdict::kMalformed);
+  EXPECT_EQ(verdict(std::string(600, '[') + std::string(600, ']')), Verdict::kMalformed);
+}
+
+TEST(WorldMessage, WhatIsOutOfRangeIsRefused) {
+  for (const char* number : {"1e999", "-1e999", "NaN", "Infinity", "100.001", "-1e300", "\"1\""})
+    EXPECT_EQ(verdict(changed("\"z\":0.041", "\"z\":" + std::string(number))), Verdict::kMalformed)
+        << number;
+  EXPECT_EQ(verdict(changed("-0.489", "1.6")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("\"roll\":0.02", "\"roll\":-1.6")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("0.037", "-0.001")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("0.037", "1.001")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("[0.61", "[1000.1")), Verdict::kMalformed);
+  EXPECT_EQ(verdict(changed("{\"v\"", "{\"pad\":\"" + std::string(1200, 'x') + "\",\"v\"")),
+            Verdict::kMalformed);
+}
+
+TEST(WorldMessage, DamagedDatagramsAreRefusedOrStillInRange) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<std::size_t> place(0, kWorld.size() - 1);
+  std::uniform_int_distribution<int> byte(0, 255);
+  int taken = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::string bad = kWorld;
+    for (int flips = i % 4; flips >= 0; --flips)
+      bad[place(random)] = static_cast<char>(byte(random));
+    if (i % 5 == 0) bad.resize(place(random));
+    const Decoded decoded = decode_world(bad, static_cast<Frame>(i % 3));
+    if (decoded.verdict != Verdict::kGood) continue;
+    ++taken;
+    const WorldMessage& m = decoded.message;
+    if (m.ground) {
+      EXPECT_LE(std::abs(m.ground->height_m), 100.0);
+      EXPECT_LE(std::abs(m.ground->pitch_rad), 1.5708);
+    }
+    if (m.pose) {
+      EXPECT_LE(std::abs(m.pose->x_m), 1000.0);
+      EXPECT_LE(std::abs(m.pose->yaw_rad), 1e4);
+    }
+    EXPECT_TRUE(m.step_height_m >= 0.0 && m.step_height_m <= 1.0);
+  }
+  EXPECT_GT(taken, 0) << "a damaged digit is still a number";
+}
+
+}  // namespace
+}  // namespace tp100::worlds

@@ -1,0 +1,244 @@
+#include "worlds/peer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <random>
+
+namespace tp100::worlds {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+constexpr std::uint16_t kPort = 40000;
+
+// A bridge at 200 Hz and whatever answers it.
+class PeerTest : public ::testing::Test {
+ protected:
+  PeerTest() : peer_(settings()) {}
+  static PeerSettings settings() {
+    PeerSettings out;
+    out.hello.session = 100;
+    out.source = "odometry";
+    out.surfaces = {{"sand", 0.2}};
+    return out;
+  }
+  // One step; what was sent.
+  Json step() {
+    now_ += 5 * kNsPerMs;
+    record_->now_ns = now_;
+    ++record_->step;
+    const auto sent = peer_.step(*record_, now_);
+    return sent ? Json::parse(*sent) : Json();
+  }
+  Json step_until(const char* type) {
+    for (int i = 0; i < 200; ++i)
+      if (const Json sent = step(); sent.is_object() && sent["type"] == type) return sent;
+    ADD_FAILURE() << "no " << type;
+    return {};
+  }
+  std::optional<WorldSample> say(const Json& message, std::uint16_t port = kPort) {
+    return peer_.receive(message.dump(), port, now_);
+  }
+  void welcome() {
+    const Json hello = step_until("hello");
+    say({{"v", 1}, {"type", "welcome"}, {"session", hello["session"]}, {"name", "test"}});
+    ASSERT_TRUE(peer_.welcomed());
+  }
+  static Json answer(std::uint64_t seq, std::uint64_t ack) {
+    return {{"v", 1}, {"type", "world"}, {"seq", seq}, {"ack", ack}};
+  }
+
+  std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
+  Peer peer_;
+  HostNs now_ = kNsPerS;
+};
+
+TEST_F(PeerTest, SaysHelloFourTimesASecondUntilWelcomed) {
+  int hellos = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Json sent = step();
+    if (!sent.is_object()) continue;
+    ++hellos;
+    EXPECT_EQ(sent["type"], "hello");
+  }
+  EXPECT_EQ(hellos, 8);
+}
+
+TEST_F(PeerTest, OnlyWhoGotTheHelloCanWelcome) {
+  const Json hello = step_until("hello");
+  say({{"v", 1}, {"type", "welcome"}, {"session", 1 + hello["session"].get<int>()}});
+  EXPECT_FALSE(peer_.welcomed());
+  EXPECT_EQ(peer_.counters().foreign, 1u);
+}
+
+TEST_F(PeerTest, PosesGoOutAtTheirRateAndAreAnswered) {
+  welcome();
+  int poses = 0;
+  std::uint64_t seq = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Json sent = step();
+    if (!sent.is_object()) continue;
+    ++poses;
+    const HostNs stepped = now_;
+    now_ += kNsPerMs;
+    const auto sample = say(answer(++seq, sent["seq"]));
+    ASSERT_TRUE(sample);
+    EXPECT_EQ(sample->answered_ns, stepped);
+    EXPECT_EQ(sample->session, 1u);
+    now_ -= kNsPerMs;
+  }
+  EXPECT_NEAR(poses, 200, 1);
+  EXPECT_EQ(peer_.counters().answered, static_cast<std::uint64_t>(poses));
+  EXPECT_NEAR(peer_.counters().mean_round_trip_ms, 1.0, 1e-9);
+  EXPECT_EQ(peer_.counters().missing, 0u);
+}
+
+TEST_F(PeerTest, SaysWhichGroundAndKnowsTheCoursesSurfaces) {
+  welcome();
+  Json message = answer(1, step_until("pose")["seq"]);
+  message["ground"] = {{"z", 0.04}, {"pitch", -0.4}, {"surface", "sand"}};
+  message["pose"] = {{"pos", {1, 2, 3}}, {"rpy", {0, 0, 0}}};
+  auto sample = say(message);
+  ASSERT_TRUE(sample && sample->has_ground);
+  EXPECT_EQ(sample->slip_offset, 0.2);
+  EXPECT_EQ(sample->pitch_rad, -0.4);
+  EXPECT_FALSE(sample->has_pose) << "the bridge owns it";
+  message["seq"] = 2;
+  message["ground"]["surface"] = "ice";
+  sample = say(message);
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->slip_offset, 0.0);
+  EXPECT_EQ(peer_.counters().unknown_surface, 1u);
+}
+
+TEST_F(PeerTest, CountsWhatNeverCameAndDropsWhatIsOld) {
+  welcome();
+  const Json first = step_until("pose");
+  EXPECT_TRUE(say(answer(1, first["seq"])));
+  const Json second = step_until("pose");
+  EXPECT_TRUE(say(answer(5, second["seq"])));
+  EXPECT_EQ(peer_.counters().missing, 3u);
+  EXPECT_FALSE(say(answer(5, second["seq"])));
+  EXPECT_FALSE(say(answer(3, second["seq"])));
+  EXPECT_FALSE(say(answer(6, first["seq"]))) << "an older pose again";
+  EXPECT_EQ(peer_.counters().reordered, 3u);
+  EXPECT_FALSE(say(answer(6, second["seq"].get<std::uint64_t>() + 1))) << "was never sent";
+  EXPECT_EQ(peer_.counters().unknown_ack, 1u);
+}
+
+TEST_F(PeerTest, AWorldThatGoesBackInTimeIsNotBelieved) {
+  welcome();
+  Json message = answer(1, step_until("pose")["seq"]);
+  message["timestamp"] = 10.0;
+  EXPECT_TRUE(say(message));
+  message = answer(2, step_until("pose")["seq"]);
+  message["timestamp"] = 9.0;
+  EXPECT_FALSE(say(message));
+  EXPECT_EQ(peer_.counters().back_in_time, 1u);
+}
+
+TEST_F(PeerTest, AnotherPortOrSessionIsNotHeard) {
+  welcome();
+  const Json pose = step_until("pose");
+  EXPECT_FALSE(say(answer(1, pose["seq"]), kPort + 1));
+  Json other = answer(1, pose["seq"]);
+  other["session"] = 5;
+  EXPECT_FALSE(say(other));
+  EXPECT_EQ(peer_.counters().foreign, 2u);
+}
+
+TEST_F(PeerTest, ASilentWorldIsGreetedAnewAndBeginsAnotherSession) {
+  welcome();
+  EXPECT_TRUE(say(answer(50, step_until("pose")["seq"])));
+  const Json hello = step_until("hello");
+  EXPECT_EQ(peer_.counters().losses, 1u);
+  EXPECT_THAT(peer_.take_note(), HasSubstr("silent"));
+  EXPECT_EQ(hello["session"], 101);
+  EXPECT_FALSE(say(answer(51, peer_.sent()))) << "not welcomed";
+  welcome();
+  const auto sample = say(answer(1, step_until("pose")["seq"]));
+  ASSERT_TRUE(sample) << "its numbers begin anew";
+  EXPECT_EQ(sample->session, 2u);
+}
+
+TEST_F(PeerTest, AFrozenAnswerIsNoSignOfANewPose) {
+  welcome();
+  const Json pose = step_until("pose");
+  const HostNs stepped = now_;
+  for (std::uint64_t seq = 1; seq < 20; ++seq) {
+    step();
+    const auto sample = say(answer(seq, pose["seq"]));
+    ASSERT_TRUE(sample);
+    EXPECT_EQ(sample->answered_ns, stepped);
+  }
+}
+
+TEST_F(PeerTest, AnotherVersionIsAnsweredOnce) {
+  const Json hello = step_until("hello");
+  say({{"v", 2}, {"type", "welcome"}, {"session", hello["session"]}});
+  const auto reply = peer_.take_reply();
+  ASSERT_TRUE(reply);
+  EXPECT_THAT(Json::parse(*reply)["text"].get<std::string>(), HasSubstr("not world/2"));
+  for (int i = 0; i < 10; ++i) say({{"v", 2}, {"type", "world"}});
+  EXPECT_FALSE(peer_.take_reply());
+  EXPECT_EQ(peer_.counters().wrong_version, 11u);
+}
+
+TEST_F(PeerTest, AWorldOfAnotherFrameOrAuthorityIsToldSo) {
+  const Json hello = step_until("hello");
+  say({{"v", 1}, {"type", "welcome"}, {"session", hello["session"]}, {"frame", "unreal"}});
+  EXPECT_FALSE(peer_.welcomed());
+  const auto reply = peer_.take_reply();
+  ASSERT_TRUE(reply);
+  EXPECT_THAT(*reply, HasSubstr("world.frame ros"));
+}
+
+TEST_F(PeerTest, RunsAreCounted) {
+  welcome();
+  EXPECT_EQ(step_until("pose")["run"], 0);
+  for (int run = 1; run < 4; ++run) {
+    record_->snapshot.run_state = RunState::kRunning;
+    step();
+    EXPECT_EQ(step_until("pose")["run"], run);
+    record_->snapshot.run_state = RunState::kAborted;
+    EXPECT_EQ(step_until("pose")["run"], run);
+  }
+}
+
+// Whatever comes, every datagram is in one counter, and what is passed on is in range.
+TEST_F(PeerTest, SurvivesGarbage) {
+  welcome();
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> byte(0, 255), length(0, 1300), kind(0, 5);
+  for (int i = 0; i < 5000; ++i) {
+    step();
+    // A damaged digit can be a number far ahead, after which all others are old.
+    if (!peer_.welcomed()) welcome();
+    std::string text;
+    switch (kind(random)) {
+      case 0:
+        for (int n = length(random); n > 0; --n) text += static_cast<char>(byte(random));
+        break;
+      case 1:
+        text = answer(static_cast<std::uint64_t>(i), peer_.sent()).dump();
+        text[static_cast<std::size_t>(byte(random)) % text.size()] =
+            static_cast<char>(byte(random));
+        break;
+      default:
+        text = answer(static_cast<std::uint64_t>(i), peer_.sent()).dump();
+    }
+    peer_.receive(text, kPort, now_);
+  }
+  const PeerCounters& c = peer_.counters();
+  EXPECT_EQ(c.received, c.accepted + c.malformed + c.wrong_version + c.foreign + c.reordered +
+                            c.back_in_time + c.unknown_ack);
+  EXPECT_GT(c.malformed, 0u);
+  EXPECT_GT(c.accepted, 1000u);
+}
+
+}  // namespace
+}  // namespace tp100::worlds

@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "worlds/encoder_text.h"
+#include "worlds/orientation_text.h"
+
+namespace tp100::worlds {
+namespace {
+
+std::unique_ptr<StepRecord> record() {
+  auto out = std::make_unique<StepRecord>();
+  out->step = 17;
+  out->now_ns = 2'500'000'000;
+  out->snapshot.left_mps = 0.1;
+  out->snapshot.right_mps = 0.11;
+  out->snapshot.sample.left_counts = -5;
+  out->snapshot.world = {.x_m = 1.0, .y_m = 0.5, .pitch_rad = -0.1, .yaw_rad = kPi / 2};
+  out->snapshot.run_state = RunState::kRunning;
+  return out;
+}
+
+TEST(EncoderText, FillsTheTemplateInTheFrame) {
+  EXPECT_EQ(encoder_text("{seq} {left} {right}", *record(), Frame::kRos), "17 0.100000 0.110000\n");
+  EXPECT_EQ(encoder_text("{left},{right},{y},{yaw} {mode}\\n", *record(), Frame::kUnreal),
+            "10.000000,11.000000,-50.000000,-90.000000 running\n");
+  EXPECT_EQ(encoder_text("{t_s}\\t{left_count}", *record(), Frame::kRos), "2.500000\t-5\n");
+}
+
+TEST(EncoderText, AnUnknownNameIsAnErrorAtTheStart) {
+  EXPECT_NO_THROW(require_encoder_template("{seq} {left} {right} end", "world.encoder_template"));
+  EXPECT_THROW(require_encoder_template("{wheel}", "k"), SetupError);
+  EXPECT_THROW(require_encoder_template("{left", "k"), SetupError);
+  EXPECT_THROW(require_encoder_template(std::string(501, 'x'), "k"), SetupError);
+}
+
+TEST(OrientationText, UnrealsOwnTextsAreUnderstood) {
+  const auto both = orientation_of(
+      "X=120.000 Y=80.000 Z=3.700\nP=28.000000 Y=-90.000000 R=2.000000\n", "", Frame::kUnreal);
+  ASSERT_TRUE(both && both->has_place && both->has_turn);
+  EXPECT_DOUBLE_EQ(both->pose.x_m, 1.2);
+  EXPECT_DOUBLE_EQ(both->pose.y_m, -0.8);
+  EXPECT_DOUBLE_EQ(both->pose.z_m, 0.037);
+  EXPECT_DOUBLE_EQ(both->pose.pitch_rad, -28 * kRadPerDeg);
+  EXPECT_DOUBLE_EQ(both->pose.yaw_rad, kPi / 2);
+  EXPECT_DOUBLE_EQ(both->pose.roll_rad, 2 * kRadPerDeg);
+  const auto other = orientation_of("P=1 Y=2 R=3, X=4 Y=5 Z=6", "", Frame::kUnreal);
+  ASSERT_TRUE(other && other->has_place);
+  EXPECT_DOUBLE_EQ(other->pose.y_m, -0.05);
+  const auto turn = orientation_of("P=-1.5 Y=2 R=0.3", "", Frame::kRos);
+  ASSERT_TRUE(turn);
+  EXPECT_FALSE(turn->has_place);
+  EXPECT_DOUBLE_EQ(turn->pose.pitch_rad, -1.5);
+}
+
+TEST(OrientationText, PlainNumbersAreInARotatorsOrder) {
+  const auto one = orientation_of("28.0\n", "", Frame::kUnreal);
+  ASSERT_TRUE(one);
+  EXPECT_FALSE(one->has_turn);
+  EXPECT_DOUBLE_EQ(one->pose.pitch_rad, -28 * kRadPerDeg);
+  const auto three = orientation_of("0.1, 0.2, 0.3", "", Frame::kRos);
+  ASSERT_TRUE(three && three->has_turn);
+  EXPECT_DOUBLE_EQ(three->pose.pitch_rad, 0.1);
+  EXPECT_DOUBLE_EQ(three->pose.yaw_rad, 0.2);
+  EXPECT_DOUBLE_EQ(three->pose.roll_rad, 0.3);
+  const auto six = orientation_of("(1 2 3 0.1 0.2 0.3)", "", Frame::kRos);
+  ASSERT_TRUE(six && six->has_place);
+  EXPECT_DOUBLE_EQ(six->pose.z_m, 3);
+  EXPECT_DOUBLE_EQ(six->pose.yaw_rad, 0.2);
+}
+
+TEST(OrientationText, ATemplateIsTakenLiterally) {
+  const char* pattern = "robot {} at {x};{y};{z} pitch {pitch} end";
+  const auto good = orientation_of("robot 7  at 1;2;3\npitch -0.5 end\r\n", pattern, Frame::kRos);
+  ASSERT_TRUE(good && good->has_place);
+  EXPECT_FALSE(good->has_turn);
+  EXPECT_DOUBLE_EQ(good->pose.y_m, 2);
+  EXPECT_DOUBLE_EQ(good->pose.pitch_rad, -0.5);
+  for (const char* bad : {"robot 7 at 1;2;3 pitch -0.5", "robot 7 at 1;2;3 pitch -0.5 en",
+                          "robot x at 1;2;3 pitch -0.5 end", "robot 7 at 1;2;3 pitch -0.5 end 4"})
+    EXPECT_FALSE(orientation_of(bad, pattern, Frame::kRos)) << bad;
+}
+
+TEST(OrientationText, ABadTemplateIsAnErrorAtTheStart) {
+  EXPECT_NO_THROW(require_orientation_template("", "k"));
+  EXPECT_NO_THROW(require_orientation_template("{pitch} {}", "k"));
+  EXPECT_THROW(require_orientation_template("{roll}", "k"), SetupError);
+  EXPECT_THROW(require_orientation_template("{pitch} {tilt}", "k"), SetupError);
+  EXPECT_THROW(require_orientation_template("{pitch", "k"), SetupError);
+}
+
+TEST(OrientationText, WhatIsIncompleteOrOutOfRangeIsRefused) {
+  for (const char* text : {"",
+                           "   ",
+                           "1 2",
+                           "1 2 3 4",
+                           "1 2 3 4 5 6 7",
+                           "P=1 Y=2",
+                           "P=1 Y=2 R=",
+                           "P=1 Y=2 R=3 X=1",
+                           "P=1 Y=2 R=3 R=4",
+                           "nan",
+                           "inf",
+                           "1e999",
+                           "2.0",
+                           "P=0 Y=1e9 R=0",
+                           "0 0 0 2001 0 0",
+                           "P=",
+                           "X=1 Y=2 Z=3",
+                           "0.1.2",
+                           "0x10",
+                           "up",
+                           "1001 0 0 0 0 0"})
+    EXPECT_FALSE(orientation_of(text, "", Frame::kRos)) << text;
+  EXPECT_FALSE(orientation_of(std::string(5000, ' ') + "1", "", Frame::kRos));
+}
+
+TEST(OrientationText, SurvivesGarbage) {
+  std::mt19937 random(5);
+  const std::string good = "X=120.0 Y=80.0 Z=3.7 P=28.0 Y=-90.0 R=2.0\n";
+  std::uniform_int_distribution<std::size_t> place(0, good.size() - 1);
+  std::uniform_int_distribution<int> byte(0, 255);
+  for (int i = 0; i < 20'000; ++i) {
+    std::string bad = good;
+    for (int flips = i % 4; flips >= 0; --flips)
+      bad[place(random)] = static_cast<char>(byte(random));
+    if (i % 3 == 0) bad.resize(place(random));
+    const auto read = orientation_of(bad, i % 2 == 0 ? "" : "X={x} Y={y} {pitch}", Frame::kUnreal);
+    if (!read) continue;
+    EXPECT_LE(std::abs(read->pose.pitch_rad), 1.5708);
+    EXPECT_LE(std::abs(read->pose.x_m), 1000.0);
+  }
+}
+
+}  // namespace
+}  // namespace tp100::worlds
