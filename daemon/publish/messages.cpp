@@ -274,6 +274,7 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
       .field("desired_yaw_rad", snapshot.command.desired_yaw_rad)
       .field("desired_speed_mps", snapshot.command.speed_mps)
       .field("progress_m", snapshot.progress_m)
+      .field("recovering", snapshot.recovering)
       .end_object();
   return text;
 }

@@ -151,7 +151,7 @@ template <class Visitor, MaybeConst<Snapshot> T>
 void visit_fields(Visitor& v, T& snapshot) {
   auto& [now, sample, has_sample, age, model, model_twist, odometry, odometry_twist, fused, world,
          underfoot, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope,
-         command, cross_track, heading_error, progress, run_state, faults] = snapshot;
+         command, cross_track, heading_error, progress, recovering, run_state, faults] = snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -175,6 +175,7 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("cross_track_m", cross_track);
   v("heading_error_rad", heading_error);
   v("progress_m", progress);
+  v("recovering", recovering);
   v("run_state", run_state, RunState::kAborted);
   v("faults", faults);
 }

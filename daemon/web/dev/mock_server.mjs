@@ -51,9 +51,9 @@ let run = 'idle', runBegan = 0, runEnded = 0, s = 0, robot = true, recording = n
 let stop = { count: 0, latched: false, by: '', requested_t_s: null, status: 'none', acknowledged_ms: null };
 const lateness = new Array(14).fill(0);
 const parameters = [
-  ['control.cross_track_gain_1pm', 16, '1/m', 0, 200, 'Approach angle per cross-track error, before its arc tangent.'],
+  ['control.cross_track_gain_1ps', 3.6, '1/s', 0, 50, 'Stanley: the approach angle is the arc tangent of this times the cross-track error over the speed.'],
   ['control.preview_s', 0.06, 's', 0, 1, 'Lag of loop and motors: the path is read this far ahead.'],
-  ['control.max_approach_deg', 35, 'deg', 1, 80, 'Steepest approach to the path.'],
+  ['control.max_approach_deg', 24, 'deg', 1, 80, 'Steepest approach to the path.'],
 ].map(([name, value, unit, min, max, meaning]) => ({ name, value, default: value, type: 'number', unit, min, max, choices: [], meaning, live: true, when: 'always' }));
 parameters.push({ name: 'estimation.steering', value: 'odometry', default: 'odometry', type: 'choice', choices: ['model', 'odometry', 'fused'], unit: '', min: null, max: null, meaning: 'Pose that steers.', live: true, when: 'not running' });
 parameters.push({ name: 'link.baud', value: 500000, default: 500000, type: 'integer', unit: 'baud', min: 9600, max: 2000000, choices: [], meaning: 'Speed of the port.', live: false, when: 'always' });

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "analysis/metrics.h"
+#include "core/angle.h"
+#include "sim/run/lockstep.h"
+#include "sim/run/options.h"
+
+namespace tp100::sim {
+namespace {
+
+// Sanitized builds run the same code some ten times slower: fewer seeds there.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t kSeeds = 1;
+#else
+constexpr std::uint64_t kSeeds = 3;
+#endif
+
+struct Case {
+  control::LawName law;
+  const char* law_name;
+  const char* course;
+  double tracking_m;  ///< median over the seeds of the largest distance from the path; 0: shoved
+};
+
+void PrintTo(const Case& which, std::ostream* out) {
+  *out << which.law_name << ' ' << which.course;
+}
+
+LockstepSettings settings(const Case& which, const std::string& robot = "end-loaded") {
+  Options options;
+  options.robot = robot;
+  const Loaded loaded = load(options);
+  LockstepSettings settings{.course = load_course(which.course),
+                            .robot = loaded.robot,
+                            .configuration = loaded.configuration,
+                            .setup = loaded.setup,
+                            .camera = load_camera("overhead")};
+  settings.configuration.parameters.steering = bridge::Steering::kFused;
+  settings.configuration.parameters.control.law = which.law;
+  return settings;
+}
+
+void expect_recovered(const analysis::Recovery& recovery) {
+  ASSERT_TRUE(recovery.detection_s.has_value());
+  EXPECT_LT(*recovery.detection_s, 0.10);
+  ASSERT_TRUE(recovery.settling_s.has_value());
+  EXPECT_LE(*recovery.settling_s, 2.5);
+  // The courses push by 4 cm and 15 deg.
+  EXPECT_GT(recovery.peak_cross_track_m, 0.03);
+  EXPECT_LT(recovery.peak_cross_track_m, 0.06);
+  EXPECT_GT(recovery.peak_yaw_error_rad, 10.0 * kRadPerDeg);
+  EXPECT_LT(recovery.overshoot_m, 0.005);
+  EXPECT_LT(recovery.shortcut_m, 0.005);
+}
+
+class CoursesByLaw : public testing::TestWithParam<Case> {};
+
+TEST_P(CoursesByLaw, SteerTheBodyAlongTheCourse) {
+  const Case& which = GetParam();
+  LockstepSettings run = settings(which);
+  std::vector<double> tracking_m;
+  for (run.seed = 1; run.seed <= kSeeds; ++run.seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << run.seed);
+    const analysis::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << result.cause;
+    const analysis::TrackingErrors tracking = analysis::figures(result, run.course).tracking;
+    tracking_m.push_back(tracking.max_cross_track_m);
+    EXPECT_EQ(tracking.false_alarms, 0);
+    EXPECT_EQ(tracking.recovery.size(), run.course.shoves.size());
+    for (const analysis::Recovery& recovery : tracking.recovery) expect_recovered(recovery);
+  }
+  std::sort(tracking_m.begin(), tracking_m.end());
+  if (which.tracking_m > 0.0) {
+    EXPECT_LE(tracking_m[tracking_m.size() / 2], which.tracking_m);
+  }
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const auto& [law, name] : {std::pair{control::LawName::kStanley, "stanley"},
+                                  std::pair{control::LawName::kPurePursuit, "pure_pursuit"},
+                                  std::pair{control::LawName::kLqr, "lqr"}}) {
+    all.push_back({law, name, "1-curve", 0.008});
+    all.push_back({law, name, "1-sharp", 0.015});
+    all.push_back({law, name, "2", 0.0});
+    all.push_back({law, name, "3", 0.015});
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Flat, CoursesByLaw, testing::ValuesIn(cases()),
+                         [](const testing::TestParamInfo<Case>& param) {
+                           std::string name =
+                               std::string(param.param.law_name) + "_" + param.param.course;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+// A law that nobody can tell from another is not chosen by its key.
+TEST(Laws, DriveDifferently) {
+  std::vector<double> end_s;
+  for (const control::LawName law :
+       {control::LawName::kStanley, control::LawName::kPurePursuit, control::LawName::kLqr}) {
+    const analysis::RunResult result = run_lockstep(settings({law, "", "2", 0.0}));
+    double sum = 0.0;
+    for (const analysis::TrackPoint& point : result.points) sum += point.truth.y_m;
+    end_s.push_back(sum);
+  }
+  EXPECT_NE(end_s[0], end_s[1]);
+  EXPECT_NE(end_s[0], end_s[2]);
+  EXPECT_NE(end_s[1], end_s[2]);
+}
+
+TEST(Laws, ShovesAreRecoveredFromOnEveryRobot) {
+  for (const char* robot : {"uniform", "front-heavy", "large", "slippery"}) {
+    SCOPED_TRACE(robot);
+    const LockstepSettings run = settings({control::LawName::kStanley, "", "2", 0.0}, robot);
+    const analysis::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << result.cause;
+    const analysis::TrackingErrors tracking = analysis::figures(result, run.course).tracking;
+    EXPECT_EQ(tracking.false_alarms, 0);
+    for (const analysis::Recovery& recovery : tracking.recovery) expect_recovered(recovery);
+  }
+}
+
+}  // namespace
+}  // namespace tp100::sim
