@@ -24,6 +24,9 @@ struct FittedRun {
   double pictures_per_s = 0.0;
   HandMeasured measured;
   Own own{};
+  /// How far pictures usually are from what the fit predicts of this run: a false detection is far
+  /// beyond, a model that does not fit is not.
+  double usual_m = 0.0, usual_rad = 0.0;
 
   /// World pose at `t_s` from the poses since the start.
   Pose predicted(const std::vector<Pose>& poses, double t_s) const;

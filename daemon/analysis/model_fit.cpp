@@ -48,6 +48,10 @@ double huber_cost(double deviations) {
   return deviations <= kHuber ? deviations * deviations : kHuber * (2.0 * deviations - kHuber);
 }
 
+bool false_detection(const FittedRun& run, double off_m, double off_rad) {
+  return off_m > kReject * run.usual_m || off_rad > kReject * run.usual_rad;
+}
+
 }  // namespace
 
 ModelFit::ModelFit(std::vector<FittedRun> runs, const Values& start, const Values& believed,
@@ -134,7 +138,7 @@ double ModelFit::take_pictures(const FittedRun& run, const Poses& poses, RunSums
     const double gyro = seen.yaw_rad - (run.own[3] + gyro_scale * turned);
     const double off_m = std::hypot(x, y) / sd_m_, off_rad = std::abs(yaw) / sd_rad_;
     const double off_gyro = run.motion.has_bias() ? std::abs(gyro) / sd_gyro_rad_ : 0.0;
-    if (rejecting_ && (off_m > kReject || off_rad > kReject)) {
+    if (rejecting_ && false_detection(run, off_m * sd_m_, off_rad * sd_rad_)) {
       cost += huber_cost(kReject) / together;
       continue;
     }
@@ -218,17 +222,22 @@ double ModelFit::linearise(std::vector<RunSums>* sums) const {
 
 void ModelFit::rescale() {
   std::vector<double> off_m, off_rad, off_gyro;
-  for (const FittedRun& run : runs_) {
+  for (FittedRun& run : runs_) {
+    std::vector<double> run_m, run_rad;
     const std::vector<Pose> poses = run.motion.poses(tracks(values_));
     for (const SeenPose& seen : run.pictures) {
       const double t_s = seen.t_s - values_[kDelay];
       const Pose here = run.predicted(poses, t_s);
-      off_m.push_back(std::hypot(seen.x_m - here.x_m, seen.y_m - here.y_m));
-      off_rad.push_back(std::abs(seen.yaw_rad - here.yaw_rad));
+      run_m.push_back(std::hypot(seen.x_m - here.x_m, seen.y_m - here.y_m));
+      run_rad.push_back(std::abs(seen.yaw_rad - here.yaw_rad));
       off_gyro.push_back(
           std::abs(seen.yaw_rad - run.own[3] -
                    values_[index(Parameter::kGyroScale)] * run.motion.gyro_rad(t_s)));
     }
+    off_m.insert(off_m.end(), run_m.begin(), run_m.end());
+    off_rad.insert(off_rad.end(), run_rad.begin(), run_rad.end());
+    run.usual_m = std::max(settings_.camera_sd_m, median(std::move(run_m)) / kMedianOfTwo);
+    run.usual_rad = std::max(settings_.camera_sd_rad, median(std::move(run_rad)) / kMedianOfOne);
   }
   sd_m_ = std::max(settings_.camera_sd_m, median(std::move(off_m)) / kMedianOfTwo);
   sd_rad_ = std::max(settings_.camera_sd_rad, median(std::move(off_rad)) / kMedianOfOne);
@@ -329,7 +338,7 @@ void ModelFit::describe_runs(Fit& fit) const {
       const Pose here = run.predicted(poses, seen.t_s - values_[kDelay]);
       const double off_m = std::hypot(seen.x_m - here.x_m, seen.y_m - here.y_m);
       const double off_rad = std::abs(seen.yaw_rad - here.yaw_rad);
-      if (off_m > kReject * sd_m_ || off_rad > kReject * sd_rad_) {
+      if (false_detection(run, off_m, off_rad)) {
         ++of.rejected;
         continue;
       }

@@ -72,6 +72,8 @@ struct EmulatedBody {
   double com_left_m = 0.0;
   double mid_lift_m = 0.0003;  ///< mid stations above the end stations: 0.3 mm loads the ends only
   double friction = 0.9;
+  double slick_m = 0.0;       ///< stretch of each belt that is worn smooth; it comes round again
+  double slick_factor = 0.5;  ///< on the friction of that stretch
   double creep_left = 0.148;  ///< contact creep, slip per unit of traction / weight
   double creep_right = 0.148;
   double belt_deficit_left = 0.160;  ///< surface speed lost against the encoder's belt speed

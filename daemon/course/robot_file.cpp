@@ -113,7 +113,7 @@ std::span<const Key<DriveValues>> drive_keys() {
 
 std::span<const Key<EmulatedBody>> body_keys() {
   using T = EmulatedBody;
-  static const std::array<Key<T>, 17> kKeys = {{
+  static const std::array<Key<T>, 19> kKeys = {{
       {"mass_kg", &T::mass_kg, {0.1, 10}, "Mass with electronics"},
       {"length_m", &T::length_m, {0.05, 1}, "Length of the box that gives the inertia"},
       {"width_m", &T::width_m, {0.05, 1}, "Width of that box"},
@@ -136,6 +136,11 @@ std::span<const Key<EmulatedBody>> body_keys() {
        {0, 0.005},
        "Middle of the belts above their ends: 0.3 mm loads the ends only, 0 loads the belt evenly"},
       {"friction", &T::friction, {0.05, 2}, "Friction coefficient between belt and ground"},
+      {"slick_m",
+       &T::slick_m,
+       {0, 5},
+       "Stretch of each belt that is worn smooth and comes round again and again"},
+      {"slick_factor", &T::slick_factor, {0.05, 1}, "Friction there, in parts of the rest's"},
       {"creep_left",
        &T::creep_left,
        {0, 2},

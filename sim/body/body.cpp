@@ -62,6 +62,8 @@ struct Body::World {
   }
   void create(const Pose& start);
   void touch(double left_mps, double right_mps);
+  /// Whether a belt is worn smooth where it touches the ground this far ahead of the middle.
+  bool slick(bool left, double ahead_m) const;
   void apply_shove();
   void observe();
 
@@ -77,6 +79,7 @@ struct Body::World {
     bool left;
   };
   std::vector<Traction> tractions;  // one per contact, in the order of `feedback`
+  double left_travel_m = 0.0, right_travel_m = 0.0;
   Eigen::Vector3d last_velocity = Eigen::Vector3d::Zero();
   double shove_per_step_m = 0.0, shove_yaw_per_step = 0.0;
   int shove_steps = 0;  // to come
@@ -138,6 +141,14 @@ void Body::World::create(const Pose& start) {
        state.specific_force_mps2);
 }
 
+bool Body::World::slick(bool left, double ahead_m) const {
+  if (values.slick_m <= 0.0) return false;
+  const double length_m = 2.0 * (values.axle_spacing_m + kPi * values.belt_radius_m);
+  // The worn stretches do not come round at the same time.
+  const double along_m = ahead_m + (left ? left_travel_m : right_travel_m + length_m / 2.0);
+  return along_m - length_m * std::floor(along_m / length_m) < values.slick_m;
+}
+
 void Body::World::touch(double left_mps, double right_mps) {
   const Eigen::Vector3d position = to_vector(dBodyGetPosition(body));
   const Eigen::Matrix3d rotation = to_matrix(dBodyGetRotation(body));
@@ -168,7 +179,8 @@ void Body::World::touch(double left_mps, double right_mps) {
                            dContactMotion1 | dContactMotion2 | dContactSlip1 | dContactSlip2 |
                            dContactApprox1;
     contact.surface.mu = contact.surface.mu2 =
-        values.friction * (surface == nullptr ? 1.0 : surface->friction_factor);
+        values.friction * (surface == nullptr ? 1.0 : surface->friction_factor) *
+        (slick(at.left, rotation.col(0).dot(at.point_m - position)) ? values.slick_factor : 1.0);
     contact.surface.soft_erp = kErp;
     contact.surface.soft_cfm = kCfm * lighter;
     contact.surface.motion1 = belt.dot(along);
@@ -236,6 +248,8 @@ void Body::step(double left_belt_mps, double right_belt_mps) {
   if (w.on_stand) return;
   w.touch(left_belt_mps, right_belt_mps);
   w.ode.step(kStepS);
+  w.left_travel_m += left_belt_mps * kStepS;
+  w.right_travel_m += right_belt_mps * kStepS;
   w.state.left_load_n = w.state.right_load_n = 0.0;
   for (std::size_t i = 0; i < w.tractions.size(); ++i) {
     const double traction = to_vector(w.feedback[i].f1).dot(w.tractions[i].forward);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <vector>
 
 #include "core/angle.h"
 
@@ -60,6 +61,38 @@ TEST(Body, AnEndLoadedRobotTurnsWithTheSameWheelbaseAtEveryRadius) {
 
 TEST(Body, AUniformlyLoadedRobotTurnsMuchMoreEasily) {
   EXPECT_NEAR(wheelbase_in_a_spin(uniform()), 0.194, 0.004);
+}
+
+TEST(Body, ABeltWornSmoothAllAroundIsASlipperyBelt) {
+  course::EmulatedBody worn = end_loaded(), slippery = end_loaded();
+  worn.slick_m = 5.0;
+  worn.slick_factor = 0.4;
+  slippery.friction *= 0.4;
+  EXPECT_EQ(wheelbase_in_a_spin(worn), wheelbase_in_a_spin(slippery));
+}
+
+TEST(Body, AWornStretchComesRoundOncePerBeltLength) {
+  course::EmulatedBody worn = uniform();
+  worn.slick_m = 0.12;
+  worn.slick_factor = 0.3;
+  const double length_m = 2.0 * (worn.axle_spacing_m + kPi * worn.belt_radius_m);
+  Body body(worn, {}, false);
+  const double round_s = length_m / 0.1;
+  double slowest = 1e9, fastest = 0.0, last = drive(body, -0.1, 0.1, 0.5).pose.yaw_rad;
+  std::vector<double> turns;
+  for (int i = 0; i < 20; ++i) {
+    const double yaw = drive(body, -0.1, 0.1, round_s / 10.0).pose.yaw_rad;
+    turns.push_back(yaw - last);
+    last = yaw;
+  }
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_NEAR(turns[i], turns[i + 10], 0.02 * turns[i]);
+    slowest = std::min(slowest, turns[i]);
+    fastest = std::max(fastest, turns[i]);
+  }
+  EXPECT_GT(fastest, 1.01 * slowest);
+  // Straight ahead nothing pulls on it.
+  EXPECT_NEAR(drive(body, 0.0, 0.0, 1.0).pose.yaw_rad, last, 0.05);
 }
 
 TEST(Body, StandsStill) {

@@ -100,7 +100,7 @@ TEST(BundledCourses, Course2IsShovedAt80CmAnd50CmBeforeItsEnd) {
 // TP100_REWRITE_CONFIG=1 writes the files anew from the values that they hold, with the key table's
 // prose.
 TEST(BundledRobots, SayWhatTheKeyTableSays) {
-  for (const char* name : {"end-loaded", "uniform", "front-heavy", "slippery", "large"}) {
+  for (const char* name : {"end-loaded", "uniform", "front-heavy", "slippery", "large", "worn"}) {
     const auto path = kConfig / "robots" / (std::string(name) + ".toml");
     const std::string text = read(path);
     const Robot robot = parse_robot(text, path.string());
