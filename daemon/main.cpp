@@ -118,9 +118,8 @@ void add_identify(CLI::App& app, Action& action) {
   command
       ->add_option("RUN", options.runs,
                    "Recordings, or CSV t_s,left_count,right_count,gyro_z_radps"
-                   "[,camera_x_m,camera_y_m,camera_yaw_rad]")
-      ->type_name("FILE")
-      ->required();
+                   "[,camera_x_m,camera_y_m,camera_yaw_rad], one file a run")
+      ->type_name("FILE");
   command->add_option("--out", options.out, "Robot file to write")->type_name("FILE")->required();
   command
       ->add_option("--robot", options.robot,
@@ -136,6 +135,30 @@ void add_identify(CLI::App& app, Action& action) {
       ->type_name("FILE");
   command->add_option("--date", options.date, "Day of the runs for the file (default: today)")
       ->type_name("DATE");
+  command->add_flag("--drive", options.drive,
+                    "Drive the calibration courses on a port first, instead of RUN; without a "
+                    "camera it asks for what was measured");
+  command->add_option("--port", options.guided.run.port, "Serial port of --drive (default: auto)")
+      ->type_name("DEVICE");
+  command
+      ->add_option("--camera", options.guided.run.camera,
+                   "Overhead camera of --drive: udp:PORT or udp:ADDRESS:PORT (default: none)")
+      ->type_name("ADDRESS");
+  command->add_flag("--go", options.guided.run.go,
+                    "--drive does not wait for Enter on a physical port either");
+  command
+      ->add_option("--course", options.guided.courses,
+                   "Courses of --drive: names in config/courses or files (default: those that "
+                   "calibrate a robot of this size)")
+      ->type_name("COURSE");
+  command->add_option("--repeats", options.guided.repeats, "How often --drive does each drive")
+      ->check(CLI::Range(1, 100))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  command
+      ->add_option("--runs-dir", options.guided.folder,
+                   "Folder for the recordings of --drive (default: beside --out)")
+      ->type_name("FOLDER");
   command->callback([&action] { action = [] { return run_identify(options); }; });
 }
 

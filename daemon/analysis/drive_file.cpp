@@ -102,6 +102,7 @@ Drive parse_drive(std::string_view text, const std::string& file) {
 
   Drive drive;
   drive.name = std::filesystem::path(file).stem().string();
+  if (drive.name.ends_with("-samples")) drive.name.resize(drive.name.size() - 8);
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const Row row(table, i);
     const double t_s = row.number("t_s", kMostSeconds);
@@ -166,6 +167,25 @@ void add_measured(std::string_view text, const std::string& file, std::vector<Dr
     take("turned_deg", kMostRad, kRadPerDeg, measured.turned_rad);
     if (measured.distance_m && *measured.distance_m < 0.0) row.fail("distance_m is below 0");
   }
+}
+
+std::string write_measured(const std::vector<Drive>& drives) {
+  std::string rows;
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    const HandMeasured& m = drives[i].measured;
+    if (!m.distance_m && !m.ahead_m && !m.left_m && !m.turned_rad) continue;
+    rows += std::to_string(i + 1);
+    const auto cell = [&rows](const std::optional<double>& value, double si) {
+      rows += ',';
+      if (value) append(rows, *value / si);
+    };
+    cell(m.distance_m, 1.0);
+    cell(m.ahead_m, 1.0);
+    cell(m.left_m, 1.0);
+    cell(m.turned_rad, kRadPerDeg);
+    rows += '\n';
+  }
+  return rows.empty() ? rows : "run,distance_m,ahead_m,left_m,turned_deg\n" + rows;
 }
 
 }  // namespace tp100::analysis

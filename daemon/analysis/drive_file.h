@@ -12,7 +12,8 @@ namespace tp100::analysis {
 
 /// Reads `t_s,left_count,right_count,gyro_z_radps[,camera_x_m,camera_y_m,camera_yaw_rad]`. A row
 /// holds a sample, a camera pose (at the time its picture was taken) or both; the cells of what it
-/// does not hold are empty. The drive is called by the file's name. Throws SetupError (file:line).
+/// does not hold are empty. The drive is called by the file's name,
+/// less "-samples". Throws SetupError (file:line).
 /// Pure.
 Drive parse_drive(std::string_view text, const std::string& file);
 
@@ -23,5 +24,8 @@ std::string write_drive(const Drive& drive);
 /// the drives from 1, an empty cell was not measured. Adds each row to its drive. Throws SetupError
 /// (file:line). Pure.
 void add_measured(std::string_view text, const std::string& file, std::vector<Drive>& drives);
+
+/// What was measured of the drives as add_measured reads it back; empty if nothing was.
+std::string write_measured(const std::vector<Drive>& drives);
 
 }  // namespace tp100::analysis

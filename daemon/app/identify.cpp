@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
+#include <utility>
 
 #include "analysis/atomic_file.h"
 #include "analysis/drive_file.h"
@@ -11,6 +13,7 @@
 #include "app/bundled_files.h"
 #include "app/configuration.h"
 #include "app/drive_sink.h"
+#include "core/error.h"
 
 namespace tp100::app {
 namespace {
@@ -22,6 +25,39 @@ std::string today() {
   std::array<char, 16> text{};
   std::strftime(text.data(), text.size(), "%Y-%m-%d", &day);
   return text.data();
+}
+
+std::vector<analysis::Drive> recorded(const IdentifyOptions& options) {
+  std::vector<analysis::Drive> drives;
+  for (const std::string& path : options.runs) {
+    if (analysis::is_recording(path)) {
+      drives.push_back(recorded_drive(analysis::Recording(path)));
+      drives.back().name = path;
+      continue;
+    }
+    const TextFile file = read_text_file(path);
+    drives.push_back(analysis::parse_drive(file.text, file.path));
+  }
+  if (!options.measured.empty()) {
+    const TextFile file = read_text_file(options.measured);
+    analysis::add_measured(file.text, file.path, drives);
+  }
+  return drives;
+}
+
+GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot) {
+  if (!options.runs.empty() || !options.measured.empty())
+    throw SetupError("identify: --drive makes its own runs; leave out RUN and --measured");
+  GuidedOptions guided = options.guided;
+  guided.run.config = options.config;
+  guided.run.robot = options.robot;
+  if (guided.folder.empty())
+    guided.folder = std::filesystem::path(options.out).replace_extension().string() + "-runs";
+  GuidedDrives result = drive_guided(guided, robot);
+  std::printf("%zu recordings in %s\n", result.drives.size(), guided.folder.c_str());
+  if (!result.completed)
+    std::printf("not completed: nothing is identified; what there is can be given as RUN\n");
+  return result;
 }
 
 }  // namespace
@@ -36,19 +72,15 @@ int run_identify(const IdentifyOptions& options) {
       read_bundled(Bundled::kRobots, options.robot.empty() ? configuration.robot : options.robot);
   const course::Robot base = course::parse_robot(base_file.text, base_file.path);
 
+  if (!options.drive && options.runs.empty())
+    throw SetupError("identify: give recordings (RUN...), or --drive to make them");
   std::vector<analysis::Drive> drives;
-  for (const std::string& path : options.runs) {
-    if (analysis::is_recording(path)) {
-      drives.push_back(recorded_drive(analysis::Recording(path)));
-      drives.back().name = path;
-      continue;
-    }
-    const TextFile file = read_text_file(path);
-    drives.push_back(analysis::parse_drive(file.text, file.path));
-  }
-  if (!options.measured.empty()) {
-    const TextFile file = read_text_file(options.measured);
-    analysis::add_measured(file.text, file.path, drives);
+  if (options.drive) {
+    GuidedDrives guided = driven(options, base);
+    if (!guided.completed) return 1;
+    drives = std::move(guided.drives);
+  } else {
+    drives = recorded(options);
   }
 
   const analysis::Belief belief =

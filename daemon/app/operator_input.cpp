@@ -45,11 +45,13 @@ struct OperatorInput::State : std::enable_shared_from_this<State> {
 
   boost::asio::posix::stream_descriptor input;
   std::function<void()> enter;
+  int flags = -1;  // of standard input before
 };
 
 OperatorInput::OperatorInput(boost::asio::io_context& context, std::function<void()> enter)
     : state_(std::make_shared<State>(context, std::move(enter))) {
   if (!worth_reading()) return;
+  state_->flags = ::fcntl(STDIN_FILENO, F_GETFL);
   const int copy = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
   boost::system::error_code error;
   state_->input.assign(copy, error);
@@ -63,8 +65,11 @@ OperatorInput::OperatorInput(boost::asio::io_context& context, std::function<voi
 OperatorInput::~OperatorInput() { stop(); }
 
 void OperatorInput::stop() {
+  if (!state_->input.is_open()) return;
   boost::system::error_code ignored;
   state_->input.close(ignored);
+  // Asio made it non-blocking, the copy and with it the original, which others still read.
+  if (state_->flags >= 0) ::fcntl(STDIN_FILENO, F_SETFL, state_->flags);
 }
 
 bool OperatorInput::listening() const { return state_->input.is_open(); }

@@ -111,6 +111,7 @@ int run_run(const RunOptions& options) {
   if (!configuration.record.directory.empty()) recording.start("");
   settings.recording = &recording;
   Supervisor supervisor(settings, cycle, loop);
+  for (publish::Sink* sink : options.sinks) supervisor.add_sink(*sink);
   try {
     return supervisor.run();
   } catch (const SetupError&) {

@@ -3,6 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "publish/sink.h"
 
 namespace tp100::app {
 
@@ -18,6 +21,7 @@ struct RunOptions {
   bool wait = false;   ///< wait for a port and a robot instead of failing
   bool go = false;     ///< start by itself on a physical port too
   std::optional<double> duration_s;
+  std::vector<publish::Sink*> sinks{};  ///< get every step; outlive the command
 };
 
 /// The command. 0: course completed; 1: aborted, interrupted or --duration passed. Throws

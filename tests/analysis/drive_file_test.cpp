@@ -79,6 +79,11 @@ TEST(DriveFile, HandMeasurementsGoToTheirRun) {
   EXPECT_FALSE(drives[1].measured.distance_m);
   ASSERT_TRUE(drives[2].measured.turned_rad);
   EXPECT_DOUBLE_EQ(*drives[2].measured.turned_rad, -2.0 * kPi);
+  std::vector<Drive> again(3);
+  add_measured(write_measured(drives), "w.csv", again);
+  EXPECT_EQ(again[0].measured.distance_m, drives[0].measured.distance_m);
+  EXPECT_EQ(again[2].measured.turned_rad, drives[2].measured.turned_rad);
+  EXPECT_EQ(write_measured(std::vector<Drive>(2)), "");
   try {
     add_measured("run,left_m\n4,0\n", "m.csv", drives);
     FAIL();

@@ -1,6 +1,7 @@
 // The two real programs as separate processes on a real pseudo-terminal.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -51,6 +52,53 @@ TEST_F(Programs, DriveACourseInRealTimeAndBothEndCleanly) {
   robot.signal(SIGTERM);
   EXPECT_EQ(robot.wait(), 0);
   EXPECT_FALSE(std::filesystem::is_symlink(port()));
+}
+
+TEST_F(Programs, IdentifyDrivesAsksForWhatNoCameraSawAndWritesARobot) {
+  const auto write_course = [this](const std::string& name, const std::string& segment) {
+    std::ofstream(folder_.file(name)) << "[[segment]]\n"
+                                      << segment << "\n[fence]\nmin_x_m = -0.5\n"
+                                      << "max_x_m = 0.5\nmin_y_m = -0.5\nmax_y_m = 0.5\n";
+  };
+  write_course("ahead.toml", "type = \"line\"\nlength_m = 0.2");
+  write_course("left.toml", "type = \"pivot\"\nangle_deg = 90.0");
+  write_course("right.toml", "type = \"pivot\"\nangle_deg = -90.0");
+  const std::string fifo = folder_.file("answers");
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  std::fstream answers(fifo, std::ios::in | std::ios::out);
+
+  Process robot({"tp100-sim", "robot", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  Process identify({"/bin/sh", "-c",
+                    "exec " + std::string(TP100_BINARY_DIR) +
+                        "/bin/tp100d identify --drive --repeats 1" + " --port " + port() +
+                        " --course " + folder_.file("ahead.toml") + " " +
+                        folder_.file("left.toml") + " " + folder_.file("right.toml") + " --out " +
+                        folder_.file("mine.toml") + " < " + fifo});
+  for (const char* const turned : {"0", "90", "-90"}) {
+    ASSERT_TRUE(identify.wait_for("through the air [m]:")) << identify.output();
+    answers << (*turned == '0' ? "0.2" : "") << std::endl;
+    ASSERT_TRUE(identify.wait_for("counted [deg]:")) << identify.output();
+    answers << turned << std::endl;
+  }
+  EXPECT_EQ(identify.wait(), 0) << identify.output();
+  EXPECT_NE(identify.output().find("3 recordings in " + folder_.file("mine-runs")),
+            std::string::npos);
+  const Finished check = run({"tp100d", "check", folder_.file("mine.toml")});
+  EXPECT_EQ(check.status, 0) << check.output;
+  // The recordings are what the robot file came from.
+  const std::string runs = folder_.file("mine-runs");
+  const Finished again =
+      run({"tp100d", "identify", runs + "/01-ahead-samples.csv", runs + "/02-left-samples.csv",
+           runs + "/03-right-samples.csv", "--measured", runs + "/measured.csv", "--out",
+           folder_.file("again.toml")});
+  EXPECT_EQ(again.status, 0) << again.output;
+  const auto text = [](const std::string& path) {
+    std::stringstream all;
+    all << std::ifstream(path).rdbuf();
+    return all.str();
+  };
+  EXPECT_EQ(text(folder_.file("again.toml")), text(folder_.file("mine.toml")));
 }
 
 TEST_F(Programs, AKilledDaemonLeavesTheMotorsOffWithinTwoHundredMilliseconds) {

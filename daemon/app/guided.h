@@ -1,0 +1,30 @@
+#pragma once
+// The guided calibration of `tp100d identify --drive`: one calibration course after the other on a
+// port, recorded, and measured by a camera or by whoever stands there.
+
+#include <string>
+#include <vector>
+
+#include "analysis/drive.h"
+#include "app/run.h"
+#include "course/robot.h"
+
+namespace tp100::app {
+
+struct GuidedOptions {
+  RunOptions run{};  ///< port, camera, robot, configuration, go; its course is set here
+  std::vector<std::string> courses;  ///< bundled names or files; empty: calibration_courses
+  int repeats = 2;                   ///< of each drive
+  std::string folder;                ///< for the recordings, one CSV file a drive; made if need be
+};
+
+/// Drives them all. On a physical port each waits for Enter (unless `go`); a drive that no camera
+/// saw is asked for on standard output and standard input. A drive that is not completed ends it:
+/// those before it stay in the folder and fewer are returned. Throws SetupError.
+struct GuidedDrives {
+  std::vector<analysis::Drive> drives;
+  bool completed = false;
+};
+GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot);
+
+}  // namespace tp100::app
