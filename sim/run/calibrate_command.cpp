@@ -9,12 +9,10 @@
 
 #include "analysis/atomic_file.h"
 #include "analysis/drive_file.h"
-#include "analysis/identify.h"
 #include "analysis/identify_report.h"
 #include "app/calibration.h"
 #include "app/drive_sink.h"
 #include "core/error.h"
-#include "sim/run/effective_motion.h"
 #include "sim/run/lockstep.h"
 
 namespace tp100::sim {
@@ -34,16 +32,19 @@ constexpr std::array<DriveKind, 7> kKinds = {
     DriveKind::kStraight, DriveKind::kWide, DriveKind::kWide, DriveKind::kTight,
     DriveKind::kTight,    DriveKind::kSpin, DriveKind::kSpin};
 
-std::vector<CalibrationDrive> drive(const CalibrateCommand& command, const Loaded& loaded,
-                                    std::uint64_t seed) {
+course::Robot without_model(course::Robot robot) {
+  robot.model = {};
+  return robot;
+}
+
+std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint64_t seed) {
   std::vector<CalibrationDrive> drives;
-  course::Robot unknown = loaded.robot;
-  unknown.model = {};
+  const course::Robot unknown = without_model(loaded.robot);
   const std::vector<std::string> courses = app::calibration_courses(loaded.robot.shape);
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
     const std::string& name = courses.at(i);
     const course::Course course = load_course(name);
-    for (int repeat = 1; repeat <= command.repeats; ++repeat) {
+    for (int repeat = 1; repeat <= repeats; ++repeat) {
       app::DriveSink sink;
       const analysis::RunResult result = run_lockstep({.course = course,
                                                        .robot = unknown,
@@ -95,20 +96,6 @@ struct Tally {
   int inside = 0, count = 0;
 };
 
-/// True if the accuracy that is stated for this parameter was kept.
-bool accurate(std::size_t i, double error, double truth) {
-  switch (static_cast<Parameter>(i)) {
-    case Parameter::kSlipLeft:
-    case Parameter::kSlipRight:
-      return std::abs(error) <= kSlipWithin;
-    case Parameter::kWheelbase:
-    case Parameter::kWheelbaseSpin:
-      return std::abs(error) <= kWheelbaseWithin * truth;
-    default:
-      return true;
-  }
-}
-
 void print_tallies(const std::string& robot, const std::array<Tally, kParameters>& tallies) {
   std::printf("robot %s, %d calibrations: found - true, and how often the 95 %% interval held it\n",
               robot.c_str(), tallies[0].count);
@@ -136,37 +123,61 @@ void print_json(const std::string& robot, std::uint64_t seed, const analysis::Fi
 
 }  // namespace
 
+Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed) {
+  Calibration calibration;
+  calibration.drives = drive(loaded, repeats, seed);
+  std::vector<analysis::Drive> drives;
+  for (const CalibrationDrive& d : calibration.drives) drives.push_back(d.drive);
+  calibration.found = analysis::identify(
+      drives, analysis::belief_of(without_model(loaded.robot),
+                                  loaded.configuration.parameters.model.turning_threshold_radps));
+  calibration.truth = values_of(effective_motion(calibration.drives, loaded.robot.emulated));
+  return calibration;
+}
+
+bool Calibration::holds(Parameter parameter) const {
+  const analysis::Estimate& estimate = found.extended[parameter];
+  return estimate.found &&
+         std::abs(estimate.value - truth[index(parameter)]) <= estimate.half_interval;
+}
+
+bool Calibration::accurate() const {
+  const auto within = [this](Parameter parameter, double most) {
+    const analysis::Estimate& estimate = found.extended[parameter];
+    return estimate.found && std::abs(estimate.value - truth[index(parameter)]) <= most;
+  };
+  const auto share = [this](Parameter parameter) {
+    return kWheelbaseWithin * truth[index(parameter)];
+  };
+  return within(Parameter::kSlipLeft, kSlipWithin) && within(Parameter::kSlipRight, kSlipWithin) &&
+         within(Parameter::kWheelbase, share(Parameter::kWheelbase)) &&
+         within(Parameter::kWheelbaseSpin, share(Parameter::kWheelbaseSpin));
+}
+
 int run_calibrate(const CalibrateCommand& command) {
   const Loaded loaded = load(command.options);
-  course::Robot unknown = loaded.robot;
-  unknown.model = {};
-  const analysis::Belief belief =
-      analysis::belief_of(unknown, loaded.configuration.parameters.model.turning_threshold_radps);
   std::array<Tally, kParameters> tallies{};
   bool all_accurate = true;
   for (int run = 0; run < command.runs; ++run) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(run);
-    const std::vector<CalibrationDrive> driven = drive(command, loaded, seed);
-    if (!command.out.empty()) write_drives(command.out, driven);
-    std::vector<analysis::Drive> drives;
-    for (const CalibrationDrive& d : driven) drives.push_back(d.drive);
-    const analysis::Identification found = analysis::identify(drives, belief);
-    const auto truth = values_of(effective_motion(driven, loaded.robot.emulated));
+    const Calibration calibration = calibrate(loaded, command.repeats, seed);
+    if (!command.out.empty()) write_drives(command.out, calibration.drives);
+    all_accurate = all_accurate && calibration.accurate();
     for (std::size_t i = 0; i < kParameters; ++i) {
-      const analysis::Estimate& estimate = found.extended.estimates[i];
-      const double error = estimate.value - truth[i];
+      const analysis::Estimate& estimate = calibration.found.extended.estimates[i];
+      const double error = estimate.value - calibration.truth[i];
       Tally& tally = tallies[i];
       ++tally.count;
       tally.errors += error;
       tally.halves += estimate.half_interval;
       if (std::abs(error) > std::abs(tally.worst)) tally.worst = error;
-      if (estimate.found && std::abs(error) <= estimate.half_interval) ++tally.inside;
-      all_accurate = all_accurate && estimate.found && accurate(i, error, truth[i]);
+      if (calibration.holds(static_cast<Parameter>(i))) ++tally.inside;
     }
     if (command.json) {
-      print_json(loaded.robot.name, seed, found.extended, truth);
+      print_json(loaded.robot.name, seed, calibration.found.extended, calibration.truth);
     } else if (command.runs == 1) {
-      std::printf("%s\n", analysis::identify_report(found, unknown).c_str());
+      const course::Robot unknown = without_model(loaded.robot);
+      std::printf("%s\n", analysis::identify_report(calibration.found, unknown).c_str());
     }
     std::fflush(stdout);
   }

@@ -1,11 +1,33 @@
 #pragma once
 // tp100-sim calibrate: the calibration drives of an emulated robot, identified and judged.
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
+#include "analysis/identify.h"
+#include "sim/run/effective_motion.h"
 #include "sim/run/options.h"
 
 namespace tp100::sim {
+
+/// One calibration: what was found and what the body really did.
+struct Calibration {
+  analysis::Identification found{};
+  std::array<double, analysis::kParameters> truth{};
+  std::vector<CalibrationDrive> drives;
+
+  /// The stated accuracy was kept: slip within 0.01, the wheelbases within 2 %.
+  bool accurate() const;
+  /// The interval of a parameter that was found holds its truth.
+  bool holds(analysis::Parameter parameter) const;
+};
+
+/// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
+/// as a robot of which nothing is known yet ([model] at its defaults), and identifies it. No two
+/// drives share their noise. Throws SetupError.
+Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
 
 struct CalibrateCommand {
   Options options{};
@@ -15,10 +37,8 @@ struct CalibrateCommand {
   bool json = false;
 };
 
-/// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
-/// as a robot of which nothing is known yet ([model] at its defaults), identifies and prints the
-/// values beside what the body really did, and how often the intervals held it. Returns 0 if every
-/// calibration came within the stated accuracy, else 1. Throws SetupError.
+/// Calibrates and prints the values beside the truth, and how often the intervals held it. Returns
+/// 0 if every calibration came within the stated accuracy, else 1. Throws SetupError.
 int run_calibrate(const CalibrateCommand& command);
 
 }  // namespace tp100::sim
