@@ -53,6 +53,11 @@ void add_run(CLI::App& app, Action& action) {
                    "Listen for an overhead camera: udp:PORT or udp:ADDRESS:PORT (default: none)")
       ->type_name("ADDRESS");
   command
+      ->add_option("--world", options.world,
+                   "What the virtual robot stands on: internal, files, or an external world at "
+                   "udp:PORT or udp:ADDRESS:PORT (default: internal)")
+      ->type_name("WORLD");
+  command
       ->add_option("--duration", options.duration_s,
                    "End with status 1 after this time [s] (default: no limit)")
       ->type_name("SECONDS");

@@ -77,6 +77,12 @@ int run(int argc, char** argv) {
       ->add_flag("--camera{overhead}", course.camera,
                  "An overhead camera looks on; =CAMERA: name in config/cameras or file")
       ->type_name("CAMERA");
+  course_app
+      ->add_option(
+          "--world", course.world,
+          "An external world: udp:PORT or udp:ADDRESS:PORT; every pose waits for its answer "
+          "(default: the course's ramps and blocks)")
+      ->type_name("WORLD");
   course_app->add_option("--runs", course.runs, "Runs with this and the following seeds")
       ->check(CLI::Range(1, 1000000))
       ->type_name("NUMBER")

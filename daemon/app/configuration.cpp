@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "app/world_keys.h"
 #include "core/angle.h"
 #include "course/key.h"
 
@@ -330,6 +331,8 @@ void for_each_section(Values& configuration, Visit visit) {
   visit("camera", camera_keys(), parameters.estimation.camera);
   visit("control", control_keys(), parameters.control);
   visit("control", bridge_keys(), parameters);
+  visit("world", world_keys(), parameters.world);
+  visit("world", world_stream_keys(), configuration.world);
   visit("record", record_keys(), configuration.record);
 }
 

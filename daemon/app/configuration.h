@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/world_settings.h"
 #include "bridge/parameters.h"
 #include "course/robot.h"
 
@@ -55,6 +56,7 @@ struct Configuration {
   LoopSettings loop{};
   CameraSettings camera{};
   RecordSettings record{};
+  WorldSettings world{};            ///< whether there is one is in the parameters
   bridge::Parameters parameters{};  ///< model and drive are the robot's: see bridge_parameters
 };
 

@@ -92,11 +92,22 @@ void Cycle::camera(const CameraSample& seen) {
   if (camera_count_ < kMaxCamera) camera_[camera_count_++] = seen;
 }
 
+void Cycle::world(const WorldSample& said) {
+  if (world_count_ < kMaxWorld) {
+    world_[world_count_++] = said;
+    return;
+  }
+  const bool stop = world_.back().stop || said.stop;
+  world_.back() = said;
+  world_.back().stop = stop;
+}
+
 const bridge::Outputs& Cycle::step(HostNs now) {
   samples_ = session_.take_samples();
   inputs_ = {.samples = samples_,
              .requests = std::span(requests_.data(), request_count_),
              .camera = std::span(camera_.data(), camera_count_),
+             .world = std::span(world_.data(), world_count_),
              .session = session_.state(),
              .clock = session_.clock(),
              .session_number = session_.session_number(),
@@ -107,6 +118,7 @@ const bridge::Outputs& Cycle::step(HostNs now) {
   ++steps_;
   request_count_ = 0;
   camera_count_ = 0;
+  world_count_ = 0;
   const bool disarming = stopping_ && outputs_->request != RobotRequest::kStop;
   if (outputs_->request != RobotRequest::kNone && !disarming)
     session_.request(outputs_->request, now);
@@ -119,9 +131,10 @@ void Cycle::record(StepRecord& out) const {
   static_assert(StepRecord::kMaxSamples >= link::Session::kMaxSamples);
   static_assert(StepRecord::kMaxRequests >= kMaxRequests);
   static_assert(StepRecord::kMaxCamera >= kMaxCamera);
+  static_assert(StepRecord::kMaxWorld >= kMaxWorld);
   // An input that is not recorded cannot be replayed: a new one does not compile before it is here.
-  const auto& [samples, requests, camera, session, clock, session_number, rebooted, refused] =
-      inputs_;
+  const auto& [samples, requests, camera, world, session, clock, session_number, rebooted,
+               refused] = inputs_;
   out.now_ns = now_ns_;
   out.step = steps_;
   std::copy(samples.begin(), samples.end(), out.samples.begin());
@@ -130,6 +143,8 @@ void Cycle::record(StepRecord& out) const {
   out.request_count = static_cast<std::uint32_t>(requests.size());
   std::copy(camera.begin(), camera.end(), out.camera.begin());
   out.camera_count = static_cast<std::uint32_t>(camera.size());
+  std::copy(world.begin(), world.end(), out.world.begin());
+  out.world_count = static_cast<std::uint32_t>(world.size());
   out.session = session;
   out.clock = clock;
   out.session_number = session_number;

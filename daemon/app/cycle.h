@@ -28,6 +28,7 @@ class Cycle {
  public:
   static constexpr std::size_t kMaxRequests = 16;  ///< operator requests between two steps
   static constexpr std::size_t kMaxCamera = 8;     ///< camera samples between two steps
+  static constexpr std::size_t kMaxWorld = 8;      ///< messages of an external world between them
 
   /// Throws SetupError if parameters and course do not fit together.
   Cycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
@@ -44,6 +45,9 @@ class Cycle {
   void request(OperatorRequest request);
   /// What the overhead camera saw; taken by the next step. Dropped if too many come.
   void camera(const CameraSample& seen);
+  /// What an external world said; taken by the next step. If too many come, the newest counts, and
+  /// a stop in any of them.
+  void world(const WorldSample& said);
   /// One turn: session time, step, command. The reference stays valid until the next call.
   const bridge::Outputs& step(HostNs now);
   /// Motors off for good (the program ends): from now on the step cannot arm. See
@@ -67,7 +71,7 @@ class Cycle {
   const bridge::Outputs& outputs() const { return *outputs_; }
   const link::Session& session() const { return session_; }
   /// Writes the last step into `out`, but for entries beyond the counts, which stay as they are.
-  /// Call it before the next receive(), request() or camera().
+  /// Call it before the next receive(), request(), camera() or world().
   void record(StepRecord& out) const;
 
  private:
@@ -83,6 +87,8 @@ class Cycle {
   std::size_t request_count_ = 0;
   std::array<CameraSample, kMaxCamera> camera_{};
   std::size_t camera_count_ = 0;
+  std::array<WorldSample, kMaxWorld> world_{};
+  std::size_t world_count_ = 0;
   bool stopping_ = false;
 };
 

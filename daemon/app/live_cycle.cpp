@@ -57,6 +57,8 @@ void LiveCycle::take_inputs() {
   }
   CameraSample seen;
   for (std::size_t i = 0; i < Cycle::kMaxCamera && camera_.pop(seen); ++i) cycle_.camera(seen);
+  WorldSample said;
+  for (std::size_t i = 0; i < kWaitingWorld && world_.pop(said); ++i) cycle_.world(said);
   // A start that was not carried out when its session ended is void: nothing moves after a
   // reconnect.
   const bool ready = cycle_.session().state() == SessionState::kReady;

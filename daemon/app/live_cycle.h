@@ -40,6 +40,8 @@ class LiveCycle : public loop::Driven {
  public:
   /// Steps that may wait for the other thread: half a second at 1 kHz, 5 MB.
   static constexpr std::size_t kWaitingRecords = 512;
+  /// Messages of an external world that may wait for a step.
+  static constexpr std::size_t kWaitingWorld = 64;
 
   /// `leave_silent_port`: a port on which nobody ever spoke is given back, so that another can be
   /// tried.
@@ -51,6 +53,8 @@ class LiveCycle : public loop::Driven {
   bool request(OperatorRequest request) { return requests_.push(request); }
   /// What the overhead camera saw. False: too many wait.
   bool camera(const CameraSample& seen) { return camera_.push(seen); }
+  /// What an external world said; from one thread. False: too many wait.
+  bool world(const WorldSample& said) { return world_.push(said); }
   bool take_event(LiveEvent& event) { return events_.pop(event); }
   /// The newest status since the last take; false if there is none.
   bool take_status(LiveStatus& status);
@@ -86,6 +90,7 @@ class LiveCycle : public loop::Driven {
   Cycle cycle_;
   loop::SpscQueue<OperatorRequest, 16> requests_;
   loop::SpscQueue<CameraSample, 32> camera_;  ///< a second of pictures
+  loop::SpscQueue<WorldSample, kWaitingWorld> world_;
   loop::SpscQueue<LiveEvent, 256> events_;
   loop::SpscQueue<LiveStatus, 4> statuses_;
   loop::SlotRing<StepRecord> records_{kWaitingRecords};

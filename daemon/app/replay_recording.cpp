@@ -53,6 +53,7 @@ bridge::Inputs inputs_of(const StepRecord& record) {
   return {.samples = std::span(record.samples).first(record.sample_count),
           .requests = std::span(record.requests).first(record.request_count),
           .camera = std::span(record.camera).first(record.camera_count),
+          .world = std::span(record.world).first(record.world_count),
           .session = record.session,
           .clock = record.clock,
           .session_number = record.session_number,
@@ -81,6 +82,8 @@ RunFiles recorded_files(const Recording& recording) {
   const auto setup = bridge::setup_named(recording.fact("setup"));
   if (!setup) throw SetupError(recording.path() + ": the set-up is not in it");
   files.setup = *setup;
+  // Recordings without the fact had no other.
+  files.world = bridge::world_kind_named(recording.fact("world")).value_or(files.world);
   return files;
 }
 

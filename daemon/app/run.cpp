@@ -38,6 +38,7 @@ RunFiles files_of(const RunOptions& options) {
   files.robot =
       read_bundled(Bundled::kRobots, options.robot.empty() ? configuration.robot : options.robot);
   files.setup = options.setup.empty() ? configuration.parameters.setup : setup_of(options.setup);
+  files.world = world_option(options.world, configuration.parameters.world.kind);
   return files;
 }
 
@@ -45,6 +46,7 @@ RunSetup setup_run(const RunFiles& files, const RunOptions& options) {
   RunSetup run = parse_run(files);
   if (!options.port.empty()) run.configuration.link.port = options.port;
   if (!options.camera.empty()) run.configuration.camera.listen = options.camera;
+  if (options.world.starts_with("udp:")) run.configuration.world.address = options.world;
   if (!options.record.empty()) run.configuration.record.directory = options.record;
   if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
   if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kBench) {
@@ -100,6 +102,7 @@ int run_run(const RunOptions& options) {
       // Silence is noticed first.
       .hello_timeout_ns = session.first_frame_timeout_ns + kNsPerS};
   settings.camera = configuration.camera;
+  settings.world = world_run(run);
   settings.go = options.go;
   settings.duration_s = options.duration_s;
   settings.stats_path = options.stats;

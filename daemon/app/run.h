@@ -17,6 +17,7 @@ struct RunOptions {
   std::string setup;
   std::string camera;  ///< "udp:[HOST:]PORT"; empty: as configured
   std::string record;  ///< folder for recordings; empty: as configured
+  std::string world;   ///< internal, files or "udp:[HOST:]PORT"; empty: as configured
   std::string stats;   ///< JSON file; empty: none
   bool wait = false;   ///< wait for a port and a robot instead of failing
   bool go = false;     ///< start by itself on a physical port too

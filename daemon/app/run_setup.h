@@ -7,17 +7,19 @@
 
 #include "app/bundled_files.h"
 #include "app/configuration.h"
+#include "app/world_run.h"
 #include "course/course.h"
 #include "publish/recording_writer.h"
 
 namespace tp100::app {
 
-/// The files of a run, and the set-up in force.
+/// The files of a run, and the set-up and kind of world in force.
 struct RunFiles {
   TextFile configuration;  ///< empty: all defaults
   TextFile robot;
   TextFile course;  ///< empty: none
   bridge::Setup setup = bridge::Setup::kFlat;
+  bridge::WorldKind world = bridge::WorldKind::kInternal;
 };
 
 /// The same, parsed.
@@ -30,6 +32,12 @@ struct RunSetup {
 
 /// Parses the files. Throws SetupError.
 RunSetup parse_run(const RunFiles& files);
+
+/// The run as those who talk to an external world see it.
+WorldRun world_run(const RunSetup& run);
+
+/// What --world says: internal, files or udp:[HOST:]PORT; empty: as configured. Throws SetupError.
+bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured);
 
 /// What a recording of that run says of it. `more`: further names and values.
 publish::RunFacts run_facts(const RunFiles& files, const RunSetup& run,

@@ -78,6 +78,41 @@ Json recording_figures(const publish::RecordingFigures& recording, double cpu_s)
           {"warning", recording.warning}};
 }
 
+Json world_figures(const WorldFigures& world) {
+  Json json = {{"kind", world.name}};
+  if (world.udp) {
+    const worlds::PeerCounters& udp = *world.udp;
+    json["udp"] = {{"hellos", udp.hellos},
+                   {"poses", udp.poses},
+                   {"answered", udp.answered},
+                   {"received", udp.received},
+                   {"accepted", udp.accepted},
+                   {"malformed", udp.malformed},
+                   {"wrong_version", udp.wrong_version},
+                   {"foreign", udp.foreign},
+                   {"strangers", world.strangers},
+                   {"reordered", udp.reordered},
+                   {"back_in_time", udp.back_in_time},
+                   {"unknown_ack", udp.unknown_ack},
+                   {"missing", udp.missing},
+                   {"unknown_surface", udp.unknown_surface},
+                   {"dropped", udp.dropped},
+                   {"sessions", udp.sessions},
+                   {"losses", udp.losses},
+                   {"round_trip_ms", udp.round_trip_ms},
+                   {"mean_round_trip_ms", udp.mean_round_trip_ms},
+                   {"max_round_trip_ms", udp.max_round_trip_ms}};
+  }
+  if (world.files) {
+    json["files"] = {{"written", world.files->written},
+                     {"write_errors", world.files->write_errors},
+                     {"read", world.files->read},
+                     {"rejected", world.files->rejected},
+                     {"dropped", world.files->dropped}};
+  }
+  return json;
+}
+
 Json fault_list(FaultMask faults) {
   Json names = Json::array();
   while (const auto fault = first_fault(faults)) {
@@ -130,6 +165,7 @@ std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& lo
         {"privileges", privileges}}},
   };
   if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.fused);
+  if (figures.world.udp || figures.world.files) json["world"] = world_figures(figures.world);
   if (!figures.recording.file.empty())
     json["recording"] = recording_figures(figures.recording, figures.recording_cpu_s);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/live_cycle.h"
+#include "app/live_world.h"
 #include "link/camera_intake.h"
 #include "loop/fixed_rate_loop.h"
 #include "publish/figures.h"
@@ -23,6 +24,7 @@ struct RunFigures {
   FaultMask faults = 0;  ///< of the last abort
   LiveStatus status{};
   std::optional<link::CameraCounters> camera;  ///< nothing: no camera was asked for
+  WorldFigures world{};
   publish::RecordingFigures recording{};
   double recording_cpu_s = 0.0;
   std::vector<loop::Grant> grants;

@@ -11,6 +11,7 @@
 
 #include "app/camera_port.h"
 #include "app/event_log.h"
+#include "app/live_world.h"
 #include "app/operator_input.h"
 #include "app/stats_file.h"
 #include "core/error.h"
@@ -25,7 +26,7 @@ constexpr auto kTick = std::chrono::milliseconds(10);
 constexpr HostNs kStatsPeriodNs = kNsPerS;
 // Causes after which the robot may come back: the daemon waits for a new start.
 constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
-                                   fault_bit(Fault::stop_requested);
+                                   fault_bit(Fault::stop_requested) | fault_bit(Fault::world_lost);
 
 }  // namespace
 
@@ -66,6 +67,7 @@ struct Supervisor::State {
   std::unique_ptr<OperatorInput> input;
   std::vector<publish::Sink*> sinks;
   std::unique_ptr<CameraPort> camera;
+  std::unique_ptr<LiveWorld> world;
   RunFigures figures;
   RunState run_state = RunState::kIdle;
   SessionState session = SessionState::kClosed;
@@ -98,6 +100,9 @@ int Supervisor::State::run() {
     camera = std::make_unique<CameraPort>(
         context, settings.camera, [this](const CameraSample& seen) { return cycle.camera(seen); });
   }
+  world = std::make_unique<LiveWorld>(
+      context, settings.world, [this](const WorldSample& said) { return cycle.world(said); });
+  sinks.push_back(world.get());
   loop.start();
   figures.grants.insert(figures.grants.end(), loop.grants().begin(), loop.grants().end());
   input = std::make_unique<OperatorInput>(context, [this] { on_enter(); });
@@ -154,10 +159,12 @@ void Supervisor::State::tick() {
   take_events();
   connector.tick(now);
   take_status(now);
+  if (const std::string note = world->take_note(); !note.empty()) log.info(note);
   if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
   if (ending && loop.ended()) {
     input->stop();
     if (camera != nullptr) camera->stop();
+    world->stop();
     signals.cancel();
     return;
   }
@@ -264,6 +271,7 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 
 void Supervisor::State::write_figures() {
   if (camera != nullptr) figures.camera = camera->counters();
+  figures.world = world->figures();
   if (settings.recording != nullptr) take_recording();
   if (settings.stats_path.empty()) return;
   const std::string text = stats_json(figures, loop.statistics(), cycle.sample_age());

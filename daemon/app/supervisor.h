@@ -11,6 +11,7 @@
 #include "app/connector.h"
 #include "app/live_cycle.h"
 #include "app/live_recording.h"
+#include "app/world_run.h"
 #include "loop/fixed_rate_loop.h"
 #include "publish/sink.h"
 
@@ -19,6 +20,7 @@ namespace tp100::app {
 struct SupervisorSettings {
   ConnectorSettings connector{};
   CameraSettings camera{};
+  WorldRun world{};
   bool go = false;
   std::optional<double> duration_s;
   std::string stats_path;

@@ -40,7 +40,8 @@ Grounds::Grounds(const Parameters& parameters, const course::Course* course)
 void Grounds::restart() {
   for (terrain::Ride* ride : {&model_, &odometry_, &fused_, &virtual_}) ride->restart();
   mapped_pitch_rad_.reset();
-  offset_x_m_ = offset_y_m_ = 0.0;
+  shift_ = {};
+  shift_told_ = false;
 }
 
 double Grounds::way_m(const GroundInput& in, const model::Incline& incline) const {
@@ -48,6 +49,13 @@ double Grounds::way_m(const GroundInput& in, const model::Incline& incline) cons
                            incline)
              .vx_mps *
          in.dt_s;
+}
+
+void Grounds::tell(const GroundTold& told) {
+  told_ = told.ride;
+  if (!told.shift) return;
+  shift_ = *told.shift;
+  shift_told_ = true;
 }
 
 void Grounds::advance(const GroundInput& in) {
@@ -59,19 +67,20 @@ void Grounds::advance(const GroundInput& in) {
   ride(model_, in.model);
   ride(odometry_, in.odometry);
   ride(fused_, in.fused);
-  if (world_.flat()) return;
+  if (world_.flat() && !told_) return;
   if (real()) {
     Pose expected = in.steering;
     expected.pitch_rad = mapped_pitch_rad_.value_or(0.0);
     mapped_pitch_rad_ = world_.at(expected).pitch_rad;
     return;
   }
-  const double along_m = way_m(in, virtual_.state().incline);
-  virtual_.advance(world(in.steering), along_m, in.dt_s);
+  if (shift_told_) return;
+  const double along_m = way_m(in, world_stands().incline);
+  if (!told_) virtual_.advance(world(in.steering), along_m, in.dt_s);
   const double ahead_m =
-      along_m * virtual_.state().incline.planar - way_m(in, steering_stands().incline);
-  offset_x_m_ += ahead_m * std::cos(in.steering.yaw_rad);
-  offset_y_m_ += ahead_m * std::sin(in.steering.yaw_rad);
+      along_m * world_stands().incline.planar - way_m(in, steering_stands().incline);
+  shift_.x_m += ahead_m * std::cos(in.steering.yaw_rad);
+  shift_.y_m += ahead_m * std::sin(in.steering.yaw_rad);
 }
 
 const terrain::RideState& Grounds::steering_stands() const {
@@ -97,26 +106,27 @@ estimation::Ground Grounds::fused() const {
 }
 
 const terrain::RideState& Grounds::world_stands() const {
-  return real() ? steering_stands() : virtual_.state();
+  if (real()) return steering_stands();
+  return told_ ? *told_ : virtual_.state();
 }
 
 Pose Grounds::world(const Pose& steering) const {
-  Pose pose = steering;
-  pose.x_m += offset_x_m_;
-  pose.y_m += offset_y_m_;
+  Pose pose = shift_.of(steering);
   place(world_stands(), pose);
   return pose;
 }
 
 void Grounds::stand(Pose& model, Pose& odometry, Pose& fused) const {
-  place(real() ? model_.state() : virtual_.state(), model);
-  place(real() ? odometry_.state() : virtual_.state(), odometry);
-  place(real() ? fused_.state() : virtual_.state(), fused);
+  place(real() ? model_.state() : world_stands(), model);
+  place(real() ? odometry_.state() : world_stands(), odometry);
+  place(real() ? fused_.state() : world_stands(), fused);
 }
 
 Underfoot Grounds::underfoot() const {
   const terrain::RideState& on = world_stands();
-  return {.pitch_source = real() ? PitchSource::kImu : PitchSource::kVirtual,
+  return {.pitch_source = real()  ? PitchSource::kImu
+                          : told_ ? PitchSource::kExternal
+                                  : PitchSource::kVirtual,
           .obstacle = on.obstacle,
           .climbing = on.climbing,
           .slope_rad = -on.pitch_rad,

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "bridge/outer_world.h"
 #include "bridge/parameters.h"
 #include "core/pose.h"
 #include "core/underfoot.h"
@@ -28,10 +29,17 @@ struct GroundInput {
   terrain::Attitude imu{};  ///< of the real body; used on `terrain` only
 };
 
+/// What an external world says of the virtual robot; nothing where there is none.
+struct GroundTold {
+  const std::optional<terrain::RideState>& ride;
+  const std::optional<Shift>& shift;
+};
+
 /// On `terrain` each pose rides the obstacles with the IMU's attitude. On `flat` and `bench` the
 /// real robot stays level: the poses are its poses on the floor, and one more robot, the virtual
 /// one, rides the obstacles with the same belts. It falls behind the real one by what slope, slip
-/// on the slope and climbing cost; turns are common to both. No allocation after construction; safe
+/// on the slope and climbing cost; turns are common to both. An external world can say how the
+/// virtual robot stands, and where. No allocation after construction; safe
 /// in the real-time thread.
 class Grounds {
  public:
@@ -43,6 +51,9 @@ class Grounds {
   /// A run begins: the virtual robot stands where the real one does.
   void restart();
   void advance(const GroundInput& in);
+  /// An external world rules: the virtual robot stands as it says, and is where it says, if it
+  /// does. Call it before advance().
+  void tell(const GroundTold& told);
 
   /// For the interval just advanced over.
   const model::Incline& model() const { return model_.state().incline; }
@@ -70,7 +81,9 @@ class Grounds {
   terrain::World floor_, world_;
   terrain::Ride model_, odometry_, fused_, virtual_;
   std::optional<double> mapped_pitch_rad_{};
-  double offset_x_m_ = 0.0, offset_y_m_ = 0.0;  ///< virtual robot against the real one
+  Shift shift_{};  ///< of the virtual robot against the real one
+  bool shift_told_ = false;
+  std::optional<terrain::RideState> told_{};
 };
 
 }  // namespace tp100::bridge

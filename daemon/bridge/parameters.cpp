@@ -26,6 +26,25 @@ const char* to_string(Steering steering) {
   return "unknown";
 }
 
+const char* to_string(WorldKind kind) {
+  switch (kind) {
+    case WorldKind::kInternal:
+      return "internal";
+    case WorldKind::kUdp:
+      return "udp";
+    case WorldKind::kFiles:
+      return "files";
+  }
+  return "unknown";
+}
+
+std::optional<WorldKind> world_kind_named(std::string_view name) {
+  for (const WorldKind kind : {WorldKind::kInternal, WorldKind::kUdp, WorldKind::kFiles}) {
+    if (name == to_string(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
 std::optional<Setup> setup_named(std::string_view name) {
   for (const Setup setup : {Setup::kBench, Setup::kFlat, Setup::kTerrain}) {
     if (name == to_string(setup)) return setup;

@@ -29,6 +29,25 @@ enum class Steering { kModel, kOdometry, kFused };
 /// Name of a steering pose, as in files.
 const char* to_string(Steering steering);
 
+/// Who says what the robot stands on.
+enum class WorldKind {
+  kInternal,  ///< the course's ramps and blocks
+  kUdp,       ///< an external world, world/1
+  kFiles,     ///< an external world, two text files
+};
+
+/// Name of a kind of world, as in files.
+const char* to_string(WorldKind kind);
+/// The kind of that name, or nothing.
+std::optional<WorldKind> world_kind_named(std::string_view name);
+
+/// What of an external world matters to the step.
+struct WorldParameters {
+  WorldKind kind = WorldKind::kInternal;
+  bool owns_pose = false;  ///< the controller steers by the world's pose
+  double timeout_s = 0.3;  ///< the world must have answered a step not older than this
+};
+
 struct Parameters {
   Setup setup = Setup::kFlat;
   Steering steering = Steering::kOdometry;
@@ -39,6 +58,7 @@ struct Parameters {
   course::DriveValues drive{};
   estimation::Parameters estimation{};
   control::Parameters control{};
+  WorldParameters world{};
   double command_life_s =
       0.180;  ///< expiry of a command after the step; the robot takes 0.2 at most
   double max_sample_age_s = 0.060;  ///< older samples are not steered by: samples_stale

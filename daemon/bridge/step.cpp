@@ -7,6 +7,7 @@
 
 #include "bridge/grip.h"
 #include "bridge/grounds.h"
+#include "bridge/outer_world.h"
 #include "bridge/tracks.h"
 #include "control/arming.h"
 #include "control/belt_limits.h"
@@ -81,6 +82,7 @@ struct Step::State {
         attitude(p.estimation.attitude),
         slope(p.estimation.attitude),
         grounds(p, course.get()),
+        outer(p.world, p.setup),
         track_model(make_model(p)),
         odometry(track_parameters(p)),
         filter(track_parameters(p), p.estimation.filter, p.estimation.camera,
@@ -102,6 +104,8 @@ struct Step::State {
   void filter_sample(const Interval& step, double rate_radps);
   void take_sample(const Sample& sample);
   void take_requests(std::span<const OperatorRequest> requests);
+  void take_world(std::span<const WorldSample> said, double dt_s);
+  void heed_stop();
   void begin_run(HostNs now);
   void steer(double dt_s);
   void command(const Inputs& in, HostNs now);
@@ -116,6 +120,7 @@ struct Step::State {
   estimation::AttitudeFilter attitude;
   estimation::SlopeState slope;
   Grounds grounds;
+  OuterWorld outer;
   Grip grip;
   model::TrackModel track_model;
   estimation::Odometry odometry;
@@ -144,6 +149,12 @@ Step::Step(const Parameters& parameters, std::shared_ptr<const course::Course> c
                      " is above this robot's drive.max_track_mps " +
                      std::to_string(parameters.drive.max_track_mps) +
                      "; lower the course's speed or use another robot");
+  }
+  if (parameters.world.owns_pose && parameters.world.kind != WorldKind::kInternal &&
+      parameters.setup == Setup::kTerrain) {
+    throw SetupError(
+        "world.authority = \"world\": on set-up terrain the robot is where it really is; use flat "
+        "or bench, or authority = \"bridge\"");
   }
   state_ = std::make_unique<State>(parameters, std::move(course));
 }
@@ -278,11 +289,24 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
   }
 }
 
+void Step::State::take_world(std::span<const WorldSample> said, double dt_s) {
+  for (const WorldSample& one : said) outer.take(one);
+  outer.wait(std::min(dt_s, kLongestSeenS));
+  grounds.tell({outer.ground(), outer.shift()});
+}
+
+// After the operator: a start does not get past a world that says stop.
+void Step::State::heed_stop() {
+  const RunState state = arming.state();
+  if (outer.take_stop(state == RunState::kArming || state == RunState::kRunning)) arming.stop();
+}
+
 void Step::State::begin_run(HostNs now) {
   track_model.reset(course->start);
   odometry.reset(course->start);
   filter.begin(course->start, now);
   grounds.restart();
+  outer.restart(now);
   grip.restart();
   tracker->restart();
   disturbance.restart(filter.recoveries());
@@ -302,7 +326,7 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .encoder_yaw_rate_radps = encoder_rate_radps,
           .gyro_yaw_rate_radps = gyro_rate_radps,
           .gyro_in_use = gyro_steers(),
-          .immobilised = grip.state() == Traction::kImmobilised,
+          .immobilised = grip.state() == Traction::kImmobilised || outer.blocked(),
           .target = target,
           .commanded_left_mps = belts.left_mps,
           .commanded_right_mps = belts.right_mps,
@@ -336,6 +360,7 @@ void Step::State::command(const Inputs& in, HostNs now) {
   command.answers = sample.sequence;
   command.answered_us = sample.device_us;
   command.pose = steering_pose();
+  command.pose.yaw_rad = grounds.world(command.pose).yaw_rad;
   command.desired_yaw_rad = target.desired_yaw_rad;
   command.yaw_rate_radps = target.yaw_rate_radps;
   command.speed_mps = target.speed_mps;
@@ -392,12 +417,14 @@ const Outputs& Step::operator()(const Inputs& in, HostNs now) {
   if (in.session != SessionState::kReady && in.session != SessionState::kSyncing) {
     s.has_sample = false;
   }
+  s.take_world(in.world, dt_s);
   for (const Sample& sample : in.samples) s.take_sample(sample);
   // On a bench the robot that the camera sees stays where it is.
   if (s.parameters.setup != Setup::kBench) {
     for (const CameraSample& seen : in.camera) s.filter.camera(seen);
   }
   s.take_requests(in.requests);
+  s.heed_stop();
 
   FaultMask aborts = 0;
   const bool running = s.arming.state() == RunState::kRunning;
@@ -408,20 +435,23 @@ const Outputs& Step::operator()(const Inputs& in, HostNs now) {
     // Without any sample it is the session that says when the link is lost.
     if (age_s > 0.2 && !in.samples.empty()) aborts |= fault_bit(Fault::samples_stale);
   }
-  s.out.request = s.arming.update(
-      {.session = in.session,
-       .sample = s.has_sample ? &s.sample : nullptr,
-       .ready_to_run = s.course != nullptr && (!s.gyro_steers() || s.standstill.bias_known()),
-       .new_session = new_session,
-       .rebooted = in.robot_rebooted,
-       .request_refused = in.request_refused,
-       .aborts = aborts,
-       .path_done = running && s.target.done},
-      dt_s);
+  const bool world_lost = running ? s.outer.lost(now) : !s.outer.fresh(now);
+  if (world_lost) aborts |= fault_bit(Fault::world_lost);
+  s.out.request = s.arming.update({.session = in.session,
+                                   .sample = s.has_sample ? &s.sample : nullptr,
+                                   .ready_to_run = s.course != nullptr && !world_lost &&
+                                                   (!s.gyro_steers() || s.standstill.bias_known()),
+                                   .new_session = new_session,
+                                   .rebooted = in.robot_rebooted,
+                                   .request_refused = in.request_refused,
+                                   .aborts = aborts,
+                                   .path_done = running && s.target.done},
+                                  dt_s);
   if (s.arming.just_began()) s.begin_run(now);
   s.steer(dt_s);
   s.command(in, now);
   s.publish(now);
+  s.outer.remember(now, s.steering_pose());
   return s.out;
 }
 

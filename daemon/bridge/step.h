@@ -10,6 +10,7 @@
 #include "core/camera_sample.h"
 #include "core/link_state.h"
 #include "core/snapshot.h"
+#include "core/world_sample.h"
 #include "course/path.h"
 
 namespace tp100::bridge {
@@ -19,6 +20,7 @@ struct Inputs {
   std::span<const Sample> samples{};            ///< oldest first; may be empty
   std::span<const OperatorRequest> requests{};  ///< oldest first
   std::span<const CameraSample> camera{};       ///< as they arrived; empty without a camera
+  std::span<const WorldSample> world{};         ///< oldest first; empty without an external world
   SessionState session = SessionState::kClosed;
   ClockState clock{};
   std::uint32_t session_number = 0;  ///< +1 each time a session becomes ready

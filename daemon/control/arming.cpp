@@ -56,7 +56,7 @@ RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
   if (in.session != SessionState::kReady || in.sample == nullptr || !in.ready_to_run) {
     // A start that the robot has not seen waits; one that was under way when the link went is void.
     if (arm_sent_) {
-      faults_ |= fault_bit(Fault::link_lost);
+      faults_ |= in.aborts != 0 ? in.aborts : fault_bit(Fault::link_lost);
       return end(RunState::kAborted);
     }
     waited_s_ = 0.0;

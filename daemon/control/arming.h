@@ -17,7 +17,7 @@ struct ArmingInputs {
   bool new_session = false;   ///< another session became ready since the last step
   bool rebooted = false;
   bool request_refused = false;  ///< the robot refused, or never confirmed, arm
-  FaultMask aborts = 0;          ///< of the monitor
+  FaultMask aborts = 0;          ///< what ends a run, or one that is about to begin
   bool path_done = false;
 };
 

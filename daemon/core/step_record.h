@@ -11,6 +11,7 @@
 #include "core/link_state.h"
 #include "core/sample.h"
 #include "core/snapshot.h"
+#include "core/world_sample.h"
 
 namespace tp100 {
 
@@ -21,6 +22,7 @@ struct StepRecord {
   static constexpr std::size_t kMaxSamples = 64;
   static constexpr std::size_t kMaxRequests = 16;
   static constexpr std::size_t kMaxCamera = 8;
+  static constexpr std::size_t kMaxWorld = 8;
 
   HostNs now_ns = 0;
   std::uint64_t step = 0;  ///< counts the steps since the start; a gap is a dropped record
@@ -31,6 +33,8 @@ struct StepRecord {
   std::uint32_t request_count = 0;
   std::array<CameraSample, kMaxCamera> camera{};
   std::uint32_t camera_count = 0;
+  std::array<WorldSample, kMaxWorld> world{};
+  std::uint32_t world_count = 0;
   SessionState session = SessionState::kClosed;
   ClockState clock{};
   std::uint32_t session_number = 0;

@@ -10,6 +10,7 @@ enum class PitchSource : std::uint8_t {
   kVirtual,    ///< the virtual world (bench, flat)
   kImu,        ///< the robot's own IMU (terrain)
   kRecording,  ///< a recorded or given slope (replay)
+  kExternal,   ///< an external world (udp, files)
 };
 
 /// What carries the robot.

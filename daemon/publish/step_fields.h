@@ -64,6 +64,24 @@ void visit_fields(Visitor& v, T& seen) {
   v("sequence", sequence);
 }
 
+template <class Visitor, MaybeConst<WorldSample> T>
+void visit_fields(Visitor& v, T& said) {
+  auto& [session, answered, stop, has_ground, height, roll, pitch, slip_offset, step_height,
+         blocked, has_pose, pose] = said;
+  v("session", session);
+  v("answered_ns", answered);
+  v("stop", stop);
+  v("has_ground", has_ground);
+  v("height_m", height);
+  v("roll_rad", roll);
+  v("pitch_rad", pitch);
+  v("slip_offset", slip_offset);
+  v("step_height_m", step_height);
+  v("blocked", blocked);
+  v("has_pose", has_pose);
+  v("pose", pose);
+}
+
 template <class Visitor, MaybeConst<ClockState> T>
 void visit_fields(Visitor& v, T& clock) {
   auto& [valid, reference_host, reference, drift, uncertainty] = clock;
@@ -139,7 +157,7 @@ void visit_fields(Visitor& v, T& fused) {
 template <class Visitor, MaybeConst<Underfoot> T>
 void visit_fields(Visitor& v, T& underfoot) {
   auto& [pitch_source, obstacle, climbing, slope, slip_offset, traction] = underfoot;
-  v("pitch_source", pitch_source, PitchSource::kRecording);
+  v("pitch_source", pitch_source, PitchSource::kExternal);
   v("obstacle", obstacle, Obstacle::kBlock);
   v("climbing", climbing);
   v("slope_rad", slope);
@@ -183,13 +201,15 @@ void visit_fields(Visitor& v, T& snapshot) {
 /// Inputs first, then the link's counters, then the results of the step.
 template <class Visitor, MaybeConst<StepRecord> T>
 void visit_fields(Visitor& v, T& record) {
-  auto& [now, step, samples, sample_count, requests, request_count, camera, camera_count, session,
-         clock, session_number, rebooted, refused, link, command_valid, request, snapshot] = record;
+  auto& [now, step, samples, sample_count, requests, request_count, camera, camera_count, world,
+         world_count, session, clock, session_number, rebooted, refused, link, command_valid,
+         request, snapshot] = record;
   v("now_ns", now);
   v("step", step);
   v.list("samples", samples, sample_count);
   v.list("requests", requests, request_count, OperatorRequest::kStop);
   v.list("camera", camera, camera_count);
+  v.list("world", world, world_count);
   v("session", session, SessionState::kRefused);
   v("clock", clock);
   v("session_number", session_number);

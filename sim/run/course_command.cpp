@@ -41,6 +41,10 @@ int run_course(const CourseCommand& command) {
       course::parse_course(loaded.files.course.text, loaded.files.course.path);
   const std::optional<course::EmulatedCamera> camera =
       command.camera.empty() ? std::nullopt : std::optional(load_camera(command.camera));
+  if (command.world.starts_with("udp:")) loaded.configuration.world.address = command.world;
+  loaded.files.world = app::world_option(command.world, loaded.configuration.parameters.world.kind);
+  if (loaded.files.world == bridge::WorldKind::kFiles)
+    throw SetupError("world files: have no place in virtual time; use udp or internal");
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);
@@ -50,14 +54,16 @@ int run_course(const CourseCommand& command) {
     publish::SinkList sinks;
     if (!command.out.empty()) sinks.add(drive);
     if (recorder) sinks.add(*recorder);
-    const analysis::RunResult result = run_lockstep({.course = course,
-                                                     .robot = loaded.robot,
-                                                     .configuration = loaded.configuration,
-                                                     .setup = loaded.setup,
-                                                     .board = loaded.board,
-                                                     .camera = camera,
-                                                     .seed = seed,
-                                                     .sink = sinks.empty() ? nullptr : &sinks});
+    const analysis::RunResult result =
+        run_lockstep({.course = course,
+                      .robot = loaded.robot,
+                      .configuration = loaded.configuration,
+                      .setup = loaded.setup,
+                      .board = loaded.board,
+                      .camera = camera,
+                      .external_world = loaded.files.world == bridge::WorldKind::kUdp,
+                      .seed = seed,
+                      .sink = sinks.empty() ? nullptr : &sinks});
     if (recorder) recorder->finish();
     const analysis::RunFigures figures = analysis::figures(result, course);
     const std::string json = analysis::result_json(result, figures);

@@ -11,6 +11,7 @@ struct CourseCommand {
   Options options{};
   std::string course;
   std::string camera;  ///< overhead camera: bundled name or file; empty: none
+  std::string world;   ///< external: udp:[HOST:]PORT; empty: as configured
   int runs = 1;
   std::string record;  ///< folder for recordings; empty: none
   std::string out;     ///< folder for results; empty: none

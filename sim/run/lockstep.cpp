@@ -11,10 +11,12 @@
 
 #include "app/cycle.h"
 #include "bridge/grounds.h"
+#include "bridge/outer_world.h"
 #include "core/error.h"
 #include "core/faults.h"
 #include "sim/run/options.h"
 #include "sim/run/pusher.h"
+#include "sim/run/world_client.h"
 #include "sim/sensors/overhead_camera.h"
 #include "terrain/climbable.h"
 
@@ -81,12 +83,13 @@ class Lockstep {
   app::Cycle cycle_;
   EmulatedRobot robot_;
   std::optional<OverheadCamera> camera_;
+  std::optional<WorldClient> world_;
   TruthHistory truth_;
   StepRecord record_{};
   std::vector<std::uint8_t> arriving_;
   analysis::RunResult result_{};
   std::int64_t period_ns_;
-  double behind_x_m_ = 0.0, behind_y_m_ = 0.0;
+  bridge::Shift behind_{};
   std::int64_t begin_ns_ = -1;
   std::int64_t last_recorded_us_ = -1;
   Pusher pusher_;
@@ -98,6 +101,8 @@ class Lockstep {
 bridge::Parameters parameters_of(const LockstepSettings& settings) {
   bridge::Parameters parameters = app::bridge_parameters(settings.configuration, settings.robot);
   parameters.setup = settings.setup;
+  parameters.world.kind =
+      settings.external_world ? bridge::WorldKind::kUdp : bridge::WorldKind::kInternal;
   return parameters;
 }
 
@@ -125,6 +130,13 @@ Lockstep::Lockstep(const LockstepSettings& settings)
     const course::Fence& fence = settings.course.fence;
     camera_.emplace(*settings.camera, (fence.min_x_m + fence.max_x_m) / 2.0,
                     (fence.min_y_m + fence.max_y_m) / 2.0, settings.seed);
+  }
+  if (settings.external_world) {
+    app::RunSetup run{.configuration = settings.configuration,
+                      .robot = settings.robot,
+                      .course = std::make_shared<const course::Course>(settings.course),
+                      .parameters = parameters_};
+    world_.emplace(app::world_run(run), static_cast<std::uint32_t>(settings.seed));
   }
   result_.has_camera = camera_.has_value();
   result_.course = settings.course.name;
@@ -159,11 +171,7 @@ void Lockstep::push() {
   result_.shoves.push_back({now_s, now_s + shove->duration_s});
 }
 
-Pose Lockstep::in_world(Pose real) const {
-  real.x_m += behind_x_m_;
-  real.y_m += behind_y_m_;
-  return real;
-}
+Pose Lockstep::in_world(Pose real) const { return behind_.of(real); }
 
 void Lockstep::record(const Snapshot& snapshot) {
   if (!snapshot.has_sample || snapshot.sample.device_us == last_recorded_us_) return;
@@ -174,8 +182,7 @@ void Lockstep::record(const Snapshot& snapshot) {
                         : parameters_.steering == bridge::Steering::kFused ? snapshot.fused.pose
                                                                            : snapshot.odometry;
   const Pose truth = bench() ? steering : truth_.find(measured_ns);
-  behind_x_m_ = snapshot.world.x_m - steering.x_m;
-  behind_y_m_ = snapshot.world.y_m - steering.y_m;
+  behind_ = bridge::Shift::between(steering, snapshot.world);
   result_.points.push_back({.t_s = to_s(measured_ns - begin_ns_),
                             .truth = truth,
                             .world = in_world(truth),
@@ -187,8 +194,13 @@ void Lockstep::record(const Snapshot& snapshot) {
 }
 
 void Lockstep::publish() {
-  if (settings_.sink == nullptr) return;
+  if (settings_.sink == nullptr && !world_) return;
   cycle_.record(record_);
+  if (world_) {
+    world_->exchange(record_, robot_.now_ns(),
+                     [this](const WorldSample& said) { cycle_.world(said); });
+  }
+  if (settings_.sink == nullptr) return;
   settings_.sink->take(record_);
   if (bench()) return;
   for (const Sample& sample : cycle_.samples()) {
@@ -252,7 +264,9 @@ analysis::RunResult Lockstep::run() {
   result_.completed = state == RunState::kFinished && miss_m <= kEndToleranceM;
   if (!result_.completed) {
     const std::optional<Fault> fault = first_fault(cycle_.outputs().snapshot.faults);
-    result_.cause = begin_ns_ < 0                  ? "never began"
+    const bool no_world = begin_ns_ < 0 && world_ && world_->silent();
+    result_.cause = no_world                       ? std::string(describe(Fault::world_lost).name)
+                    : begin_ns_ < 0                ? "never began"
                     : state == RunState::kFinished ? "ended too far from the end of the path"
                     : fault                        ? std::string(describe(*fault).name)
                                                    : "unknown";
@@ -270,6 +284,13 @@ analysis::RunResult Lockstep::run() {
                                              {"camera_rejected", fused.camera_rejected},
                                              {"camera_recoveries", fused.recoveries},
                                              {"camera_nis_mean", fused.nis_mean}});
+  }
+  if (world_) {
+    const worlds::PeerCounters& world = world_->counters();
+    result_.loop.insert(result_.loop.end(),
+                        {{"world_poses", static_cast<double>(world.poses)},
+                         {"world_answered", static_cast<double>(world.answered)},
+                         {"world_missing", static_cast<double>(world.missing)}});
   }
   return result_;
 }

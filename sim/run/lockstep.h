@@ -23,6 +23,8 @@ struct LockstepSettings {
   bridge::Setup setup = bridge::Setup::kFlat;
   BoardKind board = BoardKind::kNative;
   std::optional<course::EmulatedCamera> camera{};  ///< none: nobody looks on
+  /// World at the configuration's address; else the course's own, whatever the configuration says.
+  bool external_world = false;
   std::uint64_t seed = 1;
   std::uint32_t start_us = 0;     ///< device clock at boot; near 2^32 it wraps in the run
   publish::Sink* sink = nullptr;  ///< gets every step, and the truth of each new sample's instant

@@ -54,7 +54,9 @@
   X(27, not_acknowledged, "the robot did not confirm arm or disarm in time", "check the cable")  \
   X(28, samples_stale, "samples arrive too late to steer by", "check USB hub and host load")     \
   X(29, immobilised, "the belts run but the robot does not move, or not over the obstacle",      \
-    "free the robot; check the grip of belts and floor")
+    "free the robot; check the grip of belts and floor")                                         \
+  X(30, world_lost, "the external world is silent, too slow or begun anew",                      \
+    "look at the world's program; start again when the log says that it is welcome")
 
 namespace tp100 {
 namespace wire {

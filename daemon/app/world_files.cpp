@@ -1,0 +1,204 @@
+#include "app/world_files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <condition_variable>
+#include <cstring>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "core/error.h"
+#include "loop/pacing.h"
+#include "worlds/encoder_text.h"
+#include "worlds/orientation_text.h"
+
+namespace tp100::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+// The file is looked at this often: a game engine's tick is 8 ms or more.
+constexpr auto kLook = 4ms;
+
+/// Replaces `path` by a rename, without waiting for the disk: a reader sees the old text or the
+/// new one. Zero or an errno.
+int replace_file(const std::string& path, const std::string& temporary, std::string_view text) {
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) return errno;
+  const ssize_t n = ::write(file, text.data(), text.size());
+  int error = n == static_cast<ssize_t>(text.size()) ? 0 : n < 0 ? errno : ENOSPC;
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error != 0) ::unlink(temporary.c_str());
+  return error;
+}
+
+/// A file as it was seen: another one has another stamp.
+struct Stamp {
+  ino_t file = 0;
+  off_t size = 0;
+  std::int64_t changed_ns = 0;
+  bool operator==(const Stamp&) const = default;
+};
+
+/// Watches one small file of another program.
+class Watched {
+ public:
+  explicit Watched(std::string path) : path_(std::move(path)) {}
+
+  /// The text, if the file was written since it was last accepted; nothing if it was not, or it
+  /// may be half written.
+  std::optional<std::string> look() {
+    // Nothing but a plain file: opening a pipe would wait for its other end.
+    const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (file < 0) return std::nullopt;
+    struct stat status {};
+    std::optional<std::string> text;
+    if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode)) {
+      const Stamp stamp{status.st_ino, status.st_size,
+                        status.st_mtim.tv_sec * kNsPerS + status.st_mtim.tv_nsec};
+      if (!(stamp == accepted_)) text = read(file, stamp);
+    }
+    ::close(file);
+    return text;
+  }
+
+ private:
+  std::optional<std::string> read(int file, const Stamp& stamp) {
+    std::array<char, worlds::kMaxOrientationText + 1> buffer{};
+    const ssize_t n = ::read(file, buffer.data(), buffer.size());
+    if (n <= 0) return std::nullopt;
+    std::string text(buffer.data(), static_cast<std::size_t>(n));
+    // Without a line's end it may go on: only what is there twice is believed.
+    const bool whole = text.ends_with('\n') || text == before_;
+    before_ = text;
+    if (!whole) return std::nullopt;
+    before_.clear();
+    accepted_ = stamp;
+    return text;
+  }
+
+  std::string path_;
+  Stamp accepted_{};
+  std::string before_;
+};
+
+}  // namespace
+
+struct WorldFiles::State {
+  State(const WorldRun& r, GiveWorld action)
+      : run(r),
+        give(std::move(action)),
+        temporary(run.settings.encoder_file + "." + std::to_string(::getpid()) + ".tmp"),
+        orientation(run.settings.orientation_file) {}
+
+  void live() {
+    std::unique_lock lock(mutex);
+    while (!ending) {
+      wake.wait_for(lock, kLook, [this] { return ending || text.has_value(); });
+      const std::optional<std::string> next = std::exchange(text, std::nullopt);
+      lock.unlock();
+      const int error = next ? replace_file(run.settings.encoder_file, temporary, *next) : 0;
+      const std::optional<std::string> seen = orientation.look();
+      const HostNs now = loop::monotonic_now();
+      const auto orientation_seen =
+          seen
+              ? worlds::orientation_of(*seen, run.settings.orientation_template, run.settings.frame)
+              : std::nullopt;
+      const bool given = orientation_seen && give(sample_of(*orientation_seen, now));
+      lock.lock();
+      if (next) ++(error == 0 ? counters.written : counters.write_errors);
+      if (seen) ++(orientation_seen ? counters.read : counters.rejected);
+      if (orientation_seen && !given) ++counters.dropped;
+      if (error != 0 && !std::exchange(told_write, true))
+        note = run.settings.encoder_file + ": cannot be written (" + std::strerror(error) + ")";
+      if (seen && !orientation_seen && !std::exchange(told_read, true))
+        note = run.settings.orientation_file + ": not understood; see world.orientation_template";
+    }
+  }
+
+  WorldSample sample_of(const worlds::Orientation& said, HostNs now) const {
+    WorldSample sample;
+    sample.session = 1;
+    sample.answered_ns = now;
+    sample.has_ground = true;
+    sample.height_m = said.pose.z_m;
+    sample.roll_rad = said.pose.roll_rad;
+    sample.pitch_rad = said.pose.pitch_rad;
+    if (run.parameters.owns_pose && said.has_turn && said.has_place) {
+      sample.has_pose = true;
+      sample.pose = said.pose;
+    }
+    return sample;
+  }
+
+  const WorldRun run;
+  const GiveWorld give;
+  const std::string temporary;
+  Watched orientation;  // the thread's alone
+  HostNs next_ns = 0;   // of take() alone
+
+  mutable std::mutex mutex;
+  std::condition_variable wake;
+  std::optional<std::string> text;
+  WorldFileCounters counters;
+  std::string note;
+  bool told_write = false, told_read = false;
+  bool ending = false;
+  std::thread thread;
+};
+
+WorldFiles::WorldFiles(const WorldRun& run, GiveWorld give)
+    : state_(std::make_unique<State>(run, std::move(give))) {
+  const WorldSettings& settings = run.settings;
+  worlds::require_encoder_template(settings.encoder_template, "world.encoder_template");
+  worlds::require_orientation_template(settings.orientation_template, "world.orientation_template");
+  if (const int error = replace_file(settings.encoder_file, state_->temporary, "\n"); error != 0) {
+    throw SetupError("world.encoder_file " + settings.encoder_file + ": cannot be written (" +
+                     std::strerror(error) + "); choose another folder");
+  }
+  state_->thread = std::thread([state = state_.get()] { state->live(); });
+}
+
+WorldFiles::~WorldFiles() { stop(); }
+
+void WorldFiles::stop() {
+  if (!state_->thread.joinable()) return;
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->ending = true;
+  }
+  state_->wake.notify_one();
+  state_->thread.join();
+}
+
+void WorldFiles::take(const StepRecord& record) {
+  if (record.now_ns < state_->next_ns) return;
+  state_->next_ns = record.now_ns + from_s(1.0 / state_->run.settings.rate_hz);
+  std::string text = worlds::encoder_text(state_->run.settings.encoder_template, record,
+                                          state_->run.settings.frame);
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->text = std::move(text);
+  }
+  state_->wake.notify_one();
+}
+
+std::string WorldFiles::take_note() {
+  const std::lock_guard lock(state_->mutex);
+  return std::exchange(state_->note, {});
+}
+
+WorldFileCounters WorldFiles::counters() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->counters;
+}
+
+}  // namespace tp100::app

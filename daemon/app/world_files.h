@@ -1,0 +1,42 @@
+#pragma once
+// The paper's Encoder.txt and Orientation.txt, in a thread of their own.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "app/world_run.h"
+#include "publish/sink.h"
+
+namespace tp100::app {
+
+/// What became of the files, since the start.
+struct WorldFileCounters {
+  std::uint64_t written = 0;
+  std::uint64_t write_errors = 0;
+  std::uint64_t read = 0;      ///< changed and good: handed to the step
+  std::uint64_t rejected = 0;  ///< changed, but incomplete, no numbers or out of range
+  std::uint64_t dropped = 0;   ///< good, but the step had no room
+};
+
+class WorldFiles : public publish::Sink {
+ public:
+  /// `give` is called from the thread of the files. Throws SetupError: a bad template, a folder
+  /// that cannot be written.
+  WorldFiles(const WorldRun& run, GiveWorld give);
+  /// Ends the thread; the files stay.
+  ~WorldFiles() override;
+
+  /// The newest step is what the file will show; never waits for the disk.
+  void take(const StepRecord& record) override;
+  void stop();
+  /// Something to log since the last call, or empty.
+  std::string take_note();
+  WorldFileCounters counters() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tp100::app
