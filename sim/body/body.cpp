@@ -259,6 +259,11 @@ void Body::step(double left_belt_mps, double right_belt_mps) {
   w.observe();
 }
 
+void Body::turn_belts(double left_m, double right_m) {
+  world_->left_travel_m += left_m;
+  world_->right_travel_m += right_m;
+}
+
 void Body::shove(double sideways_m, double yaw_rad, double duration_s) {
   World& w = *world_;
   if (w.on_stand) return;

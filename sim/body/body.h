@@ -40,6 +40,8 @@ class Body {
   /// Advances kPhysicsStepNs with belts at these encoder-side speeds (the belt deficit is applied
   /// inside).
   void step(double left_belt_mps, double right_belt_mps);
+  /// Belts that came to rest this much farther round: worn stretches lie elsewhere.
+  void turn_belts(double left_m, double right_m);
   /// Begins a push: `sideways_m` to the robot's left and `yaw_rad`, spread evenly over
   /// `duration_s`.
   void shove(double sideways_m, double yaw_rad, double duration_s);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
 #include "sim/board/avr_board.h"
 #include "sim/board/native_board.h"
 
@@ -20,6 +21,12 @@ std::uint64_t stream(std::uint64_t seed, std::uint64_t number) {
 // Errors that belong to the robot and not to a run.
 constexpr std::uint64_t kLeftEncoder = 11;
 constexpr std::uint64_t kRightEncoder = 12;
+
+// Where the belts came to rest after the last run.
+double belt_rest_m(const course::EmulatedBody& body, std::uint64_t random) {
+  const double length_m = 2.0 * (body.axle_spacing_m + kPi * body.belt_radius_m);
+  return length_m * static_cast<double>(random >> 11) * 0x1p-53;
+}
 
 std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlave& imu) {
   const auto phase_ns = static_cast<std::int64_t>(stream(settings.seed, 2) % 5'000'000);
@@ -65,7 +72,10 @@ EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
       imu_(settings.values.imu, stream(settings.seed, 3)),
       battery_(settings.values.battery),
       board_(make_board(settings, imu_)),
-      to_board_(settings.baud) {}
+      to_board_(settings.baud) {
+  body_.turn_belts(belt_rest_m(settings.values.body, stream(settings.seed, 4)),
+                   belt_rest_m(settings.values.body, stream(settings.seed, 5)));
+}
 
 EmulatedRobot::~EmulatedRobot() = default;
 
