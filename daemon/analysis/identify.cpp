@@ -15,15 +15,27 @@ constexpr double kUnseen = 0.5;
 // Turns of fewer radians in all say nothing of the wheelbase.
 constexpr double kTurnedRad = 1.0;
 
-constexpr std::array<Parameter, 5> kNotInThePaper = {
-    Parameter::kXIcr, Parameter::kWheelbaseSpin, Parameter::kXIcrSpinShift, Parameter::kTurnSlip,
+constexpr std::array<Parameter, 7> kNotInThePaper = {
+    Parameter::kXIcr,          Parameter::kWheelbaseTight, Parameter::kXIcrTightShift,
+    Parameter::kWheelbaseSpin, Parameter::kXIcrSpinShift,  Parameter::kTurnSlip,
     Parameter::kTurnSlipTight};
 
 Values values_of(const Belief& belief) {
   const model::TrackParameters& t = belief.tracks;
-  return {t.slip_left,   t.slip_right,      t.slip_angle_straight_rad, t.slip_angle_turning_rad,
-          t.wheelbase_m, t.x_icr_m,         t.wheelbase_spin_m,        t.x_icr_spin_shift_m,
-          t.turn_slip,   t.turn_slip_tight, belief.gyro_scale,         0.0};
+  return {t.slip_left,
+          t.slip_right,
+          t.slip_angle_straight_rad,
+          t.slip_angle_turning_rad,
+          t.wheelbase_m,
+          t.x_icr_m,
+          t.wheelbase_tight_m,
+          t.x_icr_tight_shift_m,
+          t.wheelbase_spin_m,
+          t.x_icr_spin_shift_m,
+          t.turn_slip,
+          t.turn_slip_tight,
+          belief.gyro_scale,
+          0.0};
 }
 
 /// The wheelbase that explains how far the runs turned if slip is as believed: from there the rest
@@ -57,8 +69,8 @@ Fit best_fit(const std::vector<FittedRun>& runs, const Belief& base, Free free, 
     Values start = believed;
     if (free[index(Parameter::kWheelbase)])
       start[index(Parameter::kWheelbase)] = first_wheelbase(runs, base);
-    if (free[index(Parameter::kWheelbaseSpin)])
-      start[index(Parameter::kWheelbaseSpin)] = start[index(Parameter::kWheelbase)];
+    for (const Parameter tighter : {Parameter::kWheelbaseTight, Parameter::kWheelbaseSpin})
+      if (free[index(tighter)]) start[index(tighter)] = start[index(Parameter::kWheelbase)];
     ModelFit model_fit(runs, start, believed, free, base.tracks.turning_threshold_radps, settings);
     model_fit.solve();
     const auto left = model_fit.uncertainty_left();
@@ -109,6 +121,8 @@ Identification identify(const std::vector<Drive>& drives, const Belief& base,
   tracks.slip_angle_turning_rad = value(Parameter::kSlipAngleTurning);
   tracks.wheelbase_m = value(Parameter::kWheelbase);
   tracks.x_icr_m = value(Parameter::kXIcr);
+  tracks.wheelbase_tight_m = value(Parameter::kWheelbaseTight);
+  tracks.x_icr_tight_shift_m = value(Parameter::kXIcrTightShift);
   tracks.wheelbase_spin_m = value(Parameter::kWheelbaseSpin);
   tracks.x_icr_spin_shift_m = value(Parameter::kXIcrSpinShift);
   tracks.turn_slip = value(Parameter::kTurnSlip);

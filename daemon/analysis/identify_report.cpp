@@ -38,6 +38,10 @@ double& field(course::ModelValues& m, Parameter parameter) {
       return m.wheelbase_m;
     case Parameter::kXIcr:
       return m.x_icr_m;
+    case Parameter::kWheelbaseTight:
+      return m.wheelbase_tight_m;
+    case Parameter::kXIcrTightShift:
+      return m.x_icr_tight_shift_m;
     case Parameter::kWheelbaseSpin:
       return m.wheelbase_spin_m;
     case Parameter::kXIcrSpinShift:
@@ -109,6 +113,8 @@ Belief belief_of(const course::Robot& robot, double turning_threshold_radps) {
                      .turning_threshold_radps = turning_threshold_radps,
                      .wheelbase_m = m.wheelbase_m,
                      .x_icr_m = m.x_icr_m,
+                     .wheelbase_tight_m = m.wheelbase_tight_m,
+                     .x_icr_tight_shift_m = m.x_icr_tight_shift_m,
                      .wheelbase_spin_m = m.wheelbase_spin_m,
                      .x_icr_spin_shift_m = m.x_icr_spin_shift_m,
                      .turn_slip = m.turn_slip,

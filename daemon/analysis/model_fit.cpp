@@ -21,6 +21,8 @@ constexpr std::array<Scale, kShared> kScales = {{
     {10 * kRadPerDeg, 2 * kRadPerDeg},  // slip angle, turning
     {0.5, 0.02},                        // wheelbase, parts of itself
     {0.1, 0.01},                        // x_icr
+    {0.25, 0.03},                       // wheelbase in tight arcs, parts of the wheelbase
+    {0.1, 0.01},                        // shift of x_icr in tight arcs
     {0.25, 0.03},                       // wheelbase on the spot, parts of the wheelbase
     {0.1, 0.01},                        // shift of x_icr on the spot
     {0.1, 0.01},                        // turn slip
@@ -48,6 +50,10 @@ double huber_cost(double deviations) {
   return deviations <= kHuber ? deviations * deviations : kHuber * (2.0 * deviations - kHuber);
 }
 
+bool of_tighter_turns(std::size_t i) {
+  return i == index(Parameter::kWheelbaseTight) || i == index(Parameter::kWheelbaseSpin);
+}
+
 bool false_detection(const FittedRun& run, double off_m, double off_rad) {
   return off_m > kReject * run.usual_m || off_rad > kReject * run.usual_rad;
 }
@@ -67,7 +73,7 @@ ModelFit::ModelFit(std::vector<FittedRun> runs, const Values& start, const Value
 }
 
 double ModelFit::prior_sd(std::size_t i) const {
-  const bool relative = i == index(Parameter::kWheelbase) || i == index(Parameter::kWheelbaseSpin);
+  const bool relative = i == index(Parameter::kWheelbase) || of_tighter_turns(i);
   return kScales[i].prior_sd * (relative ? believed_[index(Parameter::kWheelbase)] : 1.0);
 }
 
@@ -80,6 +86,8 @@ model::TrackParameters ModelFit::tracks(const Values& v) const {
           .turning_threshold_radps = threshold_radps_,
           .wheelbase_m = value(Parameter::kWheelbase),
           .x_icr_m = value(Parameter::kXIcr),
+          .wheelbase_tight_m = value(Parameter::kWheelbaseTight),
+          .x_icr_tight_shift_m = value(Parameter::kXIcrTightShift),
           .wheelbase_spin_m = value(Parameter::kWheelbaseSpin),
           .x_icr_spin_shift_m = value(Parameter::kXIcrSpinShift),
           .turn_slip = value(Parameter::kTurnSlip),
@@ -93,13 +101,14 @@ double ModelFit::prior(Eigen::MatrixXd& information, Eigen::VectorXd& score) con
   for (Eigen::Index k = 0; k < size(); ++k) {
     const std::size_t i = shared_index(k);
     const double weight = 1.0 / (prior_sd(i) * prior_sd(i));
-    // The wheelbase on the spot is expected near the other one, whatever that turns out to be.
-    const bool spin = i == index(Parameter::kWheelbaseSpin);
-    const double off = (spin ? values_[index(Parameter::kWheelbase)] : believed_[i]) - values_[i];
+    // Those of tighter turns are expected near the other one, whatever that turns out to be.
+    const bool tighter = of_tighter_turns(i);
+    const double off =
+        (tighter ? values_[index(Parameter::kWheelbase)] : believed_[i]) - values_[i];
     information(k, k) += weight;
     score[k] += weight * off;
     cost += weight * off * off;
-    for (Eigen::Index j = 0; spin && j < size(); ++j) {
+    for (Eigen::Index j = 0; tighter && j < size(); ++j) {
       if (shared_index(j) != index(Parameter::kWheelbase)) continue;
       information(j, j) += weight;
       information(j, k) -= weight;
@@ -268,6 +277,7 @@ bool ModelFit::improve(double& damping, double& moved) {
         runs_[r].own[j] = own[r][j] + own_step[static_cast<Eigen::Index>(j)];
     }
     const bool possible = values_[index(Parameter::kWheelbase)] > 0.01 &&
+                          values_[index(Parameter::kWheelbaseTight)] >= 0.0 &&
                           values_[index(Parameter::kWheelbaseSpin)] >= 0.0;
     if (possible && cost() <= before) {
       damping = std::max(damping / 10.0, 1e-9);

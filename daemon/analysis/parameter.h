@@ -17,13 +17,15 @@ enum class Parameter : std::size_t {
   kSlipAngleTurning,
   kWheelbase,
   kXIcr,
+  kWheelbaseTight,
+  kXIcrTightShift,
   kWheelbaseSpin,
   kXIcrSpinShift,
   kTurnSlip,
   kTurnSlipTight,
   kGyroScale,
 };
-inline constexpr std::size_t kParameters = 11;
+inline constexpr std::size_t kParameters = 13;
 inline constexpr std::size_t index(Parameter parameter) {
   return static_cast<std::size_t>(parameter);
 }
@@ -47,6 +49,8 @@ inline constexpr std::array<ParameterKey, kParameters> kParameterKeys = {{
     {"slip_angle_turning_deg", kRadPerDeg},
     {"wheelbase_m"},
     {"x_icr_m"},
+    {"wheelbase_tight_m"},
+    {"x_icr_tight_shift_m"},
     {"wheelbase_spin_m"},
     {"x_icr_spin_shift_m"},
     {"turn_slip"},

@@ -61,6 +61,8 @@ model::TrackParameters track_parameters(const Parameters& parameters) {
           .turning_threshold_radps = values.turning_threshold_radps,
           .wheelbase_m = values.wheelbase_m,
           .x_icr_m = values.x_icr_m,
+          .wheelbase_tight_m = values.wheelbase_tight_m,
+          .x_icr_tight_shift_m = values.x_icr_tight_shift_m,
           .wheelbase_spin_m = values.wheelbase_spin_m,
           .x_icr_spin_shift_m = values.x_icr_spin_shift_m,
           .turn_slip = values.turn_slip,

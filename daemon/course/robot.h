@@ -21,6 +21,8 @@ struct ModelValues {
                                           ///< files: it comes from the configuration
   double wheelbase_m = 0.2742;            ///< equivalent wheelbase L
   double x_icr_m = 0.0;                   ///< Vy gets -x_icr * yaw rate
+  double wheelbase_tight_m = 0.0;         ///< L in tight arcs; 0: as on the spot
+  double x_icr_tight_shift_m = 0.0;       ///< added to x_icr in tight arcs
   double wheelbase_spin_m = 0.0;          ///< L on the spot; 0: as wheelbase_m
   double x_icr_spin_shift_m = 0.0;        ///< added to x_icr on the spot
   double turn_slip = 0.0;                 ///< slip that a left turn adds and a right one takes off

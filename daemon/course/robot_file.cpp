@@ -14,7 +14,7 @@ constexpr double kDeg = kRadPerDeg;
 
 std::span<const Key<ModelValues>> model_keys() {
   using T = ModelValues;
-  static const std::array<Key<T>, 11> kKeys = {{
+  static const std::array<Key<T>, 13> kKeys = {{
       {"slip_left", &T::slip_left, {-0.5, 0.9}, "Slip ratio of the left belt on flat ground"},
       {"slip_right", &T::slip_right, {-0.5, 0.9}, "Slip ratio of the right belt on flat ground"},
       {"slip_angle_straight_deg",
@@ -36,6 +36,15 @@ std::span<const Key<ModelValues>> model_keys() {
        {-0.2, 0.2},
        "Turning centre ahead of the reference point: sideways speed is less by this times the yaw "
        "rate"},
+      {"wheelbase_tight_m",
+       &T::wheelbase_tight_m,
+       {0, 2},
+       "Equivalent wheelbase in arcs so tight that the slower belt makes 0.4 of the faster one's "
+       "speed; wheelbase_m holds from 0.65 on. 0: as on the spot"},
+      {"x_icr_tight_shift_m",
+       &T::x_icr_tight_shift_m,
+       {-0.2, 0.2},
+       "How much farther ahead the turning centre lies in tight arcs than in wide turns"},
       {"wheelbase_spin_m",
        &T::wheelbase_spin_m,
        {0, 2},
@@ -279,6 +288,8 @@ Robot parse_robot(const std::string& text, const std::string& file) {
     shape.fail("com_forward_m", "'shape.com_forward_m' must lie between the axles");
   if (robot.model.wheelbase_spin_m != 0.0 && robot.model.wheelbase_spin_m < 0.05)
     model.fail("wheelbase_spin_m", "'model.wheelbase_spin_m' must be 0 or at least 0.05 m");
+  if (robot.model.wheelbase_tight_m != 0.0 && robot.model.wheelbase_tight_m < 0.05)
+    model.fail("wheelbase_tight_m", "'model.wheelbase_tight_m' must be 0 or at least 0.05 m");
   return robot;
 }
 

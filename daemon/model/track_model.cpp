@@ -17,9 +17,11 @@ Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& inclin
 Turn turn_of(const TrackParameters& p, Mode mode, const TurnShape& shape) {
   if (mode == Mode::kPaper) return {p.wheelbase_m, 0.0, 0.0};
   const double spin_m = p.wheelbase_spin_m == 0.0 ? p.wheelbase_m : p.wheelbase_spin_m;
-  return {std::lerp(p.wheelbase_m, spin_m, shape.tight),
-          p.x_icr_m + p.x_icr_spin_shift_m * shape.tight,
-          shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight)};
+  const double tight_m = p.wheelbase_tight_m == 0.0 ? spin_m : p.wheelbase_tight_m;
+  return {
+      std::lerp(std::lerp(p.wheelbase_m, tight_m, shape.arc), spin_m, shape.spin),
+      p.x_icr_m + std::lerp(p.x_icr_tight_shift_m * shape.arc, p.x_icr_spin_shift_m, shape.spin),
+      shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight)};
 }
 
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,

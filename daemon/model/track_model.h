@@ -23,9 +23,11 @@ struct TrackParameters {
   double turning_threshold_radps =
       0.05;  ///< |yaw rate of eq 5| above it takes the turning slip angle
   double wheelbase_m = 0.2742;
-  double x_icr_m = 0.0;             ///< extended only
-  double wheelbase_spin_m = 0.0;    ///< extended only; L on the spot, 0: the same everywhere
-  double x_icr_spin_shift_m = 0.0;  ///< extended only; added to x_icr_m on the spot
+  double x_icr_m = 0.0;              ///< extended only
+  double wheelbase_tight_m = 0.0;    ///< extended only; L in tight arcs, 0: as on the spot
+  double x_icr_tight_shift_m = 0.0;  ///< extended only; added to x_icr_m in tight arcs
+  double wheelbase_spin_m = 0.0;     ///< extended only; L on the spot, 0: the same everywhere
+  double x_icr_spin_shift_m = 0.0;   ///< extended only; added to x_icr_m on the spot
   double turn_slip = 0.0;        ///< extended only; slip of both belts that a left turn adds and a
                                  ///< right turn takes off: belts that creep unevenly
   double turn_slip_tight = 0.0;  ///< the same in tight turns

@@ -8,7 +8,13 @@ namespace {
 
 // Difference of the belts' speeds in parts of the faster one: friction begins to saturate, and has.
 constexpr double kWideTurn = 0.45, kTightTurn = 0.65;
+// The same where wheelbase and turning centre begin to drift, half-way, and where they end.
+constexpr double kWideArc = 0.35, kTightArc = 0.6, kSpin = 1.1;
 constexpr double kLagS = 0.1;
+
+double between(double value, double low, double high) {
+  return std::clamp((value - low) / (high - low), 0.0, 1.0);
+}
 
 }  // namespace
 
@@ -16,8 +22,9 @@ TurnShape turn_shape(double left_mps, double right_mps) {
   const double faster = std::max(std::abs(left_mps), std::abs(right_mps));
   if (!(faster > 0.0)) return {};
   const double difference = (right_mps - left_mps) / faster;
-  return {std::clamp(difference / kWideTurn, -1.0, 1.0),
-          std::clamp((std::abs(difference) - kWideTurn) / (kTightTurn - kWideTurn), 0.0, 1.0)};
+  const double turn = std::abs(difference);
+  return {std::clamp(difference / kWideTurn, -1.0, 1.0), between(turn, kWideTurn, kTightTurn),
+          between(turn, kWideArc, kTightArc), between(turn, kTightArc, kSpin)};
 }
 
 TurnShape TurnWatch::update(double left_mps, double right_mps, double dt_s) {

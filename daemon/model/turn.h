@@ -7,10 +7,17 @@ namespace tp100::model {
 
 /// A turn by the ratio of the two belts' speeds, which is what friction follows, not the speeds.
 /// Where friction saturates is much the same for uneven robots.
+///
+/// Unevenly creeping belts lose or gain way only until friction saturates (`wide`, `tight`).
+/// Wheelbase and turning centre drift on as the slipping ends take over, until the slower belt
+/// stands still: `arc` and `spin` lead from their values in wide turns over those in tight arcs to
+/// those on the spot.
 struct TurnShape {
   double wide = 0.0;   ///< -1..1, left positive: grows with the turn until the slower belt makes
                        ///< 0.55 of the faster one's speed, then stays
   double tight = 0.0;  ///< 0..1: 0 up to there, 1 from 0.35 of the faster one's speed on to spins
+  double arc = 0.0;    ///< 0..1: 0 up to 0.65 of the faster one's speed, 1 from 0.4 on to spins
+  double spin = 0.0;   ///< 0..1: 0 up to there, 1 from -0.1 of the faster one's speed on to spins
 };
 
 /// For belts whose ground sides move at these speeds (slip taken out). Pure.

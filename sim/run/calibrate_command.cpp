@@ -83,6 +83,8 @@ std::array<double, kParameters> values_of(const EffectiveMotion& m) {
           m.slip_angle_turning_rad,
           m.wheelbase_m,
           m.x_icr_m,
+          m.wheelbase_tight_m,
+          m.x_icr_tight_m - m.x_icr_m,
           m.wheelbase_spin_m,
           m.x_icr_spin_m - m.x_icr_m,
           m.turn_slip,
@@ -151,6 +153,7 @@ bool Calibration::accurate() const {
   };
   return within(Parameter::kSlipLeft, kSlipWithin) && within(Parameter::kSlipRight, kSlipWithin) &&
          within(Parameter::kWheelbase, share(Parameter::kWheelbase)) &&
+         within(Parameter::kWheelbaseTight, share(Parameter::kWheelbaseTight)) &&
          within(Parameter::kWheelbaseSpin, share(Parameter::kWheelbaseSpin));
 }
 

@@ -1,5 +1,6 @@
 #include "sim/run/effective_motion.h"
 
+#include <array>
 #include <cmath>
 
 #include "model/turn.h"
@@ -47,71 +48,85 @@ struct Ratio {
   double value() const { return above / below; }
 };
 
-/// What arcs to both sides lose and gain; the parameter is that of the widest turn that is full.
-struct TurnSlip {
-  Ratio lost{};
+/// All drives of one kind of turn.
+struct Turns {
+  Ratio wheelbase{}, centre{}, lost{};
   model::TurnShape shape{};
-  double of_full_turn() const { return lost.value() / std::abs(shape.wide); }
+
+  void add(const Way& way, double left_m, double right_m) {
+    const double side = way.turned_rad > 0.0 ? 1.0 : -1.0;
+    wheelbase.above += side * (right_m - left_m);
+    wheelbase.below += std::abs(way.turned_rad);
+    centre.above -= way.sideways_by_turn;
+    centre.below += way.turn_by_turn;
+    lost.above += side * ((left_m + right_m) / 2.0 - way.ahead_m);
+    lost.below += (left_m + right_m) / 2.0;
+    shape = model::turn_shape(left_m, right_m);
+  }
+  /// What arcs to both sides lose and gain; the parameter is that of the widest turn that is full.
+  double lost_of_full_turn() const { return lost.value() / std::abs(shape.wide); }
 };
+
+/// A value in wide turns, tight arcs and on the spot, from what drives of these shapes had of it.
+std::array<double, 3> apart(const std::array<double, 3>& measured, const model::TurnShape& wide,
+                            const model::TurnShape& tight) {
+  // Wide drives: (1 - a) w + a t; tight ones: (1 - b) (1 - c) w + b (1 - c) t + c s.
+  const double a = wide.arc, b = tight.arc, c = tight.spin;
+  const double of_arcs = (measured[1] - c * measured[2]) / (1.0 - c);
+  const double per_arc = (of_arcs - measured[0]) / (b - a);
+  const double value = measured[0] - a * per_arc;
+  return {value, value + per_arc, measured[2]};
+}
 
 }  // namespace
 
 EffectiveMotion effective_motion(const std::vector<CalibrationDrive>& drives,
                                  const course::Emulated& robot) {
-  Ratio left, right, straight_angle, turning_angle, centre, spin_centre;
-  for (const CalibrationDrive& drive : drives) {
-    const Way way = way_of(drive, robot.encoder.counts_per_metre);
-    if (drive.kind == DriveKind::kStraight) {
-      const double half = way.turned_rad * robot.body.gauge_m / 2.0;
-      left.above += way.ahead_m - half;
-      left.below += way.left_belt_m;
-      right.above += way.ahead_m + half;
-      right.below += way.right_belt_m;
-      straight_angle.above += way.left_m;
-      straight_angle.below += way.ahead_m;
-      continue;
-    }
-    if (drive.kind == DriveKind::kTight) continue;
-    Ratio& of_kind = drive.kind == DriveKind::kWide ? centre : spin_centre;
-    of_kind.above -= way.sideways_by_turn;
-    of_kind.below += way.turn_by_turn;
-    if (drive.kind == DriveKind::kSpin) continue;
-    turning_angle.above += way.left_m;
-    turning_angle.below += way.ahead_m;
-  }
   EffectiveMotion motion;
+  Ratio left, right, straight_angle, turning_angle;
+  for (const CalibrationDrive& drive : drives) {
+    if (drive.kind == DriveKind::kTight || drive.kind == DriveKind::kSpin) continue;
+    const Way way = way_of(drive, robot.encoder.counts_per_metre);
+    Ratio& angle = drive.kind == DriveKind::kStraight ? straight_angle : turning_angle;
+    angle.above += way.left_m;
+    angle.below += way.ahead_m;
+    if (drive.kind != DriveKind::kStraight) continue;
+    const double half = way.turned_rad * robot.body.gauge_m / 2.0;
+    left.above += way.ahead_m - half;
+    left.below += way.left_belt_m;
+    right.above += way.ahead_m + half;
+    right.below += way.right_belt_m;
+  }
   motion.slip_left = 1.0 - left.value();
   motion.slip_right = 1.0 - right.value();
   motion.slip_angle_straight_rad = std::atan(straight_angle.value());
   motion.slip_angle_turning_rad = std::atan(turning_angle.value());
-  motion.x_icr_m = centre.value();
-  motion.x_icr_spin_m = spin_centre.value();
 
-  Ratio arc, spin;
-  TurnSlip wide_slip, tight_slip;
+  Turns wide, tight, spin;
   for (const CalibrationDrive& drive : drives) {
     if (drive.kind == DriveKind::kStraight) continue;
     const Way way = way_of(drive, robot.encoder.counts_per_metre);
     const double left_m = way.left_belt_m * (1.0 - motion.slip_left);
     const double right_m = way.right_belt_m * (1.0 - motion.slip_right);
-    const double difference = right_m - left_m;
-    if (drive.kind != DriveKind::kSpin) {
-      TurnSlip& slip = drive.kind == DriveKind::kWide ? wide_slip : tight_slip;
-      slip.lost.above += way.turned_rad > 0.0 ? (left_m + right_m) / 2.0 - way.ahead_m
-                                              : way.ahead_m - (left_m + right_m) / 2.0;
-      slip.lost.below += (left_m + right_m) / 2.0;
-      slip.shape = model::turn_shape(left_m, right_m);
-    }
-    if (drive.kind == DriveKind::kTight) continue;
-    Ratio& ratio = drive.kind == DriveKind::kWide ? arc : spin;
-    ratio.above += way.turned_rad > 0.0 ? difference : -difference;
-    ratio.below += std::abs(way.turned_rad);
+    (drive.kind == DriveKind::kWide    ? wide
+     : drive.kind == DriveKind::kTight ? tight
+                                       : spin)
+        .add(way, left_m, right_m);
   }
-  motion.wheelbase_m = arc.value();
-  motion.wheelbase_spin_m = spin.value();
-  motion.turn_slip = wide_slip.of_full_turn();
-  const double tight = tight_slip.shape.tight;
-  motion.turn_slip_tight = (tight_slip.of_full_turn() - (1.0 - tight) * motion.turn_slip) / tight;
+  const auto [wheelbase, wheelbase_tight, wheelbase_spin] =
+      apart({wide.wheelbase.value(), tight.wheelbase.value(), spin.wheelbase.value()}, wide.shape,
+            tight.shape);
+  motion.wheelbase_m = wheelbase;
+  motion.wheelbase_tight_m = wheelbase_tight;
+  motion.wheelbase_spin_m = wheelbase_spin;
+  const auto [centre, centre_tight, centre_spin] = apart(
+      {wide.centre.value(), tight.centre.value(), spin.centre.value()}, wide.shape, tight.shape);
+  motion.x_icr_m = centre;
+  motion.x_icr_tight_m = centre_tight;
+  motion.x_icr_spin_m = centre_spin;
+  motion.turn_slip = wide.lost_of_full_turn();
+  const double share = tight.shape.tight;
+  motion.turn_slip_tight = (tight.lost_of_full_turn() - (1.0 - share) * motion.turn_slip) / share;
   // The sensor's own counts per deg/s at this range are 2^15 / 1000.
   constexpr double kSensorLsbPerDegps = 32.768;
   motion.gyro_scale = static_cast<double>(wire::kGyroLsbPerDegps) / kSensorLsbPerDegps /

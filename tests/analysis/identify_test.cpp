@@ -75,6 +75,8 @@ std::vector<Drive> all_kinds(const Truth& truth, unsigned seed = 1) {
     drives.push_back(drive(truth, "straight", 0.117, 0.123, 12.0, ++seed));
     drives.push_back(drive(truth, "arc left", 0.09, 0.15, 10.0, ++seed));
     drives.push_back(drive(truth, "arc right", 0.15, 0.09, 10.0, ++seed));
+    drives.push_back(drive(truth, "tight left", 0.06, 0.15, 8.0, ++seed));
+    drives.push_back(drive(truth, "tight right", 0.15, 0.06, 8.0, ++seed));
     drives.push_back(drive(truth, "spin left", -0.1, 0.1, 8.0, ++seed));
     drives.push_back(drive(truth, "spin right", 0.1, -0.1, 8.0, ++seed));
   }
@@ -95,6 +97,7 @@ void expect_all_found(const Identification& found, const Truth& truth) {
   expect_found(fit, Parameter::kSlipLeft, truth.slip_left, 0.003);
   expect_found(fit, Parameter::kSlipRight, truth.slip_right, 0.003);
   expect_found(fit, Parameter::kWheelbase, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
+  expect_found(fit, Parameter::kWheelbaseTight, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
   expect_found(fit, Parameter::kWheelbaseSpin, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
   expect_found(fit, Parameter::kXIcr, truth.x_icr_m, 0.002);
   expect_found(fit, Parameter::kGyroScale, truth.gyro_scale, 0.004);
@@ -194,11 +197,12 @@ TEST(Identify, RefusesARunWithoutAnythingToCompare) {
 TEST(Identify, IntervalsHoldTheTruth) {
   const Truth truth;
   int inside = 0, all = 0;
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
     const Fit fit = identify(all_kinds(truth, 100 * seed), unknown()).extended;
     for (const auto& [parameter, value] : {std::pair{Parameter::kSlipLeft, truth.slip_left},
                                            std::pair{Parameter::kSlipRight, truth.slip_right},
                                            std::pair{Parameter::kWheelbase, truth.wheelbase_m},
+                                           std::pair{Parameter::kWheelbaseTight, truth.wheelbase_m},
                                            std::pair{Parameter::kWheelbaseSpin, truth.wheelbase_m},
                                            std::pair{Parameter::kXIcr, truth.x_icr_m},
                                            std::pair{Parameter::kGyroScale, truth.gyro_scale}}) {

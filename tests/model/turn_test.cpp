@@ -24,12 +24,24 @@ TEST(Turn, GrowsFromStraightOverWideToTight) {
   }
 }
 
+TEST(Turn, LeadsFromWideArcsOverTightOnesToTheSpot) {
+  EXPECT_EQ(turn_shape(0.066, 0.1).arc, 0.0);
+  EXPECT_NEAR(turn_shape(0.0525, 0.1).arc, 0.5, 1e-12);
+  EXPECT_EQ(turn_shape(0.041, 0.1).spin, 0.0);
+  EXPECT_EQ(turn_shape(0.015, 0.1).arc, 1.0);
+  EXPECT_NEAR(turn_shape(0.015, 0.1).spin, 0.5, 1e-12);
+  EXPECT_NEAR(turn_shape(0.1, 0.015).spin, 0.5, 1e-12);
+  EXPECT_EQ(turn_shape(-0.011, 0.1).spin, 1.0);
+}
+
 TEST(Turn, OnlyTheRatioOfTheSpeedsCounts) {
   for (const double ratio : {-1.0, -0.3, 0.1, 0.35, 0.5, 0.9}) {
     const TurnShape shape = turn_shape(ratio, 1.0);
     EXPECT_NEAR(turn_shape(ratio * 0.01, 0.01).tight, shape.tight, 1e-12);
     EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).wide, -shape.wide, 1e-12);
     EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).tight, shape.tight, 1e-12);
+    EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).arc, shape.arc, 1e-12);
+    EXPECT_NEAR(turn_shape(0.2, ratio * 0.2).spin, shape.spin, 1e-12);
   }
 }
 
@@ -48,7 +60,8 @@ TEST(Turn, WheelbaseTurningCentreAndSlipGoFromTheirWideToTheirTightValues) {
   TrackParameters p;
   p.wheelbase_m = 0.2;
   p.x_icr_m = 0.01;
-  const TurnShape straight{}, wide{1.0, 0.0}, between{-1.0, 0.5}, spin{1.0, 1.0};
+  const TurnShape straight{}, wide{1.0, 0.0, 0.0, 0.0}, between{-1.0, 0.5, 0.5, 0.0},
+      spin{1.0, 1.0, 1.0, 1.0};
   EXPECT_EQ(turn_of(p, Mode::kExtended, spin).wheelbase_m, 0.2);
   p.wheelbase_spin_m = 0.3;
   p.x_icr_spin_shift_m = -0.02;
@@ -58,6 +71,16 @@ TEST(Turn, WheelbaseTurningCentreAndSlipGoFromTheirWideToTheirTightValues) {
   EXPECT_EQ(turn_of(p, Mode::kExtended, wide).x_icr_m, 0.01);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, between).wheelbase_m, 0.25, 1e-12);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, spin).x_icr_m, -0.01, 1e-12);
+  p.wheelbase_tight_m = 0.22;
+  p.x_icr_tight_shift_m = 0.006;
+  const TurnShape tight{1.0, 1.0, 1.0, 0.0}, past_it{1.0, 1.0, 1.0, 0.5};
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, between).wheelbase_m, 0.21, 1e-12);
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, tight).wheelbase_m, 0.22, 1e-12);
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, past_it).wheelbase_m, 0.26, 1e-12);
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, between).x_icr_m, 0.013, 1e-12);
+  EXPECT_NEAR(turn_of(p, Mode::kExtended, past_it).x_icr_m, 0.01 + (0.006 - 0.02) / 2.0, 1e-12);
+  EXPECT_EQ(turn_of(p, Mode::kExtended, wide).wheelbase_m, 0.2);
+  EXPECT_EQ(turn_of(p, Mode::kExtended, spin).wheelbase_m, 0.3);
   EXPECT_EQ(turn_of(p, Mode::kExtended, straight).slip, 0.0);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, wide).slip, 0.04, 1e-12);
   EXPECT_NEAR(turn_of(p, Mode::kExtended, between).slip, -0.03, 1e-12);
