@@ -132,7 +132,8 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   reproduce_app
       ->add_option("--part", reproduce.part,
-                   "paper (reference robot), robots (all others), held-out (courses that are not "
+                   "paper (reference robot), robots (all others), drawn (robots of stated ranges), "
+                   "held-out (courses that are not "
                    "bundled), avr (course 3 on the image) or all")
       ->type_name("PART")
       ->capture_default_str();
@@ -141,6 +142,14 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   reproduce_app->add_option("--runs", reproduce.runs, "Seeds a course, each driven both ways round")
       ->check(CLI::Range(1, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
+
+  reproduce_app
+      ->add_option("--drawn", reproduce.drawn,
+                   "Robots to draw from the ranges in sim/run/drawn_robot.h; each is identified "
+                   "first, then drives every course")
+      ->check(CLI::Range(0, 10000))
       ->type_name("NUMBER")
       ->capture_default_str();
 

@@ -4,11 +4,14 @@
 #include <filesystem>
 
 #include "analysis/atomic_file.h"
+#include "analysis/identify_report.h"
 #include "analysis/poses_csv.h"
 #include "analysis/tum.h"
 #include "app/bundled_files.h"
 #include "core/angle.h"
 #include "core/error.h"
+#include "sim/run/calibrate_command.h"
+#include "sim/run/drawn_robot.h"
 #include "sim/run/held_out.h"
 #include "sim/run/options.h"
 #include "sim/run/reproduce_page.h"
@@ -24,6 +27,10 @@ constexpr std::uint64_t kHeldOutSeed = 5001;
 // Over the step, over the ramp, and in the curve of course 3.
 constexpr double kBlindFromS[] = {15.0, 28.0, 33.0};
 constexpr double kBlindS = 3.0;
+constexpr std::uint64_t kDrawnNumber = 7000;
+constexpr int kCalibrationRepeats = 2;
+// Bodies with less grip cannot hold themselves on its step; they drive it on a flat floor.
+constexpr double kGripOfCourse3 = 0.85;
 
 course::Robot robot_named(const std::string& name) {
   Options options;
@@ -88,6 +95,31 @@ void drive_robots(const ReproduceCommand& command, Reproduction& what) {
   }
 }
 
+void drive_drawn(const ReproduceCommand& command, Reproduction& what) {
+  for (int i = 0; i < command.drawn; ++i) {
+    const std::uint64_t number = kDrawnNumber + command.seed + static_cast<std::uint64_t>(i);
+    Loaded loaded = load({});
+    loaded.robot = drawn_robot(what.reference, number);
+    const Calibration calibration = calibrate(loaded, kCalibrationRepeats, number);
+    const std::string path = command.out + "/" + loaded.robot.name + ".toml";
+    const std::string text =
+        course::write_robot(analysis::identified_robot(calibration.found, loaded.robot, {}),
+                            analysis::identified_note(calibration.found, {}, {}));
+    analysis::write_file(path, text);
+    // Whoever takes the file drives the same robot.
+    const course::Robot robot = course::parse_robot(text, path);
+    for (const char* kind : kKinds) {
+      const course::Course course = load_course(kind);
+      if (!climbs(course, robot)) continue;
+      const bool grips = robot.emulated.body.friction >= kGripOfCourse3;
+      Trial trial =
+          trial_of(command, course, robot, grips ? floor_for(course) : bridge::Setup::kFlat);
+      trial.runs = 1;
+      what.studies.push_back(study(trial, kind, false));
+    }
+  }
+}
+
 void drive_held_out(const ReproduceCommand& command, Reproduction& what) {
   for (const char* kind : kKinds) {
     for (std::uint64_t i = 0; i < 2; ++i) {
@@ -133,10 +165,10 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
 int run_reproduce(const ReproduceCommand& command) {
   const bool all = command.part == "all";
   const auto wanted = [&](const char* part) { return all || command.part == part; };
-  if (!all && command.part != "paper" && command.part != "robots" && command.part != "held-out" &&
-      command.part != "avr")
+  if (!all && command.part != "paper" && command.part != "robots" && command.part != "drawn" &&
+      command.part != "held-out" && command.part != "avr")
     throw SetupError("--part " + command.part +
-                     ": unknown; give paper, robots, held-out, avr or all");
+                     ": unknown; give paper, robots, drawn, held-out, avr or all");
   std::error_code error;
   std::filesystem::create_directories(command.out, error);
   if (error)
@@ -148,6 +180,7 @@ int run_reproduce(const ReproduceCommand& command) {
   what.seed = command.seed;
   if (wanted("paper")) drive_paper(command, what);
   if (wanted("robots")) drive_robots(command, what);
+  if (wanted("drawn")) drive_drawn(command, what);
   if (wanted("held-out")) drive_held_out(command, what);
   if (wanted("avr")) drive_image(command, what);
   for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);

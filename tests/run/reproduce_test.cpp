@@ -6,8 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/identify_report.h"
 #include "core/error.h"
 #include "course/path.h"
+#include "sim/run/calibrate_command.h"
+#include "sim/run/drawn_robot.h"
 #include "sim/run/held_out.h"
 #include "sim/run/options.h"
 #include "sim/run/reproduce_page.h"
@@ -56,6 +59,43 @@ TEST(HeldOut, TheSameSeedDrawsTheSameCourse) {
   EXPECT_EQ(course::Path(a).length_m(), course::Path(b).length_m());
   EXPECT_NE(course::Path(a).length_m(), course::Path(held_out_course("2", 8)).length_m());
   EXPECT_THROW(held_out_course("4", 1), SetupError);
+}
+
+TEST(DrawnRobot, IsARobotThatAFileCouldHold) {
+  const course::Robot reference = load({}).robot;
+  for (std::uint64_t number = 0; number < 200; ++number) {
+    const course::Robot robot = drawn_robot(reference, number);
+    SCOPED_TRACE(robot.name);
+    course::Robot read;
+    ASSERT_NO_THROW(read = course::parse_robot(course::write_robot(robot, "drawn"), "r.toml"));
+    EXPECT_NEAR(read.emulated.body.friction, robot.emulated.body.friction, 1e-4);
+    EXPECT_EQ(robot.model.wheelbase_m, course::ModelValues{}.wheelbase_m);
+    EXPECT_EQ(robot.shape.gauge_m, robot.emulated.body.gauge_m);
+    EXPECT_GE(robot.emulated.body.mid_lift_m, 0.0);
+    EXPECT_LE(robot.emulated.body.mid_lift_m, 0.0003);
+    EXPECT_GE(robot.emulated.encoder.counts_per_metre, 2785.0);
+    EXPECT_LE(robot.emulated.encoder.counts_per_metre, 22280.0);
+  }
+}
+
+TEST(DrawnRobot, TheSameNumberDrawsTheSameRobot) {
+  const course::Robot reference = load({}).robot;
+  EXPECT_EQ(course::write_robot(drawn_robot(reference, 7), ""),
+            course::write_robot(drawn_robot(reference, 7), ""));
+  EXPECT_NE(drawn_robot(reference, 7).emulated.body.friction,
+            drawn_robot(reference, 8).emulated.body.friction);
+}
+
+// The short form of `tp100-sim reproduce --part drawn`.
+TEST(DrawnRobot, IsPredictedOnceItIsIdentified) {
+  Loaded loaded = load({});
+  loaded.robot = drawn_robot(loaded.robot, 1);
+  const Calibration calibration = calibrate(loaded, 1, 1);
+  Trial trial = one_run(load_course("1-curve"));
+  trial.robot = analysis::identified_robot(calibration.found, loaded.robot, "");
+  const CourseStudy result = study(trial, "1-curve", false);
+  EXPECT_EQ(result.completed, 1);
+  for (const Judged& one : result.judged) EXPECT_TRUE(one.holds()) << one.what << one.ours.median;
 }
 
 TEST(Study, JudgesModelEstimateAndTrackingByTheirOwnLimits) {

@@ -1,0 +1,57 @@
+#pragma once
+// Robots that are not bundled, drawn by a number: nobody tuned anything on them.
+
+#include <array>
+#include <cstdint>
+
+#include "course/robot.h"
+
+namespace tp100::sim {
+
+/// One thing in which drawn robots differ: evenly between `low` and `high`.
+struct DrawnRange {
+  const char* what;
+  const char* unit;
+  double low, high;
+};
+
+/// The ranges, and with them what is claimed of robots that nobody has seen. Everything else is as
+/// in config/robots/end-loaded.toml.
+enum class Drawn : std::size_t {
+  kSize,
+  kMass,
+  kMidLift,
+  kFriction,
+  kCreep,
+  kCreepUneven,
+  kDeficit,
+  kDeficitUneven,
+  kForward,
+  kLeft,
+  kHeight,
+  kMotor,
+  kCounts,
+  kGyroScale,
+};
+inline constexpr std::array<DrawnRange, 14> kDrawnRanges = {{
+    {"size", "times a TP100's lengths", 0.9, 2.0},
+    {"mass", "times size cubed", 0.8, 1.25},
+    {"middle of the belts lifted (0: load spread evenly, 0.3: on their ends)", "mm", 0.0, 0.3},
+    {"friction coefficient", "", 0.5, 1.0},
+    {"contact creep, mean of both belts", "", 0.10, 0.20},
+    {"... left less right, in parts of the mean", "", -0.3, 0.3},
+    {"belt deficit (slip on the level), mean of both belts", "", 0.04, 0.18},
+    {"... left less right", "", -0.015, 0.015},
+    {"centre of mass ahead of the middle, in parts of the axle spacing", "", -0.09, 0.09},
+    {"centre of mass left of the middle, in parts of the gauge", "", -0.03, 0.03},
+    {"centre of mass above the ground, times size", "mm", 18.0, 24.0},
+    {"strength of each motor against the nominal one", "", 0.9, 1.1},
+    {"encoder edges per metre, by its logarithm", "1/m", 2785.0, 22280.0},
+    {"scale error of the gyro", "", -0.02, 0.02},
+}};
+
+/// The robot of this number. What the daemon believes of it ([model]) is nobody's knowledge: the
+/// defaults. Ruler and balance are exact, and so are the counts per metre. Pure.
+course::Robot drawn_robot(const course::Robot& end_loaded, std::uint64_t number);
+
+}  // namespace tp100::sim
