@@ -24,6 +24,8 @@ class Sink {
     (void)at;
     (void)truth;
   }
+  /// Somebody pushed the robot from `at` on; only where somebody outside knows.
+  virtual void take_push(HostNs at) { (void)at; }
 };
 
 /// Several sinks as one; they must outlive it.
@@ -36,6 +38,9 @@ class SinkList : public Sink {
   }
   void take_truth(HostNs at, const Pose& truth) override {
     for (Sink* sink : sinks_) sink->take_truth(at, truth);
+  }
+  void take_push(HostNs at) override {
+    for (Sink* sink : sinks_) sink->take_push(at);
   }
 
  private:

@@ -169,6 +169,7 @@ void Lockstep::push() {
   if (shove == nullptr) return;
   const double now_s = to_s(robot_.now_ns() - begin_ns_);
   result_.shoves.push_back({now_s, now_s + shove->duration_s});
+  if (settings_.sink != nullptr) settings_.sink->take_push(robot_.now_ns());
 }
 
 Pose Lockstep::in_world(Pose real) const { return behind_.of(real); }

@@ -55,7 +55,18 @@ void RunRecorder::take(const StepRecord& record) {
   const Snapshot& snapshot = record.snapshot;
   if (snapshot.run_state == run_state_) return;
   const RunState from = std::exchange(run_state_, snapshot.run_state);
-  const publish::Event event = change(record.now_ns, from, run_state_, snapshot.faults);
+  this->record(change(record.now_ns, from, run_state_, snapshot.faults));
+}
+
+void RunRecorder::take_push(HostNs at) {
+  publish::Event event;
+  event.at_ns = at;
+  event.kind = "push";
+  event.text = "the robot is pushed";
+  record(event);
+}
+
+void RunRecorder::record(const publish::Event& event) {
   recorder_.message(publish::Channel::kEvent, event.at_ns, messages_.event(event));
   recorder_.message(publish::Channel::kLog, event.at_ns, messages_.log(event));
 }

@@ -19,6 +19,7 @@ class RunRecorder : public publish::Sink {
 
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
+  void take_push(HostNs at) override;
   /// Ends the file and says on standard error what went wrong.
   void finish();
   const std::string& path() const { return recorder_.path(); }
@@ -26,6 +27,8 @@ class RunRecorder : public publish::Sink {
  private:
   RunRecorder(const std::string& folder, const Loaded& loaded, const app::RunSetup& run,
               std::uint64_t seed);
+
+  void record(const publish::Event& event);
 
   publish::Recorder recorder_;
   publish::Messages messages_;
