@@ -16,6 +16,7 @@
 #include "app/ports.h"
 #include "app/recover.h"
 #include "app/replay.h"
+#include "app/report.h"
 #include "app/run.h"
 #include "core/error.h"
 #include "course/nearest.h"
@@ -193,6 +194,29 @@ void add_export(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_export(options); }; });
 }
 
+void add_report(CLI::App& app, Action& action) {
+  static ReportOptions options;
+  CLI::App* command = app.add_subcommand(
+      "report", "Turn recordings into report.html, metrics.json and figures");
+  command->add_option("RUN", options.runs, "Recordings, or their folders")
+      ->type_name("RUN")
+      ->required();
+  command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
+      ->type_name("FOLDER");
+  command->callback([&action] { action = [] { return run_report(options); }; });
+}
+
+void add_compare(CLI::App& app, Action& action) {
+  static CompareOptions options;
+  CLI::App* command = app.add_subcommand("compare", "Lay several recorded runs over each other");
+  command->add_option("RUN", options.runs, "Recordings, or their folders")
+      ->type_name("RUN")
+      ->required();
+  command->add_option("--out", options.out, "Folder to write compare.html to (default: here)")
+      ->type_name("FOLDER");
+  command->callback([&action] { action = [] { return run_compare(options); }; });
+}
+
 /// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
 std::string unknown_subcommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
@@ -222,6 +246,8 @@ int run_program(int argc, char** argv) {
   add_identify(app, action);
   add_recover(app, action);
   add_export(app, action);
+  add_report(app, action);
+  add_compare(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

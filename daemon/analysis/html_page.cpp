@@ -64,6 +64,11 @@ void HtmlPage::figures(const std::vector<std::string>& svgs, const std::string& 
   body_ += "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
+void HtmlPage::folded(const std::string& name, const std::string& text) {
+  body_ += "<details><summary>" + escaped(name) + "</summary><pre>" + escaped(text) +
+           "</pre></details>\n";
+}
+
 std::string HtmlPage::text() const {
   return "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>" + escaped(title_) +
          "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escaped(title_) + "</h1>\n" +

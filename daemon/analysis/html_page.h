@@ -20,6 +20,11 @@ class HtmlPage {
   /// Figures side by side; each is an SVG.
   void figures(const std::vector<std::string>& svgs, const std::string& caption);
 
+  /// A text as it is, folded away under its name.
+  void folded(const std::string& name, const std::string& text);
+  /// HTML as it is, for what is made elsewhere.
+  void insert(const std::string& html) { body_ += html; }
+
   std::string text() const;
 
  private:

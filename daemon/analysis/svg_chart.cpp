@@ -35,7 +35,10 @@ struct Range {
   }
   void widen() {
     if (low > high) low = 0.0, high = 1.0;
-    const double margin = high > low ? (high - low) * 0.05 : std::max(std::abs(low) * 0.1, 1e-3);
+    // Below a millionth of the numbers themselves their digits run out.
+    const double least = std::max(std::abs(low), std::abs(high)) * 1e-6;
+    const double margin =
+        high - low > least ? (high - low) * 0.05 : std::max(std::abs(low) * 0.1, 1e-3);
     low -= margin;
     high += margin;
   }

@@ -63,6 +63,12 @@ TEST(SvgChart, OfNothingIsStillAPicture) {
   EXPECT_THAT(svg({}), testing::AllOf(HasSubstr("</svg>"), Not(HasSubstr("inf"))));
 }
 
+TEST(SvgChart, ValuesThatHardlyDifferStillHaveAxes) {
+  for (const double x : {1e6, -1e6, 1e-9, 0.0})
+    EXPECT_THAT(svg({.series = {{.points = {{x, x}, {x + 1e-10, x + 1e-10}}}}}),
+                HasSubstr("</svg>"));
+}
+
 TEST(SvgChart, AMapHasOneScale) {
   const std::string picture =
       svg({.series = {{.colour = "blue", .points = {{0, 0}, {1, 0}, {1, 1}}}},

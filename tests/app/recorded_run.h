@@ -17,13 +17,14 @@ namespace tp100::app {
 /// leave it out by returning false.
 inline void record_run(
     const std::string& path,
-    const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; }) {
+    const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },
+    const publish::McapMap& facts = {{"seed", "5"}}) {
   RunFiles files;
   files.robot = read_bundled(Bundled::kRobots, "end-loaded");
   files.course = read_bundled(Bundled::kCourses, "1-curve");
   const RunSetup run = parse_run(files);
   publish::Recorder recorder({.recording = {.path = path, .clock = {kNsPerS, 0}}, .patient = true},
-                             run_facts(files, run, {{"seed", "5"}}));
+                             run_facts(files, run, facts));
   ScriptedRobot robot;
   Cycle cycle(session_settings(run.parameters), run.parameters, run.course);
   HostNs now = kNsPerS;

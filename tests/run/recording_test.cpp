@@ -10,8 +10,11 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "analysis/metrics.h"
+#include "analysis/result_json.h"
 #include "app/replay_recording.h"
 #include "process.h"
 #include "sim/run/lockstep.h"
@@ -22,6 +25,7 @@ namespace {
 
 using analysis::Recording;
 using testing::HasSubstr;
+using Json = nlohmann::json;
 
 std::string bytes_of(const std::string& path) {
   std::ostringstream text;
@@ -81,6 +85,23 @@ TEST_P(RecordedCourse, ReplaysBitForBitAndHoldsTheTruth) {
     if (known != truth.end() && known->second.y_m == point.truth.y_m) ++found;
   }
   EXPECT_EQ(found, run.result.points.size());
+}
+
+TEST_P(RecordedCourse, TheReportHasTheFiguresOfTheRun) {
+  const Recorded run = drive(GetParam(), folder_.path().string());
+  const test::Finished report = test::run({"tp100d", "report", run.path});
+  ASSERT_EQ(report.status, 0) << report.output;
+  const std::string folder = std::filesystem::path(run.path).parent_path().string();
+  const Json metrics = Json::parse(bytes_of(folder + "/metrics.json"));
+  const analysis::RunFigures figures = analysis::figures(run.result, load_course(GetParam()));
+  const Json expected = Json::parse(analysis::result_json(run.result, figures));
+  for (const char* name : {"course", "robot", "setup", "board", "seed", "completed", "duration_s",
+                           "model", "odometry", "tracking"})
+    EXPECT_EQ(metrics[name], expected[name]) << name;
+  EXPECT_EQ(metrics["truth"], true);
+  const std::string page = bytes_of(folder + "/report.html");
+  EXPECT_THAT(page, HasSubstr("tp100Replay(document"));
+  EXPECT_EQ(run.result.shoves.empty(), page.find("the robot is pushed") == std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Courses, RecordedCourse, testing::Values("1-curve", "2", "3"),
@@ -244,6 +265,8 @@ TEST(RecordedErrors, AreOneLineEach) {
         {"tp100d", "export", folder.file("none")},
         {"tp100d", "export", folder.path().string()},
         {"tp100d", "recover", folder.file("none")},
+        {"tp100d", "report", folder.file("text.mcap")},
+        {"tp100d", "compare", folder.file("text.mcap")},
         {"tp100-sim", "course", "1-straight", "--record", "/proc/none"}}) {
     const test::Finished ended = test::run(arguments);
     EXPECT_EQ(ended.status, 2) << ended.output;

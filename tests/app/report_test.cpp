@@ -1,0 +1,158 @@
+#include "app/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "../publish/random_record.h"
+#include "core/error.h"
+#include "recorded_run.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::app {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+class Report : public testing::Test {
+ protected:
+  std::string file() const { return folder_.file("run.mcap"); }
+  std::string text(const std::string& name) const { return test::read_bytes(folder_.file(name)); }
+  Json metrics() const { return Json::parse(text("metrics.json")); }
+  /// Makes the report; what was wrong, if anything.
+  std::string report() const {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    std::string told;
+    try {
+      EXPECT_EQ(run_report({.runs = {file()}, .out = {}}), 0);
+    } catch (const SetupError& error) {
+      told = error.what();
+    }
+    testing::internal::GetCapturedStdout();
+    testing::internal::GetCapturedStderr();
+    return told;
+  }
+  test::OwnFolder folder_;
+};
+
+/// Every address in the page is the name of SVG's language, which nobody fetches.
+void expect_offline(std::string page) {
+  const std::string svg = "http://www.w3.org/2000/svg";
+  for (std::size_t at = 0; (at = page.find(svg)) != std::string::npos;) page.erase(at, svg.size());
+  EXPECT_THAT(page, AllOf(Not(HasSubstr("://")), Not(HasSubstr("src=")), Not(HasSubstr("href=")),
+                          Not(HasSubstr("@import")), Not(HasSubstr("url("))));
+}
+
+TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
+  record_run(file());
+  ASSERT_EQ(report(), "");
+  const Json json = metrics();
+  EXPECT_FALSE(json["truth"]);
+  for (const char* name : {"model", "odometry", "tracking"}) EXPECT_TRUE(json[name].is_null());
+  EXPECT_TRUE(json["differences"]["model_from_odometry"].contains("max_m"));
+  EXPECT_EQ(json["recording"]["steps"], 400);
+  EXPECT_EQ(json["seed"], 5);
+  const std::string page = text("report.html");
+  EXPECT_THAT(page, HasSubstr("Nobody measured where the robot truly was"));
+  EXPECT_THAT(page, HasSubstr("run: idle -&gt; arming"));
+  EXPECT_THAT(page, HasSubstr("robot.toml"));
+  expect_offline(page);
+  for (const char* name : {"path.svg", "yaw.svg", "error.svg", "tracking.svg", "slip.svg"})
+    EXPECT_THAT(text(name), testing::StartsWith("<svg")) << name;
+}
+
+TEST_F(Report, StepsThatAreMissingAreTold) {
+  record_run(file(), [](StepRecord& record) { return record.step < 200 || record.step > 209; });
+  ASSERT_EQ(report(), "");
+  EXPECT_EQ(metrics()["recording"]["missing_steps"], 10);
+  EXPECT_THAT(text("report.html"), HasSubstr("steps 200 to 209 are not in the recording"));
+}
+
+TEST_F(Report, ARecordingThatWasCutOffIsReportedUpToThere) {
+  record_run(file());
+  const std::string whole = test::read_bytes(file());
+  test::write_bytes(file(), whole.substr(0, whole.size() * 3 / 4));
+  ASSERT_EQ(report(), "");
+  EXPECT_FALSE(metrics()["recording"]["whole"]);
+  EXPECT_THAT(text("report.html"), HasSubstr("cut off"));
+}
+
+TEST_F(Report, WhatARecordingSaysCannotBecomeMarkup) {
+  record_run(file(), [](StepRecord&) { return true; },
+             {{"seed", "<script>1</script>"}, {"</script><b>", "<img>"}});
+  ASSERT_EQ(report(), "");
+  EXPECT_THAT(text("report.html"), AllOf(Not(HasSubstr("<img")), Not(HasSubstr("<script>1")),
+                                         Not(HasSubstr("</script><b>"))));
+}
+
+TEST_F(Report, ResultsThatNoStepGivesDoNoHarm) {
+  std::mt19937_64 random(3);
+  const double nonsense[] = {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e308, -1e308, 1e17, 5e-324};
+  record_run(file(), [&](StepRecord& record) {
+    const std::uint64_t step = record.step;
+    const HostNs now = record.now_ns;
+    if (step % 3 == 0) record = *publish::random_record(step);
+    record.step = step % 7 == 0 ? random() : step;
+    record.now_ns = now;
+    Snapshot& snapshot = record.snapshot;
+    snapshot.run_state = step > 20 ? RunState::kRunning : RunState::kIdle;
+    const auto pick = [&] { return nonsense[random() % std::size(nonsense)]; };
+    if (step % 2 == 0) snapshot.cross_track_m = snapshot.slip_left = snapshot.left_mps = pick();
+    if (step % 5 == 0) snapshot.model.x_m = pick();
+    if (step % 11 == 0) snapshot.world.yaw_rad = pick();
+    if (step % 13 == 0) snapshot.progress_m = pick();
+    snapshot.has_sample = true;
+    snapshot.sample.device_us = static_cast<DeviceUs>(step);
+    snapshot.sample.measured_ns = now;
+    return true;
+  });
+  ASSERT_EQ(report(), "");
+  EXPECT_GT(metrics()["recording"]["implausible_points"], 10);
+  for (const char* name : {"path.svg", "yaw.svg", "error.svg", "tracking.svg", "slip.svg"})
+    EXPECT_THAT(text(name), AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf")))) << name;
+}
+
+TEST_F(Report, NoChangeOfAFileDoesAnyHarm) {
+  record_run(file());
+  const std::string whole = test::read_bytes(file());
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 60; ++i) {
+    std::string bytes = whole;
+    const std::size_t at = random() % bytes.size();
+    if (i % 3 == 0)
+      bytes.resize(at);
+    else if (i % 3 == 1)
+      bytes[at] = static_cast<char>(random());
+    else
+      bytes.erase(at, 1 + random() % 100);
+    test::write_bytes(file(), bytes);
+    EXPECT_EQ(report().find('\n'), std::string::npos);
+  }
+}
+
+TEST_F(Report, ComparesSeveralRunsAndNamesThemApart) {
+  record_run(file());
+  const std::string out = folder_.file("out");
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_compare({.runs = {file(), file(), file()}, .out = out}), 0);
+  testing::internal::GetCapturedStdout();
+  const std::string name = folder_.path().filename().string();
+  const std::string page = test::read_bytes(out + "/compare.html");
+  EXPECT_THAT(page, AllOf(HasSubstr(name + " (2)"), HasSubstr(name + " (3)")));
+  expect_offline(page);
+  EXPECT_EQ(Json::parse(test::read_bytes(out + "/compare.json"))["runs"].size(), 3u);
+  EXPECT_THAT(test::read_bytes(out + "/paths.svg"), HasSubstr(name + " (3)"));
+  EXPECT_THROW(run_compare({.runs = {file()}, .out = out}), SetupError);
+  EXPECT_THROW(run_report({.runs = {file(), file()}, .out = out}), SetupError);
+}
+
+}  // namespace
+}  // namespace tp100::app
