@@ -196,8 +196,8 @@ void add_export(CLI::App& app, Action& action) {
 
 void add_report(CLI::App& app, Action& action) {
   static ReportOptions options;
-  CLI::App* command = app.add_subcommand(
-      "report", "Turn recordings into report.html, metrics.json and figures");
+  CLI::App* command =
+      app.add_subcommand("report", "Turn recordings into report.html, metrics.json and figures");
   command->add_option("RUN", options.runs, "Recordings, or their folders")
       ->type_name("RUN")
       ->required();
