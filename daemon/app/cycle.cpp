@@ -88,6 +88,10 @@ void Cycle::request(OperatorRequest request) {
   }
 }
 
+void Cycle::change(const ParameterChange& change) {
+  if (change_count_ < kMaxChanges) changes_[change_count_++] = change;
+}
+
 void Cycle::camera(const CameraSample& seen) {
   if (camera_count_ < kMaxCamera) camera_[camera_count_++] = seen;
 }
@@ -108,6 +112,7 @@ const bridge::Outputs& Cycle::step(HostNs now) {
              .requests = std::span(requests_.data(), request_count_),
              .camera = std::span(camera_.data(), camera_count_),
              .world = std::span(world_.data(), world_count_),
+             .changes = std::span(changes_.data(), change_count_),
              .session = session_.state(),
              .clock = session_.clock(),
              .session_number = session_.session_number(),
@@ -119,6 +124,7 @@ const bridge::Outputs& Cycle::step(HostNs now) {
   request_count_ = 0;
   camera_count_ = 0;
   world_count_ = 0;
+  change_count_ = 0;
   const bool disarming = stopping_ && outputs_->request != RobotRequest::kStop;
   if (outputs_->request != RobotRequest::kNone && !disarming)
     session_.request(outputs_->request, now);
@@ -132,8 +138,9 @@ void Cycle::record(StepRecord& out) const {
   static_assert(StepRecord::kMaxRequests >= kMaxRequests);
   static_assert(StepRecord::kMaxCamera >= kMaxCamera);
   static_assert(StepRecord::kMaxWorld >= kMaxWorld);
+  static_assert(StepRecord::kMaxChanges >= kMaxChanges);
   // An input that is not recorded cannot be replayed: a new one does not compile before it is here.
-  const auto& [samples, requests, camera, world, session, clock, session_number, rebooted,
+  const auto& [samples, requests, camera, world, changes, session, clock, session_number, rebooted,
                refused] = inputs_;
   out.now_ns = now_ns_;
   out.step = steps_;
@@ -145,6 +152,8 @@ void Cycle::record(StepRecord& out) const {
   out.camera_count = static_cast<std::uint32_t>(camera.size());
   std::copy(world.begin(), world.end(), out.world.begin());
   out.world_count = static_cast<std::uint32_t>(world.size());
+  std::copy(changes.begin(), changes.end(), out.changes.begin());
+  out.change_count = static_cast<std::uint32_t>(changes.size());
   out.session = session;
   out.clock = clock;
   out.session_number = session_number;

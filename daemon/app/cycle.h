@@ -29,6 +29,7 @@ class Cycle {
   static constexpr std::size_t kMaxRequests = 16;  ///< operator requests between two steps
   static constexpr std::size_t kMaxCamera = 8;     ///< camera samples between two steps
   static constexpr std::size_t kMaxWorld = 8;      ///< messages of an external world between them
+  static constexpr std::size_t kMaxChanges = 8;    ///< changes of parameters between two steps
 
   /// Throws SetupError if parameters and course do not fit together.
   Cycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
@@ -43,6 +44,8 @@ class Cycle {
   /// What an operator asks; taken by the next step. A STOP is never dropped, others are if too many
   /// come.
   void request(OperatorRequest request);
+  /// A parameter changes with the next step. Dropped if too many come.
+  void change(const ParameterChange& change);
   /// What the overhead camera saw; taken by the next step. Dropped if too many come.
   void camera(const CameraSample& seen);
   /// What an external world said; taken by the next step. If too many come, the newest counts, and
@@ -89,6 +92,8 @@ class Cycle {
   std::size_t camera_count_ = 0;
   std::array<WorldSample, kMaxWorld> world_{};
   std::size_t world_count_ = 0;
+  std::array<ParameterChange, kMaxChanges> changes_{};
+  std::size_t change_count_ = 0;
   bool stopping_ = false;
 };
 

@@ -13,6 +13,20 @@ LiveCycle::LiveCycle(const link::SessionSettings& settings, const bridge::Parame
                      std::shared_ptr<const course::Course> course, bool leave_silent_port)
     : cycle_(settings, parameters, std::move(course)), leave_silent_port_(leave_silent_port) {}
 
+bool LiveCycle::request(OperatorRequest request) {
+  if (request == OperatorRequest::kStop) {
+    stop_asked_.store(true, std::memory_order_release);
+    return true;
+  }
+  const std::lock_guard lock(asking_);
+  return requests_.push(request);
+}
+
+bool LiveCycle::change(const ParameterChange& change) {
+  const std::lock_guard lock(asking_);
+  return changes_.push(change);
+}
+
 bool LiveCycle::take_status(LiveStatus& status) {
   bool any = false;
   while (statuses_.pop(status)) any = true;
@@ -33,6 +47,7 @@ void LiveCycle::step(HostNs now) {
   if (snapshot.run_state != run_state_) {
     LiveEvent event;
     event.kind = LiveEvent::Kind::kRunState;
+    event.at_ns = now;
     event.from = std::exchange(run_state_, snapshot.run_state);
     event.to = run_state_;
     event.faults = snapshot.faults;
@@ -55,6 +70,9 @@ void LiveCycle::take_inputs() {
   while (requests_.pop(request)) {
     if (!winding_up_) cycle_.request(request);
   }
+  ParameterChange change;
+  for (std::size_t i = 0; i < Cycle::kMaxChanges && changes_.pop(change); ++i)
+    cycle_.change(change);
   CameraSample seen;
   for (std::size_t i = 0; i < Cycle::kMaxCamera && camera_.pop(seen); ++i) cycle_.camera(seen);
   WorldSample said;
@@ -63,11 +81,15 @@ void LiveCycle::take_inputs() {
   // reconnect.
   const bool ready = cycle_.session().state() == SessionState::kReady;
   if (run_state_ == RunState::kArming && !ready) cycle_.request(OperatorRequest::kHold);
+  // Last: nothing that was asked in the same step may undo it.
+  if (stop_asked_.exchange(false, std::memory_order_acq_rel))
+    cycle_.request(OperatorRequest::kStop);
 }
 
 void LiveCycle::pass_events() {
   for (const link::SessionEvent& session : cycle_.take_events()) {
     LiveEvent event;
+    event.at_ns = session.at_ns;
     event.session = session;
     event.hello = cycle_.session().hello();
     push(event);

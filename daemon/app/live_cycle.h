@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <span>
 
 #include "app/cycle.h"
@@ -20,6 +21,7 @@ namespace tp100::app {
 struct LiveEvent {
   enum class Kind : std::uint8_t { kSession, kRunState };
   Kind kind = Kind::kSession;
+  HostNs at_ns = 0;
   link::SessionEvent session{};
   wire::Hello hello{};              ///< kSession: as far as it is known
   RunState from = RunState::kIdle;  ///< kRunState
@@ -48,9 +50,12 @@ class LiveCycle : public loop::Driven {
   LiveCycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
             std::shared_ptr<const course::Course> course, bool leave_silent_port);
 
-  // Other thread.
-  /// False: too many requests wait.
-  bool request(OperatorRequest request) { return requests_.push(request); }
+  // Other threads.
+  /// Any thread but the real-time one. False: too many requests wait; a STOP never does.
+  bool request(OperatorRequest request);
+  /// Any thread but the real-time one. False: too many changes wait.
+  bool change(const ParameterChange& change);
+  // One other thread.
   /// What the overhead camera saw. False: too many wait.
   bool camera(const CameraSample& seen) { return camera_.push(seen); }
   /// What an external world said; from one thread. False: too many wait.
@@ -88,7 +93,10 @@ class LiveCycle : public loop::Driven {
   void publish(HostNs now);
 
   Cycle cycle_;
+  std::mutex asking_;  // among those who ask; the real-time thread never takes it
   loop::SpscQueue<OperatorRequest, 16> requests_;
+  loop::SpscQueue<ParameterChange, Cycle::kMaxChanges> changes_;
+  std::atomic<bool> stop_asked_{false};
   loop::SpscQueue<CameraSample, 32> camera_;  ///< a second of pictures
   loop::SpscQueue<WorldSample, kWaitingWorld> world_;
   loop::SpscQueue<LiveEvent, 256> events_;

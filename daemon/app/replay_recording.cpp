@@ -54,6 +54,7 @@ bridge::Inputs inputs_of(const StepRecord& record) {
           .requests = std::span(record.requests).first(record.request_count),
           .camera = std::span(record.camera).first(record.camera_count),
           .world = std::span(record.world).first(record.world_count),
+          .changes = std::span(record.changes).first(record.change_count),
           .session = record.session,
           .clock = record.clock,
           .session_number = record.session_number,

@@ -22,7 +22,7 @@ WorldRun world_run(const RunSetup& run) {
   WorldRun out;
   out.parameters = run.parameters.world;
   out.settings = run.configuration.world;
-  out.source = bridge::to_string(run.parameters.steering);
+  out.source = to_string(run.parameters.steering);
   out.version = TP100_VERSION;
   out.setup = bridge::to_string(run.parameters.setup);
   if (run.course == nullptr) return out;
@@ -48,7 +48,7 @@ publish::RunFacts run_facts(const RunFiles& files, const RunSetup& run,
                    .course = run.course,
                    .robot = run.robot,
                    .setup = bridge::to_string(files.setup),
-                   .steering = bridge::to_string(run.parameters.steering),
+                   .steering = std::string(to_string(run.parameters.steering)),
                    .pacing = run.configuration.loop.pacing == Pacing::kHost ? "host" : "robot",
                    .rate_hz = run.configuration.loop.rate_hz};
   facts.facts = {{"course", run.course == nullptr ? "" : run.course->name},

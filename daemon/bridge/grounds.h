@@ -48,6 +48,8 @@ class Grounds {
   Grounds(const Grounds&) = delete;
   Grounds& operator=(const Grounds&) = delete;
 
+  /// From now on this pose steers.
+  void steer_by(Steering steering) { steering_ = steering; }
   /// A run begins: the virtual robot stands where the real one does.
   void restart();
   void advance(const GroundInput& in);

@@ -14,18 +14,6 @@ const char* to_string(Setup setup) {
   return "unknown";
 }
 
-const char* to_string(Steering steering) {
-  switch (steering) {
-    case Steering::kModel:
-      return "model";
-    case Steering::kOdometry:
-      return "odometry";
-    case Steering::kFused:
-      return "fused";
-  }
-  return "unknown";
-}
-
 const char* to_string(WorldKind kind) {
   switch (kind) {
     case WorldKind::kInternal:

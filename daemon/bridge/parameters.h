@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "control/parameters.h"
+#include "core/steering.h"
 #include "course/robot.h"
 #include "estimation/parameters.h"
 #include "model/track_model.h"
@@ -23,11 +24,7 @@ const char* to_string(Setup setup);
 /// The set-up of that name, or nothing.
 std::optional<Setup> setup_named(std::string_view name);
 
-/// Which pose steers.
-enum class Steering { kModel, kOdometry, kFused };
-
-/// Name of a steering pose, as in files.
-const char* to_string(Steering steering);
+using tp100::Steering;
 
 /// Who says what the robot stands on.
 enum class WorldKind {

@@ -7,6 +7,7 @@
 
 #include "bridge/grip.h"
 #include "bridge/grounds.h"
+#include "bridge/live_parameters.h"
 #include "bridge/outer_world.h"
 #include "bridge/tracks.h"
 #include "control/arming.h"
@@ -103,6 +104,7 @@ struct Step::State {
   void take_grip(const Interval& step);
   void filter_sample(const Interval& step, double rate_radps);
   void take_sample(const Sample& sample);
+  void take_changes(std::span<const ParameterChange> changes);
   void take_requests(std::span<const OperatorRequest> requests);
   void take_world(std::span<const WorldSample> said, double dt_s);
   void heed_stop();
@@ -273,6 +275,15 @@ void Step::State::take_sample(const Sample& next) {
   follow(gyro_rate_radps, rate, dt);
 }
 
+void Step::State::take_changes(std::span<const ParameterChange> changes) {
+  const RunState run = arming.state();
+  const bool under_way = run == RunState::kArming || run == RunState::kRunning;
+  for (const ParameterChange& change : changes) apply(change, under_way, parameters);
+  if (changes.empty()) return;
+  grounds.steer_by(parameters.steering);
+  if (tracker) tracker->retune(parameters.control);
+}
+
 void Step::State::take_requests(std::span<const OperatorRequest> requests) {
   for (const OperatorRequest request : requests) {
     switch (request) {
@@ -398,6 +409,7 @@ void Step::State::publish(HostNs now) {
   snapshot.heading_error_rad = target.heading_error_rad;
   snapshot.progress_m = target.progress_m;
   snapshot.recovering = target.recovering;
+  snapshot.steering = parameters.steering;
   snapshot.run_state = arming.state();
   snapshot.faults = (has_sample ? sample.faults : 0) | arming.faults();
 }
@@ -423,6 +435,7 @@ const Outputs& Step::operator()(const Inputs& in, HostNs now) {
   if (s.parameters.setup != Setup::kBench) {
     for (const CameraSample& seen : in.camera) s.filter.camera(seen);
   }
+  s.take_changes(in.changes);
   s.take_requests(in.requests);
   s.heed_stop();
 

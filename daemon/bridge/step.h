@@ -9,6 +9,7 @@
 #include "bridge/parameters.h"
 #include "core/camera_sample.h"
 #include "core/link_state.h"
+#include "core/parameter_change.h"
 #include "core/snapshot.h"
 #include "core/world_sample.h"
 #include "course/path.h"
@@ -21,6 +22,7 @@ struct Inputs {
   std::span<const OperatorRequest> requests{};  ///< oldest first
   std::span<const CameraSample> camera{};       ///< as they arrived; empty without a camera
   std::span<const WorldSample> world{};         ///< oldest first; empty without an external world
+  std::span<const ParameterChange> changes{};   ///< oldest first; before the requests
   SessionState session = SessionState::kClosed;
   ClockState clock{};
   std::uint32_t session_number = 0;  ///< +1 each time a session becomes ready

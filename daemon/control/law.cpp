@@ -6,7 +6,7 @@
 
 namespace tp100::control {
 
-std::unique_ptr<const Law> make_law(const Parameters& parameters, const BeltLimits& limits) {
+std::unique_ptr<Law> make_law(const Parameters& parameters, const BeltLimits& limits) {
   switch (parameters.law) {
     case LawName::kStanley:
       break;

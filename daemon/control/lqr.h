@@ -24,6 +24,8 @@ class Lqr final : public Law {
 
   double look_ahead_m(double speed_mps) const override;
   Steering steer(const PathErrors& errors) const override;
+  /// The gains stay as they were solved.
+  void retune(const Parameters& parameters) override { parameters_ = parameters; }
 
  private:
   static constexpr std::size_t kSpeeds = 12;

@@ -13,6 +13,7 @@ class Stanley final : public Law {
 
   double look_ahead_m(double speed_mps) const override;
   Steering steer(const PathErrors& errors) const override;
+  void retune(const Parameters& parameters) override { parameters_ = parameters; }
 
  private:
   Parameters parameters_;

@@ -40,6 +40,11 @@ class Tracker {
   /// `path` must outlive the tracker.
   Tracker(const Parameters& parameters, const course::Path& path, const Drive& drive);
 
+  /// Other gains from now on; the path and what is done of it stay.
+  void retune(const Parameters& parameters) {
+    parameters_ = parameters;
+    law_->retune(parameters);
+  }
   /// Back to the start of the path.
   void restart();
   /// One step of `dt_s` with the steering pose and twist. The pose's yaw must be on the path's
@@ -63,7 +68,7 @@ class Tracker {
   Parameters parameters_;
   const course::Path& path_;
   Drive drive_;
-  std::unique_ptr<const Law> law_;
+  std::unique_ptr<Law> law_;
   double nominal_duration_s_ = 0.0;
   Progress progress_;
   Pivot pivot_;

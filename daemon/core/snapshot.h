@@ -8,6 +8,7 @@
 #include "core/run_state.h"
 #include "core/sample.h"
 #include "core/slope.h"
+#include "core/steering.h"
 #include "core/underfoot.h"
 
 namespace tp100 {
@@ -41,6 +42,7 @@ struct Snapshot {
   double heading_error_rad = 0.0;  ///< desired - actual
   double progress_m = 0.0;         ///< along the path
   bool recovering = false;         ///< a disturbance was noticed; not back on the path yet
+  Steering steering = Steering::kOdometry;
   RunState run_state = RunState::kIdle;
   FaultMask faults = 0;  ///< robot's and daemon's
 };

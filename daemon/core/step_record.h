@@ -9,6 +9,7 @@
 #include "core/camera_sample.h"
 #include "core/command.h"
 #include "core/link_state.h"
+#include "core/parameter_change.h"
 #include "core/sample.h"
 #include "core/snapshot.h"
 #include "core/world_sample.h"
@@ -23,6 +24,7 @@ struct StepRecord {
   static constexpr std::size_t kMaxRequests = 16;
   static constexpr std::size_t kMaxCamera = 8;
   static constexpr std::size_t kMaxWorld = 8;
+  static constexpr std::size_t kMaxChanges = 8;
 
   HostNs now_ns = 0;
   std::uint64_t step = 0;  ///< counts the steps since the start; a gap is a dropped record
@@ -35,6 +37,8 @@ struct StepRecord {
   std::uint32_t camera_count = 0;
   std::array<WorldSample, kMaxWorld> world{};
   std::uint32_t world_count = 0;
+  std::array<ParameterChange, kMaxChanges> changes{};
+  std::uint32_t change_count = 0;
   SessionState session = SessionState::kClosed;
   ClockState clock{};
   std::uint32_t session_number = 0;

@@ -82,6 +82,13 @@ void visit_fields(Visitor& v, T& said) {
   v("pose", pose);
 }
 
+template <class Visitor, MaybeConst<ParameterChange> T>
+void visit_fields(Visitor& v, T& change) {
+  auto& [parameter, value] = change;
+  v("parameter", parameter, LiveParameter::kPivotAcceleration);
+  v("value", value);
+}
+
 template <class Visitor, MaybeConst<ClockState> T>
 void visit_fields(Visitor& v, T& clock) {
   auto& [valid, reference_host, reference, drift, uncertainty] = clock;
@@ -169,7 +176,8 @@ template <class Visitor, MaybeConst<Snapshot> T>
 void visit_fields(Visitor& v, T& snapshot) {
   auto& [now, sample, has_sample, age, model, model_twist, odometry, odometry_twist, fused, world,
          underfoot, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope,
-         command, cross_track, heading_error, progress, recovering, run_state, faults] = snapshot;
+         command, cross_track, heading_error, progress, recovering, steering, run_state, faults] =
+      snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -194,6 +202,7 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("heading_error_rad", heading_error);
   v("progress_m", progress);
   v("recovering", recovering);
+  v("steering", steering, Steering::kFused);
   v("run_state", run_state, RunState::kAborted);
   v("faults", faults);
 }
@@ -202,14 +211,15 @@ void visit_fields(Visitor& v, T& snapshot) {
 template <class Visitor, MaybeConst<StepRecord> T>
 void visit_fields(Visitor& v, T& record) {
   auto& [now, step, samples, sample_count, requests, request_count, camera, camera_count, world,
-         world_count, session, clock, session_number, rebooted, refused, link, command_valid,
-         request, snapshot] = record;
+         world_count, changes, change_count, session, clock, session_number, rebooted, refused,
+         link, command_valid, request, snapshot] = record;
   v("now_ns", now);
   v("step", step);
   v.list("samples", samples, sample_count);
   v.list("requests", requests, request_count, OperatorRequest::kStop);
   v.list("camera", camera, camera_count);
   v.list("world", world, world_count);
+  v.list("changes", changes, change_count);
   v("session", session, SessionState::kRefused);
   v("clock", clock);
   v("session_number", session_number);

@@ -13,7 +13,7 @@
 
 namespace tp100::app {
 
-/// Two seconds of course 1-curve, 200 steps a second. `edit` may change a record on its way, or
+/// Two seconds of course 1-curve, 200 steps a second; after one a parameter changes. `edit` may change a record on its way, or
 /// leave it out by returning false.
 inline void record_run(
     const std::string& path,
@@ -35,6 +35,7 @@ inline void record_run(
     now += 5 * kNsPerMs;
     robot.tick(now);
     cycle.receive(robot.take(), now);
+    if (i == 200) cycle.change({LiveParameter::kAcceleration, 0.05});
     cycle.step(now);
     cycle.record(*record);
     if (edit(*record)) recorder.take(*record);

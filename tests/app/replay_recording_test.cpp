@@ -40,6 +40,14 @@ TEST_F(ReplayRecording, TheRecordedInputsGiveTheRecordedResults) {
   EXPECT_FALSE(result.gap_before.has_value());
 }
 
+TEST_F(ReplayRecording, AParameterThatChangedOnTheWayIsAnInputLikeAnyOther) {
+  record_run(file(), [](StepRecord& record) {
+    record.change_count = 0;
+    return true;
+  });
+  EXPECT_TRUE(replayed().differs_at.has_value()) << "the recording without it is another run";
+}
+
 TEST_F(ReplayRecording, WritesAPoseForEachStepThatGotASample) {
   record_run(file());
   ASSERT_EQ(run_replay(options()), 0);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "core/angle.h"
@@ -88,6 +89,7 @@ class StepTest : public testing::Test {
     const Outputs& out =
         step({.samples = connected_ ? std::span<const Sample>(samples_) : std::span<const Sample>(),
               .requests = requests,
+              .changes = std::exchange(changes_, {}),
               .session = connected_ ? SessionState::kReady : SessionState::kClosed,
               .clock = clock,
               .session_number = session_},
@@ -111,6 +113,7 @@ class StepTest : public testing::Test {
   Parameters parameters_{};
   std::shared_ptr<const course::Course> course_;
   std::vector<Sample> samples_ = std::vector<Sample>(1);
+  std::span<const ParameterChange> changes_{};  // of the next tick
   HostNs now_ = 0;
   bool connected_ = true;
   std::uint32_t session_ = 1;
@@ -124,6 +127,42 @@ TEST_F(StepTest, DrivesACourseToItsEndAndDisarms) {
   EXPECT_FALSE(robot.armed);
   EXPECT_NEAR(robot.x_m, 0.8, 0.02);
   EXPECT_NEAR(robot.y_m, 0.3, 0.02);
+}
+
+TEST_F(StepTest, AChangedGainCountsFromTheNextStep) {
+  const ParameterChange slow{LiveParameter::kAcceleration, 0.01};
+  // Speed half a second into the run.
+  const auto speed = [&](std::span<const ParameterChange> changes) {
+    Step step(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    run(step, robot, 2.0);
+    start(step, robot);
+    while (tick(step, robot).snapshot.run_state != RunState::kRunning) {
+    }
+    changes_ = changes;
+    double mps = 0.0;
+    for (int i = 0; i < 100; ++i) mps = tick(step, robot).command.speed_mps;
+    return mps;
+  };
+  EXPECT_GT(speed({}), 0.05);
+  EXPECT_NEAR(speed({&slow, 1}), 0.005, 1e-3);
+}
+
+TEST_F(StepTest, TheSteeringPoseChangesOnlyAtRest) {
+  const ParameterChange model{LiveParameter::kSteering, 0.0};
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  run(step, robot, 2.0);
+  start(step, robot);
+  while (tick(step, robot).snapshot.run_state != RunState::kRunning) {
+  }
+  changes_ = {&model, 1};
+  EXPECT_EQ(tick(step, robot).snapshot.steering, Steering::kOdometry);
+  EXPECT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  changes_ = {&model, 1};
+  const Outputs& out = tick(step, robot);
+  EXPECT_EQ(out.snapshot.steering, Steering::kModel);
+  EXPECT_EQ(out.command.pose.x_m, out.snapshot.model.x_m);
 }
 
 TEST_F(StepTest, NothingMovesWithoutAStart) {

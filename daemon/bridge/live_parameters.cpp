@@ -1,0 +1,48 @@
+#include "bridge/live_parameters.h"
+
+#include <cmath>
+
+namespace tp100::bridge {
+namespace {
+
+double* field(LiveParameter parameter, control::Parameters& control) {
+  switch (parameter) {
+    case LiveParameter::kPreview:
+      return &control.preview_s;
+    case LiveParameter::kCrossTrackGain:
+      return &control.cross_track_gain_1ps;
+    case LiveParameter::kMaxApproach:
+      return &control.max_approach_rad;
+    case LiveParameter::kAcceleration:
+      return &control.acceleration_mps2;
+    case LiveParameter::kMinSpeed:
+      return &control.min_speed_mps;
+    case LiveParameter::kPivotRate:
+      return &control.pivot_rate_radps;
+    case LiveParameter::kPivotAcceleration:
+      return &control.pivot_acceleration_radps2;
+    case LiveParameter::kSteering:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool apply(const ParameterChange& change, bool under_way, Parameters& parameters) {
+  if (!std::isfinite(change.value) || change.value < 0.0) return false;
+  if (change.parameter == LiveParameter::kSteering) {
+    for (const Steering steering : {Steering::kModel, Steering::kOdometry, Steering::kFused}) {
+      if (under_way || change.value != static_cast<double>(steering)) continue;
+      parameters.steering = steering;
+      return true;
+    }
+    return false;
+  }
+  double* const value = field(change.parameter, parameters.control);
+  if (value == nullptr) return false;
+  *value = change.value;
+  return true;
+}
+
+}  // namespace tp100::bridge
