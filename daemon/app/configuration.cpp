@@ -201,6 +201,36 @@ std::span<const Key<estimation::CameraParameters>> camera_keys() {
   return kKeys;
 }
 
+std::span<const Key<ServerSettings>> server_keys() {
+  using T = ServerSettings;
+  static const std::array<Key<T>, 5> kKeys = {{
+      {"listen",
+       &T::listen,
+       {},
+       "Page and viewers: ADDRESS:PORT, port 0 for any free one; auto: 127.0.0.1:8765, or any free "
+       "port if another program has that one; off: no server"},
+      {"commands",
+       Choice<T>{{"local", "all", "none"},
+                 [](const T& s) { return static_cast<std::size_t>(s.commands); },
+                 [](T& s, std::size_t i) { s.commands = static_cast<CommandsFrom>(i); }},
+       {},
+       "Whose commands are taken: those of this machine, of everybody, of nobody. STOP is taken "
+       "from every viewer"},
+      {"origins",
+       &T::origins,
+       {},
+       "Web pages besides the own one that may connect, separated by spaces, for example "
+       "https://app.foxglove.dev"},
+      {"hosts",
+       &T::hosts,
+       {},
+       "Names by which this machine is called, besides addresses and localhost, separated by "
+       "spaces"},
+      {"max_clients", &T::max_clients, {1, 256}, "Viewers at once"},
+  }};
+  return kKeys;
+}
+
 std::span<const Key<control::Parameters>> control_keys() {
   using T = control::Parameters;
   static const std::array<Key<T>, 30> kKeys = {{
@@ -334,6 +364,7 @@ void for_each_section(Values& configuration, Visit visit) {
   visit("world", world_keys(), parameters.world);
   visit("world", world_stream_keys(), configuration.world);
   visit("record", record_keys(), configuration.record);
+  visit("server", server_keys(), configuration.server);
 }
 
 }  // namespace
@@ -367,6 +398,14 @@ std::string write_configuration(const Configuration& configuration) {
     text += course::write_keys(keys, values);
   });
   return text;
+}
+
+std::vector<course::KeyText> configuration_keys(const Configuration& configuration) {
+  std::vector<course::KeyText> out;
+  for_each_section(configuration, [&](const std::string& section, auto keys, const auto& values) {
+    course::describe_keys(section.empty() ? "" : section + ".", keys, values, out);
+  });
+  return out;
 }
 
 bridge::Parameters bridge_parameters(const Configuration& configuration,

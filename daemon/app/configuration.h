@@ -3,9 +3,11 @@
 // reads it and writes it with meaning, unit, default and range.
 
 #include <string>
+#include <vector>
 
 #include "app/world_settings.h"
 #include "bridge/parameters.h"
+#include "course/key.h"
 #include "course/robot.h"
 
 namespace tp100::app {
@@ -48,6 +50,18 @@ struct CameraSettings {
   double max_age_ms = 400.0;  ///< older detections are of no use any more
 };
 
+/// Whose commands the server takes; STOP is taken from everybody.
+enum class CommandsFrom { kLocal, kAll, kNone };
+
+/// The page and the viewers.
+struct ServerSettings {
+  std::string listen = "auto";  ///< HOST:PORT, "auto" or "off"
+  CommandsFrom commands = CommandsFrom::kLocal;
+  std::string origins;  ///< permitted besides the page's own, separated by spaces
+  std::string hosts;    ///< names in Host besides addresses and localhost
+  int max_clients = 64;
+};
+
 /// Everything that a file can set. Privileges that the system refuses are reported, not fatal.
 struct Configuration {
   std::string robot = "end-loaded";  ///< bundled name or file
@@ -56,7 +70,8 @@ struct Configuration {
   LoopSettings loop{};
   CameraSettings camera{};
   RecordSettings record{};
-  WorldSettings world{};            ///< whether there is one is in the parameters
+  WorldSettings world{};  ///< whether there is one is in the parameters
+  ServerSettings server{};
   bridge::Parameters parameters{};  ///< model and drive are the robot's: see bridge_parameters
 };
 
@@ -66,6 +81,9 @@ Configuration parse_configuration(const std::string& text, const std::string& fi
 
 /// A commented file that parse_configuration reads back.
 std::string write_configuration(const Configuration& configuration);
+
+/// Every key with its value, in the order of the file.
+std::vector<course::KeyText> configuration_keys(const Configuration& configuration);
 
 /// Settings of the step for this robot: the configuration's, with the robot's model and drive
 /// values.

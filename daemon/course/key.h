@@ -81,6 +81,55 @@ std::string show_key(const Key<T>& key, const T& values) {
   return toml_string(choice.names[choice.get(values)]);
 }
 
+/// A key with its value and everything that is known about it, for those who show it.
+struct KeyText {
+  enum class Type { kNumber, kInteger, kBoolean, kText, kChoice };
+  using Value = std::variant<double, bool, std::string>;
+
+  std::string name;  ///< with the names of its tables: "control.preview_s"
+  Type type = Type::kNumber;
+  Value value, standard;  ///< numbers in the file's unit
+  std::string unit;       ///< numbers; may be empty
+  Range range{0.0, 0.0};  ///< numbers
+  std::vector<std::string> choices;
+  std::string meaning;
+};
+
+/// The keys of one table, named with `prefix` ("control.").
+template <class T>
+void describe_keys(const std::string& prefix, std::span<const Key<T>> keys, const T& values,
+                   std::vector<KeyText>& out) {
+  using Type = KeyText::Type;
+  const T standard{};
+  for (const Key<T>& key : keys) {
+    KeyText text;
+    text.name = prefix + std::string(key.name);
+    text.unit = unit_of(key.name);
+    text.range = key.range;
+    text.meaning = key.meaning;
+    const auto fill = [&](Type type, auto read) {
+      text.type = type;
+      text.value = read(values);
+      text.standard = read(standard);
+    };
+    if (const auto* field = std::get_if<double T::*>(&key.field)) {
+      fill(Type::kNumber, [&](const T& from) { return from.**field / key.si; });
+    } else if (const auto* number = std::get_if<int T::*>(&key.field)) {
+      fill(Type::kInteger, [&](const T& from) { return static_cast<double>(from.**number); });
+    } else if (const auto* flag = std::get_if<bool T::*>(&key.field)) {
+      fill(Type::kBoolean, [&](const T& from) { return from.**flag; });
+    } else if (const auto* content = std::get_if<std::string T::*>(&key.field)) {
+      fill(Type::kText, [&](const T& from) { return from.**content; });
+    } else {
+      const auto& choice = std::get<Choice<T>>(key.field);
+      fill(Type::kChoice,
+           [&](const T& from) { return std::string(choice.names[choice.get(from)]); });
+      text.choices.assign(choice.names.begin(), choice.names.end());
+    }
+    out.push_back(std::move(text));
+  }
+}
+
 /// Where values came from, by key: one sentence each, without its first word "From" and its stop.
 using Origins = std::map<std::string, std::string, std::less<>>;
 

@@ -6,6 +6,7 @@
 
 #include "course/key.h"
 #include "course/robot.h"
+#include "course/robot_keys.h"
 
 namespace tp100::course {
 namespace {
@@ -302,6 +303,14 @@ std::string head_note(const std::string& text) {
     if (!line.empty()) note += (note.empty() ? "" : " ") + line;
   }
   return note;
+}
+
+std::vector<KeyText> robot_keys(const Robot& robot) {
+  std::vector<KeyText> out;
+  describe_keys("robot.model.", model_keys(), robot.model, out);
+  describe_keys("robot.shape.", shape_keys(), robot.shape, out);
+  describe_keys("robot.drive.", drive_keys(), robot.drive, out);
+  return out;
 }
 
 std::string write_robot(const Robot& robot, const std::string& note) {

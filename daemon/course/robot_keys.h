@@ -1,0 +1,14 @@
+#pragma once
+// The keys of a robot file as a list, for those who show them.
+
+#include <vector>
+
+#include "course/key.h"
+#include "course/robot.h"
+
+namespace tp100::course {
+
+/// Those that the daemon uses (model, shape, drive), named "robot.model.slip_left".
+std::vector<KeyText> robot_keys(const Robot& robot);
+
+}  // namespace tp100::course
