@@ -48,7 +48,6 @@ publish::RunFacts run_facts(const RunFiles& files, const RunSetup& run,
                    .course = run.course,
                    .robot = run.robot,
                    .setup = bridge::to_string(files.setup),
-                   .steering = std::string(to_string(run.parameters.steering)),
                    .pacing = run.configuration.loop.pacing == Pacing::kHost ? "host" : "robot",
                    .rate_hz = run.configuration.loop.rate_hz};
   facts.facts = {{"course", run.course == nullptr ? "" : run.course->name},

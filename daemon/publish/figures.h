@@ -12,6 +12,7 @@
 #include "core/link_state.h"
 #include "core/run_state.h"
 #include "core/sample.h"
+#include "core/steering.h"
 #include "core/time.h"
 
 namespace tp100::publish {
@@ -66,6 +67,7 @@ struct StopFigures {
 /// Run, session and what may be done now.
 struct StateFigures {
   RunState run = RunState::kIdle;
+  Steering steering = Steering::kOdometry;
   SessionState session = SessionState::kClosed;
   std::optional<RobotState> robot;
   std::optional<double> run_s;

@@ -67,7 +67,7 @@ std::string Messages::transforms(const StepRecord& record,
   text.reserve(1400);
   JsonWriter json(text);
   json.begin_object().key("transforms").begin_array();
-  write_transform(json, "robot", steering_pose(record.snapshot, subject_), at);
+  write_transform(json, "robot", record.snapshot.world, at);
   for (const Estimator estimator : kEstimators)
     write_transform(json, to_string(estimator), pose_of(record.snapshot, estimator), at);
   if (truth) write_transform(json, "truth", truth->pose, clock_.unix_ns(truth->at_ns));

@@ -217,12 +217,6 @@ const Pose& pose_of(const Snapshot& snapshot, Estimator estimator) {
   return snapshot.fused.pose;
 }
 
-const Pose& steering_pose(const Snapshot& snapshot, const Subject& subject) {
-  for (const Estimator estimator : kEstimators)
-    if (subject.steering == to_string(estimator)) return pose_of(snapshot, estimator);
-  return snapshot.odometry;
-}
-
 std::vector<course::PathPoint> path_points(const course::Path& path, double spacing_m) {
   std::vector<course::PathPoint> points;
   for (std::size_t i = 0; i < path.pieces().size(); ++i) {
@@ -253,12 +247,15 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
   } else {
     json.null_field("age_us");
   }
-  json.field("steering", subject_.steering).key("model").begin_object();
+  json.field("steering", to_string(snapshot.steering)).key("model").begin_object();
   write_motion(json, snapshot.model, snapshot.model_twist);
   json.end_object().key("odometry").begin_object();
   write_motion(json, snapshot.odometry, snapshot.odometry_twist);
   json.end_object();
   write_fused(json, snapshot.fused);
+  json.key("world").begin_object();
+  write_pose(json, snapshot.world);
+  json.end_object();
   write_truth(json, truth, record.now_ns);
   write_reference(json, path(), snapshot.progress_m);
   json.key("imu")
@@ -267,7 +264,14 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
       .field("pitch_rad", snapshot.imu_pitch_rad)
       .field("slope", name_of(snapshot.imu_slope))
       .end_object()
-      .field("pitch_source", subject_.setup == "terrain" ? "imu" : "virtual");
+      .field("pitch_source", name_of(snapshot.underfoot.pitch_source));
+  json.key("underfoot")
+      .begin_object()
+      .field("obstacle", name_of(snapshot.underfoot.obstacle))
+      .field("climbing", snapshot.underfoot.climbing)
+      .field("slope_rad", snapshot.underfoot.slope_rad)
+      .field("traction", name_of(snapshot.underfoot.traction))
+      .end_object();
   write_tracks(json, record, subject_.robot);
   json.field("cross_track_m", snapshot.cross_track_m)
       .field("heading_error_rad", snapshot.heading_error_rad)
@@ -348,8 +352,7 @@ std::string Messages::slip(const StepRecord& record) const {
       .field("fused_right", snapshot.fused.slip_right)
       .field("gyro_bias_radps", snapshot.gyro_bias_radps)
       .field("fused_gyro_bias_radps", snapshot.fused.gyro_bias_radps)
-      .field("slope_rad",
-             subject_.setup == "terrain" ? -snapshot.imu_pitch_rad : -snapshot.model.pitch_rad)
+      .field("slope_rad", snapshot.underfoot.slope_rad)
       .end_object();
   return text;
 }

@@ -36,8 +36,6 @@ inline constexpr Estimator kEstimators[] = {Estimator::kModel, Estimator::kOdome
                                             Estimator::kFused};
 const char* to_string(Estimator estimator);
 const Pose& pose_of(const Snapshot& snapshot, Estimator estimator);
-/// The pose that steers, by `subject`.
-const Pose& steering_pose(const Snapshot& snapshot, const Subject& subject);
 
 /// Writes messages about one subject. Each function returns the whole text of one message.
 class Messages {

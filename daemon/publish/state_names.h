@@ -3,6 +3,7 @@
 
 #include "core/sample.h"
 #include "core/slope.h"
+#include "core/underfoot.h"
 
 namespace tp100::publish {
 
@@ -32,6 +33,44 @@ inline const char* name_of(Slope slope) {
       return "up";
     case Slope::kDown:
       return "down";
+  }
+  return "unknown";
+}
+
+inline const char* name_of(PitchSource source) {
+  switch (source) {
+    case PitchSource::kVirtual:
+      return "virtual";
+    case PitchSource::kImu:
+      return "imu";
+    case PitchSource::kRecording:
+      return "recording";
+    case PitchSource::kExternal:
+      return "external";
+  }
+  return "unknown";
+}
+
+inline const char* name_of(Obstacle obstacle) {
+  switch (obstacle) {
+    case Obstacle::kNone:
+      return "none";
+    case Obstacle::kRamp:
+      return "ramp";
+    case Obstacle::kBlock:
+      return "block";
+  }
+  return "unknown";
+}
+
+inline const char* name_of(Traction traction) {
+  switch (traction) {
+    case Traction::kGripping:
+      return "gripping";
+    case Traction::kSlipping:
+      return "slipping";
+    case Traction::kImmobilised:
+      return "immobilised";
   }
   return "unknown";
 }

@@ -195,7 +195,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
   json.field("course", subject.course == nullptr ? "" : subject.course->name)
       .field("robot", subject.robot.name)
       .field("setup", subject.setup)
-      .field("steering", subject.steering)
+      .field("steering", to_string(state.steering))
       .field("world", subject.world);
   write_optional(json, "battery_v", state.battery_v);
   json.key("can")

@@ -14,7 +14,6 @@ struct Subject {
   std::shared_ptr<const course::Course> course;  ///< null: none
   course::Robot robot{};
   std::string setup = "flat";
-  std::string steering = "odometry";  ///< pose that steers
   std::string world = "internal";
   std::string pacing = "host";
   double rate_hz = 200.0;

@@ -47,6 +47,8 @@ inline StepRecord example_record() {
   snapshot.odometry.x_m = 0.22;
   snapshot.odometry.yaw_rad = 0.3;
   snapshot.fused.pose.x_m = 0.33;
+  snapshot.world = snapshot.odometry;
+  snapshot.world.z_m = 0.05;
   snapshot.command.pose = snapshot.odometry;
   snapshot.command.desired_yaw_rad = 0.3;
   snapshot.command.speed_mps = 0.1;

@@ -129,11 +129,12 @@ TEST_F(MessagesTest, WithoutACourseTheListsAreEmpty) {
   EXPECT_TRUE(json["fence"].is_null());
 }
 
-TEST_F(MessagesTest, TransformsMoveTheRobotByTheSteeringPose) {
+TEST_F(MessagesTest, TransformsMoveTheRobotInTheCoursesWorld) {
   const Json json = Json::parse(messages_.transforms(record_, std::nullopt))["transforms"];
   ASSERT_EQ(json.size(), 4U);
   EXPECT_EQ(json[0]["child_frame_id"], "robot");
   EXPECT_EQ(json[0]["translation"]["x"], 0.22);
+  EXPECT_EQ(json[0]["translation"]["z"], 0.05);
   EXPECT_EQ(json[0]["timestamp"], Json({{"sec", 1010}, {"nsec", 0}}));
   const Truth truth{record_.now_ns, {.x_m = 0.44}};
   EXPECT_EQ(Json::parse(messages_.transforms(record_, truth))["transforms"][4]["child_frame_id"],

@@ -1,0 +1,193 @@
+#include "publish/connection.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "publish/viewer_socket.h"
+
+namespace tp100::publish {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = beast::http;
+
+constexpr auto kRequestTime = std::chrono::seconds(5);
+constexpr auto kWriteTime = std::chrono::seconds(10);
+constexpr std::uint32_t kMaxHeader = 8 * 1024;
+constexpr std::size_t kPart = 64 * 1024;
+
+beast::string_view view(std::string_view text) { return {text.data(), text.size()}; }
+std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(boost::asio::ip::tcp::socket socket, ServerRoom& room)
+      : stream_(std::move(socket)), room_(room) {
+    ++room_.connections;
+  }
+  ~Connection() { --room_.connections; }
+
+  void read();
+
+ private:
+  using Request = http::request<http::empty_body>;
+  using Head = http::response<http::empty_body>;
+
+  void on_request();
+  void answer(HttpAnswer answer);
+  void write_body();
+  void write_file();
+  void end();
+  bool upgrade();
+  std::string_view header(http::field name) const { return view(parser_->get()[name]); }
+
+  beast::tcp_stream stream_;
+  ServerRoom& room_;
+  beast::flat_buffer buffer_{kMaxHeader};
+  std::optional<http::request_parser<http::empty_body>> parser_;
+  Head head_;
+  std::optional<http::response_serializer<http::empty_body>> serializer_;
+  HttpAnswer answer_;
+  std::array<char, kPart> part_{};
+  bool last_ = false;
+};
+
+void Connection::read() {
+  parser_.emplace();
+  parser_->header_limit(kMaxHeader);
+  parser_->body_limit(0);
+  stream_.expires_after(kRequestTime);
+  http::async_read(
+      stream_, buffer_, *parser_,
+      [self = shared_from_this()](beast::error_code error, std::size_t) {
+        if (!error) return self->on_request();
+        // Who sends a body, or what is no HTTP, gets no second request.
+        if (error != http::error::end_of_stream &&
+            error.category() == http::make_error_code(http::error::end_of_stream).category()) {
+          self->last_ = true;
+          self->answer(http_text(400, "not a request that this server takes"));
+        }
+      });
+}
+
+void Connection::on_request() {
+  const Request& request = parser_->get();
+  last_ = !request.keep_alive();
+  const std::string_view host = header(http::field::host);
+  const AccessRules& access = room_.settings.access;
+  if (!host_allowed(host, access)) {
+    ++room_.refused;
+    return answer(http_text(403,
+                            "this Host is not served; use an address, or add the name to "
+                            "server.hosts"));
+  }
+  if (!origin_allowed(header(http::field::origin), host, access)) {
+    ++room_.refused;
+    return answer(http_text(403, "this Origin is not permitted; add it to server.origins"));
+  }
+  if (beast::websocket::is_upgrade(request)) {
+    if (!upgrade()) ++room_.refused;
+    return;
+  }
+  answer(http_answer({.method = view(request.method_string()),
+                      .target = view(request.target()),
+                      .range = header(http::field::range),
+                      .none_match = header(http::field::if_none_match)},
+                     room_.sources));
+}
+
+bool Connection::upgrade() {
+  last_ = true;
+  const std::string_view chosen = choose_sub_protocol(header(http::field::sec_websocket_protocol));
+  if (chosen.empty()) {
+    answer(http_text(400, "offer the sub-protocol " + std::string(kNewSubProtocol) + " or " +
+                              std::string(kOldSubProtocol)));
+    return false;
+  }
+  if (room_.sockets >= room_.settings.max_clients) {
+    answer(http_text(503, "too many viewers (server.max_clients)"));
+    return false;
+  }
+  stream_.expires_never();
+  std::make_shared<ViewerSocket>(stream_.release_socket(), room_)->accept(parser_->get(), chosen);
+  return true;
+}
+
+void Connection::answer(HttpAnswer answer) {
+  answer_ = std::move(answer);
+  head_ = Head(static_cast<http::status>(answer_.status), 11);
+  head_.keep_alive(!last_);
+  head_.set(http::field::server, "tp100d");
+  head_.set(http::field::content_type, answer_.type);
+  head_.set("X-Content-Type-Options", "nosniff");
+  head_.set("Referrer-Policy", "no-referrer");
+  for (const auto& [name, content] : answer_.headers)
+    head_.set(view(std::string_view(name)), content);
+  if (answer_.status != 304) head_.content_length(answer_.length);
+  serializer_.emplace(head_);
+  stream_.expires_after(kWriteTime);
+  http::async_write_header(stream_, *serializer_,
+                           [self = shared_from_this()](beast::error_code error, std::size_t) {
+                             if (!error) self->write_body();
+                           });
+}
+
+void Connection::write_body() {
+  const bool head_only = parser_->is_header_done() && parser_->get().method() == http::verb::head;
+  if (head_only || answer_.length == 0) return end();
+  if (answer_.file) return write_file();
+  const boost::asio::const_buffer bytes =
+      answer_.bytes.empty() ? boost::asio::const_buffer(answer_.body.data(), answer_.body.size())
+                            : boost::asio::const_buffer(answer_.bytes.data(), answer_.bytes.size());
+  boost::asio::async_write(stream_, bytes,
+                           [self = shared_from_this()](beast::error_code error, std::size_t) {
+                             if (!error) self->end();
+                           });
+}
+
+void Connection::write_file() {
+  if (answer_.length == 0) return end();
+  const std::size_t wanted =
+      static_cast<std::size_t>(std::min<std::uint64_t>(kPart, answer_.length));
+  const ssize_t got =
+      ::pread(answer_.file.get(), part_.data(), wanted, static_cast<off_t>(answer_.offset));
+  if (got <= 0) return;  // cut short: the connection ends, which tells the reader
+  answer_.offset += static_cast<std::uint64_t>(got);
+  answer_.length -= static_cast<std::uint64_t>(got);
+  stream_.expires_after(kWriteTime);
+  boost::asio::async_write(stream_,
+                           boost::asio::buffer(part_.data(), static_cast<std::size_t>(got)),
+                           [self = shared_from_this()](beast::error_code error, std::size_t) {
+                             if (!error) self->write_file();
+                           });
+}
+
+void Connection::end() {
+  answer_ = {};
+  if (last_) {
+    beast::error_code ignored;
+    stream_.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+    return;
+  }
+  read();
+}
+
+}  // namespace
+
+void serve_connection(boost::asio::ip::tcp::socket socket, ServerRoom& room) {
+  if (room.connections >= kMaxConnections) {
+    ++room.refused;
+    return;
+  }
+  std::make_shared<Connection>(std::move(socket), room)->read();
+}
+
+}  // namespace tp100::publish

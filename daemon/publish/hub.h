@@ -1,0 +1,94 @@
+#pragma once
+// Channels on one side, viewers on the other: who subscribed to what, what a newcomer gets, what
+// waits. No socket; one thread.
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "publish/channels.h"
+#include "publish/figures.h"
+#include "publish/outbox.h"
+#include "publish/protocol.h"
+
+namespace tp100::publish {
+
+/// One connected client.
+class Viewer {
+ public:
+  /// `wake`: something waits in the outbox. `fail`: the client asks more than it reads.
+  Viewer(std::uint32_t id, std::function<void()> wake, std::function<void()> fail)
+      : id_(id), wake_(std::move(wake)), fail_(std::move(fail)) {}
+
+  std::uint32_t id() const { return id_; }
+  Outbox& outbox() { return outbox_; }
+  const Outbox& outbox() const { return outbox_; }
+  const std::map<std::uint32_t, Channel>& subscriptions() const { return subscriptions_; }
+
+  /// A JSON text or whole binary message of the protocol.
+  void reply(std::string body, bool binary = false);
+  void say(StatusLevel level, std::string_view message) { reply(status(level, message)); }
+
+ private:
+  friend class Hub;
+  void send(std::uint32_t subscription, std::uint64_t unix_ns,
+            const std::shared_ptr<const std::string>& body);
+
+  std::uint32_t id_;
+  std::function<void()> wake_;
+  std::function<void()> fail_;
+  Outbox outbox_;
+  std::map<std::uint32_t, Channel> subscriptions_;
+};
+
+class Hub {
+ public:
+  explicit Hub(std::vector<ChannelText> channels);
+
+  const std::vector<ChannelText>& channels() const { return channels_; }
+
+  /// Someone would get it, now or later.
+  bool wanted(Channel channel) const;
+  void publish(Channel channel, std::uint64_t unix_ns, std::string json);
+  /// What a new subscriber of `channel` gets, instead of the last messages.
+  using Catch = std::function<std::shared_ptr<const std::string>(std::uint64_t& unix_ns)>;
+  void catch_up(Channel channel, Catch make);
+
+  void add(const std::shared_ptr<Viewer>& viewer);
+  void remove(const std::shared_ptr<Viewer>& viewer);
+  void subscribe(Viewer& viewer, const Subscribe& wanted);
+  void unsubscribe(Viewer& viewer, const Unsubscribe& unwanted);
+
+  const std::vector<std::shared_ptr<Viewer>>& viewers() const { return viewers_; }
+
+ private:
+  struct Message {
+    std::uint64_t unix_ns;
+    std::shared_ptr<const std::string> body;
+  };
+  struct Subscriber {
+    Viewer* viewer;
+    std::uint32_t subscription;
+  };
+  struct Line {
+    std::vector<Subscriber> subscribers;
+    std::deque<Message> kept;
+    Catch catch_up;
+  };
+  Line& line(Channel channel) { return lines_[static_cast<std::uint32_t>(channel) - 1]; }
+  const Line& line(Channel channel) const {
+    return lines_[static_cast<std::uint32_t>(channel) - 1];
+  }
+  void drop(Viewer& viewer, std::uint32_t subscription, Channel channel);
+
+  std::vector<ChannelText> channels_;
+  std::array<Line, kChannelCount> lines_{};
+  std::vector<std::shared_ptr<Viewer>> viewers_;
+};
+
+}  // namespace tp100::publish

@@ -1,0 +1,65 @@
+#pragma once
+// The server: one TCP port for the page and the Foxglove WebSocket protocol (CHANNELS.md), in a
+// thread of its own. Beast stays in the source files.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "publish/access.h"
+#include "publish/controls.h"
+#include "publish/http_content.h"
+#include "publish/messages.h"
+#include "publish/parameter_text.h"
+#include "publish/sink.h"
+
+namespace tp100::publish {
+
+/// Whose commands are taken; STOP is taken from everybody.
+enum class CommandsFrom { kLocal, kAll, kNone };
+
+struct ServerSettings {
+  /// HOST:PORT, with port 0 for any free one; "auto": 127.0.0.1:8765, or any free port of that
+  /// address if another program has that one.
+  std::string listen = "auto";
+  AccessRules access{};
+  CommandsFrom commands = CommandsFrom::kLocal;
+  std::size_t max_clients = 64;
+  std::string runs_folder;  ///< empty: none
+  Page page;
+};
+
+class Server : public Sink {
+ public:
+  /// Listens; nothing is served before start(). Throws SetupError if the address cannot be had.
+  /// `controls` must outlive the server.
+  Server(ServerSettings settings, const Messages& messages, std::vector<ParameterText> parameters,
+         Controls& controls);
+  /// Says goodbye to every client, at most for a second.
+  ~Server() override;
+
+  /// "http://127.0.0.1:8765/".
+  const std::string& url() const;
+  /// Why it is not the usual port, in one line; empty: it is, or another one was asked for.
+  const std::string& note() const;
+  /// Starts the thread.
+  void start();
+
+  // From any one thread, never the real-time one; they never wait for a client.
+  void take(const StepRecord& record) override;
+  void take_truth(HostNs at, const Pose& truth) override;
+  void take(const Event& event);
+  /// STOP came from elsewhere (a key); it is on its way to the robot.
+  void stop_pressed(const std::string& by);
+  /// The robot acknowledged a STOP at host time `at`.
+  void stop_answered(HostNs at);
+  /// Records that the server's thread was too slow for.
+  std::uint64_t lost_records() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tp100::publish

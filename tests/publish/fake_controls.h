@@ -1,0 +1,52 @@
+#pragma once
+// Takes what viewers ask and notes it.
+
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "publish/controls.h"
+
+namespace tp100::publish {
+
+class FakeControls : public Controls {
+ public:
+  std::string start() override {
+    ++starts;
+    return {};
+  }
+  std::string hold() override {
+    ++holds;
+    return {};
+  }
+  void stop() override { ++stops; }
+  std::string set(const ParameterText& parameter, const ParameterValue& value) override {
+    const std::lock_guard lock(mutex);
+    sets.emplace_back(parameter.name, value);
+    return set_refusal;
+  }
+  std::string record_start(const std::string& name, std::string& run) override {
+    if (!can_record) return "no directory";
+    record.active = true;
+    record.run = run = name.empty() ? "20260102-030405-3" : name;
+    return {};
+  }
+  std::string record_stop(RecordingFigures& recorded) override {
+    record.active = false;
+    recorded = record;
+    return {};
+  }
+  LoopFigures loop() override { return {}; }
+  PortFigures port() override { return {"/dev/ttyACM0", true, "0.1.0"}; }
+  RecordingFigures recording() override { return record; }
+
+  std::atomic<int> starts{0}, holds{0}, stops{0};
+  std::mutex mutex;
+  std::vector<std::pair<std::string, ParameterValue>> sets;
+  std::string set_refusal;
+  bool can_record = false;
+  RecordingFigures record{};
+};
+
+}  // namespace tp100::publish

@@ -1,0 +1,153 @@
+// What is said when.
+#include "publish/feed.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fake_controls.h"
+#include "fixtures.h"
+
+namespace tp100::publish {
+namespace {
+
+using Json = nlohmann::json;
+
+class FeedTest : public ::testing::Test {
+ protected:
+  FeedTest() {
+    hub_.add(viewer_);
+    Subscribe all;
+    for (std::uint32_t i = 1; i <= kChannelCount; ++i) all.subscriptions.push_back({i, i});
+    hub_.subscribe(*viewer_, all);
+    hear();
+  }
+  std::vector<Json> hear(Channel wanted = Channel::kClient) {
+    std::vector<Json> out;
+    while (!viewer_->outbox().empty()) {
+      const Frame frame = viewer_->outbox().pop();
+      if (frame.binary && frame.head[1] == static_cast<std::uint32_t>(wanted))
+        out.push_back(Json::parse(*frame.body));
+    }
+    return out;
+  }
+  /// `seconds` of steps at 200 Hz with ticks in between; what the channel said.
+  std::vector<Json> run(double seconds, Channel wanted) {
+    std::vector<Json> out;
+    for (int i = 0; i < static_cast<int>(seconds * 200.0); ++i) {
+      record_.now_ns += 5 * kNsPerMs;
+      record_.step += 1;
+      record_.link.samples += 1;
+      record_.link.bytes_in += 44;
+      record_.sample_count = 1;
+      feed_.take(record_);
+      if (i % 10 == 0) feed_.tick(record_.now_ns);
+      for (Json& message : hear(wanted)) out.push_back(std::move(message));
+    }
+    return out;
+  }
+
+  FakeControls controls_;
+  Hub hub_{channel_texts()};
+  Feed feed_{hub_, Messages(example_subject(), example_clock()), controls_};
+  std::shared_ptr<Viewer> viewer_ = std::make_shared<Viewer>(
+      1, [] {}, [] {});
+  StepRecord record_ = example_record();
+};
+
+TEST_F(FeedTest, StepChannelsComeWithEveryStep) {
+  for (const Channel channel : {Channel::kEstimate, Channel::kTransforms, Channel::kPoseModel,
+                                Channel::kPoseFused, Channel::kSample, Channel::kCommand})
+    EXPECT_EQ(run(1.0, channel).size(), 200U);
+  record_.command_valid = false;
+  EXPECT_TRUE(run(0.1, Channel::kCommand).empty());
+}
+
+TEST_F(FeedTest, SlowChannelsKeepTheirRates) {
+  const auto near = [&](Channel channel, double hz) {
+    EXPECT_NEAR(static_cast<double>(run(4.0, channel).size()), 4.0 * hz, hz);
+  };
+  near(Channel::kSlip, 20.0);
+  near(Channel::kLink, 5.0);
+  near(Channel::kLoop, 2.0);
+  near(Channel::kState, 5.0);
+}
+
+TEST_F(FeedTest, AChangeOfStateIsToldAtOnce) {
+  run(1.0, Channel::kState);
+  record_.snapshot.run_state = RunState::kAborted;
+  record_.snapshot.faults = fault_bit(Fault::tilt);
+  record_.now_ns += 5 * kNsPerMs;
+  feed_.take(record_);
+  const auto heard = hear(Channel::kState);
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_EQ(heard[0]["run"], "aborted");
+  EXPECT_EQ(heard[0]["faults"][0]["name"], "tilt");
+}
+
+TEST_F(FeedTest, TheRunsClockStandsStillWhenItIsOver) {
+  run(2.0, Channel::kState);
+  record_.snapshot.run_state = RunState::kFinished;
+  const auto heard = run(1.0, Channel::kState);
+  EXPECT_NEAR(heard.back()["run_s"].get<double>(), 2.0, 0.02);
+  EXPECT_EQ(heard.back()["can"]["start"], true);
+}
+
+TEST_F(FeedTest, TheLinkHasRatesOfTheLastSecond) {
+  const auto heard = run(3.0, Channel::kLink);
+  EXPECT_NEAR(heard.back()["samples_hz"].get<double>(), 200.0, 2.0);
+  EXPECT_NEAR(heard.back()["in_bytes_ps"].get<double>(), 8800.0, 90.0);
+  EXPECT_EQ(heard.back()["port"], "/dev/ttyACM0");
+  EXPECT_EQ(heard.back()["quality"], "good");
+}
+
+TEST_F(FeedTest, ALoopThatStandsStillDoesNotSilenceTheRest) {
+  run(1.0, Channel::kState);
+  int states = 0;
+  for (int i = 1; i <= 40; ++i) {
+    feed_.tick(record_.now_ns + i * 50 * kNsPerMs);
+    states += static_cast<int>(hear(Channel::kState).size());
+  }
+  EXPECT_GE(states, 9);
+}
+
+TEST_F(FeedTest, TruthIsOnlyToldWhileItIsKnown) {
+  EXPECT_TRUE(run(0.1, Channel::kEstimate).back()["truth"].is_null());
+  feed_.take_truth({record_.now_ns, {.x_m = 0.44}});
+  EXPECT_EQ(run(0.1, Channel::kEstimate).back()["truth"]["x_m"], 0.44);
+  EXPECT_TRUE(run(1.2, Channel::kEstimate).back()["truth"].is_null());
+  feed_.take_truth({record_.now_ns, {.x_m = 0.45}});
+  EXPECT_EQ(run(0.1, Channel::kPoseTruth).size(), 1U);
+}
+
+TEST_F(FeedTest, ANewcomerGetsTheWholeTrail) {
+  for (int i = 0; i < 100; ++i) {
+    record_.snapshot.model.x_m = i * 0.011;
+    run(0.005, Channel::kTrail);
+  }
+  run(1.0, Channel::kTrail);
+  const auto late = std::make_shared<Viewer>(
+      2, [] {}, [] {});
+  hub_.add(late);
+  hub_.subscribe(*late, {{{1, static_cast<std::uint32_t>(Channel::kTrail)}}});
+  ASSERT_FALSE(late->outbox().empty());
+  const Json trail = Json::parse(*late->outbox().pop().body);
+  EXPECT_GE(trail["entities"][0]["lines"][0]["points"].size(), 99U);
+}
+
+TEST_F(FeedTest, EventsBecomeLogLines) {
+  feed_.take(Event{.at_ns = 3 * kNsPerS, .kind = "run", .text = "state: idle -> arming"});
+  EXPECT_EQ(hear(Channel::kLog).at(0)["message"], "state: idle -> arming");
+}
+
+TEST_F(FeedTest, ARecordingIsToldWhenItChanges) {
+  run(1.0, Channel::kRecording);
+  EXPECT_TRUE(run(2.0, Channel::kRecording).empty());
+  controls_.record.available = controls_.record.active = true;
+  controls_.record.run = "r";
+  EXPECT_EQ(run(0.2, Channel::kRecording).at(0)["run"], "r");
+  EXPECT_NEAR(static_cast<double>(run(4.0, Channel::kRecording).size()), 4.0, 1.0);
+}
+
+}  // namespace
+}  // namespace tp100::publish
