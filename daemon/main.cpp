@@ -59,6 +59,13 @@ void add_run(CLI::App& app, Action& action) {
                    "udp:PORT or udp:ADDRESS:PORT (default: internal)")
       ->type_name("WORLD");
   command
+      ->add_option("--listen", options.listen,
+                   "Page and viewers: ADDRESS:PORT (port 0: any free one), auto or off (default: "
+                   "auto, 127.0.0.1:8765)")
+      ->type_name("ADDRESS");
+  command->add_flag("--stay", options.stay,
+                    "When a run is over, wait for the next start instead of ending");
+  command
       ->add_option("--duration", options.duration_s,
                    "End with status 1 after this time [s] (default: no limit)")
       ->type_name("SECONDS");

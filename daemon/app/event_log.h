@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/live_cycle.h"
+#include "app/live_events.h"
 #include "loop/real_time.h"
 
 namespace tp100::app {
@@ -24,7 +25,6 @@ class EventLog {
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
 
  private:
-  void session_event(const LiveEvent& event);
   bool allow(HostNs at_ns);
 
   HostNs next_status_ns_ = 0;
@@ -33,11 +33,5 @@ class EventLog {
   bool silence_told_ = false;
   std::uint64_t folded_ = 0;
 };
-
-/// Robot's and daemon's versions side by side and what to do, for a hello of another version.
-std::string version_mismatch(const wire::Hello& hello);
-
-/// Names of the faults in a mask, separated by commas; "none" if it is empty.
-std::string fault_names(FaultMask faults);
 
 }  // namespace tp100::app

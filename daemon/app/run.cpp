@@ -7,8 +7,10 @@
 
 #include "app/bundled_files.h"
 #include "app/configuration.h"
+#include "app/live_controls.h"
 #include "app/live_cycle.h"
 #include "app/live_recording.h"
+#include "app/live_server.h"
 #include "app/run_setup.h"
 #include "app/supervisor.h"
 #include "core/error.h"
@@ -47,6 +49,7 @@ RunSetup setup_run(const RunFiles& files, const RunOptions& options) {
   if (!options.port.empty()) run.configuration.link.port = options.port;
   if (!options.camera.empty()) run.configuration.camera.listen = options.camera;
   if (options.world.starts_with("udp:")) run.configuration.world.address = options.world;
+  if (!options.listen.empty()) run.configuration.server.listen = options.listen;
   if (!options.record.empty()) run.configuration.record.directory = options.record;
   if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
   if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kBench) {
@@ -110,9 +113,15 @@ int run_run(const RunOptions& options) {
   settings.robot = run.robot.name;
   settings.setup = bridge::to_string(run.parameters.setup);
   settings.process_grants = process.grants();
-  LiveRecording recording(files, run, read_clocks());
-  if (!configuration.record.directory.empty()) recording.start("");
+  const publish::PublishClock clock = read_clocks();
+  LiveRecording recording(files, run, clock);
   settings.recording = &recording;
+  LiveControls controls(cycle, loop, recording);
+  const std::unique_ptr<publish::Server> server = make_server(run, clock, controls);
+  if (!configuration.record.directory.empty()) recording.start("");
+  settings.server = server.get();
+  settings.controls = &controls;
+  settings.stay = options.stay;
   Supervisor supervisor(settings, cycle, loop);
   for (publish::Sink* sink : options.sinks) supervisor.add_sink(*sink);
   try {

@@ -138,6 +138,7 @@ std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& lo
       {"robot", figures.robot},
       {"setup", figures.setup},
       {"port", figures.port},
+      {"page", figures.page},
       {"faults", fault_list(figures.faults)},
       {"session", to_string(status.session)},
       {"run", to_string(snapshot.run_state)},

@@ -17,6 +17,7 @@ namespace tp100::app {
 struct RunFigures {
   std::string result;  ///< "running", "completed", "aborted", "interrupted", "duration"
   std::string port;
+  std::string page;    ///< address of the page; empty: no server
   std::string course;  ///< empty: none
   std::string robot;
   std::string setup;

@@ -11,6 +11,7 @@
 
 #include "app/camera_port.h"
 #include "app/event_log.h"
+#include "app/live_events.h"
 #include "app/live_world.h"
 #include "app/operator_input.h"
 #include "app/stats_file.h"
@@ -50,6 +51,9 @@ struct Supervisor::State {
   void on_session_state(SessionState state);
   void on_run_state(const LiveEvent& event);
   void on_enter();
+  void run_ended(int exit_status, const std::string& result);
+  void begin_serving();
+  void serve(const LiveEvent& event);
   void take_signals();
   void end(int exit_status, const std::string& result);
   void write_figures();
@@ -78,6 +82,7 @@ struct Supervisor::State {
   bool stats_written = false, stats_failed = false;
   bool ending = false;
   int status = 1;
+  int stay_status = 0;  // of the last run, for who stays
 };
 
 Supervisor::Supervisor(const SupervisorSettings& settings, LiveCycle& cycle,
@@ -95,6 +100,10 @@ int Supervisor::State::run() {
   figures.grants = settings.process_grants;
   began_ns = loop::monotonic_now();
   if (settings.recording != nullptr) sinks.push_back(settings.recording);
+  if (settings.server != nullptr) {
+    sinks.push_back(settings.server);
+    figures.page = settings.server->url();
+  }
   take_signals();
   if (!settings.camera.listen.empty()) {
     camera = std::make_unique<CameraPort>(
@@ -109,6 +118,7 @@ int Supervisor::State::run() {
   try {
     tick();
     log.grants(figures.grants);
+    begin_serving();
     context.run();
   } catch (...) {
     // The port must outlive the loop that uses it.
@@ -127,6 +137,24 @@ int Supervisor::State::run() {
   return status;
 }
 
+void Supervisor::State::begin_serving() {
+  if (settings.server == nullptr) return;
+  settings.controls->set_grants(figures.grants);
+  settings.server->start();
+  if (!settings.server->note().empty()) log.warn(settings.server->note());
+  log.info("page: " + settings.server->url());
+}
+
+void Supervisor::State::serve(const LiveEvent& event) {
+  if (settings.server == nullptr) return;
+  if (acknowledges_stop(event)) settings.server->stop_answered(event.at_ns);
+  for (const publish::Event& words : words_for(event)) settings.server->take(words);
+  if (event.kind == LiveEvent::Kind::kSession)
+    settings.controls->set_port(
+        {connector.path(), connector.physical(),
+         event.hello.boot_nonce == 0 ? std::string() : firmware_text(event.hello)});
+}
+
 void Supervisor::State::take_signals() {
   // Who closes the log must not end a run without a disarm.
   std::signal(SIGPIPE, SIG_IGN);
@@ -142,7 +170,8 @@ void Supervisor::State::take_signals() {
   signals.async_wait([this](const boost::system::error_code& error, int signal) {
     if (error) return;
     log.info(signal == SIGINT ? "SIGINT" : signal == SIGHUP ? "SIGHUP" : "SIGTERM");
-    end(1, "interrupted");
+    const bool under_way = run_state == RunState::kArming || run_state == RunState::kRunning;
+    end(settings.stay && !under_way ? stay_status : 1, "interrupted");
   });
 }
 
@@ -182,6 +211,7 @@ void Supervisor::State::take_events() {
     // What ends the program is said once, by the error.
     if (event.kind == LiveEvent::Kind::kSession) fail_early(event);
     log.event(event);
+    serve(event);
     if (event.kind == LiveEvent::Kind::kRunState) {
       on_run_state(event);
     } else {
@@ -243,10 +273,17 @@ void Supervisor::State::on_session_state(SessionState next) {
 
 void Supervisor::State::on_run_state(const LiveEvent& event) {
   run_state = event.to;
-  if (event.to == RunState::kFinished) end(0, "completed");
+  if (event.to == RunState::kFinished) run_ended(0, "completed");
   if (event.to != RunState::kAborted) return;
   figures.faults = event.faults;
-  if ((event.faults & kRecoverable) == 0) end(1, "aborted");
+  if ((event.faults & kRecoverable) == 0) run_ended(1, "aborted");
+}
+
+void Supervisor::State::run_ended(int exit_status, const std::string& result) {
+  if (!settings.stay) return end(exit_status, result);
+  stay_status = exit_status;
+  figures.result = result;
+  log.info(result + "; press Enter, or start from the page, to drive again");
 }
 
 void Supervisor::State::on_enter() {
@@ -254,6 +291,7 @@ void Supervisor::State::on_enter() {
   if (run_state == RunState::kArming || run_state == RunState::kRunning) {
     log.warn("Enter: STOP");
     cycle.request(OperatorRequest::kStop);
+    if (settings.server != nullptr) settings.server->stop_pressed("keyboard");
   } else if (session == SessionState::kReady) {
     cycle.request(OperatorRequest::kStart);
   } else {
@@ -263,6 +301,7 @@ void Supervisor::State::on_enter() {
 
 void Supervisor::State::end(int exit_status, const std::string& result) {
   if (std::exchange(ending, true)) return;
+  if (settings.controls != nullptr) settings.controls->end();
   status = exit_status;
   figures.result = result;
   connector.stop();

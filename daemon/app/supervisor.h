@@ -9,10 +9,12 @@
 
 #include "app/configuration.h"
 #include "app/connector.h"
+#include "app/live_controls.h"
 #include "app/live_cycle.h"
 #include "app/live_recording.h"
 #include "app/world_run.h"
 #include "loop/fixed_rate_loop.h"
+#include "publish/server.h"
 #include "publish/sink.h"
 
 namespace tp100::app {
@@ -29,6 +31,9 @@ struct SupervisorSettings {
   std::string setup;
   std::vector<loop::Grant> process_grants;
   LiveRecording* recording = nullptr;  ///< gets every step; must outlive the supervisor
+  bool stay = false;                   ///< a run that is over does not end the program
+  publish::Server* server = nullptr;   ///< null: none; started and fed here
+  LiveControls* controls = nullptr;    ///< of the server
 };
 
 class Supervisor {

@@ -29,6 +29,13 @@ class Histogram {
                         : static_cast<double>(sum_.load(std::memory_order_relaxed)) /
                               static_cast<double>(count());
   }
+  /// How many values lie below `ns`, up to the width of a bucket.
+  std::uint64_t count_below(std::uint64_t ns) const {
+    std::uint64_t seen = 0;
+    for (std::size_t i = 0; i < kBuckets && upper(i) < ns; ++i)
+      seen += buckets_[i].load(std::memory_order_relaxed);
+    return seen;
+  }
   /// Upper bound of the bucket that holds the value below which `fraction` (0..1) of all lie [ns].
   std::uint64_t percentile(double fraction) const {
     const auto wanted = static_cast<std::uint64_t>(fraction * static_cast<double>(count()));

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "core/error.h"
@@ -48,6 +50,17 @@ void wait_for(const fs::path& link, Child& robot) {
   throw SetupError("tp100-sim robot did not come up within 5 s; run it by hand to see why");
 }
 
+/// Address of the page that a daemon serves, from its figures; empty: it serves none.
+std::string page_of(const fs::path& stats, Child& daemon) {
+  for (int i = 0; i < 100 && daemon.running(); ++i) {
+    std::ifstream file(stats);
+    const auto json = nlohmann::json::parse(file, nullptr, false);
+    if (json.is_object()) return json.value("page", "");
+    std::this_thread::sleep_for(50ms);
+  }
+  return {};
+}
+
 }  // namespace
 
 int run_demo(const DemoCommand& command) {
@@ -69,8 +82,13 @@ int run_demo(const DemoCommand& command) {
                std::to_string(command.options.seed)},
               command.headless);
   wait_for(link, robot);
-  Child bridge({daemon, "run", "--port", link, "--course", command.course, "--robot", robot_name},
+  const fs::path stats = folder.path() / "stats.json";
+  Child bridge({daemon, "run", "--port", link, "--course", command.course, "--robot", robot_name,
+                "--stats", stats.string()},
                command.headless);
+  const std::string page = page_of(stats, bridge);
+  if (!page.empty()) std::printf("demo: watch it at %s\n", page.c_str());
+  std::fflush(stdout);
   const int status = bridge.wait();
   std::printf("demo: live run %s\n\n", status == 0 ? "completed" : "failed");
   std::printf(

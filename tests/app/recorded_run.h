@@ -13,8 +13,8 @@
 
 namespace tp100::app {
 
-/// Two seconds of course 1-curve, 200 steps a second; after one a parameter changes. `edit` may change a record on its way, or
-/// leave it out by returning false.
+/// Two seconds of course 1-curve, 200 steps a second; after one a parameter changes. `edit` may
+/// change a record on its way, or leave it out by returning false.
 inline void record_run(
     const std::string& path,
     const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },

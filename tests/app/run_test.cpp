@@ -10,6 +10,7 @@
 #include <memory>
 #include <sstream>
 
+#include "../publish/web_client.h"
 #include "core/error.h"
 #include "link/transport.h"
 #include "pty_robot.h"
@@ -29,7 +30,8 @@ class Run : public ::testing::Test {
     // Ordinary scheduling: the tests of a whole machine run at once.
     std::ofstream(folder_ / "config.toml")
         << "[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n"
-           "[link]\nfirst_frame_timeout_ms = 700\n";
+           "[link]\nfirst_frame_timeout_ms = 700\n"
+           "[server]\nlisten = \"127.0.0.1:0\"\n";
     options_.config = (folder_ / "config.toml").string();
     options_.port = port().string();
     options_.stats = stats_path().string();
@@ -65,6 +67,18 @@ class Run : public ::testing::Test {
     std::ostringstream text;
     text << std::ifstream(stats_path()).rdbuf();
     return text.str();
+  }
+  // Port of the page, once it is served.
+  std::string page() const {
+    static const std::string kBefore = "http://127.0.0.1:";
+    for (int i = 0; i < 4000; ++i) {
+      const std::string text = stats();
+      const std::size_t at = text.find(kBefore), end = text.find('/', at + kBefore.size());
+      if (end != std::string::npos && at != std::string::npos)
+        return text.substr(at + kBefore.size(), end - at - kBefore.size());
+      std::this_thread::sleep_for(5ms);
+    }
+    throw std::runtime_error("no page is served");
   }
   bool eventually(const std::function<bool(const ScriptedRobot&)>& condition) {
     for (int i = 0; i < 4000; ++i) {
@@ -224,6 +238,69 @@ TEST_F(Run, SurvivesManyUnpluggings) {
             }),
             1);
   EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 5"));
+}
+
+TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
+  options_.course = "1-straight";
+  options_.stay = true;
+  robot_->plug_in();
+  std::string pose, stopped, started;
+  EXPECT_EQ(run([&] {
+              eventually(driven);
+              publish::WebClient viewer(page());
+              viewer.subscribe(publish::Channel::kPoseOdometry);
+              pose = viewer.read_until("\"frame_id\"");
+              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              viewer.call(3);
+              stopped = viewer.read_until("\"acknowledged\"");
+              viewer.subscribe(publish::Channel::kState);
+              viewer.read_until("\"can\":{\"start\":true");
+              std::this_thread::sleep_for(200ms);
+              // A stream of commands never arms again; only a start does.
+              EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) {
+                return !robot.heard.stops.empty() && robot.heard.arms.empty();
+              }));
+              viewer.call(1);
+              started = viewer.read_until("\"accepted\"");
+              eventually([](const ScriptedRobot& robot) { return !robot.heard.arms.empty(); });
+            }),
+            1);
+  EXPECT_THAT(pose, HasSubstr("\"world\""));
+  EXPECT_THAT(stopped, HasSubstr("\"acknowledged\":true"));
+  EXPECT_THAT(started, HasSubstr("true"));
+  EXPECT_THAT(log_, HasSubstr("stop acknowledged"));
+}
+
+TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
+  options_.record = (folder_ / "runs").string();
+  robot_->plug_in();
+  std::string refused, ended, began, runs;
+  EXPECT_EQ(run([&] {
+              eventually(commanded);
+              const std::string port = page();
+              publish::WebClient viewer(port);
+              viewer.call(4);
+              refused = viewer.read_until("serviceCallFailure");
+              viewer.call(5);
+              ended = viewer.read_until("\"bytes\"");
+              viewer.call(4);
+              began = viewer.read_until("\"run\"");
+              runs = publish::http_get(port, "GET /api/runs HTTP/1.0\r\nHost: localhost\r\n\r\n");
+            }),
+            1);
+  EXPECT_THAT(refused, HasSubstr("running already"));
+  EXPECT_THAT(ended, HasSubstr("-poses"));
+  EXPECT_THAT(began, HasSubstr("-poses"));
+  EXPECT_THAT(runs, HasSubstr("\"kind\":\"recording\""));
+  EXPECT_THAT(runs, HasSubstr("\"active\":true"));
+  EXPECT_THAT(runs, HasSubstr("\"active\":false"));
+}
+
+TEST_F(Run, APageThatCannotBeServedIsAnErrorOfOneLine) {
+  robot_->plug_in();
+  options_.listen = "203.0.113.1:8765";
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("--listen 203.0.113.1:8765"));
 }
 
 TEST_F(Run, AStatsFileThatCannotBeWrittenIsAnError) {

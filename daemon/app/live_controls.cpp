@@ -1,0 +1,107 @@
+#include "app/live_controls.h"
+
+#include <utility>
+
+#include "app/parameter_list.h"
+#include "core/error.h"
+
+namespace tp100::app {
+namespace {
+
+constexpr const char* kBusy = "too many requests wait; try again";
+
+}  // namespace
+
+publish::Durations durations(const loop::Histogram& histogram) {
+  const auto us = [&](double fraction) {
+    return static_cast<double>(histogram.percentile(fraction)) * 1e-3;
+  };
+  return {.count = histogram.count(),
+          .mean_us = histogram.mean() * 1e-3,
+          .p50_us = us(0.5),
+          .p99_us = us(0.99),
+          .p999_us = us(0.999),
+          .max_us = static_cast<double>(histogram.max()) * 1e-3};
+}
+
+std::string LiveControls::start() {
+  const std::lock_guard lock(mutex_);
+  if (ending_) return "the daemon ends";
+  return cycle_.request(OperatorRequest::kStart) ? std::string() : kBusy;
+}
+
+std::string LiveControls::hold() {
+  return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
+}
+
+void LiveControls::stop() { cycle_.request(OperatorRequest::kStop); }
+
+std::string LiveControls::set(const publish::ParameterText& parameter,
+                              const publish::ParameterValue& value) {
+  const auto change = change_for(parameter, value);
+  if (!change) return parameter.name + " cannot be changed while the daemon runs";
+  return cycle_.change(*change) ? std::string() : kBusy;
+}
+
+std::string LiveControls::record_start(const std::string& name, std::string& run) {
+  try {
+    recording_.start(name);
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  run = recording_.figures().run;
+  return {};
+}
+
+std::string LiveControls::record_stop(publish::RecordingFigures& recorded) {
+  if (!recording_.figures().active) return "nothing is recorded";
+  recording_.stop();
+  recorded = recording_.figures();
+  return {};
+}
+
+publish::LoopFigures LiveControls::loop() {
+  const loop::LoopStatistics& statistics = loop_.statistics();
+  publish::LoopFigures out;
+  out.turns = statistics.turns.load();
+  out.overruns = statistics.overruns.load();
+  out.missed = statistics.missed.load();
+  out.without_frame = statistics.without_frame.load();
+  out.lateness = durations(statistics.lateness);
+  out.work = durations(statistics.work);
+  out.sample_age = durations(cycle_.sample_age());
+  out.lost_records = cycle_.lost_records();
+  std::uint64_t below = 0;
+  for (std::size_t i = 0; i < publish::kLatenessEdgesUs.size(); ++i) {
+    const auto edge_ns = static_cast<std::uint64_t>(publish::kLatenessEdgesUs[i]) * 1000U;
+    const std::uint64_t upto = std::max(below, statistics.lateness.count_below(edge_ns));
+    out.lateness_counts[i] = upto - std::exchange(below, upto);
+  }
+  const std::uint64_t all = statistics.lateness.count();
+  out.lateness_counts.back() = all > below ? all - below : 0;
+  const std::lock_guard lock(mutex_);
+  out.privileges = privileges_;
+  return out;
+}
+
+publish::PortFigures LiveControls::port() {
+  const std::lock_guard lock(mutex_);
+  return port_;
+}
+
+void LiveControls::set_port(publish::PortFigures port) {
+  const std::lock_guard lock(mutex_);
+  port_ = std::move(port);
+}
+
+void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
+  const std::lock_guard lock(mutex_);
+  for (const loop::Grant& grant : grants) privileges_.emplace_back(grant.what, grant.granted);
+}
+
+void LiveControls::end() {
+  const std::lock_guard lock(mutex_);
+  ending_ = true;
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,52 @@
+#pragma once
+// What viewers ask, handed to the real-time loop; and what only the loop and the ports know.
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/live_cycle.h"
+#include "app/live_recording.h"
+#include "loop/fixed_rate_loop.h"
+#include "publish/controls.h"
+
+namespace tp100::app {
+
+class LiveControls : public publish::Controls {
+ public:
+  /// All must outlive the controls.
+  LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording)
+      : cycle_(cycle), loop_(loop), recording_(recording) {}
+
+  // The server's thread.
+  std::string start() override;
+  std::string hold() override;
+  void stop() override;
+  std::string set(const publish::ParameterText& parameter,
+                  const publish::ParameterValue& value) override;
+  std::string record_start(const std::string& name, std::string& run) override;
+  std::string record_stop(publish::RecordingFigures& recorded) override;
+  publish::LoopFigures loop() override;
+  publish::PortFigures port() override;
+  publish::RecordingFigures recording() override { return recording_.figures(); }
+
+  // The supervisor's thread.
+  void set_port(publish::PortFigures port);
+  void set_grants(const std::vector<loop::Grant>& grants);
+  /// The program ends: nothing is started any more.
+  void end();
+
+ private:
+  LiveCycle& cycle_;
+  const loop::FixedRateLoop& loop_;
+  LiveRecording& recording_;
+  std::mutex mutex_;
+  publish::PortFigures port_{};
+  std::vector<std::pair<std::string, bool>> privileges_;
+  bool ending_ = false;
+};
+
+/// Figures of a histogram of nanoseconds.
+publish::Durations durations(const loop::Histogram& histogram);
+
+}  // namespace tp100::app

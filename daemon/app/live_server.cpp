@@ -1,0 +1,48 @@
+#include "app/live_server.h"
+
+#include "app/parameter_list.h"
+#include "web/bundle.h"
+
+namespace tp100::app {
+namespace {
+
+std::optional<publish::PageFile> page_file(std::string_view path) {
+  const web::File* file = web::find(path);
+  if (file == nullptr) return std::nullopt;
+  return publish::PageFile{file->mime, file->bytes, file->etag, file->encoding};
+}
+
+publish::Subject subject_of(const RunSetup& run) {
+  publish::Subject subject;
+  subject.version = TP100_VERSION;
+  subject.course = run.course;
+  subject.robot = run.robot;
+  subject.setup = bridge::to_string(run.parameters.setup);
+  subject.world = bridge::to_string(run.parameters.world.kind);
+  subject.pacing = run.configuration.loop.pacing == Pacing::kRobot ? "robot" : "host";
+  subject.rate_hz = run.configuration.loop.rate_hz;
+  return subject;
+}
+
+}  // namespace
+
+std::unique_ptr<publish::Server> make_server(const RunSetup& run,
+                                             const publish::PublishClock& clock,
+                                             LiveControls& controls) {
+  const ServerSettings& settings = run.configuration.server;
+  if (settings.listen == "off") return nullptr;
+  publish::ServerSettings out;
+  out.listen = settings.listen;
+  out.access = {publish::words(settings.hosts), publish::words(settings.origins)};
+  out.commands = settings.commands == CommandsFrom::kAll    ? publish::CommandsFrom::kAll
+                 : settings.commands == CommandsFrom::kNone ? publish::CommandsFrom::kNone
+                                                            : publish::CommandsFrom::kLocal;
+  out.max_clients = static_cast<std::size_t>(settings.max_clients);
+  out.runs_folder = run.configuration.record.directory;
+  out.page = page_file;
+  return std::make_unique<publish::Server>(std::move(out),
+                                           publish::Messages(subject_of(run), clock),
+                                           parameter_list(run.configuration, run.robot), controls);
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,18 @@
+#pragma once
+// The server of `tp100d run`: page, viewers and what they ask, joined to the live loop.
+
+#include <memory>
+#include <string>
+
+#include "app/live_controls.h"
+#include "app/run_setup.h"
+#include "publish/server.h"
+
+namespace tp100::app {
+
+/// Listens as configured; null if the server is off. Throws SetupError.
+std::unique_ptr<publish::Server> make_server(const RunSetup& run,
+                                             const publish::PublishClock& clock,
+                                             LiveControls& controls);
+
+}  // namespace tp100::app
