@@ -28,7 +28,7 @@ import { Player } from '../replay/player.ts';
 import { loadRecording } from '../replay/recording.ts';
 import type { State, Topic } from '../state/messages.ts';
 import { StopButton } from '../state/stop.ts';
-import { Store } from '../state/store.ts';
+import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
 
 const kTopics: Topic[] = [
@@ -44,9 +44,11 @@ const kTopics: Topic[] = [
   '/recording',
   '/client',
 ];
+const kResend_ms = 250;
 const kNumbers_ms = 100;
 const kPlots_ms = 50;
 const kChips_ms = 200;
+const kWindow_s = 60;
 
 const live = new Store();
 /** What the picture, the figures and the diagrams show: the robot, or a recording. The bar is always live. */
@@ -98,7 +100,11 @@ function sendStop(): void {
       stop.answered(answer?.acknowledged === true, took_ms);
     },
     () => {
-      // Not acknowledged, and the page says so; a lost connection sends it again.
+      // Refused or lost: it goes out again, now or with the next connection.
+      stop.disconnected();
+      setTimeout(() => {
+        if (stop.unsent && client.ready) sendStop();
+      }, kResend_ms);
     },
   );
 }
@@ -131,6 +137,7 @@ function backToLive(): void {
 function look(store: Store): void {
   shown = store;
   document.body.classList.toggle('replaying', store !== live);
+  plots.window_s = player === undefined ? kWindow_s : Math.min(Math.max(player.duration_s, 20), kHistory_s);
   viewport.reset();
   timeline.reset();
   histogram.reset();
@@ -205,6 +212,8 @@ function identity(): void {
   const state = live.get('/state');
   const parts = [state?.robot ?? metadata.robot, state?.setup ?? metadata.setup].filter(Boolean);
   setText(setting, parts.join(' \u00b7 '));
+  const title = state === undefined ? 'TP100' : `${state.run} \u00b7 TP100`;
+  if (document.title !== title) document.title = title;
   const kind = live.get('/link')?.kind;
   setText(badge, kind ?? '');
   setAttribute(badge, 'data-kind', kind ?? '');

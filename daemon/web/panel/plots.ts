@@ -9,6 +9,7 @@ const kPlan = { colour: palette.kPath, dash: [5, 4], width: 1.2 };
 
 export class Plots {
   readonly element = h('div', { class: 'plots' });
+  /** How much of the past is shown. */
   window_s = 60;
   private readonly plots: Plot[];
   private readonly truth: Plot;

@@ -7,10 +7,11 @@ import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
+import { fileURLToPath } from 'node:url';
 import { chromium, type Browser, type Page } from 'playwright-core';
 
 const bin = process.env.TP100_BIN ?? '';
-export const kChromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium';
+const kChromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium';
 /** Pinned, so that every run draws with the same software. */
 const kFlags = [
   '--no-sandbox',
@@ -141,9 +142,32 @@ export class Pair {
   }
 }
 
+/** Without a graphics card a browser takes every core it gets; the robot must not starve for pictures. */
 export async function openBrowser(flags: string[] = []): Promise<Browser> {
   if (!existsSync(kChromium)) throw new Error(`${kChromium} is missing; scripts/setup installs it`);
-  return chromium.launch({ executablePath: kChromium, args: [...kFlags, ...flags] });
+  return chromium.launch({ executablePath: fileURLToPath(new URL('nice_chromium', import.meta.url)), args: [...kFlags, ...flags] });
+}
+
+/** The state of the run, as the page says it. */
+export async function run(page: Page): Promise<string> {
+  return (await page.textContent('#chip-run .chip-value')) ?? '';
+}
+
+/**
+ * Waits until the run is `wanted`. On a machine that is too busy for the robot, which then stops by itself,
+ * starts again.
+ */
+export async function driveUntil(page: Page, wanted: string, limit_ms = 60_000): Promise<void> {
+  await until(
+    async () => {
+      const state = await run(page);
+      if (state === wanted) return true;
+      if (['aborted', 'idle', 'finished'].includes(state) && (await page.isEnabled('#start'))) await page.click('#start');
+      return false;
+    },
+    `the run is ${wanted}`,
+    limit_ms,
+  );
 }
 
 /** A page with everything that it complained about. */

@@ -1,6 +1,6 @@
 import type { Browser, CDPSession, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { openBrowser, openPage, Pair, until } from './programs.ts';
+import { driveUntil, openBrowser, openPage, Pair, run } from './programs.ts';
 
 /** Two hours by scripts/web soak; in the tests, what is enough to see a leak of every message. */
 const kSoak_s = Number(process.env.TP100_SOAK_S ?? 30);
@@ -49,14 +49,13 @@ describe('a page that stays open', () => {
     const { page, complaints } = await openPage(browser, pair.url);
     const cdp = await page.context().newCDPSession(page);
     await cdp.send('Performance.enable');
-    const state = async (): Promise<string> => (await page.textContent('#chip-run .chip-value')) ?? '';
-    await until(async () => (await state()) === 'running', 'running');
+    await driveUntil(page, 'running');
     await page.waitForTimeout(1000 * kWarmUp_s);
     const first = await weigh(cdp, page);
     const end_ms = performance.now() + 1000 * (kSoak_s - kWarmUp_s);
     while (performance.now() < end_ms) {
       await page.waitForTimeout(1000);
-      if ((await state()) === 'finished' && (await page.isEnabled('#start'))) await page.click('#start');
+      if ((await run(page)) !== 'running') await driveUntil(page, 'running');
     }
     const last = await weigh(cdp, page);
     console.log(`heap ${(first.heap_bytes / 1e6).toFixed(2)} -> ${(last.heap_bytes / 1e6).toFixed(2)} MB, ` +

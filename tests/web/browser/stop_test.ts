@@ -1,6 +1,6 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { openBrowser, openPage, Pair, picture, until } from './programs.ts';
+import { driveUntil, openBrowser, openPage, Pair, picture, run, until } from './programs.ts';
 
 let browser: Browser;
 let pair: Pair;
@@ -19,9 +19,8 @@ afterEach(async () => {
 });
 
 const line = async (page: Page): Promise<string> => (await page.textContent('.stop-line')) ?? '';
-const run = async (page: Page): Promise<string> => (await page.textContent('#chip-run .chip-value')) ?? '';
 const says = (page: Page, text: RegExp): Promise<boolean> => until(async () => text.test(await line(page)), `STOP says ${String(text)}`);
-const running = (page: Page): Promise<boolean> => until(async () => (await run(page)) === 'running', 'running');
+const running = (page: Page): Promise<void> => driveUntil(page, 'running');
 
 /** Presses, without letting go. */
 async function press(page: Page): Promise<void> {
@@ -34,20 +33,24 @@ const unexplained = (complaints: string[]): string[] => complaints.filter((text)
 
 describe('STOP', () => {
   it('acts on press, latches, shows the robot’s acknowledgement to every viewer, and ends with a start', async () => {
-    const [{ page, complaints }, other] = [await openPage(browser, pair.url), await openPage(browser, pair.url)];
+    const other = await openPage(browser, pair.url);
+    const { page, complaints } = await openPage(browser, pair.url);
     await running(page);
     await press(page);
     await says(page, /^robot stopped in [\d.]+ ms$/);
     await page.mouse.up();
     await pair.robot.line(/motors off: (disarm|stop)/i);
     await until(async () => (await run(page)) !== 'running', 'the run is over');
-    await says(other.page, /^robot stopped in [\d.]+ ms$/);
     await picture(page, 'stopped');
+    // A page that nobody sees draws nothing.
+    await other.page.bringToFront();
+    await says(other.page, /^robot stopped in [\d.]+ ms$/);
+    await page.bringToFront();
 
     // Latched: after a stop, a start is asked for twice.
     await until(async () => page.isEnabled('#start'), 'start is possible');
     await page.click('#start');
-    expect(await page.textContent('#start')).toBe('Really?');
+    await until(async () => (await page.textContent('#start')) === 'Really?', 'a question');
     expect(await run(page)).not.toBe('running');
     await page.click('#start');
     await running(page);
@@ -55,6 +58,8 @@ describe('STOP', () => {
 
     await other.page.keyboard.press('Space');
     await says(page, /^robot stopped in/);
+    await page.click('#tab-events');
+    await until(async () => /viewer/.test((await page.textContent('.event-list')) ?? ''), 'who pressed');
     expect([...complaints, ...other.complaints]).toEqual([]);
   });
 
