@@ -132,8 +132,8 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   reproduce_app
       ->add_option("--part", reproduce.part,
-                   "paper (reference robot), robots (all others), drawn (robots of stated ranges), "
-                   "held-out (courses that are not "
+                   "paper (reference robot), state (slopes and steps, camera noise), robots (all "
+                   "others), drawn (robots of stated ranges), held-out (courses that are not "
                    "bundled), avr (course 3 on the image) or all")
       ->type_name("PART")
       ->capture_default_str();

@@ -124,6 +124,9 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
         pose_errors(run.points, [](const TrackPoint& p) -> const Pose& { return p.fused; });
   }
   result.tracking = tracking_errors(run.points, run.shoves, path);
+  // Elsewhere the obstacles are not on the floor.
+  result.slope =
+      slope_figures(run.points, run.setup == "terrain" ? course.terrain : course::Terrain{});
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "analysis/recovery.h"
 #include "analysis/run_result.h"
+#include "analysis/slope_figures.h"
 #include "course/course.h"
 #include "course/path.h"
 
@@ -42,6 +43,7 @@ struct RunFigures {
   PoseErrors odometry{};              ///< from start to end
   std::optional<PoseErrors> fused{};  ///< from start to end, shoves included; only with a camera
   TrackingErrors tracking{};
+  SlopeFigures slope{};
 };
 
 /// Which pose of a point is judged.

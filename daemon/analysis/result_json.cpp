@@ -43,6 +43,33 @@ Json json_of(const TrackingErrors& errors) {
           {"false_alarms", errors.false_alarms}};
 }
 
+const char* name_of(Slope slope) {
+  return slope == Slope::kFlat ? "flat" : slope == Slope::kUp ? "up" : "down";
+}
+
+Json json_of(const SlopeFigures& slope) {
+  Json changes = Json::array();
+  for (const SlopeChange& change : slope.changes)
+    changes.push_back(
+        {{"at_s", change.at_s}, {"to", name_of(change.to)}, {"found_s", json_of(change.found_s)}});
+  return {{"ramp_pitch_max_error_rad", slope.ramp_pitch_max_error_rad},
+          {"ramp_pitch_rms_error_rad", slope.ramp_pitch_rms_error_rad},
+          {"changes", changes},
+          {"false_changes", slope.false_changes},
+          {"obstacles", slope.obstacles},
+          {"mistaken", slope.mistaken}};
+}
+
+Json json_of(const CameraFigures& camera) {
+  const double expected = CameraFigures::kNisDegrees;
+  const double band = camera.nis_half_band();
+  return {{"used", camera.used},
+          {"rejected", camera.rejected},
+          {"recoveries", camera.recoveries},
+          {"nis_mean", camera.nis_mean},
+          {"nis_expected", {expected - band, expected + band}}};
+}
+
 Json json_of(const LinkCounters& link) {
   return {{"samples", link.samples},
           {"lost", link.lost},
@@ -79,6 +106,8 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
   json["odometry"] = json_of(figures.odometry);
   if (figures.fused) json["fused"] = json_of(*figures.fused);
   json["tracking"] = json_of(figures.tracking);
+  json["slope"] = json_of(figures.slope);
+  if (run.has_camera) json["camera"] = json_of(run.camera);
   json["link"] = json_of(run.link);
   json["loop"] = Json::object();
   for (const auto& [name, value] : run.loop) json["loop"][name] = value;

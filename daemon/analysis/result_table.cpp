@@ -67,6 +67,23 @@ std::string recovery_rows(const TrackingErrors& tracking) {
   return text;
 }
 
+std::string camera_row(const CameraFigures& camera) {
+  return format("camera: %u samples used, %u refused; normalized innovation squared %.2f of %.0f\n",
+                camera.used, camera.rejected, camera.nis_mean, CameraFigures::kNisDegrees);
+}
+
+std::string slope_rows(const SlopeFigures& slope) {
+  if (slope.changes.empty() && slope.false_changes == 0) return {};
+  std::string text = format(
+      "IMU: pitch on ramps within %.2f deg (rms %.2f); %d false changes of the slope's state, "
+      "%d of %d obstacles mistaken\nslope passed 4 deg, found after [s]:",
+      slope.ramp_pitch_max_error_rad * kDegPerRad, slope.ramp_pitch_rms_error_rad * kDegPerRad,
+      slope.false_changes, slope.mistaken, slope.obstacles);
+  for (const SlopeChange& change : slope.changes)
+    text += change.found_s ? format(" %.2f", *change.found_s) : std::string(" never");
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string result_table(const RunResult& run, const RunFigures& figures) {
@@ -91,6 +108,8 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
       tracking.max_cross_track_m * kCmPerM, tracking.rms_cross_track_m * kCmPerM,
       tracking.max_yaw_error_rad * kDegPerRad);
   text += recovery_rows(tracking);
+  if (run.has_camera) text += camera_row(run.camera);
+  text += slope_rows(figures.slope);
   text += format("link: %llu samples, %llu lost, %llu with a wrong CRC\n\n",
                  static_cast<unsigned long long>(run.link.samples),
                  static_cast<unsigned long long>(run.link.lost),

@@ -1,6 +1,7 @@
 #pragma once
 // What a run was and what happened in it, as plain data: the input of metrics, table and JSON.
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -8,6 +9,8 @@
 
 #include "core/link_state.h"
 #include "core/pose.h"
+#include "core/slope.h"
+#include "core/underfoot.h"
 
 namespace tp100::analysis {
 
@@ -22,13 +25,28 @@ struct TrackPoint {
   Pose fused{};     ///< with the overhead camera, if the run had one
   double progress_m =
       0.0;  ///< along the path, as the controller sees it; tells crossing pieces apart
-  bool recovering = false;  ///< the controller noticed a disturbance and is not back yet
+  bool recovering = false;     ///< the controller noticed a disturbance and is not back yet
+  double imu_pitch_rad = 0.0;  ///< by the IMU, of the real body
+  Slope slope = Slope::kFlat;  ///< state told from it
+  Obstacle leans_on = Obstacle::kNone;  ///< ... and from how it rose
 };
 
 /// Time during which someone pushed the robot.
 struct ShoveWindow {
   double begin_s = 0.0;
   double end_s = 0.0;
+};
+
+/// What the pose filter did with the overhead camera's samples.
+struct CameraFigures {
+  std::uint32_t used = 0, rejected = 0, recoveries = 0;
+  std::uint32_t judged = 0;  ///< samples that count for the mean
+  double nis_mean = 0.0;     ///< kNisDegrees if noise is as assumed
+
+  static constexpr double kNisDegrees = 3.0;
+  /// Half width of the band around kNisDegrees in which the mean of independent samples lies 95
+  /// times of a hundred.
+  double nis_half_band() const { return 1.96 * std::sqrt(2.0 * kNisDegrees / judged); }
 };
 
 /// One run. `points` runs from the first to the last step of the course, ascending in time.
@@ -44,6 +62,7 @@ struct RunResult {
   std::vector<TrackPoint> points;
   std::vector<ShoveWindow> shoves;
   LinkCounters link{};
+  CameraFigures camera{};
   std::vector<std::pair<std::string, double>> loop;  ///< figures of the loop by name
 };
 

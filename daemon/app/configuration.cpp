@@ -180,13 +180,17 @@ std::span<const Key<CameraSettings>> camera_stream_keys() {
 
 std::span<const Key<estimation::CameraParameters>> camera_keys() {
   using T = estimation::CameraParameters;
-  static const std::array<Key<T>, 7> kKeys = {{
+  static const std::array<Key<T>, 8> kKeys = {{
       {"position_sd_m",
        &T::position_sd_m,
        {1e-4, 0.1},
-       "Standard deviation of the marker's place as the camera gives it"},
+       "Standard deviation of the marker's place from picture to picture"},
       {"yaw_sd_deg", &T::yaw_sd_rad, {0.01, 20}, "Same of its direction", kDeg},
       {"time_sd_ms", &T::time_sd_s, {0, 100}, "Same of its time stamps", kMs},
+      {"constant_sd_m",
+       &T::constant_sd_m,
+       {0, 0.1},
+       "Error of the place that all pictures share: added to what is published as uncertain"},
       {"height_m", &T::height_m, {0.5, 20}, "Lens above the floor; it looks straight down"},
       {"offset_x_m",
        &T::offset_x_m,

@@ -18,6 +18,7 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "estimation/attitude_filter.h"
+#include "estimation/obstacle_state.h"
 #include "estimation/odometry.h"
 #include "estimation/pose_filter.h"
 #include "estimation/slope_state.h"
@@ -82,6 +83,7 @@ struct Step::State {
         standstill(p.estimation),
         attitude(p.estimation.attitude),
         slope(p.estimation.attitude),
+        leans_on(p.shape.axle_spacing_m),
         grounds(p, course.get()),
         outer(p.world, p.setup),
         track_model(make_model(p)),
@@ -98,7 +100,8 @@ struct Step::State {
   bool gyro_steers() const { return parameters.setup != Setup::kBench; }
   Pose steering_pose() const;
   const Twist& newest_steering_twist() const;
-  void take_attitude(double dt_s);
+  void take_attitude(const Interval& step);
+  double way_m(const Interval& step) const;
   double heading_rate_radps(double body_z_radps) const;
   void take_grounds(const Interval& step);
   void take_grip(const Interval& step);
@@ -121,6 +124,7 @@ struct Step::State {
   estimation::Standstill standstill;
   estimation::AttitudeFilter attitude;
   estimation::SlopeState slope;
+  estimation::ObstacleState leans_on;
   Grounds grounds;
   OuterWorld outer;
   Grip grip;
@@ -187,13 +191,22 @@ const Twist& Step::State::newest_steering_twist() const {
   return filter.twist();
 }
 
-void Step::State::take_attitude(double dt_s) {
+/// By the belts, their usual slip taken off.
+double Step::State::way_m(const Interval& step) const {
+  return (step.belts.left_mps * (1.0 - parameters.model.slip_left) +
+          step.belts.right_mps * (1.0 - parameters.model.slip_right)) /
+         2.0 * step.dt_s;
+}
+
+void Step::State::take_attitude(const Interval& step) {
   if (sample.imu_age != 0) return;
+  const double dt_s = step.dt_s;
   // A robot is put on a level start; later rest may be on a ramp.
   if (standstill.still() && arming.state() != RunState::kRunning)
     attitude.level(sample.gyro_radps, sample.accel_mps2, dt_s);
   attitude.update(sample.gyro_radps, sample.accel_mps2, dt_s);
   slope.update(attitude.pitch_rad(), dt_s);
+  leans_on.update(attitude.pitch_rad(), slope.state(), way_m(step));
 }
 
 // Where the body leans, its own z axis is not the world's.
@@ -218,11 +231,8 @@ void Step::State::take_grip(const Interval& step) {
     return;
   }
   const Underfoot on = grounds.underfoot();
-  const double way_m = (step.belts.left_mps * (1.0 - parameters.model.slip_left) +
-                        step.belts.right_mps * (1.0 - parameters.model.slip_right)) /
-                       2.0 * step.dt_s;
   grip.update({.dt_s = step.dt_s,
-               .way_m = way_m,
+               .way_m = way_m(step),
                .fused = filter.pose(),
                .camera = filter.camera_age_s(sample.measured_ns) < kCameraNowS,
                .climbing = on.climbing,
@@ -254,7 +264,7 @@ void Step::State::take_sample(const Sample& next) {
   if (!step) return;
   interval = *step;
   const double dt = step->dt_s;
-  take_attitude(dt);
+  take_attitude(*step);
   take_grounds(*step);
   track_model.advance(step->belts.left_mps, step->belts.right_mps, dt, grounds.model());
   const double rate = heading_rate_radps(step->gyro_z_radps - standstill.bias_radps());
@@ -404,6 +414,7 @@ void Step::State::publish(HostNs now) {
   snapshot.imu_roll_rad = attitude.roll_rad();
   snapshot.imu_pitch_rad = attitude.pitch_rad();
   snapshot.imu_slope = slope.state();
+  snapshot.imu_obstacle = leans_on.state();
   snapshot.command = out.command;
   snapshot.cross_track_m = target.cross_track_m;
   snapshot.heading_error_rad = target.heading_error_rad;

@@ -37,6 +37,7 @@ struct Snapshot {
   double imu_roll_rad = 0.0;  ///< of the real body, whatever the virtual world does
   double imu_pitch_rad = 0.0;
   Slope imu_slope = Slope::kFlat;
+  Obstacle imu_obstacle = Obstacle::kNone;  ///< what leans the body, without a map
   Command command{};
   double cross_track_m = 0.0;      ///< steering pose against the path, left positive
   double heading_error_rad = 0.0;  ///< desired - actual

@@ -20,6 +20,9 @@ constexpr double kFirstS = 0.2;
 // Near the vertical there is no heading.
 constexpr double kLeastCosPitch = 0.2;
 
+constexpr double kGravityMps2 = 9.80665;
+constexpr AttitudeFilter::Vector kUpright{0.0, 0.0, kGravityMps2};
+
 double norm(const AttitudeFilter::Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
 }  // namespace
@@ -38,10 +41,10 @@ void AttitudeFilter::level(const Vector& gyro_radps, const Vector& accel_mps2, d
   // A plain mean at first, then one that forgets.
   levelled_s_ = std::min(levelled_s_ + dt_s, parameters_.level_s);
   const double share = dt_s / levelled_s_;
-  for (std::size_t i = 0; i < 3; ++i) gyro_offset_[i] += (gyro_radps[i] - gyro_offset_[i]) * share;
-  level_roll_rad_ += (roll_of(accel_mps2) - level_roll_rad_) * share;
-  level_pitch_rad_ += (pitch_of(accel_mps2) - level_pitch_rad_) * share;
-  gravity_mps2_ += (norm(accel_mps2) - gravity_mps2_) * share;
+  for (std::size_t i = 0; i < 3; ++i) {
+    gyro_offset_[i] += (gyro_radps[i] - gyro_offset_[i]) * share;
+    accel_offset_[i] += (accel_mps2[i] - kUpright[i] - accel_offset_[i]) * share;
+  }
 }
 
 void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s) {
@@ -55,11 +58,12 @@ void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, 
   const double roll_rate = wx + std::tan(pitch_rad_) * (sr * wy + cr * wz);
   roll_rad_ += roll_rate * dt_s;
   pitch_rad_ += pitch_rate_radps_ * dt_s;
-  const double off = std::abs(norm(accel_mps2) - gravity_mps2_);
-  if (off > parameters_.steady_share * gravity_mps2_) return;
+  Vector force = accel_mps2;
+  for (std::size_t i = 0; i < 3; ++i) force[i] -= accel_offset_[i];
+  if (std::abs(norm(force) - kGravityMps2) > parameters_.steady_share * kGravityMps2) return;
   const double share = dt_s / (parameters_.gravity_s + dt_s);
-  roll_rad_ += (roll_of(accel_mps2) - level_roll_rad_ - roll_rad_) * share;
-  pitch_rad_ += (pitch_of(accel_mps2) - level_pitch_rad_ - pitch_rad_) * share;
+  roll_rad_ += (roll_of(force) - roll_rad_) * share;
+  pitch_rad_ += (pitch_of(force) - pitch_rad_) * share;
 }
 
 double AttitudeFilter::yaw_rate_radps(double body_z_radps) const {

@@ -7,9 +7,9 @@
 
 namespace tp100::estimation {
 
-/// Complementary filter, z-y-x angles, nose-up pitch negative. What it reads at rest on the start
-/// counts as level: an accelerometer may be off by 3 deg. No allocation; safe in the real-time
-/// thread.
+/// Complementary filter, z-y-x angles, nose-up pitch negative. The rest on the start counts as
+/// level, and what an axis shows more or less there than gravity as its offset: an accelerometer
+/// may be off by 3 deg. No allocation; safe in the real-time thread.
 class AttitudeFilter {
  public:
   using Vector = std::array<double, 3>;
@@ -36,8 +36,7 @@ class AttitudeFilter {
   AttitudeParameters parameters_;
   double levelled_s_ = 0.0;
   Vector gyro_offset_{};
-  double level_roll_rad_ = 0.0, level_pitch_rad_ = 0.0;
-  double gravity_mps2_ = 9.80665;
+  Vector accel_offset_{};
   double roll_rad_ = 0.0, pitch_rad_ = 0.0;
   double pitch_rate_radps_ = 0.0;
   double body_y_radps_ = 0.0;

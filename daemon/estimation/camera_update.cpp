@@ -14,6 +14,10 @@ constexpr double kSameStoryM = 0.03;
 constexpr double kSameStoryRad = 10.0 * kRadPerDeg;
 // So many in a row between gate and trigger are no accident either.
 constexpr int kRejectionsInARow = 10;
+// Of the pitch while climbing a block and falling off it; the raised marker moves with it.
+constexpr double kClimbingSdRad = 3.0 * kRadPerDeg;
+// A ground's attitude is that of one end of its interval.
+constexpr double kAttitudeLateS = 0.005;
 
 }  // namespace
 
@@ -58,8 +62,11 @@ CameraVerdict CameraUpdate::apply(FilterState& state, const CameraSample& seen,
       wrap_angle(seen.yaw_rad - expected[2]);
   measured.jacobian.setZero();
   measured.jacobian.leftCols<3>().setIdentity();
-  const double place_variance =
-      square(camera_.position_sd_m) + square(twist.vx_mps * camera_.time_sd_s);
+  const double attitude_sd_rad =
+      std::hypot(ground.hold_slip ? kClimbingSdRad : 0.0, ground.tilt_radps * kAttitudeLateS);
+  const double leaning_sd_m = camera_.marker_height_m * attitude_sd_rad;
+  const double place_variance = square(camera_.position_sd_m) + square(leaning_sd_m) +
+                                square(twist.vx_mps * camera_.time_sd_s);
   const double yaw_variance =
       square(camera_.yaw_sd_rad) + square(twist.yaw_rate_radps * camera_.time_sd_s);
   measured.noise = Eigen::Vector3d(place_variance, place_variance, yaw_variance).asDiagonal();

@@ -1,5 +1,6 @@
 #include "estimation/motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimation/kalman_update.h"
@@ -14,6 +15,9 @@ constexpr double kResidualGate = 10.8;
 // Without a gyro the belts' error counts as constant for this long.
 constexpr double kBeltErrorS = 0.1;
 constexpr double kMovingMps = 0.002;
+// A body that tips over an edge moves beside its belts. Slower than this is noise of the pitch.
+constexpr double kTiltSdMRtrad = 0.01;
+constexpr double kTippingRadps = 0.1;
 
 }  // namespace
 
@@ -87,7 +91,8 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
   const double along =
       square(motion.ground.hold_slip ? noise_.obstacle_sd_m_rtm : noise_.along_sd_m_rtm) * way +
-      by_turning;
+      by_turning +
+      square(kTiltSdMRtrad) * std::max(motion.ground.tilt_radps - kTippingRadps, 0.0) * dt;
   const double across = square(noise_.across_sd_m_rtm) * way + by_turning;
   const double rate = std::abs(twist.yaw_rate_radps);
   const double yaw =

@@ -15,7 +15,8 @@ struct Ground {
   double z_m = 0.0;     ///< height and attitude of the body: they shift the marker
   double roll_rad = 0.0;
   double pitch_rad = 0.0;
-  model::Slip slip{};      ///< slip ratios to expect here
+  double tilt_radps = 0.0;  ///< how fast the pitch changes; not negative
+  model::Slip slip{};       ///< slip ratios to expect here
   bool hold_slip = false;  ///< on an obstacle: belts say nothing about the slip of the surface, and
                            ///< the way is known less well
 };

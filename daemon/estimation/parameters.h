@@ -15,8 +15,8 @@ struct FilterParameters {
   double gyro_scale_s = 1.0;      ///< ... which counts as constant for this long
   double bias_sd_radps = 0.05;    ///< turn-on bias
   double bias_walk_radps_rts = 5e-5;
-  double along_sd_m_rtm = 0.003;  ///< way, per root metre
-  double across_sd_m_rtm = 0.003;
+  double along_sd_m_rtm = 0.002;  ///< way, per root metre
+  double across_sd_m_rtm = 0.002;
   double obstacle_sd_m_rtm = 0.03;  ///< way while climbing a block, where belts slip at one end
   double turn_sd_m_rtrad = 0.002;   ///< shift of the reference point by turning, per root radian
   double slip_sd = 0.03;            ///< slip ratio around its prior
@@ -31,9 +31,10 @@ struct FilterParameters {
 
 /// What the filter believes of the overhead camera. It looks straight down.
 struct CameraParameters {
-  double position_sd_m = 0.002;
-  double yaw_sd_rad = 0.5 * kRadPerDeg;
-  double time_sd_s = 0.002;  ///< of the time stamps
+  double position_sd_m = 0.0015;  ///< from picture to picture
+  double constant_sd_m = 0.0015;  ///< of the place, the same in every picture: no mean removes it
+  double yaw_sd_rad = 0.4 * kRadPerDeg;
+  double time_sd_s = 0.001;  ///< of the time stamps
   double height_m = 2.5;     ///< of the lens above the floor
   double offset_x_m = 0.0;   ///< of the lens from the middle of the course's fence
   double offset_y_m = 0.0;
@@ -46,8 +47,8 @@ struct AttitudeParameters {
   double steady_share = 0.1;  ///< of gravity: more than this off is no gravity
   double level_s = 5.0;       ///< offsets are learned over this long
   double enter_slope_rad = 4.0 * kRadPerDeg;
-  double leave_slope_rad = 2.0 * kRadPerDeg;
-  double slope_lasts_s = 0.15;  ///< a change counts after this long
+  double leave_slope_rad = 2.5 * kRadPerDeg;
+  double slope_lasts_s = 0.12;  ///< a change counts after this long
 };
 
 struct Parameters {

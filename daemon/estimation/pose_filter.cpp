@@ -35,6 +35,7 @@ PoseFilter::PoseFilter(const model::TrackParameters& tracks, const FilterParamet
     : motion_(tracks, noise),
       camera_(camera, place),
       noise_(noise),
+      shared_sd_m_(camera.constant_sd_m),
       prior_{tracks.slip_left, tracks.slip_right} {
   StateVector sd;
   sd << noise.start_sd_m, noise.start_sd_m, noise.start_sd_rad, noise.bias_sd_radps, noise.slip_sd,
@@ -113,6 +114,8 @@ void PoseFilter::advance(const FilterInput& in) {
       .gyro_z_radps = in.gyro_z_radps,
       .gyro = in.gyro,
       .ground = in.ground};
+  if (in.dt_s > 0.0)
+    step.motion.ground.tilt_radps = std::abs(in.ground.pitch_rad - ground_.pitch_rad) / in.dt_s;
   add_to_window(step.motion);
   motion_.predict(state_, step.motion);
   motion_.measure(state_, step.motion);
@@ -166,12 +169,10 @@ bool PoseFilter::apply(const CameraSample& seen) {
   motion_.predict(state, before);
   const Twist twist = motion_.twist(state.mean, before);
   const CameraVerdict verdict = camera_.apply(state, seen, before.ground, twist, motion_);
+  // Leaving out what the gate refuses would make every noise look smaller.
+  if (camera_.nis() <= kNisTrigger) nis_.add(camera_.nis());
   if (verdict == CameraVerdict::kRejected) return false;
-  if (verdict == CameraVerdict::kRecovered) {
-    ++recoveries_;
-  } else {
-    nis_.add(camera_.nis());
-  }
+  if (verdict == CameraVerdict::kRecovered) ++recoveries_;
   ++used_;
   camera_ns_ = seen.measured_ns;
   camera_known_ = true;
@@ -202,16 +203,18 @@ double PoseFilter::camera_age_s(HostNs now) const {
 }
 
 Fused PoseFilter::fused(HostNs now) const {
+  const double shared_m2 = camera_known_ ? square(shared_sd_m_) : 0.0;
   return {.pose = pose(),
           .twist = twist_,
-          .variance_x_m2 = state_.covariance(kX, kX),
-          .variance_y_m2 = state_.covariance(kY, kY),
+          .variance_x_m2 = state_.covariance(kX, kX) + shared_m2,
+          .variance_y_m2 = state_.covariance(kY, kY) + shared_m2,
           .variance_yaw_rad2 = state_.covariance(kYaw, kYaw),
           .slip_left = state_.mean[kSlipLeft],
           .slip_right = state_.mean[kSlipRight],
           .gyro_bias_radps = state_.mean[kBias],
           .nis = camera_.nis(),
           .nis_mean = nis_.mean(),
+          .nis_count = nis_.count(),
           .camera_age_us = camera_known_ ? (now - camera_ns_) / kNsPerUs : -1,
           .camera_used = used_,
           .camera_rejected = rejected_,

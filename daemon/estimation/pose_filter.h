@@ -64,6 +64,7 @@ class PoseFilter {
   MotionModel motion_;
   CameraUpdate camera_;
   FilterParameters noise_;
+  double shared_sd_m_;
   model::Slip prior_;
   FilterState state_{};
   Twist twist_{};

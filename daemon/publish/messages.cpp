@@ -263,6 +263,7 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
       .field("roll_rad", snapshot.imu_roll_rad)
       .field("pitch_rad", snapshot.imu_pitch_rad)
       .field("slope", name_of(snapshot.imu_slope))
+      .field("leans_on", name_of(snapshot.imu_obstacle))
       .end_object()
       .field("pitch_source", name_of(snapshot.underfoot.pitch_source));
   json.key("underfoot")

@@ -144,7 +144,7 @@ void visit_fields(Visitor& v, T& command) {
 template <class Visitor, MaybeConst<Fused> T>
 void visit_fields(Visitor& v, T& fused) {
   auto& [pose, twist, variance_x, variance_y, variance_yaw, slip_left, slip_right, gyro_bias, nis,
-         nis_mean, camera_age, camera_used, camera_rejected, recoveries] = fused;
+         nis_mean, nis_count, camera_age, camera_used, camera_rejected, recoveries] = fused;
   v("pose", pose);
   v("twist", twist);
   v("variance_x_m2", variance_x);
@@ -155,6 +155,7 @@ void visit_fields(Visitor& v, T& fused) {
   v("gyro_bias_radps", gyro_bias);
   v("nis", nis);
   v("nis_mean", nis_mean);
+  v("nis_count", nis_count);
   v("camera_age_us", camera_age);
   v("camera_used", camera_used);
   v("camera_rejected", camera_rejected);
@@ -176,8 +177,8 @@ template <class Visitor, MaybeConst<Snapshot> T>
 void visit_fields(Visitor& v, T& snapshot) {
   auto& [now, sample, has_sample, age, model, model_twist, odometry, odometry_twist, fused, world,
          underfoot, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope,
-         command, cross_track, heading_error, progress, recovering, steering, run_state, faults] =
-      snapshot;
+         imu_obstacle, command, cross_track, heading_error, progress, recovering, steering,
+         run_state, faults] = snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -197,6 +198,7 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("imu_roll_rad", imu_roll);
   v("imu_pitch_rad", imu_pitch);
   v("imu_slope", imu_slope, Slope::kDown);
+  v("imu_obstacle", imu_obstacle, Obstacle::kBlock);
   v("command", command);
   v("cross_track_m", cross_track);
   v("heading_error_rad", heading_error);

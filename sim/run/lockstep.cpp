@@ -191,7 +191,10 @@ void Lockstep::record(const Snapshot& snapshot) {
                             .odometry = snapshot.odometry,
                             .fused = snapshot.fused.pose,
                             .progress_m = snapshot.progress_m,
-                            .recovering = snapshot.recovering});
+                            .recovering = snapshot.recovering,
+                            .imu_pitch_rad = snapshot.imu_pitch_rad,
+                            .slope = snapshot.imu_slope,
+                            .leans_on = snapshot.imu_obstacle});
 }
 
 void Lockstep::publish() {
@@ -281,10 +284,11 @@ analysis::RunResult Lockstep::run() {
                   {"max_step_us", static_cast<double>(longest_step_.count()) * 1e-3}};
   if (camera_) {
     const Fused& fused = cycle_.outputs().snapshot.fused;
-    result_.loop.insert(result_.loop.end(), {{"camera_used", fused.camera_used},
-                                             {"camera_rejected", fused.camera_rejected},
-                                             {"camera_recoveries", fused.recoveries},
-                                             {"camera_nis_mean", fused.nis_mean}});
+    result_.camera = {.used = fused.camera_used,
+                      .rejected = fused.camera_rejected,
+                      .recoveries = fused.recoveries,
+                      .judged = fused.nis_count,
+                      .nis_mean = fused.nis_mean};
   }
   if (world_) {
     const worlds::PeerCounters& world = world_->counters();

@@ -15,6 +15,7 @@
 #include "sim/run/held_out.h"
 #include "sim/run/options.h"
 #include "sim/run/reproduce_page.h"
+#include "sim/run/state_study.h"
 #include "terrain/climbable.h"
 
 namespace tp100::sim {
@@ -165,10 +166,10 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
 int run_reproduce(const ReproduceCommand& command) {
   const bool all = command.part == "all";
   const auto wanted = [&](const char* part) { return all || command.part == part; };
-  if (!all && command.part != "paper" && command.part != "robots" && command.part != "drawn" &&
-      command.part != "held-out" && command.part != "avr")
+  if (!all && command.part != "paper" && command.part != "state" && command.part != "robots" &&
+      command.part != "drawn" && command.part != "held-out" && command.part != "avr")
     throw SetupError("--part " + command.part +
-                     ": unknown; give paper, robots, drawn, held-out, avr or all");
+                     ": unknown; give paper, state, robots, drawn, held-out, avr or all");
   std::error_code error;
   std::filesystem::create_directories(command.out, error);
   if (error)
@@ -179,6 +180,10 @@ int run_reproduce(const ReproduceCommand& command) {
   what.runs = command.runs;
   what.seed = command.seed;
   if (wanted("paper")) drive_paper(command, what);
+  if (wanted("state")) {
+    for (const CourseStudy& study : study_state(what.reference, command.seed, command.runs))
+      what.studies.push_back(study);
+  }
   if (wanted("robots")) drive_robots(command, what);
   if (wanted("drawn")) drive_drawn(command, what);
   if (wanted("held-out")) drive_held_out(command, what);

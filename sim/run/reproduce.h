@@ -38,7 +38,7 @@ CourseStudy study(const Trial& trial, const std::string& kind, bool reference);
 
 struct ReproduceCommand {
   std::string out = "reproduce";  ///< folder
-  std::string part = "all";       ///< paper, robots, drawn, held-out, avr or all
+  std::string part = "all";       ///< paper, state, robots, drawn, held-out, avr or all
   std::uint64_t seed = 1;
   int runs = 10;
   int drawn = 10;  ///< robots to draw, each driven with one seed

@@ -55,9 +55,9 @@ std::vector<std::string> keys(const Json& json) {
 
 TEST(ResultJson, HasTheDocumentedKeysInOrder) {
   const Json json = Json::parse(result_json(a_run(), some_figures()));
-  EXPECT_THAT(keys(json),
-              ElementsAre("course", "board", "robot", "setup", "seed", "completed", "duration_s",
-                          "realtime_factor", "model", "odometry", "tracking", "link", "loop"));
+  EXPECT_THAT(keys(json), ElementsAre("course", "board", "robot", "setup", "seed", "completed",
+                                      "duration_s", "realtime_factor", "model", "odometry",
+                                      "tracking", "slope", "link", "loop"));
   const auto errors = ElementsAre("max_position_error_m", "mean_position_error_m",
                                   "rms_position_error_m", "final_position_error_m", "mse_x_m2",
                                   "mse_y_m2", "mse_yaw_rad2", "max_yaw_error_rad");
@@ -72,6 +72,9 @@ TEST(ResultJson, HasTheDocumentedKeysInOrder) {
                           "settling_s", "overshoot_m", "shortcut_m"));
   EXPECT_EQ(json["tracking"]["recovery"][0]["detection_s"], 0.03);
   EXPECT_TRUE(json["tracking"]["recovery"][1]["settling_s"].is_null());
+  EXPECT_THAT(keys(json["slope"]),
+              ElementsAre("ramp_pitch_max_error_rad", "ramp_pitch_rms_error_rad", "changes",
+                          "false_changes", "obstacles", "mistaken"));
   EXPECT_EQ(json["link"]["samples"], 8000);
   EXPECT_EQ(json["loop"]["steps"], 8250.0);
   EXPECT_EQ(json["seed"], 7);

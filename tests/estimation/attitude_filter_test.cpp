@@ -67,6 +67,29 @@ TEST(AttitudeFilter, FollowsARampWithin1AndAHalfDegrees) {
   EXPECT_LT(worst, 1.5 * kRadPerDeg);
 }
 
+// An angle that is right on the level only is wrong by a degree on a ramp.
+TEST(AttitudeFilter, OffsetsOfEveryAxisAreGoneOnASlopeToo) {
+  const auto off = [](AttitudeFilter::Vector a) {
+    return AttitudeFilter::Vector{a[0] + 0.4, a[1] - 0.3, a[2] + 0.6};
+  };
+  for (const double pitch : {-28.0 * kRadPerDeg, 28.0 * kRadPerDeg}) {
+    AttitudeFilter filter{{}};
+    for (int i = 0; i < 200; ++i) filter.level({0, 0, 0}, off(gravity(0, 0)), kDt);
+    for (int i = 0; i < 2000; ++i) filter.update({0, 0, 0}, off(gravity(0, pitch)), kDt);
+    EXPECT_NEAR(filter.pitch_rad(), pitch, 0.05 * kRadPerDeg);
+  }
+}
+
+// ... and one that is mounted askew is off by less than half a degree.
+TEST(AttitudeFilter, ASensorThatIsMountedAskewIsNearlyRightOnASlope) {
+  constexpr double kAskew = 3.0 * kRadPerDeg;
+  AttitudeFilter filter{{}};
+  for (int i = 0; i < 200; ++i) filter.level({0, 0, 0}, gravity(0, kAskew), kDt);
+  const double pitch = -28.0 * kRadPerDeg;
+  for (int i = 0; i < 2000; ++i) filter.update({0, 0, 0}, gravity(0, kAskew + pitch), kDt);
+  EXPECT_NEAR(filter.pitch_rad(), pitch, 0.5 * kRadPerDeg);
+}
+
 TEST(AttitudeFilter, ASlopeIsNotTakenForALevel) {
   AttitudeFilter filter{{}};
   for (int i = 0; i < 2000; ++i) {

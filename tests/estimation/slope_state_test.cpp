@@ -29,7 +29,7 @@ TEST(SlopeState, HoldsOnASlopeThatWaversAndLeavesItOnTheFlat) {
   SlopeState state{{}};
   for (int i = 0; i < 100; ++i) state.update(10 * kDeg, kDt);
   ASSERT_EQ(state.state(), Slope::kDown);
-  for (int i = 0; i < 400; ++i) ASSERT_EQ(state.update(2.5 * kDeg, kDt), Slope::kDown);
+  for (int i = 0; i < 400; ++i) ASSERT_EQ(state.update(3.0 * kDeg, kDt), Slope::kDown);
   for (int i = 0; i < 40; ++i) state.update(1.0 * kDeg, kDt);
   EXPECT_EQ(state.state(), Slope::kFlat);
 }

@@ -1,0 +1,88 @@
+#include "estimation/obstacle_state.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/angle.h"
+#include "estimation/slope_state.h"
+#include "model/step_climb.h"
+
+namespace tp100::estimation {
+namespace {
+
+constexpr double kDt = 0.005;
+constexpr double kSpeedMps = 0.1;
+constexpr double kSpacingM = 0.133;
+
+/// Drives a pitch through both states, as the step does.
+class Ride {
+ public:
+  void lean(double nose_up_rad) {
+    const Slope slope = slope_.update(-nose_up_rad, kDt);
+    obstacle_.update(-nose_up_rad, slope, kSpeedMps * kDt);
+    if (obstacle_.state() != Obstacle::kNone) seen = obstacle_.state();
+  }
+  void level(double duration_s) {
+    for (double t = 0.0; t < duration_s; t += kDt) lean(0.0);
+  }
+  /// On and up a ramp: the front axle first, then the whole body; without its way down.
+  void ramp(double slope_rad, double length_m) {
+    for (double s = 0.0; s < length_m; s += kSpeedMps * kDt) lean(ramp_lean(slope_rad, s));
+  }
+  static double ramp_lean(double slope_rad, double way_m) {
+    return std::min(slope_rad, std::asin(std::min(1.0, way_m * std::sin(slope_rad) / kSpacingM)));
+  }
+  Obstacle state() const { return obstacle_.state(); }
+  Slope slope() const { return slope_.state(); }
+
+  Obstacle seen = Obstacle::kNone;
+
+ private:
+  SlopeState slope_{AttitudeParameters{}};
+  ObstacleState obstacle_{kSpacingM};
+};
+
+TEST(ObstacleState, RampsOfEverySlopeAreRamps) {
+  for (double deg = 6.0; deg <= 32.0; deg += 2.0) {
+    Ride ride;
+    ride.level(0.5);
+    ride.ramp(deg * kRadPerDeg, 0.4);
+    EXPECT_EQ(ride.state(), Obstacle::kRamp) << deg;
+  }
+}
+
+TEST(ObstacleState, StepsOfEveryHeightAreSteps) {
+  for (const double height_m : {0.020, 0.025, 0.030, 0.037}) {
+    model::StepClimb climb({}, {.height_m = height_m, .depth_m = 0.1});
+    climb.reset(0.05);
+    Ride ride;
+    for (int i = 0; i < 1600; ++i) {
+      ride.lean(-climb.advance(kSpeedMps * kDt, kDt).pitch_rad);
+      if (ride.state() != Obstacle::kNone) {
+        ASSERT_EQ(ride.state(), Obstacle::kBlock) << height_m << " after " << i * kDt << " s";
+      }
+    }
+    EXPECT_EQ(ride.seen, Obstacle::kBlock) << height_m;
+    EXPECT_EQ(ride.state(), Obstacle::kNone) << "flat behind it";
+  }
+}
+
+TEST(ObstacleState, TheOtherSideBelongsToTheSameObstacle) {
+  Ride ride;
+  ride.ramp(20.0 * kRadPerDeg, 0.3);
+  ride.level(2.0);
+  EXPECT_EQ(ride.state(), Obstacle::kNone);
+  for (int i = 0; i < 200; ++i) ride.lean(-20.0 * kRadPerDeg);
+  EXPECT_EQ(ride.slope(), Slope::kDown);
+  EXPECT_EQ(ride.state(), Obstacle::kRamp);
+}
+
+TEST(ObstacleState, NoiseOfTheLevelIsNothing) {
+  Ride ride;
+  for (int i = 0; i < 4000; ++i) ride.lean(2.5 * kRadPerDeg * std::sin(i * 0.3));
+  EXPECT_EQ(ride.seen, Obstacle::kNone);
+}
+
+}  // namespace
+}  // namespace tp100::estimation
