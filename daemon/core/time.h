@@ -17,8 +17,14 @@ inline constexpr HostNs kNsPerS = 1'000'000'000;
 
 /// Nanoseconds as seconds.
 inline constexpr double to_s(HostNs ns) { return static_cast<double>(ns) * 1e-9; }
-/// Seconds as nanoseconds, rounded towards zero.
-inline constexpr HostNs from_s(double s) { return static_cast<HostNs>(s * 1e9); }
+/// Seconds as nanoseconds, rounded towards zero. What no clock has (a recording may hold any
+/// number) ends at +-2^61: sums and differences of two such times still fit.
+inline constexpr HostNs from_s(double s) {
+  constexpr double kMost = 2305843009213693952.0;
+  const double ns = s * 1e9;
+  if (!(ns > -kMost)) return static_cast<HostNs>(-kMost);
+  return static_cast<HostNs>(ns < kMost ? ns : kMost);
+}
 
 /// Extends a wrapping unsigned counter of the robot (time or sequence) to 64 bit. A value up to
 /// half a range behind the last one is an older value, not a wrap. No allocation.
