@@ -265,10 +265,17 @@ std::size_t heap() { return mallinfo2().uordblks; }
 
 // The three of the daemon's promise among 50: who never reads, who sends garbage, who sends frames
 // of 100 MB.
+// The thread sanitizer makes all of this some twenty times slower.
+#ifdef __SANITIZE_THREAD__
+constexpr int kGoodViewers = 5, kStepsAtATime = 2;
+#else
+constexpr int kGoodViewers = 47, kStepsAtATime = 20;
+#endif
+
 TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
   start();
   std::vector<WebClient> good;
-  for (int i = 0; i < 47; ++i) good.push_back(connect());
+  for (int i = 0; i < kGoodViewers; ++i) good.push_back(connect());
   for (WebClient& client : good) client.subscribe(Channel::kPoseOdometry);
   WebClient deaf = connect();
   for (std::uint32_t channel = 1; channel <= kChannelCount; ++channel)
@@ -304,7 +311,7 @@ TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
   std::size_t before = 0, most = 0;
   std::uint64_t dropped = 0;
   const bool seen = eventually([&] {
-    step(20);
+    step(kStepsAtATime);
     if (before == 0) before = heap();
     most = std::max(most, heap());
     dropped = std::max(dropped, watcher.number_after("\"dropped_total\":"));
@@ -313,12 +320,14 @@ TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
       client.drain();
       least = std::min(least, client.received());
     }
-    return dropped > 1000 && least > 20 && closed_garbage > 2 && closed_large > 2;
+    return dropped > 50U * kStepsAtATime && least > 20 && closed_garbage > 1 && closed_large > 1;
   });
   over = true;
   garbage.join();
   large.join();
   EXPECT_TRUE(seen) << dropped << " dropped, closed " << closed_garbage << " and " << closed_large;
+  for (std::size_t i = 0; i < good.size(); ++i)
+    EXPECT_GT(good[i].received(), 20U) << "viewer " << i << (good[i].closed() ? ", closed" : "");
   // Queues of 4 MiB for one deaf client, and what 50 sockets and messages under way need.
   EXPECT_LT(most - std::min(before, most), 64U << 20U);
 }
