@@ -186,7 +186,15 @@ std::span<const Key<estimation::CameraParameters>> camera_keys() {
 
 std::span<const Key<control::Parameters>> control_keys() {
   using T = control::Parameters;
-  static const std::array<Key<T>, 18> kKeys = {{
+  static const std::array<Key<T>, 29> kKeys = {{
+      {"law",
+       Choice<T>{{"stanley", "pure-pursuit", "lqr"},
+                 [](const T& c) { return static_cast<std::size_t>(c.law); },
+                 [](T& c, std::size_t i) { c.law = static_cast<control::LawName>(i); }},
+       {},
+       "How lines and arcs are steered. stanley: desired yaw from cross-track and heading error; "
+       "pure-pursuit: the circle to a point ahead; lqr: gains of a quadratic regulator for each "
+       "speed"},
       {"preview_s",
        &T::preview_s,
        {0, 1},
@@ -196,7 +204,23 @@ std::span<const Key<control::Parameters>> control_keys() {
        {0, 200},
        "Approach angle per cross-track error, before its arc tangent"},
       {"max_approach_deg", &T::max_approach_rad, {1, 80}, "Steepest approach to the path", kDeg},
+      {"pursuit_s",
+       &T::pursuit_s,
+       {0.1, 10},
+       "Pure pursuit: the point ahead lies the way of this time ahead"},
+      {"pursuit_min_m", &T::pursuit_min_m, {0.01, 2}, "Pure pursuit: but not nearer than this"},
+      {"pursuit_max_m", &T::pursuit_max_m, {0.01, 2}, "Pure pursuit: and not further than this"},
+      {"lqr_cross_track_m",
+       &T::lqr_cross_track_m,
+       {0.001, 1},
+       "LQR: cross-track error that weighs as much as the heading error and turn rate below"},
+      {"lqr_heading_deg", &T::lqr_heading_rad, {0.1, 180}, "LQR: that heading error", kDeg},
+      {"lqr_turn_radps", &T::lqr_turn_radps, {0.01, 10}, "LQR: that turn rate"},
       {"acceleration_mps2", &T::acceleration_mps2, {0.01, 5}, "Acceleration along the path"},
+      {"full_speed_radius_m",
+       &T::full_speed_radius_m,
+       {0, 10},
+       "In curves narrower than this the speed falls with the radius"},
       {"min_speed_mps", &T::min_speed_mps, {0.001, 0.3}, "Creep speed towards a stop"},
       {"pivot_rate_radps", &T::pivot_rate_radps, {0.05, 5}, "Turn rate on the spot"},
       {"pivot_acceleration_radps2",
@@ -237,6 +261,18 @@ std::span<const Key<control::Parameters>> control_keys() {
        {0.05, 10},
        "Largest difference between the yaw rates of gyro and encoders"},
       {"disagreement_s", &T::disagreement_s, {0.1, 30}, "Abort after it was larger for this long"},
+      {"push_radps",
+       &T::push_radps,
+       {0.05, 10},
+       "Difference between the yaw rates of gyro and encoders that is a push: the robot recovers"},
+      {"recovery_speed_share",
+       &T::recovery_speed_share,
+       {0.1, 1},
+       "Part of the course's speed until the robot is back on the path"},
+      {"recovery_window_m",
+       &T::recovery_window_m,
+       {0, 1},
+       "After a push the path is searched this far before and behind the last place"},
   }};
   return kKeys;
 }

@@ -9,7 +9,9 @@
 #include "bridge/grounds.h"
 #include "bridge/tracks.h"
 #include "control/arming.h"
+#include "control/belt_limits.h"
 #include "control/monitor.h"
+#include "control/recovery.h"
 #include "control/tracker.h"
 #include "core/angle.h"
 #include "core/error.h"
@@ -51,6 +53,18 @@ estimation::CameraPlace camera_place(const Parameters& parameters, const course:
   return place;
 }
 
+control::Drive drive_of(const Parameters& parameters, double speed_mps) {
+  return {.speed_mps = speed_mps,
+          .slip_angle_rad = parameters.model.slip_angle_straight_rad,
+          .limits = {.wheelbase_m = parameters.model.wheelbase_m,
+                     .slip_left = parameters.model.slip_left,
+                     .slip_right = parameters.model.slip_right,
+                     .max_track_mps = parameters.drive.max_track_mps,
+                     .yaw_kp = parameters.drive.yaw_kp,
+                     .max_yaw_radps = parameters.drive.max_yaw_radps,
+                     .x_icr_m = parameters.model.x_icr_m}};
+}
+
 /// First-order lag.
 void follow(double& value, double target, double dt_s) {
   value += (target - value) * std::min(1.0, dt_s / kSpeedLagS);
@@ -70,10 +84,11 @@ struct Step::State {
         track_model(make_model(p)),
         odometry(track_parameters(p)),
         filter(track_parameters(p), p.estimation.filter, p.estimation.camera,
-               camera_place(p, course.get())) {
+               camera_place(p, course.get())),
+        disturbance(p.control) {
     if (course == nullptr) return;
     path.emplace(*course);
-    tracker.emplace(p.control, *path, course->speed_mps, p.model.slip_angle_straight_rad);
+    tracker.emplace(p.control, *path, drive_of(p, course->speed_mps));
     monitor.emplace(p.control, course->fence, tracker->nominal_duration_s());
   }
 
@@ -107,6 +122,7 @@ struct Step::State {
   estimation::PoseFilter filter;
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
+  control::Disturbance disturbance;
   control::Arming arming;
 
   Sample sample{};
@@ -269,15 +285,16 @@ void Step::State::begin_run(HostNs now) {
   grounds.restart();
   grip.restart();
   tracker->restart();
+  disturbance.restart(filter.recoveries());
   monitor->restart();
   run_began_ns = now;
 }
 
 control::Observation Step::State::observe(HostNs now, double dt_s) const {
-  const double turn =
-      std::clamp(target.yaw_rate_radps + parameters.drive.yaw_kp * target.heading_error_rad,
-                 -parameters.drive.max_yaw_radps, parameters.drive.max_yaw_radps);
-  const double half = turn * parameters.model.wheelbase_m / 2.0;
+  const control::BeltLimits limits = drive_of(parameters, 0.0).limits;
+  const control::Belts belts = control::belts_for(
+      target.speed_mps,
+      control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits), limits);
   return {.sample = &sample,
           .pose = grounds.world(steering_pose()),
           .left_mps = left_mps,
@@ -287,8 +304,8 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .gyro_in_use = gyro_steers(),
           .immobilised = grip.state() == Traction::kImmobilised,
           .target = target,
-          .commanded_left_mps = (target.speed_mps - half) / (1.0 - parameters.model.slip_left),
-          .commanded_right_mps = (target.speed_mps + half) / (1.0 - parameters.model.slip_right),
+          .commanded_left_mps = belts.left_mps,
+          .commanded_right_mps = belts.right_mps,
           .elapsed_s = to_s(now - run_began_ns),
           .dt_s = std::min(dt_s, kLongestSeenS)};
 }
@@ -296,13 +313,19 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
 void Step::State::steer(double dt_s) {
   const Pose pose = grounds.world(steering_pose());
   if (arming.state() == RunState::kRunning) {
-    target = tracker->update(pose, steering_twist, dt_s);
+    const bool disturbed = disturbance.update(
+        {.gyro_radps = gyro_steers() ? gyro_rate_radps : 0.0,
+         .belts_radps = gyro_steers() ? encoder_rate_radps : 0.0,
+         .contradictions = parameters.steering == Steering::kFused ? filter.recoveries() : 0},
+        dt_s);
+    target = tracker->update(pose, steering_twist, dt_s, disturbed);
     return;
   }
   target.speed_mps = 0.0;
   target.yaw_rate_radps = 0.0;
   target.desired_yaw_rad = pose.yaw_rad;
   target.heading_error_rad = 0.0;
+  target.recovering = false;
 }
 
 void Step::State::command(const Inputs& in, HostNs now) {
@@ -349,6 +372,7 @@ void Step::State::publish(HostNs now) {
   snapshot.cross_track_m = target.cross_track_m;
   snapshot.heading_error_rad = target.heading_error_rad;
   snapshot.progress_m = target.progress_m;
+  snapshot.recovering = target.recovering;
   snapshot.run_state = arming.state();
   snapshot.faults = (has_sample ? sample.faults : 0) | arming.faults();
 }

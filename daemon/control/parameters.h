@@ -5,12 +5,23 @@
 
 namespace tp100::control {
 
+/// How lines and arcs are steered.
+enum class LawName { kStanley, kPurePursuit, kLqr };
+
 struct Parameters {
+  LawName law = LawName::kStanley;
   double preview_s = 0.06;             ///< loop and motor lag: the tangent is taken this much ahead
   double cross_track_gain_1pm = 16.0;  ///< k_e / (v + v_s) of the Stanley law
   double max_approach_rad = 35 * kRadPerDeg;  ///< bound of the cross-track correction
-  double acceleration_mps2 = 0.15;            ///< along the path
-  double min_speed_mps = 0.02;                ///< creep speed towards a stop
+  double pursuit_s = 0.8;                     ///< pure pursuit: look-ahead as way of this time, ...
+  double pursuit_min_m = 0.05;                ///< ... not shorter
+  double pursuit_max_m = 0.15;                ///< ... and not longer
+  double lqr_cross_track_m = 0.01;            ///< LQR: errors and turn rate that weigh the same
+  double lqr_heading_rad = 15 * kRadPerDeg;
+  double lqr_turn_radps = 0.6;
+  double acceleration_mps2 = 0.15;    ///< along the path
+  double full_speed_radius_m = 0.15;  ///< in narrower curves the speed falls with the radius
+  double min_speed_mps = 0.02;        ///< creep speed towards a stop
   double pivot_rate_radps = 0.6;
   double pivot_acceleration_radps2 = 1.5;
   double pivot_tolerance_rad = 0.9 * kRadPerDeg;
@@ -24,6 +35,9 @@ struct Parameters {
   double stall_s = 1.0;
   double disagreement_radps = 0.6;  ///< gyro against encoders
   double disagreement_s = 1.0;
+  double push_radps = 0.5;            ///< gyro against belts: someone turns the robot
+  double recovery_speed_share = 0.5;  ///< of the course's speed, until it is back
+  double recovery_window_m = 0.10;    ///< how far a push may have moved it along the path
 };
 
 }  // namespace tp100::control

@@ -19,9 +19,12 @@ constexpr double kSlowestShare = 0.25;
 
 }  // namespace
 
-Tracker::Tracker(const Parameters& parameters, const course::Path& path, double speed_mps,
-                 double slip_angle_rad)
-    : parameters_(parameters), path_(path), speed_mps_(speed_mps), slip_angle_rad_(slip_angle_rad) {
+Tracker::Tracker(const Parameters& parameters, const course::Path& path, const Drive& drive)
+    : parameters_(parameters),
+      path_(path),
+      drive_(drive),
+      law_(make_law(parameters, drive.limits)),
+      progress_(path) {
   for (const course::Piece& piece : path_.pieces()) {
     if (piece.kind == Kind::kPivot) {
       nominal_duration_s_ +=
@@ -29,48 +32,33 @@ Tracker::Tracker(const Parameters& parameters, const course::Path& path, double 
           parameters_.pivot_rate_radps / parameters_.pivot_acceleration_radps2 +
           2.0 * parameters_.settle_s;
     } else {
-      nominal_duration_s_ += piece.length_m / speed_mps_;
+      nominal_duration_s_ += piece.length_m / drive_.speed_mps;
     }
   }
-  nominal_duration_s_ += speed_mps_ / parameters_.acceleration_mps2 + parameters_.settle_s;
+  nominal_duration_s_ += drive_.speed_mps / parameters_.acceleration_mps2 + parameters_.settle_s;
   restart();
 }
 
 void Tracker::restart() {
-  index_ = 0;
-  offset_m_ = 0.0;
+  progress_.restart();
+  recovery_.restart();
   commanded_mps_ = 0.0;
+  target_ = Target{};
+  begin_piece();
+}
+
+void Tracker::begin_piece() {
   settled_s_ = 0.0;
   waited_s_ = 0.0;
   stopping_ = false;
-  pivot_rate_radps_ = 0.0;
-  target_ = Target{};
-  pivot_yaw_rad_ = path_.pieces().front().begin.yaw_rad;
+  if (progress_.piece().kind == Kind::kPivot) pivot_.begin(progress_.piece());
 }
-
-const course::Piece& Tracker::piece() const { return path_.pieces()[index_]; }
 
 void Tracker::next_piece() {
-  if (index_ + 1 == path_.pieces().size()) {
+  if (progress_.next())
+    begin_piece();
+  else
     target_.done = true;
-    return;
-  }
-  ++index_;
-  offset_m_ = 0.0;
-  settled_s_ = 0.0;
-  waited_s_ = 0.0;
-  stopping_ = false;
-  pivot_yaw_rad_ = piece().begin.yaw_rad;
-  pivot_rate_radps_ = 0.0;
-}
-
-double Tracker::left_to_stop(double offset_m) const {
-  double left = piece().length_m - offset_m;
-  for (std::size_t i = index_ + 1;
-       i < path_.pieces().size() && path_.pieces()[i].kind != Kind::kPivot; ++i) {
-    left += path_.pieces()[i].length_m;
-  }
-  return left;
 }
 
 bool Tracker::settled(const Twist& twist, bool in_tolerance, double dt_s) {
@@ -88,86 +76,101 @@ void Tracker::stand(double yaw_rad) {
   target_.desired_yaw_rad = yaw_rad;
 }
 
-const Target& Tracker::update(const Pose& pose, const Twist& twist, double dt_s) {
+const Target& Tracker::update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed) {
   if (target_.done) {
     stand(pose.yaw_rad);
     return target_;
   }
-  if (piece().kind == Kind::kPivot) {
+  if (disturbed) recovery_.begin();
+  if (progress_.piece().kind == Kind::kPivot) {
     turn(pose, twist, dt_s);
   } else {
+    // Where the robot is now may lie behind where it was.
+    if (disturbed && !stopping_)
+      progress_.reproject(pose.x_m, pose.y_m, parameters_.recovery_window_m);
     follow(pose, twist, dt_s);
   }
+  target_.recovering = recovery_.active();
   target_.heading_error_rad = wrap_angle(target_.desired_yaw_rad - pose.yaw_rad);
   return target_;
 }
 
 void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
-  offset_m_ = std::max(offset_m_, path_.project(index_, pose.x_m, pose.y_m));
-  while (offset_m_ >= piece().length_m && index_ + 1 < path_.pieces().size() &&
-         path_.pieces()[index_ + 1].kind != Kind::kPivot) {
-    next_piece();
-    offset_m_ = path_.project(index_, pose.x_m, pose.y_m);
-  }
-
-  const course::PathPoint here = path_.at(index_, offset_m_);
+  progress_.advance(pose.x_m, pose.y_m);
+  const course::PathPoint here = progress_.here();
   const double c = std::cos(here.yaw_rad);
   const double s = std::sin(here.yaw_rad);
   target_.cross_track_m = -s * (pose.x_m - here.x_m) + c * (pose.y_m - here.y_m);
   target_.progress_m = here.s_m;
+  recovery_.update(target_.cross_track_m, wrap_angle(pose.yaw_rad - here.yaw_rad), dt_s);
 
-  const double left_m = left_to_stop(offset_m_);
+  const double left_m = progress_.left_m();
   stopping_ = stopping_ || left_m <= parameters_.stop_tolerance_m;
   if (stopping_) {
     stand(pose.yaw_rad);
     if (settled(twist, true, dt_s)) next_piece();
     return;
   }
+  steer(pose, twist, here, left_m, dt_s);
+}
 
-  // The tangent ahead may lie on the next piece.
-  const double ahead_m = twist.vx_mps * parameters_.preview_s;
-  const course::PathPoint ahead = left_m > ahead_m && offset_m_ + ahead_m > piece().length_m
-                                      ? path_.at(index_ + 1, offset_m_ + ahead_m - piece().length_m)
-                                      : path_.at(index_, offset_m_ + ahead_m);
-  const double approach =
-      std::clamp(std::atan(parameters_.cross_track_gain_1pm * target_.cross_track_m),
-                 -parameters_.max_approach_rad, parameters_.max_approach_rad);
-  const double crab = ahead.curvature_1pm == 0.0 ? slip_angle_rad_ : 0.0;
-  target_.desired_yaw_rad = ahead.yaw_rad - approach - crab;
+double Tracker::speed_cap(double left_m) const {
+  double cap = drive_.speed_mps;
+  if (recovery_.active()) cap *= parameters_.recovery_speed_share;
+  cap = std::min(cap, std::sqrt(2.0 * parameters_.acceleration_mps2 * std::max(left_m, 0.0)));
+  // Slow enough for a curve where it begins.
+  const double braking_m = commanded_mps_ * commanded_mps_ / (2.0 * parameters_.acceleration_mps2);
+  const double curvature = std::max(std::abs(progress_.here().curvature_1pm),
+                                    std::abs(progress_.ahead(braking_m).curvature_1pm));
+  if (curvature * parameters_.full_speed_radius_m > 1.0)
+    cap = std::min(cap, drive_.speed_mps / (curvature * parameters_.full_speed_radius_m));
+  return std::max(cap, std::min(parameters_.min_speed_mps, drive_.speed_mps));
+}
 
-  const double error = std::abs(wrap_angle(target_.desired_yaw_rad - pose.yaw_rad));
-  double speed =
-      std::min(speed_mps_, std::sqrt(2.0 * parameters_.acceleration_mps2 * std::max(left_m, 0.0)));
-  speed *= std::max(kSlowestShare, 1.0 - error);
-  speed = std::max(speed, std::min(parameters_.min_speed_mps, speed_mps_));
-  commanded_mps_ = std::min(speed, commanded_mps_ + parameters_.acceleration_mps2 * dt_s);
-  target_.speed_mps = commanded_mps_;
-  target_.yaw_rate_radps = ahead.curvature_1pm * commanded_mps_;
+void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoint& here,
+                    double left_m, double dt_s) {
+  const double speed_mps =
+      std::min(speed_cap(left_m), commanded_mps_ + parameters_.acceleration_mps2 * dt_s);
+
+  const course::PathPoint ahead = progress_.ahead(law_->look_ahead_m(speed_mps));
+  const double c = std::cos(here.yaw_rad), s = std::sin(here.yaw_rad);
+  const double dx = ahead.x_m - here.x_m, dy = ahead.y_m - here.y_m;
+  const Steering steering = law_->steer({
+      .cross_track_m = target_.cross_track_m,
+      .heading_rad = wrap_angle(pose.yaw_rad - here.yaw_rad),
+      .yaw_rate_radps = twist.yaw_rate_radps,
+      .speed_mps = speed_mps,
+      .curvature_1pm = here.curvature_1pm,
+      .crab_rad = ahead.curvature_1pm == 0.0 ? drive_.slip_angle_rad : 0.0,
+      .ahead = {.along_m = c * dx + s * dy,
+                .left_m = -s * dx + c * dy,
+                .yaw_rad = ahead.yaw_rad - here.yaw_rad,
+                .curvature_1pm = ahead.curvature_1pm},
+  });
+  target_.desired_yaw_rad = here.yaw_rad + steering.yaw_rad;
+  const double error = wrap_angle(target_.desired_yaw_rad - pose.yaw_rad);
+
+  const double share = std::max(kSlowestShare, 1.0 - std::abs(error));
+  const double asked = turn_asked(error, steering.yaw_rate_radps, drive_.limits);
+  const double slowed = std::max(0.0, speed_within(share * speed_mps, asked, drive_.limits));
+  commanded_mps_ = slowed;
+  target_.speed_mps = slowed;
+  // What the path turns belongs to the way, and the way became shorter.
+  target_.yaw_rate_radps = speed_mps > 0.0 ? steering.yaw_rate_radps * slowed / speed_mps : 0.0;
 }
 
 void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
+  const course::Piece& piece = progress_.piece();
   commanded_mps_ = 0.0;
   target_.speed_mps = 0.0;
   target_.cross_track_m = 0.0;
-  target_.progress_m = piece().begin.s_m;
-
-  // A trapezoid in yaw: never faster than what still stops at the end.
-  const double left = piece().end.yaw_rad - pivot_yaw_rad_;
-  const double sign = left < 0.0 ? -1.0 : 1.0;
-  const double braking = std::sqrt(2.0 * parameters_.pivot_acceleration_radps2 * std::abs(left));
-  const double rate =
-      std::min({parameters_.pivot_rate_radps, braking,
-                std::abs(pivot_rate_radps_) + parameters_.pivot_acceleration_radps2 * dt_s});
-  const double turned = std::min(rate * dt_s, std::abs(left));
-  pivot_yaw_rad_ += sign * turned;
-  const bool arrived = std::abs(piece().end.yaw_rad - pivot_yaw_rad_) < 1e-4;
-  if (arrived) pivot_yaw_rad_ = piece().end.yaw_rad;
-  pivot_rate_radps_ = arrived ? 0.0 : sign * rate;
-  target_.desired_yaw_rad = pivot_yaw_rad_;
-  target_.yaw_rate_radps = pivot_rate_radps_;
-
-  const double error = std::abs(wrap_angle(pivot_yaw_rad_ - pose.yaw_rad));
-  if (arrived && settled(twist, error < parameters_.pivot_tolerance_rad, dt_s)) next_piece();
+  target_.progress_m = piece.begin.s_m;
+  pivot_.update(parameters_, dt_s);
+  target_.desired_yaw_rad = pivot_.yaw_rad();
+  target_.yaw_rate_radps = pivot_.rate_radps();
+  const double error = std::abs(wrap_angle(pivot_.yaw_rad() - pose.yaw_rad));
+  if (pivot_.arrived() && settled(twist, error < parameters_.pivot_tolerance_rad, dt_s))
+    next_piece();
 }
 
 }  // namespace tp100::control

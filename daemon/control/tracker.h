@@ -1,11 +1,15 @@
 #pragma once
-// Trajectory tracking: cross-track and heading error to desired yaw, turn rate and speed, along the
-// pieces of a path. Desired yaw is the Stanley form: the tangent a little ahead, less
-// atan(k_e e / (v + v_s)), less the slip angle.
+// Trajectory tracking along the pieces of a path: progress, speed, stops, turns on the spot and the
+// way back after a disturbance are here; how lines and arcs are steered is a law's (law.h).
 
-#include <cstddef>
+#include <memory>
 
+#include "control/belt_limits.h"
+#include "control/law.h"
 #include "control/parameters.h"
+#include "control/pivot.h"
+#include "control/progress.h"
+#include "control/recovery.h"
 #include "core/pose.h"
 #include "course/path.h"
 
@@ -13,50 +17,58 @@ namespace tp100::control {
 
 /// What the tracker asks for, and where the robot is against the path.
 struct Target {
-  double desired_yaw_rad = 0.0;  ///< unwrapped, same branch as the path's yaw
-  double yaw_rate_radps = 0.0;   ///< feed-forward
-  double speed_mps = 0.0;
+  double desired_yaw_rad = 0.0;    ///< unwrapped, same branch as the path's yaw
+  double yaw_rate_radps = 0.0;     ///< feed-forward
+  double speed_mps = 0.0;          ///< what the belts can do beside the turn, turns have priority
   double cross_track_m = 0.0;      ///< left positive
   double heading_error_rad = 0.0;  ///< desired - actual
-  double progress_m = 0.0;         ///< along the path
-  bool done = false;               ///< path completed and at rest
+  double progress_m = 0.0;  ///< along the path; goes back only when a disturbance was noticed
+  bool recovering = false;  ///< a disturbance was noticed and the robot is not back yet
+  bool done = false;        ///< path completed and at rest
 };
 
-/// Follows one path once. Progress only grows. No allocation; safe in the real-time thread.
+/// One robot on one path. SI units.
+struct Drive {
+  double speed_mps = 0.1;       ///< of the course
+  double slip_angle_rad = 0.0;  ///< crab angle to steer against on straights
+  BeltLimits limits{};
+};
+
+/// Follows one path once. No allocation after construction; safe in the real-time thread.
 class Tracker {
  public:
-  /// `path` must outlive the tracker. `slip_angle_rad`: crab angle to steer against on straights.
-  Tracker(const Parameters& parameters, const course::Path& path, double speed_mps,
-          double slip_angle_rad);
+  /// `path` must outlive the tracker.
+  Tracker(const Parameters& parameters, const course::Path& path, const Drive& drive);
 
   /// Back to the start of the path.
   void restart();
   /// One step of `dt_s` with the steering pose and twist. The pose's yaw must be on the path's
-  /// branch.
-  const Target& update(const Pose& pose, const Twist& twist, double dt_s);
+  /// branch. `disturbed`: someone pushes the robot, see Disturbance.
+  const Target& update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed = false);
 
   /// Duration of the path at nominal speed, pivots included. [s]
   double nominal_duration_s() const { return nominal_duration_s_; }
 
  private:
-  const course::Piece& piece() const;
   void next_piece();
+  void begin_piece();
   void follow(const Pose& pose, const Twist& twist, double dt_s);
+  void steer(const Pose& pose, const Twist& twist, const course::PathPoint& here, double left_m,
+             double dt_s);
   void turn(const Pose& pose, const Twist& twist, double dt_s);
-  double left_to_stop(double offset_m) const;
+  double speed_cap(double left_m) const;
   void stand(double yaw_rad);
   bool settled(const Twist& twist, bool in_tolerance, double dt_s);
 
   Parameters parameters_;
   const course::Path& path_;
-  double speed_mps_;
-  double slip_angle_rad_;
+  Drive drive_;
+  std::unique_ptr<const Law> law_;
   double nominal_duration_s_ = 0.0;
-  std::size_t index_ = 0;
-  double offset_m_ = 0.0;
+  Progress progress_;
+  Pivot pivot_;
+  Recovery recovery_;
   double commanded_mps_ = 0.0;
-  double pivot_yaw_rad_ = 0.0;
-  double pivot_rate_radps_ = 0.0;
   double settled_s_ = 0.0;
   double waited_s_ = 0.0;
   bool stopping_ = false;

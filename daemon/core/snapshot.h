@@ -40,6 +40,7 @@ struct Snapshot {
   double cross_track_m = 0.0;      ///< steering pose against the path, left positive
   double heading_error_rad = 0.0;  ///< desired - actual
   double progress_m = 0.0;         ///< along the path
+  bool recovering = false;         ///< a disturbance was noticed; not back on the path yet
   RunState run_state = RunState::kIdle;
   FaultMask faults = 0;  ///< robot's and daemon's
 };

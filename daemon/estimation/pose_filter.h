@@ -48,6 +48,8 @@ class PoseFilter {
   /// Since the last camera sample that was used was taken; infinite before the first. [s]
   double camera_age_s(HostNs now) const;
   const FilterState& state() const { return state_; }
+  /// How often since the run began the camera contradicted the estimate and was believed.
+  std::uint32_t recoveries() const { return recoveries_; }
   /// Everything to publish at host time `now`.
   Fused fused(HostNs now) const;
 

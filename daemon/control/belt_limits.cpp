@@ -1,0 +1,36 @@
+#include "control/belt_limits.h"
+
+#include <algorithm>
+
+namespace tp100::control {
+namespace {
+
+/// Half the difference of the belts' ground speeds. [m/s]
+double arc_of(double turn_radps, const BeltLimits& limits) {
+  const double most = limits.max_track_mps * (2.0 - limits.slip_left - limits.slip_right) / 2.0;
+  return std::clamp(turn_radps * limits.wheelbase_m / 2.0, -most, most);
+}
+
+}  // namespace
+
+double turn_asked(double yaw_error_rad, double feed_forward_radps, const BeltLimits& limits) {
+  return std::clamp(feed_forward_radps + limits.yaw_kp * yaw_error_rad, -limits.max_yaw_radps,
+                    limits.max_yaw_radps);
+}
+
+double speed_within(double speed_mps, double turn_radps, const BeltLimits& limits) {
+  const double arc = arc_of(turn_radps, limits);
+  const double left = limits.max_track_mps * (1.0 - limits.slip_left);
+  const double right = limits.max_track_mps * (1.0 - limits.slip_right);
+  const double slowest = std::max(arc - left, -arc - right);
+  const double fastest = std::min(arc + left, -arc + right);
+  return std::max(slowest, std::min(fastest, speed_mps));
+}
+
+Belts belts_for(double speed_mps, double turn_radps, const BeltLimits& limits) {
+  const double arc = arc_of(turn_radps, limits);
+  const double speed = speed_within(speed_mps, turn_radps, limits);
+  return {(speed - arc) / (1.0 - limits.slip_left), (speed + arc) / (1.0 - limits.slip_right)};
+}
+
+}  // namespace tp100::control

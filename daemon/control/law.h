@@ -1,0 +1,49 @@
+#pragma once
+// A steering law: where the robot is against the path, to the yaw and the turn rate that it should
+// have. Pieces, progress, turns on the spot and speed are the tracker's, the same for every law.
+
+#include <memory>
+
+#include "control/belt_limits.h"
+#include "control/parameters.h"
+
+namespace tp100::control {
+
+/// The robot against the path. Everything is in the frame of the path's nearest point: x along the
+/// tangent, y left. SI units.
+struct PathErrors {
+  double cross_track_m = 0.0;   ///< of the robot, left positive
+  double heading_rad = 0.0;     ///< robot's yaw less the tangent's, within +-pi
+  double yaw_rate_radps = 0.0;  ///< measured
+  double speed_mps = 0.0;       ///< along the path, as it will be commanded; not negative
+  double curvature_1pm = 0.0;   ///< at the nearest point, left positive
+  double crab_rad = 0.0;  ///< slip angle: the robot moves this much to the left of where it looks
+  struct {
+    double along_m = 0.0;
+    double left_m = 0.0;
+    double yaw_rad = 0.0;  ///< tangent there, unwrapped from the nearest point's
+    double curvature_1pm = 0.0;
+  } ahead{};  ///< the point of the path that lies look_ahead_m() further on
+};
+
+/// What to do: the robot's yaw loop turns with yaw_rate_radps plus its gain times the yaw error.
+struct Steering {
+  double yaw_rad = 0.0;         ///< desired, against the tangent of the nearest point
+  double yaw_rate_radps = 0.0;  ///< feed-forward
+};
+
+/// Pure: the same errors give the same steering. Any finite errors give finite steering, a desired
+/// yaw within max_approach_rad (and what the path turns up to the look-ahead) of the tangent. No
+/// allocation; safe in the real-time thread.
+class Law {
+ public:
+  virtual ~Law() = default;
+  /// Where `PathErrors::ahead` lies for this speed. [m]
+  virtual double look_ahead_m(double speed_mps) const = 0;
+  virtual Steering steer(const PathErrors& errors) const = 0;
+};
+
+/// The law that `parameters` name. Allocates, and solves what is to be solved: set-up only.
+std::unique_ptr<const Law> make_law(const Parameters& parameters, const BeltLimits& limits);
+
+}  // namespace tp100::control

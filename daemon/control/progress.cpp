@@ -1,0 +1,87 @@
+#include "control/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tp100::control {
+namespace {
+
+// More than a robot drives in a step, less than lies between two parts of a path.
+constexpr double kWindowM = 0.05;
+
+bool is_pivot(const course::Piece& piece) { return piece.kind == course::Piece::Kind::kPivot; }
+
+}  // namespace
+
+void Progress::restart() {
+  index_ = 0;
+  offset_m_ = 0.0;
+}
+
+/// True if piece `index` goes on without a stop into the one after it.
+bool Progress::joined(std::size_t index) const {
+  const auto& pieces = path_.pieces();
+  return index + 1 < pieces.size() && !is_pivot(pieces[index]) && !is_pivot(pieces[index + 1]);
+}
+
+bool Progress::next() {
+  if (index_ + 1 == path_.pieces().size()) return false;
+  ++index_;
+  offset_m_ = 0.0;
+  return true;
+}
+
+void Progress::advance(double x_m, double y_m) {
+  double most_m = offset_m_ + kWindowM;
+  offset_m_ = std::clamp(path_.project(index_, x_m, y_m), offset_m_, most_m);
+  while (offset_m_ >= piece().length_m && joined(index_)) {
+    most_m -= piece().length_m;
+    ++index_;
+    offset_m_ = std::clamp(path_.project(index_, x_m, y_m), 0.0, std::max(most_m, 0.0));
+  }
+}
+
+void Progress::reproject(double x_m, double y_m, double window_m) {
+  const double here_m = here().s_m;
+  std::size_t first = index_, last = index_;
+  while (first > 0 && joined(first - 1)) --first;
+  while (joined(last)) ++last;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first; i <= last; ++i) {
+    const course::Piece& piece = path_.pieces()[i];
+    const double from_m = std::max(here_m - window_m - piece.begin.s_m, 0.0);
+    const double to_m = std::min(here_m + window_m - piece.begin.s_m, piece.length_m);
+    if (from_m > to_m) continue;
+    const double offset_m = std::clamp(path_.project(i, x_m, y_m), from_m, to_m);
+    const course::PathPoint point = path_.at(i, offset_m);
+    const double distance_m = std::hypot(x_m - point.x_m, y_m - point.y_m);
+    if (distance_m >= nearest_m) continue;
+    nearest_m = distance_m;
+    index_ = i;
+    offset_m_ = offset_m;
+  }
+}
+
+course::PathPoint Progress::ahead(double distance_m) const {
+  std::size_t index = index_;
+  double offset_m = offset_m_ + distance_m;
+  while (offset_m > path_.pieces()[index].length_m && joined(index)) {
+    offset_m -= path_.pieces()[index].length_m;
+    ++index;
+  }
+  course::PathPoint point = path_.at(index, offset_m);
+  const double beyond_m = std::max(offset_m - path_.pieces()[index].length_m, 0.0);
+  point.s_m += beyond_m;
+  point.x_m += beyond_m * std::cos(point.yaw_rad);
+  point.y_m += beyond_m * std::sin(point.yaw_rad);
+  return point;
+}
+
+double Progress::left_m() const {
+  double left = piece().length_m - offset_m_;
+  for (std::size_t i = index_; joined(i); ++i) left += path_.pieces()[i + 1].length_m;
+  return left;
+}
+
+}  // namespace tp100::control

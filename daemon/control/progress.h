@@ -1,0 +1,41 @@
+#pragma once
+// How far along the path the robot is: which piece, and where in it.
+
+#include <cstddef>
+
+#include "course/path.h"
+
+namespace tp100::control {
+
+/// Grows only, but for reproject(). Looks for the nearest point inside a window, so that a path
+/// that comes back beside itself is not cut short. No allocation; safe in the real-time thread.
+class Progress {
+ public:
+  /// `path` must outlive this.
+  explicit Progress(const course::Path& path) : path_(path) {}
+
+  void restart();
+  const course::Piece& piece() const { return path_.pieces()[index_]; }
+  /// On to the next piece; false at the last one.
+  bool next();
+  /// To the nearest point from here on; over joints, not over a turn on the spot.
+  void advance(double x_m, double y_m);
+  /// To the nearest point at most `window_m` before or after; not over a turn on the spot.
+  void reproject(double x_m, double y_m, double window_m);
+
+  /// Where the robot is, on a line or arc.
+  course::PathPoint here() const { return path_.at(index_, offset_m_); }
+  /// The point `distance_m` on. Behind the next stop the path is thought to go straight on.
+  course::PathPoint ahead(double distance_m) const;
+  /// Way to the next turn on the spot or the end.
+  double left_m() const;
+
+ private:
+  bool joined(std::size_t index) const;
+
+  const course::Path& path_;
+  std::size_t index_ = 0;
+  double offset_m_ = 0.0;
+};
+
+}  // namespace tp100::control
