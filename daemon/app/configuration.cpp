@@ -186,7 +186,7 @@ std::span<const Key<estimation::CameraParameters>> camera_keys() {
 
 std::span<const Key<control::Parameters>> control_keys() {
   using T = control::Parameters;
-  static const std::array<Key<T>, 29> kKeys = {{
+  static const std::array<Key<T>, 30> kKeys = {{
       {"law",
        Choice<T>{{"stanley", "pure-pursuit", "lqr"},
                  [](const T& c) { return static_cast<std::size_t>(c.law); },
@@ -199,10 +199,15 @@ std::span<const Key<control::Parameters>> control_keys() {
        &T::preview_s,
        {0, 1},
        "Lag of loop and motors: the path is read this far ahead"},
-      {"cross_track_gain_1pm",
-       &T::cross_track_gain_1pm,
-       {0, 200},
-       "Approach angle per cross-track error, before its arc tangent"},
+      {"cross_track_gain_1ps",
+       &T::cross_track_gain_1ps,
+       {0, 50},
+       "Stanley: the approach angle is the arc tangent of this times the cross-track error over "
+       "the speed"},
+      {"soft_speed_mps",
+       &T::soft_speed_mps,
+       {0.001, 1},
+       "Stanley: is added to the speed there, or the approach would jump about near a stop"},
       {"max_approach_deg", &T::max_approach_rad, {1, 80}, "Steepest approach to the path", kDeg},
       {"pursuit_s",
        &T::pursuit_s,
@@ -268,7 +273,7 @@ std::span<const Key<control::Parameters>> control_keys() {
       {"recovery_speed_share",
        &T::recovery_speed_share,
        {0.1, 1},
-       "Part of the course's speed until the robot is back on the path"},
+       "After a push, part of the course's speed until the robot looks to where it should go"},
       {"recovery_window_m",
        &T::recovery_window_m,
        {0, 1},

@@ -27,6 +27,22 @@ double speed_within(double speed_mps, double turn_radps, const BeltLimits& limit
   return std::max(slowest, std::min(fastest, speed_mps));
 }
 
+double speed_along(double speed_mps, double yaw_error_rad, double curvature_1pm,
+                   const BeltLimits& limits) {
+  const auto fits = [&](double mps) {
+    const double turn = turn_asked(yaw_error_rad, curvature_1pm * mps, limits);
+    return speed_within(mps, turn, limits) >= mps;
+  };
+  if (fits(speed_mps)) return std::max(speed_mps, 0.0);
+  double good = 0.0, bad = speed_mps;
+  constexpr int kHalvings = 16;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (good + bad) / 2.0;
+    (fits(middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
 Belts belts_for(double speed_mps, double turn_radps, const BeltLimits& limits) {
   const double arc = arc_of(turn_radps, limits);
   const double speed = speed_within(speed_mps, turn_radps, limits);

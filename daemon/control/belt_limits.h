@@ -29,6 +29,12 @@ double turn_asked(double yaw_error_rad, double feed_forward_radps, const BeltLim
 /// robot turns. A turn that is too much even on the spot counts as the greatest possible one.
 double speed_within(double speed_mps, double turn_radps, const BeltLimits& limits);
 
+/// The greatest ground speed up to `speed_mps` at which the belts can do what the robot's yaw loop
+/// will ask for, if the feed-forward belongs to the way: a curve driven at half the speed needs
+/// half the turn rate. Not negative; 0 if the yaw error alone is too much.
+double speed_along(double speed_mps, double yaw_error_rad, double curvature_1pm,
+                   const BeltLimits& limits);
+
 /// Belt speeds for a ground speed and a turn rate, within the limit; the turn has priority.
 Belts belts_for(double speed_mps, double turn_radps, const BeltLimits& limits);
 

@@ -10,9 +10,10 @@ enum class LawName { kStanley, kPurePursuit, kLqr };
 
 struct Parameters {
   LawName law = LawName::kStanley;
-  double preview_s = 0.06;             ///< loop and motor lag: the tangent is taken this much ahead
-  double cross_track_gain_1pm = 16.0;  ///< k_e / (v + v_s) of the Stanley law
-  double max_approach_rad = 35 * kRadPerDeg;  ///< bound of the cross-track correction
+  double preview_s = 0.06;            ///< loop and motor lag: the tangent is taken this much ahead
+  double cross_track_gain_1ps = 3.6;  ///< Stanley: k_e
+  double soft_speed_mps = 0.05;       ///< ... and v_s: approach atan(k_e e / (v + v_s))
+  double max_approach_rad = 24 * kRadPerDeg;  ///< bound of the cross-track correction
   double pursuit_s = 0.8;                     ///< pure pursuit: look-ahead as way of this time, ...
   double pursuit_min_m = 0.05;                ///< ... not shorter
   double pursuit_max_m = 0.15;                ///< ... and not longer
@@ -36,7 +37,7 @@ struct Parameters {
   double disagreement_radps = 0.6;  ///< gyro against encoders
   double disagreement_s = 1.0;
   double push_radps = 0.5;            ///< gyro against belts: someone turns the robot
-  double recovery_speed_share = 0.5;  ///< of the course's speed, until it is back
+  double recovery_speed_share = 0.5;  ///< of the course's speed, until it looks back to the path
   double recovery_window_m = 0.10;    ///< how far a push may have moved it along the path
 };
 

@@ -8,7 +8,8 @@ namespace tp100::control {
 double Stanley::look_ahead_m(double speed_mps) const { return speed_mps * parameters_.preview_s; }
 
 Steering Stanley::steer(const PathErrors& errors) const {
-  const double gain = parameters_.cross_track_gain_1pm;
+  const double gain =
+      parameters_.cross_track_gain_1ps / (errors.speed_mps + parameters_.soft_speed_mps);
   const double wish = std::atan(gain * errors.cross_track_m);
   const double approach =
       std::clamp(wish, -parameters_.max_approach_rad, parameters_.max_approach_rad);

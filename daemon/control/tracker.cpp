@@ -16,6 +16,8 @@ constexpr double kRestRadps = 0.05;
 constexpr double kPatienceS = 2.0;
 // A large heading error slows the robot down, but never to a stop.
 constexpr double kSlowestShare = 0.25;
+// After a push the robot goes slowly until it looks to where it should go.
+constexpr double kLooksBackRad = 20.0 * kRadPerDeg;
 
 }  // namespace
 
@@ -116,7 +118,8 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
 
 double Tracker::speed_cap(double left_m) const {
   double cap = drive_.speed_mps;
-  if (recovery_.active()) cap *= parameters_.recovery_speed_share;
+  if (recovery_.active() && std::abs(target_.heading_error_rad) > kLooksBackRad)
+    cap *= parameters_.recovery_speed_share;
   cap = std::min(cap, std::sqrt(2.0 * parameters_.acceleration_mps2 * std::max(left_m, 0.0)));
   // Slow enough for a curve where it begins.
   const double braking_m = commanded_mps_ * commanded_mps_ / (2.0 * parameters_.acceleration_mps2);
@@ -129,8 +132,8 @@ double Tracker::speed_cap(double left_m) const {
 
 void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoint& here,
                     double left_m, double dt_s) {
-  const double speed_mps =
-      std::min(speed_cap(left_m), commanded_mps_ + parameters_.acceleration_mps2 * dt_s);
+  const double cap_mps = speed_cap(left_m);
+  const double speed_mps = std::min(cap_mps, commanded_mps_ + parameters_.acceleration_mps2 * dt_s);
 
   const course::PathPoint ahead = progress_.ahead(law_->look_ahead_m(speed_mps));
   const double c = std::cos(here.yaw_rad), s = std::sin(here.yaw_rad);
@@ -151,12 +154,13 @@ void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoin
   const double error = wrap_angle(target_.desired_yaw_rad - pose.yaw_rad);
 
   const double share = std::max(kSlowestShare, 1.0 - std::abs(error));
-  const double asked = turn_asked(error, steering.yaw_rate_radps, drive_.limits);
-  const double slowed = std::max(0.0, speed_within(share * speed_mps, asked, drive_.limits));
-  commanded_mps_ = slowed;
+  // What the law wants to turn belongs to the way: a slower robot turns it slower.
+  const double curvature = speed_mps > 0.0 ? steering.yaw_rate_radps / speed_mps : 0.0;
+  const double slowed =
+      speed_along(std::min(speed_mps, share * cap_mps), error, curvature, drive_.limits);
+  commanded_mps_ = speed_mps;
   target_.speed_mps = slowed;
-  // What the path turns belongs to the way, and the way became shorter.
-  target_.yaw_rate_radps = speed_mps > 0.0 ? steering.yaw_rate_radps * slowed / speed_mps : 0.0;
+  target_.yaw_rate_radps = curvature * slowed;
 }
 
 void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {

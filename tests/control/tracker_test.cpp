@@ -6,33 +6,10 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "lagging_robot.h"
 
 namespace tp100::control {
 namespace {
-
-constexpr double kDt = 0.005;
-
-course::Course make_course(std::vector<course::Segment> path) {
-  course::Course course;
-  course.name = "test";
-  course.path = std::move(path);
-  return course;
-}
-
-/// A robot that follows yaw and speed with first-order lags, as the firmware's loops do.
-struct LaggingRobot {
-  Pose pose{};
-  Twist twist{};
-  void obey(const Target& target) {
-    const double rate = std::clamp(
-        target.yaw_rate_radps + 4.0 * wrap_angle(target.desired_yaw_rad - pose.yaw_rad), -1.2, 1.2);
-    twist.yaw_rate_radps += (rate - twist.yaw_rate_radps) * kDt / 0.08;
-    twist.vx_mps += (target.speed_mps - twist.vx_mps) * kDt / 0.08;
-    pose.yaw_rad += twist.yaw_rate_radps * kDt;
-    pose.x_m += twist.vx_mps * std::cos(pose.yaw_rad) * kDt;
-    pose.y_m += twist.vx_mps * std::sin(pose.yaw_rad) * kDt;
-  }
-};
 
 struct Outcome {
   bool done = false;
@@ -44,7 +21,7 @@ struct Outcome {
 template <class EachStep>
 Outcome drive(const course::Course& course, EachStep each_step) {
   const course::Path path(course);
-  Tracker tracker(Parameters{}, path, course.speed_mps, 0.0);
+  Tracker tracker(Parameters{}, path, {.speed_mps = course.speed_mps});
   LaggingRobot robot;
   Outcome outcome;
   double progress = 0.0;
@@ -116,7 +93,7 @@ TEST(Tracker, ReturnsToThePathAfterAShove) {
 TEST(Tracker, TakesTheNominalDurationWithinATenth) {
   const course::Course course = make_course({course::Line{1.7}});
   const course::Path path(course);
-  const Tracker tracker(Parameters{}, path, course.speed_mps, 0.0);
+  const Tracker tracker(Parameters{}, path, {.speed_mps = course.speed_mps});
   const Outcome outcome = drive(course);
   EXPECT_NEAR(outcome.duration_s, tracker.nominal_duration_s(), 0.1 * tracker.nominal_duration_s());
 }
@@ -124,7 +101,7 @@ TEST(Tracker, TakesTheNominalDurationWithinATenth) {
 TEST(Tracker, RestartBeginsThePathAnew) {
   const course::Course course = make_course({course::Line{0.2}, course::Pivot{1.0}});
   const course::Path path(course);
-  Tracker tracker(Parameters{}, path, course.speed_mps, 0.0);
+  Tracker tracker(Parameters{}, path, {.speed_mps = course.speed_mps});
   LaggingRobot robot;
   for (int i = 0; i < 4000 && !tracker.update(robot.pose, robot.twist, kDt).done; ++i) {
     robot.obey(tracker.update(robot.pose, robot.twist, kDt));
