@@ -2,21 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/angle.h"
 
 namespace tp100::analysis {
 namespace {
-
-// Part of the path around the controller's progress that a pose is compared with.
-constexpr double kWindowM = 0.3;
-// At a corner, neighbouring pieces are equally near but for the few millimetres the robot stops
-// beside it.
-constexpr double kCornerM = 0.01;
-constexpr double kRecoveredM = 0.01;
-constexpr double kRecoveredRad = 3.0 * kRadPerDeg;
-constexpr double kRecoveredForS = 0.5;
 
 /// A planar motion that carries one pose onto another.
 struct Shift {
@@ -75,53 +65,6 @@ class Tally {
   PoseErrors result_{};
 };
 
-double yaw_error(const course::Piece& piece, const course::PathPoint& nearest, double yaw_rad) {
-  if (piece.kind != course::Piece::Kind::kPivot)
-    return std::abs(wrap_angle(yaw_rad - nearest.yaw_rad));
-  const double half = std::abs(piece.end.yaw_rad - piece.begin.yaw_rad) / 2.0;
-  const double middle = (piece.end.yaw_rad + piece.begin.yaw_rad) / 2.0;
-  return std::max(0.0, std::abs(wrap_angle(yaw_rad - middle)) - half);
-}
-
-struct Deviation {
-  double cross_track_m = std::numeric_limits<double>::infinity();
-  double yaw_rad = std::numeric_limits<double>::infinity();
-};
-
-Deviation deviation(const course::Path& path, const TrackPoint& point) {
-  const double from = point.progress_m - kWindowM, to = point.progress_m + kWindowM;
-  Deviation result;
-  result.cross_track_m = path.distance(point.world.x_m, point.world.y_m, from, to);
-  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
-    const course::Piece& piece = path.pieces()[i];
-    if (piece.end.s_m < from || piece.begin.s_m > to) continue;
-    const course::PathPoint near = path.at(i, path.project(i, point.world.x_m, point.world.y_m));
-    const double distance = std::hypot(near.x_m - point.world.x_m, near.y_m - point.world.y_m);
-    if (distance > result.cross_track_m + kCornerM) continue;
-    result.yaw_rad = std::min(result.yaw_rad, yaw_error(piece, near, point.world.yaw_rad));
-  }
-  if (!std::isfinite(result.yaw_rad)) result.yaw_rad = 0.0;
-  return result;
-}
-
-std::optional<double> recovery(const std::vector<TrackPoint>& points,
-                               const std::vector<Deviation>& deviations, double shoved_s,
-                               double until_s) {
-  std::optional<double> inside_since;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double t = points[i].t_s;
-    if (t < shoved_s) continue;
-    if (t >= until_s) break;
-    if (deviations[i].cross_track_m > kRecoveredM || deviations[i].yaw_rad > kRecoveredRad) {
-      inside_since.reset();
-      continue;
-    }
-    if (!inside_since) inside_since = t;
-    if (t - *inside_since >= kRecoveredForS) return *inside_since - shoved_s;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 PoseErrors pose_errors(const std::vector<TrackPoint>& points, const PoseOf& estimate) {
@@ -163,10 +106,9 @@ TrackingErrors tracking_errors(const std::vector<TrackPoint>& points,
     result.max_yaw_error_rad = std::max(result.max_yaw_error_rad, now.yaw_rad);
   }
   result.rms_cross_track_m = std::sqrt(squares / static_cast<double>(points.size()));
-  for (std::size_t i = 0; i < shoves.size(); ++i) {
-    const double until = i + 1 < shoves.size() ? shoves[i + 1].begin_s : HUGE_VAL;
-    result.recovery_s.push_back(recovery(points, deviations, shoves[i].end_s, until));
-  }
+  result.recovery = recoveries(points, deviations, shoves);
+  for (const Recovery& one : result.recovery) result.recovery_s.push_back(one.settling_s);
+  result.false_alarms = false_alarms(points, shoves);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/recovery.h"
 #include "analysis/run_result.h"
 #include "course/course.h"
 #include "course/path.h"
@@ -31,6 +32,8 @@ struct TrackingErrors {
   double max_yaw_error_rad =
       0.0;  ///< against the tangent; while turning on the spot, against the turn
   std::vector<std::optional<double>> recovery_s;  ///< per shove; nothing: never recovered
+  std::vector<Recovery> recovery;                 ///< the same shoves in full
+  int false_alarms = 0;  ///< disturbances that the controller noticed and nobody made
 };
 
 /// All figures of one run.
@@ -52,9 +55,7 @@ PoseErrors pose_errors(const std::vector<TrackPoint>& points, const PoseOf& esti
 PoseErrors pose_errors_between(const std::vector<TrackPoint>& points,
                                const std::vector<ShoveWindow>& shoves, const PoseOf& estimate);
 
-/// True path against the reference. A shove has been recovered from once the robot stays inside 1
-/// cm and 3 deg for 0.5 s; the time runs from the end of the push to the beginning of that half
-/// second.
+/// True path against the reference.
 TrackingErrors tracking_errors(const std::vector<TrackPoint>& points,
                                const std::vector<ShoveWindow>& shoves, const course::Path& path);
 

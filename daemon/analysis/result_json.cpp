@@ -18,14 +18,29 @@ Json json_of(const PoseErrors& errors) {
           {"max_yaw_error_rad", errors.max_yaw_error_rad}};
 }
 
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json json_of(const Recovery& recovery) {
+  return {{"begin_s", recovery.begin_s},
+          {"detection_s", json_of(recovery.detection_s)},
+          {"peak_cross_track_m", recovery.peak_cross_track_m},
+          {"peak_yaw_error_rad", recovery.peak_yaw_error_rad},
+          {"settling_s", json_of(recovery.settling_s)},
+          {"overshoot_m", recovery.overshoot_m},
+          {"shortcut_m", recovery.shortcut_m}};
+}
+
 Json json_of(const TrackingErrors& errors) {
   Json recovery = Json::array();
-  for (const std::optional<double>& time : errors.recovery_s)
-    recovery.push_back(time ? Json(*time) : Json(nullptr));
+  for (const std::optional<double>& time : errors.recovery_s) recovery.push_back(json_of(time));
+  Json details = Json::array();
+  for (const Recovery& one : errors.recovery) details.push_back(json_of(one));
   return {{"max_cross_track_m", errors.max_cross_track_m},
           {"rms_cross_track_m", errors.rms_cross_track_m},
           {"max_yaw_error_rad", errors.max_yaw_error_rad},
-          {"recovery_s", recovery}};
+          {"recovery_s", recovery},
+          {"recovery", details},
+          {"false_alarms", errors.false_alarms}};
 }
 
 Json json_of(const LinkCounters& link) {

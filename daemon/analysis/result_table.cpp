@@ -46,12 +46,25 @@ std::string printed_row(const PublishedErrors& p) {
          printed_cell(11, "g", p.mse_yaw) + printed_cell(8, "f", -1) + "\n";
 }
 
-std::string recoveries(const TrackingErrors& tracking) {
-  if (tracking.recovery_s.empty()) return {};
-  std::string text = "ours: back inside 1 cm and 3 deg of the path after each shove:";
-  for (const auto& time : tracking.recovery_s)
-    text += time ? format(" %.2f s", *time) : std::string(" never");
-  return text + "\n";
+std::string seconds(const std::optional<double>& time) {
+  return time ? format("%10.2f", *time) : format("%10s", "never");
+}
+
+std::string recovery_rows(const TrackingErrors& tracking) {
+  if (tracking.recovery.empty()) return {};
+  std::string text =
+      format("\n%-33s%10s%10s%10s%10s%12s%10s\n", "ours: after each shove, until back", "noticed",
+             "peak", "peak", "back", "overshoot", "shortcut");
+  text += format("%-33s%10s%10s%10s%10s%12s%10s\n", "inside 1 cm and 3 deg for 0.5 s", "[s]",
+                 "[cm]", "[deg]", "[s]", "[cm]", "[cm]");
+  for (const Recovery& one : tracking.recovery) {
+    text += format("  shove at %5.1f s%17s", one.begin_s, "") + seconds(one.detection_s);
+    text += format("%10.2f%10.1f", one.peak_cross_track_m * kCmPerM,
+                   one.peak_yaw_error_rad * kDegPerRad);
+    text += seconds(one.settling_s);
+    text += format("%12.2f%10.2f\n", one.overshoot_m * kCmPerM, one.shortcut_m * kCmPerM);
+  }
+  return text;
 }
 
 }  // namespace
@@ -77,7 +90,7 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
       "%.1f\n",
       tracking.max_cross_track_m * kCmPerM, tracking.rms_cross_track_m * kCmPerM,
       tracking.max_yaw_error_rad * kDegPerRad);
-  text += recoveries(tracking);
+  text += recovery_rows(tracking);
   text += format("link: %llu samples, %llu lost, %llu with a wrong CRC\n\n",
                  static_cast<unsigned long long>(run.link.samples),
                  static_cast<unsigned long long>(run.link.lost),

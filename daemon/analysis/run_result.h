@@ -22,6 +22,7 @@ struct TrackPoint {
   Pose fused{};     ///< with the overhead camera, if the run had one
   double progress_m =
       0.0;  ///< along the path, as the controller sees it; tells crossing pieces apart
+  bool recovering = false;  ///< the controller noticed a disturbance and is not back yet
 };
 
 /// Time during which someone pushed the robot.

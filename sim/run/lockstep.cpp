@@ -182,7 +182,8 @@ void Lockstep::record(const Snapshot& snapshot) {
                             .model = snapshot.model,
                             .odometry = snapshot.odometry,
                             .fused = snapshot.fused.pose,
-                            .progress_m = snapshot.progress_m});
+                            .progress_m = snapshot.progress_m,
+                            .recovering = snapshot.recovering});
 }
 
 void Lockstep::publish() {

@@ -36,6 +36,14 @@ RunFigures some_figures() {
   figures.model.max_position_error_m = 0.1 + 0.2;
   figures.odometry.mse_x_m2 = 1.25e-5;
   figures.tracking.recovery_s = {1.5, std::nullopt};
+  figures.tracking.recovery = {{.begin_s = 8.0,
+                                .detection_s = 0.03,
+                                .peak_cross_track_m = 0.041,
+                                .peak_yaw_error_rad = 0.25,
+                                .settling_s = 1.5,
+                                .overshoot_m = 0.002,
+                                .shortcut_m = 0.0},
+                               {.begin_s = 30.0}};
   return figures;
 }
 
@@ -55,8 +63,15 @@ TEST(ResultJson, HasTheDocumentedKeysInOrder) {
                                   "mse_y_m2", "mse_yaw_rad2", "max_yaw_error_rad");
   EXPECT_THAT(keys(json["model"]), errors);
   EXPECT_THAT(keys(json["odometry"]), errors);
-  EXPECT_THAT(keys(json["tracking"]), ElementsAre("max_cross_track_m", "rms_cross_track_m",
-                                                  "max_yaw_error_rad", "recovery_s"));
+  EXPECT_THAT(keys(json["tracking"]),
+              ElementsAre("max_cross_track_m", "rms_cross_track_m", "max_yaw_error_rad",
+                          "recovery_s", "recovery", "false_alarms"));
+  ASSERT_EQ(json["tracking"]["recovery"].size(), 2u);
+  EXPECT_THAT(keys(json["tracking"]["recovery"][0]),
+              ElementsAre("begin_s", "detection_s", "peak_cross_track_m", "peak_yaw_error_rad",
+                          "settling_s", "overshoot_m", "shortcut_m"));
+  EXPECT_EQ(json["tracking"]["recovery"][0]["detection_s"], 0.03);
+  EXPECT_TRUE(json["tracking"]["recovery"][1]["settling_s"].is_null());
   EXPECT_EQ(json["link"]["samples"], 8000);
   EXPECT_EQ(json["loop"]["steps"], 8250.0);
   EXPECT_EQ(json["seed"], 7);
@@ -108,7 +123,10 @@ TEST(ResultTable, ShowsThePrintedValuesAndWhatIsOurs) {
   EXPECT_THAT(text, HasSubstr("0.1854"));
   EXPECT_THAT(text, HasSubstr("are ours: the paper does not print them"));
   EXPECT_THAT(text, HasSubstr("shown, not compared"));
-  EXPECT_THAT(text, HasSubstr("1.50 s never"));
+  EXPECT_THAT(
+      text, HasSubstr("shove at   8.0 s                       0.03      4.10      14.3      1.50"));
+  EXPECT_THAT(
+      text, HasSubstr("shove at  30.0 s                      never      0.00       0.0     never"));
   RunResult curve = a_run();
   curve.course = "1-curve";
   curve.shoves.clear();
