@@ -62,7 +62,7 @@ control::Drive drive_of(const Parameters& parameters, double speed_mps) {
                      .max_track_mps = parameters.drive.max_track_mps,
                      .yaw_kp = parameters.drive.yaw_kp,
                      .max_yaw_radps = parameters.drive.max_yaw_radps,
-                     .x_icr_m = parameters.model.x_icr_m}};
+                     .x_icr_m = parameters.model.x_icr_m + parameters.model.x_icr_spin_shift_m}};
 }
 
 /// First-order lag.

@@ -78,6 +78,16 @@ course::PathPoint Progress::ahead(double distance_m) const {
   return point;
 }
 
+const course::Piece* Progress::turn_between_lines(double room_m) const {
+  const auto& pieces = path_.pieces();
+  std::size_t last = index_;
+  while (joined(last)) ++last;
+  if (is_pivot(pieces[last]) || last + 2 >= pieces.size() || is_pivot(pieces[last + 2]))
+    return nullptr;
+  return pieces[last].length_m < room_m || pieces[last + 2].length_m < room_m ? nullptr
+                                                                              : &pieces[last + 1];
+}
+
 double Progress::left_m() const {
   double left = piece().length_m - offset_m_;
   for (std::size_t i = index_; joined(i); ++i) left += path_.pieces()[i + 1].length_m;

@@ -27,6 +27,9 @@ class Progress {
   course::PathPoint here() const { return path_.at(index_, offset_m_); }
   /// The point `distance_m` on. Behind the next stop the path is thought to go straight on.
   course::PathPoint ahead(double distance_m) const;
+  /// The turn on the spot that ends the run of lines and arcs which the robot is on, if it has
+  /// lines or arcs of at least `room_m` before and after it; or null.
+  const course::Piece* turn_between_lines(double room_m) const;
   /// Way to the next turn on the spot or the end.
   double left_m() const;
 

@@ -16,6 +16,9 @@ constexpr double kRestRadps = 0.05;
 constexpr double kPatienceS = 2.0;
 // A large heading error slows the robot down, but never to a stop.
 constexpr double kSlowestShare = 0.25;
+// A turn is rounded only between lines that are this many times longer than the turning centre's
+// distance.
+constexpr double kCornerRoom = 4.0;
 // After a push the robot goes slowly until it looks to where it should go.
 constexpr double kLooksBackRad = 20.0 * kRadPerDeg;
 
@@ -44,6 +47,7 @@ Tracker::Tracker(const Parameters& parameters, const course::Path& path, const D
 void Tracker::restart() {
   progress_.restart();
   recovery_.restart();
+  corner_ = RoundedCorner{};
   commanded_mps_ = 0.0;
   target_ = Target{};
   begin_piece();
@@ -53,7 +57,13 @@ void Tracker::begin_piece() {
   settled_s_ = 0.0;
   waited_s_ = 0.0;
   stopping_ = false;
-  if (progress_.piece().kind == Kind::kPivot) pivot_.begin(progress_.piece());
+  if (progress_.piece().kind == Kind::kPivot) {
+    pivot_.begin(progress_.piece());
+    return;
+  }
+  const double x_icr_m = drive_.limits.x_icr_m;
+  const course::Piece* turn = progress_.turn_between_lines(kCornerRoom * std::abs(x_icr_m));
+  corner_ = turn == nullptr ? RoundedCorner{} : RoundedCorner{*turn, x_icr_m};
 }
 
 void Tracker::next_piece() {
@@ -106,7 +116,7 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   target_.progress_m = here.s_m;
   recovery_.update(target_.cross_track_m, wrap_angle(pose.yaw_rad - here.yaw_rad), dt_s);
 
-  const double left_m = progress_.left_m();
+  const double left_m = progress_.left_m() - corner_.stop_before_m();
   stopping_ = stopping_ || left_m <= parameters_.stop_tolerance_m;
   if (stopping_) {
     stand(pose.yaw_rad);
@@ -172,6 +182,8 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
   pivot_.update(parameters_, dt_s);
   target_.desired_yaw_rad = pivot_.yaw_rad();
   target_.yaw_rate_radps = pivot_.rate_radps();
+  if (!pivot_.arrived())
+    target_.speed_mps = corner_.speed_mps(pose, pivot_.yaw_rad(), pivot_.rate_radps());
   const double error = std::abs(wrap_angle(pivot_.yaw_rad() - pose.yaw_rad));
   if (pivot_.arrived() && settled(twist, error < parameters_.pivot_tolerance_rad, dt_s))
     next_piece();

@@ -67,6 +67,7 @@ class Tracker {
   double nominal_duration_s_ = 0.0;
   Progress progress_;
   Pivot pivot_;
+  RoundedCorner corner_;  ///< the one that comes next, or is being turned
   Recovery recovery_;
   double commanded_mps_ = 0.0;
   double settled_s_ = 0.0;
