@@ -8,8 +8,8 @@ export default defineConfig({
   server: { fs: { strict: false } },
   test: {
     include: ['tests/web/browser/**/*_test.ts'],
-    testTimeout: 120_000,
-    hookTimeout: 60_000,
+    testTimeout: 480_000,
+    hookTimeout: 180_000,
     fileParallelism: false,
   },
 });

@@ -15,12 +15,16 @@ export const kFirstRetry_ms = 200;
 export const kLongestRetry_ms = 2000;
 /** A daemon says something at least five times a second; a socket that says nothing is dead. */
 export const kSilence_ms = 3000;
+/** A daemon that hangs may still go on; until then what was pressed waits in one place. */
+export const kOpening_ms = 10_000;
 const kWatch_ms = 500;
 
 export class Connection {
   private socket: Socket | undefined;
   private isOpen = false;
-  private heard_ms = 0;
+  /** Without a word, as far as this page was awake to hear one. */
+  private silent_ms = 0;
+  private watched_ms = 0;
   private retry_ms = kFirstRetry_ms;
   private retryTimer: ReturnType<typeof setTimeout> | undefined;
 
@@ -29,6 +33,7 @@ export class Connection {
     private readonly events: ConnectionEvents,
     private readonly now: () => number = () => performance.now(),
   ) {
+    this.watched_ms = this.now();
     setInterval(() => {
       this.watch();
     }, kWatch_ms);
@@ -57,16 +62,16 @@ export class Connection {
     this.retryTimer = undefined;
     const socket = this.make();
     this.socket = socket;
-    this.heard_ms = this.now();
+    this.silent_ms = 0;
     socket.onopen = () => {
       this.isOpen = true;
-      this.heard_ms = this.now();
+      this.silent_ms = 0;
       this.retry_ms = kFirstRetry_ms;
       this.events.opened();
     };
     socket.onmessage = (event) => {
       const data: unknown = event.data;
-      this.heard_ms = this.now();
+      this.silent_ms = 0;
       if (typeof data === 'string') this.events.text(data);
       else if (data instanceof ArrayBuffer) this.events.binary(data);
     };
@@ -76,7 +81,11 @@ export class Connection {
   }
 
   private watch(): void {
-    if (this.socket !== undefined && this.now() - this.heard_ms > kSilence_ms) this.drop();
+    // A page that was asleep, or got no processor, did not listen for longer than one turn of this watch.
+    const now_ms = this.now();
+    this.silent_ms += Math.min(now_ms - this.watched_ms, kWatch_ms);
+    this.watched_ms = now_ms;
+    if (this.socket !== undefined && this.silent_ms > (this.isOpen ? kSilence_ms : kOpening_ms)) this.drop();
   }
 
   private drop(): void {

@@ -1,22 +1,9 @@
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { openBrowser, openPage, Pair, picture, until } from './programs.ts';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { alive, drawn, goOn, picture, until, type Size } from './cockpit.ts';
+import { Setting } from './setting.ts';
 
-let pair: Pair;
-const browsers: Browser[] = [];
-async function browserWith(flags: string[] = []): Promise<Browser> {
-  const browser = await openBrowser(flags);
-  browsers.push(browser);
-  return browser;
-}
-
-beforeAll(async () => {
-  pair = await Pair.start();
-});
-afterAll(async () => {
-  for (const browser of browsers) await browser.close();
-  await pair.end();
-});
+const setting = new Setting();
 
 /** Elements that stick out to the side, unless something around them scrolls or hides it. */
 function sticksOut(): string[] {
@@ -33,82 +20,100 @@ function sticksOut(): string[] {
   return out;
 }
 
+/** One more frame than has been drawn: what follows the size of the screen has done so. */
+const frame = (page: Page): Promise<unknown> =>
+  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
+const kScreens: Size[] = [
+  { width: 360, height: 640 },
+  { width: 390, height: 844 },
+  { width: 768, height: 1024 },
+  { width: 1024, height: 600 },
+  { width: 1440, height: 900 },
+  { width: 2560, height: 1440 },
+];
+
+/** How much of the page moves within `during_ms`, and what. The event log moves by design: its newest line is on top. */
+async function shifts(page: Page, during_ms: number): Promise<string[]> {
+  return page.evaluate(
+    (wait_ms) =>
+      new Promise<string[]>((resolve) => {
+        interface Shift {
+          sources: { node: Node | null }[];
+        }
+        const moved: string[] = [];
+        new PerformanceObserver((list) => {
+          for (const entry of list.getEntries()) {
+            for (const { node } of (entry as unknown as Shift).sources) {
+              const element = node instanceof Element ? node : node?.parentElement;
+              if (element?.closest('.event-list') === null) moved.push(element.outerHTML.slice(0, 80));
+            }
+          }
+        }).observe({ type: 'layout-shift', buffered: false });
+        setTimeout(() => {
+          resolve(moved);
+        }, wait_ms);
+      }),
+    during_ms,
+  );
+}
+
 describe('the layout', () => {
-  it.each([
-    [360, 640],
-    [390, 844],
-    [768, 1024],
-    [1024, 600],
-    [1440, 900],
-    [2560, 1440],
-  ])('fits into %i x %i with STOP in sight', async (width, height) => {
-    const { page, complaints } = await openPage(browsers[0] ?? (await browserWith()), pair.url, { width, height });
-    await until(async () => (await page.textContent('#number-x')) !== '\u2013', 'figures');
-    await until(async () => ((await page.locator('.stage canvas').getAttribute('data-robot')) ?? '') !== '', 'a robot');
-    for (const tab of ['events', 'runs', 'parameters', 'link']) {
-      await page.click(`#tab-${tab}`);
-      expect(await page.evaluate(sticksOut), tab).toEqual([]);
-      const stop = await page.locator('#stop').boundingBox();
-      if (stop === null) throw new Error('no STOP');
-      expect(stop.x).toBeGreaterThanOrEqual(0);
-      expect(stop.y).toBeGreaterThanOrEqual(0);
-      expect(stop.x + stop.width).toBeLessThanOrEqual(width);
-      expect(stop.y + stop.height).toBeLessThanOrEqual(height);
-      expect(stop.width * stop.height).toBeGreaterThan(180 * 44);
-      const top = await page.evaluate(([x, y]) => document.elementFromPoint(x ?? 0, y ?? 0)?.closest('#stop') !== null, [stop.x + stop.width / 2, stop.y + stop.height / 2]);
-      expect(top, 'nothing lies over STOP').toBe(true);
+  it('fits into every screen with STOP in sight', async () => {
+    const page = await setting.open(kScreens[0]);
+    await alive(page);
+    for (const { width, height } of kScreens) {
+      await page.setViewportSize({ width, height });
+      const size = `${width} x ${height}`;
+      await until(() => page.evaluate(([w]) => document.documentElement.clientWidth === w, [width]), `the page is ${size}`);
+      await frame(page);
+      for (const tab of ['events', 'runs', 'parameters', 'link']) {
+        await page.click(`#tab-${tab}`);
+        expect(await page.evaluate(sticksOut), `${tab} in ${size}`).toEqual([]);
+        const stop = await page.locator('#stop').boundingBox();
+        if (stop === null) throw new Error('no STOP');
+        expect(stop.x, size).toBeGreaterThanOrEqual(0);
+        expect(stop.y, size).toBeGreaterThanOrEqual(0);
+        expect(stop.x + stop.width, size).toBeLessThanOrEqual(width);
+        expect(stop.y + stop.height, size).toBeLessThanOrEqual(height);
+        expect(stop.width * stop.height, size).toBeGreaterThan(180 * 44);
+        const top = await page.evaluate(
+          ([x, y]) => document.elementFromPoint(x ?? 0, y ?? 0)?.closest('#stop') !== null,
+          [stop.x + stop.width / 2, stop.y + stop.height / 2],
+        );
+        expect(top, `nothing lies over STOP in ${size}`).toBe(true);
+      }
+      await picture(page, `layout-${width}`);
     }
-    await picture(page, `layout-${width}`);
-    expect(complaints).toEqual([]);
-    await page.close();
   });
 
   it('does not move while the numbers do', async () => {
-    const { page } = await openPage(browsers[0] ?? (await browserWith()), pair.url);
-    await until(async () => (await page.textContent('#number-x')) !== '\u2013', 'figures');
-    const shift = await page.evaluate(
-      () =>
-        new Promise<number>((resolve) => {
-          let sum = 0;
-          new PerformanceObserver((list) => {
-            for (const entry of list.getEntries()) sum += (entry as PerformanceEntry & { value: number }).value;
-          }).observe({ type: 'layout-shift', buffered: false });
-          setTimeout(() => {
-            resolve(sum);
-          }, 3000);
-        }),
-    );
-    expect(shift).toBe(0);
-    await page.close();
-  });
-
-  it('has a name for everything that can be pressed, and all of it can be reached by keyboard', async () => {
-    const { page } = await openPage(browsers[0] ?? (await browserWith()), pair.url);
-    await until(async () => (await page.textContent('#number-x')) !== '\u2013', 'figures');
-    const nameless = await page.evaluate(() =>
-      [...document.querySelectorAll('button, input, select, [tabindex]')]
-        .filter((element) => ((element.getAttribute('aria-label') ?? '') + (element.getAttribute('aria-labelledby') ?? '') + element.textContent).trim() === '')
-        .map((element) => element.outerHTML.slice(0, 80)),
-    );
-    expect(nameless).toEqual([]);
-    const reached = new Set<string>();
-    for (let i = 0; i < 40; i++) {
-      await page.keyboard.press('Tab');
-      reached.add(await page.evaluate(() => document.activeElement?.id ?? ''));
-    }
-    for (const id of ['stop', 'camera-chase', 'camera-map', 'show-model', 'tab-events']) expect(reached).toContain(id);
-    await page.close();
+    const page = await setting.open();
+    await alive(page);
+    // What comes once has come: the figures of every topic, the font.
+    await until(async () => (await page.locator('.number.stale').count()) === 0, 'all figures');
+    await page.evaluate(() => document.fonts.ready);
+    const before = await page.textContent('#number-x');
+    expect(await shifts(page, 3000)).toEqual([]);
+    await until(async () => {
+      await goOn(page);
+      return (await page.textContent('#number-x')) !== before;
+    }, 'the numbers move');
   });
 });
 
 describe('without WebGL', () => {
+  const setting = new Setting({ flags: ['--disable-3d-apis'] });
+
   it('the course is a map, and the robot moves on it', async () => {
-    const { page, complaints } = await openPage(await browserWith(['--disable-3d-apis']), pair.url);
+    const page = await setting.open();
     expect(await page.getAttribute('#camera-map', 'aria-pressed')).toBe('true');
     expect(await page.isDisabled('#camera-chase')).toBe(true);
-    const robot = async (): Promise<string> => (await page.locator('.stage canvas').getAttribute('data-robot')) ?? '';
-    const first = await until(async () => (await robot()) || undefined, 'a robot');
-    await until(async () => (await robot()) !== first, 'it moves');
+    const first = await until(() => drawn(page), 'a robot');
+    await until(async () => {
+      await goOn(page);
+      return (await drawn(page))?.join() !== first.join();
+    }, 'it moves');
     const colours = await page.evaluate(() => {
       const canvas = document.querySelector<HTMLCanvasElement>('.stage canvas');
       const data = canvas?.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
@@ -118,7 +123,5 @@ describe('without WebGL', () => {
     });
     expect(colours).toBeGreaterThan(20);
     await picture(page, 'map');
-    expect(complaints).toEqual([]);
-    await page.close();
   });
 });

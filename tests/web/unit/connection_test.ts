@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { Connection, kFirstRetry_ms, kLongestRetry_ms, kSilence_ms } from '../../../daemon/web/foxglove/connection.ts';
+import { Connection, kFirstRetry_ms, kLongestRetry_ms, kOpening_ms, kSilence_ms } from '../../../daemon/web/foxglove/connection.ts';
 import { FakeSocket } from './fake_socket.ts';
 
 let sockets: FakeSocket[];
@@ -66,6 +66,25 @@ describe('Connection', () => {
     expect(sockets[0]?.closed).toBe(true);
     expect(events.closed).toHaveBeenCalledOnce();
     expect(sockets.length).toBe(2);
+  });
+
+  it('is patient with a socket that does not open, but not for ever', () => {
+    vi.advanceTimersByTime(kOpening_ms - 1000);
+    expect(sockets.length).toBe(1);
+    vi.advanceTimersByTime(3000);
+    expect(sockets[0]?.closed).toBe(true);
+    expect(sockets.length).toBe(2);
+  });
+
+  it('does not take its own sleep for the silence of the daemon', () => {
+    newest().open();
+    for (let i = 0; i < 5; i++) {
+      // The page was away: the watch runs late, and before the frames that have come in meanwhile.
+      vi.setSystemTime(Date.now() + 20 * kSilence_ms);
+      vi.advanceTimersByTime(kSilence_ms / 2);
+      newest().say('x');
+    }
+    expect(sockets.length).toBe(1);
   });
 
   it('keeps a socket that speaks now and then', () => {

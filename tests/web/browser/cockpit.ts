@@ -1,0 +1,120 @@
+// The page in a real browser, as a person uses and reads it.
+import { existsSync } from 'node:fs';
+import { mkdir } from 'node:fs/promises';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium, type Browser, type Page } from 'playwright-core';
+import { bin } from './programs.ts';
+
+const kChromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium';
+/** Pinned, so that every run draws with the same software. */
+const kFlags = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+/** Nothing that is waited for moved on for this long, or it did but is not there after that long: it never will be. */
+const kStill_ms = 120_000;
+const kLimit_ms = 240_000;
+
+/** Without a graphics card a browser takes every core it gets; the robot must not starve for pictures. */
+export async function openBrowser(flags: string[] = []): Promise<Browser> {
+  if (!existsSync(kChromium)) throw new Error(`${kChromium} is missing; scripts/setup installs it`);
+  const executablePath = fileURLToPath(new URL('nice_chromium', import.meta.url));
+  return chromium.launch({ executablePath, args: [...kFlags, ...flags], timeout: kStill_ms });
+}
+
+export interface Size {
+  width: number;
+  height: number;
+}
+
+/** As small as the layout of a large screen allows: every pixel is drawn by the processor. */
+export const kSize: Size = { width: 1024, height: 600 };
+
+/** A page; what it complains about goes into `complaints`. */
+export async function openPage(browser: Browser, url: string, complaints: string[], size: Size = kSize): Promise<Page> {
+  const page = await browser.newPage({ viewport: size });
+  page.setDefaultTimeout(kStill_ms);
+  page.on('console', (message) => {
+    // Drivers tell the tests, which read pictures back, that this is slow.
+    const ours = message.type() === 'error' || (message.type() === 'warning' && !message.text().includes('GL Driver Message'));
+    if (ours) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  await page.goto(url);
+  return page;
+}
+
+/** The state of the run, as the page says it. */
+export async function run(page: Page): Promise<string> {
+  return (await page.textContent('#chip-run .chip-value')) ?? '';
+}
+
+/** The number that a figure of the page shows; NaN for a dash. */
+export async function figure(page: Page, id: string): Promise<number> {
+  const text = (await page.textContent(`#number-${id}`)) ?? '';
+  return Number(text.replace('\u2212', '-').replace('\u2013', 'NaN'));
+}
+
+/** Where the robot was last drawn: x, y, z in metres, yaw in radians; nothing if it was not. */
+export async function drawn(page: Page): Promise<number[] | undefined> {
+  const text = await page.locator('.stage canvas').getAttribute('data-robot');
+  return text === null || text === '' ? undefined : text.split(' ').map(Number);
+}
+
+/** Waits until there are figures and a robot. */
+export async function alive(page: Page): Promise<void> {
+  await until(async () => Number.isFinite(await figure(page, 'x')), 'figures');
+  await until(() => drawn(page), 'a robot');
+}
+
+/** Starts the robot if it stands: at its end, or stopped by itself on a machine that is too busy for it. */
+export async function goOn(page: Page): Promise<void> {
+  if (['aborted', 'idle', 'finished'].includes(await run(page)) && (await page.isEnabled('#start'))) await page.click('#start');
+}
+
+/** Waits until the run is `wanted`; starts again as often as that takes. */
+export async function driveUntil(page: Page, wanted: string): Promise<void> {
+  await until(
+    async () => {
+      if ((await run(page)) === wanted) return true;
+      await goOn(page);
+      return false;
+    },
+    `the run is ${wanted}`,
+    () => page.textContent('#number-x'),
+  );
+}
+
+/** A picture for people, beside the test's results. */
+export async function picture(page: Page, name: string): Promise<void> {
+  const folder = join(bin, '..', 'web');
+  await mkdir(folder, { recursive: true });
+  await page.screenshot({ path: join(folder, `${name}.png`) });
+}
+
+/** Waits until `check` gives something, as long as there is hope: `moves` is what changes on the way there. */
+export async function until<T>(
+  check: () => Promise<T | undefined | false> | T | undefined | false,
+  what: string,
+  moves: () => unknown = () => undefined,
+): Promise<T> {
+  const end_ms = performance.now() + kLimit_ms;
+  let still_ms = performance.now() + kStill_ms;
+  let last: unknown;
+  for (;;) {
+    const found = await check();
+    if (found !== undefined && found !== false) return found;
+    const now = await moves();
+    const now_ms = performance.now();
+    if (now !== last) still_ms = now_ms + kStill_ms;
+    last = now;
+    if (now_ms > Math.min(end_ms, still_ms)) throw new Error(`waited in vain: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
