@@ -61,7 +61,6 @@ describe('the page of a robot that drives course 3', () => {
       expect(await figure(page, 'x')).toBeGreaterThan(-0.1);
       if (share === 0.7) await chase(page, () => follows(heard.length));
     }
-    console.log(`picture behind the bus: ${behind_ms.map((ms) => ms.toFixed(0)).join(', ')} ms`);
     const ways = places.map(([x = 0, y = 0]) => Math.hypot(x - (places[0]?.[0] ?? 0), y - (places[0]?.[1] ?? 0)));
     expect(Math.max(...ways)).toBeGreaterThan(0.8);
 
@@ -77,6 +76,8 @@ describe('the page of a robot that drives course 3', () => {
     await until(async () => Math.abs((await figure(page, 'y')) - (bus?.last('/estimate')?.odometry.y_m ?? NaN)) < 0.005, 'the last figures');
     await until(async () => /4\.0\d \/ 4\.06 m/.test((await page.textContent('.timeline-way')) ?? ''), 'the whole way');
     await picture(page, 'finished');
+    const ended = setting.pair.daemon.lines.filter((line) => line.includes('running -> aborted')).length;
+    console.log(`runs that ended early: ${ended}; picture behind the bus: ${behind_ms.map((ms) => ms.toFixed(0)).join(', ')} ms`);
   });
 });
 
