@@ -289,11 +289,11 @@ void Reader::finish() {
 
 const Pose& steering_pose(const RecordedRun& run, const TrackPoint& point) {
   switch (run.subject.steering) {
-    case publish::Estimator::kModel:
+    case Steering::kModel:
       return point.model;
-    case publish::Estimator::kFused:
+    case Steering::kFused:
       return point.fused;
-    case publish::Estimator::kOdometry:
+    case Steering::kOdometry:
       break;
   }
   return point.odometry;

@@ -11,10 +11,10 @@
 
 #include "analysis/recording.h"
 #include "analysis/run_result.h"
+#include "core/steering.h"
 #include "course/course.h"
 #include "course/robot.h"
 #include "publish/figures.h"
-#include "publish/messages.h"
 
 namespace tp100::analysis {
 
@@ -22,7 +22,7 @@ namespace tp100::analysis {
 struct RunSubject {
   std::shared_ptr<const course::Course> course;  ///< null: none
   course::Robot robot{};
-  publish::Estimator steering = publish::Estimator::kOdometry;
+  Steering steering = Steering::kOdometry;
   double rate_hz = 200.0;
 };
 

@@ -48,7 +48,7 @@ Rows summary(const RecordedRun& run) {
   Rows rows = {{"", ""},
                {"outcome", outcome(run)},
                {"duration", number(run.result.duration_s, 2) + " s"},
-               {"steered by", publish::to_string(run.subject.steering)},
+               {"steered by", std::string(to_string(run.subject.steering))},
                {"truth", run.has_truth ? "known" : "not known"},
                {"recording", plain(run.path)},
                {"steps", count(run.steps) + ", " + count(run.missing_steps) + " missing"}};

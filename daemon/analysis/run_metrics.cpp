@@ -55,7 +55,7 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
       if (json.contains(name)) json[name] = nullptr;
   }
   json["truth"] = run.has_truth;
-  json["steering"] = publish::to_string(run.subject.steering);
+  json["steering"] = to_string(run.subject.steering);
   json["believed"] = {{"max_cross_track_m", run.believed.max_cross_track_m},
                       {"rms_cross_track_m", run.believed.rms_cross_track_m},
                       {"max_heading_error_rad", run.believed.max_heading_error_rad}};

@@ -216,7 +216,7 @@ std::span<const Key<ServerSettings>> server_keys() {
       {"commands",
        Choice<T>{{"local", "all", "none"},
                  [](const T& s) { return static_cast<std::size_t>(s.commands); },
-                 [](T& s, std::size_t i) { s.commands = static_cast<CommandsFrom>(i); }},
+                 [](T& s, std::size_t i) { s.commands = static_cast<publish::CommandsFrom>(i); }},
        {},
        "Whose commands are taken: those of this machine, of everybody, of nobody. STOP is taken "
        "from every viewer"},

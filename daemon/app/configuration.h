@@ -9,6 +9,7 @@
 #include "bridge/parameters.h"
 #include "course/key.h"
 #include "course/robot.h"
+#include "publish/commands_from.h"
 
 namespace tp100::app {
 
@@ -50,13 +51,10 @@ struct CameraSettings {
   double max_age_ms = 400.0;  ///< older detections are of no use any more
 };
 
-/// Whose commands the server takes; STOP is taken from everybody.
-enum class CommandsFrom { kLocal, kAll, kNone };
-
 /// The page and the viewers.
 struct ServerSettings {
   std::string listen = "auto";  ///< HOST:PORT, "auto" or "off"
-  CommandsFrom commands = CommandsFrom::kLocal;
+  publish::CommandsFrom commands = publish::CommandsFrom::kLocal;
   std::string origins;  ///< permitted besides the page's own, separated by spaces
   std::string hosts;    ///< names in Host besides addresses and localhost
   int max_clients = 64;

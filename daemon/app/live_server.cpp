@@ -34,9 +34,7 @@ std::unique_ptr<publish::Server> make_server(const RunSetup& run,
   publish::ServerSettings out;
   out.listen = settings.listen;
   out.access = {publish::words(settings.hosts), publish::words(settings.origins)};
-  out.commands = settings.commands == CommandsFrom::kAll    ? publish::CommandsFrom::kAll
-                 : settings.commands == CommandsFrom::kNone ? publish::CommandsFrom::kNone
-                                                            : publish::CommandsFrom::kLocal;
+  out.commands = settings.commands;
   out.max_clients = static_cast<std::size_t>(settings.max_clients);
   out.runs_folder = run.configuration.record.directory;
   out.page = page_file;

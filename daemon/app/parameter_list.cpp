@@ -13,22 +13,6 @@ namespace {
 
 using publish::ParameterText;
 
-ParameterText::Type type_of(course::KeyText::Type type) {
-  switch (type) {
-    case course::KeyText::Type::kNumber:
-      return ParameterText::Type::kNumber;
-    case course::KeyText::Type::kInteger:
-      return ParameterText::Type::kInteger;
-    case course::KeyText::Type::kBoolean:
-      return ParameterText::Type::kBoolean;
-    case course::KeyText::Type::kText:
-      return ParameterText::Type::kText;
-    case course::KeyText::Type::kChoice:
-      break;
-  }
-  return ParameterText::Type::kChoice;
-}
-
 struct LiveKey {
   std::string_view name;
   LiveParameter parameter;
@@ -74,20 +58,9 @@ std::vector<ParameterText> parameter_list(const Configuration& configuration,
   for (course::KeyText& key : course::robot_keys(robot)) keys.push_back(std::move(key));
   std::vector<ParameterText> out;
   for (course::KeyText& key : keys) {
-    ParameterText text;
-    text.name = std::move(key.name);
-    text.type = type_of(key.type);
-    text.value = std::move(key.value);
-    text.standard = std::move(key.standard);
-    text.unit = std::move(key.unit);
-    text.min = key.range.min;
-    text.max = key.range.max;
-    text.choices = std::move(key.choices);
-    text.meaning = std::move(key.meaning);
-    const LiveKey* live = live_key(text.name);
-    text.live = live != nullptr;
-    text.only_at_rest = text.live && live->parameter == LiveParameter::kSteering;
-    out.push_back(std::move(text));
+    const LiveKey* live = live_key(key.name);
+    const bool only_at_rest = live != nullptr && live->parameter == LiveParameter::kSteering;
+    out.push_back({std::move(key), live != nullptr, only_at_rest});
   }
   return out;
 }

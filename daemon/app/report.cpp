@@ -20,25 +20,13 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRuns = 20;
 
-publish::Estimator steering_of(const bridge::Parameters& parameters) {
-  switch (parameters.steering) {
-    case bridge::Steering::kModel:
-      return publish::Estimator::kModel;
-    case bridge::Steering::kFused:
-      return publish::Estimator::kFused;
-    case bridge::Steering::kOdometry:
-      break;
-  }
-  return publish::Estimator::kOdometry;
-}
-
 analysis::RecordedRun read(const std::string& path) {
   const analysis::Recording recording(path);
   const RunSetup setup = parse_run(recorded_files(recording));
   analysis::RecordedRun run =
       analysis::read_run(recording, {.course = setup.course,
                                      .robot = setup.robot,
-                                     .steering = steering_of(setup.parameters),
+                                     .steering = setup.parameters.steering,
                                      .rate_hz = setup.configuration.loop.rate_hz});
   if (!run.whole)
     std::fprintf(stderr, "tp100d: %s: was cut off; reported up to there\n", run.path.c_str());

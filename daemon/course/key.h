@@ -86,13 +86,13 @@ struct KeyText {
   enum class Type { kNumber, kInteger, kBoolean, kText, kChoice };
   using Value = std::variant<double, bool, std::string>;
 
-  std::string name;  ///< with the names of its tables: "control.preview_s"
+  std::string name{};  ///< with the names of its tables: "control.preview_s"
   Type type = Type::kNumber;
-  Value value, standard;  ///< numbers in the file's unit
-  std::string unit;       ///< numbers; may be empty
-  Range range{0.0, 0.0};  ///< numbers
-  std::vector<std::string> choices;
-  std::string meaning;
+  Value value{}, standard{};  ///< numbers in the file's unit
+  std::string unit{};         ///< numbers; may be empty
+  Range range{0.0, 0.0};      ///< numbers
+  std::vector<std::string> choices{};
+  std::string meaning{};
 };
 
 /// The keys of one table, named with `prefix` ("control.").

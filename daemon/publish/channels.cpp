@@ -128,7 +128,7 @@ std::vector<ChannelText> channel_texts() {
   add("/state", "tp100.State", state_message(0, {}, full_state(), subject), 1);
   add("/course", "tp100.Course", messages.course(), 1);
   add("/event", "tp100.Event", messages.event({}), 100);
-  add("/parameter", "tp100.ParameterList", parameters_message({{.name = "a", .choices = {"b"}}}),
+  add("/parameter", "tp100.ParameterList", parameters_message({{{.name = "a", .choices = {"b"}}}}),
       1);
   add("/recording", "tp100.Recording", recording_message({}), 1);
   ClientsFigures clients;

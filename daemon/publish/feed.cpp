@@ -11,13 +11,13 @@ namespace {
 constexpr HostNs kOldestTruthNs = kNsPerS;
 constexpr HostNs kStopEventNs = 100 * kNsPerMs;
 
-Channel pose_channel(Estimator estimator) {
-  switch (estimator) {
-    case Estimator::kModel:
+Channel pose_channel(Steering estimate) {
+  switch (estimate) {
+    case Steering::kModel:
       return Channel::kPoseModel;
-    case Estimator::kOdometry:
+    case Steering::kOdometry:
       return Channel::kPoseOdometry;
-    case Estimator::kFused:
+    case Steering::kFused:
       break;
   }
   return Channel::kPoseFused;
@@ -85,10 +85,10 @@ void Feed::publish_step(const StepRecord& record) {
     publish(Channel::kEstimate, now, messages_.estimate(record, truth_));
   if (hub_.wanted(Channel::kTransforms))
     publish(Channel::kTransforms, now, messages_.transforms(record, truth_));
-  for (const Estimator estimator : kEstimators) {
-    const Channel channel = pose_channel(estimator);
+  for (const Steering estimate : kEstimates) {
+    const Channel channel = pose_channel(estimate);
     if (hub_.wanted(channel))
-      publish(channel, now, messages_.pose(now, pose_of(snapshot, estimator)));
+      publish(channel, now, messages_.pose(now, pose_of(snapshot, estimate)));
   }
   if (truth_ && truth_->at_ns != truth_sent_ns_) {
     truth_sent_ns_ = truth_->at_ns;

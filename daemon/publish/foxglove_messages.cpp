@@ -68,8 +68,8 @@ std::string Messages::transforms(const StepRecord& record,
   JsonWriter json(text);
   json.begin_object().key("transforms").begin_array();
   write_transform(json, "robot", record.snapshot.world, at);
-  for (const Estimator estimator : kEstimators)
-    write_transform(json, to_string(estimator), pose_of(record.snapshot, estimator), at);
+  for (const Steering estimate : kEstimates)
+    write_transform(json, to_string(estimate), pose_of(record.snapshot, estimate), at);
   if (truth) write_transform(json, "truth", truth->pose, clock_.unix_ns(truth->at_ns));
   json.end_array().end_object();
   return text;

@@ -193,25 +193,13 @@ void write_robot(JsonWriter& json, const course::Robot& robot) {
 
 }  // namespace
 
-const char* to_string(Estimator estimator) {
-  switch (estimator) {
-    case Estimator::kModel:
-      return "model";
-    case Estimator::kOdometry:
-      return "odometry";
-    case Estimator::kFused:
-      break;
-  }
-  return "fused";
-}
-
-const Pose& pose_of(const Snapshot& snapshot, Estimator estimator) {
-  switch (estimator) {
-    case Estimator::kModel:
+const Pose& pose_of(const Snapshot& snapshot, Steering estimate) {
+  switch (estimate) {
+    case Steering::kModel:
       return snapshot.model;
-    case Estimator::kOdometry:
+    case Steering::kOdometry:
       return snapshot.odometry;
-    case Estimator::kFused:
+    case Steering::kFused:
       break;
   }
   return snapshot.fused.pose;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/steering.h"
 #include "core/step_record.h"
 #include "course/path.h"
 #include "publish/publish_clock.h"
@@ -30,12 +31,9 @@ struct Event {
   std::string remedy{};  ///< what
 };
 
-/// Which of the three estimates.
-enum class Estimator : std::uint8_t { kModel, kOdometry, kFused };
-inline constexpr Estimator kEstimators[] = {Estimator::kModel, Estimator::kOdometry,
-                                            Estimator::kFused};
-const char* to_string(Estimator estimator);
-const Pose& pose_of(const Snapshot& snapshot, Estimator estimator);
+/// The three estimates, each named by what it is to steer by it.
+inline constexpr Steering kEstimates[] = {Steering::kModel, Steering::kOdometry, Steering::kFused};
+const Pose& pose_of(const Snapshot& snapshot, Steering estimate);
 
 /// Writes messages about one subject. Each function returns the whole text of one message.
 class Messages {

@@ -47,9 +47,10 @@ std::string why_not(const ParameterText& parameter, const ParameterValue& value)
     if (number == nullptr || !std::isfinite(*number)) return parameter.name + " takes a number";
     if (parameter.type == Type::kInteger && *number != std::floor(*number))
       return parameter.name + " takes a whole number";
-    if (*number < parameter.min || *number > parameter.max)
-      return parameter.name + " goes from " + number_text(parameter.min) + " to " +
-             number_text(parameter.max) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+    if (*number < parameter.range.min || *number > parameter.range.max)
+      return parameter.name + " goes from " + number_text(parameter.range.min) + " to " +
+             number_text(parameter.range.max) +
+             (parameter.unit.empty() ? "" : " " + parameter.unit);
     return {};
   }
   if (parameter.type == Type::kBoolean)
@@ -77,7 +78,7 @@ std::string parameters_message(const std::vector<ParameterText>& parameters) {
     write_value(json, "default", parameter.standard);
     json.field("type", type_name(parameter.type)).field("unit", parameter.unit);
     if (is_number(parameter.type)) {
-      json.field("min", parameter.min).field("max", parameter.max);
+      json.field("min", parameter.range.min).field("max", parameter.range.max);
     } else {
       json.null_field("min").null_field("max");
     }

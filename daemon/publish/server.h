@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "publish/access.h"
+#include "publish/commands_from.h"
 #include "publish/controls.h"
 #include "publish/http_content.h"
 #include "publish/messages.h"
@@ -15,9 +16,6 @@
 #include "publish/sink.h"
 
 namespace tp100::publish {
-
-/// Whose commands are taken; STOP is taken from everybody.
-enum class CommandsFrom { kLocal, kAll, kNone };
 
 struct ServerSettings {
   /// HOST:PORT, with port 0 for any free one; "auto": 127.0.0.1:8765, or any free port of that

@@ -12,13 +12,13 @@ namespace {
 constexpr double kThicknessM = 0.004;
 constexpr double kLiftM = 0.004;
 
-const Colour& colour_of(Estimator estimator) {
-  switch (estimator) {
-    case Estimator::kModel:
+const Colour& colour_of(Steering estimate) {
+  switch (estimate) {
+    case Steering::kModel:
       return kModelColour;
-    case Estimator::kOdometry:
+    case Steering::kOdometry:
       return kOdometryColour;
-    case Estimator::kFused:
+    case Steering::kFused:
       break;
   }
   return kFusedColour;
@@ -32,7 +32,7 @@ void Trail::add(const Snapshot& snapshot) {
   if (began) clear();
   if (!snapshot.has_sample) return;
   for (std::size_t i = 0; i < strips_.size(); ++i)
-    append(strips_[i], pose_of(snapshot, kEstimators[i]));
+    append(strips_[i], pose_of(snapshot, kEstimates[i]));
 }
 
 void Trail::clear() {
@@ -82,9 +82,9 @@ std::string Trail::message(const PublishClock& clock, HostNs now, bool all) cons
     if (strip.points.size() < from + 2) continue;
     write_entity(
         json,
-        {.id = std::string("trail/") + to_string(kEstimators[i]) + "/" + std::to_string(chunk_),
+        {.id = "trail/" + std::string(to_string(kEstimates[i])) + "/" + std::to_string(chunk_),
          .lines = line_strip(std::span(strip.points).subspan(from), kThicknessM,
-                             colour_of(kEstimators[i]))},
+                             colour_of(kEstimates[i]))},
         at);
   }
   json.end_array().end_object();

@@ -28,7 +28,7 @@ TEST(ParameterList, HoldsEveryKeyOnceWithUnitLimitsAndMeaning) {
     EXPECT_TRUE(names.insert(each.name).second) << each.name;
     EXPECT_NE(each.meaning, "") << each.name;
     if (each.type == ParameterText::Type::kNumber || each.type == ParameterText::Type::kInteger) {
-      EXPECT_LT(each.min, each.max) << each.name;
+      EXPECT_LT(each.range.min, each.range.max) << each.name;
     }
     if (each.type == ParameterText::Type::kChoice) {
       EXPECT_GT(each.choices.size(), 1U) << each.name;
@@ -44,7 +44,7 @@ TEST(ParameterList, WhatIsLiveReachesItsOwnPlaceInTheStep) {
   const auto list = listed();
   std::set<LiveParameter> seen;
   for (const ParameterText& each : list) {
-    const double middle = (each.min + each.max) / 2.0;
+    const double middle = (each.range.min + each.range.max) / 2.0;
     const ParameterValue value = each.type == ParameterText::Type::kChoice
                                      ? ParameterValue(each.choices.back())
                                      : ParameterValue(middle);

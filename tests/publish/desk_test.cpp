@@ -20,22 +20,21 @@ using ::testing::HasSubstr;
 constexpr HostNs kNow = 100 * kNsPerS;
 
 std::vector<ParameterText> parameters() {
-  return {{.name = "control.gain",
-           .type = ParameterText::Type::kNumber,
-           .value = 16.0,
-           .standard = 16.0,
-           .unit = "1/m",
-           .min = 0.0,
-           .max = 200.0,
-           .live = true},
-          {.name = "loop.rate_hz", .value = 200.0, .standard = 200.0, .min = 50.0, .max = 1000.0},
-          {.name = "estimation.steering",
-           .type = ParameterText::Type::kChoice,
-           .value = std::string("odometry"),
-           .standard = std::string("odometry"),
-           .choices = {"model", "odometry"},
-           .live = true,
-           .only_at_rest = true}};
+  return {{{.name = "control.gain",
+            .type = ParameterText::Type::kNumber,
+            .value = 16.0,
+            .standard = 16.0,
+            .unit = "1/m",
+            .range = {0.0, 200.0}},
+           true},
+          {{.name = "loop.rate_hz", .value = 200.0, .standard = 200.0, .range = {50.0, 1000.0}}},
+          {{.name = "estimation.steering",
+            .type = ParameterText::Type::kChoice,
+            .value = std::string("odometry"),
+            .standard = std::string("odometry"),
+            .choices = {"model", "odometry"}},
+           true,
+           true}};
 }
 
 class DeskTest : public ::testing::Test {

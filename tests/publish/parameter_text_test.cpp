@@ -12,18 +12,17 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const ParameterText kGain{.name = "control.gain",
-                          .type = ParameterText::Type::kNumber,
-                          .value = 16.0,
-                          .standard = 16.0,
-                          .unit = "1/m",
-                          .min = 0.0,
-                          .max = 200.0};
-const ParameterText kSteering{.name = "estimation.steering",
-                              .type = ParameterText::Type::kChoice,
-                              .value = std::string("model"),
-                              .standard = std::string("model"),
-                              .choices = {"model", "fused"}};
+const ParameterText kGain{{.name = "control.gain",
+                           .type = ParameterText::Type::kNumber,
+                           .value = 16.0,
+                           .standard = 16.0,
+                           .unit = "1/m",
+                           .range = {0.0, 200.0}}};
+const ParameterText kSteering{{.name = "estimation.steering",
+                               .type = ParameterText::Type::kChoice,
+                               .value = std::string("model"),
+                               .standard = std::string("model"),
+                               .choices = {"model", "fused"}}};
 
 TEST(ParameterText, NumbersMustBeFiniteAndInRange) {
   for (const double good : {0.0, 16.5, 200.0}) EXPECT_EQ(why_not(kGain, good), "");

@@ -134,7 +134,7 @@ TEST(ServerMessages, AServiceResponseNamesItsCall) {
 TEST(ServerMessages, EveryTextIsJsonWithItsOp) {
   const std::vector<Metadata> metadata = {{"a\"", "b"}};
   const std::vector<ServiceText> services = {{1, "stop", "tp100.Stop", "{}", "{}"}};
-  const ParameterText parameter{.name = "a", .value = 16.0};
+  const ParameterText parameter{{.name = "a", .value = 16.0}};
   const std::vector<const ParameterText*> parameters = {&parameter};
   const std::vector<std::pair<std::string, std::string>> texts = {
       {"serverInfo", server_info("id", metadata)},

@@ -37,14 +37,12 @@ class ServerTest : public ::testing::Test {
   }
   void start() {
     const PublishClock clock{steady_now(), 1'700'000'000 * kNsPerS};
-    server_ = std::make_unique<Server>(settings_, Messages(example_subject(), clock),
-                                       std::vector<ParameterText>{{.name = "control.gain",
-                                                                   .value = 16.0,
-                                                                   .standard = 16.0,
-                                                                   .min = 0.0,
-                                                                   .max = 200.0,
-                                                                   .live = true}},
-                                       controls_);
+    server_ = std::make_unique<Server>(
+        settings_, Messages(example_subject(), clock),
+        std::vector<ParameterText>{
+            {{.name = "control.gain", .value = 16.0, .standard = 16.0, .range = {0.0, 200.0}},
+             true}},
+        controls_);
     server_->start();
     port_ = server_->url().substr(server_->url().rfind(':') + 1);
     port_.pop_back();
