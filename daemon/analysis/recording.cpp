@@ -52,7 +52,9 @@ class Distributor : public McapHandler {
 
   bool message(const McapMessage& message) override {
     const McapChannel& channel = *message.channel;
-    if (channel.topic == publish::kStepTopic) {
+    if (channel.topic == publish::kBeforeTopic) {
+      if (visitor_.before) before(message);
+    } else if (channel.topic == publish::kStepTopic) {
       if (visitor_.step) step(message);
     } else if (channel.topic == publish::kTruthTopic) {
       if (visitor_.truth) truth(message);
@@ -66,10 +68,23 @@ class Distributor : public McapHandler {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw SetupError(path_ + ": " + what); }
 
-  void step(const McapMessage& message) {
-    if (message.channel->schema != publish::step_schema())
+  void require_layout(const McapMessage& message, const std::string& layout) const {
+    if (message.channel->schema != layout)
       fail("its steps were recorded by version " + course::one_line(version_, 20) +
            ", whose layout is another; use that version of tp100d");
+  }
+
+  void before(const McapMessage& message) {
+    require_layout(message, publish::inputs_schema());
+    for (std::span<const std::uint8_t> block = message.data; !block.empty();) {
+      if (const auto problem = publish::decode_inputs(block, *record_))
+        fail("a step before it makes no sense (" + *problem + ")");
+      visitor_.before(*record_);
+    }
+  }
+
+  void step(const McapMessage& message) {
+    require_layout(message, publish::step_schema());
     if (const auto problem = publish::decode_step(message.data, *record_))
       fail("step " + std::to_string(message.sequence) + " makes no sense (" + *problem + ")");
     visitor_.step(*record_);

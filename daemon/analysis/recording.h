@@ -19,6 +19,8 @@ namespace tp100::analysis {
 /// is given is valid during the call only. Times are within 2^60 ns of zero, inputs and truth
 /// finite; results of the steps may be any numbers.
 struct RecordingVisitor {
+  /// A step before the recording: its inputs, nothing else.
+  std::function<void(const StepRecord&)> before{};
   std::function<void(const StepRecord&)> step{};
   std::function<void(HostNs at, const Pose& truth)> truth{};
   /// JSON of the other topics; all of them if `topics` is empty.

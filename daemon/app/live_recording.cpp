@@ -13,6 +13,7 @@ namespace tp100::app {
 namespace {
 
 namespace fs = std::filesystem;
+using publish::Channel;
 
 std::string date_and_time(std::int64_t unix_ns) {
   const auto seconds = static_cast<std::time_t>(unix_ns / kNsPerS);
@@ -20,6 +21,15 @@ std::string date_and_time(std::int64_t unix_ns) {
   ::localtime_r(&seconds, &local);
   std::array<char, 32> text{};
   return {text.data(), std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &local)};
+}
+
+/// Things that happen; the other channels say how something is.
+bool happens(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLog; }
+
+/// Only who is told can record it: it does not follow from the steps.
+bool is_told(Channel channel) {
+  return happens(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
+         channel == Channel::kState || channel == Channel::kParameter;
 }
 
 [[noreturn]] void fail(const std::string& folder, const std::error_code& error) {
@@ -45,48 +55,51 @@ std::string make_run_folder(const std::string& directory, const std::string& nam
 
 LiveRecording::LiveRecording(const RunFiles& files, const RunSetup& run,
                              const publish::PublishClock& clock)
-    : files_(files), run_(run), clock_(clock) {}
+    : files_(files), run_(run), clock_(clock) {
+  const RecordSettings& settings = run.configuration.record;
+  if (settings.directory.empty()) return;
+  std::error_code error;
+  fs::create_directories(settings.directory, error);
+  if (error) fail(settings.directory, error);
+  recorder_ = std::make_unique<publish::Recorder>(publish::RecorderSettings{
+      .journal_folder = settings.directory, .journal_bytes = max_bytes()});
+}
+
+std::uint64_t LiveRecording::max_bytes() const {
+  return std::uint64_t{1'000'000} * static_cast<std::uint64_t>(run_.configuration.record.max_mb);
+}
 
 void LiveRecording::start(const std::string& name) {
-  const RecordSettings& settings = run_.configuration.record;
-  if (settings.directory.empty())
+  if (recorder_ == nullptr)
     throw SetupError("nothing can be recorded: give --record or set record.directory");
+  const RecordSettings& settings = run_.configuration.record;
   const std::lock_guard lock(mutex_);
-  if (recorder_ != nullptr && recorder_->status().active)
+  if (recorder_->status().active)
     throw SetupError("a recording is running already: " + recorder_->path());
   const HostNs now = loop::monotonic_now();
   const std::string& course = run_.course == nullptr ? std::string("poses") : run_.course->name;
   const std::string folder = make_run_folder(settings.directory, name.empty() ? course : name,
                                              static_cast<std::int64_t>(clock_.unix_ns(now)));
-  recorder_ = std::make_shared<publish::Recorder>(
-      publish::RecorderSettings{
-          .recording = {.path = folder + "/run.mcap",
-                        .max_bytes =
-                            std::uint64_t{1'000'000} * static_cast<std::uint64_t>(settings.max_mb),
-                        .clock = clock_}},
-      run_facts(files_, run_, {{"program", "tp100d run"}}));
+  recorder_->begin({.path = folder + "/run.mcap", .max_bytes = max_bytes(), .clock = clock_},
+                   run_facts(files_, run_, {{"program", "tp100d run"}}));
   name_ = fs::path(folder).filename();
   began_ns_ = now;
+  for (const auto& [channel, json] : in_force_) recorder_->message(channel, now, json);
 }
 
 void LiveRecording::stop() {
-  if (const auto current = recorder()) current->finish();
+  if (recorder_ != nullptr) recorder_->end();
 }
 
 void LiveRecording::discard() {
-  if (const auto current = recorder()) current->discard();
-}
-
-std::shared_ptr<publish::Recorder> LiveRecording::recorder() const {
-  const std::lock_guard lock(mutex_);
-  return recorder_;
+  if (recorder_ != nullptr) recorder_->discard();
 }
 
 publish::RecordingFigures LiveRecording::figures() const {
   publish::RecordingFigures figures;
-  figures.available = !run_.configuration.record.directory.empty();
-  const std::lock_guard lock(mutex_);
+  figures.available = recorder_ != nullptr;
   if (recorder_ == nullptr) return figures;
+  const std::lock_guard lock(mutex_);
   const publish::RecordingStatus status = recorder_->status();
   figures.active = status.active;
   figures.run = name_;
@@ -99,20 +112,22 @@ publish::RecordingFigures LiveRecording::figures() const {
 }
 
 double LiveRecording::cpu_s() const {
-  const auto current = recorder();
-  return current == nullptr ? 0.0 : current->status().cpu_s;
+  return recorder_ == nullptr ? 0.0 : recorder_->status().cpu_s;
 }
 
 void LiveRecording::take(const StepRecord& record) {
-  if (const auto current = recorder()) current->take(record);
+  if (recorder_ != nullptr) recorder_->take(record);
 }
 
 void LiveRecording::take_truth(HostNs at, const Pose& truth) {
-  if (const auto current = recorder()) current->take_truth(at, truth);
+  if (recorder_ != nullptr) recorder_->take_truth(at, truth);
 }
 
-void LiveRecording::message(publish::Channel channel, HostNs at, std::string_view json) {
-  if (const auto current = recorder()) current->message(channel, at, json);
+void LiveRecording::hear(publish::Channel channel, std::uint64_t unix_ns, std::string_view json) {
+  if (!is_told(channel)) return;
+  const std::lock_guard lock(mutex_);
+  if (!happens(channel)) in_force_[channel] = json;
+  if (recorder_ != nullptr) recorder_->message(channel, clock_.host_ns(unix_ns), json);
 }
 
 }  // namespace tp100::app

@@ -94,13 +94,21 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
   Replayed result;
   bridge::Step step(parameters, std::move(course));
   const auto computed = std::make_unique<StepRecord>();
-  const auto take = [&](const StepRecord& recorded) {
+  const auto once_more = [&](const StepRecord& recorded) -> const bridge::Outputs& {
     if (recorded.step != result.steps + 1) {
       result.gap_before = recorded.step;
       throw Enough{};
     }
     result.last_ns = recorded.now_ns;
-    const bridge::Outputs& out = step(inputs_of(recorded), recorded.now_ns);
+    return step(inputs_of(recorded), recorded.now_ns);
+  };
+  const auto before = [&](const StepRecord& recorded) {
+    once_more(recorded);
+    ++result.steps;
+    ++result.before;
+  };
+  const auto take = [&](const StepRecord& recorded) {
+    const bridge::Outputs& out = once_more(recorded);
     *computed = recorded;
     computed->command_valid = out.command_valid;
     computed->request = out.request;
@@ -116,7 +124,7 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
     each(*computed);
   };
   try {
-    recording.visit({.step = take});
+    recording.visit({.before = before, .step = take});
   } catch (const Enough&) {
   }
   return result;
@@ -172,7 +180,7 @@ int run_replay_recording(const ReplayOptions& options) {
   }
   out.commit();
   std::printf("%s: %llu steps replayed, %s\n", path.c_str(),
-              static_cast<unsigned long long>(result.steps),
+              static_cast<unsigned long long>(result.steps - result.before),
               verify ? "every pose and command as recorded, bit for bit"
                      : "with other parameters than recorded");
   return 0;

@@ -18,8 +18,9 @@ RunFiles recorded_files(const analysis::Recording& recording);
 
 /// What came of a replay.
 struct Replayed {
-  std::uint64_t steps = 0;  ///< replayed
-  HostNs last_ns = 0;       ///< time of the last step that was looked at
+  std::uint64_t steps = 0;   ///< replayed
+  std::uint64_t before = 0;  ///< of them before the recording, to get to where it began
+  HostNs last_ns = 0;        ///< time of the last step that was looked at
   /// Steps that are missing before this one end the replay: what follows cannot be known.
   std::optional<std::uint64_t> gap_before;
   std::optional<std::uint64_t> differs_at;  ///< number of the first step that came out otherwise

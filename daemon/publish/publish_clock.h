@@ -17,6 +17,9 @@ struct PublishClock {
     const std::int64_t unix = start_unix_ns + (at - start_ns);
     return unix < 0 ? 0 : static_cast<std::uint64_t>(unix);
   }
+  HostNs host_ns(std::uint64_t unix_ns) const {
+    return start_ns + (static_cast<std::int64_t>(unix_ns) - start_unix_ns);
+  }
 };
 
 }  // namespace tp100::publish

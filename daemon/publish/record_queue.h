@@ -26,6 +26,13 @@ class RecordQueue {
     if (waiting_.size() > capacity_ / 4) some_.notify_one();
     return true;
   }
+  /// A few bytes that always find room and are taken at once.
+  void mark(std::span<const std::uint8_t> bytes) {
+    const std::lock_guard lock(mutex_);
+    waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+    hurry_ = true;
+    some_.notify_one();
+  }
   /// Nothing more will be put, or taken.
   void end() {
     const std::lock_guard lock(mutex_);
@@ -39,7 +46,9 @@ class RecordQueue {
   bool take(Bytes& out, Duration patience) {
     out.clear();
     std::unique_lock lock(mutex_);
-    some_.wait_for(lock, patience, [&] { return ended_ || waiting_.size() > capacity_ / 4; });
+    some_.wait_for(lock, patience,
+                   [&] { return ended_ || hurry_ || waiting_.size() > capacity_ / 4; });
+    hurry_ = false;
     std::swap(out, waiting_);
     room_.notify_one();
     return !ended_;
@@ -53,7 +62,7 @@ class RecordQueue {
   Bytes waiting_;
   std::size_t capacity_;
   bool patient_;
-  bool ended_ = false;
+  bool ended_ = false, hurry_ = false;
 };
 
 }  // namespace tp100::publish

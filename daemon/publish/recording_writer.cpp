@@ -84,6 +84,8 @@ void RecordingWriter::add_channels() {
     if (is_new) entry->second = writer_.add_schema(schema);
     return writer_.add_channel(entry->second, topic, encoding);
   };
+  before_channel_ =
+      add({kInputsSchemaName, kStepEncoding, inputs_schema()}, kBeforeTopic, kStepEncoding);
   step_channel_ = add({kStepSchemaName, kStepEncoding, step_schema()}, kStepTopic, kStepEncoding);
   truth_channel_ = add({kTruthSchemaName, "jsonschema",
                         schema_of(kTruthSchemaName, truth_text(settings_.clock, Truth{}))},
@@ -105,6 +107,10 @@ void RecordingWriter::add_files(const RunFacts& facts) {
     attachment.log_ns = settings_.clock.unix_ns(settings_.clock.start_ns);
     writer_.attach(attachment);
   }
+}
+
+void RecordingWriter::before(HostNs at, std::span<const std::uint8_t> block) {
+  write(before_channel_, at, block);
 }
 
 void RecordingWriter::step(const StepRecord& record, std::span<const std::uint8_t> bytes) {

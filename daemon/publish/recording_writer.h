@@ -18,6 +18,9 @@ namespace tp100::publish {
 inline constexpr const char* kStepTopic = "/step";  ///< step_codec.h
 inline constexpr const char* kStepSchemaName = "tp100.Step";
 inline constexpr const char* kStepEncoding = "tp100";
+/// Inputs of all steps before the first /step, where there were any.
+inline constexpr const char* kBeforeTopic = "/before";
+inline constexpr const char* kInputsSchemaName = "tp100.Inputs";
 inline constexpr const char* kTruthTopic = "/truth";  ///< all digits, unlike /pose/truth
 inline constexpr const char* kTruthSchemaName = "tp100.Truth";
 inline constexpr const char* kFactsName = "tp100";  ///< of the metadata record
@@ -41,6 +44,8 @@ class RecordingWriter {
   /// Creates the file. Throws SetupError if it cannot be.
   RecordingWriter(const RecordingSettings& settings, const RunFacts& facts);
 
+  /// Inputs of steps that came before, a block of them (step_codec.h); first of all.
+  void before(HostNs at, std::span<const std::uint8_t> block);
   /// One step, and the messages that viewers get of it. `bytes` is `record` as encode_step writes
   /// it.
   void step(const StepRecord& record, std::span<const std::uint8_t> bytes);
@@ -68,7 +73,7 @@ class RecordingWriter {
   Messages messages_;
   RecordingFile file_;
   McapWriter writer_;
-  std::uint16_t step_channel_ = 0, truth_channel_ = 0;
+  std::uint16_t before_channel_ = 0, step_channel_ = 0, truth_channel_ = 0;
   std::map<Channel, std::uint16_t> channels_;
   std::optional<Truth> truth_;
   HostNs next_pose_ns_ = 0, next_slip_ns_ = 0;

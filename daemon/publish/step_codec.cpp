@@ -221,6 +221,18 @@ bool has_device_time(const ClockState& clock, HostNs at) {
   return std::abs(since_ns * 1e-3 / (1.0 + clock.drift)) <= static_cast<double>(kLongestTime);
 }
 
+std::optional<std::string> problem_of(const Decoder& decoder, const StepRecord& record) {
+  if (auto problem = decoder.problem()) return problem;
+  if (!record.clock.valid) return std::nullopt;
+  const auto camera = std::span(record.camera).first(record.camera_count);
+  if (!has_device_time(record.clock, record.now_ns) ||
+      !std::ranges::all_of(camera, [&](const CameraSample& seen) {
+        return has_device_time(record.clock, seen.measured_ns);
+      }))
+    return "drift is out of range";
+  return std::nullopt;
+}
+
 template <class Visitor>
 void visit_results(Visitor& visitor, const StepRecord& record) {
   visitor("command_valid", record.command_valid);
@@ -238,16 +250,26 @@ void encode_step(const StepRecord& record, std::vector<std::uint8_t>& out) {
 std::optional<std::string> decode_step(std::span<const std::uint8_t> bytes, StepRecord& record) {
   Decoder decoder(bytes);
   visit_fields(decoder, record);
-  if (auto problem = decoder.problem()) return problem;
-  if (record.clock.valid) {
-    const auto inputs = std::span(record.camera).first(record.camera_count);
-    if (!has_device_time(record.clock, record.now_ns) ||
-        !std::ranges::all_of(inputs, [&](const CameraSample& seen) {
-          return has_device_time(record.clock, seen.measured_ns);
-        }))
-      return "drift is out of range";
-  }
-  return std::nullopt;
+  return problem_of(decoder, record);
+}
+
+void encode_inputs(const StepRecord& record, std::vector<std::uint8_t>& block) {
+  ByteWriter out(block);
+  const std::size_t size_at = out.size();
+  out.number<std::uint32_t>(0);
+  Encoder encoder(block);
+  visit_inputs(encoder, record);
+  out.patch(size_at, static_cast<std::uint32_t>(out.size() - size_at - sizeof(std::uint32_t)));
+}
+
+std::optional<std::string> decode_inputs(std::span<const std::uint8_t>& block, StepRecord& record) {
+  ByteReader in(block);
+  const auto bytes = in.bytes(in.number<std::uint32_t>());
+  block = block.last(in.left());
+  if (!in.ok()) return "too few bytes";
+  Decoder decoder(bytes);
+  visit_inputs(decoder, record);
+  return problem_of(decoder, record);
 }
 
 const std::string& step_schema() {
@@ -255,6 +277,17 @@ const std::string& step_schema() {
     SchemaWriter writer;
     writer.text = R"({"encoding":"little-endian, packed","fields":[)";
     visit_fields(writer, *std::make_unique<const StepRecord>());
+    return writer.text + "]}";
+  }();
+  return kText;
+}
+
+const std::string& inputs_schema() {
+  static const std::string kText = [] {
+    SchemaWriter writer;
+    writer.text =
+        R"({"encoding":"little-endian, packed; each with its size in front, u32","fields":[)";
+    visit_inputs(writer, *std::make_unique<const StepRecord>());
     return writer.text + "]}";
   }();
   return kText;

@@ -1,7 +1,8 @@
 #pragma once
 // A StepRecord as bytes, exactly: the channel /step of a recording. Little-endian, packed, in the
 // order of step_fields.h: integers of their size, doubles as IEEE 754, truth values and
-// enumerations as one byte, a list as u32 count and its entries. Pure.
+// enumerations as one byte, a list as u32 count and its entries. The channel /before has the inputs
+// alone, of many steps in one block: each as u32 size and its fields. Pure.
 
 #include <cstdint>
 #include <optional>
@@ -26,9 +27,17 @@ void encode_step(const StepRecord& record, std::vector<std::uint8_t>& out);
 /// (not finite, beyond kMostInput). Numbers among the results may be anything.
 std::optional<std::string> decode_step(std::span<const std::uint8_t> bytes, StepRecord& record);
 
+/// Appends the inputs of `record`, with their size, to a block.
+void encode_inputs(const StepRecord& record, std::vector<std::uint8_t>& block);
+
+/// Reads the first step of `block` into the inputs of `record`, and takes it from `block`. Returns
+/// what is wrong, as decode_step.
+std::optional<std::string> decode_inputs(std::span<const std::uint8_t>& block, StepRecord& record);
+
 /// The layout as JSON: {"encoding": ..., "fields": [[name, type], ...]}. Two programs understand
 /// each other's records if these texts are equal.
 const std::string& step_schema();
+const std::string& inputs_schema();
 
 /// One result that is not as it was recorded.
 struct StepDifference {

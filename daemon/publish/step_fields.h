@@ -209,24 +209,31 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("faults", faults);
 }
 
+/// What went into the step, its time and number included.
+template <class Visitor, MaybeConst<StepRecord> T>
+void visit_inputs(Visitor& v, T& record) {
+  v("now_ns", record.now_ns);
+  v("step", record.step);
+  v.list("samples", record.samples, record.sample_count);
+  v.list("requests", record.requests, record.request_count, OperatorRequest::kStop);
+  v.list("camera", record.camera, record.camera_count);
+  v.list("world", record.world, record.world_count);
+  v.list("changes", record.changes, record.change_count);
+  v("session", record.session, SessionState::kRefused);
+  v("clock", record.clock);
+  v("session_number", record.session_number);
+  v("robot_rebooted", record.robot_rebooted);
+  v("request_refused", record.request_refused);
+}
+
 /// Inputs first, then the link's counters, then the results of the step.
 template <class Visitor, MaybeConst<StepRecord> T>
 void visit_fields(Visitor& v, T& record) {
+  // One more here is one more for visit_inputs, or below.
   auto& [now, step, samples, sample_count, requests, request_count, camera, camera_count, world,
          world_count, changes, change_count, session, clock, session_number, rebooted, refused,
          link, command_valid, request, snapshot] = record;
-  v("now_ns", now);
-  v("step", step);
-  v.list("samples", samples, sample_count);
-  v.list("requests", requests, request_count, OperatorRequest::kStop);
-  v.list("camera", camera, camera_count);
-  v.list("world", world, world_count);
-  v.list("changes", changes, change_count);
-  v("session", session, SessionState::kRefused);
-  v("clock", clock);
-  v("session_number", session_number);
-  v("robot_rebooted", rebooted);
-  v("request_refused", refused);
+  visit_inputs(v, record);
   v("link", link);
   v("command_valid", command_valid);
   v("request", request, RobotRequest::kStop);

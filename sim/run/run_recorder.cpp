@@ -16,13 +16,12 @@ publish::RunFacts facts_of(const Loaded& loaded, const app::RunSetup& run, std::
 }
 
 // Virtual time begins at zero; on viewers' clocks that is their zero, too.
-publish::RecorderSettings settings_of(const std::string& folder, const app::RunSetup& run,
-                                      std::uint64_t seed) {
-  return {.recording = {.path = folder + "/" + run.course->name + "-" + run.robot.name + "-" +
-                                std::to_string(seed) + "/run.mcap",
-                        .max_bytes = std::uint64_t{1'000'000} *
-                                     static_cast<std::uint64_t>(run.configuration.record.max_mb)},
-          .patient = true};
+publish::RecordingSettings settings_of(const std::string& folder, const app::RunSetup& run,
+                                       std::uint64_t seed) {
+  return {.path = folder + "/" + run.course->name + "-" + run.robot.name + "-" +
+                  std::to_string(seed) + "/run.mcap",
+          .max_bytes = std::uint64_t{1'000'000} *
+                       static_cast<std::uint64_t>(run.configuration.record.max_mb)};
 }
 
 publish::Event change(HostNs at, RunState from, RunState to, FaultMask faults) {
@@ -47,8 +46,9 @@ RunRecorder::RunRecorder(const std::string& folder, const Loaded& loaded, std::u
 
 RunRecorder::RunRecorder(const std::string& folder, const Loaded& loaded, const app::RunSetup& run,
                          std::uint64_t seed)
-    : recorder_(settings_of(folder, run, seed), facts_of(loaded, run, seed)),
-      messages_(facts_of(loaded, run, seed).subject, {}) {}
+    : messages_(facts_of(loaded, run, seed).subject, {}) {
+  recorder_.begin(settings_of(folder, run, seed), facts_of(loaded, run, seed));
+}
 
 void RunRecorder::take(const StepRecord& record) {
   recorder_.take(record);
@@ -74,7 +74,7 @@ void RunRecorder::record(const publish::Event& event) {
 void RunRecorder::take_truth(HostNs at, const Pose& truth) { recorder_.take_truth(at, truth); }
 
 void RunRecorder::finish() {
-  recorder_.finish();
+  recorder_.end();
   const std::string warning = recorder_.status().warning;
   if (!warning.empty()) std::fprintf(stderr, "tp100-sim: %s\n", warning.c_str());
 }

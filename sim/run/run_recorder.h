@@ -22,7 +22,7 @@ class RunRecorder : public publish::Sink {
   void take_push(HostNs at) override;
   /// Ends the file and says on standard error what went wrong.
   void finish();
-  const std::string& path() const { return recorder_.path(); }
+  std::string path() const { return recorder_.path(); }
 
  private:
   RunRecorder(const std::string& folder, const Loaded& loaded, const app::RunSetup& run,
@@ -30,7 +30,7 @@ class RunRecorder : public publish::Sink {
 
   void record(const publish::Event& event);
 
-  publish::Recorder recorder_;
+  publish::Recorder recorder_{{.patient = true}};
   publish::Messages messages_;
   RunState run_state_ = RunState::kIdle;
 };

@@ -23,9 +23,8 @@ class RecordingTest : public testing::Test {
     publish::RunFacts facts;
     facts.subject = publish::example_subject();
     facts.facts = {{"course", "example"}};
-    publish::Recorder recorder(
-        {.recording = {.path = path(), .compress = compress, .clock = {0, 0}}, .patient = true},
-        facts);
+    publish::Recorder recorder({.patient = true});
+    recorder.begin({.path = path(), .compress = compress, .clock = {0, 0}}, facts);
     for (std::uint64_t i = 1; i <= steps; ++i) {
       recorder.take_truth(static_cast<HostNs>(i), {.x_m = 1.0});
       recorder.take(*publish::random_record(i));

@@ -1,6 +1,7 @@
 #pragma once
 // A short recording: the daemon's cycle with a scripted robot, which stands still.
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -14,17 +15,21 @@
 namespace tp100::app {
 
 /// Two seconds of course 1-curve, 200 steps a second; after one a parameter changes. `edit` may
-/// change a record on its way, or leave it out by returning false.
+/// change a record on its way, or leave it out by returning false. The recording begins when
+/// `begin_at` steps are done.
 inline void record_run(
     const std::string& path,
     const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },
-    const publish::McapMap& facts = {{"seed", "5"}}) {
+    const publish::McapMap& facts = {{"seed", "5"}}, int begin_at = 0) {
   RunFiles files;
   files.robot = read_bundled(Bundled::kRobots, "end-loaded");
   files.course = read_bundled(Bundled::kCourses, "1-curve");
   const RunSetup run = parse_run(files);
-  publish::Recorder recorder({.recording = {.path = path, .clock = {kNsPerS, 0}}, .patient = true},
-                             run_facts(files, run, facts));
+  publish::Recorder recorder(
+      {.journal_folder = std::filesystem::path(path).parent_path().string(), .patient = true});
+  const auto begin = [&] {
+    recorder.begin({.path = path, .clock = {kNsPerS, 0}}, run_facts(files, run, facts));
+  };
   ScriptedRobot robot;
   Cycle cycle(session_settings(run.parameters), run.parameters, run.course);
   HostNs now = kNsPerS;
@@ -32,6 +37,7 @@ inline void record_run(
   cycle.request(OperatorRequest::kStart);
   const auto record = std::make_unique<StepRecord>();
   for (int i = 0; i < 400; ++i) {
+    if (i == begin_at) begin();
     now += 5 * kNsPerMs;
     robot.tick(now);
     cycle.receive(robot.take(), now);

@@ -40,6 +40,20 @@ TEST_F(ReplayRecording, TheRecordedInputsGiveTheRecordedResults) {
   EXPECT_FALSE(result.gap_before.has_value());
 }
 
+TEST_F(ReplayRecording, WhatBeganLaterIsReplayedFromTheStart) {
+  record_run(
+      file(), [](StepRecord&) { return true; }, {}, 250);
+  const Replayed result = replayed();
+  EXPECT_EQ(result.steps, 400u);
+  EXPECT_EQ(result.before, 250u);
+  EXPECT_FALSE(result.differs_at.has_value()) << result.difference.field;
+  EXPECT_FALSE(result.gap_before.has_value());
+  ASSERT_EQ(run_replay(options()), 0);
+  const std::string text = test::read_bytes(poses());
+  EXPECT_EQ(static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n')),
+            1 + result.steps - result.before);
+}
+
 TEST_F(ReplayRecording, AParameterThatChangedOnTheWayIsAnInputLikeAnyOther) {
   record_run(file(), [](StepRecord& record) {
     record.change_count = 0;

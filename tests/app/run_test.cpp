@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "../publish/web_client.h"
+#include "app/replay.h"
 #include "core/error.h"
 #include "link/transport.h"
 #include "pty_robot.h"
@@ -294,6 +295,16 @@ TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
   EXPECT_THAT(runs, HasSubstr("\"kind\":\"recording\""));
   EXPECT_THAT(runs, HasSubstr("\"active\":true"));
   EXPECT_THAT(runs, HasSubstr("\"active\":false"));
+  // The second began in the middle.
+  int replayed = 0;
+  for (const auto& run : std::filesystem::directory_iterator(options_.record)) {
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(
+        run_replay({.in = run.path(), .out = folder_ / "poses.csv", .config = {}, .model = {}}), 0);
+    EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("bit for bit"));
+    ++replayed;
+  }
+  EXPECT_EQ(replayed, 2);
 }
 
 TEST_F(Run, APageThatCannotBeServedIsAnErrorOfOneLine) {

@@ -86,8 +86,8 @@ int run(double seconds) {
   const Cost without = feed(keeper.records, steps, nullptr);
 
   const test::OwnFolder folder;
-  publish::Recorder recorder({.recording = {.path = folder.file("run.mcap")}},
-                             app::run_facts(loaded.files, setup, {}));
+  publish::Recorder recorder({.journal_folder = folder.path().string()});
+  recorder.begin({.path = folder.file("run.mcap")}, app::run_facts(loaded.files, setup, {}));
   const int warm_up = std::min(steps, 400);
   feed(keeper.records, warm_up, &recorder);
   const long resident = resident_kb();
@@ -95,7 +95,7 @@ int run(double seconds) {
   const Cost with = feed(keeper.records, steps, &recorder);
   const publish::RecordingStatus ended = recorder.status();
   const long grown = resident_kb() - resident;
-  recorder.finish();
+  recorder.end();
 
   const double written = static_cast<double>(ended.bytes - began.bytes) * 1e-6;
   std::printf("recording: %d steps at 200 Hz in real time\n", steps);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <thread>
+#include <tuple>
 
 #include "analysis/recording.h"
 #include "core/error.h"
@@ -23,8 +24,8 @@ using testing::HasSubstr;
 
 class RecorderTest : public testing::Test {
  protected:
-  RecorderSettings settings(const std::string& name = "run.mcap") const {
-    return {.recording = {.path = folder_.file(name), .clock = {0, 0}}, .patient = true};
+  RecordingSettings settings(const std::string& name = "run.mcap") const {
+    return {.path = folder_.file(name), .clock = {0, 0}};
   }
   static RunFacts facts() {
     RunFacts facts;
@@ -48,7 +49,8 @@ class RecorderTest : public testing::Test {
 
 TEST_F(RecorderTest, WhatWasTakenIsInTheFileBitForBit) {
   {
-    Recorder recorder(settings(), facts());
+    Recorder recorder({.patient = true});
+    recorder.begin(settings(), facts());
     for (std::uint64_t i = 1; i <= 500; ++i) {
       recorder.take_truth(static_cast<HostNs>(i) * 5 * kNsPerMs,
                           {.x_m = 0.1 * static_cast<double>(i)});
@@ -80,7 +82,8 @@ TEST_F(RecorderTest, WhatWasTakenIsInTheFileBitForBit) {
 
 TEST_F(RecorderTest, ViewersFindTheirTopics) {
   {
-    Recorder recorder(settings(), facts());
+    Recorder recorder({.patient = true});
+    recorder.begin(settings(), facts());
     feed(recorder, 1, 100);
     recorder.message(Channel::kEvent, 7, R"({"text":"hello"})");
   }
@@ -100,7 +103,8 @@ TEST_F(RecorderTest, ViewersFindTheirTopics) {
 }
 
 TEST_F(RecorderTest, ARecordingThatIsNeverFinishedHasAllButItsLastHalfSecond) {
-  Recorder recorder(settings(), facts());
+  Recorder recorder({.patient = true});
+  recorder.begin(settings(), facts());
   feed(recorder, 1, 1000);
   // All of it has been taken out of the queue once the bytes stop growing.
   const auto steps = [&] { return steps_in(Recording(folder_.file("run.mcap"))); };
@@ -111,11 +115,12 @@ TEST_F(RecorderTest, ARecordingThatIsNeverFinishedHasAllButItsLastHalfSecond) {
 }
 
 TEST_F(RecorderTest, AtItsSizeLimitItEndsWholeAndSaysSo) {
-  RecorderSettings small = settings();
-  small.recording.max_bytes = 1'000'000;
-  Recorder recorder(small, facts());
+  RecordingSettings small = settings();
+  small.max_bytes = 1'000'000;
+  Recorder recorder({.patient = true});
+  recorder.begin(small, facts());
   feed(recorder, 1, 4000);
-  recorder.finish();
+  recorder.end();
   const RecordingStatus status = recorder.status();
   EXPECT_FALSE(status.active);
   EXPECT_THAT(status.warning, HasSubstr("record.max_mb, 1 MB, is reached; the file is whole"));
@@ -132,37 +137,38 @@ TEST_F(RecorderTest, WhereTheFileMayNotGrowAnyMoreItEndsWholeAndSaysSo) {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit = {1'000'000, 1'000'000};
     setrlimit(RLIMIT_FSIZE, &limit);
-    Recorder recorder(settings(), facts());
+    Recorder recorder({.patient = true});
+    recorder.begin(settings(), facts());
     feed(recorder, 1, 4000);
-    recorder.finish();
+    recorder.end();
     const RecordingStatus status = recorder.status();
     const bool said =
         status.warning.find("the disk is full; the file is whole") != std::string::npos;
-    std::_Exit(said && !status.active && Recording(settings().recording.path).whole() ? 0 : 1);
+    std::_Exit(said && !status.active && Recording(settings().path).whole() ? 0 : 1);
   };
   EXPECT_EXIT(record_beyond_a_limit(), testing::ExitedWithCode(0), "");
 }
 
 TEST_F(RecorderTest, AFileThatCannotBeWrittenIsAnErrorOfOneLine) {
-  RecorderSettings bad = settings();
-  bad.recording.path = "/dev/full";
-  const auto told = [](const RecorderSettings& s) -> std::string {
+  RecordingSettings bad = settings();
+  bad.path = "/dev/full";
+  const auto told = [](const RecordingSettings& s) -> std::string {
     try {
-      const Recorder recorder(s, facts());
+      Recorder recorder;
+      recorder.begin(s, facts());
     } catch (const SetupError& error) {
       return error.what();
     }
     return {};
   };
   EXPECT_THAT(told(bad), HasSubstr("No space left on device"));
-  bad.recording.path = "/proc/none/run.mcap";
+  bad.path = "/proc/none/run.mcap";
   EXPECT_THAT(told(bad), HasSubstr("cannot create the folder"));
 }
 
 TEST_F(RecorderTest, WhoCannotWaitIsToldWhatWasDropped) {
-  RecorderSettings hasty = settings();
-  hasty.patient = false;
-  Recorder recorder(hasty, facts());
+  Recorder recorder;
+  recorder.begin(settings(), facts());
   const auto record = random_record(1);
   record->sample_count = StepRecord::kMaxSamples;
   // Faster than any disk: more than the queue holds before the recorder is through.
@@ -171,7 +177,7 @@ TEST_F(RecorderTest, WhoCannotWaitIsToldWhatWasDropped) {
     record->now_ns = static_cast<HostNs>(i) * 5 * kNsPerMs;
     recorder.take(*record);
   }
-  recorder.finish();
+  recorder.end();
   const std::uint64_t dropped = recorder.status().dropped;
   const Recording recording(folder_.file("run.mcap"));
   EXPECT_TRUE(recording.whole());
@@ -179,8 +185,59 @@ TEST_F(RecorderTest, WhoCannotWaitIsToldWhatWasDropped) {
   EXPECT_GT(steps_in(recording), 0u);
 }
 
+TEST_F(RecorderTest, WhatWentInBeforeItBeganIsInARecordingFirst) {
+  Recorder recorder({.journal_folder = folder_.path().string(), .patient = true});
+  feed(recorder, 1, 2000);
+  recorder.begin(settings("first.mcap"), facts());
+  feed(recorder, 2001, 2100);
+  recorder.end();
+  feed(recorder, 2101, 2200);
+  recorder.begin(settings("second.mcap"), facts());
+  feed(recorder, 2201, 2300);
+  recorder.end();
+  EXPECT_EQ(recorder.status().warning, "");
+  for (const auto& [name, begun, ended] :
+       {std::tuple("first.mcap", 2000u, 2100u), std::tuple("second.mcap", 2200u, 2300u)}) {
+    std::uint64_t step = 0, before = 0;
+    Recording(folder_.file(name))
+        .visit({.before =
+                    [&](const StepRecord& record) {
+                      ++before;
+                      Bytes is, was;
+                      encode_inputs(record, is);
+                      encode_inputs(*random_record(++step), was);
+                      ASSERT_EQ(is, was) << step;
+                    },
+                .step = [&](const StepRecord& record) { ASSERT_EQ(record.step, ++step); }});
+    EXPECT_EQ(before, begun) << name;
+    EXPECT_EQ(step, ended) << name;
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 2)
+      << "the journal has no name";
+}
+
+TEST_F(RecorderTest, ALateRecordingWithoutThemSaysSo) {
+  Recorder recorder({.journal_folder = folder_.path().string(), .journal_bytes = 100'000});
+  feed(recorder, 1, 2000);
+  recorder.begin(settings("ended.mcap"), facts());
+  recorder.end();
+  recorder.begin(settings(), facts());
+  feed(recorder, 2001, 2100);
+  recorder.end();
+  EXPECT_THAT(recorder.status().warning, HasSubstr("it cannot be replayed"));
+  EXPECT_THAT(recorder.status().warning, HasSubstr("record.max_mb"));
+  const Recording recording(folder_.file("run.mcap"));
+  EXPECT_TRUE(recording.whole());
+  EXPECT_EQ(steps_in(recording), 100u);
+}
+
+TEST_F(RecorderTest, AJournalThatCannotBeWrittenIsAnErrorOfOneLine) {
+  EXPECT_THROW(Recorder({.journal_folder = "/proc/none"}), SetupError);
+}
+
 TEST_F(RecorderTest, DiscardLeavesNothing) {
-  Recorder recorder(settings("sub/run.mcap"), facts());
+  Recorder recorder({.patient = true});
+  recorder.begin(settings("sub/run.mcap"), facts());
   feed(recorder, 1, 10);
   recorder.discard();
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -76,6 +77,33 @@ TEST(StepCodec, RefusesBytesThatAreTooFewOrTooMany) {
     ASSERT_NE(decode_step(std::span(bytes).first(size), *back), std::nullopt) << size;
   bytes.push_back(0);
   EXPECT_THAT(decode_step(bytes, *back).value_or(""), HasSubstr("1 bytes too many"));
+}
+
+TEST(StepCodec, ABlockOfInputsIsTakenStepByStepAndRefusedWhereItIsCut) {
+  std::vector<std::uint8_t> block;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) encode_inputs(*random_record(seed), block);
+  auto back = random_record(4);
+  std::span<const std::uint8_t> rest(block);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    ASSERT_EQ(decode_inputs(rest, *back), std::nullopt);
+    EXPECT_EQ(back->now_ns, random_record(seed)->now_ns);
+  }
+  EXPECT_TRUE(rest.empty());
+  for (std::size_t size = 1; size < block.size(); ++size) {
+    rest = std::span(block).first(size);
+    std::optional<std::string> problem;
+    while (!problem && !rest.empty()) problem = decode_inputs(rest, *back);
+    // Cut between two steps it is whole.
+    std::size_t at = 0;
+    bool between = false;
+    while (at < size) {
+      std::uint32_t length = 0;
+      std::memcpy(&length, block.data() + at, sizeof length);
+      at += sizeof length + length;
+      between = at == size;
+    }
+    ASSERT_EQ(problem.has_value(), !between) << size;
+  }
 }
 
 TEST(StepCodec, RefusesInputsThatNoRobotCanHaveMeasured) {
