@@ -209,22 +209,22 @@ void Reader::truth(HostNs at, const Pose& pose) {
 
 // Only what does not follow from the steps.
 void Reader::event(std::uint64_t unix_ns, std::string_view text) {
-  if (text.size() > kLongestEvent || unix_ns >> 60 != 0 || start_unix_ns_ >> 60 != 0) return;
+  // Till 2116, and no sum overflows.
+  if (text.size() > kLongestEvent || unix_ns >> 62 != 0 || start_unix_ns_ >> 62 != 0) return;
   const Json json = Json::parse(text, nullptr, false);
   const auto field = [&](const char* name) -> std::string {
     if (!json.is_object()) return {};
     const auto found = json.find(name);
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
-  const std::string kind = field("kind");
-  if (kind == "run" || kind == "session" || kind == "robot" || kind == "fault" || kind == "stop" ||
-      kind == "acknowledge")
+  const std::string kind = field("kind"), words = field("text");
+  if (kind == "run" || kind == "fault" || (kind == "session" && words.starts_with("state: ")))
     return;
   const HostNs at =
       start_ns_ + (static_cast<HostNs>(unix_ns) - static_cast<HostNs>(start_unix_ns_));
   if (kind == "push" && pushes_ns_.size() < RunWatch::kMost) pushes_ns_.push_back(at);
   watch_.add({.at_ns = at,
-              .text = field("text").substr(0, 300),
+              .text = words.substr(0, 300),
               .remedy = field("remedy").substr(0, 300),
               .bad = field("level") == "error"});
 }

@@ -28,9 +28,8 @@ publish::Subject subject_of(const RunSetup& run) {
 
 std::unique_ptr<publish::Server> make_server(const RunSetup& run,
                                              const publish::PublishClock& clock,
-                                             LiveControls& controls) {
+                                             LiveControls& controls, LiveRecording& recording) {
   const ServerSettings& settings = run.configuration.server;
-  if (settings.listen == "off") return nullptr;
   publish::ServerSettings out;
   out.listen = settings.listen;
   out.access = {publish::words(settings.hosts), publish::words(settings.origins)};
@@ -38,6 +37,8 @@ std::unique_ptr<publish::Server> make_server(const RunSetup& run,
   out.max_clients = static_cast<std::size_t>(settings.max_clients);
   out.runs_folder = run.configuration.record.directory;
   out.page = page_file;
+  out.listener = [&recording](publish::Channel channel, std::uint64_t unix_ns,
+                              std::string_view json) { recording.hear(channel, unix_ns, json); };
   return std::make_unique<publish::Server>(std::move(out),
                                            publish::Messages(subject_of(run), clock),
                                            parameter_list(run.configuration, run.robot), controls);

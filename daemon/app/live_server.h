@@ -1,5 +1,6 @@
 #pragma once
-// The server of `tp100d run`: page, viewers and what they ask, joined to the live loop.
+// The server of `tp100d run`: page, viewers and what they ask, joined to the live loop; and what it
+// says, joined to the recording.
 
 #include <memory>
 #include <string>
@@ -10,9 +11,9 @@
 
 namespace tp100::app {
 
-/// Listens as configured; null if the server is off. Throws SetupError.
+/// Listens as configured. `controls` and `recording` must outlive it. Throws SetupError.
 std::unique_ptr<publish::Server> make_server(const RunSetup& run,
                                              const publish::PublishClock& clock,
-                                             LiveControls& controls);
+                                             LiveControls& controls, LiveRecording& recording);
 
 }  // namespace tp100::app

@@ -117,7 +117,7 @@ int run_run(const RunOptions& options) {
   LiveRecording recording(files, run, clock);
   settings.recording = &recording;
   LiveControls controls(cycle, loop, recording);
-  const std::unique_ptr<publish::Server> server = make_server(run, clock, controls);
+  const std::unique_ptr<publish::Server> server = make_server(run, clock, controls, recording);
   if (!configuration.record.directory.empty()) recording.start("");
   settings.server = server.get();
   settings.controls = &controls;

@@ -99,11 +99,9 @@ int Supervisor::State::run() {
   figures.setup = settings.setup;
   figures.grants = settings.process_grants;
   began_ns = loop::monotonic_now();
-  if (settings.recording != nullptr) sinks.push_back(settings.recording);
-  if (settings.server != nullptr) {
-    sinks.push_back(settings.server);
-    figures.page = settings.server->url();
-  }
+  sinks.push_back(settings.recording);
+  sinks.push_back(settings.server);
+  figures.page = settings.server->url();
   take_signals();
   if (!settings.camera.listen.empty()) {
     camera = std::make_unique<CameraPort>(
@@ -130,7 +128,9 @@ int Supervisor::State::run() {
   take_records();
   take_events();
   take_status(loop::monotonic_now());
-  if (settings.recording != nullptr) settings.recording->stop();
+  // What happened last is to be in the recording.
+  settings.server->flush();
+  settings.recording->stop();
   figures.duration_s = to_s(loop::monotonic_now() - began_ns);
   write_figures();
   summarize();
@@ -138,15 +138,13 @@ int Supervisor::State::run() {
 }
 
 void Supervisor::State::begin_serving() {
-  if (settings.server == nullptr) return;
   settings.controls->set_grants(figures.grants);
   settings.server->start();
   if (!settings.server->note().empty()) log.warn(settings.server->note());
-  log.info("page: " + settings.server->url());
+  if (!figures.page.empty()) log.info("page: " + figures.page);
 }
 
 void Supervisor::State::serve(const LiveEvent& event) {
-  if (settings.server == nullptr) return;
   if (acknowledges_stop(event)) settings.server->stop_answered(event.at_ns);
   for (const publish::Event& words : words_for(event)) settings.server->take(words);
   if (event.kind == LiveEvent::Kind::kSession)
@@ -291,7 +289,7 @@ void Supervisor::State::on_enter() {
   if (run_state == RunState::kArming || run_state == RunState::kRunning) {
     log.warn("Enter: STOP");
     cycle.request(OperatorRequest::kStop);
-    if (settings.server != nullptr) settings.server->stop_pressed("keyboard");
+    settings.server->stop_pressed("keyboard");
   } else if (session == SessionState::kReady) {
     cycle.request(OperatorRequest::kStart);
   } else {
@@ -301,7 +299,7 @@ void Supervisor::State::on_enter() {
 
 void Supervisor::State::end(int exit_status, const std::string& result) {
   if (std::exchange(ending, true)) return;
-  if (settings.controls != nullptr) settings.controls->end();
+  settings.controls->end();
   status = exit_status;
   figures.result = result;
   connector.stop();
@@ -311,7 +309,7 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 void Supervisor::State::write_figures() {
   if (camera != nullptr) figures.camera = camera->counters();
   figures.world = world->figures();
-  if (settings.recording != nullptr) take_recording();
+  take_recording();
   if (settings.stats_path.empty()) return;
   const std::string text = stats_json(figures, loop.statistics(), cycle.sample_age());
   try {

@@ -30,9 +30,10 @@ struct SupervisorSettings {
   std::string robot;
   std::string setup;
   std::vector<loop::Grant> process_grants;
-  LiveRecording* recording = nullptr;  ///< gets every step; must outlive the supervisor
-  bool stay = false;                   ///< a run that is over does not end the program
-  publish::Server* server = nullptr;   ///< null: none; started and fed here
+  bool stay = false;  ///< a run that is over does not end the program
+  // Never null; they must outlive the supervisor.
+  LiveRecording* recording = nullptr;  ///< gets every step
+  publish::Server* server = nullptr;   ///< started and fed here
   LiveControls* controls = nullptr;    ///< of the server
 };
 

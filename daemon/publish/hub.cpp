@@ -27,7 +27,8 @@ void Viewer::send(std::uint32_t subscription, std::uint64_t unix_ns,
   wake_();
 }
 
-Hub::Hub(std::vector<ChannelText> channels) : channels_(std::move(channels)) {}
+Hub::Hub(std::vector<ChannelText> channels, Listener listener)
+    : channels_(std::move(channels)), listener_(std::move(listener)) {}
 
 bool Hub::wanted(Channel channel) const {
   return !line(channel).subscribers.empty() ||
@@ -39,6 +40,7 @@ void Hub::publish(Channel channel, std::uint64_t unix_ns, std::string json) {
   const std::size_t keep = channels_[static_cast<std::uint32_t>(channel) - 1].kept;
   if (to.subscribers.empty() && keep == 0) return;
   const auto body = std::make_shared<const std::string>(std::move(json));
+  if (listener_) listener_(channel, unix_ns, *body);
   for (const Subscriber& each : to.subscribers) each.viewer->send(each.subscription, unix_ns, body);
   if (keep == 0) return;
   to.kept.push_back({unix_ns, body});

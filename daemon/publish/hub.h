@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "publish/channels.h"
@@ -46,9 +47,12 @@ class Viewer {
   std::map<std::uint32_t, Channel> subscriptions_;
 };
 
+/// Hears what is said on every channel, without a subscription.
+using Listener = std::function<void(Channel, std::uint64_t unix_ns, std::string_view json)>;
+
 class Hub {
  public:
-  explicit Hub(std::vector<ChannelText> channels);
+  explicit Hub(std::vector<ChannelText> channels, Listener listener = {});
 
   const std::vector<ChannelText>& channels() const { return channels_; }
 
@@ -87,6 +91,7 @@ class Hub {
   void drop(Viewer& viewer, std::uint32_t subscription, Channel channel);
 
   std::vector<ChannelText> channels_;
+  Listener listener_;
   std::array<Line, kChannelCount> lines_{};
   std::vector<std::shared_ptr<Viewer>> viewers_;
 };

@@ -8,6 +8,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <charconv>
 #include <chrono>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -30,6 +31,7 @@ using asio::ip::tcp;
 constexpr auto kTick = std::chrono::milliseconds(50);
 constexpr auto kAcceptPause = std::chrono::milliseconds(200);
 constexpr auto kGoodbyeTick = std::chrono::milliseconds(10);
+constexpr auto kFlush = std::chrono::seconds(1);
 constexpr HostNs kGoodbyeNs = 500 * kNsPerMs;
 constexpr HostNs kStandsStillNs = kNsPerS;
 constexpr std::uint16_t kUsualPort = 8765;
@@ -109,6 +111,7 @@ struct Server::State {
   State(ServerSettings s, const Messages& messages, std::vector<ParameterText> parameters,
         Controls& c)
       : controls(c),
+        hub(channel_texts(), std::move(s.listener)),
         feed(hub, messages, c),
         desk(hub, feed, c, std::move(parameters), random_name()),
         room{.settings = std::move(s), .hub = hub, .feed = feed, .desk = desk} {
@@ -135,7 +138,7 @@ struct Server::State {
   ClientsFigures clients(HostNs now) const;
 
   Controls& controls;
-  Hub hub{channel_texts()};
+  Hub hub;
   Feed feed;
   Desk desk;
   ServerRoom room;
@@ -167,6 +170,7 @@ bool Server::State::try_listen(const Address& address, boost::system::error_code
 }
 
 void Server::State::listen() {
+  if (room.settings.listen == "off") return;
   const bool automatic = room.settings.listen == "auto";
   const Address address = automatic ? Address{asio::ip::address_v4::loopback(), kUsualPort}
                                     : parse_address(room.settings.listen);
@@ -262,7 +266,7 @@ std::string Server::State::health() const {
 }
 
 void Server::State::run() {
-  accept();
+  if (acceptor.is_open()) accept();
   tick();
   context.run();
 }
@@ -330,6 +334,13 @@ void Server::stop_answered(HostNs at) {
     state_->feed.stop_answered(at, now);
     state_->desk.tick(now);
   });
+}
+
+void Server::flush() {
+  if (!state_->thread.joinable()) return;
+  const auto said = std::make_shared<std::promise<void>>();
+  asio::post(state_->context, [said] { said->set_value(); });
+  said->get_future().wait_for(kFlush);
 }
 
 std::uint64_t Server::lost_records() const { return state_->inbox.lost(); }

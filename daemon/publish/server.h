@@ -11,6 +11,7 @@
 #include "publish/commands_from.h"
 #include "publish/controls.h"
 #include "publish/http_content.h"
+#include "publish/hub.h"
 #include "publish/messages.h"
 #include "publish/parameter_text.h"
 #include "publish/sink.h"
@@ -19,13 +20,14 @@ namespace tp100::publish {
 
 struct ServerSettings {
   /// HOST:PORT, with port 0 for any free one; "auto": 127.0.0.1:8765, or any free port of that
-  /// address if another program has that one.
+  /// address if another program has that one; "off": nobody is served, only `listener`.
   std::string listen = "auto";
   AccessRules access{};
   CommandsFrom commands = CommandsFrom::kLocal;
   std::size_t max_clients = 64;
   std::string runs_folder;  ///< empty: none
   Page page;
+  Listener listener;  ///< called from the constructor and the server's thread; must not block
 };
 
 class Server : public Sink {
@@ -37,7 +39,7 @@ class Server : public Sink {
   /// Says goodbye to every client, at most for a second.
   ~Server() override;
 
-  /// "http://127.0.0.1:8765/".
+  /// "http://127.0.0.1:8765/"; empty: off.
   const std::string& url() const;
   /// Why it is not the usual port, in one line; empty: it is, or another one was asked for.
   const std::string& note() const;
@@ -52,6 +54,8 @@ class Server : public Sink {
   void stop_pressed(const std::string& by);
   /// The robot acknowledged a STOP at host time `at`.
   void stop_answered(HostNs at);
+  /// Waits until all of that has been said on the channels; a second at most.
+  void flush();
   /// Records that the server's thread was too slow for.
   std::uint64_t lost_records() const;
 

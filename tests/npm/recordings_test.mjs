@@ -29,12 +29,12 @@ async function recorded(folder) {
   return join(folder, runs[0], 'run.mcap');
 }
 
-/** Message counts by topic; checks every record on the way. */
+/** Message counts by topic, events by their text; checks every record on the way. */
 function readAsStream(bytes) {
   const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
   reader.append(bytes);
   const schemas = new Map(), channels = new Map(), counts = new Map();
-  const seen = { attachments: [], metadata: [], statistics: undefined, footer: false };
+  const seen = { attachments: [], metadata: [], statistics: undefined, footer: false, events: new Map(), steps: [] };
   for (let record; (record = reader.nextRecord()) !== undefined;) {
     if (record.type === 'Schema') schemas.set(record.id, record);
     if (record.type === 'Channel') {
@@ -48,9 +48,11 @@ function readAsStream(bytes) {
     if (record.type !== 'Message') continue;
     const channel = channels.get(record.channelId);
     counts.set(channel.topic, (counts.get(channel.topic) ?? 0) + 1);
+    if (channel.topic === '/step') seen.steps.push(record.logTime);
     if (channel.messageEncoding === 'json') {
-      checkAgainst(JSON.parse(new TextDecoder().decode(schemas.get(channel.schemaId).data)),
-        JSON.parse(new TextDecoder().decode(record.data)), channel.topic);
+      const value = JSON.parse(new TextDecoder().decode(record.data));
+      checkAgainst(JSON.parse(new TextDecoder().decode(schemas.get(channel.schemaId).data)), value, channel.topic);
+      if (channel.topic === '/event') seen.events.set(value.text, record.logTime);
     }
   }
   assert.ok(reader.done(), 'read to the end');
@@ -61,6 +63,8 @@ function readAsStream(bytes) {
 /** Every value has the type that the schema says; null means "not known". */
 function checkAgainst(schema, value, where) {
   if (value === null) return;
+  // A parameter's value has a type of its own; a list's schema has one for all.
+  if (/^\/parameter\.parameters\[\]\.(value|default)$/.test(where)) return;
   const type = Array.isArray(value) ? 'array'
     : Number.isInteger(value) && schema.type === 'integer' ? 'integer' : typeof value;
   assert.equal(type, schema.type, where);
@@ -128,17 +132,30 @@ test('a live run, whole and killed', () => inFolder(async (folder) => {
     const configuration = join(folder, 'tp100.toml');
     await (await import('node:fs/promises')).writeFile(configuration,
       '[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n');
-    const run = (name, kill) => new Promise((resolve) => {
+    const course = join(folder, 'short.toml');
+    await (await import('node:fs/promises')).writeFile(course,
+      'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.3\n'
+      + '[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n');
+    const run = (name, more, kill) => new Promise((resolve) => {
       const daemon = spawn(program('tp100d'), ['run', '--config', configuration, '--port', join(folder, 'port'),
-        '--duration', '4', '--record', join(folder, name)], { stdio: 'ignore' });
+        '--listen', '127.0.0.1:0', '--record', join(folder, name), ...more], { stdio: 'ignore' });
       daemon.once('exit', resolve);
       if (kill) setTimeout(() => daemon.kill('SIGKILL'), 3000);
     });
-    await run('whole', false);
-    const { counts } = await check(await recorded(join(folder, 'whole')));
+    // On a crowded machine commands may come too late: then it is aborted, and that is what happened.
+    const end = await run('whole', ['--course', course, '--duration', '30'], false) === 0 ? 'finished' : 'aborted';
+    const { counts, events, steps } = await check(await recorded(join(folder, 'whole')));
     assert.ok(counts.get('/step') > 100);
+    for (const change of ['idle -> arming', 'arming -> running', `running -> ${end}`]) {
+      const at = events.get(`state: ${change}`);
+      assert.ok(at >= steps[0] && at <= steps.at(-1), change);
+    }
 
-    await run('killed', true);
+    for (const topic of ['/event', '/log', '/state', '/link', '/loop', '/parameter'])
+      assert.ok(counts.get(topic) > 0, topic);
+    assert.equal(counts.get('/event'), counts.get('/log'));
+
+    await run('killed', [], true);
     const cut = await recorded(join(folder, 'killed'));
     execFileSync(program('tp100d'), ['recover', cut]);
     const saved = await check(cut.replace('.mcap', '-recovered.mcap'));

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <thread>
 
 #include "core/error.h"
@@ -44,6 +45,7 @@ class ServerTest : public ::testing::Test {
              true}},
         controls_);
     server_->start();
+    if (server_->url().empty()) return;
     port_ = server_->url().substr(server_->url().rfind(':') + 1);
     port_.pop_back();
   }
@@ -87,6 +89,28 @@ TEST_F(ServerTest, AnAddressThatIsNoneOrTakenIsAnErrorOfOneLine) {
   const auto first = std::move(server_);
   settings_.listen = "127.0.0.1:" + port_;
   EXPECT_THROW(start(), SetupError);
+}
+
+TEST_F(ServerTest, ItsListenerHearsAllOfItAlsoWhenNobodyIsServed) {
+  for (const char* listen : {"127.0.0.1:0", "off"}) {
+    std::map<Channel, std::string> heard;
+    settings_.listen = listen;
+    settings_.listener = [&](Channel channel, std::uint64_t, std::string_view json) {
+      heard[channel] = json;
+    };
+    start();
+    EXPECT_THAT(heard[Channel::kParameter], HasSubstr("control.gain"));
+    EXPECT_EQ(server_->url().empty(), std::string(listen) == "off");
+    step();
+    server_->take(Event{.at_ns = steady_now(), .text = "something"});
+    server_->flush();
+    server_.reset();
+    EXPECT_THAT(heard[Channel::kEvent], HasSubstr("something")) << listen;
+    EXPECT_THAT(heard[Channel::kLog], HasSubstr("something")) << listen;
+    EXPECT_THAT(heard[Channel::kState], HasSubstr("\"run\":\"running\"")) << listen;
+    for (const Channel channel : {Channel::kLink, Channel::kLoop})
+      EXPECT_NE(heard[channel], "") << listen;
+  }
 }
 
 TEST_F(ServerTest, ByItselfItTakesAnotherPortIfTheUsualOneIsTaken) {

@@ -203,6 +203,49 @@ TEST_F(RecordedPrograms, ALiveRunReplaysBitForBitAndIsExported) {
   EXPECT_FALSE(std::filesystem::exists(out + "/truth.tum")) << "nobody knew it";
 }
 
+TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappened) {
+  std::ofstream(folder_.file("short.toml"))
+      << "description = \"short\"\nspeed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
+         "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
+  test::Process robot({"tp100-sim", "robot", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  // Nobody needs to look for it to be recorded.
+  test::Process bridge(
+      daemon({"--course", folder_.file("short.toml"), "--listen", "off", "--duration", "30"}));
+  // On a crowded machine commands may come too late: then it is aborted, and that is what happened.
+  const std::string end =
+      bridge.wait() == 0 ? "state: running -> finished" : "state: running -> aborted";
+  EXPECT_THAT(bridge.output(), testing::Not(HasSubstr("page:")));
+
+  std::map<std::string, int> counts;
+  std::map<std::string, std::uint64_t> happened;
+  std::uint64_t first = UINT64_MAX, last = 0;
+  Recording(file()).visit(
+      {.message = [&](const std::string& topic, std::uint64_t unix_ns, std::string_view json) {
+        ++counts[topic];
+        if (topic == "/estimate") first = std::min(first, unix_ns), last = unix_ns;
+        if (topic == "/event") happened[Json::parse(json)["text"]] = unix_ns;
+      }});
+  for (const std::string& text :
+       {std::string("state: idle -> arming"), std::string("state: arming -> running"), end}) {
+    ASSERT_TRUE(happened.contains(text)) << text;
+    EXPECT_GE(happened[text], first) << text;
+    EXPECT_LE(happened[text], last) << text;
+  }
+  EXPECT_LT(happened["state: idle -> arming"], happened["state: arming -> running"]);
+  EXPECT_LT(happened["state: arming -> running"], happened[end]);
+  EXPECT_EQ(counts["/log"], counts["/event"]);
+  for (const char* topic : {"/state", "/link", "/loop", "/parameter"}) EXPECT_GT(counts[topic], 0);
+  // Five times a second, and what changes in between.
+  EXPECT_LT(counts["/state"], counts["/estimate"] / 4);
+
+  ASSERT_EQ(test::run({"tp100d", "report", file()}).status, 0);
+  const std::string page =
+      bytes_of((std::filesystem::path(file()).parent_path() / "report.html").string());
+  EXPECT_THAT(page, HasSubstr("hello from an emulated board"));
+  EXPECT_THAT(page, HasSubstr("run: running -&gt; " + end.substr(end.rfind(' ') + 1)));
+}
+
 TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
   test::Process robot({"tp100-sim", "robot", "--link", port()});
   ASSERT_TRUE(robot.wait_for("linked from"));
