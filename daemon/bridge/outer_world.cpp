@@ -10,6 +10,9 @@ namespace {
 
 // Steeper ground is called a ramp.
 constexpr double kRampRad = 2.0 * kRadPerDeg;
+// A robot that was put to the start is no farther from it.
+constexpr double kAtStartM = 0.1;
+constexpr double kAtStartRad = 10.0 * kRadPerDeg;
 
 terrain::RideState ride_of(const WorldSample& said) {
   terrain::RideState state;
@@ -58,6 +61,18 @@ void OuterWorld::restart(HostNs now) {
   run_began_ns_ = now;
   blocked_s_ = 0.0;
   shift_.reset();
+  awaits_start_ = parameters_.kind == WorldKind::kFiles && parameters_.owns_pose;
+}
+
+// Text files do not tell which run they speak of.
+bool OuterWorld::is_of_run_before(const WorldSample& said) {
+  if (!awaits_start_) return false;
+  const Step* step = step_at(said.answered_ns);
+  if (step == nullptr) return true;
+  const Pose& here = step->steering;
+  awaits_start_ = std::hypot(said.pose.x_m - here.x_m, said.pose.y_m - here.y_m) > kAtStartM ||
+                  std::abs(wrap_angle(said.pose.yaw_rad - here.yaw_rad)) > kAtStartRad;
+  return awaits_start_;
 }
 
 void OuterWorld::take(const WorldSample& said) {
@@ -65,7 +80,7 @@ void OuterWorld::take(const WorldSample& said) {
   stop_ = said.stop;
   session_ = said.session;
   told_blocked_ = said.blocked;
-  if (parameters_.owns_pose && !said.has_pose) return;
+  if (parameters_.owns_pose && (!said.has_pose || is_of_run_before(said))) return;
   answered_ns_ = said.answered_ns;
   if (!rules_ground_) return;
   // A world that owns the pose may leave the ground out.

@@ -61,6 +61,7 @@ class OuterWorld {
     Pose steering{};
   };
   const Step* step_at(HostNs at) const;
+  bool is_of_run_before(const WorldSample& said);
 
   WorldParameters parameters_;
   bool rules_ground_;  ///< the real floor is flat
@@ -69,6 +70,7 @@ class OuterWorld {
   std::optional<HostNs> answered_ns_;
   std::uint32_t session_ = 0, run_session_ = 0;
   HostNs run_began_ns_ = 0;
+  bool awaits_start_ = false;
   bool stop_ = false, stop_pending_ = false;
   bool told_blocked_ = false;
   double blocked_s_ = 0.0;

@@ -95,6 +95,35 @@ TEST(OuterWorld, APoseBelongsToTheStepThatItAnswers) {
   EXPECT_FALSE(world.shift()) << "it answers the run before";
 }
 
+TEST(OuterWorld, FilesMustShowTheRobotAtTheStartBeforeTheyAreBelieved) {
+  WorldParameters files = external(true);
+  files.kind = WorldKind::kFiles;
+  OuterWorld world(files, Setup::kFlat);
+  const auto says = [&](HostNs now, const Pose& pose) {
+    world.remember(now, {.x_m = 1.0});
+    WorldSample said = answer(now);
+    said.has_pose = true;
+    said.pose = pose;
+    world.take(said);
+  };
+  // Before a run it may be anywhere.
+  says(kNsPerS, {.x_m = 5.0});
+  EXPECT_TRUE(world.fresh(kNsPerS));
+  const HostNs began = kNsPerS + 50 * kNsPerMs;
+  world.restart(began);
+  // It has not seen yet that a run began.
+  says(began + kPeriod, {.x_m = 5.0});
+  says(began + 2 * kPeriod, {.x_m = 1.0, .yaw_rad = 1.0});
+  EXPECT_FALSE(world.shift());
+  EXPECT_TRUE(world.lost(began + 100 * kNsPerMs)) << "if it never sees it";
+  says(began + 3 * kPeriod, {.x_m = 1.02, .yaw_rad = 0.01});
+  EXPECT_TRUE(world.shift());
+  EXPECT_FALSE(world.lost(began + 100 * kNsPerMs));
+  // From now on it owns the pose.
+  says(began + 4 * kPeriod, {.x_m = 1.3});
+  EXPECT_NEAR(world.shift()->x_m, 0.3, 1e-12);
+}
+
 TEST(OuterWorld, OnRealTerrainItsGroundIsNotUsed) {
   OuterWorld world(external(), Setup::kTerrain);
   world.take(answer(kNsPerS, -0.3));
