@@ -4,13 +4,21 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <regex>
 #include <sstream>
 
+#include "../link/udp_receiver.h"
+#include "analysis/recording.h"
 #include "process.h"
 
 namespace tp100::test {
@@ -228,6 +236,124 @@ TEST_F(LiveWorlds, LosingAThirdOfTheAnswersIsNoTrouble) {
   EXPECT_THAT(stats, HasSubstr("\"result\": \"duration\""));
   EXPECT_THAT(stats, Not(HasSubstr("\"missing\": 0,")));
 }
+
+/// The world behind two text files, as in the paper: it gets belt speeds and owns the pose.
+class FileWorlds : public LiveWorlds {
+ protected:
+  // Ends behind the step.
+  FileWorlds() {
+    std::ofstream(folder_.file("course.toml"))
+        << std::regex_replace(kCourse, std::regex("length_m = 1.0"), "length_m = 0.55");
+  }
+  std::vector<std::string> world(const std::string& fault = "") const {
+    return {TP100_SOURCE_DIR "/scripts/world",
+            "--files",
+            folder_.path().string(),
+            "--course",
+            folder_.file("course.toml"),
+            "--fault",
+            fault};
+  }
+  std::vector<std::string> files_daemon(int timeout_ms, const std::string& more = "") {
+    std::vector<std::string> out = daemon(folder_.file("course.toml"), "files");
+    config("authority = \"world\"\nframe = \"unreal\"\ntimeout_ms = " + std::to_string(timeout_ms) +
+           "\nencoder_file = \"" + folder_.file("Encoder.txt") +
+           "\"\nencoder_template = \"{seq} {t_s} {left} {right} {mode}\"\norientation_file = \"" +
+           folder_.file("Orientation.txt") + "\"\n" + more);
+    return out;
+  }
+};
+
+/// What Live Link is told of a pose: centimetres, y to the right, the quaternion turned the other
+/// way round.
+std::array<double, 7> unreal_numbers(const Pose& pose) {
+  const double cr = std::cos(pose.roll_rad / 2), sr = std::sin(pose.roll_rad / 2);
+  const double cp = std::cos(pose.pitch_rad / 2), sp = std::sin(pose.pitch_rad / 2);
+  const double cy = std::cos(pose.yaw_rad / 2), sy = std::sin(pose.yaw_rad / 2);
+  return {100 * pose.x_m,
+          -100 * pose.y_m,
+          100 * pose.z_m,
+          -(sr * cp * cy - cr * sp * sy),
+          cr * sp * cy + sr * cp * sy,
+          -(cr * cp * sy - sr * sp * cy),
+          cr * cp * cy + sr * sp * sy};
+}
+
+/// Nothing if it is not what Live Link's JSON sources read.
+std::optional<std::array<double, 7>> live_link_numbers(const std::string& datagram) {
+  const auto json = nlohmann::json::parse(datagram, nullptr, false);
+  if (!json.is_object() || json.size() != 1 || !json.contains("TP100")) return std::nullopt;
+  const nlohmann::json& bone = json["TP100"][0];
+  if (bone["Name"] != "root" || bone["Parent"] != -1) return std::nullopt;
+  std::array<double, 7> out{};
+  for (std::size_t i = 0; i < 3; ++i) out[i] = bone["Location"][i];
+  for (std::size_t i = 0; i < 4; ++i) out[3 + i] = bone["Rotation"][i];
+  return out;
+}
+
+TEST_F(FileWorlds, DriveAStepAndLiveLinkShowsThePoses) {
+  UdpReceiver live_link;
+  Process unreal(world());
+  ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();
+  std::vector<std::string> arguments = files_daemon(
+      2000, "live_link = \"udp:127.0.0.1:" + std::to_string(live_link.port()) + "\"\n");
+  arguments.insert(arguments.end(), {"--record", folder_.file("runs")});
+  Process bridge(arguments);
+  std::vector<std::string> datagrams;
+  ASSERT_TRUE(bridge.wait_for("state: idle -> arming")) << bridge.output();
+  for (std::string one; !(one = live_link.wait(1000)).empty();) datagrams.push_back(one);
+  EXPECT_EQ(bridge.wait(), 0) << bridge.output();
+
+  const std::string stats = read(folder_.file("stats.json"));
+  EXPECT_THAT(stats, HasSubstr("\"kind\": \"files\""));
+  EXPECT_THAT(stats, HasSubstr("\"write_errors\": 0"));
+  EXPECT_THAT(stats, HasSubstr("\"rejected\": 0"));
+
+  std::string run;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.file("runs")))
+    run = entry.path();
+  std::vector<Pose> poses;
+  double highest_m = 0.0, steepest_rad = 0.0;
+  analysis::Recording(run).visit({.step = [&](const StepRecord& record) {
+    poses.push_back(record.snapshot.world);
+    highest_m = std::max(highest_m, poses.back().z_m);
+    steepest_rad = std::max(steepest_rad, std::abs(poses.back().pitch_rad));
+  }});
+  EXPECT_GT(highest_m, 0.015) << "half on the step";
+  EXPECT_GT(steepest_rad, 0.15);
+
+  // Each shows one of the steps, in their order.
+  ASSERT_GT(datagrams.size(), 300u);
+  std::size_t at = 0;
+  for (const std::string& datagram : datagrams) {
+    const auto shown = live_link_numbers(datagram);
+    ASSERT_TRUE(shown) << datagram;
+    const auto is_shown = [&](const Pose& pose) {
+      const std::array<double, 7> numbers = unreal_numbers(pose);
+      return std::equal(numbers.begin(), numbers.end(), shown->begin(),
+                        [](double a, double b) { return std::abs(a - b) < 2e-6; });
+    };
+    while (at < poses.size() && !is_shown(poses[at])) ++at;
+    ASSERT_LT(at, poses.size()) << datagram;
+  }
+}
+
+class TroubledFiles : public FileWorlds, public testing::WithParamInterface<const char*> {};
+
+// The last good value is no answer for ever.
+TEST_P(TroubledFiles, EndTheRunSafelyAndTheCauseIsNamed) {
+  Process unreal(world(std::string(GetParam()) + "@1"));
+  ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();
+  Process bridge(files_daemon(1000));
+  ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
+  EXPECT_TRUE(robot_.wait_for("motors off")) << robot_.output();
+  bridge.signal(SIGTERM);
+  EXPECT_EQ(bridge.wait(), 1);
+  EXPECT_THAT(bridge.output(), HasSubstr("world_lost: the external world is silent"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, TroubledFiles, testing::Values("freeze", "garbage"),
+                         [](const auto& param) { return std::string(param.param); });
 
 }  // namespace
 }  // namespace tp100::test
