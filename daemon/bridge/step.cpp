@@ -57,15 +57,17 @@ estimation::CameraPlace camera_place(const Parameters& parameters, const course:
 }
 
 control::Drive drive_of(const Parameters& parameters, double speed_mps) {
+  // A pose that knows of no turning centre is not steered by it.
+  const bool by_paper = parameters.paper_model && parameters.steering == Steering::kModel;
   return {.speed_mps = speed_mps,
           .slip_angle_rad = parameters.model.slip_angle_straight_rad,
+          .tracks = by_paper ? paper_parameters(parameters.model) : track_parameters(parameters),
           .limits = {.wheelbase_m = parameters.model.wheelbase_m,
                      .slip_left = parameters.model.slip_left,
                      .slip_right = parameters.model.slip_right,
                      .max_track_mps = parameters.drive.max_track_mps,
                      .yaw_kp = parameters.drive.yaw_kp,
-                     .max_yaw_radps = parameters.drive.max_yaw_radps,
-                     .x_icr_m = parameters.model.x_icr_m}};
+                     .max_yaw_radps = parameters.drive.max_yaw_radps}};
 }
 
 /// First-order lag.

@@ -13,7 +13,6 @@ struct BeltLimits {
   double max_track_mps = 0.2;
   double yaw_kp = 4.0;  ///< of the robot's yaw loop [1/s]
   double max_yaw_radps = 1.2;
-  double x_icr_m = 0.0;  ///< turning centre ahead of the reference point
 };
 
 /// Belt speeds, forward positive. [m/s]

@@ -12,7 +12,7 @@ namespace tp100::control {
 /// The robot against the path. Everything is in the frame of the path's nearest point: x along the
 /// tangent, y left. SI units.
 struct PathErrors {
-  double cross_track_m = 0.0;   ///< of the robot, left positive
+  double cross_track_m = 0.0;   ///< left positive; of the robot if it turned back to the tangent
   double heading_rad = 0.0;     ///< robot's yaw less the tangent's, within +-pi
   double yaw_rate_radps = 0.0;  ///< measured
   double speed_mps = 0.0;       ///< along the path, as it will be commanded; not negative

@@ -9,7 +9,8 @@ namespace tp100::control {
 /// The desired yaw of one turn. No allocation; safe in the real-time thread.
 class Pivot {
  public:
-  void begin(const course::Piece& piece);
+  /// Never faster than `most_radps`.
+  void begin(const course::Piece& piece, double most_radps);
   /// One step; never faster than what still stops at the end.
   void update(const Parameters& parameters, double dt_s);
 
@@ -19,6 +20,7 @@ class Pivot {
 
  private:
   double end_rad_ = 0.0;
+  double most_radps_ = 0.0;
   double yaw_rad_ = 0.0;
   double rate_radps_ = 0.0;
   bool arrived_ = false;

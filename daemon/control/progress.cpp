@@ -78,6 +78,12 @@ course::PathPoint Progress::ahead(double distance_m) const {
   return point;
 }
 
+std::size_t Progress::next_turn() const {
+  std::size_t index = index_;
+  while (index < path_.pieces().size() && !is_pivot(path_.pieces()[index])) ++index;
+  return index;
+}
+
 double Progress::left_m() const {
   double left = piece().length_m - offset_m_;
   for (std::size_t i = index_; joined(i); ++i) left += path_.pieces()[i + 1].length_m;

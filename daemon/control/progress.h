@@ -27,6 +27,9 @@ class Progress {
   course::PathPoint here() const { return path_.at(index_, offset_m_); }
   /// The point `distance_m` on. Behind the next stop the path is thought to go straight on.
   course::PathPoint ahead(double distance_m) const;
+  /// The piece that is a turn on the spot and comes next, or is being done; the number of pieces if
+  /// there is none.
+  std::size_t next_turn() const;
   /// Way to the next turn on the spot or the end.
   double left_m() const;
 

@@ -16,8 +16,29 @@ constexpr double kRestRadps = 0.05;
 constexpr double kPatienceS = 2.0;
 // A large heading error slows the robot down, but never to a stop.
 constexpr double kSlowestShare = 0.25;
+// A turn may take this share of what the belts can do: the rest is the yaw loop's.
+constexpr double kTurnShare = 0.85;
 // After a push the robot goes slowly until it looks to where it should go.
 constexpr double kLooksBackRad = 20.0 * kRadPerDeg;
+
+/// Of a turn in which the slower belt makes `ratio` of the faster one's speed. [m]
+double x_icr_m(const model::TrackParameters& tracks, double ratio) {
+  return model::turn_of(tracks, model::Mode::kExtended, model::turn_shape(ratio, 1.0)).x_icr_m;
+}
+
+// Slower belt over faster one on the spot, and while an error is steered away.
+constexpr double kSpot = -1.0, kSteering = 0.4;
+
+std::vector<Corner> corners(const course::Path& path, double x_icr_m) {
+  const auto& pieces = path.pieces();
+  std::vector<Corner> result(pieces.size() + 1);
+  for (std::size_t i = 1; i + 1 < pieces.size(); ++i) {
+    const course::Piece &before = pieces[i - 1], &turn = pieces[i], &after = pieces[i + 1];
+    if (before.kind == Kind::kLine && turn.kind == Kind::kPivot && after.kind == Kind::kLine)
+      result[i] = Corner{turn, x_icr_m, std::min(before.length_m, after.length_m)};
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -25,6 +46,7 @@ Tracker::Tracker(const Parameters& parameters, const course::Path& path, const D
     : parameters_(parameters),
       path_(path),
       drive_(drive),
+      corners_(corners(path, x_icr_m(drive.tracks, kSpot))),
       law_(make_law(parameters, drive.limits)),
       progress_(path) {
   for (const course::Piece& piece : path_.pieces()) {
@@ -53,7 +75,12 @@ void Tracker::begin_piece() {
   settled_s_ = 0.0;
   waited_s_ = 0.0;
   stopping_ = false;
-  if (progress_.piece().kind == Kind::kPivot) pivot_.begin(progress_.piece());
+  if (progress_.piece().kind == Kind::kPivot) {
+    const double most_mps = kTurnShare * drive_.limits.max_track_mps *
+                            (1.0 - std::max(drive_.limits.slip_left, drive_.limits.slip_right));
+    pivot_.begin(progress_.piece(),
+                 most_mps / (drive_.limits.wheelbase_m / 2.0 + corner().radius_m()));
+  }
 }
 
 void Tracker::next_piece() {
@@ -106,7 +133,7 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   target_.progress_m = here.s_m;
   recovery_.update(target_.cross_track_m, wrap_angle(pose.yaw_rad - here.yaw_rad), dt_s);
 
-  const double left_m = progress_.left_m();
+  const double left_m = progress_.left_m() - corner().stop_before_m();
   stopping_ = stopping_ || left_m <= parameters_.stop_tolerance_m;
   if (stopping_) {
     stand(pose.yaw_rad);
@@ -130,6 +157,13 @@ double Tracker::speed_cap(double left_m) const {
   return std::max(cap, std::min(parameters_.min_speed_mps, drive_.speed_mps));
 }
 
+/// How much farther left than it looks the reference point moves on a part of the path.
+double Tracker::crab_rad(double curvature_1pm) const {
+  if (curvature_1pm == 0.0) return drive_.slip_angle_rad;
+  const double half = std::abs(curvature_1pm) * drive_.limits.wheelbase_m / 2.0;
+  return -std::atan(x_icr_m(drive_.tracks, (1.0 - half) / (1.0 + half)) * curvature_1pm);
+}
+
 void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoint& here,
                     double left_m, double dt_s) {
   const double cap_mps = speed_cap(left_m);
@@ -138,13 +172,17 @@ void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoin
   const course::PathPoint ahead = progress_.ahead(law_->look_ahead_m(speed_mps));
   const double c = std::cos(here.yaw_rad), s = std::sin(here.yaw_rad);
   const double dx = ahead.x_m - here.x_m, dy = ahead.y_m - here.y_m;
+  const double heading_rad = wrap_angle(pose.yaw_rad - here.yaw_rad);
+  const double crab_rad = this->crab_rad(ahead.curvature_1pm);
+  // Turning moves the reference point sideways, the turning centre not: that one is steered.
+  const double swing_m = x_icr_m(drive_.tracks, kSteering) * std::sin(heading_rad + crab_rad);
   const Steering steering = law_->steer({
-      .cross_track_m = target_.cross_track_m,
-      .heading_rad = wrap_angle(pose.yaw_rad - here.yaw_rad),
+      .cross_track_m = target_.cross_track_m + swing_m,
+      .heading_rad = heading_rad,
       .yaw_rate_radps = twist.yaw_rate_radps,
       .speed_mps = speed_mps,
       .curvature_1pm = here.curvature_1pm,
-      .crab_rad = ahead.curvature_1pm == 0.0 ? drive_.slip_angle_rad : 0.0,
+      .crab_rad = crab_rad,
       .ahead = {.along_m = c * dx + s * dy,
                 .left_m = -s * dx + c * dy,
                 .yaw_rad = ahead.yaw_rad - here.yaw_rad,
@@ -172,6 +210,7 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
   pivot_.update(parameters_, dt_s);
   target_.desired_yaw_rad = pivot_.yaw_rad();
   target_.yaw_rate_radps = pivot_.rate_radps();
+  if (!pivot_.arrived()) target_.speed_mps = corner().speed_mps(pose, pivot_.rate_radps());
   const double error = std::abs(wrap_angle(pivot_.yaw_rad() - pose.yaw_rad));
   if (pivot_.arrived() && settled(twist, error < parameters_.pivot_tolerance_rad, dt_s))
     next_piece();

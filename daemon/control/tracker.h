@@ -3,8 +3,10 @@
 // way back after a disturbance are here; how lines and arcs are steered is a law's (law.h).
 
 #include <memory>
+#include <vector>
 
 #include "control/belt_limits.h"
+#include "control/corner.h"
 #include "control/law.h"
 #include "control/parameters.h"
 #include "control/pivot.h"
@@ -12,6 +14,7 @@
 #include "control/recovery.h"
 #include "core/pose.h"
 #include "course/path.h"
+#include "model/track_model.h"
 
 namespace tp100::control {
 
@@ -29,8 +32,9 @@ struct Target {
 
 /// One robot on one path. SI units.
 struct Drive {
-  double speed_mps = 0.1;       ///< of the course
-  double slip_angle_rad = 0.0;  ///< crab angle to steer against on straights
+  double speed_mps = 0.1;           ///< of the course
+  double slip_angle_rad = 0.0;      ///< crab angle to steer against on straights
+  model::TrackParameters tracks{};  ///< says where the turning centre lies
   BeltLimits limits{};
 };
 
@@ -57,10 +61,12 @@ class Tracker {
  private:
   void next_piece();
   void begin_piece();
+  const Corner& corner() const { return corners_[progress_.next_turn()]; }
   void follow(const Pose& pose, const Twist& twist, double dt_s);
   void steer(const Pose& pose, const Twist& twist, const course::PathPoint& here, double left_m,
              double dt_s);
   void turn(const Pose& pose, const Twist& twist, double dt_s);
+  double crab_rad(double curvature_1pm) const;
   double speed_cap(double left_m) const;
   void stand(double yaw_rad);
   bool settled(const Twist& twist, bool in_tolerance, double dt_s);
@@ -68,6 +74,7 @@ class Tracker {
   Parameters parameters_;
   const course::Path& path_;
   Drive drive_;
+  std::vector<Corner> corners_;  ///< one a piece, of its turn on the spot, and one for none
   std::unique_ptr<Law> law_;
   double nominal_duration_s_ = 0.0;
   Progress progress_;

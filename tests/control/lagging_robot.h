@@ -23,6 +23,7 @@ inline course::Course make_course(std::vector<course::Segment> path) {
 
 struct LaggingRobot {
   BeltLimits limits{};
+  double x_icr_m = 0.0;  ///< turns about a point that lies so far ahead
   Pose pose{};
   Twist twist{};
 
@@ -34,9 +35,11 @@ struct LaggingRobot {
         std::max(0.0, limits.max_track_mps - std::abs(rate) * limits.wheelbase_m / 2.0);
     twist.yaw_rate_radps += (rate - twist.yaw_rate_radps) * kDt / 0.08;
     twist.vx_mps += (std::clamp(target.speed_mps, -room, room) - twist.vx_mps) * kDt / 0.08;
+    twist.vy_mps = -x_icr_m * twist.yaw_rate_radps;
     pose.yaw_rad += twist.yaw_rate_radps * kDt;
-    pose.x_m += twist.vx_mps * std::cos(pose.yaw_rad) * kDt;
-    pose.y_m += twist.vx_mps * std::sin(pose.yaw_rad) * kDt;
+    const double c = std::cos(pose.yaw_rad), s = std::sin(pose.yaw_rad);
+    pose.x_m += (c * twist.vx_mps - s * twist.vy_mps) * kDt;
+    pose.y_m += (s * twist.vx_mps + c * twist.vy_mps) * kDt;
   }
 };
 

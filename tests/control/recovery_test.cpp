@@ -63,15 +63,23 @@ struct Shove {
   double along_m = 0.0, left_m = 0.0, yaw_rad = 0.0;
 };
 
+/// Where a robot turns about, and where the tracker is told that it does, both ahead of it.
+struct TurningCentre {
+  double ahead_m = 0.0, told_m = 0.0;
+};
+
 /// Drives `course`; at 6 s the robot is moved, and the tracker told. Returns the time that it took
 /// to be back.
 double recovered_after_s(const course::Course& course, const Shove& shove, double speed_share,
-                         double* fastest_mps = nullptr, double* furthest_jump_m = nullptr) {
+                         double* fastest_mps = nullptr, double* furthest_jump_m = nullptr,
+                         const TurningCentre& centre = {}) {
   Parameters parameters;
   parameters.recovery_speed_share = speed_share;
   const course::Path path(course);
-  Tracker tracker(parameters, path, {.speed_mps = course.speed_mps});
+  Tracker tracker(parameters, path,
+                  {.speed_mps = course.speed_mps, .tracks = {.x_icr_m = centre.told_m}});
   LaggingRobot robot;
+  robot.x_icr_m = centre.ahead_m;
   double recovered_s = -1.0, progress_m = 0.0;
   for (int i = 0; i < 4000; ++i) {
     const bool now = i == 1200;
@@ -107,6 +115,17 @@ TEST(RecoveryDrive, BringsTheRobotBackFromEitherSide) {
       EXPECT_LT(took_s, 2.5 + Recovery::kRecoveredForS) << side << ' ' << yaw_deg;
     }
   }
+}
+
+// Turning back moves such a robot sideways: it is the turning centre that must be brought back.
+TEST(RecoveryDrive, BringsARobotBackSoonThatTurnsAboutAPointAheadOfIt) {
+  const course::Course course = make_course({course::Line{1.8}});
+  const Shove shove{.left_m = 0.04, .yaw_rad = 15.0 * kRadPerDeg};
+  const double told_s = recovered_after_s(course, shove, 0.5, nullptr, nullptr, {0.03, 0.03});
+  const double untold_s = recovered_after_s(course, shove, 0.5, nullptr, nullptr, {0.03, 0.0});
+  EXPECT_GT(told_s, 0.5);
+  EXPECT_LT(told_s, 2.5 + Recovery::kRecoveredForS);
+  EXPECT_GT(untold_s, told_s + 0.3);
 }
 
 TEST(RecoveryDrive, GoesSlowlyUntilItLooksBack) {

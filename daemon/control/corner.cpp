@@ -1,0 +1,103 @@
+#include "control/corner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.h"
+
+namespace tp100::control {
+namespace {
+
+// The reference point may leave the path by this much for a short turn's sake.
+constexpr double kOffM = 0.005;
+// Lines that run on, or back beside each other, have no corner to be led around.
+constexpr double kBluntestRad = 15.0 * kRadPerDeg, kSharpestRad = 165.0 * kRadPerDeg;
+// What is searched: radii in parts of the turning centre's distance, arcs in parts of the turn.
+constexpr int kRadii = 60, kArcs = 16, kSamples = 48;
+constexpr double kWidest = 6.0;
+// A robot in a corner is drawn to where it should be, gently.
+constexpr double kDrawnPs = 2.0;
+constexpr double kDrawnMps = 0.02;
+
+}  // namespace
+
+Corner::Corner(const course::Piece& turn, double x_icr_m, double room_m) : corner_(turn.begin) {
+  const double angle = turn.end.yaw_rad - turn.begin.yaw_rad;
+  angle_rad_ = std::abs(angle);
+  side_ = angle < 0.0 ? -1.0 : 1.0;
+  const double x = std::abs(x_icr_m);
+  const double chord = 2.0 * x * std::sin(angle_rad_ / 2.0);
+  if (angle_rad_ < kBluntestRad || angle_rad_ > kSharpestRad || chord <= kOffM) return;
+
+  Corner best = *this, tried = *this;
+  tried.x_icr_m_ = x_icr_m;
+  best.worst_m_ = chord;
+  for (int i = 1; i <= kRadii; ++i) {
+    tried.radius_m_ = x * kWidest * i / kRadii;
+    for (int j = 1; j <= kArcs; ++j) {
+      tried.arc_rad_ = angle_rad_ * j / kArcs;
+      const double aside = tried.radius_m_ * (1.0 - std::cos(tried.arc_rad_));
+      tried.spot_m_ = aside / std::sin(angle_rad_);
+      tried.arc_end_m_ = tried.radius_m_ * std::sin(tried.arc_rad_) - aside / std::tan(angle_rad_);
+      // The reference point neither begins nor ends beyond the corner.
+      if (tried.spot_m_ < x || tried.arc_end_m_ + tried.spot_m_ > room_m) continue;
+      tried.worst_m_ = std::max(tried.worst_of_turn_m(), kOffM);
+      if (tried.worst_m_ < best.worst_m_) best = tried;
+    }
+  }
+  *this = best;
+}
+
+double Corner::stop_before_m() const {
+  return x_icr_m_ < 0.0 ? spot_m_ + x_icr_m_ : arc_end_m_ + x_icr_m_;
+}
+
+bool Corner::on_arc(double turned_rad) const {
+  return (x_icr_m_ < 0.0 ? angle_rad_ - turned_rad : turned_rad) < arc_rad_;
+}
+
+/// In the frame of the first line at the corner, y towards the second one.
+Corner::Spot Corner::reference(double turned_rad) const {
+  const double from_line = x_icr_m_ < 0.0 ? angle_rad_ - turned_rad : turned_rad;
+  const double along_arc = std::min(from_line, arc_rad_);
+  const double left_m = arc_end_m_ - radius_m_ * std::sin(along_arc);
+  const double aside_m = radius_m_ * (1.0 - std::cos(along_arc));
+  Spot centre{-left_m, aside_m};
+  if (x_icr_m_ < 0.0) {
+    const double c = std::cos(angle_rad_), s = std::sin(angle_rad_);
+    centre = {left_m * c - aside_m * s, left_m * s + aside_m * c};
+  }
+  return {centre.x_m - x_icr_m_ * std::cos(turned_rad),
+          centre.y_m - x_icr_m_ * std::sin(turned_rad)};
+}
+
+double Corner::distance_m(const Spot& spot) const {
+  const double to_corner = std::hypot(spot.x_m, spot.y_m);
+  const double c = std::cos(angle_rad_), s = std::sin(angle_rad_);
+  const double to_first = spot.x_m < 0.0 ? std::abs(spot.y_m) : to_corner;
+  const double to_second =
+      c * spot.x_m + s * spot.y_m > 0.0 ? std::abs(-s * spot.x_m + c * spot.y_m) : to_corner;
+  return std::min(to_first, to_second);
+}
+
+double Corner::worst_of_turn_m() const {
+  double worst = 0.0;
+  for (int i = 0; i <= kSamples; ++i)
+    worst = std::max(worst, distance_m(reference(angle_rad_ * i / kSamples)));
+  return worst;
+}
+
+double Corner::speed_mps(const Pose& pose, double rate_radps) const {
+  if (radius_m_ == 0.0) return 0.0;
+  const double turned = side_ * wrap_angle(pose.yaw_rad - corner_.yaw_rad);
+  const Spot spot = reference(turned);
+  const double c = std::cos(corner_.yaw_rad), s = std::sin(corner_.yaw_rad);
+  const double aside = side_ * spot.y_m;
+  const double to_x = corner_.x_m + c * spot.x_m - s * aside - pose.x_m;
+  const double to_y = corner_.y_m + s * spot.x_m + c * aside - pose.y_m;
+  const double along = std::cos(pose.yaw_rad) * to_x + std::sin(pose.yaw_rad) * to_y;
+  const double arc_mps = on_arc(turned) ? radius_m_ * std::abs(rate_radps) : 0.0;
+  return arc_mps + std::clamp(kDrawnPs * along, -kDrawnMps, kDrawnMps);
+}
+
+}  // namespace tp100::control
