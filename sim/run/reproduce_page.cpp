@@ -257,10 +257,12 @@ std::string reproduction_page(const Reproduction& what) {
   if (std::any_of(what.studies.begin(), what.studies.end(),
                   [](const CourseStudy& study) { return study.robot.starts_with("drawn-"); })) {
     page.heading("Robots drawn from ranges");
-    page.table(drawn_table(),
-               "Each was identified from its own calibration drives first; its file lies beside "
-               "this page. One seed, both ways round. Where friction is below 0.85, course 3 is "
-               "driven on a flat floor: such a robot does not hold itself on the step.");
+    page.table(
+        drawn_table(),
+        "Each was identified from its own calibration drives first; its file lies beside "
+        "this page. One seed, both ways round. Where friction is below 0.85, or the robot is "
+        "so long that it meets the step in the curve, course 3 is driven on a flat floor; "
+        "so it is with bundled robots.");
   }
   page.heading("Every figure with its limit");
   page.table(judged_rows(what), "Limits are ours. Red: does not hold.");
