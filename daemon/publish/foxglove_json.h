@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "core/pose.h"
+#include "core/quaternion.h"
 #include "publish/json_writer.h"
 
 namespace tp100::publish {
@@ -48,9 +48,6 @@ inline void write_colour(JsonWriter& json, const Colour& colour) {
       .field("a", colour[3])
       .end_object();
 }
-
-/// Quaternion x, y, z, w of z-y-x Euler angles.
-std::array<double, 4> quaternion(double roll_rad, double pitch_rad, double yaw_rad);
 
 /// {"x","y","z","w"} under `name`.
 void write_rotation(JsonWriter& json, std::string_view name, const Pose& pose);

@@ -1,7 +1,5 @@
 // The messages of Foxglove's own schemas.
 
-#include <cmath>
-
 #include "publish/foxglove_json.h"
 #include "publish/messages.h"
 
@@ -34,22 +32,14 @@ int log_level(Event::Level level) {
 
 }  // namespace
 
-std::array<double, 4> quaternion(double roll_rad, double pitch_rad, double yaw_rad) {
-  const double cr = std::cos(roll_rad / 2.0), sr = std::sin(roll_rad / 2.0);
-  const double cp = std::cos(pitch_rad / 2.0), sp = std::sin(pitch_rad / 2.0);
-  const double cy = std::cos(yaw_rad / 2.0), sy = std::sin(yaw_rad / 2.0);
-  return {sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy,
-          cr * cp * cy + sr * sp * sy};
-}
-
 void write_rotation(JsonWriter& json, std::string_view name, const Pose& pose) {
-  const auto q = quaternion(pose.roll_rad, pose.pitch_rad, pose.yaw_rad);
+  const Quaternion q = quaternion(pose);
   json.key(name)
       .begin_object()
-      .field("x", q[0])
-      .field("y", q[1])
-      .field("z", q[2])
-      .field("w", q[3])
+      .field("x", q.x)
+      .field("y", q.y)
+      .field("z", q.z)
+      .field("w", q.w)
       .end_object();
 }
 
@@ -95,17 +85,10 @@ std::string Messages::path_poses(HostNs at) const {
   json.field("frame_id", "world").key("poses").begin_array();
   if (path() != nullptr) {
     for (const course::PathPoint& point : path_points(*path(), kPathSpacingM)) {
-      const auto q = quaternion(0.0, 0.0, point.yaw_rad);
       json.begin_object();
       write_xyz(json, "position", {point.x_m, point.y_m, 0.0});
-      json.key("orientation")
-          .begin_object()
-          .field("x", q[0])
-          .field("y", q[1])
-          .field("z", q[2])
-          .field("w", q[3])
-          .end_object()
-          .end_object();
+      write_rotation(json, "orientation", {.yaw_rad = point.yaw_rad});
+      json.end_object();
     }
   }
   json.end_array().end_object();

@@ -12,16 +12,6 @@ constexpr double kCmPerM = 100.0;
 // Beyond this sine of the pitch, roll and yaw cannot be told apart.
 constexpr double kVertical = 1.0 - 1e-9;
 
-Quaternion of(const Pose& pose) {
-  const double cr = std::cos(pose.roll_rad / 2.0), sr = std::sin(pose.roll_rad / 2.0);
-  const double cp = std::cos(pose.pitch_rad / 2.0), sp = std::sin(pose.pitch_rad / 2.0);
-  const double cy = std::cos(pose.yaw_rad / 2.0), sy = std::sin(pose.yaw_rad / 2.0);
-  return {.x = sr * cp * cy - cr * sp * sy,
-          .y = cr * sp * cy + sr * cp * sy,
-          .z = cr * cp * sy - sr * sp * cy,
-          .w = cr * cp * cy + sr * sp * sy};
-}
-
 /// Axis of a turn, ours to the frame's.
 Vector to_axis(Frame frame, const Vector& axis) {
   switch (frame) {
@@ -131,14 +121,14 @@ void from_rpy(Frame frame, const Vector& rpy, Pose& pose) {
 }
 
 Quaternion to_quaternion(Frame frame, const Pose& pose) {
-  const Quaternion q = of(pose);
+  const Quaternion q = quaternion(pose);
   const Vector axis = to_axis(frame, {q.x, q.y, q.z});
   return {axis[0], axis[1], axis[2], q.w};
 }
 
-void from_quaternion(Frame frame, const Quaternion& quaternion, Pose& pose) {
-  const Vector axis = from_axis(frame, {quaternion.x, quaternion.y, quaternion.z});
-  const Quaternion q{axis[0], axis[1], axis[2], quaternion.w};
+void from_quaternion(Frame frame, const Quaternion& turned, Pose& pose) {
+  const Vector axis = from_axis(frame, {turned.x, turned.y, turned.z});
+  const Quaternion q{axis[0], axis[1], axis[2], turned.w};
   const double sine = std::clamp(2.0 * (q.w * q.y - q.z * q.x), -1.0, 1.0);
   pose.pitch_rad = std::asin(sine);
   if (std::abs(sine) > kVertical) {

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/pose.h"
+#include "core/quaternion.h"
 
 namespace tp100::worlds {
 
@@ -22,11 +23,6 @@ std::optional<Frame> frame_named(std::string_view name);
 
 /// Three numbers of a frame, in its order of axes.
 using Vector = std::array<double, 3>;
-
-/// A rotation, w last. Of length 1.
-struct Quaternion {
-  double x = 0.0, y = 0.0, z = 0.0, w = 1.0;
-};
 
 /// Metres to lengths of the frame, and back.
 double to_length(Frame frame, double m);
@@ -52,6 +48,6 @@ void from_rpy(Frame frame, const Vector& rpy, Pose& pose);
 Quaternion to_quaternion(Frame frame, const Pose& pose);
 /// Roll, pitch and yaw of a quaternion of length 1 into `pose`, yaw in [-pi, pi]. Looking straight
 /// up or down, roll and yaw are the same turn: it is given to yaw.
-void from_quaternion(Frame frame, const Quaternion& quaternion, Pose& pose);
+void from_quaternion(Frame frame, const Quaternion& turned, Pose& pose);
 
 }  // namespace tp100::worlds

@@ -144,7 +144,7 @@ TEST_F(MessagesTest, TransformsMoveTheRobotInTheCoursesWorld) {
 TEST(Quaternion, TurnsAVectorAsTheEulerAnglesDo) {
   // z-y-x: R = Rz(yaw) Ry(pitch) Rx(roll), written out.
   const double roll = 0.3, pitch = -0.7, yaw = 2.1;
-  const auto [x, y, z, w] = quaternion(roll, pitch, yaw);
+  const auto [x, y, z, w] = quaternion({.roll_rad = roll, .pitch_rad = pitch, .yaw_rad = yaw});
   EXPECT_NEAR(x * x + y * y + z * z + w * w, 1.0, 1e-12);
   // Nose-up is negative pitch: the forward axis points up.
   EXPECT_NEAR(1 - 2 * (y * y + z * z), std::cos(yaw) * std::cos(pitch), 1e-12);
