@@ -3,11 +3,10 @@
 // Asio 1.74 uses std::exchange without including it.
 #include <array>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/udp.hpp>
 #include <utility>
 
+#include "app/udp_socket.h"
 #include "core/error.h"
-#include "link/udp.h"
 #include "loop/pacing.h"
 
 namespace tp100::app {
@@ -18,11 +17,6 @@ using boost::asio::ip::udp;
 // More than a frame's worth at once is a flood: the operator and the log come first.
 constexpr int kMostAtOnce = 32;
 
-udp::endpoint endpoint_of(const link::UdpAddress& address) {
-  const sockaddr_in resolved = link::resolve(address);
-  return {boost::asio::ip::address_v4(ntohl(resolved.sin_addr.s_addr)), address.port};
-}
-
 }  // namespace
 
 struct CameraPort::State : std::enable_shared_from_this<State> {
@@ -32,12 +26,7 @@ struct CameraPort::State : std::enable_shared_from_this<State> {
         give(std::move(action)) {}
 
   void open(const link::UdpAddress& address) {
-    boost::system::error_code error;
-    const udp::endpoint endpoint = endpoint_of(address);
-    socket.open(udp::v4(), error);
-    if (!error) socket.bind(endpoint, error);
-    if (!error) socket.non_blocking(true, error);
-    if (error) {
+    if (const auto error = listen_at(socket, endpoint_of(address))) {
       throw SetupError("camera: cannot listen at udp:" + link::to_string(address) + " (" +
                        error.message() + "); choose another port or an address of this machine");
     }

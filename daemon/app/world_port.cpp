@@ -3,12 +3,11 @@
 // Asio 1.74 uses std::exchange without including it.
 #include <array>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/udp.hpp>
 #include <random>
 #include <utility>
 
+#include "app/udp_socket.h"
 #include "core/error.h"
-#include "link/udp.h"
 #include "loop/pacing.h"
 
 namespace tp100::app {
@@ -18,11 +17,6 @@ using boost::asio::ip::udp;
 
 // A world answers once a pose. More at once is a flood: the operator and the log come first.
 constexpr int kMostAtOnce = 32;
-
-udp::endpoint endpoint_of(const link::UdpAddress& address) {
-  const sockaddr_in resolved = link::resolve(address);
-  return {boost::asio::ip::address_v4(ntohl(resolved.sin_addr.s_addr)), address.port};
-}
 
 /// Where to listen: as configured, else at any port of the interface that the world is behind.
 udp::endpoint local_endpoint(const std::string& listen, const udp::endpoint& peer) {
@@ -43,11 +37,7 @@ struct WorldPort::State : std::enable_shared_from_this<State> {
     const link::UdpAddress address = link::parse_udp(settings.address, "world.address");
     world = endpoint_of(address);
     const udp::endpoint local = local_endpoint(settings.listen, world);
-    boost::system::error_code error;
-    socket.open(udp::v4(), error);
-    if (!error) socket.bind(local, error);
-    if (!error) socket.non_blocking(true, error);
-    if (error) {
+    if (const auto error = listen_at(socket, local)) {
       throw SetupError("world: cannot listen at udp:" + local.address().to_string() + ":" +
                        std::to_string(local.port()) + " (" + error.message() +
                        "); choose another world.listen");
