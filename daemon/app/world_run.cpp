@@ -14,7 +14,6 @@ worlds::PeerSettings peer_settings(const WorldRun& run, std::uint32_t session, b
   out.hello.version = run.version;
   out.hello.course = run.course;
   out.hello.setup = run.setup;
-  out.source = run.source;
   out.surfaces = run.surfaces;
   return out;
 }

@@ -15,7 +15,6 @@ namespace tp100::app {
 struct WorldRun {
   bridge::WorldParameters parameters{};
   WorldSettings settings{};
-  std::string source;   ///< name of the pose that steers
   std::string version;  ///< of this program
   std::string course;
   std::string setup;

@@ -49,14 +49,14 @@ std::string Peer::pose(const StepRecord& record, HostNs now) {
   report.sequence = sequence_;
   report.stamp_s = to_s(record.now_ns);
   report.run = run_;
-  report.source = settings_.source;
+  report.source = to_string(snapshot.steering);
   report.pose = snapshot.world;
   report.floor = snapshot.odometry;
   report.twist = snapshot.odometry_twist;
-  if (settings_.source == "model") {
+  if (snapshot.steering == Steering::kModel) {
     report.floor = snapshot.model;
     report.twist = snapshot.model_twist;
-  } else if (settings_.source == "fused") {
+  } else if (snapshot.steering == Steering::kFused) {
     report.floor = snapshot.fused.pose;
     report.twist = snapshot.fused.twist;
   }

@@ -17,8 +17,7 @@
 namespace tp100::worlds {
 
 struct PeerSettings {
-  Hello hello{};       ///< its session is where the numbers of the sessions begin
-  std::string source;  ///< name of the pose that steers
+  Hello hello{};  ///< its session is where the numbers of the sessions begin
   /// Names of the course's surfaces and what each adds to both slip ratios.
   std::vector<std::pair<std::string, double>> surfaces;
 };

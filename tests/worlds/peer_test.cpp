@@ -22,7 +22,6 @@ class PeerTest : public ::testing::Test {
   static PeerSettings settings() {
     PeerSettings out;
     out.hello.session = 100;
-    out.source = "odometry";
     out.surfaces = {{"sand", 0.2}};
     return out;
   }
@@ -95,6 +94,22 @@ TEST_F(PeerTest, PosesGoOutAtTheirRateAndAreAnswered) {
   EXPECT_EQ(peer_.counters().answered, static_cast<std::uint64_t>(poses));
   EXPECT_NEAR(peer_.counters().mean_round_trip_ms, 1.0, 1e-9);
   EXPECT_EQ(peer_.counters().missing, 0u);
+}
+
+TEST_F(PeerTest, NamesThePoseThatSteersNow) {
+  welcome();
+  Snapshot& snapshot = record_->snapshot;
+  snapshot.model.x_m = 1.0;
+  snapshot.odometry.x_m = 2.0;
+  snapshot.fused.pose.x_m = 3.0;
+  for (const auto& [steering, name, x_m] : {std::tuple{Steering::kModel, "model", 1.0},
+                                            std::tuple{Steering::kOdometry, "odometry", 2.0},
+                                            std::tuple{Steering::kFused, "fused", 3.0}}) {
+    snapshot.steering = steering;
+    const Json sent = step_until("pose");
+    EXPECT_EQ(sent["src"], name);
+    EXPECT_EQ(sent["floor"]["pos"][0], x_m);
+  }
 }
 
 TEST_F(PeerTest, SaysWhichGroundAndKnowsTheCoursesSurfaces) {
