@@ -39,14 +39,14 @@ bool EventLog::allow(HostNs at_ns) {
   return false;
 }
 
-void EventLog::event(const LiveEvent& event) {
+void EventLog::event(const LiveEvent& event, const std::vector<publish::Event>& all_words) {
   if (event.kind == LiveEvent::Kind::kSession) {
     // A port on which nothing is heard says so once.
     const bool silent = event.session.kind == Kind::kTimeout;
     const bool told = std::exchange(silence_told_, silent);
     if ((silent && told) || !allow(event.session.at_ns)) return;
   }
-  for (const publish::Event& words : words_for(event)) {
+  for (const publish::Event& words : all_words) {
     const std::string line = words.text + (words.cause.empty() ? "" : ": " + words.cause) +
                              (words.remedy.empty() ? "" : "; " + words.remedy);
     switch (words.level) {

@@ -3,6 +3,7 @@
 // real-time thread.
 
 #include <string>
+#include <vector>
 
 #include "app/live_cycle.h"
 #include "app/live_events.h"
@@ -16,9 +17,8 @@ class EventLog {
 
   void info(const std::string& line);
   void warn(const std::string& line);
-  /// `state: A -> B` for every state change, of session and run; the other events in words. Bursts
-  /// of the same kind are folded.
-  void event(const LiveEvent& event);
+  /// `all_words`: of the event, one line each. Bursts of the same kind are folded.
+  void event(const LiveEvent& event, const std::vector<publish::Event>& all_words);
   /// What the real-time thread asked for and got.
   void grants(const std::vector<loop::Grant>& grants);
   /// The line of figures, every ten seconds.

@@ -12,18 +12,6 @@ std::optional<publish::PageFile> page_file(std::string_view path) {
   return publish::PageFile{file->mime, file->bytes, file->etag, file->encoding};
 }
 
-publish::Subject subject_of(const RunSetup& run) {
-  publish::Subject subject;
-  subject.version = TP100_VERSION;
-  subject.course = run.course;
-  subject.robot = run.robot;
-  subject.setup = bridge::to_string(run.parameters.setup);
-  subject.world = bridge::to_string(run.parameters.world.kind);
-  subject.pacing = run.configuration.loop.pacing == Pacing::kRobot ? "robot" : "host";
-  subject.rate_hz = run.configuration.loop.rate_hz;
-  return subject;
-}
-
 }  // namespace
 
 std::unique_ptr<publish::Server> make_server(const RunSetup& run,

@@ -22,7 +22,6 @@ WorldRun world_run(const RunSetup& run) {
   WorldRun out;
   out.parameters = run.parameters.world;
   out.settings = run.configuration.world;
-  out.source = to_string(run.parameters.steering);
   out.version = TP100_VERSION;
   out.setup = bridge::to_string(run.parameters.setup);
   if (run.course == nullptr) return out;
@@ -41,15 +40,20 @@ bridge::WorldKind world_option(const std::string& option, bridge::WorldKind conf
                    ": not a world; use internal, files or udp:[HOST:]PORT, as in udp:9760");
 }
 
+publish::Subject subject_of(const RunSetup& run) {
+  return {.version = TP100_VERSION,
+          .course = run.course,
+          .robot = run.robot,
+          .setup = bridge::to_string(run.parameters.setup),
+          .world = bridge::to_string(run.parameters.world.kind),
+          .pacing = run.configuration.loop.pacing == Pacing::kHost ? "host" : "robot",
+          .rate_hz = run.configuration.loop.rate_hz};
+}
+
 publish::RunFacts run_facts(const RunFiles& files, const RunSetup& run,
                             const publish::McapMap& more) {
   publish::RunFacts facts;
-  facts.subject = {.version = TP100_VERSION,
-                   .course = run.course,
-                   .robot = run.robot,
-                   .setup = bridge::to_string(files.setup),
-                   .pacing = run.configuration.loop.pacing == Pacing::kHost ? "host" : "robot",
-                   .rate_hz = run.configuration.loop.rate_hz};
+  facts.subject = subject_of(run);
   facts.facts = {{"course", run.course == nullptr ? "" : run.course->name},
                  {"robot", run.robot.name},
                  {"setup", facts.subject.setup},

@@ -39,6 +39,9 @@ WorldRun world_run(const RunSetup& run);
 /// What --world says: internal, files or udp:[HOST:]PORT; empty: as configured. Throws SetupError.
 bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured);
 
+/// The run as every message speaks of it.
+publish::Subject subject_of(const RunSetup& run);
+
 /// What a recording of that run says of it. `more`: further names and values.
 publish::RunFacts run_facts(const RunFiles& files, const RunSetup& run,
                             const publish::McapMap& more);

@@ -53,7 +53,7 @@ struct Supervisor::State {
   void on_enter();
   void run_ended(int exit_status, const std::string& result);
   void begin_serving();
-  void serve(const LiveEvent& event);
+  void serve(const LiveEvent& event, const std::vector<publish::Event>& words);
   void take_signals();
   void end(int exit_status, const std::string& result);
   void write_figures();
@@ -144,9 +144,9 @@ void Supervisor::State::begin_serving() {
   if (!figures.page.empty()) log.info("page: " + figures.page);
 }
 
-void Supervisor::State::serve(const LiveEvent& event) {
+void Supervisor::State::serve(const LiveEvent& event, const std::vector<publish::Event>& words) {
   if (acknowledges_stop(event)) settings.server->stop_answered(event.at_ns);
-  for (const publish::Event& words : words_for(event)) settings.server->take(words);
+  for (const publish::Event& word : words) settings.server->take(word);
   if (event.kind == LiveEvent::Kind::kSession)
     settings.controls->set_port(
         {connector.path(), connector.physical(),
@@ -208,8 +208,9 @@ void Supervisor::State::take_events() {
   while (cycle.take_event(event)) {
     // What ends the program is said once, by the error.
     if (event.kind == LiveEvent::Kind::kSession) fail_early(event);
-    log.event(event);
-    serve(event);
+    const std::vector<publish::Event> words = words_for(event);
+    log.event(event, words);
+    serve(event, words);
     if (event.kind == LiveEvent::Kind::kRunState) {
       on_run_state(event);
     } else {
