@@ -1,6 +1,7 @@
 #pragma once
 // What the bridge knows of the link: the session's state, counters and the clock relation.
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
@@ -54,7 +55,7 @@ struct ClockState {
   DeviceUs reference_us = 0;
   double drift = 0.0;           ///< how much faster host time runs, e.g. 40e-6 for a slow crystal
   double uncertainty_us = 0.0;  ///< half the best round trip, aged
-  /// Values that no clock has (a recording may hold any) end at +-2^61 instead of overflowing.
+  /// Values that no clock has (a recording may hold any) end at +-kMostTime instead of overflowing.
   HostNs to_host(DeviceUs device_us) const {
     return moved(reference_host_ns, difference(device_us, reference_us) * 1e3 * (1.0 + drift));
   }
@@ -68,13 +69,8 @@ struct ClockState {
         static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b)));
   }
   static std::int64_t moved(std::int64_t from, double by) {
-    constexpr std::int64_t kMost = std::int64_t{1} << 61;
-    constexpr double kMostStep = 2.3e18;
-    if (!(by > -kMostStep)) return -kMost;
-    if (by > kMostStep) return kMost;
-    const std::int64_t step = static_cast<std::int64_t>(by);
-    if (from > 0 ? step > kMost - from : step < -kMost - from) return from > 0 ? kMost : -kMost;
-    return from + step;
+    return std::clamp(std::clamp(from, -kMostTime, kMostTime) + whole_time(by), -kMostTime,
+                      kMostTime);
   }
 };
 

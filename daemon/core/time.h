@@ -17,14 +17,19 @@ inline constexpr HostNs kNsPerS = 1'000'000'000;
 
 /// Nanoseconds as seconds.
 inline constexpr double to_s(HostNs ns) { return static_cast<double>(ns) * 1e-9; }
-/// Seconds as nanoseconds, rounded towards zero. What no clock has (a recording may hold any
-/// number) ends at +-2^61: sums and differences of two such times still fit.
-inline constexpr HostNs from_s(double s) {
-  constexpr double kMost = 2305843009213693952.0;
-  const double ns = s * 1e9;
-  if (!(ns > -kMost)) return static_cast<HostNs>(-kMost);
-  return static_cast<HostNs>(ns < kMost ? ns : kMost);
+/// What no clock has (a recording may hold any number) ends here: sums and differences of two such
+/// times still fit.
+inline constexpr std::int64_t kMostTime = std::int64_t{1} << 61;
+
+/// A time or a way between two, rounded towards zero, within +-kMostTime.
+inline constexpr std::int64_t whole_time(double value) {
+  constexpr double kMost = static_cast<double>(kMostTime);
+  if (!(value > -kMost)) return -kMostTime;
+  return value < kMost ? static_cast<std::int64_t>(value) : kMostTime;
 }
+
+/// Seconds as nanoseconds.
+inline constexpr HostNs from_s(double s) { return whole_time(s * 1e9); }
 
 /// Extends a wrapping unsigned counter of the robot (time or sequence) to 64 bit. A value up to
 /// half a range behind the last one is an older value, not a wrap. No allocation.
