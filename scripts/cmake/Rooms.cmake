@@ -48,7 +48,8 @@ function(tp100_test name)
   list(TRANSFORM TEST_DEPENDS PREPEND "tp100_")
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE
-    tp100_options ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
+    tp100_options tp100_test_options ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
+  target_precompile_headers(${name} REUSE_FROM tp100_test_headers)
   target_compile_definitions(${name} PRIVATE
     TP100_SOURCE_DIR="${CMAKE_SOURCE_DIR}" TP100_BINARY_DIR="${CMAKE_BINARY_DIR}")
   if(TP100_SANITIZE STREQUAL "thread" AND NOT "threads" IN_LIST TEST_LABELS)

@@ -116,7 +116,9 @@ TEST(OrientationText, WhatIsIncompleteOrOutOfRangeIsRefused) {
                            "up",
                            "1001 0 0 0 0 0"})
     EXPECT_FALSE(orientation_of(text, "", Frame::kRos)) << text;
-  EXPECT_FALSE(orientation_of(std::string(5000, ' ') + "1", "", Frame::kRos));
+  std::string long_text(5001, ' ');
+  long_text.back() = '1';
+  EXPECT_FALSE(orientation_of(long_text, "", Frame::kRos));
 }
 
 TEST(OrientationText, SurvivesGarbage) {
