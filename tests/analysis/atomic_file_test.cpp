@@ -11,6 +11,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "../support/temporary_folder.h"
+
 namespace tp100::analysis {
 namespace {
 
@@ -19,12 +21,6 @@ using testing::HasSubstr;
 
 class AtomicFile : public testing::Test {
  protected:
-  AtomicFile() {
-    std::string pattern = (fs::temp_directory_path() / "tp100-atomic-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~AtomicFile() override { fs::remove_all(folder_); }
-
   static std::string read(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
@@ -39,13 +35,13 @@ class AtomicFile : public testing::Test {
     }
     return {};
   }
-  std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(folder_), {}); }
+  std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(folder_.path()), {}); }
 
-  fs::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(AtomicFile, WritesAndReplacesWithoutLeavingAnythingElse) {
-  const fs::path path = folder_ / "out.csv";
+  const fs::path path = folder_.path() / "out.csv";
   write_file(path.string(), "first");
   EXPECT_EQ(read(path), "first");
   write_file(path.string(), "2");
@@ -54,24 +50,24 @@ TEST_F(AtomicFile, WritesAndReplacesWithoutLeavingAnythingElse) {
 }
 
 TEST_F(AtomicFile, IsAsReadableAsAnyOtherNewFile) {
-  const fs::path ours = folder_ / "ours", other = folder_ / "other";
+  const fs::path ours = folder_.path() / "ours", other = folder_.path() / "other";
   write_file(ours.string(), "x");
   std::ofstream(other) << "x";
   EXPECT_EQ(fs::status(ours).permissions(), fs::status(other).permissions());
 }
 
 TEST_F(AtomicFile, ALinkStaysALink) {
-  std::ofstream(folder_ / "real") << "old";
-  fs::create_symlink("real", folder_ / "link");
-  write_file((folder_ / "link").string(), "new");
-  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  EXPECT_EQ(read(folder_ / "real"), "new");
+  std::ofstream(folder_.path() / "real") << "old";
+  fs::create_symlink("real", folder_.path() / "link");
+  write_file(folder_.file("link"), "new");
+  EXPECT_TRUE(fs::is_symlink(folder_.path() / "link"));
+  EXPECT_EQ(read(folder_.path() / "real"), "new");
 }
 
 TEST_F(AtomicFile, SaysWhyAPathCannotBeWritten) {
-  EXPECT_THAT(told((folder_ / "none" / "out").string(), "x"),
+  EXPECT_THAT(told((folder_.path() / "none" / "out").string(), "x"),
               HasSubstr("none/out: cannot be written (No such file"));
-  EXPECT_THAT(told(folder_.string(), "x"), HasSubstr("(Is a directory)"));
+  EXPECT_THAT(told(folder_.path().string(), "x"), HasSubstr("(Is a directory)"));
   EXPECT_THAT(told("", "x"), HasSubstr("cannot be written"));
 }
 
@@ -81,7 +77,7 @@ TEST_F(AtomicFile, AFullDeviceIsReportedAndStaysADevice) {
 }
 
 TEST_F(AtomicFile, AFileThatCannotGrowIsReportedAndTheOldOneStays) {
-  const fs::path path = folder_ / "out";
+  const fs::path path = folder_.path() / "out";
   write_file(path.string(), "old");
   // The limit is the process's: a child runs into it alone.
   const auto write_beyond_a_limit = [&] {

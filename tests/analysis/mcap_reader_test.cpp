@@ -68,7 +68,7 @@ class McapFile : public testing::TestWithParam<McapCompression> {
   }
   McapEnd stream(Listener& listener) const { return McapReader(path_).stream(listener); }
 
-  test::OwnFolder folder_;
+  test::TemporaryFolder folder_;
   std::string path_;
 };
 
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Packed, McapFile,
                          });
 
 TEST(McapReader, SchemasAndChannelsBeyondAllReasonAreLeftOut) {
-  const test::OwnFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder.file("file.mcap");
   {
     RecordingFile file(path);
@@ -199,7 +199,7 @@ TEST(McapReader, SchemasAndChannelsBeyondAllReasonAreLeftOut) {
 }
 
 TEST(McapReader, AChunkThatUnpacksToAttachmentsIsLeftOut) {
-  const test::OwnFolder folder;
+  const test::TemporaryFolder folder;
   const std::string path = folder.file("file.mcap");
   publish::Bytes bytes(publish::kMcapMagic.begin(), publish::kMcapMagic.end());
   publish::ByteWriter out(bytes);
@@ -221,7 +221,7 @@ TEST(McapReader, AChunkThatUnpacksToAttachmentsIsLeftOut) {
 }
 
 TEST(McapReader, WhatIsNoMcapFileIsAnErrorOfOneLine) {
-  const test::OwnFolder folder;
+  const test::TemporaryFolder folder;
   const auto told = [](const std::string& path) -> std::string {
     try {
       const McapReader reader(path);

@@ -31,7 +31,7 @@ class RecordingTest : public testing::Test {
     }
   }
   std::string path() const { return folder_.file("run.mcap"); }
-  test::OwnFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 /// Reads all of it in every way. What is wrong must be one line.

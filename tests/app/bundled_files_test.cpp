@@ -7,17 +7,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../support/temporary_folder.h"
+
 namespace tp100::app {
 namespace {
 
 class BundledFiles : public ::testing::Test {
  protected:
-  BundledFiles() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "tp100-files-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~BundledFiles() override { std::filesystem::remove_all(folder_); }
-
   static std::string failure(Bundled folder, const std::string& name) {
     try {
       read_bundled(folder, name);
@@ -27,25 +23,25 @@ class BundledFiles : public ::testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(BundledFiles, ReadsAFileWholeWithEveryByte) {
   const std::string text("a\r\n\0b\xff", 6);
-  std::ofstream(folder_ / "x.toml", std::ios::binary) << text;
-  const TextFile file = read_text_file((folder_ / "x.toml").string());
+  std::ofstream(folder_.path() / "x.toml", std::ios::binary) << text;
+  const TextFile file = read_text_file(folder_.file("x.toml"));
   EXPECT_EQ(file.text, text);
   EXPECT_EQ(file_stem(file.path), "x");
 }
 
 TEST_F(BundledFiles, NamesAMissingFileInOneLine) {
-  const std::string message = failure(Bundled::kCourses, (folder_ / "none.toml").string());
+  const std::string message = failure(Bundled::kCourses, folder_.file("none.toml"));
   EXPECT_THAT(message, ::testing::HasSubstr("none.toml: cannot be opened (No such file"));
   EXPECT_EQ(message.find('\n'), std::string::npos);
 }
 
 TEST_F(BundledFiles, RefusesADirectory) {
-  EXPECT_THAT(failure(Bundled::kRobots, folder_.string() + "/"),
+  EXPECT_THAT(failure(Bundled::kRobots, folder_.path().string() + "/"),
               ::testing::HasSubstr("is a directory"));
 }
 

@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "../support/temporary_folder.h"
 #include "core/error.h"
 
 namespace tp100::app {
@@ -53,9 +53,8 @@ TEST(Check, AViewFileIsSentToTheProgramThatReadsIt) {
 }
 
 TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {
-  std::string pattern = (std::filesystem::temp_directory_path() / "tp100-check-XXXXXX").string();
-  const std::filesystem::path folder = mkdtemp(pattern.data());
-  const std::string path = (folder / "c.toml").string();
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("c.toml");
   const auto told = [&](const std::string& text) -> std::string {
     std::ofstream(path) << text;
     try {
@@ -68,7 +67,6 @@ TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {
   EXPECT_THAT(told("course = 'nowhere'\n"), HasSubstr("nowhere: no such course"));
   EXPECT_THAT(told("course = '2'\n"), HasSubstr("robot end-loaded"));
   EXPECT_THAT(told("speed_mps = 3.5\n"), HasSubstr("c.toml:1:13: 'speed_mps' is 3.5, allowed"));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Check, TheExitStatusIs2IfAnyFileIsWrong) {

@@ -29,7 +29,7 @@ class ReplayRecording : public testing::Test {
     const RunSetup run = parse_run(recorded_files(recording));
     return replay_steps(recording, run.parameters, run.course, verify, [](const StepRecord&) {});
   }
-  test::OwnFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(ReplayRecording, TheRecordedInputsGiveTheRecordedResults) {

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "../support/temporary_folder.h"
 #include "analysis/csv_reader.h"
 #include "core/angle.h"
 #include "core/error.h"
@@ -198,21 +199,16 @@ TEST(Replay, KnowsItsModelsByName) {
 
 class ReplayFiles : public testing::Test {
  protected:
-  ReplayFiles() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "tp100-replay-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~ReplayFiles() override { std::filesystem::remove_all(folder_); }
   std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return (folder_ / name).string();
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
+    return folder_.file(name);
   }
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(ReplayFiles, WriteOneRowPerInputRow) {
   const std::string in = file("in.csv", constant(0.1, 0.12, 0.005, 10));
-  const std::string out = (folder_ / "out.csv").string();
+  const std::string out = folder_.file("out.csv");
   EXPECT_EQ(run_replay({in, out, "", "paper"}), 0);
   std::ifstream result(out);
   std::ostringstream text;
@@ -221,14 +217,14 @@ TEST_F(ReplayFiles, WriteOneRowPerInputRow) {
 }
 
 TEST_F(ReplayFiles, LeaveNothingBehindOnFailure) {
-  const std::string out = (folder_ / "out.csv").string();
+  const std::string out = folder_.file("out.csv");
   const std::string bad = file("in.csv", "t_s,left_mps,right_mps\n0,1,1\n1,1");
   EXPECT_THROW(run_replay({bad, out, "", ""}), SetupError);
-  EXPECT_THROW(run_replay({(folder_ / "none").string(), out, "", ""}), SetupError);
+  EXPECT_THROW(run_replay({folder_.file("none"), out, "", ""}), SetupError);
   const std::string good = file("good.csv", constant(0.1, 0.1, 0.1, 3));
-  EXPECT_THROW(run_replay({good, (folder_ / "no" / "out").string(), "", ""}), SetupError);
+  EXPECT_THROW(run_replay({good, (folder_.path() / "no" / "out").string(), "", ""}), SetupError);
   EXPECT_THROW(run_replay({good, out, file("c.toml", "robt = 1"), ""}), SetupError);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 3);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 3);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class Report : public testing::Test {
     testing::internal::GetCapturedStderr();
     return told;
   }
-  test::OwnFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 /// Every address in the page is the name of SVG's language, which nobody fetches.

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "../publish/web_client.h"
+#include "../support/temporary_folder.h"
 #include "app/replay.h"
 #include "core/error.h"
 #include "link/transport.h"
@@ -25,26 +26,21 @@ using namespace std::chrono_literals;
 class Run : public ::testing::Test {
  protected:
   Run() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "tp100-run-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
     robot_ = std::make_unique<PtyRobot>(port());
     // Ordinary scheduling: the tests of a whole machine run at once.
-    std::ofstream(folder_ / "config.toml")
+    std::ofstream(folder_.path() / "config.toml")
         << "[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n"
            "[link]\nfirst_frame_timeout_ms = 700\n"
            "[server]\nlisten = \"127.0.0.1:0\"\n";
-    options_.config = (folder_ / "config.toml").string();
+    options_.config = folder_.file("config.toml");
     options_.port = port().string();
     options_.stats = stats_path().string();
     options_.duration_s = 60.0;
   }
-  ~Run() override {
-    robot_.reset();
-    std::filesystem::remove_all(folder_);
-  }
+  ~Run() override { robot_.reset(); }
 
-  std::filesystem::path port() const { return folder_ / "robot"; }
-  std::filesystem::path stats_path() const { return folder_ / "stats.json"; }
+  std::filesystem::path port() const { return folder_.path() / "robot"; }
+  std::filesystem::path stats_path() const { return folder_.path() / "stats.json"; }
 
   // The command with `script` beside it; a script ends it by SIGTERM.
   int run(const std::function<void()>& script = {}) {
@@ -95,7 +91,7 @@ class Run : public ::testing::Test {
     return commanded(robot) && robot.heard.commands.back().speed_mps > 0.0F;
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
   std::unique_ptr<PtyRobot> robot_;
   RunOptions options_;
   std::string message_;
@@ -273,7 +269,7 @@ TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
 }
 
 TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
-  options_.record = (folder_ / "runs").string();
+  options_.record = folder_.file("runs");
   robot_->plug_in();
   std::string refused, ended, began, runs;
   EXPECT_EQ(run([&] {
@@ -300,7 +296,7 @@ TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
   for (const auto& run : std::filesystem::directory_iterator(options_.record)) {
     testing::internal::CaptureStdout();
     EXPECT_EQ(
-        run_replay({.in = run.path(), .out = folder_ / "poses.csv", .config = {}, .model = {}}), 0);
+        run_replay({.in = run.path(), .out = folder_.file("poses.csv"), .config = {}, .model = {}}), 0);
     EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("bit for bit"));
     ++replayed;
   }
@@ -316,7 +312,7 @@ TEST_F(Run, APageThatCannotBeServedIsAnErrorOfOneLine) {
 
 TEST_F(Run, AStatsFileThatCannotBeWrittenIsAnError) {
   robot_->plug_in();
-  options_.stats = (folder_ / "none" / "stats.json").string();
+  options_.stats = (folder_.path() / "none" / "stats.json").string();
   EXPECT_EQ(run(), -1);
   EXPECT_THAT(message_, HasSubstr("stats.json: cannot be written"));
 }

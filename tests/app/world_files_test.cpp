@@ -53,7 +53,7 @@ class Files : public testing::Test {
     return false;
   }
 
-  test::OwnFolder folder_;
+  test::TemporaryFolder folder_;
   WorldRun run_;
   std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
   std::mutex mutex_;

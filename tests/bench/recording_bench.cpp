@@ -85,7 +85,7 @@ int run(double seconds) {
   const int steps = static_cast<int>(seconds * 200.0);
   const Cost without = feed(keeper.records, steps, nullptr);
 
-  const test::OwnFolder folder;
+  const test::TemporaryFolder folder;
   publish::Recorder recorder({.journal_folder = folder.path().string()});
   recorder.begin({.path = folder.file("run.mcap")}, app::run_facts(loaded.files, setup, {}));
   const int warm_up = std::min(steps, 400);

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../support/temporary_folder.h"
 #include "core/error.h"
 #include "pty_pair.h"
 
@@ -31,12 +32,7 @@ std::string failure(const std::string& path) {
 
 class Transport : public ::testing::Test {
  protected:
-  Transport() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "tp100-port-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~Transport() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
   PtyPair pty_;
 };
 
@@ -76,17 +72,17 @@ TEST_F(Transport, PassesEveryByteBothWays) {
 }
 
 TEST_F(Transport, OpensThroughASymbolicLink) {
-  const auto link = folder_ / "robot";
+  const auto link = folder_.path() / "robot";
   std::filesystem::create_symlink(pty_.near(), link);
   EXPECT_TRUE(open_port(link.string(), {}).is_open());
 }
 
 TEST_F(Transport, SaysThatAPortIsMissing) {
-  const std::string message = failure((folder_ / "none").string());
+  const std::string message = failure(folder_.file("none"));
   EXPECT_THAT(message, HasSubstr("none: no such port"));
   EXPECT_THAT(message, Not(HasSubstr("\n")));
-  std::filesystem::create_symlink(folder_ / "nowhere", folder_ / "dangling");
-  EXPECT_THAT(failure((folder_ / "dangling").string()), HasSubstr("no such port"));
+  std::filesystem::create_symlink(folder_.path() / "nowhere", folder_.path() / "dangling");
+  EXPECT_THAT(failure(folder_.file("dangling")), HasSubstr("no such port"));
 }
 
 TEST_F(Transport, RefusesASecondClientUntilTheFirstIsGone) {
@@ -122,9 +118,9 @@ TEST_F(Transport, NamesTheProgramThatHoldsAPort) {
 }
 
 TEST_F(Transport, RefusesWhatIsNoSerialPort) {
-  std::ofstream(folder_ / "file") << "x";
-  EXPECT_THAT(failure((folder_ / "file").string()), HasSubstr("not a serial port"));
-  EXPECT_THAT(failure(folder_.string()), HasSubstr("not a serial port"));
+  std::ofstream(folder_.path() / "file") << "x";
+  EXPECT_THAT(failure(folder_.file("file")), HasSubstr("not a serial port"));
+  EXPECT_THAT(failure(folder_.path().string()), HasSubstr("not a serial port"));
   EXPECT_THAT(failure("/dev/null"), HasSubstr("not a serial port"));
 }
 
@@ -136,7 +132,7 @@ TEST_F(Transport, LeavesNoDescriptorBehind) {
   const auto before = count();
   for (int i = 0; i < 200; ++i) {
     open_port(pty_.near(), {});
-    failure((folder_ / "none").string());
+    failure(folder_.file("none"));
     failure("/dev/null");
   }
   EXPECT_EQ(count(), before);

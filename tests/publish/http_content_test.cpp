@@ -8,6 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "../support/temporary_folder.h"
+
 namespace tp100::publish {
 namespace {
 
@@ -21,31 +23,28 @@ constexpr unsigned char kPage[] = "<html>";
 class HttpContent : public ::testing::Test {
  protected:
   HttpContent() {
-    std::string pattern = (fs::temp_directory_path() / "tp100-http-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
     sources_.page = [](std::string_view path) {
       return path == "/" ? std::optional(PageFile{"text/html", {kPage, 6}, "\"5a\"", "gzip"})
                          : std::nullopt;
     };
-    sources_.runs_folder = (folder_ / "runs").string();
+    sources_.runs_folder = folder_.file("runs");
     sources_.active_run = [] { return std::string("b"); };
     sources_.health = [] { return std::string("{}"); };
     write("runs/a/run.mcap", "0123456789");
     write("runs/b/report.html", "<p>");
     write("secret", "secret");
   }
-  ~HttpContent() override { fs::remove_all(folder_); }
 
   void write(const std::string& path, const std::string& text) {
-    fs::create_directories((folder_ / path).parent_path());
-    std::ofstream(folder_ / path) << text;
+    fs::create_directories((folder_.path() / path).parent_path());
+    std::ofstream(folder_.path() / path) << text;
   }
   HttpAnswer get(std::string_view target, std::string_view range = {},
                  std::string_view none_match = {}) const {
     return http_answer({"GET", target, range, none_match}, sources_);
   }
 
-  fs::path folder_;
+  test::TemporaryFolder folder_;
   HttpSources sources_;
 };
 
@@ -71,12 +70,13 @@ TEST_F(HttpContent, OnlyGetAndHeadAreServed) {
 }
 
 TEST_F(HttpContent, RunsAreListedWithTheirFiles) {
-  fs::create_symlink(folder_ / "secret", folder_ / "runs/a/link.csv");
-  fs::create_directory_symlink(folder_, folder_ / "runs/linked");
+  fs::create_symlink(folder_.path() / "secret", folder_.path() / "runs/a/link.csv");
+  fs::create_directory_symlink(folder_.path(), folder_.path() / "runs/linked");
   write("runs/.hidden/x", "");
   write("runs/loose", "");
-  fs::last_write_time(folder_ / "runs/b/report.html",
-                      fs::last_write_time(folder_ / "runs/a/run.mcap") + std::chrono::seconds(5));
+  fs::last_write_time(
+      folder_.path() / "runs/b/report.html",
+      fs::last_write_time(folder_.path() / "runs/a/run.mcap") + std::chrono::seconds(5));
   const Json runs = Json::parse(get("/api/runs").body)["runs"];
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[0]["run"], "b");  // the newest first
@@ -89,7 +89,7 @@ TEST_F(HttpContent, RunsAreListedWithTheirFiles) {
 }
 
 TEST_F(HttpContent, AnAbsentFolderIsAnEmptyOne) {
-  for (const std::string& folder : {std::string(), (folder_ / "none").string()}) {
+  for (const std::string& folder : {std::string(), folder_.file("none")}) {
     sources_.runs_folder = folder;
     EXPECT_TRUE(Json::parse(get("/api/runs").body)["runs"].empty());
     EXPECT_EQ(get("/runs/a/run.mcap").status, 404U);
@@ -97,9 +97,9 @@ TEST_F(HttpContent, AnAbsentFolderIsAnEmptyOne) {
 }
 
 TEST_F(HttpContent, NothingOutsideOfARunIsServed) {
-  fs::create_symlink(folder_ / "secret", folder_ / "runs/a/link.csv");
-  fs::create_directory_symlink(folder_, folder_ / "runs/linked");
-  ASSERT_EQ(mkfifo((folder_ / "runs/a/pipe.csv").c_str(), 0600), 0);
+  fs::create_symlink(folder_.path() / "secret", folder_.path() / "runs/a/link.csv");
+  fs::create_directory_symlink(folder_.path(), folder_.path() / "runs/linked");
+  ASSERT_EQ(mkfifo((folder_.path() / "runs/a/pipe.csv").c_str(), 0600), 0);
   for (const char* target :
        {"/runs/", "/runs/a", "/runs/a/", "/runs/../secret", "/runs/a/../../secret", "/runs/a/..",
         "/runs/./a/run.mcap", "/runs/a/link.csv", "/runs/linked/secret", "/runs/a/pipe.csv",

@@ -44,7 +44,7 @@ class RecorderTest : public testing::Test {
     recording.visit({.step = [&](const StepRecord&) { ++steps; }});
     return steps;
   }
-  test::OwnFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(RecorderTest, WhatWasTakenIsInTheFileBitForBit) {

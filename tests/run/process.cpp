@@ -20,16 +20,6 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "tp100-test-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
-  path_ = pattern;
-}
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code error;
-  std::filesystem::remove_all(path_, error);
-}
-
 Process::Process(std::vector<std::string> arguments) {
   if (!arguments[0].starts_with('/')) {
     arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/" + arguments[0];

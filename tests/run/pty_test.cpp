@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "../support/temporary_folder.h"
 #include "core/error.h"
 
 namespace tp100::sim {
@@ -18,13 +19,8 @@ namespace fs = std::filesystem;
 
 class PtyTest : public testing::Test {
  protected:
-  PtyTest() {
-    std::string pattern = (fs::temp_directory_path() / "tp100-pty-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~PtyTest() override { fs::remove_all(folder_); }
-  std::string link() const { return (folder_ / "tp100").string(); }
-  fs::path folder_;
+  std::string link() const { return folder_.file("tp100"); }
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(PtyTest, NoticesOpeningAndClosing) {
@@ -75,7 +71,7 @@ TEST_F(PtyTest, DoesNotReplaceAFileOrALiveLink) {
   std::ofstream(link()) << "mine";
   EXPECT_THROW(Pty pty(link()), SetupError);
   EXPECT_TRUE(fs::is_regular_file(link()));
-  const std::string other = (folder_ / "other").string();
+  const std::string other = folder_.file("other");
   Pty first(other);
   EXPECT_THROW(Pty second(other), SetupError);
 }
