@@ -14,6 +14,7 @@
 #include "sim/run/calibrate_command.h"
 #include "sim/run/course_command.h"
 #include "sim/run/demo_command.h"
+#include "sim/run/faults_command.h"
 #include "sim/run/reproduce.h"
 #include "sim/run/robot_command.h"
 #include "sim/run/slope_command.h"
@@ -42,11 +43,20 @@ void add_common(CLI::App& app, Options& options) {
   add_seed(app, options);
 }
 
+void add_faults(CLI::App& app, std::vector<std::string>& faults) {
+  app.add_option(
+         "--fault", faults,
+         "NAME[:NUMBER][:WORD][@T[+D]]: from T s after the port was opened, for D s; may be "
+         "repeated; the list: tp100-sim faults")
+      ->type_name("FAULT")
+      ->allow_extra_args(false);
+}
+
 /// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
 std::string unknown_subcommand(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
-  const std::vector<std::string_view> names = {"course",    "robot",     "slope",
-                                               "reproduce", "calibrate", "demo"};
+  const std::vector<std::string_view> names = {"course",    "robot", "slope", "reproduce",
+                                               "calibrate", "demo",  "faults"};
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
   const std::string_view meant = tp100::course::nearest_name(argv[1], names);
   return "unknown subcommand '" + tp100::course::one_line(argv[1]) + "'" +
@@ -83,6 +93,7 @@ int run(int argc, char** argv) {
           "An external world: udp:PORT or udp:ADDRESS:PORT; every pose waits for its answer "
           "(default: the course's ramps and blocks)")
       ->type_name("WORLD");
+  add_faults(*course_app, course.faults);
   course_app->add_option("--runs", course.runs, "Runs with this and the following seeds")
       ->check(CLI::Range(1, 1000000))
       ->type_name("NUMBER")
@@ -102,6 +113,7 @@ int run(int argc, char** argv) {
   add_common(*robot_app, robot.options);
   robot_app->add_option("--link", robot.link, "Symbolic link to make to the port")
       ->type_name("PATH");
+  add_faults(*robot_app, robot.faults);
   robot_app->add_flag("--blank", robot.blank, "Only the bootloader is on the avr board: flash it");
   robot_app
       ->add_option("--course", robot.course,
@@ -193,6 +205,15 @@ int run(int argc, char** argv) {
   add_seed(*demo_app, demo.options);
   demo_app->add_flag("--headless", demo.headless, "No live line; end with the result table");
 
+  FaultsCommand faults;
+  CLI::App* faults_app = app.add_subcommand("faults", "List what --fault can do to a robot");
+  faults_app->add_flag("--json", faults.json, "One JSON object a line instead of a table");
+  faults_app->add_flag("--drive", faults.drive,
+                       "Drive with each in virtual time: expected beside seen, as a table");
+  faults_app->add_option("--board", faults.board, "native or avr")
+      ->type_name("BOARD")
+      ->capture_default_str();
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -207,6 +228,7 @@ int run(int argc, char** argv) {
   if (*slope_app) return run_slope(slope);
   if (*reproduce_app) return run_reproduce(reproduce);
   if (*calibrate_app) return run_calibrate(calibrate);
+  if (*faults_app) return run_faults(faults);
   return run_demo(demo);
 }
 

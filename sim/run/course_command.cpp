@@ -63,6 +63,7 @@ int run_course(const CourseCommand& command) {
                       .camera = camera,
                       .external_world = loaded.files.world == bridge::WorldKind::kUdp,
                       .seed = seed,
+                      .faults = parse_faults(command.faults),
                       .sink = sinks.empty() ? nullptr : &sinks});
     if (recorder) recorder->finish();
     const analysis::RunFigures figures = analysis::figures(result, course);

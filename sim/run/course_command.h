@@ -2,6 +2,7 @@
 // tp100-sim course: a course in lockstep, in virtual time.
 
 #include <string>
+#include <vector>
 
 #include "sim/run/options.h"
 
@@ -10,8 +11,9 @@ namespace tp100::sim {
 struct CourseCommand {
   Options options{};
   std::string course;
-  std::string camera;  ///< overhead camera: bundled name or file; empty: none
-  std::string world;   ///< external: udp:[HOST:]PORT; empty: as configured
+  std::string camera;                 ///< overhead camera: bundled name or file; empty: none
+  std::string world;                  ///< external: udp:[HOST:]PORT; empty: as configured
+  std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
   int runs = 1;
   std::string record;  ///< folder for recordings; empty: none
   std::string out;     ///< folder for results; empty: none

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/error.h"
 #include "sim/board/avr_board.h"
 #include "sim/board/native_board.h"
 
@@ -18,6 +19,9 @@ std::uint64_t stream(std::uint64_t seed, std::uint64_t number) {
   return z ^ (z >> 31);
 }
 
+constexpr std::int64_t kNsPerUs = 1000;
+constexpr std::uint32_t kTickUs = 1024;
+
 // Errors that belong to the robot and not to a run.
 constexpr std::uint64_t kLeftEncoder = 11;
 constexpr std::uint64_t kRightEncoder = 12;
@@ -28,10 +32,28 @@ double belt_rest_m(const course::EmulatedBody& body, std::uint64_t random) {
   return length_m * static_cast<double>(random >> 11) * 0x1p-53;
 }
 
+struct BoardClock {
+  double ppm;
+  std::uint32_t start_us;
+};
+
+/// A resonator and a register are as they are from power-on.
+BoardClock clock_of(const EmulatedRobotSettings& settings) {
+  BoardClock clock{settings.values.clock_ppm, settings.start_us};
+  for (const PlannedFault& fault : settings.faults) {
+    if (fault.kind == FaultKind::kDrift) clock.ppm += fault.number;
+    if (fault.kind == FaultKind::kWrap)
+      clock.start_us = static_cast<std::uint32_t>(-(fault.begin_ns / kNsPerUs)) / kTickUs * kTickUs;
+    if (fault.kind == FaultKind::kHang && settings.board != BoardKind::kAvr)
+      throw SetupError("--fault hang: only an emulated chip can hang; add --board avr");
+  }
+  return clock;
+}
+
 std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlave& imu) {
   const auto phase_ns = static_cast<std::int64_t>(stream(settings.seed, 2) % 5'000'000);
+  const auto [clock_ppm, start_us] = clock_of(settings);
   const std::uint64_t seed = stream(settings.seed, 1);
-  const double clock_ppm = settings.values.clock_ppm;
   switch (settings.board) {
     case BoardKind::kNative:
       break;
@@ -40,13 +62,13 @@ std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlav
                                                          .blank = settings.blank,
                                                          .seed = seed,
                                                          .clock_ppm = clock_ppm,
-                                                         .start_us = settings.start_us,
+                                                         .start_us = start_us,
                                                          .reset_hold_ns = phase_ns},
                                         &imu);
   }
   return std::make_unique<NativeBoard>(NativeBoardSettings{.seed = seed,
                                                            .clock_ppm = clock_ppm,
-                                                           .start_us = settings.start_us,
+                                                           .start_us = start_us,
                                                            .boot_delay_ns = 4'000'000 + phase_ns},
                                        &imu);
 }
@@ -71,7 +93,9 @@ EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
       right_encoder_(settings.values.encoder, 2, kRightEncoder),
       imu_(settings.values.imu, stream(settings.seed, 3)),
       battery_(settings.values.battery),
-      board_(make_board(settings, imu_)),
+      faults_(settings.faults, 10'000'000'000LL / settings.baud, stream(settings.seed, 6)),
+      bus_(imu_),
+      board_(make_board(settings, bus_)),
       to_board_(settings.baud) {
   body_.turn_belts(belt_rest_m(settings.values.body, stream(settings.seed, 4)),
                    belt_rest_m(settings.values.body, stream(settings.seed, 5)));
@@ -92,6 +116,15 @@ void EmulatedRobot::shove(double sideways_m, double yaw_rad, double duration_s) 
   body_.shove(sideways_m, yaw_rad, duration_s);
 }
 
+void EmulatedRobot::inject() {
+  imu_.freeze(faults_.active(FaultKind::kImuFrozen, now_ns_));
+  bus_.set_missing(faults_.active(FaultKind::kImuMissing, now_ns_));
+  bus_.set_saturated(faults_.active(FaultKind::kImuSaturated, now_ns_));
+  if (faults_.take(FaultKind::kReboot, now_ns_) || faults_.take(FaultKind::kRebootLoop, now_ns_))
+    board_->reset(PowerUp::kBrownOut, now_ns_);
+  if (faults_.take(FaultKind::kHang, now_ns_)) dynamic_cast<AvrBoard&>(*board_).hang_main_loop();
+}
+
 std::vector<TimedByte> EmulatedRobot::advance() {
   constexpr double kStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
   const std::int64_t until_ns = now_ns_ + kPhysicsStepNs;
@@ -101,6 +134,7 @@ std::vector<TimedByte> EmulatedRobot::advance() {
   right_motor_.step(drive.right, volts, body_.state().right_load_n);
   battery_.step(std::abs(left_motor_.force_n()) + std::abs(right_motor_.force_n()));
   body_.step(left_motor_.belt_mps(), right_motor_.belt_mps());
+  inject();
   imu_.measure(body_.state(), now_ns_);
 
   edges_.clear();
@@ -110,10 +144,12 @@ std::vector<TimedByte> EmulatedRobot::advance() {
   std::inplace_merge(edges_.begin(), edges_.begin() + left_edges, edges_.end(),
                      [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
 
-  board_->set_battery(volts);
-  board_->advance(until_ns, edges_, to_board_.take(until_ns));
+  faults_.edges(edges_, now_ns_);
+
+  board_->set_battery(faults_.battery(volts, now_ns_));
+  board_->advance(until_ns, edges_, faults_.to_robot(to_board_.take(until_ns), until_ns));
   now_ns_ = until_ns;
-  return board_->take_sent();
+  return faults_.to_host(board_->take_sent(), until_ns);
 }
 
 }  // namespace tp100::sim

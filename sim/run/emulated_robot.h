@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "course/terrain.h"
 #include "sim/board/board.h"
 #include "sim/body/body.h"
+#include "sim/faults/fault_injector.h"
 #include "sim/sensors/battery.h"
 #include "sim/sensors/motor.h"
 #include "sim/sensors/mpu6050.h"
@@ -35,7 +37,8 @@ struct EmulatedRobotSettings {
   bool bootloader = false;  ///< the avr board starts as on a desk, silent for a second
   bool blank = false;       ///< the avr board waits for its first firmware
   std::uint32_t baud = 500000;
-  std::uint32_t start_us = 0;  ///< device clock at each boot, in steps of 1024
+  std::uint32_t start_us = 0;          ///< device clock at each boot, in steps of 1024
+  std::vector<PlannedFault> faults{};  ///< of the list in sim/faults/fault_kind.h
 };
 
 /// The same settings and the same bytes at the same times give the same bytes back.
@@ -46,6 +49,11 @@ class EmulatedRobot {
 
   /// Restarts the board now.
   void reset(PowerUp cause);
+  /// The host opens the port for the first time: times of faults count from here.
+  void opened() { faults_.begin(now_ns_); }
+  /// What whoever holds the cable has to do itself: the number of a fault of this kind that happens
+  /// now, once for each time it happens.
+  std::optional<double> take_fault(FaultKind kind) { return faults_.take(kind, now_ns_); }
   /// Bytes that the host's UART takes at `now_ns`; they arrive at byte times.
   void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
   /// Advances one physics step and returns the bytes that the robot sent in it.
@@ -60,11 +68,16 @@ class EmulatedRobot {
   double battery_v() const { return battery_.volts(); }
 
  private:
+  /// What happens to sensors and board as a whole now.
+  void inject();
+
   Body body_;
   Motor left_motor_, right_motor_;
   QuadratureEncoder left_encoder_, right_encoder_;
   Mpu6050 imu_;
   Battery battery_;
+  FaultInjector faults_;
+  ImuFaults bus_;
   std::unique_ptr<Board> board_;
   UartLine to_board_;
   std::vector<Edge> edges_;

@@ -70,11 +70,13 @@ class Lockstep {
   void advance_robot();
   void step_host();
   void look();
+  void cable();
   void push();
   void record(const Snapshot& snapshot);
   void publish();
   /// Of the virtual robot against the real one.
   Pose in_world(Pose real) const;
+  bool plugged() const { return robot_.now_ns() >= plugged_ns_; }
   bool bench() const { return settings_.setup == bridge::Setup::kBench; }
 
   LockstepSettings settings_;
@@ -87,6 +89,8 @@ class Lockstep {
   TruthHistory truth_;
   StepRecord record_{};
   std::vector<std::uint8_t> arriving_;
+  std::int64_t plugged_ns_ = 0;     ///< until then the port is away
+  std::int64_t host_awake_ns_ = 0;  ///< until then the host stands still
   analysis::RunResult result_{};
   std::int64_t period_ns_;
   bridge::Shift behind_{};
@@ -118,7 +122,8 @@ Lockstep::Lockstep(const LockstepSettings& settings)
               .terrain = bridge::floor_of(settings.course.terrain, settings.setup),
               .seed = settings.seed,
               .board = settings.board,
-              .start_us = settings.start_us}),
+              .start_us = settings.start_us,
+              .faults = settings.faults}),
       period_ns_(static_cast<std::int64_t>(std::lround(1e3 / settings.configuration.loop.rate_hz)) *
                  kNsPerMs),
       pusher_(settings.course.shoves) {
@@ -148,6 +153,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
 
 void Lockstep::advance_robot() {
   for (const TimedByte& byte : robot_.advance()) {
+    if (!plugged()) continue;
     arriving_.push_back(byte.value);
     // The live loop wakes up for bytes; a frame's end is what its time stamp belongs to.
     if (byte.value == wire::kDelimiter) {
@@ -156,12 +162,28 @@ void Lockstep::advance_robot() {
     }
   }
   truth_.add(robot_.now_ns(), robot_.truth().pose);
+  if (settings_.watch) settings_.watch(robot_);
 }
 
 void Lockstep::look() {
   camera_->look(robot_.truth().pose, robot_.now_ns());
   while (const std::optional<CameraSample> seen = camera_->take(robot_.now_ns()))
     cycle_.camera(*seen);
+}
+
+void Lockstep::cable() {
+  if (plugged_ns_ > 0 && plugged()) {
+    plugged_ns_ = 0;
+    robot_.reset(PowerUp::kExternal);
+    cycle_.open(robot_.now_ns());
+  }
+  if (const std::optional<double> away_s = robot_.take_fault(FaultKind::kUnplug)) {
+    plugged_ns_ = robot_.now_ns() + from_s(*away_s);
+    arriving_.clear();
+    cycle_.close(robot_.now_ns());
+  }
+  if (const std::optional<double> stall_ms = robot_.take_fault(FaultKind::kHostStall))
+    host_awake_ns_ = robot_.now_ns() + from_s(*stall_ms * 1e-3);
 }
 
 void Lockstep::push() {
@@ -228,7 +250,7 @@ void Lockstep::step_host() {
   ++steps_;
   publish();
   cycle_.take_events();
-  robot_.receive(cycle_.output(), now);
+  if (plugged()) robot_.receive(cycle_.output(), now);
   cycle_.written(cycle_.output().size());
   if (out.snapshot.run_state == RunState::kRunning) {
     if (begin_ns_ < 0) begin_ns_ = now;
@@ -240,6 +262,7 @@ analysis::RunResult Lockstep::run() {
   const Clock::time_point wall_begin = Clock::now();
   robot_.reset(PowerUp::kPowerOn);
   while (robot_.now_ns() < kOpenNs) robot_.advance();
+  robot_.opened();
   cycle_.open(robot_.now_ns());
   cycle_.request(OperatorRequest::kStart);
 
@@ -248,9 +271,10 @@ analysis::RunResult Lockstep::run() {
   RunState state = RunState::kIdle;
   while (end_ns == 0 || robot_.now_ns() < end_ns) {
     advance_robot();
+    cable();
     if (camera_) look();
     if (begin_ns_ >= 0) push();
-    if (robot_.now_ns() < next_step_ns) continue;
+    if (robot_.now_ns() < std::max(next_step_ns, host_awake_ns_)) continue;
     next_step_ns += period_ns_;
     step_host();
     state = cycle_.outputs().snapshot.run_state;
@@ -261,9 +285,9 @@ analysis::RunResult Lockstep::run() {
 
   result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kRestS) - begin_ns_);
   const course::PathPoint goal = path_.at(path_.pieces().size() - 1, path_.length_m());
-  const Pose end = result_.points.empty() ? settings_.course.start
-                   : bench()              ? result_.points.back().world
-                                          : in_world(robot_.truth().pose);
+  const Pose end = begin_ns_ < 0 || (bench() && result_.points.empty()) ? settings_.course.start
+                   : bench() ? result_.points.back().world
+                             : in_world(robot_.truth().pose);
   const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
   result_.completed = state == RunState::kFinished && miss_m <= kEndToleranceM;
   if (!result_.completed) {

@@ -3,6 +3,7 @@
 // the same bytes as over a cable.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -26,7 +27,9 @@ struct LockstepSettings {
   /// World at the configuration's address; else the course's own, whatever the configuration says.
   bool external_world = false;
   std::uint64_t seed = 1;
-  std::uint32_t start_us = 0;     ///< device clock at boot; near 2^32 it wraps in the run
+  std::uint32_t start_us = 0;          ///< device clock at boot; near 2^32 it wraps in the run
+  std::vector<PlannedFault> faults{};  ///< of the robot, its cable and the host
+  std::function<void(const EmulatedRobot&)> watch{};  ///< sees the robot after every physics step
   publish::Sink* sink = nullptr;  ///< gets every step, and the truth of each new sample's instant
 };
 

@@ -67,13 +67,32 @@ class FirmwareLog {
 /// The robot's end of the cable in real time.
 class Cable {
  public:
-  Cable(EmulatedRobot& robot, const std::string& link) : robot_(robot), pty_(link) {}
+  Cable(EmulatedRobot& robot, const std::string& link) : robot_(robot), link_(link), pty_(link) {}
 
-  const std::string& device() const { return pty_.device(); }
+  const std::string& device() const { return pty_->device(); }
+
+  /// Takes the port away and brings it back where the robot's faults say so.
+  void plug() {
+    if (const std::optional<double> away_s = robot_.take_fault(FaultKind::kUnplug)) {
+      std::printf("robot: %.6f s: unplugged for %g s\n", to_s(robot_.now_ns() - reset_ns_),
+                  *away_s);
+      std::fflush(stdout);
+      pty_.reset();
+      open_ = false;
+      waiting_.clear();
+      plug_ns_ = robot_.now_ns() + from_s(*away_s);
+    }
+    if (pty_ || robot_.now_ns() < plug_ns_) return;
+    pty_.emplace(link_);
+    std::printf("robot: %.6f s: plugged in again, on %s\n", to_s(robot_.now_ns() - reset_ns_),
+                device().c_str());
+    std::fflush(stdout);
+  }
 
   /// Opening the port resets the board, as DTR does on a Mega.
   void watch() {
-    const bool open = pty_.open();
+    if (!pty_) return;
+    const bool open = pty_->open();
     if (open == open_) return;
     open_ = open;
     // On the board's clock, as the firmware's own lines.
@@ -83,12 +102,14 @@ class Cable {
     if (open) {
       robot_.reset(PowerUp::kExternal);
       reset_ns_ = robot_.now_ns();
+      robot_.opened();
     }
     waiting_.clear();
   }
   void from_host() {
+    if (!pty_) return;
     std::array<std::uint8_t, 4096> buffer;
-    const std::size_t n = pty_.read(buffer);
+    const std::size_t n = pty_->read(buffer);
     robot_.receive(std::span(buffer.data(), n), robot_.now_ns() + kPhysicsStepNs);
   }
   void to_host(const std::vector<TimedByte>& sent) {
@@ -97,7 +118,7 @@ class Cable {
       if (open_) waiting_.push_back(byte.value);
     }
     if (waiting_.empty()) return;
-    const std::size_t n = pty_.write(waiting_);
+    const std::size_t n = pty_->write(waiting_);
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(n));
     // A client that does not read loses bytes, as it would on a real port.
     if (waiting_.size() > kMostWaiting) waiting_.clear();
@@ -106,7 +127,9 @@ class Cable {
  private:
   static constexpr std::size_t kMostWaiting = 8192;
   EmulatedRobot& robot_;
-  Pty pty_;
+  std::string link_;
+  std::optional<Pty> pty_;
+  std::int64_t plug_ns_ = 0;
   FirmwareLog log_;
   bool open_ = false;
   std::int64_t reset_ns_ = 0;
@@ -142,6 +165,10 @@ int run_robot(const RobotCommand& command) {
   if (command.blank && loaded.board != BoardKind::kAvr) {
     throw SetupError("--blank: only an emulated chip can be blank; add --board avr");
   }
+  const std::vector<PlannedFault> faults = parse_faults(command.faults);
+  for (const PlannedFault& fault : faults)
+    if (fault.kind == FaultKind::kHostStall)
+      throw SetupError("--fault host-stall: the host is a program of its own here; stop that one");
   course::Course course;
   if (!command.course.empty()) course = load_course(command.course);
   EmulatedRobot robot({.values = loaded.robot.emulated,
@@ -151,7 +178,8 @@ int run_robot(const RobotCommand& command) {
                        .seed = command.options.seed,
                        .board = loaded.board,
                        .bootloader = true,
-                       .blank = command.blank});
+                       .blank = command.blank,
+                       .faults = faults});
   std::optional<CameraStream> camera = camera_stream(command, loaded, course.fence);
   Cable cable(robot, command.link);
   Pusher pusher(course.shoves);
@@ -176,6 +204,7 @@ int run_robot(const RobotCommand& command) {
     const std::int64_t now_ns = monotonic_ns();
     if (now_ns - due_ns > kGiveUpNs) begin_ns += now_ns - due_ns;
     if (now_ns < due_ns) sleep_until(due_ns);
+    cable.plug();
     cable.watch();
     cable.from_host();
     cable.to_host(robot.advance());

@@ -2,6 +2,7 @@
 // tp100-sim robot: the emulated robot on a pseudo-terminal, in real time.
 
 #include <string>
+#include <vector>
 
 #include "sim/run/options.h"
 
@@ -13,8 +14,9 @@ struct RobotCommand {
   bool blank = false;  ///< no firmware on the avr board yet, only its bootloader
   std::string camera;  ///< overhead camera, bundled name or file; empty: none, or `overhead` with
                        ///< camera_to
-  std::string camera_to;  ///< "udp:[HOST:]PORT"; empty: kCameraPort of this machine
-  std::string course;     ///< start pose and shoves come from it; empty: origin
+  std::string camera_to;              ///< "udp:[HOST:]PORT"; empty: kCameraPort of this machine
+  std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
+  std::string course;                 ///< start pose and shoves come from it; empty: origin
 };
 
 /// Runs until SIGINT or SIGTERM. Returns the exit status. Throws SetupError.

@@ -1,0 +1,102 @@
+#include "sim/faults/fault_injector.h"
+
+#include "core/time.h"
+
+namespace tp100::sim {
+namespace {
+
+using Faults = std::vector<PlannedFault>;
+
+bool of_frames(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::kClockStep:
+    case FaultKind::kSyncLate:
+    case FaultKind::kSyncTwice:
+    case FaultKind::kVersion:
+    case FaultKind::kSchema:
+    case FaultKind::kBoard:
+    case FaultKind::kUnknownMessage:
+    case FaultKind::kReplay:
+    case FaultKind::kSequence:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Faults of_direction(const Faults& faults, bool to_host, bool frames) {
+  Faults out;
+  for (const PlannedFault& fault : faults)
+    if ((to_host ? fault.to_host : fault.to_robot) && of_frames(fault.kind) == frames)
+      out.push_back(fault);
+  return out;
+}
+
+}  // namespace
+
+FaultInjector::FaultInjector(const Faults& faults, std::int64_t byte_ns, std::uint64_t seed)
+    : frames_to_robot_(of_direction(faults, false, true)),
+      frames_to_host_(of_direction(faults, true, true)),
+      bytes_to_robot_(of_direction(faults, false, false), byte_ns, seed),
+      bytes_to_host_(of_direction(faults, true, false), 0, seed + 1),
+      encoders_(faults) {
+  for (const PlannedFault& fault : faults) faults_.push_back({fault, fault.begin_ns});
+}
+
+void FaultInjector::begin(std::int64_t now_ns) {
+  if (!faults_.empty() && !begin_ns_) begin_ns_ = now_ns;
+}
+
+std::vector<TimedByte> FaultInjector::pass(std::span<const TimedByte> bytes, std::int64_t until_ns,
+                                           FrameFaults& frames, ByteFaults& damage) const {
+  std::vector<TimedByte> moved(bytes.begin(), bytes.end());
+  if (!begin_ns_) return moved;
+  for (TimedByte& byte : moved) byte.at_ns -= *begin_ns_;
+  moved = damage.pass(frames.pass(moved, until_ns - *begin_ns_), until_ns - *begin_ns_);
+  for (TimedByte& byte : moved) byte.at_ns += *begin_ns_;
+  return moved;
+}
+
+std::vector<TimedByte> FaultInjector::to_robot(std::span<const TimedByte> bytes,
+                                               std::int64_t until_ns) {
+  return pass(bytes, until_ns, frames_to_robot_, bytes_to_robot_);
+}
+
+std::vector<TimedByte> FaultInjector::to_host(std::span<const TimedByte> bytes,
+                                              std::int64_t until_ns) {
+  return pass(bytes, until_ns, frames_to_host_, bytes_to_host_);
+}
+
+void FaultInjector::edges(std::vector<Edge>& edges, std::int64_t from_ns) {
+  if (begin_ns_) encoders_.pass(edges, from_ns, -*begin_ns_);
+}
+
+double FaultInjector::battery(double volts, std::int64_t now_ns) const {
+  for (const Planned& planned : faults_)
+    if (begin_ns_ && planned.fault.kind == FaultKind::kBattery &&
+        planned.fault.active(now_ns - *begin_ns_))
+      return planned.fault.number;
+  return volts;
+}
+
+bool FaultInjector::active(FaultKind kind, std::int64_t now_ns) const {
+  for (const Planned& planned : faults_)
+    if (begin_ns_ && planned.fault.kind == kind && planned.fault.active(now_ns - *begin_ns_))
+      return true;
+  return false;
+}
+
+std::optional<double> FaultInjector::take(FaultKind kind, std::int64_t now_ns) {
+  for (Planned& planned : faults_) {
+    const std::int64_t at_ns = begin_ns_ ? now_ns - *begin_ns_ : -1;
+    if (!begin_ns_ || planned.fault.kind != kind || !planned.fault.active(at_ns) ||
+        at_ns < planned.next_ns)
+      continue;
+    planned.next_ns = text_of(kind).at_once ? planned.fault.end_ns
+                                            : planned.next_ns + from_s(planned.fault.number);
+    return planned.fault.number;
+  }
+  return std::nullopt;
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,49 @@
+#pragma once
+// One direction of a cable on which whole frames are changed, repeated, held back or made up, with
+// good checksums.
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "sim/board/board.h"
+#include "sim/faults/planned_fault.h"
+#include "wire/frame.h"
+
+namespace tp100::sim {
+
+class FrameFaults {
+ public:
+  explicit FrameFaults(std::vector<PlannedFault> faults);
+
+  /// `bytes`, ascending, leave the near end; times of all are since the port was opened. Returns
+  /// what goes on to the far end by `until_ns`: whole frames, each when its end has passed, and
+  /// what was no frame as it was. Without faults nothing is held back.
+  std::vector<TimedByte> pass(std::span<const TimedByte> bytes, std::int64_t until_ns);
+
+ private:
+  struct Held {
+    std::int64_t due_ns;
+    std::vector<TimedByte> frame;
+  };
+  struct Planned {
+    PlannedFault fault;
+    bool began = false;
+    std::uint16_t first_sequence = 0;
+  };
+
+  void finish(wire::Received received, std::vector<TimedByte>& out);
+  /// The payload as it is from now on.
+  void edit(Planned& planned, std::uint8_t type, std::vector<std::uint8_t>& payload);
+  static std::vector<TimedByte> coded(std::uint8_t type, std::span<const std::uint8_t> payload,
+                                      std::int64_t at_ns);
+
+  std::vector<Planned> faults_;
+  wire::FrameDecoder decoder_;
+  std::vector<TimedByte> frame_;
+  std::deque<std::vector<TimedByte>> sent_;  ///< the last frames, for replay
+  std::vector<Held> held_;
+};
+
+}  // namespace tp100::sim

@@ -1,0 +1,94 @@
+#include "sim/faults/sensor_faults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "sim/body/body.h"
+
+namespace tp100::sim {
+namespace {
+
+// As fast as a Mega's interrupts follow.
+constexpr std::int64_t kEdgeNs = 40'000;
+
+// ACCEL_XOUT_H to GYRO_ZOUT_L (MPU-6000/6050 register map rev 4.2, 4.17 to 4.19), temperature in
+// between.
+bool is_value(int reg) { return (reg >= 0x3B && reg <= 0x40) || (reg >= 0x43 && reg <= 0x48); }
+
+bool of_side(const PlannedFault& fault, std::uint8_t channel) {
+  return channel < 2 ? fault.left : fault.right;
+}
+
+}  // namespace
+
+EncoderFaults::EncoderFaults(std::vector<PlannedFault> faults) {
+  for (const PlannedFault& fault : faults) {
+    const int cycles = fault.kind == FaultKind::kEncoderJump
+                           ? static_cast<int>(std::lround(fault.number / 4.0))
+                           : 0;
+    faults_.push_back({fault, {fault.left ? cycles : 0, fault.right ? cycles : 0}});
+  }
+}
+
+void EncoderFaults::pass(std::vector<Edge>& edges, std::int64_t from_ns, std::int64_t shift_ns) {
+  std::array<bool, 4> after = levels_;
+  for (const Edge& edge : edges) after[edge.channel] = edge.level;
+  for (Planned& planned : faults_) {
+    const PlannedFault& fault = planned.fault;
+    const auto hit = [&](const Edge& edge) {
+      return fault.active(edge.at_ns + shift_ns) && of_side(fault, edge.channel);
+    };
+    if (fault.kind == FaultKind::kEncoderStuck) std::erase_if(edges, hit);
+    if (fault.kind == FaultKind::kEncoderFlip)
+      for (Edge& edge : edges)
+        if (hit(edge)) edge.channel ^= 1U;
+    if (fault.kind == FaultKind::kEncoderJump && fault.active(from_ns + shift_ns))
+      for (std::uint8_t side = 0; side < 2; ++side)
+        jump(edges, from_ns, static_cast<std::uint8_t>(2 * side), planned.cycles[side]);
+  }
+  levels_ = after;
+}
+
+void EncoderFaults::jump(std::vector<Edge>& edges, std::int64_t from_ns, std::uint8_t first_channel,
+                         int& cycles) {
+  // Before the first edge of the belt itself; whole cycles leave the phases as they were.
+  const auto first = std::find_if(edges.begin(), edges.end(), [&](const Edge& edge) {
+    return edge.channel / 2 == first_channel / 2;
+  });
+  const std::int64_t room_ns =
+      first == edges.end() ? kPhysicsStepNs : first->at_ns - from_ns - kEdgeNs;
+  if (room_ns <= 0 || cycles == 0) return;
+  const int now = std::clamp(cycles, -static_cast<int>(room_ns / (4 * kEdgeNs)),
+                             static_cast<int>(room_ns / (4 * kEdgeNs)));
+  const bool forward = cycles > 0;
+  std::array<bool, 2> level{levels_[first_channel], levels_[first_channel + 1U]};
+  for (int i = 0; i < 4 * std::abs(now); ++i) {
+    // Forward, A leads: it is A's turn where both are alike.
+    const std::size_t phase = (level[0] == level[1]) == forward ? 0 : 1;
+    level[phase] = !level[phase];
+    edges.push_back({from_ns + (i + 1) * kEdgeNs, static_cast<std::uint8_t>(first_channel + phase),
+                     level[phase]});
+  }
+  cycles -= now;
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+}
+
+bool ImuFaults::write(std::span<const std::uint8_t> bytes) {
+  if (missing_) return false;
+  if (!bytes.empty()) pointer_ = bytes[0];
+  return imu_.write(bytes);
+}
+
+bool ImuFaults::read(std::span<std::uint8_t> bytes) {
+  if (missing_ || !imu_.read(bytes)) return false;
+  if (!saturated_) return true;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const int reg = pointer_ + static_cast<int>(i);
+    if (is_value(reg)) bytes[i] = (reg % 2 == 1) ? 0x7F : 0xFF;
+  }
+  return true;
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,53 @@
+#pragma once
+// Encoders and IMU that do not tell what happens.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/faults/planned_fault.h"
+#include "sim/sensors/edge.h"
+#include "sim/sensors/i2c_slave.h"
+
+namespace tp100::sim {
+
+/// Between the encoders and the pins.
+class EncoderFaults {
+ public:
+  explicit EncoderFaults(std::vector<PlannedFault> faults);
+  /// `edges` of the quantum from `from_ns`, ascending. `shift_ns` makes their times those since the
+  /// port was opened.
+  void pass(std::vector<Edge>& edges, std::int64_t from_ns, std::int64_t shift_ns);
+
+ private:
+  void jump(std::vector<Edge>& edges, std::int64_t from_ns, std::uint8_t first_channel,
+            int& cycles);
+
+  struct Planned {
+    PlannedFault fault;
+    std::array<int, 2> cycles;  ///< of the two phases that are still to be made up, signed
+  };
+  std::vector<Planned> faults_;
+  std::array<bool, 4> levels_{};
+};
+
+/// Between the IMU and the bus.
+class ImuFaults : public I2cSlave {
+ public:
+  explicit ImuFaults(I2cSlave& imu) : imu_(imu) {}
+
+  void set_missing(bool missing) { missing_ = missing; }
+  void set_saturated(bool saturated) { saturated_ = saturated; }
+
+  bool write(std::span<const std::uint8_t> bytes) override;
+  bool read(std::span<std::uint8_t> bytes) override;
+
+ private:
+  I2cSlave& imu_;
+  bool missing_ = false;
+  bool saturated_ = false;
+  std::uint8_t pointer_ = 0;
+};
+
+}  // namespace tp100::sim

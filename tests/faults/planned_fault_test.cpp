@@ -1,0 +1,71 @@
+#include "sim/faults/planned_fault.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/error.h"
+#include "core/time.h"
+
+namespace tp100::sim {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_fault(text);
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(PlannedFault, EveryOneOfTheListIsReadByItsName) {
+  std::set<std::string_view> names;
+  for (const FaultText& text : fault_texts()) {
+    EXPECT_TRUE(names.insert(text.name).second) << text.name;
+    const PlannedFault fault = parse_fault(text.name);
+    EXPECT_EQ(fault.kind, text.kind);
+    EXPECT_EQ(&text_of(text.kind), &text);
+    EXPECT_EQ(fault.number, text.standard);
+    EXPECT_TRUE(fault.active(0));
+    EXPECT_LE(text.least, text.standard);
+    EXPECT_GE(text.most, text.standard);
+  }
+}
+
+TEST(PlannedFault, NumberWordAndTimesAreTaken) {
+  const PlannedFault fault = parse_fault("drop:0.25:to-robot@2.5+1");
+  EXPECT_EQ(fault.kind, FaultKind::kDrop);
+  EXPECT_EQ(fault.number, 0.25);
+  EXPECT_TRUE(fault.to_robot);
+  EXPECT_FALSE(fault.to_host);
+  EXPECT_FALSE(fault.active(from_s(2.4)));
+  EXPECT_TRUE(fault.active(from_s(2.5)));
+  EXPECT_TRUE(fault.active(from_s(3.4)));
+  EXPECT_FALSE(fault.active(from_s(3.5)));
+  const PlannedFault jump = parse_fault("encoder-jump:left:-40@1");
+  EXPECT_EQ(jump.number, -40.0);
+  EXPECT_TRUE(jump.left);
+  EXPECT_FALSE(jump.right);
+}
+
+TEST(PlannedFault, WhatMakesNoSenseIsRefusedInOneLine) {
+  EXPECT_THAT(refusal("dorp:0.1"), HasSubstr("did you mean 'drop'?"));
+  EXPECT_THAT(refusal("drop:2"), HasSubstr("out of range"));
+  EXPECT_THAT(refusal("drop:nan"), HasSubstr("says nothing"));
+  EXPECT_THAT(refusal("drop:left"), HasSubstr("says nothing"));
+  EXPECT_THAT(refusal("cut:1"), HasSubstr("says nothing"));
+  EXPECT_THAT(refusal("drop:0.1@x"), HasSubstr("no time"));
+  EXPECT_THAT(refusal("drop@"), HasSubstr("no time"));
+  EXPECT_THAT(refusal("drop@-1"), HasSubstr("no time"));
+  EXPECT_THAT(refusal("drop@1+"), HasSubstr("no time"));
+  EXPECT_THAT(refusal("reboot@1+2"), HasSubstr("does not last"));
+  EXPECT_THAT(refusal(""), HasSubstr("no such fault"));
+  EXPECT_EQ(refusal("\n" + std::string(5000, 'x')).find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tp100::sim

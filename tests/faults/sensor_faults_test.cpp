@@ -1,0 +1,120 @@
+#include "sim/faults/sensor_faults.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/time.h"
+#include "sim/sensors/mpu6050.h"
+#include "sim/sensors/quadrature_encoder.h"
+
+namespace tp100::sim {
+namespace {
+
+// Counts as a board does: by the phases of one side.
+class Counter {
+ public:
+  void take(const std::vector<Edge>& edges, std::uint8_t first_channel) {
+    for (const Edge& edge : edges) {
+      if (edge.channel / 2 != first_channel / 2) continue;
+      const unsigned before = place();
+      level_[edge.channel % 2] = edge.level;
+      const unsigned step = (place() - before) & 3U;
+      EXPECT_NE(step, 2u) << "both phases at once";
+      count_ += step == 1 ? 1 : step == 3 ? -1 : 0;
+    }
+  }
+  int count() const { return count_; }
+
+ private:
+  // A leads forward: 00, 10, 11, 01.
+  unsigned place() const { return level_[0] ? (level_[1] ? 2U : 1U) : (level_[1] ? 3U : 0U); }
+  bool level_[2] = {false, false};
+  int count_ = 0;
+};
+
+struct Counts {
+  int left, right;
+  std::int64_t truly;
+};
+
+// Both belts at 0.1 m/s for a second.
+Counts counted(const std::string& fault) {
+  const course::EmulatedEncoder values{};
+  QuadratureEncoder left(values, 0, 1), right(values, 2, 2);
+  EncoderFaults faults({parse_fault(fault)});
+  Counter left_counter, right_counter;
+  std::int64_t last_ns = 0;
+  for (std::int64_t ms = 0; ms < 1000; ++ms) {
+    std::vector<Edge> edges;
+    left.move(1e-4, ms * kNsPerMs, (ms + 1) * kNsPerMs, edges);
+    right.move(1e-4, ms * kNsPerMs, (ms + 1) * kNsPerMs, edges);
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+    faults.pass(edges, ms * kNsPerMs, 0);
+    for (const Edge& edge : edges) {
+      EXPECT_GE(edge.at_ns, last_ns);
+      last_ns = edge.at_ns;
+    }
+    left_counter.take(edges, 0);
+    right_counter.take(edges, 2);
+  }
+  return {left_counter.count(), right_counter.count(), left.counts()};
+}
+
+TEST(EncoderFaults, OneSideStandsStill) {
+  const Counts half = counted("encoder-stuck:left@0.5");
+  EXPECT_NEAR(half.left, static_cast<double>(half.truly) / 2.0, 2.0);
+  EXPECT_NEAR(half.right, static_cast<double>(half.truly), 2.0);
+  EXPECT_EQ(counted("encoder-stuck").left, 0);
+  EXPECT_EQ(counted("encoder-stuck").right, 0);
+}
+
+TEST(EncoderFaults, SwappedPhasesCountBackwards) {
+  const Counts all = counted("encoder-flip:right");
+  EXPECT_NEAR(all.left, static_cast<double>(all.truly), 1.0);
+  EXPECT_NEAR(all.right, -static_cast<double>(all.truly), 2.0);
+}
+
+TEST(EncoderFaults, CountsThatNoBeltMade) {
+  for (const int jump : {400, -400, 1000}) {
+    const Counts all = counted("encoder-jump:left:" + std::to_string(jump) + "@0.3");
+    EXPECT_EQ(all.left, all.truly + jump);
+    EXPECT_NEAR(all.right, static_cast<double>(all.truly), 2.0);
+  }
+}
+
+class ImuFaultsTest : public ::testing::Test {
+ protected:
+  std::vector<std::uint8_t> burst() {
+    const std::uint8_t at = 0x3B;
+    std::vector<std::uint8_t> bytes(14);
+    if (!bus_.write({&at, 1}) || !bus_.read(bytes)) bytes.clear();
+    return bytes;
+  }
+  Mpu6050 imu_{course::EmulatedImu{}, 1};
+  ImuFaults bus_{imu_};
+};
+
+TEST_F(ImuFaultsTest, AMissingOneDoesNotAcknowledge) {
+  EXPECT_EQ(burst().size(), 14u);
+  bus_.set_missing(true);
+  EXPECT_TRUE(burst().empty());
+  bus_.set_missing(false);
+  EXPECT_EQ(burst().size(), 14u);
+}
+
+TEST_F(ImuFaultsTest, ASaturatedOneIsAtFullScaleButForItsTemperature) {
+  const std::vector<std::uint8_t> before = burst();
+  bus_.set_saturated(true);
+  const std::vector<std::uint8_t> after = burst();
+  for (const std::size_t i : {0u, 2u, 4u, 8u, 10u, 12u}) {
+    EXPECT_EQ(after[i], 0x7F) << i;
+    EXPECT_EQ(after[i + 1], 0xFF) << i;
+  }
+  EXPECT_EQ(after[6], before[6]);
+  EXPECT_EQ(after[7], before[7]);
+}
+
+}  // namespace
+}  // namespace tp100::sim
