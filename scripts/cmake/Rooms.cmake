@@ -11,8 +11,8 @@ target_compile_options(tp100_options INTERFACE
 if(TP100_SANITIZE)
   target_compile_options(tp100_options INTERFACE
     -fsanitize=${TP100_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-    # Sanitizers make these two report paths that cannot happen.
-    -Wno-null-dereference -Wno-maybe-uninitialized)
+    # Sanitizers make GCC report paths that cannot happen with these two.
+    -Wno-null-dereference $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(tp100_options INTERFACE -fsanitize=${TP100_SANITIZE})
 endif()
 

@@ -1,0 +1,44 @@
+// Tables of people: recorded drives, measured distances, speeds to replay.
+
+#include "analysis/drive_file.h"
+#include "app/replay.h"
+#include "byte_source.h"
+#include "core/error.h"
+
+namespace tp100 {
+namespace {
+
+using fuzz::require;
+
+void read_drive(const std::string& text) {
+  const std::string written = analysis::write_drive(analysis::parse_drive(text, "fuzz"));
+  require(analysis::write_drive(analysis::parse_drive(written, "fuzz")) == written,
+          "a drive comes back as it was");
+}
+
+void read_measured(const std::string& text) {
+  std::vector<analysis::Drive> drives(3);
+  analysis::add_measured(text, "fuzz", drives);
+}
+
+void replay_speeds(const std::string& text) {
+  for (const app::ReplayModel model :
+       {app::ReplayModel::kPaper, app::ReplayModel::kExtended, app::ReplayModel::kOdometry})
+    app::replay_csv(text, "fuzz", model, {});
+}
+
+}  // namespace
+}  // namespace tp100
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size > 20000) return 0;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  for (const auto read : {tp100::read_drive, tp100::read_measured, tp100::replay_speeds}) {
+    try {
+      read(text);
+    } catch (const tp100::SetupError& error) {
+      tp100::fuzz::require_message(error.what());
+    }
+  }
+  return 0;
+}
