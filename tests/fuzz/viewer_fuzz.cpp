@@ -1,0 +1,97 @@
+// What viewers say: requests for files, and messages of the Foxglove protocol after a handshake.
+
+#include <cmath>
+#include <memory>
+
+#include "../publish/fake_controls.h"
+#include "../publish/fixtures.h"
+#include "byte_source.h"
+#include "publish/access.h"
+#include "publish/desk.h"
+#include "publish/http_content.h"
+
+namespace tp100 {
+namespace {
+
+using fuzz::require;
+using namespace publish;
+
+std::vector<ParameterText> parameters() {
+  const ParameterText gain{{.name = "gain", .value = 1.0, .standard = 1.0, .range = {0.0, 2.0}},
+                           true};
+  const ParameterText fixed{{.name = "fixed", .value = 1.0, .standard = 1.0, .range = {0.0, 2.0}}};
+  const ParameterText steering{{.name = "steering",
+                                .type = ParameterText::Type::kChoice,
+                                .value = std::string("model"),
+                                .standard = std::string("model"),
+                                .choices = {"model", "fused"}},
+                               true};
+  return {gain, fixed, steering};
+}
+
+void require_set(const std::string& name, const ParameterValue& value) {
+  if (name == "gain") {
+    const double* number = std::get_if<double>(&value);
+    require(number != nullptr && *number >= 0.0 && *number <= 2.0, "a number in its range");
+  } else {
+    const std::string* choice = std::get_if<std::string>(&value);
+    require(name == "steering" && choice != nullptr && (*choice == "model" || *choice == "fused"),
+            "one of the choices, of what may change");
+  }
+}
+
+// One input is one conversation: messages of a length byte pair each, the highest bit of which says
+// whether it is binary.
+void converse(fuzz::ByteSource source, Permission permission) {
+  FakeControls controls;
+  Hub hub(channel_texts());
+  Feed feed(hub, Messages(example_subject(), example_clock()), controls);
+  Desk desk(hub, feed, controls, parameters(), "session");
+  const auto viewer = std::make_shared<Viewer>(
+      3, [] {}, [] {});
+  hub.add(viewer);
+  StepRecord record = example_record();
+  record.snapshot.run_state = RunState::kIdle;
+  feed.take(record);
+  while (!source.empty()) {
+    const unsigned head = source.u8();
+    const auto bytes = source.bytes((head & 0x7FU) << 8U | source.u8());
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    desk.handle(viewer, head & 0x80U ? parse_binary(bytes) : parse_text(text), permission,
+                record.now_ns);
+    record.now_ns += 10 * kNsPerMs;
+    feed.take(record);
+    desk.tick(record.now_ns);
+    while (!viewer->outbox().empty()) viewer->outbox().pop();
+  }
+  for (const auto& [name, value] : controls.sets) require_set(name, value);
+  if (permission == Permission::kStopOnly)
+    require(controls.starts == 0 && controls.holds == 0 && controls.sets.empty(),
+            "who may only stop does nothing else");
+  hub.remove(viewer);
+}
+
+void request(std::string_view text) {
+  HttpSources sources;
+  sources.page = [](std::string_view) { return std::nullopt; };
+  sources.runs_folder = "/nowhere";
+  sources.active_run = [] { return std::string(); };
+  sources.health = [] { return std::string("{}"); };
+  const std::size_t end = text.find('\n');
+  const std::string_view more = end == text.npos ? std::string_view() : text.substr(end + 1);
+  const HttpAnswer answer = http_answer({"GET", text.substr(0, end), more, {}}, sources);
+  require(answer.status >= 200 && answer.status < 600, "an answer of HTTP");
+  choose_sub_protocol(text);
+  parse_request(text);
+}
+
+}  // namespace
+}  // namespace tp100
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  for (const auto permission :
+       {tp100::publish::Permission::kCommand, tp100::publish::Permission::kStopOnly})
+    tp100::converse({data, size}, permission);
+  tp100::request({reinterpret_cast<const char*>(data), size});
+  return 0;
+}
