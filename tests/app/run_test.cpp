@@ -296,7 +296,8 @@ TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
   for (const auto& run : std::filesystem::directory_iterator(options_.record)) {
     testing::internal::CaptureStdout();
     EXPECT_EQ(
-        run_replay({.in = run.path(), .out = folder_.file("poses.csv"), .config = {}, .model = {}}), 0);
+        run_replay({.in = run.path(), .out = folder_.file("poses.csv"), .config = {}, .model = {}}),
+        0);
     EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("bit for bit"));
     ++replayed;
   }

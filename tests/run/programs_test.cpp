@@ -139,6 +139,24 @@ TEST_F(Programs, AKilledRobotLeavesTheDaemonWaitingAndDisarmedUntilANewStart) {
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
 }
 
+TEST_F(Programs, AnUnpluggedRobotIsReadyAgainByItselfAndDisarmedUntilANewStart) {
+  std::vector<std::string> arguments = robot_arguments();
+  arguments.insert(arguments.end(), {"--fault", "unplug:0.3@2"});
+  Process robot(arguments);
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  Process bridge(daemon_arguments());
+  ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
+  ASSERT_TRUE(robot.wait_for("unplugged for 0.3 s")) << robot.output();
+  ASSERT_TRUE(bridge.wait_for("port is gone")) << bridge.output();
+  ASSERT_TRUE(robot.wait_for("plugged in again, on ")) << robot.output();
+  ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
+  usleep(1'000'000);
+  EXPECT_EQ(bridge.output().rfind("-> arming"), bridge.output().find("-> arming"))
+      << "it must not arm again by itself: " << bridge.output();
+  bridge.signal(SIGTERM);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+}
+
 TEST_F(Programs, SigtermDisarmsFirst) {
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
