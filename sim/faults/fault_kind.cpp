@@ -23,7 +23,7 @@ constexpr std::array kTexts = std::to_array<FaultText>({
     {kDelimiter, "delimiter", "bytes", "share of the bytes", 0.001, 0, 1, kDirection, false,
      "a byte becomes a frame's end"},
     {kTruncate, "truncate", "bytes", "share of the frames", 0.05, 0, 1, kDirection, false,
-     "a frame loses the half before its end"},
+     "a frame loses what follows its eighth byte"},
     {kFuse, "fuse", "bytes", "share of the frames", 0.05, 0, 1, kDirection, false,
      "the end between two frames is missing"},
     {kChatter, "chatter", "bytes", "period, ms", 333, 1, 60000, kDirection, false,
