@@ -99,12 +99,12 @@ TEST_F(ServerTest, ItsListenerHearsAllOfItAlsoWhenNobodyIsServed) {
       heard[channel] = json;
     };
     start();
-    EXPECT_THAT(heard[Channel::kParameter], HasSubstr("control.gain"));
     EXPECT_EQ(server_->url().empty(), std::string(listen) == "off");
     step();
     server_->take(Event{.at_ns = steady_now(), .text = "something"});
     server_->flush();
-    server_.reset();
+    server_.reset();  // and its thread, which writes to `heard`
+    EXPECT_THAT(heard[Channel::kParameter], HasSubstr("control.gain")) << listen;
     EXPECT_THAT(heard[Channel::kEvent], HasSubstr("something")) << listen;
     EXPECT_THAT(heard[Channel::kLog], HasSubstr("something")) << listen;
     EXPECT_THAT(heard[Channel::kState], HasSubstr("\"run\":\"running\"")) << listen;
