@@ -1,10 +1,14 @@
 // viewer_load PORT SECONDS: 50 viewers at once, one of which never reads, one sends garbage and one
-// sends frames of 100 MB. Prints one JSON object with what the server says of them.
+// sends frames of 100 MB. viewer_load PORT SECONDS VIEWERS: that many, all of which behave; the
+// first starts the robot again whenever its run is over. Prints one JSON object with what the
+// server says of them.
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,6 +22,33 @@ using tp100::publish::WebClient;
 using namespace std::chrono_literals;
 
 constexpr int kGood = 47;
+// Of the services that the server offers.
+constexpr std::uint32_t kStart = 1;
+constexpr auto kLookEvery = 500ms;
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<WebClient> polite(const std::string& port, int count) {
+  // What the page asks for.
+  const Channel page[] = {Channel::kEstimate, Channel::kSlip,  Channel::kLink,
+                          Channel::kLoop,     Channel::kState, Channel::kTransforms};
+  std::vector<WebClient> viewers;
+  for (int i = 0; i < count; ++i) {
+    viewers.emplace_back(port);
+    for (const Channel channel : page) viewers.back().subscribe(channel);
+  }
+  return viewers;
+}
+
+std::size_t closed(std::vector<WebClient>& viewers) {
+  return static_cast<std::size_t>(
+      std::count_if(viewers.begin(), viewers.end(), [](WebClient& v) { return v.closed(); }));
+}
+
+std::size_t received(const std::vector<WebClient>& viewers) {
+  return std::accumulate(viewers.begin(), viewers.end(), std::size_t{0},
+                         [](std::size_t sum, const WebClient& v) { return sum + v.received(); });
+}
 
 template <class Once>
 std::thread hostile(const std::string& port, const std::atomic<bool>& over, Once once) {
@@ -33,24 +64,9 @@ std::thread hostile(const std::string& port, const std::atomic<bool>& over, Once
   });
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: viewer_load PORT SECONDS\n");
-    return 2;
-  }
-  const std::string port = argv[1];
-  const auto end = std::chrono::steady_clock::now() +
-                   std::chrono::milliseconds(static_cast<int>(std::atof(argv[2]) * 1e3));
-  // What the page asks for.
-  const std::vector<Channel> page = {Channel::kEstimate, Channel::kSlip,  Channel::kLink,
-                                     Channel::kLoop,     Channel::kState, Channel::kTransforms};
-  std::vector<WebClient> good;
-  for (int i = 0; i < kGood; ++i) {
-    good.emplace_back(port);
-    for (const Channel channel : page) good.back().subscribe(channel);
-  }
+/// 47 that behave and 3 that do not.
+void load(const std::string& port, Clock::time_point end) {
+  std::vector<WebClient> good = polite(port, kGood);
   WebClient deaf(port);
   for (std::uint32_t i = 1; i <= tp100::publish::kChannelCount; ++i)
     deaf.subscribe(static_cast<Channel>(i));
@@ -66,7 +82,7 @@ int main(int argc, char** argv) {
     for (int i = 0; i < 1600 && !client.closed(); ++i) client.write_raw(std::string(65536, 'x'));
   });
   unsigned long long dropped = 0;
-  while (std::chrono::steady_clock::now() < end) {
+  while (Clock::now() < end) {
     for (WebClient& client : good) client.drain();
     dropped = std::max<unsigned long long>(dropped, watcher.number_after("\"dropped_total\":"));
     std::this_thread::sleep_for(5ms);
@@ -74,12 +90,43 @@ int main(int argc, char** argv) {
   over = true;
   garbage.join();
   large.join();
-  std::size_t received = 0, lost = 0;
-  for (WebClient& client : good) {
-    received += client.received();
-    lost += client.closed() ? 1U : 0U;
+  std::printf("{\"received\":%zu,\"lost_viewers\":%zu,\"dropped\":%llu}\n", received(good),
+              closed(good), dropped);
+}
+
+/// Looks on, and keeps the robot driving.
+void look_on(const std::string& port, Clock::time_point end, int count) {
+  std::vector<WebClient> viewers = polite(port, count);
+  WebClient watcher(port);
+  watcher.subscribe(Channel::kClient);
+  unsigned long long dropped = 0;
+  Clock::time_point next = Clock::now();
+  while (Clock::now() < end) {
+    for (WebClient& viewer : viewers) viewer.drain();
+    if (Clock::now() >= next) {
+      next = Clock::now() + kLookEvery;
+      dropped = std::max<unsigned long long>(dropped, watcher.number_after("\"dropped_total\":"));
+      // Refused while it drives.
+      watcher.call(kStart);
+    }
+    std::this_thread::sleep_for(5ms);
   }
-  std::printf("{\"received\":%zu,\"lost_viewers\":%zu,\"dropped\":%llu}\n", received, lost,
-              dropped);
+  std::printf("{\"received\":%zu,\"lost_viewers\":%zu,\"dropped\":%llu}\n", received(viewers),
+              closed(viewers), dropped);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3 && argc != 4) {
+    std::fprintf(stderr, "usage: viewer_load PORT SECONDS [VIEWERS]\n");
+    return 2;
+  }
+  const auto end =
+      Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(std::atof(argv[2]) * 1e3));
+  if (argc == 3)
+    load(argv[1], end);
+  else
+    look_on(argv[1], end, std::atoi(argv[3]));
   return 0;
 }
