@@ -250,6 +250,7 @@ void Reader::judge() {
   } else if (run_.subject.course == nullptr || result.points.empty()) {
     result.cause = "unknown";
   } else {
+    result.finished = true;
     const course::Path path(*run_.subject.course);
     const course::PathPoint goal = path.at(path.pieces().size() - 1, path.length_m());
     const Pose& end = result.points.back().world;

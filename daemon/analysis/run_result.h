@@ -53,9 +53,9 @@ struct CameraFigures {
 struct RunResult {
   std::string course, board, robot, setup;
   std::uint64_t seed = 0;
-  bool completed =
-      false;          ///< the controller finished and the true end lies within 15 cm of the path's
-  std::string cause;  ///< why it was not completed; empty otherwise
+  bool finished = false;    ///< the controller came to the end of the course
+  bool completed = false;   ///< ... and the true end lies within 15 cm of the path's
+  std::string cause;        ///< why it was not completed; empty otherwise
   double duration_s = 0.0;  ///< virtual time of the run
   double realtime_factor = 0.0;
   bool has_camera = false;  ///< an overhead camera looked on; else `fused` is not judged

@@ -53,8 +53,9 @@ std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint
                                                        .camera = load_camera("overhead"),
                                                        .seed = seed + kSeedStride * drives.size(),
                                                        .sink = &sink});
-      if (!result.completed)
-        throw SetupError(name + ": " + loaded.robot.name + " did not complete it (" + result.cause +
+      // Where a robot that nothing is known of ends is one of the things to learn.
+      if (!result.finished)
+        throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
                          "); there is nothing to learn from");
       analysis::Drive drive = sink.drive();
       drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +

@@ -289,15 +289,16 @@ analysis::RunResult Lockstep::run() {
                    : bench() ? result_.points.back().world
                              : in_world(robot_.truth().pose);
   const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
-  result_.completed = state == RunState::kFinished && miss_m <= kEndToleranceM;
+  result_.finished = state == RunState::kFinished;
+  result_.completed = result_.finished && miss_m <= kEndToleranceM;
   if (!result_.completed) {
     const std::optional<Fault> fault = first_fault(cycle_.outputs().snapshot.faults);
     const bool no_world = begin_ns_ < 0 && world_ && world_->silent();
-    result_.cause = no_world                       ? std::string(describe(Fault::world_lost).name)
-                    : begin_ns_ < 0                ? "never began"
-                    : state == RunState::kFinished ? "ended too far from the end of the path"
-                    : fault                        ? std::string(describe(*fault).name)
-                                                   : "unknown";
+    result_.cause = no_world           ? std::string(describe(Fault::world_lost).name)
+                    : begin_ns_ < 0    ? "never began"
+                    : result_.finished ? "ended too far from the end of the path"
+                    : fault            ? std::string(describe(*fault).name)
+                                       : "unknown";
   }
   result_.link = cycle_.session().counters();
   const std::chrono::duration<double> wall = Clock::now() - wall_begin;

@@ -137,6 +137,16 @@ TEST(Lockstep, ARobotThatLeavesItsFenceIsStoppedAndTheCauseIsNamed) {
   EXPECT_EQ(result.cause, "fence");
 }
 
+TEST(Lockstep, ARobotWhoseSlipNobodyKnowsFinishesElsewhere) {
+  LockstepSettings run = settings("1-straight", "end-loaded");
+  run.robot.model = {};
+  run.robot.emulated.body.belt_deficit_left = run.robot.emulated.body.belt_deficit_right = 0.4;
+  const analysis::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.finished);
+  EXPECT_FALSE(result.completed);
+  EXPECT_EQ(result.cause, "ended too far from the end of the path");
+}
+
 TEST(Lockstep, AReversedMotorIsFoundBeforeTheRobotGetsFar) {
   LockstepSettings run = settings("1-straight", "end-loaded");
   run.robot.drive.invert_right_motor = true;
