@@ -15,9 +15,9 @@ constexpr double kBluntestRad = 15.0 * kRadPerDeg, kSharpestRad = 165.0 * kRadPe
 // What is searched: radii in parts of the turning centre's distance, arcs in parts of the turn.
 constexpr int kRadii = 60, kArcs = 16, kSamples = 48;
 constexpr double kWidest = 6.0;
-// A robot in a corner is drawn to where it should be, gently.
-constexpr double kDrawnPs = 2.0;
-constexpr double kDrawnMps = 0.02;
+// A robot in a corner is drawn to its way, gently.
+constexpr double kDrawnPs = 6.0;
+constexpr double kDrawnMps = 0.04;
 
 }  // namespace
 
@@ -88,16 +88,18 @@ double Corner::worst_of_turn_m() const {
 }
 
 double Corner::speed_mps(const Pose& pose, double rate_radps) const {
-  if (radius_m_ == 0.0) return 0.0;
+  if (angle_rad_ == 0.0) return 0.0;  // not between two lines
   const double turned = side_ * wrap_angle(pose.yaw_rad - corner_.yaw_rad);
-  const Spot spot = reference(turned);
   const double c = std::cos(corner_.yaw_rad), s = std::sin(corner_.yaw_rad);
-  const double aside = side_ * spot.y_m;
-  const double to_x = corner_.x_m + c * spot.x_m - s * aside - pose.x_m;
-  const double to_y = corner_.y_m + s * spot.x_m + c * aside - pose.y_m;
-  const double along = std::cos(pose.yaw_rad) * to_x + std::sin(pose.yaw_rad) * to_y;
+  const double dx = pose.x_m - corner_.x_m, dy = pose.y_m - corner_.y_m;
+  const Spot should = reference(turned);
+  // Only the way to the next line counts: where on it is set right by driving on.
+  const double nx = -std::sin(angle_rad_), ny = std::cos(angle_rad_);
+  const double aside =
+      nx * (should.x_m - (c * dx + s * dy)) + ny * (should.y_m - side_ * (c * dy - s * dx));
+  const double across = nx * std::cos(turned) + ny * std::sin(turned);
   const double arc_mps = on_arc(turned) ? radius_m_ * std::abs(rate_radps) : 0.0;
-  return arc_mps + std::clamp(kDrawnPs * along, -kDrawnMps, kDrawnMps);
+  return arc_mps + std::clamp(kDrawnPs * aside * across, -kDrawnMps, kDrawnMps);
 }
 
 }  // namespace tp100::control

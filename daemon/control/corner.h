@@ -13,10 +13,13 @@ namespace tp100::control {
 /// behind the reference point, the same backwards. Of all such ways this is the one on which the
 /// reference point stays nearest to the path: within 0.22 |x_icr_m| at a right angle.
 ///
+/// What carries the robot off meanwhile, as a belt that slips, is set right as far as belts can,
+/// which is along where the robot looks: it is to end the turn on the next line.
+///
 /// SI units. Nothing but the constructor, which searches, takes time; no allocation.
 class Corner {
  public:
-  /// Turns on the very spot.
+  /// Turns on the very spot, wherever that is.
   Corner() = default;
   /// `turn` is a piece of kind pivot; `room_m` what there is of line before it, and as much after
   /// it. On the very spot where there is too little room or nothing to gain.
@@ -26,8 +29,8 @@ class Corner {
   double radius_m() const { return radius_m_; }
   /// The reference point stops this much before the corner. Not negative.
   double stop_before_m() const;
-  /// Speed along the robot while it turns with `rate_radps`: the arc's, and a little towards where
-  /// a robot with this yaw should be.
+  /// Speed along the robot while it turns with `rate_radps`: the arc's, and a little to be as far
+  /// from the next line as a robot with this yaw should be.
   double speed_mps(const Pose& pose, double rate_radps) const;
   /// The greatest distance of the reference point from both lines, if all goes as it should.
   double worst_m() const { return worst_m_; }
