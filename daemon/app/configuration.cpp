@@ -151,7 +151,7 @@ std::span<const Key<estimation::Parameters>> estimation_keys() {
 
 std::span<const Key<RecordSettings>> record_keys() {
   using T = RecordSettings;
-  static const std::array<Key<T>, 2> kKeys = {{
+  static const std::array<Key<T>, 4> kKeys = {{
       {"directory",
        &T::directory,
        {},
@@ -161,6 +161,16 @@ std::span<const Key<RecordSettings>> record_keys() {
        &T::max_mb,
        {1, 1000000},
        "A recording that has grown to this size is ended, with a warning; the run goes on"},
+      {"black_box_s",
+       &T::black_box_s,
+       {0, 60},
+       "So much, up to a second after a fault, is written as a recording when nothing is recorded "
+       "anyway; 0: nothing is kept"},
+      {"black_box_directory",
+       &T::black_box_directory,
+       {},
+       "Folder for these. Empty: directory above, else $XDG_STATE_HOME/tp100 or "
+       "~/.local/state/tp100"},
   }};
   return kKeys;
 }

@@ -41,8 +41,10 @@ struct LoopSettings {
 
 /// Where runs are recorded.
 struct RecordSettings {
-  std::string directory;  ///< each run gets a folder of its own in it; empty: nothing is recorded
+  std::string directory{};  ///< each run gets a folder of its own in it; empty: nothing is recorded
   int max_mb = 2000;
+  double black_box_s = 10.0;          ///< kept for a fault (app/black_box.h); 0: nothing
+  std::string black_box_directory{};  ///< empty: `directory`, or the user's folder for such things
 };
 
 /// Where the overhead camera is heard. What is believed of it is in the parameters.

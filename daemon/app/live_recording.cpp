@@ -26,18 +26,17 @@ std::string date_and_time(std::int64_t unix_ns) {
 /// Things that happen; the other channels say how something is.
 bool happens(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLog; }
 
-/// Only who is told can record it: it does not follow from the steps.
-bool is_told(Channel channel) {
-  return happens(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
-         channel == Channel::kState || channel == Channel::kParameter;
-}
-
 [[noreturn]] void fail(const std::string& folder, const std::error_code& error) {
   throw SetupError(folder + ": cannot create the folder (" + error.message() +
                    "); give another --record");
 }
 
 }  // namespace
+
+bool is_told(Channel channel) {
+  return happens(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
+         channel == Channel::kState || channel == Channel::kParameter;
+}
 
 std::string make_run_folder(const std::string& directory, const std::string& name,
                             std::int64_t unix_ns) {

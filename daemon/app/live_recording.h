@@ -53,6 +53,10 @@ class LiveRecording : public publish::Sink {
   std::map<publish::Channel, std::string> in_force_;  // the last message of channels that have one
 };
 
+/// Whether a message of that channel does not follow from the steps: only who is told can record
+/// it.
+bool is_told(publish::Channel channel);
+
 /// DIRECTORY/YYYYMMDD-HHMMSS-NAME in local time, with -2, -3, ... behind NAME if that folder is
 /// there already. Makes the folder. Throws SetupError.
 std::string make_run_folder(const std::string& directory, const std::string& name,

@@ -1,5 +1,7 @@
 #include "app/live_server.h"
 
+#include <utility>
+
 #include "app/parameter_list.h"
 #include "web/bundle.h"
 
@@ -16,7 +18,7 @@ std::optional<publish::PageFile> page_file(std::string_view path) {
 
 std::unique_ptr<publish::Server> make_server(const RunSetup& run,
                                              const publish::PublishClock& clock,
-                                             LiveControls& controls, LiveRecording& recording) {
+                                             LiveControls& controls, publish::Listener listener) {
   const ServerSettings& settings = run.configuration.server;
   publish::ServerSettings out;
   out.listen = settings.listen;
@@ -25,8 +27,7 @@ std::unique_ptr<publish::Server> make_server(const RunSetup& run,
   out.max_clients = static_cast<std::size_t>(settings.max_clients);
   out.runs_folder = run.configuration.record.directory;
   out.page = page_file;
-  out.listener = [&recording](publish::Channel channel, std::uint64_t unix_ns,
-                              std::string_view json) { recording.hear(channel, unix_ns, json); };
+  out.listener = std::move(listener);
   return std::make_unique<publish::Server>(std::move(out),
                                            publish::Messages(subject_of(run), clock),
                                            parameter_list(run.configuration, run.robot), controls);

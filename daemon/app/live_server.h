@@ -1,6 +1,6 @@
 #pragma once
 // The server of `tp100d run`: page, viewers and what they ask, joined to the live loop; and what it
-// says, joined to the recording.
+// says, to whoever records it.
 
 #include <memory>
 #include <string>
@@ -11,9 +11,10 @@
 
 namespace tp100::app {
 
-/// Listens as configured. `controls` and `recording` must outlive it. Throws SetupError.
+/// Listens as configured; `listener` hears all that is said. `controls` must outlive it. Throws
+/// SetupError.
 std::unique_ptr<publish::Server> make_server(const RunSetup& run,
                                              const publish::PublishClock& clock,
-                                             LiveControls& controls, LiveRecording& recording);
+                                             LiveControls& controls, publish::Listener listener);
 
 }  // namespace tp100::app

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <memory>
 
+#include "app/black_box.h"
 #include "app/bundled_files.h"
 #include "app/configuration.h"
 #include "app/live_controls.h"
@@ -116,8 +117,15 @@ int run_run(const RunOptions& options) {
   const publish::PublishClock clock = read_clocks();
   LiveRecording recording(files, run, clock);
   settings.recording = &recording;
+  BlackBox black_box(files, run, clock, [&recording] { return recording.figures().active; });
+  settings.black_box = &black_box;
   LiveControls controls(cycle, loop, recording);
-  const std::unique_ptr<publish::Server> server = make_server(run, clock, controls, recording);
+  const auto listener = [&](publish::Channel channel, std::uint64_t unix_ns,
+                            std::string_view json) {
+    recording.hear(channel, unix_ns, json);
+    black_box.hear(channel, unix_ns, json);
+  };
+  const std::unique_ptr<publish::Server> server = make_server(run, clock, controls, listener);
   if (!configuration.record.directory.empty()) recording.start("");
   settings.server = server.get();
   settings.controls = &controls;

@@ -58,6 +58,7 @@ struct Supervisor::State {
   void end(int exit_status, const std::string& result);
   void write_figures();
   void take_recording();
+  void note_black_box();
   void summarize() const;
 
   SupervisorSettings settings;
@@ -100,6 +101,7 @@ int Supervisor::State::run() {
   figures.grants = settings.process_grants;
   began_ns = loop::monotonic_now();
   sinks.push_back(settings.recording);
+  sinks.push_back(settings.black_box);
   sinks.push_back(settings.server);
   figures.page = settings.server->url();
   take_signals();
@@ -131,6 +133,8 @@ int Supervisor::State::run() {
   // What happened last is to be in the recording.
   settings.server->flush();
   settings.recording->stop();
+  settings.black_box->finish();
+  note_black_box();
   figures.duration_s = to_s(loop::monotonic_now() - began_ns);
   write_figures();
   summarize();
@@ -187,6 +191,7 @@ void Supervisor::State::tick() {
   connector.tick(now);
   take_status(now);
   if (const std::string note = world->take_note(); !note.empty()) log.info(note);
+  note_black_box();
   if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
   if (ending && loop.ended()) {
     input->stop();
@@ -332,6 +337,10 @@ void Supervisor::State::take_recording() {
   if (!is.warning.empty() && is.warning != was.warning) log.warn(is.warning);
   if (is.dropped > 0 && was.dropped == 0)
     log.warn(is.file + ": the disk is too slow, steps are missing in the recording");
+}
+
+void Supervisor::State::note_black_box() {
+  if (const std::string note = settings.black_box->take_note(); !note.empty()) log.warn(note);
 }
 
 void Supervisor::State::summarize() const {

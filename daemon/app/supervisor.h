@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/black_box.h"
 #include "app/configuration.h"
 #include "app/connector.h"
 #include "app/live_controls.h"
@@ -33,6 +34,7 @@ struct SupervisorSettings {
   bool stay = false;  ///< a run that is over does not end the program
   // Never null; they must outlive the supervisor.
   LiveRecording* recording = nullptr;  ///< gets every step
+  BlackBox* black_box = nullptr;       ///< the same
   publish::Server* server = nullptr;   ///< started and fed here
   LiveControls* controls = nullptr;    ///< of the server
 };

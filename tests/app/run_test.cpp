@@ -31,7 +31,9 @@ class Run : public ::testing::Test {
     std::ofstream(folder_.path() / "config.toml")
         << "[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n"
            "[link]\nfirst_frame_timeout_ms = 700\n"
-           "[server]\nlisten = \"127.0.0.1:0\"\n";
+           "[server]\nlisten = \"127.0.0.1:0\"\n"
+           "[record]\nblack_box_directory = \""
+        << folder_.file("boxes") << "\"\n";
     options_.config = folder_.file("config.toml");
     options_.port = port().string();
     options_.stats = stats_path().string();
@@ -219,6 +221,7 @@ TEST_F(Run, ARobotThatFallsSilentIsALostLinkAndIsWaitedFor) {
   EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
   EXPECT_THAT(log_, HasSubstr("link_lost"));
   EXPECT_THAT(log_, HasSubstr("SIGTERM")) << "it waits until somebody ends it";
+  EXPECT_THAT(log_, HasSubstr("s around link_lost are in " + folder_.file("boxes")));
 }
 
 TEST_F(Run, SurvivesManyUnpluggings) {

@@ -1,0 +1,86 @@
+#pragma once
+// The last seconds of a running bridge. They are kept in memory, and when something goes wrong
+// while nothing is recorded, written as a recording: steps with samples, commands and states, and
+// what was said, up to a second after the fault. `tp100d report` and `export` read it; replay does
+// not, since it does not begin with the first step.
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "app/run_setup.h"
+#include "publish/channels.h"
+#include "publish/publish_clock.h"
+#include "publish/sink.h"
+
+namespace tp100::app {
+
+/// Where black boxes are written: record.black_box_directory, else record.directory, else
+/// $XDG_STATE_HOME/tp100 or ~/.local/state/tp100; empty: nowhere, there is no home.
+std::string black_box_directory(const RecordSettings& settings);
+
+class BlackBox : public publish::Sink {
+ public:
+  /// Files of one program: a fault that comes again and again must not fill the disk.
+  static constexpr std::uint32_t kMostFiles = 20;
+  static constexpr HostNs kAfterwardsNs = kNsPerS;
+
+  /// `recorded` tells whether a recording is running that holds the same; any thread. The
+  /// references must outlive this.
+  BlackBox(const RunFiles& files, const RunSetup& run, const publish::PublishClock& clock,
+           std::function<bool()> recorded);
+  /// As finish().
+  ~BlackBox() override;
+
+  /// What is said on the channels (publish::Listener). Any thread.
+  void hear(publish::Channel channel, std::uint64_t unix_ns, std::string_view json);
+
+  // The thread that drains the steps.
+  void take(const StepRecord& record) override;
+  /// The program ends: writes the fault whose second is not over, waits until all is on the disk.
+  void finish();
+  /// What there is to say since the last call: a file that was written, or why it was not; one
+  /// line, or empty.
+  std::string take_note();
+
+ private:
+  struct Message {
+    publish::Channel channel;
+    HostNs at_ns;
+    std::string json;
+  };
+  struct Step {
+    HostNs at_ns;
+    std::vector<std::uint8_t> bytes;
+  };
+  using Steps = std::deque<Step>;
+  using Messages = std::deque<Message>;
+
+  void keep(const StepRecord& record);
+  void begin_to_write();
+  void write(const std::string& fault, const Steps& steps, const Messages& messages);
+  void note(std::string text);
+
+  const RunFiles& files_;
+  const RunSetup& run_;
+  publish::PublishClock clock_;
+  std::function<bool()> recorded_;
+  HostNs length_ns_;
+  std::string directory_;
+  Steps steps_;
+  FaultMask known_ = 0;  // faults of the last step
+  std::string fault_;    // that waits to be written; empty: none
+  HostNs due_ns_ = 0;    // when it is
+  std::uint32_t files_written_ = 0;
+  std::thread writer_;
+  std::mutex mutex_;  // of what follows
+  Messages messages_;
+  std::string note_;
+};
+
+}  // namespace tp100::app
