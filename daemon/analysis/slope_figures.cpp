@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "core/angle.h"
 
@@ -17,6 +16,8 @@ constexpr double kBelongsS = 1.0;
 // Both ends of the belts stand on a slope that differs from its ramp's by less than this.
 constexpr double kOnRampRad = 0.5 * kRadPerDeg;
 constexpr double kRobotM = 0.15;
+// What leans the body is to be known this long after it leans.
+constexpr double kToldS = 0.5;
 
 Slope slope_of(const Pose& pose) {
   if (std::abs(pose.pitch_rad) <= kLeansRad) return Slope::kFlat;
@@ -92,14 +93,16 @@ void judge_pitch(SlopeFigures& figures, const std::vector<TrackPoint>& points,
 
 void judge_kinds(SlopeFigures& figures, const std::vector<TrackPoint>& points,
                  const course::Terrain& terrain) {
-  Slope was = Slope::kFlat;
-  for (const TrackPoint& point : points) {
-    const Slope before = std::exchange(was, point.slope);
-    if (point.slope != Slope::kUp || before != Slope::kFlat) continue;
+  for (const SlopeChange& change : figures.changes) {
+    if (change.to != Slope::kUp || !change.found_s) continue;
+    const auto told = std::find_if(points.begin(), points.end(), [&](const TrackPoint& point) {
+      return point.t_s >= change.at_s + kToldS;
+    });
+    if (told == points.end()) continue;
     ++figures.obstacles;
     const Obstacle real =
-        ramp_at(terrain, point.truth) != nullptr ? Obstacle::kRamp : Obstacle::kBlock;
-    if (point.leans_on != real) ++figures.mistaken;
+        ramp_at(terrain, told->truth) != nullptr ? Obstacle::kRamp : Obstacle::kBlock;
+    if (told->leans_on != real) ++figures.mistaken;
   }
 }
 

@@ -22,7 +22,7 @@ struct SlopeFigures {
   std::vector<SlopeChange> changes;
   int false_changes = 0;  ///< of the state, without one of the body
   int obstacles = 0;      ///< that were gone up
-  int mistaken = 0;       ///< ... a ramp for a step, a step for a ramp
+  int mistaken = 0;       ///< ... half a second later a ramp for a step, a step for a ramp
 };
 
 /// A change of the body counts if it lasts for 0.2 s; a state that returns within that belongs to

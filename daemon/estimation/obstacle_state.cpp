@@ -1,5 +1,6 @@
 #include "estimation/obstacle_state.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,34 +11,45 @@ namespace {
 
 // A body that leans by less counts as level: noise and offset of the pitch.
 constexpr double kLevelRad = 2.0 * kRadPerDeg;
-// Steeper than any ramp that belts hold on (37 deg), less steep than any riser rolled up so far.
-constexpr double kStepSine = 0.6;
+// Steeper than a ramp of 34 deg, less steep than any riser and edge climbed so far.
+constexpr double kStepSine = 0.56;
+// After this way uphill a ramp is one.
+constexpr double kJudgedM = 0.04;
 // Way over the top of an obstacle, from leaving its up side to its down side.
 constexpr double kTopM = 0.6;
+constexpr double kMarkM = 0.001;
 
 }  // namespace
 
-Obstacle ObstacleState::judge(double nose_up_rad) const {
-  const double risen = axle_spacing_m_ * (nose_up_rad - level_rad_);
-  return risen > kStepSine * rise_m_ ? Obstacle::kBlock : Obstacle::kRamp;
+void ObstacleState::climb(double nose_up_rad, double way_m) {
+  since_mark_m_ += way_m;
+  if (since_mark_m_ < kMarkM) return;
+  since_mark_m_ = std::fmod(since_mark_m_, kMarkM);
+  const double sine = std::sin(nose_up_rad);
+  double& oldest = sines_[marks_ % kMarks];
+  if (marks_ >= kMarks)
+    steepest_ = std::max(steepest_, axle_spacing_m_ * (sine - oldest) / (kMarks * kMarkM));
+  oldest = sine;
+  ++marks_;
 }
 
 Obstacle ObstacleState::update(double pitch_rad, Slope slope, double way_m) {
   const double nose_up = -pitch_rad;
-  rise_m_ += std::abs(way_m);
   level_m_ += std::abs(way_m);
-  if (slope == Slope::kFlat && nose_up < kLevelRad) {
-    rise_m_ = 0.0;
-    level_rad_ = nose_up;
-  }
+  up_m_ += std::abs(way_m);
+  if (slope == Slope::kFlat && nose_up < kLevelRad) steepest_ = 0.0;
+  climb(nose_up, std::abs(way_m));
   const Slope before = std::exchange(slope_, slope);
   if (slope == Slope::kFlat) {
     if (before != Slope::kFlat) level_m_ = 0.0;
     return state_ = Obstacle::kNone;
   }
-  if (slope == before) return state_;
+  const Obstacle risen = steepest_ > kStepSine ? Obstacle::kBlock : Obstacle::kRamp;
   if (slope == Slope::kUp && before == Slope::kFlat) {
-    state_ = last_ = judge(nose_up);
+    up_m_ = 0.0;
+    state_ = last_ = risen;
+  } else if (slope == Slope::kUp && up_m_ < kJudgedM && risen == Obstacle::kBlock) {
+    state_ = last_ = risen;
   } else if (before == Slope::kFlat) {
     state_ = level_m_ < kTopM && last_ != Obstacle::kNone ? last_ : Obstacle::kRamp;
   }

@@ -44,7 +44,7 @@ class Ride {
 };
 
 TEST(ObstacleState, RampsOfEverySlopeAreRamps) {
-  for (double deg = 6.0; deg <= 32.0; deg += 2.0) {
+  for (double deg = 6.0; deg <= 33.0; deg += 2.0) {
     Ride ride;
     ride.level(0.5);
     ride.ramp(deg * kRadPerDeg, 0.4);
@@ -66,6 +66,17 @@ TEST(ObstacleState, StepsOfEveryHeightAreSteps) {
     EXPECT_EQ(ride.seen, Obstacle::kBlock) << height_m;
     EXPECT_EQ(ride.state(), Obstacle::kNone) << "flat behind it";
   }
+}
+
+TEST(ObstacleState, AStepWhoseRiserMakesBeltsSlipIsOneAfterAll) {
+  Ride ride;
+  ride.level(0.5);
+  double sine = 0.0;
+  for (double s = 0.0; s < 0.06; s += kSpeedMps * kDt) {
+    sine += (s < 0.03 ? 0.42 : 0.75) * kSpeedMps * kDt / kSpacingM;
+    ride.lean(std::asin(sine));
+  }
+  EXPECT_EQ(ride.state(), Obstacle::kBlock);
 }
 
 TEST(ObstacleState, TheOtherSideBelongsToTheSameObstacle) {
