@@ -208,6 +208,11 @@ std::string WebClient::read_until(const std::string& part) {
   throw std::runtime_error("nothing came with " + part);
 }
 
+std::vector<std::string> WebClient::take() {
+  drain();
+  return std::exchange(messages_, {});
+}
+
 std::uint64_t WebClient::number_after(const std::string& key) {
   drain();
   for (const std::string& message : messages_) {

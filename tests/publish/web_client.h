@@ -34,6 +34,8 @@ class WebClient {
   /// Reads what is there without waiting; the last 200 messages are kept.
   void drain();
   bool has_data();
+  /// What has come, not yet looked at.
+  std::vector<std::string> take();
   /// Messages received.
   std::size_t received() const { return received_; }
   /// The first message not yet looked at that holds `part`; waits for it. Throws after a minute.

@@ -24,6 +24,7 @@ class Process {
   /// Waits until `text` appears in the output after what earlier calls found. False: it ended, or a
   /// minute has passed, without.
   bool wait_for(const std::string& text);
+  pid_t pid() const { return pid_; }
   /// Sends a signal.
   void signal(int number);
   /// Waits for the end and returns the exit status, 128 + signal if it was killed, -1 after two
