@@ -26,6 +26,7 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"truncate:0.02", kCompleted, "damaged"},
     {"fuse:0.02", kCompleted, "damaged"},
     {"chatter:333", kCompleted, "damaged"},
+    {"chatter:150", kCompleted, "damaged"},
     {"delay:20", kCompleted, ""},
     {"jitter:5", kCompleted, ""},
     {"batch:16:to-host", kCompleted, ""},

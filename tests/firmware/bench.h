@@ -163,19 +163,24 @@ class Bench {
     }));
   }
 
+  /// Bytes of somebody else on the host's line.
+  void overhear(const std::string& text) {
+    for (const char byte : text) hear(static_cast<std::uint8_t>(byte));
+  }
   void collect() {
-    for (const std::uint8_t byte : hal.sent) {
-      const wire::Received received = decoder_.push(byte);
-      if (received == wire::Received::kFrame) {
-        take();
-      } else if (received != wire::Received::kNothing) {
-        ++bad_frames;
-      }
-    }
+    for (const std::uint8_t byte : hal.sent) hear(byte);
     hal.sent.clear();
   }
 
  private:
+  void hear(std::uint8_t byte) {
+    const wire::Received received = decoder_.push(byte);
+    if (received == wire::Received::kFrame) {
+      take();
+    } else if (received != wire::Received::kNothing) {
+      ++bad_frames;
+    }
+  }
   template <class Message>
   void keep(std::vector<Message>& list) {
     Message message{};

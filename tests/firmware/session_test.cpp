@@ -37,6 +37,16 @@ TEST(Session, SaysHelloEvery200MsUntilAHostSpeaks) {
   EXPECT_EQ(bench.bad_frames, 0);
 }
 
+TEST(Session, WhatElseWasSaidOnTheLineSpoilsNoHello) {
+  Bench bench;
+  for (int i = 0; i < 1010; ++i) {
+    // A modem manager, before each of them.
+    if (i % 150 == 0) bench.overhear("AT\r");
+    bench.run(1);
+  }
+  EXPECT_EQ(bench.hellos.size(), 6U);
+}
+
 TEST(Session, AHelloRequestIsAnsweredAndEndsTheStreamOfHellos) {
   Bench bench;
   bench.run(10);

@@ -63,7 +63,7 @@ function readAsStream(bytes) {
 /** Every value has the type that the schema says; null means "not known". */
 function checkAgainst(schema, value, where) {
   if (value === null) return;
-  // A parameter's value has a type of its own; a list's schema has one for all.
+  // A parameter's value has a type of its own, and no schema.
   if (/^\/parameter\.parameters\[\]\.(value|default)$/.test(where)) return;
   const type = Array.isArray(value) ? 'array'
     : Number.isInteger(value) && schema.type === 'integer' ? 'integer' : typeof value;

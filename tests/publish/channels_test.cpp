@@ -68,6 +68,17 @@ TEST(Channels, SchemaReadersOfViewersTakeEverySchema) {
   }
 }
 
+TEST(Channels, TheValueOfAParameterHasNoTypeInTheSchema) {
+  for (const ChannelText& text : channel_texts()) {
+    if (text.topic != "/parameter") continue;
+    const Json parameter =
+        Json::parse(text.schema)["properties"]["parameters"]["items"]["properties"];
+    EXPECT_TRUE(parameter.contains("name"));
+    EXPECT_FALSE(parameter.contains("value"));
+    EXPECT_FALSE(parameter.contains("default"));
+  }
+}
+
 TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
   const Messages messages(example_subject(), example_clock());
   const StepRecord record = example_record();

@@ -6,6 +6,11 @@ namespace {
 
 const uint32_t kByteUs = 10UL * 1000000UL / wire::kBaud;
 
+// COBS adds one byte below 255 and the delimiter follows, so the length is known before coding.
+constexpr uint8_t frame_length(uint8_t payload_size) {
+  return static_cast<uint8_t>(1 + payload_size + 2 + 2);
+}
+
 }  // namespace
 
 HostLink::HostLink(Hal& hal)
@@ -49,8 +54,7 @@ bool HostLink::receive(uint8_t& budget) {
 }
 
 bool HostLink::send(uint8_t type, const uint8_t* payload, uint8_t size) {
-  // COBS adds one byte below 255 and the delimiter follows, so the length is known before coding.
-  const uint8_t length = static_cast<uint8_t>(1 + size + 2 + 2);
+  const uint8_t length = frame_length(size);
   if (hal_.uart_room() < length) return false;
   uint8_t frame[wire::kMaxFrame];
   wire::encode_frame(type, payload, size, frame);
@@ -92,7 +96,7 @@ void HostLink::post(const wire::Log& log) {
 
 void HostLink::flush() {
   if (!flush_sync() || !flush(acknowledges_) || !flush(sample_)) return;
-  if (!flush(reports_) || !flush(hello_)) return;
+  if (!flush(reports_) || !flush_hello()) return;
   flush(logs_);
 }
 
@@ -101,6 +105,13 @@ bool HostLink::flush_sync() {
   wire::SyncReply& reply = sync_.items[sync_.first];
   reply.sent_us = hal_.micros() + hal_.uart_waiting() * kByteUs;
   return flush(sync_);
+}
+
+bool HostLink::flush_hello() {
+  if (hello_.size == 0) return true;
+  if (hal_.uart_room() < 1 + frame_length(wire::Hello::kSize)) return false;
+  hal_.uart_write(&wire::kDelimiter, 1);
+  return flush(hello_);
 }
 
 template <class Message, uint8_t kCapacity>

@@ -86,6 +86,8 @@ class HostLink {
 
   bool send(uint8_t type, const uint8_t* payload, uint8_t size);
   bool flush_sync();
+  /// A delimiter goes ahead of a hello: whatever else was said on the line is not its beginning.
+  bool flush_hello();
   template <class Message, uint8_t kCapacity>
   bool flush(Queue<Message, kCapacity>& queue);
 
