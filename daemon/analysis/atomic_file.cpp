@@ -141,4 +141,13 @@ void write_file(const std::string& path, std::string_view content) {
   file.commit();
 }
 
+void make_folder(const std::string& path) {
+  if (path.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error)
+    throw SetupError(path + ": cannot create the folder (" + error.message() +
+                     "); give another --out");
+}
+
 }  // namespace tp100::analysis

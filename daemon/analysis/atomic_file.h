@@ -30,4 +30,8 @@ class FileReplacement {
   std::unique_ptr<State> state_;
 };
 
+/// Makes the folder for results, and those above it, if need be; empty is the working folder.
+/// Throws SetupError.
+void make_folder(const std::string& path);
+
 }  // namespace tp100::analysis

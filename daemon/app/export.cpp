@@ -140,6 +140,7 @@ void export_run(const std::string& run, const ExportOptions& options) {
   const std::filesystem::path folder = options.out.empty()
                                            ? std::filesystem::path(recording.path()).parent_path()
                                            : std::filesystem::path(options.out);
+  analysis::make_folder(folder);
   if (options.csv) export_csv(recording, folder);
   if (options.tum) export_tum(recording, folder);
 }

@@ -43,15 +43,6 @@ void write(const fs::path& folder, const std::vector<analysis::Figure>& figures)
   for (const analysis::Figure& figure : figures) write(folder, figure.name + ".svg", figure.svg);
 }
 
-fs::path made(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw SetupError(folder + ": cannot create the folder (" + error.message() +
-                     "); give another --out");
-  return folder;
-}
-
 /// The folder of a run, or the name of a file; told apart by a number where several are the same.
 std::string name_of(const std::string& path, std::set<std::string>& taken) {
   const fs::path file(analysis::recording_file(path));
@@ -72,7 +63,8 @@ int run_report(const ReportOptions& options) {
     const auto judged = analysis::judged(run);
     const std::vector<analysis::Figure> figures = analysis::figures_of(run);
     const fs::path folder =
-        options.out.empty() ? fs::path(run.path).parent_path() : made(options.out);
+        options.out.empty() ? fs::path(run.path).parent_path() : fs::path(options.out);
+    analysis::make_folder(folder);
     write(folder, "report.html", analysis::report_page(run, judged, figures));
     write(folder, "metrics.json", analysis::metrics_json(run, judged));
     write(folder, figures);
@@ -95,7 +87,8 @@ int run_compare(const CompareOptions& options) {
     runs.push_back({name_of(path, taken), std::move(run)});
   }
   const std::vector<analysis::Figure> figures = analysis::figures_of(runs);
-  const fs::path folder = made(options.out);
+  const fs::path folder = options.out;
+  analysis::make_folder(folder);
   write(folder, "compare.html", analysis::compare_page(runs, judged, figures));
   write(folder, "compare.json", metrics + "]}\n");
   write(folder, figures);

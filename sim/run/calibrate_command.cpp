@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <vector>
 
 #include "analysis/atomic_file.h"
@@ -67,11 +66,7 @@ std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint
 }
 
 void write_drives(const std::string& folder, const std::vector<CalibrationDrive>& drives) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw SetupError(folder + ": cannot create the folder (" + error.message() +
-                     "); give another --out");
+  analysis::make_folder(folder);
   for (const CalibrationDrive& drive : drives)
     analysis::write_file(folder + "/" + drive.drive.name + "-samples.csv",
                          analysis::write_drive(drive.drive));

@@ -1,7 +1,6 @@
 #include "sim/run/course_command.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 
 #include "analysis/atomic_file.h"
@@ -20,11 +19,7 @@ namespace {
 
 void write_results(const std::string& folder, const analysis::RunResult& result,
                    const std::string& json, const analysis::Drive& drive) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw SetupError(folder + ": cannot create the folder (" + error.message() +
-                     "); give another --out");
+  analysis::make_folder(folder);
   const std::string stem =
       folder + "/" + result.course + "-" + result.robot + "-" + std::to_string(result.seed);
   analysis::write_file(stem + ".json", json + "\n");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 #include "analysis/atomic_file.h"
 #include "analysis/identify_report.h"
@@ -197,11 +196,7 @@ int run_reproduce(const ReproduceCommand& command) {
       command.part != "drawn" && command.part != "held-out" && command.part != "avr")
     throw SetupError("--part " + command.part +
                      ": unknown; give paper, state, robots, drawn, held-out, avr or all");
-  std::error_code error;
-  std::filesystem::create_directories(command.out, error);
-  if (error)
-    throw SetupError(command.out + ": cannot create the folder (" + error.message() +
-                     "); give another --out");
+  analysis::make_folder(command.out);
   Reproduction what;
   what.reference = robot_named({});
   what.runs = command.runs;

@@ -92,5 +92,13 @@ TEST_F(AtomicFile, AFileThatCannotGrowIsReportedAndTheOldOneStays) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(AtomicFile, AFolderForResultsIsMadeWithThoseAboveIt) {
+  make_folder(folder_.file("new/and/newer"));
+  make_folder(folder_.file("new/and/newer"));
+  EXPECT_TRUE(fs::is_directory(folder_.file("new/and/newer")));
+  write_file(folder_.file("file"), "in the way");
+  EXPECT_THROW(make_folder(folder_.file("file/folder")), SetupError);
+}
+
 }  // namespace
 }  // namespace tp100::analysis

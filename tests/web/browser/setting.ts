@@ -9,6 +9,8 @@ export interface Wishes {
   each?: boolean;
   /** For the browser. */
   flags?: string[];
+  /** For the daemon. */
+  options?: string[];
 }
 
 /** To be made once in a file or in a `describe`: everything begins and ends with it. */
@@ -19,9 +21,9 @@ export class Setting {
   /** What a test that breaks something on purpose lets the browser complain about. */
   expected: RegExp | undefined;
 
-  constructor({ each = false, flags = [] }: Wishes = {}) {
+  constructor({ each = false, flags = [], options = [] }: Wishes = {}) {
     const start = async (): Promise<void> => {
-      this.pair_ = await Pair.start();
+      this.pair_ = await Pair.start(options);
     };
     const end = async (): Promise<void> => {
       await this.pair_?.end();
