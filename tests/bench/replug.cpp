@@ -25,6 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using publish::Channel;
+using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kStart = 1;
 // Not a multiple of the loop's period, so that every phase of it occurs.
@@ -153,13 +154,20 @@ class Replug {
     return said.substr(at, said.find('/', at) - at);
   }
 
-  /// The next event with `text`; nothing that is an error may come before it.
+  /// The next event with `text`.
   Message event(const std::string& text) { return parse(events_.read_until(text)); }
 
   /// Presses start until it drives.
   void started() {
-    events_.call(kStart);
-    event("-> running");
+    for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up;) {
+      events_.call(kStart);
+      for (int i = 0; i < 100; ++i) {
+        std::this_thread::sleep_for(10ms);
+        for (const std::string& message : events_.take())
+          if (message.find("-> running") != std::string::npos) return;
+      }
+    }
+    throw std::runtime_error("it does not start");
   }
 
   bool cycle() try {
