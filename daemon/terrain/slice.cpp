@@ -82,6 +82,20 @@ Slice::Slice(const Outline& outline, double x_m, double y_m, double cos_yaw, dou
     }
   }
   add(to, height(to));
+  join();
+}
+
+// A belt asks in many places: what does not depend on the place is worked out once.
+void Slice::join() {
+  for (std::size_t i = 0; i + 1 < count_; ++i) {
+    const Point& a = points_[i];
+    const double span = points_[i + 1].along_m - a.along_m;
+    const double rise = points_[i + 1].height_m - a.height_m;
+    if (span <= kParallel) continue;
+    const double length = std::sqrt(span * span + rise * rise);
+    edges_[edge_count_++] = {a.along_m,   a.along_m + span, a.height_m,
+                             rise / span, rise / length,    span / length};
+  }
 }
 
 double Slice::height_m(double at_m) const { return height_of(points_, count_, at_m); }
@@ -93,14 +107,12 @@ double Slice::wheel_m(double at_m, double radius_m) const {
     if (std::abs(away) < radius_m)
       wheel = std::max(wheel, points_[i].height_m + std::sqrt(radius_m * radius_m - away * away));
   }
-  for (std::size_t i = 0; i + 1 < count_; ++i) {
-    const Point& a = points_[i];
-    const Point& b = points_[i + 1];
-    const double length = std::hypot(b.along_m - a.along_m, b.height_m - a.height_m);
-    if (length <= kParallel || b.along_m - a.along_m <= kParallel) continue;
-    const double touch = at_m + radius_m * (b.height_m - a.height_m) / length;
-    if (touch < a.along_m || touch > b.along_m) continue;
-    wheel = std::max(wheel, interpolate(a, b, touch) + radius_m * (b.along_m - a.along_m) / length);
+  for (std::size_t i = 0; i < edge_count_; ++i) {
+    const Edge& edge = edges_[i];
+    const double touch = at_m + radius_m * edge.sin_rise;
+    if (touch < edge.begin_m || touch > edge.end_m) continue;
+    wheel = std::max(
+        wheel, edge.height_m + edge.slope * (touch - edge.begin_m) + radius_m * edge.cos_rise);
   }
   return wheel;
 }

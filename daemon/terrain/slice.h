@@ -38,10 +38,19 @@ class Slice {
 
  private:
   using Point = Outline::Point;
+  /// Between two points that do not lie above each other.
+  struct Edge {
+    double begin_m, end_m;      ///< along the plane
+    double height_m, slope;     ///< at the beginning, and per way
+    double sin_rise, cos_rise;  ///< of the angle of the slope
+  };
   void add(double along_m, double height_m) { points_[count_++] = {along_m, height_m}; }
+  void join();
 
   std::array<Point, 6> points_{};
   std::size_t count_ = 0;
+  std::array<Edge, 5> edges_{};
+  std::size_t edge_count_ = 0;
 };
 
 }  // namespace tp100::terrain
