@@ -8,6 +8,7 @@ namespace tp100::terrain {
 
 /// Through the wheels at two places.
 struct CarryingLine {
+  /// In which the belt's underside is looked at.
   static constexpr std::size_t kPlaces = 41;
 
   std::size_t before = 0, after = 0;

@@ -100,21 +100,36 @@ void Slice::join() {
 
 double Slice::height_m(double at_m) const { return height_of(points_, count_, at_m); }
 
-double Slice::wheel_m(double at_m, double radius_m) const {
-  double wheel = -1.0;
+void Slice::lift(const Places& places, Obstacle what, std::span<double> wheel,
+                 std::span<Obstacle> ground) const {
+  const double radius = places.radius_m;
+  const double last = static_cast<double>(wheel.size()) - 1.0;
+  // Each corner and each edge is under a few neighbouring places only.
+  const auto each = [&](double from_m, double to_m, const auto& height_at) {
+    const double from = std::max(std::ceil((from_m - places.first_m) / places.step_m), 0.0);
+    const double to = std::min(std::floor((to_m - places.first_m) / places.step_m), last);
+    for (double at = from; at <= to; at += 1.0) {
+      const double height = height_at(places.first_m + at * places.step_m);
+      const auto i = static_cast<std::size_t>(at);
+      if (height <= wheel[i]) continue;
+      wheel[i] = height;
+      ground[i] = what;
+    }
+  };
   for (std::size_t i = 0; i < count_; ++i) {
-    const double away = at_m - points_[i].along_m;
-    if (std::abs(away) < radius_m)
-      wheel = std::max(wheel, points_[i].height_m + std::sqrt(radius_m * radius_m - away * away));
+    const Point& point = points_[i];
+    each(point.along_m - radius, point.along_m + radius, [&](double at_m) {
+      const double away = at_m - point.along_m;
+      return point.height_m + std::sqrt(std::max(radius * radius - away * away, 0.0));
+    });
   }
   for (std::size_t i = 0; i < edge_count_; ++i) {
     const Edge& edge = edges_[i];
-    const double touch = at_m + radius_m * edge.sin_rise;
-    if (touch < edge.begin_m || touch > edge.end_m) continue;
-    wheel = std::max(
-        wheel, edge.height_m + edge.slope * (touch - edge.begin_m) + radius_m * edge.cos_rise);
+    const double ahead = radius * edge.sin_rise;
+    each(edge.begin_m - ahead, edge.end_m - ahead, [&](double at_m) {
+      return edge.height_m + edge.slope * (at_m + ahead - edge.begin_m) + radius * edge.cos_rise;
+    });
   }
-  return wheel;
 }
 
 }  // namespace tp100::terrain

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
+#include "core/underfoot.h"
 #include "course/terrain.h"
 
 namespace tp100::terrain {
@@ -32,9 +34,15 @@ class Slice {
   double end_m() const { return points_[count_ - 1].along_m; }
   /// Height of the piece at a distance; 0 beside it. At a wall, the top.
   double height_m(double at_m) const;
-  /// Lowest height of the centre of a wheel above `at_m` that does not cut into the piece; below
-  /// 0 where the wheel does not reach it.
-  double wheel_m(double at_m, double radius_m) const;
+  /// Places of wheels, evenly spread along the plane.
+  struct Places {
+    double first_m, step_m;  ///< the step is above 0
+    double radius_m;         ///< of the wheels
+  };
+  /// Raises the centres of wheels that would cut into the piece, which is a `what`, until they
+  /// stand on it, and says so in `ground`, which is as long as `wheel`.
+  void lift(const Places& places, Obstacle what, std::span<double> wheel,
+            std::span<Obstacle> ground) const;
 
  private:
   using Point = Outline::Point;

@@ -9,8 +9,6 @@
 namespace tp100::terrain {
 namespace {
 
-// The belt's underside is looked at in this many places.
-constexpr int kPlaces = CarryingLine::kPlaces;
 // The tilt moves the centre of mass and shortens the belt, which change the tilt.
 constexpr int kRounds = 12;
 constexpr double kSettledRad = 1e-5;
@@ -55,24 +53,17 @@ World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
   result.slope_rad = std::clamp(slope_rad, -kSteepestRad, kSteepestRad);
 
   WheelHeights wheel{};
-  std::array<Obstacle, kPlaces> ground{};
+  std::array<Obstacle, CarryingLine::kPlaces> ground{};
   for (int round = 0; round < kRounds; ++round) {
     const double c = std::cos(result.slope_rad);
     const double s = std::sin(result.slope_rad);
     const double middle = -radius * s;
     const double half = shape_.axle_spacing_m / 2.0 * c;
-    const double step = 2.0 * half / (kPlaces - 1);
-    for (int i = 0; i < kPlaces; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      wheel[k] = radius;
-      ground[k] = Obstacle::kNone;
-      for (std::size_t n = 0; n < count; ++n) {
-        const double height = under[n]->slice.wheel_m(middle - half + i * step, radius);
-        if (height <= wheel[k]) continue;
-        wheel[k] = height;
-        ground[k] = under[n]->ground;
-      }
-    }
+    const double step = 2.0 * half / (CarryingLine::kPlaces - 1);
+    wheel.fill(radius);
+    ground.fill(Obstacle::kNone);
+    for (std::size_t n = 0; n < count; ++n)
+      under[n]->slice.lift({middle - half, step, radius}, under[n]->ground, wheel, ground);
     // Places are those of the wheels' centres; the belt touches the ground radius * s further on.
     const double com = shape_.com_forward_m * c - shape_.com_height_m * s + half;
     const CarryingLine line = carrying_line(wheel, com / step);
