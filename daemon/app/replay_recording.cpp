@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "analysis/atomic_file.h"
-#include "bridge/step.h"
 #include "course/toml_document.h"
 
 namespace tp100::app {
@@ -49,6 +48,14 @@ ReplayModel steering_model(const bridge::Parameters& parameters) {
   return parameters.paper_model ? ReplayModel::kPaper : ReplayModel::kExtended;
 }
 
+std::string seconds(HostNs ns) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.3f s", to_s(ns));
+  return text.data();
+}
+
+}  // namespace
+
 bridge::Inputs inputs_of(const StepRecord& record) {
   return {.samples = std::span(record.samples).first(record.sample_count),
           .requests = std::span(record.requests).first(record.request_count),
@@ -61,14 +68,6 @@ bridge::Inputs inputs_of(const StepRecord& record) {
           .robot_rebooted = record.robot_rebooted,
           .request_refused = record.request_refused};
 }
-
-std::string seconds(HostNs ns) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.3f s", to_s(ns));
-  return text.data();
-}
-
-}  // namespace
 
 RunFiles recorded_files(const Recording& recording) {
   const auto file = [&](const char* name, const std::string& fallback) {

@@ -9,9 +9,13 @@
 #include "analysis/recording.h"
 #include "app/replay.h"
 #include "app/run_setup.h"
+#include "bridge/step.h"
 #include "publish/step_codec.h"
 
 namespace tp100::app {
+
+/// What the step was given, as views into `record`.
+bridge::Inputs inputs_of(const StepRecord& record);
 
 /// The files of a recorded run. Throws SetupError: they are not in it, or make no sense.
 RunFiles recorded_files(const analysis::Recording& recording);

@@ -54,7 +54,7 @@ struct ClockState {
   HostNs reference_host_ns = 0;
   DeviceUs reference_us = 0;
   double drift = 0.0;           ///< how much faster host time runs, e.g. 40e-6 for a slow crystal
-  double uncertainty_us = 0.0;  ///< half the best round trip, aged
+  double uncertainty_us = 0.0;  ///< half of what the fastest messages each way leave open, aged
   /// Values that no clock has (a recording may hold any) end at +-kMostTime instead of overflowing.
   HostNs to_host(DeviceUs device_us) const {
     return moved(reference_host_ns, difference(device_us, reference_us) * 1e3 * (1.0 + drift));

@@ -7,8 +7,8 @@
 namespace tp100::link {
 namespace {
 
-// An exchange of age t bounds the relation by half its trip plus this much drift of the drift.
-constexpr double kAgeing = 10e-6;
+// An exchange bounds the relation by half its trip plus this much drift of the drift per age.
+constexpr double kAgeing = 3e-6;
 // Resonators of cheap boards are off by up to 0.5 %, usually far less.
 constexpr double kDriftPrior = 500e-6;
 // Reading the clock, scheduling and the device's 4 us tick.
@@ -19,6 +19,26 @@ constexpr double kMisfitNs = 2'000'000.0;
 constexpr int kMisfitsBeforeRestart = 4;
 // Clocks are read a little before or after the bytes move.
 constexpr HostNs kEarliestNs = -200 * kNsPerUs;
+constexpr int kFitRounds = 3;
+
+/// Weighted straight line.
+class Fit {
+ public:
+  void add(double x, double y, double sd) {
+    const double w = 1.0 / (sd * sd);
+    w_ += w;
+    x_ += w * x;
+    y_ += w * y;
+    xx_ += w * x * x;
+    xy_ += w * x * y;
+  }
+  double variance() const { return xx_ - x_ * x_ / w_; }
+  double covariance() const { return xy_ - x_ * y_ / w_; }
+  double at_newest(double slope) const { return (y_ - slope * x_) / w_; }
+
+ private:
+  double w_ = 0.0, x_ = 0.0, y_ = 0.0, xx_ = 0.0, xy_ = 0.0;
+};
 
 }  // namespace
 
@@ -67,7 +87,7 @@ ClockSync::Verdict ClockSync::answered(std::uint16_t id, DeviceUs received_us, D
           half_us_ns,
       std::max(0.0, static_cast<double>(trip) / 2.0)};
 
-  const double best = best_half_trip_ns(now);
+  const double best = open_ns(now);
   const double excess = count_ == 0 ? 0.0 : std::max(0.0, exchange.half_trip_ns - best);
   Verdict verdict = Verdict::kAccepted;
   const double gate = kGateNs + kGateFactor * usual_excess_ns_;
@@ -94,7 +114,7 @@ ClockSync::Verdict ClockSync::answered(std::uint16_t id, DeviceUs received_us, D
 
 ClockState ClockSync::state_at(HostNs now) const {
   ClockState state = state_;
-  state.uncertainty_us = best_half_trip_ns(now) * 1e-3;
+  state.uncertainty_us = open_ns(now) * 1e-3;
   return state;
 }
 
@@ -104,43 +124,58 @@ void ClockSync::store(const Exchange& exchange) {
   count_ = std::min(count_ + 1, kWindow);
 }
 
-double ClockSync::best_half_trip_ns(HostNs now) const {
-  double best = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < count_; ++i) {
-    const double age_ns = std::max(0.0, static_cast<double>(now - origin_ns_) - window_[i].host_ns);
-    best = std::min(best, window_[i].half_trip_ns + kAgeing * age_ns);
-  }
-  return count_ == 0 ? 0.0 : best;
-}
-
-// Weighted least squares of (host - device) over device time with a prior on the slope, about the
-// newest exchange, where the line is used.
-void ClockSync::fit(HostNs now) {
-  const double best = best_half_trip_ns(now);
+// A message can be late but not early: of each direction the earliest ones say where the relation
+// is, whatever the other half of their exchange was like.
+ClockSync::Bounds ClockSync::bounds(HostNs now, double drift) const {
   const Exchange& newest = window_[(next_ + kWindow - 1) % kWindow];
-  double w0 = 0.0, w1 = 0.0, w2 = 0.0, y0 = 0.0, y1 = 0.0;
+  Bounds open{-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   for (std::size_t i = 0; i < count_; ++i) {
     const Exchange& exchange = window_[i];
-    const double x = static_cast<double>(exchange.device_us - newest.device_us) * 1e3;
-    const double y = exchange.host_ns - newest.host_ns - x;
-    const double sd = kFloorNs + std::max(0.0, exchange.half_trip_ns - best) + kAgeing * -x;
-    const double w = 1.0 / (sd * sd);
-    w0 += w;
-    w1 += w * x;
-    w2 += w * x * x;
-    y0 += w * y;
-    y1 += w * x * y;
+    const double off_ns = exchange.off_ns(newest, drift);
+    const double age_ns = std::max(0.0, static_cast<double>(now - origin_ns_) - exchange.host_ns);
+    const double blur_ns = exchange.half_trip_ns + kAgeing * age_ns;
+    open.lowest_ns = std::max(open.lowest_ns, off_ns - blur_ns);
+    open.highest_ns = std::min(open.highest_ns, off_ns + blur_ns);
   }
-  w2 += 1.0 / (kDriftPrior * kDriftPrior);
-  const double determinant = w0 * w2 - w1 * w1;
-  const double drift = (w0 * y1 - w1 * y0) / determinant;
-  const double offset = (w2 * y0 - w1 * y1) / determinant;
+  return open;
+}
+
+double ClockSync::open_ns(HostNs now) const {
+  if (count_ == 0) return 0.0;
+  const Bounds open = bounds(now, state_.drift);
+  return std::max(0.0, (open.highest_ns - open.lowest_ns) / 2.0);
+}
+
+// Weighted least squares of (host - device) over device time about the newest exchange, where the
+// line is used: parallel lines through what the requests and what the replies allow, with a prior
+// on their slope. The relation lies in the middle. What counts as late depends on the slope.
+void ClockSync::fit(HostNs now) {
+  const Exchange& newest = window_[(next_ + kWindow - 1) % kWindow];
+  double drift = state_.drift;
+  double offset_ns = 0.0;
+  for (int round = 0; round < kFitRounds; ++round) {
+    const Bounds open = bounds(now, drift);
+    Fit requests, replies;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Exchange& exchange = window_[i];
+      const double x = static_cast<double>(exchange.device_us - newest.device_us) * 1e3;
+      const double y = exchange.off_ns(newest, 0.0);
+      const double off_ns = exchange.off_ns(newest, drift);
+      const double half = exchange.half_trip_ns;
+      const double sd = kFloorNs + kAgeing * -x;
+      requests.add(x, y - half, sd + std::max(0.0, open.lowest_ns - (off_ns - half)));
+      replies.add(x, y + half, sd + std::max(0.0, off_ns + half - open.highest_ns));
+    }
+    drift = (requests.covariance() + replies.covariance()) /
+            (requests.variance() + replies.variance() + 1.0 / (kDriftPrior * kDriftPrior));
+    offset_ns = (requests.at_newest(drift) + replies.at_newest(drift)) / 2.0;
+  }
 
   state_.reference_us = newest.device_us;
   state_.reference_host_ns =
-      origin_ns_ + static_cast<HostNs>(std::llround(newest.host_ns + offset));
+      origin_ns_ + static_cast<HostNs>(std::llround(newest.host_ns + offset_ns));
   state_.drift = drift;
-  state_.uncertainty_us = best * 1e-3;
+  state_.uncertainty_us = open_ns(now) * 1e-3;
   state_.valid = state_.valid || count_ >= kValidAfter;
 }
 

@@ -3,10 +3,11 @@
 // allocation; safe in the real-time thread.
 //
 // One exchange gives four times. With both frames' wire times removed, the rest of the round trip
-// is queueing and USB latency, and the true relation lies within half of it around the middle. A
-// straight line is fitted through the last exchanges, each weighted by what its round trip exceeds
-// the best one by; the drift has a prior, because the quick exchanges at the start span too little
-// time to show it.
+// is queueing and USB latency, and the true relation lies within half of it around the middle: the
+// request came no earlier than it was sent, the reply left no later than it came. Two parallel
+// straight lines are fitted through the last exchanges, one through each of these bounds, each
+// weighted by how much later than the earliest its message was; the relation lies half-way. Their
+// drift has a prior, because the quick exchanges at the start span too little time to show it.
 
 #include <array>
 #include <cstddef>
@@ -22,7 +23,7 @@ class ClockSync {
   static constexpr HostNs kQuickPeriodNs = 50 * kNsPerMs;
   /// No multiple of any other period here, so that exchanges do not keep meeting the same
   /// disturbance.
-  static constexpr HostNs kPeriodNs = 983'900'000;
+  static constexpr HostNs kPeriodNs = 246'900'000;
   static constexpr int kQuickExchanges = 8;
   static constexpr std::size_t kValidAfter = 4;  ///< accepted exchanges
 
@@ -59,12 +60,23 @@ class ClockSync {
     DeviceUs device_us;   // middle, whole us
     double host_ns;       // host time of device_us, minus origin_ns_
     double half_trip_ns;  // half of what remains of the round trip
+    /// Off a line of that drift through `other`.
+    double off_ns(const Exchange& other, double drift) const {
+      return host_ns - other.host_ns -
+             static_cast<double>(device_us - other.device_us) * 1e3 * (1.0 + drift);
+    }
   };
-  static constexpr std::size_t kWindow = 32;
+  /// Where the exchanges leave room for the relation, off a line through the newest.
+  struct Bounds {
+    double lowest_ns, highest_ns;
+  };
+  static constexpr std::size_t kWindow = 64;
 
   void store(const Exchange& exchange);
   void fit(HostNs now);
-  double best_half_trip_ns(HostNs now) const;
+  Bounds bounds(HostNs now, double drift) const;
+  /// Half of the room that is left.
+  double open_ns(HostNs now) const;
 
   std::array<Exchange, kWindow> window_{};
   std::size_t count_ = 0;

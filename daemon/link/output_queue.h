@@ -1,6 +1,7 @@
 #pragma once
 // Frames waiting for the port, in the order in which they were queued. Fixed size, no allocation.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -51,6 +52,16 @@ class OutputQueue {
     return size;
   }
 
+  /// Queues up to `n` spare delimiters, which a receiver passes over: what follows leaves later.
+  /// Returns how many found room.
+  std::size_t pad(std::size_t n) {
+    if (kCapacity - end_ < n) compact();
+    n = std::min(n, kCapacity - end_);
+    std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(end_), n, wire::kDelimiter);
+    end_ += n;
+    return n;
+  }
+
   std::span<const std::uint8_t> bytes() const { return {bytes_.data() + begin_, end_ - begin_}; }
 
   /// The port took the first `n` bytes.
@@ -75,12 +86,16 @@ class OutputQueue {
   }
 
  private:
-  // Frames that end within the first `n` bytes.
+  // Frames that end within the first `n` bytes. A delimiter after another ends nothing.
   std::size_t frame_ends(std::size_t n) const {
     std::size_t count = 0;
-    for (std::size_t i = begin_; i < begin_ + n; ++i)
-      count += bytes_[i] == wire::kDelimiter ? 1U : 0U;
-    return lead_ && count > 0 ? count - 1 : count;
+    bool in_frame = cut_;
+    for (std::size_t i = begin_; i < begin_ + n; ++i) {
+      const bool ends = bytes_[i] == wire::kDelimiter;
+      if (ends && in_frame) ++count;
+      in_frame = !ends;
+    }
+    return count;
   }
   void compact() {
     for (std::size_t i = begin_; i < end_; ++i) bytes_[i - begin_] = bytes_[i];

@@ -12,6 +12,12 @@ constexpr HostNs kParametersPeriodNs = 100 * kNsPerMs;
 constexpr HostNs kKeepAliveNs = 400 * kNsPerMs;
 constexpr HostNs kArmLifeNs = kRequestLimitNs;
 
+// A millisecond on the wire at the usual speed.
+constexpr std::uint32_t kMostPadding = 50;
+
+/// How many bytes a request waits: spread evenly over successive ids, by the golden section.
+std::size_t spread(std::uint16_t id) { return ((id * 40503U & 0xFFFFU) * kMostPadding) >> 16U; }
+
 std::int32_t number(SessionState state) { return static_cast<std::int32_t>(state); }
 std::int32_t number(Type type) { return static_cast<std::int32_t>(type); }
 
@@ -82,6 +88,9 @@ void Session::poll_sync(HostNs now) {
   if (!in_session()) return;
   const auto id = sync_.due(now - last_sent_ns_ >= kKeepAliveNs ? sync_.next_ns() : now);
   if (!id) return;
+  // Turns of the loop and frames of a USB bus are whole milliseconds: without this, each reply
+  // would wait for the bus as long as the last one did.
+  output_.pad(spread(*id));
   const std::size_t ahead = output_.bytes().size();
   const std::size_t size = output_.push(wire::SyncRequest{*id});
   if (size == 0) return;

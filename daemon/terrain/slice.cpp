@@ -82,27 +82,54 @@ Slice::Slice(const Outline& outline, double x_m, double y_m, double cos_yaw, dou
     }
   }
   add(to, height(to));
+  join();
+}
+
+// A belt asks in many places: what does not depend on the place is worked out once.
+void Slice::join() {
+  for (std::size_t i = 0; i + 1 < count_; ++i) {
+    const Point& a = points_[i];
+    const double span = points_[i + 1].along_m - a.along_m;
+    const double rise = points_[i + 1].height_m - a.height_m;
+    if (span <= kParallel) continue;
+    const double length = std::sqrt(span * span + rise * rise);
+    edges_[edge_count_++] = {a.along_m,   a.along_m + span, a.height_m,
+                             rise / span, rise / length,    span / length};
+  }
 }
 
 double Slice::height_m(double at_m) const { return height_of(points_, count_, at_m); }
 
-double Slice::wheel_m(double at_m, double radius_m) const {
-  double wheel = -1.0;
+void Slice::lift(const Places& places, Obstacle what, std::span<double> wheel,
+                 std::span<Obstacle> ground) const {
+  const double radius = places.radius_m;
+  const double last = static_cast<double>(wheel.size()) - 1.0;
+  // Each corner and each edge is under a few neighbouring places only.
+  const auto each = [&](double from_m, double to_m, const auto& height_at) {
+    const double from = std::max(std::ceil((from_m - places.first_m) / places.step_m), 0.0);
+    const double to = std::min(std::floor((to_m - places.first_m) / places.step_m), last);
+    for (double at = from; at <= to; at += 1.0) {
+      const double height = height_at(places.first_m + at * places.step_m);
+      const auto i = static_cast<std::size_t>(at);
+      if (height <= wheel[i]) continue;
+      wheel[i] = height;
+      ground[i] = what;
+    }
+  };
   for (std::size_t i = 0; i < count_; ++i) {
-    const double away = at_m - points_[i].along_m;
-    if (std::abs(away) < radius_m)
-      wheel = std::max(wheel, points_[i].height_m + std::sqrt(radius_m * radius_m - away * away));
+    const Point& point = points_[i];
+    each(point.along_m - radius, point.along_m + radius, [&](double at_m) {
+      const double away = at_m - point.along_m;
+      return point.height_m + std::sqrt(std::max(radius * radius - away * away, 0.0));
+    });
   }
-  for (std::size_t i = 0; i + 1 < count_; ++i) {
-    const Point& a = points_[i];
-    const Point& b = points_[i + 1];
-    const double length = std::hypot(b.along_m - a.along_m, b.height_m - a.height_m);
-    if (length <= kParallel || b.along_m - a.along_m <= kParallel) continue;
-    const double touch = at_m + radius_m * (b.height_m - a.height_m) / length;
-    if (touch < a.along_m || touch > b.along_m) continue;
-    wheel = std::max(wheel, interpolate(a, b, touch) + radius_m * (b.along_m - a.along_m) / length);
+  for (std::size_t i = 0; i < edge_count_; ++i) {
+    const Edge& edge = edges_[i];
+    const double ahead = radius * edge.sin_rise;
+    each(edge.begin_m - ahead, edge.end_m - ahead, [&](double at_m) {
+      return edge.height_m + edge.slope * (at_m + ahead - edge.begin_m) + radius * edge.cos_rise;
+    });
   }
-  return wheel;
 }
 
 }  // namespace tp100::terrain

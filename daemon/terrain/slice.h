@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
+#include "core/underfoot.h"
 #include "course/terrain.h"
 
 namespace tp100::terrain {
@@ -32,16 +34,31 @@ class Slice {
   double end_m() const { return points_[count_ - 1].along_m; }
   /// Height of the piece at a distance; 0 beside it. At a wall, the top.
   double height_m(double at_m) const;
-  /// Lowest height of the centre of a wheel above `at_m` that does not cut into the piece; below
-  /// 0 where the wheel does not reach it.
-  double wheel_m(double at_m, double radius_m) const;
+  /// Places of wheels, evenly spread along the plane.
+  struct Places {
+    double first_m, step_m;  ///< the step is above 0
+    double radius_m;         ///< of the wheels
+  };
+  /// Raises the centres of wheels that would cut into the piece, which is a `what`, until they
+  /// stand on it, and says so in `ground`, which is as long as `wheel`.
+  void lift(const Places& places, Obstacle what, std::span<double> wheel,
+            std::span<Obstacle> ground) const;
 
  private:
   using Point = Outline::Point;
+  /// Between two points that do not lie above each other.
+  struct Edge {
+    double begin_m, end_m;      ///< along the plane
+    double height_m, slope;     ///< at the beginning, and per way
+    double sin_rise, cos_rise;  ///< of the angle of the slope
+  };
   void add(double along_m, double height_m) { points_[count_++] = {along_m, height_m}; }
+  void join();
 
   std::array<Point, 6> points_{};
   std::size_t count_ = 0;
+  std::array<Edge, 5> edges_{};
+  std::size_t edge_count_ = 0;
 };
 
 }  // namespace tp100::terrain

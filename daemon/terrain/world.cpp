@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "terrain/carrying_line.h"
+
 namespace tp100::terrain {
 namespace {
 
-// The belt's underside is looked at in this many places.
-constexpr int kPlaces = 41;
 // The tilt moves the centre of mass and shortens the belt, which change the tilt.
 constexpr int kRounds = 12;
 constexpr double kSettledRad = 1e-5;
@@ -52,46 +52,27 @@ World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
   if (count == 0) return result;
   result.slope_rad = std::clamp(slope_rad, -kSteepestRad, kSteepestRad);
 
-  std::array<double, kPlaces> wheel{};
-  std::array<Obstacle, kPlaces> ground{};
+  WheelHeights wheel{};
+  std::array<Obstacle, CarryingLine::kPlaces> ground{};
   for (int round = 0; round < kRounds; ++round) {
     const double c = std::cos(result.slope_rad);
     const double s = std::sin(result.slope_rad);
     const double middle = -radius * s;
     const double half = shape_.axle_spacing_m / 2.0 * c;
-    const double step = 2.0 * half / (kPlaces - 1);
-    for (int i = 0; i < kPlaces; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      wheel[k] = radius;
-      ground[k] = Obstacle::kNone;
-      for (std::size_t n = 0; n < count; ++n) {
-        const double height = under[n]->slice.wheel_m(middle - half + i * step, radius);
-        if (height <= wheel[k]) continue;
-        wheel[k] = height;
-        ground[k] = under[n]->ground;
-      }
-    }
-    // The line through two places that carries the centre of mass highest touches and cuts nothing.
+    const double step = 2.0 * half / (CarryingLine::kPlaces - 1);
+    wheel.fill(radius);
+    ground.fill(Obstacle::kNone);
+    for (std::size_t n = 0; n < count; ++n)
+      under[n]->slice.lift({middle - half, step, radius}, under[n]->ground, wheel, ground);
     // Places are those of the wheels' centres; the belt touches the ground radius * s further on.
     const double com = shape_.com_forward_m * c - shape_.com_height_m * s + half;
-    const int before = std::clamp(static_cast<int>(std::floor(com / step)), 0, kPlaces - 2);
-    double highest = -1.0, slope = 0.0;
-    for (int i = 0; i <= before; ++i) {
-      for (int j = before + 1; j < kPlaces; ++j) {
-        const auto a = static_cast<std::size_t>(i);
-        const auto b = static_cast<std::size_t>(j);
-        const double rise = (wheel[b] - wheel[a]) / ((j - i) * step);
-        const double height = wheel[a] + rise * (com - i * step);
-        if (height <= highest) continue;
-        highest = height;
-        slope = rise;
-        result.obstacle = std::max(ground[a], ground[b]);
-      }
-    }
+    const CarryingLine line = carrying_line(wheel, com / step);
+    const double slope = line.rise / step;
+    result.obstacle = std::max(ground[line.before], ground[line.after]);
     const double tilt = std::clamp(std::atan(slope), -kSteepestRad, kSteepestRad);
     const bool settled = std::abs(tilt - result.slope_rad) < kSettledRad;
     result.slope_rad = tilt;
-    result.height_m = highest + slope * (half - com) - radius * std::cos(tilt);
+    result.height_m = line.height + slope * (half - com) - radius * std::cos(tilt);
     if (settled) break;
   }
   return result;

@@ -11,6 +11,8 @@
 namespace tp100::sim {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 // Independent streams from one seed (SplitMix64's finaliser).
 std::uint64_t stream(std::uint64_t seed, std::uint64_t number) {
   std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + number * 0xBF58476D1CE4E5B9ULL;
@@ -130,10 +132,12 @@ std::vector<TimedByte> EmulatedRobot::advance() {
   const std::int64_t until_ns = now_ns_ + kPhysicsStepNs;
   const Drive drive = board_->drive();
   const double volts = battery_.volts();
+  const Clock::time_point physics = Clock::now();
   left_motor_.step(drive.left, volts, body_.state().left_load_n);
   right_motor_.step(drive.right, volts, body_.state().right_load_n);
   battery_.step(std::abs(left_motor_.force_n()) + std::abs(right_motor_.force_n()));
   body_.step(left_motor_.belt_mps(), right_motor_.belt_mps());
+  spent_.physics += Clock::now() - physics;
   inject();
   imu_.measure(body_.state(), now_ns_);
 
@@ -147,7 +151,10 @@ std::vector<TimedByte> EmulatedRobot::advance() {
   faults_.edges(edges_, now_ns_);
 
   board_->set_battery(faults_.battery(volts, now_ns_));
-  board_->advance(until_ns, edges_, faults_.to_robot(to_board_.take(until_ns), until_ns));
+  const std::vector<TimedByte>& received = faults_.to_robot(to_board_.take(until_ns), until_ns);
+  const Clock::time_point board = Clock::now();
+  board_->advance(until_ns, edges_, received);
+  spent_.board += Clock::now() - board;
   now_ns_ = until_ns;
   return faults_.to_host(board_->take_sent(), until_ns);
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The whole emulated TP100 in virtual time: body, motors, encoders, IMU, battery and board.
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -41,6 +42,12 @@ struct EmulatedRobotSettings {
   std::vector<PlannedFault> faults{};  ///< of the list in sim/faults/fault_kind.h
 };
 
+/// What the parts that somebody else wrote took of this machine's time.
+struct SpentTime {
+  std::chrono::nanoseconds physics{0};  ///< motors and body
+  std::chrono::nanoseconds board{0};    ///< firmware, or the chip that runs it
+};
+
 /// The same settings and the same bytes at the same times give the same bytes back.
 class EmulatedRobot {
  public:
@@ -66,6 +73,7 @@ class EmulatedRobot {
   const BodyState& truth() const { return body_.state(); }
   Drive drive() const { return board_->drive(); }
   double battery_v() const { return battery_.volts(); }
+  const SpentTime& spent() const { return spent_; }
 
  private:
   /// What happens to sensors and board as a whole now.
@@ -82,6 +90,7 @@ class EmulatedRobot {
   UartLine to_board_;
   std::vector<Edge> edges_;
   std::int64_t now_ns_ = 0;
+  SpentTime spent_;
 };
 
 }  // namespace tp100::sim

@@ -303,7 +303,13 @@ analysis::RunResult Lockstep::run() {
   result_.link = cycle_.session().counters();
   const std::chrono::duration<double> wall = Clock::now() - wall_begin;
   result_.realtime_factor = to_s(robot_.now_ns()) / wall.count();
-  result_.loop = {{"steps", static_cast<double>(steps_)},
+  const auto spent_s = [](std::chrono::nanoseconds time) { return to_s(time.count()); };
+  const double physics_s = spent_s(robot_.spent().physics);
+  const double board_s = spent_s(robot_.spent().board);
+  result_.loop = {{"physics_s", physics_s},
+                  {"board_s", board_s},
+                  {"rest_s", wall.count() - physics_s - board_s},
+                  {"steps", static_cast<double>(steps_)},
                   {"mean_step_us", static_cast<double>(step_time_.count()) * 1e-3 /
                                        static_cast<double>(std::max<std::uint64_t>(steps_, 1))},
                   {"max_step_us", static_cast<double>(longest_step_.count()) * 1e-3}};

@@ -13,6 +13,7 @@
 
 #include "app/bundled_files.h"
 #include "app/run_setup.h"
+#include "kept_steps.h"
 #include "publish/recorder.h"
 #include "sim/run/lockstep.h"
 #include "sim/run/options.h"
@@ -22,13 +23,6 @@ namespace tp100 {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Keeps every step.
-class Keeper : public publish::Sink {
- public:
-  void take(const StepRecord& record) override { records.push_back(record); }
-  std::vector<StepRecord> records;
-};
 
 double cpu_s() {
   rusage used{};
@@ -76,7 +70,7 @@ int run(double seconds) {
   sim::Loaded loaded = sim::load({});
   loaded.files.course = app::read_bundled(app::Bundled::kCourses, "1-curve");
   const app::RunSetup setup = app::parse_run(loaded.files);
-  Keeper keeper;
+  test::StepKeeper keeper;
   sim::run_lockstep({.course = *setup.course,
                      .robot = loaded.robot,
                      .configuration = loaded.configuration,

@@ -1,0 +1,86 @@
+"""An emulated robot and its daemon in real time, as a context, and what they take of the machine."""
+import json
+import os
+import re
+import signal
+import subprocess
+import tempfile
+import time
+
+TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
+
+
+def cpu_s(process):
+    with open(f"/proc/{process.pid}/stat") as stat:
+        fields = stat.read().rsplit(") ", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) * TICK_S
+
+
+def laps(folder, count):
+    """A course file of that many laps in one place: four pieces each."""
+    path = os.path.join(folder, f"laps-{count}.toml")
+    lap = ('[[segment]]\ntype = "line"\nlength_m = 1.0\n[[segment]]\ntype = "arc"\nradius_m = 0.4\nangle_deg = 180.0\n') * 2
+    with open(path, "w") as file:
+        file.write(f"speed_mps = 0.10\n{lap * count}"
+                   "[fence]\nmin_x_m = -5.0\nmax_x_m = 5.0\nmin_y_m = -5.0\nmax_y_m = 5.0\n")
+    return path
+
+
+class DrivenRobot:
+    """Drives on entering, unless the machine is too busy for it; ends both programs on leaving. `page`: with viewers' port in .page_port."""
+
+    def __init__(self, programs, course_laps, board="native", page=False):
+        self.programs, self.laps, self.board, self.page = programs, course_laps, board, page
+
+    def __enter__(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="tp100-bench-")
+        name = self.folder.name
+        link, self.stats_path = os.path.join(name, "robot"), os.path.join(name, "stats.json")
+        self.robot = subprocess.Popen([os.path.join(self.programs, "tp100-sim"), "robot", "--board", self.board,
+                                       "--link", link], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        log = os.path.join(name, "log")
+        with open(log, "w") as out:
+            self.daemon = subprocess.Popen(
+                [os.path.join(self.programs, "tp100d"), "run", "--port", link, "--wait", "--stay", "--course",
+                 laps(name, self.laps), "--listen", "127.0.0.1:0" if self.page else "off", "--stats", self.stats_path],
+                stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT)
+        self.page_port = None
+        for _ in range(150):
+            time.sleep(0.1)
+            text = self.log()
+            if self.daemon.poll() is not None:
+                break
+            port = re.search(r"page: http://127.0.0.1:(\d+)/", text)
+            self.page_port = port and port.group(1)
+            if self.still_drives() and (port or not self.page):
+                return self
+        if self.daemon.poll() is None and "-> ready" in text and (self.page_port or not self.page):
+            return self  # on a machine too busy to drive; still_drives() says so
+        self.__exit__()
+        raise SystemExit(f"bench: no session with the emulated robot: {text.strip().splitlines()[-1:]}")
+
+    def __exit__(self, *_):
+        for process in (self.daemon, self.robot):
+            process.send_signal(signal.SIGTERM)
+            process.wait()
+        if os.path.exists(self.stats_path):
+            with open(self.stats_path) as file:
+                self.stats = json.load(file)
+        self.folder.cleanup()
+
+    def log(self):
+        with open(os.path.join(self.folder.name, "log")) as file:
+            return file.read()
+
+    def still_drives(self):
+        return re.findall(r"-> (running|finished|aborted|idle)", self.log())[-1:] == ["running"]
+
+
+def cores(robots, seconds):
+    """(of the daemons, of the emulators) together over this time, in processors."""
+    before = [(cpu_s(r.daemon), cpu_s(r.robot)) for r in robots]
+    began = time.monotonic()
+    time.sleep(seconds)
+    took = time.monotonic() - began
+    return tuple(sum(cpu_s(getattr(r, name)) - was[i] for r, was in zip(robots, before)) / took
+                 for i, name in enumerate(("daemon", "robot")))

@@ -1,0 +1,35 @@
+"""Table of a part whose rows a program prints as JSON objects, one a line, on standard input.
+
+Usage: bench_rows.py PART
+"""
+import json
+import sys
+
+from bench_table import Table
+
+PARTS = {
+    "decode": ("receiving frames of the wire, median round", [
+        ("what", "what", "<40s"), ("frame_bytes", "bytes", "5d"), ("ns_per_frame", "ns/frame", "8.1f"),
+        ("slowest_round_ns", "slowest", "8.1f"), ("mb_per_s", "MB/s", "7.1f"),
+        ("frames_per_s", "frames/s", "10.3g")]),
+    "step": ("the bridge's step with every estimate, rewind, terrain and control on, course 3 [us]", [
+        ("setup", "set-up", "<7s"), ("steps", "steps", "6d"), ("which", "which", "<22s"), ("caches", "caches", "<6s"),
+        ("p50_us", "p50", "7.2f"), ("p99_us", "p99", "7.2f"), ("p999_us", "p99.9", "7.2f"), ("max_us", "max", "8.2f")]),
+    "clock": ("error of the clock sync against the board's own clock [us], virtual time", [
+        ("ppm", "ppm", "6.0f"), ("to_host_ms", "to host every ms", "6d"), ("to_robot_ms", "to robot every ms", "6d"),
+        ("p50_us", "p50", "8.1f"), ("p99_us", "p99", "8.1f"), ("max_us", "max", "8.1f"),
+        ("first_p99_us", "p99 of first 35 s", "8.1f")]),
+}
+
+
+def main():
+    part = sys.argv[1]
+    title, columns = PARTS[part]
+    table = Table(part, title, columns)
+    for line in sys.stdin:
+        table.row(**json.loads(line))
+    table.save()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,84 @@
+"""Tables, percentiles and the results file that the parts of scripts/bench share."""
+import json
+import os
+import platform
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+RESULTS = os.environ.get("TP100_BENCH_JSON", os.path.join(ROOT, "build", "bench", "results.json"))
+
+
+def seconds(usual):
+    """How long one measurement lasts [s]: TP100_BENCH_SECONDS, or what is usual."""
+    return float(os.environ.get("TP100_BENCH_SECONDS", usual))
+
+
+def rounds(usual):
+    """How often each candidate has its turn: TP100_BENCH_ROUNDS, or what is usual."""
+    return int(os.environ.get("TP100_BENCH_ROUNDS", usual))
+
+
+def percentile(values, fraction):
+    """Of unsorted values: the one below which `fraction` (0..1) of them lie."""
+    ordered = sorted(values)
+    return ordered[min(int(fraction * len(ordered)), len(ordered) - 1)]
+
+
+def histogram_percentile(buckets, fraction):
+    """Of {value: count}."""
+    wanted, seen = fraction * sum(buckets.values()), 0
+    for value in sorted(buckets):
+        seen += buckets[value]
+        if seen > wanted:
+            return value
+    return max(buckets)
+
+
+def ratio(ours, theirs):
+    """None where nothing was measured to compare with."""
+    return ours / theirs if theirs else None
+
+
+class Table:
+    """Prints each row as it comes; save() puts all of them into the results file.
+
+    A column is (key, heading, format), the format as of str.format for one value, e.g. "8.1f"; what a row lacks or has
+    as None is printed as "-".
+    """
+
+    def __init__(self, part, title, columns):
+        self.part, self.title, self.columns, self.rows = part, title, columns, []
+        print(f"{part}: {title}")
+        self._print([heading for _, heading, _ in columns])
+
+    def row(self, **values):
+        self.rows.append(values)
+        self._print([format(values[key], kind) if values.get(key) is not None else "-"
+                     for key, _, kind in self.columns])
+
+    def _print(self, cells):
+        texts = []
+        for (_, heading, kind), cell in zip(self.columns, cells):
+            left = kind.startswith("<")
+            width = max(len(heading), int("".join(c for c in kind.lstrip("<").split(".")[0] if c.isdigit()) or 0))
+            texts.append(cell.ljust(width) if left else cell.rjust(width))
+        print("  " + "  ".join(texts).rstrip(), flush=True)
+
+    def note(self, text):
+        print(f"  {text}", flush=True)
+
+    def save(self):
+        """Replaces this part in the results file and leaves the others."""
+        os.makedirs(os.path.dirname(os.path.abspath(RESULTS)), exist_ok=True)
+        results = {"parts": {}}
+        if os.path.exists(RESULTS):
+            with open(RESULTS) as file:
+                results = json.load(file)
+        results["machine"] = {"kernel": platform.release(), "processors": os.cpu_count()}
+        results["parts"][self.part] = {
+            "title": self.title, "at": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()),
+            "load_average": os.getloadavg()[0], "rows": self.rows}
+        with open(RESULTS + ".new", "w") as file:
+            json.dump(results, file, indent=1)
+            file.write("\n")
+        os.replace(RESULTS + ".new", RESULTS)

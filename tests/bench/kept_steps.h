@@ -1,0 +1,17 @@
+#pragma once
+// The steps of a run, kept to be fed to something else.
+
+#include <vector>
+
+#include "core/step_record.h"
+#include "publish/sink.h"
+
+namespace tp100::test {
+
+class StepKeeper : public publish::Sink {
+ public:
+  void take(const StepRecord& record) override { records.push_back(record); }
+  std::vector<StepRecord> records;
+};
+
+}  // namespace tp100::test

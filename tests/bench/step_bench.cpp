@@ -1,0 +1,125 @@
+// What the pure step costs on course 3 with the overhead camera: the recorded inputs of an emulated
+// run, fed to a fresh step. Rows of JSON.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/replay_recording.h"
+#include "bridge/step.h"
+#include "kept_steps.h"
+#include "sim/run/lockstep.h"
+#include "sim/run/options.h"
+
+namespace tp100 {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// More than the caches that a processor has for itself.
+constexpr std::size_t kOthersBytes = 4U << 20U;
+constexpr std::size_t kLine = 64;
+// As often, each step once more; the median of a step's times is its time: what the machine did
+// meanwhile is not the step's.
+constexpr std::size_t kPasses = 5;
+
+/// What the rest of the machine does to the caches between two steps.
+class Others {
+ public:
+  void use() {
+    for (std::size_t i = 0; i < bytes_.size(); i += kLine)
+      bytes_[i] = static_cast<char>(bytes_[i] + 1);
+  }
+
+ private:
+  std::vector<char> bytes_ = std::vector<char>(kOthersBytes);
+};
+
+struct Run {
+  bridge::Parameters parameters;
+  std::shared_ptr<const course::Course> course;
+  std::vector<StepRecord> records;
+};
+
+Run drive(bridge::Setup setup) {
+  sim::Loaded loaded = sim::load({});
+  loaded.configuration.parameters.steering = bridge::Steering::kFused;
+  Run run;
+  run.course = std::make_shared<const course::Course>(sim::load_course("3"));
+  run.parameters = app::bridge_parameters(loaded.configuration, loaded.robot);
+  run.parameters.setup = setup;
+  test::StepKeeper keeper;
+  sim::run_lockstep({.course = *run.course,
+                     .robot = loaded.robot,
+                     .configuration = loaded.configuration,
+                     .setup = setup,
+                     .camera = sim::load_camera("overhead"),
+                     .sink = &keeper});
+  run.records = std::move(keeper.records);
+  return run;
+}
+
+/// Time of each step [us].
+std::vector<double> times(const Run& run, bool cold) {
+  std::vector<std::array<double, kPasses>> all(run.records.size());
+  Others others;
+  for (std::size_t pass = 0; pass < kPasses; ++pass) {
+    bridge::Step step(run.parameters, run.course);
+    for (std::size_t i = 0; i < run.records.size(); ++i) {
+      const StepRecord& record = run.records[i];
+      if (cold) others.use();
+      const Clock::time_point began = Clock::now();
+      step(app::inputs_of(record), record.now_ns);
+      all[i][pass] = std::chrono::duration<double, std::micro>(Clock::now() - began).count();
+    }
+  }
+  std::vector<double> medians;
+  for (std::array<double, kPasses>& of : all) {
+    std::nth_element(of.begin(), of.begin() + kPasses / 2, of.end());
+    medians.push_back(of[kPasses / 2]);
+  }
+  return medians;
+}
+
+void print(const char* setup, const char* which, bool cold, std::vector<double> us) {
+  if (us.empty()) return;
+  std::sort(us.begin(), us.end());
+  const auto at = [&](double fraction) {
+    return us[static_cast<std::size_t>(fraction * static_cast<double>(us.size() - 1))];
+  };
+  std::printf(
+      "{\"setup\":\"%s\",\"which\":\"%s\",\"caches\":\"%s\",\"steps\":%zu,\"p50_us\":%.3f,"
+      "\"p99_us\":%.3f,\"p999_us\":%.3f,\"max_us\":%.3f}\n",
+      setup, which, cold ? "cold" : "warm", us.size(), at(0.5), at(0.99), at(0.999), us.back());
+  std::fflush(stdout);
+}
+
+void bench(bridge::Setup setup) {
+  const Run run = drive(setup);
+  for (const bool cold : {false, true}) {
+    const std::vector<double> us = times(run, cold);
+    std::vector<double> running, with_camera;
+    for (std::size_t i = 0; i < us.size(); ++i) {
+      const StepRecord& record = run.records[i];
+      if (record.snapshot.run_state != RunState::kRunning) continue;
+      running.push_back(us[i]);
+      if (record.camera_count > 0) with_camera.push_back(us[i]);
+    }
+    const char* name = bridge::to_string(setup);
+    print(name, "all while it drives", cold, running);
+    print(name, "with a camera pose", cold, with_camera);
+  }
+}
+
+}  // namespace
+}  // namespace tp100
+
+int main() {
+  tp100::bench(tp100::bridge::Setup::kFlat);
+  tp100::bench(tp100::bridge::Setup::kTerrain);
+  return 0;
+}

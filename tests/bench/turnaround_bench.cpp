@@ -1,0 +1,132 @@
+// turnaround_bench daemon|echo SECONDS PROGRAM [ARGUMENT...]: plays the robot on a pty whose other
+// end PROGRAM opens; the argument PORT stands for its name. Writes a sample frame every 5 ms and
+// waits for the answer: the command that names the sample, or as many bytes. Prints one JSON object
+// with the times between [us].
+
+#include <sched.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "../link/pty_pair.h"
+#include "../link/scripted_robot.h"
+#include "bench_peer.h"
+#include "loop/pacing.h"
+
+namespace tp100 {
+namespace {
+
+constexpr HostNs kSampleNs = wire::kSamplePeriodUs * kNsPerUs;
+constexpr HostNs kPatienceNs = kNsPerS;
+constexpr HostNs kConnectNs = 30 * kNsPerS;
+// Clock sync and first turns.
+constexpr HostNs kWarmUpNs = kNsPerS;
+// Before whatever answers: a robot does not wait for its host's processor.
+constexpr int kPriority = 90;
+
+class Robot {
+ public:
+  explicit Robot(bool daemon) : daemon_(daemon), robot_(loop::monotonic_now()) {
+    robot_.samples = false;
+  }
+
+  const std::string& port() const { return pty_.near(); }
+
+  /// False: nobody answers.
+  bool connect(test::BenchPeer& peer) {
+    const HostNs give_up = loop::monotonic_now() + kConnectNs;
+    while (loop::monotonic_now() < give_up && !peer.ended()) {
+      // A pty swallows nothing: what is written before the peer is ready waits there.
+      if (daemon_ ? greet() : exchange() >= 0) return true;
+    }
+    return false;
+  }
+
+  /// Time from sample to answer, negative if there is none. [ns]
+  HostNs exchange() {
+    const HostNs began = loop::monotonic_now();
+    const auto frame = frame_of(robot_.sample(began));
+    robot_.heard.commands.clear();
+    pty_.write(frame);
+    std::size_t echoed = 0;
+    while (loop::wait_readable(pty_.far(), began + kPatienceNs)) {
+      const auto bytes = pty_.read();
+      const HostNs now = loop::monotonic_now();
+      echoed += bytes.size();
+      if (daemon_) hear(bytes, now);
+      const bool over = daemon_ ? answered() : echoed >= frame.size();
+      if (!over) continue;
+      ++robot_.sequence;
+      return now - began;
+    }
+    ++robot_.sequence;
+    return -1;
+  }
+
+ private:
+  bool greet() {
+    loop::wait_readable(pty_.far(), loop::monotonic_now() + kNsPerMs);
+    const HostNs now = loop::monotonic_now();
+    hear(pty_.read(), now);
+    robot_.tick(now);
+    pty_.write(robot_.take());
+    return robot_.state >= wire::State::kDisarmed && robot_.heard.sync_requests > 4;
+  }
+  void hear(const std::vector<std::uint8_t>& bytes, HostNs now) {
+    robot_.hear(bytes, now);
+    pty_.write(robot_.take());
+  }
+  bool answered() const {
+    const auto& commands = robot_.heard.commands;
+    return !commands.empty() && commands.back().answers == robot_.sequence;
+  }
+
+  bool daemon_;
+  PtyPair pty_;
+  ScriptedRobot robot_;
+};
+
+int run(bool daemon, double seconds, const std::vector<std::string>& command) {
+  Robot robot(daemon);
+  test::BenchPeer peer(command, robot.port());
+  // After the fork: the peer asks for its own priority.
+  const sched_param fifo{.sched_priority = kPriority};
+  const bool before_others = ::sched_setscheduler(0, SCHED_FIFO, &fifo) == 0;
+  if (!robot.connect(peer)) {
+    std::fprintf(stderr, "turnaround_bench: %s does not answer\n", command[0].c_str());
+    return 1;
+  }
+  const HostNs begin = loop::monotonic_now() + kWarmUpNs;
+  const HostNs end = begin + from_s(seconds);
+  std::printf("{\"us\":[");
+  const char* comma = "";
+  int unanswered = 0;
+  for (HostNs due = loop::monotonic_now(); due < end;) {
+    loop::sleep_until(due);
+    const HostNs took = robot.exchange();
+    if (due >= begin && took >= 0) {
+      std::printf("%s%.2f", comma, static_cast<double>(took) * 1e-3);
+      comma = ",";
+    }
+    unanswered += took < 0 ? 1 : 0;
+    // An answer that takes longer leaves samples out.
+    while (due <= loop::monotonic_now()) due += kSampleNs;
+  }
+  std::printf("],\"unanswered\":%d,\"before_others\":%s}\n", unanswered,
+              before_others ? "true" : "false");
+  return 0;
+}
+
+}  // namespace
+}  // namespace tp100
+
+int main(int argc, char** argv) {
+  const std::string kind = argc > 3 ? argv[1] : "";
+  if (kind != "daemon" && kind != "echo") {
+    std::fprintf(stderr, "usage: turnaround_bench daemon|echo SECONDS PROGRAM [ARGUMENT...]\n");
+    return 2;
+  }
+  return tp100::run(kind == "daemon", std::atof(argv[2]), {argv + 3, argv + argc});
+}
