@@ -50,6 +50,21 @@ double huber_cost(double deviations) {
   return deviations <= kHuber ? deviations * deviations : kHuber * (2.0 * deviations - kHuber);
 }
 
+/// How many residuals in a row are worth one: their correlation, summed up to where it ends.
+double samples_together(const std::vector<double>& residuals) {
+  const std::size_t n = residuals.size();
+  double squares = 0.0;
+  for (const double residual : residuals) squares += residual * residual;
+  double together = 1.0;
+  for (std::size_t lag = 1; lag < n / 2 && squares > 0.0; ++lag) {
+    double products = 0.0;
+    for (std::size_t i = lag; i < n; ++i) products += residuals[i] * residuals[i - lag];
+    if (products <= 0.0) break;
+    together += 2.0 * products / squares;
+  }
+  return together;
+}
+
 bool of_tighter_turns(std::size_t i) {
   return i == index(Parameter::kWheelbaseTight) || i == index(Parameter::kWheelbaseSpin);
 }
@@ -67,7 +82,8 @@ ModelFit::ModelFit(std::vector<FittedRun> runs, const Values& start, const Value
       values_(start),
       believed_(believed),
       threshold_radps_(turning_threshold_radps),
-      settings_(settings) {
+      settings_(settings),
+      correlated_s_(settings.correlated_s) {
   for (std::size_t i = 0; i < kShared; ++i)
     if (free[i]) free_.push_back(i);
 }
@@ -134,7 +150,7 @@ double ModelFit::cost() const {
 
 // poses[0] belongs to the present values, poses[k + 1] to a change of the k-th free one.
 double ModelFit::take_pictures(const FittedRun& run, const Poses& poses, RunSums* sums) const {
-  const double together = std::max(1.0, run.pictures_per_s * settings_.correlated_s);
+  const double together = std::max(1.0, run.pictures_per_s * correlated_s_);
   const double gyro_scale = values_[index(Parameter::kGyroScale)];
   double cost = 0.0;
   Eigen::VectorXd by_x(size()), by_y(size()), by_yaw(size()), by_gyro(size());
@@ -253,6 +269,26 @@ void ModelFit::rescale() {
   sd_gyro_rad_ = std::max(settings_.camera_sd_rad, median(std::move(off_gyro)) / kMedianOfOne);
 }
 
+// What no model knows, as a worn stretch of a belt that comes round, shifts all pictures of some
+// seconds together.
+void ModelFit::correlate() {
+  for (const FittedRun& run : runs_) {
+    const std::vector<Pose> poses = run.motion.poses(tracks(values_));
+    std::vector<double> x, y, yaw;
+    for (const SeenPose& seen : run.pictures) {
+      const Pose here = run.predicted(poses, seen.t_s - values_[kDelay]);
+      if (false_detection(run, std::hypot(seen.x_m - here.x_m, seen.y_m - here.y_m),
+                          std::abs(seen.yaw_rad - here.yaw_rad)))
+        continue;
+      x.push_back(seen.x_m - here.x_m);
+      y.push_back(seen.y_m - here.y_m);
+      yaw.push_back(seen.yaw_rad - here.yaw_rad);
+    }
+    for (const std::vector<double>* residuals : {&x, &y, &yaw})
+      correlated_s_ = std::max(correlated_s_, samples_together(*residuals) / run.pictures_per_s);
+  }
+}
+
 bool ModelFit::improve(double& damping, double& moved) {
   const double before = cost();
   linearise(&sums_);
@@ -301,6 +337,7 @@ void ModelFit::solve() {
     if (!better) damping = 1e-4;
   }
   rescale();
+  correlate();
   linearise(&sums_);
 }
 

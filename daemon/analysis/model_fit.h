@@ -18,7 +18,8 @@ namespace tp100::analysis {
 struct IdentifySettings {
   double camera_sd_m = 0.002;
   double camera_sd_rad = 0.5 * kRadPerDeg;
-  double correlated_s = 1.0;  ///< camera residuals within this time count as one
+  double correlated_s = 1.0;  ///< camera residuals within this time count as one, or within the
+                              ///< time in which they turn out to hang together, if that is longer
   double tape_sd_m = 0.002;
   double protractor_sd_rad = 1.0 * kRadPerDeg;
 };
@@ -84,6 +85,7 @@ class ModelFit {
   double take_measured(const FittedRun& run, const Poses& poses, RunSums* sums) const;
   bool improve(double& damping, double& moved);
   void rescale();
+  void correlate();
   void find_confused(Fit& fit, const Summed& sums) const;
   void describe_runs(Fit& fit) const;
 
@@ -93,6 +95,7 @@ class ModelFit {
   double threshold_radps_;
   const IdentifySettings& settings_;
   std::vector<RunSums> sums_;
+  double correlated_s_;
   double sd_m_ = 1.0, sd_rad_ = 1.0, sd_gyro_rad_ = 1.0;
   bool rejecting_ = false;
 };

@@ -116,6 +116,19 @@ TEST(Identify, FindsARobotOfWhichNothingIsKnown) {
   EXPECT_EQ(found.belief.counts_per_metre, truth.counts_per_metre);
 }
 
+TEST(Identify, PicturesThatAreOffTogetherSayLess) {
+  // What no model knows, and comes round.
+  const auto with_waves = [](double duration_s) {
+    std::vector<Drive> drives = all_kinds(Truth{});
+    for (Drive& drive : drives) {
+      for (SeenPose& seen : drive.camera)
+        seen.yaw_rad += 0.02 * std::sin(2.0 * kPi * seen.t_s / duration_s);
+    }
+    return identify(drives, unknown()).extended[Parameter::kWheelbaseTight].half_interval;
+  };
+  EXPECT_GT(with_waves(8.0), 1.25 * with_waves(0.13));
+}
+
 TEST(Identify, FalseDetectionsAndLateStampsDoNotBendIt) {
   Truth truth;
   truth.outliers = 0.1;
