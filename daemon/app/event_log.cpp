@@ -1,35 +1,56 @@
 #include "app/event_log.h"
 
+#include <spdlog/async_logger.h>
+#include <spdlog/details/thread_pool.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace tp100::app {
 namespace {
 
 using Kind = link::SessionEvent::Kind;
+using namespace std::chrono_literals;
 
 // More lines than this within a second are noise.
 constexpr int kBurst = 50;
 constexpr HostNs kStatusPeriodNs = 10 * kNsPerS;
+constexpr std::size_t kWaiting = 1024;
+constexpr auto kPatience = 1000ms, kLook = 5ms;
 
 }  // namespace
 
-EventLog::EventLog() {
-  if (spdlog::get("tp100d") == nullptr) {
-    spdlog::set_default_logger(spdlog::stderr_color_mt("tp100d"));
-  }
-  spdlog::set_pattern("%H:%M:%S.%e %^%l%$ %v");
-  spdlog::flush_on(spdlog::level::info);
+struct EventLog::Writer {
+  std::shared_ptr<spdlog::details::thread_pool> pool =
+      std::make_shared<spdlog::details::thread_pool>(kWaiting, 1);
+  // An asynchronous logger wants to be shared.
+  std::shared_ptr<spdlog::async_logger> shared = std::make_shared<spdlog::async_logger>(
+      "tp100d", std::make_shared<spdlog::sinks::stderr_color_sink_mt>(), pool,
+      spdlog::async_overflow_policy::overrun_oldest);
+  spdlog::async_logger& logger = *shared;
+};
+
+EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
+  writer_->logger.set_pattern("%H:%M:%S.%e %^%l%$ %v");
+  writer_->logger.flush_on(spdlog::level::info);
 }
 
-void EventLog::info(const std::string& line) { spdlog::info("{}", line); }
-void EventLog::warn(const std::string& line) { spdlog::warn("{}", line); }
+EventLog::~EventLog() {
+  for (auto waited = 0ms; writer_->pool->queue_size() > 0 && waited < kPatience; waited += kLook)
+    std::this_thread::sleep_for(kLook);
+  // Its thread hangs in a write that may never end: it goes with the process.
+  if (writer_->pool->queue_size() > 0) static_cast<void>(new auto(std::move(writer_)));
+}
+
+void EventLog::info(const std::string& line) { writer_->logger.info("{}", line); }
+void EventLog::warn(const std::string& line) { writer_->logger.warn("{}", line); }
 
 bool EventLog::allow(HostNs at_ns) {
   if (at_ns - burst_began_ns_ > kNsPerS) {
-    if (folded_ > 0) spdlog::warn("{} more events within a second are not shown", folded_);
+    if (folded_ > 0) writer_->logger.warn("{} more events within a second are not shown", folded_);
     burst_began_ns_ = at_ns;
     burst_ = 0;
     folded_ = 0;
@@ -51,13 +72,13 @@ void EventLog::event(const LiveEvent& event, const std::vector<publish::Event>& 
                              (words.remedy.empty() ? "" : "; " + words.remedy);
     switch (words.level) {
       case publish::Event::Level::kInfo:
-        spdlog::info("{}", line);
+        writer_->logger.info("{}", line);
         break;
       case publish::Event::Level::kWarning:
-        spdlog::warn("{}", line);
+        writer_->logger.warn("{}", line);
         break;
       case publish::Event::Level::kError:
-        spdlog::error("{}", line);
+        writer_->logger.error("{}", line);
         break;
     }
   }
@@ -66,9 +87,9 @@ void EventLog::event(const LiveEvent& event, const std::vector<publish::Event>& 
 void EventLog::grants(const std::vector<loop::Grant>& grants) {
   for (const loop::Grant& grant : grants) {
     if (grant.granted) {
-      spdlog::info("real time: {}", grant.what);
+      writer_->logger.info("real time: {}", grant.what);
     } else {
-      spdlog::info("real time: no {}; {}", grant.what, grant.remedy);
+      writer_->logger.info("real time: no {}; {}", grant.what, grant.remedy);
     }
   }
 }
@@ -78,7 +99,7 @@ void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs n
   next_status_ns_ = now + kStatusPeriodNs;
   const LinkCounters& link = status.counters;
   const Pose& pose = status.snapshot.odometry;
-  spdlog::info(
+  writer_->logger.info(
       "x {:.3f} m, y {:.3f} m, yaw {:.1f} deg; samples {}, lost {}, bad frames {}, overruns {}; "
       "clock "
       "drift {:.1f} ppm, +-{:.0f} us; battery {:.2f} V",

@@ -1,7 +1,9 @@
 #pragma once
 // The log: one line per event on standard error. spdlog stays in the source file; never used by the
-// real-time thread.
+// real-time thread. Lines are written by a thread of its own: who does not read them (a pager, a
+// stopped terminal) holds up nobody, and loses the oldest.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,8 @@ namespace tp100::app {
 class EventLog {
  public:
   EventLog();
+  /// Writes what waits; gives up on a reader who takes nothing for a second.
+  ~EventLog();
 
   void info(const std::string& line);
   void warn(const std::string& line);
@@ -25,7 +29,10 @@ class EventLog {
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
 
  private:
+  struct Writer;
   bool allow(HostNs at_ns);
+
+  std::unique_ptr<Writer> writer_;
 
   HostNs next_status_ns_ = 0;
   HostNs burst_began_ns_ = 0;
