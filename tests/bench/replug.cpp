@@ -96,6 +96,11 @@ class CommandWatch {
   std::jthread thread_;
 };
 
+std::string tail(const std::string& text) {
+  constexpr std::size_t kMost = 4000;
+  return text.size() < kMost ? text : text.substr(text.size() - kMost);
+}
+
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return NAN;
   std::sort(values.begin(), values.end());
@@ -126,9 +131,12 @@ class Replug {
     started();
     for (int i = 1; i <= cycles_; ++i) {
       if (!cycle()) {
-        std::fprintf(stderr, "replug: cycle %d failed: %s\n", i, problem_.c_str());
+        std::fprintf(stderr, "replug: cycle %d failed: %s\n%s\n%s\n", i, problem_.c_str(),
+                     tail(robot_.output()).c_str(), tail(daemon_.output()).c_str());
         return 1;
       }
+      // A pipe that nobody reads is a test of its own.
+      static_cast<void>(daemon_.output());
       if (i == kSettled) settled_ = weigh(daemon_.pid());
     }
     return report();
