@@ -8,8 +8,8 @@ import sys
 from bench_table import Table
 
 PARTS = {
-    "recording": ("steps of an emulated run recorded at 200 Hz in real time; cores with all threads, less those without "
-                  "recording", [
+    "recording": ("steps of an emulated run recorded at 200 Hz in real time; cores with all threads, less those "
+                  "without recording", [
                       ("steps", "steps", "6d"), ("cores", "cores", "7.4f"), ("cores_without", "without", "7.4f"),
                       ("cores_own_thread", "own thread", "7.4f"), ("step_us", "a step in the giver [us]", "7.2f"),
                       ("longest_step_us", "longest", "7.0f"), ("mb_per_min", "MB a minute", "7.2f"),
