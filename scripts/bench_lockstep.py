@@ -21,12 +21,13 @@ def course(programs, board, robot, name, seeds):
 
 def main():
     programs, seeds = sys.argv[1], rounds(5)
-    table = Table("lockstep", f"times real time on one core, {seeds} seeds; shares of the time; ours is all but physics "
-                  "and board", [
+    table = Table("lockstep", f"times real time on one core, {seeds} seeds; shares of the time; ours is all but "
+                  "physics and board", [
                       ("board", "board", "<6s"), ("course", "course", "<10s"), ("robot", "robot", "<10s"),
                       ("min", "min", "7.1f"), ("median", "median", "7.1f"), ("max", "max", "7.1f"),
-                      ("step_us", "our step [us]", "7.2f"), ("physics", "physics", "7.1%"), ("emulation", "board", "7.1%"),
-                      ("ours", "ours", "7.1%"), ("ours_ratio", "ours/(physics+board)", "7.2f")])
+                      ("step_us", "our step [us]", "7.2f"), ("physics", "physics", "7.1%"),
+                      ("emulation", "board", "7.1%"), ("ours", "ours", "7.1%"),
+                      ("ours_ratio", "ours/(physics+board)", "7.2f")])
     for board in ("native", "avr"):
         for robot in ("end-loaded", "uniform"):
             for name in ("1-straight", "1-curve", "1-sharp", "2"):

@@ -19,15 +19,19 @@ def cpu_s(process):
 def laps(folder, count):
     """A course file of that many laps in one place: four pieces each."""
     path = os.path.join(folder, f"laps-{count}.toml")
-    lap = ('[[segment]]\ntype = "line"\nlength_m = 1.0\n[[segment]]\ntype = "arc"\nradius_m = 0.4\nangle_deg = 180.0\n') * 2
+    line = '[[segment]]\ntype = "line"\nlength_m = 1.0\n'
+    arc = '[[segment]]\ntype = "arc"\nradius_m = 0.4\nangle_deg = 180.0\n'
     with open(path, "w") as file:
-        file.write(f"speed_mps = 0.10\n{lap * count}"
+        file.write(f"speed_mps = 0.10\n{(line + arc) * 2 * count}"
                    "[fence]\nmin_x_m = -5.0\nmax_x_m = 5.0\nmin_y_m = -5.0\nmax_y_m = 5.0\n")
     return path
 
 
 class DrivenRobot:
-    """Drives on entering, unless the machine is too busy for it; ends both programs on leaving. `page`: with viewers' port in .page_port."""
+    """Drives on entering, unless the machine is too busy for it; ends both programs on leaving.
+
+    `page`: with viewers, whose port is .page_port. After leaving, .stats is what the daemon counted.
+    """
 
     def __init__(self, programs, course_laps, board="native", page=False):
         self.programs, self.laps, self.board, self.page = programs, course_laps, board, page

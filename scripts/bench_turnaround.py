@@ -1,6 +1,7 @@
 """scripts/bench turnaround: from a robot's sample to the command that answers it, over a pseudo-terminal.
 
-Usage: bench_turnaround.py FOLDER_OF_PROGRAMS
+Usage: bench_turnaround.py FOLDER_OF_PROGRAMS. TP100_BENCH_CPU ties everybody who answers to that processor; else to
+none, and then it is the kernel's choice of processors that decides the medians of an idle machine.
 """
 import collections
 import json
@@ -17,6 +18,7 @@ OURS = "tp100d, robot-paced"
 # Its median is the wait for the next turn of the loop, by design.
 HOST_PACED = "tp100d, host-paced"
 TEXT = "text files, "
+PINNED = ["taskset", "-c", os.environ["TP100_BENCH_CPU"]] if "TP100_BENCH_CPU" in os.environ else []
 
 
 def script(name):
@@ -48,7 +50,7 @@ def peers(programs, folder):
 
 
 def measure(programs, kind, command, duration_s):
-    done = subprocess.run([os.path.join(programs, "turnaround_bench"), kind, str(duration_s), *command],
+    done = subprocess.run([os.path.join(programs, "turnaround_bench"), kind, str(duration_s), *PINNED, *command],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if done.returncode:
         raise SystemExit(f"bench: {done.stderr.strip().splitlines()[-1]}")

@@ -1,6 +1,6 @@
 """scripts/bench viewers: lateness of the loop without viewers and with 50, three of them hostile.
 
-Usage: bench_viewers.py FOLDER_OF_PROGRAMS [SECONDS [REPEATS]]
+Usage: bench_viewers.py FOLDER_OF_PROGRAMS
 """
 import json
 import os
@@ -11,13 +11,17 @@ import subprocess
 import sys
 import tempfile
 
+from bench_table import Table, rounds, seconds
+
+POLITE = 47  # of the 50
+
 
 def memory_kib(pid, key):
     with open(f"/proc/{pid}/status") as status:
         return int(re.search(key + r":\s+(\d+)", status.read()).group(1))
 
 
-def measure(programs, viewers, seconds):
+def measure(programs, viewers, duration_s):
     """One run of both programs; figures of the daemon."""
     with tempfile.TemporaryDirectory(prefix="tp100-bench-") as folder:
         link, stats = os.path.join(folder, "robot"), os.path.join(folder, "stats.json")
@@ -32,9 +36,9 @@ def measure(programs, viewers, seconds):
                 if page:
                     break
             load = {}
-            command = ["sleep", str(seconds)]
+            command = ["sleep", str(duration_s)]
             if viewers:
-                command = [os.path.join(programs, "viewer_load"), page.group(1), str(seconds)]
+                command = [os.path.join(programs, "viewer_load"), page.group(1), str(duration_s)]
             out = subprocess.run(command, capture_output=True, text=True, check=True).stdout
             if viewers:
                 load = json.loads(out)
@@ -51,29 +55,29 @@ def measure(programs, viewers, seconds):
         with open(stats) as file:
             loop = json.load(file)["loop"]
     return {**loop["lateness_us"], "overruns": loop["overruns"], "turns": loop["turns"],
-            "peak_mib": peak / 1024, "cpu": cpu_s / seconds, **load}
+            "peak_mib": peak / 1024, "cpu": cpu_s / duration_s, **load}
 
 
 def main():
     programs = sys.argv[1]
-    seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 20.0
-    repeats = int(sys.argv[3]) if len(sys.argv) > 3 else 3
+    duration_s, repeats = seconds(20), rounds(3)
     runs = {0: [], 50: []}
+    table = Table("viewers", f"lateness of the loop [us], medians of {repeats} alternating runs of {duration_s:g} s", [
+        ("viewers", "viewers", "3d"), ("p50", "p50", "7.1f"), ("p99", "p99", "7.1f"), ("p999", "p99.9", "7.1f"),
+        ("max", "max", "8.1f"), ("overruns", "overruns", "5.0f"), ("peak_mib", "peak MiB", "7.1f"),
+        ("cpu", "cores", "6.3f"), ("dropped", "dropped for the deaf one", "6.0f"),
+        ("received_per_s", "a second for each other", "6.0f")])
     for _ in range(repeats):
         for viewers, list_of in runs.items():
-            list_of.append(measure(programs, viewers, seconds))
-    print(f"viewers: lateness of the loop [us], {repeats} runs of {seconds:.0f} s each, medians")
-    print(f"  {'':10} {'none':>10} {'50':>10} {'ratio':>8}")
-    for key in ("p50", "p99", "p999", "max"):
-        none, many = (statistics.median(run[key] for run in runs[n]) for n in (0, 50))
-        print(f"  {key:10} {none:10.1f} {many:10.1f} {many / none if none else float('nan'):8.2f}")
-    for key, text in (("overruns", "overruns"), ("peak_mib", "peak MiB"), ("cpu", "cores")):
-        none, many = (statistics.median(run[key] for run in runs[n]) for n in (0, 50))
-        print(f"  {text:10} {none:10.2f} {many:10.2f}")
-    dropped = [run["dropped"] for run in runs[50]]
-    received = [run["received"] / seconds / 47 for run in runs[50]]
-    print(f"  messages dropped for the viewer that never reads: {dropped}")
-    print(f"  messages a second that each of the 47 others got: {[round(r) for r in received]}")
+            list_of.append(measure(programs, viewers, duration_s))
+    for viewers, list_of in runs.items():
+        figures = {key: statistics.median(run[key] for run in list_of)
+                   for key in ("p50", "p99", "p999", "max", "overruns", "peak_mib", "cpu")}
+        if viewers:
+            figures["dropped"] = statistics.median(run["dropped"] for run in list_of)
+            figures["received_per_s"] = statistics.median(run["received"] / duration_s / POLITE for run in list_of)
+        table.row(viewers=viewers, **figures)
+    table.save()
 
 
 if __name__ == "__main__":

@@ -21,7 +21,8 @@ constexpr std::uint16_t kRamEnd = 0x21FF;
 constexpr std::uint8_t kPaint = 0xA5;
 
 void row(const char* what, double value, const char* unit) {
-  std::printf("  %-48s %10.1f %s\n", what, value, unit);
+  std::printf("{\"what\":\"%s\",\"value\":%.6g,\"unit\":\"%s\"}\n", what, value, unit);
+  std::fflush(stdout);
 }
 
 std::uint32_t symbol(const AvrImage& image, const char* name) {
@@ -45,8 +46,11 @@ void share(AvrRig& rig, LoopWatch& loop, const IsrWatch& interrupts, const char*
   const auto entries = static_cast<double>(interrupts.runs() - runs) * kEntryCycles;
   const double busy =
       1.0 - (static_cast<double>(after.slept_cycles - before.slept_cycles) - entries) / cycles;
-  std::printf("  %-48s %9.1f %% %9.0f %12.0f %9.1f\n", what, busy * 100.0, busy * kSampleCycles,
-              static_cast<double>(loop.longest()) / 16.0, ms * 1e-3 / wall.count());
+  const std::string way = std::string(what) + ": ";
+  row((way + "processor busy").c_str(), busy * 100.0, "%");
+  row((way + "a sample").c_str(), busy * kSampleCycles, "cycles");
+  row((way + "longest turn").c_str(), static_cast<double>(loop.longest()) / 16.0, "us");
+  row((way + "emulated").c_str(), ms * 1e-3 / wall.count(), "times real time");
 }
 
 void force_edges(AvrRig& rig, double per_channel_hz) {
@@ -95,13 +99,9 @@ void bench() {
   std::fill(core.data() + ram_used, core.data() + kRamEnd + 1, kPaint);
   rig.run(50);
 
-  std::printf("firmware: %s\n", image.path.c_str());
   row("flash", static_cast<double>(image.flash.size()), "bytes of 253952");
   row("RAM, static", ram_used - kRamBegin, "bytes of 8192");
 
-  std::printf("\n  %-48s %11s %9s %12s %9s\n", "", "processor", "a sample", "longest turn",
-              "emulated");
-  std::printf("  %-48s %11s %9s %12s %9s\n", "", "busy", "[cycles]", "[us]", "x real");
   share(rig, loop, interrupts, "no host: hello", 500);
   rig.connect();
   rig.streams = true;
@@ -124,7 +124,6 @@ void bench() {
 
   std::uint32_t deepest = ram_used;
   while (deepest <= kRamEnd && core.data()[deepest] == kPaint) ++deepest;
-  std::printf("\n");
   row("stack, deepest", kRamEnd + 1.0 - deepest, "bytes");
   row("RAM never touched", deepest - ram_used, "bytes");
   row("encoder interrupt, longest",

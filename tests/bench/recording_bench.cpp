@@ -1,5 +1,5 @@
 // What recording costs: the steps of an emulated run, handed to a recorder 200 times a second in
-// real time, against the same without a recorder. recording_bench [SECONDS]
+// real time, against the same without a recorder. recording_bench [SECONDS]: a row of JSON.
 
 #include <sys/resource.h>
 
@@ -92,17 +92,13 @@ int run(double seconds) {
   recorder.end();
 
   const double written = static_cast<double>(ended.bytes - began.bytes) * 1e-6;
-  std::printf("recording: %d steps at 200 Hz in real time\n", steps);
   std::printf(
-      "  share of a core          %6.2f %%  (all threads, less %.2f %% without recording)\n",
-      100.0 * (with.cpu_share - without.cpu_share), 100.0 * without.cpu_share);
-  std::printf("  of it, its own thread    %6.2f %%\n",
-              100.0 * (ended.cpu_s - began.cpu_s) / seconds);
-  std::printf("  a step in the giver      %6.2f us, longest %.0f us\n", with.take_us,
-              with.longest_take_us);
-  std::printf("  size                     %6.2f MB a minute\n", written * 60.0 / seconds);
-  std::printf("  memory grown by          %6ld kB\n", grown);
-  std::printf("  dropped                  %6llu\n", static_cast<unsigned long long>(ended.dropped));
+      "{\"steps\":%d,\"cores\":%.5f,\"cores_without\":%.5f,\"cores_own_thread\":%.5f,"
+      "\"step_us\":%.3f,\"longest_step_us\":%.1f,\"mb_per_min\":%.3f,\"grown_kb\":%ld,"
+      "\"dropped\":%llu}\n",
+      steps, with.cpu_share - without.cpu_share, without.cpu_share,
+      (ended.cpu_s - began.cpu_s) / seconds, with.take_us, with.longest_take_us,
+      written * 60.0 / seconds, grown, static_cast<unsigned long long>(ended.dropped));
   return 0;
 }
 
