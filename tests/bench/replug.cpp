@@ -146,7 +146,8 @@ class Replug {
   std::vector<std::string> robot_arguments() const {
     std::vector<std::string> arguments = {"tp100-sim", "robot", "--link", link_};
     char text[64];
-    for (int i = 0; i < cycles_; ++i) {
+    // On a busy machine a start may take longer than until the next one.
+    for (int i = 0; i < cycles_ + cycles_ / 20 + 5; ++i) {
       std::snprintf(text, sizeof text, "unplug:%g@%g", kAwayS, kFirstS + kEveryS * i);
       arguments.insert(arguments.end(), {"--fault", text});
     }
