@@ -7,8 +7,6 @@
 namespace tp100::bridge {
 namespace {
 
-// Camera noise of two millimetres over a shorter time is no speed.
-constexpr double kWindowS = 0.4;
 // Further off than this for so long a way, the robot is not where the belts say.
 constexpr double kMismatchRad = 10.0 * kRadPerDeg;
 constexpr double kMismatchM = 0.12;

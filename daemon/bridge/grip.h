@@ -22,7 +22,9 @@ struct GripInput {
   double measured_pitch_rad = 0.0;
 };
 
-/// No allocation; safe in the real-time thread.
+/// Camera noise of two millimetres over a short time is no speed, so belts and camera are compared
+/// over windows; three in a row have to say that the robot stands. No allocation; safe in the
+/// real-time thread.
 class Grip {
  public:
   void restart() { *this = Grip{}; }
@@ -32,7 +34,10 @@ class Grip {
  private:
   std::optional<double> ground_mps(const GripInput& in);
 
-  model::TractionWatch watch_{};
+  /// What a window says holds until the next. A shove may spoil two of them.
+  static constexpr double kWindowS = 0.4;
+
+  model::TractionWatch watch_{{.immobilised_after_s = 2.25 * kWindowS}};
   Traction state_ = Traction::kGripping;
   Pose window_begin_{};
   bool window_open_ = false;

@@ -31,6 +31,19 @@ TEST(Grip, BeltsThatRunUnderAStandingRobotAreFoundWithinTwoSeconds) {
   EXPECT_EQ(drive(grip, 0.0, 2.0), Traction::kImmobilised);
 }
 
+TEST(Grip, OneShoveAgainstItsWayIsNoStandstill) {
+  for (int i = 0; i < 20; ++i) {
+    Grip grip;
+    GripInput in{.dt_s = kStepS, .way_m = kBeltsMps * kStepS, .camera = true};
+    for (double t = 0.0; t < 4.0; t += kStepS) {
+      const double since = t - 1.0 - 0.04 * i;
+      const bool shoved = since >= 0.0 && since < 0.3;
+      in.fused.x_m += (shoved ? -0.2 : kBeltsMps) * kStepS;
+      EXPECT_NE(grip.update(in), Traction::kImmobilised) << i << " at " << t;
+    }
+  }
+}
+
 TEST(Grip, HalfTheWayIsSlipping) {
   Grip grip;
   EXPECT_EQ(drive(grip, 0.045, 2.0), Traction::kSlipping);
