@@ -1,5 +1,5 @@
 // The two real programs, joined by a pseudo-terminal, for as long as a test needs them.
-import { spawn, spawnSync, type ChildProcess } from 'node:child_process';
+import { spawn, type ChildProcess } from 'node:child_process';
 import { once } from 'node:events';
 import { existsSync } from 'node:fs';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
@@ -11,17 +11,11 @@ import { createInterface } from 'node:readline';
 /** Where the programs are. */
 export const bin = process.env.TP100_BIN ?? '';
 /**
- * A real robot does not wait for the programs of its host; an emulated one needs real time for that, where it is allowed.
- * Its niceness does not help: the kernel weighs whole sessions against each other, and the browser has its own.
- */
-const kRealTime = ['chrt', '--fifo', '10'];
-/**
  * Course 3, but quick: on a busy machine the kernel itself holds bytes of a pseudo-terminal back now and then for longer
  * than the robot waits for commands. A short drive more often lies between two of these.
  */
 const kSpeed_mps = 0.18;
 const kCourse3 = new URL('../../../config/courses/3.toml', import.meta.url);
-const kBefore = spawnSync(kRealTime.join(' '), ['true'], { shell: true }).status === 0 ? kRealTime : [];
 
 /** One of our programs with what it said. */
 export class Program {
@@ -33,12 +27,10 @@ export class Program {
   constructor(
     private readonly name: string,
     args: string[],
-    before: string[] = [],
   ) {
     const path = join(bin, name);
     if (!existsSync(path)) throw new Error(`${path} is missing: build it, or name the folder of the programs in TP100_BIN`);
-    const [command = path, ...rest] = [...before, path, ...args];
-    this.child = spawn(command, rest, { stdio: ['ignore', 'pipe', 'pipe'] });
+    this.child = spawn(path, args, { stdio: ['ignore', 'pipe', 'pipe'] });
     for (const stream of [this.child.stdout, this.child.stderr]) {
       if (stream === null) continue;
       createInterface({ input: stream }).on('line', (line) => {
@@ -115,7 +107,7 @@ export class Pair {
     await writeFile(join(folder, 'tp100.toml'), '[loop]\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n');
     const course = (await readFile(kCourse3, 'utf8')).replace(/^speed_mps = .*$/m, `speed_mps = ${kSpeed_mps}`);
     await writeFile(join(folder, '3.toml'), course);
-    const robot = new Program('tp100-sim', ['robot', '--link', join(folder, 'robot'), '--course', join(folder, '3.toml')], kBefore);
+    const robot = new Program('tp100-sim', ['robot', '--link', join(folder, 'robot'), '--course', join(folder, '3.toml')]);
     await robot.line(/linked from/);
     const pair = new Pair(folder, robot, Pair.daemon(folder, options, listen));
     await pair.ready();
