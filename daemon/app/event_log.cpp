@@ -27,15 +27,14 @@ struct EventLog::Writer {
   std::shared_ptr<spdlog::details::thread_pool> pool =
       std::make_shared<spdlog::details::thread_pool>(kWaiting, 1);
   // An asynchronous logger wants to be shared.
-  std::shared_ptr<spdlog::async_logger> shared = std::make_shared<spdlog::async_logger>(
+  std::shared_ptr<spdlog::async_logger> logger = std::make_shared<spdlog::async_logger>(
       "tp100d", std::make_shared<spdlog::sinks::stderr_color_sink_mt>(), pool,
       spdlog::async_overflow_policy::overrun_oldest);
-  spdlog::async_logger& logger = *shared;
 };
 
 EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
-  writer_->logger.set_pattern("%H:%M:%S.%e %^%l%$ %v");
-  writer_->logger.flush_on(spdlog::level::info);
+  writer_->logger->set_pattern("%H:%M:%S.%e %^%l%$ %v");
+  writer_->logger->flush_on(spdlog::level::info);
 }
 
 EventLog::~EventLog() {
@@ -45,12 +44,12 @@ EventLog::~EventLog() {
   if (writer_->pool->queue_size() > 0) static_cast<void>(new auto(std::move(writer_)));
 }
 
-void EventLog::info(const std::string& line) { writer_->logger.info("{}", line); }
-void EventLog::warn(const std::string& line) { writer_->logger.warn("{}", line); }
+void EventLog::info(const std::string& line) { writer_->logger->info("{}", line); }
+void EventLog::warn(const std::string& line) { writer_->logger->warn("{}", line); }
 
 bool EventLog::allow(HostNs at_ns) {
   if (at_ns - burst_began_ns_ > kNsPerS) {
-    if (folded_ > 0) writer_->logger.warn("{} more events within a second are not shown", folded_);
+    if (folded_ > 0) writer_->logger->warn("{} more events within a second are not shown", folded_);
     burst_began_ns_ = at_ns;
     burst_ = 0;
     folded_ = 0;
@@ -72,13 +71,13 @@ void EventLog::event(const LiveEvent& event, const std::vector<publish::Event>& 
                              (words.remedy.empty() ? "" : "; " + words.remedy);
     switch (words.level) {
       case publish::Event::Level::kInfo:
-        writer_->logger.info("{}", line);
+        writer_->logger->info("{}", line);
         break;
       case publish::Event::Level::kWarning:
-        writer_->logger.warn("{}", line);
+        writer_->logger->warn("{}", line);
         break;
       case publish::Event::Level::kError:
-        writer_->logger.error("{}", line);
+        writer_->logger->error("{}", line);
         break;
     }
   }
@@ -87,9 +86,9 @@ void EventLog::event(const LiveEvent& event, const std::vector<publish::Event>& 
 void EventLog::grants(const std::vector<loop::Grant>& grants) {
   for (const loop::Grant& grant : grants) {
     if (grant.granted) {
-      writer_->logger.info("real time: {}", grant.what);
+      writer_->logger->info("real time: {}", grant.what);
     } else {
-      writer_->logger.info("real time: no {}; {}", grant.what, grant.remedy);
+      writer_->logger->info("real time: no {}; {}", grant.what, grant.remedy);
     }
   }
 }
@@ -99,7 +98,7 @@ void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs n
   next_status_ns_ = now + kStatusPeriodNs;
   const LinkCounters& link = status.counters;
   const Pose& pose = status.snapshot.odometry;
-  writer_->logger.info(
+  writer_->logger->info(
       "x {:.3f} m, y {:.3f} m, yaw {:.1f} deg; samples {}, lost {}, bad frames {}, overruns {}; "
       "clock "
       "drift {:.1f} ppm, +-{:.0f} us; battery {:.2f} V",
