@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 
+from bench_robot import cpu_s
 from bench_table import Table, rounds, seconds
 
 POLITE = 47  # of the 50
@@ -43,9 +44,7 @@ def measure(programs, viewers, duration_s):
             if viewers:
                 load = json.loads(out)
             peak = memory_kib(daemon.pid, "VmHWM")
-            with open(f"/proc/{daemon.pid}/stat") as stat:
-                fields = stat.read().rsplit(") ", 1)[1].split()
-            cpu_s = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+            took_s = cpu_s(daemon)
         finally:
             daemon.send_signal(signal.SIGTERM)
             daemon.stderr.read()
@@ -55,7 +54,7 @@ def measure(programs, viewers, duration_s):
         with open(stats) as file:
             loop = json.load(file)["loop"]
     return {**loop["lateness_us"], "overruns": loop["overruns"], "turns": loop["turns"],
-            "peak_mib": peak / 1024, "cpu": cpu_s / duration_s, **load}
+            "peak_mib": peak / 1024, "cpu": took_s / duration_s, **load}
 
 
 def main():
