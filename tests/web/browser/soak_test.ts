@@ -6,6 +6,9 @@ import { Setting } from './setting.ts';
 /** Two hours by scripts/web soak; in the tests, what is enough to see a leak of every message. */
 const kSoak_s = Number(process.env.TP100_SOAK_S ?? 45);
 const kWarmUp_s = Math.min(kSoak_s / 3, 180);
+/** How often it is weighed after the warm-up; the best frame of the first looks and of the last ones is compared. */
+const kLooks = kSoak_s < 600 ? 2 : 13;
+const kCompared = Math.ceil(kLooks / 4);
 /** The collector's own noise, and lists that fill up to their limits; messages that are kept take this in seconds. */
 const kNoise_bytes = 3e6;
 /** A busy neighbour takes the caches too; what grows with every message takes far more than this. */
@@ -73,17 +76,24 @@ describe('a page that stays open', () => {
       }
     };
     await driveFor(kWarmUp_s);
-    const first = await weigh(cdp, page);
-    await driveFor(kSoak_s - kWarmUp_s);
-    const last = await weigh(cdp, page);
-    console.log(
-      `heap ${(first.heap_bytes / 1e6).toFixed(2)} -> ${(last.heap_bytes / 1e6).toFixed(2)} MB, nodes ${first.nodes} -> ${last.nodes}, ` +
-        `frame ${first.frame_ms.toFixed(1)} -> ${last.frame_ms.toFixed(1)} ms, ${first.frames_hz.toFixed(1)} -> ${last.frames_hz.toFixed(1)} Hz`,
-    );
+    const looks: Weight[] = [];
+    for (let look = 0; look < kLooks; look++) {
+      if (look > 0) await driveFor((kSoak_s - kWarmUp_s) / (kLooks - 1));
+      const weight = await weigh(cdp, page);
+      looks.push(weight);
+      console.log(
+        `look ${look + 1} of ${kLooks}: heap ${(weight.heap_bytes / 1e6).toFixed(2)} MB, nodes ${weight.nodes}, ` +
+          `listeners ${weight.listeners}, frame ${weight.frame_ms.toFixed(1)} ms, ${weight.frames_hz.toFixed(1)} Hz`,
+      );
+    }
+    const [first] = looks;
+    const last = looks.at(-1);
+    if (first === undefined || last === undefined) throw new Error('it was never weighed');
+    const quickest = (some: Weight[]): number => Math.min(...some.map(({ frame_ms }) => frame_ms));
     expect(last.heap_bytes - first.heap_bytes).toBeLessThan(kNoise_bytes);
     // The event log may grow to its limit: four nodes and their texts a line.
     expect(last.nodes - first.nodes).toBeLessThan(300 * 10);
     expect(last.listeners - first.listeners).toBeLessThan(20);
-    expect(last.frame_ms).toBeLessThan(kSlower * first.frame_ms);
+    expect(quickest(looks.slice(-kCompared))).toBeLessThan(kSlower * quickest(looks.slice(0, kCompared)));
   });
 });
