@@ -73,6 +73,8 @@ void add_run(CLI::App& app, Action& action) {
       ->add_option("--record", options.record,
                    "Folder for recordings; the run gets a folder of its own in it (default: none)")
       ->type_name("FOLDER");
+  command->add_flag("--verbose", options.verbose,
+                    "Write the loop's times to the log once a second");
   command
       ->add_option("--stats", options.stats,
                    "JSON file for the figures of the run, written once a second and at the end")

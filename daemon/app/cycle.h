@@ -74,7 +74,8 @@ class Cycle {
   const bridge::Outputs& outputs() const { return *outputs_; }
   const link::Session& session() const { return session_; }
   /// Writes the last step into `out`, but for entries beyond the counts, which stay as they are.
-  /// Call it before the next receive(), request(), camera() or world().
+  /// Call it before the next receive(), request(), camera() or world(); a port that is gone since
+  /// changes nothing but the link's counters.
   void record(StepRecord& out) const;
 
  private:

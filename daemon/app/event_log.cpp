@@ -38,7 +38,8 @@ EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
 }
 
 EventLog::~EventLog() {
-  for (auto waited = 0ms; writer_->pool->queue_size() > 0 && waited < kPatience; waited += kLook)
+  for (std::chrono::milliseconds waited{0}; writer_->pool->queue_size() > 0 && waited < kPatience;
+       waited += kLook)
     std::this_thread::sleep_for(kLook);
   // Its thread hangs in a write that may never end: it goes with the process.
   if (writer_->pool->queue_size() > 0) static_cast<void>(new auto(std::move(writer_)));
@@ -105,6 +106,15 @@ void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs n
       pose.x_m, pose.y_m, pose.yaw_rad * 57.29577951308232, link.samples, link.lost,
       link.crc_errors + link.cobs_errors + link.oversize + link.undersize, overruns,
       status.clock.drift * 1e6, status.clock.uncertainty_us, status.snapshot.sample.battery_v);
+}
+
+void EventLog::times(const publish::LoopFigures& loop) {
+  std::string line = "loop, p50/p99/max us:";
+  loop.each_time([&](std::string_view name, const publish::Durations& of) {
+    line += fmt::format(" {} {:.0f}/{:.0f}/{:.0f},", name.substr(0, name.rfind('_')), of.p50_us,
+                        of.p99_us, of.max_us);
+  });
+  writer_->logger->info("{} overruns {}, left out {}", line, loop.overruns, loop.missed);
 }
 
 }  // namespace tp100::app

@@ -10,6 +10,7 @@
 #include "app/live_cycle.h"
 #include "app/live_events.h"
 #include "loop/real_time.h"
+#include "publish/figures.h"
 
 namespace tp100::app {
 
@@ -27,6 +28,8 @@ class EventLog {
   void grants(const std::vector<loop::Grant>& grants);
   /// The line of figures, every ten seconds.
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
+  /// The loop's times since its start in one line.
+  void times(const publish::LoopFigures& loop);
 
  private:
   struct Writer;

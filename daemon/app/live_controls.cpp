@@ -69,7 +69,11 @@ publish::LoopFigures LiveControls::loop() {
   out.without_frame = statistics.without_frame.load();
   out.lateness = durations(statistics.lateness);
   out.work = durations(statistics.work);
-  out.sample_age = durations(cycle_.sample_age());
+  out.compute = durations(statistics.compute);
+  out.write = durations(statistics.write);
+  out.sample_wire = durations(cycle_.sample_times().wire);
+  out.sample_wait = durations(cycle_.sample_times().wait);
+  out.sample_age = durations(cycle_.sample_times().age);
   out.lost_records = cycle_.lost_records();
   std::uint64_t below = 0;
   for (std::size_t i = 0; i < publish::kLatenessEdgesUs.size(); ++i) {

@@ -35,13 +35,18 @@ bool LiveCycle::take_status(LiveStatus& status) {
 
 bool LiveCycle::received(std::span<const std::uint8_t> bytes, HostNs now) {
   cycle_.receive(bytes, now);
+  received_ns_ = now;
   return cycle_.session().has_samples();
 }
 
 void LiveCycle::step(HostNs now) {
   take_inputs();
-  const Snapshot& snapshot = cycle_.step(now).snapshot;
-  if (!cycle_.samples().empty()) sample_age_.add(now - cycle_.samples().back().measured_ns);
+  cycle_.step(now);
+}
+
+void LiveCycle::settle(HostNs now) {
+  const Snapshot& snapshot = cycle_.outputs().snapshot;
+  time_sample(now);
   record();
   pass_events();
   if (snapshot.run_state != run_state_) {
@@ -54,6 +59,14 @@ void LiveCycle::step(HostNs now) {
     push(event);
   }
   publish(now);
+}
+
+void LiveCycle::time_sample(HostNs now) {
+  if (cycle_.samples().empty()) return;
+  const HostNs measured_ns = cycle_.samples().back().measured_ns;
+  sample_times_.wire.add(received_ns_ - measured_ns);
+  sample_times_.wait.add(now - received_ns_);
+  sample_times_.age.add(now - measured_ns);
 }
 
 void LiveCycle::record() {

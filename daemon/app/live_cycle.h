@@ -38,6 +38,14 @@ struct LiveStatus {
   Snapshot snapshot{};
 };
 
+/// Of the newest sample at each step that got one [ns]: measured, read, used. One writer, any
+/// reader.
+struct SampleTimes {
+  loop::Histogram wire;  ///< measured to read: wire, USB and the kernel
+  loop::Histogram wait;  ///< read to step
+  loop::Histogram age;   ///< both
+};
+
 class LiveCycle : public loop::Driven {
  public:
   /// Steps that may wait for the other thread: half a second at 1 kHz, 5 MB.
@@ -70,14 +78,14 @@ class LiveCycle : public loop::Driven {
   std::uint64_t lost_records() const { return lost_records_.load(std::memory_order_relaxed); }
   /// Events that found no room.
   std::uint64_t lost_events() const { return lost_events_.load(std::memory_order_relaxed); }
-  /// Age of the newest sample at each step that got one [ns].
-  const loop::Histogram& sample_age() const { return sample_age_; }
+  const SampleTimes& sample_times() const { return sample_times_; }
 
   // Real-time thread.
   void opened(HostNs now) override { cycle_.open(now); }
   void closed(HostNs now) override { cycle_.close(now); }
   bool received(std::span<const std::uint8_t> bytes, HostNs now) override;
   void step(HostNs now) override;
+  void settle(HostNs now) override;
   std::span<const std::uint8_t> output() override { return cycle_.output(); }
   void written(std::size_t n) override { cycle_.written(n); }
   void drop_output() override { cycle_.drop_output(); }
@@ -87,6 +95,7 @@ class LiveCycle : public loop::Driven {
 
  private:
   void take_inputs();
+  void time_sample(HostNs now);
   void pass_events();
   void push(const LiveEvent& event);
   void record();
@@ -102,7 +111,8 @@ class LiveCycle : public loop::Driven {
   loop::SpscQueue<LiveEvent, 256> events_;
   loop::SpscQueue<LiveStatus, 4> statuses_;
   loop::SlotRing<StepRecord> records_{kWaitingRecords};
-  loop::Histogram sample_age_;
+  SampleTimes sample_times_;
+  HostNs received_ns_ = 0;  // the last read that brought bytes
   std::atomic<std::uint64_t> lost_events_{0};
   std::atomic<std::uint64_t> lost_records_{0};
   RunState run_state_ = RunState::kIdle;

@@ -130,6 +130,7 @@ int run_run(const RunOptions& options) {
   settings.server = server.get();
   settings.controls = &controls;
   settings.stay = options.stay;
+  settings.verbose = options.verbose;
   Supervisor supervisor(settings, cycle, loop);
   for (publish::Sink* sink : options.sinks) supervisor.add_sink(*sink);
   try {

@@ -15,15 +15,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json durations_us(const loop::Histogram& histogram) {
-  const auto us = [](double ns) { return ns * 1e-3; };
-  const auto at = [&](double p) { return us(static_cast<double>(histogram.percentile(p))); };
-  return {{"count", histogram.count()},
-          {"mean", us(histogram.mean())},
-          {"p50", at(0.5)},
-          {"p99", at(0.99)},
-          {"p999", at(0.999)},
-          {"max", us(static_cast<double>(histogram.max()))}};
+Json durations_us(const publish::Durations& of) {
+  return {{"count", of.count}, {"mean", of.mean_us}, {"p50", of.p50_us},
+          {"p99", of.p99_us},  {"p999", of.p999_us}, {"max", of.max_us}};
+}
+
+Json loop_figures(const publish::LoopFigures& loop) {
+  Json json = {{"turns", loop.turns},
+               {"overruns", loop.overruns},
+               {"missed", loop.missed},
+               {"without_frame", loop.without_frame}};
+  loop.each_time(
+      [&](const char* name, const publish::Durations& of) { json[name] = durations_us(of); });
+  Json privileges = Json::object();
+  for (const auto& [name, granted] : loop.privileges) privileges[name] = granted;
+  json["privileges"] = std::move(privileges);
+  return json;
 }
 
 Json pose(const Pose& pose) {
@@ -124,12 +131,9 @@ Json fault_list(FaultMask faults) {
 
 }  // namespace
 
-std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& loop,
-                       const loop::Histogram& sample_age) {
+std::string stats_json(const RunFigures& figures) {
   const LiveStatus& status = figures.status;
   const Snapshot& snapshot = status.snapshot;
-  Json privileges = Json::object();
-  for (const loop::Grant& grant : figures.grants) privileges[grant.what] = grant.granted;
   Json json = {
       {"result", figures.result},
       {"completed", figures.result == "completed"},
@@ -155,15 +159,7 @@ std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& lo
        {{"valid", status.clock.valid},
         {"drift_ppm", status.clock.drift * 1e6},
         {"uncertainty_us", status.clock.uncertainty_us}}},
-      {"loop",
-       {{"turns", loop.turns.load()},
-        {"overruns", loop.overruns.load()},
-        {"missed", loop.missed.load()},
-        {"without_frame", loop.without_frame.load()},
-        {"lateness_us", durations_us(loop.lateness)},
-        {"work_us", durations_us(loop.work)},
-        {"sample_age_us", durations_us(sample_age)},
-        {"privileges", privileges}}},
+      {"loop", loop_figures(figures.loop)},
   };
   if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.fused);
   if (figures.world.udp || figures.world.files) json["world"] = world_figures(figures.world);

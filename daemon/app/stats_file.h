@@ -8,7 +8,6 @@
 #include "app/live_cycle.h"
 #include "app/live_world.h"
 #include "link/camera_intake.h"
-#include "loop/fixed_rate_loop.h"
 #include "publish/figures.h"
 
 namespace tp100::app {
@@ -28,12 +27,11 @@ struct RunFigures {
   WorldFigures world{};
   publish::RecordingFigures recording{};
   double recording_cpu_s = 0.0;
-  std::vector<loop::Grant> grants;
+  publish::LoopFigures loop{};
 };
 
 /// One JSON object.
-std::string stats_json(const RunFigures& figures, const loop::LoopStatistics& loop,
-                       const loop::Histogram& sample_age);
+std::string stats_json(const RunFigures& figures);
 
 /// Writes `text` to `path` as a whole or not at all. Throws SetupError.
 void write_stats(const std::string& path, const std::string& text);

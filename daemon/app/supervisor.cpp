@@ -73,6 +73,7 @@ struct Supervisor::State {
   std::vector<publish::Sink*> sinks;
   std::unique_ptr<CameraPort> camera;
   std::unique_ptr<LiveWorld> world;
+  std::vector<loop::Grant> grants;
   RunFigures figures;
   RunState run_state = RunState::kIdle;
   SessionState session = SessionState::kClosed;
@@ -98,7 +99,7 @@ int Supervisor::State::run() {
   figures.course = settings.course;
   figures.robot = settings.robot;
   figures.setup = settings.setup;
-  figures.grants = settings.process_grants;
+  grants = settings.process_grants;
   began_ns = loop::monotonic_now();
   sinks.push_back(settings.recording);
   sinks.push_back(settings.black_box);
@@ -113,11 +114,11 @@ int Supervisor::State::run() {
       context, settings.world, [this](const WorldSample& said) { return cycle.world(said); });
   sinks.push_back(world.get());
   loop.start();
-  figures.grants.insert(figures.grants.end(), loop.grants().begin(), loop.grants().end());
+  grants.insert(grants.end(), loop.grants().begin(), loop.grants().end());
   input = std::make_unique<OperatorInput>(context, [this] { on_enter(); });
   try {
     tick();
-    log.grants(figures.grants);
+    log.grants(grants);
     begin_serving();
     context.run();
   } catch (...) {
@@ -142,7 +143,7 @@ int Supervisor::State::run() {
 }
 
 void Supervisor::State::begin_serving() {
-  settings.controls->set_grants(figures.grants);
+  settings.controls->set_grants(grants);
   settings.server->start();
   if (!settings.server->note().empty()) log.warn(settings.server->note());
   if (!figures.page.empty()) log.info("page: " + figures.page);
@@ -204,6 +205,7 @@ void Supervisor::State::tick() {
     next_stats_ns = now + kStatsPeriodNs;
     figures.duration_s = to_s(now - began_ns);
     write_figures();
+    if (settings.verbose) log.times(figures.loop);
   }
   schedule_tick();
 }
@@ -315,9 +317,10 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 void Supervisor::State::write_figures() {
   if (camera != nullptr) figures.camera = camera->counters();
   figures.world = world->figures();
+  figures.loop = settings.controls->loop();
   take_recording();
   if (settings.stats_path.empty()) return;
-  const std::string text = stats_json(figures, loop.statistics(), cycle.sample_age());
+  const std::string text = stats_json(figures);
   try {
     write_stats(settings.stats_path, text);
     stats_written = true;

@@ -31,7 +31,8 @@ struct SupervisorSettings {
   std::string robot;
   std::string setup;
   std::vector<loop::Grant> process_grants;
-  bool stay = false;  ///< a run that is over does not end the program
+  bool verbose = false;  ///< the loop's times in the log once a second
+  bool stay = false;     ///< a run that is over does not end the program
   // Never null; they must outlive the supervisor.
   LiveRecording* recording = nullptr;  ///< gets every step
   BlackBox* black_box = nullptr;       ///< the same

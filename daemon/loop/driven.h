@@ -20,8 +20,11 @@ class Driven {
   /// Bytes were read; `now` is right after the read. True: a sample is among them, a turn paced by
   /// the robot may begin.
   virtual bool received(std::span<const std::uint8_t> bytes, HostNs now) = 0;
-  /// One turn.
+  /// One turn, up to the bytes to write.
   virtual void step(HostNs now) = 0;
+  /// The rest of the turn, once they are written: what the robot does not wait for. `now` as in
+  /// step().
+  virtual void settle(HostNs now) = 0;
 
   /// Bytes to write, in order.
   virtual std::span<const std::uint8_t> output() = 0;

@@ -73,7 +73,10 @@ void FixedRateLoop::run() {
     }
     if (port_.fd >= 0) read(now);
     driven_.step(now);
-    if (port_.fd >= 0) write(now);
+    const HostNs stepped = monotonic_now();
+    statistics_.compute.add(stepped - now);
+    if (port_.fd >= 0) write(stepped);
+    driven_.settle(now);
     if (driven_.take_hang_up() && port_.fd >= 0) lose(PortEnd::kSilent, 0, now);
 
     now = monotonic_now();
@@ -136,10 +139,12 @@ void FixedRateLoop::write(HostNs now) {
   const auto bytes = driven_.output();
   if (!bytes.empty()) {
     const ssize_t n = ::write(port_.fd, bytes.data(), bytes.size());
+    const int error = errno;
+    statistics_.write.add(monotonic_now() - now);
     if (n > 0) {
       driven_.written(static_cast<std::size_t>(n));
-    } else if (n < 0 && !temporary(errno)) {
-      return lose(PortEnd::kHungUp, errno, now);
+    } else if (n < 0 && !temporary(error)) {
+      return lose(PortEnd::kHungUp, error, now);
     }
   }
   if (driven_.output().empty()) {

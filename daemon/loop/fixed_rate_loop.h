@@ -1,7 +1,7 @@
 #pragma once
 // The real-time thread: owns the descriptor while it works and makes one turn per period:
-// read → received → step → write. Ports come and go through lock-free queues; nothing here wakes
-// another thread.
+// read → received → step → write → settle. Ports come and go through lock-free queues; nothing here
+// wakes another thread.
 
 #include <atomic>
 #include <cstdint>
@@ -47,6 +47,8 @@ struct LostPort {
 struct LoopStatistics {
   Histogram lateness;  ///< start of a turn after its deadline [ns]
   Histogram work;      ///< duration of a turn [ns]
+  Histogram compute;   ///< Driven::step, up to the bytes to write [ns]
+  Histogram write;     ///< the port's write, in turns that had something to write [ns]
   std::atomic<std::uint64_t> turns{0};
   std::atomic<std::uint64_t> overruns{0};  ///< turns that ended after the next one's deadline
   std::atomic<std::uint64_t> missed{0};    ///< turns left out because of that

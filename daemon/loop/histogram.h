@@ -65,8 +65,8 @@ class Histogram {
   }
   static std::uint64_t upper(std::size_t at) {
     if (at < kSub) return at;
-    const std::uint64_t within = at % kSub;
-    const auto power = static_cast<unsigned>(at / kSub) + kSubBits - 1;
+    const std::uint64_t within = at & (kSub - 1);
+    const auto power = static_cast<unsigned>(at >> kSubBits) + kSubBits - 1;
     return ((kSub + within + 1) << (power - kSubBits)) - 1;
   }
   static void bump(std::atomic<std::uint64_t>& counter) {

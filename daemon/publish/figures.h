@@ -30,10 +30,23 @@ inline constexpr std::array<int, 13> kLatenessEdgesUs{1,   2,   5,    10,   20, 
 /// The real-time loop since its start.
 struct LoopFigures {
   std::uint64_t turns = 0, overruns = 0, missed = 0, without_frame = 0;
-  Durations lateness{}, work{}, sample_age{};
+  Durations lateness{}, work{}, compute{}, write{};      ///< of turns, see loop::LoopStatistics
+  Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see app::SampleTimes
   std::array<std::uint64_t, kLatenessEdgesUs.size() + 1> lateness_counts{};
   std::vector<std::pair<std::string, bool>> privileges;
   std::uint64_t lost_records = 0;
+
+  /// Calls visit(name, durations) for each of them.
+  template <class Visit>
+  void each_time(Visit&& visit) const {
+    visit("lateness_us", lateness);
+    visit("work_us", work);
+    visit("compute_us", compute);
+    visit("write_us", write);
+    visit("sample_wire_us", sample_wire);
+    visit("sample_wait_us", sample_wait);
+    visit("sample_age_us", sample_age);
+  }
 };
 
 /// The port in use.

@@ -163,8 +163,9 @@ std::string loop_message(double t_s, const LoopFigures& loop, const Subject& sub
       .field("overruns", loop.overruns)
       .field("missed", loop.missed)
       .field("without_frame", loop.without_frame);
-  write_durations(json, "lateness_us", loop.lateness);
-  write_durations(json, "work_us", loop.work);
+  loop.each_time([&](const char* name, const Durations& durations) {
+    write_durations(json, name, durations);
+  });
   json.key("histogram").begin_object().key("edges_us").begin_array();
   for (const int edge : kLatenessEdgesUs) json.value(edge);
   json.end_array().key("lateness").begin_array();

@@ -17,6 +17,7 @@ class Idle : public loop::Driven {
   void closed(HostNs) override {}
   bool received(std::span<const std::uint8_t>, HostNs) override { return false; }
   void step(HostNs) override {}
+  void settle(HostNs) override {}
   std::span<const std::uint8_t> output() override { return {}; }
   void written(std::size_t) override {}
   void drop_output() override {}

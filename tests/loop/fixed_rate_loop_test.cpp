@@ -27,6 +27,10 @@ class Echo : public Driven {
     return true;
   }
   void step(HostNs) override { ++steps; }
+  void settle(HostNs) override {
+    ++settled;
+    if (!out_.empty()) ++settled_too_early;
+  }
   std::span<const std::uint8_t> output() override { return out_; }
   void written(std::size_t n) override {
     out_.erase(out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(n));
@@ -40,7 +44,8 @@ class Echo : public Driven {
   bool wind_up(HostNs) override { return ++wind_ups >= wind_up_turns; }
 
   std::atomic<int> openings{0}, closings{0}, drops{0}, wind_ups{0}, wind_up_turns{1};
-  std::atomic<std::uint64_t> steps{0}, received_bytes{0}, largest_read{0};
+  std::atomic<std::uint64_t> steps{0}, settled{0}, settled_too_early{0}, received_bytes{0},
+      largest_read{0};
   std::atomic<bool> echo{true}, prompt{false}, hang_up{false};
 
  private:
@@ -109,6 +114,8 @@ TEST(FixedRateLoop, ReadsStepsAndWrites) {
     loop.join();
     EXPECT_TRUE(loop.ended());
     EXPECT_EQ(echo.closings, 1);
+    EXPECT_EQ(echo.settled, echo.steps);
+    EXPECT_EQ(echo.settled_too_early, 0u);
   }
 }
 

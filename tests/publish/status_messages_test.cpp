@@ -56,6 +56,19 @@ TEST(LinkMessage, ALinkIsPoorAboveOnePercent) {
   EXPECT_STREQ(link_quality(link), "poor");
 }
 
+TEST(LoopMessage, HasEveryTimeOfATurn) {
+  LoopFigures loop;
+  loop.sample_wait.p99_us = 2.5;
+  const Json json = Json::parse(loop_message(1.0, loop, example_subject()));
+  EXPECT_EQ(json["sample_wait_us"]["p99"], 2.5);
+  int times = 0;
+  loop.each_time([&](const char* name, const Durations&) {
+    ++times;
+    EXPECT_TRUE(json[name].contains("p999")) << name;
+  });
+  EXPECT_EQ(times, 7);
+}
+
 TEST(LoopMessage, TheHistogramHasOneCountMoreThanEdges) {
   LoopFigures loop;
   loop.privileges = {{"SCHED_FIFO 80", true}};

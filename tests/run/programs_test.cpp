@@ -40,15 +40,19 @@ TEST_F(Programs, DriveACourseInRealTimeAndBothEndCleanly) {
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
   std::vector<std::string> arguments = daemon_arguments();
-  arguments.insert(arguments.end(), {"--stats", folder_.file("stats.json")});
+  arguments.insert(arguments.end(), {"--stats", folder_.file("stats.json"), "--verbose"});
   Process bridge(arguments);
   EXPECT_EQ(bridge.wait(), 0) << bridge.output();
   EXPECT_NE(bridge.output().find("state: running -> finished"), std::string::npos);
+  EXPECT_NE(bridge.output().find("loop, p50/p99/max us: lateness "), std::string::npos);
   EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
   std::ifstream stats(folder_.file("stats.json"));
   std::stringstream text;
   text << stats.rdbuf();
   EXPECT_NE(text.str().find("\"reconnects\""), std::string::npos);
+  for (const char* time :
+       {"lateness_us", "compute_us", "write_us", "sample_wire_us", "sample_wait_us"})
+    EXPECT_NE(text.str().find(time), std::string::npos) << time;
   robot.signal(SIGTERM);
   EXPECT_EQ(robot.wait(), 0);
   EXPECT_FALSE(std::filesystem::is_symlink(port()));

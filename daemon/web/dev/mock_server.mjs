@@ -8,6 +8,7 @@ import { WebSocketServer } from 'ws';
 
 const dist = new URL('../dist/', import.meta.url).pathname;
 const port = Number(process.argv[2] ?? 8765);
+const times = (count, p50) => ({ count, mean: 1.1 * p50, p50, p99: 3 * p50, p999: 5 * p50, max: 40 * p50 });
 const kRate = 200;
 const kTypes = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.woff2': 'font/woff2', '.txt': 'text/plain' };
 
@@ -192,7 +193,7 @@ function tick() {
       publish('/link', { t_s: now, session: robot ? 'ready' : 'listening', quality: robot ? 'good' : 'lost', port: '/tmp/tp100', kind: process.env.PHYSICAL ? 'physical' : 'emulated', firmware: '0.1.0', samples_hz: robot ? 200 : 0, lost_hz: 0, bad_hz: 0, in_bytes_ps: 9010, out_bytes_ps: 7610, round_trip_us: 620, clock: { valid: true, drift_ppm: 41.2, uncertainty_us: 310 }, sample_age_us: { count: 1, mean: 3100, p50: 3000, p99: 4100, p999: 5200, max: 9000 }, counters: { bytes_in: step * 45, bytes_out: step * 38, frames_in: step, samples: step, lost: 2, crc_errors: 0, reconnects: 0, reboots: 0 } });
     }
     if (step % 100 === 0) {
-      publish('/loop', { t_s: now, rate_hz: kRate, pacing: 'host', turns: step, overruns: 0, missed: 0, without_frame: 0, lateness_us: { count: step, mean: 9, p50: 8, p99: 41, p999: 84, max: 312 }, work_us: { count: step, mean: 22, p50: 21, p99: 60, p999: 90, max: 190 }, histogram: { edges_us: edges, lateness: [...lateness] }, privileges: { 'SCHED_FIFO 80': true, 'memory locked': true, 'cpu_dma_latency 0': false }, lost_records: 0 });
+      publish('/loop', { t_s: now, rate_hz: kRate, pacing: 'host', turns: step, overruns: 0, missed: 0, without_frame: 0, lateness_us: times(step, 8), work_us: times(step, 21), compute_us: times(step, 9), write_us: times(step, 8), sample_wire_us: times(step, 4100), sample_wait_us: times(step, 1), sample_age_us: times(step, 4200), histogram: { edges_us: edges, lateness: [...lateness] }, privileges: { 'SCHED_FIFO 80': true, 'memory locked': true, 'cpu_dma_latency 0': false }, lost_records: 0 });
     }
     if (step % 200 === 0) {
       publish('/client', { clients: [...clients].map((c) => ({ id: c.id, address: '127.0.0.1', agent: '', subscriptions: c.subscriptions.size, sent: c.sent, dropped: 0, queued: 0, connected_s: 1 })), dropped_total: 0, refused_total: 0, closed_total: 0, queue_limit: 512 });

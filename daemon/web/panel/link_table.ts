@@ -1,7 +1,10 @@
 // Link, loop and viewers in full.
 import { bytes, count, duration, fixed } from '../state/format.ts';
+import type { Distribution } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { h, setClass, setText } from './dom.ts';
+
+const middleAndTail = ({ p50, p99 }: Distribution): string => `${duration(p50)}, ${duration(p99)}`;
 
 type Rows = [label: string, value: string][];
 
@@ -38,6 +41,10 @@ export class LinkTable {
         ['lateness max', duration(loop.lateness_us.max)],
         ['work p50', duration(loop.work_us.p50)],
         ['work max', duration(loop.work_us.max)],
+        ['compute p50, p99', middleAndTail(loop.compute_us)],
+        ['write p50, p99', middleAndTail(loop.write_us)],
+        ['sample on the wire p50, p99', middleAndTail(loop.sample_wire_us)],
+        ['sample waits p50, p99', middleAndTail(loop.sample_wait_us)],
         ...Object.entries(loop.privileges).map(([name, granted]): [string, string] => [name, granted ? 'granted' : 'refused']),
       ]);
     }

@@ -96,6 +96,11 @@ export interface Loop {
   missed: number;
   lateness_us: Distribution;
   work_us: Distribution;
+  compute_us: Distribution;
+  write_us: Distribution;
+  sample_wire_us: Distribution;
+  sample_wait_us: Distribution;
+  sample_age_us: Distribution;
   histogram: { edges_us: number[]; lateness: number[] };
   privileges: Record<string, boolean>;
   lost_records: number;
