@@ -15,10 +15,6 @@ const double kAccelMps2PerLsb = kStandardGravity / static_cast<double>(wire::kAc
 constexpr HostNs kFutureNs = 50 * kNsPerMs;
 constexpr std::uint64_t kNewest = 1;
 
-std::int32_t signed_difference(std::uint32_t value, std::uint32_t from) {
-  return static_cast<std::int32_t>(value - from);
-}
-
 bool values_plausible(const wire::Sample& sample) {
   return sample.state <= static_cast<std::uint8_t>(wire::State::kFaulted) &&
          std::abs(int{sample.left_duty}) <= wire::kFullDuty &&
@@ -37,7 +33,7 @@ DeviceUs DeviceClock::extend(std::uint32_t device_us, HostNs now) {
   // The host's clock tells how many wraps went by, so that a long silence does not matter.
   const DeviceUs expected = newest_us_ + (now - newest_ns_) / kNsPerUs;
   const DeviceUs result =
-      expected + signed_difference(device_us, static_cast<std::uint32_t>(expected));
+      expected + static_cast<std::int32_t>(device_us - static_cast<std::uint32_t>(expected));
   if (result > newest_us_) {
     newest_us_ = result;
     newest_ns_ = now;
@@ -47,7 +43,10 @@ DeviceUs DeviceClock::extend(std::uint32_t device_us, HostNs now) {
 
 void SampleIntake::begin(bool new_boot) {
   started_ = false;
-  if (new_boot) counting_ = false;
+  if (new_boot) {
+    left_.forget();
+    right_.forget();
+  }
   refused_in_row_ = 0;
   count_ = 0;
   dropped_ = 0;
@@ -80,6 +79,13 @@ bool SampleIntake::in_order(std::uint16_t sequence, DeviceUs device_us, std::uin
   return true;
 }
 
+void SampleIntake::count(const wire::Sample& wire, DeviceUs device_us) {
+  const double dt_s = static_cast<double>(device_us - last_device_us_) * 1e-6;
+  const bool left = left_.update(wire.left_counts, dt_s);
+  const bool right = right_.update(wire.right_counts, dt_s);
+  if (!left || !right) ++counters_.implausible;
+}
+
 void SampleIntake::push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock,
                         HostNs now) {
   std::uint32_t missing = 0;
@@ -100,21 +106,11 @@ void SampleIntake::push(const wire::Sample& wire, DeviceUs device_us, const Cloc
                                  : (started_ ? kNewest : ~std::uint64_t{0});
   started_ = true;
   last_sequence_ = wire.sequence;
+  count(wire, device_us);
   last_device_us_ = device_us;
   counters_.lost += missing;
   dropped_ += missing;
 
-  if (!counting_) {
-    counting_ = true;
-    left_counts_ = last_left_ = wire.left_counts;
-    right_counts_ = last_right_ = wire.right_counts;
-  }
-  left_counts_ += signed_difference(static_cast<std::uint32_t>(wire.left_counts),
-                                    static_cast<std::uint32_t>(last_left_));
-  right_counts_ += signed_difference(static_cast<std::uint32_t>(wire.right_counts),
-                                     static_cast<std::uint32_t>(last_right_));
-  last_left_ = wire.left_counts;
-  last_right_ = wire.right_counts;
   if (!clock.valid) {
     ++counters_.early;
     dropped_ = 0;
@@ -122,8 +118,8 @@ void SampleIntake::push(const wire::Sample& wire, DeviceUs device_us, const Cloc
   }
   Sample sample;
   sample.sequence = wire.sequence;
-  sample.left_counts = left_counts_;
-  sample.right_counts = right_counts_;
+  sample.left_counts = left_.counts();
+  sample.right_counts = right_.counts();
   sample.lost_before = dropped_;
   sample.device_us = device_us;
   sample.measured_ns = measured_ns;

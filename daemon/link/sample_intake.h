@@ -9,6 +9,7 @@
 
 #include "core/link_state.h"
 #include "core/sample.h"
+#include "link/belt_count.h"
 #include "wire/messages.h"
 
 namespace tp100::link {
@@ -33,8 +34,9 @@ class SampleIntake {
   /// This many refused samples in a row: the stream makes no sense, ask for a new session.
   static constexpr int kNonsense = 40;
 
-  /// `counters` must outlive the intake.
-  explicit SampleIntake(LinkCounters& counters) : counters_(counters) {}
+  /// `counters` must outlive the intake. `max_counts_per_s`: a belt's limit, 0: none.
+  SampleIntake(LinkCounters& counters, double max_counts_per_s)
+      : counters_(counters), left_(max_counts_per_s), right_(max_counts_per_s) {}
 
   /// A new session: the next sample is the first one. Counts continue unless it is a new boot.
   void begin(bool new_boot);
@@ -46,6 +48,7 @@ class SampleIntake {
   bool nonsense() const { return refused_in_row_ >= kNonsense; }
 
  private:
+  void count(const wire::Sample& wire, DeviceUs device_us);
   bool in_order(std::uint16_t sequence, DeviceUs device_us, std::uint32_t& missing);
   void keep(const Sample& sample);
 
@@ -55,12 +58,10 @@ class SampleIntake {
   std::uint32_t dropped_ = 0;  // since the last kept sample
 
   bool started_ = false;
-  bool counting_ = false;  // counts are unwrapped relative to an earlier sample
   std::uint16_t last_sequence_ = 0;
   std::uint64_t seen_ = 0;  // bit i: sequence last - i was taken
   DeviceUs last_device_us_ = 0;
-  std::int64_t left_counts_ = 0, right_counts_ = 0;
-  std::int32_t last_left_ = 0, last_right_ = 0;
+  BeltCount left_, right_;
   int refused_in_row_ = 0;
 };
 

@@ -19,9 +19,18 @@ constexpr std::size_t kHelloPrefix = 9;
 std::int32_t number(SessionState state) { return static_cast<std::int32_t>(state); }
 std::int32_t number(Type type) { return static_cast<std::int32_t>(type); }
 
+// Faster no belt runs, be it driven, pushed or going down a ramp.
+constexpr double kFastestBelt = 3.0;  // times the limit of the drive
+
+double max_counts_per_s(const wire::Parameters& parameters) {
+  return kFastestBelt * static_cast<double>(parameters.max_track_mps) *
+         static_cast<double>(parameters.counts_per_metre);
+}
+
 }  // namespace
 
-Session::Session(const SessionSettings& settings) : settings_(settings) {}
+Session::Session(const SessionSettings& settings)
+    : settings_(settings), intake_(counters_, max_counts_per_s(settings.parameters)) {}
 
 void Session::open(HostNs now) {
   end_session(now);

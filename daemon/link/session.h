@@ -132,7 +132,7 @@ class Session {
   LinkCounters counters_{};
   FrameReader reader_{counters_};
   OutputQueue<kMaxOut> output_{counters_};
-  SampleIntake intake_{counters_};
+  SampleIntake intake_;
   ClockSync sync_;
   DeviceClock device_clock_;
   ClockState clock_{};

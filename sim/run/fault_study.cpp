@@ -56,7 +56,7 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"encoder-stuck:left@3", "stalled_left", ""},
     {"encoder-stuck@3", "stalled_left", ""},
     {"encoder-flip:left@3", "reversed_left", ""},
-    {"encoder-jump:500:left@3", kCompleted, ""},
+    {"encoder-jump:500:left@3", kCompleted, "implausible"},
     {"imu-missing@3", "imu_stale", ""},
     {"imu-frozen@3", "imu_stale", ""},
     {"imu-saturated@3", "imu_stale", ""},
