@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "../link/scripted_robot.h"
+#include "support/alloc_count.h"
+#include "support/duty_watch.h"
 
 namespace tp100::app {
 namespace {
@@ -13,8 +15,17 @@ class LiveBench {
   void step() {
     now += 5 * kNsPerMs;
     robot.tick(now);
-    cycle.received(robot.take(), now);
-    cycle.step(now);
+    const std::vector<std::uint8_t> bytes = robot.take();
+    {
+      const test::AllocCount heap;
+      const test::DutyWatch duty;
+      cycle.received(bytes, now);
+      cycle.step(now);
+      cycle.settle(now);
+      allocations += heap.calls();
+      locks += duty.locks();
+      if (system_call < 0) system_call = duty.first_system_call();
+    }
     robot.hear(cycle.output(), now);
     cycle.written(cycle.output().size());
     LiveEvent event;
@@ -26,10 +37,26 @@ class LiveBench {
     const StepRecord* record = cycle.front_record();
     return record == nullptr ? 0 : record->step;
   }
+  std::uint64_t allocations = 0, locks = 0;
+  long system_call = -1;
   HostNs now = kNsPerS;
   ScriptedRobot robot;
   LiveCycle cycle{session_settings({}), {}, nullptr, false};
 };
+
+TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
+  LiveBench bench;
+  for (int i = 0; i < 400; ++i) {
+    if (i % 50 == 20) bench.cycle.request(OperatorRequest::kHold);
+    bench.step();
+    while (bench.cycle.front_record() != nullptr) bench.cycle.release_record();
+  }
+  EXPECT_EQ(bench.allocations, 0u);
+  EXPECT_EQ(bench.locks, 0u);
+  EXPECT_EQ(bench.system_call, -1);
+  if (!test::watches_system_calls())
+    GTEST_SKIP() << "this kernel does not tell of system calls; heap and locks: none";
+}
 
 TEST(LiveCycle, HandsOutEveryStepOnceAndInOrder) {
   LiveBench bench;
