@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include <ostream>
 #include <regex>
 #include <sstream>
+#include <thread>
 
 #include "../link/udp_receiver.h"
 #include "analysis/recording.h"
@@ -289,6 +291,21 @@ std::optional<std::array<double, 7>> live_link_numbers(const std::string& datagr
   for (std::size_t i = 0; i < 3; ++i) out[i] = bone["Location"][i];
   for (std::size_t i = 0; i < 4; ++i) out[3 + i] = bone["Rotation"][i];
   return out;
+}
+
+TEST_F(FileWorlds, BeginWhereTheCourseBegins) {
+  std::ofstream(folder_.file("course.toml"))
+      << kCourse << "\n[start]\nx_m = -0.2\ny_m = -0.1\nyaw_deg = 30.0\n";
+  Process unreal(world());
+  ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();
+  std::ofstream(folder_.file("Encoder.txt")) << "1 0.5 0.0 0.0 running\n";
+  std::string text;
+  for (int i = 0; i < 100 && text.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    text = read(folder_.file("Orientation.txt"));
+  }
+  EXPECT_THAT(text, ::testing::StartsWith("X=-20.000 Y=10.000 Z=0.000\n"));
+  EXPECT_THAT(text, HasSubstr("Y=-30.000000"));
 }
 
 TEST_F(FileWorlds, DriveAStepAndLiveLinkShowsThePoses) {
