@@ -93,7 +93,7 @@ bool plausible(double roll_rad, double pitch_rad) {
   return std::abs(roll_rad) <= kMaxLeanRad && std::abs(pitch_rad) <= kMaxLeanRad;
 }
 
-bool read_ground(const Json& json, Frame frame, WorldMessage::Ground& out) {
+bool read_ground(const Json& json, Frame frame, SaidGround& out) {
   Vector rpy{};
   double height = 0.0;
   const Json* z = find(json, "z");

@@ -55,6 +55,12 @@ struct PoseReport {
   double speed_mps = 0.0;  ///< commanded
 };
 
+/// The ground under the robot, as a world says it.
+struct SaidGround {
+  double height_m = 0.0, roll_rad = 0.0, pitch_rad = 0.0;
+  std::string surface;  ///< empty: not said
+};
+
 /// What a world says. Values are converted to ours, finite and in range.
 struct WorldMessage {
   enum class Type { kWelcome, kWorld };
@@ -70,11 +76,7 @@ struct WorldMessage {
   std::uint64_t sequence = 0;
   std::uint64_t answers = 0;        ///< sequence of the last pose that it saw
   std::optional<double> stamp_s{};  ///< its own clock
-  struct Ground {
-    double height_m = 0.0, roll_rad = 0.0, pitch_rad = 0.0;
-    std::string surface;  ///< empty: not said
-  };
-  std::optional<Ground> ground{};
+  std::optional<SaidGround> ground{};
   double step_height_m = 0.0;
   bool blocked = false;
   std::optional<Pose> pose{};

@@ -43,9 +43,12 @@ void require_set(const std::string& name, const ParameterValue& value) {
 // One input is one conversation: messages of a length byte pair each, the highest bit of which says
 // whether it is binary.
 void converse(fuzz::ByteSource source, Permission permission) {
+  // They are costly, and the same for every conversation.
+  static const std::vector<ChannelText> texts = channel_texts();
+  static const Messages messages(example_subject(), example_clock());
   FakeControls controls;
-  Hub hub(channel_texts());
-  Feed feed(hub, Messages(example_subject(), example_clock()), controls);
+  Hub hub(texts);
+  Feed feed(hub, messages, controls);
   Desk desk(hub, feed, controls, parameters(), "session");
   const auto viewer = std::make_shared<Viewer>(
       3, [] {}, [] {});
