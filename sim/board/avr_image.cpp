@@ -71,7 +71,7 @@ void read_symbols(AvrImage& image, const Bytes& file, const Elf32_Ehdr& header) 
       const auto symbol = take<Elf32_Sym>(file, section->sh_offset + at);
       if (!symbol) return;
       std::string name;
-      for (std::uint64_t c = std::uint64_t{names->sh_offset} + symbol->st_name;
+      for (std::uint64_t c = names->sh_offset + std::uint64_t{symbol->st_name};
            c < file.size() && file[c] != 0; ++c) {
         name.push_back(static_cast<char>(file[c]));
       }

@@ -75,7 +75,7 @@ class Lockstep {
   void record(const Snapshot& snapshot);
   void publish();
   /// Of the virtual robot against the real one.
-  Pose in_world(Pose real) const;
+  Pose in_world(const Pose& real) const;
   bool plugged() const { return robot_.now_ns() >= plugged_ns_; }
   bool bench() const { return settings_.setup == bridge::Setup::kBench; }
 
@@ -194,7 +194,7 @@ void Lockstep::push() {
   if (settings_.sink != nullptr) settings_.sink->take_push(robot_.now_ns());
 }
 
-Pose Lockstep::in_world(Pose real) const { return behind_.of(real); }
+Pose Lockstep::in_world(const Pose& real) const { return behind_.of(real); }
 
 void Lockstep::record(const Snapshot& snapshot) {
   if (!snapshot.has_sample || snapshot.sample.device_us == last_recorded_us_) return;

@@ -89,7 +89,7 @@ bool WorldClient::receive(HostNs now, Clock::time_point deadline, const Take& ta
     }
     if (errno != EAGAIN && errno != EINTR) return false;
     const auto left = deadline - Clock::now();
-    if (left <= 0s) return false;
+    if (left.count() <= 0) return false;
     pollfd waiting{socket_, POLLIN, 0};
     const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(left).count();
     ::poll(&waiting, 1, static_cast<int>(ms) + 1);

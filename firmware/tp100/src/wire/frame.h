@@ -70,7 +70,7 @@ enum class Received : uint8_t {
 /// it.
 class FrameDecoder {
  public:
-  FrameDecoder() : used_(0), skipping_(false), type_(0), size_(0) {}
+  FrameDecoder() : buffer_(), used_(0), skipping_(false), type_(0), size_(0) {}
 
   Received push(uint8_t byte) {
     if (byte != kDelimiter) {
