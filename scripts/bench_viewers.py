@@ -5,16 +5,16 @@ Usage: bench_viewers.py FOLDER_OF_PROGRAMS
 import json
 import os
 import re
-import signal
 import statistics
 import subprocess
 import sys
-import tempfile
+import time
 
-from bench_robot import cpu_s
+from bench_robot import DrivenRobot, cpu_s
 from bench_table import Table, rounds, seconds
 
 POLITE = 47  # of the 50
+LAPS = 40  # more than it drives in that time
 
 
 def memory_kib(pid, key):
@@ -23,38 +23,20 @@ def memory_kib(pid, key):
 
 
 def measure(programs, viewers, duration_s):
-    """One run of both programs; figures of the daemon."""
-    with tempfile.TemporaryDirectory(prefix="tp100-bench-") as folder:
-        link, stats = os.path.join(folder, "robot"), os.path.join(folder, "stats.json")
-        robot = subprocess.Popen([os.path.join(programs, "tp100-sim"), "robot", "--link", link],
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        daemon = subprocess.Popen([os.path.join(programs, "tp100d"), "run", "--port", link, "--wait",
-                                   "--listen", "127.0.0.1:0", "--stats", stats],
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        try:
-            for line in daemon.stderr:
-                page = re.search(r"page: http://127.0.0.1:(\d+)/", line)
-                if page:
-                    break
-            load = {}
-            command = ["sleep", str(duration_s)]
-            if viewers:
-                command = [os.path.join(programs, "viewer_load"), page.group(1), str(duration_s)]
-            out = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-            if viewers:
-                load = json.loads(out)
-            peak = memory_kib(daemon.pid, "VmHWM")
-            took_s = cpu_s(daemon)
-        finally:
-            daemon.send_signal(signal.SIGTERM)
-            daemon.stderr.read()
-            daemon.wait()
-            robot.send_signal(signal.SIGTERM)
-            robot.wait()
-        with open(stats) as file:
-            loop = json.load(file)["loop"]
+    """One driven robot; figures of its daemon."""
+    seen = {}
+    with DrivenRobot(programs, LAPS, page=True) as robot:
+        before_s = cpu_s(robot.daemon)
+        if viewers:
+            command = [os.path.join(programs, "viewer_load"), robot.page_port, str(duration_s)]
+            seen = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+        else:
+            time.sleep(duration_s)
+        peak = memory_kib(robot.daemon.pid, "VmHWM")
+        took_s = cpu_s(robot.daemon) - before_s
+    loop = robot.stats["loop"]
     return {**loop["lateness_us"], "overruns": loop["overruns"], "turns": loop["turns"],
-            "peak_mib": peak / 1024, "cpu": took_s / duration_s, **load}
+            "peak_mib": peak / 1024, "cpu": took_s / duration_s, **seen}
 
 
 def main():
