@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <thread>
-#include <utility>
 
 namespace tp100::app {
 namespace {
@@ -42,7 +41,7 @@ EventLog::~EventLog() {
        waited += kLook)
     std::this_thread::sleep_for(kLook);
   // Its thread hangs in a write that may never end: it goes with the process.
-  if (writer_->pool->queue_size() > 0) static_cast<void>(new auto(std::move(writer_)));
+  if (writer_->pool->queue_size() > 0) static_cast<void>(writer_.release());
 }
 
 void EventLog::info(const std::string& line) { writer_->logger->info("{}", line); }
