@@ -66,6 +66,7 @@ void FixedRateLoop::run() {
     last_turn_ns_ = began;
     if (!fresh) statistics_.lateness.add(now - schedule.deadline());
     if (settings_.robot_paced && !fresh) add(statistics_.without_frame, 1);
+    if (fresh) expect_sample(began + settings_.period_ns);
 
     if (stop_.load(std::memory_order_relaxed)) {
       if (stopping_since == 0) stopping_since = now;
@@ -98,6 +99,13 @@ void FixedRateLoop::adopt() {
   driven_.opened(monotonic_now());
 }
 
+// A robot's next sample is not waited for asleep: waking up takes longer than all that follows.
+void FixedRateLoop::expect_sample(HostNs due) {
+  if (settings_.spin_ns == 0) return;
+  spin_from_ns_ = due - settings_.spin_ns;
+  spin_until_ns_ = due + settings_.spin_ns;
+}
+
 // True if a sample of the robot began the turn. However many samples come, turns are half a period
 // apart.
 bool FixedRateLoop::wait(Schedule& schedule) {
@@ -111,10 +119,14 @@ bool FixedRateLoop::wait(Schedule& schedule) {
       sleep_until(wake);
       break;
     }
-    if (!sample && !wait_readable(port_.fd, wake)) break;
+    const bool spinning = !sample && now >= spin_from_ns_ && now < spin_until_ns_;
+    if (!sample && !spinning) {
+      const HostNs until = now < spin_from_ns_ ? std::min(wake, spin_from_ns_) : wake;
+      if (!wait_readable(port_.fd, until)) continue;
+    }
     sample = (read(now) || sample) && settings_.robot_paced;
     if (sample && now >= earliest) return true;
-    sleep_until(std::min(wake, now + (prompt ? kPromptSpacingNs : kRobotSpacingNs)));
+    if (!spinning) sleep_until(std::min(wake, now + (prompt ? kPromptSpacingNs : kRobotSpacingNs)));
   }
   spin_until(schedule.deadline());
   return sample;

@@ -20,7 +20,8 @@ struct LoopSettings {
   HostNs period_ns = 5 * kNsPerMs;
   bool robot_paced =
       false;  ///< a turn begins with the robot's sample; the period is then the deadline's base
-  HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait
+  HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; paced by the robot also this long
+                                   ///< before and after its sample is due
   OverrunPolicy overrun = OverrunPolicy::kSkipMissed;
   ThreadRequest thread{};
 };
@@ -84,6 +85,7 @@ class FixedRateLoop {
  private:
   void run();
   void adopt();
+  void expect_sample(HostNs due);
   bool wait(Schedule& schedule);
   bool read(HostNs& now);
   void write(HostNs now);
@@ -103,6 +105,7 @@ class FixedRateLoop {
   OfferedPort port_{};
   HostNs stuck_since_ns_ = 0;
   HostNs last_turn_ns_ = 0;
+  HostNs spin_from_ns_ = 0, spin_until_ns_ = 0;  // around the robot's next sample
 };
 
 }  // namespace tp100::loop

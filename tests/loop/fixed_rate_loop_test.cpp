@@ -173,6 +173,30 @@ TEST(FixedRateLoop, EndsEvenIfWindingUpNeverSucceeds) {
   EXPECT_TRUE(eventually([&] { return loop.ended(); }));
 }
 
+// Asleep or, around the time at which it is due, awake: each sample begins a turn and is answered.
+TEST(FixedRateLoop, PacedByTheRobotEverySampleIsAnswered) {
+  for (const HostNs spin_ns : {HostNs{0}, 300 * kNsPerUs}) {
+    Echo echo;
+    SocketPair sockets;
+    LoopSettings set = settings();
+    set.robot_paced = true;
+    set.spin_ns = spin_ns;
+    FixedRateLoop loop(set, echo);
+    loop.start();
+    ASSERT_TRUE(loop.offer({sockets.ends[0], 1}));
+    for (char sample = 0; sample < 50; ++sample) {
+      ASSERT_EQ(::write(sockets.ends[1], &sample, 1), 1);
+      char back = -1;
+      ASSERT_TRUE(eventually([&] { return ::read(sockets.ends[1], &back, 1) == 1; }));
+      EXPECT_EQ(back, sample);
+      std::this_thread::sleep_for(2ms);
+    }
+    loop.request_stop();
+    loop.join();
+    EXPECT_GT(loop.statistics().turns, loop.statistics().without_frame.load());
+  }
+}
+
 // A peer that sends without pause: what it costs is bounded by the time that passes.
 TEST(FixedRateLoop, AFloodingPeerDoesNotKeepItBusy) {
   for (const bool robot_paced : {false, true}) {
