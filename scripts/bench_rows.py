@@ -20,7 +20,11 @@ PARTS = {
         ("what", "what", "<40s"), ("frame_bytes", "bytes", "5d"), ("ns_per_frame", "ns/frame", "8.1f"),
         ("slowest_round_ns", "slowest", "8.1f"), ("mb_per_s", "MB/s", "7.1f"),
         ("frames_per_s", "frames/s", "10.3g")]),
-    "step": ("the bridge's step with every estimate, rewind, terrain and control on, course 3 [us]", [
+    "replug": ("a driving robot unplugged again and again; what holds at the end beside what held after ten", [
+        ("what", "what", "<40s"), ("count", "cycles", "5d"), ("p50", "p50", "8.2f"), ("p99", "p99", "8.2f"),
+        ("max", "max", "8.2f"), ("from", "then", "8.4g"), ("to", "at the end", "8.4g")]),
+    "step": ("the bridge's step with every estimate, rewind, terrain and control on, course 3 [us]; a step's time is "
+             "the median of five passes", [
         ("setup", "set-up", "<7s"), ("steps", "steps", "6d"), ("which", "which", "<22s"), ("caches", "caches", "<6s"),
         ("p50_us", "p50", "7.2f"), ("p99_us", "p99", "7.2f"), ("p999_us", "p99.9", "7.2f"), ("max_us", "max", "8.2f")]),
     "clock": ("error of the clock sync against the board's own clock [us], virtual time", [

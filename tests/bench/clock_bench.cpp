@@ -12,12 +12,15 @@
 #include "app/cycle.h"
 #include "course/robot.h"
 #include "link/session.h"
+#include "percentile.h"
 #include "sim/board/native_board.h"
 #include "sim/sensors/mpu6050.h"
 #include "sim/wire/uart_line.h"
 
 namespace tp100::sim {
 namespace {
+
+using test::percentile;
 
 constexpr std::int64_t kPeriodNs = 5 * kNsPerMs;
 // The live loop looks this often for bytes whose time matters.
@@ -130,12 +133,6 @@ class Line {
   std::int64_t next_step_ns_;
   std::int64_t ready_ns_ = -1;
 };
-
-double percentile(std::vector<double>& values, double fraction) {
-  if (values.empty()) return -1.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1))];
-}
 
 void measure(const Case& of, double seconds, int seeds) {
   Errors errors;

@@ -1,6 +1,7 @@
 // replug [CYCLES]: the emulated robot is unplugged again and again while it drives, and somebody at
-// the page starts it anew each time. Prints how soon that was noticed and mended, and whether
-// anything grew; exits with 1 if a cycle failed, the robot moved unasked or commands jumped.
+// the page starts it anew each time. Rows of JSON: how soon that was noticed and mended, and
+// whether anything grew; exits with 1 if a cycle failed, the robot moved unasked or commands
+// jumped.
 
 #include <sched.h>
 
@@ -19,12 +20,14 @@
 #include "../publish/web_client.h"
 #include "../run/process.h"
 #include "../support/temporary_folder.h"
+#include "percentile.h"
 
 namespace tp100 {
 namespace {
 
 using namespace std::chrono_literals;
 using publish::Channel;
+using test::percentile;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kStart = 1;
@@ -101,16 +104,14 @@ std::string tail(const std::string& text) {
   return text.size() < kMost ? text : text.substr(text.size() - kMost);
 }
 
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return NAN;
-  std::sort(values.begin(), values.end());
-  const auto last = static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(std::lround(share * last))];
+void print(const char* what, std::vector<double>& values_ms) {
+  std::printf("{\"what\":\"%s [ms]\",\"count\":%zu,\"p50\":%.2f,\"p99\":%.2f,\"max\":%.2f}\n", what,
+              values_ms.size(), percentile(values_ms, 0.5), percentile(values_ms, 0.99),
+              percentile(values_ms, 1.0));
 }
 
-void print(const char* what, const std::vector<double>& values_ms) {
-  std::printf("  %-34s p50 %8.2f ms, p99 %8.2f ms, max %8.2f ms\n", what,
-              percentile(values_ms, 0.5), percentile(values_ms, 0.99), percentile(values_ms, 1.0));
+void print(const char* what, double from, double to) {
+  std::printf("{\"what\":\"%s\",\"from\":%.4g,\"to\":%.6g}\n", what, from, to);
 }
 
 class Replug {
@@ -202,15 +203,16 @@ class Replug {
   int report() {
     const Weight now = weigh(daemon_.pid());
     const double jump_mps = commands_.largest_mps();
-    std::printf("replug: %d cycles, back to running each time, armed only when started\n", cycles_);
+    std::fprintf(stderr, "replug: %d cycles, back to running each time, armed only when started\n",
+                 cycles_);
     print("unplugged until noticed", noticed_ms_);
     print("unplugged for 50 ms until ready", ready_ms_);
-    std::printf("  largest step up of the speed sent  %.4f m/s\n", jump_mps);
-    std::printf(
-        "  after %d cycles -> at the end: descriptors %zu -> %zu, threads %zu -> %zu, "
-        "memory %ld -> %ld KiB\n",
-        kSettled, settled_.descriptors, now.descriptors, settled_.threads, now.threads,
-        settled_.resident_kib, now.resident_kib);
+    print("largest step up of the speed sent [m/s]", 0.0, jump_mps);
+    print("descriptors", static_cast<double>(settled_.descriptors),
+          static_cast<double>(now.descriptors));
+    print("threads", static_cast<double>(settled_.threads), static_cast<double>(now.threads));
+    print("memory [MiB]", static_cast<double>(settled_.resident_kib) / 1024.0,
+          static_cast<double>(now.resident_kib) / 1024.0);
     const bool grew = cycles_ > kSettled &&
                       (now.descriptors > settled_.descriptors || now.threads > settled_.threads);
     return grew || jump_mps > kJumpMps ? 1 : 0;

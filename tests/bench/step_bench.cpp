@@ -12,12 +12,14 @@
 #include "app/replay_recording.h"
 #include "bridge/step.h"
 #include "kept_steps.h"
+#include "percentile.h"
 #include "sim/run/lockstep.h"
 #include "sim/run/options.h"
 
 namespace tp100 {
 namespace {
 
+using test::percentile;
 using Clock = std::chrono::steady_clock;
 
 // More than the caches that a processor has for itself.
@@ -87,14 +89,11 @@ std::vector<double> times(const Run& run, bool cold) {
 
 void print(const char* setup, const char* which, bool cold, std::vector<double> us) {
   if (us.empty()) return;
-  std::sort(us.begin(), us.end());
-  const auto at = [&](double fraction) {
-    return us[static_cast<std::size_t>(fraction * static_cast<double>(us.size() - 1))];
-  };
   std::printf(
       "{\"setup\":\"%s\",\"which\":\"%s\",\"caches\":\"%s\",\"steps\":%zu,\"p50_us\":%.3f,"
       "\"p99_us\":%.3f,\"p999_us\":%.3f,\"max_us\":%.3f}\n",
-      setup, which, cold ? "cold" : "warm", us.size(), at(0.5), at(0.99), at(0.999), us.back());
+      setup, which, cold ? "cold" : "warm", us.size(), percentile(us, 0.5), percentile(us, 0.99),
+      percentile(us, 0.999), percentile(us, 1.0));
   std::fflush(stdout);
 }
 
