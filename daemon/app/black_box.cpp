@@ -66,15 +66,11 @@ void BlackBox::take(const StepRecord& record) {
 }
 
 void BlackBox::keep(const StepRecord& record) {
-  Step step;
-  while (!steps_.empty() && steps_.front().at_ns < record.now_ns - length_ns_) {
-    step = std::move(steps_.front());
-    steps_.pop_front();
-  }
-  step.at_ns = record.now_ns;
-  step.bytes.clear();
-  publish::encode_step(record, step.bytes);
-  steps_.push_back(std::move(step));
+  while (!steps_.empty() && steps_.front().at_ns < record.now_ns - length_ns_) steps_.pop_front();
+  encoded_.clear();
+  publish::encode_step(record, encoded_);
+  // A copy holds no more than it needs: used again, each would grow to the longest step ever.
+  steps_.push_back({record.now_ns, encoded_});
 }
 
 void BlackBox::begin_to_write() {

@@ -73,9 +73,10 @@ class BlackBox : public publish::Sink {
   HostNs length_ns_;
   std::string directory_;
   Steps steps_;
-  FaultMask known_ = 0;  // faults of the last step
-  std::string fault_;    // that waits to be written; empty: none
-  HostNs due_ns_ = 0;    // when it is
+  std::vector<std::uint8_t> encoded_;  // the newest step
+  FaultMask known_ = 0;                // faults of the last step
+  std::string fault_;                  // that waits to be written; empty: none
+  HostNs due_ns_ = 0;                  // when it is
   std::uint32_t files_written_ = 0;
   std::thread writer_;
   std::mutex mutex_;  // of what follows
