@@ -33,8 +33,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t kStart = 1;
 // Not a multiple of the loop's period, so that every phase of it occurs.
 constexpr double kFirstS = 4.0, kEveryS = 2.0013, kAwayS = 0.05;
-// Between two commands; the acceleration limit allows a tenth of it in one period.
-constexpr double kJumpMps = 0.02;
+// Of the robot's drive; what a command is above the one before it beyond that is a jump.
+constexpr double kMaxMps2 = 0.6, kJumpMps = 0.01;
+// Turns may come late; after a longer time it is another start, from standstill.
+constexpr double kPeriodS = 0.005, kLatestS = 0.15;
 constexpr int kSettled = 10;
 
 double unix_s() {
@@ -72,7 +74,8 @@ Weight weigh(int pid) {
   return {resident * 4, entries(proc + "/fd"), entries(proc + "/task")};
 }
 
-/// Largest step up between two speeds that were sent one after the other.
+/// Largest step up between two speeds that were sent one after the other, beyond what the drive's
+/// acceleration makes of the time between them.
 class CommandWatch {
  public:
   explicit CommandWatch(const std::string& port) : viewer_(port) {
@@ -89,12 +92,16 @@ class CommandWatch {
       const std::size_t at = message.find("\"speed_mps\":");
       if (at == std::string::npos) continue;
       const double speed_mps = std::strtod(message.c_str() + at + 12, nullptr);
-      largest_mps_ = std::max(largest_mps_.load(), std::abs(speed_mps) - std::abs(before_mps_));
+      const double at_s = parse(message).unix_s;
+      const double later_s = at_s - before_s_ < kLatestS ? at_s - before_s_ : kPeriodS;
+      largest_mps_ = std::max(largest_mps_.load(),
+                              std::abs(speed_mps) - std::abs(before_mps_) - kMaxMps2 * later_s);
       before_mps_ = speed_mps;
+      before_s_ = at_s;
     }
   }
   publish::WebClient viewer_;
-  double before_mps_ = 0.0;
+  double before_mps_ = 0.0, before_s_ = 0.0;
   std::atomic<double> largest_mps_ = 0.0;
   std::jthread thread_;
 };
@@ -207,7 +214,7 @@ class Replug {
                  cycles_);
     print("unplugged until noticed", noticed_ms_);
     print("unplugged for 50 ms until ready", ready_ms_);
-    print("largest step up of the speed sent [m/s]", 0.0, jump_mps);
+    print("largest jump of the speed sent [m/s]", 0.0, jump_mps);
     print("descriptors", static_cast<double>(settled_.descriptors),
           static_cast<double>(now.descriptors));
     print("threads", static_cast<double>(settled_.threads), static_cast<double>(now.threads));
