@@ -133,7 +133,7 @@ void read_hex(AvrImage& image, const Bytes& file) {
     const std::uint32_t word = data.size() == 2 ? data[0] * 256U + data[1] : 0U;
     switch (record[3]) {
       case 0:
-        program(image, base + record[1] * 256U + record[2], data);
+        program(image, base + std::size_t{record[1]} * 256U + record[2], data);
         break;
       case 1:
         return;
@@ -181,7 +181,7 @@ std::string built_firmware() {
 }
 
 std::string stock_bootloader() {
-  const std::string path =
+  std::string path =
       "/usr/share/arduino/hardware/arduino/avr/bootloaders/stk500v2/stk500boot_v2_mega2560.hex";
   std::error_code error;
   if (fs::exists(path, error)) return path;
