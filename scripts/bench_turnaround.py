@@ -1,7 +1,8 @@
 """scripts/bench turnaround: from a robot's sample to the command that answers it, over a pseudo-terminal.
 
-Usage: bench_turnaround.py FOLDER_OF_PROGRAMS. TP100_BENCH_CPU ties everybody who answers to that processor; else to
-none, and then it is the kernel's choice of processors that decides the medians of an idle machine.
+Usage: bench_turnaround.py FOLDER_OF_PROGRAMS. Waking somebody on another processor takes longer than all that a bridge
+does, and where the kernel puts whom is chance. Three placements are therefore told apart: "together" (robot and who
+answers on one processor), "apart" (on two) and "any" (as the kernel likes); ratios are taken within each.
 """
 import collections
 import json
@@ -14,11 +15,14 @@ from bench_load import Busy
 from bench_table import ROOT, Table, percentile, ratio, rounds, seconds
 
 BASE = "bare C echo"
+FIFO = "C echo, FIFO"
 OURS = "tp100d, robot-paced"
 # Its median is the wait for the next turn of the loop, by design.
 HOST_PACED = "tp100d, host-paced"
 TEXT = "text files, "
-PINNED = ["taskset", "-c", os.environ["TP100_BENCH_CPU"]] if "TP100_BENCH_CPU" in os.environ else []
+LAST = str(os.cpu_count() - 1)
+# Placement: (the robot's processor, the answering one's), None: any.
+PLACEMENTS = {"any": (None, None), "together": (LAST, LAST)} | ({"apart": ("0", LAST)} if LAST != "0" else {})
 
 
 def script(name):
@@ -39,7 +43,7 @@ def peers(programs, folder):
     echo = os.path.join(programs, "pty_echo")
     return {
         BASE: ("echo", [echo, "PORT"]),
-        "C echo, FIFO": ("echo", ["chrt", "-f", "80", echo, "PORT"]),
+        FIFO: ("echo", ["chrt", "-f", "80", echo, "PORT"]),
         OURS: daemon("robot"),
         HOST_PACED: daemon("host"),
         "Python os.read": ("echo", [sys.executable, script("bench_echo.py"), "PORT"]),
@@ -49,41 +53,59 @@ def peers(programs, folder):
     }
 
 
-def measure(programs, kind, command, duration_s):
-    done = subprocess.run([os.path.join(programs, "turnaround_bench"), kind, str(duration_s), *PINNED, *command],
+def tied(processor):
+    return [] if processor is None else ["taskset", "-c", processor]
+
+
+def measure(programs, placement, kind, command, duration_s):
+    robot, peer = PLACEMENTS[placement]
+    done = subprocess.run([*tied(robot), os.path.join(programs, "turnaround_bench"), kind, str(duration_s),
+                           *tied(peer), *command],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if done.returncode:
         raise SystemExit(f"bench: {done.stderr.strip().splitlines()[-1]}")
     return json.loads(done.stdout)
 
 
+def measure_all(programs, candidates, placement, busy):
+    """Times [us] and unanswered samples of each candidate."""
+    times, lost = collections.defaultdict(list), collections.Counter()
+    with Busy(busy):
+        for _ in range(rounds(3)):
+            for name, (kind, command) in candidates.items():
+                measured = measure(programs, placement, kind, command, seconds(6))
+                times[name] += measured["us"]
+                lost[name] += measured["unanswered"]
+    return times, lost
+
+
+def show(table, load, placement, times, lost):
+    figures = {name: {f"{key}_us": percentile(of, share) for key, share in
+                      (("p50", 0.5), ("p99", 0.99), ("p999", 0.999))} for name, of in times.items() if of}
+    for name, of in figures.items():
+        table.row(load=load, placement=placement, peer=name, count=len(times[name]), unanswered=lost[name], **of,
+                  p50_ratio=ratio(of["p50_us"], figures[BASE]["p50_us"]),
+                  p99_ratio=ratio(of["p99_us"], figures[BASE]["p99_us"]))
+    for name, of in figures.items():
+        if name.startswith(TEXT):
+            table.note(f"{load}: {name}: p99 {ratio(of['p99_us'], figures[OURS]['p99_us']):.0f} times that of {OURS}")
+
+
 def main():
     programs = sys.argv[1]
-    duration_s, repeats = seconds(10), rounds(3)
-    table = Table("turnaround", f"sample to command over a pty [us], {repeats} alternating rounds of {duration_s:g} s",
-                  [("load", "load", "<4s"), ("peer", "answered by", "<24s"), ("count", "samples", "6d"),
-                   ("p50_us", "p50", "9.1f"), ("p99_us", "p99", "9.1f"), ("p999_us", "p99.9", "9.1f"),
-                   ("p50_ratio", "/C p50", "8.2f"), ("p99_ratio", "/C p99", "8.2f"),
+    table = Table("turnaround", f"sample to command over a pty [us], {rounds(3)} alternating rounds of {seconds(6):g} s",
+                  [("load", "load", "<4s"), ("placement", "placed", "<8s"), ("peer", "answered by", "<24s"),
+                   ("count", "samples", "6d"), ("p50_us", "p50", "9.1f"), ("p99_us", "p99", "9.1f"),
+                   ("p999_us", "p99.9", "9.1f"), ("p50_ratio", "/C p50", "8.2f"), ("p99_ratio", "/C p99", "8.2f"),
                    ("unanswered", "lost", "4d")])
     with tempfile.TemporaryDirectory(prefix="tp100-bench-") as folder:
         candidates = peers(programs, folder)
+        bridges = {name: candidates[name] for name in (BASE, FIFO, OURS)}
         for busy in (False, True):
-            times, lost = collections.defaultdict(list), collections.Counter()
-            with Busy(busy):
-                for _ in range(repeats):
-                    for name, (kind, command) in candidates.items():
-                        measured = measure(programs, kind, command, duration_s)
-                        times[name] += measured["us"]
-                        lost[name] += measured["unanswered"]
-            figures = {name: {f"{key}_us": percentile(times[name], share) for key, share in
-                              (("p50", 0.5), ("p99", 0.99), ("p999", 0.999))} for name in candidates if times[name]}
-            for name, of in figures.items():
-                table.row(load="busy" if busy else "idle", peer=name, count=len(times[name]), unanswered=lost[name],
-                          **of, p50_ratio=ratio(of["p50_us"], figures[BASE]["p50_us"]),
-                          p99_ratio=ratio(of["p99_us"], figures[BASE]["p99_us"]))
-            for name, of in figures.items():
-                if name.startswith(TEXT):
-                    table.note(f"{name}: p99 {ratio(of['p99_us'], figures[OURS]['p99_us']):.0f} times that of {OURS}")
+            for placement in PLACEMENTS:
+                # The text files take two programs, and one that spins on a single processor would measure itself.
+                asked = candidates if placement == "any" else bridges
+                show(table, "busy" if busy else "idle", placement, *measure_all(programs, asked, placement, busy))
     table.save()
 
 

@@ -72,7 +72,9 @@ void FixedRateLoop::run() {
       if (stopping_since == 0) stopping_since = now;
       if (driven_.wind_up(now) || now - stopping_since > kWindUpLimitNs) break;
     }
-    if (port_.fd >= 0) read(now);
+    // Not after a sample: a tty's read that finds nothing waits for the kernel's worker that
+    // brought it, and that one runs at ordinary priority.
+    if (port_.fd >= 0 && !fresh) read(now);
     driven_.step(now);
     const HostNs stepped = monotonic_now();
     statistics_.compute.add(stepped - now);
