@@ -12,11 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const publish::Durations& durations) {
-  return {{"count", durations.count}, {"mean", durations.mean_us}, {"p50", durations.p50_us},
-          {"p99", durations.p99_us},  {"p999", durations.p999_us}, {"max", durations.max_us}};
-}
-
 /// Collects the counters by the names that recordings give them.
 struct CounterList {
   std::vector<std::pair<std::string, std::uint64_t>> list;
@@ -63,8 +58,8 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
   json["differences"] = {
       {"model_from_odometry", {{"max_m", difference.max_m}, {"final_m", difference.final_m}}}};
   json["timing"] = {{"rate_hz", run.subject.rate_hz},
-                    {"jitter_us", json_of(run.jitter)},
-                    {"sample_age_us", json_of(run.sample_age)}};
+                    {"jitter_us", run.jitter},
+                    {"sample_age_us", run.sample_age}};
   json["link"] = Json::object();
   for (const auto& [name, value] : counters_of(run.result.link)) json["link"][name] = value;
   json["recording"] = {{"file", run.path},

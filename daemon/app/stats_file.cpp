@@ -15,18 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json durations_us(const publish::Durations& of) {
-  return {{"count", of.count}, {"mean", of.mean_us}, {"p50", of.p50_us},
-          {"p99", of.p99_us},  {"p999", of.p999_us}, {"max", of.max_us}};
-}
-
 Json loop_figures(const publish::LoopFigures& loop) {
   Json json = {{"turns", loop.turns},
                {"overruns", loop.overruns},
                {"missed", loop.missed},
                {"without_frame", loop.without_frame}};
-  loop.each_time(
-      [&](const char* name, const publish::Durations& of) { json[name] = durations_us(of); });
+  loop.each_time([&](const char* name, const publish::Durations& of) { json[name] = of; });
   Json privileges = Json::object();
   for (const auto& [name, granted] : loop.privileges) privileges[name] = granted;
   json["privileges"] = std::move(privileges);

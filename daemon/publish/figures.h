@@ -21,7 +21,24 @@ namespace tp100::publish {
 struct Durations {
   std::uint64_t count = 0;
   double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, p999_us = 0.0, max_us = 0.0;
+
+  /// Calls visit(name, value) for each of them, as JSON has them.
+  template <class Visit>
+  void each(Visit&& visit) const {
+    visit("count", count);
+    visit("mean", mean_us);
+    visit("p50", p50_us);
+    visit("p99", p99_us);
+    visit("p999", p999_us);
+    visit("max", max_us);
+  }
 };
+
+/// What nlohmann's JSON makes of it.
+template <class Json>
+void to_json(Json& json, const Durations& durations) {
+  durations.each([&](const char* name, auto value) { json[name] = value; });
+}
 
 /// Upper edges of the lateness histogram [us]; one more count lies above the last.
 inline constexpr std::array<int, 13> kLatenessEdgesUs{1,   2,   5,    10,   20,   50,   100,

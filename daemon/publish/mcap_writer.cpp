@@ -3,7 +3,10 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
+
+#include "core/error.h"
 
 namespace tp100::publish {
 namespace {
@@ -32,6 +35,9 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
 
 // Speed matters more than the last tenth; the frame carries its size.
 constexpr int kLevel = 1;
+
+// Of the chunks' index in memory: some minutes.
+constexpr std::size_t kIndexBytes = std::size_t{64} << 10;
 
 }  // namespace
 
@@ -210,6 +216,7 @@ void McapWriter::write_chunk() {
   end_ns_ = std::max(end_ns_, last_ns_);
   for (const Channel& channel : channels_) message_count_ += channel.open.size();
   write(record_);
+  set_index_aside();
 }
 
 // The message indexes behind the chunk in record_, and its entry in the summary.
@@ -222,7 +229,7 @@ void McapWriter::index_messages(std::uint64_t chunk_offset, std::uint64_t chunk_
   index->number(chunk_length);
   const std::size_t size_at = chunk_group_.records.size();
   index->number<std::uint32_t>(0);
-  for (std::uint16_t id = 0; id < channels_.size(); ++id) {
+  for (std::uint16_t id = 0; static_cast<std::size_t>(id) < channels_.size(); ++id) {
     const std::vector<Entry>& entries = channels_[id].open;
     if (entries.empty()) continue;
     index->number(id);
@@ -243,6 +250,34 @@ void McapWriter::index_messages(std::uint64_t chunk_offset, std::uint64_t chunk_
   ++chunk_group_.count;
 }
 
+bool McapWriter::open_index() {
+  if (index_ != nullptr) return true;
+  try {
+    const std::filesystem::path folder = std::filesystem::path(file_.path()).parent_path();
+    index_ = std::make_unique<NamelessFile>(folder.empty() ? "." : folder.string());
+    return true;
+  } catch (const SetupError&) {
+    return false;
+  }
+}
+
+// A disk that refuses it leaves it in memory.
+void McapWriter::set_index_aside() {
+  if (chunk_group_.records.size() < kIndexBytes || !open_index()) return;
+  if (index_->append(chunk_group_.records) == 0) chunk_group_.records.clear();
+}
+
+// Without its older part if that cannot be read: a reader finds chunks without an index too.
+Bytes McapWriter::chunk_index() const {
+  Bytes index;
+  if (index_ != nullptr) {
+    index.resize(index_->size());
+    if (index_->read(0, index) != 0) index.clear();
+  }
+  index.insert(index.end(), chunk_group_.records.begin(), chunk_group_.records.end());
+  return index;
+}
+
 void McapWriter::write_statistics(ByteWriter& out) const {
   out.number(message_count_);
   out.number(static_cast<std::uint16_t>(schema_group_.count));
@@ -253,7 +288,7 @@ void McapWriter::write_statistics(ByteWriter& out) const {
   out.number(begin_ns_);
   out.number(end_ns_);
   out.number(static_cast<std::uint32_t>(channels_.size() * 10));
-  for (std::uint16_t id = 0; id < channels_.size(); ++id) {
+  for (std::uint16_t id = 0; static_cast<std::size_t>(id) < channels_.size(); ++id) {
     out.number(id);
     out.number(channels_[id].written);
   }
@@ -265,6 +300,7 @@ std::uint64_t McapWriter::needed() const {
   for (const Group* group :
        {&schema_group_, &channel_group_, &chunk_group_, &attachment_group_, &metadata_group_})
     size += group->records.size();
+  if (index_ != nullptr) size += index_->size();
   return size;
 }
 
@@ -294,7 +330,7 @@ void McapWriter::finish() {
   add_group(McapOp::kSchema, schema_group_.records);
   add_group(McapOp::kChannel, channel_group_.records);
   add_group(McapOp::kStatistics, statistics);
-  add_group(McapOp::kChunkIndex, chunk_group_.records);
+  add_group(McapOp::kChunkIndex, chunk_index());
   add_group(McapOp::kAttachmentIndex, attachment_group_.records);
   add_group(McapOp::kMetadataIndex, metadata_group_.records);
   const std::uint64_t offsets_at = record_.size();

@@ -1,6 +1,7 @@
 #pragma once
 // Writes one MCAP file: messages are gathered in chunks, and what a reader of a whole file wants
 // (statistics, indexes, CRCs) is written at the end. What was written is of use without that end.
+// Memory does not grow with the file: what of the index is long waits in a file without a name.
 // One thread at a time.
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 
 #include "publish/bytes.h"
 #include "publish/mcap_format.h"
+#include "publish/nameless_file.h"
 #include "publish/recording_file.h"
 
 namespace tp100::publish {
@@ -82,6 +84,9 @@ class McapWriter {
   std::string_view pack();
   void index_messages(std::uint64_t chunk_offset, std::uint64_t chunk_length,
                       std::string_view compression);
+  bool open_index();
+  void set_index_aside();
+  Bytes chunk_index() const;
   void write_statistics(ByteWriter& out) const;
 
   RecordingFile& file_;
@@ -96,7 +101,9 @@ class McapWriter {
   std::uint64_t open_since_ns_ = 0;
   std::uint64_t first_ns_ = 0, last_ns_ = 0;  // earliest and latest of the open chunk
 
-  Group schema_group_, channel_group_, chunk_group_, attachment_group_, metadata_group_;
+  Group schema_group_, channel_group_, attachment_group_, metadata_group_;
+  Group chunk_group_;  // the newest; those before are in index_
+  std::unique_ptr<NamelessFile> index_;
   std::uint64_t begin_ns_ = 0, end_ns_ = 0;
   std::uint64_t message_count_ = 0;
 };

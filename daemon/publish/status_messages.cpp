@@ -11,15 +11,9 @@ constexpr double kPoorShare = 0.01;
 constexpr FaultMask kRobotFaults = 0xFFFFU;
 
 void write_durations(JsonWriter& json, std::string_view name, const Durations& durations) {
-  json.key(name)
-      .begin_object()
-      .field("count", durations.count)
-      .field("mean", durations.mean_us)
-      .field("p50", durations.p50_us)
-      .field("p99", durations.p99_us)
-      .field("p999", durations.p999_us)
-      .field("max", durations.max_us)
-      .end_object();
+  json.key(name).begin_object();
+  durations.each([&](const char* key, auto value) { json.field(key, value); });
+  json.end_object();
 }
 
 template <class T>

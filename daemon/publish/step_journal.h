@@ -1,16 +1,18 @@
 #pragma once
 // The inputs of every step since the program's start, so that a recording that begins later can be
-// replayed like any other: what a step knows is the sum of all that ever went in. In a file without
-// a name, which goes with the program; memory does not grow with it. One thread.
+// replayed like any other: what a step knows is the sum of all that ever went in. Memory does not
+// grow with it. One thread.
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/step_record.h"
 #include "publish/bytes.h"
+#include "publish/nameless_file.h"
 
 namespace tp100::publish {
 
@@ -18,9 +20,6 @@ class StepJournal {
  public:
   /// In `folder`, up to `max_bytes`: forty kilobytes a second at 200 Hz. Throws SetupError.
   StepJournal(const std::string& folder, std::uint64_t max_bytes);
-  ~StepJournal();
-  StepJournal(const StepJournal&) = delete;
-  StepJournal& operator=(const StepJournal&) = delete;
 
   /// The first step is number 1.
   void add(const StepRecord& record);
@@ -34,9 +33,8 @@ class StepJournal {
   void give_up(std::string problem);
 
   std::uint64_t max_bytes_;
-  int descriptor_ = -1;
+  std::optional<NamelessFile> file_;  // none: gave up
   std::uint64_t steps_ = 0;
-  std::uint64_t written_ = 0;
   std::vector<std::uint32_t> sizes_;  // of the blocks in the file
   Bytes open_;                        // the block that grows
   std::string problem_;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cstring>
 #include <random>
@@ -196,6 +197,38 @@ TEST(McapReader, SchemasAndChannelsBeyondAllReasonAreLeftOut) {
   EXPECT_THAT(heard.messages, ElementsAre("/a 1 {}"));
   EXPECT_THAT(end.problem, HasSubstr("too many schemas and channels"));
   EXPECT_FALSE(McapReader(path).indexed());
+}
+
+TEST(McapReader, AnIndexOfThousandsOfChunksIsWholeAndTakesNoMemoryMeanwhile) {
+  constexpr std::uint64_t kChunks = 8000;
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("file.mcap");
+  {
+    RecordingFile file(path);
+    McapWriter writer(file, "test", McapCompression::kNone);
+    const auto channel =
+        writer.add_channel(writer.add_schema({"test.Text", "jsonschema", "{}"}), "/a", "json");
+    std::size_t settled = 0;
+    for (std::uint64_t i = 0; i < kChunks; ++i) {
+      writer.message(channel, i, bytes_of("{}"));
+      writer.end_chunk();
+      if (i == kChunks / 4) settled = ::mallinfo2().uordblks;
+    }
+    EXPECT_LE(::mallinfo2().uordblks, settled + 1000);
+    EXPECT_GT(writer.needed(), kChunks * 80);
+    writer.finish();
+    ASSERT_EQ(file.error(), 0);
+  }
+  const McapReader reader(path);
+  ASSERT_TRUE(reader.indexed());
+  EXPECT_EQ(reader.message_count(), kChunks);
+  Listener some, all;
+  reader.read({"/a"}, 3, 5, some);
+  EXPECT_THAT(some.messages, ElementsAre("/a 3 {}", "/a 4 {}", "/a 5 {}"));
+  reader.read({}, 0, kChunks, all);
+  EXPECT_THAT(all.messages, SizeIs(kChunks));
+  Listener streamed;
+  EXPECT_TRUE(reader.stream(streamed).whole);
 }
 
 TEST(McapReader, AChunkThatUnpacksToAttachmentsIsLeftOut) {
