@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "../link/scripted_robot.h"
-#include "support/alloc_count.h"
 #include "support/duty_watch.h"
 
 namespace tp100::app {
@@ -17,14 +16,10 @@ class LiveBench {
     robot.tick(now);
     const std::vector<std::uint8_t> bytes = robot.take();
     {
-      const test::AllocCount heap;
-      const test::DutyWatch duty;
+      const test::DutyWatch watch(duty);
       cycle.received(bytes, now);
       cycle.step(now);
       cycle.settle(now);
-      allocations += heap.calls();
-      locks += duty.locks();
-      if (system_call < 0) system_call = duty.first_system_call();
     }
     robot.hear(cycle.output(), now);
     cycle.written(cycle.output().size());
@@ -37,8 +32,7 @@ class LiveBench {
     const StepRecord* record = cycle.front_record();
     return record == nullptr ? 0 : record->step;
   }
-  std::uint64_t allocations = 0, locks = 0;
-  long system_call = -1;
+  test::DutyCount duty;
   HostNs now = kNsPerS;
   ScriptedRobot robot;
   LiveCycle cycle{session_settings({}), {}, nullptr, false};
@@ -51,9 +45,9 @@ TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
     bench.step();
     while (bench.cycle.front_record() != nullptr) bench.cycle.release_record();
   }
-  EXPECT_EQ(bench.allocations, 0u);
-  EXPECT_EQ(bench.locks, 0u);
-  EXPECT_EQ(bench.system_call, -1);
+  EXPECT_EQ(bench.duty.heap, 0u);
+  EXPECT_EQ(bench.duty.locks, 0u);
+  EXPECT_EQ(bench.duty.first_system_call, -1);
   if (!test::watches_system_calls())
     GTEST_SKIP() << "this kernel does not tell of system calls; heap and locks: none";
 }

@@ -214,7 +214,7 @@ class Replug {
                  cycles_);
     print("unplugged until noticed", noticed_ms_);
     print("unplugged for 50 ms until ready", ready_ms_);
-    print("largest jump of the speed sent [m/s]", 0.0, jump_mps);
+    std::printf("{\"what\":\"largest jump of the speed sent [m/s]\",\"to\":%.4g}\n", jump_mps);
     print("descriptors", static_cast<double>(settled_.descriptors),
           static_cast<double>(now.descriptors));
     print("threads", static_cast<double>(settled_.threads), static_cast<double>(now.threads));

@@ -5,16 +5,13 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/replay_recording.h"
 #include "bridge/step.h"
-#include "kept_steps.h"
+#include "kept_run.h"
 #include "percentile.h"
-#include "sim/run/lockstep.h"
-#include "sim/run/options.h"
 
 namespace tp100 {
 namespace {
@@ -41,32 +38,8 @@ class Others {
   std::vector<char> bytes_ = std::vector<char>(kOthersBytes);
 };
 
-struct Run {
-  bridge::Parameters parameters;
-  std::shared_ptr<const course::Course> course;
-  std::vector<StepRecord> records;
-};
-
-Run drive(bridge::Setup setup) {
-  sim::Loaded loaded = sim::load({});
-  loaded.configuration.parameters.steering = bridge::Steering::kFused;
-  Run run;
-  run.course = std::make_shared<const course::Course>(sim::load_course("3"));
-  run.parameters = app::bridge_parameters(loaded.configuration, loaded.robot);
-  run.parameters.setup = setup;
-  test::StepKeeper keeper;
-  sim::run_lockstep({.course = *run.course,
-                     .robot = loaded.robot,
-                     .configuration = loaded.configuration,
-                     .setup = setup,
-                     .camera = sim::load_camera("overhead"),
-                     .sink = &keeper});
-  run.records = std::move(keeper.records);
-  return run;
-}
-
 /// Time of each step [us].
-std::vector<double> times(const Run& run, bool cold) {
+std::vector<double> times(const test::KeptRun& run, bool cold) {
   std::vector<std::array<double, kPasses>> all(run.records.size());
   Others others;
   for (std::size_t pass = 0; pass < kPasses; ++pass) {
@@ -98,7 +71,7 @@ void print(const char* setup, const char* which, bool cold, std::vector<double> 
 }
 
 void bench(bridge::Setup setup) {
-  const Run run = drive(setup);
+  const test::KeptRun run = test::keep_course_3(setup);
   for (const bool cold : {false, true}) {
     const std::vector<double> us = times(run, cold);
     std::vector<double> running, with_camera;

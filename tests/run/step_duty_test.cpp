@@ -1,15 +1,9 @@
 // What the real-time thread owes: the inputs of emulated runs, fed to a fresh step under watch.
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <vector>
-
-#include "../bench/kept_steps.h"
+#include "../bench/kept_run.h"
 #include "app/replay_recording.h"
 #include "bridge/step.h"
-#include "sim/run/lockstep.h"
-#include "sim/run/options.h"
-#include "support/alloc_count.h"
 #include "support/duty_watch.h"
 
 namespace tp100::sim {
@@ -18,40 +12,25 @@ namespace {
 class StepDuty : public ::testing::TestWithParam<bridge::Setup> {};
 
 TEST_P(StepDuty, OnCourse3WithFilterCameraAndControlIsToComputeAndNothingElse) {
-  Loaded loaded = load({});
-  loaded.configuration.parameters.steering = bridge::Steering::kFused;
-  const auto course = std::make_shared<const course::Course>(load_course("3"));
-  test::StepKeeper keeper;
-  const analysis::RunResult result = run_lockstep({.course = *course,
-                                                   .robot = loaded.robot,
-                                                   .configuration = loaded.configuration,
-                                                   .setup = GetParam(),
-                                                   .camera = load_camera("overhead"),
-                                                   .sink = &keeper});
-  ASSERT_TRUE(result.completed);
+  const test::KeptRun run = test::keep_course_3(GetParam());
+  ASSERT_TRUE(run.completed);
 
-  bridge::Parameters parameters = app::bridge_parameters(loaded.configuration, loaded.robot);
-  parameters.setup = GetParam();
-  bridge::Step step(parameters, course);
-  const bool watching = test::watches_system_calls();
-  std::uint64_t heap = 0, locks = 0, pictures = 0;
-  long call = -1;
-  for (const StepRecord& record : keeper.records) {
+  bridge::Step step(run.parameters, run.course);
+  test::DutyCount duty;
+  std::uint64_t pictures = 0;
+  for (const StepRecord& record : run.records) {
     const bridge::Inputs inputs = app::inputs_of(record);
     pictures += inputs.camera.size();
-    const test::AllocCount allocations;
-    const test::DutyWatch duty;
+    const test::DutyWatch watch(duty);
     step(inputs, record.now_ns);
-    heap += allocations.calls();
-    locks += duty.locks();
-    if (call < 0) call = duty.first_system_call();
   }
-  EXPECT_GT(keeper.records.size(), 5000U);
+  EXPECT_GT(run.records.size(), 5000U);
   EXPECT_GT(pictures, 500U);
-  EXPECT_EQ(heap, 0U);
-  EXPECT_EQ(locks, 0U);
-  EXPECT_EQ(call, -1) << "a system call of this number";
-  if (!watching) GTEST_SKIP() << "this kernel does not tell of system calls; heap and locks: none";
+  EXPECT_EQ(duty.heap, 0U);
+  EXPECT_EQ(duty.locks, 0U);
+  EXPECT_EQ(duty.first_system_call, -1) << "a system call of this number";
+  if (!test::watches_system_calls())
+    GTEST_SKIP() << "this kernel does not tell of system calls; heap and locks: none";
 }
 
 INSTANTIATE_TEST_SUITE_P(Setups, StepDuty,

@@ -77,7 +77,7 @@ bool watches_system_calls() {
 #endif
 }
 
-DutyWatch::DutyWatch() {
+DutyWatch::DutyWatch(DutyCount& count) : count_(count) {
   struct sigaction action {};
   action.sa_sigaction = on_system_call;
   action.sa_flags = SA_SIGINFO;
@@ -93,9 +93,9 @@ DutyWatch::~DutyWatch() {
   t_selector = SYSCALL_DISPATCH_FILTER_ALLOW;
   t_armed = false;
   dispatch(PR_SYS_DISPATCH_OFF);
+  count_.heap += heap_.calls();
+  count_.locks += t_locks;
+  if (count_.first_system_call < 0) count_.first_system_call = t_first_call;
 }
-
-long DutyWatch::first_system_call() const { return t_first_call; }
-std::uint64_t DutyWatch::locks() const { return t_locks; }
 
 }  // namespace tp100::test

@@ -1,25 +1,36 @@
 #pragma once
-// Counts what a real-time thread must not do, besides allocating (see alloc_count.h): system calls
-// and locks of the calling thread.
+// Counts what a real-time thread must not do: heap calls (see alloc_count.h), system calls and
+// locks of the calling thread.
 
 #include <cstdint>
+
+#include "support/alloc_count.h"
 
 namespace tp100::test {
 
 /// True if this kernel can tell a thread of its system calls (Linux 5.11, x86-64).
 bool watches_system_calls();
 
-/// Watches from construction to destruction, in this thread; one at a time.
+/// What was done against it.
+struct DutyCount {
+  std::uint64_t heap = 0;       ///< calls
+  std::uint64_t locks = 0;      ///< mutexes and read-write locks taken, or tried
+  long first_system_call = -1;  ///< its number (sys/syscall.h); -1: there was none
+};
+
+/// Watches from construction to destruction, in this thread; one at a time. System calls are not
+/// carried out meanwhile.
 class DutyWatch {
  public:
-  DutyWatch();
+  /// Adds to `count`, which must outlive it, when it ends.
+  explicit DutyWatch(DutyCount& count);
   ~DutyWatch();
   DutyWatch(const DutyWatch&) = delete;
   DutyWatch& operator=(const DutyWatch&) = delete;
-  /// Number of the first system call (sys/syscall.h); -1: there was none. It is not carried out.
-  long first_system_call() const;
-  /// Mutexes and read-write locks taken, or tried.
-  std::uint64_t locks() const;
+
+ private:
+  DutyCount& count_;
+  AllocCount heap_;
 };
 
 }  // namespace tp100::test
