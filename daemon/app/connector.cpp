@@ -31,7 +31,7 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
   next_try_ns_ = now + retry_ns_;
   retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
   const bool silent = lost.end == loop::PortEnd::kSilent;
-  if (silent) ++silent_ports_;
+  if (silent) silent_.insert(path_);
   std::string line = path_ + ": ";
   if (silent) {
     line += found_ ? "the robot fell silent"
@@ -42,7 +42,7 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
             (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
             "); plug the robot in again";
   }
-  if (!found_ && !settings_.wait && !(silent && silent_ports_ < candidates_)) {
+  if (!found_ && !settings_.wait && !(silent && silent_.size() < candidates_)) {
     throw SetupError(line);
   }
   say_once(line);
@@ -74,7 +74,13 @@ link::Port Connector::open_next() {
         "`tp100d ports`)");
   }
   candidates_ = ports.size();
-  return link::open_port(ports[silent_ports_ % ports.size()].path, settings_.options);
+  const auto unheard = [this](const link::PortInfo& port) { return !silent_.contains(port.path); };
+  auto next = std::find_if(ports.begin(), ports.end(), unheard);
+  if (next == ports.end()) {
+    silent_.clear();
+    next = ports.begin();
+  }
+  return link::open_port(next->path, settings_.options);
 }
 
 void Connector::say_once(const std::string& line) {

@@ -3,6 +3,7 @@
 // thread.
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,10 @@ class Connector {
   /// The robot said hello: from now on the connector waits whatever happens.
   void robot_found() { found_ = true; }
   /// A session is ready: the next retry is quick again.
-  void session_ready() { retry_ns_ = kFirstRetryNs; }
+  void session_ready() {
+    retry_ns_ = kFirstRetryNs;
+    silent_.clear();
+  }
   /// The program ends: no more opening. The port closes with the connector, after the loop.
   void stop() { stopped_ = true; }
 
@@ -55,7 +59,7 @@ class Connector {
   link::Port port_;
   std::string path_;
   std::string last_line_;
-  std::size_t silent_ports_ = 0;  // candidates that did not answer, in a row
+  std::set<std::string> silent_;  // candidates that did not answer; the others are asked first
   std::size_t candidates_ = 1;
   std::uint32_t id_ = 0;
   HostNs opened_ns_ = 0;

@@ -24,9 +24,9 @@ bool holds(const fs::path& process, const std::string& real_path) {
 
 }  // namespace
 
-std::string port_holder(const std::string& real_path) {
+std::string port_holder(const std::string& real_path, const fs::path& proc) {
   std::error_code error;
-  for (fs::directory_iterator process("/proc", error), end; !error && process != end;
+  for (fs::directory_iterator process(proc, error), end; !error && process != end;
        process.increment(error)) {
     const std::string pid = process->path().filename();
     if (!std::all_of(pid.begin(), pid.end(), [](char c) { return c >= '0' && c <= '9'; })) continue;

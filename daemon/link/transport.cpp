@@ -73,6 +73,7 @@ class Guard {
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
   int release() { return std::exchange(fd_, -1); }
+  int fd() const { return fd_; }
 
  private:
   int fd_;
@@ -95,7 +96,7 @@ speed_t standard_speed(int baud) {
   }
 }
 
-int open_pty(const std::string& real, int& error) {
+int open_raw(const std::string& real, int& error) {
   const int fd = ::open(real.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   error = errno;
   return fd;
@@ -174,7 +175,13 @@ Port open_port(const std::string& path, const PortOptions& options) {
     throw SetupError(path + ": is not a serial port; see `tp100d ports`");
   }
   int error = 0;
-  const int fd = physical ? open_serial_port(real, options.baud, error) : open_pty(real, error);
+  // Who may open it in spite of TIOCEXCL (root) must not change the settings of its holder: the
+  // lock is asked for before libserialport sets it up. Closed last, so that DTR stays up.
+  const Guard first(open_raw(real, error));
+  if (first.fd() < 0) fail_open(path, error);
+  if (::flock(first.fd(), LOCK_EX | LOCK_NB) != 0) fail_busy(path);
+  ::flock(first.fd(), LOCK_UN);
+  const int fd = physical ? open_serial_port(real, options.baud, error) : open_raw(real, error);
   if (fd < 0) fail_open(path, error);
   Guard guard(fd);
   if (::isatty(fd) == 0) throw SetupError(path + ": is not a serial port; see `tp100d ports`");

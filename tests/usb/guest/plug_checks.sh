@@ -1,0 +1,109 @@
+# Plugs that are pulled. Before and after each, board 0 alone is plugged in, as ttyACM0.
+
+# Before it knows its robot it is told to wait.
+check_unplugged_while_joining() {
+  touch /tmp/cut0
+  unplug 0
+  plug 0
+  start_course --port /dev/ttyACM0 --wait
+  await "closed -> listening"
+  mark
+  unplug 0
+  await "port is gone"
+  rm /tmp/cut0
+  for state in "listening -> parameters" "parameters -> syncing"; do
+    mark
+    plug 0
+    await "$state"
+    unplug 0
+    await "port is gone"
+  done
+  mark
+  plug 0
+  ready && drive_it
+}
+
+check_unplugged_while_ready() {
+  start_course --port /dev/ttyACM0
+  ready
+  for time in 1 2; do
+    mark
+    unplug 0
+    await "port is gone"
+    plug 0
+    ready
+  done
+  drive_it
+}
+
+check_unplugged_while_driving() {
+  start_course --port /dev/ttyACM0
+  await "press Enter" && press_enter
+  for state in "idle -> arming" "arming -> running"; do
+    await "$state"
+    mark
+    unplug 0
+    await "port is gone"
+    plug 0
+    ready && await "press Enter"
+    # It was driving before; nobody has started it since.
+    sleep 1
+    ! says "-> arming" || wrong "tp100d armed the robot by itself: $(last_words)"
+    mark
+    press_enter
+  done
+  await "short: completed"
+  ended 0
+}
+
+# Another program still has the old number open. Meanwhile the bridge is asked, too, but only once.
+check_returns_under_another_number() {
+  printf '[link]\nfirst_frame_timeout_ms = 500.0\n' > /tmp/quick.toml
+  start_course --port auto --config /tmp/quick.toml
+  ready
+  sleep 100000 < /dev/ttyACM0 &
+  holder=$!
+  mark
+  unplug 0
+  await "port is gone"
+  plug 0 1
+  await "/dev/ttyACM1: open" && ready
+  [ "$(since_mark | grep -c "ttyUSB0: open")" -le 1 ] || wrong "the bridge was asked twice: $(last_words 20)"
+  drive_it
+  kill $holder
+  unplug 0
+  plug 0
+}
+
+check_two_boards() {
+  make_robot 1
+  plug 1 1
+  tp100d ports > /tmp/ports
+  has /tmp/ports "^/dev/ttyACM0 .* serial TP100A$"
+  has /tmp/ports "^/dev/ttyACM1 .* serial TP100B$"
+  before="$(motors_off 0 disarm) $(motors_off 1 disarm)"
+  start_course --port /dev/serial/by-id/usb-Arduino-TP100B-if00
+  ready && drive_it
+  now="$(motors_off 0 disarm) $(motors_off 1 disarm)"
+  [ "$before $now" = "${before% *} ${before#* } ${before% *} $((${before#* } + 1))" ] ||
+    wrong "A and B were disarmed $before times before the drive of B, $now times after it"
+}
+
+# Goes on with the boards of the check before: the same name now leads to the other number.
+check_two_boards_change_numbers() {
+  start --wait --port /dev/serial/by-id/usb-Arduino-TP100B-if00
+  ready
+  mark
+  unplug 0
+  unplug 1
+  await "port is gone"
+  plug 1 0
+  plug 0 1
+  ready
+  ls -l /proc/$daemon/fd > /tmp/open
+  has /tmp/open "/dev/ttyACM0$"
+  stop
+  unplug 0
+  unplug 1
+  plug 0
+}

@@ -1,0 +1,68 @@
+"""Debian's kernel and those of its modules that the test needs, unpacked in a folder, not installed."""
+import os
+import re
+import shutil
+import tempfile
+
+from host import check, find, run, skip
+
+MODULES = ("dummy_hcd", "libcomposite", "usb_f_acm", "cdc_acm", "ftdi_sio", "xhci_pci", "usbmon")
+
+
+def package():
+    """The package that linux-image-amd64 stands for today; empty: apt knows none."""
+    _, said = run(find("apt-cache", "apt"), "depends", "linux-image-amd64", good=False)
+    found = re.search(r"Depends: (linux-image-\d\S+)", said)
+    return found[1] if found else ""
+
+
+def with_needs(tree, version):
+    """Paths of the modules and of all that they need, below lib/modules/VERSION."""
+    needs = {}
+    with open(f"{tree}/lib/modules/{version}/modules.dep", encoding="utf-8") as file:
+        for line in file:
+            path, rest = line.split(":", maxsplit=1)
+            needs[re.sub(r"\.ko(\.\w+)?$", "", os.path.basename(path)).replace("-", "_")] = [path, *rest.split()]
+    missing = [module for module in MODULES if module not in needs]
+    check(not missing, f"the kernel {version} has no module {', '.join(missing)}; name others in tests/usb/kernel.py")
+    return sorted({path for module in MODULES for path in needs[module]})
+
+
+def unpack(deb, folder):
+    """Makes `folder` with vmlinuz and lib/modules, whole or not at all."""
+    depmod = find("depmod", "kmod")
+    with tempfile.TemporaryDirectory(dir=os.path.dirname(folder)) as at:
+        tree, kept = at + "/tree", at + "/kept"
+        run("dpkg-deb", "-x", deb, tree)
+        version = os.listdir(tree + "/lib/modules")[0]
+        run(depmod, "-b", tree, version)
+        for path in with_needs(tree, version):
+            to = f"{kept}/lib/modules/{version}/{path}"
+            os.makedirs(os.path.dirname(to), exist_ok=True)
+            shutil.copy(f"{tree}/lib/modules/{version}/{path}", to)
+        for name in ("modules.order", "modules.builtin", "modules.builtin.modinfo"):
+            shutil.copy(f"{tree}/lib/modules/{version}/{name}", f"{kept}/lib/modules/{version}")
+        run(depmod, "-b", kept, version)
+        shutil.copy(f"{tree}/boot/vmlinuz-{version}", kept + "/vmlinuz")
+        os.rename(kept, folder)
+
+
+def fetch(cache):
+    """The folder with Debian's kernel in `cache`; of an older one where apt does not say which is today's."""
+    os.makedirs(cache, exist_ok=True)
+    old = sorted(name for name in os.listdir(cache) if name.startswith("linux-image-"))
+    wanted = package()
+    if not wanted and not old:
+        skip("apt knows no linux-image-amd64; on a Debian, run apt-get update")
+    folder = os.path.join(cache, wanted or old[-1])
+    if os.path.isdir(folder):
+        return folder
+    with tempfile.TemporaryDirectory(dir=cache) as at:
+        # Otherwise apt warns that its own user cannot write there.
+        status, said = run(find("apt-get", "apt"), "-q", "-o", "APT::Sandbox::User=", "download", wanted, good=False,
+                           cwd=at)
+        debs = os.listdir(at)
+        if status != 0 or not debs:
+            skip(f"apt-get download {wanted}: {' '.join(said.splitlines()[-1:])}; run apt-get update")
+        unpack(os.path.join(at, debs[0]), folder)
+    return folder

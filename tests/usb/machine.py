@@ -1,0 +1,30 @@
+"""A small PC in QEMU: two 16550s, an FTDI adapter on USB, and no disk."""
+import subprocess
+
+from host import check, find
+
+MEMORY_MB = 1024
+
+
+def boot(kernel, root, log, limit_s):
+    """Runs the machine until it switches itself off; returns what it said on its first serial port."""
+    command = [
+        find("qemu-system-x86_64", "qemu-system-x86"), "-nodefaults", "-no-reboot", "-display", "none",
+        "-m", str(MEMORY_MB),
+        # Its time is the instructions it has run: however busy this machine is, in there nothing is ever late.
+        "-accel", "tcg,thread=single", "-icount", "shift=1,sleep=off", "-rtc", "clock=vm",
+        "-kernel", kernel + "/vmlinuz", "-initrd", root,
+        "-append", "console=ttyS0 quiet loglevel=3 panic=-1",
+        "-serial", "file:" + log, "-serial", "null",
+        "-device", "qemu-xhci", "-chardev", "null,id=bridge", "-device", "usb-serial,chardev=bridge,always-plugged=on",
+    ]
+    try:
+        ended = subprocess.run(command, text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, timeout=limit_s, check=False)
+    except subprocess.TimeoutExpired:
+        ended = None
+    with open(log, encoding="utf-8", errors="replace") as file:
+        said = file.read().replace("\r", "")
+    check(ended is not None, f"the machine did not switch itself off within {limit_s} s; it said:\n{said}")
+    check(ended.returncode == 0, f"qemu-system-x86_64: status {ended.returncode}: {ended.stdout}\n{said}")
+    return said
