@@ -10,6 +10,7 @@
 
 #include "analysis/standard_streams.h"
 #include "app/check.h"
+#include "app/doctor.h"
 #include "app/export.h"
 #include "app/hello.h"
 #include "app/identify.h"
@@ -92,6 +93,30 @@ void add_ports(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->callback(
       [&action] { action = [] { return hello.port.empty() ? run_ports() : run_hello(hello); }; });
+}
+
+void add_doctor(CLI::App& app, Action& action) {
+  static DoctorOptions options;
+  CLI::App* command = app.add_subcommand(
+      "doctor", "Find what keeps the robot from driving, and the line that mends it");
+  command
+      ->add_option("--port", options.port,
+                   "Serial port, or auto for the likeliest one (default: auto)")
+      ->type_name("DEVICE");
+  command->add_flag("--json", options.json, "One JSON object instead of a table");
+  command->add_flag("--wheels-up", options.wheels_up,
+                    "Then, on a stand and after Enter, drive each track and say whether motors, "
+                    "encoders and gyro turn the right way");
+  command->add_option("--link-test", options.link_test_s, "How long to test the link [s]; 0: not")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  command->add_option("--config", options.config, "Configuration (default: as config/tp100.toml)")
+      ->type_name("FILE");
+  command
+      ->add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
+      ->type_name("ROBOT");
+  command->callback([&action] { action = [] { return run_doctor(options); }; });
 }
 
 void add_check(CLI::App& app, Action& action) {
@@ -250,6 +275,7 @@ int run_program(int argc, char** argv) {
   Action action;
   add_run(app, action);
   add_ports(app, action);
+  add_doctor(app, action);
   add_check(app, action);
   add_replay(app, action);
   add_identify(app, action);

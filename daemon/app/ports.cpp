@@ -1,27 +1,12 @@
 #include "app/ports.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
+
+#include "doctor/port.h"
+#include "doctor/system.h"
 
 namespace tp100::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-// udev's name for the device with that serial number.
-std::string stable_name(const std::string& path) {
-  std::error_code error;
-  const fs::path wanted = fs::canonical(path, error);
-  if (error) return {};
-  for (fs::directory_iterator at("/dev/serial/by-id", error), end; !error && at != end;
-       at.increment(error)) {
-    std::error_code unreadable;
-    if (fs::canonical(at->path(), unreadable) == wanted) return at->path().string();
-  }
-  return {};
-}
 
 std::string usb_id(const link::PortInfo& port) {
   if (port.vendor_id < 0 || port.product_id < 0) return "-";
@@ -60,7 +45,9 @@ int run_ports() {
     if (link::classify(port) == link::PortKind::kOther) ports.push_back(port);
   }
   std::vector<std::string> names;
-  for (const link::PortInfo& port : ports) names.push_back(stable_name(port.path));
+  names.reserve(ports.size());
+  for (const link::PortInfo& port : ports)
+    names.push_back(doctor::stable_name(doctor::System{}, port.path));
   std::fputs(ports_text(ports, names).c_str(), stdout);
   return 0;
 }

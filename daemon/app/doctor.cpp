@@ -1,0 +1,177 @@
+#include "app/doctor.h"
+
+#include <grp.h>
+#include <pwd.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "app/bundled_files.h"
+#include "app/configuration.h"
+#include "app/cycle.h"
+#include "app/disk_speed.h"
+#include "app/robot_visit.h"
+#include "app/wheels_up.h"
+#include "core/error.h"
+#include "course/robot.h"
+#include "doctor/account.h"
+#include "doctor/finding.h"
+#include "doctor/host.h"
+#include "doctor/modem_manager.h"
+#include "doctor/port.h"
+#include "doctor/report.h"
+#include "doctor/robot.h"
+#include "doctor/system.h"
+#include "doctor/usb.h"
+#include "link/port_discovery.h"
+#include "loop/real_time.h"
+
+namespace tp100::app {
+namespace {
+
+using doctor::Findings;
+using doctor::Severity;
+
+constexpr std::uint16_t kPagePort = 8765;
+
+std::atomic<bool> stop{false};
+
+void on_signal(int) { stop = true; }
+
+doctor::Account this_account() {
+  doctor::Account account;
+  account.uid = ::geteuid();
+  const passwd* entry = ::getpwuid(account.uid);
+  account.name = entry == nullptr ? std::to_string(account.uid) : entry->pw_name;
+  account.groups.resize(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
+  const int count = ::getgroups(static_cast<int>(account.groups.size()), account.groups.data());
+  account.groups.resize(static_cast<std::size_t>(std::max(0, count)));
+  account.groups.push_back(::getegid());
+  return account;
+}
+
+/// Asks for the privileges of a run, in a thread that ends with them.
+std::vector<loop::Grant> ask_privileges(const LoopSettings& settings) {
+  const loop::RealTimeProcess process({settings.lock_memory, settings.hold_cpu_latency});
+  std::vector<loop::Grant> grants = process.grants();
+  std::thread([&] {
+    const auto more = loop::apply_to_this_thread({settings.priority, settings.cpu});
+    grants.insert(grants.end(), more.begin(), more.end());
+  }).join();
+  return grants;
+}
+
+std::optional<std::uint16_t> page_port(const std::string& listen) {
+  if (listen == "off") return std::nullopt;
+  const std::size_t colon = listen.rfind(':');
+  std::uint16_t port = kPagePort;
+  if (colon != std::string::npos)
+    std::from_chars(listen.data() + colon + 1, listen.data() + listen.size(), port);
+  if (port == 0) return std::nullopt;
+  return port;
+}
+
+/// What an examination works on, and what it found.
+struct Examination {
+  doctor::System system{};
+  Configuration configuration{};
+  course::Robot robot{};
+  doctor::ChosenPort port{};
+  std::optional<doctor::LinkTest> link{};
+  Findings findings{};
+};
+
+Examination begin(const DoctorOptions& options) {
+  Examination all;
+  if (!options.config.empty()) {
+    const TextFile file = read_text_file(options.config);
+    all.configuration = parse_configuration(file.text, file.path);
+  }
+  const TextFile robot = read_bundled(
+      Bundled::kRobots, options.robot.empty() ? all.configuration.robot : options.robot);
+  all.robot = course::parse_robot(robot.text, robot.path);
+  return all;
+}
+
+VisitOptions visit_options(const Examination& all, const DoctorOptions& options) {
+  VisitOptions visit;
+  visit.port = all.port.path;
+  visit.serial = {all.configuration.link.baud, all.configuration.link.hang_up};
+  visit.session = session_settings(bridge_parameters(all.configuration, all.robot));
+  visit.session.baud = static_cast<std::uint32_t>(all.configuration.link.baud);
+  visit.battery_cutoff_v = all.robot.drive.battery_cutoff_v;
+  visit.link_test_s = options.link_test_s;
+  return visit;
+}
+
+void examine_port(Examination& all, const DoctorOptions& options) {
+  std::string name = options.port.empty() ? all.configuration.link.port : options.port;
+  // All findings speak of the system's files from its root.
+  if (name != "auto") name = std::filesystem::absolute(name);
+  all.port = doctor::choose_port(all.system, name, link::list_ports());
+  append(all.findings, all.port.findings);
+  if (all.port.device.empty()) return;
+  append(all.findings, doctor::permission_findings(all.system, all.port.device, this_account()));
+  if (all.port.physical) {
+    append(all.findings, doctor::holder_findings(all.system, all.port.device));
+    append(all.findings,
+           doctor::modem_manager_findings(all.system, all.port.device, all.port.info));
+  }
+}
+
+void examine_robot(Examination& all, const DoctorOptions& options) {
+  const doctor::Visit visit = visit_robot(visit_options(all, options), stop);
+  append(all.findings, doctor::robot_findings(visit));
+  all.link = visit.link;
+}
+
+void examine_tracks(Examination& all, const DoctorOptions& options) {
+  if (count(all.findings, Severity::kError) > 0) {
+    all.findings.push_back(
+        {Severity::kNote, "wheels-up", "the tracks were not tried", "mend the errors above first"});
+    return;
+  }
+  const VisitOptions visit = visit_options(all, options);
+  try {
+    append(all.findings,
+           try_wheels_up({visit.port, visit.serial, visit.session, all.robot.drive}, stop));
+  } catch (const SetupError& error) {
+    append(all.findings, doctor::robot_findings({.port = visit.port, .open_error = error.what()}));
+  }
+}
+
+void examine_host(Examination& all) {
+  append(all.findings, doctor::real_time_findings(ask_privileges(all.configuration.loop)));
+  append(all.findings, doctor::clock_source_findings(all.system));
+  append(all.findings, doctor::governor_findings(all.system));
+  if (const auto port = page_port(all.configuration.server.listen))
+    append(all.findings, doctor::page_port_findings(all.system, *port));
+  append(all.findings, doctor::disk_findings(try_disk(all.configuration.record.directory)));
+}
+
+}  // namespace
+
+int run_doctor(const DoctorOptions& options) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_signal);
+  Examination all = begin(options);
+  examine_port(all, options);
+  // A port that somebody else holds, or that is forbidden, is not opened only to hear the same.
+  if (count(all.findings, Severity::kError) == 0) examine_robot(all, options);
+  if (options.wheels_up) examine_tracks(all, options);
+  if (all.port.physical)
+    append(all.findings, doctor::usb_findings(all.system, all.port.device, all.port.info));
+  examine_host(all);
+  const std::string text = options.json ? doctor::json(all.findings, all.port.path, all.link)
+                                        : doctor::table(all.findings);
+  std::fputs(text.c_str(), stdout);
+  return stop || count(all.findings, Severity::kError) > 0 ? 1 : 0;
+}
+
+}  // namespace tp100::app

@@ -1,0 +1,69 @@
+#include "doctor/account.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+namespace tp100::doctor {
+namespace {
+
+/// A line of /etc/group.
+struct Group {
+  std::string name;
+  std::vector<std::string> members;
+};
+
+std::optional<Group> group_of(const System& system, gid_t gid) {
+  for (const std::string& line : lines(system.text("/etc/group").value_or(""))) {
+    const std::vector<std::string> fields = split(line, ':');
+    if (fields.size() < 3 || fields[2] != std::to_string(gid)) continue;
+    return Group{fields[0], fields.size() > 3 ? split(fields[3], ',') : std::vector<std::string>()};
+  }
+  return std::nullopt;
+}
+
+bool granted(mode_t mode, mode_t both) { return (mode & both) == both; }
+
+bool may_use(const DeviceFile& file, const Account& account) {
+  if (account.uid == 0) return true;
+  if (file.uid == account.uid) return granted(file.mode, S_IRUSR | S_IWUSR);
+  const bool in_group =
+      std::find(account.groups.begin(), account.groups.end(), file.gid) != account.groups.end();
+  return in_group ? granted(file.mode, S_IRGRP | S_IWGRP) : granted(file.mode, S_IROTH | S_IWOTH);
+}
+
+std::string mode_text(mode_t mode) {
+  char text[8];
+  std::snprintf(text, sizeof text, "%04o", static_cast<unsigned>(mode & 07777U));
+  return text;
+}
+
+}  // namespace
+
+Findings permission_findings(const System& system, const std::string& device,
+                             const Account& account) {
+  const std::optional<DeviceFile> file = system.device(device);
+  if (!file) return {};
+  if (may_use(*file, account))
+    return {ok("permission", device + ": " + account.name + " may read and write it")};
+  const std::optional<Group> group = group_of(system, file->gid);
+  const std::string name = group ? group->name : std::to_string(file->gid);
+  if (!granted(file->mode, S_IRGRP | S_IWGRP))
+    return {
+        {Severity::kError, "permission",
+         device + ": mode " + mode_text(file->mode) + " lets nobody but its owner use it",
+         "unplug the robot and plug it in again; if that does not help: sudo chmod 660 " + device}};
+  const bool member = group && std::find(group->members.begin(), group->members.end(),
+                                         account.name) != group->members.end();
+  if (member)
+    return {{Severity::kError, "group",
+             account.name + " is in group " + name + ", but not in this session",
+             "log out and in again, or only here: newgrp " + name}};
+  return {{Severity::kError, "permission",
+           device + ": " + account.name + " is not in group " + name + ", which may use it",
+           "sudo adduser " + account.name + " " + name + ", then log out and in again"}};
+}
+
+}  // namespace tp100::doctor

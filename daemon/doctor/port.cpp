@@ -1,0 +1,86 @@
+#include "doctor/port.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "link/port_holder.h"
+
+namespace tp100::doctor {
+namespace {
+
+constexpr const char* kById = "/dev/serial/by-id";
+
+ChosenPort missing(std::string seen, std::string fix) {
+  ChosenPort none;
+  none.findings = {{Severity::kError, "device", std::move(seen), std::move(fix)}};
+  return none;
+}
+
+std::string name_of(const std::string& path) { return std::filesystem::path(path).filename(); }
+
+void add_stable_name(const System& system, ChosenPort& port, std::size_t candidates) {
+  const std::string stable = stable_name(system, port.device);
+  if (stable.empty()) {
+    port.findings.push_back(
+        {Severity::kNote, "by-id", port.device + ": no name in " + kById + " leads to it",
+         "with several boards, name it in link.port after each plugging in: see tp100d ports"});
+  } else if (candidates > 1 && port.path != stable) {
+    port.findings.push_back({Severity::kWarning, "by-id",
+                             std::to_string(candidates) + " boards may be the robot, " +
+                                 port.device + " is only the likeliest",
+                             "set link.port = \"" + stable + "\" in the configuration"});
+  } else {
+    port.findings.push_back(ok("by-id", stable));
+  }
+}
+
+}  // namespace
+
+ChosenPort choose_port(const System& system, const std::string& port,
+                       const std::vector<link::PortInfo>& ports) {
+  const std::vector<link::PortInfo> likely = link::candidates(ports);
+  ChosenPort chosen;
+  chosen.path = port;
+  if (port == "auto") {
+    if (likely.empty())
+      return missing("no USB port that may be a TP100",
+                     "plug the robot in with a data cable, or name its port with --port (see "
+                     "tp100d ports)");
+    chosen.path = likely.front().path;
+  }
+  chosen.device = system.real(chosen.path);
+  if (chosen.device.empty())
+    return missing(chosen.path + ": no such port",
+                   "plug the robot in, or name another port with --port (see tp100d ports)");
+  chosen.physical = chosen.device.rfind("/dev/", 0) == 0 &&
+                    system.exists("/sys/class/tty/" + name_of(chosen.device));
+  const auto known = std::find_if(ports.begin(), ports.end(), [&](const link::PortInfo& info) {
+    return info.path == chosen.device;
+  });
+  if (known != ports.end()) chosen.info = *known;
+  chosen.findings.push_back(
+      ok("device", chosen.device + ": " +
+                       (chosen.physical ? link::describe(chosen.info) : "no physical port") +
+                       (chosen.info.serial.empty() ? "" : ", serial " + chosen.info.serial)));
+  if (chosen.physical) add_stable_name(system, chosen, port == "auto" ? likely.size() : 1);
+  return chosen;
+}
+
+std::string stable_name(const System& system, const std::string& device) {
+  const std::string wanted = system.real(device);
+  if (wanted.empty()) return {};
+  for (const std::string& name : system.names(kById)) {
+    std::string path = std::string(kById) + "/" + name;
+    if (system.real(path) == wanted) return path;
+  }
+  return {};
+}
+
+Findings holder_findings(const System& system, const std::string& device) {
+  const std::string holder = link::port_holder(device, system.file("/proc"));
+  if (holder.empty()) return {ok("holder", device + ": no other program has it open")};
+  return {{Severity::kError, "holder", device + ": held open by " + holder,
+           "end that program, or choose another port with --port"}};
+}
+
+}  // namespace tp100::doctor

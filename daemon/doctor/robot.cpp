@@ -1,0 +1,173 @@
+#include "doctor/robot.h"
+
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+
+namespace tp100::doctor {
+namespace {
+
+constexpr double kFewSamples = 0.5;  // of what should have come
+// A command lives 200 ms, and the step takes samples for stale long before.
+constexpr double kOldUs = 20'000.0;
+constexpr double kLooseClockUs = 2'000.0;
+// Of 9.81 m/s^2: a board lying within 60 degrees of level.
+constexpr double kUprightMps2 = 4.9;
+// No cell is that empty: what is left comes through the board's own supply.
+constexpr double kOffV = 4.0;
+
+[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...) {
+  std::array<char, 240> out{};
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(out.data(), out.size(), format, arguments);
+  va_end(arguments);
+  return out.data();
+}
+
+std::string text_of(const Percentiles& times) {
+  return text("%.2f/%.2f/%.2f/%.2f ms", times.p50_us * 1e-3, times.p90_us * 1e-3,
+              times.p99_us * 1e-3, times.max_us * 1e-3);
+}
+
+Finding error(std::string name, std::string seen, std::string fix) {
+  return {Severity::kError, std::move(name), std::move(seen), std::move(fix)};
+}
+
+Finding warning(std::string name, std::string seen, std::string fix) {
+  return {Severity::kWarning, std::move(name), std::move(seen), std::move(fix)};
+}
+
+std::uint64_t damaged(const LinkCounters& counters) {
+  return counters.crc_errors + counters.cobs_errors + counters.oversize + counters.undersize;
+}
+
+/// Why there was no hello.
+Finding silent(const Visit& visit) {
+  const std::string flash = "scripts/flash --port " + visit.port;
+  if (visit.bootloader)
+    return error("bootloader", visit.port + ": only the bootloader answers", flash);
+  if (visit.frames_in > 0)
+    return error("firmware", visit.port + ": speaks the wire's frames but says no hello",
+                 "press the board's reset button; if that does not help: " + flash);
+  if (visit.bytes_in > 0)
+    return error("firmware",
+                 visit.port + text(": %zu bytes, but no frame of a TP100", visit.bytes_in),
+                 "if this is the robot: " + flash + "; else choose its port with --port");
+  return error("firmware", visit.port + ": silent",
+               "press the board's reset button and see whether its light blinks; if this is the "
+               "robot: " +
+                   flash + "; else choose its port with --port");
+}
+
+/// What is latched is cleared by the next start, unless its cause is still there.
+void add_fault(Fault fault, Findings& findings) {
+  const FaultText& words = describe(fault);
+  const std::string seen = std::string(words.name) + ": " + std::string(words.cause);
+  switch (fault) {
+    case Fault::command_timeout:
+    case Fault::parameters_missing:
+    case Fault::battery_low:  // see add_battery
+      return;
+    case Fault::imu_missing:
+    case Fault::imu_stale:
+      findings.push_back(error("fault", seen, std::string(words.remedy)));
+      return;
+    default:
+      findings.push_back(warning("fault", seen, std::string(words.remedy)));
+  }
+}
+
+void add_battery(const Visit& visit, Findings& findings) {
+  if (visit.battery_v >= visit.battery_cutoff_v) {
+    findings.push_back(ok("battery", text("%.1f V", visit.battery_v)));
+    return;
+  }
+  findings.push_back(
+      error("battery",
+            text("%.1f V, the robot stops below %.1f V", visit.battery_v, visit.battery_cutoff_v),
+            visit.battery_v < kOffV ? "switch the motors' cells on" : "charge the cells"));
+}
+
+void add_state(const Visit& visit, Findings& findings) {
+  if (visit.reboots > 0)
+    findings.push_back(error("reboots",
+                             text("the board restarted %llu times while it was watched",
+                                  static_cast<unsigned long long>(visit.reboots)),
+                             "charge the cells and check the power wiring"));
+  for (FaultMask left = visit.faults; left != 0; left &= left - 1)
+    add_fault(*first_fault(left), findings);
+  if (!visit.ready) return;
+  add_battery(visit, findings);
+  if (!visit.imu_fresh) return;
+  if (visit.up_mps2 < kUprightMps2) {
+    findings.push_back(error(
+        "imu", text("at rest its z axis shows %.1f m/s^2, upright would be 9.8", visit.up_mps2),
+        "set the robot upright; if it is: mount the MPU6050 level, chip side up, x forward"));
+  } else {
+    findings.push_back(ok("imu", text("upright, z %.1f m/s^2", visit.up_mps2)));
+  }
+}
+
+void add_link(const LinkTest& link, Findings& findings) {
+  const std::string figures =
+      text("%zu samples in %.1f s, %llu lost, %llu frames damaged", link.samples, link.duration_s,
+           static_cast<unsigned long long>(link.counters.lost),
+           static_cast<unsigned long long>(damaged(link.counters)));
+  const std::string times =
+      "; p50/p90/p99/max of age " + text_of(link.age) + ", round trip " + text_of(link.round_trip);
+  const char* const cable = "use a short cable without a hub, away from the motors' leads";
+  if (static_cast<double>(link.samples) < kFewSamples * link.expected_samples) {
+    findings.push_back(
+        error("link", figures + text(", %.0f were due", link.expected_samples), cable));
+  } else if (link.confirmed == 0) {
+    findings.push_back(error("link", figures + ", and the robot confirmed no command", cable));
+  } else if (link.counters.lost > 0 || damaged(link.counters) > 0) {
+    findings.push_back(warning("link", figures + times, cable));
+  } else if (link.age.p99_us > kOldUs || link.round_trip.p99_us > 2.0 * kOldUs) {
+    findings.push_back(warning("link", figures + times,
+                               "plug the robot in without a hub and end what loads this machine"));
+  } else {
+    findings.push_back(ok("link", figures + times));
+  }
+  if (!link.clock_known) return;
+  const std::string clock =
+      text("known within %.0f us, drift %.0f ppm", link.clock_uncertainty_us, link.clock_drift_ppm);
+  if (link.clock_uncertainty_us > kLooseClockUs) {
+    findings.push_back(warning("clock", "the robot's clock is only " + clock,
+                               "plug the robot in without a hub and end what loads this machine"));
+  } else {
+    findings.push_back(ok("clock", "the robot's clock is " + clock));
+  }
+}
+
+}  // namespace
+
+Findings robot_findings(const Visit& visit) {
+  if (!visit.open_error.empty()) {
+    const std::size_t end = visit.open_error.rfind("; ");
+    return {
+        error("open", visit.open_error.substr(0, end),
+              end == std::string::npos ? "see tp100d ports" : visit.open_error.substr(end + 2))};
+  }
+  if (visit.greeting.empty()) return {silent(visit)};
+  if (!visit.ours)
+    return {error("firmware", visit.greeting.substr(0, visit.greeting.rfind("; ")),
+                  "scripts/flash --port " + visit.port)};
+  Findings findings = {ok("firmware", visit.greeting)};
+  if (!visit.refused.empty()) {
+    findings.push_back(error("parameters", "the firmware refuses " + visit.refused,
+                             "correct that key of the robot file (tp100d check FILE)"));
+    return findings;
+  }
+  if (!visit.ready && visit.reboots == 0)
+    findings.push_back(error("session", "the robot says hello, but its clock could not be read",
+                             "use a short cable without a hub; if that does not help: "
+                             "scripts/flash --port " +
+                                 visit.port));
+  add_state(visit, findings);
+  if (visit.link) add_link(*visit.link, findings);
+  return findings;
+}
+
+}  // namespace tp100::doctor

@@ -1,0 +1,63 @@
+#pragma once
+// What the robot said when it was asked, and how good its link is.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/faults.h"
+#include "core/link_state.h"
+#include "doctor/finding.h"
+
+namespace tp100::doctor {
+
+/// A distribution of times.
+struct Percentiles {
+  double p50_us = 0.0;
+  double p90_us = 0.0;
+  double p99_us = 0.0;
+  double max_us = 0.0;
+};
+
+/// Figures of a while of samples and of commands that ask for nothing.
+struct LinkTest {
+  double duration_s = 0.0;
+  std::size_t samples = 0;
+  double expected_samples = 0.0;  ///< at the robot's rate
+  LinkCounters counters{};        ///< of that while alone
+  Percentiles age{};              ///< now - when it was measured, as a sample is read
+  /// From writing a command to reading the first sample that confirms it; up to a sample's period
+  /// of it is the robot's.
+  Percentiles round_trip{};
+  std::size_t confirmed = 0;  ///< commands
+  bool clock_known = false;   ///< at its end
+  double clock_uncertainty_us = 0.0;
+  double clock_drift_ppm = 0.0;
+};
+
+/// How far the handshake came.
+struct Visit {
+  std::string port{};
+  std::string open_error{};   ///< why the port could not be opened; empty: it was
+  std::size_t bytes_in = 0;   ///< that the port brought
+  std::size_t frames_in = 0;  ///< of them frames of this wire
+  bool bootloader = false;    ///< a silent board's bootloader answered
+  std::string greeting{};     ///< what the hello said; empty: there was none
+  bool ours = false;          ///< firmware for this program
+  std::string refused{};      ///< the parameter that the firmware refused; empty: none
+  bool ready = false;         ///< samples flowed and the clocks were related
+  std::uint64_t reboots = 0;
+  FaultMask faults = 0;           ///< latched by the robot
+  double battery_v = 0.0;         ///< both cells together
+  double battery_cutoff_v = 0.0;  ///< the robot stops below; 0: never
+  bool imu_fresh = false;
+  double up_mps2 = 0.0;  ///< specific force along the IMU's z axis, at rest
+  std::optional<LinkTest> link{};
+};
+
+/// Names: firmware, bootloader, parameters, session, reboots, fault, battery, imu,
+/// link, clock; open for a port that cannot be opened.
+Findings robot_findings(const Visit& visit);
+
+}  // namespace tp100::doctor

@@ -1,0 +1,46 @@
+#pragma once
+// The files in which a Linux system says what it is: /sys, /proc, /etc, /run/udev and /dev, below a
+// root that a test may choose. Nothing throws; what cannot be read is missing.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tp100::doctor {
+
+/// Mode, owner and number of a device file.
+struct DeviceFile {
+  mode_t mode = 0;
+  uid_t uid = 0;
+  gid_t gid = 0;
+};
+
+class System {
+ public:
+  explicit System(const std::filesystem::path& root = "/");
+
+  /// Where `path` ("/sys/...") really lies, for those who open it themselves.
+  std::filesystem::path file(const std::string& path) const;
+  bool exists(const std::string& path) const;
+  /// The whole text without white space at its end.
+  std::optional<std::string> text(const std::string& path) const;
+  /// The names in a folder, sorted.
+  std::vector<std::string> names(const std::string& folder) const;
+  /// `path` with all symbolic links followed, as seen from the root; empty if there is no such
+  /// file.
+  std::string real(const std::string& path) const;
+  std::optional<DeviceFile> device(const std::string& path) const;
+
+ private:
+  std::filesystem::path root_;
+};
+
+/// The lines of a text.
+std::vector<std::string> lines(const std::string& text);
+/// The parts of `line` between `separator`s, empty ones included.
+std::vector<std::string> split(const std::string& line, char separator);
+
+}  // namespace tp100::doctor

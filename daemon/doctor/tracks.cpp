@@ -1,0 +1,182 @@
+#include "doctor/tracks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "core/angle.h"
+
+namespace tp100::doctor {
+namespace {
+
+// A tenth of what a track makes in a second of that test.
+constexpr double kMovedM = 0.01;
+// On the floor the other track is dragged along, and the body turns by some degrees only.
+constexpr double kBodyTurnedRad = 1.0 * kRadPerDeg;
+constexpr double kSpunRad = 5.0 * kRadPerDeg;
+constexpr double kHandTurnedRad = 20.0 * kRadPerDeg;
+
+constexpr const char* kAgain = ", then run this test again";
+
+std::string name_of(Side side) { return side == Side::kLeft ? "left" : "right"; }
+
+std::string figures(const TrackDrive& drive) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "left encoder %+.3f m, right %+.3f m, gyro %+.0f deg",
+                drive.left_m, drive.right_m, drive.turned_rad * kDegPerRad);
+  return text.data();
+}
+
+/// How to turn the key over.
+std::string turned_over(const std::string& key, bool now) {
+  return "set drive." + key + " = " + (now ? "false" : "true") + " in the robot file";
+}
+
+std::string motor_fix(Side side, const Wiring& wiring) {
+  return turned_over("invert_" + name_of(side) + "_motor",
+                     side == Side::kLeft ? wiring.invert_left_motor : wiring.invert_right_motor);
+}
+
+std::string encoder_fix(Side side, const Wiring& wiring) {
+  return turned_over("invert_" + name_of(side) + "_encoder", side == Side::kLeft
+                                                                 ? wiring.invert_left_encoder
+                                                                 : wiring.invert_right_encoder);
+}
+
+/// A left track that runs forward turns the body to the right.
+Seen seen_of(Side side, const TrackDrive& drive) {
+  const bool turned = std::abs(drive.turned_rad) > kBodyTurnedRad;
+  if (drive.seen != Seen::kUnknown || !turned) return drive.seen;
+  return (drive.turned_rad < 0.0) == (side == Side::kLeft) ? Seen::kAsAsked : Seen::kBackwards;
+}
+
+/// What one drive showed.
+struct Shown {
+  Side side;
+  double own_m;    // by the encoder of the driven track
+  double other_m;  // by the other one
+  Seen seen;
+  std::string figures;
+
+  bool crossed() const { return std::abs(other_m) > std::max(kMovedM, std::abs(own_m)); }
+  bool forward() const { return own_m > kMovedM && !crossed(); }
+  bool back() const { return own_m < -kMovedM && !crossed(); }
+};
+
+Shown shown(Side side, const TrackDrive& drive) {
+  const bool left = side == Side::kLeft;
+  return {side, left ? drive.left_m : drive.right_m, left ? drive.right_m : drive.left_m,
+          seen_of(side, drive), figures(drive)};
+}
+
+Finding error(const Shown& drive, const std::string& what, std::string fix) {
+  return {Severity::kError, name_of(drive.side) + "-track", what + " (" + drive.figures + ")",
+          std::move(fix)};
+}
+
+Finding judge_unseen(const Shown& drive, const Wiring& wiring) {
+  const std::string side = name_of(drive.side);
+  if (drive.forward()) return ok(side + "-track", drive.figures);
+  if (drive.back())
+    return error(drive, side + " encoder counts against its motor",
+                 "if the track ran forward first: " + encoder_fix(drive.side, wiring) +
+                     "; else: " + motor_fix(drive.side, wiring));
+  if (drive.crossed())
+    return error(drive, "driving the " + side + " track, the other encoder counts",
+                 "swap the plugs of the two encoders, or of the two motors" + std::string(kAgain));
+  return error(drive, side + " track driven, but no encoder counts",
+               "check the plugs of its motor and its encoder, and the motors' cells");
+}
+
+Finding judge_as_asked(const Shown& drive, const Wiring& wiring) {
+  const std::string side = name_of(drive.side);
+  if (drive.forward()) return ok(side + "-track", drive.figures);
+  if (drive.back())
+    return error(drive, side + " encoder counts backwards", encoder_fix(drive.side, wiring));
+  if (drive.crossed())
+    return error(drive, "the " + side + " track ran, but the other encoder counted",
+                 "swap the plugs of the two encoders");
+  return error(drive, "the " + side + " track ran, but its encoder did not count",
+               "check the plug and the two signals of the " + side + " encoder");
+}
+
+Finding judge_backwards(const Shown& drive, const Wiring& wiring) {
+  const std::string side = name_of(drive.side);
+  const std::string motor = motor_fix(drive.side, wiring);
+  if (drive.back()) return error(drive, side + " motor runs backwards", motor);
+  if (drive.forward())
+    return error(drive, side + " motor and encoder are both backwards",
+                 motor + ", and " + encoder_fix(drive.side, wiring));
+  return error(drive, side + " motor runs backwards, and its encoder does not count",
+               motor + kAgain);
+}
+
+Finding judge_other(const Shown& drive, const Wiring& wiring) {
+  const std::string side = name_of(drive.side);
+  if (drive.crossed())
+    return error(drive, "driving the " + side + " track, the other one runs and counts",
+                 "swap the plugs of the two motors");
+  return error(drive, "left and right are plugged the wrong way round",
+               turned_over("swap_tracks", wiring.swap_tracks) + kAgain);
+}
+
+Finding judge(const Shown& drive, const Wiring& wiring) {
+  switch (drive.seen) {
+    case Seen::kAsAsked:
+      return judge_as_asked(drive, wiring);
+    case Seen::kBackwards:
+      return judge_backwards(drive, wiring);
+    case Seen::kOtherTrack:
+      return judge_other(drive, wiring);
+    case Seen::kNothing:
+      return error(drive, "the " + name_of(drive.side) + " track does not run",
+                   "check the plug of its motor and that the motors' cells are switched on");
+    case Seen::kUnknown:
+      break;
+  }
+  return judge_unseen(drive, wiring);
+}
+
+}  // namespace
+
+bool on_floor(double spin_rad) { return std::abs(spin_rad) > kSpunRad; }
+
+Findings track_findings(const TrackDrive& left, const TrackDrive& right, const Wiring& wiring) {
+  const Shown first = shown(Side::kLeft, left);
+  const Shown second = shown(Side::kRight, right);
+  // The body alone cannot tell one track running back from the other running forward; encoders that
+  // agree with both drives can.
+  const bool nobody_looked = left.seen == Seen::kUnknown && right.seen == Seen::kUnknown;
+  const bool mirrored = first.seen == Seen::kBackwards && second.seen == Seen::kBackwards;
+  if (nobody_looked && mirrored && first.forward() && second.forward())
+    return {{Severity::kError, "tracks",
+             "left and right are plugged the wrong way round (driving left: " + first.figures + ")",
+             turned_over("swap_tracks", wiring.swap_tracks) + kAgain}};
+  return {judge(first, wiring), judge(second, wiring)};
+}
+
+Findings gyro_findings(std::optional<double> hand_rad, double spin_rad, bool tracks_well) {
+  std::array<char, 96> text{};
+  if (!hand_rad) {
+    std::snprintf(text.data(), text.size(), "tracks turning left, it says %+.0f deg",
+                  spin_rad * kDegPerRad);
+    if (on_floor(spin_rad) && tracks_well) return {ok("gyro", text.data())};
+    return {{Severity::kWarning, "gyro", "its sign was not tried",
+             tracks_well ? "run this test in a terminal, and turn the robot when it asks for it"
+                         : "mend the tracks, then run this test again"}};
+  }
+  std::snprintf(text.data(), text.size(), "turned left by hand, the gyro says %+.0f deg",
+                *hand_rad * kDegPerRad);
+  if (*hand_rad > kHandTurnedRad) return {ok("gyro", text.data())};
+  if (*hand_rad < -kHandTurnedRad)
+    return {{Severity::kError, "gyro", text.data(),
+             "mount the MPU6050 level, chip side up (firmware/WIRING.md)"}};
+  return {{Severity::kError, "gyro", text.data(),
+           "run this test again and turn the robot by a quarter to the left; if it says the same, "
+           "check that the MPU6050 lies level"}};
+}
+
+}  // namespace tp100::doctor

@@ -1,0 +1,150 @@
+#include "doctor/port.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "doctor/modem_manager.h"
+#include "doctor/usb.h"
+#include "fake_system.h"
+
+namespace tp100::doctor {
+namespace {
+
+using test::FakeSystem;
+using test::find;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr const char* kDevice = "/dev/ttyACM0";
+
+class Port : public testing::Test {
+ protected:
+  Port() { fake_.plug_in_mega(); }
+  FakeSystem fake_;
+};
+
+TEST_F(Port, IsTheLikeliestOneWithItsStableName) {
+  fake_.link("/dev/serial/by-id/usb-Arduino-7583", "../../ttyACM0");
+  const ChosenPort port = choose_port(fake_.system(), "auto", {FakeSystem::mega()});
+  EXPECT_EQ(port.device, kDevice);
+  EXPECT_TRUE(port.physical);
+  EXPECT_EQ(count(port.findings, Severity::kOk), port.findings.size());
+  EXPECT_EQ(find(port.findings, "device").seen, "/dev/ttyACM0: Arduino Mega 2560, serial 7583");
+  EXPECT_EQ(find(port.findings, "by-id").seen, "/dev/serial/by-id/usb-Arduino-7583");
+}
+
+TEST_F(Port, IsFoundBehindALink) {
+  fake_.link("/dev/robot", "ttyACM0");
+  const ChosenPort port = choose_port(fake_.system(), "/dev/robot", {FakeSystem::mega()});
+  EXPECT_EQ(port.path, "/dev/robot");
+  EXPECT_EQ(port.device, kDevice);
+  EXPECT_EQ(port.info.serial, "7583");
+}
+
+TEST_F(Port, IsMissingIfNothingIsPluggedIn) {
+  const ChosenPort port = choose_port(fake_.system(), "auto", {});
+  EXPECT_EQ(port.device, "");
+  EXPECT_EQ(find(port.findings, "device").severity, Severity::kError);
+  EXPECT_THAT(find(port.findings, "device").fix, HasSubstr("plug the robot in"));
+}
+
+TEST_F(Port, IsMissingIfItsNameLeadsNowhere) {
+  const ChosenPort port = choose_port(fake_.system(), "/dev/ttyACM7", {FakeSystem::mega()});
+  EXPECT_EQ(port.device, "");
+  EXPECT_EQ(find(port.findings, "device").severity, Severity::kError);
+  EXPECT_THAT(find(port.findings, "device").seen, HasSubstr("/dev/ttyACM7: no such port"));
+}
+
+TEST_F(Port, WithoutAStableNameIsNoted) {
+  const ChosenPort port = choose_port(fake_.system(), "auto", {FakeSystem::mega()});
+  EXPECT_EQ(find(port.findings, "by-id").severity, Severity::kNote);
+  EXPECT_THAT(find(port.findings, "by-id").fix, HasSubstr("link.port"));
+}
+
+TEST_F(Port, OneOfSeveralShouldBeNamed) {
+  fake_.link("/dev/serial/by-id/usb-Arduino-7583", "../../ttyACM0");
+  const ChosenPort port =
+      choose_port(fake_.system(), "auto", {FakeSystem::mega(), FakeSystem::mega("/dev/ttyACM1")});
+  EXPECT_EQ(find(port.findings, "by-id").severity, Severity::kWarning);
+  EXPECT_THAT(find(port.findings, "by-id").fix,
+              HasSubstr("link.port = \"/dev/serial/by-id/usb-Arduino-7583\""));
+}
+
+TEST_F(Port, ThatIsNoPhysicalOneHasNoStableName) {
+  fake_.write("/dev/pts/3", "");
+  const ChosenPort port = choose_port(fake_.system(), "/dev/pts/3", {});
+  EXPECT_FALSE(port.physical);
+  EXPECT_EQ(port.findings.size(), 1U);
+  EXPECT_EQ(find(port.findings, "device").severity, Severity::kOk);
+}
+
+TEST_F(Port, ThatIsHeldNamesItsHolder) {
+  EXPECT_EQ(find(holder_findings(fake_.system(), kDevice), "holder").severity, Severity::kOk);
+  fake_.process("999999999", "minicom");
+  fake_.opens("999999999", kDevice);
+  const Finding held = find(holder_findings(fake_.system(), kDevice), "holder");
+  EXPECT_EQ(held.severity, Severity::kError);
+  EXPECT_EQ(held.seen, "/dev/ttyACM0: held open by minicom (pid 999999999)");
+  EXPECT_THAT(held.fix, HasSubstr("end that program"));
+}
+
+TEST_F(Port, IsProbedByAModemManagerThatRuns) {
+  const auto finding = [&] {
+    return find(modem_manager_findings(fake_.system(), kDevice, FakeSystem::mega()),
+                "modem-manager");
+  };
+  EXPECT_EQ(finding().severity, Severity::kOk);
+  fake_.process("41", "ModemManager");
+  EXPECT_EQ(finding().severity, Severity::kWarning);
+  EXPECT_THAT(finding().fix, HasSubstr("ATTRS{idVendor}==\"2341\", ATTRS{idProduct}==\"0042\""));
+  EXPECT_THAT(finding().fix, HasSubstr("ID_MM_DEVICE_IGNORE"));
+  const Finding unknown =
+      find(modem_manager_findings(fake_.system(), kDevice, {}), "modem-manager");
+  EXPECT_EQ(unknown.severity, Severity::kWarning);
+  EXPECT_THAT(unknown.fix, HasSubstr("systemctl disable --now ModemManager"));
+}
+
+TEST_F(Port, IsLeftAloneByAModemManagerThatUdevTold) {
+  fake_.process("41", "ModemManager");
+  fake_.write("/run/udev/data/c189:3", "E:ID_VENDOR_ID=2341\nE:ID_MM_DEVICE_IGNORE=1\n");
+  EXPECT_EQ(
+      find(modem_manager_findings(fake_.system(), kDevice, FakeSystem::mega()), "modem-manager")
+          .severity,
+      Severity::kOk);
+}
+
+TEST_F(Port, MayBePutToSleep) {
+  const auto finding = [&] {
+    return find(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "autosuspend");
+  };
+  const std::string file = FakeSystem::kUsb + "/power/control";
+  fake_.write(file, "on\n");
+  EXPECT_EQ(finding().severity, Severity::kOk);
+  fake_.write(file, "auto\n");
+  EXPECT_EQ(finding().severity, Severity::kWarning);
+  EXPECT_EQ(finding().fix, "echo on | sudo tee " + file);
+}
+
+TEST_F(Port, MayKeepBytesBack) {
+  fake_.write(FakeSystem::kUsb + "/1-1:1.0/latency_timer", "16\n");
+  fake_.link(FakeSystem::kUsb + "/1-1:1.0/tty/ttyACM0/device", "../..");
+  const auto finding = [&] {
+    return find(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), "latency-timer");
+  };
+  EXPECT_EQ(finding().severity, Severity::kWarning);
+  EXPECT_THAT(finding().seen, HasSubstr("16 ms"));
+  EXPECT_EQ(finding().fix, "echo 1 | sudo tee /sys/class/tty/ttyACM0/device/latency_timer");
+  fake_.write(FakeSystem::kUsb + "/1-1:1.0/latency_timer", "1\n");
+  EXPECT_EQ(finding().severity, Severity::kOk);
+}
+
+TEST_F(Port, BehindACh340IsNoted) {
+  const link::PortInfo clone{kDevice, 0x1a86, 0x7523, "", "", ""};
+  const Finding bridge = find(usb_findings(fake_.system(), kDevice, clone), "bridge");
+  EXPECT_EQ(bridge.severity, Severity::kNote);
+  EXPECT_THAT(bridge.seen, HasSubstr("CH340"));
+  EXPECT_THAT(usb_findings(fake_.system(), kDevice, FakeSystem::mega()), IsEmpty());
+}
+
+}  // namespace
+}  // namespace tp100::doctor

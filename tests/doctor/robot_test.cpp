@@ -1,0 +1,194 @@
+#include "doctor/robot.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fake_system.h"
+
+namespace tp100::doctor {
+namespace {
+
+using test::find;
+using ::testing::HasSubstr;
+
+/// Of a robot that has nothing wrong with it.
+Visit good_visit() {
+  Visit visit;
+  visit.port = "/dev/ttyACM0";
+  visit.bytes_in = 9000;
+  visit.frames_in = 200;
+  visit.greeting = "board Mega 2560, firmware 0.1.0, protocol 1";
+  visit.ours = true;
+  visit.ready = true;
+  visit.battery_v = 7.9;
+  visit.battery_cutoff_v = 6.0;
+  visit.imu_fresh = true;
+  visit.up_mps2 = 9.7;
+  LinkTest link;
+  link.duration_s = 1.0;
+  link.samples = 200;
+  link.expected_samples = 200.0;
+  link.age = {1500.0, 2000.0, 3000.0, 4000.0};
+  link.round_trip = {5000.0, 6000.0, 7000.0, 8000.0};
+  link.confirmed = 120;
+  link.clock_known = true;
+  link.clock_uncertainty_us = 300.0;
+  visit.link = link;
+  return visit;
+}
+
+/// The one finding of a visit that ends with it.
+Finding only(const Visit& visit) {
+  const Findings findings = robot_findings(visit);
+  return findings.size() == 1 ? findings[0] : Finding{Severity::kOk, "not one", "", ""};
+}
+
+TEST(Robot, ThatIsWellHasNothingToMend) {
+  const Findings findings = robot_findings(good_visit());
+  EXPECT_EQ(count(findings, Severity::kOk), findings.size());
+  EXPECT_THAT(find(findings, "link").seen, HasSubstr("200 samples in 1.0 s, 0 lost"));
+  EXPECT_THAT(find(findings, "link").seen, HasSubstr("age 1.50/2.00/3.00/4.00 ms"));
+  EXPECT_THAT(find(findings, "link").seen, HasSubstr("round trip 5.00/6.00/7.00/8.00 ms"));
+}
+
+TEST(Robot, WhosePortCannotBeOpenedSaysWhatToDo) {
+  Visit visit;
+  visit.open_error = "/dev/ttyACM0: port is busy, held by cat (pid 7); end that program";
+  const Finding open = only(visit);
+  EXPECT_EQ(open.severity, Severity::kError);
+  EXPECT_EQ(open.name, "open");
+  EXPECT_EQ(open.seen, "/dev/ttyACM0: port is busy, held by cat (pid 7)");
+  EXPECT_EQ(open.fix, "end that program");
+}
+
+TEST(Robot, ThatIsSilentMayNeedItsFirmware) {
+  Visit visit;
+  visit.port = "/dev/ttyACM0";
+  EXPECT_EQ(only(visit).severity, Severity::kError);
+  EXPECT_EQ(only(visit).name, "firmware");
+  EXPECT_THAT(only(visit).seen, HasSubstr("silent"));
+  visit.bytes_in = 80;
+  EXPECT_THAT(only(visit).seen, HasSubstr("80 bytes, but no frame of a TP100"));
+  EXPECT_THAT(only(visit).fix, HasSubstr("scripts/flash --port /dev/ttyACM0"));
+  visit.frames_in = 4;
+  EXPECT_THAT(only(visit).seen, HasSubstr("says no hello"));
+}
+
+TEST(Robot, WithNothingButABootloaderNeedsItsFirmware) {
+  Visit visit;
+  visit.port = "/dev/ttyACM0";
+  visit.bootloader = true;
+  EXPECT_EQ(only(visit).severity, Severity::kError);
+  EXPECT_EQ(only(visit).name, "bootloader");
+  EXPECT_EQ(only(visit).fix, "scripts/flash --port /dev/ttyACM0");
+}
+
+TEST(Robot, OfAnotherVersionNeedsFlashing) {
+  Visit visit = good_visit();
+  visit.ours = false;
+  visit.greeting = "firmware 3.0.0, protocol 2, but tp100d speaks 1; flash it";
+  EXPECT_EQ(only(visit).severity, Severity::kError);
+  EXPECT_EQ(only(visit).name, "firmware");
+  EXPECT_EQ(only(visit).seen, "firmware 3.0.0, protocol 2, but tp100d speaks 1");
+  EXPECT_EQ(only(visit).fix, "scripts/flash --port /dev/ttyACM0");
+}
+
+TEST(Robot, ThatRefusesAParameterNamesIt) {
+  Visit visit = good_visit();
+  visit.refused = "yaw_kp";
+  const Finding refused = find(robot_findings(visit), "parameters");
+  EXPECT_EQ(refused.severity, Severity::kError);
+  EXPECT_THAT(refused.seen, HasSubstr("yaw_kp"));
+  EXPECT_THAT(refused.fix, HasSubstr("tp100d check"));
+}
+
+TEST(Robot, WhoseClockIsNotFoundHasNoSession) {
+  Visit visit = good_visit();
+  visit.ready = false;
+  visit.link.reset();
+  EXPECT_EQ(find(robot_findings(visit), "session").severity, Severity::kError);
+}
+
+TEST(Robot, ThatRestartsHasABadSupply) {
+  Visit visit = good_visit();
+  visit.reboots = 3;
+  const Finding reboots = find(robot_findings(visit), "reboots");
+  EXPECT_EQ(reboots.severity, Severity::kError);
+  EXPECT_THAT(reboots.seen, HasSubstr("3 times"));
+  EXPECT_THAT(reboots.fix, HasSubstr("power wiring"));
+}
+
+TEST(Robot, WithALatchedFaultSaysItsRemedy) {
+  Visit visit = good_visit();
+  visit.faults = fault_bit(Fault::imu_missing) | fault_bit(Fault::command_timeout);
+  const Findings findings = robot_findings(visit);
+  EXPECT_EQ(count(findings, Severity::kError), 1U);
+  EXPECT_THAT(find(findings, "fault").seen, HasSubstr("imu_missing"));
+  EXPECT_THAT(find(findings, "fault").fix, HasSubstr("SDA"));
+  // A start clears what has no cause any more.
+  visit.faults = fault_bit(Fault::watchdog_reset);
+  EXPECT_EQ(find(robot_findings(visit), "fault").severity, Severity::kWarning);
+}
+
+TEST(Robot, WithEmptyCellsOrNoneSaysWhich) {
+  Visit visit = good_visit();
+  visit.battery_v = 5.5;
+  EXPECT_EQ(find(robot_findings(visit), "battery").severity, Severity::kError);
+  EXPECT_EQ(find(robot_findings(visit), "battery").fix, "charge the cells");
+  visit.battery_v = 0.4;
+  EXPECT_EQ(find(robot_findings(visit), "battery").fix, "switch the motors' cells on");
+}
+
+TEST(Robot, WhoseImuIsNotUprightSaysHowToMountIt) {
+  Visit visit = good_visit();
+  visit.up_mps2 = -9.6;
+  const Finding imu = find(robot_findings(visit), "imu");
+  EXPECT_EQ(imu.severity, Severity::kError);
+  EXPECT_THAT(imu.seen, HasSubstr("-9.6 m/s^2"));
+  EXPECT_THAT(imu.fix, HasSubstr("mount the MPU6050 level"));
+}
+
+TEST(Robot, WhoseSamplesDoNotComeHasABadLink) {
+  Visit visit = good_visit();
+  visit.link->samples = 60;
+  EXPECT_EQ(find(robot_findings(visit), "link").severity, Severity::kError);
+  EXPECT_THAT(find(robot_findings(visit), "link").seen, HasSubstr("200 were due"));
+}
+
+TEST(Robot, ThatConfirmsNoCommandHasABadLink) {
+  Visit visit = good_visit();
+  visit.link->confirmed = 0;
+  EXPECT_EQ(find(robot_findings(visit), "link").severity, Severity::kError);
+  EXPECT_THAT(find(robot_findings(visit), "link").seen, HasSubstr("confirmed no command"));
+}
+
+TEST(Robot, WhoseFramesAreDamagedOrLostHasAPoorLink) {
+  Visit visit = good_visit();
+  visit.link->counters.crc_errors = 2;
+  EXPECT_EQ(find(robot_findings(visit), "link").severity, Severity::kWarning);
+  EXPECT_THAT(find(robot_findings(visit), "link").seen, HasSubstr("2 frames damaged"));
+  EXPECT_THAT(find(robot_findings(visit), "link").fix, HasSubstr("short cable"));
+  visit = good_visit();
+  visit.link->counters.lost = 3;
+  EXPECT_THAT(find(robot_findings(visit), "link").seen, HasSubstr("3 lost"));
+}
+
+TEST(Robot, WhoseSamplesComeLateHasASlowLink) {
+  Visit visit = good_visit();
+  visit.link->age.p99_us = 30'000.0;
+  EXPECT_EQ(find(robot_findings(visit), "link").severity, Severity::kWarning);
+  EXPECT_THAT(find(robot_findings(visit), "link").fix, HasSubstr("without a hub"));
+}
+
+TEST(Robot, WhoseClockIsKnownBadlyIsWarnedOf) {
+  Visit visit = good_visit();
+  visit.link->clock_uncertainty_us = 9'000.0;
+  const Finding clock = find(robot_findings(visit), "clock");
+  EXPECT_EQ(clock.severity, Severity::kWarning);
+  EXPECT_THAT(clock.seen, HasSubstr("9000 us"));
+  visit.link->clock_known = false;
+  EXPECT_EQ(find(robot_findings(visit), "clock").name, "none");
+}
+
+}  // namespace
+}  // namespace tp100::doctor
