@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "course/nearest.h"
 #include "course/toml_document.h"
+#include "sim/campaign/campaign_command.h"
 #include "sim/run/calibrate_command.h"
 #include "sim/run/course_command.h"
 #include "sim/run/demo_command.h"
@@ -55,8 +56,8 @@ void add_faults(CLI::App& app, std::vector<std::string>& faults) {
 /// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
 std::string unknown_subcommand(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return {};
-  const std::vector<std::string_view> names = {"course",    "robot", "slope", "reproduce",
-                                               "calibrate", "demo",  "faults"};
+  const std::vector<std::string_view> names = {
+      "course", "robot", "slope", "reproduce", "calibrate", "demo", "faults", "campaign", "merge"};
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
   const std::string_view meant = tp100::course::nearest_name(argv[1], names);
   return "unknown subcommand '" + tp100::course::one_line(argv[1]) + "'" +
@@ -214,6 +215,31 @@ int run(int argc, char** argv) {
       ->type_name("BOARD")
       ->capture_default_str();
 
+  CampaignCommand campaign;
+  CLI::App* campaign_app = app.add_subcommand(
+      "campaign", "Drive many runs that differ as a file says; those that are done are kept");
+  campaign_app
+      ->add_option("SPEC", campaign.spec, "The file; config/campaigns/course-3.toml explains it")
+      ->required();
+  campaign_app->add_option("--out", campaign.out, "Folder of the campaign")
+      ->type_name("FOLDER")
+      ->required();
+  campaign_app->add_option("--index", campaign.index, "Only run K, or runs K-L (default: all)")
+      ->type_name("K[-L]");
+  campaign_app
+      ->add_option("--record", campaign.record,
+                   "Folder for recordings; each run gets a folder of its own in it, done or not")
+      ->type_name("FOLDER");
+  campaign_app
+      ->add_option("--todo", campaign.todo,
+                   "Drive nothing: print what is not done, in ranges of at most N runs a line")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("N");
+  std::string merge;
+  CLI::App* merge_app = app.add_subcommand(
+      "merge", "Take the runs of a campaign together: merged.json, runs.csv and a page");
+  merge_app->add_option("FOLDER", merge, "The --out of the campaign")->required();
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -229,6 +255,8 @@ int run(int argc, char** argv) {
   if (*reproduce_app) return run_reproduce(reproduce);
   if (*calibrate_app) return run_calibrate(calibrate);
   if (*faults_app) return run_faults(faults);
+  if (*campaign_app) return run_campaign(campaign);
+  if (*merge_app) return run_merge(merge);
   return run_demo(demo);
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 using Word = std::pair<std::string_view, FileKind>;
 
-constexpr std::array<Word, 32> kWords = {{
+constexpr std::array<Word, 39> kWords = {{
     {"robot", FileKind::kConfiguration},
     {"course", FileKind::kConfiguration},
     {"setup", FileKind::kConfiguration},
@@ -53,6 +53,13 @@ constexpr std::array<Word, 32> kWords = {{
     {"marker", FileKind::kView},
     {"floor_marker", FileKind::kView},
     {"floor_point", FileKind::kView},
+    {"runs", FileKind::kCampaign},
+    {"seed", FileKind::kCampaign},
+    {"config", FileKind::kCampaign},
+    {"board", FileKind::kCampaign},
+    {"faults", FileKind::kCampaign},
+    {"configuration", FileKind::kCampaign},
+    {"robot_values", FileKind::kCampaign},
 }};
 
 std::string text_of(const course::Course& course) {
@@ -79,7 +86,7 @@ std::string check_configuration(const TextFile& file) {
   const Configuration configuration = parse_configuration(file.text, file.path);
   const TextFile robot_file = read_bundled(Bundled::kRobots, configuration.robot);
   const course::Robot robot = course::parse_robot(robot_file.text, robot_file.path);
-  const std::string text = "configuration with " + text_of(robot);
+  std::string text = "configuration with " + text_of(robot);
   if (configuration.course.empty()) return text;
   const TextFile course_file = read_bundled(Bundled::kCourses, configuration.course);
   const course::Course course = course::parse_course(course_file.text, course_file.path);
@@ -93,14 +100,17 @@ FileKind file_kind(const std::string& text, const std::string& file) {
   const course::TomlDocument document(text, file);
   course::TomlTable root = document.root();
   std::vector<std::string_view> words;
+  words.reserve(kWords.size());
   for (const Word& word : kWords) words.push_back(word.first);
   // Each key, mistyped or not, votes for the kind of file that has it.
-  std::array<int, 5> votes{};
+  std::array<int, 6> votes{};
   for (const std::string& key : root.keys()) {
     const std::string_view word = course::nearest_name(key, words);
     for (const auto& [name, kind] : kWords)
       if (name == word) ++votes[static_cast<std::size_t>(kind)];
   }
+  // The one key that a campaign cannot do without, beside many that a configuration has too.
+  if (root.has("runs")) votes[static_cast<std::size_t>(FileKind::kCampaign)] += 4;
   // [model] is a table of two kinds.
   if (root.has("model")) {
     const course::TomlTable model = root.table("model");
@@ -108,8 +118,8 @@ FileKind file_kind(const std::string& text, const std::string& file) {
     ++votes[static_cast<std::size_t>(configures ? FileKind::kConfiguration : FileKind::kRobot)];
   }
   FileKind best = FileKind::kConfiguration;
-  for (const FileKind kind :
-       {FileKind::kCourse, FileKind::kRobot, FileKind::kCamera, FileKind::kView})
+  for (const FileKind kind : {FileKind::kCourse, FileKind::kRobot, FileKind::kCamera,
+                              FileKind::kView, FileKind::kCampaign})
     if (votes[static_cast<std::size_t>(kind)] > votes[static_cast<std::size_t>(best)]) best = kind;
   return best;
 }
@@ -128,6 +138,10 @@ std::string check_file(const std::string& path) {
                        ": a view file of tp100-camera, which checks it itself; run tp100-camera "
                        "SOURCE --view " +
                        path);
+    case FileKind::kCampaign:
+      throw SetupError(
+          path + ": a campaign of tp100-sim, which checks it itself; run tp100-sim campaign " +
+          path + " --out FOLDER --todo 1");
     case FileKind::kConfiguration:
       break;
   }

@@ -7,14 +7,14 @@
 namespace tp100::app {
 
 /// Kinds of files that a user writes.
-enum class FileKind { kConfiguration, kCourse, kRobot, kCamera, kView };
+enum class FileKind { kConfiguration, kCourse, kRobot, kCamera, kView, kCampaign };
 
 /// What a file means to be, by its keys. Throws SetupError if the text is not TOML. Pure.
 FileKind file_kind(const std::string& text, const std::string& file);
 
-/// One line that says what is in a right file. Throws SetupError for any other, and for a view
-/// file, which only tp100-camera knows. The robot and the course that a configuration names are
-/// checked too.
+/// One line that says what is in a right file. Throws SetupError for any other, and for view
+/// files and campaigns, which only tp100-camera and tp100-sim know. The robot and the course that a
+/// configuration names are checked too.
 std::string check_file(const std::string& path);
 
 /// The command: one line per file, errors on stderr. Exit status 0 if all are right, else 2.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <sstream>
 #include <utility>
 
 #include "course/nearest.h"
@@ -193,6 +194,14 @@ struct TomlTable::State {
     return value;
   }
 
+  TomlValue value(std::string_view key, const toml::node& node) const {
+    if (node.is_boolean()) return node.as_boolean()->get();
+    if (node.is_integer()) return static_cast<long long>(node.as_integer()->get());
+    if (node.is_floating_point()) return node.as_floating_point()->get();
+    if (!node.is_string()) wrong_type(key, node, "true, false, a number or a string");
+    return node.as_string()->get();
+  }
+
   std::string choice(std::string_view key, const toml::node& node,
                      const std::vector<std::string_view>& choices) const {
     std::string names;
@@ -235,21 +244,57 @@ struct TomlTable::State {
   }
 };
 
-TomlDocument::TomlDocument(const std::string& text, const std::string& file) {
+namespace {
+
+toml::table parse(const std::string& text, const std::string& file) {
   if (text.size() > kMaxTomlSize)
     throw SetupError(file + ": larger than " + std::to_string(kMaxTomlSize / 1024) +
                      " kB; this is no file of ours");
   refuse_deep_lines(text, file);
   try {
-    auto document = std::make_shared<const toml::table>(toml::parse(text, file));
-    root_.state_ = std::make_shared<TomlTable::State>();
-    root_.state_->document = document;
-    root_.state_->file = file;
-    root_.state_->table = document.get();
+    return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     throw SetupError(at(file, error.source().begin) +
                      "not TOML: " + one_line(error.description(), 200));
   }
+}
+
+/// The table that holds the last part of `name`; made where there is none.
+toml::table& holder_of(toml::table& root, std::string_view& name, const std::string& file) {
+  toml::table* table = &root;
+  for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.')) {
+    const std::string_view part = name.substr(0, dot);
+    name.remove_prefix(dot + 1);
+    const auto [place, made] = table->emplace<toml::table>(part);
+    if (!place->second.is_table())
+      throw SetupError(file + ": " + quoted(part) + " is no table, so that it has no " +
+                       quoted(name));
+    table = place->second.as_table();
+  }
+  return *table;
+}
+
+}  // namespace
+
+std::string with_values(const std::string& text, const std::string& file,
+                        const NamedValues& values) {
+  toml::table root = parse(text, file);
+  for (const auto& [full_name, value] : values) {
+    std::string_view name = full_name;
+    toml::table& table = holder_of(root, name, file);
+    std::visit([&](const auto& one) { table.insert_or_assign(name, one); }, value);
+  }
+  std::ostringstream out;
+  out << root << "\n";
+  return out.str();
+}
+
+TomlDocument::TomlDocument(const std::string& text, const std::string& file) {
+  auto document = std::make_shared<const toml::table>(parse(text, file));
+  root_.state_ = std::make_shared<TomlTable::State>();
+  root_.state_->document = document;
+  root_.state_->file = file;
+  root_.state_->table = document.get();
 }
 
 double TomlTable::number(std::string_view key, double fallback, Range range) {
@@ -297,6 +342,26 @@ std::string TomlTable::required_choice(std::string_view key,
   const toml::node* node = state_->ask(key);
   if (!node) state_->missing(key);
   return state_->choice(key, *node, choices);
+}
+
+TomlValue TomlTable::required_value(std::string_view key) {
+  const toml::node* node = state_->ask(key);
+  if (!node) state_->missing(key);
+  return state_->value(key, *node);
+}
+
+std::vector<TomlValue> TomlTable::values(std::string_view key) {
+  std::vector<TomlValue> values;
+  const toml::node* node = state_->ask(key);
+  if (!node) return values;
+  if (!node->is_array()) state_->wrong_type(key, *node, "an array");
+  for (const toml::node& one : *node->as_array()) values.push_back(state_->value(key, one));
+  return values;
+}
+
+bool TomlTable::holds_table(std::string_view key) const {
+  const toml::node* node = state_->table ? state_->table->get(key) : nullptr;
+  return node && node->is_table();
 }
 
 TomlTable TomlTable::table(std::string_view key) {

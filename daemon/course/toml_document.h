@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/error.h"
@@ -31,6 +33,9 @@ std::string one_line(std::string_view text, std::size_t most = 80);
 /// A number in messages: at most ten significant digits.
 std::string number_text(double value);
 
+/// A value of any of the simple types.
+using TomlValue = std::variant<bool, long long, double, std::string>;
+
 class TomlDocument;
 
 /// One table of a document. Cheap to copy; keeps its document alive. An absent table reads as
@@ -49,6 +54,12 @@ class TomlTable {
                      const std::vector<std::string_view>& choices);
   /// Same, but the key must be there.
   std::string required_choice(std::string_view key, const std::vector<std::string_view>& choices);
+  /// A boolean, a number or a string; the key must be there.
+  TomlValue required_value(std::string_view key);
+  /// An array of them; absent reads as empty.
+  std::vector<TomlValue> values(std::string_view key);
+  /// Whether the value of `key` is a table. Does not count as asking for it.
+  bool holds_table(std::string_view key) const;
   /// Sub-table; an absent one reads as empty.
   TomlTable table(std::string_view key);
   /// Array of tables; absent reads as empty.
@@ -69,6 +80,14 @@ class TomlTable {
   struct State;
   std::shared_ptr<State> state_;
 };
+
+/// Values by their full names ("drive.speed_kp").
+using NamedValues = std::vector<std::pair<std::string, TomlValue>>;
+
+/// `text` with other values, in place of those that are there or besides them; comments are lost.
+/// Throws SetupError: text that is not TOML, or a name through something that is no table.
+std::string with_values(const std::string& text, const std::string& file,
+                        const NamedValues& values);
 
 /// A parsed file.
 class TomlDocument {

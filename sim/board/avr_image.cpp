@@ -170,7 +170,7 @@ std::string built_firmware() {
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
     const fs::path installed =
-        program.parent_path().parent_path() / "share" / "tp100" / "tp100.elf";
+        program.parent_path().parent_path() / "share" / "tp100" / "tp100.hex";
     if (fs::exists(installed, error)) return installed.string();
   }
   const fs::path built = fs::path(TP100_FIRMWARE_DIR) / "tp100.elf";

@@ -22,7 +22,7 @@ struct AvrImage {
 /// Reads an ELF file or, if it ends in ".hex", an Intel HEX file. Throws SetupError.
 AvrImage read_avr_image(const std::string& path);
 
-/// The firmware built with this program: <prefix>/share/tp100/tp100.elf of an installed program,
+/// The firmware built with this program: <prefix>/share/tp100/tp100.hex of an installed program,
 /// else the one of the build tree. Throws SetupError that says how to build it.
 std::string built_firmware();
 

@@ -2,7 +2,6 @@
 
 #include "app/bundled_files.h"
 #include "core/error.h"
-#include "course/toml_document.h"
 
 namespace tp100::sim {
 namespace {
@@ -19,18 +18,26 @@ bridge::Setup setup_kind(const std::string& name) {
                    ": not a set-up; use bench, flat or terrain");
 }
 
+// What is said of the changed text names no line of the file.
+void change(app::TextFile& file, const course::NamedValues& values) {
+  if (values.empty()) return;
+  file.text = course::with_values(file.text, file.path, values);
+  file.path += (file.path.empty() ? "defaults" : "") + std::string(" with other values");
+}
+
 }  // namespace
 
 Loaded load(const Options& options) {
   Loaded loaded;
   loaded.board = board_kind(options.board);
-  if (!options.config.empty()) {
-    loaded.files.configuration = app::read_text_file(options.config);
-    loaded.configuration =
-        app::parse_configuration(loaded.files.configuration.text, loaded.files.configuration.path);
-  }
+  app::TextFile& configuration = loaded.files.configuration;
+  if (!options.config.empty()) configuration = app::read_text_file(options.config);
+  change(configuration, options.configuration_values);
+  if (!configuration.text.empty())
+    loaded.configuration = app::parse_configuration(configuration.text, configuration.path);
   const std::string& robot = options.robot.empty() ? loaded.configuration.robot : options.robot;
   loaded.files.robot = app::read_bundled(app::Bundled::kRobots, robot);
+  change(loaded.files.robot, options.robot_values);
   loaded.robot = course::parse_robot(loaded.files.robot.text, loaded.files.robot.path);
   loaded.setup =
       options.setup.empty() ? loaded.configuration.parameters.setup : setup_kind(options.setup);

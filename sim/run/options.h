@@ -10,17 +10,20 @@
 #include "course/camera.h"
 #include "course/course.h"
 #include "course/robot.h"
+#include "course/toml_document.h"
 #include "sim/run/emulated_robot.h"
 
 namespace tp100::sim {
 
-/// As given on the command line.
+/// As given on the command line, or by a campaign.
 struct Options {
   std::string board = "native";
   std::string robot;   ///< bundled name or file; empty: the configuration's
   std::string config;  ///< file; empty: defaults
   std::string setup;   ///< empty: the configuration's
   std::uint64_t seed = 1;
+  course::NamedValues configuration_values{};  ///< instead of those in the file
+  course::NamedValues robot_values{};          ///< instead of those in the robot's file
 };
 
 /// Everything loaded. Throws SetupError.

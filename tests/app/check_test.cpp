@@ -31,9 +31,12 @@ TEST(Check, EveryBundledFileIsRight) {
   const std::filesystem::path config = std::filesystem::path(TP100_SOURCE_DIR) / "config";
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(config)) {
-    if (entry.path().extension() != ".toml" || entry.path().filename() == "view.toml") continue;
-    ++files;
     const std::string folder = entry.path().parent_path().filename().string();
+    // Those are other programs' to check.
+    if (entry.path().extension() != ".toml" || entry.path().filename() == "view.toml" ||
+        folder == "campaigns")
+      continue;
+    ++files;
     const std::string kind = folder == "courses"   ? "course " + entry.path().stem().string()
                              : folder == "robots"  ? "robot " + entry.path().stem().string()
                              : folder == "cameras" ? "camera " + entry.path().stem().string()
@@ -50,6 +53,20 @@ TEST(Check, AViewFileIsSentToTheProgramThatReadsIt) {
   } catch (const SetupError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("tp100-camera SOURCE --view"));
   }
+}
+
+TEST(Check, ACampaignIsSentToTheProgramThatReadsIt) {
+  const test::TemporaryFolder folder;
+  const std::string least = folder.file("least.toml");
+  std::ofstream(least) << "runs = 3\ncourse = '2'\nrobot = 'worn'\nsetup = 'flat'\ncamera = ''\n";
+  for (const std::string& path :
+       {std::string(TP100_SOURCE_DIR "/config/campaigns/course-3.toml"), least})
+    try {
+      check_file(path);
+      ADD_FAILURE() << path << " taken";
+    } catch (const SetupError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("run tp100-sim campaign " + path));
+    }
 }
 
 TEST(Check, AConfigurationMustNameARobotAndACourseThatExist) {

@@ -9,7 +9,9 @@
 namespace tp100::course {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::StartsWith;
 
 /// What a reader of `text` is told; empty if nothing is wrong.
@@ -130,6 +132,55 @@ TEST(TomlDocument, SurvivesDeepAndLargeFiles) {
   EXPECT_THAT(told(std::string(kMaxTomlSize + 1, '#'), read_speed),
               HasSubstr("larger than 256 kB"));
   EXPECT_THAT(told(std::string(100000, 'a') + " = 1", read_speed), HasSubstr("aaa...'"));
+}
+
+TEST(TomlDocument, ValuesAreOfAnySimpleType) {
+  EXPECT_EQ(told("a = true\nb = 3\nc = 0.5\nd = \"x\"\ne = [1, 2.5, \"y\"]\n[f]\n",
+                 [](TomlTable& t) {
+                   EXPECT_EQ(t.required_value("a"), TomlValue(true));
+                   EXPECT_EQ(t.required_value("b"), TomlValue(3LL));
+                   EXPECT_EQ(t.required_value("c"), TomlValue(0.5));
+                   EXPECT_EQ(t.required_value("d"), TomlValue(std::string("x")));
+                   EXPECT_THAT(t.values("e"), ElementsAre(TomlValue(1LL), TomlValue(2.5),
+                                                          TomlValue(std::string("y"))));
+                   EXPECT_THAT(t.values("none"), IsEmpty());
+                   EXPECT_TRUE(t.holds_table("f"));
+                   EXPECT_FALSE(t.holds_table("a"));
+                   t.table("f");
+                 }),
+            "");
+  const auto read = [](TomlTable& t) { t.required_value("a"); };
+  EXPECT_EQ(told("a = [1]", read),
+            "f.toml:1:5: 'a' is an array, expected true, false, a number or a string");
+  EXPECT_THAT(told("b = 1", read), HasSubstr("missing key 'a'"));
+}
+
+TEST(WithValues, OtherValuesStandInTheirPlacesAndNewOnesBesideThem) {
+  const std::string text = with_values("# note\nspeed = 1\n[drive]\nkp = 2.0\n", "f.toml",
+                                       {{"drive.kp", 3.5},
+                                        {"drive.ki", 4LL},
+                                        {"body.shape.name", std::string("flat \"x\"")},
+                                        {"on", true}});
+  EXPECT_EQ(told(text,
+                 [](TomlTable& t) {
+                   EXPECT_EQ(t.required_value("speed"), TomlValue(1LL));
+                   EXPECT_EQ(t.required_value("on"), TomlValue(true));
+                   TomlTable drive = t.table("drive");
+                   EXPECT_EQ(drive.required_value("kp"), TomlValue(3.5));
+                   EXPECT_EQ(drive.required_value("ki"), TomlValue(4LL));
+                   EXPECT_EQ(t.table("body").table("shape").required_value("name"),
+                             TomlValue(std::string("flat \"x\"")));
+                 }),
+            "");
+}
+
+TEST(WithValues, APathThroughAValueIsRefused) {
+  try {
+    with_values("drive = 1", "f.toml", {{"drive.kp", 2.0}});
+    FAIL();
+  } catch (const SetupError& error) {
+    EXPECT_STREQ(error.what(), "f.toml: 'drive' is no table, so that it has no 'kp'");
+  }
 }
 
 TEST(TomlDocument, AnyDamageGivesOneLineOrNone) {

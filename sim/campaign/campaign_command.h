@@ -1,0 +1,25 @@
+#pragma once
+// `tp100-sim campaign` and `tp100-sim merge`.
+
+#include <string>
+
+namespace tp100::sim {
+
+struct CampaignCommand {
+  std::string spec;    ///< file
+  std::string out;     ///< folder of the campaign
+  std::string index;   ///< "K" or "K-L": only these runs; empty: all
+  std::string record;  ///< folder for recordings; empty: none
+  int todo = 0;        ///< drive nothing: print what is not done, in ranges of at most so many
+};
+
+/// Drives the runs that are not done yet, one after the other; with `record` also those that are.
+/// Any number of such commands may work in one folder at once.
+/// 0: all of them are done; 1: some were refused. Throws SetupError.
+int run_campaign(const CampaignCommand& command);
+
+/// Writes merged.json, runs.csv and index.html into the folder of a campaign, from what is done.
+/// 0: all runs are there; 1: some are missing or were refused. Throws SetupError.
+int run_merge(const std::string& folder);
+
+}  // namespace tp100::sim

@@ -1,0 +1,66 @@
+#pragma once
+// The runs of a campaign taken together. The same runs give the same result, whoever drove them
+// and in whatever order.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/campaign/campaign_spec.h"
+#include "sim/campaign/summary.h"
+
+namespace tp100::sim {
+
+/// One run as its file says it.
+struct MergedRun {
+  std::uint64_t index = 0, seed = 0;
+  std::map<std::string, std::string> drawn;     ///< as text
+  std::map<std::string, double> drawn_numbers;  ///< those of them that are numbers
+  std::string refused;                          ///< why it could not be driven; empty: it was
+  bool completed = false;
+  /// Every number of its figures by full name, of arrays the largest; infinite: there is none, as
+  /// for a shove that was never recovered from. Nothing that depends on the machine.
+  std::map<std::string, double> figures;
+};
+
+/// Of the runs that were completed.
+struct MergedFigure {
+  std::string name;
+  Summary summary{};
+  std::vector<std::pair<std::uint64_t, double>> worst{};  ///< index and value, the worst first
+  /// With each number that was drawn: rank correlation, if there is one.
+  std::vector<std::pair<std::string, double>> correlations{};
+};
+
+struct MergedGroup {
+  std::string variable, value;  ///< of a list
+  std::size_t driven = 0, completed = 0;
+  std::map<std::string, Summary> figures{};
+};
+
+struct Merged {
+  std::uint64_t asked = 0;  ///< runs of the campaign
+  std::vector<std::uint64_t> missing{};
+  std::vector<MergedRun> runs{};  ///< those that are there, by index
+  std::size_t driven = 0, completed = 0;
+  std::vector<MergedFigure> figures{};
+  std::vector<MergedGroup> groups{};
+
+  /// The run of this index, which must be there.
+  const MergedRun& run(std::uint64_t index) const;
+};
+
+/// A run's file. Throws SetupError naming `file`: it is none of ours.
+MergedRun parse_run_file(const std::string& text, const std::string& file);
+
+/// `runs` by index, no more than the spec has. Pure.
+Merged merge(const CampaignSpec& spec, std::vector<MergedRun> runs);
+
+std::string merged_json(const Merged& merged);
+/// One row a run: index, seed, what was drawn, completed or refused, every figure.
+std::string merged_csv(const Merged& merged);
+
+}  // namespace tp100::sim

@@ -1,0 +1,173 @@
+#include "sim/campaign/merge_page.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "analysis/html_page.h"
+#include "analysis/svg_chart.h"
+
+namespace tp100::sim {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+constexpr const char* kColour = "#1f5fbf";
+// What people look at first; the rest is in merged.json and runs.csv.
+constexpr std::array<const char*, 8> kMain = {"model.max_position_error_m",
+                                              "odometry.max_position_error_m",
+                                              "fused.max_position_error_m",
+                                              "tracking.max_cross_track_m",
+                                              "tracking.max_yaw_error_rad",
+                                              "tracking.recovery_s",
+                                              "duration_s",
+                                              "link.lost"};
+
+std::string number(double value) {
+  if (!std::isfinite(value)) return "never";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+std::string with_interval(double value, const Interval& interval) {
+  if (!interval) return number(value);
+  return number(value) + " (" + number(interval->first) + " to " + number(interval->second) + ")";
+}
+
+std::vector<const MergedFigure*> main_figures(const Merged& merged) {
+  std::vector<const MergedFigure*> found;
+  for (const char* name : kMain)
+    for (const MergedFigure& figure : merged.figures)
+      if (figure.name == name) found.push_back(&figure);
+  return found;
+}
+
+std::string completion(const Merged& merged) {
+  std::string text = std::to_string(merged.asked) + " runs asked for, " +
+                     std::to_string(merged.missing.size()) + " missing, " +
+                     std::to_string(merged.runs.size() - merged.driven) + " refused; " +
+                     std::to_string(merged.completed) + " of " + std::to_string(merged.driven) +
+                     " driven runs completed their course";
+  if (merged.driven == 0) return text + ".";
+  const auto [low, high] = share_interval(merged.completed, merged.driven);
+  return text + ": 95 % interval of the share " + number(100.0 * low) + " to " +
+         number(100.0 * high) + " %.";
+}
+
+Rows figure_rows(const std::vector<const MergedFigure*>& figures) {
+  Rows rows = {{"figure", "runs", "mean", "5 %", "median", "95 %", "99 %", "largest"}};
+  for (const MergedFigure* figure : figures) {
+    const Summary& of = figure->summary;
+    rows.push_back(
+        {figure->name, std::to_string(of.count), with_interval(of.mean, of.mean_interval)});
+    for (const Percentile& percentile : of.percentiles)
+      rows.back().push_back(with_interval(percentile.value, percentile.interval));
+    rows.back().push_back(number(of.most));
+  }
+  return rows;
+}
+
+Rows worst_rows(const std::vector<const MergedFigure*>& figures, const Merged& merged) {
+  Rows rows = {{"figure", "value", "run", "seed", "drawn"}};
+  for (const MergedFigure* figure : figures) {
+    for (const auto& [index, value] : figure->worst) {
+      const MergedRun& run = merged.run(index);
+      std::string drawn;
+      for (const auto& [name, text] : run.drawn)
+        drawn += (drawn.empty() ? "" : ", ") + name + " " + text;
+      rows.push_back(
+          {figure->name, number(value), std::to_string(index), std::to_string(run.seed), drawn});
+    }
+  }
+  return rows;
+}
+
+Rows group_rows(const Merged& merged, const std::vector<const MergedFigure*>& figures) {
+  Rows rows = {{"variable", "value", "completed", "figure", "median", "95 %"}};
+  for (const MergedGroup& group : merged.groups) {
+    const std::string completed =
+        std::to_string(group.completed) + " of " + std::to_string(group.driven);
+    for (const MergedFigure* figure : figures) {
+      const auto of = group.figures.find(figure->name);
+      if (of == group.figures.end()) continue;
+      const std::vector<Percentile>& percentiles = of->second.percentiles;
+      rows.push_back({group.variable, group.value.empty() ? "(none)" : group.value, completed,
+                      figure->name, with_interval(percentiles[1].value, percentiles[1].interval),
+                      with_interval(percentiles[2].value, percentiles[2].interval)});
+    }
+    if (group.completed == 0)
+      rows.push_back({group.variable, group.value, completed, "-", "-", "-"});
+  }
+  return rows;
+}
+
+Rows correlation_rows(const std::vector<const MergedFigure*>& figures) {
+  Rows rows = {{"drawn", "figure", "rank correlation"}};
+  for (const MergedFigure* figure : figures)
+    for (const auto& [name, value] : figure->correlations)
+      rows.push_back({name, figure->name, number(value)});
+  return rows;
+}
+
+Rows refused_rows(const Merged& merged) {
+  Rows rows = {{"run", "why"}};
+  for (const MergedRun& run : merged.runs)
+    if (!run.refused.empty()) rows.push_back({std::to_string(run.index), "!" + run.refused});
+  return rows;
+}
+
+/// Share of the runs that stay below a value.
+std::string distribution(const MergedFigure& figure, const Merged& merged) {
+  std::vector<double> values;
+  for (const MergedRun& run : merged.runs)
+    if (const auto found = run.figures.find(figure.name);
+        run.completed && found != run.figures.end() && std::isfinite(found->second))
+      values.push_back(found->second);
+  std::sort(values.begin(), values.end());
+  analysis::ChartSeries series{.colour = kColour};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    series.points.emplace_back(
+        values[i], 100.0 * static_cast<double>(i + 1) / static_cast<double>(figure.summary.count));
+  return analysis::svg({.title = figure.name,
+                        .x_label = figure.name,
+                        .y_label = "runs that stay below [%]",
+                        .series = {series}});
+}
+
+}  // namespace
+
+std::string merge_page(const Merged& merged, const std::string& spec_text) {
+  analysis::HtmlPage page("Campaign");
+  page.paragraph(completion(merged));
+  page.paragraph(
+      "Figures are those of completed runs, against the emulated body's exact pose; in brackets 95 "
+      "% intervals. Every figure is in merged.json, every run in runs.csv. A single run is driven "
+      "again, recorded, by tp100-sim campaign spec.toml --out OTHER --index RUN --record FOLDER.");
+  const std::vector<const MergedFigure*> figures = main_figures(merged);
+  page.heading("Figures");
+  page.table(figure_rows(figures), "Over all completed runs");
+  std::vector<std::string> charts;
+  charts.reserve(figures.size());
+  for (const MergedFigure* figure : figures) charts.push_back(distribution(*figure, merged));
+  page.figures(charts, "How the figures spread");
+  if (!merged.groups.empty()) {
+    page.heading("By what was listed");
+    page.table(group_rows(merged, figures), "Each value of each list, over all others");
+  }
+  if (const Rows rows = correlation_rows(figures); rows.size() > 1) {
+    page.heading("What goes with what");
+    page.table(rows, "Spearman's rank correlation of drawn numbers and figures");
+  }
+  page.heading("Worst runs");
+  page.table(worst_rows(figures, merged), "The largest values of each figure");
+  if (const Rows rows = refused_rows(merged); rows.size() > 1) {
+    page.heading("Refused");
+    page.table(rows, "Runs whose drawn values no robot or configuration can have");
+  }
+  page.folded("spec.toml", spec_text);
+  return page.text();
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,100 @@
+#include "sim/campaign/summary.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/spread.h"
+
+namespace tp100::sim {
+namespace {
+
+namespace math = boost::math;
+
+constexpr double kTail = 0.025;
+constexpr std::array<double, 4> kShares = {0.05, 0.5, 0.95, 0.99};
+
+// Between the order statistics whose ranks a binomial count leaves on each side but in kTail.
+Interval percentile_interval(const std::vector<double>& sorted, double share) {
+  const auto n = static_cast<double>(sorted.size());
+  const math::binomial_distribution<> below(n, share);
+  if (math::cdf(below, 0.0) > kTail || math::cdf(below, n - 1.0) < 1.0 - kTail) return {};
+  double low = 0.0, high = n;
+  while (math::cdf(below, low) <= kTail) ++low;
+  while (math::cdf(below, high - 1.0) >= 1.0 - kTail) --high;
+  const auto at = [&](double rank) { return sorted[static_cast<std::size_t>(rank) - 1]; };
+  return std::pair(at(low), at(std::min(high + 1.0, n)));
+}
+
+/// Mean ranks: equal values share theirs.
+std::vector<double> ranks(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t begin = 0; begin < order.size();) {
+    std::size_t end = begin + 1;
+    while (end < order.size() && values[order[end]] == values[order[begin]]) ++end;
+    const double rank = static_cast<double>(begin + end - 1) / 2.0;
+    for (std::size_t i = begin; i < end; ++i) ranks[order[i]] = rank;
+    begin = end;
+  }
+  return ranks;
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+Summary summarise(std::vector<double> values) {
+  Summary summary;
+  if (values.empty()) return summary;
+  for (double& value : values)
+    if (!std::isfinite(value)) value = HUGE_VAL;
+  std::sort(values.begin(), values.end());
+  summary.count = values.size();
+  summary.least = values.front();
+  summary.most = values.back();
+  summary.mean = mean_of(values);
+  for (const double share : kShares)
+    summary.percentiles.push_back(
+        {share, analysis::percentile(values, share), percentile_interval(values, share)});
+  if (values.size() < 2) return summary;
+  const auto n = static_cast<double>(values.size());
+  double squares = 0.0;
+  for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
+  summary.sd = std::sqrt(squares / (n - 1.0));
+  const math::students_t_distribution<> t(n - 1.0);
+  const double half = math::quantile(math::complement(t, kTail)) * summary.sd / std::sqrt(n);
+  if (std::isfinite(half)) summary.mean_interval = {summary.mean - half, summary.mean + half};
+  return summary;
+}
+
+std::pair<double, double> share_interval(std::size_t successes, std::size_t of) {
+  const auto n = static_cast<double>(of), k = static_cast<double>(successes);
+  using Binomial = math::binomial_distribution<>;
+  return {Binomial::find_lower_bound_on_p(n, k, kTail),
+          Binomial::find_upper_bound_on_p(n, k, kTail)};
+}
+
+std::optional<double> rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size() || a.size() < 3) return {};
+  const std::vector<double> x = ranks(a), y = ranks(b);
+  const double middle = mean_of(x);
+  double xy = 0.0, xx = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xy += (x[i] - middle) * (y[i] - middle);
+    xx += (x[i] - middle) * (x[i] - middle);
+    yy += (y[i] - middle) * (y[i] - middle);
+  }
+  if (xx == 0.0 || yy == 0.0) return {};
+  return xy / std::sqrt(xx * yy);
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,146 @@
+// The real program in real folders.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "../run/process.h"
+
+namespace tp100::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr const char* kSpec =
+    "runs = 6\ncourse = \"1-curve\"\n"
+    "robot = { list = [\"end-loaded\", \"uniform\"] }\n"
+    "[robot_values]\nemulated.body.friction = { uniform = [0.6, 0.9] }\n";
+
+class Campaign : public testing::Test {
+ protected:
+  Campaign() { write("spec.toml", kSpec); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.file(name)) << text;
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream file(folder_.file(name));
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  std::vector<std::string> command(const std::string& out,
+                                   std::vector<std::string> more = {}) const {
+    std::vector<std::string> words = {"tp100-sim", "campaign", folder_.file("spec.toml"), "--out",
+                                      folder_.file(out)};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  Finished drive(const std::string& out, std::vector<std::string> more = {}) const {
+    return run(command(out, std::move(more)));
+  }
+  std::string merged(const std::string& out) const {
+    const Finished merge = run({"tp100-sim", "merge", folder_.file(out)});
+    EXPECT_EQ(merge.status, 0) << merge.output;
+    return read(out + "/merged.json");
+  }
+  std::size_t done(const std::string& out) const {
+    std::size_t count = 0;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder_.file(out) + "/runs", none))
+      count += std::size_t{entry.path().extension() == ".json"};
+    return count;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Campaign, InAnyOrderAndBySeveralProgramsAtOnceComesOutTheSame) {
+  EXPECT_EQ(drive("a").status, 0);
+  {
+    Process one(command("b", {"--index", "3-5"})), other(command("b", {"--index", "2"}));
+    EXPECT_EQ(drive("b", {"--index", "4"}).status, 0);
+    EXPECT_EQ(one.wait(), 0);
+    EXPECT_EQ(other.wait(), 0);
+  }
+  const Finished rest = drive("b");
+  EXPECT_THAT(rest.output, HasSubstr("2 runs driven, 4 were done before, 0 refused"));
+  const std::string merged_a = merged("a");
+  EXPECT_THAT(merged_a, HasSubstr("\"completed\": 6"));
+  EXPECT_EQ(merged_a, merged("b"));
+  EXPECT_EQ(read("a/runs.csv"), read("b/runs.csv"));
+  EXPECT_THAT(read("a/index.html"), HasSubstr("6 of 6 driven runs completed"));
+}
+
+TEST_F(Campaign, KilledInTheMiddleIsTakenUpWhereItWas) {
+  Process killed(command("a"));
+  while (done("a") < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  killed.signal(SIGKILL);
+  killed.wait();
+  // As if the kill had come between writing and renaming.
+  write("a/runs/.000005.json.XXXX", "{\"index\":5,");
+  const std::size_t before = done("a");
+  ASSERT_LT(before, 6u);
+  const Finished merge = run({"tp100-sim", "merge", folder_.file("a")});
+  EXPECT_EQ(merge.status, 1);
+  EXPECT_THAT(merge.output, HasSubstr("runs are missing"));
+  EXPECT_THAT(drive("a").output, HasSubstr(std::to_string(6 - before) + " runs driven, " +
+                                           std::to_string(before) + " were done before"));
+  EXPECT_EQ(drive("b").status, 0);
+  EXPECT_EQ(merged("a"), merged("b"));
+}
+
+TEST_F(Campaign, SaysWhatIsLeftToDo) {
+  EXPECT_EQ(drive("a", {"--todo", "4"}).output, "0-3\n4-5\n");
+  EXPECT_EQ(drive("a", {"--index", "2"}).status, 0);
+  EXPECT_EQ(drive("a", {"--todo", "4"}).output, "0-1\n3-5\n");
+  EXPECT_EQ(drive("a", {"--todo", "1", "--index", "2-3"}).output, "3-3\n");
+}
+
+TEST_F(Campaign, ARunThatCannotBeDrivenIsToldAndNotTriedAgain) {
+  write("spec.toml",
+        "runs = 2\ncourse = \"1-curve\"\n"
+        "[robot_values]\nemulated.body.friction = { list = [0.8, 77.0] }\n");
+  const Finished first = drive("a");
+  EXPECT_EQ(first.status, 1);
+  EXPECT_THAT(first.output, HasSubstr("run 1 refused"));
+  EXPECT_THAT(first.output, HasSubstr("'emulated.body.friction' is 77"));
+  EXPECT_EQ(drive("a").status, 0);
+  const Finished merge = run({"tp100-sim", "merge", folder_.file("a")});
+  EXPECT_EQ(merge.status, 1);
+  EXPECT_THAT(merge.output, HasSubstr("1 of 1 driven runs completed"));
+  EXPECT_THAT(merge.output, HasSubstr("1 runs were refused"));
+}
+
+TEST_F(Campaign, ARecordedRunIsReplayedBitForBit) {
+  const Finished one = drive("a", {"--index", "1", "--record", folder_.file("recordings")});
+  ASSERT_EQ(one.status, 0) << one.output;
+  std::string recording;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.file("recordings")))
+    if (entry.path().extension() == ".mcap") recording = entry.path();
+  const Finished replay = run({"tp100d", "replay", recording, "--out", folder_.file("poses.csv")});
+  EXPECT_EQ(replay.status, 0) << replay.output;
+}
+
+TEST_F(Campaign, MistakesAreOneLineAndStatus2) {
+  ASSERT_EQ(drive("a", {"--index", "0"}).status, 0);
+  for (const char* index : {"6", "3-1", "0-6", "x", "-1", "1-"}) {
+    const Finished wrong = drive("a", {"--index", index});
+    EXPECT_EQ(wrong.status, 2) << index;
+    EXPECT_EQ(lines(wrong.output), 1u) << wrong.output;
+  }
+  write("spec.toml", std::string(kSpec) + "# another\n");
+  const Finished other = drive("a");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.output, HasSubstr("holds the runs of another campaign"));
+  const Finished none = run({"tp100-sim", "merge", folder_.file("nowhere")});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.output, HasSubstr("holds no campaign"));
+}
+
+}  // namespace
+}  // namespace tp100::test

@@ -1,0 +1,121 @@
+#include "sim/campaign/merge.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/campaign/merge_page.h"
+
+namespace tp100::sim {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+CampaignSpec spec() {
+  return parse_campaign(
+      "runs = 6\ncourse = \"3\"\nrobot = { list = [\"a\", \"b\"] }\n"
+      "[configuration]\ncontrol.gain = { uniform = [0, 1] }",
+      "spec.toml");
+}
+
+/// Run `index` with an error that grows with it.
+std::string file_of(int index, const char* more = "") {
+  const std::string i = std::to_string(index);
+  return R"({"index":)" + i + R"(,"seed":)" + std::to_string(index + 1) + R"(,"drawn":{"robot":")" +
+         (index % 2 == 0 ? "a" : "b") + R"(","control.gain":0.)" + i +
+         R"(},"result":{"completed":true,"duration_s":)" + i +
+         R"(.5,"realtime_factor":3,"model":{"max_position_error_m":0.0)" + i +
+         R"(},"tracking":{"recovery_s":[1,null]},"loop":{"p50":1})" + more + "}}";
+}
+
+std::vector<MergedRun> runs_of(std::initializer_list<int> indices) {
+  std::vector<MergedRun> runs;
+  for (const int index : indices) runs.push_back(parse_run_file(file_of(index), "file"));
+  return runs;
+}
+
+const MergedFigure& figure(const Merged& merged, const std::string& name) {
+  for (const MergedFigure& one : merged.figures)
+    if (one.name == name) return one;
+  throw std::out_of_range(name);
+}
+
+TEST(Merge, TakesEveryFigureButThoseOfTheMachine) {
+  const MergedRun run = parse_run_file(file_of(4), "file");
+  EXPECT_EQ(run.index, 4u);
+  EXPECT_EQ(run.seed, 5u);
+  EXPECT_EQ(run.figures.size(), 3u);
+  EXPECT_EQ(run.figures.at("duration_s"), 4.5);
+  EXPECT_FALSE(std::isfinite(run.figures.at("tracking.recovery_s"))) << "never recovered";
+  EXPECT_EQ(run.drawn_numbers.at("control.gain"), 0.4);
+}
+
+TEST(Merge, CountsWhatIsMissing) {
+  const Merged merged = merge(spec(), runs_of({0, 1, 4}));
+  EXPECT_THAT(merged.missing, testing::ElementsAre(2, 3, 5));
+  EXPECT_EQ(merged.driven, 3u);
+  EXPECT_EQ(merged.completed, 3u);
+}
+
+TEST(Merge, NamesTheWorstRunsFirst) {
+  const Merged merged = merge(spec(), runs_of({0, 1, 2, 3, 4, 5}));
+  const MergedFigure& of = figure(merged, "model.max_position_error_m");
+  EXPECT_EQ(of.summary.count, 6u);
+  ASSERT_EQ(of.worst.size(), 5u);
+  EXPECT_EQ(of.worst[0], std::pair(std::uint64_t{5}, 0.05));
+  EXPECT_THAT(of.correlations, testing::ElementsAre(testing::Pair("control.gain", 1.0)));
+}
+
+TEST(Merge, GroupsByWhatWasListed) {
+  const Merged merged = merge(spec(), runs_of({0, 1, 2, 3, 4}));
+  ASSERT_EQ(merged.groups.size(), 2u);
+  EXPECT_EQ(merged.groups[0].value, "a");
+  EXPECT_EQ(merged.groups[0].driven, 3u);
+  EXPECT_DOUBLE_EQ(merged.groups[0].figures.at("duration_s").percentiles[1].value, 2.5);
+  EXPECT_EQ(merged.groups[1].driven, 2u);
+}
+
+TEST(Merge, ARefusedRunIsNoRunThatFailed) {
+  std::vector<MergedRun> runs = runs_of({0, 1});
+  runs.push_back(parse_run_file(
+      R"({"index":2,"seed":3,"drawn":{"robot":"a"},"refused":"robot.toml: too heavy"})", "file"));
+  const Merged merged = merge(spec(), std::move(runs));
+  EXPECT_EQ(merged.driven, 2u);
+  const Json json = Json::parse(merged_json(merged));
+  EXPECT_EQ(json["refused"][0]["why"], "robot.toml: too heavy");
+  EXPECT_THAT(merge_page(merged, "x"), HasSubstr("too heavy"));
+}
+
+TEST(Merge, WritesOneRowARun) {
+  std::vector<MergedRun> runs = runs_of({0});
+  runs[0].refused = "a, \"b\"";
+  const std::string csv = merged_csv(merge(spec(), runs));
+  EXPECT_EQ(csv,
+            "index,seed,completed,refused,control.gain,robot,duration_s,"
+            "model.max_position_error_m,tracking.recovery_s\n"
+            "0,1,1,\"a, \"\"b\"\"\",0.0,a,0.5,0.0,inf\n");
+}
+
+TEST(Merge, WhatIsNoRunsFileIsAnErrorThatNamesIt) {
+  for (const char* text :
+       {"", "{}", "[1]", R"({"index":"x"})", R"({"index":1,"seed":1,"drawn":[]})"})
+    try {
+      parse_run_file(text, "runs/000001.json");
+      ADD_FAILURE() << text;
+    } catch (const SetupError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("runs/000001.json: not the file of a run"));
+    }
+}
+
+TEST(Merge, ThePageHasTablesAndChartsForWhatThereIs) {
+  const std::string page = merge_page(merge(spec(), runs_of({0, 1, 2, 3, 4, 5})), "runs = 6");
+  for (const char* part : {"6 of 6 driven runs completed", "model.max_position_error_m", "<svg",
+                           "rank correlation", "Worst runs", "runs = 6"})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_THAT(merge_page(merge(spec(), {}), ""), HasSubstr("6 missing"));
+}
+
+}  // namespace
+}  // namespace tp100::sim
