@@ -14,6 +14,7 @@
 #include "app/live_events.h"
 #include "app/live_world.h"
 #include "app/operator_input.h"
+#include "app/service_notice.h"
 #include "app/stats_file.h"
 #include "core/error.h"
 
@@ -53,6 +54,7 @@ struct Supervisor::State {
   void on_enter();
   void run_ended(int exit_status, const std::string& result);
   void begin_serving();
+  void tell_manager();
   void serve(const LiveEvent& event, const std::vector<publish::Event>& words);
   void take_signals();
   void end(int exit_status, const std::string& result);
@@ -65,6 +67,7 @@ struct Supervisor::State {
   LiveCycle& cycle;
   loop::FixedRateLoop& loop;
   EventLog log;
+  ServiceNotice notice{service_settings()};
   asio::io_context context;
   Connector connector;
   asio::signal_set signals;
@@ -147,6 +150,16 @@ void Supervisor::State::begin_serving() {
   settings.server->start();
   if (!settings.server->note().empty()) log.warn(settings.server->note());
   if (!figures.page.empty()) log.info("page: " + figures.page);
+  if (const std::string why = notice.ready(); !why.empty()) log.warn(why);
+  tell_manager();
+}
+
+void Supervisor::State::tell_manager() {
+  std::string line = "link " + std::string(to_string(session)) + ", run ";
+  line += to_string(run_state);
+  if (!settings.course.empty()) line += ", course " + settings.course;
+  if (!figures.page.empty()) line += "; page " + figures.page;
+  notice.status(line);
 }
 
 void Supervisor::State::serve(const LiveEvent& event, const std::vector<publish::Event>& words) {
@@ -191,6 +204,7 @@ void Supervisor::State::tick() {
   take_events();
   connector.tick(now);
   take_status(now);
+  notice.alive(loop.statistics().turns.load(), now);
   if (const std::string note = world->take_note(); !note.empty()) log.info(note);
   note_black_box();
   if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
@@ -205,7 +219,7 @@ void Supervisor::State::tick() {
     next_stats_ns = now + kStatsPeriodNs;
     figures.duration_s = to_s(now - began_ns);
     write_figures();
-    if (settings.verbose) log.times(figures.loop);
+    if (settings.verbose) log.times(settings.controls->loop());
   }
   schedule_tick();
 }
@@ -263,6 +277,7 @@ void Supervisor::State::on_session(const LiveEvent& event) {
 
 void Supervisor::State::on_session_state(SessionState next) {
   session = next;
+  tell_manager();
   figures.port = connector.path();
   if (next != SessionState::kReady) return;
   connector.session_ready();
@@ -279,6 +294,7 @@ void Supervisor::State::on_session_state(SessionState next) {
 
 void Supervisor::State::on_run_state(const LiveEvent& event) {
   run_state = event.to;
+  tell_manager();
   if (event.to == RunState::kFinished) run_ended(0, "completed");
   if (event.to != RunState::kAborted) return;
   figures.faults = event.faults;
@@ -308,6 +324,7 @@ void Supervisor::State::on_enter() {
 void Supervisor::State::end(int exit_status, const std::string& result) {
   if (std::exchange(ending, true)) return;
   settings.controls->end();
+  notice.stopping();
   status = exit_status;
   figures.result = result;
   connector.stop();
@@ -317,9 +334,9 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 void Supervisor::State::write_figures() {
   if (camera != nullptr) figures.camera = camera->counters();
   figures.world = world->figures();
-  figures.loop = settings.controls->loop();
   take_recording();
   if (settings.stats_path.empty()) return;
+  figures.loop = settings.controls->loop();
   const std::string text = stats_json(figures);
   try {
     write_stats(settings.stats_path, text);

@@ -1,0 +1,91 @@
+# The Debian package: `cpack` in the build folder, or scripts/package. Man pages and completion are written from
+# what the programs' --help says.
+if(TP100_SANITIZE OR TP100_FUZZ OR NOT TP100_BUILD_FIRMWARE)
+  return()
+endif()
+
+set(manual ${CMAKE_BINARY_DIR}/manual)
+configure_file(scripts/flash ${manual}/bin/tp100-flash COPYONLY)
+find_program(PYTHON3 python3)
+if(PYTHON3)
+  set(written)
+  file(GLOB writer CONFIGURE_DEPENDS scripts/manual*.py)
+  foreach(program tp100d tp100-sim tp100-flash)
+    set(path ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${program})
+    set(outputs ${manual}/${program}.1.gz ${manual}/${program}.bash ${manual}/_${program})
+    set(on ${program})
+    set(before)
+    if(program STREQUAL tp100-flash)
+      set(path ${manual}/bin/${program})
+      # It asks the tp100d beside it for its version.
+      set(on scripts/flash tp100d)
+      set(before COMMAND ${CMAKE_COMMAND} -E create_symlink ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/tp100d
+        ${manual}/bin/tp100d)
+    endif()
+    add_custom_command(OUTPUT ${outputs} ${before}
+      COMMAND ${PYTHON3} -B ${CMAKE_SOURCE_DIR}/scripts/manual.py ${path} ${manual}
+      DEPENDS ${on} ${writer} VERBATIM)
+    list(APPEND written ${outputs})
+    install(FILES ${manual}/${program}.1.gz DESTINATION share/man/man1)
+    install(FILES ${manual}/${program}.bash DESTINATION share/bash-completion/completions RENAME ${program})
+    install(FILES ${manual}/_${program} DESTINATION share/zsh/vendor-completions)
+  endforeach()
+  add_custom_target(tp100_manual ALL DEPENDS ${written})
+else()
+  message(WARNING "Man pages and completion are left out: they need python3.")
+endif()
+
+install(TARGETS tp100d tp100-sim DESTINATION bin)
+install(PROGRAMS ${manual}/bin/tp100-flash DESTINATION bin)
+install(FILES ${CMAKE_BINARY_DIR}/firmware/tp100.hex DESTINATION share/tp100)
+install(DIRECTORY config/campaigns config/courses config/robots config/cameras DESTINATION share/tp100)
+install(FILES config/tp100.toml config/view.toml DESTINATION share/tp100)
+install(FILES config/systemd/tp100d@.service DESTINATION lib/systemd/system)
+install(FILES config/systemd/tp100.conf DESTINATION lib/sysusers.d)
+install(FILES config/udev/65-tp100.rules DESTINATION lib/udev/rules.d)
+install(FILES config/tp100.toml DESTINATION /etc/tp100)
+
+set(debian ${CMAKE_SOURCE_DIR}/scripts/debian)
+set(documents ${CMAKE_BINARY_DIR}/debian)
+file(MAKE_DIRECTORY ${documents})
+file(WRITE ${documents}/conffiles "/etc/tp100/tp100.toml\n")
+execute_process(COMMAND gzip -9nc INPUT_FILE ${debian}/changelog OUTPUT_FILE ${documents}/changelog.gz
+  COMMAND_ERROR_IS_FATAL ANY)
+install(FILES ${debian}/copyright ${documents}/changelog.gz firmware/PROTOCOL.md firmware/WIRING.md
+  daemon/publish/CHANNELS.md daemon/worlds/WORLD.md DESTINATION share/doc/tp100)
+install(FILES daemon/web/dist/licences.txt DESTINATION share/doc/tp100 RENAME page-licences.txt)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME tp100)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "TP100 maintainers <maintainers@tp100.invalid>")
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/package)
+set(CPACK_STRIP_FILES ON)
+# /etc is not below the prefix.
+set(CPACK_SET_DESTDIR ON)
+set(CPACK_INSTALL_PREFIX /usr)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# systemd-sysusers, udevadm and userdel are for the maintainer scripts.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "systemd | systemd-standalone-sysusers | systemd-sysusers, passwd")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "avrdude, udev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "arduino-core-avr")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "real-time bridge and emulator for the TP100 crawler")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"tp100d reads encoder and IMU frames from an Arduino Mega over USB serial at up
+to 1 kHz, integrates a slip-compensated skid-steer model and returns the pose
+and a trajectory controller's yaw command. It shows a page, records MCAP files
+and runs as a service, one instance for each robot.
+
+tp100-sim is an emulated robot: the same firmware on a rigid body with tracks,
+over a wire with real byte times. tp100-flash writes the firmware that comes
+with the package to a Mega; for that it needs avrdude.")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
+  ${documents}/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+include(CPack)

@@ -1,0 +1,86 @@
+"""The package in a Debian of its own: installed, driven, upgraded, removed and purged."""
+import os
+import re
+import shutil
+import subprocess
+
+from host import check, package, run
+from machine import Machine
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CONFIG = "/etc/tp100/tp100.toml"
+# A course that is over soon.
+COURSE = ('description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.2\n'
+          "[fence]\nmin_x_m = -0.5\nmax_x_m = 0.8\nmin_y_m = -0.5\nmax_y_m = 0.5\n")
+
+
+def newer(deb, folder):
+    """The same package of a higher version that comes with another configuration."""
+    tree = os.path.join(folder, "newer")
+    run("dpkg-deb", "-R", deb, tree)
+    with open(tree + "/DEBIAN/control", encoding="utf-8") as file:
+        control = file.read()
+    with open(tree + "/DEBIAN/control", "w", encoding="utf-8") as file:
+        file.write(re.sub(r"^Version: .*", r"\g<0>+1", control, flags=re.M))
+    with open(tree + CONFIG, "a", encoding="utf-8") as file:
+        file.write("# of the newer version\n")
+    run("dpkg-deb", "--root-owner-group", "-b", tree, folder + "/newer.deb")
+    shutil.rmtree(tree)
+
+
+def drive_as_user(machine):
+    """Emulator and daemon as the service's user, without systemd, through a short course."""
+    machine.write("/srv/short.toml", COURSE)
+    said = machine.shell("""
+      test "$(id -nG tp100)" = "tp100 dialout"
+      as='setpriv --reuid=tp100 --regid=tp100 --init-groups'
+      $as tp100-sim robot --link /tmp/robot & robot=$!
+      trap 'kill $robot' EXIT
+      for i in $(seq 50); do [ -e /tmp/robot ] && break; sleep 0.1; done
+      $as env XDG_STATE_HOME=/tmp tp100d run --port /tmp/robot --course /srv/short.toml --duration 60
+      $as tp100-sim course 1-curve --board avr | head -3""")
+    check("short: completed" in said, f"the course as tp100: {said}")
+    print(said)
+
+
+def serve(machine):
+    """The unit under systemd: ready, real-time, through a course, watched, stopped."""
+    may_raise = subprocess.run(["prlimit", "--rtprio=90:90", "true"], stderr=subprocess.DEVNULL, check=False)
+    machine.write("/etc/tp100/tp100.toml", 'course = "/srv/short.toml"\n[link]\nport = "/srv/robot"\n')
+    with open(HERE + "/service.sh", encoding="utf-8") as file:
+        said = machine.boot(file.read().replace("@MAY_RAISE@", "yes" if may_raise.returncode == 0 else ""))
+    print(said)
+    check("service: done" in said, "the service under systemd (above)")
+
+
+def left(machine):
+    """What speaks of tp100 besides the logs of apt and dpkg."""
+    return machine.shell("""
+      find / -xdev \\( -path /proc -o -path /sys -o -path /dev -o -path /srv \\) -prune -o -iname '*tp100*' -print
+      grep -s tp100 /etc/passwd /etc/group /etc/shadow /etc/gshadow /var/lib/dpkg/status || true""")
+
+
+def install(build):
+    deb = package(build)
+    machine = Machine()
+    try:
+        shutil.copy(deb, machine.path("/srv/tp100.deb"))
+        newer(deb, machine.path("/srv"))
+        apt = "apt-get -qq -y -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "
+        machine.shell(f"apt-get -qq update; {apt} install --no-install-recommends /srv/tp100.deb arduino-core-avr udev")
+        machine.shell("systemd-analyze verify --man=no tp100d@tp100.service")
+        # It names file and line of a rule that it does not understand.
+        machine.shell("! udevadm test /sys/class/mem/null 2>&1 | grep tp100.rules:")
+        drive_as_user(machine)
+        serve(machine)
+
+        machine.write(CONFIG, "# of its user\n")
+        machine.write("/etc/tp100/second.toml", "")
+        machine.shell(f"{apt} install --no-install-recommends /srv/newer.deb; tp100d check {CONFIG}")
+        check(machine.read(CONFIG) == "# of its user\n", f"the upgrade changed {CONFIG}")
+        machine.shell(f"{apt} remove tp100; test -e {CONFIG}; test ! -e /usr/bin/tp100d")
+        machine.shell(f"{apt} purge tp100")
+        check(not (still := left(machine).strip()), f"after the purge there is still:\n{still}")
+        print("installed, driven, served, upgraded, removed, purged")
+    finally:
+        machine.close()

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""package_test.py STEP BUILD: one test of the Debian package of a build folder."""
+import gzip
+import os
+import sys
+import tempfile
+
+from host import ROOT, check, need, package, run
+from install_test import install
+
+LARGEST_EXPOSURE = 2.0
+
+
+def make(build):
+    for old in os.listdir(folder) if os.path.isdir(folder := os.path.join(build, "package")) else []:
+        if old.endswith(".deb"):
+            os.remove(os.path.join(folder, old))
+    need(("dpkg-shlibdeps", "dpkg-dev"))
+    run("cpack", cwd=build)
+    deb = package(build)
+    version = run("dpkg-deb", "-f", deb, "Version").strip()
+    written = run("dpkg-parsechangelog", "-l", ROOT + "/scripts/debian/changelog", "-S", "Version").strip()
+    check(version == written, f"scripts/debian/changelog is of version {written}, the package of {version}")
+
+
+def lintian(build):
+    need(("lintian", "lintian"))
+    print(run("lintian", "--allow-root", "--fail-on", "error,warning", package(build)))
+
+
+def exposure(_build):
+    need(("systemd-analyze", "systemd"))
+    print(run("systemd-analyze", "security", "--offline=true", f"--threshold={LARGEST_EXPOSURE * 10:.0f}", "--no-pager",
+              ROOT + "/config/systemd/tp100d@.service"))
+
+
+def words(shell_script, line):
+    """What bash offers after `line`, of which the last word is completed."""
+    parts = line.split(" ")
+    script = (f'source "{shell_script}"; COMP_WORDS=({" ".join(repr(p) for p in parts)}); '
+              f'COMP_CWORD={len(parts) - 1}; _{parts[0].replace("-", "_")}; printf "%s\\n" "${{COMPREPLY[@]}}"')
+    return run("bash", "-c", script).split()
+
+
+def completion(build):
+    with tempfile.TemporaryDirectory() as at:
+        run("dpkg-deb", "-x", package(build), at)
+        scripts = at + "/usr/share/bash-completion/completions/"
+        for line, offered in (("tp100d ", "identify"), ("tp100d re", "replay"), ("tp100d run --set", "--setup"),
+                              ("tp100d run --setup ", "terrain"), ("tp100-sim robot --board a", "avr"),
+                              ("tp100-flash --dry", "--dry-run"), ("tp100-flash --port a", "auto"),
+                              ("tp100d check /etc/pass", "/etc/passwd")):
+            got = words(scripts + line.split(" ", maxsplit=1)[0], line)
+            check(offered in got, f"bash offers {got} after '{line}', not {offered}")
+        for program in ("tp100d", "tp100-sim", "tp100-flash"):
+            page = gzip.open(f"{at}/usr/share/man/man1/{program}.1.gz", "rt").read()
+            check(f"\n{program} \\-".replace("-s", "\\-s").replace("-f", "\\-f") in page, f"{program}: no whatis line")
+            need(("zsh", "zsh"))
+            run("zsh", "-n", f"{at}/usr/share/zsh/vendor-completions/_{program}")
+
+
+STEPS = {step.__name__: step for step in (make, lintian, exposure, completion, install)}
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3 or sys.argv[1] not in STEPS:
+        sys.exit(f"usage: package_test.py {'|'.join(STEPS)} BUILD")
+    STEPS[sys.argv[1]](sys.argv[2])

@@ -1,0 +1,67 @@
+# Runs in the installed machine under systemd, as root. Ends with "service: done".
+set -e
+unit=tp100d@tp100
+wait_for() { # COMMAND...: until it succeeds, for 30 s
+  { set +x; } 2>/dev/null
+  for _ in $(seq 300); do
+    if "$@" >/dev/null 2>&1; then
+      set -x
+      return 0
+    fi
+    sleep 0.1
+  done
+  echo "service: waited in vain for: $*"
+  journalctl --no-pager -u $unit
+  exit 1
+}
+refused() { # UNIT: cannot be started
+  if systemctl start "$1"; then
+    echo "service: $1 has started"
+    exit 1
+  fi
+}
+said() { journalctl --no-pager -o cat -u $unit | grep -q "$1"; }
+status() { systemctl show -P StatusText $unit | grep -q "$1"; }
+
+if [ -z "@MAY_RAISE@" ]; then
+  echo "service: root may not raise limits on this machine: SCHED_FIFO by a capability, memory lock not looked at"
+  mkdir -p /run/systemd/system/$unit.service.d
+  printf '[Service]\nPrivateUsers=no\nCapabilityBoundingSet=CAP_SYS_NICE\nAmbientCapabilities=CAP_SYS_NICE\n' \
+    >/run/systemd/system/$unit.service.d/test.conf
+  systemctl daemon-reload
+fi
+
+setpriv --reuid=tp100 --regid=tp100 --init-groups tp100-sim robot --link /tmp/robot &
+robot=$!
+wait_for test -e /tmp/robot
+# The service has a /tmp of its own.
+ln -sfn "$(readlink /tmp/robot)" /srv/robot
+
+systemctl enable --now $unit
+test "$(systemctl is-active $unit)" = active
+status 'page http://127.0.0.1:8765/'
+said 'real time: SCHED_FIFO 80'
+[ -z "@MAY_RAISE@" ] || said 'real time: memory locked'
+wait_for status 'run finished'
+
+# Who does not turn is replaced.
+kill -STOP "$(systemctl show -P MainPID $unit)"
+restarted() { [ "$(systemctl show -P NRestarts $unit)" = 1 ] && [ "$(systemctl is-active $unit)" = active ]; }
+wait_for restarted
+said 'Watchdog timeout'
+
+# A file that is wrong is said once and not tried again.
+systemctl stop $unit
+echo 'robto = "uniform"' >/etc/tp100/wrong.toml
+refused tp100d@wrong
+test "$(systemctl show -P NRestarts tp100d@wrong)" = 0
+rm /etc/tp100/wrong.toml
+refused tp100d@none
+
+# Removing the package stops what runs.
+systemctl start $unit
+dpkg --remove tp100
+test "$(systemctl is-active $unit)" = inactive
+dpkg --install /srv/tp100.deb
+kill $robot
+echo "service: done"

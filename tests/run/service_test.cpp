@@ -1,0 +1,73 @@
+// tp100d under a service manager: what it says, and that it falls silent when its loop hangs.
+
+#include <gtest/gtest.h>
+#include <sys/ptrace.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "../support/notify_socket.h"
+#include "process.h"
+
+namespace tp100::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// The real-time thread of tp100d, the only one that asked for exact timers; 0: not to be told.
+pid_t loop_thread(pid_t program) {
+  const std::string tasks = "/proc/" + std::to_string(program) + "/task";
+  for (const auto& task : std::filesystem::directory_iterator(tasks)) {
+    std::ifstream file("/proc/" + task.path().filename().string() + "/timerslack_ns");
+    long slack_ns = 0;
+    // Newer kernels say 0 of a thread with SCHED_FIFO.
+    if (file >> slack_ns && slack_ns <= 1) return std::stoi(task.path().filename().string());
+  }
+  return 0;
+}
+
+/// A thread of a child, stopped alone; it goes on in the end.
+class HungThread {
+ public:
+  explicit HungThread(pid_t thread) : thread_(thread) {
+    EXPECT_EQ(::ptrace(PTRACE_SEIZE, thread_, nullptr, nullptr), 0);
+    EXPECT_EQ(::ptrace(PTRACE_INTERRUPT, thread_, nullptr, nullptr), 0);
+    EXPECT_EQ(::waitpid(thread_, nullptr, __WALL), thread_);
+  }
+  ~HungThread() { ::ptrace(PTRACE_DETACH, thread_, nullptr, nullptr); }
+  HungThread(const HungThread&) = delete;
+  HungThread& operator=(const HungThread&) = delete;
+
+ private:
+  pid_t thread_;
+};
+
+TEST(Service, AHungLoopStarvesTheWatchdogThoughTheRestOfTheDaemonLives) {
+  const TemporaryFolder folder;
+  const NotifySocket manager(folder.file("notify"));
+  ::setenv("NOTIFY_SOCKET", folder.file("notify").c_str(), 1);
+  ::setenv("WATCHDOG_USEC", "400000", 1);
+  Process bridge({"tp100d", "run", "--wait", "--port", folder.file("none"), "--listen", "off"});
+  ::unsetenv("NOTIFY_SOCKET");
+  ::unsetenv("WATCHDOG_USEC");
+  ASSERT_TRUE(manager.hears("READY=1", 20s)) << bridge.output();
+  ASSERT_TRUE(manager.hears("WATCHDOG=1", 10s)) << bridge.output();
+  const pid_t thread = loop_thread(bridge.pid());
+  if (thread == 0) GTEST_SKIP() << "which thread is the loop is for root to know; run it as root";
+  {
+    const HungThread hung(thread);
+    // One more may be due for the turns before.
+    manager.hears("WATCHDOG=1", 200ms);
+    EXPECT_FALSE(manager.hears("WATCHDOG=1", 1s));
+    bridge.signal(SIGTERM);
+    EXPECT_TRUE(manager.hears("STOPPING=1", 10s)) << "the other thread is there";
+  }
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+}
+
+}  // namespace
+}  // namespace tp100::test
