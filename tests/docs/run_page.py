@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""run_page.py PAGE BUILD: does what a page says, as it stands there: writes its files, runs its commands.
+
+```sh blocks are run one after the other by one bash in a folder that looks like the project's, with BUILD as
+build/release; a block whose first line has a file's name after the language is written to that file. Any command that
+fails fails the page. Blocks in other languages, and ```sh with a word behind it, are not touched.
+"""
+import os
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.M | re.S)
+
+
+def script_of(page):
+    lines = ["set -euo pipefail"]
+    for language, name, body in BLOCK.findall(page):
+        if language == "sh" and not name:
+            lines.append("set -x\n" + body + "{ set +x; } 2>/dev/null")
+        elif language != "sh" and name:
+            lines.append(f"printf %s {shlex.quote(body)} > {shlex.quote(name)}")
+    return "\n".join(lines)
+
+
+def main():
+    page, build = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+    with open(page, encoding="utf-8") as file:
+        script = script_of(file.read())
+    if "set -x" not in script:
+        sys.exit(f"{page}: has no commands")
+    with tempfile.TemporaryDirectory(prefix="tp100-docs-") as folder:
+        for name in os.listdir(ROOT):
+            if name not in ("build", ".git"):
+                os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
+        os.mkdir(os.path.join(folder, "build"))
+        os.symlink(build, os.path.join(folder, "build", "release"))
+        shell = subprocess.Popen(["bash", "-c", script], cwd=folder, stdin=subprocess.DEVNULL, start_new_session=True)
+        status = shell.wait()
+        # What it left in the background.
+        try:
+            os.killpg(shell.pid, signal.SIGTERM)
+        except ProcessLookupError:
+            pass
+    if status:
+        sys.exit(f"{page}: the last command above ended with status {status}")
+
+
+if __name__ == "__main__":
+    main()
