@@ -51,8 +51,14 @@ file(MAKE_DIRECTORY ${documents})
 file(WRITE ${documents}/conffiles "/etc/tp100/tp100.toml\n")
 execute_process(COMMAND gzip -9nc INPUT_FILE ${debian}/changelog OUTPUT_FILE ${documents}/changelog.gz
   COMMAND_ERROR_IS_FATAL ANY)
-install(FILES ${debian}/copyright ${documents}/changelog.gz firmware/PROTOCOL.md firmware/WIRING.md
-  daemon/publish/CHANNELS.md daemon/worlds/WORLD.md DESTINATION share/doc/tp100)
+install(FILES ${debian}/copyright ${documents}/changelog.gz DESTINATION share/doc/tp100)
+# In the folders of the source tree: they point at each other.
+foreach(page config/TUTORIALS.md daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md
+    daemon/publish/CHANNELS.md daemon/publish/THREATS.md daemon/worlds/WORLD.md firmware/FIRST_DRIVE.md
+    firmware/PROTOCOL.md firmware/WIRING.md sim/CI.md sim/faults/FAULTS.md tests/PROOF.md)
+  cmake_path(GET page PARENT_PATH folder)
+  install(FILES ${page} DESTINATION share/doc/tp100/${folder})
+endforeach()
 install(FILES daemon/web/dist/licences.txt DESTINATION share/doc/tp100 RENAME page-licences.txt)
 
 set(CPACK_GENERATOR DEB)
