@@ -18,8 +18,8 @@ test('the report of an emulated run', async () => {
     const metrics = JSON.parse(await readFile(join(run, 'metrics.json'), 'utf8'));
     assert.equal(metrics.completed, true);
 
-    const shown = spawnSync(chromium, ['--headless', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--disable-background-networking',
-      '--no-first-run', `--user-data-dir=${join(folder, 'browser')}`, '--enable-logging=stderr',
+    const shown = spawnSync(chromium, ['--headless', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage',
+      '--disable-background-networking', '--no-first-run', `--user-data-dir=${join(folder, 'browser')}`, '--enable-logging=stderr',
       '--virtual-time-budget=2000', '--dump-dom', `file://${join(run, 'report.html')}`], { encoding: 'utf8', timeout: 60000 });
     assert.equal(shown.status, 0, shown.stderr);
     assert.doesNotMatch(shown.stderr, /CONSOLE/);
