@@ -14,6 +14,10 @@ if(TP100_SANITIZE)
     # Sanitizers make GCC report paths that cannot happen with these two.
     -Wno-null-dereference $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(tp100_options INTERFACE -fsanitize=${TP100_SANITIZE})
+  if(TP100_SANITIZE MATCHES "address.*undefined")
+    # The address sanitizer sees these too; they take a third of the compiler's time.
+    target_compile_options(tp100_options INTERFACE -fno-sanitize=null,object-size)
+  endif()
 endif()
 
 # tp100_room(NAME PREFIX <include prefix> [SOURCES ...] [DEPENDS rooms...] [LIBRARIES targets...]
