@@ -18,9 +18,13 @@ struct Known {
   const char* name;
 };
 
+// As config/udev/65-tp100.rules has them.
 constexpr auto kKnown = std::to_array<Known>({
     {0x2341, 0x0042, PortKind::kMega, "Arduino Mega 2560"},
     {0x2341, 0x0010, PortKind::kMega, "Arduino Mega 2560"},
+    {0x2341, 0x0210, PortKind::kMega, "Arduino Mega 2560"},
+    {0x2341, 0x0242, PortKind::kMega, "Arduino Mega 2560"},
+    {0x2a03, 0x0010, PortKind::kMega, "Arduino Mega 2560"},
     {0x2a03, 0x0042, PortKind::kMega, "Arduino Mega 2560"},
     {0x1a86, 0x7523, PortKind::kBridge, "CH340 bridge"},
     {0x1a86, 0x5523, PortKind::kBridge, "CH341 bridge"},
@@ -51,6 +55,13 @@ std::string describe(const PortInfo& port) {
   const std::size_t at = rank(port);
   if (at < kKnown.size()) return kKnown[at].name;
   return port.product.empty() ? "serial port" : port.product;
+}
+
+std::vector<UsbId> known_ids() {
+  std::vector<UsbId> ids;
+  ids.reserve(kKnown.size());
+  for (const Known& known : kKnown) ids.push_back({known.vendor_id, known.product_id});
+  return ids;
 }
 
 std::vector<PortInfo> candidates(std::vector<PortInfo> ports) {

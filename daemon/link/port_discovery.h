@@ -1,6 +1,7 @@
 #pragma once
 // Which serial ports there are, and which of them may be a TP100. Set-up only.
 
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,16 @@ enum class PortKind {
   kBridge,  ///< some USB serial bridge, as on Mega clones
   kOther,   ///< anything else
 };
+
+/// What a USB device says it is.
+struct UsbId {
+  int vendor_id;
+  int product_id;
+
+  auto operator<=>(const UsbId&) const = default;
+};
+/// All that are not kOther, most likely first.
+std::vector<UsbId> known_ids();
 
 PortKind classify(const PortInfo& port);
 /// One word or two for people: "Arduino Mega 2560", "CH340 bridge", ...

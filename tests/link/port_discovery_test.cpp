@@ -37,6 +37,7 @@ TEST(PortDiscovery, EqualBoardsComeInTheOrderOfTheirPaths) {
 
 TEST(PortDiscovery, NamesWhatItKnows) {
   EXPECT_EQ(describe(port("a", 0x2341, 0x0042)), "Arduino Mega 2560");
+  EXPECT_EQ(describe(port("a", 0x2341, 0x0242)), "Arduino Mega 2560");
   EXPECT_EQ(describe(port("a", 0x1a86, 0x7523)), "CH340 bridge");
   EXPECT_EQ(classify(port("a", -1, -1)), PortKind::kOther);
 }
