@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/flash_command.h"
 #include "link/port_discovery.h"
 
 namespace tp100::app {
@@ -20,7 +21,8 @@ void Connector::tick(HostNs now) {
   if (waiting && now - opened_ns_ > settings_.hello_timeout_ns) {
     throw SetupError(path_ +
                      ": speaks the protocol's frames but says no hello; reset the board, or flash "
-                     "it with scripts/flash");
+                     "it with " +
+                     flash_command());
   }
   if (!stopped_ && !port_.is_open() && now >= next_try_ns_) try_open(now);
 }
@@ -35,8 +37,8 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
   std::string line = path_ + ": ";
   if (silent) {
     line += found_ ? "the robot fell silent"
-                   : "nothing that speaks like a TP100; flash the board with scripts/flash, or "
-                     "choose another port with --port";
+                   : "nothing that speaks like a TP100; flash the board with " + flash_command() +
+                         ", or choose another port with --port";
   } else {
     line += std::string("port is gone (") +
             (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "core/flash_command.h"
 #include "link/transport.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
@@ -64,7 +65,7 @@ Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
   prefix.field("", hello.schema);
   const bool ours = wire::read_payload(payload, size, hello) &&
                     hello.protocol == wire::kProtocolVersion && hello.schema == wire::kSchemaHash;
-  std::array<char, 160> text{};
+  std::array<char, 200> text{};
   if (ours) {
     std::snprintf(text.data(), text.size(), "board %s, firmware %u.%u.%u, protocol %u",
                   board_name(hello.board), hello.firmware[0], hello.firmware[1], hello.firmware[2],
@@ -73,9 +74,9 @@ Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
     std::snprintf(
         text.data(), text.size(),
         "firmware %u.%u.%u, protocol %u schema %08x, but tp100d speaks protocol %u schema "
-        "%08x; flash the board with scripts/flash",
+        "%08x; flash the board with %s",
         hello.firmware[0], hello.firmware[1], hello.firmware[2], hello.protocol, hello.schema,
-        wire::kProtocolVersion, wire::kSchemaHash);
+        wire::kProtocolVersion, wire::kSchemaHash, flash_command().c_str());
   }
   return {ours, text.data()};
 }
@@ -89,11 +90,10 @@ int run_hello(const HelloOptions& options) {
     std::printf("%s: %s\n", options.port.c_str(), greeting.text.c_str());
     return 0;
   }
+  const std::string none = "no hello of a TP100; flash the board with " + flash_command() +
+                           ", or choose another port (see `tp100d ports`)";
   std::fprintf(stderr, "%s: %s\n", options.port.c_str(),
-               greeting.text.empty()
-                   ? "no hello of a TP100; flash the board with scripts/flash, or "
-                     "choose another port (see `tp100d ports`)"
-                   : greeting.text.c_str());
+               (greeting.text.empty() ? none : greeting.text).c_str());
   return 1;
 }
 

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/flash_command.h"
+
 namespace tp100::app {
 namespace {
 
@@ -164,7 +166,7 @@ std::string version_mismatch(const wire::Hello& hello) {
   return "wrong version: robot has protocol " + std::to_string(hello.protocol) + " schema " +
          hex(hello.schema) + " (firmware " + firmware_text(hello) + "), tp100d needs protocol " +
          std::to_string(wire::kProtocolVersion) + " schema " + hex(wire::kSchemaHash) +
-         "; flash the board with scripts/flash";
+         "; flash the board with " + flash_command();
 }
 
 std::string fault_names(FaultMask faults) {

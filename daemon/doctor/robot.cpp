@@ -4,6 +4,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "core/flash_command.h"
+
 namespace tp100::doctor {
 namespace {
 
@@ -44,7 +46,7 @@ std::uint64_t damaged(const LinkCounters& counters) {
 
 /// Why there was no hello.
 Finding silent(const Visit& visit) {
-  const std::string flash = "scripts/flash --port " + visit.port;
+  const std::string flash = flash_command(visit.port);
   if (visit.bootloader)
     return error("bootloader", visit.port + ": only the bootloader answers", flash);
   if (visit.frames_in > 0)
@@ -153,7 +155,7 @@ Findings robot_findings(const Visit& visit) {
   if (visit.greeting.empty()) return {silent(visit)};
   if (!visit.ours)
     return {error("firmware", visit.greeting.substr(0, visit.greeting.rfind("; ")),
-                  "scripts/flash --port " + visit.port)};
+                  flash_command(visit.port))};
   Findings findings = {ok("firmware", visit.greeting)};
   if (!visit.refused.empty()) {
     findings.push_back(error("parameters", "the firmware refuses " + visit.refused,
@@ -161,10 +163,9 @@ Findings robot_findings(const Visit& visit) {
     return findings;
   }
   if (!visit.ready && visit.reboots == 0)
-    findings.push_back(error("session", "the robot says hello, but its clock could not be read",
-                             "use a short cable without a hub; if that does not help: "
-                             "scripts/flash --port " +
-                                 visit.port));
+    findings.push_back(error(
+        "session", "the robot says hello, but its clock could not be read",
+        "use a short cable without a hub; if that does not help: " + flash_command(visit.port)));
   add_state(visit, findings);
   if (visit.link) add_link(*visit.link, findings);
   return findings;

@@ -11,6 +11,7 @@
 namespace tp100::app {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 /// The payload of a hello.
@@ -45,7 +46,8 @@ TEST(Greeting, OfAnotherVersionNamesBothAndAsksForFlashing) {
     EXPECT_FALSE(greeting.ours);
     EXPECT_THAT(greeting.text, HasSubstr("firmware 3.20.100"));
     EXPECT_THAT(greeting.text, HasSubstr("schema 0000abcd"));
-    EXPECT_THAT(greeting.text, HasSubstr("scripts/flash"));
+    EXPECT_THAT(greeting.text,
+                EndsWith("; flash the board with scripts/flash (installed: tp100-flash)"));
   }
 }
 

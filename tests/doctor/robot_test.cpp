@@ -80,7 +80,8 @@ TEST(Robot, WithNothingButABootloaderNeedsItsFirmware) {
   visit.bootloader = true;
   EXPECT_EQ(only(visit).severity, Severity::kError);
   EXPECT_EQ(only(visit).name, "bootloader");
-  EXPECT_EQ(only(visit).fix, "scripts/flash --port /dev/ttyACM0");
+  EXPECT_EQ(only(visit).fix,
+            "scripts/flash --port /dev/ttyACM0 (installed: tp100-flash --port /dev/ttyACM0)");
 }
 
 TEST(Robot, OfAnotherVersionNeedsFlashing) {
@@ -90,7 +91,8 @@ TEST(Robot, OfAnotherVersionNeedsFlashing) {
   EXPECT_EQ(only(visit).severity, Severity::kError);
   EXPECT_EQ(only(visit).name, "firmware");
   EXPECT_EQ(only(visit).seen, "firmware 3.0.0, protocol 2, but tp100d speaks 1");
-  EXPECT_EQ(only(visit).fix, "scripts/flash --port /dev/ttyACM0");
+  EXPECT_EQ(only(visit).fix,
+            "scripts/flash --port /dev/ttyACM0 (installed: tp100-flash --port /dev/ttyACM0)");
 }
 
 TEST(Robot, ThatRefusesAParameterNamesIt) {

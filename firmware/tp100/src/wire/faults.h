@@ -12,7 +12,7 @@
     "check the cable and that the daemon runs; start again")                                     \
   X(1, stop_requested, "STOP was pressed", "make sure that the robot is free; start again")      \
   X(2, watchdog_reset, "the main loop hung and the watchdog restarted the board",                \
-    "update the firmware (scripts/flash); report it if it comes back")                           \
+    "update the firmware (scripts/flash, installed: tp100-flash); report it if it comes back")   \
   X(3, brown_out, "the supply of the board dipped and it restarted",                             \
     "charge the cells, check the power wiring")                                                  \
   X(4, loop_hung, "the main loop did not run for 100 ms; motors were switched off by the timer", \
