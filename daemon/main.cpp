@@ -263,9 +263,12 @@ std::string unknown_subcommand(const CLI::App& app, int argc, char** argv) {
          (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?");
 }
 
-int fail(const std::string& message) {
+/// Of what no file and no option explains: systemd starts the service again.
+constexpr int kStopped = 3;
+
+int fail(const std::string& message, int status = 2) {
   std::fprintf(stderr, "tp100d: %s\n", course::one_line(message, 500).c_str());
-  return 2;
+  return status;
 }
 
 int run_program(int argc, char** argv) {
@@ -304,7 +307,9 @@ int main(int argc, char** argv) {
   } catch (const tp100::SetupError& error) {
     std::fprintf(stderr, "%s\n", error.what());
   } catch (const std::exception& error) {
-    return tp100::app::fail(std::string("stopped: ") + error.what());
+    return tp100::app::fail(std::string("stopped: ") + error.what() +
+                                "; start it again, and report it if it comes back",
+                            tp100::app::kStopped);
   }
   return 2;
 }

@@ -10,7 +10,8 @@ from manual_help import commands_of
 from manual_shells import bash, zsh
 
 EXIT_STATUS = (("0", "done, and within limits"), ("1", "the run failed or broke a limit"),
-               ("2", "bad usage, a bad file, or a port that is missing or busy"))
+               ("2", "bad usage, a bad file, or a port that is missing or busy"),
+               ("3", "stopped by want of memory or a defect; report it if it comes back"))
 FILES = (("/etc/tp100/NAME.toml", "configuration of the service tp100d@NAME"),
          ("/usr/share/tp100", "courses, robots and cameras by name, every key of the configuration, and the firmware"),
          ("/var/lib/tp100/NAME", "what the service writes: the seconds around a fault"))

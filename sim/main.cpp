@@ -271,6 +271,6 @@ int main(int argc, char** argv) {
   } catch (const tp100::SetupError& error) {
     return fail(error.what());
   } catch (const std::exception& error) {
-    return fail(std::string(error.what()) + "; this is a defect, please report it", 1);
+    return fail(std::string(error.what()) + "; this is a defect, please report it", 3);
   }
 }

@@ -50,8 +50,21 @@ restarted() { [ "$(systemctl show -P NRestarts $unit)" = 1 ] && [ "$(systemctl i
 wait_for restarted
 said 'Watchdog timeout'
 
-# A file that is wrong is said once and not tried again.
+# What a restart may mend is tried again.
 systemctl stop $unit
+mkdir -p /run/systemd/system/$unit.service.d
+printf '[Service]\nLimitNOFILE=6\n' >/run/systemd/system/$unit.service.d/files.conf
+systemctl daemon-reload
+systemctl start $unit || true
+again() { [ "$(systemctl show -P NRestarts $unit)" -ge 1 ]; }
+wait_for again
+said 'stopped: .*; start it again'
+rm /run/systemd/system/$unit.service.d/files.conf
+systemctl daemon-reload
+systemctl stop $unit
+systemctl reset-failed $unit || true
+
+# A file that is wrong is said once and not tried again.
 echo 'robto = "uniform"' >/etc/tp100/wrong.toml
 refused tp100d@wrong
 test "$(systemctl show -P NRestarts tp100d@wrong)" = 0

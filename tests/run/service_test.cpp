@@ -1,5 +1,6 @@
 // tp100d under a service manager: what it says, and that it falls silent when its loop hangs.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/ptrace.h>
 #include <sys/wait.h>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "../support/notify_socket.h"
 #include "process.h"
@@ -17,6 +19,8 @@ namespace tp100::test {
 namespace {
 
 using namespace std::chrono_literals;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 /// The real-time thread of tp100d, the only one that asked for exact timers; 0: not to be told.
 pid_t loop_thread(pid_t program) {
@@ -67,6 +71,31 @@ TEST(Service, AHungLoopStarvesTheWatchdogThoughTheRestOfTheDaemonLives) {
     EXPECT_TRUE(manager.hears("STOPPING=1", 10s)) << "the other thread is there";
   }
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+}
+
+/// The values of `KEY=` in the service's unit, by lines.
+std::vector<std::string> unit_values(const std::string& key) {
+  std::ifstream file(TP100_SOURCE_DIR "/config/systemd/tp100d@.service");
+  std::vector<std::string> values;
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with(key + "=")) values.push_back(line.substr(key.size() + 1));
+  return values;
+}
+
+TEST(Service, IsRestartedAfterWhatNoFileExplainsButNotAfterABadFile) {
+  EXPECT_THAT(unit_values("Restart"), ElementsAre("on-failure"));
+  // Of these two systemd makes no failure, or none to mend by a restart.
+  EXPECT_THAT(unit_values("SuccessExitStatus"), ElementsAre("1"));
+  EXPECT_THAT(unit_values("RestartPreventExitStatus"), ElementsAre("2"));
+  const std::string tp100d = std::string(TP100_BINARY_DIR) + "/bin/tp100d";
+  const Finished starved = run(
+      {"/bin/sh", "-c", "ulimit -n 6; exec '" + tp100d + "' run --wait --port none --listen off"});
+  EXPECT_EQ(starved.status, 3);
+  EXPECT_THAT(starved.output, HasSubstr("tp100d: stopped: "));
+  EXPECT_THAT(starved.output, HasSubstr("Too many open files; start it again"));
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "bad.toml") << "robto = 1\n";
+  EXPECT_EQ(run({"tp100d", "run", "--wait", "--config", folder.file("bad.toml")}).status, 2);
 }
 
 }  // namespace
