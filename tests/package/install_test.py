@@ -4,7 +4,7 @@ import re
 import shutil
 import subprocess
 
-from host import check, package, run
+from host import check, package, run, skip
 from machine import Machine
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -44,13 +44,31 @@ def drive_as_user(machine):
 
 
 def serve(machine):
-    """The unit under systemd: ready, real-time, through a course, watched, stopped."""
+    """The unit under systemd: ready, real-time, through a course, watched, stopped. Returns why its user's rights, by
+    limits and without a capability, were not looked at; empty: they were."""
     may_raise = subprocess.run(["prlimit", "--rtprio=90:90", "true"], stderr=subprocess.DEVNULL, check=False)
     machine.write("/etc/tp100/tp100.toml", 'course = "/srv/short.toml"\n[link]\nport = "/srv/robot"\n')
     with open(HERE + "/service.sh", encoding="utf-8") as file:
         said = machine.boot(file.read().replace("@MAY_RAISE@", "yes" if may_raise.returncode == 0 else ""))
     print(said)
     check("service: done" in said, "the service under systemd (above)")
+    untried = re.findall(r"^service: not tried: (.*)", said, re.M)
+    return "; ".join(untried)
+
+
+def verdict_file(build):
+    return os.path.join(build, "package", "rights")
+
+
+def rights(build):
+    """What the install step found of the unit's LimitRTPRIO, LimitMEMLOCK and PrivateUsers."""
+    if not os.path.exists(verdict_file(build)):
+        skip("no service was started (package.install); see there")
+    with open(verdict_file(build), encoding="utf-8") as file:
+        untried = file.read()
+    if untried:
+        skip(untried)
+    print("the unit as it is gave SCHED_FIFO and locked memory")
 
 
 def left(machine):
@@ -62,6 +80,8 @@ def left(machine):
 
 def install(build):
     deb = package(build)
+    if os.path.exists(verdict_file(build)):
+        os.remove(verdict_file(build))
     machine = Machine()
     try:
         shutil.copy(deb, machine.path("/srv/tp100.deb"))
@@ -72,7 +92,9 @@ def install(build):
         # It names file and line of a rule that it does not understand.
         machine.shell("! udevadm test /sys/class/mem/null 2>&1 | grep tp100.rules:")
         drive_as_user(machine)
-        serve(machine)
+        untried = serve(machine)
+        with open(verdict_file(build), "w", encoding="utf-8") as file:
+            file.write(untried)
 
         machine.write(CONFIG, "# of its user\n")
         machine.write("/etc/tp100/second.toml", "")
@@ -82,5 +104,7 @@ def install(build):
         machine.shell(f"{apt} purge tp100")
         check(not (still := left(machine).strip()), f"after the purge there is still:\n{still}")
         print("installed, driven, served, upgraded, removed, purged")
+        if untried:
+            print(f"not tried: {untried}")
     finally:
         machine.close()

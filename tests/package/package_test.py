@@ -6,7 +6,8 @@ import sys
 import tempfile
 
 from host import ROOT, check, need, package, run
-from install_test import install
+from install_test import install, rights
+from setup_test import setup
 
 LARGEST_EXPOSURE = 2.0
 
@@ -59,7 +60,7 @@ def completion(build):
             run("zsh", "-n", f"{at}/usr/share/zsh/vendor-completions/_{program}")
 
 
-STEPS = {step.__name__: step for step in (make, lintian, exposure, completion, install)}
+STEPS = {step.__name__: step for step in (make, lintian, exposure, completion, install, rights, setup)}
 
 if __name__ == "__main__":
     if len(sys.argv) != 3 or sys.argv[1] not in STEPS:
