@@ -3,7 +3,13 @@
 
 ```sh blocks are run one after the other by one bash in a folder that looks like the project's, with BUILD as
 build/release; a block whose first line has a file's name after the language is written to that file. Any command that
-fails fails the page. Blocks in other languages, and ```sh with a word behind it, are not touched.
+fails fails the page. A word behind ```sh says what is special about the block:
+
+    instead   what takes the place of what a test has not: an emulated robot on $port, another port number
+    enter     somebody presses Enter twice a second
+    others    why it is not run: long, by-hand, fresh, install, ...
+
+Blocks in other languages are not touched.
 """
 import os
 import re
@@ -17,20 +23,26 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.M | re.S)
 
 
+def blocks(path):
+    """Language, word and text of each of a page's blocks."""
+    with open(path, encoding="utf-8") as file:
+        return BLOCK.findall(file.read())
+
+
 def script_of(page):
     lines = ["set -euo pipefail"]
-    for language, name, body in BLOCK.findall(page):
-        if language == "sh" and not name:
-            lines.append("set -x\n" + body + "{ set +x; } 2>/dev/null")
-        elif language != "sh" and name:
-            lines.append(f"printf %s {shlex.quote(body)} > {shlex.quote(name)}")
+    for language, word, body in page:
+        if language == "sh" and word in ("", "instead", "enter"):
+            source = " < <(while sleep 0.5; do echo; done)" if word == "enter" else ""
+            lines.append("{ set -x\n" + body + "{ set +x; } 2>/dev/null\n}" + source)
+        elif language != "sh" and word:
+            lines.append(f"printf %s {shlex.quote(body)} > {shlex.quote(word)}")
     return "\n".join(lines)
 
 
 def main():
     page, build = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-    with open(page, encoding="utf-8") as file:
-        script = script_of(file.read())
+    script = script_of(blocks(page))
     if "set -x" not in script:
         sys.exit(f"{page}: has no commands")
     with tempfile.TemporaryDirectory(prefix="tp100-docs-") as folder:
