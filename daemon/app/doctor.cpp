@@ -47,9 +47,9 @@ void on_signal(int) { stop = true; }
 
 doctor::Account this_account() {
   doctor::Account account;
-  account.uid = ::geteuid();
-  const passwd* entry = ::getpwuid(account.uid);
-  account.name = entry == nullptr ? std::to_string(account.uid) : entry->pw_name;
+  const uid_t uid = ::geteuid();
+  const passwd* entry = ::getpwuid(uid);
+  account.name = entry == nullptr ? std::to_string(uid) : entry->pw_name;
   account.groups.resize(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
   const int count = ::getgroups(static_cast<int>(account.groups.size()), account.groups.data());
   account.groups.resize(static_cast<std::size_t>(std::max(0, count)));
@@ -118,7 +118,8 @@ void examine_port(Examination& all, const DoctorOptions& options) {
   all.port = doctor::choose_port(all.system, name, link::list_ports());
   append(all.findings, all.port.findings);
   if (all.port.device.empty()) return;
-  append(all.findings, doctor::permission_findings(all.system, all.port.device, this_account()));
+  append(all.findings, doctor::permission_findings(all.system, all.port.device, this_account(),
+                                                   all.system.usable(all.port.device)));
   if (all.port.physical) {
     append(all.findings, doctor::holder_findings(all.system, all.port.device));
     append(all.findings,

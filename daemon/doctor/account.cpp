@@ -26,14 +26,6 @@ std::optional<Group> group_of(const System& system, gid_t gid) {
 
 bool granted(mode_t mode, mode_t both) { return (mode & both) == both; }
 
-bool may_use(const DeviceFile& file, const Account& account) {
-  if (account.uid == 0) return true;
-  if (file.uid == account.uid) return granted(file.mode, S_IRUSR | S_IWUSR);
-  const bool in_group =
-      std::find(account.groups.begin(), account.groups.end(), file.gid) != account.groups.end();
-  return in_group ? granted(file.mode, S_IRGRP | S_IWGRP) : granted(file.mode, S_IROTH | S_IWOTH);
-}
-
 std::string mode_text(mode_t mode) {
   char text[8];
   std::snprintf(text, sizeof text, "%04o", static_cast<unsigned>(mode & 07777U));
@@ -43,11 +35,10 @@ std::string mode_text(mode_t mode) {
 }  // namespace
 
 Findings permission_findings(const System& system, const std::string& device,
-                             const Account& account) {
+                             const Account& account, bool usable) {
   const std::optional<DeviceFile> file = system.device(device);
   if (!file) return {};
-  if (may_use(*file, account))
-    return {ok("permission", device + ": " + account.name + " may read and write it")};
+  if (usable) return {ok("permission", device + ": " + account.name + " may read and write it")};
   const std::optional<Group> group = group_of(system, file->gid);
   const std::string name = group ? group->name : std::to_string(file->gid);
   if (!granted(file->mode, S_IRGRP | S_IWGRP))
@@ -55,6 +46,14 @@ Findings permission_findings(const System& system, const std::string& device,
         {Severity::kError, "permission",
          device + ": mode " + mode_text(file->mode) + " lets nobody but its owner use it",
          "unplug the robot and plug it in again; if that does not help: sudo chmod 660 " + device}};
+  const bool in_group =
+      std::find(account.groups.begin(), account.groups.end(), file->gid) != account.groups.end();
+  // With an access list, the mode's middle is the list's mask and not what the group may.
+  if (in_group)
+    return {{Severity::kError, "permission",
+             device + ": the kernel refuses it to " + account.name + ", who is in group " + name,
+             "look at its access list with getfacl " + device + "; sudo setfacl -b " + device +
+                 " takes it away"}};
   const bool member = group && std::find(group->members.begin(), group->members.end(),
                                          account.name) != group->members.end();
   if (member)

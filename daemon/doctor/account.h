@@ -14,12 +14,12 @@ namespace tp100::doctor {
 /// Whose session this is.
 struct Account {
   std::string name;
-  uid_t uid = 0;
   std::vector<gid_t> groups;  ///< of this session, the primary one included
 };
 
-/// May the account read and write `device`? Names: permission, group.
+/// May the account read and write `device`? `usable` is what System::usable says to it; mode and
+/// groups only explain why not. Names: permission, group.
 Findings permission_findings(const System& system, const std::string& device,
-                             const Account& account);
+                             const Account& account, bool usable);
 
 }  // namespace tp100::doctor

@@ -1,6 +1,8 @@
 #include "doctor/system.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -66,6 +68,10 @@ std::optional<DeviceFile> System::device(const std::string& path) const {
   struct stat status {};
   if (::stat(file(path).c_str(), &status) != 0) return std::nullopt;
   return DeviceFile{status.st_mode, status.st_uid, status.st_gid};
+}
+
+bool System::usable(const std::string& path) const {
+  return ::faccessat(AT_FDCWD, file(path).c_str(), R_OK | W_OK, AT_EACCESS) == 0;
 }
 
 std::vector<std::string> lines(const std::string& text) { return split(text, '\n'); }

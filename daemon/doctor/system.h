@@ -33,6 +33,8 @@ class System {
   /// file.
   std::string real(const std::string& path) const;
   std::optional<DeviceFile> device(const std::string& path) const;
+  /// May this process read and write `path`? The kernel's word, which knows of access lists.
+  bool usable(const std::string& path) const;
 
  private:
   std::filesystem::path root_;
