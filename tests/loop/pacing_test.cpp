@@ -1,6 +1,13 @@
 #include "loop/pacing.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "loop/real_time.h"
 
@@ -45,6 +52,33 @@ TEST(Waiting, NeverEndsBeforeTheDeadline) {
   const HostNs deadline = monotonic_now() + 50 * kNsPerUs;
   spin_until(deadline);
   EXPECT_GE(monotonic_now(), deadline);
+}
+
+/// The remedy that is named for `what` if it is refused.
+std::string remedy(const std::vector<Grant>& grants, const std::string& what) {
+  for (const Grant& grant : grants) {
+    if (grant.what.rfind(what, 0) == 0) return grant.granted ? "granted" : grant.remedy;
+  }
+  return "not asked for";
+}
+
+/// For a process of its own: limits stay lowered, and a root that became somebody else stays it.
+[[noreturn]] void ask_without_rights() {
+  const rlimit none{0, 0};
+  ::setrlimit(RLIMIT_RTPRIO, &none);
+  ::setrlimit(RLIMIT_MEMLOCK, &none);
+  if (::geteuid() == 0 && ::setresuid(65534, 65534, 65534) != 0) std::_Exit(2);
+  const RealTimeProcess process({.lock_memory = true, .hold_cpu_latency = true});
+  std::fprintf(stderr, "%s\n%s\n", remedy(process.grants(), "memory").c_str(),
+               remedy(apply_to_this_thread({.priority = 80}), "SCHED_FIFO").c_str());
+  std::_Exit(0);
+}
+
+TEST(RealTime, APrivilegeThatIsMissingNamesTheCommandThatGrantsIt) {
+  EXPECT_EXIT(ask_without_rights(), testing::ExitedWithCode(0),
+              R"(echo ".USER - memlock unlimited" . sudo tee -a /etc/security/limits.d/tp100.conf)"
+              R"(.*
+echo ".USER - rtprio 90" . sudo tee -a /etc/security/limits.d/tp100.conf)");
 }
 
 TEST(RealTime, EveryPrivilegeIsGrantedOrComesWithARemedy) {
