@@ -1,18 +1,16 @@
 // replug [CYCLES]: the emulated robot is unplugged again and again while it drives, and somebody at
-// the page starts it anew each time. Rows of JSON: how soon that was noticed and mended, and
-// whether anything grew; exits with 1 if a cycle failed, the robot moved unasked or commands
-// jumped.
+// the page starts it anew each time. Rows of JSON: how soon that was noticed and mended, whether
+// anything grew, and a verdict; exits with 1 if a cycle failed, the robot moved unasked, commands
+// jumped, or memory, descriptors or threads grew. Times are told and not judged: machines are busy.
 
 #include <sched.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,6 +18,7 @@
 #include "../publish/web_client.h"
 #include "../run/process.h"
 #include "../support/temporary_folder.h"
+#include "../support/weight.h"
 #include "percentile.h"
 
 namespace tp100 {
@@ -33,11 +32,17 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t kStart = 1;
 // Not a multiple of the loop's period, so that every phase of it occurs.
 constexpr double kFirstS = 4.0, kEveryS = 2.0013, kAwayS = 0.05;
-// Of the robot's drive; what a command is above the one before it beyond that is a jump.
+// Of the robot's drive and of its turns on the spot; what a command asks beyond the one before it
+// and that is a jump.
 constexpr double kMaxMps2 = 0.6, kJumpMps = 0.01;
+constexpr double kMaxRadps2 = 1.5, kJumpRadps = 0.05;
+// The heading asked against the estimated one: at most as fast as it may turn.
+constexpr double kMaxRadps = 1.5, kJumpRad = 0.02;
 // Turns may come late; after a longer time it is another start, from standstill.
 constexpr double kPeriodS = 0.005, kLatestS = 0.15;
 constexpr int kSettled = 10;
+// The allocator's own noise, as in scripts/soak.
+constexpr long kGrowthKib = 8192;
 
 double unix_s() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -56,26 +61,26 @@ Message parse(const std::string& frame) {
   return {static_cast<double>(ns) * 1e-9, frame.substr(13)};
 }
 
-/// What a process holds.
-struct Weight {
-  long resident_kib = 0;
-  std::size_t descriptors = 0, threads = 0;
+/// The number behind `"key":` in a message; 0 if there is none.
+double number(const std::string& json, const std::string& key) {
+  const std::string before = '"' + key + "\":";
+  const std::size_t at = json.find(before);
+  return at == std::string::npos ? 0.0 : std::strtod(json.c_str() + at + before.size(), nullptr);
+}
+
+/// How far `now` is from zero beyond `before`; from the other side of zero all of it counts.
+double step_up(double now, double before) {
+  return std::abs(now) - (now * before > 0.0 ? std::abs(before) : 0.0);
+}
+
+/// What a command asks of the robot.
+struct Asked {
+  double speed_mps = 0.0, yaw_rate_radps = 0.0;
+  double turn_rad = 0.0;  ///< desired yaw less the estimated one
 };
 
-std::size_t entries(const std::string& folder) {
-  const std::filesystem::directory_iterator all(folder);
-  return static_cast<std::size_t>(std::distance(begin(all), end(all)));
-}
-
-Weight weigh(int pid) {
-  const std::string proc = "/proc/" + std::to_string(pid);
-  long size = 0, resident = 0;
-  std::ifstream(proc + "/statm") >> size >> resident;
-  return {resident * 4, entries(proc + "/fd"), entries(proc + "/task")};
-}
-
-/// Largest step up between two speeds that were sent one after the other, beyond what the drive's
-/// acceleration makes of the time between them.
+/// Largest steps up between two commands that were sent one after the other, beyond what the
+/// drive's limits make of the time between them.
 class CommandWatch {
  public:
   explicit CommandWatch(const std::string& port) : viewer_(port) {
@@ -84,25 +89,39 @@ class CommandWatch {
       for (; !over.stop_requested(); std::this_thread::sleep_for(20ms)) look();
     });
   }
-  double largest_mps() const { return largest_mps_; }
+  Asked largest() const {
+    const std::lock_guard lock(mutex_);
+    return largest_;
+  }
 
  private:
   void look() {
-    for (const std::string& message : viewer_.take()) {
-      const std::size_t at = message.find("\"speed_mps\":");
-      if (at == std::string::npos) continue;
-      const double speed_mps = std::strtod(message.c_str() + at + 12, nullptr);
-      const double at_s = parse(message).unix_s;
-      const double later_s = at_s - before_s_ < kLatestS ? at_s - before_s_ : kPeriodS;
-      largest_mps_ = std::max(largest_mps_.load(),
-                              std::abs(speed_mps) - std::abs(before_mps_) - kMaxMps2 * later_s);
-      before_mps_ = speed_mps;
-      before_s_ = at_s;
+    for (const std::string& frame : viewer_.take()) {
+      if (frame.find("\"speed_mps\":") == std::string::npos) continue;
+      const Message message = parse(frame);
+      const double passed_s = message.unix_s - before_s_;
+      compare({number(message.json, "speed_mps"), number(message.json, "yaw_rate_radps"),
+               number(message.json, "desired_yaw_rad") - number(message.json, "yaw_rad")},
+              passed_s < kLatestS ? passed_s : kPeriodS);
+      before_s_ = message.unix_s;
     }
   }
+  void compare(const Asked& now, double later_s) {
+    const std::lock_guard lock(mutex_);
+    largest_.speed_mps = std::max(largest_.speed_mps,
+                                  step_up(now.speed_mps, before_.speed_mps) - kMaxMps2 * later_s);
+    largest_.yaw_rate_radps =
+        std::max(largest_.yaw_rate_radps,
+                 step_up(now.yaw_rate_radps, before_.yaw_rate_radps) - kMaxRadps2 * later_s);
+    largest_.turn_rad =
+        std::max(largest_.turn_rad, step_up(now.turn_rad, before_.turn_rad) - kMaxRadps * later_s);
+    before_ = now;
+  }
   publish::WebClient viewer_;
-  double before_mps_ = 0.0, before_s_ = 0.0;
-  std::atomic<double> largest_mps_ = 0.0;
+  Asked before_{};
+  double before_s_ = 0.0;
+  mutable std::mutex mutex_;
+  Asked largest_{};
   std::jthread thread_;
 };
 
@@ -115,6 +134,10 @@ void print(const char* what, std::vector<double>& values_ms) {
   std::printf("{\"what\":\"%s [ms]\",\"count\":%zu,\"p50\":%.2f,\"p99\":%.2f,\"max\":%.2f}\n", what,
               values_ms.size(), percentile(values_ms, 0.5), percentile(values_ms, 0.99),
               percentile(values_ms, 1.0));
+}
+
+void print(const char* what, double value) {
+  std::printf("{\"what\":\"%s\",\"to\":%.4g}\n", what, value);
 }
 
 void print(const char* what, double from, double to) {
@@ -145,7 +168,7 @@ class Replug {
       }
       // A pipe that nobody reads is a test of its own.
       static_cast<void>(daemon_.output());
-      if (i == kSettled) settled_ = weigh(daemon_.pid());
+      if (i == kSettled) settled_ = weigh();
     }
     return report();
   }
@@ -207,22 +230,44 @@ class Replug {
     return false;
   }
 
+  test::Weight weigh() const { return test::weigh(std::to_string(daemon_.pid())); }
+
   int report() {
-    const Weight now = weigh(daemon_.pid());
-    const double jump_mps = commands_.largest_mps();
+    const test::Weight now = weigh();
+    const Asked jump = commands_.largest();
     std::fprintf(stderr, "replug: %d cycles, back to running each time, armed only when started\n",
                  cycles_);
     print("unplugged until noticed", noticed_ms_);
+    std::printf("{\"what\":\"of these within a period of the loop\",\"count\":%td}\n",
+                std::count_if(noticed_ms_.begin(), noticed_ms_.end(),
+                              [](double ms) { return ms <= 1e3 * kPeriodS; }));
     print("unplugged for 50 ms until ready", ready_ms_);
-    std::printf("{\"what\":\"largest jump of the speed sent [m/s]\",\"to\":%.4g}\n", jump_mps);
+    print("largest jump of the speed sent [m/s]", jump.speed_mps);
+    print("largest jump of the turn rate sent [rad/s]", jump.yaw_rate_radps);
+    print("largest jump of the turn asked [rad]", jump.turn_rad);
     print("descriptors", static_cast<double>(settled_.descriptors),
           static_cast<double>(now.descriptors));
     print("threads", static_cast<double>(settled_.threads), static_cast<double>(now.threads));
     print("memory [MiB]", static_cast<double>(settled_.resident_kib) / 1024.0,
           static_cast<double>(now.resident_kib) / 1024.0);
-    const bool grew = cycles_ > kSettled &&
-                      (now.descriptors > settled_.descriptors || now.threads > settled_.threads);
-    return grew || jump_mps > kJumpMps ? 1 : 0;
+    return verdict(now, jump);
+  }
+  int verdict(const test::Weight& now, const Asked& jump) const {
+    std::string wrong;
+    const auto add = [&wrong](bool bad, const char* what) {
+      if (bad) wrong += (wrong.empty() ? "" : ", ") + std::string(what);
+    };
+    add(jump.speed_mps > kJumpMps, "the speed jumped");
+    add(jump.yaw_rate_radps > kJumpRadps, "the turn rate jumped");
+    add(jump.turn_rad > kJumpRad, "the turn asked jumped");
+    if (cycles_ > kSettled) {
+      add(now.descriptors > settled_.descriptors, "descriptors grew");
+      add(now.threads > settled_.threads, "threads grew");
+      add(now.resident_kib - settled_.resident_kib > kGrowthKib, "memory grew");
+    }
+    std::printf("{\"what\":\"verdict: %s\",\"count\":%d}\n",
+                wrong.empty() ? "nothing grew, nothing jumped" : wrong.c_str(), cycles_);
+    return wrong.empty() ? 0 : 1;
   }
 
   int cycles_;
@@ -234,7 +279,7 @@ class Replug {
   std::string port_;
   publish::WebClient events_;
   CommandWatch commands_;
-  Weight settled_{};
+  test::Weight settled_{};
   std::vector<double> noticed_ms_, ready_ms_;
   std::string problem_;
 };
