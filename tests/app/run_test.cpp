@@ -4,14 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <functional>
 #include <memory>
 #include <sstream>
+#include <vector>
 
 #include "../publish/web_client.h"
 #include "../support/temporary_folder.h"
+#include "../support/weight.h"
 #include "app/replay.h"
 #include "core/error.h"
 #include "link/transport.h"
@@ -238,6 +241,114 @@ TEST_F(Run, SurvivesManyUnpluggings) {
             }),
             1);
   EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 5"));
+}
+
+/// Pulls the plug of a driving robot and starts it anew, again and again.
+class Unplugging : public Run {
+ protected:
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  // What a sanitizer sets aside is no growth of ours.
+  static constexpr int kCycles = 15;
+  static constexpr long kGrowthKib = 1'000'000;
+#else
+  static constexpr int kCycles = 50;
+  static constexpr long kGrowthKib = 4096;
+#endif
+  static constexpr int kSettled = 10;
+  static constexpr double kMaxMps2 = 0.15, kMaxRadps = 1.5;
+
+  void plug_in() {
+    robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+    robot_->plug_in();
+  }
+  std::vector<wire::Command> commands() {
+    return robot_->with([](ScriptedRobot& robot) { return robot.heard.commands; });
+  }
+  bool armed() {
+    return robot_->with([](ScriptedRobot& robot) { return !robot.heard.arms.empty(); });
+  }
+  static bool under_way(const ScriptedRobot& robot) {
+    return commanded(robot) && robot.heard.commands.back().speed_mps > 0.02F;
+  }
+  /// Presses start until it is under way. A start that comes too early is refused.
+  bool start(publish::WebClient& viewer) {
+    for (int i = 0; i < 400; ++i) {
+      if (i % 20 == 0 && !armed()) viewer.call(1);
+      if (armed() && robot_->with(under_way)) return true;
+      std::this_thread::sleep_for(25ms);
+      viewer.drain();
+    }
+    return false;
+  }
+  /// Nobody asked for anything: the robot may stand as it stands.
+  void expect_rest(int cycle) {
+    EXPECT_FALSE(armed()) << "cycle " << cycle << ": it armed by itself";
+    EXPECT_GE(robot_->with([](ScriptedRobot& robot) { return robot.state; }),
+              wire::State::kDisarmed);
+    for (const wire::Command& command : commands()) {
+      ASSERT_EQ(command.speed_mps, 0.0F) << "cycle " << cycle;
+      ASSERT_EQ(command.yaw_rate_radps, 0.0F) << "cycle " << cycle;
+      ASSERT_EQ(command.desired_yaw_rad, command.yaw_rad) << "cycle " << cycle;
+    }
+  }
+  /// From rest on, each command asks at most what the time since the last one allows.
+  void expect_no_jump(int cycle) {
+    const std::vector<wire::Command> all = commands();
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      const double later_s =
+          1e-6 * static_cast<std::int32_t>(all[i].expiry_us - all[i - 1].expiry_us);
+      const auto turn_rad = [](const wire::Command& command) {
+        return std::abs(command.desired_yaw_rad - command.yaw_rad);
+      };
+      ASSERT_LE(all[i].speed_mps - all[i - 1].speed_mps, kMaxMps2 * later_s + 0.005)
+          << "cycle " << cycle << ", command " << i;
+      ASSERT_LE(turn_rad(all[i]) - turn_rad(all[i - 1]), kMaxRadps * later_s + 0.005)
+          << "cycle " << cycle << ", command " << i;
+      ASSERT_LE(std::abs(all[i].yaw_rate_radps), 0.05F) << "cycle " << cycle << ": on a line";
+    }
+  }
+  /// What this process holds, once nothing more than `most` is in flight or ten seconds are over.
+  static test::Weight weigh_at_most(const test::Weight& most) {
+    test::Weight now = test::weigh("self");
+    for (int i = 0; i < 200; ++i) {
+      if (now.descriptors <= most.descriptors && now.threads <= most.threads) break;
+      std::this_thread::sleep_for(50ms);
+      now = test::weigh("self");
+    }
+    return now;
+  }
+  void cycle(int number, publish::WebClient& viewer) {
+    plug_in();
+    ASSERT_TRUE(eventually(commanded)) << "cycle " << number << ": not ready again";
+    expect_rest(number);
+    ASSERT_TRUE(start(viewer)) << "cycle " << number << ": it does not start again";
+    expect_no_jump(number);
+    robot_->unplug();
+  }
+};
+
+TEST_F(Unplugging, AgainAndAgainLeavesNothingBehindAndMovesNothingUnasked) {
+  options_.course = "1-straight";
+  options_.stay = true;
+  robot_->plug_in();
+  test::Weight settled, after;
+  // Ended by a signal in its last drive (1) or once that was lost (0), but in order.
+  EXPECT_GE(run([&] {
+              if (!eventually(driven)) return;
+              publish::WebClient viewer(page());
+              robot_->unplug();
+              for (int i = 1; i <= kCycles && !HasFatalFailure(); ++i) {
+                cycle(i, viewer);
+                if (i == kSettled) settled = test::weigh("self");
+              }
+              after = weigh_at_most(settled);
+            }),
+            0);
+  EXPECT_THAT(stats(), HasSubstr("\"reconnects\": " + std::to_string(kCycles)));
+  EXPECT_LE(after.descriptors, settled.descriptors);
+  EXPECT_LE(after.threads, settled.threads);
+  EXPECT_LE(after.resident_kib - settled.resident_kib, kGrowthKib);
+  RecordProperty("grown_kib", static_cast<int>(after.resident_kib - settled.resident_kib));
 }
 
 TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
