@@ -116,6 +116,20 @@ Json json_of(const Summary& summary) {
   return json;
 }
 
+Json json_of_drawn(const MergedRun& run) {
+  Json json = Json::object();
+  for (const auto& [name, text] : run.drawn) {
+    const auto number = run.drawn_numbers.find(name);
+    json[name] = number == run.drawn_numbers.end() ? Json(text) : Json(number->second);
+  }
+  return json;
+}
+
+/// The run, `what` it came to, and what was drawn.
+Json json_of(const MergedRun& run, const char* what, const std::string& text) {
+  return {{"index", run.index}, {"seed", run.seed}, {what, text}, {"drawn", json_of_drawn(run)}};
+}
+
 Json json_of(const MergedFigure& figure, const Merged& merged) {
   Json json = json_of(figure.summary);
   Json& worst = json["worst"] = Json::array();
@@ -141,6 +155,22 @@ const MergedRun& Merged::run(std::uint64_t index) const {
       [](const MergedRun& one, std::uint64_t wanted) { return one.index < wanted; });
 }
 
+std::vector<const MergedRun*> Merged::failed() const {
+  std::vector<const MergedRun*> found;
+  for (const MergedRun& run : runs)
+    if (run.refused.empty() && !run.completed) found.push_back(&run);
+  return found;
+}
+
+std::vector<std::pair<std::string, std::size_t>> Merged::causes() const {
+  std::map<std::string, std::size_t> counts;
+  for (const MergedRun* run : failed()) ++counts[run->cause];
+  std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return sorted;
+}
+
 MergedRun parse_run_file(const std::string& text, const std::string& file) {
   MergedRun run;
   try {
@@ -155,6 +185,7 @@ MergedRun parse_run_file(const std::string& text, const std::string& file) {
       run.refused = json.at("refused").get<std::string>();
     } else {
       run.completed = json.at("result").at("completed").get<bool>();
+      if (!run.completed) run.cause = json.at("result").value("cause", "unknown");
       flatten(json.at("result"), "", run.figures);
       run.figures.erase("seed");
     }
@@ -198,9 +229,13 @@ std::string merged_json(const Merged& merged) {
     const auto [low, high] = share_interval(merged.completed, merged.driven);
     json["completed_share_95"] = {low, high};
   }
+  Json& causes = json["causes"] = Json::object();
+  for (const auto& [cause, count] : merged.causes()) causes[cause] = count;
+  Json& failed = json["failed"] = Json::array();
+  for (const MergedRun* run : merged.failed()) failed.push_back(json_of(*run, "cause", run->cause));
   Json& refused = json["refused"] = Json::array();
   for (const MergedRun& run : merged.runs)
-    if (!run.refused.empty()) refused.push_back({{"index", run.index}, {"why", run.refused}});
+    if (!run.refused.empty()) refused.push_back(json_of(run, "why", run.refused));
   Json& figures = json["figures"] = Json::object();
   for (const MergedFigure& figure : merged.figures) figures[figure.name] = json_of(figure, merged);
   Json& groups = json["groups"] = Json::array();
@@ -221,12 +256,12 @@ std::string merged_csv(const Merged& merged) {
     for (const auto& [name, value] : run.drawn) drawn.insert(name);
     for (const auto& [name, value] : run.figures) figures.insert(name);
   }
-  std::string text = "index,seed,completed,refused";
+  std::string text = "index,seed,completed,cause,refused";
   for (const std::set<std::string>* names : {&drawn, &figures})
     for (const std::string& name : *names) text += "," + csv_cell(name);
   for (const MergedRun& run : merged.runs) {
     text += "\n" + std::to_string(run.index) + "," + std::to_string(run.seed) + "," +
-            (run.completed ? "1" : "0") + "," + csv_cell(run.refused);
+            (run.completed ? "1" : "0") + "," + csv_cell(run.cause) + "," + csv_cell(run.refused);
     for (const std::string& name : drawn) {
       const auto value = run.drawn.find(name);
       text += "," + (value == run.drawn.end() ? "" : csv_cell(value->second));

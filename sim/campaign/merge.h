@@ -21,6 +21,7 @@ struct MergedRun {
   std::map<std::string, double> drawn_numbers;  ///< those of them that are numbers
   std::string refused;                          ///< why it could not be driven; empty: it was
   bool completed = false;
+  std::string cause;  ///< why it was driven but not completed, as `course --json` has it
   /// Every number of its figures by full name, of arrays the largest; infinite: there is none, as
   /// for a shove that was never recovered from. Nothing that depends on the machine.
   std::map<std::string, double> figures;
@@ -51,6 +52,10 @@ struct Merged {
 
   /// The run of this index, which must be there.
   const MergedRun& run(std::uint64_t index) const;
+  /// Driven but not completed, by index: no figure counts them.
+  std::vector<const MergedRun*> failed() const;
+  /// How many failed of each cause, the most frequent first.
+  std::vector<std::pair<std::string, std::size_t>> causes() const;
 };
 
 /// A run's file. Throws SetupError naming `file`: it is none of ours.
@@ -60,7 +65,7 @@ MergedRun parse_run_file(const std::string& text, const std::string& file);
 Merged merge(const CampaignSpec& spec, std::vector<MergedRun> runs);
 
 std::string merged_json(const Merged& merged);
-/// One row a run: index, seed, what was drawn, completed or refused, every figure.
+/// One row a run: index, seed, completed, cause, refused, what was drawn, every figure.
 std::string merged_csv(const Merged& merged);
 
 }  // namespace tp100::sim

@@ -13,6 +13,9 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
+// A page of more is none that anybody reads; merged.json has all.
+constexpr std::size_t kListed = 500;
+
 constexpr const char* kColour = "#1f5fbf";
 // What people look at first; the rest is in merged.json and runs.csv.
 constexpr std::array<const char*, 8> kMain = {"model.max_position_error_m",
@@ -69,18 +72,47 @@ Rows figure_rows(const std::vector<const MergedFigure*>& figures) {
   return rows;
 }
 
+std::string drawn_text(const MergedRun& run) {
+  std::string drawn;
+  for (const auto& [name, text] : run.drawn)
+    drawn += (drawn.empty() ? "" : ", ") + name + " " + text;
+  return drawn;
+}
+
+Rows cause_rows(const Merged& merged) {
+  Rows rows = {{"cause", "runs"}};
+  for (const auto& [cause, count] : merged.causes()) rows.push_back({cause, std::to_string(count)});
+  return rows;
+}
+
+Rows failed_rows(const std::vector<const MergedRun*>& failed) {
+  Rows rows = {{"run", "seed", "cause", "drawn"}};
+  for (std::size_t i = 0; i < std::min(failed.size(), kListed); ++i)
+    rows.push_back({std::to_string(failed[i]->index), std::to_string(failed[i]->seed),
+                    "!" + failed[i]->cause, drawn_text(*failed[i])});
+  return rows;
+}
+
+void add_failed(analysis::HtmlPage& page, const Merged& merged) {
+  const std::vector<const MergedRun*> failed = merged.failed();
+  if (failed.empty()) return;
+  page.heading("Failed runs");
+  page.table(cause_rows(merged), "Why driven runs did not complete their course");
+  page.table(failed_rows(failed), failed.size() > kListed
+                                      ? "The first " + std::to_string(kListed) + " of " +
+                                            std::to_string(failed.size()) +
+                                            " failed runs; merged.json lists all"
+                                      : "Every failed run; no figure below counts them");
+}
+
 Rows worst_rows(const std::vector<const MergedFigure*>& figures, const Merged& merged) {
   Rows rows = {{"figure", "value", "run", "seed", "drawn"}};
-  for (const MergedFigure* figure : figures) {
+  for (const MergedFigure* figure : figures)
     for (const auto& [index, value] : figure->worst) {
       const MergedRun& run = merged.run(index);
-      std::string drawn;
-      for (const auto& [name, text] : run.drawn)
-        drawn += (drawn.empty() ? "" : ", ") + name + " " + text;
-      rows.push_back(
-          {figure->name, number(value), std::to_string(index), std::to_string(run.seed), drawn});
+      rows.push_back({figure->name, number(value), std::to_string(index), std::to_string(run.seed),
+                      drawn_text(run)});
     }
-  }
   return rows;
 }
 
@@ -112,9 +144,11 @@ Rows correlation_rows(const std::vector<const MergedFigure*>& figures) {
 }
 
 Rows refused_rows(const Merged& merged) {
-  Rows rows = {{"run", "why"}};
+  Rows rows = {{"run", "seed", "why", "drawn"}};
   for (const MergedRun& run : merged.runs)
-    if (!run.refused.empty()) rows.push_back({std::to_string(run.index), "!" + run.refused});
+    if (!run.refused.empty() && rows.size() <= kListed)
+      rows.push_back({std::to_string(run.index), std::to_string(run.seed), "!" + run.refused,
+                      drawn_text(run)});
   return rows;
 }
 
@@ -145,6 +179,7 @@ std::string merge_page(const Merged& merged, const std::string& spec_text) {
       "Figures are those of completed runs, against the emulated body's exact pose; in brackets 95 "
       "% intervals. Every figure is in merged.json, every run in runs.csv. A single run is driven "
       "again, recorded, by tp100-sim campaign spec.toml --out OTHER --index RUN --record FOLDER.");
+  add_failed(page, merged);
   const std::vector<const MergedFigure*> figures = main_figures(merged);
   page.heading("Figures");
   page.table(figure_rows(figures), "Over all completed runs");
@@ -160,8 +195,12 @@ std::string merge_page(const Merged& merged, const std::string& spec_text) {
     page.heading("What goes with what");
     page.table(rows, "Spearman's rank correlation of drawn numbers and figures");
   }
-  page.heading("Worst runs");
-  page.table(worst_rows(figures, merged), "The largest values of each figure");
+  page.heading("Worst completed runs");
+  page.table(
+      worst_rows(figures, merged),
+      merged.failed().empty()
+          ? "The largest values of each figure"
+          : "The largest values of each figure; worse than these are the failed runs, above");
   if (const Rows rows = refused_rows(merged); rows.size() > 1) {
     page.heading("Refused");
     page.table(rows, "Runs whose drawn values no robot or configuration can have");

@@ -11,6 +11,7 @@ namespace tp100::sim {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using Json = nlohmann::json;
 
 CampaignSpec spec() {
@@ -28,6 +29,13 @@ std::string file_of(int index, const char* more = "") {
          R"(},"result":{"completed":true,"duration_s":)" + i +
          R"(.5,"realtime_factor":3,"model":{"max_position_error_m":0.0)" + i +
          R"(},"tracking":{"recovery_s":[1,null]},"loop":{"p50":1})" + more + "}}";
+}
+
+std::string failed_file_of(int index, const std::string& cause) {
+  std::string text = file_of(index);
+  const std::string completed = R"("completed":true)";
+  return text.replace(text.find(completed), completed.size(),
+                      R"("completed":false,"cause":")" + cause + "\"");
 }
 
 std::vector<MergedRun> runs_of(std::initializer_list<int> indices) {
@@ -85,7 +93,46 @@ TEST(Merge, ARefusedRunIsNoRunThatFailed) {
   EXPECT_EQ(merged.driven, 2u);
   const Json json = Json::parse(merged_json(merged));
   EXPECT_EQ(json["refused"][0]["why"], "robot.toml: too heavy");
+  EXPECT_EQ(json["refused"][0]["seed"], 3);
+  EXPECT_TRUE(json["failed"].empty());
   EXPECT_THAT(merge_page(merged, "x"), HasSubstr("too heavy"));
+}
+
+TEST(Merge, NamesEveryFailedRunItsCauseAndWhatWasDrawn) {
+  std::vector<MergedRun> runs = runs_of({0, 1});
+  for (const int index : {2, 3, 4})
+    runs.push_back(parse_run_file(failed_file_of(index, index == 3 ? "tilt" : "cross_track"), ""));
+  const Merged merged = merge(spec(), std::move(runs));
+  EXPECT_EQ(merged.driven, 5u);
+  EXPECT_EQ(merged.completed, 2u);
+  EXPECT_THAT(merged.causes(),
+              testing::ElementsAre(testing::Pair("cross_track", 2u), testing::Pair("tilt", 1u)));
+  EXPECT_EQ(figure(merged, "duration_s").summary.count, 2u) << "figures are of completed runs";
+  const Json json = Json::parse(merged_json(merged));
+  EXPECT_EQ(json["causes"], Json::parse(R"({"cross_track":2,"tilt":1})"));
+  ASSERT_EQ(json["failed"].size(), 3u);
+  EXPECT_EQ(json["failed"][1], Json::parse(R"({"index":3,"seed":4,"cause":"tilt",
+                                               "drawn":{"robot":"b","control.gain":0.3}})"));
+  EXPECT_THAT(merged_csv(merged), HasSubstr("\n3,4,0,tilt,,0.3,b,3.5,"));
+}
+
+TEST(Merge, ThePageShowsFailedRunsAheadOfTheWorst) {
+  std::vector<MergedRun> runs = runs_of({0, 1});
+  runs.push_back(parse_run_file(failed_file_of(2, "<cross_track>"), ""));
+  const std::string page = merge_page(merge(spec(), std::move(runs)), "x");
+  EXPECT_THAT(page, HasSubstr("&lt;cross_track&gt;"));
+  EXPECT_THAT(page, HasSubstr("control.gain 0.2, robot a"));
+  EXPECT_LT(page.find("Failed runs"), page.find("Worst completed runs"));
+  EXPECT_THAT(page, HasSubstr("worse than these are the failed runs"));
+  EXPECT_THAT(merge_page(merge(spec(), runs_of({0})), "x"), Not(HasSubstr("Failed runs")));
+}
+
+TEST(Merge, APageOfThousandsOfFailedRunsListsTheFirst) {
+  std::vector<MergedRun> runs;
+  for (int index = 0; index < 2000; ++index)
+    runs.push_back(parse_run_file(failed_file_of(index, "tilt"), ""));
+  const std::string page = merge_page(merge(spec(), std::move(runs)), "x");
+  EXPECT_THAT(page, HasSubstr("The first 500 of 2000 failed runs; merged.json lists all"));
 }
 
 TEST(Merge, WritesOneRowARun) {
@@ -93,9 +140,9 @@ TEST(Merge, WritesOneRowARun) {
   runs[0].refused = "a, \"b\"";
   const std::string csv = merged_csv(merge(spec(), runs));
   EXPECT_EQ(csv,
-            "index,seed,completed,refused,control.gain,robot,duration_s,"
+            "index,seed,completed,cause,refused,control.gain,robot,duration_s,"
             "model.max_position_error_m,tracking.recovery_s\n"
-            "0,1,1,\"a, \"\"b\"\"\",0.0,a,0.5,0.0,inf\n");
+            "0,1,1,,\"a, \"\"b\"\"\",0.0,a,0.5,0.0,inf\n");
 }
 
 TEST(Merge, WhatIsNoRunsFileIsAnErrorThatNamesIt) {
@@ -112,7 +159,7 @@ TEST(Merge, WhatIsNoRunsFileIsAnErrorThatNamesIt) {
 TEST(Merge, ThePageHasTablesAndChartsForWhatThereIs) {
   const std::string page = merge_page(merge(spec(), runs_of({0, 1, 2, 3, 4, 5})), "runs = 6");
   for (const char* part : {"6 of 6 driven runs completed", "model.max_position_error_m", "<svg",
-                           "rank correlation", "Worst runs", "runs = 6"})
+                           "rank correlation", "Worst completed runs", "runs = 6"})
     EXPECT_THAT(page, HasSubstr(part));
   EXPECT_THAT(merge_page(merge(spec(), {}), ""), HasSubstr("6 missing"));
 }
