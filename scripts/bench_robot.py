@@ -16,6 +16,11 @@ def cpu_s(process):
     return (int(fields[11]) + int(fields[12])) * TICK_S
 
 
+def tied(processors):
+    """What to put before a command so that it keeps to these processors."""
+    return ["taskset", "-c", ",".join(map(str, processors))] if processors else []
+
+
 def laps(folder, count):
     """A course file of that many laps in one place: four pieces each."""
     path = os.path.join(folder, f"laps-{count}.toml")
@@ -30,23 +35,26 @@ def laps(folder, count):
 class DrivenRobot:
     """Drives on entering, unless the machine is too busy for it; ends both programs on leaving.
 
-    `page`: with viewers, whose port is .page_port. After leaving, .stats is what the daemon counted.
+    `page`: with viewers, whose port is .page_port. `processors`: those of the daemon and those of the robot, as lists of
+    numbers; empty: all. After leaving, .stats is what the daemon counted.
     """
 
-    def __init__(self, programs, course_laps, board="native", page=False):
+    def __init__(self, programs, course_laps, board="native", page=False, setup="flat", processors=((), ())):
         self.programs, self.laps, self.board, self.page = programs, course_laps, board, page
+        self.setup, self.processors = ["--setup", setup], processors
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory(prefix="tp100-bench-")
         name = self.folder.name
         link, self.stats_path = os.path.join(name, "robot"), os.path.join(name, "stats.json")
-        self.robot = subprocess.Popen([os.path.join(self.programs, "tp100-sim"), "robot", "--board", self.board,
-                                       "--link", link], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.robot = subprocess.Popen(
+            [*tied(self.processors[1]), os.path.join(self.programs, "tp100-sim"), "robot", "--board", self.board,
+             *self.setup, "--link", link], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         log = os.path.join(name, "log")
         with open(log, "w") as out:
             self.daemon = subprocess.Popen(
-                [os.path.join(self.programs, "tp100d"), "run", "--port", link, "--wait", "--stay", "--course",
-                 laps(name, self.laps), "--listen", "127.0.0.1:0" if self.page else "off", "--stats", self.stats_path],
+                [*tied(self.processors[0]), os.path.join(self.programs, "tp100d"), "run", "--port", link, "--wait",
+                 "--stay", *self.setup, "--course", laps(name, self.laps), "--listen", "127.0.0.1:0" if self.page else "off", "--stats", self.stats_path],
                 stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT)
         self.page_port = None
         for _ in range(150):
@@ -71,6 +79,13 @@ class DrivenRobot:
             with open(self.stats_path) as file:
                 self.stats = json.load(file)
         self.folder.cleanup()
+
+    def stats_now(self):
+        """As of the last second; None: nothing was written yet."""
+        if not os.path.exists(self.stats_path):
+            return None
+        with open(self.stats_path) as file:
+            return json.load(file)
 
     def log(self):
         with open(os.path.join(self.folder.name, "log")) as file:
