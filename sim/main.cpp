@@ -224,15 +224,20 @@ int run(int argc, char** argv) {
   campaign_app->add_option("--out", campaign.out, "Folder of the campaign")
       ->type_name("FOLDER")
       ->required();
-  campaign_app->add_option("--index", campaign.index, "Only run K, or runs K-L (default: all)")
-      ->type_name("K[-L]");
+  // Into an optional CLI11 would put nothing for an empty text.
+  campaign_app
+      ->add_option_function<std::string>(
+          "--index", [&campaign](const std::string& runs) { campaign.index = runs; },
+          "Only these runs, as 3, 3-7 or 3,5-7,12 (default: all)")
+      ->type_name("RUNS");
   campaign_app
       ->add_option("--record", campaign.record,
                    "Folder for recordings; each run gets a folder of its own in it, done or not")
       ->type_name("FOLDER");
   campaign_app
-      ->add_option("--todo", campaign.todo,
-                   "Drive nothing: print what is not done, in ranges of at most N runs a line")
+      ->add_option(
+          "--todo", campaign.todo,
+          "Drive nothing: print what is not done as --index takes it, at most N runs a line")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
   std::string merge;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "analysis/atomic_file.h"
 #include "app/bundled_files.h"
@@ -18,35 +21,87 @@ namespace {
 
 constexpr std::size_t kNamedMissing = 5;
 
-/// First and last run asked for.
-std::pair<std::uint64_t, std::uint64_t> range_of(const std::string& text, std::uint64_t runs) {
-  std::uint64_t first = 0, last = runs - 1;
-  if (text.empty()) return {first, last};
+// Of a line of --todo: well below what a system takes as one argument.
+constexpr std::size_t kRangesALine = 4000;
+
+using Range = std::pair<std::uint64_t, std::uint64_t>;  ///< first and last
+
+std::string text_of(const Range& range) {
+  return std::to_string(range.first) +
+         (range.first == range.second ? "" : "-" + std::to_string(range.second));
+}
+
+/// "K" or "K-L"; none: it is neither, or not of this campaign.
+std::optional<Range> read_range(std::string_view text, std::uint64_t runs) {
+  Range range;
   const char* end = text.data() + text.size();
-  auto [at, error] = std::from_chars(text.data(), end, first);
-  last = first;
+  auto [at, error] = std::from_chars(text.data(), end, range.first);
+  range.second = range.first;
   if (error == std::errc() && at != end && *at == '-') {
-    const auto second = std::from_chars(at + 1, end, last);
+    const auto second = std::from_chars(at + 1, end, range.second);
     at = second.ptr;
     error = second.ec;
   }
-  if (error != std::errc() || at != end || first > last || last >= runs)
-    throw SetupError("--index " + course::one_line(text) + ": not a run of this campaign; give K " +
-                     "or K-L, from 0 to " + std::to_string(runs - 1));
-  return {first, last};
+  if (error != std::errc() || at != end || range.first > range.second || range.second >= runs)
+    return std::nullopt;
+  return range;
 }
 
-/// Lines of "K-L" for whoever spreads the runs over processors.
-void print_todo(const CampaignFolder& folder, std::pair<std::uint64_t, std::uint64_t> range,
-                std::uint64_t most) {
-  const auto number = [](std::uint64_t of) { return static_cast<unsigned long long>(of); };
-  for (std::uint64_t first = range.first; first <= range.second; ++first) {
-    if (folder.has(first)) continue;
-    std::uint64_t last = first;
-    while (last < range.second && last - first + 1 < most && !folder.has(last + 1)) ++last;
-    std::printf("%llu-%llu\n", number(first), number(last));
-    first = last;
+/// The runs asked for.
+std::vector<Range> ranges_of(const std::optional<std::string>& text, std::uint64_t runs) {
+  if (!text) return {{0, runs - 1}};
+  if (text->empty())
+    throw SetupError(
+        "--index is empty; give runs as 3, 3-7 or 3,5-7,12, or leave --index out for "
+        "all runs");
+  std::vector<Range> ranges;
+  for (std::size_t begin = 0; begin <= text->size();) {
+    const std::size_t end = std::min(text->find(',', begin), text->size());
+    const auto range = read_range(std::string_view(*text).substr(begin, end - begin), runs);
+    if (!range)
+      throw SetupError("--index " + course::one_line(*text) + ": not runs of this campaign; give " +
+                       "them as 3, 3-7 or 3,5-7,12, from 0 to " + std::to_string(runs - 1));
+    ranges.push_back(*range);
+    begin = end + 1;
   }
+  return ranges;
+}
+
+/// Prints runs in lines as --index takes them.
+class TodoLines {
+ public:
+  explicit TodoLines(std::uint64_t most) : most_(most) {}
+
+  void add(std::uint64_t index) {
+    if (!line_.empty() && line_.back().second + 1 == index && count_ < most_) {
+      line_.back().second = index;
+    } else {
+      if (count_ == most_ || line_.size() == kRangesALine) print();
+      line_.emplace_back(index, index);
+    }
+    ++count_;
+  }
+  void print() {
+    std::string text;
+    for (const Range& range : line_) text += (text.empty() ? "" : ",") + text_of(range);
+    if (!text.empty()) std::printf("%s\n", text.c_str());
+    line_.clear();
+    count_ = 0;
+  }
+
+ private:
+  std::uint64_t most_, count_ = 0;
+  std::vector<Range> line_;
+};
+
+/// For whoever spreads the runs over processors. Gaps between runs cost no line.
+void print_todo(const CampaignFolder& folder, const std::vector<Range>& ranges,
+                std::uint64_t most) {
+  TodoLines lines(most);
+  for (const Range& range : ranges)
+    for (std::uint64_t index = range.first; index <= range.second; ++index)
+      if (!folder.has(index)) lines.add(index);
+  lines.print();
 }
 
 Merged merge_folder(const CampaignFolder& folder, const CampaignSpec& spec) {
@@ -68,33 +123,43 @@ std::string missing_text(const Merged& merged) {
          "); run the campaign again, what is done is not done again";
 }
 
+struct Tally {
+  unsigned long long driven = 0, done_before = 0, refused = 0;
+};
+
+void take(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t index,
+          const std::string& record, Tally& tally) {
+  if (folder.has(index) && record.empty()) {
+    ++tally.done_before;
+    return;
+  }
+  const CampaignRun run = drive(plan(spec, index), record);
+  folder.put(index, run.json);
+  ++tally.driven;
+  if (!run.refused) return;
+  ++tally.refused;
+  std::fprintf(stderr, "tp100-sim: run %llu refused: %s", static_cast<unsigned long long>(index),
+               run.json.c_str());
+}
+
 }  // namespace
 
 int run_campaign(const CampaignCommand& command) {
   const app::TextFile file = app::read_text_file(command.spec);
   const CampaignSpec spec = parse_campaign(file.text, file.path);
-  const auto [first, last] = range_of(command.index, spec.runs);
+  const std::vector<Range> ranges = ranges_of(command.index, spec.runs);
   const CampaignFolder folder(command.out, file.text);
   if (command.todo > 0) {
-    print_todo(folder, {first, last}, static_cast<std::uint64_t>(command.todo));
+    print_todo(folder, ranges, static_cast<std::uint64_t>(command.todo));
     return 0;
   }
-  std::uint64_t driven = 0, refused = 0;
-  for (std::uint64_t index = first; index <= last; ++index) {
-    if (folder.has(index) && command.record.empty()) continue;
-    const CampaignRun run = drive(plan(spec, index), command.record);
-    folder.put(index, run.json);
-    ++driven;
-    refused += std::uint64_t{run.refused};
-    if (run.refused)
-      std::fprintf(stderr, "tp100-sim: run %llu refused: %s",
-                   static_cast<unsigned long long>(index), run.json.c_str());
-  }
+  Tally tally;
+  for (const Range& range : ranges)
+    for (std::uint64_t index = range.first; index <= range.second; ++index)
+      take(folder, spec, index, command.record, tally);
   std::printf("%s: %llu runs driven, %llu were done before, %llu refused\n", command.out.c_str(),
-              static_cast<unsigned long long>(driven),
-              static_cast<unsigned long long>(last - first + 1 - driven),
-              static_cast<unsigned long long>(refused));
-  return refused > 0 ? 1 : 0;
+              tally.driven, tally.done_before, tally.refused);
+  return tally.refused > 0 ? 1 : 0;
 }
 
 int run_merge(const std::string& path) {

@@ -1,16 +1,19 @@
 #pragma once
 // `tp100-sim campaign` and `tp100-sim merge`.
 
+#include <optional>
 #include <string>
 
 namespace tp100::sim {
 
 struct CampaignCommand {
-  std::string spec;    ///< file
-  std::string out;     ///< folder of the campaign
-  std::string index;   ///< "K" or "K-L": only these runs; empty: all
+  std::string spec;  ///< file
+  std::string out;   ///< folder of the campaign
+  /// Only these runs, as "3", "3-7" or "3,5-7,12"; none: all. An empty text is refused: it is what
+  /// a task gets whose list is gone, and that must not drive everything.
+  std::optional<std::string> index{};
   std::string record;  ///< folder for recordings; empty: none
-  int todo = 0;        ///< drive nothing: print what is not done, in ranges of at most so many
+  int todo = 0;        ///< drive nothing: print what is not done, at most so many runs a line
 };
 
 /// Drives the runs that are not done yet, one after the other; with `record` also those that are.

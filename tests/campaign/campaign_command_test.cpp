@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -98,7 +100,44 @@ TEST_F(Campaign, SaysWhatIsLeftToDo) {
   EXPECT_EQ(drive("a", {"--todo", "4"}).output, "0-3\n4-5\n");
   EXPECT_EQ(drive("a", {"--index", "2"}).status, 0);
   EXPECT_EQ(drive("a", {"--todo", "4"}).output, "0-1\n3-5\n");
-  EXPECT_EQ(drive("a", {"--todo", "1", "--index", "2-3"}).output, "3-3\n");
+  EXPECT_EQ(drive("a", {"--todo", "1", "--index", "2-3"}).output, "3\n");
+}
+
+TEST_F(Campaign, GapsCostNoLineOfWhatIsLeftToDo) {
+  constexpr int kRuns = 4000;
+  write("spec.toml", "runs = " + std::to_string(kRuns) + "\ncourse = \"1-curve\"\n");
+  ASSERT_EQ(drive("a", {"--todo", "1000", "--index", "0"}).output, "0\n");
+  for (int index = 0; index < kRuns; index += 2) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "a/runs/%06d.json", index);
+    write(name.data(), "{}");
+  }
+  // Two thousand gaps of one run.
+  EXPECT_EQ(lines(drive("a", {"--todo", "1"}).output), 2000u);
+  EXPECT_EQ(lines(drive("a", {"--todo", "20"}).output), 100u);
+  std::string all;
+  for (int index = 1; index < kRuns; index += 2)
+    all += (index > 1 ? "," : "") + std::to_string(index);
+  EXPECT_EQ(drive("a", {"--todo", "2000"}).output, all + "\n");
+  // A line is one that --index takes.
+  EXPECT_EQ(drive("a", {"--todo", "2000", "--index", all}).output, all + "\n");
+}
+
+TEST_F(Campaign, DrivesTheRunsOfAList) {
+  EXPECT_THAT(drive("a", {"--index", "0,2-3,5"}).output, HasSubstr("4 runs driven, 0 were done"));
+  EXPECT_EQ(drive("a", {"--todo", "9"}).output, "1,4\n");
+}
+
+TEST_F(Campaign, AnEmptyIndexDrivesNothing) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--index", ""}, std::vector<std::string>{"--index="}}) {
+    const Finished refused = drive("a", words);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.output, HasSubstr("--index"));
+    EXPECT_EQ(lines(refused.output), 1u) << refused.output;
+    EXPECT_EQ(done("a"), 0u);
+  }
+  EXPECT_THAT(drive("a", {"--index", ""}).output, HasSubstr("--index is empty; give runs as"));
 }
 
 TEST_F(Campaign, ARunThatCannotBeDrivenIsToldAndNotTriedAgain) {
@@ -128,7 +167,7 @@ TEST_F(Campaign, ARecordedRunIsReplayedBitForBit) {
 
 TEST_F(Campaign, MistakesAreOneLineAndStatus2) {
   ASSERT_EQ(drive("a", {"--index", "0"}).status, 0);
-  for (const char* index : {"6", "3-1", "0-6", "x", "-1", "1-"}) {
+  for (const char* index : {"6", "3-1", "0-6", "x", "-1", "1-", "1,", ",1", "1,,2", "1 2"}) {
     const Finished wrong = drive("a", {"--index", index});
     EXPECT_EQ(wrong.status, 2) << index;
     EXPECT_EQ(lines(wrong.output), 1u) << wrong.output;
