@@ -134,6 +134,8 @@ void take(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t 
     return;
   }
   const CampaignRun run = drive(plan(spec, index), record);
+  // A file may have been edited in the meantime.
+  folder.require(origin_of(spec));
   folder.put(index, run.json);
   ++tally.driven;
   if (!run.refused) return;
@@ -148,7 +150,7 @@ int run_campaign(const CampaignCommand& command) {
   const app::TextFile file = app::read_text_file(command.spec);
   const CampaignSpec spec = parse_campaign(file.text, file.path);
   const std::vector<Range> ranges = ranges_of(command.index, spec.runs);
-  const CampaignFolder folder(command.out, file.text);
+  const CampaignFolder folder(command.out, file.text, origin_of(spec));
   if (command.todo > 0) {
     print_todo(folder, ranges, static_cast<std::uint64_t>(command.todo));
     return 0;

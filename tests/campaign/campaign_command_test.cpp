@@ -165,6 +165,55 @@ TEST_F(Campaign, ARecordedRunIsReplayedBitForBit) {
   EXPECT_EQ(replay.status, 0) << replay.output;
 }
 
+TEST_F(Campaign, IsTakenUpOnlyWithTheProgramAndTheFilesThatItWasBegunWith) {
+  std::ifstream bundled(std::string(TP100_SOURCE_DIR) + "/config/robots/uniform.toml");
+  std::ostringstream robot;
+  robot << bundled.rdbuf();
+  write("mine.toml", robot.str());
+  write("spec.toml",
+        "runs = 2\ncourse = \"1-curve\"\nrobot = \"" + folder_.file("mine.toml") + "\"\n");
+  ASSERT_EQ(drive("a", {"--index", "0"}).status, 0);
+  const std::string origin = read("a/origin.txt");
+  EXPECT_THAT(origin, testing::ContainsRegex("program: tp100-sim [0-9.]+, build [0-9a-f]{40}\n"));
+
+  write("mine.toml", robot.str() + "# edited\n");
+  for (const char* action : {"--index", "--todo"}) {
+    const Finished edited = drive("a", {action, "1"});
+    EXPECT_EQ(edited.status, 2);
+    EXPECT_EQ(lines(edited.output), 1u) << edited.output;
+    EXPECT_THAT(edited.output, HasSubstr("robot " + folder_.file("mine.toml") + " was "));
+    EXPECT_THAT(edited.output, HasSubstr("put that back, or give another --out"));
+  }
+  EXPECT_EQ(done("a"), 1u);
+
+  write("mine.toml", robot.str());
+  std::string rebuilt = origin;
+  rebuilt.replace(rebuilt.find(", build ") + 8, 4, "beef");
+  write("a/origin.txt", rebuilt);
+  const Finished other = drive("a");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.output, HasSubstr("program was tp100-sim"));
+  fs::remove(folder_.file("a/origin.txt"));
+  EXPECT_THAT(drive("a").output, HasSubstr("does not say which program drove its runs"));
+
+  write("a/origin.txt", origin);
+  EXPECT_THAT(drive("a").output, HasSubstr("1 runs driven, 1 were done before"));
+}
+
+TEST_F(Campaign, AFileThatIsEditedWhileItRunsEndsIt) {
+  std::ifstream bundled(std::string(TP100_SOURCE_DIR) + "/config/courses/1-curve.toml");
+  std::ostringstream course;
+  course << bundled.rdbuf();
+  write("course.toml", course.str());
+  write("spec.toml", "runs = 1000\ncourse = \"" + folder_.file("course.toml") + "\"\n");
+  Process driving(command("a"));
+  while (done("a") < 1) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  write("course.toml", course.str() + "# edited\n");
+  EXPECT_EQ(driving.wait(), 2);
+  EXPECT_THAT(driving.output(), HasSubstr("come from something else (course "));
+  EXPECT_LT(done("a"), 1000u);
+}
+
 TEST_F(Campaign, MistakesAreOneLineAndStatus2) {
   ASSERT_EQ(drive("a", {"--index", "0"}).status, 0);
   for (const char* index : {"6", "3-1", "0-6", "x", "-1", "1-", "1,", ",1", "1,,2", "1 2"}) {
