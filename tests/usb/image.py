@@ -4,6 +4,7 @@ import re
 import shutil
 
 from host import ROOT, find, run
+from systemd import LIBRARIES, PROGRAMS
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -14,14 +15,49 @@ def add(tree, program, to):
     if shutil.which("strip"):
         run("strip", "--strip-debug", tree + to)
     _, said = run("ldd", program, good=False)
-    for library in re.findall(r"(/\S+) \(0x", said):
+    add_libraries(tree, re.findall(r"(/\S+) \(0x", said))
+
+
+def add_libraries(tree, libraries):
+    for library in libraries:
         if not os.path.exists(tree + library):
             os.makedirs(os.path.dirname(tree + library), exist_ok=True)
             shutil.copy(os.path.realpath(library), tree + library)
 
 
-def build(kernel, programs, tree):
-    """Makes `tree` and beside it tree.cpio, which is returned. `programs`: the build's folder of programs."""
+def add_service(tree, systemd):
+    """What starts tp100d as a service, and the package's files for it. `systemd`: the folder of systemd.fetch."""
+    shutil.copytree(systemd, tree, symlinks=True, dirs_exist_ok=True)
+    where = dict(os.environ, LD_LIBRARY_PATH=systemd + LIBRARIES)
+    for program in PROGRAMS:
+        _, said = run("ldd", f"{systemd}/{program}", good=False, env=where)
+        add_libraries(tree, [path for path in re.findall(r"(/\S+) \(0x", said) if not path.startswith(systemd)])
+    _, said = run(tree + "/bin/busybox", "--list")
+    for applet in said.split():
+        if not os.path.lexists(f"{tree}/bin/{applet}"):
+            os.symlink("busybox", f"{tree}/bin/{applet}")
+    for folder in ("sbin", "run", "root", "var/tmp", "var/lib", "usr/bin", "usr/lib/sysusers.d", "etc/tp100"):
+        os.makedirs(f"{tree}/{folder}", exist_ok=True)
+    os.symlink("/bin/busybox", tree + "/sbin/modprobe")
+    os.symlink("/bin/tp100d", tree + "/usr/bin/tp100d")
+    shutil.copy(ROOT + "/config/systemd/tp100d@.service", tree + "/lib/systemd/system")
+    shutil.copy(ROOT + "/config/systemd/tp100.conf", tree + "/usr/lib/sysusers.d")
+    shutil.copy(ROOT + "/config/udev/65-tp100.rules", tree + "/guest")
+    shutil.copy(ROOT + "/scripts/debian/postinst", tree + "/guest")
+    shutil.copy(HERE + "/guest/check.service", tree + "/lib/systemd/system")
+    # No bridge has its driver before somebody asks for it.
+    os.makedirs(tree + "/etc/modprobe.d")
+    with open(tree + "/etc/modprobe.d/later.conf", "w", encoding="utf-8") as file:
+        file.write("blacklist ftdi_sio\n")
+    with open(tree + "/etc/passwd", "w", encoding="utf-8") as file:
+        file.write("root:x:0:0::/root:/bin/sh\nnobody:x:65534:65534::/tmp:/bin/sh\n")
+    with open(tree + "/etc/group", "w", encoding="utf-8") as file:
+        file.write("root:x:0:\ntty:x:5:\ndialout:x:20:\nnogroup:x:65534:\n")
+
+
+def build(kernel, programs, tree, systemd=""):
+    """Makes `tree` and beside it tree.cpio, which is returned. `programs`: the build's folder of programs. `systemd`:
+    empty, or the folder of systemd.fetch; then the machine can start tp100d as a service."""
     for folder in ("bin", "dev", "proc", "sys", "tmp", "etc", "share"):
         os.makedirs(f"{tree}/{folder}")
     shutil.copytree(kernel + "/lib", tree + "/lib")
@@ -34,5 +70,7 @@ def build(kernel, programs, tree):
     shutil.copytree(HERE + "/guest", tree + "/guest")
     os.symlink("guest/init.sh", tree + "/init")
     os.chmod(tree + "/guest/init.sh", 0o755)
+    if systemd:
+        add_service(tree, systemd)
     run("sh", "-c", 'find . | "$0" --quiet -R +0:+0 -H newc -o > ../tree.cpio', find("cpio", "cpio"), cwd=tree)
     return os.path.join(os.path.dirname(tree), "tree.cpio")

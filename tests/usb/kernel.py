@@ -4,6 +4,7 @@ import re
 import shutil
 import tempfile
 
+import apt
 from host import check, find, run, skip
 
 MODULES = ("dummy_hcd", "libcomposite", "usb_f_acm", "cdc_acm", "ftdi_sio", "xhci_pci", "usbmon")
@@ -58,11 +59,5 @@ def fetch(cache):
     if os.path.isdir(folder):
         return folder
     with tempfile.TemporaryDirectory(dir=cache) as at:
-        # Otherwise apt warns that its own user cannot write there.
-        status, said = run(find("apt-get", "apt"), "-q", "-o", "APT::Sandbox::User=", "download", wanted, good=False,
-                           cwd=at)
-        debs = os.listdir(at)
-        if status != 0 or not debs:
-            skip(f"apt-get download {wanted}: {' '.join(said.splitlines()[-1:])}; run apt-get update")
-        unpack(os.path.join(at, debs[0]), folder)
+        unpack(apt.download([wanted], at)[0], folder)
     return folder

@@ -6,15 +6,16 @@ from host import check, find
 MEMORY_MB = 1024
 
 
-def boot(kernel, root, log, limit_s):
-    """Runs the machine until it switches itself off; returns what it said on its first serial port."""
+def boot(kernel, root, log, limit_s, options=""):
+    """Runs the machine until it switches itself off; returns what it said on its first serial port. `options`: for the
+    kernel."""
     command = [
         find("qemu-system-x86_64", "qemu-system-x86"), "-nodefaults", "-no-reboot", "-display", "none",
         "-m", str(MEMORY_MB),
         # Its time is the instructions it has run: however busy this machine is, in there nothing is ever late.
         "-accel", "tcg,thread=single", "-icount", "shift=1,sleep=off", "-rtc", "clock=vm",
         "-kernel", kernel + "/vmlinuz", "-initrd", root,
-        "-append", "console=ttyS0 quiet loglevel=3 panic=-1",
+        "-append", f"console=ttyS0 quiet loglevel=3 panic=-1 {options}",
         "-serial", "file:" + log, "-serial", "null",
         "-device", "qemu-xhci", "-chardev", "null,id=bridge", "-device", "usb-serial,chardev=bridge,always-plugged=on",
     ]

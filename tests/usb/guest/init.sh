@@ -15,26 +15,11 @@ mount -t configfs configfs /sys/kernel/config
 echo "nobody:x:65534:65534::/tmp:/bin/sh" > /etc/passwd
 ip link set lo up
 chmod 1777 /tmp
+. /guest/checks.sh
 . /guest/board.sh
 . /guest/daemon.sh
 . /guest/port_checks.sh
 . /guest/plug_checks.sh
-
-# try NAME: makes the check of that name, which says by `wrong` what it saw.
-try() {
-  check=$1
-  failed=
-  "check_$1"
-  [ -n "$failed" ] || echo "ok $1"
-  echo "$(cut -d ' ' -f 1 /proc/uptime) s"
-}
-# wrong WHAT: only the first counts.
-wrong() {
-  [ -z "$failed" ] || return 1
-  failed=$1
-  echo "FAILED $check: $1"
-  return 1
-}
 
 make_board 0 TP100A
 make_board 1 TP100B

@@ -1,6 +1,4 @@
 # What tp100d finds and how it opens it. Board 0 stays plugged in, as ttyACM0, and no daemon is left behind.
-has() { grep -q -e "$2" "$1" || wrong "no '$2' in: $(tr '\n' '|' < "$1")"; }
-lacks() { ! grep -q -e "$2" "$1" || wrong "'$2' is in: $(tr '\n' '|' < "$1")"; }
 
 check_lists_ports() {
   until_ test -c /dev/ttyUSB0 || wrong "no /dev/ttyUSB0"

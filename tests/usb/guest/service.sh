@@ -1,0 +1,24 @@
+# Under systemd, as root: the package's unit and udev rules as they are, in a machine that has booted without a board.
+export PATH=/bin HOME=/tmp
+unit=tp100d@tp100
+ip link set lo up
+. /guest/checks.sh
+. /guest/board.sh
+. /guest/daemon.sh
+. /guest/service_checks.sh
+
+cp /tmp/short.toml /etc/tp100
+printf 'course = "/etc/tp100/short.toml"\n[link]\nport = "/dev/tp100-TP100A"\n' > /etc/tp100/tp100.toml
+# Of the group dialout, too, but not of a kind that the unit allows.
+printf '[link]\nport = "/dev/ttyS1"\n[server]\nlisten = "off"\n' > /etc/tp100/other.toml
+
+try starts_without_a_board
+try finds_the_board_plugged_in_later
+try has_its_rights
+try is_kept_from_other_ports
+try board_is_prepared
+try bridge_is_prepared
+try drives_as_the_service
+try is_restarted_after_want_of_files
+
+echo "guest: done"
