@@ -54,9 +54,7 @@ TEST(Origin, HasTheFirmwareIfTheImageRuns) {
 }
 
 TEST(Origin, HasTheLibrariesThatDoItsSums) {
-  const std::string text = origin_text(origin("course = \"3\"\n"));
-  EXPECT_THAT(text, HasSubstr("library libm.so"));
-  EXPECT_THAT(text, HasSubstr("library libode.so"));
+  EXPECT_THAT(origin_text(origin("course = \"3\"\n")), HasSubstr("library libm.so"));
 }
 
 TEST(Origin, ChangesWithAFileAndSaysWhich) {
