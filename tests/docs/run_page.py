@@ -51,7 +51,10 @@ def main():
                 os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
         os.mkdir(os.path.join(folder, "build"))
         os.symlink(build, os.path.join(folder, "build", "release"))
-        shell = subprocess.Popen(["bash", "-c", script], cwd=folder, stdin=subprocess.DEVNULL, start_new_session=True)
+        # Black boxes of runs that fail stay here too.
+        here = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
+        shell = subprocess.Popen(["bash", "-c", script], cwd=folder, env=here, stdin=subprocess.DEVNULL,
+                                 start_new_session=True)
         status = shell.wait()
         # What it left in the background.
         try:
