@@ -91,7 +91,11 @@ Json json_of(const LinkCounters& link) {
           {"sync_replies", link.sync_replies},
           {"sync_rejected", link.sync_rejected},
           {"reconnects", link.reconnects},
-          {"reboots", link.reboots}};
+          {"reboots", link.reboots},
+          {"silences", link.silences},
+          {"refused", link.refused},
+          {"unknown_board", link.unknown_board},
+          {"robot_faults", link.robot_faults}};
 }
 
 }  // namespace

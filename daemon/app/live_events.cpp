@@ -62,6 +62,12 @@ std::string refusal(const link::SessionEvent& event) {
   }
 }
 
+std::string versions(const wire::Hello& hello) {
+  return "robot has protocol " + std::to_string(hello.protocol) + " schema " + hex(hello.schema) +
+         " (firmware " + firmware_text(hello) + "), tp100d needs protocol " +
+         std::to_string(wire::kProtocolVersion) + " schema " + hex(wire::kSchemaHash);
+}
+
 template <class State>
 std::string change(State from, State to) {
   return "state: " + std::string(to_string(from)) + " -> " + std::string(to_string(to));
@@ -102,11 +108,22 @@ Event session_words(const LiveEvent& live) {
       break;
     case Kind::kVersionMismatch:
       out.level = Level::kError;
-      out.text = version_mismatch(live.hello);
+      out.text = "wrong version";
+      out.cause = versions(live.hello);
+      out.remedy = "flash the board with " + flash_command();
+      break;
+    case Kind::kUnknownBoard:
+      out.level = Level::kWarning;
+      out.text = "unknown board";
+      out.cause = "hello names board " + std::to_string(event.a) +
+                  ", which this version does not know; it speaks the same messages and may drive";
+      out.remedy = "check that it is the right port (tp100d ports), update the daemon";
       break;
     case Kind::kReboot:
       out.level = Level::kWarning;
       out.text = "the robot restarted";
+      out.cause = "its hello has another boot number";
+      out.remedy = "check its supply if nobody reset it or pulled its plug";
       break;
     case Kind::kRobotFault: {
       const FaultText& text = describe(static_cast<Fault>(event.a & 0x1F));
@@ -140,6 +157,8 @@ Event session_words(const LiveEvent& live) {
       out.level = Level::kWarning;
       out.text = "no good frame from the robot in time (state " +
                  std::string(to_string(static_cast<SessionState>(event.a))) + ")";
+      out.cause = "it is silent, or what comes is damaged";
+      out.remedy = "check its cable and supply; the daemon goes on listening";
       break;
   }
   return out;
@@ -163,10 +182,7 @@ std::string firmware_text(const wire::Hello& hello) {
 }
 
 std::string version_mismatch(const wire::Hello& hello) {
-  return "wrong version: robot has protocol " + std::to_string(hello.protocol) + " schema " +
-         hex(hello.schema) + " (firmware " + firmware_text(hello) + "), tp100d needs protocol " +
-         std::to_string(wire::kProtocolVersion) + " schema " + hex(wire::kSchemaHash) +
-         "; flash the board with " + flash_command();
+  return "wrong version: " + versions(hello) + "; flash the board with " + flash_command();
 }
 
 std::string fault_names(FaultMask faults) {

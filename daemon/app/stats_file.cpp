@@ -53,7 +53,11 @@ Json link_figures(const LinkCounters& link) {
           {"sync_replies", link.sync_replies},
           {"sync_rejected", link.sync_rejected},
           {"reconnects", link.reconnects},
-          {"reboots", link.reboots}};
+          {"reboots", link.reboots},
+          {"silences", link.silences},
+          {"refused", link.refused},
+          {"unknown_board", link.unknown_board},
+          {"robot_faults", link.robot_faults}};
 }
 
 Json camera_figures(const link::CameraCounters& camera, const Fused& fused) {

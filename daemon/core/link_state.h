@@ -43,8 +43,12 @@ struct LinkCounters {
       0;                        ///< bytes before the first good frame (boot banner, modem probe)
   std::uint64_t unwritten = 0;  ///< frames dropped because the port did not take them
   std::uint64_t sync_replies = 0, sync_rejected = 0;
-  std::uint64_t reconnects = 0;  ///< sessions after the first one
-  std::uint64_t reboots = 0;     ///< new boot nonce
+  std::uint64_t reconnects = 0;     ///< sessions after the first one
+  std::uint64_t reboots = 0;        ///< new boot nonce
+  std::uint64_t silences = 0;       ///< no good frame within the time-out
+  std::uint64_t refused = 0;        ///< hellos of another version, and parameters out of range
+  std::uint64_t unknown_board = 0;  ///< hellos of a board that this version does not know
+  std::uint64_t robot_faults = 0;   ///< faults that the robot reported
 };
 
 /// Device clock against host clock: host_ns = reference_host_ns + (device - reference_us)(1 +

@@ -19,6 +19,12 @@ constexpr std::size_t kHelloPrefix = 9;
 std::int32_t number(SessionState state) { return static_cast<std::int32_t>(state); }
 std::int32_t number(Type type) { return static_cast<std::int32_t>(type); }
 
+/// Whoever speaks all the messages may drive; a board without a name is worth a warning.
+bool known(std::uint8_t board) {
+  return board == static_cast<std::uint8_t>(wire::Board::kMega2560) ||
+         board == static_cast<std::uint8_t>(wire::Board::kNative);
+}
+
 // Faster no belt runs, be it driven, pushed or going down a ramp.
 constexpr double kFastestBelt = 3.0;  // times the limit of the drive
 
@@ -130,6 +136,10 @@ void Session::on_hello(HostNs now) {
   }
   if (reboot) note(SessionEvent::Kind::kReboot, now, 0, 0, hello.boot_nonce);
   note(SessionEvent::Kind::kHello, now);
+  if (!known(hello.board)) {
+    ++counters_.unknown_board;
+    note(SessionEvent::Kind::kUnknownBoard, now, hello.board);
+  }
   end_session(now);
   settings_.parameters.boot_nonce = hello.boot_nonce;
   settings_.parameters.token = next_token(now);
@@ -157,6 +167,7 @@ void Session::on_other_hello(HostNs now) {
   end_session(now);
   hello_ = hello;
   known_boot_ = false;
+  ++counters_.refused;
   enter(SessionState::kRefused, now);
   note(SessionEvent::Kind::kVersionMismatch, now, hello.protocol, wire::kProtocolVersion,
        hello.schema);
@@ -214,6 +225,7 @@ void Session::on_parameters_answer(const wire::Acknowledge& acknowledge, HostNs 
       settings_.parameters.token = next_token(now);
       return;
     case Result::kOutOfRange:
+      ++counters_.refused;
       return enter(SessionState::kRefused, now);
     default:
       return ask_hello(now);
@@ -242,6 +254,7 @@ void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
 }
 
 void Session::on_fault(const wire::FaultReport& report, HostNs now) {
+  ++counters_.robot_faults;
   if (SessionEvent* event = new_event(SessionEvent::Kind::kRobotFault, now, kMaxEvents / 2)) {
     event->a = report.fault;
     event->b = report.detail;

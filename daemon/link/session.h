@@ -32,6 +32,7 @@ struct SessionEvent {
     kState,            ///< a -> b: SessionState values
     kHello,            ///< hello received: see session.hello()
     kVersionMismatch,  ///< hello() shows the robot's versions
+    kUnknownBoard,     ///< a: the board that hello named; the session goes on
     kReboot,           ///< new boot nonce during a session
     kRobotFault,       ///< a: Fault bit, b: detail
     kRobotLog,         ///< text

@@ -36,6 +36,7 @@ void Session::poll_timeout(HostNs now) {
   const bool listening = state_ == SessionState::kListening;
   const HostNs limit = listening ? settings_.first_frame_timeout_ns : settings_.timeout_ns;
   if (now - last_good_ns_ < limit) return;
+  ++counters_.silences;
   note(SessionEvent::Kind::kTimeout, now, number(state_));
   last_good_ns_ = now;
   if (listening) return;

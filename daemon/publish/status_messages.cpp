@@ -50,6 +50,10 @@ void write_counters(JsonWriter& json, const LinkCounters& link) {
       .field("sync_rejected", link.sync_rejected)
       .field("reconnects", link.reconnects)
       .field("reboots", link.reboots)
+      .field("silences", link.silences)
+      .field("refused", link.refused)
+      .field("unknown_board", link.unknown_board)
+      .field("robot_faults", link.robot_faults)
       .end_object();
 }
 

@@ -103,7 +103,8 @@ template <class Visitor, MaybeConst<LinkCounters> T>
 void visit_fields(Visitor& v, T& link) {
   auto& [bytes_in, bytes_out, frames_in, frames_out, samples, early, lost, duplicated, reordered,
          crc_errors, cobs_errors, oversize, undersize, unknown_type, wrong_size, implausible,
-         foreign_bytes, unwritten, sync_replies, sync_rejected, reconnects, reboots] = link;
+         foreign_bytes, unwritten, sync_replies, sync_rejected, reconnects, reboots, silences,
+         refused, unknown_board, robot_faults] = link;
   v("bytes_in", bytes_in);
   v("bytes_out", bytes_out);
   v("frames_in", frames_in);
@@ -126,6 +127,10 @@ void visit_fields(Visitor& v, T& link) {
   v("sync_rejected", sync_rejected);
   v("reconnects", reconnects);
   v("reboots", reboots);
+  v("silences", silences);
+  v("refused", refused);
+  v("unknown_board", unknown_board);
+  v("robot_faults", robot_faults);
 }
 
 template <class Visitor, MaybeConst<Command> T>

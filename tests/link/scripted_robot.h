@@ -40,6 +40,7 @@ class ScriptedRobot {
   // Knobs.
   std::uint16_t protocol = wire::kProtocolVersion;
   std::uint32_t schema = wire::kSchemaHash;
+  std::uint8_t board = static_cast<std::uint8_t>(wire::Board::kNative);
   std::uint32_t boot_nonce = 0xB007;
   bool answers_parameters = true;
   bool answers_requests = true;
@@ -83,7 +84,7 @@ class ScriptedRobot {
     say(wire::Hello{protocol,
                     {0, 1, 0},
                     schema,
-                    static_cast<std::uint8_t>(wire::Board::kNative),
+                    board,
                     boot_nonce,
                     0,
                     static_cast<std::uint8_t>(state),

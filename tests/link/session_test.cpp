@@ -77,8 +77,65 @@ TEST(Session, RefusesAnotherProtocolOrSchemaAndFallsSilent) {
     EXPECT_EQ(bench.session.state(), SessionState::kRefused);
     EXPECT_EQ(bench.count(Kind::kVersionMismatch), 1);
     EXPECT_EQ(bench.session.hello().protocol, bench.robot.protocol);
+    EXPECT_EQ(bench.session.counters().refused, 1u);
     EXPECT_TRUE(bench.robot.heard.types.empty());
   }
+}
+
+TEST(Session, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
+  for (int ms = 1; ms <= 400; ++ms) {
+    SessionBench bench;
+    bench.commands = true;
+    bench.session.open(bench.now);
+    bench.run(ms);
+    bench.session.request(RobotRequest::kArm, bench.now);
+    bench.run(2);
+    bench.session.close(bench.now);
+    EXPECT_TRUE(bench.session.output().empty()) << ms;
+    EXPECT_FALSE(bench.session.request_pending()) << ms;
+    bench.run(20);
+    bench.robot.reboot(bench.now);
+    bench.robot.heard = {};
+    bench.connect();
+    ASSERT_EQ(bench.session.state(), SessionState::kReady) << ms;
+    ASSERT_TRUE(bench.robot.heard.arms.empty()) << ms;
+  }
+}
+
+TEST(Session, LostAnswersToClockRequestsAreAskedForAgain) {
+  SessionBench bench;
+  bench.robot.answers_sync = false;
+  bench.commands = true;
+  bench.connect();
+  EXPECT_EQ(bench.session.state(), SessionState::kSyncing);
+  EXPECT_TRUE(bench.robot.heard.commands.empty()) << "no clock, no expiry, no command";
+  bench.robot.answers_sync = true;
+  bench.run(1000);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  // Three of four are lost from here on.
+  for (int i = 0; i < 4000; ++i) {
+    bench.robot.answers_sync = bench.robot.heard.sync_requests % 4 == 0;
+    bench.step();
+  }
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  EXPECT_TRUE(bench.session.clock().valid);
+  EXPECT_LT(bench.session.clock().uncertainty_us, 1000.0);
+}
+
+TEST(Session, ABoardThatIsNotKnownIsCountedAndToldAndMayDrive) {
+  SessionBench bench;
+  bench.robot.board = 77;
+  bench.connect();
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  EXPECT_GE(bench.session.counters().unknown_board, 1u);
+  ASSERT_GE(bench.count(Kind::kUnknownBoard), 1);
+  const auto told = std::find_if(bench.events.begin(), bench.events.end(), [](const auto& event) {
+    return event.kind == Kind::kUnknownBoard;
+  });
+  EXPECT_EQ(told->a, 77);
+  SessionBench known;
+  known.connect();
+  EXPECT_EQ(known.session.counters().unknown_board, 0u);
 }
 
 TEST(Session, ReadsTheVersionOfAHelloWithMoreFields) {
