@@ -66,7 +66,11 @@ void EventLog::event(const LiveEvent& event, const std::vector<publish::Event>& 
     const bool told = std::exchange(silence_told_, silent);
     if ((silent && told) || !allow(event.session.at_ns)) return;
   }
-  for (const publish::Event& words : all_words) {
+  words(all_words);
+}
+
+void EventLog::words(const std::vector<publish::Event>& all) {
+  for (const publish::Event& words : all) {
     const std::string line = words.text + (words.cause.empty() ? "" : ": " + words.cause) +
                              (words.remedy.empty() ? "" : "; " + words.remedy);
     switch (words.level) {

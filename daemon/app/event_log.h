@@ -24,6 +24,8 @@ class EventLog {
   void warn(const std::string& line);
   /// `all_words`: of the event, one line each. Bursts of the same kind are folded.
   void event(const LiveEvent& event, const std::vector<publish::Event>& all_words);
+  /// One line each.
+  void words(const std::vector<publish::Event>& all);
   /// What the real-time thread asked for and got.
   void grants(const std::vector<loop::Grant>& grants);
   /// The line of figures, every ten seconds.

@@ -11,6 +11,7 @@
 
 #include "app/camera_port.h"
 #include "app/event_log.h"
+#include "app/link_watch.h"
 #include "app/live_events.h"
 #include "app/live_world.h"
 #include "app/operator_input.h"
@@ -47,6 +48,7 @@ struct Supervisor::State {
   void take_events();
   void take_status(HostNs now);
   void take_records();
+  void note_link();
   void fail_early(const LiveEvent& event) const;
   void on_session(const LiveEvent& event);
   void on_session_state(SessionState state);
@@ -74,6 +76,7 @@ struct Supervisor::State {
   asio::steady_timer timer;
   std::unique_ptr<OperatorInput> input;
   std::vector<publish::Sink*> sinks;
+  LinkWatch link_watch;
   std::unique_ptr<CameraPort> camera;
   std::unique_ptr<LiveWorld> world;
   std::vector<loop::Grant> grants;
@@ -104,6 +107,7 @@ int Supervisor::State::run() {
   figures.setup = settings.setup;
   grants = settings.process_grants;
   began_ns = loop::monotonic_now();
+  sinks.push_back(&link_watch);
   sinks.push_back(settings.recording);
   sinks.push_back(settings.black_box);
   sinks.push_back(settings.server);
@@ -202,6 +206,7 @@ void Supervisor::State::tick() {
   const HostNs now = loop::monotonic_now();
   take_records();
   take_events();
+  note_link();
   connector.tick(now);
   take_status(now);
   notice.alive(loop.statistics().turns.load(), now);
@@ -357,6 +362,12 @@ void Supervisor::State::take_recording() {
   if (!is.warning.empty() && is.warning != was.warning) log.warn(is.warning);
   if (is.dropped > 0 && was.dropped == 0)
     log.warn(is.file + ": the disk is too slow, steps are missing in the recording");
+}
+
+void Supervisor::State::note_link() {
+  const std::vector<publish::Event> words = link_watch.take_words();
+  log.words(words);
+  for (const publish::Event& word : words) settings.server->take(word);
 }
 
 void Supervisor::State::note_black_box() {

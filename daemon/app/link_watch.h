@@ -1,0 +1,53 @@
+#pragma once
+// What is wrong with a link that holds: frames that are damaged, repeated or late. In words for the
+// log and for viewers. No clock, no port.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "publish/messages.h"
+#include "publish/sink.h"
+
+namespace tp100::app {
+
+class LinkWatch : public publish::Sink {
+ public:
+  /// What is said once is not said again for so long; what came meanwhile is in the next line.
+  static constexpr HostNs kQuietNs = 10 * kNsPerS;
+  /// A step's sample is too old from here on: a frame and a turn of the loop take less.
+  static constexpr std::int64_t kLateUs = 15'000;
+
+  void take(const StepRecord& record) override;
+  /// What there is to say since the last call; empty nearly always.
+  std::vector<publish::Event> take_words();
+
+ private:
+  enum Trouble : std::uint8_t {
+    kDamaged,
+    kForeign,
+    kRepeated,
+    kImplausible,
+    kClockAnswers,
+    kUnwritten,
+    kLate,
+    kStoodStill,
+    kCount
+  };
+  /// One kind of trouble: how much of it, and when it was last spoken of.
+  struct Tally {
+    std::uint64_t now = 0, said = 0;  ///< counted so far, and when it was last spoken of
+    HostNs said_ns = 0;
+    bool spoken = false;
+  };
+  void count(const LinkCounters& link);
+  void time(const StepRecord& record);
+
+  std::array<Tally, kCount> tallies_{};
+  HostNs now_ns_ = 0;
+  std::uint64_t step_ = 0;
+  std::int64_t oldest_us_ = 0, longest_ms_ = 0;
+};
+
+}  // namespace tp100::app
