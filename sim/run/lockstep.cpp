@@ -28,8 +28,6 @@ using Clock = std::chrono::steady_clock;
 constexpr double kEndToleranceM = 0.15;
 // The robot stands still this long before the host opens the port.
 constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
-// Handshake, clock sync and gyro bias take well below this; a robot that never begins is a failure.
-constexpr double kBeginWithinS = 10.0;
 constexpr double kRestS = 0.5;
 constexpr std::int64_t kOldestTruthNs = 200 * kNsPerMs;
 
@@ -64,9 +62,17 @@ class TruthHistory {
 class Lockstep {
  public:
   explicit Lockstep(const LockstepSettings& settings);
+  /// Power on, port open.
+  void open();
+  /// One run, from its start to half a second after its end.
   analysis::RunResult run();
+  /// Held until `from_opening_s` have passed since open(), and then taken back to the start.
+  void rest_until(double from_opening_s);
 
  private:
+  void turn();
+  void judge(RunState state, std::int64_t end_ns);
+  void count(std::chrono::duration<double> wall);
   void advance_robot();
   void step_host();
   void look();
@@ -74,6 +80,9 @@ class Lockstep {
   void push();
   void record(const Snapshot& snapshot);
   void publish();
+  /// The robot's true pose, seen from where it was put down for this run.
+  Pose truth_at(std::int64_t at_ns) const { return put_back_.of(truth_.find(at_ns)); }
+  Pose truth_now() const { return put_back_.of(robot_.truth().pose); }
   /// Of the virtual robot against the real one.
   Pose in_world(const Pose& real) const;
   bool plugged() const { return robot_.now_ns() >= plugged_ns_; }
@@ -94,6 +103,9 @@ class Lockstep {
   analysis::RunResult result_{};
   std::int64_t period_ns_;
   bridge::Shift behind_{};
+  bridge::Shift put_back_{};  ///< from where the robot stands to the start of the course
+  std::int64_t opened_ns_ = 0;
+  std::int64_t next_step_ns_ = 0;
   std::int64_t begin_ns_ = -1;
   std::int64_t last_recorded_us_ = -1;
   Pusher pusher_;
@@ -166,7 +178,7 @@ void Lockstep::advance_robot() {
 }
 
 void Lockstep::look() {
-  camera_->look(robot_.truth().pose, robot_.now_ns());
+  camera_->look(truth_now(), robot_.now_ns());
   while (const std::optional<CameraSample> seen = camera_->take(robot_.now_ns()))
     cycle_.camera(*seen);
 }
@@ -204,7 +216,7 @@ void Lockstep::record(const Snapshot& snapshot) {
   const Pose steering = parameters_.steering == bridge::Steering::kModel   ? snapshot.model
                         : parameters_.steering == bridge::Steering::kFused ? snapshot.fused.pose
                                                                            : snapshot.odometry;
-  const Pose truth = bench() ? steering : truth_.find(measured_ns);
+  const Pose truth = bench() ? steering : truth_at(measured_ns);
   behind_ = bridge::Shift::between(steering, snapshot.world);
   result_.points.push_back({.t_s = to_s(measured_ns - begin_ns_),
                             .truth = truth,
@@ -232,7 +244,7 @@ void Lockstep::publish() {
   for (const Sample& sample : cycle_.samples()) {
     const std::int64_t age_ns = robot_.now_ns() - sample.measured_ns;
     if (age_ns >= 0 && age_ns < kOldestTruthNs)
-      settings_.sink->take_truth(sample.measured_ns, truth_.find(sample.measured_ns));
+      settings_.sink->take_truth(sample.measured_ns, truth_at(sample.measured_ns));
   }
 }
 
@@ -249,7 +261,8 @@ void Lockstep::step_host() {
   longest_step_ = std::max(longest_step_, took);
   ++steps_;
   publish();
-  cycle_.take_events();
+  for (const link::SessionEvent& event : cycle_.take_events())
+    if (settings_.heard) settings_.heard(event, cycle_.session().hello());
   if (plugged()) robot_.receive(cycle_.output(), now);
   cycle_.written(cycle_.output().size());
   if (out.snapshot.run_state == RunState::kRunning) {
@@ -258,39 +271,66 @@ void Lockstep::step_host() {
   }
 }
 
-analysis::RunResult Lockstep::run() {
-  const Clock::time_point wall_begin = Clock::now();
+void Lockstep::open() {
   robot_.reset(PowerUp::kPowerOn);
   while (robot_.now_ns() < kOpenNs) robot_.advance();
   robot_.opened();
-  cycle_.open(robot_.now_ns());
-  cycle_.request(OperatorRequest::kStart);
+  opened_ns_ = next_step_ns_ = robot_.now_ns();
+  cycle_.open(opened_ns_);
+}
 
-  std::int64_t next_step_ns = robot_.now_ns();
+void Lockstep::turn() {
+  advance_robot();
+  cable();
+  if (camera_) look();
+  if (begin_ns_ >= 0) push();
+  if (robot_.now_ns() < std::max(next_step_ns_, host_awake_ns_)) return;
+  next_step_ns_ += period_ns_;
+  step_host();
+}
+
+void Lockstep::rest_until(double from_opening_s) {
+  cycle_.request(OperatorRequest::kHold);
+  const std::int64_t until_ns =
+      std::max(opened_ns_ + from_s(from_opening_s), robot_.now_ns() + period_ns_);
+  while (robot_.now_ns() < until_ns) turn();
+  put_back_ = bridge::Shift::between(robot_.truth().pose, settings_.course.start);
+}
+
+analysis::RunResult Lockstep::run() {
+  const Clock::time_point wall_begin = Clock::now();
+  const std::int64_t started_ns = robot_.now_ns();
+  begin_ns_ = -1;
+  result_.points.clear();
+  result_.shoves.clear();
+  cycle_.request(OperatorRequest::kStart);
   std::int64_t end_ns = 0;
   RunState state = RunState::kIdle;
   while (end_ns == 0 || robot_.now_ns() < end_ns) {
-    advance_robot();
-    cable();
-    if (camera_) look();
-    if (begin_ns_ >= 0) push();
-    if (robot_.now_ns() < std::max(next_step_ns, host_awake_ns_)) continue;
-    next_step_ns += period_ns_;
-    step_host();
+    const std::uint64_t steps = steps_;
+    turn();
+    if (steps_ == steps) continue;
     state = cycle_.outputs().snapshot.run_state;
     const bool over = state == RunState::kFinished || state == RunState::kAborted;
-    const bool never_begins = begin_ns_ < 0 && to_s(robot_.now_ns()) > kBeginWithinS;
+    const bool never_begins =
+        begin_ns_ < 0 && to_s(robot_.now_ns() - started_ns) > settings_.begin_within_s;
     if (end_ns == 0 && (over || never_begins)) end_ns = robot_.now_ns() + from_s(kRestS);
   }
+  judge(state, end_ns);
+  count(Clock::now() - wall_begin);
+  return result_;
+}
 
+void Lockstep::judge(RunState state, std::int64_t end_ns) {
   result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kRestS) - begin_ns_);
   const course::PathPoint goal = path_.at(path_.pieces().size() - 1, path_.length_m());
   const Pose end = begin_ns_ < 0 || (bench() && result_.points.empty()) ? settings_.course.start
                    : bench() ? result_.points.back().world
-                             : in_world(robot_.truth().pose);
+                             : in_world(truth_now());
   const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
   result_.finished = state == RunState::kFinished;
   result_.completed = result_.finished && miss_m <= kEndToleranceM;
+  result_.cause.clear();
   if (!result_.completed) {
     const std::optional<Fault> fault = first_fault(cycle_.outputs().snapshot.faults);
     const bool no_world = begin_ns_ < 0 && world_ && world_->silent();
@@ -300,8 +340,10 @@ analysis::RunResult Lockstep::run() {
                     : fault            ? std::string(describe(*fault).name)
                                        : "unknown";
   }
+}
+
+void Lockstep::count(std::chrono::duration<double> wall) {
   result_.link = cycle_.session().counters();
-  const std::chrono::duration<double> wall = Clock::now() - wall_begin;
   result_.realtime_factor = to_s(robot_.now_ns()) / wall.count();
   const auto spent_s = [](std::chrono::nanoseconds time) { return to_s(time.count()); };
   const double physics_s = spent_s(robot_.spent().physics);
@@ -328,13 +370,23 @@ analysis::RunResult Lockstep::run() {
                          {"world_answered", static_cast<double>(world.answered)},
                          {"world_missing", static_cast<double>(world.missing)}});
   }
-  return result_;
 }
 
 }  // namespace
 
 analysis::RunResult run_lockstep(const LockstepSettings& settings) {
-  return Lockstep(settings).run();
+  Lockstep lockstep(settings);
+  lockstep.open();
+  return lockstep.run();
+}
+
+TwoRuns run_lockstep_twice(const LockstepSettings& settings, double again_s) {
+  Lockstep lockstep(settings);
+  lockstep.open();
+  TwoRuns out{.first = lockstep.run()};
+  lockstep.rest_until(again_s);
+  out.again = lockstep.run();
+  return out;
 }
 
 }  // namespace tp100::sim

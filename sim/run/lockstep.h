@@ -12,6 +12,7 @@
 #include "course/camera.h"
 #include "course/course.h"
 #include "course/robot.h"
+#include "link/session.h"
 #include "publish/sink.h"
 #include "sim/run/emulated_robot.h"
 
@@ -31,11 +32,23 @@ struct LockstepSettings {
   std::vector<PlannedFault> faults{};  ///< of the robot, its cable and the host
   std::function<void(const EmulatedRobot&)> watch{};  ///< sees the robot after every physics step
   publish::Sink* sink = nullptr;  ///< gets every step, and the truth of each new sample's instant
+  /// Hears what the session has to tell, with the robot's hello as far as it is known.
+  std::function<void(const link::SessionEvent&, const wire::Hello&)> heard{};
+  double begin_within_s = 10.0;  ///< of its start; a run that never begins is a failure
 };
 
 /// Drives the course once. A bench is no place for a camera: the robot that it sees stands still.
 /// Deterministic but for `realtime_factor` and `loop`. Throws SetupError if course and robot do not
 /// fit together.
 analysis::RunResult run_lockstep(const LockstepSettings& settings);
+
+/// The same, and once more without restarting anything: half a second after the first run ended,
+/// but not before `again_s` after the port was opened, the robot is taken back to the start and
+/// started again. Counters are those of the whole session.
+struct TwoRuns {
+  analysis::RunResult first{};
+  analysis::RunResult again{};
+};
+TwoRuns run_lockstep_twice(const LockstepSettings& settings, double again_s);
 
 }  // namespace tp100::sim

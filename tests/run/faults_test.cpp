@@ -1,25 +1,42 @@
 // Every fault of the list on every board that can have it; the page that people read says what is
-// seen here. TP100_REWRITE_FAULTS=1 writes it anew, from one process: build/dev/bin/faults_test.
+// seen here, row by row, and which test proves what no --fault does. TP100_REWRITE_FAULTS=1 writes
+// the rows anew, from one process: build/dev/bin/faults_test.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
+#include "app/link_watch.h"
+#include "app/live_events.h"
 #include "sim/run/fault_study.h"
 
 namespace tp100::sim {
 namespace {
 
-const std::string kPage = TP100_SOURCE_DIR "/sim/faults/FAULTS.md";
+const std::string kSource = TP100_SOURCE_DIR;
+const std::string kPage = kSource + "/sim/faults/FAULTS.md";
 constexpr const char* kMark = "<!-- rows -->\n";
+constexpr const char* kEnd = "<!-- end of rows -->\n";
 
-std::string page() {
-  std::ifstream file(kPage);
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+std::string page() { return text_of_file(kPage); }
+
+/// What stands between two marks of the page.
+std::string part(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t begin = text.find(from), end = text.find(to);
+  if (begin == std::string::npos || end == std::string::npos) return "";
+  return text.substr(begin + from.size(), end - begin - from.size());
 }
 
 std::string table;
@@ -40,14 +57,55 @@ std::vector<Case> cases() {
   return all;
 }
 
+/// What the log and the viewers get to read of a run that `watch` saw.
+std::vector<publish::Event> words_of(const FaultOutcome& outcome, app::LinkWatch& watch) {
+  std::vector<publish::Event> all = watch.take_words();
+  const auto add = [&](const app::LiveEvent& event) {
+    for (publish::Event& word : app::words_for(event)) all.push_back(std::move(word));
+  };
+  for (const Said& said : outcome.said)
+    add({.at_ns = said.event.at_ns, .session = said.event, .hello = said.hello});
+  if (outcome.faults != 0)
+    add({.kind = app::LiveEvent::Kind::kRunState,
+         .from = RunState::kRunning,
+         .to = RunState::kAborted,
+         .faults = outcome.faults});
+  return all;
+}
+
+/// Which of `all` names `what` with cause and remedy.
+const publish::Event* complete(const std::vector<publish::Event>& all, std::string_view what) {
+  for (const publish::Event& word : all)
+    if (word.level != publish::Event::Level::kInfo && !word.cause.empty() && !word.remedy.empty() &&
+        word.text.find(what) != std::string::npos)
+      return &word;
+  return nullptr;
+}
+
+std::string joined(const std::vector<publish::Event>& all) {
+  std::string out;
+  for (const publish::Event& word : all)
+    out += "  " + word.text + ": " + word.cause + "; " + word.remedy + "\n";
+  return out;
+}
+
 class FaultTest : public ::testing::TestWithParam<Case> {};
 
 TEST_P(FaultTest, EndsAsExpectedAndAsThePageSays) {
   const auto& [trial, board] = GetParam();
-  const FaultOutcome seen = try_fault(trial, board);
+  app::LinkWatch watch;
+  const FaultOutcome seen = try_fault(trial, board, &watch);
   const std::string row = fault_row(trial, board, seen);
-  EXPECT_TRUE(seen.as_expected) << row << "motors off after " << seen.off_after_s << " s";
+  EXPECT_TRUE(seen.as_expected) << row << "motors off after " << seen.off_after_s << " s; "
+                                << trial.counter << " " << seen.counted;
   EXPECT_EQ(seen.wild, 0u) << "commands that no robot may get";
+  const std::vector<publish::Event> words = words_of(seen, watch);
+  if (trial.end != "completed" && trial.end != "never began") {
+    EXPECT_TRUE(complete(words, trial.end)) << trial.end << " is not in\n" << joined(words);
+  }
+  if (!trial.log.empty()) {
+    EXPECT_TRUE(complete(words, trial.log)) << trial.log << " is not in\n" << joined(words);
+  }
   table += row;
   const bool rewriting = std::getenv("TP100_REWRITE_FAULTS") != nullptr;
   EXPECT_TRUE(rewriting || page().find(row) != std::string::npos) << "not on the page: " << row;
@@ -69,12 +127,95 @@ TEST(FaultList, HasATrialForEveryKind) {
   for (const FaultText& text : fault_texts()) EXPECT_TRUE(tried.contains(text.name)) << text.name;
 }
 
+// Else a trial would pass whatever its fault does.
+TEST(FaultList, WithoutAFaultNothingIsCountedAndNothingSaid) {
+  for (const FaultTrial& trial : fault_trials()) {
+    EXPECT_FALSE(trial.counter.empty()) << trial.fault;
+    EXPECT_GT(trial.at_least, 0.0) << trial.fault;
+    const bool aborted = trial.end != "completed" && trial.end != "never began";
+    EXPECT_EQ(trial.off_within_s > 0.0, aborted) << trial.fault;
+    EXPECT_EQ(trial.again_s > 0.0, trial.end != "completed") << trial.fault;
+  }
+  FaultTrial none = fault_trials()[0];
+  none.fault = "";
+  app::LinkWatch watch;
+  const FaultOutcome seen = try_fault(none, BoardKind::kNative, &watch);
+  EXPECT_EQ(seen.end, "completed");
+  EXPECT_EQ(joined(watch.take_words()), "");
+  for (const FaultTrial& trial : fault_trials()) {
+    const auto figure = std::find_if(seen.figures.begin(), seen.figures.end(),
+                                     [&](const Figure& one) { return one.name == trial.counter; });
+    ASSERT_NE(figure, seen.figures.end()) << trial.counter;
+    EXPECT_LT(figure->value, trial.at_least) << trial.fault << ": " << trial.counter;
+  }
+}
+
+// The rows as a whole: none is missing, none is left of a trial that is no more.
+TEST(FaultPage, HasOneRowForEveryTrialAndNoOther) {
+  const std::string rows = part(page(), kMark + fault_table_head(), kEnd);
+  ASSERT_FALSE(rows.empty()) << kPage << ": no marks, or another head";
+  std::vector<std::string> expected;
+  for (const FaultTrial& trial : fault_trials())
+    for (const BoardKind board : {BoardKind::kNative, BoardKind::kAvr})
+      if (board == BoardKind::kAvr || !trial.chip_only)
+        expected.push_back("| `" + std::string(trial.fault) + "` | " + to_string(board) + " | ");
+  std::istringstream lines(rows);
+  std::string line;
+  std::size_t i = 0;
+  for (; std::getline(lines, line); ++i) {
+    ASSERT_LT(i, expected.size()) << "a row too many: " << line;
+    EXPECT_EQ(line.substr(0, expected[i].size()), expected[i]);
+  }
+  EXPECT_EQ(i, expected.size());
+}
+
+/// Every `Suite.Name` of the sources below tests/.
+std::set<std::string> tests_in_the_sources() {
+  std::set<std::string> names;
+  const std::regex pattern(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kSource + "/tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = text_of_file(entry.path());
+    for (std::size_t at = 0; (at = text.find("\nTEST", at)) != std::string::npos; ++at) {
+      const std::string head = text.substr(at + 1, 200);
+      std::smatch found;
+      if (std::regex_search(head, found, pattern, std::regex_constants::match_continuous))
+        names.insert(found[2].str() + "." + found[3].str());
+    }
+  }
+  return names;
+}
+
+TEST(FaultPage, EveryTestThatItNamesExists) {
+  const std::string text = page();
+  const std::string rest = text.substr(std::min(text.size(), text.find(kEnd)));
+  const std::set<std::string> known = tests_in_the_sources();
+  const std::regex pattern(R"(`([A-Z]\w+\.[A-Z]\w+|tests/[\w/]+\.(?:py|sh))`)");
+  std::size_t named = 0;
+  std::istringstream lines(rest);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| ") || line.starts_with("| fault") || line.starts_with("|---"))
+      continue;
+    std::size_t in_row = 0;
+    for (std::sregex_iterator it(line.begin(), line.end(), pattern), end; it != end; ++it) {
+      ++in_row;
+      const std::string name = (*it)[1].str();
+      EXPECT_TRUE(known.contains(name) || std::filesystem::exists(kSource + "/" + name))
+          << "no such test: " << name;
+    }
+    EXPECT_GT(in_row, 0u) << "no test proves: " << line;
+    named += in_row;
+  }
+  EXPECT_GT(named, 20u) << kPage << ": the rows below the mark are gone";
+}
+
 class Page : public ::testing::Environment {
  public:
   void TearDown() override {
     if (std::getenv("TP100_REWRITE_FAULTS") == nullptr) return;
     const std::string old = page();
-    std::ofstream(kPage) << old.substr(0, old.find(kMark)) << kMark << fault_table_head() << table;
+    std::ofstream(kPage) << old.substr(0, old.find(kMark)) << kMark << fault_table_head() << table
+                         << old.substr(old.find(kEnd));
   }
 };
 const auto* const kPageWriter = ::testing::AddGlobalTestEnvironment(new Page);
