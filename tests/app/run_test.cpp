@@ -179,6 +179,62 @@ TEST_F(Run, SigtermDisarmsFirst) {
   EXPECT_THAT(log_, HasSubstr("state: arming -> running"));
 }
 
+TEST_F(Run, SigtermEndsItInEveryState) {
+  // Nobody there, or nobody who speaks.
+  options_.wait = true;
+  for (const bool silent : {false, true}) {
+    if (silent) robot_->plug_in();
+    robot_->with([&](ScriptedRobot& robot) { robot.silent = silent; });
+    EXPECT_EQ(run([] { std::this_thread::sleep_for(200ms); }), 1);
+    EXPECT_EQ(log_.find("-> ready"), std::string::npos) << log_;
+  }
+  robot_->with([](ScriptedRobot& robot) { robot.silent = false; });
+  // Ready.
+  EXPECT_EQ(run([&] { eventually(commanded); }), 1);
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+  EXPECT_FALSE(robot_->with([](ScriptedRobot& robot) { return robot.heard.disarms.empty(); }));
+  // Arming: the robot has not answered yet.
+  options_.course = "1-straight";
+  robot_->with([](ScriptedRobot& robot) {
+    robot.heard = {};
+    robot.answers_requests = false;
+  });
+  EXPECT_EQ(run([&] {
+              eventually([](const ScriptedRobot& robot) { return !robot.heard.arms.empty(); });
+              robot_->with([](ScriptedRobot& robot) { robot.answers_requests = true; });
+            }),
+            1);
+  EXPECT_FALSE(robot_->with([](ScriptedRobot& robot) { return robot.heard.disarms.empty(); }));
+  EXPECT_EQ(robot_->with([](ScriptedRobot& robot) { return robot.state; }), wire::State::kDisarmed);
+  // After a run, waiting for the next one.
+  options_.stay = true;
+  EXPECT_EQ(run([&] {
+              eventually(driven);
+              eventually([](const ScriptedRobot& robot) {
+                return robot.heard.commands.back().speed_mps == 0.0F;
+              });
+            }),
+            1);
+  EXPECT_THAT(log_, HasSubstr("state: running -> aborted"));
+  EXPECT_EQ(robot_->with([](ScriptedRobot& robot) { return robot.state; }), wire::State::kDisarmed);
+}
+
+TEST_F(Run, APortThatIsRefusedAgainAndAgainIsTakenOnceItIsFree) {
+  options_.wait = true;
+  robot_->plug_in();
+  auto held = std::make_unique<link::Port>(link::open_port(port().string(), {}));
+  EXPECT_EQ(run([&] {
+              // Asked for after 50, 150 and 350 ms.
+              std::this_thread::sleep_for(500ms);
+              held.reset();
+              eventually(commanded);
+            }),
+            1);
+  EXPECT_THAT(log_, HasSubstr("port is busy"));
+  EXPECT_EQ(log_.find("port is busy"), log_.rfind("port is busy")) << "said once: " << log_;
+  EXPECT_THAT(log_, HasSubstr("state: syncing -> ready"));
+}
+
 TEST_F(Run, ARobotThatNeverMovesAbortsTheRun) {
   options_.course = "1-straight";
   robot_->plug_in();

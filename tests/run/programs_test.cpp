@@ -1,9 +1,16 @@
 // The two real programs as separate processes on a real pseudo-terminal.
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -23,6 +30,13 @@ class Programs : public testing::Test {
   }
   std::vector<std::string> daemon_arguments(const std::string& course = "1-curve") const {
     return {"tp100d", "run", "--port", port(), "--course", course};
+  }
+  /// Six seconds' way.
+  std::string short_course() const {
+    std::ofstream(folder_.file("short.toml"))
+        << "[[segment]]\ntype = \"line\"\nlength_m = 0.5\n[fence]\nmin_x_m = -0.1\nmax_x_m = 1\n"
+           "min_y_m = -0.5\nmax_y_m = 0.5\n";
+    return folder_.file("short.toml");
   }
   /// Board time of the first line after `from` that holds `text`. [s]
   static double time_of(const std::string& output, const std::string& text, std::size_t from = 0) {
@@ -169,6 +183,115 @@ TEST_F(Programs, SigtermDisarmsFirst) {
   bridge.signal(SIGTERM);
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
   EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
+}
+
+TEST_F(Programs, ASecondSigtermDoesNotKeepItFromDisarming) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  Process bridge(daemon_arguments());
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  bridge.signal(SIGTERM);
+  bridge.signal(SIGTERM);
+  bridge.signal(SIGINT);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+  EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
+}
+
+// As a machine does it that gives the program no time.
+TEST_F(Programs, AStarvedLoopLeavesTheMotorsOffAndSaysWhy) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  Process bridge(daemon_arguments());
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  usleep(300'000);
+  bridge.signal(SIGSTOP);
+  ASSERT_TRUE(robot.wait_for("motors off: command_timeout")) << robot.output();
+  usleep(200'000);
+  bridge.signal(SIGCONT);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+  EXPECT_NE(bridge.output().find("turns of the loop that came late"), std::string::npos)
+      << bridge.output();
+  EXPECT_NE(bridge.output().find("command_timeout: no fresh valid command"), std::string::npos)
+      << bridge.output();
+}
+
+#ifdef TP100_WALL_CLOCK
+TEST_F(Programs, AStepOfTheWallClockChangesNothing) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  std::vector<std::string> arguments = daemon_arguments(short_course());
+  arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/tp100d";
+  arguments.insert(arguments.begin(), {"/usr/bin/env", "LD_PRELOAD=" TP100_WALL_CLOCK});
+  arguments.insert(arguments.end(),
+                   {"--stats", folder_.file("stats.json"), "--record", folder_.file("runs")});
+  Process bridge(arguments);
+  EXPECT_EQ(bridge.wait(), 0) << bridge.output();
+  EXPECT_NE(bridge.output().find("state: running -> finished"), std::string::npos);
+  // The lines' own times show that it stepped: an hour ahead, then back to an hour behind.
+  std::vector<int> minutes;
+  std::istringstream lines(bridge.output());
+  for (std::string line; std::getline(lines, line);) {
+    int hour = 0, minute = 0, second = 0;
+    if (std::sscanf(line.c_str(), "%d:%d:%d.", &hour, &minute, &second) == 3)
+      minutes.push_back(hour * 60 + minute);
+  }
+  ASSERT_GT(minutes.size(), 3u) << bridge.output();
+  EXPECT_GT(std::abs(minutes.front() - minutes.back()), 30)
+      << "the clock did not step: " << bridge.output();
+}
+#endif
+
+TEST_F(Programs, AThousandClientsDisturbNoRun) {
+  rlimit files{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &files), 0);
+  files.rlim_cur = std::min<rlim_t>(files.rlim_max, 2048);
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &files), 0);
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  std::vector<std::string> arguments = daemon_arguments(short_course());
+  arguments.insert(arguments.end(), {"--listen", "127.0.0.1:0"});
+  Process bridge(arguments);
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  const std::string before = "page: http://127.0.0.1:";
+  const std::size_t at = bridge.output().find(before);
+  ASSERT_NE(at, std::string::npos) << bridge.output();
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port =
+      htons(static_cast<std::uint16_t>(std::stoi(bridge.output().substr(at + before.size()))));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+
+  // Some say nothing, some half of a request, some a whole one that wants to watch.
+  const std::array<std::string, 3> words{
+      "", "GET / HT",
+      "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+      "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n"};
+  std::vector<int> clients;
+  for (std::size_t i = 0; i < 1000; ++i) {
+    const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    ASSERT_GE(fd, 0) << i;
+    clients.push_back(fd);
+    ASSERT_EQ(::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0) << i;
+    const std::string& word = words[i % words.size()];
+    if (!word.empty()) ::send(fd, word.data(), word.size(), MSG_NOSIGNAL);
+  }
+  EXPECT_EQ(bridge.output().find("state: running -> "), std::string::npos)
+      << "over before all were there: " << bridge.output();
+  EXPECT_EQ(bridge.wait(), 0) << bridge.output();
+  EXPECT_NE(bridge.output().find("state: running -> finished"), std::string::npos);
+  // Those that were served have had an answer, the others an end.
+  std::size_t answered = 0, ended = 0;
+  for (const int fd : clients) {
+    char text[16];
+    const ssize_t n = ::recv(fd, text, sizeof text, MSG_DONTWAIT);
+    answered += n > 0 ? 1U : 0U;
+    ended += n == 0 || (n < 0 && errno != EAGAIN) ? 1U : 0U;
+    ::close(fd);
+  }
+  EXPECT_EQ(answered + ended, clients.size());
+  EXPECT_GT(answered, 0u);
+  EXPECT_GT(ended, 500u);
 }
 
 TEST_F(Programs, TheRobotRemovesItsLinkWhenTheTerminalIsClosed) {
