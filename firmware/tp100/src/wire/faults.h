@@ -18,7 +18,7 @@
   X(4, loop_hung, "the main loop did not run for 100 ms; motors were switched off by the timer", \
     "check the I2C wiring of the MPU6050")                                                       \
   X(5, imu_missing, "the MPU6050 does not answer at I2C address 0x68",                           \
-    "check SDA (20), SCL (21), its supply and AD0 to ground, or use set-up bench")                    \
+    "check SDA (20), SCL (21), its supply and AD0 to ground, or use set-up bench")               \
   X(6, imu_stale, "the MPU6050 stopped delivering new values",                                   \
     "check the I2C wiring; the firmware re-initialises the sensor by itself")                    \
   X(7, battery_low, "the cells are below the cut-off voltage", "charge the cells")               \
