@@ -53,17 +53,17 @@ said 'Watchdog timeout'
 
 # What a restart may mend is tried again.
 systemctl stop $unit
-mkdir -p /run/systemd/system/$unit.service.d
-printf '[Service]\nLimitNOFILE=6\n' >/run/systemd/system/$unit.service.d/files.conf
+starved=tp100d@starved
+printf '[server]\nlisten = "off"\n' >/etc/tp100/starved.toml
+mkdir -p /run/systemd/system/$starved.service.d
+printf '[Service]\nLimitNOFILE=6\n' >/run/systemd/system/$starved.service.d/files.conf
 systemctl daemon-reload
-systemctl start $unit || true
-again() { [ "$(systemctl show -P NRestarts $unit)" -ge 1 ]; }
+systemctl start $starved || true
+again() { [ "$(systemctl show -P NRestarts $starved)" -ge 1 ]; }
 wait_for again
-said 'stopped: .*; start it again'
-rm /run/systemd/system/$unit.service.d/files.conf
-systemctl daemon-reload
-systemctl stop $unit
-systemctl reset-failed $unit || true
+journalctl --no-pager -o cat -u $starved | grep -q 'stopped: .*; start it again'
+systemctl stop $starved
+rm -r /etc/tp100/starved.toml /run/systemd/system/$starved.service.d
 
 # A file that is wrong is said once and not tried again.
 echo 'robto = "uniform"' >/etc/tp100/wrong.toml

@@ -108,15 +108,18 @@ $started --go"
   hears "info completed"
 }
 
-# It ends with a status that the unit is restarted after.
+# It ends with a status that the unit is restarted after. The other robot's service: its configuration has no page.
 check_is_restarted_after_want_of_files() {
-  drop_in LimitNOFILE=6
-  systemctl stop $unit
+  starved=tp100d@other
+  mkdir -p /run/systemd/system/$starved.service.d
+  printf '[Service]\nLimitNOFILE=6\n' > /run/systemd/system/$starved.service.d/test.conf
+  systemctl daemon-reload
   # Before it says that it is ready.
-  systemctl start $unit 2> /dev/null
-  again() { [ "$(ask NRestarts)" -ge 1 ]; }
-  until_ again || wrong "NRestarts $(ask NRestarts), status $(ask ExecMainStatus): $(journal | tail -n 5 | tr '\n' '|')"
-  hears "code=exited, status=3"
-  hears "stopped: .*; start it again"
-  systemctl stop $unit
+  systemctl start $starved 2> /dev/null
+  again() { [ "$(ask NRestarts $starved)" -ge 1 ]; }
+  until_ again || wrong "NRestarts $(ask NRestarts $starved): $(journal $starved | tail -n 5 | tr '\n' '|')"
+  journal $starved > /tmp/starved
+  has /tmp/starved "code=exited, status=3"
+  has /tmp/starved "stopped: .*; start it again"
+  systemctl stop $starved
 }
