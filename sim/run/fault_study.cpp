@@ -19,11 +19,12 @@ constexpr double kBeginWithinS = 3.0;
 // A robot drives on for the life of a command, and the physics looks once a millisecond.
 constexpr double kOffS = 0.21;
 // What the robot has to find out by itself takes it longer; the times are its own.
-constexpr double kHostSilentS = 0.71;  // link.timeout_ms before
-constexpr double kStallS = 1.30;       // drive.stall_s, and the belts may be slow to it
-constexpr double kBackwardsS = 0.50;   // against its duty
-constexpr double kImuS = 0.15;         // the same values again and again
-constexpr double kCellsS = 1.10;       // a second below the cut-off
+constexpr double kOnlyItsBytesS = 0.30;  // the samples get too old to steer by, a command's life
+constexpr double kStallS = 1.10;         // drive.stall_s
+constexpr double kOneStallS = 1.90;      // the other belt steers against it first
+constexpr double kBackwardsS = 0.35;     // against its duty
+constexpr double kImuS = 0.10;           // the same values again and again
+constexpr double kCellsS = 1.15;         // a second below the cut-off
 
 constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"flip:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
@@ -39,30 +40,30 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"delay:20", kCompleted, "sample_age_ms", 20, 0, 0, "steps without a fresh sample"},
     {"jitter:5", kCompleted, "sample_age_ms", 8},
     {"batch:16:to-host", kCompleted, "sample_age_ms", 16, 0, 0, "steps without a fresh sample"},
-    {"stall:10@3", kCompleted, "sample_age_ms", 10},
+    {"stall:10@3", kCompleted, "sample_age_ms", 7},
     {"stall:100@3", kCompleted, "sample_age_ms", 90, 0, 0, "steps without a fresh sample"},
     {"stall:2000@3", "link_lost", "silences", 1, kOffS, 6},
     {"drift:100", kCompleted, "drift_ppm", 90},
     {"drift:-1000", kCompleted, "drift_ppm", 900},
     {"wrap@4", kCompleted, "device_wraps", 1},
-    {"clock-step:500@3+2", "link_lost", "implausible", 1, kOffS + 0.3, 6},
+    {"clock-step:500@3+2", "link_lost", "implausible", 1, kOffS, 6},
     {"sync-late:30", kCompleted, "clock_uncertainty_us", 10e3},
     {"sync-twice", kCompleted, "sync_rejected", 1, 0, 0, "answers to clock requests"},
     {"cut@3+2", "link_lost", "silences", 1, kOffS, 6},
     {"cut:to-robot@3+2", "command_timeout", "robot_faults", 1, kOffS, 6},
-    {"cut:to-host@3+2", "link_lost", "silences", 1, kHostSilentS, 6},
+    {"cut:to-host@3+2", "link_lost", "silences", 1, kOnlyItsBytesS, 6},
     {"unplug:0.05@3", "link_lost", "reconnects", 1, kOffS, 4},
     {"unplug:1@3", "link_lost", "reconnects", 1, kOffS, 5},
     {"reboot@3", "brown_out", "reboots", 1, 0.01, 4},
-    {"reboot-loop:0.5@0+3", kNeverBegan, "reboots", 1, 0, 4, "the robot restarted"},
+    {"reboot-loop:0.5@0+4", kNeverBegan, "reboots", 1, 0, 5, "the robot restarted"},
     {"hang@3", "watchdog_reset", "reboots", 1, kOffS, 4, {}, true},
     {"version:2@0+3", kNeverBegan, "refused", 1, 0, 4, "wrong version"},
     {"schema@0+3", kNeverBegan, "refused", 1, 0, 4, "wrong version"},
     {"board:77", kCompleted, "unknown_board", 1, 0, 0, "unknown board"},
     {"unknown-message", kCompleted, "unknown_type", 1, 0, 0, "frames that no robot sends"},
     {"replay:20", kCompleted, "duplicated", 1, 0, 0, "samples that come again"},
-    {"sequence@3+2", "link_lost", "reordered", 1, kOffS + 0.3, 6},
-    {"encoder-stuck:left@3+2", "stalled_left", "robot_faults", 1, kStallS, 6},
+    {"sequence@3+2", "link_lost", "reordered", 1, kOffS, 6},
+    {"encoder-stuck:left@3+2", "stalled_left", "robot_faults", 1, kOneStallS, 6},
     {"encoder-stuck@3+2", "stalled_left", "robot_faults", 1, kStallS, 6},
     {"encoder-flip:left@3+2", "reversed_left", "robot_faults", 1, kBackwardsS, 6},
     {"encoder-jump:500:left@3", kCompleted, "implausible", 1, 0, 0, "values that cannot be"},
