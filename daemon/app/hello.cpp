@@ -46,7 +46,7 @@ Greeting listen(const link::Port& port, Clock::time_point deadline) {
     for (ssize_t i = 0; i < n; ++i) {
       if (decoder.push(buffer[static_cast<std::size_t>(i)]) != wire::Received::kFrame) continue;
       if (decoder.type() != static_cast<std::uint8_t>(wire::Type::kHello)) continue;
-      const Greeting greeting = read_greeting(decoder.payload(), decoder.size());
+      Greeting greeting = read_greeting(decoder.payload(), decoder.size());
       if (!greeting.text.empty()) return greeting;
     }
   }
