@@ -82,20 +82,26 @@ std::vector<std::string> unit_values(const std::string& key) {
   return values;
 }
 
-TEST(Service, IsRestartedAfterWhatNoFileExplainsButNotAfterABadFile) {
+TEST(Service, IsNotRestartedAfterABadFile) {
   EXPECT_THAT(unit_values("Restart"), ElementsAre("on-failure"));
   // Of these two systemd makes no failure, or none to mend by a restart.
   EXPECT_THAT(unit_values("SuccessExitStatus"), ElementsAre("1"));
   EXPECT_THAT(unit_values("RestartPreventExitStatus"), ElementsAre("2"));
-  const std::string tp100d = std::string(TP100_BINARY_DIR) + "/bin/tp100d";
-  const Finished starved = run(
-      {"/bin/sh", "-c", "ulimit -n 6; exec '" + tp100d + "' run --wait --port none --listen off"});
-  EXPECT_EQ(starved.status, 3);
-  EXPECT_THAT(starved.output, HasSubstr("tp100d: stopped: "));
-  EXPECT_THAT(starved.output, HasSubstr("Too many open files; start it again"));
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "bad.toml") << "robto = 1\n";
   EXPECT_EQ(run({"tp100d", "run", "--wait", "--config", folder.file("bad.toml")}).status, 2);
+}
+
+TEST(Service, IsRestartedAfterWhatNoFileExplains) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer needs descriptors itself, of which there are none here";
+#endif
+  const char* script =
+      "ulimit -n 6; exec " TP100_BINARY_DIR "/bin/tp100d run --wait --port none --listen off";
+  const Finished starved = run({"/bin/sh", "-c", script});
+  EXPECT_EQ(starved.status, 3);
+  EXPECT_THAT(starved.output, HasSubstr("tp100d: stopped: "));
+  EXPECT_THAT(starved.output, HasSubstr("Too many open files; start it again"));
 }
 
 }  // namespace
