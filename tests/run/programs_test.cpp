@@ -248,7 +248,7 @@ TEST_F(Programs, AThousandClientsDisturbNoRun) {
   ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &files), 0);
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
-  std::vector<std::string> arguments = daemon_arguments(short_course());
+  std::vector<std::string> arguments = daemon_arguments("1-curve");
   arguments.insert(arguments.end(), {"--listen", "127.0.0.1:0"});
   Process bridge(arguments);
   ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
