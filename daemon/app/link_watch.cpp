@@ -25,7 +25,7 @@ void LinkWatch::take(const StepRecord& record) {
 }
 
 void LinkWatch::count(const LinkCounters& link) {
-  tallies_[kDamaged].now = link.crc_errors + link.cobs_errors + link.oversize + link.undersize;
+  tallies_[kDamaged].now = link.damaged();
   tallies_[kForeign].now = link.unknown_type + link.wrong_size;
   tallies_[kRepeated].now = link.duplicated + link.reordered;
   tallies_[kImplausible].now = link.implausible;

@@ -49,6 +49,9 @@ struct LinkCounters {
   std::uint64_t refused = 0;        ///< hellos of another version, and parameters out of range
   std::uint64_t unknown_board = 0;  ///< hellos of a board that this version does not know
   std::uint64_t robot_faults = 0;   ///< faults that the robot reported
+
+  /// Frames that did not arrive as they were sent.
+  std::uint64_t damaged() const { return crc_errors + cobs_errors + oversize + undersize; }
 };
 
 /// Device clock against host clock: host_ns = reference_host_ns + (device - reference_us)(1 +

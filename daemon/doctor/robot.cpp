@@ -40,10 +40,6 @@ Finding warning(std::string name, std::string seen, std::string fix) {
   return {Severity::kWarning, std::move(name), std::move(seen), std::move(fix)};
 }
 
-std::uint64_t damaged(const LinkCounters& counters) {
-  return counters.crc_errors + counters.cobs_errors + counters.oversize + counters.undersize;
-}
-
 /// Why there was no hello.
 Finding silent(const Visit& visit) {
   const std::string flash = flash_command(visit.port);
@@ -115,7 +111,7 @@ void add_link(const LinkTest& link, Findings& findings) {
   const std::string figures =
       text("%zu samples in %.1f s, %llu lost, %llu frames damaged", link.samples, link.duration_s,
            static_cast<unsigned long long>(link.counters.lost),
-           static_cast<unsigned long long>(damaged(link.counters)));
+           static_cast<unsigned long long>(link.counters.damaged()));
   const std::string times =
       "; p50/p90/p99/max of age " + text_of(link.age) + ", round trip " + text_of(link.round_trip);
   const char* const cable = "use a short cable without a hub, away from the motors' leads";
@@ -124,7 +120,7 @@ void add_link(const LinkTest& link, Findings& findings) {
         error("link", figures + text(", %.0f were due", link.expected_samples), cable));
   } else if (link.confirmed == 0) {
     findings.push_back(error("link", figures + ", and the robot confirmed no command", cable));
-  } else if (link.counters.lost > 0 || damaged(link.counters) > 0) {
+  } else if (link.counters.lost > 0 || link.counters.damaged() > 0) {
     findings.push_back(warning("link", figures + times, cable));
   } else if (link.age.p99_us > kOldUs || link.round_trip.p99_us > 2.0 * kOldUs) {
     findings.push_back(warning("link", figures + times,

@@ -7,8 +7,7 @@ constexpr HostNs kMarkNs = 100 * kNsPerMs;
 constexpr HostNs kWindowNs = kNsPerS;
 
 std::uint64_t bad(const LinkCounters& link) {
-  return link.crc_errors + link.cobs_errors + link.oversize + link.undersize + link.unknown_type +
-         link.wrong_size + link.implausible;
+  return link.damaged() + link.unknown_type + link.wrong_size + link.implausible;
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ std::vector<Figure> figures_of(const LinkCounters& link, const StepWatch& steps)
   const auto add = [&](std::string_view name, std::uint64_t count) {
     all.push_back({name, static_cast<double>(count)});
   };
-  add("damaged", link.crc_errors + link.cobs_errors + link.oversize + link.undersize);
+  add("damaged", link.damaged());
   add("implausible", link.implausible);
   add("sync_rejected", link.sync_rejected);
   add("reconnects", link.reconnects);
