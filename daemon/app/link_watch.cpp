@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/flash_command.h"
+
 namespace tp100::app {
 namespace {
 
@@ -14,7 +16,7 @@ struct Text {
   std::uint64_t least;  // a session's beginning and a moment's pause are no trouble
   const char* what;
   const char* cause;
-  const char* remedy;
+  std::string remedy;
 };
 
 }  // namespace
@@ -51,11 +53,11 @@ void LinkWatch::time(const StepRecord& record) {
 }
 
 std::vector<Event> LinkWatch::take_words() {
-  static constexpr std::array<Text, kCount> kTexts{
+  static const std::array<Text, kCount> kTexts{
       {{1, "damaged frames", "bytes change or are lost on their way, or another program writes",
         "check cable and hub; see what tp100d doctor says of the port"},
        {1, "frames that no robot sends", "the firmware or another program speaks other messages",
-        "flash the board with scripts/flash; see what tp100d doctor says of the port"},
+        "flash the board with " + flash_command() + "; see what tp100d doctor says of the port"},
        {5, "samples that come again or too late", "a hub or its driver repeats or reorders",
         "use another cable or hub"},
        {1, "values that cannot be", "glitches on an encoder's wires, or a clock that jumped",
