@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "camera/board.h"
+#include "held_board.h"
 #include "marker_scene.h"
 
 namespace tp100::test {
@@ -20,31 +21,11 @@ namespace {
 constexpr double kFps = 10.0, kPixelsPerM = 4000.0;
 constexpr int kDrivePictures = 30;
 
-/// Small, so that many pictures of it are drawn quickly.
-SceneCamera small_camera(const Vec3& place_m) {
-  SceneCamera camera;
-  camera.width_px = 960;
-  camera.height_px = 540;
-  camera.focal_px = 560.0;
-  camera.centre_x_px = 471.0;
-  camera.centre_y_px = 281.0;
+SceneCamera film_camera(const Vec3& place_m) {
+  SceneCamera camera = small_camera(place_m);
   camera.k1 = -0.09;
   camera.k2 = 0.02;
-  camera.place_m = place_m;
   return camera;
-}
-
-/// A board that somebody holds at `middle`, tilted about two axes.
-Decal held(const cv::Mat& bits, const Vec3& middle, double tilt_x, double tilt_y) {
-  const double width_m = bits.cols / kPixelsPerM, height_m = bits.rows / kPixelsPerM;
-  const double cx = std::cos(tilt_x), sx = std::sin(tilt_x);
-  const double cy = std::cos(tilt_y), sy = std::sin(tilt_y);
-  Decal decal{.bits = bits,
-              .across_m = {width_m * cy, width_m * sx * sy, -width_m * cx * sy},
-              .down_m = {0.0, -height_m * cx, -height_m * sx}};
-  for (std::size_t i = 0; i < 3; ++i)
-    decal.corner_m[i] = middle[i] - decal.across_m[i] / 2 - decal.down_m[i] / 2;
-  return decal;
 }
 
 class Film {
@@ -71,9 +52,9 @@ void film_board(Film film) {
   int i = 0;
   for (const double x : {-0.28, -0.1, 0.1, 0.28}) {
     for (const double y : {-0.12, -0.06, 0.0, 0.06, 0.12}) {
-      Scene scene(small_camera({0.0, 0.0, 0.6}), 1);
-      scene.show(held(bits, {x, y, 0.05 + 0.03 * (i % 3)}, 0.35 * std::sin(2.1 * i),
-                      0.35 * std::cos(1.7 * i)));
+      Scene scene(film_camera({0.0, 0.0, 0.6}), 1);
+      scene.show(held(bits, bits.cols / kPixelsPerM, {x, y, 0.05 + 0.03 * (i % 3)},
+                      0.35 * std::sin(2.1 * i), 0.35 * std::cos(1.7 * i)));
       film.add(scene.empty_floor({.blur_px = 0.6, .grey_sd = 2.0}));
       ++i;
     }
@@ -81,7 +62,7 @@ void film_board(Film film) {
 }
 
 void film_drive(Film film) {
-  Scene scene(small_camera({0.95, 0.2, 1.8}), 1);
+  Scene scene(film_camera({0.95, 0.2, 1.8}), 1);
   int id = 10;
   for (const auto& [x_m, y_m] : {std::pair{-0.2, -0.5}, {2.1, -0.5}, {2.1, 0.9}, {-0.2, 0.9}})
     scene.lay(marker_bits(id++), 0.12, x_m, y_m, 0.4);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "held_board.h"
 #include "marker_scene.h"
 
 namespace tp100::test {
@@ -13,37 +14,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Small, so that many pictures of it are drawn quickly; bends more than most.
-SceneCamera small_camera() {
-  SceneCamera camera;
-  camera.width_px = 960;
-  camera.height_px = 540;
-  camera.focal_px = 560.0;
-  camera.centre_x_px = 471.0;
-  camera.centre_y_px = 281.0;
+/// Bends more than most.
+SceneCamera bent_camera() {
+  SceneCamera camera = small_camera({0.0, 0.0, 0.6});
   camera.k1 = -0.14;
   camera.k2 = 0.03;
   camera.p1 = 0.0008;
   camera.p2 = -0.0005;
-  camera.place_m = {0.0, 0.0, 0.6};
   return camera;
-}
-
-/// A board of `size_m` held at `middle`, tilted about two axes and turned.
-Decal held(const cv::Mat& bits, double width_m, const Vec3& middle, double tilt_x, double tilt_y,
-           double turn) {
-  const double height_m = width_m * bits.rows / bits.cols;
-  const double cx = std::cos(tilt_x), sx = std::sin(tilt_x);
-  const double cy = std::cos(tilt_y), sy = std::sin(tilt_y);
-  const Vec3 right = {cy, sx * sy, -cx * sy}, down = {0.0, -cx, -sx};
-  const double ct = std::cos(turn), st = std::sin(turn);
-  Decal decal{.bits = bits};
-  for (std::size_t i = 0; i < 3; ++i) {
-    decal.across_m[i] = width_m * (ct * right[i] + st * down[i]);
-    decal.down_m[i] = height_m * (-st * right[i] + ct * down[i]);
-    decal.corner_m[i] = middle[i] - decal.across_m[i] / 2 - decal.down_m[i] / 2;
-  }
-  return decal;
 }
 
 /// Pictures of the board all over the view.
@@ -53,7 +31,7 @@ std::vector<camera::BoardCorners> views_of(const camera::Board& board, double wi
   int i = 0;
   for (const double x : {-0.28, 0.0, 0.28}) {
     for (const double y : {-0.12, 0.0, 0.12}) {
-      Scene scene(small_camera(), 1);
+      Scene scene(bent_camera(), 1);
       const double z = 0.05 + 0.03 * (i % 3);
       scene.show(held(bits, width_m, {x, y, z}, 0.35 * std::sin(2.1 * i), 0.35 * std::cos(1.7 * i),
                       0.3 * i));
@@ -67,7 +45,7 @@ std::vector<camera::BoardCorners> views_of(const camera::Board& board, double wi
 }
 
 void expect_the_lens(const camera::LensFit& fit) {
-  const SceneCamera truth = small_camera();
+  const SceneCamera truth = bent_camera();
   EXPECT_NEAR(fit.lens.fx_px, truth.focal_px, 0.005 * truth.focal_px);
   EXPECT_NEAR(fit.lens.cx_px, truth.centre_x_px, 2.0);
   EXPECT_NEAR(fit.lens.cy_px, truth.centre_y_px, 2.0);
@@ -112,7 +90,7 @@ TEST(Board, IsReadAsDocumentedAndNotOtherwise) {
 }
 
 TEST(Board, APictureWithoutItHasNoCorners) {
-  Scene scene(small_camera(), 1);
+  Scene scene(bent_camera(), 1);
   const cv::Mat floor = scene.empty_floor({});
   EXPECT_TRUE(camera::Board::parse("chessboard:9x6:0.025").find(floor).pixels.empty());
   EXPECT_TRUE(camera::Board::parse("charuco:7x5:0.04:0.03").find(floor).pixels.empty());

@@ -1,23 +1,12 @@
-"""What the package's tests share: running programs, failing and skipping by one line."""
+"""This machine and the package that was built on it, as the package's tests need them."""
 import glob
 import os
 import shutil
-import subprocess
 import sys
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SKIPPED = 77
-
-
-def skip(why):
-    print(f"skipped: {why}")
-    sys.exit(SKIPPED)
-
-
-def check(good, what):
-    """Ends the test with what is wrong unless `good`."""
-    if not good:
-        sys.exit(f"failed: {what}")
+sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "support"))
+import verdict  # noqa: E402
+from verdict import ROOT, check, skip  # noqa: E402, F401 (its users take them from here)
 
 
 def need(*programs):
@@ -26,12 +15,9 @@ def need(*programs):
             skip(f"{program} is missing; run scripts/setup {package}")
 
 
-def run(*command, good=True, **more):
-    """What the command printed, on both streams. `good`: it must end with status 0."""
-    ended = subprocess.run(command, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                           stdin=subprocess.DEVNULL, check=False, **more)
-    check(not good or ended.returncode == 0, f"{' '.join(command)}: status {ended.returncode}\n{ended.stdout}")
-    return ended.stdout
+def run(*command, **more):
+    """What the command printed; see verdict.run."""
+    return verdict.run(*command, **more)[1]
 
 
 def package(build):

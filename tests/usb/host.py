@@ -1,22 +1,10 @@
-"""What the test's parts share: running programs, failing and skipping by one line."""
+"""This machine, as the test's parts need it."""
 import os
 import shutil
-import subprocess
 import sys
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SKIPPED = 77
-
-
-def skip(why):
-    print(f"skipped: {why}")
-    sys.exit(SKIPPED)
-
-
-def check(good, what):
-    """Ends the test with what is wrong unless `good`."""
-    if not good:
-        sys.exit(f"failed: {what}")
+sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "support"))
+from verdict import ROOT, check, run, skip  # noqa: E402, F401 (its users take them from here)
 
 
 def find(program, package):
@@ -25,11 +13,3 @@ def find(program, package):
     if found is None:
         skip(f"{program} is missing; run scripts/setup {package}")
     return found
-
-
-def run(*command, good=True, **more):
-    """Status and what the command printed, on both streams. `good`: it must end with status 0."""
-    ended = subprocess.run(command, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                           check=False, **more)
-    check(not good or ended.returncode == 0, f"{' '.join(command)}: status {ended.returncode}\n{ended.stdout}")
-    return ended.returncode, ended.stdout

@@ -1,0 +1,39 @@
+#pragma once
+// A calibration board that somebody holds before a small camera.
+
+#include <cmath>
+
+#include "scene.h"
+
+namespace tp100::test {
+
+/// Small, so that many pictures of it are drawn quickly. Its lens is straight until it is bent.
+inline SceneCamera small_camera(const Vec3& place_m) {
+  SceneCamera camera;
+  camera.width_px = 960;
+  camera.height_px = 540;
+  camera.focal_px = 560.0;
+  camera.centre_x_px = 471.0;
+  camera.centre_y_px = 281.0;
+  camera.place_m = place_m;
+  return camera;
+}
+
+/// `bits`, `width_m` wide, with its middle at `middle`, tilted about two axes and turned. [rad]
+inline Decal held(const cv::Mat& bits, double width_m, const Vec3& middle, double tilt_x,
+                  double tilt_y, double turn = 0.0) {
+  const double height_m = width_m * bits.rows / bits.cols;
+  const double cx = std::cos(tilt_x), sx = std::sin(tilt_x);
+  const double cy = std::cos(tilt_y), sy = std::sin(tilt_y);
+  const Vec3 right = {cy, sx * sy, -cx * sy}, down = {0.0, -cx, -sx};
+  const double ct = std::cos(turn), st = std::sin(turn);
+  Decal decal{.bits = bits};
+  for (std::size_t i = 0; i < 3; ++i) {
+    decal.across_m[i] = width_m * (ct * right[i] + st * down[i]);
+    decal.down_m[i] = height_m * (-st * right[i] + ct * down[i]);
+    decal.corner_m[i] = middle[i] - decal.across_m[i] / 2 - decal.down_m[i] / 2;
+  }
+  return decal;
+}
+
+}  // namespace tp100::test
