@@ -29,7 +29,7 @@ bool temporary(int error) { return error == EAGAIN || error == EWOULDBLOCK || er
 }  // namespace
 
 FixedRateLoop::FixedRateLoop(const LoopSettings& settings, Driven& driven)
-    : settings_(settings), driven_(driven) {}
+    : settings_(settings), driven_(driven), port_wait_(settings.period_ns / 2) {}
 
 FixedRateLoop::~FixedRateLoop() {
   request_stop();
@@ -61,12 +61,12 @@ void FixedRateLoop::run() {
   for (;;) {
     adopt();
     const bool fresh = wait(schedule);
+    settle();
     HostNs now = monotonic_now();
     const HostNs began = now;
     last_turn_ns_ = began;
     if (!fresh) statistics_.lateness.add(now - schedule.deadline());
     if (settings_.robot_paced && !fresh) add(statistics_.without_frame, 1);
-    if (fresh) expect_sample(began + settings_.period_ns);
 
     if (stop_.load(std::memory_order_relaxed)) {
       if (stopping_since == 0) stopping_since = now;
@@ -79,20 +79,30 @@ void FixedRateLoop::run() {
     const HostNs stepped = monotonic_now();
     statistics_.compute.add(stepped - now);
     if (port_.fd >= 0) write(stepped);
-    driven_.settle(now);
-    if (driven_.take_hang_up() && port_.fd >= 0) lose(PortEnd::kSilent, 0, now);
+    unsettled_ns_ = now;
+    turn_ns_ = monotonic_now() - began;
+    // What carries the answer on is the kernel's worker, which may need this processor.
+    if (!settings_.robot_paced || port_.fd < 0 || driven_.expects_reply(now)) settle();
 
-    now = monotonic_now();
-    statistics_.work.add(now - began);
     add(statistics_.turns, 1);
     if (settings_.robot_paced) {
       schedule.restart(began, settings_.period_ns + settings_.period_ns / 2);
-    } else if (const std::uint64_t missed = schedule.advance(now); missed > 0) {
+    } else if (const std::uint64_t missed = schedule.advance(monotonic_now()); missed > 0) {
       add(statistics_.overruns, 1);
       add(statistics_.missed, missed);
     }
   }
   if (port_.fd >= 0) driven_.closed(monotonic_now());
+}
+
+// Ends the turn, at the latest before anything of the next one.
+void FixedRateLoop::settle() {
+  if (unsettled_ns_ == 0) return;
+  const HostNs began = monotonic_now();
+  driven_.settle(unsettled_ns_);
+  if (driven_.take_hang_up() && port_.fd >= 0) lose(PortEnd::kSilent, 0, unsettled_ns_);
+  unsettled_ns_ = 0;
+  statistics_.work.add(turn_ns_ + monotonic_now() - began);
 }
 
 void FixedRateLoop::adopt() {
@@ -101,17 +111,10 @@ void FixedRateLoop::adopt() {
   driven_.opened(monotonic_now());
 }
 
-// A robot's next sample is not waited for asleep: waking up takes longer than all that follows.
-void FixedRateLoop::expect_sample(HostNs due) {
-  if (settings_.spin_ns == 0) return;
-  spin_from_ns_ = due - settings_.spin_ns;
-  spin_until_ns_ = due + settings_.spin_ns;
-}
-
 // True if a sample of the robot began the turn. However many samples come, turns are half a period
 // apart.
 bool FixedRateLoop::wait(Schedule& schedule) {
-  const HostNs wake = schedule.deadline() - settings_.spin_ns;
+  const HostNs wake = schedule.deadline() - (settings_.robot_paced ? 0 : settings_.spin_ns);
   const HostNs earliest = last_turn_ns_ + settings_.period_ns / 2;
   bool sample = false;
   for (HostNs now = monotonic_now(); now < wake; now = monotonic_now()) {
@@ -121,14 +124,15 @@ bool FixedRateLoop::wait(Schedule& schedule) {
       sleep_until(wake);
       break;
     }
-    const bool spinning = !sample && now >= spin_from_ns_ && now < spin_until_ns_;
-    if (!sample && !spinning) {
-      const HostNs until = now < spin_from_ns_ ? std::min(wake, spin_from_ns_) : wake;
-      if (!wait_readable(port_.fd, until)) continue;
+    if (!sample && !port_wait_.readable(port_.fd, wake)) {
+      settle();
+      continue;
     }
+    settle();
+    if (port_.fd < 0) continue;
     sample = (read(now) || sample) && settings_.robot_paced;
     if (sample && now >= earliest) return true;
-    if (!spinning) sleep_until(std::min(wake, now + (prompt ? kPromptSpacingNs : kRobotSpacingNs)));
+    sleep_until(std::min(wake, now + (prompt ? kPromptSpacingNs : kRobotSpacingNs)));
   }
   spin_until(schedule.deadline());
   return sample;

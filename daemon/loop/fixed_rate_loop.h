@@ -1,7 +1,7 @@
 #pragma once
 // The real-time thread: owns the descriptor while it works and makes one turn per period:
-// read → received → step → write → settle. Ports come and go through lock-free queues; nothing here
-// wakes another thread.
+// read → received → step → write → settle, the last of it after a pause if a robot paces it. Ports
+// come and go through lock-free queues; nothing here wakes another thread.
 
 #include <atomic>
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "loop/driven.h"
 #include "loop/histogram.h"
 #include "loop/pacing.h"
+#include "loop/port_wait.h"
 #include "loop/real_time.h"
 #include "loop/spsc_queue.h"
 
@@ -20,8 +21,7 @@ struct LoopSettings {
   HostNs period_ns = 5 * kNsPerMs;
   bool robot_paced =
       false;  ///< a turn begins with the robot's sample; the period is then the deadline's base
-  HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; paced by the robot also this long
-                                   ///< before and after its sample is due
+  HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; not for a robot's sample
   OverrunPolicy overrun = OverrunPolicy::kSkipMissed;
   ThreadRequest thread{};
 };
@@ -62,7 +62,7 @@ class FixedRateLoop {
   /// Bytes taken from the port in one read; a flooding peer costs no more per turn.
   static constexpr std::size_t kReadSize = 4096;
 
-  /// `driven` must outlive the loop.
+  /// `driven` must outlive the loop. Throws SetupError if the system gives no timer.
   FixedRateLoop(const LoopSettings& settings, Driven& driven);
   ~FixedRateLoop();
 
@@ -85,7 +85,7 @@ class FixedRateLoop {
  private:
   void run();
   void adopt();
-  void expect_sample(HostNs due);
+  void settle();
   bool wait(Schedule& schedule);
   bool read(HostNs& now);
   void write(HostNs now);
@@ -93,6 +93,7 @@ class FixedRateLoop {
 
   LoopSettings settings_;
   Driven& driven_;
+  PortWait port_wait_;
   LoopStatistics statistics_;
   SpscQueue<OfferedPort, 8> offered_;
   SpscQueue<LostPort, 8> lost_;
@@ -105,7 +106,8 @@ class FixedRateLoop {
   OfferedPort port_{};
   HostNs stuck_since_ns_ = 0;
   HostNs last_turn_ns_ = 0;
-  HostNs spin_from_ns_ = 0, spin_until_ns_ = 0;  // around the robot's next sample
+  HostNs turn_ns_ = 0;       // what the last turn took without settling
+  HostNs unsettled_ns_ = 0;  // its time, until it has been settled
 };
 
 }  // namespace tp100::loop

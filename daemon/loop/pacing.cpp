@@ -1,6 +1,5 @@
 #include "loop/pacing.h"
 
-#include <poll.h>
 #include <time.h>
 
 #include <cerrno>
@@ -42,13 +41,6 @@ void sleep_until(HostNs deadline) {
 void spin_until(HostNs deadline) {
   while (monotonic_now() < deadline) {
   }
-}
-
-bool wait_readable(int fd, HostNs deadline) {
-  const HostNs left = deadline - monotonic_now();
-  const timespec timeout = to_timespec(left > 0 ? left : 0);
-  pollfd wait{fd, POLLIN, 0};
-  return ::ppoll(&wait, 1, &timeout, nullptr) > 0;
 }
 
 }  // namespace tp100::loop

@@ -38,7 +38,5 @@ class Schedule {
 void sleep_until(HostNs deadline);
 /// Busy until `deadline`: only for the last tens of microseconds.
 void spin_until(HostNs deadline);
-/// Waits until `fd` has bytes or an error (true), or until `deadline` (false).
-bool wait_readable(int fd, HostNs deadline);
 
 }  // namespace tp100::loop

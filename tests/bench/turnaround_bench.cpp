@@ -19,7 +19,7 @@ namespace tp100 {
 namespace {
 
 constexpr HostNs kSampleNs = wire::kSamplePeriodUs * kNsPerUs;
-constexpr HostNs kPatienceNs = kNsPerS;
+constexpr int kPatienceMs = 1000;
 constexpr HostNs kConnectNs = 30 * kNsPerS;
 // Clock sync and first turns.
 constexpr HostNs kWarmUpNs = kNsPerS;
@@ -51,7 +51,7 @@ class Robot {
     robot_.heard.commands.clear();
     pty_.write(frame);
     std::size_t echoed = 0;
-    while (loop::wait_readable(pty_.far(), began + kPatienceNs)) {
+    while (pty_.wait(kPatienceMs)) {
       const auto bytes = pty_.read();
       const HostNs now = loop::monotonic_now();
       echoed += bytes.size();
@@ -67,7 +67,7 @@ class Robot {
 
  private:
   bool greet() {
-    loop::wait_readable(pty_.far(), loop::monotonic_now() + kNsPerMs);
+    pty_.wait(1);
     const HostNs now = loop::monotonic_now();
     hear(pty_.read(), now);
     robot_.tick(now);

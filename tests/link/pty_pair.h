@@ -47,6 +47,11 @@ class PtyPair {
   const std::string& near() const { return near_; }
   int far() const { return far_; }
 
+  /// False: the near end wrote nothing for so long.
+  bool wait(int patience_ms) const {
+    pollfd far{far_, POLLIN, 0};
+    return ::poll(&far, 1, patience_ms) > 0;
+  }
   std::vector<std::uint8_t> read() const {
     std::uint8_t buffer[4096];
     const ssize_t n = ::read(far_, buffer, sizeof buffer);

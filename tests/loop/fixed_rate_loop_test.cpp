@@ -21,12 +21,16 @@ class Echo : public Driven {
   void opened(HostNs) override { ++openings; }
   void closed(HostNs) override { ++closings; }
   bool received(std::span<const std::uint8_t> bytes, HostNs) override {
+    if (settled != steps) ++settled_too_late;
     received_bytes += bytes.size();
     if (bytes.size() > largest_read) largest_read = bytes.size();
     if (echo) out_.insert(out_.end(), bytes.begin(), bytes.end());
     return true;
   }
-  void step(HostNs) override { ++steps; }
+  void step(HostNs) override {
+    if (settled != steps) ++settled_too_late;
+    ++steps;
+  }
   void settle(HostNs) override {
     ++settled;
     if (!out_.empty()) ++settled_too_early;
@@ -44,8 +48,8 @@ class Echo : public Driven {
   bool wind_up(HostNs) override { return ++wind_ups >= wind_up_turns; }
 
   std::atomic<int> openings{0}, closings{0}, drops{0}, wind_ups{0}, wind_up_turns{1};
-  std::atomic<std::uint64_t> steps{0}, settled{0}, settled_too_early{0}, received_bytes{0},
-      largest_read{0};
+  std::atomic<std::uint64_t> steps{0}, settled{0}, settled_too_early{0}, settled_too_late{0},
+      received_bytes{0}, largest_read{0};
   std::atomic<bool> echo{true}, prompt{false}, hang_up{false};
 
  private:
@@ -116,28 +120,36 @@ TEST(FixedRateLoop, ReadsStepsAndWrites) {
     EXPECT_EQ(echo.closings, 1);
     EXPECT_EQ(echo.settled, echo.steps);
     EXPECT_EQ(echo.settled_too_early, 0u);
+    EXPECT_EQ(echo.settled_too_late, 0u);
   }
 }
 
 TEST(FixedRateLoop, GivesALostPortBackAndTakesTheNext) {
-  Echo echo;
-  SocketPair first;
-  SocketPair second;
-  FixedRateLoop loop(settings(), echo);
-  loop.start();
-  ASSERT_TRUE(loop.offer({first.ends[0], 1}));
-  EXPECT_TRUE(eventually([&] { return echo.openings == 1; }));
-  first.close_far();
-  LostPort lost;
-  ASSERT_TRUE(eventually([&] { return loop.take_lost(lost); }));
-  EXPECT_EQ(lost.id, 1u);
-  EXPECT_EQ(lost.end, PortEnd::kHungUp);
-  ASSERT_TRUE(loop.offer({second.ends[0], 2}));
-  EXPECT_TRUE(eventually([&] { return echo.openings == 2; }));
-  echo.hang_up = true;
-  ASSERT_TRUE(eventually([&] { return loop.take_lost(lost); }));
-  EXPECT_EQ(lost.id, 2u);
-  EXPECT_EQ(lost.end, PortEnd::kSilent);
+  for (const bool robot_paced : {false, true}) {
+    Echo echo;
+    SocketPair first;
+    SocketPair second;
+    LoopSettings set = settings();
+    set.robot_paced = robot_paced;
+    FixedRateLoop loop(set, echo);
+    loop.start();
+    ASSERT_TRUE(loop.offer({first.ends[0], 1}));
+    EXPECT_TRUE(eventually([&] { return echo.openings == 1; }));
+    first.close_far();
+    LostPort lost;
+    ASSERT_TRUE(eventually([&] { return loop.take_lost(lost); }));
+    EXPECT_EQ(lost.id, 1u);
+    EXPECT_EQ(lost.end, PortEnd::kHungUp);
+    ASSERT_TRUE(loop.offer({second.ends[0], 2}));
+    EXPECT_TRUE(eventually([&] { return echo.openings == 2; }));
+    echo.hang_up = true;
+    ASSERT_TRUE(eventually([&] { return loop.take_lost(lost); }));
+    EXPECT_EQ(lost.id, 2u);
+    EXPECT_EQ(lost.end, PortEnd::kSilent);
+    loop.request_stop();
+    loop.join();
+    EXPECT_EQ(echo.settled_too_late, 0u);
+  }
 }
 
 TEST(FixedRateLoop, DropsOutputThatNobodyTakes) {
@@ -173,14 +185,13 @@ TEST(FixedRateLoop, EndsEvenIfWindingUpNeverSucceeds) {
   EXPECT_TRUE(eventually([&] { return loop.ended(); }));
 }
 
-// Asleep or, around the time at which it is due, awake: each sample begins a turn and is answered.
 TEST(FixedRateLoop, PacedByTheRobotEverySampleIsAnswered) {
-  for (const HostNs spin_ns : {HostNs{0}, 300 * kNsPerUs}) {
+  for (const bool prompt : {false, true}) {
     Echo echo;
+    echo.prompt = prompt;
     SocketPair sockets;
     LoopSettings set = settings();
     set.robot_paced = true;
-    set.spin_ns = spin_ns;
     FixedRateLoop loop(set, echo);
     loop.start();
     ASSERT_TRUE(loop.offer({sockets.ends[0], 1}));
@@ -194,6 +205,8 @@ TEST(FixedRateLoop, PacedByTheRobotEverySampleIsAnswered) {
     loop.request_stop();
     loop.join();
     EXPECT_GT(loop.statistics().turns, loop.statistics().without_frame.load());
+    EXPECT_EQ(loop.statistics().work.count(), echo.steps);
+    EXPECT_EQ(echo.settled_too_late, 0u);
   }
 }
 
