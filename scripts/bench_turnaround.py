@@ -2,7 +2,9 @@
 
 Usage: bench_turnaround.py FOLDER_OF_PROGRAMS. Waking somebody on another processor takes longer than all that a bridge
 does, and where the kernel puts whom is chance. Three placements are therefore told apart: "together" (robot and who
-answers on one processor), "apart" (on two) and "any" (as the kernel likes); ratios are taken within each.
+answers on one processor), "apart" (on two) and "any" (as the kernel likes); ratios are taken within each. Left to the
+kernel, an ordinary program follows whoever wakes it to his processor, one at SCHED_FIFO stays where it is, if that
+processor has no idle time to show: so each bridge has an echo of its own priority beside it too ("/own").
 """
 import collections
 import json
@@ -17,9 +19,11 @@ from bench_table import ROOT, Table, percentile, ratio, rounds, seconds
 BASE = "bare C echo"
 FIFO = "C echo, FIFO"
 OURS = "tp100d, robot-paced"
+ORDINARY = "tp100d, ordinary"
 # Its median is the wait for the next turn of the loop, by design.
 HOST_PACED = "tp100d, host-paced"
 TEXT = "text files, "
+OWN_ECHO = {OURS: FIFO, HOST_PACED: FIFO, FIFO: FIFO}
 LAST = str(os.cpu_count() - 1)
 # Placement: (the robot's processor, the answering one's), None: any.
 PLACEMENTS = {"any": (None, None), "together": (LAST, LAST)} | ({"apart": ("0", LAST)} if LAST != "0" else {})
@@ -31,10 +35,10 @@ def script(name):
 
 def peers(programs, folder):
     """Who answers, as (kind, command)."""
-    def daemon(pacing):
-        config = os.path.join(folder, pacing + ".toml")
+    def daemon(pacing, *more):
+        config = os.path.join(folder, "-".join((pacing, *more)) + ".toml")
         with open(config, "w") as file:
-            file.write(f'[loop]\npacing = "{pacing}"\n')
+            file.write("\n".join(("[loop]", f'pacing = "{pacing}"', *more, "")))
         return ("daemon", [os.path.join(programs, "tp100d"), "run", "--port", "PORT", "--listen", "off",
                            "--config", config])
 
@@ -45,6 +49,7 @@ def peers(programs, folder):
         BASE: ("echo", [echo, "PORT"]),
         FIFO: ("echo", ["chrt", "-f", "80", echo, "PORT"]),
         OURS: daemon("robot"),
+        ORDINARY: daemon("robot", "priority = 0", "spin_us = 0"),
         HOST_PACED: daemon("host"),
         "Python os.read": ("echo", [sys.executable, script("bench_echo.py"), "PORT"]),
         TEXT + "every 10 ms": text(0.01),
@@ -83,9 +88,11 @@ def show(table, load, placement, times, lost):
     figures = {name: {f"{key}_us": percentile(of, share) for key, share in
                       (("p50", 0.5), ("p99", 0.99), ("p999", 0.999))} for name, of in times.items() if of}
     for name, of in figures.items():
+        own = figures[OWN_ECHO.get(name, BASE)]
         table.row(load=load, placement=placement, peer=name, count=len(times[name]), unanswered=lost[name], **of,
                   p50_ratio=ratio(of["p50_us"], figures[BASE]["p50_us"]),
-                  p99_ratio=ratio(of["p99_us"], figures[BASE]["p99_us"]))
+                  p99_ratio=ratio(of["p99_us"], figures[BASE]["p99_us"]),
+                  p50_own_ratio=ratio(of["p50_us"], own["p50_us"]), p99_own_ratio=ratio(of["p99_us"], own["p99_us"]))
     for name, of in figures.items():
         if name.startswith(TEXT):
             table.note(f"{load}: {name}: p99 {ratio(of['p99_us'], figures[OURS]['p99_us']):.0f} times that of {OURS}")
@@ -97,10 +104,11 @@ def main():
                   [("load", "load", "<4s"), ("placement", "placed", "<8s"), ("peer", "answered by", "<24s"),
                    ("count", "samples", "6d"), ("p50_us", "p50", "9.1f"), ("p99_us", "p99", "9.1f"),
                    ("p999_us", "p99.9", "9.1f"), ("p50_ratio", "/C p50", "8.2f"), ("p99_ratio", "/C p99", "8.2f"),
+                   ("p50_own_ratio", "/own p50", "8.2f"), ("p99_own_ratio", "/own p99", "8.2f"),
                    ("unanswered", "lost", "4d")])
     with tempfile.TemporaryDirectory(prefix="tp100-bench-") as folder:
         candidates = peers(programs, folder)
-        bridges = {name: candidates[name] for name in (BASE, FIFO, OURS)}
+        bridges = {name: candidates[name] for name in (BASE, FIFO, OURS, ORDINARY)}
         for busy in (False, True):
             for placement in PLACEMENTS:
                 # The text files take two programs, and one that spins on a single processor would measure itself.
