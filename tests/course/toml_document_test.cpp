@@ -131,7 +131,7 @@ TEST(TomlDocument, SurvivesDeepAndLargeFiles) {
   EXPECT_THAT(told("a = " + tables, read_speed), StartsWith("f.toml:"));
   EXPECT_THAT(told(std::string(kMaxTomlSize + 1, '#'), read_speed),
               HasSubstr("larger than 256 kB"));
-  EXPECT_THAT(told(std::string(100000, 'a') + " = 1", read_speed), HasSubstr("aaa...'"));
+  EXPECT_THAT(told(std::string(100000, 'a').append(" = 1"), read_speed), HasSubstr("aaa...'"));
 }
 
 TEST(TomlDocument, ValuesAreOfAnySimpleType) {
