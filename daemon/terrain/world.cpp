@@ -12,6 +12,9 @@ namespace {
 // The tilt moves the centre of mass and shortens the belt, which change the tilt.
 constexpr int kRounds = 12;
 constexpr double kSettledRad = 1e-5;
+// Tilts that close in at least so fast are followed to where they lead (Aitken's delta squared),
+// which is then no farther than the last change.
+constexpr double kClosesIn = 0.5;
 // Beside walls that no belt climbs.
 constexpr double kSteepestRad = 1.2;
 // More pieces than this never lie under one robot.
@@ -52,11 +55,13 @@ World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
   if (count == 0) return result;
   result.slope_rad = std::clamp(slope_rad, -kSteepestRad, kSteepestRad);
 
+  double tried_rad = result.slope_rad, tried_before_rad = 0.0;
   WheelHeights wheel{};
   std::array<Obstacle, CarryingLine::kPlaces> ground{};
   for (int round = 0; round < kRounds; ++round) {
-    const double c = std::cos(result.slope_rad);
-    const double s = std::sin(result.slope_rad);
+    tried_rad = std::clamp(tried_rad, -kSteepestRad, kSteepestRad);
+    const double c = std::cos(tried_rad);
+    const double s = std::sin(tried_rad);
     const double middle = -radius * s;
     const double half = shape_.axle_spacing_m / 2.0 * c;
     const double step = 2.0 * half / (CarryingLine::kPlaces - 1);
@@ -70,10 +75,16 @@ World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
     const double slope = line.rise / step;
     result.obstacle = std::max(ground[line.before], ground[line.after]);
     const double tilt = std::clamp(std::atan(slope), -kSteepestRad, kSteepestRad);
-    const bool settled = std::abs(tilt - result.slope_rad) < kSettledRad;
     result.slope_rad = tilt;
     result.height_m = line.height + slope * (half - com) - radius * std::cos(tilt);
-    if (settled) break;
+    const double change = tilt - tried_rad;
+    if (std::abs(change) < kSettledRad) break;
+    const double change_before = tried_rad - tried_before_rad;
+    tried_before_rad = tried_rad;
+    tried_rad = tilt;
+    // Every other round: the one after a leap belongs to no sequence.
+    if (round % 2 == 1 && std::abs(change) < kClosesIn * std::abs(change_before))
+      tried_rad += change * change / (change_before - change);
   }
   return result;
 }
