@@ -140,12 +140,18 @@ void examine_tracks(Examination& all, const DoctorOptions& options) {
     return;
   }
   const VisitOptions visit = visit_options(all, options);
-  try {
-    append(all.findings,
-           try_wheels_up({visit.port, visit.serial, visit.session, all.robot.drive}, stop));
-  } catch (const SetupError& error) {
-    append(all.findings, doctor::robot_findings({.port = visit.port, .open_error = error.what()}));
-  }
+  const LoopSettings& settings = all.configuration.loop;
+  // With a run's priority: belts that run want a command every 200 ms, however busy the machine is.
+  std::thread([&] {
+    loop::apply_to_this_thread({settings.priority, settings.cpu});
+    try {
+      append(all.findings,
+             try_wheels_up({visit.port, visit.serial, visit.session, all.robot.drive}, stop));
+    } catch (const SetupError& error) {
+      append(all.findings,
+             doctor::robot_findings({.port = visit.port, .open_error = error.what()}));
+    }
+  }).join();
 }
 
 void examine_host(Examination& all) {
