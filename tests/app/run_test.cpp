@@ -82,6 +82,14 @@ class Run : public ::testing::Test {
     }
     throw std::runtime_error("no page is served");
   }
+  // Its own figures have `word`.
+  void says_of_itself(const std::string& word) const {
+    for (int i = 0; i < 4000; ++i) {
+      if (stats().find(word) != std::string::npos) return;
+      std::this_thread::sleep_for(5ms);
+    }
+    ADD_FAILURE() << word << " is not in " << stats();
+  }
   bool eventually(const std::function<bool(const ScriptedRobot&)>& condition) {
     for (int i = 0; i < 4000; ++i) {
       if (robot_->with(condition)) return true;
@@ -185,7 +193,8 @@ TEST_F(Run, SigtermEndsItInEveryState) {
   for (const bool silent : {false, true}) {
     if (silent) robot_->plug_in();
     robot_->with([&](ScriptedRobot& robot) { robot.silent = silent; });
-    EXPECT_EQ(run([] { std::this_thread::sleep_for(200ms); }), 1);
+    std::filesystem::remove(stats_path());
+    EXPECT_EQ(run([&] { says_of_itself(silent ? "\"listening\"" : "\"closed\""); }), 1);
     EXPECT_EQ(log_.find("-> ready"), std::string::npos) << log_;
   }
   robot_->with([](ScriptedRobot& robot) { robot.silent = false; });
