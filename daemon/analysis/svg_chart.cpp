@@ -57,6 +57,17 @@ double tick_step(double span) {
   return 10.0 * power;
 }
 
+/// Round values of a range.
+std::vector<double> ticks(const Range& range) {
+  const double step = tick_step(range.high - range.low);
+  const double first = std::ceil(range.low / step);
+  const auto count =
+      static_cast<std::size_t>(std::max(0.0, std::floor(range.high / step) - first + 1.0));
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = (first + static_cast<double>(i)) * step;
+  return values;
+}
+
 class Frame {
  public:
   explicit Frame(const Chart& chart)
@@ -81,17 +92,16 @@ class Frame {
     std::string out =
         format("<rect x='%.0f' y='%.0f' width='%.0f' height='%.0f' fill='none' stroke='#999'/>",
                kLeft, kTop, width_, height_);
-    const double dx = tick_step(x_.high - x_.low), dy = tick_step(y_.high - y_.low);
-    for (double v = std::ceil(x_.low / dx) * dx; v <= x_.high; v += dx)
+    for (const double v : ticks(x_))
       out += format(
           "<path d='M%.1f %.1fv%.1f' stroke='#e4e4e4'/><text x='%.1f' y='%.1f' "
           "text-anchor='middle'>%g</text>",
-          x(v), kTop, height_, x(v), kTop + height_ + 15, std::abs(v) < dx * 1e-6 ? 0.0 : v);
-    for (double v = std::ceil(y_.low / dy) * dy; v <= y_.high; v += dy)
+          x(v), kTop, height_, x(v), kTop + height_ + 15, v);
+    for (const double v : ticks(y_))
       out += format(
           "<path d='M%.1f %.1fh%.1f' stroke='#e4e4e4'/><text x='%.1f' y='%.1f' "
           "text-anchor='end'>%g</text>",
-          kLeft, y(v), width_, kLeft - 5, y(v) + 4, std::abs(v) < dy * 1e-6 ? 0.0 : v);
+          kLeft, y(v), width_, kLeft - 5, y(v) + 4, v);
     return out;
   }
   double middle_x() const { return kLeft + width_ / 2; }

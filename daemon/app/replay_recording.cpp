@@ -164,9 +164,9 @@ int run_replay_recording(const ReplayOptions& options) {
     std::printf("%s: cut off at %s\n", path.c_str(), seconds(result.last_ns - start).c_str());
   if (result.gap_before) {
     std::fprintf(stderr,
-                 "tp100d: %s: steps %llu to %llu are missing; what follows cannot be replayed\n",
-                 path.c_str(), static_cast<unsigned long long>(result.steps + 1),
-                 static_cast<unsigned long long>(*result.gap_before - 1));
+                 "tp100d: %s: steps %s to %s are missing; what follows cannot be replayed\n",
+                 path.c_str(), std::to_string(result.steps + 1).c_str(),
+                 std::to_string(*result.gap_before - 1).c_str());
     return 1;
   }
   if (result.differs_at) {

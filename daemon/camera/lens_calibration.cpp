@@ -28,6 +28,7 @@ bool moved(const BoardCorners& a, const BoardCorners& b) {
 }
 
 double cover(const std::vector<BoardCorners>& views, cv::Size size) {
+  if (size.empty()) return 0.0;
   std::set<int> fields;
   for (const BoardCorners& view : views)
     for (const cv::Point2f& pixel : view.pixels)

@@ -37,6 +37,7 @@ double shortest_side(const std::array<cv::Point2f, 4>& corners) {
 const std::vector<std::string_view>& dictionary_names() {
   static const std::vector<std::string_view> kAll = [] {
     std::vector<std::string_view> names;
+    names.reserve(std::size(kNames));
     for (const auto& [name, number] : kNames) names.push_back(name);
     return names;
   }();
