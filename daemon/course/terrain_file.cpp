@@ -57,6 +57,7 @@ std::vector<Piece> read(TomlTable& root, const char* name, Piece (*piece_of)(Tom
   const std::vector<TomlTable> tables = root.tables(name);
   if (tables.size() > kMaxPieces) root.fail(name, std::string("more than 50 [[") + name + "]]");
   std::vector<Piece> pieces;
+  pieces.reserve(tables.size());
   for (const TomlTable& table : tables) pieces.push_back(piece_of(table));
   return pieces;
 }
