@@ -22,8 +22,8 @@ class Driven {
   virtual bool received(std::span<const std::uint8_t> bytes, HostNs now) = 0;
   /// One turn, up to the bytes to write.
   virtual void step(HostNs now) = 0;
-  /// The rest of the turn, once they are written: what the robot does not wait for. `now` as in
-  /// step().
+  /// The rest of the turn, once they are written: what the robot does not wait for. If it paces the
+  /// loop, up to half a period later, but before more is read or stepped. `now` as in step().
   virtual void settle(HostNs now) = 0;
 
   /// Bytes to write, in order.
