@@ -22,7 +22,7 @@ namespace http = beast::http;
 constexpr auto kRequestTime = std::chrono::seconds(5);
 constexpr auto kWriteTime = std::chrono::seconds(10);
 constexpr std::uint32_t kMaxHeader = 8 * 1024;
-constexpr std::size_t kPart = 64 * 1024;
+constexpr std::size_t kPart = 65'536;
 
 beast::string_view view(std::string_view text) { return {text.data(), text.size()}; }
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }

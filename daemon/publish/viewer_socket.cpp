@@ -13,10 +13,10 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-constexpr std::size_t kMaxMessage = 64 * 1024;
+constexpr std::size_t kMaxMessage = 65'536;
 constexpr double kMessagesPerS = 500.0;
 constexpr double kBytesPerToken = 1024.0;
-constexpr std::size_t kReadLimit = 512 * 1024;  // bytes a second
+constexpr std::size_t kReadLimit = 524'288;  // bytes a second
 constexpr int kMaxMalformed = 20;
 constexpr int kMaxSecondsNotOpen = 2;
 constexpr HostNs kWriteLimitNs = 10 * kNsPerS;
