@@ -55,9 +55,9 @@ std::string range_and_unit(std::string_view key, Range range) {
 }
 
 Origins read_origins(std::string_view text, std::string_view table) {
-  constexpr std::string_view kFirst = "# From ";
+  constexpr std::string_view kFirst = "# From";
   Origins origins;
-  bool inside = false;
+  bool inside = false, within = false;
   std::string origin;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -65,15 +65,19 @@ Origins read_origins(std::string_view text, std::string_view table) {
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.starts_with('[')) inside = line == "[" + std::string(table) + "]";
-    if (line.starts_with(kFirst)) {
-      origin = line.substr(kFirst.size());
-    } else if (line.starts_with("# ") && !origin.empty()) {
+    // A line that goes on may begin with "From", too, and a long word leaves it alone on the first.
+    if (within && line.starts_with("# ")) {
       origin += line.substr(1);
+    } else if (line == kFirst || line.starts_with(std::string(kFirst) + " ")) {
+      within = true;
+      origin = line.substr(kFirst.size());
     } else {
       const std::size_t equals = line.find(" = ");
+      if (origin.starts_with(' ')) origin.erase(0, 1);
       if (origin.ends_with('.')) origin.pop_back();
       if (inside && !origin.empty() && equals != std::string_view::npos)
         origins[std::string(line.substr(0, equals))] = origin;
+      within = false;
       origin.clear();
     }
   }

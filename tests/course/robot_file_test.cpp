@@ -79,6 +79,14 @@ TEST(RobotFile, SaysWhereValuesCameFromAndReadsItBack) {
   EXPECT_TRUE(parse_robot("[drive]\n# From nowhere.\nspeed_kp = 4.0\n", "r.toml").origins.empty());
 }
 
+TEST(RobotFile, ReadsAnOriginBackWhereverItsLinesBreak) {
+  Robot robot;
+  for (std::size_t before = 1; before < 200; ++before) {
+    robot.origins["slip_left"] = std::string(before, 'x') + " in a letter. From there on as before";
+    EXPECT_EQ(parse_robot(write_robot(robot, ""), "r.toml").origins, robot.origins) << before;
+  }
+}
+
 TEST(RobotFile, AWheelbaseOnTheSpotIsOffOrPossible) {
   EXPECT_EQ(told("[model]\nwheelbase_spin_m = 0\n"), "");
   EXPECT_EQ(told("[model]\nwheelbase_spin_m = 0.01\n"),
