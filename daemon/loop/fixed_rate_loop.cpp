@@ -124,12 +124,9 @@ bool FixedRateLoop::wait(Schedule& schedule) {
       sleep_until(wake);
       break;
     }
-    if (!sample && !port_wait_.readable(port_.fd, wake)) {
-      settle();
-      continue;
-    }
+    const bool readable = sample || port_wait_.readable(port_.fd, wake);
     settle();
-    if (port_.fd < 0) continue;
+    if (!readable || port_.fd < 0) continue;
     sample = (read(now) || sample) && settings_.robot_paced;
     if (sample && now >= earliest) return true;
     sleep_until(std::min(wake, now + (prompt ? kPromptSpacingNs : kRobotSpacingNs)));
