@@ -9,8 +9,8 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <future>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "app/bundled_files.h"
@@ -57,14 +57,22 @@ doctor::Account this_account() {
   return account;
 }
 
-/// Asks for the privileges of a run, in a thread that ends with them.
+/// What `work` makes of the privileges of a run's loop, in a thread that ends with them.
+template <class Work>
+auto with_privileges(const LoopSettings& settings, const Work& work) {
+  const auto privileged = [&] {
+    return work(loop::apply_to_this_thread({settings.priority, settings.cpu}));
+  };
+  return std::async(std::launch::async, privileged).get();
+}
+
+/// Asks for the privileges of a run.
 std::vector<loop::Grant> ask_privileges(const LoopSettings& settings) {
   const loop::RealTimeProcess process({settings.lock_memory, settings.hold_cpu_latency});
   std::vector<loop::Grant> grants = process.grants();
-  std::thread([&] {
-    const auto more = loop::apply_to_this_thread({settings.priority, settings.cpu});
-    grants.insert(grants.end(), more.begin(), more.end());
-  }).join();
+  const auto more =
+      with_privileges(settings, [](const std::vector<loop::Grant>& of) { return of; });
+  grants.insert(grants.end(), more.begin(), more.end());
   return grants;
 }
 
@@ -140,18 +148,14 @@ void examine_tracks(Examination& all, const DoctorOptions& options) {
     return;
   }
   const VisitOptions visit = visit_options(all, options);
-  const LoopSettings& settings = all.configuration.loop;
-  // With a run's priority: belts that run want a command every 200 ms, however busy the machine is.
-  std::thread([&] {
-    loop::apply_to_this_thread({settings.priority, settings.cpu});
-    try {
-      append(all.findings,
-             try_wheels_up({visit.port, visit.serial, visit.session, all.robot.drive}, stop));
-    } catch (const SetupError& error) {
-      append(all.findings,
-             doctor::robot_findings({.port = visit.port, .open_error = error.what()}));
-    }
-  }).join();
+  try {
+    // Belts that run want a command every 200 ms, however busy the machine is.
+    append(all.findings, with_privileges(all.configuration.loop, [&](const auto&) {
+             return try_wheels_up({visit.port, visit.serial, visit.session, all.robot.drive}, stop);
+           }));
+  } catch (const SetupError& error) {
+    append(all.findings, doctor::robot_findings({.port = visit.port, .open_error = error.what()}));
+  }
 }
 
 void examine_host(Examination& all) {
