@@ -8,6 +8,8 @@
 #include <chrono>
 #include <thread>
 
+#include "core/angle.h"
+
 namespace tp100::app {
 namespace {
 
@@ -106,7 +108,7 @@ void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs n
       "x {:.3f} m, y {:.3f} m, yaw {:.1f} deg; samples {}, lost {}, bad frames {}, overruns {}; "
       "clock "
       "drift {:.1f} ppm, +-{:.0f} us; battery {:.2f} V",
-      pose.x_m, pose.y_m, pose.yaw_rad * 57.29577951308232, link.samples, link.lost, link.damaged(),
+      pose.x_m, pose.y_m, pose.yaw_rad * kDegPerRad, link.samples, link.lost, link.damaged(),
       overruns, status.clock.drift * 1e6, status.clock.uncertainty_us,
       status.snapshot.sample.battery_v);
 }

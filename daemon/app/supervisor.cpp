@@ -17,6 +17,7 @@
 #include "app/operator_input.h"
 #include "app/service_notice.h"
 #include "app/stats_file.h"
+#include "core/angle.h"
 #include "core/error.h"
 
 namespace tp100::app {
@@ -380,7 +381,7 @@ void Supervisor::State::summarize() const {
   std::printf("%s: %s after %.1f s at x %.3f m, y %.3f m, yaw %.1f deg; %llu samples, %llu lost\n",
               settings.course.empty() ? "no course" : settings.course.c_str(),
               figures.result.c_str(), figures.duration_s, snapshot.odometry.x_m,
-              snapshot.odometry.y_m, snapshot.odometry.yaw_rad * 57.29577951308232,
+              snapshot.odometry.y_m, snapshot.odometry.yaw_rad * kDegPerRad,
               static_cast<unsigned long long>(link.samples),
               static_cast<unsigned long long>(link.lost));
   if (!figures.recording.file.empty()) {
