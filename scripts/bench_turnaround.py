@@ -2,9 +2,9 @@
 
 Usage: bench_turnaround.py FOLDER_OF_PROGRAMS. Waking somebody on another processor takes longer than all that a bridge
 does, and where the kernel puts whom is chance. Three placements are therefore told apart: "together" (robot and who
-answers on one processor), "apart" (on two) and "any" (as the kernel likes); ratios are taken within each. Left to the
-kernel, an ordinary program follows whoever wakes it to his processor, one at SCHED_FIFO stays where it is, if that
-processor has no idle time to show: so each bridge has an echo of its own priority beside it too ("/own").
+answers on one processor), "apart" (on two) and "any" (as the kernel likes); ratios are taken within each. On a busy
+machine the kernel moves an ordinary program to the processor of whoever wakes it, and leaves one at SCHED_FIFO where it
+was: so each bridge has an echo of its own priority beside it too ("/own").
 """
 import collections
 import json
@@ -49,7 +49,7 @@ def peers(programs, folder):
         BASE: ("echo", [echo, "PORT"]),
         FIFO: ("echo", ["chrt", "-f", "80", echo, "PORT"]),
         OURS: daemon("robot"),
-        ORDINARY: daemon("robot", "priority = 0", "spin_us = 0"),
+        ORDINARY: daemon("robot", "priority = 0"),
         HOST_PACED: daemon("host"),
         "Python os.read": ("echo", [sys.executable, script("bench_echo.py"), "PORT"]),
         TEXT + "every 10 ms": text(0.01),

@@ -5,6 +5,7 @@
 
 #include <sched.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -19,12 +20,16 @@ namespace tp100 {
 namespace {
 
 constexpr HostNs kSampleNs = wire::kSamplePeriodUs * kNsPerUs;
-constexpr int kPatienceMs = 1000;
+constexpr HostNs kPatienceNs = kNsPerS;
 constexpr HostNs kConnectNs = 30 * kNsPerS;
 // Clock sync and first turns.
 constexpr HostNs kWarmUpNs = kNsPerS;
 // Before whatever answers: a robot does not wait for its host's processor.
 constexpr int kPriority = 90;
+
+int milliseconds_until(HostNs at) {
+  return static_cast<int>(std::max<HostNs>(0, at - loop::monotonic_now()) / kNsPerMs);
+}
 
 class Robot {
  public:
@@ -51,7 +56,7 @@ class Robot {
     robot_.heard.commands.clear();
     pty_.write(frame);
     std::size_t echoed = 0;
-    while (pty_.wait(kPatienceMs)) {
+    while (pty_.wait(milliseconds_until(began + kPatienceNs))) {
       const auto bytes = pty_.read();
       const HostNs now = loop::monotonic_now();
       echoed += bytes.size();
