@@ -70,33 +70,36 @@ class Run : public ::testing::Test {
     text << std::ifstream(stats_path()).rdbuf();
     return text.str();
   }
+  static bool soon(const std::function<bool()>& condition) {
+    for (int i = 0; i < 4000; ++i) {
+      if (condition()) return true;
+      std::this_thread::sleep_for(5ms);
+    }
+    return false;
+  }
   // Port of the page, once it is served.
   std::string page() const {
     static const std::string kBefore = "http://127.0.0.1:";
-    for (int i = 0; i < 4000; ++i) {
+    std::string served;
+    const bool any = soon([&] {
       const std::string text = stats();
       const std::size_t at = text.find(kBefore), end = text.find('/', at + kBefore.size());
-      if (end != std::string::npos && at != std::string::npos)
-        return text.substr(at + kBefore.size(), end - at - kBefore.size());
-      std::this_thread::sleep_for(5ms);
-    }
-    throw std::runtime_error("no page is served");
+      if (end == std::string::npos || at == std::string::npos) return false;
+      served = text.substr(at + kBefore.size(), end - at - kBefore.size());
+      return true;
+    });
+    if (!any) throw std::runtime_error("no page is served");
+    return served;
   }
   // Its own figures have `word`.
   void says_of_itself(const std::string& word) const {
-    for (int i = 0; i < 4000; ++i) {
-      if (stats().find(word) != std::string::npos) return;
-      std::this_thread::sleep_for(5ms);
-    }
-    ADD_FAILURE() << word << " is not in " << stats();
+    EXPECT_TRUE(soon([&] { return stats().find(word) != std::string::npos; }))
+        << word << " is not in " << stats();
   }
   bool eventually(const std::function<bool(const ScriptedRobot&)>& condition) {
-    for (int i = 0; i < 4000; ++i) {
-      if (robot_->with(condition)) return true;
-      std::this_thread::sleep_for(5ms);
-    }
-    ADD_FAILURE() << "did not happen";
-    return false;
+    const bool happened = soon([&] { return robot_->with(condition); });
+    EXPECT_TRUE(happened) << "did not happen";
+    return happened;
   }
   static bool commanded(const ScriptedRobot& robot) { return robot.heard.commands.size() > 20; }
 
