@@ -1,60 +1,24 @@
 #include "bridge/step.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
-#include "bridge/grip.h"
-#include "bridge/grounds.h"
 #include "bridge/live_parameters.h"
 #include "bridge/outer_world.h"
-#include "bridge/tracks.h"
+#include "bridge/perception.h"
 #include "control/arming.h"
 #include "control/belt_limits.h"
 #include "control/monitor.h"
 #include "control/recovery.h"
 #include "control/tracker.h"
-#include "core/angle.h"
 #include "core/error.h"
-#include "estimation/attitude_filter.h"
-#include "estimation/obstacle_state.h"
-#include "estimation/odometry.h"
-#include "estimation/pose_filter.h"
-#include "estimation/slope_state.h"
-#include "estimation/standstill.h"
-#include "model/track_model.h"
 
 namespace tp100::bridge {
 namespace {
 
-// Belt speeds over one sample interval are a few edges; control looks at them through this lag.
-constexpr double kSpeedLagS = 0.04;
 // Nobody saw what happened in a longer gap between two steps: it does not count as having lasted.
 constexpr double kLongestSeenS = 0.05;
-// A camera that was used this recently sees the robot.
-constexpr double kCameraNowS = 0.15;
-
-// Noise of the gyro at rest: of one sample, and of the mean over the first still window with what
-// the warm-up adds.
-constexpr double kRestSampleSdRadps = 0.003;
-constexpr double kRestWindowSdRadps = 0.0005;
-
-model::TrackModel make_model(const Parameters& parameters) {
-  if (parameters.paper_model) return {paper_parameters(parameters.model), model::Mode::kPaper};
-  return {track_parameters(parameters), model::Mode::kExtended};
-}
-
-/// The camera hangs near the middle of the fence.
-estimation::CameraPlace camera_place(const Parameters& parameters, const course::Course* course) {
-  estimation::CameraPlace place{parameters.estimation.camera.offset_x_m,
-                                parameters.estimation.camera.offset_y_m};
-  if (course != nullptr) {
-    place.x_m += (course->fence.min_x_m + course->fence.max_x_m) / 2.0;
-    place.y_m += (course->fence.min_y_m + course->fence.max_y_m) / 2.0;
-  }
-  return place;
-}
 
 control::Drive drive_of(const Parameters& parameters, double speed_mps) {
   // A pose that knows of no turning centre is not steered by it.
@@ -70,28 +34,14 @@ control::Drive drive_of(const Parameters& parameters, double speed_mps) {
                      .max_yaw_radps = parameters.drive.max_yaw_radps}};
 }
 
-/// First-order lag.
-void follow(double& value, double target, double dt_s) {
-  value += (target - value) * std::min(1.0, dt_s / kSpeedLagS);
-}
-
 }  // namespace
 
 struct Step::State {
   State(const Parameters& p, std::shared_ptr<const course::Course> c)
       : parameters(p),
         course(std::move(c)),
-        tracks(p.drive.counts_per_metre, p.model.gyro_scale),
-        standstill(p.estimation),
-        attitude(p.estimation.attitude),
-        slope(p.estimation.attitude),
-        leans_on(p.shape.axle_spacing_m),
-        grounds(p, course.get()),
+        seen(parameters, course.get()),
         outer(p.world, p.setup),
-        track_model(make_model(p)),
-        odometry(track_parameters(p)),
-        filter(track_parameters(p), p.estimation.filter, p.estimation.camera,
-               camera_place(p, course.get())),
         disturbance(p.control) {
     if (course == nullptr) return;
     path.emplace(*course);
@@ -99,16 +49,6 @@ struct Step::State {
     monitor.emplace(p.control, course->fence, tracker->nominal_duration_s());
   }
 
-  bool gyro_steers() const { return parameters.setup != Setup::kBench; }
-  Pose steering_pose() const;
-  const Twist& newest_steering_twist() const;
-  void take_attitude(const Interval& step);
-  double way_m(const Interval& step) const;
-  double heading_rate_radps(double body_z_radps) const;
-  void take_grounds(const Interval& step);
-  void take_grip(const Interval& step);
-  void filter_sample(const Interval& step, double rate_radps);
-  void take_sample(const Sample& sample);
   void take_changes(std::span<const ParameterChange> changes);
   void take_requests(std::span<const OperatorRequest> requests);
   void take_world(std::span<const WorldSample> said, double dt_s);
@@ -122,29 +62,13 @@ struct Step::State {
   Parameters parameters;
   std::shared_ptr<const course::Course> course;
   std::optional<course::Path> path;
-  Tracks tracks;
-  estimation::Standstill standstill;
-  estimation::AttitudeFilter attitude;
-  estimation::SlopeState slope;
-  estimation::ObstacleState leans_on;
-  Grounds grounds;
+  Perception seen;
   OuterWorld outer;
-  Grip grip;
-  model::TrackModel track_model;
-  estimation::Odometry odometry;
-  estimation::PoseFilter filter;
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
   control::Disturbance disturbance;
   control::Arming arming;
 
-  Sample sample{};
-  bool has_sample = false;
-  bool bias_taken = false;
-  Interval interval{};
-  Twist steering_twist{};
-  double left_mps = 0.0, right_mps = 0.0;
-  double encoder_rate_radps = 0.0, gyro_rate_radps = 0.0;
   control::Target target{};
   HostNs last_step_ns = 0, run_began_ns = 0;
   std::uint32_t session_number = 0;
@@ -169,130 +93,12 @@ Step::Step(const Parameters& parameters, std::shared_ptr<const course::Course> c
 Step::~Step() = default;
 Step::Step(Step&&) noexcept = default;
 
-Pose Step::State::steering_pose() const {
-  switch (parameters.steering) {
-    case Steering::kModel:
-      return track_model.pose();
-    case Steering::kOdometry:
-      return odometry.pose();
-    case Steering::kFused:
-      return filter.pose();
-  }
-  return {};
-}
-
-const Twist& Step::State::newest_steering_twist() const {
-  switch (parameters.steering) {
-    case Steering::kModel:
-      return track_model.twist();
-    case Steering::kOdometry:
-      return odometry.twist();
-    case Steering::kFused:
-      break;
-  }
-  return filter.twist();
-}
-
-/// By the belts, their usual slip taken off.
-double Step::State::way_m(const Interval& step) const {
-  return (step.belts.left_mps * (1.0 - parameters.model.slip_left) +
-          step.belts.right_mps * (1.0 - parameters.model.slip_right)) /
-         2.0 * step.dt_s;
-}
-
-void Step::State::take_attitude(const Interval& step) {
-  if (sample.imu_age != 0) return;
-  const double dt_s = step.dt_s;
-  // A robot is put on a level start; later rest may be on a ramp.
-  if (standstill.still() && arming.state() != RunState::kRunning)
-    attitude.level(sample.gyro_radps, sample.accel_mps2, dt_s);
-  attitude.update(sample.gyro_radps, sample.accel_mps2, dt_s);
-  slope.update(attitude.pitch_rad(), dt_s);
-  leans_on.update(attitude.pitch_rad(), slope.state(), way_m(step));
-}
-
-// Where the body leans, its own z axis is not the world's.
-double Step::State::heading_rate_radps(double body_z_radps) const {
-  const bool leans = parameters.setup == Setup::kTerrain && slope.state() != Slope::kFlat;
-  return leans ? attitude.yaw_rate_radps(body_z_radps) : body_z_radps;
-}
-
-void Step::State::take_grounds(const Interval& step) {
-  grounds.advance({.model = track_model.pose(),
-                   .odometry = odometry.pose(),
-                   .fused = filter.pose(),
-                   .steering = steering_pose(),
-                   .belts = step.belts,
-                   .dt_s = step.dt_s,
-                   .imu = {attitude.roll_rad(), attitude.pitch_rad()}});
-}
-
-void Step::State::take_grip(const Interval& step) {
-  if (arming.state() != RunState::kRunning) {
-    grip.restart();
-    return;
-  }
-  const Underfoot on = grounds.underfoot();
-  grip.update({.dt_s = step.dt_s,
-               .way_m = way_m(step),
-               .fused = filter.pose(),
-               .camera = filter.camera_age_s(sample.measured_ns) < kCameraNowS,
-               .climbing = on.climbing,
-               .mapped_pitch_rad = grounds.mapped_pitch_rad(),
-               .measured_pitch_rad = attitude.pitch_rad()});
-}
-
-void Step::State::filter_sample(const Interval& step, double rate_radps) {
-  filter.advance({.end_ns = sample.measured_ns,
-                  .dt_s = step.dt_s,
-                  .belts = step.belts,
-                  .gyro_z_radps = rate_radps + standstill.bias_radps(),
-                  .gyro = gyro_steers() && step.gyro_fresh,
-                  .ground = grounds.fused()});
-  if (!standstill.still()) return;
-  if (bias_taken) {
-    filter.rest(tracks.gyro_z_radps(sample), kRestSampleSdRadps);
-  } else {
-    bias_taken = true;
-    filter.rest(standstill.bias_radps(), kRestWindowSdRadps);
-  }
-}
-
-void Step::State::take_sample(const Sample& next) {
-  standstill.update(next, tracks.gyro_z_radps(next));
-  const std::optional<Interval> step = tracks.update(next);
-  sample = next;
-  has_sample = true;
-  if (!step) return;
-  interval = *step;
-  const double dt = step->dt_s;
-  take_attitude(*step);
-  take_grounds(*step);
-  track_model.advance(step->belts.left_mps, step->belts.right_mps, dt, grounds.model());
-  const double rate = heading_rate_radps(step->gyro_z_radps - standstill.bias_radps());
-  if (gyro_steers() && step->gyro_fresh) {
-    odometry.advance(step->belts, rate, dt, grounds.odometry());
-  } else {
-    odometry.advance_without_gyro(step->belts, dt, grounds.odometry());
-  }
-  filter_sample(*step, rate);
-  take_grip(*step);
-  const Twist& steering = newest_steering_twist();
-  follow(steering_twist.vx_mps, steering.vx_mps, dt);
-  follow(steering_twist.vy_mps, steering.vy_mps, dt);
-  follow(steering_twist.yaw_rate_radps, steering.yaw_rate_radps, dt);
-  follow(left_mps, step->belts.left_mps, dt);
-  follow(right_mps, step->belts.right_mps, dt);
-  follow(encoder_rate_radps, track_model.twist().yaw_rate_radps, dt);
-  follow(gyro_rate_radps, rate, dt);
-}
-
 void Step::State::take_changes(std::span<const ParameterChange> changes) {
   const RunState run = arming.state();
   const bool under_way = run == RunState::kArming || run == RunState::kRunning;
   for (const ParameterChange& change : changes) apply(change, under_way, parameters);
   if (changes.empty()) return;
-  grounds.steer_by(parameters.steering);
+  seen.steering_changed();
   if (tracker) tracker->retune(parameters.control);
 }
 
@@ -315,7 +121,7 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
 void Step::State::take_world(std::span<const WorldSample> said, double dt_s) {
   for (const WorldSample& one : said) outer.take(one);
   outer.wait(std::min(dt_s, kLongestSeenS));
-  grounds.tell({outer.ground(), outer.shift()});
+  seen.tell({outer.ground(), outer.shift()});
 }
 
 // After the operator: a start does not get past a world that says stop.
@@ -325,14 +131,10 @@ void Step::State::heed_stop() {
 }
 
 void Step::State::begin_run(HostNs now) {
-  track_model.reset(course->start);
-  odometry.reset(course->start);
-  filter.begin(course->start, now);
-  grounds.restart();
+  seen.begin(course->start, now);
   outer.restart(now);
-  grip.restart();
   tracker->restart();
-  disturbance.restart(filter.recoveries());
+  disturbance.restart(seen.contradictions());
   monitor->restart();
   run_began_ns = now;
 }
@@ -342,14 +144,15 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
   const control::Belts belts = control::belts_for(
       target.speed_mps,
       control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits), limits);
-  return {.sample = &sample,
-          .pose = grounds.world(steering_pose()),
-          .left_mps = left_mps,
-          .right_mps = right_mps,
-          .encoder_yaw_rate_radps = encoder_rate_radps,
-          .gyro_yaw_rate_radps = gyro_rate_radps,
-          .gyro_in_use = gyro_steers(),
-          .immobilised = grip.state() == Traction::kImmobilised || outer.blocked(),
+  const Speeds& speeds = seen.speeds();
+  return {.sample = &seen.sample(),
+          .pose = seen.world_pose(),
+          .left_mps = speeds.belts.left_mps,
+          .right_mps = speeds.belts.right_mps,
+          .encoder_yaw_rate_radps = speeds.encoder_yaw_rate_radps,
+          .gyro_yaw_rate_radps = speeds.gyro_yaw_rate_radps,
+          .gyro_in_use = seen.gyro_steers(),
+          .immobilised = seen.immobilised() || outer.blocked(),
           .target = target,
           .commanded_left_mps = belts.left_mps,
           .commanded_right_mps = belts.right_mps,
@@ -358,14 +161,16 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
 }
 
 void Step::State::steer(double dt_s) {
-  const Pose pose = grounds.world(steering_pose());
+  const Pose pose = seen.world_pose();
   if (arming.state() == RunState::kRunning) {
+    const Speeds& speeds = seen.speeds();
+    const bool gyro = seen.gyro_steers();
     const bool disturbed = disturbance.update(
-        {.gyro_radps = gyro_steers() ? gyro_rate_radps : 0.0,
-         .belts_radps = gyro_steers() ? encoder_rate_radps : 0.0,
-         .contradictions = parameters.steering == Steering::kFused ? filter.recoveries() : 0},
+        {.gyro_radps = gyro ? speeds.gyro_yaw_rate_radps : 0.0,
+         .belts_radps = gyro ? speeds.encoder_yaw_rate_radps : 0.0,
+         .contradictions = parameters.steering == Steering::kFused ? seen.contradictions() : 0},
         dt_s);
-    target = tracker->update(pose, steering_twist, dt_s, disturbed);
+    target = tracker->update(pose, speeds.steering, dt_s, disturbed);
     return;
   }
   target.speed_mps = 0.0;
@@ -376,18 +181,19 @@ void Step::State::steer(double dt_s) {
 }
 
 void Step::State::command(const Inputs& in, HostNs now) {
+  const Sample& sample = seen.sample();
   const std::int64_t age_ns = now - sample.measured_ns;
-  out.command_valid = in.session == SessionState::kReady && in.clock.valid && has_sample &&
+  out.command_valid = in.session == SessionState::kReady && in.clock.valid && seen.has_sample() &&
                       age_ns <= from_s(parameters.max_sample_age_s);
   Command& command = out.command;
   command.answers = sample.sequence;
   command.answered_us = sample.device_us;
-  command.pose = steering_pose();
-  command.pose.yaw_rad = grounds.world(command.pose).yaw_rad;
+  command.pose = seen.steering_pose();
+  command.pose.yaw_rad = seen.world_pose().yaw_rad;
   command.desired_yaw_rad = target.desired_yaw_rad;
   command.yaw_rate_radps = target.yaw_rate_radps;
   command.speed_mps = target.speed_mps;
-  command.gyro_bias_radps = standstill.bias_radps();
+  command.gyro_bias_radps = seen.gyro_bias_radps();
   command.expiry_us = in.clock.valid ? in.clock.to_device(now) +
                                            static_cast<DeviceUs>(parameters.command_life_s * 1e6)
                                      : 0;
@@ -396,27 +202,7 @@ void Step::State::command(const Inputs& in, HostNs now) {
 void Step::State::publish(HostNs now) {
   Snapshot& snapshot = out.snapshot;
   snapshot.now_ns = now;
-  snapshot.sample = sample;
-  snapshot.has_sample = has_sample;
-  snapshot.age_us = (now - sample.measured_ns) / kNsPerUs;
-  snapshot.model = track_model.pose();
-  snapshot.model_twist = track_model.twist();
-  snapshot.odometry = odometry.pose();
-  snapshot.odometry_twist = odometry.twist();
-  snapshot.fused = filter.fused(now);
-  grounds.stand(snapshot.model, snapshot.odometry, snapshot.fused.pose);
-  snapshot.world = grounds.world(steering_pose());
-  snapshot.underfoot = grounds.underfoot();
-  snapshot.underfoot.traction = grip.state();
-  snapshot.left_mps = interval.belts.left_mps;
-  snapshot.right_mps = interval.belts.right_mps;
-  snapshot.slip_left = track_model.slip().left;
-  snapshot.slip_right = track_model.slip().right;
-  snapshot.gyro_bias_radps = standstill.bias_radps();
-  snapshot.imu_roll_rad = attitude.roll_rad();
-  snapshot.imu_pitch_rad = attitude.pitch_rad();
-  snapshot.imu_slope = slope.state();
-  snapshot.imu_obstacle = leans_on.state();
+  seen.write(snapshot, now);
   snapshot.command = out.command;
   snapshot.cross_track_m = target.cross_track_m;
   snapshot.heading_error_rad = target.heading_error_rad;
@@ -424,7 +210,7 @@ void Step::State::publish(HostNs now) {
   snapshot.recovering = target.recovering;
   snapshot.steering = parameters.steering;
   snapshot.run_state = arming.state();
-  snapshot.faults = (has_sample ? sample.faults : 0) | arming.faults();
+  snapshot.faults = (seen.has_sample() ? seen.sample().faults : 0) | arming.faults();
 }
 
 const Outputs& Step::operator()(const Inputs& in, HostNs now) {
@@ -435,49 +221,46 @@ const Outputs& Step::operator()(const Inputs& in, HostNs now) {
   const bool new_session = in.session_number != s.session_number;
   if (new_session || in.robot_rebooted) {
     s.session_number = in.session_number;
-    s.tracks.restart();
-    s.standstill.restart();
-    s.filter.interrupt();
+    s.seen.restart();
   }
   if (in.session != SessionState::kReady && in.session != SessionState::kSyncing) {
-    s.has_sample = false;
+    s.seen.lose_sample();
   }
   s.take_world(in.world, dt_s);
-  for (const Sample& sample : in.samples) s.take_sample(sample);
-  // On a bench the robot that the camera sees stays where it is.
-  if (s.parameters.setup != Setup::kBench) {
-    for (const CameraSample& seen : in.camera) s.filter.camera(seen);
-  }
+  for (const Sample& sample : in.samples)
+    s.seen.take(sample, s.arming.state() == RunState::kRunning);
+  for (const CameraSample& sample : in.camera) s.seen.take(sample);
   s.take_changes(in.changes);
   s.take_requests(in.requests);
   s.heed_stop();
 
   FaultMask aborts = 0;
   const bool running = s.arming.state() == RunState::kRunning;
-  if (running && s.has_sample) {
+  if (running && s.seen.has_sample()) {
     aborts = s.monitor->update(s.observe(now, dt_s));
-    const double age_s = to_s(now - s.sample.measured_ns);
+    const double age_s = to_s(now - s.seen.sample().measured_ns);
     // A little late is answered with silence, which the robot bridges; this late is a broken link.
     // Without any sample it is the session that says when the link is lost.
     if (age_s > 0.2 && !in.samples.empty()) aborts |= fault_bit(Fault::samples_stale);
   }
   const bool world_lost = running ? s.outer.lost(now) : !s.outer.fresh(now);
   if (world_lost) aborts |= fault_bit(Fault::world_lost);
-  s.out.request = s.arming.update({.session = in.session,
-                                   .sample = s.has_sample ? &s.sample : nullptr,
-                                   .ready_to_run = s.course != nullptr && !world_lost &&
-                                                   (!s.gyro_steers() || s.standstill.bias_known()),
-                                   .new_session = new_session,
-                                   .rebooted = in.robot_rebooted,
-                                   .request_refused = in.request_refused,
-                                   .aborts = aborts,
-                                   .path_done = running && s.target.done},
-                                  dt_s);
+  s.out.request =
+      s.arming.update({.session = in.session,
+                       .sample = s.seen.has_sample() ? &s.seen.sample() : nullptr,
+                       .ready_to_run = s.course != nullptr && !world_lost &&
+                                       (!s.seen.gyro_steers() || s.seen.gyro_bias_known()),
+                       .new_session = new_session,
+                       .rebooted = in.robot_rebooted,
+                       .request_refused = in.request_refused,
+                       .aborts = aborts,
+                       .path_done = running && s.target.done},
+                      dt_s);
   if (s.arming.just_began()) s.begin_run(now);
   s.steer(dt_s);
   s.command(in, now);
   s.publish(now);
-  s.outer.remember(now, s.steering_pose());
+  s.outer.remember(now, s.seen.steering_pose());
   return s.out;
 }
 
