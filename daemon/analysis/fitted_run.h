@@ -2,12 +2,20 @@
 // One run that takes part in a fit: its motion, its pictures, and what is the run's own.
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "analysis/drive.h"
 #include "analysis/drive_motion.h"
 
 namespace tp100::analysis {
+
+/// A picture less the predicted pose, in the world.
+struct Residual {
+  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
+  double off_m() const { return std::hypot(x_m, y_m); }
+  double off_rad() const { return std::abs(yaw_rad); }
+};
 
 struct FittedRun {
   /// Unknowns of a run: x, y, yaw of its start, and the zero of its gyro angle.
@@ -30,6 +38,8 @@ struct FittedRun {
 
   /// World pose at `t_s` from the poses since the start.
   Pose predicted(const std::vector<Pose>& poses, double t_s) const;
+  /// Of a picture that is `late_s` older than its time says.
+  Residual residual(const std::vector<Pose>& poses, const SeenPose& seen, double late_s) const;
 };
 
 }  // namespace tp100::analysis

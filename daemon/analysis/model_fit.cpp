@@ -69,8 +69,8 @@ bool of_tighter_turns(std::size_t i) {
   return i == index(Parameter::kWheelbaseTight) || i == index(Parameter::kWheelbaseSpin);
 }
 
-bool false_detection(const FittedRun& run, double off_m, double off_rad) {
-  return off_m > kReject * run.usual_m || off_rad > kReject * run.usual_rad;
+bool false_detection(const FittedRun& run, const Residual& off) {
+  return off.off_m() > kReject * run.usual_m || off.off_rad() > kReject * run.usual_rad;
 }
 
 }  // namespace
@@ -157,13 +157,12 @@ double ModelFit::take_pictures(const FittedRun& run, const Poses& poses, RunSums
   for (const SeenPose& seen : run.pictures) {
     const double t_s = seen.t_s - values_[kDelay];
     const Pose here = run.predicted(poses[0], t_s);
-    const double x = seen.x_m - here.x_m, y = seen.y_m - here.y_m;
-    const double yaw = seen.yaw_rad - here.yaw_rad;
+    const Residual off = run.residual(poses[0], seen, values_[kDelay]);
     const double turned = run.motion.gyro_rad(t_s);
     const double gyro = seen.yaw_rad - (run.own[3] + gyro_scale * turned);
-    const double off_m = std::hypot(x, y) / sd_m_, off_rad = std::abs(yaw) / sd_rad_;
+    const double off_m = off.off_m() / sd_m_, off_rad = off.off_rad() / sd_rad_;
     const double off_gyro = run.motion.has_bias() ? std::abs(gyro) / sd_gyro_rad_ : 0.0;
-    if (rejecting_ && false_detection(run, off_m * sd_m_, off_rad * sd_rad_)) {
+    if (rejecting_ && false_detection(run, off)) {
       cost += huber_cost(kReject) / together;
       continue;
     }
@@ -184,9 +183,9 @@ double ModelFit::take_pictures(const FittedRun& run, const Poses& poses, RunSums
     }
     const double weight_m = huber_weight(off_m) / (sd_m_ * sd_m_ * together);
     const double weight_rad = huber_weight(off_rad) / (sd_rad_ * sd_rad_ * together);
-    sums->add(by_x, Eigen::Vector4d(1.0, 0.0, run.own[1] - here.y_m, 0.0), x, weight_m);
-    sums->add(by_y, Eigen::Vector4d(0.0, 1.0, here.x_m - run.own[0], 0.0), y, weight_m);
-    sums->add(by_yaw, Eigen::Vector4d(0.0, 0.0, 1.0, 0.0), yaw, weight_rad);
+    sums->add(by_x, Eigen::Vector4d(1.0, 0.0, run.own[1] - here.y_m, 0.0), off.x_m, weight_m);
+    sums->add(by_y, Eigen::Vector4d(0.0, 1.0, here.x_m - run.own[0], 0.0), off.y_m, weight_m);
+    sums->add(by_yaw, Eigen::Vector4d(0.0, 0.0, 1.0, 0.0), off.yaw_rad, weight_rad);
     if (!run.motion.has_bias()) continue;
     const double weight_gyro = huber_weight(off_gyro) / (sd_gyro_rad_ * sd_gyro_rad_ * together);
     sums->add(by_gyro, Eigen::Vector4d(0.0, 0.0, 0.0, 1.0), gyro, weight_gyro);
@@ -251,13 +250,12 @@ void ModelFit::rescale() {
     std::vector<double> run_m, run_rad;
     const std::vector<Pose> poses = run.motion.poses(tracks(values_));
     for (const SeenPose& seen : run.pictures) {
-      const double t_s = seen.t_s - values_[kDelay];
-      const Pose here = run.predicted(poses, t_s);
-      run_m.push_back(std::hypot(seen.x_m - here.x_m, seen.y_m - here.y_m));
-      run_rad.push_back(std::abs(seen.yaw_rad - here.yaw_rad));
-      off_gyro.push_back(
-          std::abs(seen.yaw_rad - run.own[3] -
-                   values_[index(Parameter::kGyroScale)] * run.motion.gyro_rad(t_s)));
+      const Residual off = run.residual(poses, seen, values_[kDelay]);
+      run_m.push_back(off.off_m());
+      run_rad.push_back(off.off_rad());
+      off_gyro.push_back(std::abs(seen.yaw_rad - run.own[3] -
+                                  values_[index(Parameter::kGyroScale)] *
+                                      run.motion.gyro_rad(seen.t_s - values_[kDelay])));
     }
     off_m.insert(off_m.end(), run_m.begin(), run_m.end());
     off_rad.insert(off_rad.end(), run_rad.begin(), run_rad.end());
@@ -276,13 +274,11 @@ void ModelFit::correlate() {
     const std::vector<Pose> poses = run.motion.poses(tracks(values_));
     std::vector<double> x, y, yaw;
     for (const SeenPose& seen : run.pictures) {
-      const Pose here = run.predicted(poses, seen.t_s - values_[kDelay]);
-      if (false_detection(run, std::hypot(seen.x_m - here.x_m, seen.y_m - here.y_m),
-                          std::abs(seen.yaw_rad - here.yaw_rad)))
-        continue;
-      x.push_back(seen.x_m - here.x_m);
-      y.push_back(seen.y_m - here.y_m);
-      yaw.push_back(seen.yaw_rad - here.yaw_rad);
+      const Residual off = run.residual(poses, seen, values_[kDelay]);
+      if (false_detection(run, off)) continue;
+      x.push_back(off.x_m);
+      y.push_back(off.y_m);
+      yaw.push_back(off.yaw_rad);
     }
     for (const std::vector<double>* residuals : {&x, &y, &yaw})
       correlated_s_ = std::max(correlated_s_, samples_together(*residuals) / run.pictures_per_s);
@@ -382,17 +378,15 @@ void ModelFit::describe_runs(Fit& fit) const {
     const std::vector<Pose> poses = run.motion.poses(tracks(values_));
     double run_squares = 0.0, run_squares_rad = 0.0;
     for (const SeenPose& seen : run.pictures) {
-      const Pose here = run.predicted(poses, seen.t_s - values_[kDelay]);
-      const double off_m = std::hypot(seen.x_m - here.x_m, seen.y_m - here.y_m);
-      const double off_rad = std::abs(seen.yaw_rad - here.yaw_rad);
-      if (false_detection(run, off_m, off_rad)) {
+      const Residual off = run.residual(poses, seen, values_[kDelay]);
+      if (false_detection(run, off)) {
         ++of.rejected;
         continue;
       }
       ++of.pictures;
-      run_squares += off_m * off_m;
-      run_squares_rad += off_rad * off_rad;
-      of.max_m = std::max(of.max_m, off_m);
+      run_squares += off.off_m() * off.off_m();
+      run_squares_rad += off.yaw_rad * off.yaw_rad;
+      of.max_m = std::max(of.max_m, off.off_m());
     }
     const auto count = static_cast<double>(std::max<std::size_t>(of.pictures, 1));
     of.rms_m = std::sqrt(run_squares / count);
