@@ -22,7 +22,7 @@ struct LoopSettings {
   bool robot_paced =
       false;  ///< a turn begins with the robot's sample; the period is then the deadline's base
   HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; not for a robot's sample
-  OverrunPolicy overrun = OverrunPolicy::kSkipMissed;
+  OverrunPolicy overrun = OverrunPolicy::kSkipMissed;  ///< a robot's samples keep no grid
   ThreadRequest thread{};
 };
 

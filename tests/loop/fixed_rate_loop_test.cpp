@@ -30,6 +30,7 @@ class Echo : public Driven {
   void step(HostNs) override {
     if (settled != steps) ++settled_too_late;
     ++steps;
+    std::this_thread::sleep_for(takes_ms.load() * 1ms);
   }
   void settle(HostNs) override {
     ++settled;
@@ -47,7 +48,7 @@ class Echo : public Driven {
   bool take_hang_up() override { return hang_up.exchange(false); }
   bool wind_up(HostNs) override { return ++wind_ups >= wind_up_turns; }
 
-  std::atomic<int> openings{0}, closings{0}, drops{0}, wind_ups{0}, wind_up_turns{1};
+  std::atomic<int> openings{0}, closings{0}, drops{0}, wind_ups{0}, wind_up_turns{1}, takes_ms{0};
   std::atomic<std::uint64_t> steps{0}, settled{0}, settled_too_early{0}, settled_too_late{0},
       received_bytes{0}, largest_read{0};
   std::atomic<bool> echo{true}, prompt{false}, hang_up{false};
@@ -207,6 +208,21 @@ TEST(FixedRateLoop, PacedByTheRobotEverySampleIsAnswered) {
     EXPECT_GT(loop.statistics().turns, loop.statistics().without_frame.load());
     EXPECT_EQ(loop.statistics().work.count(), echo.steps);
     EXPECT_EQ(echo.settled_too_late, 0u);
+  }
+}
+
+TEST(FixedRateLoop, CountsTurnsThatTakeTooLong) {
+  for (const bool robot_paced : {false, true}) {
+    Echo echo;
+    echo.takes_ms = 7;
+    LoopSettings set = settings();
+    set.robot_paced = robot_paced;
+    FixedRateLoop loop(set, echo);
+    loop.start();
+    EXPECT_TRUE(eventually([&] { return loop.statistics().overruns >= 3; }));
+    loop.request_stop();
+    loop.join();
+    EXPECT_GE(loop.statistics().missed, 3 * loop.statistics().overruns);
   }
 }
 
