@@ -71,31 +71,9 @@ Json json_of(const CameraFigures& camera) {
 }
 
 Json json_of(const LinkCounters& link) {
-  return {{"samples", link.samples},
-          {"lost", link.lost},
-          {"crc_errors", link.crc_errors},
-          {"cobs_errors", link.cobs_errors},
-          {"duplicated", link.duplicated},
-          {"reordered", link.reordered},
-          {"oversize", link.oversize},
-          {"undersize", link.undersize},
-          {"unknown_type", link.unknown_type},
-          {"wrong_size", link.wrong_size},
-          {"implausible", link.implausible},
-          {"foreign_bytes", link.foreign_bytes},
-          {"unwritten", link.unwritten},
-          {"bytes_in", link.bytes_in},
-          {"bytes_out", link.bytes_out},
-          {"frames_in", link.frames_in},
-          {"frames_out", link.frames_out},
-          {"sync_replies", link.sync_replies},
-          {"sync_rejected", link.sync_rejected},
-          {"reconnects", link.reconnects},
-          {"reboots", link.reboots},
-          {"silences", link.silences},
-          {"refused", link.refused},
-          {"unknown_board", link.unknown_board},
-          {"robot_faults", link.robot_faults}};
+  Json json;
+  each_counter(link, [&](const char* name, std::uint64_t count) { json[name] = count; });
+  return json;
 }
 
 }  // namespace

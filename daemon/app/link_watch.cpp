@@ -28,6 +28,7 @@ void LinkWatch::take(const StepRecord& record) {
 
 void LinkWatch::count(const LinkCounters& link) {
   tallies_[kDamaged].now = link.damaged();
+  tallies_[kRobotDamaged].now = link.robot_damaged;
   tallies_[kForeign].now = link.unknown_type + link.wrong_size;
   tallies_[kRepeated].now = link.duplicated + link.reordered;
   tallies_[kImplausible].now = link.implausible;
@@ -55,6 +56,9 @@ void LinkWatch::time(const StepRecord& record) {
 std::vector<Event> LinkWatch::take_words() {
   static const std::array<Text, kCount> kTexts{
       {{1, "damaged frames", "bytes change or are lost on their way, or another program writes",
+        "check cable and hub; see what tp100d doctor says of the port"},
+       {1, "frames damaged on their way to the robot",
+        "bytes change or are lost, or its board was busy for too long",
         "check cable and hub; see what tp100d doctor says of the port"},
        {1, "frames that no robot sends", "the firmware or another program speaks other messages",
         "flash the board with " + flash_command() + "; see what tp100d doctor says of the port"},

@@ -26,6 +26,7 @@ class LinkWatch : public publish::Sink {
  private:
   enum Trouble : std::uint8_t {
     kDamaged,
+    kRobotDamaged,
     kForeign,
     kRepeated,
     kImplausible,

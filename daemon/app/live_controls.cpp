@@ -75,6 +75,7 @@ publish::LoopFigures LiveControls::loop() {
   out.sample_wait = durations(cycle_.sample_times().wait);
   out.sample_age = durations(cycle_.sample_times().age);
   out.lost_records = cycle_.lost_records();
+  out.lost_events = cycle_.lost_events();
   std::uint64_t below = 0;
   for (std::size_t i = 0; i < publish::kLatenessEdgesUs.size(); ++i) {
     const auto edge_ns = static_cast<std::uint64_t>(publish::kLatenessEdgesUs[i]) * 1000U;

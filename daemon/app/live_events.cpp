@@ -68,6 +68,22 @@ std::string versions(const wire::Hello& hello) {
          std::to_string(wire::kProtocolVersion) + " schema " + hex(wire::kSchemaHash);
 }
 
+/// Why the handshake hangs, and what helps.
+void explain_unanswered(SessionState state, Event& out) {
+  out.remedy = "check cable, adapter and hub";
+  switch (state) {
+    case SessionState::kHello:
+      out.cause = "the board speaks the protocol's frames but says no hello";
+      out.remedy = "reset the board, or flash it with " + flash_command();
+      break;
+    case SessionState::kParameters:
+      out.cause = "the robot says hello but hears nothing of what is sent to it";
+      break;
+    default:
+      out.cause = "the robot sends samples but answers no clock request";
+  }
+}
+
 template <class State>
 std::string change(State from, State to) {
   return "state: " + std::string(to_string(from)) + " -> " + std::string(to_string(to));
@@ -159,6 +175,12 @@ Event session_words(const LiveEvent& live) {
                  std::string(to_string(static_cast<SessionState>(event.a))) + ")";
       out.cause = "it is silent, or what comes is damaged";
       out.remedy = "check its cable and supply; the daemon goes on listening";
+      break;
+    case Kind::kUnanswered:
+      out.level = Level::kWarning;
+      out.text = "no answer from the robot (state " +
+                 std::string(to_string(static_cast<SessionState>(event.a))) + ")";
+      explain_unanswered(static_cast<SessionState>(event.a), out);
       break;
   }
   return out;

@@ -19,7 +19,9 @@ Json loop_figures(const publish::LoopFigures& loop) {
   Json json = {{"turns", loop.turns},
                {"overruns", loop.overruns},
                {"missed", loop.missed},
-               {"without_frame", loop.without_frame}};
+               {"without_frame", loop.without_frame},
+               {"lost_records", loop.lost_records},
+               {"lost_events", loop.lost_events}};
   loop.each_time([&](const char* name, const publish::Durations& of) { json[name] = of; });
   Json privileges = Json::object();
   for (const auto& [name, granted] : loop.privileges) privileges[name] = granted;
@@ -32,32 +34,9 @@ Json pose(const Pose& pose) {
 }
 
 Json link_figures(const LinkCounters& link) {
-  return {{"bytes_in", link.bytes_in},
-          {"bytes_out", link.bytes_out},
-          {"frames_in", link.frames_in},
-          {"frames_out", link.frames_out},
-          {"samples", link.samples},
-          {"early", link.early},
-          {"lost", link.lost},
-          {"duplicated", link.duplicated},
-          {"reordered", link.reordered},
-          {"crc_errors", link.crc_errors},
-          {"cobs_errors", link.cobs_errors},
-          {"oversize", link.oversize},
-          {"undersize", link.undersize},
-          {"unknown_type", link.unknown_type},
-          {"wrong_size", link.wrong_size},
-          {"implausible", link.implausible},
-          {"foreign_bytes", link.foreign_bytes},
-          {"unwritten", link.unwritten},
-          {"sync_replies", link.sync_replies},
-          {"sync_rejected", link.sync_rejected},
-          {"reconnects", link.reconnects},
-          {"reboots", link.reboots},
-          {"silences", link.silences},
-          {"refused", link.refused},
-          {"unknown_board", link.unknown_board},
-          {"robot_faults", link.robot_faults}};
+  Json json;
+  each_counter(link, [&](const char* name, std::uint64_t count) { json[name] = count; });
+  return json;
 }
 
 Json camera_figures(const link::CameraCounters& camera, const Fused& fused) {

@@ -46,13 +46,53 @@ struct LinkCounters {
   std::uint64_t reconnects = 0;     ///< sessions after the first one
   std::uint64_t reboots = 0;        ///< new boot nonce
   std::uint64_t silences = 0;       ///< no good frame within the time-out
+  std::uint64_t unanswered = 0;     ///< frames came, but no answer for link.first_frame_timeout_ms
   std::uint64_t refused = 0;        ///< hellos of another version, and parameters out of range
   std::uint64_t unknown_board = 0;  ///< hellos of a board that this version does not know
   std::uint64_t robot_faults = 0;   ///< faults that the robot reported
+  /// Frames that came spoilt at the robot, by its own count.
+  std::uint64_t robot_damaged = 0;
 
   /// Frames that did not arrive as they were sent.
   std::uint64_t damaged() const { return crc_errors + cobs_errors + oversize + undersize; }
 };
+
+/// Calls visit(name, counter) for each of `link`, in their order: a LinkCounters, constant or not.
+template <class Counters, class Visit>
+void each_counter(Counters& link, Visit&& visit) {
+  auto& [bytes_in, bytes_out, frames_in, frames_out, samples, early, lost, duplicated, reordered,
+         crc_errors, cobs_errors, oversize, undersize, unknown_type, wrong_size, implausible,
+         foreign_bytes, unwritten, sync_replies, sync_rejected, reconnects, reboots, silences,
+         unanswered, refused, unknown_board, robot_faults, robot_damaged] = link;
+  visit("bytes_in", bytes_in);
+  visit("bytes_out", bytes_out);
+  visit("frames_in", frames_in);
+  visit("frames_out", frames_out);
+  visit("samples", samples);
+  visit("early", early);
+  visit("lost", lost);
+  visit("duplicated", duplicated);
+  visit("reordered", reordered);
+  visit("crc_errors", crc_errors);
+  visit("cobs_errors", cobs_errors);
+  visit("oversize", oversize);
+  visit("undersize", undersize);
+  visit("unknown_type", unknown_type);
+  visit("wrong_size", wrong_size);
+  visit("implausible", implausible);
+  visit("foreign_bytes", foreign_bytes);
+  visit("unwritten", unwritten);
+  visit("sync_replies", sync_replies);
+  visit("sync_rejected", sync_rejected);
+  visit("reconnects", reconnects);
+  visit("reboots", reboots);
+  visit("silences", silences);
+  visit("unanswered", unanswered);
+  visit("refused", refused);
+  visit("unknown_board", unknown_board);
+  visit("robot_faults", robot_faults);
+  visit("robot_damaged", robot_damaged);
+}
 
 /// Device clock against host clock: host_ns = reference_host_ns + (device - reference_us)(1 +
 /// drift).

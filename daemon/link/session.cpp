@@ -237,6 +237,7 @@ void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
     ++counters_.sync_rejected;
     return;
   }
+  count_damaged(reply.damaged);
   const DeviceUs received_us = device_clock_.extend(reply.received_us, now);
   const DeviceUs sent_us = device_clock_.extend(reply.sent_us, now);
   const auto verdict =
@@ -251,6 +252,15 @@ void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
     if (++session_number_ > 1) ++counters_.reconnects;
     enter(SessionState::kReady, now);
   }
+}
+
+// What was spoilt before the session is another's, or the bootloader's; an old reply may come late.
+void Session::count_damaged(std::uint16_t damaged) {
+  const std::uint16_t before = robot_damaged_.value_or(damaged);
+  const auto more = static_cast<std::int16_t>(damaged - before);
+  if (more < 0) return;
+  counters_.robot_damaged += static_cast<std::uint64_t>(more);
+  robot_damaged_ = damaged;
 }
 
 void Session::on_fault(const wire::FaultReport& report, HostNs now) {
@@ -282,6 +292,7 @@ void Session::begin_session(HostNs now) {
   intake_.begin(new_boot_);
   new_boot_ = false;
   sequence_known_ = false;
+  robot_damaged_.reset();
   sync_.reset(now);
   clock_ = {};
   enter(SessionState::kSyncing, now);
@@ -325,12 +336,15 @@ bool Session::take_refused() { return std::exchange(refused_, false); }
 void Session::enter(SessionState state, HostNs now) {
   if (state == state_) return;
   note(SessionEvent::Kind::kState, now, number(state_), number(state));
+  if (!in_handshake()) handshake_ns_ = now;
   state_ = state;
 }
 
 bool Session::connected() const {
   return in_session() || state_ == SessionState::kHello || state_ == SessionState::kParameters;
 }
+
+bool Session::in_handshake() const { return connected() && state_ != SessionState::kReady; }
 
 bool Session::in_session() const {
   return state_ == SessionState::kSyncing || state_ == SessionState::kReady;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "core/command.h"
@@ -20,10 +21,11 @@ namespace tp100::link {
 
 /// Settings of a session.
 struct SessionSettings {
-  wire::Parameters parameters{};                ///< nonce and token are filled in by the session
-  std::uint32_t baud = wire::kBaud;             ///< for wire times; 0: bytes take no time
-  HostNs timeout_ns = 500 * kNsPerMs;           ///< no good frame for this long: link lost
-  HostNs first_frame_timeout_ns = 5 * kNsPerS;  ///< nothing heard for this long: warn
+  wire::Parameters parameters{};       ///< nonce and token are filled in by the session
+  std::uint32_t baud = wire::kBaud;    ///< for wire times; 0: bytes take no time
+  HostNs timeout_ns = 500 * kNsPerMs;  ///< no good frame for this long: link lost
+  /// Nothing heard, or not answered, for this long after the port was opened: warn, and go on.
+  HostNs first_frame_timeout_ns = 5 * kNsPerS;
 };
 
 /// Something to tell the operator; the session never logs itself.
@@ -39,6 +41,7 @@ struct SessionEvent {
     kAcknowledged,     ///< a: request wire::Type, b: wire::Result, detail
     kNotAcknowledged,  ///< a: request wire::Type
     kTimeout,          ///< no good frame within the time-out; a: SessionState in which it passed
+    kUnanswered,       ///< frames come, but not the answer that a, a SessionState, waits for
   };
   Kind kind = Kind::kState;
   HostNs at_ns = 0;
@@ -108,6 +111,7 @@ class Session {
   void on_acknowledge(const wire::Acknowledge& acknowledge, HostNs now);
   void on_parameters_answer(const wire::Acknowledge& acknowledge, HostNs now);
   void on_sync_reply(const wire::SyncReply& reply, HostNs now);
+  void count_damaged(std::uint16_t damaged);
   void on_fault(const wire::FaultReport& report, HostNs now);
   void on_log(const wire::Log& log, HostNs now);
   template <class Message>
@@ -118,10 +122,12 @@ class Session {
   void end_session(HostNs now);
   void fail_arm(HostNs now);
   void poll_timeout(HostNs now);
+  void poll_unanswered(HostNs now);
   void poll_requests(HostNs now);
   void poll_handshake(HostNs now);
   void poll_sync(HostNs now);
   bool connected() const;
+  bool in_handshake() const;
   bool in_session() const;
   std::uint32_t next_token(HostNs now);
   HostNs wire_ns(std::size_t bytes) const;
@@ -152,9 +158,11 @@ class Session {
   std::uint32_t session_number_ = 0;
   std::uint32_t token_ = 0;
   std::uint16_t command_sequence_ = 0;
+  std::optional<std::uint16_t> robot_damaged_{};  // of the last reply of this session
   bool sequence_known_ = false;
 
   HostNs last_good_ns_ = 0;
+  HostNs handshake_ns_ = 0;  // its beginning, or when it was last said that it hangs
   HostNs last_sent_ns_ = 0;
   HostNs next_hello_ns_ = 0;
   HostNs next_parameters_ns_ = 0;

@@ -25,6 +25,7 @@ std::int32_t number(Type type) { return static_cast<std::int32_t>(type); }
 
 void Session::poll(HostNs now) {
   poll_timeout(now);
+  poll_unanswered(now);
   poll_requests(now);
   poll_handshake(now);
   poll_sync(now);
@@ -43,6 +44,14 @@ void Session::poll_timeout(HostNs now) {
   end_session(now);
   output_.reset();
   enter(SessionState::kListening, now);
+}
+
+// Where nothing of ours arrives, the robot's own frames still do.
+void Session::poll_unanswered(HostNs now) {
+  if (!in_handshake() || now - handshake_ns_ < settings_.first_frame_timeout_ns) return;
+  ++counters_.unanswered;
+  note(SessionEvent::Kind::kUnanswered, now, number(state_));
+  handshake_ns_ = now;
 }
 
 void Session::poll_requests(HostNs now) {

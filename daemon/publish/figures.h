@@ -51,7 +51,8 @@ struct LoopFigures {
   Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see app::SampleTimes
   std::array<std::uint64_t, kLatenessEdgesUs.size() + 1> lateness_counts{};
   std::vector<std::pair<std::string, bool>> privileges;
-  std::uint64_t lost_records = 0;
+  /// Steps and events that found no room on their way out of the loop.
+  std::uint64_t lost_records = 0, lost_events = 0;
 
   /// Calls visit(name, durations) for each of them.
   template <class Visit>

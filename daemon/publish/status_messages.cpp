@@ -26,35 +26,9 @@ void write_optional(JsonWriter& json, std::string_view name, const std::optional
 }
 
 void write_counters(JsonWriter& json, const LinkCounters& link) {
-  json.key("counters")
-      .begin_object()
-      .field("bytes_in", link.bytes_in)
-      .field("bytes_out", link.bytes_out)
-      .field("frames_in", link.frames_in)
-      .field("frames_out", link.frames_out)
-      .field("samples", link.samples)
-      .field("early", link.early)
-      .field("lost", link.lost)
-      .field("duplicated", link.duplicated)
-      .field("reordered", link.reordered)
-      .field("crc_errors", link.crc_errors)
-      .field("cobs_errors", link.cobs_errors)
-      .field("oversize", link.oversize)
-      .field("undersize", link.undersize)
-      .field("unknown_type", link.unknown_type)
-      .field("wrong_size", link.wrong_size)
-      .field("implausible", link.implausible)
-      .field("foreign_bytes", link.foreign_bytes)
-      .field("unwritten", link.unwritten)
-      .field("sync_replies", link.sync_replies)
-      .field("sync_rejected", link.sync_rejected)
-      .field("reconnects", link.reconnects)
-      .field("reboots", link.reboots)
-      .field("silences", link.silences)
-      .field("refused", link.refused)
-      .field("unknown_board", link.unknown_board)
-      .field("robot_faults", link.robot_faults)
-      .end_object();
+  json.key("counters").begin_object();
+  each_counter(link, [&](const char* name, std::uint64_t count) { json.field(name, count); });
+  json.end_object();
 }
 
 void write_faults(JsonWriter& json, FaultMask faults) {
@@ -170,7 +144,10 @@ std::string loop_message(double t_s, const LoopFigures& loop, const Subject& sub
   for (const std::uint64_t count : loop.lateness_counts) json.value(count);
   json.end_array().end_object().key("privileges").begin_object();
   for (const auto& [name, granted] : loop.privileges) json.field(name, granted);
-  json.end_object().field("lost_records", loop.lost_records).end_object();
+  json.end_object()
+      .field("lost_records", loop.lost_records)
+      .field("lost_events", loop.lost_events)
+      .end_object();
   return text;
 }
 

@@ -101,36 +101,7 @@ void visit_fields(Visitor& v, T& clock) {
 
 template <class Visitor, MaybeConst<LinkCounters> T>
 void visit_fields(Visitor& v, T& link) {
-  auto& [bytes_in, bytes_out, frames_in, frames_out, samples, early, lost, duplicated, reordered,
-         crc_errors, cobs_errors, oversize, undersize, unknown_type, wrong_size, implausible,
-         foreign_bytes, unwritten, sync_replies, sync_rejected, reconnects, reboots, silences,
-         refused, unknown_board, robot_faults] = link;
-  v("bytes_in", bytes_in);
-  v("bytes_out", bytes_out);
-  v("frames_in", frames_in);
-  v("frames_out", frames_out);
-  v("samples", samples);
-  v("early", early);
-  v("lost", lost);
-  v("duplicated", duplicated);
-  v("reordered", reordered);
-  v("crc_errors", crc_errors);
-  v("cobs_errors", cobs_errors);
-  v("oversize", oversize);
-  v("undersize", undersize);
-  v("unknown_type", unknown_type);
-  v("wrong_size", wrong_size);
-  v("implausible", implausible);
-  v("foreign_bytes", foreign_bytes);
-  v("unwritten", unwritten);
-  v("sync_replies", sync_replies);
-  v("sync_rejected", sync_rejected);
-  v("reconnects", reconnects);
-  v("reboots", reboots);
-  v("silences", silences);
-  v("refused", refused);
-  v("unknown_board", unknown_board);
-  v("robot_faults", robot_faults);
+  each_counter(link, v);
 }
 
 template <class Visitor, MaybeConst<Command> T>

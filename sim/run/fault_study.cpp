@@ -28,6 +28,8 @@ constexpr double kCellsS = 1.15;         // a second below the cut-off
 
 constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"flip:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
+    {"flip:0.002:to-robot", kCompleted, "robot_damaged", 1, 0, 0,
+     "frames damaged on their way to the robot"},
     {"drop:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
     {"duplicate:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
     {"insert:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
@@ -51,6 +53,7 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"sync-twice", kCompleted, "sync_rejected", 1, 0, 0, "answers to clock requests"},
     {"cut@3+2", "link_lost", "silences", 1, kOffS, 6},
     {"cut:to-robot@3+2", "command_timeout", "robot_faults", 1, kOffS, 6},
+    {"cut:to-robot@0+7", kNeverBegan, "unanswered", 1, 0, 8, "no answer from the robot"},
     {"cut:to-host@3+2", "link_lost", "silences", 1, kOnlyItsBytesS, 6},
     {"unplug:0.05@3", "link_lost", "reconnects", 1, kOffS, 4},
     {"unplug:1@3", "link_lost", "reconnects", 1, kOffS, 5},
@@ -132,17 +135,7 @@ std::vector<Figure> figures_of(const LinkCounters& link, const StepWatch& steps)
     all.push_back({name, static_cast<double>(count)});
   };
   add("damaged", link.damaged());
-  add("implausible", link.implausible);
-  add("sync_rejected", link.sync_rejected);
-  add("reconnects", link.reconnects);
-  add("reboots", link.reboots);
-  add("unknown_type", link.unknown_type);
-  add("duplicated", link.duplicated);
-  add("reordered", link.reordered);
-  add("silences", link.silences);
-  add("refused", link.refused);
-  add("unknown_board", link.unknown_board);
-  add("robot_faults", link.robot_faults);
+  each_counter(link, add);
   return all;
 }
 

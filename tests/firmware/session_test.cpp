@@ -208,6 +208,22 @@ TEST(Session, SyncReplyCarriesTheTimesOfReceiptAndReply) {
   EXPECT_LE(bench.sync_replies[0].sent_us, bench.hal.now_us);
 }
 
+TEST(Session, SyncReplyCarriesHowManyFramesCameSpoilt) {
+  Bench bench;
+  bench.connect();
+  const auto asked = [&] {
+    bench.sync_replies.clear();
+    bench.send(wire::SyncRequest{4711});
+    bench.run(2);
+    return bench.sync_replies.empty() ? -1 : int{bench.sync_replies[0].damaged};
+  };
+  const int before = asked();
+  const std::uint8_t spoilt[] = {0x05, 'x', 'y', 'z', 'u', 0x00};
+  bench.hal.received.insert(bench.hal.received.end(), std::begin(spoilt), std::end(spoilt));
+  bench.run(2);
+  EXPECT_EQ(asked(), before + 1);
+}
+
 TEST(Session, ASilentHostIsForgottenAfterASecond) {
   Bench bench;
   bench.drive();

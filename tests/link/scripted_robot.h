@@ -57,6 +57,7 @@ class ScriptedRobot {
   wire::State state = wire::State::kHello;
   std::uint16_t sequence = 0;
   std::uint16_t faults = 0;
+  std::uint16_t damaged = 0;  // that it says came spoilt
 
   explicit ScriptedRobot(HostNs boot_ns = 0) : boot_ns_(boot_ns) {}
 
@@ -189,7 +190,7 @@ class ScriptedRobot {
         ++heard.sync_requests;
         const auto request = read<wire::SyncRequest>();
         if (answers_sync && !silent) {
-          say(wire::SyncReply{request.id, device_us(now), device_us(now)});
+          say(wire::SyncReply{request.id, device_us(now), device_us(now), damaged});
         }
         return;
       }

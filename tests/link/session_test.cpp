@@ -440,6 +440,50 @@ TEST(Session, HalfOpenLinkIsNoticedByTheRobotsHello) {
   EXPECT_EQ(bench.session.state(), SessionState::kParameters);
 }
 
+TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
+  const auto unanswered = [](SessionBench& bench) {
+    std::vector<SessionState> states;
+    for (const SessionEvent& event : bench.events)
+      if (event.kind == SessionEvent::Kind::kUnanswered)
+        states.push_back(static_cast<SessionState>(event.a));
+    EXPECT_EQ(bench.session.counters().unanswered, states.size());
+    return states;
+  };
+  using testing::ElementsAre;
+  SessionBench deaf;
+  deaf.robot.answers_parameters = false;
+  deaf.session.open(deaf.now);
+  deaf.run(5200);
+  EXPECT_THAT(unanswered(deaf), ElementsAre(SessionState::kParameters));
+  deaf.run(5000);
+  EXPECT_THAT(unanswered(deaf), ElementsAre(SessionState::kParameters, SessionState::kParameters));
+  deaf.robot.answers_parameters = true;
+  deaf.run(400);
+  EXPECT_EQ(deaf.session.state(), SessionState::kReady);
+  deaf.run(20000);
+  EXPECT_THAT(unanswered(deaf), testing::SizeIs(2));
+
+  SessionBench timeless;
+  timeless.robot.answers_sync = false;
+  timeless.session.open(timeless.now);
+  timeless.run(5200);
+  EXPECT_THAT(unanswered(timeless), ElementsAre(SessionState::kSyncing));
+}
+
+TEST(Session, CountsWhatTheRobotSaysCameSpoilt) {
+  SessionBench bench;
+  bench.robot.damaged = 65530;
+  bench.connect();
+  bench.run(1000);
+  EXPECT_EQ(bench.session.counters().robot_damaged, 0u);
+  bench.robot.damaged = 4;
+  bench.run(1000);
+  EXPECT_EQ(bench.session.counters().robot_damaged, 10u);
+  bench.robot.damaged = 2;
+  bench.run(1000);
+  EXPECT_EQ(bench.session.counters().robot_damaged, 10u) << "an old reply";
+}
+
 TEST(Session, CountsForeignBytesBeforeTheFirstFrameOnly) {
   SessionBench bench;
   bench.session.open(bench.now);

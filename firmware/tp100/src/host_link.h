@@ -17,6 +17,8 @@ struct LinkCounts {
   uint16_t crc;
   uint16_t unknown;  ///< good frame of another type or size
   uint16_t unsent;   ///< own message dropped for want of room
+
+  uint16_t damaged() const { return static_cast<uint16_t>(oversize + cobs + undersize + crc); }
 };
 
 class HostLink {

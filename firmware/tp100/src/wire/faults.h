@@ -33,7 +33,7 @@
   X(12, parameters_missing, "the board has no parameters yet", "wait for the handshake to finish")
 
 #define TP100_DAEMON_FAULTS(X)                                                                   \
-  X(16, link_lost, "no frame from the robot within link.timeout_ms",                             \
+  X(16, link_lost, "the link broke, or no frame came within link.timeout_ms",                    \
     "check the cable; the daemon reconnects by itself, then start again")                        \
   X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again")   \
   X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",           \
