@@ -109,7 +109,8 @@ Findings page_port_findings(const System& system, std::uint16_t port) {
   for (const char* const table : {"/proc/net/tcp", "/proc/net/tcp6"}) {
     const std::string inode = listener(system.text(table).value_or(""), port);
     if (inode.empty()) continue;
-    const std::string holder = link::port_holder("socket:[" + inode + "]", system.file("/proc"));
+    const std::string holder =
+        link::port_holder("socket:[" + inode + "]", system.file("/proc")).name;
     return {
         {Severity::kWarning, "page-port",
          "TCP port " + number + " of the page is taken" + (holder.empty() ? "" : " by " + holder),

@@ -77,10 +77,14 @@ std::string stable_name(const System& system, const std::string& device) {
 }
 
 Findings holder_findings(const System& system, const std::string& device) {
-  const std::string holder = link::port_holder(device, system.file("/proc"));
-  if (holder.empty()) return {ok("holder", device + ": no other program has it open")};
-  return {{Severity::kError, "holder", device + ": held open by " + holder,
-           "end that program, or choose another port with --port"}};
+  const link::PortHolder holder = link::port_holder(device, system.file("/proc"));
+  if (!holder.name.empty())
+    return {
+        {Severity::kError, "holder", device + ": held open by " + holder.name,
+         "end that program (a service: `sudo systemctl stop 'tp100d@*'`), or choose another port "
+         "with --port"}};
+  return {ok("holder", device + ": no other program " +
+                           (holder.others_hidden ? "of this account " : "") + "has it open")};
 }
 
 }  // namespace tp100::doctor

@@ -6,8 +6,13 @@
 
 namespace tp100::link {
 
-/// "name (pid N)" of the first other process that has `real_path` open and that we may look at;
-/// else empty. `proc` is where processes are looked up.
-std::string port_holder(const std::string& real_path, const std::filesystem::path& proc = "/proc");
+struct PortHolder {
+  std::string name{};          ///< "name (pid N)"; empty: none was seen
+  bool others_hidden = false;  ///< not every process could be looked at
+};
+
+/// The first other process that has `real_path` open. What programs of other accounts have open,
+/// only root sees. `proc` is where processes are looked up.
+PortHolder port_holder(const std::string& real_path, const std::filesystem::path& proc = "/proc");
 
 }  // namespace tp100::link

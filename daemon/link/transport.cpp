@@ -38,8 +38,14 @@ std::string owner_group(const std::string& path) {
 }
 
 [[noreturn]] void fail_busy(const std::string& path) {
-  const std::string holder = port_holder(resolved(path));
-  throw SetupError(path + ": port is busy" + (holder.empty() ? "" : ", held by " + holder) +
+  const PortHolder holder = port_holder(resolved(path));
+  if (holder.name.empty() && holder.others_hidden)
+    throw SetupError(path +
+                     ": port is busy, held by a program of another account; end it (a service with "
+                     "`sudo systemctl stop 'tp100d@*'`; `sudo tp100d doctor` names it) or choose "
+                     "another port with --port");
+  throw SetupError(path + ": port is busy" +
+                   (holder.name.empty() ? "" : ", held by " + holder.name) +
                    "; end that program or choose another port with --port");
 }
 
