@@ -36,7 +36,7 @@ void add_run(CLI::App& app, Action& action) {
       ->type_name("FILE");
   command
       ->add_option("--port", options.port,
-                   "Serial port, or auto for the only likely one (default: auto)")
+                   "Serial port, or auto for the likeliest one (default: auto)")
       ->type_name("DEVICE");
   command->add_flag("--wait", options.wait,
                     "Wait for port and robot instead of ending with status 2");
@@ -72,7 +72,7 @@ void add_run(CLI::App& app, Action& action) {
       ->type_name("SECONDS");
   command
       ->add_option("--record", options.record,
-                   "Folder for recordings; the run gets a folder of its own in it (default: none)")
+                   "Folder for recordings; each run gets a folder of its own in it (default: none)")
       ->type_name("FOLDER");
   command->add_flag("--verbose", options.verbose,
                     "Write the loop's times to the log once a second");

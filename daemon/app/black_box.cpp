@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <utility>
 
 #include "app/live_recording.h"
@@ -58,7 +59,7 @@ void BlackBox::take(const StepRecord& record) {
   const FaultMask faults = record.snapshot.faults;
   const std::optional<Fault> fault = first_fault(faults & ~known_);
   known_ = faults;
-  if (fault && fault_.empty() && files_written_ < kMostFiles && !recorded_()) {
+  if (fault && fault_.empty() && !recorded_()) {
     fault_ = describe(*fault).name;
     due_ns_ = record.now_ns + kAfterwardsNs;
   }
@@ -75,7 +76,6 @@ void BlackBox::keep(const StepRecord& record) {
 
 void BlackBox::begin_to_write() {
   if (writer_.joinable()) writer_.join();
-  ++files_written_;
   Messages messages;
   {
     const std::lock_guard lock(mutex_);
@@ -110,11 +110,22 @@ void BlackBox::write(const std::string& fault, const Steps& steps, const Message
     if (!writer.warning().empty()) throw SetupError(writer.warning());
     char seconds[16];
     std::snprintf(seconds, sizeof seconds, "%.1f", to_s(steps.back().at_ns - begin_ns));
+    keep_newest(folder);
     note("black box: " + std::string(seconds) + " s around " + fault + " are in " + folder +
          "/run.mcap");
   } catch (const SetupError& error) {
     note("black box of " + fault + " is not written: " + error.what());
   }
+}
+
+// Whatever else somebody has put beside it stays.
+void BlackBox::keep_newest(const std::string& folder) {
+  folders_.push_back(folder);
+  if (folders_.size() <= kMostFiles) return;
+  std::error_code gone_already;
+  std::filesystem::remove(folders_.front() + "/run.mcap", gone_already);
+  std::filesystem::remove(folders_.front(), gone_already);
+  folders_.pop_front();
 }
 
 void BlackBox::finish() {

@@ -26,8 +26,9 @@ std::string black_box_directory(const RecordSettings& settings);
 
 class BlackBox : public publish::Sink {
  public:
-  /// Files of one program: a fault that comes again and again must not fill the disk.
-  static constexpr std::uint32_t kMostFiles = 20;
+  /// Of one program; the oldest goes for the newest: a fault that comes again and again must not
+  /// fill the disk.
+  static constexpr std::size_t kMostFiles = 20;
   static constexpr HostNs kAfterwardsNs = kNsPerS;
 
   /// `recorded` tells whether a recording is running that holds the same; any thread. The
@@ -64,6 +65,7 @@ class BlackBox : public publish::Sink {
   void keep(const StepRecord& record);
   void begin_to_write();
   void write(const std::string& fault, const Steps& steps, const Messages& messages);
+  void keep_newest(const std::string& folder);
   void note(std::string text);
 
   const RunFiles& files_;
@@ -77,7 +79,7 @@ class BlackBox : public publish::Sink {
   FaultMask known_ = 0;                // faults of the last step
   std::string fault_;                  // that waits to be written; empty: none
   HostNs due_ns_ = 0;                  // when it is
-  std::uint32_t files_written_ = 0;
+  std::deque<std::string> folders_;    // written so far, oldest first; of the writer
   std::thread writer_;
   std::mutex mutex_;  // of what follows
   Messages messages_;

@@ -46,7 +46,8 @@ std::span<const Key<LinkSettings>> link_keys() {
       {"port",
        &T::port,
        {},
-       "Serial port: a device path, or auto for the only one that may be a TP100"},
+       "Serial port: a device path, or auto: those that may be a TP100 in turn, the likeliest "
+       "first"},
       {"baud", &T::baud, {9600, 2000000}, "Speed of the port; the firmware speaks the default"},
       {"timeout_ms",
        &T::timeout_ms,
@@ -55,7 +56,7 @@ std::span<const Key<LinkSettings>> link_keys() {
       {"first_frame_timeout_ms",
        &T::first_frame_timeout_ms,
        {500, 60000},
-       "Nothing heard after opening the port for this long: warn"},
+       "Nothing heard, or no answer to what is asked at the beginning, for this long: warn"},
       {"hang_up",
        &T::hang_up,
        {},
@@ -66,7 +67,7 @@ std::span<const Key<LinkSettings>> link_keys() {
 
 std::span<const Key<LoopSettings>> loop_keys() {
   using T = LoopSettings;
-  static const std::array<Key<T>, 7> kKeys = {{
+  static const std::array<Key<T>, 8> kKeys = {{
       {"rate_hz", &T::rate_hz, {50, 1000}, "Steps per second"},
       {"pacing",
        Choice<T>{{"host", "robot"},
@@ -74,10 +75,18 @@ std::span<const Key<LoopSettings>> loop_keys() {
                  [](T& l, std::size_t i) { l.pacing = static_cast<Pacing>(i); }},
        {},
        "What starts a step: the host's clock, or the robot's samples with the clock as deadline"},
+      {"overrun",
+       Choice<T>{{"skip", "shift"},
+                 [](const T& l) { return static_cast<std::size_t>(l.overrun); },
+                 [](T& l, std::size_t i) { l.overrun = static_cast<Overrun>(i); }},
+       {},
+       "pacing host: where steps are due while one takes too long, skip leaves them out and keeps "
+       "the beat, shift begins a new one"},
       {"spin_us",
        &T::spin_us,
        {0, 1000},
-       "pacing host: the last part of each wait is spun instead of slept"},
+       "pacing host: the last part of each wait is spun instead of slept; not where there is one "
+       "processor"},
       {"priority", &T::priority, {0, 99}, "SCHED_FIFO priority; 0 for ordinary scheduling"},
       {"cpu", &T::cpu, {-1, 1023}, "Processor that the loop is tied to; -1 for any"},
       {"lock_memory", &T::lock_memory, {}, "Lock all memory, so that no step waits for a page"},
@@ -158,8 +167,8 @@ std::span<const Key<RecordSettings>> record_keys() {
       {"directory",
        &T::directory,
        {},
-       "Folder for recordings; each run gets a folder of its own in it. Empty: nothing is "
-       "recorded"},
+       "Folder for recordings; each run gets a folder of its own in it, with --stay from its start "
+       "to a second after its end. Empty: nothing is recorded"},
       {"max_mb",
        &T::max_mb,
        {1, 1000000},

@@ -29,9 +29,16 @@ enum class Pacing {
 };
 
 /// The real-time loop.
+/// What becomes of turns that are due while one takes too long: loop::OverrunPolicy.
+enum class Overrun {
+  kSkip,
+  kShift,
+};
+
 struct LoopSettings {
   double rate_hz = 200.0;
   Pacing pacing = Pacing::kHost;
+  Overrun overrun = Overrun::kSkip;
   int spin_us = 60;   ///< the last part of the wait is spun
   int priority = 80;  ///< SCHED_FIFO; 0: ordinary scheduling
   int cpu = -1;       ///< -1: any

@@ -17,13 +17,6 @@ Connector::Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
 void Connector::tick(HostNs now) {
   loop::LostPort lost;
   while (loop_.take_lost(lost)) take_back(lost, now);
-  const bool waiting = !stopped_ && !found_ && !settings_.wait && port_.is_open();
-  if (waiting && now - opened_ns_ > settings_.hello_timeout_ns) {
-    throw SetupError(path_ +
-                     ": speaks the protocol's frames but says no hello; reset the board, or flash "
-                     "it with " +
-                     flash_command());
-  }
   if (!stopped_ && !port_.is_open() && now >= next_try_ns_) try_open(now);
 }
 
@@ -60,29 +53,40 @@ void Connector::try_open(HostNs now) {
     retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
     return;
   }
-  opened_ns_ = now;
   path_ = port_.path();
   physical_ = port_.physical();
   say_once(path_ + ": open");
   loop_.offer({port_.fd(), ++id_});
 }
 
+// One that is held or forbidden is somebody else's: the next is tried, and the first one's error is
+// told if none can be opened.
 link::Port Connector::open_next() {
   if (settings_.port != "auto") return link::open_port(settings_.port, settings_.options);
-  const std::vector<link::PortInfo> ports = link::candidates(link::list_ports());
+  std::vector<link::PortInfo> ports = link::candidates(link::list_ports());
   if (ports.empty()) {
     throw SetupError(
         "no USB port that may be a TP100; plug the robot in, or name its port with --port (see "
         "`tp100d ports`)");
   }
   candidates_ = ports.size();
-  const auto unheard = [this](const link::PortInfo& port) { return !silent_.contains(port.path); };
-  auto next = std::find_if(ports.begin(), ports.end(), unheard);
-  if (next == ports.end()) {
-    silent_.clear();
-    next = ports.begin();
+  if (candidates_ > 1 && !std::exchange(several_said_, true))
+    say_(std::to_string(candidates_) +
+         " ports may be a TP100 (see `tp100d ports`), the likeliest first; name the robot's with "
+         "--port or link.port");
+  const auto silent = [this](const link::PortInfo& port) { return silent_.contains(port.path); };
+  if (std::all_of(ports.begin(), ports.end(), silent)) silent_.clear();
+  std::stable_partition(ports.begin(), ports.end(), std::not_fn(silent));
+  std::string refused;
+  for (const link::PortInfo& port : ports) {
+    if (silent(port) && !settings_.wait && !found_) break;
+    try {
+      return link::open_port(port.path, settings_.options);
+    } catch (const SetupError& error) {
+      if (refused.empty()) refused = error.what();
+    }
   }
-  return link::open_port(next->path, settings_.options);
+  throw SetupError(refused);
 }
 
 void Connector::say_once(const std::string& line) {

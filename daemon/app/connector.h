@@ -16,8 +16,7 @@ namespace tp100::app {
 struct ConnectorSettings {
   std::string port = "auto";  ///< path, or auto: the ports that may be a TP100, most likely first
   link::PortOptions options{};
-  bool wait = false;                      ///< do not give up before the first hello
-  HostNs hello_timeout_ns = 6 * kNsPerS;  ///< after opening, for who speaks but says no hello
+  bool wait = false;  ///< do not give up before the first hello
 };
 
 class Connector {
@@ -62,12 +61,12 @@ class Connector {
   std::set<std::string> silent_;  // candidates that did not answer; the others are asked first
   std::size_t candidates_ = 1;
   std::uint32_t id_ = 0;
-  HostNs opened_ns_ = 0;
   HostNs next_try_ns_ = 0;
   HostNs retry_ns_ = kFirstRetryNs;
   bool physical_ = false;
   bool found_ = false;
   bool stopped_ = false;
+  bool several_said_ = false;
 };
 
 }  // namespace tp100::app

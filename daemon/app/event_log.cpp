@@ -49,13 +49,15 @@ EventLog::~EventLog() {
 void EventLog::info(const std::string& line) { writer_->logger->info("{}", line); }
 void EventLog::warn(const std::string& line) { writer_->logger->warn("{}", line); }
 
-bool EventLog::allow(HostNs at_ns) {
-  if (at_ns - burst_began_ns_ > kNsPerS) {
-    if (folded_ > 0) writer_->logger->warn("{} more events within a second are not shown", folded_);
-    burst_began_ns_ = at_ns;
-    burst_ = 0;
-    folded_ = 0;
-  }
+void EventLog::tick(HostNs now) {
+  if (now - burst_began_ns_ <= kNsPerS) return;
+  if (folded_ > 0) writer_->logger->warn("{} more events within a second are not shown", folded_);
+  burst_began_ns_ = now;
+  burst_ = 0;
+  folded_ = 0;
+}
+
+bool EventLog::allow() {
   if (++burst_ <= kBurst) return true;
   ++folded_;
   return false;
@@ -66,7 +68,8 @@ void EventLog::event(const LiveEvent& event, const std::vector<publish::Event>& 
     // A port on which nothing is heard says so once.
     const bool silent = event.session.kind == Kind::kTimeout;
     const bool told = std::exchange(silence_told_, silent);
-    if ((silent && told) || !allow(event.session.at_ns)) return;
+    tick(event.session.at_ns);
+    if ((silent && told) || !allow()) return;
   }
   words(all_words);
 }

@@ -30,12 +30,14 @@ class EventLog {
   void grants(const std::vector<loop::Grant>& grants);
   /// The line of figures, every ten seconds.
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
+  /// Time passes: what was folded is summed up.
+  void tick(HostNs now);
   /// The loop's times since its start in one line.
   void times(const publish::LoopFigures& loop);
 
  private:
   struct Writer;
-  bool allow(HostNs at_ns);
+  bool allow();
 
   std::unique_ptr<Writer> writer_;
 

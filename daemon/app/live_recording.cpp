@@ -1,5 +1,6 @@
 #include "app/live_recording.h"
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 #include <filesystem>
@@ -14,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using publish::Channel;
+
+// Every recording that begins later holds all of it: two hours at 200 Hz.
+constexpr std::uint64_t kMostBefore = 300'000'000;
 
 std::string date_and_time(std::int64_t unix_ns) {
   const auto seconds = static_cast<std::time_t>(unix_ns / kNsPerS);
@@ -60,8 +64,9 @@ LiveRecording::LiveRecording(const RunFiles& files, const RunSetup& run,
   std::error_code error;
   fs::create_directories(settings.directory, error);
   if (error) fail(settings.directory, error);
-  recorder_ = std::make_unique<publish::Recorder>(publish::RecorderSettings{
-      .journal_folder = settings.directory, .journal_bytes = max_bytes()});
+  recorder_ = std::make_unique<publish::Recorder>(
+      publish::RecorderSettings{.journal_folder = settings.directory,
+                                .journal_bytes = std::min(max_bytes() / 2, kMostBefore)});
 }
 
 std::uint64_t LiveRecording::max_bytes() const {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <thread>
 
 #include "app/black_box.h"
 #include "app/bundled_files.h"
@@ -65,7 +66,11 @@ loop::LoopSettings loop_settings(const LoopSettings& settings) {
   loop::LoopSettings out;
   out.period_ns = static_cast<HostNs>(std::llround(1e9 / settings.rate_hz));
   out.robot_paced = settings.pacing == Pacing::kRobot;
-  out.spin_ns = settings.spin_us * kNsPerUs;
+  out.overrun = settings.overrun == Overrun::kSkip ? loop::OverrunPolicy::kSkipMissed
+                                                   : loop::OverrunPolicy::kShiftPhase;
+  // Whoever the loop waits for needs the only processor.
+  const bool alone = std::thread::hardware_concurrency() == 1;
+  out.spin_ns = alone ? 0 : settings.spin_us * kNsPerUs;
   out.thread = {.priority = settings.priority, .cpu = settings.cpu};
   return out;
 }
@@ -102,9 +107,7 @@ int run_run(const RunOptions& options) {
   settings.connector = {
       .port = configuration.link.port,
       .options = {.baud = configuration.link.baud, .hang_up = configuration.link.hang_up},
-      .wait = options.wait,
-      // Silence is noticed first.
-      .hello_timeout_ns = session.first_frame_timeout_ns + kNsPerS};
+      .wait = options.wait};
   settings.camera = configuration.camera;
   settings.world = world_run(run);
   settings.go = options.go;
@@ -126,7 +129,8 @@ int run_run(const RunOptions& options) {
     black_box.hear(channel, unix_ns, json);
   };
   const std::unique_ptr<publish::Server> server = make_server(run, clock, controls, listener);
-  if (!configuration.record.directory.empty()) recording.start("");
+  // Who stays records run by run.
+  if (!configuration.record.directory.empty() && !options.stay) recording.start("");
   settings.server = server.get();
   settings.controls = &controls;
   settings.stay = options.stay;

@@ -15,6 +15,7 @@
 #include "app/live_events.h"
 #include "app/live_world.h"
 #include "app/operator_input.h"
+#include "app/run_recorder.h"
 #include "app/service_notice.h"
 #include "app/stats_file.h"
 #include "core/angle.h"
@@ -40,6 +41,7 @@ struct Supervisor::State {
         cycle(c),
         loop(l),
         connector(s.connector, l, [this](const std::string& line) { log.info(line); }),
+        run_recorder(*s.recording, s.stay && s.recording->figures().available),
         signals(context),
         timer(context) {}
 
@@ -54,6 +56,7 @@ struct Supervisor::State {
   void on_session(const LiveEvent& event);
   void on_session_state(SessionState state);
   void on_run_state(const LiveEvent& event);
+  void record_run(const LiveEvent& event);
   void on_enter();
   void run_ended(int exit_status, const std::string& result);
   void begin_serving();
@@ -73,6 +76,7 @@ struct Supervisor::State {
   ServiceNotice notice{service_settings()};
   asio::io_context context;
   Connector connector;
+  RunRecorder run_recorder;
   asio::signal_set signals;
   asio::steady_timer timer;
   std::unique_ptr<OperatorInput> input;
@@ -210,9 +214,11 @@ void Supervisor::State::tick() {
   note_link();
   connector.tick(now);
   take_status(now);
+  log.tick(now);
   notice.alive(loop.statistics().turns.load(), now);
   if (const std::string note = world->take_note(); !note.empty()) log.info(note);
   note_black_box();
+  run_recorder.tick(now);
   if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
   if (ending && loop.ended()) {
     input->stop();
@@ -235,6 +241,7 @@ void Supervisor::State::take_events() {
   while (cycle.take_event(event)) {
     // What ends the program is said once, by the error.
     if (event.kind == LiveEvent::Kind::kSession) fail_early(event);
+    if (event.kind == LiveEvent::Kind::kRunState) record_run(event);
     const std::vector<publish::Event> words = words_for(event);
     log.event(event, words);
     serve(event, words);
@@ -263,6 +270,10 @@ void Supervisor::State::fail_early(const LiveEvent& event) const {
   if (settings.connector.wait || had_session || ending) return;
   if (event.session.kind == Kind::kVersionMismatch) {
     throw SetupError(connector.path() + ": " + version_mismatch(event.hello));
+  }
+  if (event.session.kind == Kind::kUnanswered) {
+    const publish::Event words = words_for(event).front();
+    throw SetupError(connector.path() + ": " + words.cause + "; " + words.remedy);
   }
   const bool refused = event.session.kind == Kind::kAcknowledged &&
                        event.session.a == static_cast<std::int32_t>(wire::Type::kParameters) &&
@@ -305,6 +316,12 @@ void Supervisor::State::on_run_state(const LiveEvent& event) {
   if (event.to != RunState::kAborted) return;
   figures.faults = event.faults;
   if ((event.faults & kRecoverable) == 0) run_ended(1, "aborted");
+}
+
+// Before anybody is told, so that the recording has it.
+void Supervisor::State::record_run(const LiveEvent& event) {
+  const std::string why = run_recorder.on_run_state(event.to, event.at_ns);
+  if (!why.empty()) log.warn(why);
 }
 
 void Supervisor::State::run_ended(int exit_status, const std::string& result) {

@@ -23,7 +23,9 @@ void StepJournal::add(const StepRecord& record) {
 }
 
 void StepJournal::write_block() {
-  if (file_->size() + open_.size() > max_bytes_) return give_up("they are more than record.max_mb");
+  if (file_->size() + open_.size() > max_bytes_)
+    return give_up("they are more than " + std::to_string(max_bytes_ / 1'000'000) +
+                   " MB, see record.max_mb");
   if (const int error = file_->append(open_); error != 0) return give_up(std::strerror(error));
   sizes_.push_back(static_cast<std::uint32_t>(open_.size()));
   open_.clear();

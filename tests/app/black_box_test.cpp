@@ -114,13 +114,18 @@ TEST_F(BlackBoxTest, AFaultThatStaysIsWrittenOnce) {
   EXPECT_THAT(written(), SizeIs(1));
 }
 
-TEST_F(BlackBoxTest, EveryNewFaultIsWrittenButNotWithoutEnd) {
-  for (std::uint32_t i = 0; i < BlackBox::kMostFiles + 5; ++i) {
+TEST_F(BlackBoxTest, EveryNewFaultIsWrittenAndTheOldestGo) {
+  const auto fail = [this] {
     drive(0.5);
     drive(1.5, fault_bit(Fault::link_lost));
-  }
+  };
+  fail();
+  fail();
+  const std::vector<std::string> first = written();
+  for (std::size_t i = 0; i < BlackBox::kMostFiles; ++i) fail();
   box().finish();
   EXPECT_THAT(written(), SizeIs(BlackBox::kMostFiles));
+  for (const std::string& file : first) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
 TEST_F(BlackBoxTest, AProgramThatEndsWritesWhatItHas) {

@@ -101,6 +101,20 @@ class Run : public ::testing::Test {
     EXPECT_TRUE(happened) << "did not happen";
     return happened;
   }
+  /// How many recordings there are; each repeats its run bit for bit.
+  int replayed_recordings() const {
+    int replayed = 0;
+    for (const auto& run : std::filesystem::directory_iterator(options_.record)) {
+      testing::internal::CaptureStdout();
+      EXPECT_EQ(
+          run_replay(
+              {.in = run.path(), .out = folder_.file("poses.csv"), .config = {}, .model = {}}),
+          0);
+      EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("bit for bit"));
+      ++replayed;
+    }
+    return replayed;
+  }
   static bool commanded(const ScriptedRobot& robot) { return robot.heard.commands.size() > 20; }
 
   static bool driven(const ScriptedRobot& robot) {
@@ -149,6 +163,21 @@ TEST_F(Run, FramesWithoutAHelloAreAnErrorUnlessAskedToWait) {
   over = true;
   chatter.join();
   EXPECT_THAT(message_, HasSubstr("says no hello"));
+}
+
+TEST_F(Run, ARobotThatSpeaksAndHearsNothingIsAnErrorUnlessAskedToWait) {
+  robot_->plug_in();
+  robot_->with([](ScriptedRobot& robot) { robot.answers_parameters = false; });
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("hears nothing of what is sent to it; check cable"));
+  options_.wait = true;
+  EXPECT_EQ(run([&] {
+              says_of_itself("\"unanswered\": 1");
+              robot_->with([](ScriptedRobot& robot) { robot.answers_parameters = true; });
+              eventually(commanded);
+            }),
+            1);
+  EXPECT_THAT(log_, HasSubstr("no answer from the robot (state parameters)"));
 }
 
 TEST_F(Run, AWrongVersionIsRefusedWithBothVersions) {
@@ -474,16 +503,31 @@ TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
   EXPECT_THAT(runs, HasSubstr("\"active\":true"));
   EXPECT_THAT(runs, HasSubstr("\"active\":false"));
   // The second began in the middle.
-  int replayed = 0;
-  for (const auto& run : std::filesystem::directory_iterator(options_.record)) {
-    testing::internal::CaptureStdout();
-    EXPECT_EQ(
-        run_replay({.in = run.path(), .out = folder_.file("poses.csv"), .config = {}, .model = {}}),
-        0);
-    EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("bit for bit"));
-    ++replayed;
-  }
-  EXPECT_EQ(replayed, 2);
+  EXPECT_EQ(replayed_recordings(), 2);
+}
+
+TEST_F(Run, WhoStaysRecordsRunByRun) {
+  options_.course = "1-straight";
+  options_.stay = true;
+  options_.record = folder_.file("runs");
+  robot_->plug_in();
+  EXPECT_GE(run([&] {
+              eventually(driven);
+              publish::WebClient viewer(page());
+              says_of_itself("\"active\": true");
+              viewer.call(3);
+              says_of_itself("\"active\": false");
+              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              EXPECT_TRUE(soon([&] {
+                viewer.call(1);
+                std::this_thread::sleep_for(100ms);
+                viewer.drain();
+                return robot_->with(driven);
+              }));
+              says_of_itself("\"active\": true");
+            }),
+            0);
+  EXPECT_EQ(replayed_recordings(), 2);
 }
 
 TEST_F(Run, APageThatCannotBeServedIsAnErrorOfOneLine) {

@@ -1,7 +1,7 @@
 // viewer_load PORT SECONDS: 50 viewers at once, one of which never reads, one sends garbage and one
 // sends frames of 100 MB. viewer_load PORT SECONDS VIEWERS: that many, all of which behave; the
-// first starts the robot again whenever its run is over. Prints one JSON object with what the
-// server says of them.
+// first starts the robot again whenever its run is over, and records all of it. Prints one JSON
+// object with what the server says of them.
 
 #include <algorithm>
 #include <atomic>
@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 
 constexpr int kGood = 47;
 // Of the services that the server offers.
-constexpr std::uint32_t kStart = 1;
+constexpr std::uint32_t kStart = 1, kRecord = 4, kEndRecording = 5;
 constexpr auto kLookEvery = 500ms;
 
 using Clock = std::chrono::steady_clock;
@@ -94,11 +94,13 @@ void load(const std::string& port, Clock::time_point end) {
               closed(good), dropped);
 }
 
-/// Looks on, and keeps the robot driving.
+/// Looks on, and keeps the robot driving; all of it is one recording, if there is a folder for any.
 void look_on(const std::string& port, Clock::time_point end, int count) {
   std::vector<WebClient> viewers = polite(port, count);
   WebClient watcher(port);
   watcher.subscribe(Channel::kClient);
+  watcher.call(kEndRecording);
+  watcher.call(kRecord);
   unsigned long long dropped = 0;
   Clock::time_point next = Clock::now();
   while (Clock::now() < end) {
