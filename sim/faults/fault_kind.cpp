@@ -19,7 +19,7 @@ constexpr std::array kTexts = std::to_array<FaultText>({
     {kInsert, "insert", "bytes", "share of the bytes", 0.001, 0, 1, kDirection, false,
      "a byte that nobody sent comes between two"},
     {kNoise, "noise", "bytes", "bytes", 64, 1, 100000, kDirection, true,
-     "a burst of random bytes, at the cable's speed"},
+     "a burst of random bytes; to the robot at the cable's speed, to the host all at once"},
     {kDelimiter, "delimiter", "bytes", "share of the bytes", 0.001, 0, 1, kDirection, false,
      "a byte becomes a frame's end"},
     {kTruncate, "truncate", "bytes", "share of the frames", 0.05, 0, 1, kDirection, false,

@@ -39,13 +39,18 @@ struct BoardClock {
   std::uint32_t start_us;
 };
 
+/// At least a tick before the wrap: from 0 on it would be 71 minutes away.
+std::uint32_t start_before_wrap_us(std::int64_t wrap_ns) {
+  const std::int64_t ahead_us = std::max<std::int64_t>(wrap_ns / kNsPerUs, kTickUs);
+  return static_cast<std::uint32_t>(-ahead_us) / kTickUs * kTickUs;
+}
+
 /// A resonator and a register are as they are from power-on.
 BoardClock clock_of(const EmulatedRobotSettings& settings) {
   BoardClock clock{settings.values.clock_ppm, settings.start_us};
   for (const PlannedFault& fault : settings.faults) {
     if (fault.kind == FaultKind::kDrift) clock.ppm += fault.number;
-    if (fault.kind == FaultKind::kWrap)
-      clock.start_us = static_cast<std::uint32_t>(-(fault.begin_ns / kNsPerUs)) / kTickUs * kTickUs;
+    if (fault.kind == FaultKind::kWrap) clock.start_us = start_before_wrap_us(fault.begin_ns);
     if (fault.kind == FaultKind::kHang && settings.board != BoardKind::kAvr)
       throw SetupError("--fault hang: only an emulated chip can hang; add --board avr");
   }
