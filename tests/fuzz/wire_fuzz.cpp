@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../wire/all_messages.h"
 #include "byte_source.h"
 #include "core/link_state.h"
 #include "link/frame_reader.h"
@@ -28,18 +29,9 @@ void read_and_write(const std::uint8_t* payload, std::size_t size) {
 }
 
 void read_as_every_message(const std::uint8_t* payload, std::size_t size) {
-  read_and_write<wire::Hello>(payload, size);
-  read_and_write<wire::Sample>(payload, size);
-  read_and_write<wire::Acknowledge>(payload, size);
-  read_and_write<wire::SyncReply>(payload, size);
-  read_and_write<wire::FaultReport>(payload, size);
-  read_and_write<wire::Log>(payload, size);
-  read_and_write<wire::HelloRequest>(payload, size);
-  read_and_write<wire::Command>(payload, size);
-  read_and_write<wire::Arm>(payload, size);
-  read_and_write<wire::Disarm>(payload, size);
-  read_and_write<wire::Stop>(payload, size);
-  read_and_write<wire::SyncRequest>(payload, size);
+  wire::for_each_message([&](const char*, const auto& message) {
+    read_and_write<std::decay_t<decltype(message)>>(payload, size);
+  });
 }
 
 void raw(std::span<const std::uint8_t> bytes) {
