@@ -5,22 +5,29 @@ if(TP100_SANITIZE OR TP100_FUZZ OR NOT TP100_BUILD_FIRMWARE)
 endif()
 
 set(manual ${CMAKE_BINARY_DIR}/manual)
-configure_file(scripts/flash ${manual}/bin/tp100-flash COPYONLY)
+# Scripts that are installed as tp100-NAME, and the program beside each that says its version.
+set(scripts flash campaign)
+set(program_of_flash tp100d)
+set(program_of_campaign tp100-sim)
+foreach(name IN LISTS scripts)
+  configure_file(scripts/${name} ${manual}/bin/tp100-${name} COPYONLY)
+endforeach()
 find_program(PYTHON3 python3)
 if(PYTHON3)
   set(written)
   file(GLOB writer CONFIGURE_DEPENDS scripts/manual*.py)
-  foreach(program tp100d tp100-sim tp100-flash)
+  foreach(program tp100d tp100-sim tp100-flash tp100-campaign)
     set(path ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${program})
     set(outputs ${manual}/${program}.1.gz ${manual}/${program}.bash ${manual}/_${program})
     set(on ${program})
     set(before)
-    if(program STREQUAL tp100-flash)
+    string(REGEX REPLACE "^tp100-" "" name ${program})
+    if(name IN_LIST scripts)
       set(path ${manual}/bin/${program})
-      # It asks the tp100d beside it for its version.
-      set(on scripts/flash tp100d)
-      set(before COMMAND ${CMAKE_COMMAND} -E create_symlink ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/tp100d
-        ${manual}/bin/tp100d)
+      set(beside ${program_of_${name}})
+      set(on scripts/${name} ${beside})
+      set(before COMMAND ${CMAKE_COMMAND} -E create_symlink ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${beside}
+        ${manual}/bin/${beside})
     endif()
     add_custom_command(OUTPUT ${outputs} ${before}
       COMMAND ${PYTHON3} -B ${CMAKE_SOURCE_DIR}/scripts/manual.py ${path} ${manual}
@@ -36,7 +43,7 @@ else()
 endif()
 
 install(TARGETS tp100d tp100-sim DESTINATION bin)
-install(PROGRAMS ${manual}/bin/tp100-flash DESTINATION bin)
+install(PROGRAMS ${manual}/bin/tp100-flash ${manual}/bin/tp100-campaign DESTINATION bin)
 install(FILES ${CMAKE_BINARY_DIR}/firmware/tp100.hex DESTINATION share/tp100)
 install(DIRECTORY config/campaigns config/courses config/robots config/cameras DESTINATION share/tp100)
 install(FILES config/tp100.toml config/view.toml DESTINATION share/tp100)
@@ -53,7 +60,7 @@ execute_process(COMMAND gzip -9nc INPUT_FILE ${debian}/changelog OUTPUT_FILE ${d
   COMMAND_ERROR_IS_FATAL ANY)
 install(FILES ${debian}/copyright ${documents}/changelog.gz DESTINATION share/doc/tp100)
 # In the folders of the source tree: they point at each other.
-foreach(page config/TUTORIALS.md daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md
+foreach(page README.md config/TUTORIALS.md daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md
     daemon/publish/CHANNELS.md daemon/publish/THREATS.md daemon/worlds/WORLD.md firmware/FIRST_DRIVE.md
     firmware/PROTOCOL.md firmware/WIRING.md sim/CI.md sim/faults/FAULTS.md tests/PROOF.md)
   cmake_path(GET page PARENT_PATH folder)
@@ -79,7 +86,8 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # systemd-sysusers, udevadm and userdel are for the maintainer scripts.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "systemd | systemd-standalone-sysusers | systemd-sysusers, passwd")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "avrdude, udev")
+# GNU parallel is for tp100-campaign.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "avrdude, parallel, udev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "arduino-core-avr")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "real-time bridge and emulator for the TP100 crawler")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
@@ -89,8 +97,9 @@ and a trajectory controller's yaw command. It shows a page, records MCAP files
 and runs as a service, one instance for each robot.
 
 tp100-sim is an emulated robot: the same firmware on a rigid body with tracks,
-over a wire with real byte times. tp100-flash writes the firmware that comes
-with the package to a Mega; for that it needs avrdude.")
+over a wire with real byte times. tp100-campaign drives it thousands of times,
+by GNU parallel or on a Slurm cluster. tp100-flash writes the firmware that
+comes with the package to a Mega; for that it needs avrdude.")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
   ${documents}/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)

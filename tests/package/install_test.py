@@ -29,7 +29,7 @@ def newer(deb, folder):
 
 
 def drive_as_user(machine):
-    """Emulator and daemon as the service's user, without systemd, through a short course."""
+    """Emulator and daemon as the service's user, without systemd, through a short course; two runs of a campaign."""
     machine.write("/srv/short.toml", COURSE)
     said = machine.shell("""
       test "$(id -nG tp100)" = "tp100 dialout"
@@ -38,7 +38,10 @@ def drive_as_user(machine):
       trap 'kill $robot' EXIT
       for i in $(seq 50); do [ -e /tmp/robot ] && break; sleep 0.1; done
       $as env XDG_STATE_HOME=/tmp tp100d run --port /tmp/robot --course /srv/short.toml --duration 60
-      $as tp100-sim course 1-curve --board avr | head -3""")
+      $as tp100-sim course 1-curve --board avr | head -3
+      printf 'runs = 2\\ncourse = "1-curve"\\n' >/srv/few.toml
+      $as tp100-campaign /srv/few.toml --out /tmp/few --engine one
+      test -s /tmp/few/index.html""")
     check("short: completed" in said, f"the course as tp100: {said}")
     print(said)
 

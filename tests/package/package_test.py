@@ -22,6 +22,9 @@ def make(build):
     version = run("dpkg-deb", "-f", deb, "Version").strip()
     written = run("dpkg-parsechangelog", "-l", ROOT + "/scripts/debian/changelog", "-S", "Version").strip()
     check(version == written, f"scripts/debian/changelog is of version {written}, the package of {version}")
+    there = run("dpkg-deb", "-c", deb)
+    for path in ("bin/tp100-campaign", "share/doc/tp100/README.md", "share/doc/tp100/config/TUTORIALS.md"):
+        check(f" ./usr/{path}\n" in there, f"the package has no /usr/{path}")
 
 
 def lintian(build):
@@ -50,12 +53,13 @@ def completion(build):
         for line, offered in (("tp100d ", "identify"), ("tp100d re", "replay"), ("tp100d run --set", "--setup"),
                               ("tp100d run --setup ", "terrain"), ("tp100-sim robot --board a", "avr"),
                               ("tp100-flash --dry", "--dry-run"), ("tp100-flash --port a", "auto"),
+                              ("tp100-campaign --eng", "--engine"), ("tp100-campaign --engine s", "slurm"),
                               ("tp100d check /etc/pass", "/etc/passwd")):
             got = words(scripts + line.split(" ", maxsplit=1)[0], line)
             check(offered in got, f"bash offers {got} after '{line}', not {offered}")
-        for program in ("tp100d", "tp100-sim", "tp100-flash"):
+        for program in ("tp100d", "tp100-sim", "tp100-flash", "tp100-campaign"):
             page = gzip.open(f"{at}/usr/share/man/man1/{program}.1.gz", "rt").read()
-            check(f"\n{program} \\-".replace("-s", "\\-s").replace("-f", "\\-f") in page, f"{program}: no whatis line")
+            check("\n" + program.replace("-", "\\-") + " \\- " in page, f"{program}: no whatis line")
             need(("zsh", "zsh"))
             run("zsh", "-n", f"{at}/usr/share/zsh/vendor-completions/_{program}")
 
