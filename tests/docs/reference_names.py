@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """reference_names.py REFERENCE.md PROGRAMS: every name that the programs print stands in that page, between backticks.
 
-An emulated run, the report of its recording, and the figures of a live daemon are asked.
+An emulated run, the report of its recording, a small campaign, the doctor with and without a robot, and the figures of a
+live daemon are asked.
 """
 import glob
 import json
@@ -12,17 +13,51 @@ import sys
 import tempfile
 
 
+# Eight runs of which some fail and some are refused.
+CAMPAIGN = """runs = 8
+course = "1-curve"
+[configuration]
+control.time_limit_factor = { list = [1.0, 3.0] }
+[robot_values]
+drive.max_track_mps = { list = [0.2, 99.0] }
+emulated.body.friction = { uniform = [0.6, 0.9] }
+"""
+# Below these stand keys of files, causes and rights: no names of figures.
+NAMED = {"privileges", "causes", "drawn", "rank_correlation"}
+
+
 def names(value):
-    """Of all keys below, each by itself; what is counted by name (rights that were granted) has none."""
+    """Of all keys below, each by itself, those with dots in pieces, and of the doctor's findings."""
     if isinstance(value, list):
         return {name for one in value for name in names(one)}
     if not isinstance(value, dict):
         return set()
-    return set(value) | {name for key, below in value.items() if key != "privileges" for name in names(below)}
+    own = {piece for key in value for piece in key.split(".")}
+    if "severity" in value:
+        own.add(value["name"])
+    return own | {name for key, below in value.items() if key not in NAMED for name in names(below)}
 
 
 def run(*command):
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def doctor(programs, port):
+    """Whatever it finds."""
+    return json.loads(subprocess.run([os.path.join(programs, "tp100d"), "doctor", "--json", "--port", port],
+                                     stdout=subprocess.PIPE, text=True, check=False).stdout)
+
+
+def campaign(programs, folder):
+    program = os.path.join(programs, "tp100-sim")
+    spec, out = os.path.join(folder, "spec.toml"), os.path.join(folder, "many")
+    with open(spec, "w") as file:
+        file.write(CAMPAIGN)
+    # Where runs were refused both end with status 1.
+    for command in (["campaign", spec, "--out", out], ["merge", out]):
+        subprocess.run([program, *command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    with open(os.path.join(out, "merged.json")) as file:
+        return json.load(file)
 
 
 def live(programs, folder):
@@ -32,17 +67,19 @@ def live(programs, folder):
         subprocess.run([os.path.join(programs, "tp100d"), "run", "--port", link, "--wait", "--setup", "bench", "--duration",
                         "5", "--listen", "off", "--stats", stats, "--record", os.path.join(folder, "live")],
                        stderr=subprocess.DEVNULL)
+        examined = doctor(programs, link)
     finally:
         robot.kill()
         robot.wait()
     with open(stats) as file:
-        return json.load(file)
+        return json.load(file), examined
 
 
 def main():
     page, programs = sys.argv[1:]
     with open(page) as file:
-        words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`]+)`", file.read()))))
+        marked = " ".join(re.findall(r"`([^`]+)`", file.read()))
+    words = set(re.findall(r"\w+", marked)) | set(re.findall(r"[\w-]+", marked))
     with tempfile.TemporaryDirectory(prefix="tp100-docs-") as folder:
         record = os.path.join(folder, "runs")
         printed = {"tp100-sim course --json": json.loads(
@@ -50,7 +87,9 @@ def main():
         run(os.path.join(programs, "tp100d"), "report", *glob.glob(os.path.join(record, "*", "run.mcap")))
         with open(glob.glob(os.path.join(record, "*", "metrics.json"))[0]) as file:
             printed["metrics.json"] = json.load(file)
-        printed["--stats"] = live(programs, folder)
+        printed["merged.json"] = campaign(programs, folder)
+        printed["--stats"], printed["doctor --json"] = live(programs, folder)
+        printed["doctor --json, no robot"] = doctor(programs, os.path.join(folder, "nothing"))
     missing = [f"{where}: {name}" for where, json_value in printed.items() for name in sorted(names(json_value) - words)]
     for line in missing:
         print(f"{page} does not explain {line}", file=sys.stderr)
