@@ -88,7 +88,11 @@ std::span<const Key<LoopSettings>> loop_keys() {
        "pacing host: the last part of each wait is spun instead of slept; not where there is one "
        "processor"},
       {"priority", &T::priority, {0, 99}, "SCHED_FIFO priority; 0 for ordinary scheduling"},
-      {"cpu", &T::cpu, {-1, 1023}, "Processor that the loop is tied to; -1 for any"},
+      {"cpu",
+       &T::cpu,
+       {-1, 1023},
+       "Processor that the loop is tied to; -1 for any. Paced by the robot best the one that has "
+       "the port's interrupts (/proc/interrupts): to wake another one takes longer than a turn"},
       {"lock_memory", &T::lock_memory, {}, "Lock all memory, so that no step waits for a page"},
       {"hold_cpu_latency",
        &T::hold_cpu_latency,

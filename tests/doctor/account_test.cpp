@@ -1,7 +1,6 @@
 #include "doctor/account.h"
 
 #include <gmock/gmock.h>
-#include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
@@ -13,6 +12,7 @@
 #include <cstring>
 #include <vector>
 
+#include "../support/as_nobody.h"
 #include "fake_system.h"
 
 namespace tp100::doctor {
@@ -81,25 +81,6 @@ TEST_F(Permission, ThatTheGroupSeemsToHaveIsAQuestionOfTheAccessList) {
   EXPECT_THAT(listed.fix, HasSubstr("getfacl /dev/ttyACM0"));
 }
 
-/// As another account than root, which may do anything, for as long as it lives.
-class AsNobody {
- public:
-  static constexpr uid_t kNobody = 65534;
-  AsNobody() : groups_(static_cast<std::size_t>(::getgroups(0, nullptr))) {
-    ::getgroups(static_cast<int>(groups_.size()), groups_.data());
-    EXPECT_TRUE(::setgroups(0, nullptr) == 0 && ::setegid(kNobody) == 0 && ::seteuid(kNobody) == 0);
-  }
-  ~AsNobody() {
-    EXPECT_TRUE(::seteuid(0) == 0 && ::setegid(0) == 0 &&
-                ::setgroups(groups_.size(), groups_.data()) == 0);
-  }
-  AsNobody(const AsNobody&) = delete;
-  AsNobody& operator=(const AsNobody&) = delete;
-
- private:
-  std::vector<gid_t> groups_;
-};
-
 /// Lets `user`, and the owner, read and write `file`, as udev's "uaccess" does for who sits at the
 /// machine. False with errno: the file system keeps no such lists.
 bool let_in(const std::string& file, uid_t user) {
@@ -125,14 +106,14 @@ bool let_in(const std::string& file, uid_t user) {
 TEST_F(Permission, OfAnAccessListIsTheKernelsToSay) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can look as somebody else; run it as root";
   ASSERT_EQ(::chmod(fake_.system().file("/").c_str(), 0755), 0);
-  const Account nobody{"nobody", {AsNobody::kNobody}};
+  const Account nobody{"nobody", {test::AsNobody::kNobody}};
   const auto looked = [&] {
-    const AsNobody as_nobody;
+    const test::AsNobody as_nobody;
     return permission_findings(fake_.system(), kDevice, nobody, fake_.system().usable(kDevice))
         .at(0);
   };
   EXPECT_THAT(looked().seen, HasSubstr("nobody is not in group dialout"));
-  if (!let_in(fake_.system().file(kDevice), AsNobody::kNobody))
+  if (!let_in(fake_.system().file(kDevice), test::AsNobody::kNobody))
     GTEST_SKIP() << "no access lists on this file system (" << std::strerror(errno)
                  << "); give another TMPDIR";
   EXPECT_EQ(looked().severity, Severity::kOk) << looked().seen;

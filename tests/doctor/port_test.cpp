@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "../support/as_nobody.h"
 #include "doctor/modem_manager.h"
 #include "doctor/usb.h"
 #include "fake_system.h"
@@ -86,6 +87,17 @@ TEST_F(Port, ThatIsHeldNamesItsHolder) {
   EXPECT_EQ(held.severity, Severity::kError);
   EXPECT_EQ(held.seen, "/dev/ttyACM0: held open by minicom (pid 999999999)");
   EXPECT_THAT(held.fix, HasSubstr("end that program"));
+}
+
+TEST_F(Port, ThatAnotherAccountMayHoldIsNotCalledFree) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can look as somebody else; run it as root";
+  ASSERT_EQ(::chmod(fake_.system().file("/").c_str(), 0755), 0);
+  fake_.process("999999999", "tp100d");
+  fake_.opens("999999999", kDevice);
+  fake_.mode("/proc/999999999/fd", 0700);
+  const test::AsNobody as_nobody;
+  EXPECT_EQ(find(holder_findings(fake_.system(), kDevice), "holder").seen,
+            "/dev/ttyACM0: no other program of this account has it open");
 }
 
 TEST_F(Port, IsProbedByAModemManagerThatRuns) {

@@ -56,6 +56,9 @@ check_unplugged_while_driving() {
   ended 0
 }
 
+# holds PID FILE: that program reads from FILE.
+holds() { [ "$(readlink /proc/$1/fd/0)" = "$2" ]; }
+
 # Another program still has the old number open. Meanwhile the bridge is asked, too, but only once.
 check_returns_under_another_number() {
   printf '[link]\nfirst_frame_timeout_ms = 500.0\n' > /tmp/quick.toml
@@ -63,6 +66,7 @@ check_returns_under_another_number() {
   ready
   sleep 100000 < /dev/ttyACM0 &
   holder=$!
+  until_ holds $holder /dev/ttyACM0 || wrong "nobody else has /dev/ttyACM0 open"
   mark
   unplug 0
   await "port is gone"

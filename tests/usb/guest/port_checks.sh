@@ -14,7 +14,7 @@ check_lists_ports() {
 # Found among them by itself, ready, through a short course.
 check_drives() {
   start_course --port auto
-  await "/dev/ttyACM0: open" && ready && drive_it
+  await "2 ports may be a TP100" && await "/dev/ttyACM0: open" && ready && drive_it
 }
 
 # Raw, and at 500000 baud, which the bus saw; what it saw of DTR is for the next checks.
@@ -45,6 +45,8 @@ check_is_alone_on_it() {
   chmod 666 /dev/ttyACM0
   su nobody -c "head -c 1 /dev/ttyACM0" > /tmp/other 2>&1
   has /tmp/other "busy"
+  su nobody -c "tp100d run --listen off --port /dev/ttyACM0" > /tmp/other 2>&1 < /dev/null
+  has /tmp/other "/dev/ttyACM0: port is busy, held by a program of another account"
   # Root is kept out by the lock alone; it must not touch the settings of the first one either.
   stty -a < /dev/ttyACM0 2> /dev/null | cmp -s - /tmp/stty || wrong "a second tp100d changed the settings of the port"
   ! says "ready -> " || wrong "the first tp100d lost its robot: $(last_words)"
