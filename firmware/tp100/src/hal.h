@@ -51,7 +51,7 @@ class Hal {
   virtual void idle() = 0;
 
  protected:
-  ~Hal() {}
+  ~Hal() = default;
 };
 
 /// Interrupts are off while one of these lives.

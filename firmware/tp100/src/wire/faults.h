@@ -63,7 +63,7 @@ namespace wire {
 
 /// Fault bits; values are positions in a FaultMask.
 enum class Fault : uint8_t {
-#define TP100_FAULT(bit, name, cause, remedy) name = bit,
+#define TP100_FAULT(bit, name, cause, remedy) name = (bit),
   TP100_ROBOT_FAULTS(TP100_FAULT) TP100_DAEMON_FAULTS(TP100_FAULT)
 #undef TP100_FAULT
 };
