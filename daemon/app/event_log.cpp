@@ -43,7 +43,12 @@ EventLog::~EventLog() {
        waited += kLook)
     std::this_thread::sleep_for(kLook);
   // Its thread hangs in a write that may never end: it goes with the process.
-  if (writer_->pool->queue_size() > 0) static_cast<void>(writer_.release());
+  if (writer_->pool->queue_size() > 0) {
+    static_cast<void>(writer_.release());
+    return;
+  }
+  // Its thread ends before the logger does: a last line may still hold that.
+  writer_->pool.reset();
 }
 
 void EventLog::info(const std::string& line) { writer_->logger->info("{}", line); }
