@@ -172,7 +172,7 @@ void AvrI2c::finish_transfer() {
 
 void AvrI2c::complete(unsigned bits, std::uint8_t status) {
   const std::uint8_t* data = core_.data();
-  const Cycle bit = 16U + 2U * data[kTwbr] * (Cycle{1} << (2U * (data[kTwsr] & 3U)));
+  const Cycle bit = 16U + Cycle{2} * data[kTwbr] * (Cycle{1} << (2U * (data[kTwsr] & 3U)));
   next_status_ = status;
   avr_cycle_timer_register(core_.chip(), bits * bit, on_done, this);
 }

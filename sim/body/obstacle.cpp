@@ -84,6 +84,7 @@ Obstacle::Obstacle(const course::Place& place, const std::vector<Vector2d>& prof
   }
   for (const double side : {1.0, -1.0}) {
     std::vector<Vector3d> corners;
+    corners.reserve(profile.size());
     for (const Vector2d& point : profile) corners.push_back(at(point, side));
     faces_.push_back(face_of(std::move(corners), left * side));
   }

@@ -18,7 +18,7 @@ std::int64_t ns_of_ms(double ms) { return from_s(ms * 1e-3); }
 
 }  // namespace
 
-ByteFaults::ByteFaults(std::vector<PlannedFault> faults, std::int64_t spacing_ns,
+ByteFaults::ByteFaults(const std::vector<PlannedFault>& faults, std::int64_t spacing_ns,
                        std::uint64_t seed)
     : spacing_ns_(spacing_ns), random_(seed) {
   for (const PlannedFault& fault : faults) faults_.push_back({fault, fault.begin_ns});

@@ -17,7 +17,7 @@ class ByteFaults {
  public:
   /// `spacing_ns`: bytes reach the far end no closer than this; 0: in heaps. Same seed, same
   /// faults.
-  ByteFaults(std::vector<PlannedFault> faults, std::int64_t spacing_ns, std::uint64_t seed);
+  ByteFaults(const std::vector<PlannedFault>& faults, std::int64_t spacing_ns, std::uint64_t seed);
 
   /// `bytes`, ascending, leave the near end; times of all are since the port was opened. Returns
   /// those that reach the far end by `until_ns`, ascending.

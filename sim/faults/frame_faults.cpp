@@ -25,7 +25,7 @@ void change(std::uint8_t type, std::vector<std::uint8_t>& payload, const Change&
 
 }  // namespace
 
-FrameFaults::FrameFaults(std::vector<PlannedFault> faults) {
+FrameFaults::FrameFaults(const std::vector<PlannedFault>& faults) {
   for (const PlannedFault& fault : faults) faults_.push_back({.fault = fault});
 }
 

@@ -15,7 +15,7 @@ namespace tp100::sim {
 
 class FrameFaults {
  public:
-  explicit FrameFaults(std::vector<PlannedFault> faults);
+  explicit FrameFaults(const std::vector<PlannedFault>& faults);
 
   /// `bytes`, ascending, leave the near end; times of all are since the port was opened. Returns
   /// what goes on to the far end by `until_ns`: whole frames, each when its end has passed, and

@@ -100,6 +100,7 @@ PlannedFault parse_fault(std::string_view whole) {
 
 std::vector<PlannedFault> parse_faults(const std::vector<std::string>& texts) {
   std::vector<PlannedFault> faults;
+  faults.reserve(texts.size());
   for (const std::string& text : texts) faults.push_back(parse_fault(text));
   return faults;
 }

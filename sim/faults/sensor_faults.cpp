@@ -22,7 +22,7 @@ bool of_side(const PlannedFault& fault, std::uint8_t channel) {
 
 }  // namespace
 
-EncoderFaults::EncoderFaults(std::vector<PlannedFault> faults) {
+EncoderFaults::EncoderFaults(const std::vector<PlannedFault>& faults) {
   for (const PlannedFault& fault : faults) {
     const int cycles = fault.kind == FaultKind::kEncoderJump
                            ? static_cast<int>(std::lround(fault.number / 4.0))

@@ -15,7 +15,7 @@ namespace tp100::sim {
 /// Between the encoders and the pins.
 class EncoderFaults {
  public:
-  explicit EncoderFaults(std::vector<PlannedFault> faults);
+  explicit EncoderFaults(const std::vector<PlannedFault>& faults);
   /// `edges` of the quantum from `from_ns`, ascending. `shift_ns` makes their times those since the
   /// port was opened.
   void pass(std::vector<Edge>& edges, std::int64_t from_ns, std::int64_t shift_ns);

@@ -22,6 +22,7 @@ int exit_status(int status) {
 
 Child::Child(const std::vector<std::string>& arguments, bool quiet) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;

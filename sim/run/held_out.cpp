@@ -43,8 +43,9 @@ class Draw {
 void fence_in(course::Course& course) {
   const course::Path path(course);
   course::Fence fence{1e9, -1e9, 1e9, -1e9};
-  for (double s = 0.0; s <= path.length_m() + kFenceStepM; s += kFenceStepM) {
-    const course::PathPoint point = path.at(s);
+  const int steps = static_cast<int>(path.length_m() / kFenceStepM) + 1;
+  for (int i = 0; i <= steps; ++i) {
+    const course::PathPoint point = path.at(i * kFenceStepM);
     fence.min_x_m = std::min(fence.min_x_m, point.x_m - kRoomM);
     fence.max_x_m = std::max(fence.max_x_m, point.x_m + kRoomM);
     fence.min_y_m = std::min(fence.min_y_m, point.y_m - kRoomM);

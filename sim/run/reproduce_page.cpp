@@ -16,7 +16,6 @@
 namespace tp100::sim {
 namespace {
 
-using analysis::Chart;
 using analysis::ChartSeries;
 using Rows = std::vector<std::vector<std::string>>;
 

@@ -87,6 +87,7 @@ std::vector<TrialRun> run_trial(const Trial& trial) {
 
 analysis::Spread spread_of(const std::vector<TrialRun>& runs, double (*figure)(const TrialRun&)) {
   std::vector<double> values;
+  values.reserve(runs.size());
   for (const TrialRun& run : runs) values.push_back(figure(run));
   return analysis::spread(values);
 }

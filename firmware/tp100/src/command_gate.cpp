@@ -41,7 +41,7 @@ Verdict CommandGate::judge(const wire::Command& command, uint32_t now_us,
   if (ahead_us <= 0) return Verdict::kExpired;
   if (ahead_us > kFurthestExpiryUs) return Verdict::kTooFarAhead;
   const TurnMark* answered = history.find(command.answers);
-  if (answered == NULL ||
+  if (answered == nullptr ||
       distance(now_us, answered->device_us) > static_cast<int32_t>(p.yaw_window_ms) * 1000) {
     return Verdict::kUnknownSample;
   }

@@ -92,9 +92,10 @@ void Imu::update() {
 bool Imu::read(ImuValues& values) {
   uint8_t bytes[14];
   if (!hal_.i2c_read(kAddress, kAccelXHigh, bytes, sizeof bytes)) return false;
-  for (uint8_t i = 0; i < 3; ++i) {
-    values.accel[i] = word(bytes + 2 * i);
-    values.gyro[i] = word(bytes + 8 + 2 * i);
+  const uint8_t* from = bytes;
+  for (uint8_t i = 0; i < 3; ++i, from += 2) {
+    values.accel[i] = word(from);
+    values.gyro[i] = word(from + 8);
   }
   values.temperature = word(bytes + 6);
   return true;

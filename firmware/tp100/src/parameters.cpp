@@ -33,8 +33,10 @@ uint8_t bad_field(const wire::Parameters& p) {
       p.yaw_window_ms >= 20 && p.yaw_window_ms <= 200,
       (p.flags & ~kAllFlags) == 0,
   };
-  for (uint8_t i = 0; i < sizeof good; ++i) {
-    if (!good[i]) return static_cast<uint8_t>(kFirstField + i);
+  uint8_t field = kFirstField;
+  for (const bool one : good) {
+    if (!one) return field;
+    ++field;
   }
   return 0;
 }

@@ -32,7 +32,7 @@ void TurnHistory::add(uint16_t sequence, uint32_t device_us, int16_t gyro_z, int
 
 const TurnMark* TurnHistory::find(uint16_t sequence) const {
   const uint16_t back = static_cast<uint16_t>(last_sequence_ - sequence);
-  return back < size_ ? &marks_[sequence % kCapacity] : NULL;
+  return back < size_ ? &marks_[sequence % kCapacity] : nullptr;
 }
 
 float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyro_bias_radps,
