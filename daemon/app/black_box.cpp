@@ -2,12 +2,12 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <utility>
 
 #include "app/live_recording.h"
 #include "core/error.h"
 #include "core/faults.h"
+#include "publish/recording_file.h"
 #include "publish/recording_writer.h"
 #include "publish/step_codec.h"
 
@@ -94,8 +94,9 @@ void BlackBox::write(const std::string& fault, const Steps& steps, const Message
     const std::string folder =
         make_run_folder(directory_, "black-box-" + fault,
                         static_cast<std::int64_t>(clock_.unix_ns(steps.back().at_ns)));
+    const std::string file = folder + "/run.mcap";
     publish::RecordingWriter writer(
-        {.path = folder + "/run.mcap", .clock = clock_},
+        {.path = file, .clock = clock_},
         run_facts(files_, run_, {{"program", "tp100d run"}, {"black_box", fault}}));
     auto message = messages.begin();
     StepRecord record;
@@ -110,22 +111,19 @@ void BlackBox::write(const std::string& fault, const Steps& steps, const Message
     if (!writer.warning().empty()) throw SetupError(writer.warning());
     char seconds[16];
     std::snprintf(seconds, sizeof seconds, "%.1f", to_s(steps.back().at_ns - begin_ns));
-    keep_newest(folder);
-    note("black box: " + std::string(seconds) + " s around " + fault + " are in " + folder +
-         "/run.mcap");
+    keep_newest(file);
+    note("black box: " + std::string(seconds) + " s around " + fault + " are in " + file);
   } catch (const SetupError& error) {
     note("black box of " + fault + " is not written: " + error.what());
   }
 }
 
 // Whatever else somebody has put beside it stays.
-void BlackBox::keep_newest(const std::string& folder) {
-  folders_.push_back(folder);
-  if (folders_.size() <= kMostFiles) return;
-  std::error_code gone_already;
-  std::filesystem::remove(folders_.front() + "/run.mcap", gone_already);
-  std::filesystem::remove(folders_.front(), gone_already);
-  folders_.pop_front();
+void BlackBox::keep_newest(const std::string& file) {
+  files_written_.push_back(file);
+  if (files_written_.size() <= kMostFiles) return;
+  publish::remove_recording(files_written_.front());
+  files_written_.pop_front();
 }
 
 void BlackBox::finish() {

@@ -65,7 +65,7 @@ class BlackBox : public publish::Sink {
   void keep(const StepRecord& record);
   void begin_to_write();
   void write(const std::string& fault, const Steps& steps, const Messages& messages);
-  void keep_newest(const std::string& folder);
+  void keep_newest(const std::string& file);
   void note(std::string text);
 
   const RunFiles& files_;
@@ -75,11 +75,11 @@ class BlackBox : public publish::Sink {
   HostNs length_ns_;
   std::string directory_;
   Steps steps_;
-  std::vector<std::uint8_t> encoded_;  // the newest step
-  FaultMask known_ = 0;                // faults of the last step
-  std::string fault_;                  // that waits to be written; empty: none
-  HostNs due_ns_ = 0;                  // when it is
-  std::deque<std::string> folders_;    // written so far, oldest first; of the writer
+  std::vector<std::uint8_t> encoded_;      // the newest step
+  FaultMask known_ = 0;                    // faults of the last step
+  std::string fault_;                      // that waits to be written; empty: none
+  HostNs due_ns_ = 0;                      // when it is
+  std::deque<std::string> files_written_;  // so far, oldest first; of the writer
   std::thread writer_;
   std::mutex mutex_;  // of what follows
   Messages messages_;

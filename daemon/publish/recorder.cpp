@@ -4,13 +4,13 @@
 #include <condition_variable>
 #include <ctime>
 #include <exception>
-#include <filesystem>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "core/error.h"
 #include "publish/record_queue.h"
+#include "publish/recording_file.h"
 #include "publish/step_codec.h"
 #include "publish/step_journal.h"
 
@@ -215,10 +215,7 @@ void Recorder::message(Channel channel, HostNs at, std::string_view json) {
 
 void Recorder::discard() {
   end();
-  const std::string file = path();
-  std::error_code ignored;
-  std::filesystem::remove(file, ignored);
-  std::filesystem::remove(std::filesystem::path(file).parent_path(), ignored);
+  remove_recording(path());
 }
 
 RecordingStatus Recorder::status() const {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -54,6 +55,12 @@ std::uint64_t RecordingFile::room() const {
     room = std::min<std::uint64_t>(room,
                                    limit.rlim_cur - std::min<std::uint64_t>(size_, limit.rlim_cur));
   return room;
+}
+
+void remove_recording(const std::string& path) {
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  std::filesystem::remove(std::filesystem::path(path).parent_path(), ignored);
 }
 
 }  // namespace tp100::publish

@@ -32,4 +32,7 @@ class RecordingFile {
   std::uint64_t size_ = 0;
 };
 
+/// Removes a recording, and its folder if nothing else is in it; what is gone already is no error.
+void remove_recording(const std::string& path);
+
 }  // namespace tp100::publish
