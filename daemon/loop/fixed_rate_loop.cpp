@@ -85,13 +85,14 @@ void FixedRateLoop::run() {
     if (!settings_.robot_paced || port_.fd < 0 || driven_.expects_reply(now)) settle();
 
     add(statistics_.turns, 1);
+    std::uint64_t missed = 0;
     if (settings_.robot_paced) {
-      if (turn_ns_ > settings_.period_ns) {
-        add(statistics_.overruns, 1);
-        add(statistics_.missed, static_cast<std::uint64_t>(turn_ns_ / settings_.period_ns));
-      }
+      missed = static_cast<std::uint64_t>(turn_ns_ / settings_.period_ns);
       schedule.restart(began, settings_.period_ns + settings_.period_ns / 2);
-    } else if (const std::uint64_t missed = schedule.advance(monotonic_now()); missed > 0) {
+    } else {
+      missed = schedule.advance(monotonic_now());
+    }
+    if (missed > 0) {
       add(statistics_.overruns, 1);
       add(statistics_.missed, missed);
     }
