@@ -49,8 +49,7 @@ Pose FittedRun::predicted(const std::vector<Pose>& poses, double t_s) const {
 
 Residual FittedRun::residual(const std::vector<Pose>& poses, const SeenPose& seen,
                              double late_s) const {
-  const Pose here = predicted(poses, seen.t_s - late_s);
-  return {seen.x_m - here.x_m, seen.y_m - here.y_m, seen.yaw_rad - here.yaw_rad};
+  return residual(seen, predicted(poses, seen.t_s - late_s));
 }
 
 }  // namespace tp100::analysis

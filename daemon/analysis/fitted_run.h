@@ -38,6 +38,10 @@ struct FittedRun {
 
   /// World pose at `t_s` from the poses since the start.
   Pose predicted(const std::vector<Pose>& poses, double t_s) const;
+  /// Of a picture against the pose that is predicted for it.
+  static Residual residual(const SeenPose& seen, const Pose& here) {
+    return {seen.x_m - here.x_m, seen.y_m - here.y_m, seen.yaw_rad - here.yaw_rad};
+  }
   /// Of a picture that is `late_s` older than its time says.
   Residual residual(const std::vector<Pose>& poses, const SeenPose& seen, double late_s) const;
 };

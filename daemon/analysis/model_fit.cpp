@@ -157,7 +157,7 @@ double ModelFit::take_pictures(const FittedRun& run, const Poses& poses, RunSums
   for (const SeenPose& seen : run.pictures) {
     const double t_s = seen.t_s - values_[kDelay];
     const Pose here = run.predicted(poses[0], t_s);
-    const Residual off = run.residual(poses[0], seen, values_[kDelay]);
+    const Residual off = FittedRun::residual(seen, here);
     const double turned = run.motion.gyro_rad(t_s);
     const double gyro = seen.yaw_rad - (run.own[3] + gyro_scale * turned);
     const double off_m = off.off_m() / sd_m_, off_rad = off.off_rad() / sd_rad_;
