@@ -28,13 +28,13 @@ enum class Pacing {
   kRobot,  ///< the robot's samples, the host's clock if they do not come
 };
 
-/// The real-time loop.
 /// What becomes of turns that are due while one takes too long: loop::OverrunPolicy.
 enum class Overrun {
   kSkip,
   kShift,
 };
 
+/// The real-time loop.
 struct LoopSettings {
   double rate_hz = 200.0;
   Pacing pacing = Pacing::kHost;
