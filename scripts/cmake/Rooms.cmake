@@ -54,8 +54,7 @@ function(tp100_test name)
   target_link_libraries(${name} PRIVATE
     tp100_options tp100_test_options ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM tp100_test_headers)
-  target_compile_definitions(${name} PRIVATE
-    TP100_SOURCE_DIR="${CMAKE_SOURCE_DIR}" TP100_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  target_include_directories(${name} PRIVATE ${CMAKE_BINARY_DIR}/tests/paths)
   if(TP100_SANITIZE STREQUAL "thread" AND NOT "threads" IN_LIST TEST_LABELS)
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()

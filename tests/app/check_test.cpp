@@ -8,6 +8,7 @@
 
 #include "../support/temporary_folder.h"
 #include "core/error.h"
+#include "support/paths.h"
 
 namespace tp100::app {
 namespace {

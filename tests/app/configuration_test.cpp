@@ -9,6 +9,7 @@
 
 #include "core/angle.h"
 #include "core/error.h"
+#include "support/paths.h"
 
 namespace tp100::app {
 namespace {

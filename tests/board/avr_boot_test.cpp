@@ -5,6 +5,7 @@
 
 #include "avr_rig.h"
 #include "core/error.h"
+#include "support/paths.h"
 
 namespace tp100::sim {
 namespace {

@@ -17,6 +17,7 @@
 #include "link/camera_message.h"
 #include "link/udp.h"
 #include "marker_scene.h"
+#include "support/paths.h"
 
 namespace tp100::test {
 namespace {

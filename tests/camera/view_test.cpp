@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "support/paths.h"
 
 namespace tp100::camera {
 namespace {

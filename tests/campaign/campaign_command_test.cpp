@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "../run/process.h"
+#include "support/paths.h"
 
 namespace tp100::test {
 namespace {

@@ -9,6 +9,7 @@
 #include "course/course.h"
 #include "course/path.h"
 #include "course/robot.h"
+#include "support/paths.h"
 
 namespace tp100::course {
 namespace {

@@ -7,6 +7,7 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "course/camera.h"
+#include "support/paths.h"
 
 namespace tp100::course {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/board/avr_board.h"
+#include "support/paths.h"
 
 namespace tp100::sim {
 namespace {

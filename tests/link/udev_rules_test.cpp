@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "link/port_discovery.h"
+#include "support/paths.h"
 
 namespace tp100::link {
 

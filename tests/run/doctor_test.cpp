@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "process.h"
+#include "support/paths.h"
 
 namespace tp100::test {
 namespace {

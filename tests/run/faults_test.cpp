@@ -14,6 +14,7 @@
 #include "app/link_watch.h"
 #include "app/live_events.h"
 #include "sim/run/fault_study.h"
+#include "support/paths.h"
 
 namespace tp100::sim {
 namespace {

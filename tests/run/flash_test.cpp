@@ -15,6 +15,7 @@
 #include "firmware/version.h"
 #include "process.h"
 #include "sim/wire/pty.h"
+#include "support/paths.h"
 
 namespace tp100::test {
 namespace {

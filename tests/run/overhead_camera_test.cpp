@@ -13,6 +13,7 @@
 #include "link/camera_message.h"
 #include "link/udp.h"
 #include "process.h"
+#include "support/paths.h"
 
 namespace tp100::test {
 namespace {

@@ -12,6 +12,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "support/paths.h"
+
 namespace tp100::test {
 namespace {
 

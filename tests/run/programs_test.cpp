@@ -18,6 +18,7 @@
 #include <sstream>
 
 #include "process.h"
+#include "support/paths.h"
 
 namespace tp100::test {
 namespace {

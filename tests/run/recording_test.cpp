@@ -19,6 +19,7 @@
 #include "process.h"
 #include "sim/run/lockstep.h"
 #include "sim/run/run_recorder.h"
+#include "support/paths.h"
 
 namespace tp100::sim {
 namespace {

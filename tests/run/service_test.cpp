@@ -14,6 +14,7 @@
 
 #include "../support/notify_socket.h"
 #include "process.h"
+#include "support/paths.h"
 
 namespace tp100::test {
 namespace {

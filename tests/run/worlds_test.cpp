@@ -22,6 +22,7 @@
 #include "../link/udp_receiver.h"
 #include "analysis/recording.h"
 #include "process.h"
+#include "support/paths.h"
 
 namespace tp100::test {
 namespace {

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "support/paths.h"
+
 namespace tp100::web {
 namespace {
 

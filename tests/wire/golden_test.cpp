@@ -5,6 +5,7 @@
 #include <set>
 
 #include "all_messages.h"
+#include "support/paths.h"
 
 namespace tp100::golden {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "all_messages.h"
 #include "golden.h"
+#include "support/paths.h"
 #include "wire/faults.h"
 
 namespace tp100::wire {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/angle.h"
+#include "support/paths.h"
 
 namespace tp100::worlds {
 namespace {
