@@ -1,99 +1,18 @@
 #pragma once
-// The firmware image on an emulated Mega, with a host that keeps the protocol, a sensor at rest and
-// two belts that follow their motors.
+// The firmware image on an emulated Mega.
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include "course/robot.h"
+#include "board_rig.h"
 #include "sim/board/avr_board.h"
-#include "sim/sensors/mpu6050.h"
-#include "sim/sensors/quadrature_encoder.h"
-#include "wire/frame.h"
-#include "wire/messages.h"
 
 namespace tp100::sim {
 
-class AvrRig {
+class AvrRig final : public BoardRig {
  public:
-  static constexpr std::int64_t kStepNs = 1'000'000;
+  explicit AvrRig(const AvrBoardSettings& settings = {})
+      : BoardRig(settings.seed), board(settings, &imu) {}
+  Board& hardware() override { return board; }
 
-  explicit AvrRig(const AvrBoardSettings& settings = {});
-
-  template <class Message>
-  static std::vector<std::uint8_t> frame_of(const Message& message) {
-    std::uint8_t payload[Message::kSize];
-    wire::write_payload(message, payload);
-    std::vector<std::uint8_t> frame(wire::kMaxFrame);
-    frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
-                                    Message::kSize, frame.data()));
-    return frame;
-  }
-  /// On the wire from now on, a byte each 20 us.
-  void send_bytes(const std::vector<std::uint8_t>& bytes);
-  template <class Message>
-  void send(const Message& message) {
-    send_bytes(frame_of(message));
-  }
-  /// Lets time pass; commands go out each 10 ms if `streams`.
-  void run(int ms);
-  /// Until the hello of a boot; false if none comes within a second and a half.
-  bool boot(PowerUp cause = PowerUp::kPowerOn);
-
-  wire::Parameters parameters() const;
-  wire::Command command();
-  wire::Arm arm_message();
-  /// Parameters accepted, samples flow.
-  void connect();
-  wire::Acknowledge arm();
-  /// Connected, armed, moving at `speed`.
-  void drive(float speed = 0.15f);
-  bool moves() const { return board.drive().left != 0.0 || board.drive().right != 0.0; }
-  const wire::Sample& last() const { return samples.back(); }
-  wire::State state() const { return static_cast<wire::State>(last().state); }
-  /// Milliseconds until the motors are off; -1 if they are not within `limit_ms`.
-  int ms_until_off(int limit_ms);
-  /// Device clock now, from the last sample. [us]
-  std::uint32_t device_us() const;
-
-  Mpu6050 imu;
   AvrBoard board;
-  std::int64_t now_ns = 0;
-
-  // The host.
-  bool streams = false;
-  float speed_mps = 0.0f;
-  std::uint16_t sequence = 100;
-  std::uint32_t token = 10;
-  std::uint32_t nonce = 0;
-
-  // The belts; `forced_mps` is not 0: they run at this speed whatever the motors do.
-  double forced_mps = 0.0;
-  QuadratureEncoder left;
-  QuadratureEncoder right;
-
-  // What came back.
-  std::vector<TimedByte> bytes;
-  std::vector<wire::Hello> hellos;
-  std::vector<wire::Sample> samples;
-  std::vector<std::int64_t> sample_ns;
-  std::vector<wire::Acknowledge> acknowledges;
-  std::vector<wire::FaultReport> reports;
-  std::vector<wire::SyncReply> sync_replies;
-  int bad_frames = 0;
-
- private:
-  void step();
-  void collect();
-  template <class Message>
-  void keep(std::vector<Message>& messages);
-
-  std::vector<TimedByte> to_board_;
-  std::int64_t wire_free_ns_ = 0;
-  std::vector<Edge> edges_;
-  wire::FrameDecoder decoder_;
-  int since_command_ = 0;
 };
 
 }  // namespace tp100::sim

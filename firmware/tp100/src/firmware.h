@@ -50,6 +50,8 @@ class Firmware {
   void acknowledge(wire::Type request, uint32_t token, wire::Result result, uint16_t detail);
 
   wire::Result try_to_arm(const wire::Arm& arm, uint16_t& detail);
+  /// Of an arm whose token is new.
+  wire::Result judge_arm(uint32_t expiry_us, uint16_t& detail);
   uint16_t persisting_causes();
   bool enable();
   void open_session();

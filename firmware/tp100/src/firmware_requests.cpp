@@ -120,15 +120,24 @@ void Firmware::on_arm(const wire::Arm& arm) {
   acknowledge(Type::kArm, arm.token, result, detail);
 }
 
+// An answer uses the token once the token is known to be new: the same frame again, delayed or
+// repeated, must not get another answer than the host has acted upon.
 wire::Result Firmware::try_to_arm(const wire::Arm& arm, uint16_t& detail) {
   if (arm.boot_nonce != boot_nonce_) return Result::kWrongBoot;
   host_spoke_us_ = link_.received_us();
-  if (any_token_ && arm.token == last_token_) {
-    detail = last_detail_;
-    return last_result_;
-  }
   if (any_token_ && arm.token < last_token_) return Result::kStaleToken;
-  const int32_t ahead_us = distance(arm.expiry_us, hal_.micros());
+  if (!any_token_ || arm.token > last_token_) {
+    any_token_ = true;
+    last_token_ = arm.token;
+    last_detail_ = 0;
+    last_result_ = judge_arm(arm.expiry_us, last_detail_);
+  }
+  detail = last_detail_;
+  return last_result_;
+}
+
+wire::Result Firmware::judge_arm(uint32_t expiry_us, uint16_t& detail) {
+  const int32_t ahead_us = distance(expiry_us, hal_.micros());
   if (ahead_us <= 0 || ahead_us > kArmFurthestUs) {
     detail = kArmExpiryField;
     return Result::kOutOfRange;
@@ -137,11 +146,7 @@ wire::Result Firmware::try_to_arm(const wire::Arm& arm, uint16_t& detail) {
   check_trip();
   detail = persisting_causes();
   if (detail == 0 && !may_drive() && !enable()) detail = bit(Fault::command_timeout);
-  any_token_ = true;
-  last_token_ = arm.token;
-  last_detail_ = detail;
-  last_result_ = detail != 0 ? Result::kFaultPersists : Result::kAccepted;
-  return last_result_;
+  return detail != 0 ? Result::kFaultPersists : Result::kAccepted;
 }
 
 bool Firmware::enable() {

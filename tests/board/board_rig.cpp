@@ -1,4 +1,4 @@
-#include "avr_rig.h"
+#include "board_rig.h"
 
 #include <algorithm>
 
@@ -16,17 +16,17 @@ BodyState at_rest() {
 
 }  // namespace
 
-AvrRig::AvrRig(const AvrBoardSettings& settings)
-    : imu({}, settings.seed), board(settings, &imu), left({}, 0, 11), right({}, 2, 12) {}
+BoardRig::BoardRig(std::uint64_t seed) : imu({}, seed), left({}, 0, 11), right({}, 2, 12) {}
+BoardRig::~BoardRig() = default;
 
-void AvrRig::send_bytes(const std::vector<std::uint8_t>& sent) {
+void BoardRig::send_bytes(const std::vector<std::uint8_t>& sent) {
   for (const std::uint8_t value : sent) {
     wire_free_ns_ = std::max(wire_free_ns_, now_ns) + kByteNs;
     to_board_.push_back({wire_free_ns_, value});
   }
 }
 
-void AvrRig::run(int ms) {
+void BoardRig::run(int ms) {
   for (int i = 0; i < ms; ++i) {
     if (streams && ++since_command_ >= 10) {
       since_command_ = 0;
@@ -36,9 +36,9 @@ void AvrRig::run(int ms) {
   }
 }
 
-void AvrRig::step() {
+void BoardRig::step() {
   const std::int64_t until = now_ns + kStepNs;
-  const Drive duty = board.drive();
+  const Drive duty = hardware().drive();
   const auto travel = [&](double share) {
     return (forced_mps != 0.0 ? forced_mps : share * kTopMps) * 1e-3;
   };
@@ -49,18 +49,18 @@ void AvrRig::step() {
   std::inplace_merge(edges_.begin(), edges_.begin() + middle, edges_.end(),
                      [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
   imu.measure(at_rest(), now_ns);
-  board.set_battery(8.0);
+  hardware().set_battery(battery_v);
   const auto due = std::find_if(to_board_.begin(), to_board_.end(),
                                 [&](const TimedByte& byte) { return byte.at_ns > until; });
   const std::vector<TimedByte> received(to_board_.begin(), due);
   to_board_.erase(to_board_.begin(), due);
-  board.advance(until, edges_, received);
+  hardware().advance(until, edges_, received);
   now_ns = until;
   collect();
 }
 
 template <class Message>
-void AvrRig::keep(std::vector<Message>& messages) {
+void BoardRig::keep(std::vector<Message>& messages) {
   Message message{};
   if (wire::read_payload(decoder_.payload(), decoder_.size(), message)) {
     messages.push_back(message);
@@ -69,8 +69,8 @@ void AvrRig::keep(std::vector<Message>& messages) {
   }
 }
 
-void AvrRig::collect() {
-  for (const TimedByte& byte : board.take_sent()) {
+void BoardRig::collect() {
+  for (const TimedByte& byte : hardware().take_sent()) {
     bytes.push_back(byte);
     const wire::Received received = decoder_.push(byte.value);
     if (received == wire::Received::kNothing) continue;
@@ -102,10 +102,15 @@ void AvrRig::collect() {
   }
 }
 
-bool AvrRig::boot(PowerUp cause) {
+bool BoardRig::moves() {
+  const Drive duty = hardware().drive();
+  return duty.left != 0.0 || duty.right != 0.0;
+}
+
+bool BoardRig::boot(PowerUp cause) {
   const std::size_t before = hellos.size();
   if (cause == PowerUp::kPowerOn) imu.power_on();
-  board.reset(cause, now_ns);
+  hardware().reset(cause, now_ns);
   decoder_.reset();
   for (int ms = 0; ms < 1500; ++ms) {
     run(1);
@@ -114,7 +119,7 @@ bool AvrRig::boot(PowerUp cause) {
   return false;
 }
 
-wire::Parameters AvrRig::parameters() const {
+wire::Parameters BoardRig::parameters() const {
   wire::Parameters p{};
   p.boot_nonce = nonce;
   p.token = token;
@@ -140,12 +145,12 @@ wire::Parameters AvrRig::parameters() const {
   return p;
 }
 
-std::uint32_t AvrRig::device_us() const {
+std::uint32_t BoardRig::device_us() const {
   if (samples.empty()) return 0;
   return last().device_us + static_cast<std::uint32_t>((now_ns - sample_ns.back()) / 1000) + 1000;
 }
 
-wire::Command AvrRig::command() {
+wire::Command BoardRig::command() {
   wire::Command c{};
   c.boot_nonce = nonce;
   c.sequence = ++sequence;
@@ -155,9 +160,9 @@ wire::Command AvrRig::command() {
   return c;
 }
 
-wire::Arm AvrRig::arm_message() { return {nonce, ++token, device_us() + 200'000}; }
+wire::Arm BoardRig::arm_message() { return {nonce, ++token, device_us() + 200'000}; }
 
-void AvrRig::connect() {
+void BoardRig::connect() {
   send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
   run(4);
   ++token;
@@ -165,13 +170,13 @@ void AvrRig::connect() {
   run(30);
 }
 
-wire::Acknowledge AvrRig::arm() {
+wire::Acknowledge BoardRig::arm() {
   send(arm_message());
   run(5);
   return acknowledges.empty() ? wire::Acknowledge{} : acknowledges.back();
 }
 
-void AvrRig::drive(float speed) {
+void BoardRig::drive(float speed) {
   connect();
   streams = true;
   run(50);
@@ -180,7 +185,7 @@ void AvrRig::drive(float speed) {
   run(300);
 }
 
-int AvrRig::ms_until_off(int limit_ms) {
+int BoardRig::ms_until_off(int limit_ms) {
   for (int ms = 0; ms <= limit_ms; ++ms) {
     if (!moves()) return ms;
     run(1);

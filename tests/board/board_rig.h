@@ -1,0 +1,104 @@
+#pragma once
+// A board with the firmware, a host that keeps the protocol, a sensor at rest and two tracks that
+// follow their motors.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "course/robot.h"
+#include "sim/board/board.h"
+#include "sim/sensors/mpu6050.h"
+#include "sim/sensors/quadrature_encoder.h"
+#include "wire/frame.h"
+#include "wire/messages.h"
+
+namespace tp100::sim {
+
+class BoardRig {
+ public:
+  static constexpr std::int64_t kStepNs = 1'000'000;
+
+  explicit BoardRig(std::uint64_t seed);
+  BoardRig(const BoardRig&) = delete;
+  BoardRig& operator=(const BoardRig&) = delete;
+  virtual ~BoardRig();
+  virtual Board& hardware() = 0;
+
+  template <class Message>
+  static std::vector<std::uint8_t> frame_of(const Message& message) {
+    std::uint8_t payload[Message::kSize];
+    wire::write_payload(message, payload);
+    std::vector<std::uint8_t> frame(wire::kMaxFrame);
+    frame.resize(wire::encode_frame(static_cast<std::uint8_t>(Message::kType), payload,
+                                    Message::kSize, frame.data()));
+    return frame;
+  }
+  /// On the wire from now on, a byte each 20 us.
+  void send_bytes(const std::vector<std::uint8_t>& bytes);
+  template <class Message>
+  void send(const Message& message) {
+    send_bytes(frame_of(message));
+  }
+  /// Lets time pass; commands go out each 10 ms if `streams`.
+  void run(int ms);
+  /// Until the hello of a boot; false if none comes within a second and a half.
+  bool boot(PowerUp cause = PowerUp::kPowerOn);
+
+  wire::Parameters parameters() const;
+  wire::Command command();
+  wire::Arm arm_message();
+  /// Parameters accepted, samples flow.
+  void connect();
+  wire::Acknowledge arm();
+  /// Connected, armed, moving at `speed`.
+  void drive(float speed = 0.15f);
+  bool moves();
+  const wire::Sample& last() const { return samples.back(); }
+  wire::State state() const { return static_cast<wire::State>(last().state); }
+  /// Milliseconds until the motors are off; -1 if they are not within `limit_ms`.
+  int ms_until_off(int limit_ms);
+  /// Device clock now, from the last sample. [us]
+  std::uint32_t device_us() const;
+
+  Mpu6050 imu;
+  std::int64_t now_ns = 0;
+
+  // The host.
+  bool streams = false;
+  float speed_mps = 0.0f;
+  std::uint16_t sequence = 100;
+  std::uint32_t token = 10;
+  std::uint32_t nonce = 0;
+
+  // The belts; `forced_mps` is not 0: they run at this speed whatever the motors do.
+  double forced_mps = 0.0;
+  QuadratureEncoder left;
+  QuadratureEncoder right;
+
+  double battery_v = 8.0;
+
+  // What came back.
+  std::vector<TimedByte> bytes;
+  std::vector<wire::Hello> hellos;
+  std::vector<wire::Sample> samples;
+  std::vector<std::int64_t> sample_ns;
+  std::vector<wire::Acknowledge> acknowledges;
+  std::vector<wire::FaultReport> reports;
+  std::vector<wire::SyncReply> sync_replies;
+  int bad_frames = 0;
+
+ private:
+  void step();
+  void collect();
+  template <class Message>
+  void keep(std::vector<Message>& messages);
+
+  std::vector<TimedByte> to_board_;
+  std::int64_t wire_free_ns_ = 0;
+  std::vector<Edge> edges_;
+  wire::FrameDecoder decoder_;
+  int since_command_ = 0;
+};
+
+}  // namespace tp100::sim
