@@ -15,7 +15,9 @@ BeltSpeeds belt_speeds(float speed_mps, float yaw_rate_radps, const wire::Parame
   const float slowest = larger(arc - left_limit, -arc - right_limit);
   const float fastest = smaller(arc + left_limit, -arc + right_limit);
   const float speed = larger(slowest, smaller(fastest, speed_mps));
-  const BeltSpeeds result = {(speed - arc) / left_grip, (speed + arc) / right_grip};
+  // Numbers are within the limit already; what is none must ask for a standstill.
+  const BeltSpeeds result = {clamp((speed - arc) / left_grip, p.max_track_mps),
+                             clamp((speed + arc) / right_grip, p.max_track_mps)};
   return result;
 }
 

@@ -15,14 +15,18 @@ inline bool within(float value, float low, float high) { return value >= low && 
 
 inline float magnitude(float value) { return __builtin_fabsf(value); }
 
-/// Into [-limit, limit], for limit >= 0. By their bits, in whose order sizes of floats are: an AVR
-/// compares floats in four times the time.
+/// Into [-limit, limit], for limit >= 0; NaN becomes 0, since what it would ask for may move a
+/// motor. By their bits, in whose order sizes of floats are: an AVR compares floats in four times
+/// the time.
 inline float clamp(float value, float limit) {
   uint32_t bits;
   uint32_t limit_bits;
   memcpy(&bits, &value, sizeof bits);
   memcpy(&limit_bits, &limit, sizeof limit_bits);
-  if ((bits & 0x7FFFFFFFUL) <= limit_bits) return value;
+  const uint32_t size_bits = bits & 0x7FFFFFFFUL;
+  if (size_bits <= limit_bits) return value;
+  const uint32_t infinity_bits = 0x7F800000UL;
+  if (size_bits > infinity_bits) return 0.0f;
   return (bits >> 31) != 0 ? -limit : limit;
 }
 
