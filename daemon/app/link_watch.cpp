@@ -29,6 +29,7 @@ void LinkWatch::take(const StepRecord& record) {
 void LinkWatch::count(const LinkCounters& link) {
   tallies_[kDamaged].now = link.damaged();
   tallies_[kRobotDamaged].now = link.robot_damaged;
+  tallies_[kMissedEdges].now = link.missed_edges;
   tallies_[kForeign].now = link.unknown_type + link.wrong_size;
   tallies_[kRepeated].now = link.duplicated + link.reordered;
   tallies_[kImplausible].now = link.implausible;
@@ -60,6 +61,9 @@ std::vector<Event> LinkWatch::take_words() {
        {1, "frames damaged on their way to the robot",
         "bytes change or are lost, or its board was busy for too long",
         "check cable and hub; see what tp100d doctor says of the port"},
+       {1, "encoder edges missed by the robot",
+        "an encoder's wires pick up noise or make bad contact",
+        "check the encoders' plugs and shields"},
        {1, "frames that no robot sends", "the firmware or another program speaks other messages",
         "flash the board with " + flash_command() + "; see what tp100d doctor says of the port"},
        {5, "samples that come again or too late", "a hub or its driver repeats or reorders",

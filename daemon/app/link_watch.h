@@ -27,6 +27,7 @@ class LinkWatch : public publish::Sink {
   enum Trouble : std::uint8_t {
     kDamaged,
     kRobotDamaged,
+    kMissedEdges,
     kForeign,
     kRepeated,
     kImplausible,

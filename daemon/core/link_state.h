@@ -52,6 +52,7 @@ struct LinkCounters {
   std::uint64_t robot_faults = 0;   ///< faults that the robot reported
   /// Frames that came spoilt at the robot, by its own count.
   std::uint64_t robot_damaged = 0;
+  std::uint64_t missed_edges = 0;  ///< of the encoders, by the robot's own count
 
   /// Frames that did not arrive as they were sent.
   std::uint64_t damaged() const { return crc_errors + cobs_errors + oversize + undersize; }
@@ -63,7 +64,7 @@ void each_counter(Counters& link, Visit&& visit) {
   auto& [bytes_in, bytes_out, frames_in, frames_out, samples, early, lost, duplicated, reordered,
          crc_errors, cobs_errors, oversize, undersize, unknown_type, wrong_size, implausible,
          foreign_bytes, unwritten, sync_replies, sync_rejected, reconnects, reboots, silences,
-         unanswered, refused, unknown_board, robot_faults, robot_damaged] = link;
+         unanswered, refused, unknown_board, robot_faults, robot_damaged, missed_edges] = link;
   visit("bytes_in", bytes_in);
   visit("bytes_out", bytes_out);
   visit("frames_in", frames_in);
@@ -92,6 +93,7 @@ void each_counter(Counters& link, Visit&& visit) {
   visit("unknown_board", unknown_board);
   visit("robot_faults", robot_faults);
   visit("robot_damaged", robot_damaged);
+  visit("missed_edges", missed_edges);
 }
 
 /// Device clock against host clock: host_ns = reference_host_ns + (device - reference_us)(1 +

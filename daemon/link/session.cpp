@@ -237,7 +237,7 @@ void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
     ++counters_.sync_rejected;
     return;
   }
-  count_damaged(reply.damaged);
+  count_robots_own(reply);
   const DeviceUs received_us = device_clock_.extend(reply.received_us, now);
   const DeviceUs sent_us = device_clock_.extend(reply.sent_us, now);
   const auto verdict =
@@ -254,13 +254,16 @@ void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
   }
 }
 
-// What was spoilt before the session is another's, or the bootloader's; an old reply may come late.
-void Session::count_damaged(std::uint16_t damaged) {
-  const std::uint16_t before = robot_damaged_.value_or(damaged);
-  const auto more = static_cast<std::int16_t>(damaged - before);
-  if (more < 0) return;
-  counters_.robot_damaged += static_cast<std::uint64_t>(more);
-  robot_damaged_ = damaged;
+// What the robot counted before the session is another's, or the bootloader's; an old reply may
+// come late.
+void Session::count_robots_own(const wire::SyncReply& reply) {
+  const wire::SyncReply before = last_reply_.value_or(reply);
+  const auto damaged = static_cast<std::int16_t>(reply.damaged - before.damaged);
+  const auto missed = static_cast<std::int16_t>(reply.missed_edges - before.missed_edges);
+  if (damaged < 0 || missed < 0) return;
+  counters_.robot_damaged += static_cast<std::uint64_t>(damaged);
+  counters_.missed_edges += static_cast<std::uint64_t>(missed);
+  last_reply_ = reply;
 }
 
 void Session::on_fault(const wire::FaultReport& report, HostNs now) {
@@ -292,7 +295,7 @@ void Session::begin_session(HostNs now) {
   intake_.begin(new_boot_);
   new_boot_ = false;
   sequence_known_ = false;
-  robot_damaged_.reset();
+  last_reply_.reset();
   sync_.reset(now);
   clock_ = {};
   enter(SessionState::kSyncing, now);

@@ -111,7 +111,7 @@ class Session {
   void on_acknowledge(const wire::Acknowledge& acknowledge, HostNs now);
   void on_parameters_answer(const wire::Acknowledge& acknowledge, HostNs now);
   void on_sync_reply(const wire::SyncReply& reply, HostNs now);
-  void count_damaged(std::uint16_t damaged);
+  void count_robots_own(const wire::SyncReply& reply);
   void on_fault(const wire::FaultReport& report, HostNs now);
   void on_log(const wire::Log& log, HostNs now);
   template <class Message>
@@ -158,7 +158,7 @@ class Session {
   std::uint32_t session_number_ = 0;
   std::uint32_t token_ = 0;
   std::uint16_t command_sequence_ = 0;
-  std::optional<std::uint16_t> robot_damaged_{};  // of the last reply of this session
+  std::optional<wire::SyncReply> last_reply_{};  // of this session; for the robot's own counts
   bool sequence_known_ = false;
 
   HostNs last_good_ns_ = 0;

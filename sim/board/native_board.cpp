@@ -71,18 +71,23 @@ class ReceiveBuffer {
   std::size_t size_ = 0;
 };
 
-// One encoder as the interrupt sees it: levels survive a reset of the board, the count does not.
+// One encoder and its interrupt: levels survive a reset of the board, counts do not.
 struct EncoderPins {
   std::uint8_t levels = 0;  // bit 0 is A, bit 1 is B
-  std::uint32_t count = 0;
+  firmware::Quadrature encoder{};
 
-  void edge(bool is_a, bool level) {
-    const std::uint8_t mask = is_a ? 1 : 2;
-    const auto after = static_cast<std::uint8_t>(level ? levels | mask : levels & ~mask);
-    count += static_cast<std::uint32_t>(firmware::quadrature_step(levels, after));
-    levels = after;
+  void reset() {
+    encoder = {};
+    encoder.phase = levels;
   }
+  void edge(std::uint8_t channel, bool level) {
+    const unsigned mask = (channel & 1U) == 0 ? 1 : 2;
+    levels = static_cast<std::uint8_t>(level ? levels | mask : levels & ~mask);
+  }
+  void interrupt() { firmware::take_edge<1>(encoder, levels); }
 };
+
+std::size_t side(const Edge& edge) { return (edge.channel >> 1U) & 1U; }
 
 }  // namespace
 
@@ -107,7 +112,7 @@ struct NativeBoard::Machine final : firmware::Hal {
     while (!sent.empty() && sent.back().at_ns > at_ns) sent.pop_back();
     transmitter_free_ns = at_ns;
     duties = {};
-    for (EncoderPins& pins : encoders) pins.count = 0;
+    for (EncoderPins& pins : encoders) pins.reset();
   }
 
   void advance(std::int64_t until_ns, std::span<const Edge> edges,
@@ -121,8 +126,13 @@ struct NativeBoard::Machine final : firmware::Hal {
       if (next_ns > until_ns) break;
       now_ns = next_ns;
       if (next_ns == edge_ns) {
-        encoders[(edge->channel >> 1U) & 1U].edge((edge->channel & 1U) == 0, edge->level);
-        ++edge;
+        EncoderPins& pins = encoders[side(*edge)];
+        pins.edge(edge->channel, edge->level);
+        const auto before = edge++;
+        // Edges of one instant have one interrupt, which sees the last of them.
+        const bool more =
+            edge != edges.end() && edge->at_ns == before->at_ns && side(*edge) == side(*before);
+        if (!more) pins.interrupt();
       } else if (next_ns == byte_ns) {
         receive(byte->value);
         ++byte;
@@ -139,7 +149,7 @@ struct NativeBoard::Machine final : firmware::Hal {
   void run_loop() {
     blocked_ns = 0;
     if (!program) {
-      for (EncoderPins& pins : encoders) pins.count = 0;
+      for (EncoderPins& pins : encoders) pins.reset();
       program.emplace(*this);
       program->setup();
       next_tick_ns = now_ns + tick_ns;
@@ -210,8 +220,11 @@ struct NativeBoard::Machine final : firmware::Hal {
   void i2c_recover() override { blocked_ns += kI2cRecoverNs; }
 
   void counts(std::int32_t& left, std::int32_t& right) override {
-    left = static_cast<std::int32_t>(encoders[0].count);
-    right = static_cast<std::int32_t>(encoders[1].count);
+    left = firmware::extended_counts(encoders[0].encoder);
+    right = firmware::extended_counts(encoders[1].encoder);
+  }
+  std::uint16_t missed_edges() override {
+    return static_cast<std::uint16_t>(encoders[0].encoder.missed + encoders[1].encoder.missed);
   }
   void motors(std::int16_t left, std::int16_t right) override {
     duties = {static_cast<double>(left) / wire::kFullDuty,

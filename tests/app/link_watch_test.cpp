@@ -40,12 +40,13 @@ TEST_F(LinkWatchTest, EveryTroubleHasALineWithCauseAndRemedy) {
   drive(0.1);
   LinkCounters& link = record_->link;
   link.crc_errors = link.unknown_type = link.implausible = link.unwritten = 1;
+  link.robot_damaged = link.missed_edges = 1;
   link.duplicated = link.sync_rejected = 20;
   record_->snapshot.has_sample = true;
   record_->snapshot.age_us = 23'000;
   record_->now_ns += 100 * kNsPerMs;
   const std::vector<publish::Event> said = drive(1.0);
-  EXPECT_THAT(said, SizeIs(8));
+  EXPECT_THAT(said, SizeIs(10));
   for (const publish::Event& word : said) {
     EXPECT_EQ(word.level, publish::Event::Level::kWarning) << word.text;
     EXPECT_NE(word.cause, "") << word.text;

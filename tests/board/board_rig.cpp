@@ -1,6 +1,7 @@
 #include "board_rig.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tp100::sim {
 namespace {
@@ -48,6 +49,13 @@ void BoardRig::step() {
   right.move(travel(duty.right), now_ns, until, edges_);
   std::inplace_merge(edges_.begin(), edges_.begin() + middle, edges_.end(),
                      [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+  for (const Edge& edge : edges_) levels_[edge.channel] = edge.level;
+  for (const std::uint8_t a : std::exchange(glitches_, {})) {
+    for (const std::uint8_t channel : {a, static_cast<std::uint8_t>(a + 1)}) {
+      levels_[channel] = !levels_[channel];
+      edges_.push_back({until, channel, levels_[channel]});
+    }
+  }
   imu.measure(at_rest(), now_ns);
   hardware().set_battery(battery_v);
   const auto due = std::find_if(to_board_.begin(), to_board_.end(),

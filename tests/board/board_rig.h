@@ -2,6 +2,7 @@
 // A board with the firmware, a host that keeps the protocol, a sensor at rest and two tracks that
 // follow their motors.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -56,6 +57,8 @@ class BoardRig {
   bool moves();
   const wire::Sample& last() const { return samples.back(); }
   wire::State state() const { return static_cast<wire::State>(last().state); }
+  /// Both phases of an encoder change at once, next: `channel` 0 left, 2 right.
+  void glitch(std::uint8_t channel) { glitches_.push_back(channel); }
   /// Milliseconds until the motors are off; -1 if they are not within `limit_ms`.
   int ms_until_off(int limit_ms);
   /// Device clock now, from the last sample. [us]
@@ -97,6 +100,8 @@ class BoardRig {
   std::vector<TimedByte> to_board_;
   std::int64_t wire_free_ns_ = 0;
   std::vector<Edge> edges_;
+  std::array<bool, 4> levels_{};
+  std::vector<std::uint8_t> glitches_;
   wire::FrameDecoder decoder_;
   int since_command_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -101,6 +102,22 @@ TEST_P(Conformance, AnArmOfAnotherBootOrWithAStaleTokenUsesNone) {
   EXPECT_EQ(arm(arm_with(40)), Result::kStaleToken);
   EXPECT_EQ(arm(arm_with(50)), Result::kOutOfRange) << "a stale token has become the last one";
   EXPECT_EQ(arm(arm_with(51)), Result::kAccepted);
+}
+
+TEST_P(Conformance, EdgesThatWereMissedAreCountedInTheClockAnswer) {
+  be_ready();
+  const auto missed = [&] {
+    rig().send(wire::SyncRequest{1});
+    rig().run(10);
+    return rig().sync_replies.back().missed_edges;
+  };
+  const std::uint16_t before = missed();
+  // Both phases at once, on either encoder.
+  for (const std::uint8_t a : std::to_array<std::uint8_t>({0, 2})) {
+    rig().glitch(a);
+    rig().run(5);
+  }
+  EXPECT_EQ(missed() - before, 2);
 }
 
 std::string name_of(const ::testing::TestParamInfo<const char*>& test) { return test.param; }

@@ -20,21 +20,31 @@ TEST(Quadrature, EveryForwardEdgeCountsUpAndEveryBackwardEdgeDown) {
   }
 }
 
-TEST(Quadrature, CountsFarBothWays) {
+template <std::int8_t kSign>
+std::int32_t counts_after(int forward, int backward) {
   Quadrature encoder{};
   std::size_t at = 0;
-  for (int i = 0; i < 200'000; ++i) take_edge<1>(encoder, kForward[++at % 4]);
-  EXPECT_EQ(encoder.counts, 200'000);
-  for (int i = 0; i < 300'000; ++i) take_edge<1>(encoder, kForward[--at % 4]);
-  EXPECT_EQ(encoder.counts, -100'000);
-  EXPECT_EQ(encoder.illegal, 0);
+  for (int i = 0; i < forward + backward; ++i) {
+    at = i < forward ? at + 1 : at - 1;
+    take_edge<kSign>(encoder, kForward[at % 4]);
+    if (i % 30'000 == 0) extended_counts(encoder);
+  }
+  EXPECT_EQ(encoder.missed, 0);
+  return extended_counts(encoder);
 }
 
-TEST(Quadrature, AMissedEdgeIsCountedAsIllegal) {
+TEST(Quadrature, CountsFarBothWays) {
+  EXPECT_EQ(counts_after<1>(200'000, 0), 200'000);
+  EXPECT_EQ(counts_after<1>(200'000, 300'000), -100'000);
+  EXPECT_EQ(counts_after<-1>(200'000, 300'000), 100'000);
+}
+
+TEST(Quadrature, WhatChangesBothPhasesIsAMissedEdgeAndNotCounted) {
   Quadrature encoder{};
   take_edge<1>(encoder, 3);
-  EXPECT_EQ(encoder.illegal, 1);
-  EXPECT_EQ(encoder.counts, 0);
+  take_edge<1>(encoder, 0);
+  EXPECT_EQ(encoder.missed, 2);
+  EXPECT_EQ(extended_counts(encoder), 0);
 }
 
 }  // namespace

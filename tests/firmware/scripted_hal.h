@@ -28,6 +28,7 @@ class ScriptedHal final : public Hal {
   std::int16_t gyro_z = 0;
   std::int32_t left_counts = 0;
   std::int32_t right_counts = 0;
+  std::uint16_t missed = 0;
   std::uint16_t cells_mv = 7900;
   wire::ResetCause cause = wire::ResetCause::kPowerOn;
   std::uint32_t nonce = 0xB007;
@@ -82,6 +83,7 @@ class ScriptedHal final : public Hal {
     left = left_counts;
     right = right_counts;
   }
+  std::uint16_t missed_edges() override { return missed; }
   void motors(std::int16_t left, std::int16_t right) override {
     duties = {left, right};
     if (left != 0 || right != 0) ++nonzero_writes;

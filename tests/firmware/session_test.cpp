@@ -224,6 +224,16 @@ TEST(Session, SyncReplyCarriesHowManyFramesCameSpoilt) {
   EXPECT_EQ(asked(), before + 1);
 }
 
+TEST(Session, SyncReplyCarriesHowManyEncoderEdgesWereMissed) {
+  Bench bench;
+  bench.connect();
+  bench.hal.missed = 65535;
+  bench.send(wire::SyncRequest{4711});
+  bench.run(2);
+  ASSERT_EQ(bench.sync_replies.size(), 1U);
+  EXPECT_EQ(bench.sync_replies[0].missed_edges, 65535);
+}
+
 TEST(Session, ASilentHostIsForgottenAfterASecond) {
   Bench bench;
   bench.drive();

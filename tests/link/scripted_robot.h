@@ -58,6 +58,7 @@ class ScriptedRobot {
   std::uint16_t sequence = 0;
   std::uint16_t faults = 0;
   std::uint16_t damaged = 0;  // that it says came spoilt
+  std::uint16_t missed_edges = 0;
 
   explicit ScriptedRobot(HostNs boot_ns = 0) : boot_ns_(boot_ns) {}
 
@@ -190,7 +191,7 @@ class ScriptedRobot {
         ++heard.sync_requests;
         const auto request = read<wire::SyncRequest>();
         if (answers_sync && !silent) {
-          say(wire::SyncReply{request.id, device_us(now), device_us(now), damaged});
+          say(wire::SyncReply{request.id, device_us(now), device_us(now), damaged, missed_edges});
         }
         return;
       }

@@ -484,6 +484,23 @@ TEST(Session, CountsWhatTheRobotSaysCameSpoilt) {
   EXPECT_EQ(bench.session.counters().robot_damaged, 10u) << "an old reply";
 }
 
+TEST(Session, CountsTheEncoderEdgesThatTheRobotMissedInThisSession) {
+  SessionBench bench;
+  bench.robot.missed_edges = 65530;
+  bench.connect();
+  bench.run(1000);
+  EXPECT_EQ(bench.session.counters().missed_edges, 0u);
+  bench.robot.missed_edges = 4;
+  bench.run(1000);
+  EXPECT_EQ(bench.session.counters().missed_edges, 10u);
+  bench.robot.reboot(bench.now);
+  bench.robot.missed_edges = 0;
+  bench.run(1000);
+  bench.robot.missed_edges = 3;
+  bench.run(1000);
+  EXPECT_EQ(bench.session.counters().missed_edges, 13u);
+}
+
 TEST(Session, CountsForeignBytesBeforeTheFirstFrameOnly) {
   SessionBench bench;
   bench.session.open(bench.now);

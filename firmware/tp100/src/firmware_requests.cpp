@@ -58,7 +58,8 @@ void Firmware::dispatch() {
     case Type::kSyncRequest: {
       wire::SyncRequest message;
       if (!link_.read(message)) return;
-      const wire::SyncReply reply = {message.id, link_.received_us(), 0, link_.counts().damaged()};
+      const wire::SyncReply reply = {message.id, link_.received_us(), 0, link_.counts().damaged(),
+                                     hal_.missed_edges()};
       link_.post(reply);
       host_spoke_us_ = link_.received_us();
       return;

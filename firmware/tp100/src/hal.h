@@ -33,6 +33,9 @@ class Hal {
 
   /// Quadrature edges since boot, both read at one instant; positive: A leads B.
   virtual void counts(int32_t& left, int32_t& right) = 0;
+  /// Times since boot that both phases of an encoder had changed at once, for both encoders
+  /// together; wraps. Each leaves the count of that encoder off by two or more.
+  virtual uint16_t missed_edges() = 0;
   /// Duties of the two driver channels, -kFullDuty..kFullDuty. Callable from the timer interrupt.
   virtual void motors(int16_t left, int16_t right) = 0;
   /// Newest reading of the cells behind the divider. [mV]

@@ -16,23 +16,16 @@
 
 namespace {
 
-using tp100::firmware::kIllegalStep;
-using tp100::firmware::quadrature_step;
+using tp100::firmware::Quadrature;
+using tp100::firmware::take_edge;
 
 const uint8_t kScl = _BV(PD0);
 const uint8_t kSda = _BV(PD1);
 const uint8_t kDirections = _BV(PA0) | _BV(PA1) | _BV(PA2) | _BV(PA3);
 const uint8_t kNoisePin = 7;
 
-// 16 bits in the interrupt routines, extended by whoever reads.
-struct Encoder {
-  volatile uint16_t steps;
-  volatile uint8_t phase;
-  int32_t counts;
-};
-
-Encoder left_encoder;
-Encoder right_encoder;
+Quadrature left_encoder;
+Quadrature right_encoder;
 uint32_t boot_counter EEMEM;
 // Neither cleared nor set by the start-up code, which runs after .init3.
 uint8_t mcusr_mirror __attribute__((section(".noinit")));
@@ -44,20 +37,10 @@ inline uint8_t right_phase() { return (PIND >> 2) & 3; }
 
 }  // namespace
 
-ISR(INT4_vect) {
-  const uint8_t phase = left_phase();
-  const int8_t step = quadrature_step(left_encoder.phase, phase);
-  left_encoder.phase = phase;
-  if (step != kIllegalStep) left_encoder.steps = left_encoder.steps + step;
-}
+ISR(INT4_vect) { take_edge<1>(left_encoder, left_phase()); }
 ISR(INT5_vect, ISR_ALIASOF(INT4_vect));
 
-ISR(INT3_vect) {
-  const uint8_t phase = right_phase();
-  const int8_t step = quadrature_step(right_encoder.phase, phase);
-  right_encoder.phase = phase;
-  if (step != kIllegalStep) right_encoder.steps = right_encoder.steps - step;
-}
+ISR(INT3_vect) { take_edge<-1>(right_encoder, right_phase()); }
 ISR(INT2_vect, ISR_ALIASOF(INT3_vect));
 
 // The watchdog stays armed at its shortest period after it has fired: off before anything else.
@@ -71,15 +54,6 @@ extern "C" void save_reset_cause() {
 namespace tp100 {
 namespace firmware {
 namespace {
-
-// Interrupts are off. Right as long as fewer than 32768 edges lie between two calls.
-int32_t extended(Encoder& encoder) {
-  const uint16_t last = static_cast<uint16_t>(encoder.counts);
-  const int16_t moved = static_cast<int16_t>(encoder.steps - last);
-  encoder.counts = static_cast<int32_t>(static_cast<uint32_t>(encoder.counts) +
-                                        static_cast<uint32_t>(static_cast<int32_t>(moved)));
-  return encoder.counts;
-}
 
 void begin_motors() {
   PORTA &= static_cast<uint8_t>(~kDirections);
@@ -192,8 +166,13 @@ void MegaHal::i2c_recover() {
 
 void MegaHal::counts(int32_t& left, int32_t& right) {
   const CriticalSection section(*this);
-  left = extended(left_encoder);
-  right = extended(right_encoder);
+  left = extended_counts(left_encoder);
+  right = extended_counts(right_encoder);
+}
+
+uint16_t MegaHal::missed_edges() {
+  const CriticalSection section(*this);
+  return static_cast<uint16_t>(left_encoder.missed + right_encoder.missed);
 }
 
 void MegaHal::motors(int16_t left, int16_t right) {

@@ -39,6 +39,7 @@ class MegaHal final : public Hal {
   void i2c_recover() override;
 
   void counts(int32_t& left, int32_t& right) override;
+  uint16_t missed_edges() override;
   void motors(int16_t left, int16_t right) override;
   uint16_t battery_mv() override;
 

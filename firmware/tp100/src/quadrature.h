@@ -20,26 +20,35 @@ inline int8_t quadrature_step(uint8_t before, uint8_t now) {
   return steps[static_cast<uint8_t>(before << 2) | now];
 }
 
-/// One encoder. Plain state, so that an interrupt routine compiles to a few loads and stores.
+/// One encoder. Plain state, so that an interrupt routine compiles to a few loads and stores: 16
+/// bits there, extended by whoever reads.
 struct Quadrature {
-  volatile int32_t counts;
-  volatile uint8_t phase;     ///< last seen: bit 0 A, bit 1 B
-  volatile uint16_t illegal;  ///< missed edges; the count is unknown by two for each
+  volatile uint16_t steps;   ///< forward less backward, wraps
+  volatile uint8_t phase;    ///< last seen: bit 0 A, bit 1 B
+  volatile uint16_t missed;  ///< times that both changed at once, wraps
+  int32_t counts;            ///< as of the last extended_counts()
 };
 
 /// Takes the phase that an edge left behind. Called with interrupts off. kSign -1 for an encoder
-/// whose A and B lie on the port the other way round. At most 90 cycles on an ATmega2560.
+/// whose A and B lie on the port the other way round.
 template <int8_t kSign>
 inline void take_edge(Quadrature& encoder, uint8_t phase) {
   const int8_t step = quadrature_step(encoder.phase, phase);
   encoder.phase = phase;
-  if (step == kIllegalStep) {
-    encoder.illegal = static_cast<uint16_t>(encoder.illegal + 1);
-  } else if (step == kSign) {
-    encoder.counts = encoder.counts + 1;
-  } else if (step != 0) {
-    encoder.counts = encoder.counts - 1;
+  if (step != kIllegalStep) {
+    encoder.steps = static_cast<uint16_t>(encoder.steps + kSign * step);
+  } else {
+    encoder.missed = static_cast<uint16_t>(encoder.missed + 1);
   }
+}
+
+/// All 32 bits. Called with interrupts off, at least once in 32767 edges.
+inline int32_t extended_counts(Quadrature& encoder) {
+  const uint16_t last = static_cast<uint16_t>(encoder.counts);
+  const int16_t moved = static_cast<int16_t>(encoder.steps - last);
+  encoder.counts = static_cast<int32_t>(static_cast<uint32_t>(encoder.counts) +
+                                        static_cast<uint32_t>(static_cast<int32_t>(moved)));
+  return encoder.counts;
 }
 
 }  // namespace firmware

@@ -14,7 +14,7 @@ namespace wire {
 /// Raised when a robot or client of the old version could misread the new one.
 const uint16_t kProtocolVersion = 1;
 /// FNV-1a of every message's type, field names and field types; a test recomputes it.
-const uint32_t kSchemaHash = 0x9286885F;
+const uint32_t kSchemaHash = 0xDB34548F;
 const uint32_t kBaud = 500000;
 
 /// A robot may drive on a command no longer than this, whatever the command's expiry says. [ms]
@@ -166,17 +166,19 @@ struct Acknowledge {
 /// robot -> host: the two device times of a clock-sync exchange.
 struct SyncReply {
   static constexpr Type kType = Type::kSyncReply;
-  static constexpr size_t kSize = 12;
-  uint16_t id;           ///< of the request
-  uint32_t received_us;  ///< device time at which the request's last byte was taken [us]
-  uint32_t sent_us;      ///< device time at which this reply was handed to the UART [us]
-  uint16_t damaged;      ///< frames that came spoilt since the board's start, modulo 65536
+  static constexpr size_t kSize = 14;
+  uint16_t id;            ///< of the request
+  uint32_t received_us;   ///< device time at which the request's last byte was taken [us]
+  uint32_t sent_us;       ///< device time at which this reply was handed to the UART [us]
+  uint16_t damaged;       ///< frames that came spoilt since the board's start, modulo 65536
+  uint16_t missed_edges;  ///< of both encoders since the board's start, modulo 65536
   template <class V>
   void visit(V& v) {
     TP100_WIRE_FIELD(v, id);
     TP100_WIRE_FIELD(v, received_us);
     TP100_WIRE_FIELD(v, sent_us);
     TP100_WIRE_FIELD(v, damaged);
+    TP100_WIRE_FIELD(v, missed_edges);
   }
 };
 
