@@ -46,8 +46,10 @@ void RunWatch::step(const StepRecord& record) {
     add({.at_ns = record.now_ns, .text = std::string("operator: ") + name_of(record.requests[i])});
   if (record.robot_rebooted)
     add({.at_ns = record.now_ns, .text = "the robot has booted", .bad = !first_});
-  if (record.request_refused)
-    add({.at_ns = record.now_ns, .text = "the robot refused a request", .bad = true});
+  if (record.answer == RequestAnswer::kFailed)
+    add({.at_ns = record.now_ns,
+         .text = "the robot refused or did not confirm arm or disarm",
+         .bad = true});
   states(record);
   faults(record);
   first_ = false;

@@ -117,7 +117,7 @@ const bridge::Outputs& Cycle::step(HostNs now) {
              .clock = session_.clock(),
              .session_number = session_.session_number(),
              .robot_rebooted = session_.take_rebooted(),
-             .request_refused = session_.take_refused()};
+             .answer = session_.take_answer()};
   outputs_ = &step_(inputs_, now);
   now_ns_ = now;
   ++steps_;
@@ -141,7 +141,7 @@ void Cycle::record(StepRecord& out) const {
   static_assert(StepRecord::kMaxChanges >= kMaxChanges);
   // An input that is not recorded cannot be replayed: a new one does not compile before it is here.
   const auto& [samples, requests, camera, world, changes, session, clock, session_number, rebooted,
-               refused] = inputs_;
+               answer] = inputs_;
   out.now_ns = now_ns_;
   out.step = steps_;
   std::copy(samples.begin(), samples.end(), out.samples.begin());
@@ -158,7 +158,7 @@ void Cycle::record(StepRecord& out) const {
   out.clock = clock;
   out.session_number = session_number;
   out.robot_rebooted = rebooted;
-  out.request_refused = refused;
+  out.answer = answer;
   out.link = session_.counters();
   out.command_valid = outputs_->command_valid;
   out.request = outputs_->request;

@@ -56,8 +56,9 @@ class Cycle {
   /// Motors off for good (the program ends): from now on the step cannot arm. See
   /// request_pending().
   void disarm(HostNs now);
-  /// True until the last request to the robot is acknowledged or given up (200 ms).
-  bool request_pending() const { return session_.request_pending(); }
+  /// True until the last request to the robot is acknowledged or given up (200 ms), and the end of
+  /// a run is confirmed or not (250 ms).
+  bool request_pending() const { return session_.request_pending() || outputs_->disarming; }
 
   /// Bytes to write. After writing `n` of them call written(n).
   std::span<const std::uint8_t> output() const { return session_.output(); }

@@ -66,7 +66,7 @@ bridge::Inputs inputs_of(const StepRecord& record) {
           .clock = record.clock,
           .session_number = record.session_number,
           .robot_rebooted = record.robot_rebooted,
-          .request_refused = record.request_refused};
+          .answer = record.answer};
 }
 
 RunFiles recorded_files(const Recording& recording) {

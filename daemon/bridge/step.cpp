@@ -19,6 +19,10 @@ namespace {
 
 // Nobody saw what happened in a longer gap between two steps: it does not count as having lasted.
 constexpr double kLongestSeenS = 0.05;
+// A little late is answered with silence, which the robot bridges; this late is a broken link.
+constexpr double kSamplesLostS = 0.2;
+// The firmware's own limit is 10 samples.
+constexpr std::uint8_t kOldestImu = 40;
 
 control::Drive drive_of(const Parameters& parameters, double speed_mps) {
   // A pose that knows of no turning centre is not steered by it.
@@ -53,11 +57,14 @@ struct Step::State {
   void take_requests(std::span<const OperatorRequest> requests);
   void take_world(std::span<const WorldSample> said, double dt_s);
   void heed_stop();
+  bool fresh_sample(HostNs now) const;
+  FaultMask aborts(const Inputs& in, HostNs now, double dt_s);
+  StartRefusal refusal(const Inputs& in, HostNs now) const;
   void begin_run(HostNs now);
   void steer(double dt_s);
   void command(const Inputs& in, HostNs now);
   control::Observation observe(HostNs now, double dt_s) const;
-  void publish(HostNs now);
+  void publish(StartRefusal refusal, HostNs now);
 
   Parameters parameters;
   std::shared_ptr<const course::Course> course;
@@ -130,6 +137,37 @@ void Step::State::heed_stop() {
   if (outer.take_stop(state == RunState::kArming || state == RunState::kRunning)) arming.stop();
 }
 
+bool Step::State::fresh_sample(HostNs now) const {
+  return seen.has_sample() && to_s(now - seen.sample().measured_ns) <= kSamplesLostS;
+}
+
+FaultMask Step::State::aborts(const Inputs& in, HostNs now, double dt_s) {
+  FaultMask faults = 0;
+  const bool running = arming.state() == RunState::kRunning;
+  if (running && seen.has_sample()) {
+    faults = monitor->update(observe(now, dt_s));
+    if (!fresh_sample(now))
+      faults |= fault_bit(in.samples.empty() ? Fault::link_lost : Fault::samples_stale);
+    if (seen.gyro_steers() && seen.sample().imu_age > kOldestImu)
+      faults |= fault_bit(Fault::imu_stale);
+  }
+  if (running ? outer.lost(now) : !outer.fresh(now)) faults |= fault_bit(Fault::world_lost);
+  return faults;
+}
+
+StartRefusal Step::State::refusal(const Inputs& in, HostNs now) const {
+  if (course == nullptr) return StartRefusal::kNoCourse;
+  if (in.session != SessionState::kReady) return StartRefusal::kNoSession;
+  if (!fresh_sample(now)) return StartRefusal::kNoSample;
+  const Sample& sample = seen.sample();
+  if (motors_on(sample)) return StartRefusal::kMotorsOn;
+  if (control::tilted(sample, parameters.control)) return StartRefusal::kTilted;
+  if (seen.gyro_steers() && sample.imu_age > kOldestImu) return StartRefusal::kNoImu;
+  if (seen.gyro_steers() && !seen.gyro_bias_known()) return StartRefusal::kNotStill;
+  if (!outer.fresh(now)) return StartRefusal::kNoWorld;
+  return StartRefusal::kNone;
+}
+
 void Step::State::begin_run(HostNs now) {
   seen.begin(course->start, now);
   outer.restart(now);
@@ -199,7 +237,7 @@ void Step::State::command(const Inputs& in, HostNs now) {
                                      : 0;
 }
 
-void Step::State::publish(HostNs now) {
+void Step::State::publish(StartRefusal refusal, HostNs now) {
   Snapshot& snapshot = out.snapshot;
   snapshot.now_ns = now;
   seen.write(snapshot, now);
@@ -210,6 +248,9 @@ void Step::State::publish(HostNs now) {
   snapshot.recovering = target.recovering;
   snapshot.steering = parameters.steering;
   snapshot.run_state = arming.state();
+  const bool under_way =
+      snapshot.run_state == RunState::kArming || snapshot.run_state == RunState::kRunning;
+  snapshot.start_refusal = under_way ? StartRefusal::kUnderWay : refusal;
   snapshot.faults = (seen.has_sample() ? seen.sample().faults : 0) | arming.faults();
 }
 
@@ -234,32 +275,24 @@ const Outputs& Step::operator()(const Inputs& in, HostNs now) {
   s.take_requests(in.requests);
   s.heed_stop();
 
-  FaultMask aborts = 0;
-  const bool running = s.arming.state() == RunState::kRunning;
-  if (running && s.seen.has_sample()) {
-    aborts = s.monitor->update(s.observe(now, dt_s));
-    const double age_s = to_s(now - s.seen.sample().measured_ns);
-    // A little late is answered with silence, which the robot bridges; this late is a broken link.
-    // Without any sample it is the session that says when the link is lost.
-    if (age_s > 0.2 && !in.samples.empty()) aborts |= fault_bit(Fault::samples_stale);
-  }
-  const bool world_lost = running ? s.outer.lost(now) : !s.outer.fresh(now);
-  if (world_lost) aborts |= fault_bit(Fault::world_lost);
+  const FaultMask aborts = s.aborts(in, now, dt_s);
+  const StartRefusal refusal = s.refusal(in, now);
   s.out.request =
       s.arming.update({.session = in.session,
-                       .sample = s.seen.has_sample() ? &s.seen.sample() : nullptr,
-                       .ready_to_run = s.course != nullptr && !world_lost &&
-                                       (!s.seen.gyro_steers() || s.seen.gyro_bias_known()),
+                       .sample = s.fresh_sample(now) ? &s.seen.sample() : nullptr,
+                       .refusal = refusal,
                        .new_session = new_session,
                        .rebooted = in.robot_rebooted,
-                       .request_refused = in.request_refused,
+                       .answer = in.answer,
                        .aborts = aborts,
-                       .path_done = running && s.target.done},
+                       .path_done = s.arming.state() == RunState::kRunning && s.target.done},
                       dt_s);
+  s.out.refused = s.arming.refused();
+  s.out.disarming = s.arming.disarming();
   if (s.arming.just_began()) s.begin_run(now);
   s.steer(dt_s);
   s.command(in, now);
-  s.publish(now);
+  s.publish(refusal, now);
   s.outer.remember(now, s.seen.steering_pose());
   return s.out;
 }

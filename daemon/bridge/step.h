@@ -25,9 +25,9 @@ struct Inputs {
   std::span<const ParameterChange> changes{};   ///< oldest first; before the requests
   SessionState session = SessionState::kClosed;
   ClockState clock{};
-  std::uint32_t session_number = 0;  ///< +1 each time a session becomes ready
-  bool robot_rebooted = false;       ///< a new boot nonce since the last step
-  bool request_refused = false;      ///< the robot refused, or never acknowledged, arm
+  std::uint32_t session_number = 0;             ///< +1 each time a session becomes ready
+  bool robot_rebooted = false;                  ///< a new boot nonce since the last step
+  RequestAnswer answer = RequestAnswer::kNone;  ///< to the last arm or disarm
 };
 
 /// What to do now.
@@ -35,6 +35,8 @@ struct Outputs {
   bool command_valid = false;  ///< false: send nothing (no session, no sample yet)
   Command command{};
   RobotRequest request = RobotRequest::kNone;  ///< hand to the link once
+  StartRefusal refused = StartRefusal::kNone;  ///< a start was refused in this step
+  bool disarming = false;  ///< the end of a run is not confirmed yet; for at most 0.25 s
   Snapshot snapshot{};
 };
 

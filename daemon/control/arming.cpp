@@ -1,5 +1,6 @@
 #include "control/arming.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tp100::control {
@@ -7,10 +8,17 @@ namespace {
 
 // The robot refuses to arm until a fresh command is there; let a few arrive first.
 constexpr double kCommandsFirstS = 0.05;
+// Nobody looks at the robot any more when a later start begins.
+constexpr double kBeginS = 3.0;
 constexpr double kConfirmS = 1.0;
+// The link repeats a request for 0.2 s.
+constexpr double kRequestS = 0.2;
+constexpr double kConfirmOffS = 0.25;
+constexpr HostNs kUnaskedNs = 100 * kNsPerMs;
+constexpr double kStopAgainS = 0.2;
 
-bool enabled(const Sample& sample) {
-  return sample.state == RobotState::kArmed || sample.state == RobotState::kRunning;
+bool lost(const ArmingInputs& in) {
+  return in.session != SessionState::kReady || in.new_session || in.sample == nullptr;
 }
 
 }  // namespace
@@ -20,27 +28,58 @@ void Arming::start() {
   state_ = RunState::kArming;
   faults_ = 0;
   arm_sent_ = false;
+  disarming_ = false;
+  begin_s_ = 0.0;
   waited_s_ = 0.0;
 }
 
 void Arming::hold() {
   pending_ = RobotRequest::kDisarm;
-  if (state_ == RunState::kArming || state_ == RunState::kRunning) state_ = RunState::kIdle;
+  off_due_s_ = kRequestS;
+  if (state_ != RunState::kArming && state_ != RunState::kRunning) return;
+  state_ = RunState::kIdle;
+  begin_disarm();
 }
 
 void Arming::stop() {
   pending_ = RobotRequest::kStop;
-  faults_ |= fault_bit(Fault::stop_requested);
+  off_due_s_ = kRequestS;
+  abort(fault_bit(Fault::stop_requested));
+}
+
+void Arming::abort(FaultMask faults) {
+  faults_ |= faults;
   state_ = RunState::kAborted;
 }
 
-RobotRequest Arming::end(RunState state) {
+void Arming::begin_disarm() {
+  disarming_ = true;
+  acknowledged_ = false;
+  off_s_ = 0.0;
+  off_due_s_ = kRequestS;
+}
+
+RobotRequest Arming::end(RunState state, const ArmingInputs& in) {
   state_ = state;
+  begin_disarm();
+  if (lost(in) || in.rebooted) disarming_ = false;  // nobody is there to confirm it
   return RobotRequest::kDisarm;
 }
 
 RobotRequest Arming::update(const ArmingInputs& in, double dt_s) {
   just_began_ = false;
+  refused_ = StartRefusal::kNone;
+  if (disarming_) confirm_off(in, dt_s);
+  if (unasked(in, dt_s)) {
+    abort(fault_bit(Fault::moves_unasked));
+    stop_again_s_ -= dt_s;
+    if (stop_again_s_ <= 0.0) {
+      stop_again_s_ = kStopAgainS;
+      pending_ = RobotRequest::kStop;
+    }
+  } else {
+    stop_again_s_ = 0.0;
+  }
   if (pending_ != RobotRequest::kNone) return std::exchange(pending_, RobotRequest::kNone);
   switch (state_) {
     case RunState::kArming:
@@ -53,47 +92,85 @@ RobotRequest Arming::update(const ArmingInputs& in, double dt_s) {
 }
 
 RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
-  if (in.session != SessionState::kReady || in.sample == nullptr || !in.ready_to_run) {
-    // A start that the robot has not seen waits; one that was under way when the link went is void.
-    if (arm_sent_) {
-      faults_ |= in.aborts != 0 ? in.aborts : fault_bit(Fault::link_lost);
-      return end(RunState::kAborted);
+  if (!arm_sent_) {
+    begin_s_ += dt_s;
+    waited_s_ = in.refusal == StartRefusal::kNone ? waited_s_ + dt_s : 0.0;
+    if (waited_s_ >= kCommandsFirstS) {
+      arm_sent_ = true;
+      acknowledged_ = false;
+      waited_s_ = 0.0;
+      return RobotRequest::kArm;
     }
-    waited_s_ = 0.0;
+    if (in.refusal != StartRefusal::kNone && begin_s_ > kBeginS) {
+      refused_ = in.refusal;
+      state_ = RunState::kIdle;
+    }
     return RobotRequest::kNone;
   }
   waited_s_ += dt_s;
-  if (!arm_sent_) {
-    if (waited_s_ < kCommandsFirstS) return RobotRequest::kNone;
-    arm_sent_ = true;
-    waited_s_ = 0.0;
-    return RobotRequest::kArm;
+  if (in.rebooted) {
+    faults_ |= fault_bit(Fault::robot_rebooted);
+  } else if (in.aborts != 0) {
+    faults_ |= in.aborts;
+  } else if (lost(in)) {
+    faults_ |= fault_bit(Fault::link_lost);
+  } else if (in.answer == RequestAnswer::kFailed || waited_s_ > kConfirmS) {
+    faults_ |= fault_bit(Fault::not_acknowledged);
   }
-  if (enabled(*in.sample)) {
+  if (faults_ != 0) return end(RunState::kAborted, in);
+  acknowledged_ = acknowledged_ || in.answer == RequestAnswer::kAcknowledged;
+  // Armed by its samples alone, it may be armed by somebody else, or answer with a refusal.
+  if (acknowledged_ && enabled(*in.sample)) {
     state_ = RunState::kRunning;
     just_began_ = true;
-    return RobotRequest::kNone;
-  }
-  if (in.request_refused || in.rebooted || waited_s_ > kConfirmS) {
-    faults_ |= fault_bit(in.rebooted ? Fault::robot_rebooted : Fault::not_acknowledged);
-    return end(RunState::kAborted);
   }
   return RobotRequest::kNone;
 }
 
 RobotRequest Arming::run(const ArmingInputs& in) {
+  faults_ |= in.aborts;
   if (in.rebooted) {
     faults_ |= fault_bit(Fault::robot_rebooted);
-  } else if (in.session != SessionState::kReady || in.new_session || in.sample == nullptr) {
-    faults_ |= fault_bit(Fault::link_lost);
+  } else if (lost(in)) {
+    // Samples that come, but too late, are another cause, and told by `aborts`.
+    if (in.aborts == 0) faults_ |= fault_bit(Fault::link_lost);
+  } else if (in.sample->faults != 0) {
+    faults_ |= in.sample->faults;
   } else if (!enabled(*in.sample)) {
-    // The robot switched itself off; its own latched fault says why.
-    faults_ |= in.sample->faults != 0 ? in.sample->faults : fault_bit(Fault::not_acknowledged);
+    faults_ |= fault_bit(Fault::not_acknowledged);
   }
-  faults_ |= in.aborts;
-  if (faults_ != 0) return end(RunState::kAborted);
-  if (in.path_done) return end(RunState::kFinished);
+  if (faults_ != 0) return end(RunState::kAborted, in);
+  if (in.path_done) return end(RunState::kFinished, in);
   return RobotRequest::kNone;
+}
+
+void Arming::confirm_off(const ArmingInputs& in, double dt_s) {
+  off_s_ += dt_s;
+  if (lost(in) || in.rebooted) {
+    disarming_ = false;
+    if (state_ != RunState::kFinished) return;
+    return abort(fault_bit(in.rebooted ? Fault::robot_rebooted : Fault::link_lost));
+  }
+  acknowledged_ = acknowledged_ || in.answer == RequestAnswer::kAcknowledged;
+  if (acknowledged_ && !motors_on(*in.sample)) {
+    disarming_ = false;
+  } else if (in.answer == RequestAnswer::kFailed || off_s_ > kConfirmOffS) {
+    disarming_ = false;
+    abort(fault_bit(Fault::not_acknowledged));
+  }
+}
+
+// By the samples' own times: where none comes, nothing is known.
+bool Arming::unasked(const ArmingInputs& in, double dt_s) {
+  off_due_s_ = std::max(0.0, off_due_s_ - dt_s);
+  const bool asked = state_ == RunState::kRunning || (state_ == RunState::kArming && arm_sent_) ||
+                     off_due_s_ > 0.0;
+  if (asked || in.sample == nullptr || !motors_on(*in.sample)) {
+    on_since_.reset();
+    return false;
+  }
+  if (!on_since_) on_since_ = in.sample->measured_ns;
+  return in.sample->measured_ns - *on_since_ >= kUnaskedNs;
 }
 
 }  // namespace tp100::control

@@ -1,6 +1,8 @@
 #pragma once
 // The run's state machine: operator's wish and robot's state to requests and run state.
 
+#include <optional>
+
 #include "core/command.h"
 #include "core/faults.h"
 #include "core/link_state.h"
@@ -12,20 +14,21 @@ namespace tp100::control {
 /// What arming needs to know in one step.
 struct ArmingInputs {
   SessionState session = SessionState::kClosed;
-  const Sample* sample = nullptr;  ///< newest sample of this session, or null
-  bool ready_to_run = false;  ///< there is a course and the estimators are ready (gyro bias known)
-  bool new_session = false;   ///< another session became ready since the last step
+  const Sample* sample = nullptr;  ///< newest sample of this session; null: none that is fresh
+  StartRefusal refusal = StartRefusal::kNone;  ///< what stands against a start now
+  bool new_session = false;                    ///< another session became ready since the last step
   bool rebooted = false;
-  bool request_refused = false;  ///< the robot refused, or never confirmed, arm
-  FaultMask aborts = 0;          ///< what ends a run, or one that is about to begin
+  RequestAnswer answer = RequestAnswer::kNone;  ///< to the last arm or disarm
+  FaultMask aborts = 0;                         ///< what ends a run, or one that is about to begin
   bool path_done = false;
 };
 
 /// Nothing moves before start(); nothing moves again after an abort, a stop or a lost session until
-/// the next start(). No allocation; safe in the real-time thread.
+/// the next start(). A start that cannot begin within 3 s is refused. Motors that are on without
+/// being asked for are stopped, in every state. No allocation; safe in the real-time thread.
 class Arming {
  public:
-  /// The operator's start: begins arming as soon as session and estimators are ready.
+  /// The operator's start: arms as soon as nothing stands against it.
   void start();
   /// The operator's hold: ends the run, disarms.
   void hold();
@@ -38,20 +41,37 @@ class Arming {
   RunState state() const { return state_; }
   /// True in the step in which the run began: estimators and tracker start anew.
   bool just_began() const { return just_began_; }
+  /// Why a start was refused in this step.
+  StartRefusal refused() const { return refused_; }
+  /// A run has ended, and the robot has not confirmed yet that its motors are off; for at most
+  /// 0.25 s.
+  bool disarming() const { return disarming_; }
   /// Daemon's faults, latched until the next start().
   FaultMask faults() const { return faults_; }
 
  private:
-  RobotRequest end(RunState state);
+  void begin_disarm();
+  void abort(FaultMask faults);
+  RobotRequest end(RunState state, const ArmingInputs& in);
   RobotRequest arm(const ArmingInputs& in, double dt_s);
   RobotRequest run(const ArmingInputs& in);
+  void confirm_off(const ArmingInputs& in, double dt_s);
+  bool unasked(const ArmingInputs& in, double dt_s);
 
   RunState state_ = RunState::kIdle;
   RobotRequest pending_ = RobotRequest::kNone;
   FaultMask faults_ = 0;
+  StartRefusal refused_ = StartRefusal::kNone;
   bool arm_sent_ = false;
   bool just_began_ = false;
+  bool disarming_ = false;
+  bool acknowledged_ = false;  // the arm or disarm that was asked last
+  double begin_s_ = 0.0;       // since the start
   double waited_s_ = 0.0;
+  double off_s_ = 0.0;              // since the disarm
+  double off_due_s_ = 0.0;          // motors may be on for so long
+  std::optional<HostNs> on_since_;  // motors that nobody asked for
+  double stop_again_s_ = 0.0;
 };
 
 }  // namespace tp100::control

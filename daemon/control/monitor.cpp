@@ -25,6 +25,12 @@ bool stands(double commanded_mps, double belt_mps) {
 
 }  // namespace
 
+bool tilted(const Sample& sample, const Parameters& parameters) {
+  const double horizontal = std::hypot(sample.accel_mps2[0], sample.accel_mps2[1]);
+  return sample.imu_age == 0 &&
+         std::atan2(horizontal, sample.accel_mps2[2]) > parameters.max_tilt_rad;
+}
+
 void Monitor::restart() {
   heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
 }
@@ -41,10 +47,7 @@ FaultMask Monitor::update(const Observation& seen) {
   raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
                         dt, kHeadingS),
         Fault::heading);
-  const double horizontal = std::hypot(sample.accel_mps2[0], sample.accel_mps2[1]);
-  const double tilt = std::atan2(horizontal, sample.accel_mps2[2]);
-  raise(tilt_.update(sample.imu_age == 0 && tilt > parameters_.max_tilt_rad, dt, kTiltS),
-        Fault::tilt);
+  raise(tilt_.update(tilted(sample, parameters_), dt, kTiltS), Fault::tilt);
   raise(seen.pose.x_m < fence_.min_x_m || seen.pose.x_m > fence_.max_x_m ||
             seen.pose.y_m < fence_.min_y_m || seen.pose.y_m > fence_.max_y_m,
         Fault::fence);

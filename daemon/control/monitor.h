@@ -25,6 +25,9 @@ struct Observation {
   double dt_s = 0.0;       ///< since the last observation
 };
 
+/// The IMU's newest value says that the robot leans by more than control.max_tilt_deg.
+bool tilted(const Sample& sample, const Parameters& parameters);
+
 /// A condition that must last before it counts.
 class Lasting {
  public:

@@ -23,6 +23,13 @@ struct Command {
 /// One-shot requests to the robot; the link repeats them until they are acknowledged.
 enum class RobotRequest : std::uint8_t { kNone, kArm, kDisarm, kStop };
 
+/// What became of the last arm or disarm that was asked of the robot.
+enum class RequestAnswer : std::uint8_t {
+  kNone,          ///< nothing yet, or nothing was asked
+  kAcknowledged,  ///< the robot accepted it
+  kFailed,        ///< the robot refused it, or did not acknowledge it in time
+};
+
 /// What an operator (keyboard, page, --go, signal) asks of the bridge.
 enum class OperatorRequest : std::uint8_t {
   kStart,  ///< arm and begin the course from where the robot stands

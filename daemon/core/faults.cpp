@@ -12,7 +12,7 @@ constexpr auto kTexts = std::to_array<FaultText>({
 #undef TP100_TEXT
 });
 
-constexpr FaultText kUnknown{Fault{31}, "unknown", "a fault that this version does not know",
+constexpr FaultText kUnknown{Fault{255}, "unknown", "a fault that this version does not know",
                              "update the daemon"};
 
 }  // namespace

@@ -18,4 +18,30 @@ std::string_view to_string(RunState state) {
   return "unknown";
 }
 
+std::string_view to_string(StartRefusal refusal) {
+  switch (refusal) {
+    case StartRefusal::kNone:
+      return "";
+    case StartRefusal::kNoCourse:
+      return "no course; start the daemon with --course";
+    case StartRefusal::kUnderWay:
+      return "a run is under way";
+    case StartRefusal::kNoSession:
+      return "no robot yet";
+    case StartRefusal::kNoSample:
+      return "no fresh sample from the robot; check the cable";
+    case StartRefusal::kMotorsOn:
+      return "the robot's motors are on without being asked; press STOP";
+    case StartRefusal::kTilted:
+      return "the robot is tilted by more than control.max_tilt_deg; set it upright";
+    case StartRefusal::kNoImu:
+      return "the MPU6050 delivers no values; check its wiring, or use set-up bench";
+    case StartRefusal::kNotStill:
+      return "the gyro is not still; leave the robot at rest for a second";
+    case StartRefusal::kNoWorld:
+      return "the external world does not answer; start its program";
+  }
+  return "unknown";
+}
+
 }  // namespace tp100

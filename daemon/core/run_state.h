@@ -1,5 +1,5 @@
 #pragma once
-// States of a run, as printed in `state: A -> B` and in snapshots.
+// States of a run, as printed in `state: A -> B` and in snapshots, and what stands against a start.
 
 #include <cstdint>
 #include <string_view>
@@ -16,5 +16,22 @@ enum class RunState : std::uint8_t {
 
 /// Name as printed in `state: A -> B`.
 std::string_view to_string(RunState state);
+
+/// What stands against a start of the course, the first one that holds.
+enum class StartRefusal : std::uint8_t {
+  kNone,
+  kNoCourse,
+  kUnderWay,   ///< a run is arming or running
+  kNoSession,  ///< no robot, or the handshake is not over
+  kNoSample,   ///< no fresh sample
+  kMotorsOn,   ///< the robot is armed or has a duty without being asked
+  kTilted,     ///< by more than control.max_tilt_deg
+  kNoImu,      ///< the yaw is the gyro's, and it delivers nothing
+  kNotStill,   ///< the gyro's bias is not known: it has not been at rest yet
+  kNoWorld,    ///< the external world has not answered in time
+};
+
+/// Why, and what to do, in one line; empty for kNone.
+std::string_view to_string(StartRefusal refusal);
 
 }  // namespace tp100

@@ -32,4 +32,14 @@ struct Sample {
   std::uint8_t imu_age = 255;      ///< samples since the IMU values were new; 0 is fresh
 };
 
+/// The robot says that its motors are enabled.
+inline bool enabled(const Sample& sample) {
+  return sample.state == RobotState::kArmed || sample.state == RobotState::kRunning;
+}
+
+/// It is enabled or has a duty. Tracks that turn without either are turned by somebody's hand.
+inline bool motors_on(const Sample& sample) {
+  return enabled(sample) || sample.left_duty != 0.0 || sample.right_duty != 0.0;
+}
+
 }  // namespace tp100

@@ -45,7 +45,8 @@ struct Snapshot {
   bool recovering = false;         ///< a disturbance was noticed; not back on the path yet
   Steering steering = Steering::kOdometry;
   RunState run_state = RunState::kIdle;
-  FaultMask faults = 0;  ///< robot's and daemon's
+  StartRefusal start_refusal = StartRefusal::kNone;  ///< what stands against a start now
+  FaultMask faults = 0;                              ///< robot's and daemon's
 };
 
 }  // namespace tp100

@@ -43,7 +43,7 @@ struct StepRecord {
   ClockState clock{};
   std::uint32_t session_number = 0;
   bool robot_rebooted = false;
-  bool request_refused = false;
+  RequestAnswer answer = RequestAnswer::kNone;
 
   LinkCounters link{};         ///< counters after the step
   bool command_valid = false;  ///< snapshot.command was sent

@@ -86,18 +86,18 @@ void SampleIntake::count(const wire::Sample& wire, DeviceUs device_us) {
   if (!left || !right) ++counters_.implausible;
 }
 
-void SampleIntake::push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock,
+bool SampleIntake::push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock,
                         HostNs now) {
   std::uint32_t missing = 0;
   const HostNs measured_ns = clock.valid ? clock.to_host(device_us) : 0;
   if (!values_plausible(wire) || (clock.valid && measured_ns > now + kFutureNs)) {
     ++counters_.implausible;
     ++refused_in_row_;
-    return;
+    return false;
   }
   if (!in_order(wire.sequence, device_us, missing)) {
     ++refused_in_row_;
-    return;
+    return false;
   }
   refused_in_row_ = 0;
 
@@ -114,7 +114,7 @@ void SampleIntake::push(const wire::Sample& wire, DeviceUs device_us, const Cloc
   if (!clock.valid) {
     ++counters_.early;
     dropped_ = 0;
-    return;
+    return true;
   }
   Sample sample;
   sample.sequence = wire.sequence;
@@ -138,6 +138,7 @@ void SampleIntake::push(const wire::Sample& wire, DeviceUs device_us, const Cloc
   sample.imu_age = wire.imu_age;
   keep(sample);
   dropped_ = 0;
+  return true;
 }
 
 void SampleIntake::keep(const Sample& sample) {

@@ -40,8 +40,9 @@ class SampleIntake {
 
   /// A new session: the next sample is the first one. Counts continue unless it is a new boot.
   void begin(bool new_boot);
-  /// Takes one sample with its extended device time. Kept only if `clock` is valid.
-  void push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock, HostNs now);
+  /// Takes one sample with its extended device time, unless it is out of order or not plausible:
+  /// false. Kept only if `clock` is valid.
+  bool push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock, HostNs now);
   /// Samples since the last take, oldest first; valid until the next push.
   std::span<const Sample> take();
   bool empty() const { return count_ == 0; }

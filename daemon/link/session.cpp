@@ -70,7 +70,8 @@ bool Session::read(Message& message) {
 }
 
 void Session::on_frame(HostNs now) {
-  last_good_ns_ = now;
+  // In a session it is samples that are waited for, whatever else the robot sends.
+  if (!in_session()) last_good_ns_ = now;
   const Type type{reader_.type()};
   if (state_ == SessionState::kListening) {
     if (stop_.pending()) stop_.start(next_token(now), now);
@@ -184,7 +185,7 @@ void Session::on_sample(const wire::Sample& sample, HostNs now) {
   }
   const DeviceUs device_us = device_clock_.extend(sample.device_us, now);
   const ClockState clock = state_ == SessionState::kReady ? sync_.state() : ClockState{};
-  intake_.push(sample, device_us, clock, now);
+  if (intake_.push(sample, device_us, clock, now)) last_good_ns_ = now;
   if (intake_.nonsense()) ask_hello(now);
 }
 
@@ -196,11 +197,8 @@ void Session::on_acknowledge(const wire::Acknowledge& acknowledge, HostNs now) {
   if (type == Type::kStop) {
     if (!stop_.acknowledge(acknowledge.token)) return;
   } else if (type == motion_type_ && motion_.acknowledge(acknowledge.token)) {
-    if (type == Type::kArm && !accepted) {
-      refused_ = true;
-      if (acknowledge.result == static_cast<std::uint8_t>(Result::kStaleToken))
-        token_ += kTokenLeap;
-    }
+    answer_ = accepted ? RequestAnswer::kAcknowledged : RequestAnswer::kFailed;
+    if (acknowledge.result == static_cast<std::uint8_t>(Result::kStaleToken)) token_ += kTokenLeap;
   } else if (type == Type::kArm && accepted && acknowledge.token == overdue_arm_token_) {
     // Armed after all, but nobody waits for it any more.
     overdue_arm_token_ = 0;
@@ -311,7 +309,7 @@ void Session::fail_arm(HostNs now) {
   if (!motion_.pending() || motion_type_ != Type::kArm) return;
   overdue_arm_token_ = motion_.token();
   motion_.cancel();
-  refused_ = true;
+  answer_ = RequestAnswer::kFailed;
   note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kArm));
 }
 
@@ -334,7 +332,7 @@ const wire::Hello& Session::hello() const { return hello_; }
 std::uint32_t Session::session_number() const { return session_number_; }
 
 bool Session::take_rebooted() { return std::exchange(rebooted_, false); }
-bool Session::take_refused() { return std::exchange(refused_, false); }
+RequestAnswer Session::take_answer() { return std::exchange(answer_, RequestAnswer::kNone); }
 
 void Session::enter(SessionState state, HostNs now) {
   if (state == state_) return;

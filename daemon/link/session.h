@@ -92,9 +92,10 @@ class Session {
   const ClockState& clock() const;
   const wire::Hello& hello() const;
   std::uint32_t session_number() const;  ///< +1 each time the state becomes kReady
-  /// True once after a new boot nonce / a refused or unacknowledged arm.
+  /// True once after a new boot nonce.
   bool take_rebooted();
-  bool take_refused();
+  /// What became of the last arm or disarm; said once.
+  RequestAnswer take_answer();
   /// True if there are samples to take.
   bool has_samples() const { return !intake_.empty(); }
   /// True while a clock-sync reply may come at any moment: bytes should be read as they arrive.
@@ -154,14 +155,14 @@ class Session {
   bool known_boot_ = false;
   bool new_boot_ = true;
   bool rebooted_ = false;
-  bool refused_ = false;
+  RequestAnswer answer_ = RequestAnswer::kNone;
   std::uint32_t session_number_ = 0;
   std::uint32_t token_ = 0;
   std::uint16_t command_sequence_ = 0;
   std::optional<wire::SyncReply> last_reply_{};  // of this session; for the robot's own counts
   bool sequence_known_ = false;
 
-  HostNs last_good_ns_ = 0;
+  HostNs last_good_ns_ = 0;  // in a session: the last sample that was taken
   HostNs handshake_ns_ = 0;  // its beginning, or when it was last said that it hangs
   HostNs last_sent_ns_ = 0;
   HostNs next_hello_ns_ = 0;

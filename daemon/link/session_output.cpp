@@ -61,6 +61,7 @@ void Session::poll_requests(HostNs now) {
       fail_arm(now);
     } else {
       motion_.cancel();
+      answer_ = RequestAnswer::kFailed;
       note(SessionEvent::Kind::kNotAcknowledged, now, number(motion_type_));
     }
   }
@@ -131,11 +132,14 @@ void Session::request(RobotRequest request, HostNs now) {
       return;
     case RobotRequest::kStop:
       fail_arm(now);
-      stop_.start(next_token(now), now);
+      // One that is under way is the same to the robot, and goes on being repeated.
+      if (!stop_.pending()) stop_.start(next_token(now), now);
       return;
     case RobotRequest::kDisarm:
       fail_arm(now);
+      answer_ = RequestAnswer::kNone;
       if (!connected()) {
+        answer_ = RequestAnswer::kFailed;
         note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kDisarm));
         return;
       }
@@ -144,8 +148,9 @@ void Session::request(RobotRequest request, HostNs now) {
       return;
     case RobotRequest::kArm:
       fail_arm(now);
+      answer_ = RequestAnswer::kNone;
       if (state_ != SessionState::kReady) {
-        refused_ = true;
+        answer_ = RequestAnswer::kFailed;
         note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kArm));
         return;
       }

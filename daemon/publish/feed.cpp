@@ -25,13 +25,6 @@ Channel pose_channel(Steering estimate) {
 
 bool under_way(RunState state) { return state == RunState::kArming || state == RunState::kRunning; }
 
-std::string why_not_start(const StateFigures& state, bool has_course) {
-  if (!has_course) return "no course; start the daemon with --course";
-  if (under_way(state.run)) return "a run is under way";
-  if (state.session != SessionState::kReady) return "no robot yet";
-  return {};
-}
-
 /// What makes a change of state worth a message of its own.
 std::string key_of(const StateFigures& state) {
   std::string key;
@@ -60,7 +53,8 @@ Feed::Feed(Hub& hub, Messages messages, Controls& controls)
     return whole_trail_;
   });
   if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
-  state_.why_not_start = why_not_start(state_, subject().course != nullptr);
+  state_.why_not_start = to_string(subject().course == nullptr ? StartRefusal::kNoCourse
+                                                               : StartRefusal::kNoSession);
 }
 
 void Feed::publish(Channel channel, HostNs at, std::string json) {
@@ -116,7 +110,8 @@ void Feed::update_state(const StepRecord& record) {
   state_.battery_v = snapshot.has_sample ? std::optional(snapshot.sample.battery_v) : std::nullopt;
   state_.progress_m = snapshot.progress_m;
   state_.faults = snapshot.faults;
-  state_.why_not_start = why_not_start(state_, subject().course != nullptr);
+  state_.motors_on = snapshot.has_sample && motors_on(snapshot.sample);
+  state_.why_not_start = to_string(snapshot.start_refusal);
   state_.can_start = state_.why_not_start.empty();
 }
 

@@ -101,6 +101,7 @@ struct StateFigures {
   Steering steering = Steering::kOdometry;
   SessionState session = SessionState::kClosed;
   std::optional<RobotState> robot;
+  bool motors_on = false;  ///< it is armed or has a duty, asked or not
   std::optional<double> run_s;
   double progress_m = 0.0;
   std::optional<double> length_m;

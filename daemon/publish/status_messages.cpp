@@ -165,6 +165,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
   } else {
     json.null_field("robot_state");
   }
+  json.field("motors_on", state.motors_on);
   write_optional(json, "run_s", state.run_s);
   json.field("progress_m", state.progress_m);
   write_optional(json, "length_m", state.length_m);

@@ -154,7 +154,7 @@ void visit_fields(Visitor& v, T& snapshot) {
   auto& [now, sample, has_sample, age, model, model_twist, odometry, odometry_twist, fused, world,
          underfoot, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope,
          imu_obstacle, command, cross_track, heading_error, progress, recovering, steering,
-         run_state, faults] = snapshot;
+         run_state, start_refusal, faults] = snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -182,6 +182,7 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("recovering", recovering);
   v("steering", steering, Steering::kFused);
   v("run_state", run_state, RunState::kAborted);
+  v("start_refusal", start_refusal, StartRefusal::kNoWorld);
   v("faults", faults);
 }
 
@@ -199,7 +200,7 @@ void visit_inputs(Visitor& v, T& record) {
   v("clock", record.clock);
   v("session_number", record.session_number);
   v("robot_rebooted", record.robot_rebooted);
-  v("request_refused", record.request_refused);
+  v("answer", record.answer, RequestAnswer::kFailed);
 }
 
 /// Inputs first, then the link's counters, then the results of the step.
@@ -207,7 +208,7 @@ template <class Visitor, MaybeConst<StepRecord> T>
 void visit_fields(Visitor& v, T& record) {
   // One more here is one more for visit_inputs, or below.
   auto& [now, step, samples, sample_count, requests, request_count, camera, camera_count, world,
-         world_count, changes, change_count, session, clock, session_number, rebooted, refused,
+         world_count, changes, change_count, session, clock, session_number, rebooted, answer,
          link, command_valid, request, snapshot] = record;
   visit_inputs(v, record);
   v("link", link);

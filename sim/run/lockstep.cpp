@@ -303,11 +303,16 @@ analysis::RunResult Lockstep::run() {
   begin_ns_ = -1;
   result_.points.clear();
   result_.shoves.clear();
-  cycle_.request(OperatorRequest::kStart);
+  bool started = false;
   std::int64_t end_ns = 0;
   RunState state = RunState::kIdle;
   while (end_ns == 0 || robot_.now_ns() < end_ns) {
     const std::uint64_t steps = steps_;
+    // As the daemon does by itself: not before there is a robot.
+    if (!started && cycle_.session().state() == SessionState::kReady) {
+      started = true;
+      cycle_.request(OperatorRequest::kStart);
+    }
     turn();
     if (steps_ == steps) continue;
     state = cycle_.outputs().snapshot.run_state;

@@ -210,10 +210,13 @@ class WorldStep : public testing::Test {
                                  .world = said_,
                                  .session = SessionState::kReady,
                                  .clock = clock,
-                                 .session_number = 1},
+                                 .session_number = 1,
+                                 .answer = answer_to_request_},
                                 now_);
     said_.clear();
     request_ = out.request;
+    answer_to_request_ =
+        request_ == RobotRequest::kNone ? RequestAnswer::kNone : RequestAnswer::kAcknowledged;
     if (request_ == RobotRequest::kArm) armed_ = true;
     if (request_ == RobotRequest::kDisarm || request_ == RobotRequest::kStop) armed_ = false;
     return out.snapshot;
@@ -234,6 +237,7 @@ class WorldStep : public testing::Test {
   HostNs now_ = 0;
   bool armed_ = false, answers_ = true, stop_ = false;
   RobotRequest request_ = RobotRequest::kNone;
+  RequestAnswer answer_to_request_ = RequestAnswer::kNone;
 };
 
 TEST_F(WorldStep, NothingBeginsBeforeTheWorldAnswers) {
@@ -243,6 +247,16 @@ TEST_F(WorldStep, NothingBeginsBeforeTheWorldAnswers) {
   EXPECT_FALSE(armed_);
   answers_ = true;
   EXPECT_EQ(ticks(20), RunState::kRunning);
+}
+
+TEST_F(WorldStep, AWorldThatComesAfter3SBeginsNothing) {
+  answers_ = false;
+  EXPECT_EQ(tick().start_refusal, StartRefusal::kNoWorld);
+  tick({OperatorRequest::kStart});
+  EXPECT_EQ(ticks(610), RunState::kIdle);
+  answers_ = true;
+  EXPECT_EQ(ticks(1000), RunState::kIdle);
+  EXPECT_FALSE(armed_);
 }
 
 TEST_F(WorldStep, ASilentWorldEndsTheRunWithItsCause) {

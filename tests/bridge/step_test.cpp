@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -30,17 +31,19 @@ class KinematicRobot {
     sample.left_counts = std::llround(left_m_ * parameters_.drive.counts_per_metre);
     sample.right_counts = std::llround(right_m_ * parameters_.drive.counts_per_metre);
     sample.gyro_radps[2] = rate_radps_ + 0.01;
-    sample.accel_mps2[2] = 9.81;
+    sample.accel_mps2[2] = upside_down ? -9.81 : 9.81;
     sample.battery_v = 7.6;
     sample.state = armed ? RobotState::kRunning : RobotState::kDisarmed;
     sample.faults = faults;
-    sample.imu_age = 0;
+    sample.imu_age = imu_age;
     return sample;
   }
 
   void obey(const Outputs& out) {
     if (out.request == RobotRequest::kArm) armed = true;
     if (out.request == RobotRequest::kDisarm || out.request == RobotRequest::kStop) armed = false;
+    if (out.request == RobotRequest::kArm || out.request == RobotRequest::kDisarm)
+      answer = RequestAnswer::kAcknowledged;
     double speed = 0.0;
     rate_radps_ = 0.0;
     if (armed && out.command_valid) {
@@ -59,6 +62,9 @@ class KinematicRobot {
   }
 
   bool armed = false;
+  bool upside_down = false;
+  std::uint8_t imu_age = 0;
+  RequestAnswer answer = RequestAnswer::kNone;  // for the next step
   FaultMask faults = 0;
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
 
@@ -92,10 +98,16 @@ class StepTest : public testing::Test {
               .changes = std::exchange(changes_, {}),
               .session = connected_ ? SessionState::kReady : SessionState::kClosed,
               .clock = clock,
-              .session_number = session_},
+              .session_number = session_,
+              .answer = std::exchange(robot.answer, RequestAnswer::kNone)},
              now_);
     robot.obey(out);
     return out;
+  }
+  /// Starts, and drives for a while.
+  void begin(Step& step, KinematicRobot& robot) {
+    start(step, robot);
+    ASSERT_EQ(run(step, robot, 2.0), RunState::kRunning);
   }
   RunState run(Step& step, KinematicRobot& robot, double duration_s) {
     RunState state = RunState::kIdle;
@@ -165,13 +177,98 @@ TEST_F(StepTest, TheSteeringPoseChangesOnlyAtRest) {
   EXPECT_EQ(out.command.pose.x_m, out.snapshot.model.x_m);
 }
 
-TEST_F(StepTest, NothingMovesWithoutAStart) {
+TEST_F(StepTest, NothingMovesWithoutAStartAndWhoIsArmedIsStopped) {
+  for (const bool with_course : {true, false}) {
+    Step step(parameters_, with_course ? course_ : nullptr);
+    KinematicRobot robot(parameters_);
+    robot.armed = true;
+    EXPECT_EQ(run(step, robot, 0.2), RunState::kAborted);
+    EXPECT_FALSE(robot.armed);
+    EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::moves_unasked));
+    run(step, robot, 5.0);
+    EXPECT_EQ(robot.x_m, 0.0);
+    EXPECT_NEAR(robot.yaw_rad, 0.0, 1e-9);
+  }
+}
+
+TEST_F(StepTest, AfterACourseMotorsThatComeOnAgainAreStopped) {
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  for (int i = 0; i < 200; ++i) tick(step, robot);
+  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kFinished);
   robot.armed = true;
-  run(step, robot, 5.0);
-  EXPECT_EQ(robot.x_m, 0.0);
-  EXPECT_NEAR(robot.yaw_rad, 0.0, 1e-9);
+  int steps = 0;
+  while (robot.armed && steps < 200) {
+    tick(step, robot);
+    ++steps;
+  }
+  EXPECT_LE(steps, 25);
+  EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::moves_unasked));
+}
+
+TEST_F(StepTest, SaysBeforehandWhyAStartWouldBeRefused) {
+  const auto refusal = [&](const std::function<void(KinematicRobot&)>& oddity) {
+    Step step(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    oddity(robot);
+    for (int i = 0; i < 15; ++i) tick(step, robot);
+    return tick(step, robot).snapshot.start_refusal;
+  };
+  EXPECT_EQ(refusal([](KinematicRobot&) {}), StartRefusal::kNotStill);
+  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.upside_down = true; }),
+            StartRefusal::kTilted);
+  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.imu_age = 255; }), StartRefusal::kNoImu);
+  EXPECT_EQ(refusal([](KinematicRobot& robot) { robot.armed = true; }), StartRefusal::kMotorsOn);
+  EXPECT_EQ(refusal([this](KinematicRobot&) { connected_ = false; }), StartRefusal::kNoSession);
+  connected_ = true;
+  Step step(parameters_, nullptr);
+  KinematicRobot robot(parameters_);
+  EXPECT_EQ(tick(step, robot).snapshot.start_refusal, StartRefusal::kNoCourse);
+  Step ready(parameters_, course_);
+  run(ready, robot, 1.0);
+  EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kNone);
+  start(ready, robot);
+  EXPECT_EQ(tick(ready, robot).snapshot.start_refusal, StartRefusal::kUnderWay);
+}
+
+TEST_F(StepTest, ARobotThatIsUpsideDownIsNotArmed) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  run(step, robot, 1.0);
+  robot.upside_down = true;
+  start(step, robot);
+  StartRefusal refused = StartRefusal::kNone;
+  for (int i = 0; i < 700; ++i) {
+    const Outputs& out = tick(step, robot);
+    ASSERT_EQ(out.request, RobotRequest::kNone);
+    if (out.refused != StartRefusal::kNone) refused = out.refused;
+  }
+  EXPECT_EQ(refused, StartRefusal::kTilted);
+  robot.upside_down = false;
+  EXPECT_EQ(run(step, robot, 10.0), RunState::kIdle) << "minutes later nothing moves";
+}
+
+TEST_F(StepTest, AnImuThatSaysItIsSilentEndsTheRunUnlessTheGyroDoesNotSteer) {
+  for (const bool bench : {false, true}) {
+    parameters_.setup = bench ? Setup::kBench : Setup::kFlat;
+    Step step(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    begin(step, robot);
+    robot.imu_age = 255;
+    EXPECT_EQ(run(step, robot, 0.1), bench ? RunState::kRunning : RunState::kAborted);
+    EXPECT_EQ(tick(step, robot).snapshot.faults, bench ? 0u : fault_bit(Fault::imu_stale));
+  }
+}
+
+TEST_F(StepTest, AFaultBitThatNobodyKnowsEndsTheRun) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  begin(step, robot);
+  robot.faults = FaultMask{1} << 14;
+  EXPECT_EQ(run(step, robot, 0.1), RunState::kAborted);
+  EXPECT_FALSE(robot.armed);
 }
 
 TEST_F(StepTest, WaitsForTheGyroBiasBeforeItArms) {
@@ -220,25 +317,34 @@ TEST_F(StepTest, LateSamplesAreNotSteeredBy) {
                    .command_valid);
 }
 
-TEST_F(StepTest, LateSamplesAbortTheRunButSilenceIsLeftToTheSession) {
+TEST_F(StepTest, SamplesThatComeTooLateOrNotAtAllEndTheRunAfter200Ms) {
   ClockState clock;
   clock.valid = true;
   for (const bool silent : {true, false}) {
     Step step(parameters_, course_);
     KinematicRobot robot(parameters_);
-    start(step, robot);
-    ASSERT_EQ(run(step, robot, 2.0), RunState::kRunning);
-    samples_.assign(1, robot.sample(now_ + kPeriod));
-    now_ += 300 * kNsPerMs;
-    const Snapshot& snapshot =
-        step({.samples = silent ? std::span<const Sample>() : std::span<const Sample>(samples_),
-              .session = SessionState::kReady,
-              .clock = clock,
-              .session_number = 1},
-             now_)
-            .snapshot;
-    EXPECT_EQ(snapshot.run_state, silent ? RunState::kRunning : RunState::kAborted);
-    EXPECT_EQ(snapshot.faults, silent ? 0u : fault_bit(Fault::samples_stale));
+    begin(step, robot);
+    const Sample late = robot.sample(now_);
+    const HostNs begun = now_;
+    FaultMask faults = 0;
+    while (faults == 0 && now_ - begun < kNsPerS) {
+      now_ += kPeriod;
+      // Some are on their way for ever longer.
+      samples_.assign(1, late);
+      faults =
+          step({.samples = silent ? std::span<const Sample>() : std::span<const Sample>(samples_),
+                .session = SessionState::kReady,
+                .clock = clock,
+                .session_number = 1},
+               now_)
+              .snapshot.faults;
+    }
+    EXPECT_EQ(faults, fault_bit(silent ? Fault::link_lost : Fault::samples_stale));
+    EXPECT_EQ((now_ - begun) / kNsPerMs, 205);
+    const double x_m = robot.x_m;
+    EXPECT_EQ(run(step, robot, 2.0), RunState::kAborted) << "samples that return do not go on";
+    robot.armed = false;
+    EXPECT_LT(std::abs(robot.x_m - x_m), 0.01);
   }
 }
 
@@ -297,9 +403,12 @@ TEST_F(StepTest, AllocatesNothing) {
     ClockState clock;
     clock.valid = true;
     const test::AllocCount count;
-    const Outputs& out = step(
-        {.samples = samples_, .session = SessionState::kReady, .clock = clock, .session_number = 1},
-        now_);
+    const Outputs& out = step({.samples = samples_,
+                               .session = SessionState::kReady,
+                               .clock = clock,
+                               .session_number = 1,
+                               .answer = std::exchange(robot.answer, RequestAnswer::kNone)},
+                              now_);
     calls += count.calls();
     robot.obey(out);
     finished = out.snapshot.run_state == RunState::kFinished;
@@ -333,7 +442,8 @@ class CameraStepTest : public StepTest {
                   .camera = arrived_,
                   .session = SessionState::kReady,
                   .clock = clock,
-                  .session_number = 1},
+                  .session_number = 1,
+                  .answer = std::exchange(robot.answer, RequestAnswer::kNone)},
                  now_);
     const std::uint64_t calls = count.calls();
     robot.obey(*out_);

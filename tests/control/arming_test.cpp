@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 namespace tp100::control {
 namespace {
 
@@ -13,7 +15,9 @@ class ArmingTest : public testing::Test {
   RobotRequest run(int steps) {
     for (int i = 0; i < steps; ++i) {
       const RobotRequest request = arming_.update(in_, kDt);
-      in_.new_session = in_.rebooted = in_.request_refused = false;
+      in_.new_session = in_.rebooted = false;
+      in_.answer = RequestAnswer::kNone;
+      sample_.measured_ns += 5 * kNsPerMs;
       if (request != RobotRequest::kNone) return request;
     }
     return RobotRequest::kNone;
@@ -21,7 +25,7 @@ class ArmingTest : public testing::Test {
   void connect() {
     in_.session = SessionState::kReady;
     in_.sample = &sample_;
-    in_.ready_to_run = true;
+    in_.refusal = StartRefusal::kNone;
     sample_.state = RobotState::kDisarmed;
   }
   void begin() {
@@ -29,9 +33,16 @@ class ArmingTest : public testing::Test {
     arming_.start();
     ASSERT_EQ(run(100), RobotRequest::kArm);
     sample_.state = RobotState::kArmed;
+    in_.answer = RequestAnswer::kAcknowledged;
     ASSERT_EQ(run(1), RobotRequest::kNone);
     ASSERT_TRUE(arming_.just_began());
     ASSERT_EQ(arming_.state(), RunState::kRunning);
+  }
+
+  /// The robot obeyed the disarm, and says so.
+  void confirm_off() {
+    sample_.state = RobotState::kDisarmed;
+    in_.answer = RequestAnswer::kAcknowledged;
   }
 
   Arming arming_;
@@ -45,11 +56,73 @@ TEST_F(ArmingTest, NothingIsRequestedBeforeAStart) {
   EXPECT_EQ(arming_.state(), RunState::kIdle);
 }
 
-TEST_F(ArmingTest, AStartBeforeTheSessionWaitsForIt) {
+TEST_F(ArmingTest, AStartThatCannotBeginWithin3SIsRefusedWithItsReason) {
+  connect();
+  in_.refusal = StartRefusal::kNotStill;
   arming_.start();
-  EXPECT_EQ(run(1000), RobotRequest::kNone);
+  EXPECT_EQ(run(599), RobotRequest::kNone);
+  EXPECT_EQ(arming_.state(), RunState::kArming);
+  EXPECT_EQ(run(5), RobotRequest::kNone);
+  EXPECT_EQ(arming_.state(), RunState::kIdle);
+  in_.refusal = StartRefusal::kNone;
+  EXPECT_EQ(run(20000), RobotRequest::kNone) << "nobody is there any more";
+  EXPECT_EQ(arming_.faults(), 0u);
+  arming_.start();
+  EXPECT_EQ(run(100), RobotRequest::kArm);
+}
+
+TEST_F(ArmingTest, TheReasonOfARefusalIsSaidOnce) {
+  connect();
+  in_.refusal = StartRefusal::kNoWorld;
+  arming_.start();
+  int said = 0;
+  for (int i = 0; i < 2000; ++i) {
+    run(1);
+    if (arming_.refused() == StartRefusal::kNoWorld) ++said;
+  }
+  EXPECT_EQ(said, 1);
+}
+
+TEST_F(ArmingTest, AStartWaitsThatLongForTheSession) {
+  in_.refusal = StartRefusal::kNoSession;
+  arming_.start();
+  EXPECT_EQ(run(400), RobotRequest::kNone);
   connect();
   EXPECT_EQ(run(100), RobotRequest::kArm);
+}
+
+TEST_F(ArmingTest, NothingBeginsBeforeTheArmIsAcknowledged) {
+  connect();
+  arming_.start();
+  ASSERT_EQ(run(100), RobotRequest::kArm);
+  sample_.state = RobotState::kArmed;
+  EXPECT_EQ(run(30), RobotRequest::kNone);
+  EXPECT_EQ(arming_.state(), RunState::kArming);
+  in_.answer = RequestAnswer::kFailed;
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.state(), RunState::kAborted);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged));
+}
+
+TEST_F(ArmingTest, AnAcknowledgementBeforeTheSampleThatShowsItCounts) {
+  connect();
+  arming_.start();
+  ASSERT_EQ(run(100), RobotRequest::kArm);
+  in_.answer = RequestAnswer::kAcknowledged;
+  EXPECT_EQ(run(3), RobotRequest::kNone);
+  EXPECT_EQ(arming_.state(), RunState::kArming);
+  sample_.state = RobotState::kArmed;
+  run(1);
+  EXPECT_EQ(arming_.state(), RunState::kRunning);
+}
+
+TEST_F(ArmingTest, AnArmThatIsAcknowledgedAndChangesNothingIsGivenUp) {
+  connect();
+  arming_.start();
+  ASSERT_EQ(run(100), RobotRequest::kArm);
+  in_.answer = RequestAnswer::kAcknowledged;
+  EXPECT_EQ(run(210), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged));
 }
 
 TEST_F(ArmingTest, ArmsOnceAndBeginsWhenTheRobotSaysSo) {
@@ -62,7 +135,7 @@ TEST_F(ArmingTest, ARefusedArmAbortsAndDisarms) {
   connect();
   arming_.start();
   ASSERT_EQ(run(100), RobotRequest::kArm);
-  in_.request_refused = true;
+  in_.answer = RequestAnswer::kFailed;
   EXPECT_EQ(run(1), RobotRequest::kDisarm);
   EXPECT_EQ(arming_.state(), RunState::kAborted);
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged));
@@ -74,6 +147,7 @@ TEST_F(ArmingTest, ALostSessionEndsTheRunAndItsReturnDoesNotRestartIt) {
   in_.sample = nullptr;
   EXPECT_EQ(run(1), RobotRequest::kDisarm);
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::link_lost));
+  EXPECT_FALSE(arming_.disarming()) << "there is nobody to confirm it";
   connect();
   in_.new_session = true;
   EXPECT_EQ(run(1000), RobotRequest::kNone);
@@ -106,11 +180,124 @@ TEST_F(ArmingTest, ARobotThatSwitchesItselfOffEndsTheRunWithItsOwnFault) {
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::stalled_left));
 }
 
+TEST_F(ArmingTest, AFaultInASampleEndsTheRunWhateverItsStateAndName) {
+  for (const FaultMask fault : {fault_bit(Fault::stalled_left), FaultMask{1} << 15}) {
+    SetUp();
+    begin();
+    sample_.faults = fault;
+    EXPECT_EQ(run(1), RobotRequest::kDisarm);
+    EXPECT_EQ(arming_.faults(), fault);
+    sample_.faults = 0;
+    confirm_off();
+    run(1);
+  }
+}
+
+TEST_F(ArmingTest, WithoutAFreshSampleTheRunEnds) {
+  begin();
+  in_.sample = nullptr;
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::link_lost));
+}
+
 TEST_F(ArmingTest, CompletionDisarms) {
   begin();
   in_.path_done = true;
   EXPECT_EQ(run(1), RobotRequest::kDisarm);
   EXPECT_EQ(arming_.state(), RunState::kFinished);
+  EXPECT_TRUE(arming_.disarming());
+  confirm_off();
+  EXPECT_EQ(run(1000), RobotRequest::kNone);
+  EXPECT_FALSE(arming_.disarming());
+  EXPECT_EQ(arming_.state(), RunState::kFinished);
+}
+
+TEST_F(ArmingTest, ACompletionThatIsNotConfirmedIsNone) {
+  // Not acknowledged; acknowledged, but the motors stay on; the link breaks.
+  for (int i = 0; i < 3; ++i) {
+    begin();
+    in_.path_done = true;
+    ASSERT_EQ(run(1), RobotRequest::kDisarm);
+    in_.path_done = false;
+    if (i == 0) {
+      sample_.state = RobotState::kDisarmed;
+      in_.answer = RequestAnswer::kFailed;
+    } else if (i == 1) {
+      in_.answer = RequestAnswer::kAcknowledged;
+    } else {
+      in_.sample = nullptr;
+    }
+    run(1);
+    in_.answer = RequestAnswer::kNone;
+    run(51);
+    EXPECT_EQ(arming_.state(), RunState::kAborted) << i;
+    EXPECT_EQ(arming_.faults(), fault_bit(i == 2 ? Fault::link_lost : Fault::not_acknowledged))
+        << i;
+    EXPECT_FALSE(arming_.disarming());
+  }
+}
+
+TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAgainAndAgain) {
+  const auto armed = [](Sample& sample) { sample.state = RobotState::kArmed; };
+  const auto running = [](Sample& sample) { sample.state = RobotState::kRunning; };
+  const auto driven = [](Sample& sample) { sample.right_duty = -0.1; };
+  for (const auto& oddity : {std::function<void(Sample&)>(armed), {running}, {driven}}) {
+    arming_ = {};
+    sample_ = {};
+    connect();
+    ASSERT_EQ(run(100), RobotRequest::kNone);
+    oddity(sample_);
+    EXPECT_EQ(run(20), RobotRequest::kNone) << "one sample may be an old one";
+    EXPECT_EQ(run(2), RobotRequest::kStop);
+    EXPECT_EQ(arming_.state(), RunState::kAborted);
+    EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));
+    for (int again = 0; again < 5; ++again) {
+      EXPECT_EQ(run(38), RobotRequest::kNone);
+      EXPECT_EQ(run(4), RobotRequest::kStop);
+    }
+    sample_.state = RobotState::kFaulted;
+    sample_.right_duty = 0.0;
+    EXPECT_EQ(run(1000), RobotRequest::kNone);
+    EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));
+  }
+}
+
+TEST_F(ArmingTest, MotorsThatStayOnAfterARunAreStopped) {
+  begin();
+  in_.path_done = true;
+  ASSERT_EQ(run(1), RobotRequest::kDisarm);
+  in_.answer = RequestAnswer::kFailed;
+  EXPECT_EQ(run(80), RobotRequest::kStop);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::not_acknowledged) | fault_bit(Fault::moves_unasked));
+}
+
+TEST_F(ArmingTest, AStartIsVoidIfTheMotorsAreOnBeforeItArms) {
+  connect();
+  in_.refusal = StartRefusal::kMotorsOn;
+  sample_.state = RobotState::kRunning;
+  arming_.start();
+  EXPECT_EQ(run(30), RobotRequest::kStop);
+  EXPECT_EQ(arming_.state(), RunState::kAborted);
+}
+
+TEST_F(ArmingTest, ARobotThatIsPushedByHandIsNoFault) {
+  connect();
+  for (int i = 0; i < 1000; ++i) {
+    sample_.left_counts += 50;
+    ASSERT_EQ(run(1), RobotRequest::kNone);
+  }
+  EXPECT_EQ(arming_.faults(), 0u);
+}
+
+TEST_F(ArmingTest, ARobotThatIsBeingDisarmedHasTimeToObey) {
+  begin();
+  arming_.hold();
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(run(30), RobotRequest::kNone);
+  confirm_off();
+  EXPECT_EQ(run(1000), RobotRequest::kNone);
+  EXPECT_EQ(arming_.state(), RunState::kIdle);
+  EXPECT_EQ(arming_.faults(), 0u);
 }
 
 TEST_F(ArmingTest, StopIsRequestedInEveryStateAndLatches) {
@@ -119,6 +306,7 @@ TEST_F(ArmingTest, StopIsRequestedInEveryStateAndLatches) {
   begin();
   arming_.stop();
   EXPECT_EQ(run(1), RobotRequest::kStop);
+  sample_.state = RobotState::kFaulted;
   EXPECT_EQ(run(1000), RobotRequest::kNone);
   EXPECT_EQ(arming_.state(), RunState::kAborted);
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::stop_requested));

@@ -257,7 +257,7 @@ TEST(Session, ArmIsAcknowledgedOnceWithAFreshToken) {
   EXPECT_LT(bench.robot.heard.arms[0].token, bench.robot.heard.disarms[0].token);
   EXPECT_LT(bench.robot.heard.disarms[0].token, bench.robot.heard.arms[1].token);
   EXPECT_GT(bench.robot.heard.arms[0].token, bench.robot.heard.parameters[0].token);
-  EXPECT_FALSE(bench.session.take_refused());
+  EXPECT_NE(bench.session.take_answer(), RequestAnswer::kFailed);
   EXPECT_EQ(bench.robot.state, wire::State::kArmed);
 }
 
@@ -281,9 +281,9 @@ TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
   bench.robot.answers_requests = false;
   bench.session.request(RobotRequest::kArm, bench.now);
   bench.run(190);
-  EXPECT_FALSE(bench.session.take_refused());
+  EXPECT_NE(bench.session.take_answer(), RequestAnswer::kFailed);
   bench.run(20);
-  EXPECT_TRUE(bench.session.take_refused());
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
   EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 1);
   const auto& arms = bench.robot.heard.arms;
   EXPECT_GE(arms.size(), 6u);
@@ -301,7 +301,7 @@ TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
 TEST(Session, AnArmWithoutASessionIsRefusedAtOnce) {
   SessionBench bench;
   bench.session.request(RobotRequest::kArm, bench.now);
-  EXPECT_TRUE(bench.session.take_refused());
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
   bench.connect();
   EXPECT_TRUE(bench.robot.heard.arms.empty());
 }
@@ -317,7 +317,7 @@ TEST(Session, AnArmUnderWayEndsWithItsSession) {
   bench.run(400);
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
   EXPECT_EQ(bench.robot.heard.arms.size(), before);
-  EXPECT_TRUE(bench.session.take_refused());
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
 }
 
 TEST(Session, ARefusedArmIsReported) {
@@ -326,7 +326,7 @@ TEST(Session, ARefusedArmIsReported) {
   bench.connect();
   bench.session.request(RobotRequest::kArm, bench.now);
   bench.run(20);
-  EXPECT_TRUE(bench.session.take_refused());
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
   EXPECT_EQ(bench.robot.heard.arms.size(), 1u);
 }
 
@@ -350,7 +350,7 @@ TEST(Session, StopSupersedesArmAndIsRepeatedUntilAcknowledged) {
   bench.session.request(RobotRequest::kStop, bench.now);
   bench.run(210);
   EXPECT_TRUE(bench.robot.heard.arms.empty());
-  EXPECT_TRUE(bench.session.take_refused());
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
   EXPECT_GE(bench.robot.heard.stops.size(), 6u);
   EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 2);
   bench.robot.answers_requests = true;

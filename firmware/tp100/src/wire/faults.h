@@ -33,7 +33,7 @@
   X(12, parameters_missing, "the board has no parameters yet", "wait for the handshake to finish")
 
 #define TP100_DAEMON_FAULTS(X)                                                                   \
-  X(16, link_lost, "the link broke, or no frame came within link.timeout_ms",                    \
+  X(16, link_lost, "the link broke, or no sample came for 200 ms",                               \
     "check the cable; the daemon reconnects by itself, then start again")                        \
   X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again")   \
   X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",           \
@@ -51,12 +51,15 @@
     "check motor and encoder wiring")                                                            \
   X(26, gyro_against_encoders, "gyro and encoders disagree about the turn (mis-wired yaw loop)", \
     "check which track is left, and the gyro's axis and sign")                                   \
-  X(27, not_acknowledged, "the robot did not confirm arm or disarm in time", "check the cable")  \
+  X(27, not_acknowledged, "the robot refused arm or disarm, or did not confirm it in time",      \
+    "remove the cause of a refusal, which the log names; else check the cable")                  \
   X(28, samples_stale, "samples arrive too late to steer by", "check USB hub and host load")     \
   X(29, immobilised, "the belts run but the robot does not move, or not over the obstacle",      \
     "free the robot; check the grip of belts and floor")                                         \
   X(30, world_lost, "the external world is silent, too slow or begun anew",                      \
-    "look at the world's program; start again when the log says that it is welcome")
+    "look at the world's program; start again when the log says that it is welcome")             \
+  X(31, moves_unasked, "the robot is armed or drives its motors without being asked",            \
+    "switch the motors' supply off; flash the board (scripts/flash, installed: tp100-flash)")
 
 namespace tp100 {
 namespace wire {
