@@ -19,6 +19,8 @@ using namespace std::chrono_literals;
 // More lines than this within a second are noise.
 constexpr int kBurst = 50;
 constexpr HostNs kStatusPeriodNs = 10 * kNsPerS;
+// A gyro at rest is known after half a second, a world answers soon.
+constexpr HostNs kRefusalNs = kNsPerS;
 constexpr std::size_t kWaiting = 1024;
 constexpr auto kPatience = 1000ms, kLook = 5ms;
 
@@ -107,7 +109,21 @@ void EventLog::grants(const std::vector<loop::Grant>& grants) {
   }
 }
 
+// Without a course, or during a run, nobody thinks of a start; that there is no robot is said.
+void EventLog::refusal(StartRefusal refusal, HostNs now) {
+  if (refusal != refusal_) {
+    refusal_ = refusal;
+    refusal_since_ns_ = now;
+    refusal_told_ = false;
+  }
+  const bool known = refusal <= StartRefusal::kNoSession;
+  if (known || refusal_told_ || now - refusal_since_ns_ < kRefusalNs) return;
+  refusal_told_ = true;
+  warn("a start would be refused: " + std::string(to_string(refusal)));
+}
+
 void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs now) {
+  refusal(status.snapshot.start_refusal, now);
   if (status.session != SessionState::kReady || now < next_status_ns_) return;
   next_status_ns_ = now + kStatusPeriodNs;
   const LinkCounters& link = status.counters;

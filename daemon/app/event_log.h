@@ -28,7 +28,7 @@ class EventLog {
   void words(const std::vector<publish::Event>& all);
   /// What the real-time thread asked for and got.
   void grants(const std::vector<loop::Grant>& grants);
-  /// The line of figures, every ten seconds.
+  /// The line of figures, every ten seconds, and what stands against a start for over a second.
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
   /// Time passes: what was folded is summed up.
   void tick(HostNs now);
@@ -38,6 +38,7 @@ class EventLog {
  private:
   struct Writer;
   bool allow();
+  void refusal(StartRefusal refusal, HostNs now);
 
   std::unique_ptr<Writer> writer_;
 
@@ -45,6 +46,9 @@ class EventLog {
   HostNs burst_began_ns_ = 0;
   int burst_ = 0;
   bool silence_told_ = false;
+  StartRefusal refusal_ = StartRefusal::kNone;
+  HostNs refusal_since_ns_ = 0;
+  bool refusal_told_ = false;
   std::uint64_t folded_ = 0;
 };
 

@@ -45,20 +45,27 @@ void LiveCycle::step(HostNs now) {
 }
 
 void LiveCycle::settle(HostNs now) {
-  const Snapshot& snapshot = cycle_.outputs().snapshot;
   time_sample(now);
   record();
   pass_events();
-  if (snapshot.run_state != run_state_) {
-    LiveEvent event;
-    event.kind = LiveEvent::Kind::kRunState;
-    event.at_ns = now;
-    event.from = std::exchange(run_state_, snapshot.run_state);
-    event.to = run_state_;
-    event.faults = snapshot.faults;
-    push(event);
-  }
+  pass_run_state(now);
   publish(now);
+}
+
+void LiveCycle::pass_run_state(HostNs now) {
+  const Snapshot& snapshot = cycle_.outputs().snapshot;
+  const bool changed = snapshot.run_state != run_state_;
+  const FaultMask more = snapshot.faults & ~kRobotFaults & ~faults_;
+  faults_ = snapshot.faults & ~kRobotFaults;
+  if (!changed && (more == 0 || run_state_ != RunState::kAborted)) return;
+  LiveEvent event;
+  event.kind = LiveEvent::Kind::kRunState;
+  event.at_ns = now;
+  event.from = std::exchange(run_state_, snapshot.run_state);
+  event.to = run_state_;
+  event.faults = changed ? snapshot.faults : more;
+  event.refused = cycle_.outputs().refused;
+  push(event);
 }
 
 void LiveCycle::time_sample(HostNs now) {

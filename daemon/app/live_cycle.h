@@ -25,8 +25,9 @@ struct LiveEvent {
   link::SessionEvent session{};
   wire::Hello hello{};              ///< kSession: as far as it is known
   RunState from = RunState::kIdle;  ///< kRunState
-  RunState to = RunState::kIdle;
-  FaultMask faults = 0;  ///< kRunState: in force at the change
+  RunState to = RunState::kIdle;    ///< the same as `from`: more faults were found after an abort
+  FaultMask faults = 0;             ///< kRunState: in force at the change, or those that are more
+  StartRefusal refused = StartRefusal::kNone;  ///< kRunState: why a start did not begin
 };
 
 /// State of the moment, about ten times a second.
@@ -97,6 +98,7 @@ class LiveCycle : public loop::Driven {
   void take_inputs();
   void time_sample(HostNs now);
   void pass_events();
+  void pass_run_state(HostNs now);
   void push(const LiveEvent& event);
   void record();
   void publish(HostNs now);
@@ -116,6 +118,7 @@ class LiveCycle : public loop::Driven {
   std::atomic<std::uint64_t> lost_events_{0};
   std::atomic<std::uint64_t> lost_records_{0};
   RunState run_state_ = RunState::kIdle;
+  FaultMask faults_ = 0;  // the daemon's, told so far
   HostNs next_status_ns_ = 0;
   bool leave_silent_port_;
   bool hang_up_ = false;

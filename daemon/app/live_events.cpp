@@ -44,6 +44,7 @@ std::string hex(std::uint32_t value) {
   return digits;
 }
 
+/// Why the robot refused the request.
 std::string refusal(const link::SessionEvent& event) {
   switch (static_cast<wire::Result>(event.b)) {
     case wire::Result::kWrongBoot:
@@ -53,6 +54,8 @@ std::string refusal(const link::SessionEvent& event) {
     case wire::Result::kFaultPersists:
       return "a fault persists: " + fault_names(event.detail);
     case wire::Result::kOutOfRange:
+      if (event.a != static_cast<std::int32_t>(wire::Type::kParameters))
+        return "its expiry is out of range, the clock relation is wrong; start again";
       return std::string("value out of range: ") + parameter_name(event.detail) +
              "; correct it in the robot file";
     case wire::Result::kWrongState:
@@ -90,10 +93,15 @@ std::string change(State from, State to) {
 }
 
 std::vector<Event> run_words(const LiveEvent& event) {
-  std::vector<Event> out(1);
-  out[0].at_ns = event.at_ns;
-  out[0].kind = "run";
-  out[0].text = change(event.from, event.to);
+  std::vector<Event> out;
+  if (event.from != event.to)
+    out.push_back({.at_ns = event.at_ns, .kind = "run", .text = change(event.from, event.to)});
+  if (event.refused != StartRefusal::kNone)
+    out.push_back({.at_ns = event.at_ns,
+                   .kind = "run",
+                   .level = Level::kError,
+                   .text = "start refused",
+                   .cause = std::string(to_string(event.refused))});
   if (event.to != RunState::kAborted) return out;
   FaultMask faults = event.faults;
   while (const auto fault = first_fault(faults)) {
@@ -141,11 +149,20 @@ Event session_words(const LiveEvent& live) {
       out.cause = "its hello has another boot number";
       out.remedy = "check its supply if nobody reset it or pulled its plug";
       break;
+    case Kind::kBadHello:
+      out.level = Level::kError;
+      out.text = "a hello that no TP100 sends";
+      out.cause =
+          event.a == 0 ? "its boot number is 0" : "it names state " + std::to_string(event.b);
+      out.remedy = "flash the board with " + flash_command();
+      break;
     case Kind::kRobotFault: {
-      const FaultText& text = describe(static_cast<Fault>(event.a & 0x1F));
+      // Beyond the robot's sixteen bits the numbers are the daemon's own.
+      const FaultText& text = describe(static_cast<Fault>(event.a < 16 ? event.a : 255));
       out.kind = "fault";
       out.level = Level::kWarning;
       out.text = "robot fault " + std::string(text.name);
+      if (text.name == "unknown") out.text += " (" + std::to_string(event.a) + ")";
       out.cause = text.cause;
       out.remedy = text.remedy;
       break;

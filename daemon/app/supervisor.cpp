@@ -29,7 +29,7 @@ using Kind = link::SessionEvent::Kind;
 
 constexpr auto kTick = std::chrono::milliseconds(10);
 constexpr HostNs kStatsPeriodNs = kNsPerS;
-// Causes after which the robot may come back: the daemon waits for a new start.
+// Causes after which the robot may come back: without --go the daemon waits for a new start.
 constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
                                    fault_bit(Fault::stop_requested) | fault_bit(Fault::world_lost);
 
@@ -271,7 +271,7 @@ void Supervisor::State::fail_early(const LiveEvent& event) const {
   if (event.session.kind == Kind::kVersionMismatch) {
     throw SetupError(connector.path() + ": " + version_mismatch(event.hello));
   }
-  if (event.session.kind == Kind::kUnanswered) {
+  if (event.session.kind == Kind::kUnanswered || event.session.kind == Kind::kBadHello) {
     const publish::Event words = words_for(event).front();
     throw SetupError(connector.path() + ": " + words.cause + "; " + words.remedy);
   }
@@ -313,9 +313,18 @@ void Supervisor::State::on_run_state(const LiveEvent& event) {
   run_state = event.to;
   tell_manager();
   if (event.to == RunState::kFinished) run_ended(0, "completed");
+  // Whoever asked for a run by an option does not wait for another start.
+  if (event.refused != StartRefusal::kNone && settings.go) run_ended(1, "refused");
   if (event.to != RunState::kAborted) return;
-  figures.faults = event.faults;
-  if ((event.faults & kRecoverable) == 0) run_ended(1, "aborted");
+  figures.faults = event.faults | (event.from == event.to ? figures.faults : 0);
+  if (ending && status == 0) {
+    // What was completed is not, after all.
+    status = 1;
+    figures.result = "aborted";
+  }
+  const bool waits = (figures.faults & kRecoverable) != 0 && !settings.go &&
+                     (figures.faults & fault_bit(Fault::moves_unasked)) == 0;
+  if (!waits) run_ended(1, "aborted");
 }
 
 // Before anybody is told, so that the recording has it.

@@ -12,6 +12,9 @@ using wire::Fault;
 using wire::fault_bit;
 using wire::FaultMask;
 
+/// Those that a robot latches; the others are the daemon's.
+inline constexpr FaultMask kRobotFaults = 0xFFFFU;
+
 /// One row of the fault list.
 struct FaultText {
   Fault fault;

@@ -85,7 +85,8 @@ ClockSync::Verdict ClockSync::answered(std::uint16_t id, DeviceUs received_us, D
       device_us,
       (static_cast<double>(start - origin_ns_) + static_cast<double>(end - origin_ns_)) / 2.0 -
           half_us_ns,
-      std::max(0.0, static_cast<double>(trip) / 2.0)};
+      std::max(0.0, static_cast<double>(trip) / 2.0),
+      trip < 0 ? static_cast<double>(whole_trip) / 2.0 : 0.0};
 
   const double best = open_ns(now);
   const double excess = count_ == 0 ? 0.0 : std::max(0.0, exchange.half_trip_ns - best);
@@ -114,7 +115,7 @@ ClockSync::Verdict ClockSync::answered(std::uint16_t id, DeviceUs received_us, D
 
 ClockState ClockSync::state_at(HostNs now) const {
   ClockState state = state_;
-  state.uncertainty_us = open_ns(now) * 1e-3;
+  state.uncertainty_us = uncertainty_us(now);
   return state;
 }
 
@@ -146,6 +147,12 @@ double ClockSync::open_ns(HostNs now) const {
   return std::max(0.0, (open.highest_ns - open.lowest_ns) / 2.0);
 }
 
+double ClockSync::uncertainty_us(HostNs now) const {
+  if (count_ == 0) return 0.0;
+  const Exchange& newest = window_[(next_ + kWindow - 1) % kWindow];
+  return std::max(open_ns(now), newest.unknown_wire_ns) * 1e-3;
+}
+
 // Weighted least squares of (host - device) over device time about the newest exchange, where the
 // line is used: parallel lines through what the requests and what the replies allow, with a prior
 // on their slope. The relation lies in the middle. What counts as late depends on the slope.
@@ -175,7 +182,7 @@ void ClockSync::fit(HostNs now) {
   state_.reference_host_ns =
       origin_ns_ + static_cast<HostNs>(std::llround(newest.host_ns + offset_ns));
   state_.drift = drift;
-  state_.uncertainty_us = open_ns(now) * 1e-3;
+  state_.uncertainty_us = uncertainty_us(now);
   state_.valid = state_.valid || count_ >= kValidAfter;
 }
 

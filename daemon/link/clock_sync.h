@@ -60,6 +60,8 @@ class ClockSync {
     DeviceUs device_us;   // middle, whole us
     double host_ns;       // host time of device_us, minus origin_ns_
     double half_trip_ns;  // half of what remains of the round trip
+    // Half of all of it, where the bytes took less than their nominal times; else 0.
+    double unknown_wire_ns;
     /// Off a line of that drift through `other`.
     double off_ns(const Exchange& other, double drift) const {
       return host_ns - other.host_ns -
@@ -77,6 +79,8 @@ class ClockSync {
   Bounds bounds(HostNs now, double drift) const;
   /// Half of the room that is left.
   double open_ns(HostNs now) const;
+  /// The same, or what nominal wire times that cannot be right leave open.
+  double uncertainty_us(HostNs now) const;
 
   std::array<Exchange, kWindow> window_{};
   std::size_t count_ = 0;

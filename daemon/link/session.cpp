@@ -16,6 +16,11 @@ constexpr std::uint32_t kTokenLeap = 1U << 24U;
 // Protocol, firmware version and schema open every hello, whatever its version.
 constexpr std::size_t kHelloPrefix = 9;
 
+// After so many samples, a second, a session has lasted.
+constexpr std::uint32_t kLasted = 200;
+constexpr HostNs kFirstRetryNs = 200 * kNsPerMs;
+constexpr HostNs kLongestRetryNs = 5 * kNsPerS;
+
 std::int32_t number(SessionState state) { return static_cast<std::int32_t>(state); }
 std::int32_t number(Type type) { return static_cast<std::int32_t>(type); }
 
@@ -116,10 +121,8 @@ void Session::on_hello(HostNs now) {
   if (hello.protocol != wire::kProtocolVersion || hello.schema != wire::kSchemaHash) {
     return on_other_hello(now);
   }
-  if (hello.boot_nonce == 0 || hello.state > static_cast<std::uint8_t>(wire::State::kFaulted)) {
-    ++counters_.implausible;
-    return;
-  }
+  if (hello.boot_nonce == 0 || hello.state > static_cast<std::uint8_t>(wire::State::kFaulted))
+    return on_bad_hello(hello, now);
   const bool same_boot = known_boot_ && hello.boot_nonce == hello_.boot_nonce;
   // A hello that was under way when the parameters were sent, or of a boot that refused them.
   if (same_boot && (state_ == SessionState::kParameters || state_ == SessionState::kRefused))
@@ -141,6 +144,7 @@ void Session::on_hello(HostNs now) {
     ++counters_.unknown_board;
     note(SessionEvent::Kind::kUnknownBoard, now, hello.board);
   }
+  if (same_boot) back_off(now);
   end_session(now);
   settings_.parameters.boot_nonce = hello.boot_nonce;
   settings_.parameters.token = next_token(now);
@@ -174,6 +178,20 @@ void Session::on_other_hello(HostNs now) {
        hello.schema);
 }
 
+// Its nonce guards nothing, or its state is not one of ours: it is not spoken to.
+void Session::on_bad_hello(const wire::Hello& hello, HostNs now) {
+  if (state_ == SessionState::kRefused && hello.boot_nonce == hello_.boot_nonce &&
+      hello.state == hello_.state)
+    return;
+  end_session(now);
+  hello_ = hello;
+  known_boot_ = false;
+  ++counters_.refused;
+  enter(SessionState::kRefused, now);
+  note(SessionEvent::Kind::kBadHello, now, static_cast<std::int32_t>(hello.boot_nonce),
+       hello.state);
+}
+
 void Session::on_sample(const wire::Sample& sample, HostNs now) {
   if (!in_session()) {
     ++counters_.early;
@@ -185,7 +203,10 @@ void Session::on_sample(const wire::Sample& sample, HostNs now) {
   }
   const DeviceUs device_us = device_clock_.extend(sample.device_us, now);
   const ClockState clock = state_ == SessionState::kReady ? sync_.state() : ClockState{};
-  if (intake_.push(sample, device_us, clock, now)) last_good_ns_ = now;
+  if (intake_.push(sample, device_us, clock, now)) {
+    last_good_ns_ = now;
+    ++taken_;
+  }
   if (intake_.nonsense()) ask_hello(now);
 }
 
@@ -285,6 +306,7 @@ void Session::on_log(const wire::Log& log, HostNs now) {
 }
 
 void Session::ask_hello(HostNs now) {
+  back_off(now);
   end_session(now);
   enter(SessionState::kHello, now);
 }
@@ -294,6 +316,7 @@ void Session::begin_session(HostNs now) {
   new_boot_ = false;
   sequence_known_ = false;
   last_reply_.reset();
+  taken_ = 0;
   sync_.reset(now);
   clock_ = {};
   enter(SessionState::kSyncing, now);
@@ -303,6 +326,16 @@ void Session::end_session(HostNs now) {
   fail_arm(now);
   motion_.cancel();
   clock_ = {};
+}
+
+void Session::back_off(HostNs now) {
+  if (!in_session()) return;
+  if (taken_ >= kLasted) {
+    retry_ns_ = 0;
+  } else {
+    retry_ns_ = std::clamp(2 * retry_ns_, kFirstRetryNs, kLongestRetryNs);
+  }
+  not_before_ns_ = now + retry_ns_;
 }
 
 void Session::fail_arm(HostNs now) {

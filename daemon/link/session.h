@@ -34,6 +34,7 @@ struct SessionEvent {
     kState,            ///< a -> b: SessionState values
     kHello,            ///< hello received: see session.hello()
     kVersionMismatch,  ///< hello() shows the robot's versions
+    kBadHello,         ///< a: its boot nonce, b: its state; no board of ours sends that
     kUnknownBoard,     ///< a: the board that hello named; the session goes on
     kReboot,           ///< new boot nonce during a session
     kRobotFault,       ///< a: Fault bit, b: detail
@@ -108,6 +109,7 @@ class Session {
   void on_frame(HostNs now);
   void on_hello(HostNs now);
   void on_other_hello(HostNs now);
+  void on_bad_hello(const wire::Hello& hello, HostNs now);
   void on_sample(const wire::Sample& sample, HostNs now);
   void on_acknowledge(const wire::Acknowledge& acknowledge, HostNs now);
   void on_parameters_answer(const wire::Acknowledge& acknowledge, HostNs now);
@@ -121,6 +123,7 @@ class Session {
   void ask_hello(HostNs now);
   void begin_session(HostNs now);
   void end_session(HostNs now);
+  void back_off(HostNs now);
   void fail_arm(HostNs now);
   void poll_timeout(HostNs now);
   void poll_unanswered(HostNs now);
@@ -167,6 +170,10 @@ class Session {
   HostNs last_sent_ns_ = 0;
   HostNs next_hello_ns_ = 0;
   HostNs next_parameters_ns_ = 0;
+  // A robot with which no session lasts is asked again later and later.
+  HostNs retry_ns_ = 0;
+  HostNs not_before_ns_ = 0;
+  std::uint32_t taken_ = 0;  // samples of this session
 
   std::array<SessionEvent, kMaxEvents> events_{};
   std::size_t event_count_ = 0;

@@ -1,4 +1,6 @@
 // What a session sends, and when.
+#include <algorithm>
+
 #include "link/session.h"
 
 namespace tp100::link {
@@ -41,6 +43,7 @@ void Session::poll_timeout(HostNs now) {
   note(SessionEvent::Kind::kTimeout, now, number(state_));
   last_good_ns_ = now;
   if (listening) return;
+  back_off(now);
   end_session(now);
   output_.reset();
   enter(SessionState::kListening, now);
@@ -48,7 +51,8 @@ void Session::poll_timeout(HostNs now) {
 
 // Where nothing of ours arrives, the robot's own frames still do.
 void Session::poll_unanswered(HostNs now) {
-  if (!in_handshake() || now - handshake_ns_ < settings_.first_frame_timeout_ns) return;
+  const HostNs since = std::max(handshake_ns_, not_before_ns_);
+  if (!in_handshake() || now - since < settings_.first_frame_timeout_ns) return;
   ++counters_.unanswered;
   note(SessionEvent::Kind::kUnanswered, now, number(state_));
   handshake_ns_ = now;
@@ -83,6 +87,7 @@ void Session::poll_requests(HostNs now) {
 }
 
 void Session::poll_handshake(HostNs now) {
+  if (now < not_before_ns_) return;
   if (state_ == SessionState::kHello && now >= next_hello_ns_) {
     output_.push(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
     next_hello_ns_ = now + kHelloRequestPeriodNs;

@@ -53,8 +53,8 @@ Feed::Feed(Hub& hub, Messages messages, Controls& controls)
     return whole_trail_;
   });
   if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
-  state_.why_not_start = to_string(subject().course == nullptr ? StartRefusal::kNoCourse
-                                                               : StartRefusal::kNoSession);
+  state_.why_not_start =
+      to_string(subject().course == nullptr ? StartRefusal::kNoCourse : StartRefusal::kNoSession);
 }
 
 void Feed::publish(Channel channel, HostNs at, std::string json) {

@@ -8,7 +8,6 @@ namespace {
 
 // More than this part of a second's samples bad or lost is a poor link.
 constexpr double kPoorShare = 0.01;
-constexpr FaultMask kRobotFaults = 0xFFFFU;
 
 void write_durations(JsonWriter& json, std::string_view name, const Durations& durations) {
   json.key(name).begin_object();

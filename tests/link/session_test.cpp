@@ -138,6 +138,30 @@ TEST(Session, ABoardThatIsNotKnownIsCountedAndToldAndMayDrive) {
   EXPECT_EQ(known.session.counters().unknown_board, 0u);
 }
 
+TEST(Session, AHelloThatNoBoardOfOursSendsIsRefusedOnceAndNotSpokenTo) {
+  for (const bool nonce : {true, false}) {
+    SessionBench bench;
+    bench.robot.boot_nonce = nonce ? 0 : 5;
+    // Its own idea of a state; it goes on saying hello.
+    bench.mangle = [&](std::vector<std::uint8_t>& bytes) {
+      if (bytes.empty() || nonce) return;
+      wire::Hello hello{wire::kProtocolVersion, {0, 1, 0}, wire::kSchemaHash, 2, 5, 0, 9, 0};
+      bytes = frame_of(hello);
+    };
+    bench.session.open(bench.now);
+    bench.run(1000);
+    EXPECT_EQ(bench.session.state(), SessionState::kRefused);
+    EXPECT_EQ(bench.count(Kind::kBadHello), 1);
+    EXPECT_EQ(bench.session.counters().refused, 1u);
+    EXPECT_EQ(bench.session.counters().implausible, 0u);
+    EXPECT_TRUE(bench.robot.heard.types.empty());
+    bench.mangle = {};
+    bench.robot.reboot(bench.now);
+    bench.run(500);
+    EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  }
+}
+
 TEST(Session, ReadsTheVersionOfAHelloWithMoreFields) {
   SessionBench bench;
   bench.session.open(bench.now);
@@ -227,6 +251,152 @@ TEST(Session, TimesOutWhenGoodFramesStopAndRecovers) {
   bench.run(600);
   EXPECT_EQ(bench.session.state(), SessionState::kReady) << bench.states;
   EXPECT_EQ(bench.session.session_number(), 2u);
+}
+
+TEST(Session, OnlySamplesKeepASessionAlive) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.samples = false;
+  bench.run(510);
+  EXPECT_GT(bench.robot.heard.sync_requests, 3);
+  EXPECT_EQ(bench.count(Kind::kTimeout), 1) << "answers to clock requests are no samples";
+  EXPECT_NE(bench.session.state(), SessionState::kReady);
+  SessionBench chatter;
+  chatter.connect();
+  chatter.robot.samples = false;
+  for (int i = 0; i < 510; ++i) {
+    chatter.robot.say(wire::Log{});
+    chatter.step();
+  }
+  EXPECT_EQ(chatter.count(Kind::kTimeout), 1);
+}
+
+TEST(Session, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
+  SessionBench bench;
+  // The samples' sequence never moves: each session ends as soon as that is noticed.
+  bench.connect();
+  int sessions = 0;
+  for (int i = 0; i < 30000; ++i) {
+    bench.robot.sequence = 7;
+    const std::uint32_t before = bench.session.session_number();
+    bench.step();
+    sessions += static_cast<int>(bench.session.session_number() - before);
+  }
+  // After 0.2, 0.4, 0.8, 1.6, 3.2, 5, 5 ... seconds and half a second of trying.
+  EXPECT_GE(sessions, 5);
+  EXPECT_LE(sessions, 10);
+  // One that works again is not punished for long, and its next trouble is answered at once.
+  bench.run(7000);
+  ASSERT_EQ(bench.session.state(), SessionState::kReady);
+  bench.robot.state = wire::State::kHello;
+  bench.run(600);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+}
+
+TEST(Session, APortThatGoesIsNoReasonToWait) {
+  SessionBench bench;
+  for (int i = 0; i < 10; ++i) {
+    bench.robot.reboot(bench.now);
+    bench.connect();
+    ASSERT_EQ(bench.session.state(), SessionState::kReady) << i;
+    bench.session.close(bench.now);
+  }
+}
+
+TEST(Session, ADisarmUnderWayEndsWithItsSession) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.answers_requests = false;
+  bench.session.request(RobotRequest::kDisarm, bench.now);
+  bench.run(20);
+  ASSERT_TRUE(bench.session.request_pending());
+  bench.robot.reboot(bench.now);
+  bench.robot.heard = {};
+  bench.run(400);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  EXPECT_FALSE(bench.session.request_pending());
+  EXPECT_TRUE(bench.robot.heard.disarms.empty()) << "its token is of another boot";
+}
+
+TEST(Session, CountsAndTimesOfAnEarlierBootAreForgotten) {
+  SessionBench bench;
+  // Over half an hour up, so that its time is far from that of the next boot.
+  bench.robot.device_offset_us = 2'400'000'000U;
+  bench.robot.metres_per_s = 0.1;
+  bench.connect();
+  const DeviceUs before_us = bench.samples.back().device_us;
+  const std::int64_t before_counts = bench.samples.back().left_counts;
+  bench.run(2000);
+  EXPECT_GT(bench.samples.back().left_counts, before_counts);
+  bench.robot.device_offset_us = 0;
+  bench.robot.metres_per_s = 0.0;
+  bench.robot.reboot(bench.now);
+  bench.samples.clear();
+  bench.run(500);
+  ASSERT_EQ(bench.session.state(), SessionState::kReady);
+  ASSERT_FALSE(bench.samples.empty());
+  EXPECT_LT(bench.samples.back().device_us, 1'000'000);
+  EXPECT_LT(bench.samples.back().device_us, before_us);
+  EXPECT_EQ(bench.samples.back().left_counts, 0);
+  EXPECT_EQ(bench.session.counters().implausible, 0u);
+}
+
+TEST(Session, CommandsGoOnWhereTheRobotIsInTheNextSession) {
+  SessionBench bench;
+  bench.commands = true;
+  bench.connect();
+  // Another host had it meanwhile.
+  bench.robot.state = wire::State::kHello;
+  bench.robot.heard.commands.push_back({});
+  bench.robot.heard.commands.back().sequence = 40000;
+  bench.commands = false;
+  bench.run(20);
+  bench.commands = true;
+  bench.run(400);
+  ASSERT_EQ(bench.session.state(), SessionState::kReady);
+  EXPECT_GT(bench.robot.heard.commands.back().sequence, 40000);
+}
+
+TEST(Session, TellsWhatBecameOfArmAndDisarm) {
+  SessionBench bench;
+  bench.connect();
+  bench.session.request(RobotRequest::kArm, bench.now);
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kNone);
+  bench.run(20);
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kAcknowledged);
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kNone);
+  bench.session.request(RobotRequest::kDisarm, bench.now);
+  bench.run(20);
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kAcknowledged);
+  bench.robot.answers_requests = false;
+  bench.session.request(RobotRequest::kDisarm, bench.now);
+  bench.run(210);
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
+}
+
+TEST(Session, ADisarmThatIsRefusedIsNotConfirmed) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.answers_requests = false;
+  bench.session.request(RobotRequest::kDisarm, bench.now);
+  bench.run(20);
+  bench.robot.say(wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kDisarm),
+                                    bench.robot.heard.disarms.back().token,
+                                    static_cast<std::uint8_t>(wire::Result::kWrongState), 0});
+  bench.run(5);
+  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
+}
+
+TEST(Session, AStopThatIsAskedForAgainIsTheSameOne) {
+  SessionBench bench;
+  bench.connect();
+  bench.robot.answers_requests = false;
+  for (int i = 0; i < 10; ++i) {
+    bench.session.request(RobotRequest::kStop, bench.now);
+    bench.run(100);
+  }
+  EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 1);
+  EXPECT_EQ(bench.robot.heard.stops.front().token, bench.robot.heard.stops.back().token);
 }
 
 TEST(Session, GarbageAloneIsNoLife) {
