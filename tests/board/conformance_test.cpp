@@ -54,10 +54,33 @@ class Conformance : public ::testing::TestWithParam<const char*> {
     return rig().acknowledges.empty() ? wire::Acknowledge{} : rig().acknowledges.back();
   }
   Result arm(const wire::Arm& message) { return static_cast<Result>(ask(message).result); }
+  /// Before there are samples: the board has just booted.
+  wire::Arm fresh_arm(std::uint32_t token) {
+    rig().sync_replies.clear();
+    rig().send(wire::SyncRequest{9});
+    rig().run(5);
+    return {rig().nonce, token, rig().sync_replies.back().sent_us + 200'000};
+  }
+  static std::vector<std::uint8_t> frame(std::uint8_t type,
+                                         const std::vector<std::uint8_t>& payload) {
+    std::vector<std::uint8_t> bytes(wire::kMaxFrame);
+    bytes.resize(wire::encode_frame(type, payload.data(), payload.size(), bytes.data()));
+    return bytes;
+  }
+  /// A new session with the flags of the test.
+  void connect_with_flags() {
+    wire::Parameters parameters = rig().parameters();
+    parameters.token = ++rig().token;
+    parameters.flags = static_cast<std::uint8_t>(flags_);
+    rig().send(parameters);
+    rig().run(30);
+  }
   wire::Arm arm_with(std::uint32_t token, int ahead_ms = 200) {
     const auto ahead_us = static_cast<std::uint32_t>(ahead_ms * 1000);
     return {rig().nonce, token, rig().device_us() + ahead_us};
   }
+
+  unsigned flags_ = wire::kUseGyro;
 
  private:
   std::unique_ptr<BoardRig> rig_;
@@ -102,6 +125,232 @@ TEST_P(Conformance, AnArmOfAnotherBootOrWithAStaleTokenUsesNone) {
   EXPECT_EQ(arm(arm_with(40)), Result::kStaleToken);
   EXPECT_EQ(arm(arm_with(50)), Result::kOutOfRange) << "a stale token has become the last one";
   EXPECT_EQ(arm(arm_with(51)), Result::kAccepted);
+}
+
+TEST_P(Conformance, AnArmIsJudgedInTheOrderOfTheDocument) {
+  rig().send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  rig().run(5);
+  // Wrong in every respect, and one after the other no longer.
+  wire::Arm message{rig().nonce ^ 1U, 40, 0};
+  EXPECT_EQ(arm(message), Result::kWrongBoot);
+  message.boot_nonce = rig().nonce;
+  const wire::Acknowledge expired = ask(message);
+  EXPECT_EQ(static_cast<Result>(expired.result), Result::kOutOfRange);
+  message.token = 39;
+  EXPECT_EQ(arm(message), Result::kStaleToken);
+  const wire::Acknowledge without_session = ask(fresh_arm(41));
+  EXPECT_EQ(static_cast<Result>(without_session.result), Result::kFaultPersists);
+  EXPECT_EQ(without_session.detail, wire::fault_bit(Fault::parameters_missing));
+  rig().connect();
+  const wire::Acknowledge without_command = ask(arm_with(42));
+  EXPECT_EQ(static_cast<Result>(without_command.result), Result::kFaultPersists);
+  EXPECT_EQ(without_command.detail, wire::fault_bit(Fault::command_timeout));
+}
+
+TEST_P(Conformance, AfterTheHighestTokenABootArmsNoMore) {
+  be_ready();
+  EXPECT_EQ(arm(arm_with(0xFFFFFFFFU, 600)), Result::kOutOfRange);
+  EXPECT_EQ(arm(arm_with(0)), Result::kStaleToken);
+  rig().connect();
+  EXPECT_EQ(arm(arm_with(1000)), Result::kStaleToken) << "tokens are counted over sessions";
+  EXPECT_EQ(arm(arm_with(0xFFFFFFFFU)), Result::kOutOfRange);
+}
+
+TEST_P(Conformance, AnArmWhileRunningChangesNothing) {
+  be_ready();
+  rig().drive();
+  ASSERT_EQ(rig().state(), State::kRunning);
+  rig().run(500);
+  const std::int16_t duty = rig().last().left_duty;
+  EXPECT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
+  rig().run(10);
+  EXPECT_EQ(rig().state(), State::kRunning);
+  EXPECT_NEAR(rig().last().left_duty, duty, 30) << "the loops began anew";
+  EXPECT_EQ(arm(arm_with(rig().token + 1, 600)), Result::kOutOfRange);
+  EXPECT_EQ(rig().state(), State::kRunning);
+  EXPECT_TRUE(rig().moves());
+}
+
+TEST_P(Conformance, AStandstillAskedForWhileRunningStaysRunning) {
+  be_ready();
+  rig().drive();
+  rig().speed_mps = 0.0f;
+  rig().run(1000);
+  EXPECT_FALSE(rig().moves());
+  EXPECT_EQ(rig().state(), State::kRunning);
+}
+
+TEST_P(Conformance, AnArmedRobotOfAYoungSessionStopsAfter200MsWithoutCommands) {
+  rig().connect();
+  rig().streams = true;
+  rig().run(30);
+  ASSERT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
+  rig().speed_mps = 0.15f;
+  rig().run(60);
+  ASSERT_TRUE(rig().moves());
+  rig().streams = false;
+  EXPECT_GE(rig().ms_until_off(201), 0);
+  rig().run(20);
+  EXPECT_NE(rig().last().faults & wire::fault_bit(Fault::command_timeout), 0U);
+}
+
+TEST_P(Conformance, ADisarmedRobotWaits700MsForTheFirstCommand) {
+  rig().connect();
+  const std::int64_t begin_ns = rig().sample_ns.front();
+  while (rig().last().faults == 0) rig().run(1);
+  EXPECT_NEAR(static_cast<double>(rig().now_ns - begin_ns) * 1e-6, 700.0, 15.0);
+  EXPECT_EQ(rig().last().faults, wire::fault_bit(Fault::command_timeout));
+}
+
+TEST_P(Conformance, ParametersAreJudgedInTheOrderOfTheDocument) {
+  be_ready();
+  const wire::Parameters open = rig().parameters();
+  EXPECT_EQ(static_cast<Result>(ask(open).result), Result::kAccepted) << "the open session's";
+  ASSERT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
+  wire::Parameters message = open;
+  EXPECT_EQ(static_cast<Result>(ask(message).result), Result::kWrongState);
+  message.wheelbase_m = 0.0f;
+  EXPECT_EQ(static_cast<Result>(ask(message).result), Result::kWrongState);
+  message.boot_nonce ^= 1U;
+  EXPECT_EQ(static_cast<Result>(ask(message).result), Result::kWrongBoot);
+  rig().send(wire::Disarm{7});
+  rig().run(10);
+  message.boot_nonce = rig().nonce;
+  const wire::Acknowledge refused = ask(message);
+  EXPECT_EQ(static_cast<Result>(refused.result), Result::kOutOfRange);
+  EXPECT_EQ(refused.detail, 3);
+}
+
+TEST_P(Conformance, ANewSessionGoesOnWithSamplesAndCountsButNotWithCommands) {
+  be_ready();
+  rig().forced_mps = 0.2;
+  rig().run(300);
+  rig().forced_mps = 0.0;
+  rig().run(20);
+  const wire::Sample before = rig().last();
+  ASSERT_GT(before.left_counts, 500);
+  ASSERT_GT(before.last_command, 0);
+  rig().streams = false;
+  rig().samples.clear();
+  flags_ = wire::kUseGyro | wire::kInvertLeftEncoder;
+  connect_with_flags();
+  const wire::Sample after = rig().last();
+  EXPECT_LT(static_cast<std::uint16_t>(after.sequence - before.sequence), 12);
+  EXPECT_EQ(after.left_counts, -before.left_counts);
+  EXPECT_EQ(after.right_counts, before.right_counts);
+  EXPECT_EQ(after.last_command, 0) << "of another session";
+  rig().sequence = 0;
+  rig().send(rig().command());
+  rig().run(15);
+  EXPECT_EQ(rig().last().last_command, 1);
+}
+
+TEST_P(Conformance, SwappedTracksAreSwappedBeforeTheyAreInverted) {
+  be_ready();
+  rig().drive();
+  rig().send(wire::Disarm{1});
+  rig().streams = false;
+  rig().run(20);
+  const wire::Sample before = rig().last();
+  const std::int32_t left = before.left_counts;
+  rig().samples.clear();
+  flags_ = wire::kSwapTracks | wire::kInvertLeftEncoder | wire::kInvertRightMotor;
+  connect_with_flags();
+  EXPECT_EQ(rig().last().left_counts, -before.right_counts);
+  EXPECT_EQ(rig().last().right_counts, left);
+  rig().streams = true;
+  rig().speed_mps = 0.15f;
+  rig().run(30);
+  ASSERT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
+  rig().run(60);
+  ASSERT_GT(rig().last().right_duty, 0);
+  // The right track's motor hangs on the left channel.
+  EXPECT_LT(rig().hardware().drive().left, 0.0);
+  EXPECT_GT(rig().hardware().drive().right, 0.0);
+}
+
+TEST_P(Conformance, OnlyAHelloRequestAndParametersEndTheHellos) {
+  const auto hellos_in_500_ms = [&] {
+    rig().hellos.clear();
+    rig().run(500);
+    return rig().hellos.size();
+  };
+  rig().send(wire::SyncRequest{1});
+  rig().send(wire::Stop{1});
+  rig().send(wire::Disarm{2});
+  rig().send(arm_with(1));
+  rig().send(rig().command());
+  EXPECT_GE(hellos_in_500_ms(), 2U);
+  EXPECT_EQ(rig().acknowledges.size(), 3U);
+  rig().send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  EXPECT_EQ(hellos_in_500_ms(), 1U) << "the answer";
+}
+
+TEST_P(Conformance, FramesOfASecondHostDoNotKeepTheSession) {
+  // Another nonce, an unknown type, a wrong size.
+  const auto send_invalid = [&] {
+    wire::Command command = rig().command();
+    command.boot_nonce ^= 1U;
+    rig().send(command);
+    wire::Parameters parameters = rig().parameters();
+    parameters.boot_nonce ^= 1U;
+    rig().send(parameters);
+    rig().send(wire::Arm{rig().nonce ^ 1U, 1, 0});
+    rig().send_bytes(frame(0x7E, {1, 2}));
+    rig().send_bytes(frame(static_cast<std::uint8_t>(Type::kStop), {1, 2, 3}));
+    rig().run(100);
+  };
+  rig().connect();
+  rig().hellos.clear();
+  for (int i = 0; i < 12; ++i) send_invalid();
+  EXPECT_FALSE(rig().hellos.empty());
+
+  // A refused frame of this boot is one of its host.
+  rig().connect();
+  rig().hellos.clear();
+  for (int i = 0; i < 12; ++i) {
+    rig().send(wire::Arm{rig().nonce, 1, 0});
+    rig().run(100);
+  }
+  EXPECT_TRUE(rig().hellos.empty());
+}
+
+TEST_P(Conformance, DamagedCountsWhatTheFramingDropsAndNothingElse) {
+  be_ready();
+  const auto damaged = [&] {
+    rig().send(wire::SyncRequest{1});
+    rig().run(10);
+    return rig().sync_replies.back().damaged;
+  };
+  const std::uint16_t before = damaged();
+  rig().send_bytes(frame(0x7E, {1, 2}));
+  rig().send_bytes(frame(static_cast<std::uint8_t>(Type::kStop), {1, 2, 3}));
+  rig().run(10);
+  EXPECT_EQ(damaged(), before) << "an unknown type or a wrong size";
+  std::vector<std::uint8_t> flipped = BoardRig::frame_of(wire::Disarm{1});
+  flipped[2] ^= 0x40U;
+  rig().send_bytes(flipped);
+  rig().send_bytes({9, 1, 1, 0});                       // COBS
+  rig().send_bytes({2, 1, 0});                          // too short
+  rig().send_bytes(std::vector<std::uint8_t>(120, 1));  // oversize
+  rig().send_bytes({0});
+  rig().run(20);
+  EXPECT_EQ(damaged() - before, 4);
+}
+
+TEST_P(Conformance, ATrackThatRunsAgainstItsDutyIsReversedAfterTheDistanceOfTheDocument) {
+  be_ready();
+  rig().drive();
+  const std::int32_t from = rig().last().left_counts;
+  rig().forced_mps = -0.2;
+  while (rig().moves()) rig().run(1);
+  rig().run(10);
+  EXPECT_NE(rig().last().faults &
+                (wire::fault_bit(Fault::reversed_left) | wire::fault_bit(Fault::reversed_right)),
+            0U);
+  ASSERT_FALSE(rig().reports.empty());
+  const double most_m = 0.02 + 0.2 * static_cast<double>(rig().parameters().max_track_mps);
+  EXPECT_NEAR((from - rig().last().left_counts) / 11140.0, most_m, 0.012);
 }
 
 TEST_P(Conformance, EdgesThatWereMissedAreCountedInTheClockAnswer) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bench.h"
+#include "firmware/parameters.h"
 
 namespace tp100::firmware {
 namespace {
@@ -137,6 +138,41 @@ TEST(Session, EveryParameterOutsideItsRangeIsNamed) {
     bench.run(3);
     expect_answer(bench, Type::kParameters, 1, Result::kOutOfRange, one.field);
     EXPECT_EQ(bench.program.state(), State::kHello);
+  }
+}
+
+TEST(Session, BoundsOfParametersAreInRangeAsBinary32) {
+  struct Range {
+    float wire::Parameters::*field;
+    float low, high;
+  };
+  using P = wire::Parameters;
+  const Range ranges[] = {{&P::counts_per_metre, 100.0f, 1e6f},
+                          {&P::wheelbase_m, 0.05f, 2.0f},
+                          {&P::slip_left, -0.5f, 0.9f},
+                          {&P::slip_right, -0.5f, 0.9f},
+                          {&P::max_track_mps, 0.01f, 2.0f},
+                          {&P::max_track_mps2, 0.05f, 20.0f},
+                          {&P::feed_forward, 0.0f, 100.0f},
+                          {&P::dead_band, 0.0f, 0.9f},
+                          {&P::speed_kp, 0.0f, 100.0f},
+                          {&P::speed_ki, 0.0f, 1000.0f},
+                          {&P::yaw_kp, 0.0f, 50.0f},
+                          {&P::max_yaw_radps, 0.05f, 10.0f},
+                          {&P::gyro_z_radps_per_lsb, 1e-5f, 1e-2f}};
+  const float inf = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < std::size(ranges); ++i) {
+    const auto& [field, low, high] = ranges[i];
+    const auto answer = [&, field = field](float value) {
+      wire::Parameters parameters = Bench::good_parameters();
+      parameters.*field = value;
+      return int{bad_field(parameters)};
+    };
+    const int index = static_cast<int>(i) + 2;
+    EXPECT_EQ(answer(low), 0) << index;
+    EXPECT_EQ(answer(high), 0) << index;
+    EXPECT_EQ(answer(std::nextafterf(low, -inf)), index);
+    EXPECT_EQ(answer(std::nextafterf(high, inf)), index);
   }
 }
 

@@ -201,6 +201,26 @@ TEST(ClockSync, StartsAnewAfterAJumpOfTheDeviceClock) {
   EXPECT_NEAR(static_cast<double>(sync.state().to_host(line.device_us(now)) - now), 0.0, 10e3);
 }
 
+TEST(ClockSync, TakesTheRequestsWireTimeFromItsBeginningAndTheReplysFromItsEnd) {
+  // A request behind 50 spare delimiters takes three times as long as its reply; nothing else does.
+  constexpr HostNs kRequestNs = 1140 * kNsPerUs;
+  constexpr HostNs kReplyNs = 380 * kNsPerUs;
+  ClockSync sync;
+  HostNs now = kNsPerS;
+  sync.reset(now);
+  for (std::uint16_t id = 1; id <= ClockSync::kValidAfter; ++id) {
+    sync.asked(id, now, kRequestNs);
+    const HostNs received_ns = now + kRequestNs;
+    const HostNs sent_ns = received_ns + 100 * kNsPerUs;
+    EXPECT_EQ(
+        sync.answered(id, received_ns / kNsPerUs, sent_ns / kNsPerUs, sent_ns + kReplyNs, kReplyNs),
+        ClockSync::Verdict::kAccepted);
+    now += ClockSync::kQuickPeriodNs;
+  }
+  ASSERT_TRUE(sync.state().valid);
+  EXPECT_NEAR(static_cast<double>(sync.state().to_host(now / kNsPerUs) - now), 0.0, 5e3);
+}
+
 TEST(ClockSync, TakesOnlyTheReplyThatItWaitsFor) {
   ClockSync sync;
   sync.reset(0);

@@ -32,7 +32,8 @@ class CommandGate {
   uint32_t life_us() const { return life_us_; }
   /// What the robot had turned at the answered sample.
   const TurnMark& answered() const { return answered_; }
-  uint16_t last_sequence() const { return current_.sequence; }
+  /// Of the last accepted command of this session; 0: there was none.
+  uint16_t last_sequence() const { return any_ ? current_.sequence : 0; }
 
  private:
   wire::Command current_;

@@ -21,7 +21,7 @@ const uint32_t kBaud = 500000;
 const uint16_t kMaxCommandLifeMs = 200;
 /// Sample and IMU period. [us]
 const uint16_t kSamplePeriodUs = 5000;
-/// Hello period while no host has spoken. [ms]
+/// Hello period in State::kHello. [ms]
 const uint16_t kHelloPeriodMs = 200;
 /// A robot without a valid host frame for this long says hello again. [ms]
 const uint16_t kHostSilenceMs = 1000;
@@ -83,7 +83,7 @@ enum class Result : uint8_t {
   kWrongState = 5,     ///< detail: state
 };
 
-/// robot -> host: who I am. Every kHelloPeriodMs until a host speaks, and in answer to a hello
+/// robot -> host: who I am. At boot, every kHelloPeriodMs in kHello, and in answer to a hello
 /// request.
 struct Hello {
   static constexpr Type kType = Type::kHello;
@@ -125,7 +125,7 @@ struct Sample {
   int16_t right_duty;
   uint8_t state;          ///< State
   uint16_t faults;        ///< latched robot faults
-  uint16_t last_command;  ///< sequence of the last accepted command
+  uint16_t last_command;  ///< sequence of the last accepted command of this session; 0 none
   uint8_t imu_age;        ///< samples since the IMU values were new; 0 fresh, 255 never
   template <class V>
   void visit(V& v) {
@@ -329,7 +329,7 @@ struct Arm {
   static constexpr size_t kSize = 12;
   uint32_t boot_nonce;  ///< of this boot
   uint32_t
-      token;  ///< above every token of this boot; the same one again is acknowledged without effect
+      token;  ///< above the last one of this boot, which is answered as before without any effect
   uint32_t expiry_us;  ///< device time after which it must not be used [us]
   template <class V>
   void visit(V& v) {
