@@ -18,6 +18,8 @@ constexpr HostNs kCommandPeriodNs = 5 * kNsPerMs;
 constexpr DeviceUs kCommandLifeUs = 150'000;
 constexpr double kArmLimitS = 1.0;
 constexpr double kDisarmLimitS = 0.5;
+constexpr HostNs kUnaskedNs = 100 * kNsPerMs;
+constexpr HostNs kStopAgainNs = 200 * kNsPerMs;
 
 }  // namespace
 
@@ -43,6 +45,7 @@ void RobotTalk::command(double speed_mps, double yaw_rate_radps) {
 
 bool RobotTalk::arm() {
   acknowledged_ = false;
+  asked_ = true;
   why_ = "not acknowledged";
   remedy_ = "check the cable and run it again";
   session_.request(RobotRequest::kArm, loop::monotonic_now());
@@ -55,6 +58,7 @@ void RobotTalk::disarm() {
   session_.request(RobotRequest::kDisarm, loop::monotonic_now());
   const HostNs end = loop::monotonic_now() + from_s(kDisarmLimitS);
   while (session_.request_pending() && !gone_ && loop::monotonic_now() < end) turn_once();
+  asked_ = false;
 }
 
 void RobotTalk::turn_once() {
@@ -92,8 +96,22 @@ void RobotTalk::take(HostNs now) {
       awaiting_ = false;
       on_confirmed(now - awaited_since_ns_);
     }
+    watch(sample, now);
     on_sample(sample, now);
   }
+}
+
+void RobotTalk::watch(const Sample& sample, HostNs now) {
+  if (asked_ || !motors_on(sample)) {
+    on_since_ns_.reset();
+    return;
+  }
+  if (!on_since_ns_) on_since_ns_ = sample.measured_ns;
+  if (sample.measured_ns - *on_since_ns_ < kUnaskedNs) return;
+  moved_unasked_ = true;
+  if (now < next_stop_ns_) return;
+  next_stop_ns_ = now + kStopAgainNs;
+  session_.request(RobotRequest::kStop, now);
 }
 
 void RobotTalk::note(const link::SessionEvent& event) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/sample.h"
@@ -40,6 +41,9 @@ class RobotTalk {
   const Sample& newest() const { return newest_; }
   bool greeted() const { return greeted_; }  ///< a hello came, of whatever version
   bool gone() const { return gone_; }
+  /// Its motors were on for 100 ms although arm() had not asked for it. It is told to stop as long as
+  /// they are.
+  bool moved_unasked() const { return moved_unasked_; }
   const std::string& why() const { return why_; }
   const std::string& remedy() const { return remedy_; }
   /// Index of the parameter that the firmware refused; -1: none.
@@ -50,6 +54,7 @@ class RobotTalk {
   void read(HostNs now);
   void take(HostNs now);
   void note(const link::SessionEvent& event);
+  void watch(const Sample& sample, HostNs now);
   void send(HostNs now);
   void write();
 
@@ -63,6 +68,10 @@ class RobotTalk {
   std::string remedy_;
   int refused_parameter_ = -1;
   bool acknowledged_ = false;
+  bool asked_ = false;  // armed by arm()
+  std::optional<HostNs> on_since_ns_;
+  HostNs next_stop_ns_ = 0;
+  bool moved_unasked_ = false;
 
   double speed_mps_ = 0.0;
   double yaw_rate_radps_ = 0.0;

@@ -98,6 +98,7 @@ void listen(RobotTalk& talk, const VisitOptions& options, doctor::Visit& visit) 
     const Sample& newest = talk.newest();
     visit.faults = newest.faults;
     visit.battery_v = newest.battery_v;
+    visit.moved_unasked = talk.moved_unasked();
     visit.imu_fresh = newest.imu_age < kFreshSamples;
     visit.up_mps2 = newest.accel_mps2[2];
   }

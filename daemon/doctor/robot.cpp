@@ -93,6 +93,10 @@ void add_state(const Visit& visit, Findings& findings) {
                              text("the board restarted %llu times while it was watched",
                                   static_cast<unsigned long long>(visit.reboots)),
                              "charge the cells and check the power wiring"));
+  if (visit.moved_unasked) {
+    const FaultText& words = describe(Fault::moves_unasked);
+    findings.push_back(error("motors", std::string(words.cause), std::string(words.remedy)));
+  }
   for (FaultMask left = visit.faults; left != 0; left &= left - 1)
     add_fault(*first_fault(left), findings);
   if (!visit.ready) return;

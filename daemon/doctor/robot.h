@@ -49,6 +49,7 @@ struct Visit {
   bool ready = false;         ///< samples flowed and the clocks were related
   std::uint64_t reboots = 0;
   FaultMask faults = 0;           ///< latched by the robot
+  bool moved_unasked = false;     ///< armed or driving, though nobody had asked for it
   double battery_v = 0.0;         ///< both cells together
   double battery_cutoff_v = 0.0;  ///< the robot stops below; 0: never
   bool imu_fresh = false;
@@ -56,7 +57,7 @@ struct Visit {
   std::optional<LinkTest> link{};
 };
 
-/// Names: firmware, bootloader, parameters, session, reboots, fault, battery, imu,
+/// Names: firmware, bootloader, parameters, session, reboots, motors, fault, battery, imu,
 /// link, clock; open for a port that cannot be opened.
 Findings robot_findings(const Visit& visit);
 

@@ -51,6 +51,14 @@ TEST(Robot, ThatIsWellHasNothingToMend) {
   EXPECT_THAT(find(findings, "link").seen, HasSubstr("round trip 5.00/6.00/7.00/8.00 ms"));
 }
 
+TEST(Robot, WhoseMotorsAreOnUnaskedIsAnError) {
+  Visit visit = good_visit();
+  visit.moved_unasked = true;
+  const Finding motors = find(robot_findings(visit), "motors");
+  EXPECT_EQ(motors.severity, Severity::kError);
+  EXPECT_THAT(motors.seen, HasSubstr("without being asked"));
+}
+
 TEST(Robot, WhosePortCannotBeOpenedSaysWhatToDo) {
   Visit visit;
   visit.open_error = "/dev/ttyACM0: port is busy, held by cat (pid 7); end that program";

@@ -271,6 +271,24 @@ TEST(ClockSync, AsksQuicklyAtFirstAndThenFourTimesASecond) {
   EXPECT_LT(asked.size(), 50u);
 }
 
+TEST(ClockSync, WireTimesThatCannotBeRightAreNotExact) {
+  // A pseudo-terminal: the bytes take no time, whatever the baud rate says.
+  ClockSync sync;
+  HostNs now = kNsPerS;
+  sync.reset(now);
+  for (int i = 0; i < 20; ++i) {
+    now += 100 * kNsPerMs;
+    const auto id = sync.due(now);
+    ASSERT_TRUE(id);
+    sync.asked(*id, now, 200 * kNsPerUs);
+    now += 300 * kNsPerUs;
+    const DeviceUs device_us = now / kNsPerUs - 150;
+    sync.answered(*id, device_us, device_us, now, 200 * kNsPerUs);
+  }
+  EXPECT_GE(sync.state().uncertainty_us, 150.0);
+  EXPECT_GE(sync.state_at(now).uncertainty_us, 150.0);
+}
+
 TEST(ClockSync, UncertaintyGrowsWithoutReplies) {
   ClockSync sync;
   sync.reset(0);

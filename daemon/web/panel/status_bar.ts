@@ -74,6 +74,11 @@ export class StatusBar {
       this.run.show('none', state?.run ?? '\u2013', 'stale');
       return;
     }
+    const asked = state.run === 'arming' || state.run === 'running';
+    if (state.motors_on && !asked) {
+      this.run.show('bad', state.run, 'motors on', 'The motors are on, though no run is under way');
+      return;
+    }
     this.run.show(kRunLamps[state.run] ?? 'none', state.run, state.run_s === null ? '' : clock(state.run_s), state.why_not_start);
   }
 

@@ -129,6 +129,7 @@ export interface State {
   run: Run;
   session: Session;
   robot_state: string | null;
+  motors_on: boolean;
   run_s: number | null;
   progress_m: number | null;
   length_m: number | null;
