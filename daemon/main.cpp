@@ -40,7 +40,8 @@ void add_run(CLI::App& app, Action& action) {
       ->type_name("DEVICE");
   command->add_flag("--wait", options.wait,
                     "Wait for port and robot instead of ending with status 2");
-  command->add_flag("--go", options.go, "Start without Enter on a physical port too");
+  command->add_flag("--go", options.go,
+                    "Start without Enter on a physical port too; end after every fault");
   command
       ->add_option("--course", options.course,
                    "Name in config/courses or file (default: none, poses only)")

@@ -324,6 +324,174 @@ TEST_F(Run, ARobotThatFallsSilentIsALostLinkAndIsWaitedFor) {
   EXPECT_THAT(log_, HasSubstr("s around link_lost are in " + folder_.file("boxes")));
 }
 
+TEST_F(Run, WithGoALostLinkEndsItToo) {
+  options_.course = "1-straight";
+  options_.go = true;
+  robot_->plug_in();
+  std::thread hand([&] {
+    eventually(driven);
+    robot_->unplug();
+  });
+  EXPECT_EQ(run(), 1);
+  hand.join();
+  EXPECT_THAT(log_, HasSubstr("link_lost"));
+  EXPECT_THAT(stats(), HasSubstr("\"result\": \"aborted\""));
+}
+
+TEST_F(Run, AnswersToClockRequestsAreNoSamples) {
+  options_.course = "1-straight";
+  robot_->plug_in();
+  EXPECT_EQ(run([&] {
+              eventually(driven);
+              robot_->with([](ScriptedRobot& robot) {
+                robot.heard = {};
+                robot.samples = false;
+              });
+              eventually([](const ScriptedRobot& robot) { return !robot.heard.disarms.empty(); });
+              robot_->with([](ScriptedRobot& robot) {
+                robot.heard = {};
+                robot.samples = true;
+              });
+              eventually(commanded);
+            }),
+            1);
+  EXPECT_THAT(log_, HasSubstr("link_lost: the link broke, or no sample came for 200 ms"));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+}
+
+TEST_F(Run, MotorsThatAreOnUnaskedAreStoppedAndEndIt) {
+  robot_->plug_in();
+  for (const bool obeys : {true, false}) {
+    robot_->with([&](ScriptedRobot& robot) {
+      robot.heard = {};
+      robot.answers_requests = obeys;
+      if (robot.state == wire::State::kRunning) robot.state = wire::State::kDisarmed;
+    });
+    std::thread oddity([&] {
+      eventually(commanded);
+      robot_->with([](ScriptedRobot& robot) { robot.state = wire::State::kRunning; });
+    });
+    EXPECT_EQ(run(), 1);
+    oddity.join();
+    EXPECT_THAT(log_, HasSubstr("moves_unasked"));
+    EXPECT_THAT(stats(), HasSubstr("moves_unasked"));
+    robot_->with([](ScriptedRobot& robot) { EXPECT_FALSE(robot.heard.stops.empty()); });
+  }
+}
+
+TEST_F(Run, WhoStaysStopsMotorsThatComeOnAgainAndAgain) {
+  options_.stay = true;
+  robot_->plug_in();
+  EXPECT_EQ(run([&] {
+              eventually(commanded);
+              // It acknowledges, and goes on all the same.
+              EXPECT_TRUE(soon([&] {
+                return robot_->with([](ScriptedRobot& robot) {
+                  robot.state = wire::State::kRunning;
+                  return robot.heard.stops.size() > 4;
+                });
+              }));
+            }),
+            1);
+  EXPECT_THAT(log_, HasSubstr("moves_unasked"));
+}
+
+TEST_F(Run, NoMotionFollowsAnArmThatWasNotAccepted) {
+  options_.course = "1-straight";
+  robot_->plug_in();
+  for (const bool refuses : {true, false}) {
+    robot_->with([&](ScriptedRobot& robot) {
+      robot.heard = {};
+      robot.arms_anyway = true;
+      robot.answers_arms = refuses;
+      if (refuses) robot.arm_result = wire::Result::kOutOfRange;
+    });
+    EXPECT_EQ(run(), 1);
+    EXPECT_THAT(log_, HasSubstr("not_acknowledged"));
+    EXPECT_THAT(log_, HasSubstr(refuses ? "arm refused by the robot: its expiry is out of range"
+                                        : "arm not acknowledged"));
+    EXPECT_EQ(log_.find("counts_per_metre"), std::string::npos);
+    EXPECT_EQ(log_.find("-> running"), std::string::npos);
+    robot_->with([](ScriptedRobot& robot) {
+      EXPECT_FALSE(robot.heard.arms.empty());
+      EXPECT_FALSE(robot.heard.disarms.empty());
+      EXPECT_EQ(robot.state, wire::State::kDisarmed);
+      for (const wire::Command& command : robot.heard.commands) ASSERT_EQ(command.speed_mps, 0.0F);
+    });
+  }
+}
+
+TEST_F(Run, AStartThatCannotBeginIsRefusedAndNotKept) {
+  options_.course = "1-straight";
+  // In somebody's hands: its tracks turn.
+  robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.1; });
+  robot_->plug_in();
+  EXPECT_EQ(run([&] {
+              says_of_itself("\"run\": \"arming\"");
+              says_of_itself("\"run\": \"idle\"");
+              // And put down.
+              robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.0; });
+              std::this_thread::sleep_for(2s);
+            }),
+            1);
+  EXPECT_THAT(log_, HasSubstr("start refused: the gyro is not still"));
+  EXPECT_THAT(log_, HasSubstr("state: arming -> idle"));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+  options_.go = true;
+  robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.1; });
+  EXPECT_EQ(run(), 1) << "who gave --go does not wait";
+  EXPECT_THAT(stats(), HasSubstr("\"result\": \"refused\""));
+}
+
+TEST_F(Run, ACourseIsCompletedOnceTheRobotHasConfirmedItsEnd) {
+  std::ofstream(folder_.path() / "short.toml")
+      << "speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.1\n"
+         "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
+  options_.course = folder_.file("short.toml");
+  options_.setup = "bench";
+  options_.go = true;
+  robot_->plug_in();
+  for (const bool confirms : {true, false}) {
+    robot_->with([&](ScriptedRobot& robot) {
+      robot.metres_per_s = 0.1;
+      robot.heard = {};
+      robot.answers_requests = true;
+    });
+    std::thread deaf([&] {
+      eventually(driven);
+      robot_->with([&](ScriptedRobot& robot) { robot.answers_requests = confirms; });
+    });
+    EXPECT_EQ(run(), confirms ? 0 : 1) << log_;
+    deaf.join();
+    EXPECT_THAT(log_, HasSubstr("state: running -> finished"));
+    EXPECT_THAT(stats(),
+                HasSubstr(confirms ? "\"result\": \"completed\"" : "\"result\": \"aborted\""));
+    EXPECT_EQ(log_.find("not_acknowledged") == std::string::npos, confirms) << log_;
+  }
+}
+
+TEST_F(Run, AHelloWithoutABootNumberIsAnErrorOfOneLine) {
+  robot_->plug_in();
+  robot_->with([](ScriptedRobot& robot) { robot.boot_nonce = 0; });
+  EXPECT_EQ(run(), -1);
+  EXPECT_THAT(message_, HasSubstr("its boot number is 0; flash the board"));
+}
+
+TEST_F(Run, AFaultReportBeyondTheRobotsBitsIsNotTheDaemons) {
+  robot_->plug_in();
+  EXPECT_EQ(run([&] {
+              eventually(commanded);
+              robot_->with([](ScriptedRobot& robot) {
+                robot.heard = {};
+                robot.say(wire::FaultReport{.device_us = 0, .fault = 29, .faults = 0, .detail = 0});
+              });
+              eventually(commanded);
+            }),
+            1);
+  EXPECT_THAT(log_, HasSubstr("robot fault unknown (29)"));
+  EXPECT_EQ(log_.find("immobilised"), std::string::npos);
+}
+
 TEST_F(Run, SurvivesManyUnpluggings) {
   robot_->plug_in();
   EXPECT_EQ(run([&] {

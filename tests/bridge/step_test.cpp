@@ -191,6 +191,16 @@ TEST_F(StepTest, NothingMovesWithoutAStartAndWhoIsArmedIsStopped) {
   }
 }
 
+TEST_F(StepTest, ACourseWhoseEndIsNotConfirmedIsNotCompleted) {
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  robot.answer = RequestAnswer::kFailed;
+  EXPECT_EQ(tick(step, robot).snapshot.run_state, RunState::kAborted);
+  EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::not_acknowledged));
+}
+
 TEST_F(StepTest, AfterACourseMotorsThatComeOnAgainAreStopped) {
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);

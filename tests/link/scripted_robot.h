@@ -44,6 +44,8 @@ class ScriptedRobot {
   std::uint32_t boot_nonce = 0xB007;
   bool answers_parameters = true;
   bool answers_requests = true;
+  bool answers_arms = true;  // as far as it answers requests
+  bool arms_anyway = false;  // whatever it answers
   bool answers_sync = true;
   bool samples = true;
   bool silent = false;
@@ -174,7 +176,8 @@ class ScriptedRobot {
       case wire::Type::kArm:
         heard.arms.push_back(read<wire::Arm>());
         if (!answers_requests) return;
-        if (arm_result == wire::Result::kAccepted) state = wire::State::kArmed;
+        if (arm_result == wire::Result::kAccepted || arms_anyway) state = wire::State::kArmed;
+        if (!answers_arms) return;
         return acknowledge(wire::Type::kArm, heard.arms.back().token, arm_result);
       case wire::Type::kDisarm:
         heard.disarms.push_back(read<wire::Disarm>());

@@ -80,6 +80,7 @@ class DeskTest : public ::testing::Test {
     StepRecord record = example_record();
     record.now_ns = kNow;
     record.snapshot.run_state = RunState::kIdle;
+    record.snapshot.start_refusal = StartRefusal::kNone;
     return record;
   }
   static Json answer_of(const std::string& response) {
@@ -246,6 +247,7 @@ TEST_F(DeskTest, StartNeedsARobotThatIsReadyAndIdle) {
   EXPECT_THAT(std::string(call(1).texts[0]["message"]), HasSubstr("no robot yet"));
   StepRecord running = ready();
   running.snapshot.run_state = RunState::kRunning;
+  running.snapshot.start_refusal = StartRefusal::kUnderWay;
   step(running);
   EXPECT_THAT(std::string(call(1).texts[0]["message"]), HasSubstr("under way"));
   step(ready());

@@ -88,9 +88,27 @@ TEST_F(FeedTest, AChangeOfStateIsToldAtOnce) {
 TEST_F(FeedTest, TheRunsClockStandsStillWhenItIsOver) {
   run(2.0, Channel::kState);
   record_.snapshot.run_state = RunState::kFinished;
+  record_.snapshot.start_refusal = StartRefusal::kNone;
   const auto heard = run(1.0, Channel::kState);
   EXPECT_NEAR(heard.back()["run_s"].get<double>(), 2.0, 0.02);
   EXPECT_EQ(heard.back()["can"]["start"], true);
+}
+
+TEST_F(FeedTest, SaysWhyAStartWouldBeRefusedAndThatTheMotorsAreOn) {
+  run(1.0, Channel::kState);
+  record_.snapshot.run_state = RunState::kIdle;
+  record_.snapshot.start_refusal = StartRefusal::kNotStill;
+  record_.snapshot.sample.state = RobotState::kDisarmed;
+  Json state = run(1.0, Channel::kState).back();
+  EXPECT_EQ(state["can"]["start"], false);
+  EXPECT_EQ(state["why_not_start"], std::string(to_string(StartRefusal::kNotStill)));
+  EXPECT_EQ(state["motors_on"], false);
+  record_.snapshot.sample.right_duty = 0.2;
+  record_.now_ns += 5 * kNsPerMs;
+  feed_.take(record_);
+  const auto heard = hear(Channel::kState);
+  ASSERT_EQ(heard.size(), 1U) << "told at once";
+  EXPECT_EQ(heard[0]["motors_on"], true);
 }
 
 TEST_F(FeedTest, TheLinkHasRatesOfTheLastSecond) {

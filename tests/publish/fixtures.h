@@ -54,6 +54,7 @@ inline StepRecord example_record() {
   snapshot.command.speed_mps = 0.1;
   snapshot.progress_m = 0.2;
   snapshot.run_state = RunState::kRunning;
+  snapshot.start_refusal = StartRefusal::kUnderWay;
   return record;
 }
 
