@@ -29,6 +29,8 @@ class Corner {
   double radius_m() const { return radius_m_; }
   /// The reference point stops this much before the corner. Not negative.
   double stop_before_m() const;
+  /// The turn begins and ends not farther than this from the corner.
+  double reach_m() const { return arc_end_m_ + spot_m_; }
   /// Speed along the robot while it turns with `rate_radps`: the arc's, and a little to be as far
   /// from the next line as a robot with this yaw should be.
   double speed_mps(const Pose& pose, double rate_radps) const;

@@ -43,7 +43,7 @@ FaultMask Monitor::update(const Observation& seen) {
   const double dt = seen.dt_s;
   const Sample& sample = *seen.sample;
 
-  raise(std::abs(seen.target.cross_track_m) > parameters_.max_cross_track_m, Fault::cross_track);
+  raise(seen.target.off_path_m > parameters_.max_cross_track_m, Fault::cross_track);
   raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
                         dt, kHeadingS),
         Fault::heading);

@@ -34,11 +34,11 @@ bool Progress::next() {
 
 void Progress::advance(double x_m, double y_m) {
   double most_m = offset_m_ + kWindowM;
-  offset_m_ = std::clamp(path_.project(index_, x_m, y_m), offset_m_, most_m);
+  offset_m_ = std::clamp(path_.project(index_, x_m, y_m, offset_m_), offset_m_, most_m);
   while (offset_m_ >= piece().length_m && joined(index_)) {
     most_m -= piece().length_m;
     ++index_;
-    offset_m_ = std::clamp(path_.project(index_, x_m, y_m), 0.0, std::max(most_m, 0.0));
+    offset_m_ = std::clamp(path_.project(index_, x_m, y_m, 0.0), 0.0, std::max(most_m, 0.0));
   }
 }
 
@@ -53,7 +53,8 @@ void Progress::reproject(double x_m, double y_m, double window_m) {
     const double from_m = std::max(here_m - window_m - piece.begin.s_m, 0.0);
     const double to_m = std::min(here_m + window_m - piece.begin.s_m, piece.length_m);
     if (from_m > to_m) continue;
-    const double offset_m = std::clamp(path_.project(i, x_m, y_m), from_m, to_m);
+    const double about_m = here_m - piece.begin.s_m;
+    const double offset_m = std::clamp(path_.project(i, x_m, y_m, about_m), from_m, to_m);
     const course::PathPoint point = path_.at(i, offset_m);
     const double distance_m = std::hypot(x_m - point.x_m, y_m - point.y_m);
     if (distance_m >= nearest_m) continue;

@@ -130,6 +130,7 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   const double c = std::cos(here.yaw_rad);
   const double s = std::sin(here.yaw_rad);
   target_.cross_track_m = -s * (pose.x_m - here.x_m) + c * (pose.y_m - here.y_m);
+  target_.off_path_m = std::hypot(pose.x_m - here.x_m, pose.y_m - here.y_m);
   target_.progress_m = here.s_m;
   recovery_.update(target_.cross_track_m, wrap_angle(pose.yaw_rad - here.yaw_rad), dt_s);
 
@@ -207,6 +208,10 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
   target_.speed_mps = 0.0;
   target_.cross_track_m = 0.0;
   target_.progress_m = piece.begin.s_m;
+  // A corner may be taken beside its point.
+  const double reach_m = corner().reach_m();
+  target_.off_path_m = path_.distance(pose.x_m, pose.y_m, target_.progress_m - reach_m,
+                                      target_.progress_m + reach_m);
   pivot_.update(parameters_, dt_s);
   target_.desired_yaw_rad = pivot_.yaw_rad();
   target_.yaw_rate_radps = pivot_.rate_radps();

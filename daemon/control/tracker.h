@@ -20,10 +20,11 @@ namespace tp100::control {
 
 /// What the tracker asks for, and where the robot is against the path.
 struct Target {
-  double desired_yaw_rad = 0.0;    ///< unwrapped, same branch as the path's yaw
-  double yaw_rate_radps = 0.0;     ///< feed-forward
-  double speed_mps = 0.0;          ///< what the belts can do beside the turn, turns have priority
-  double cross_track_m = 0.0;      ///< left positive
+  double desired_yaw_rad = 0.0;  ///< unwrapped, same branch as the path's yaw
+  double yaw_rate_radps = 0.0;   ///< feed-forward
+  double speed_mps = 0.0;        ///< what the belts can do beside the turn, turns have priority
+  double cross_track_m = 0.0;    ///< left positive, across the path's tangent at progress_m
+  double off_path_m = 0.0;  ///< distance from the path at progress_m, along it too; not negative
   double heading_error_rad = 0.0;  ///< desired - actual
   double progress_m = 0.0;  ///< along the path; goes back only when a disturbance was noticed
   bool recovering = false;  ///< a disturbance was noticed and the robot is not back yet

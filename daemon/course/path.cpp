@@ -24,8 +24,10 @@ PathPoint along(const PathPoint& begin, double offset_m) {
   return point;
 }
 
-/// Offset in [0, length] of the point nearest to (x, y) on the line or arc that starts at `begin`.
-double nearest_offset(const PathPoint& begin, double length_m, double x_m, double y_m) {
+/// Offset in [0, length] of the point nearest to (x, y) on the line or arc that starts at `begin`;
+/// of an arc only what lies within half a turn of `about_m`.
+double nearest_offset(const PathPoint& begin, double length_m, double x_m, double y_m,
+                      double about_m) {
   const double dx = x_m - begin.x_m, dy = y_m - begin.y_m;
   const double c = std::cos(begin.yaw_rad), s = std::sin(begin.yaw_rad);
   const double k = begin.curvature_1pm;
@@ -35,10 +37,8 @@ double nearest_offset(const PathPoint& begin, double length_m, double x_m, doubl
   const double ahead = dx * c + dy * s;
   const double inward = (k > 0.0 ? 1.0 : -1.0) * (dy * c - dx * s);
   double angle = std::atan2(ahead, radius - inward);
-  if (angle < 0.0) angle += 2.0 * kPi;
-  const double sweep = length_m / radius;
-  if (angle <= sweep) return std::min(angle * radius, length_m);
-  return angle - sweep < 2.0 * kPi - angle ? length_m : 0.0;
+  angle += 2.0 * kPi * std::round((about_m / radius - angle) / (2.0 * kPi));
+  return std::clamp(angle * radius, 0.0, length_m);
 }
 
 struct Builder {
@@ -102,7 +102,13 @@ PathPoint Path::at(double s_m) const {
 
 double Path::project(std::size_t index, double x_m, double y_m) const {
   const Piece& piece = pieces_[std::min(index, pieces_.size() - 1)];
-  return nearest_offset(piece.begin, piece.length_m, x_m, y_m);
+  return project(index, x_m, y_m, piece.length_m / 2.0);
+}
+
+double Path::project(std::size_t index, double x_m, double y_m, double about_m) const {
+  const Piece& piece = pieces_[std::min(index, pieces_.size() - 1)];
+  return nearest_offset(piece.begin, piece.length_m, x_m, y_m,
+                        std::clamp(about_m, 0.0, piece.length_m));
 }
 
 double Path::distance(double x_m, double y_m, double s_from, double s_to) const {
@@ -114,7 +120,8 @@ double Path::distance(double x_m, double y_m, double s_from, double s_to) const 
     const double from = std::max(0.0, s_from - piece.begin.s_m);
     const double to = std::clamp(s_to - piece.begin.s_m, from, std::max(from, piece.length_m));
     const PathPoint begin = along(piece.begin, from);
-    const PathPoint near = along(begin, nearest_offset(begin, to - from, x_m, y_m));
+    const double length = to - from;
+    const PathPoint near = along(begin, nearest_offset(begin, length, x_m, y_m, length / 2.0));
     best = std::min(best, std::hypot(x_m - near.x_m, y_m - near.y_m));
   }
   return best;

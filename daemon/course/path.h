@@ -38,8 +38,12 @@ class Path {
   /// Point at length `s_m` from the start, clamped; at a pivot, the pose before it.
   PathPoint at(double s_m) const;
 
-  /// Offset in [0, length] of the point of piece `index` nearest to (x, y).
+  /// Offset in [0, length] of the point of piece `index` nearest to (x, y). An arc of more than a
+  /// turn has several; this is the one nearest to its middle.
   double project(std::size_t index, double x_m, double y_m) const;
+  /// The same for who is known to be near the offset `about_m`: an arc counts only within half a
+  /// turn of that.
+  double project(std::size_t index, double x_m, double y_m, double about_m) const;
 
   /// Smallest distance from (x, y) to the part of the path between lengths s_from and s_to.
   double distance(double x_m, double y_m, double s_from, double s_to) const;

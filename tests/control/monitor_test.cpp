@@ -49,7 +49,7 @@ TEST_P(MonitorTest, AHealthyRunGoesOnAndTheSpoiltOneEndsWithItsOwnCause) {
 INSTANTIATE_TEST_SUITE_P(
     EveryAbort, MonitorTest,
     testing::Values(Case{"CrossTrack", Fault::cross_track, 0.0,
-                         [](Observation& o, Sample&) { o.target.cross_track_m = -0.21; }},
+                         [](Observation& o, Sample&) { o.target.off_path_m = 0.21; }},
                     Case{"Heading", Fault::heading, 0.5,
                          [](Observation& o, Sample&) { o.target.heading_error_rad = 1.2; }},
                     Case{"Tilt", Fault::tilt, 0.3,

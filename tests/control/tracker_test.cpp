@@ -73,6 +73,124 @@ TEST(Tracker, APivotTurnsOnTheSpotBothWays) {
   EXPECT_NEAR(outcome.end.yaw_rad, 0.0, 0.02);
 }
 
+/// Runs onto an arc of so many degrees and off it again.
+course::Course circling(double angle_deg) {
+  return make_course(
+      {course::Line{0.2}, course::Arc{0.3, angle_deg * kRadPerDeg}, course::Line{0.2}});
+}
+
+TEST(Tracker, GoesAroundAsOftenAsTheCourseSays) {
+  for (const double angle_deg : {359.0, -359.0, 360.0, -360.0, 400.0, -400.0, 720.0, 3600.0}) {
+    SCOPED_TRACE(angle_deg);
+    const course::Course course = circling(angle_deg);
+    const course::PathPoint end = course::Path(course).pieces().back().end;
+    const Outcome outcome = drive(course);
+    ASSERT_TRUE(outcome.done);
+    EXPECT_LT(outcome.max_cross_track_m, 0.008);
+    EXPECT_NEAR(outcome.end.x_m, end.x_m, 0.01);
+    EXPECT_NEAR(outcome.end.y_m, end.y_m, 0.01);
+    EXPECT_NEAR(outcome.end.yaw_rad, angle_deg * kRadPerDeg, 0.05);
+  }
+}
+
+TEST(Tracker, CrossesItsOwnPathWithoutACut) {
+  std::vector<course::Segment> spiral;
+  for (int i = 1; i <= 3; ++i) spiral.emplace_back(course::Arc{0.15 * i, 2.0 * kPi});
+  for (const course::Course& course :
+       {make_course({course::Arc{0.3, 2.0 * kPi}, course::Arc{0.3, -2.0 * kPi}}),
+        make_course({course::Line{0.3}, course::Arc{0.25, 1.5 * kPi}, course::Line{0.5},
+                     course::Arc{0.25, -1.5 * kPi}, course::Line{0.5}}),
+        make_course(spiral)}) {
+    const course::Path path(course);
+    const course::PathPoint end = path.pieces().back().end;
+    const Outcome outcome = drive(course);
+    ASSERT_TRUE(outcome.done);
+    EXPECT_LT(outcome.max_cross_track_m, 0.008);
+    EXPECT_NEAR(outcome.duration_s, path.length_m() / course.speed_mps,
+                0.1 * path.length_m() / course.speed_mps);
+    EXPECT_NEAR(outcome.end.yaw_rad, end.yaw_rad, 0.05);
+  }
+}
+
+/// Drives on as it looks, whatever it is told, from where the tracker's progress stands still.
+double off_path_of_a_runaway_m(const course::Course& course, double speed_mps,
+                               double after_progress_m, double for_m) {
+  const course::Path path(course);
+  Tracker tracker(Parameters{}, path, {.speed_mps = course.speed_mps});
+  LaggingRobot robot;
+  const Target* target = &tracker.update(robot.pose, robot.twist, kDt);
+  while (target->progress_m < after_progress_m) {
+    robot.obey(*target);
+    target = &tracker.update(robot.pose, robot.twist, kDt);
+  }
+  robot.twist = {.vx_mps = speed_mps};
+  double off_path_m = 0.0;
+  for (double way_m = 0.0; way_m < for_m; way_m += std::abs(speed_mps) * kDt) {
+    robot.pose.x_m += speed_mps * kDt * std::cos(robot.pose.yaw_rad);
+    robot.pose.y_m += speed_mps * kDt * std::sin(robot.pose.yaw_rad);
+    off_path_m = tracker.update(robot.pose, robot.twist, kDt).off_path_m;
+  }
+  return off_path_m;
+}
+
+TEST(Tracker, SeesThatTheRobotLeavesThePathAlongIt) {
+  const course::Course line = make_course({course::Line{0.5}});
+  EXPECT_NEAR(off_path_of_a_runaway_m(line, 0.1, 0.4, 0.4), 0.3, 0.01) << "past its end";
+  EXPECT_NEAR(off_path_of_a_runaway_m(line, -0.1, 0.4, 0.3), 0.3, 0.01) << "back to its start";
+}
+
+TEST(Tracker, SeesThatTheRobotLeavesATurnOnTheSpot) {
+  const course::Course corner =
+      make_course({course::Line{0.5}, course::Pivot{2.0}, course::Line{0.5}});
+  EXPECT_NEAR(off_path_of_a_runaway_m(corner, 0.1, 0.497, 0.3), 0.3, 0.01);
+}
+
+TEST(Tracker, OffThePathIsAsFarAsAcrossItWhereProgressIsRight) {
+  const course::Course course =
+      make_course({course::Line{0.3}, course::Arc{0.3, 7.0}, course::Line{0.3}});
+  const course::Path path(course);
+  Tracker tracker(Parameters{}, path, {.speed_mps = course.speed_mps});
+  LaggingRobot robot;
+  robot.pose.y_m = 0.02;
+  for (int i = 0; i < 10000; ++i) {
+    const Target& target = tracker.update(robot.pose, robot.twist, kDt);
+    if (target.done) return;
+    // Stopping, it may run over the end by a hair.
+    ASSERT_NEAR(target.off_path_m, std::abs(target.cross_track_m), 1e-3) << target.progress_m;
+    robot.obey(target);
+  }
+  FAIL() << "the course was not finished";
+}
+
+// An estimate counts whole turns as it likes.
+TEST(Tracker, AWholeTurnMoreOfThePosesYawChangesNothing) {
+  const course::Course course = make_course(
+      {course::Line{0.3}, course::Arc{0.3, 4.0}, course::Pivot{-2.0}, course::Line{0.3}});
+  const course::Path path(course);
+  for (const double turns : {-2.0, 1.0}) {
+    Tracker plain(Parameters{}, path, {.speed_mps = course.speed_mps});
+    Tracker turned(Parameters{}, path, {.speed_mps = course.speed_mps});
+    LaggingRobot robot;
+    robot.pose.y_m = 0.02;
+    bool done = false;
+    for (int i = 0; i < 10000 && !done; ++i) {
+      const bool pushed = i == 300;
+      if (pushed) robot.pose.y_m += 0.05;
+      Pose elsewhere = robot.pose;
+      elsewhere.yaw_rad += turns * 2.0 * kPi;
+      const Target& target = plain.update(robot.pose, robot.twist, kDt, pushed);
+      const Target& same = turned.update(elsewhere, robot.twist, kDt, pushed);
+      ASSERT_NEAR(same.speed_mps, target.speed_mps, 1e-9) << i;
+      ASSERT_NEAR(same.yaw_rate_radps, target.yaw_rate_radps, 1e-9) << i;
+      ASSERT_NEAR(same.heading_error_rad, target.heading_error_rad, 1e-9) << i;
+      ASSERT_EQ(same.recovering, target.recovering) << i;
+      robot.obey(target);
+      done = target.done;
+    }
+    EXPECT_TRUE(done);
+  }
+}
+
 TEST(Tracker, ReturnsToThePathAfterAShove) {
   bool shoved = false;
   double worst_late_m = 0.0;

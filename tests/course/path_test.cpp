@@ -79,6 +79,34 @@ TEST(Path, ProjectionReturnsTheOffsetOfPointsBesideThePiece) {
   }
 }
 
+// The same place is on every turn of such an arc.
+TEST(Path, ProjectionOntoAnArcOfManyTurnsStaysOnTheTurnThatIsMeant) {
+  for (const double turns : {359.0 / 360.0, 1.0, 400.0 / 360.0, 2.0, 10.0}) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Path path(course_of({Arc{0.3, sign * turns * 2.0 * kPi}}));
+      const double length = path.length_m(), quarter = 0.3 * kPi / 2.0;
+      for (double offset = 0.0; offset <= length; offset += 0.013) {
+        const PathPoint p = path.at(0, offset);
+        for (const double aside : {-0.1, 0.0, 0.1})
+          for (const double about : {offset - quarter, offset, offset + quarter}) {
+            const double x = p.x_m - aside * std::sin(p.yaw_rad);
+            const double y = p.y_m + aside * std::cos(p.yaw_rad);
+            ASSERT_NEAR(path.project(0, x, y, about), offset, 1e-9) << turns << " " << about;
+          }
+      }
+    }
+  }
+}
+
+TEST(Path, ProjectionOntoAnArcOfManyTurnsStopsAtItsEnds) {
+  const Path path(course_of({Arc{0.5, 4.0 * kPi}}));
+  const double length = path.length_m();
+  EXPECT_EQ(path.project(0, -0.1, 0.0, 0.0), 0.0) << "a little behind the start";
+  EXPECT_EQ(path.project(0, 0.1, 0.0, length), length) << "a little behind the end";
+  EXPECT_NEAR(path.project(0, 0.5, 0.5, 0.0), 0.25 * kPi, 1e-12);
+  EXPECT_NEAR(path.project(0, -0.5, 0.5, length), 1.75 * kPi, 1e-12);
+}
+
 TEST(Path, ProjectionStopsAtTheEnds) {
   const Path path(course_of({Line{1.0}, Arc{0.5, kPi / 2}}));
   EXPECT_EQ(path.project(0, -3.0, 1.0), 0.0);
