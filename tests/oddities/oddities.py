@@ -1,0 +1,626 @@
+"""What robots do that no robot should, and what must come of each: the table of the test."""
+import math
+import struct
+import time
+from collections import namedtuple
+
+from robot import LSB
+from wire import ACCEPTED, ARMED, DISARMED, FAULTED, HELLO, OUT_OF_RANGE, RUNNING, TYPE, frame, pack
+
+# `when`: phase of the robot's life and seconds after its beginning. `must`: see below. `says`: a regular expression
+# for what the program writes. `course`: line, short, arc, spin. `typed`: (phase, seconds, text) for the program's
+# standard input. `options`: of the program.
+Oddity = namedtuple("Oddity", "name when do must says course typed options")
+# `exits`: statuses that are right. `arms`: most Arms (repeats of a token count once). `ms`, `m`, `deg`: motors must be
+# asked off by then, counted from the oddity on; None: it need not. `arrives`: the robot must end where the course does.
+Must = namedtuple("Must", "exits arms ms m deg arrives")
+
+COMPLETE = Must((0,), 1, None, None, None, True)
+
+
+def stop(ms=None, m=0.15, deg=20.0, arms=1):
+    return Must((1,), arms, ms, m, deg, False)
+
+
+AT_ONCE = stop(250)             # one sample shows it
+SILENCE = stop(300)             # what stays away shows only after 200 ms
+IN_BOUNDS = stop()              # a window shows it
+UNARMED = stop(250, arms=0)
+EITHER = Must((0, 1), 1, None, None, None, False)
+NEVER_ARMED = Must((1, 2), 0, None, None, None, False)
+REFUSED = Must((2,), 0, None, None, None, False)
+
+START = ("boot", 0.0)
+IDLE = ("session", 0.25)
+ARM = ("Arm", 0.0)
+DRIVE = ("drive", 0.6)
+TURN = ("drive", 0.9)
+END = ("Disarm", 0.0)
+ROWS = []
+
+
+def odd(name, when, do, must, says="", course=None, typed=(), options=()):
+    course = course or ("short" if 0 in must.exits or when == END else "line")
+    ROWS.append(Oddity(name, when, do, must, says, course, typed, options))
+
+
+# -- ways to be odd: each returns a function of the robot
+def both(*ways):
+    return lambda robot: [way(robot) for way in ways]
+
+
+def put(**attributes):
+    """Replaces attributes; a dot is written as __ (left__motor)."""
+    def do(robot):
+        for path, value in attributes.items():
+            *owners, last = path.split("__")
+            owner = robot
+            for part in owners:
+                owner = getattr(owner, part)
+            setattr(owner, last, value)
+    return do
+
+
+def says(**fields):
+    """Samples with these fields, whatever is true."""
+    return lambda robot: robot.report.update(fields)
+
+
+def samples(change):
+    """`change(fields, robot)` returns the samples to send instead of one."""
+    def do(robot):
+        robot.samples = lambda fields: change(fields, robot)
+    return do
+
+
+def shifted(**offsets):
+    """Adds to fields; a number, or a function without arguments."""
+    def change(fields, robot):
+        for key, by in offsets.items():
+            by = by() if callable(by) else by
+            bits = 16 if key in ("sequence", "last_command") else 32
+            value = fields[key] + by
+            fields[key] = value % 2**bits if not key.endswith("counts") else (value + 2**31) % 2**32 - 2**31
+        return [fields]
+    return samples(change)
+
+
+def steps(by):
+    """The robot's own sequence jumps."""
+    return lambda robot: setattr(robot, "sequence", (robot.sequence + by) % 65536)
+
+
+def once(**fields):
+    def do(robot):
+        left = [1]
+        def change(sample):
+            if left:
+                left.pop()
+                sample.update(fields)
+            return [sample]
+        robot.samples = change
+    return do
+
+
+def drives(left, right, **more):
+    """Tracks run at these speeds whatever is asked, with a duty in the samples."""
+    return both(put(left__runs_at=left, right__runs_at=right),
+                says(left_duty=round(3000 * left), right_duty=round(3000 * right), **more))
+
+
+def pushed(speed, rate, seconds):
+    """A hand moves the robot, and its tracks with it."""
+    def do(robot):
+        end = time.monotonic() + seconds
+        def each():
+            on = time.monotonic() < end
+            robot.left.runs_at = (speed - rate * 0.13) / 0.9 if on else None
+            robot.right.runs_at = (speed + rate * 0.13) / 0.88 if on else None
+        robot.each = each
+    return do
+
+
+def acks(change):
+    """`change(fields)` returns the acknowledgements to send instead of one."""
+    return put(acknowledges=change)
+
+
+def refuses(name, result, state=None, detail=0):
+    """Answers a request with `result` whatever it did; `state` is what samples say from then on."""
+    def do(robot):
+        def change(fields):
+            if fields["request"] == TYPE[name]:
+                fields.update(result=result, detail=detail)
+                if state is not None:
+                    robot.report["state"] = state
+                robot.off(DISARMED if name == "Arm" else robot.state)
+            return [fields]
+        robot.acknowledges = change
+    return do
+
+
+def clock(jump_us=0, ppm=None):
+    def do(robot):
+        now = time.monotonic()
+        robot.clock_us = robot.device_us(now) + jump_us
+        robot.booted = now
+        robot.ppm = robot.ppm if ppm is None else ppm
+    return do
+
+
+def restarts(silent=0.03, nonce=0x51A7E002, says_hello=True, **after):
+    def do(robot):
+        robot.clock_us = 0
+        robot.boot(time.monotonic(), nonce, silent)
+        robot.left.counted = robot.right.counted = 0.0
+        for key, value in after.items():
+            setattr(robot, key, value)
+    return do
+
+
+def floods(a_second, data):
+    """`data(robot)` returns bytes to send so many times a second."""
+    def do(robot):
+        owed = [0.0]
+        def each():
+            owed[0] += a_second * 0.005
+            while owed[0] >= 1:
+                owed[0] -= 1
+                robot.transmit(data(robot))
+        robot.each = each
+    return do
+
+
+def log(text, level=0):
+    return lambda robot: pack("Log", {"device_us": robot.device_us(time.monotonic()), "level": level,
+                                      "text": text(robot) if callable(text) else text})
+
+
+def sends(name, **fields):
+    def data(robot):
+        return pack(name, {key: value(robot) if callable(value) else value for key, value in fields.items()})
+    return data
+
+
+def hello(**fields):
+    def do(robot):
+        before = robot.hello
+        robot.hello = lambda true: before({**true, **fields})
+    return do
+
+
+def number(bits):
+    return lambda robot: robot.random.getrandbits(bits)
+
+
+def random_bytes(count):
+    return lambda robot: robot.random.randbytes(count)
+
+
+def corrupts(share):
+    """Flips a bit in this share of the frames that it sends."""
+    def do(robot):
+        def transmit(data):
+            if robot.random.random() < share:
+                data = bytearray(data)
+                data[robot.random.randrange(len(data))] ^= 1 << robot.random.randrange(8)
+            robot.write(bytes(data))
+        robot.transmit = transmit
+    return do
+
+
+def holds_back(seconds, every=None):
+    """What is sent waits until `seconds` are over, again every `every` seconds, then leaves at once."""
+    def do(robot):
+        begin, kept = time.monotonic(), []
+        def each():
+            since = time.monotonic() - begin
+            if (since % every if every else since) >= seconds and kept:
+                robot.write(b"".join(kept))
+                kept.clear()
+        def transmit(data):
+            since = time.monotonic() - begin
+            if (since % every if every else since) < seconds:
+                kept.append(data)
+            else:
+                each()
+                robot.write(data)
+        robot.transmit, robot.each = transmit, each
+    return do
+
+
+def delays(seconds):
+    """Each byte arrives this much later; `seconds` is a function of the robot."""
+    def do(robot):
+        kept = []
+        def each():
+            while kept and kept[0][0] <= time.monotonic():
+                robot.write(kept.pop(0)[1])
+        def transmit(data):
+            due = time.monotonic() + seconds(robot)
+            kept.append((max(due, kept[-1][0]) if kept else due, data))
+        robot.transmit, robot.each = transmit, each
+    return do
+
+
+def trickles(robot):
+    kept = bytearray()
+    robot.transmit = kept.extend
+    def each():
+        robot.write(bytes(kept[:5]))
+        del kept[:5]
+    robot.each = each
+
+
+def every_nth(n):
+    return samples(lambda fields, robot: [fields] if fields["sequence"] % n == 0 else [])
+
+
+def gap(seconds, forever=False):
+    """No samples for a while; all else goes on."""
+    def do(robot):
+        end = time.monotonic() + seconds
+        robot.samples = lambda fields: [fields] if time.monotonic() > end and not forever else []
+    return do
+
+
+# -- 1. Moves, or could, without having been asked
+UNASKED = r"(moves|runs|is armed|armed|motors are on|motion|duty).*(unasked|without|not asked|nobody|no start)|unasked"
+odd("runs unarmed", IDLE, drives(0.1, 0.1), UNARMED, UNASKED)
+odd("runs backwards unarmed", IDLE, drives(-0.1, -0.1), UNARMED, UNASKED)
+odd("spins unarmed", IDLE, drives(-0.1, 0.1), UNARMED, UNASKED)
+odd("one track runs unarmed", IDLE, drives(0.0, 0.1), UNARMED, UNASKED)
+odd("has a duty at standstill, unarmed", IDLE, says(left_duty=300, right_duty=300), UNARMED, UNASKED)
+odd("says Armed unasked", IDLE, says(state=ARMED), UNARMED, UNASKED)
+odd("says Running unasked", IDLE, says(state=RUNNING), UNARMED, UNASKED)
+odd("says Running and runs unasked", IDLE, drives(0.1, 0.1, state=RUNNING), UNARMED, UNASKED)
+odd("is armed from the start", ("session", 0.0), says(state=ARMED), UNARMED, UNASKED)
+odd("runs from the start", ("session", 0.0), drives(0.1, 0.1, state=RUNNING), UNARMED, UNASKED)
+odd("is pushed by hand for 0.5 s while idle", IDLE, pushed(0.05, 0.0, 0.5), COMPLETE)
+odd("is turned by hand for 0.5 s while idle", IDLE, pushed(0.0, 0.5, 0.5), COMPLETE)
+odd("is pushed by hand for ever", IDLE, pushed(0.03, 0.0, 60), stop(m=None, deg=None, arms=0), r"still|rest")
+odd("is turned by hand for ever", IDLE, pushed(0.0, 0.3, 60), stop(m=None, deg=None, arms=0), r"still|rest")
+odd("restarts and runs unarmed", DRIVE, both(restarts(0.1), drives(0.1, 0.1)), AT_ONCE, r"robot_rebooted|restart")
+odd("runs on after Disarm, acknowledged, says Disarmed", END, drives(0.1, 0.1), stop(250), UNASKED)
+odd("runs on after Disarm, acknowledged, says Running", END, drives(0.1, 0.1, state=RUNNING), stop(250), UNASKED)
+odd("says Armed after Disarm", END, says(state=ARMED), stop(250), UNASKED)
+odd("runs on after a Stop", DRIVE, both(says(accel_x=8192, accel_z=0), drives(0.1, 0.1)), IN_BOUNDS, "tilt")
+odd("rolls a little after Disarm, without a duty", END, pushed(0.02, 0.0, 0.2), COMPLETE._replace(arrives=False))
+odd("starts with stop_requested latched", START, put(faults=1 << 1), COMPLETE)
+
+# -- 2. Sequences, clocks and counts
+odd("sequence +1000", DRIVE, steps(1000), COMPLETE)
+odd("sequence +32767", DRIVE, steps(32767), EITHER)
+odd("every sample twice", DRIVE, samples(lambda f, r: [f, f]), COMPLETE)
+def swapped_pairs(robot):
+    kept = []
+    def change(fields):
+        kept.append(fields)
+        if len(kept) < 2:
+            return []
+        pair = kept[::-1]
+        kept.clear()
+        return pair
+    robot.samples = change
+odd("samples in swapped pairs", DRIVE, swapped_pairs, COMPLETE)
+def replays(robot):
+    kept = []
+    def change(fields):
+        kept.append(fields)
+        return [fields] + (kept[-40:-1] if len(kept) % 50 == 0 else [])
+    robot.samples = change
+odd("old samples replayed", DRIVE, replays, COMPLETE)
+LOST = r"link_lost|samples_stale|lost|stale"
+odd("sequence -100", DRIVE, steps(-100), SILENCE, LOST)
+odd("sequence +40000", DRIVE, steps(40000), SILENCE, LOST)
+odd("sequence frozen", DRIVE, says(sequence=200), SILENCE, LOST)
+odd("sequence random", DRIVE, lambda r: shifted(sequence=lambda: r.random.getrandbits(16))(r), SILENCE, LOST)
+odd("a tenth of the samples lost", DRIVE, samples(lambda f, r: [f] * (r.random.random() > 0.1)), COMPLETE)
+odd("half of the samples lost", DRIVE, samples(lambda f, r: [f] * (r.random.random() > 0.5)), COMPLETE)
+odd("no samples for 100 ms", DRIVE, gap(0.1), COMPLETE)
+odd("no samples for 300 ms", DRIVE, gap(0.3), SILENCE, LOST)
+odd("no samples for 1 s", DRIVE, gap(1.0), SILENCE, LOST)
+odd("no samples any more", DRIVE, gap(60), SILENCE, LOST)
+odd("no samples any more, but logs", DRIVE, both(gap(60), floods(50, log(b"still here"))), SILENCE, LOST)
+odd("no samples any more, but frames of an unknown type", DRIVE,
+    both(gap(60), floods(20, lambda r: frame(0x2A, b"12345678"))), SILENCE, LOST)
+odd("no samples while idle", IDLE, gap(60), NEVER_ARMED, LOST)
+odd("samples at 100 Hz", START, every_nth(2), COMPLETE)
+odd("samples at 20 Hz", START, every_nth(10), COMPLETE)
+odd("samples at 4 Hz", DRIVE, every_nth(50), SILENCE, LOST)
+CLOCK = LOST + "|clock"
+odd("clock -1 s", DRIVE, clock(-1000000), SILENCE, CLOCK)
+odd("clock +10 s", DRIVE, clock(10000000), SILENCE, CLOCK)
+odd("clock +40 min", DRIVE, clock(2400000000), SILENCE, CLOCK)
+odd("clock -50 ms", DRIVE, clock(-50000), SILENCE, CLOCK)
+odd("clock frozen", DRIVE, clock(0, -1e6), SILENCE, CLOCK)
+odd("clock at half its speed", DRIVE, clock(0, -5e5), IN_BOUNDS, CLOCK)
+odd("clock at twice its speed", DRIVE, clock(0, 1e6), IN_BOUNDS, CLOCK)
+odd("sample times +- 20 ms", DRIVE, lambda r: shifted(device_us=lambda: r.random.randrange(-20000, 20000))(r), EITHER)
+odd("sample times frozen", DRIVE, says(device_us=3000000), SILENCE, CLOCK)
+odd("clock 1000 ppm fast", START, put(ppm=1000.0), COMPLETE)
+odd("clock 20000 ppm slow", START, put(ppm=-20000.0), COMPLETE)
+odd("clock 20000 ppm fast", START, put(ppm=20000.0), COMPLETE)
+odd("clock wraps while driving", START, put(clock_us=2**32 - 1800000), COMPLETE)
+odd("clock wraps while connecting", START, put(clock_us=2**32 - 300000), COMPLETE)
+odd("clock passes 2^31", START, put(clock_us=2**31 - 1800000), COMPLETE)
+odd("clock answers 10 s off", DRIVE,
+    put(replies=lambda f: [{**f, "received_us": (f["received_us"] + 10**7) % 2**32, "sent_us": (f["sent_us"] + 10**7) % 2**32}]),
+    IN_BOUNDS, CLOCK)
+odd("clock answers with a time of sending before receiving", START,
+    put(replies=lambda f: [{**f, "sent_us": (f["received_us"] - 5000) % 2**32}]), NEVER_ARMED, "clock|answer")
+odd("counts wrap at 2^31", START, put(counts_offset=2**31 - 700), COMPLETE)
+odd("counts wrap at -2^31", START, put(counts_offset=-2**31 + 100), COMPLETE)
+odd("left counts of one sample +10000", DRIVE, lambda r: once(left_counts=r.counts[0] + 10000)(r), COMPLETE)
+odd("left counts of one sample +2e9", DRIVE, lambda r: once(left_counts=r.counts[0] + 2 * 10**9)(r), COMPLETE)
+def jumps(robot):
+    def each():
+        if robot.sequence % 10 == 0:
+            robot.left.counted += 40
+    robot.each = each
+odd("left counts jump by 40 every 50 ms", DRIVE, jumps, IN_BOUNDS, "encoder")
+
+# -- 3. Hellos
+VERSION = r"protocol|version|schema"
+odd("hello of protocol 2", START, hello(protocol=2), REFUSED, VERSION)
+odd("hello of protocol 2 in 38 bytes", START,
+    put(hello=lambda f: [frame(1, struct.pack("<H3sI", 2, b"\3\0\1", 77) + bytes(29))]), REFUSED, VERSION)
+odd("hello of protocol 0", START, hello(protocol=0), REFUSED, VERSION)
+odd("hello of another schema", START, hello(schema=0x12345678), REFUSED, VERSION)
+odd("hello of 9 bytes, protocol 2", START,
+    put(hello=lambda f: [frame(1, struct.pack("<H3sI", 2, b"\3\0\1", 77))]), REFUSED, VERSION)
+odd("hello of 8 bytes", START, put(hello=lambda f: [frame(1, bytes(8))]), REFUSED, "hello|firmware|robot")
+odd("hello of protocol 1 in 20 bytes", START,
+    put(hello=lambda f: [frame(1, struct.pack("<H3sIBIBBHH", 1, b"\1\0\0", f["schema"], 2, 5, 1, 0, 0, 0))]),
+    REFUSED, "hello|size|bytes")
+odd("restarts with protocol 2 while driving", DRIVE, both(restarts(0.1), hello(protocol=2)),
+    stop(None, m=None, deg=None)._replace(exits=(1, 2)), VERSION)
+odd("nonce 0", START, hello(boot_nonce=0), REFUSED, "nonce")
+def new_nonces(robot):
+    before = robot.hello
+    def say(fields):
+        robot.nonce = fields["boot_nonce"] = robot.random.getrandbits(32) | 1
+        return before(fields)
+    robot.hello = say
+odd("another nonce in every hello", START, new_nonces, COMPLETE)
+odd("hello of board 77", START, hello(board=77), COMPLETE, options=("--go",))
+odd("hello of board 0", START, hello(board=0), COMPLETE, options=("--go",))
+odd("hello of a Mega behind a pty", START, hello(board=1), Must((1,), 0, None, None, None, False), "enter|start",
+    options=("--duration", "2"))
+odd("hello of board 77 behind a pty", START, hello(board=77), Must((1,), 0, None, None, None, False), "enter|start",
+    options=("--duration", "2"))
+odd("reset cause 99", START, hello(reset_cause=99), COMPLETE)
+odd("state 9 in the hello", START, hello(state=9), Must((0, 2), 1, None, None, None, False), "hello|completed")
+odd("firmware 255.255.255", START, hello(firmware=b"\xff\xff\xff"), COMPLETE)
+odd("never says hello", START, put(hello=lambda f: [pack("Log", {"device_us": 1, "level": 0, "text": b"hi"})]),
+    REFUSED, "hello|answer")
+odd("says nothing at all", START, put(transmit=lambda data: None), REFUSED, "nothing|silen|answer|heard|received")
+odd("speaks another language", START, both(floods(100, random_bytes(40)), put(hello=lambda f: [])), REFUSED, "speed|baud|firmware|frame|answer")
+odd("boot banner before the hello", START, lambda r: r.write(b"Booting TP100...\r\nok\r\n"), COMPLETE)
+
+# -- 4. Floods and what is not asked for
+odd("1000 logs a second", DRIVE, floods(1000, log(b"a line of some length, 40 bytes, or so..")), COMPLETE)
+odd("logs of raw bytes and escapes", START, floods(20, log(lambda r: b"\x1b[2J\x07\r\n%s" + r.random.randbytes(34))), COMPLETE)
+odd("logs of level 200", START, floods(5, log(b"level", 200)), COMPLETE)
+odd("2400 fault reports a second", DRIVE, floods(2400, sends("FaultReport", device_us=5, fault=4, faults=16, detail=1)),
+    COMPLETE)
+odd("fault report of an unknown fault", DRIVE, floods(20, sends("FaultReport", device_us=5, fault=200, faults=0, detail=1)),
+    COMPLETE)
+odd("frames of unknown types", DRIVE, floods(500, lambda r: frame(r.random.randrange(7, 0x40), r.random.randbytes(20))),
+    COMPLETE)
+odd("host's frames echoed", START, lambda r: echo(r), COMPLETE)
+def echo(robot):
+    hear = robot.hear
+    def both_ways(name, fields, now):
+        if fields:
+            robot.write(pack(name, fields))
+        hear(name, fields, now)
+    robot.hear = both_ways
+odd("acknowledgements of what nobody asked", DRIVE,
+    floods(200, sends("Acknowledge", request=number(8), token=number(32), result=0, detail=0)), COMPLETE)
+odd("acknowledged Arms that nobody sent, while idle", IDLE,
+    floods(200, sends("Acknowledge", request=0x44, token=lambda r: r.random.randrange(5), result=0, detail=0)), EITHER)
+odd("refused Arms that nobody sent, while driving", DRIVE,
+    floods(200, sends("Acknowledge", request=0x44, token=number(32), result=5, detail=2)), COMPLETE)
+odd("500 clock answers a second", DRIVE,
+    floods(500, sends("SyncReply", id=number(16), received_us=number(32), sent_us=number(32), damaged=0)), EITHER)
+odd("hellos of the same boot while driving", DRIVE, lambda r: setattr(r, "each", lambda: r.say_hello(time.monotonic())),
+    AT_ONCE, r"link_lost|hello|rebooted|restart|session")
+odd("one hello of the same boot while driving", DRIVE, lambda r: r.say_hello(time.monotonic()), AT_ONCE,
+    r"link_lost|hello|rebooted|restart|session")
+odd("one hello of another boot while driving", DRIVE,
+    lambda r: r.write(pack("Hello", {"protocol": 1, "firmware": b"\1\1\1", "schema": 0x9286885F, "board": 2, "boot_nonce": 99,
+                                     "reset_cause": 1, "state": 0, "faults": 0})), AT_ONCE, "rebooted|restart")
+odd("a bit flipped in a tenth of the frames", DRIVE, corrupts(0.1), COMPLETE)
+odd("a bit flipped in every frame", DRIVE, corrupts(1.0), SILENCE, LOST)
+odd("20 kB/s of noise between frames", DRIVE, floods(200, random_bytes(100)), EITHER)
+odd("a thousand spare delimiters a second", START, floods(1000, lambda r: b"\0"), COMPLETE)
+odd("frames of 4000 bytes", DRIVE, floods(5, lambda r: b"\x55" * 4000 + b"\0"), COMPLETE)
+odd("samples of 41 bytes", DRIVE, lambda r: setattr(r, "samples", lambda f: r.transmit(frame(2, bytes(41))) or []), SILENCE,
+    LOST)
+
+# -- 5. Does not obey
+odd("acknowledges Arm, stays Disarmed", ARM, both(says(state=DISARMED), put(control=lambda now: (0.0, 0.0))),
+    stop(1250), "not_acknowledged|did not|stays")
+odd("stays Armed", ("armed", 0.0), both(says(state=ARMED), put(control=lambda now: (0.0, 0.0))), IN_BOUNDS,
+    "stalled|still|immobilised|does not (drive|move|follow)|not_acknowledged")
+odd("ignores commands", ("armed", 0.0), both(put(deaf={"Command"}), put(watch=lambda now: None)), IN_BOUNDS,
+    "stalled|still|immobilised|does not|command")
+odd("ignores commands while driving", DRIVE, both(put(deaf={"Command"}), put(watch=lambda now: None)), IN_BOUNDS,
+    "command|cross|heading|stalled|does not")
+odd("motors are dead", ("armed", 0.0), put(left__motor=0.0, right__motor=0.0), IN_BOUNDS,
+    "stalled|encoders_against_duty|immobilised")
+odd("left motor is dead", ("armed", 0.0), put(left__motor=0.0), IN_BOUNDS, "stalled|encoders_against_duty|heading")
+odd("left motor dies while driving", DRIVE, put(left__motor=0.0), IN_BOUNDS, "stalled|encoders_against_duty|heading")
+odd("right motor dies while driving", DRIVE, put(right__motor=0.0), IN_BOUNDS, "stalled|encoders_against_duty|heading")
+odd("motors are twice as strong", START, put(left__motor=1.6, right__motor=1.6), COMPLETE)
+
+# -- 6. Tracks, encoders, gyro
+DUTY = "encoders_against_duty|reversed|stalled"
+odd("motors reversed", ("armed", 0.0), put(left__motor=-1.0, right__motor=-1.0), IN_BOUNDS, DUTY)
+odd("left motor reversed", ("armed", 0.0), put(left__motor=-1.0), IN_BOUNDS, DUTY + "|gyro_against|heading")
+odd("right motor reversed", ("armed", 0.0), put(right__motor=-1.0), IN_BOUNDS, DUTY + "|gyro_against|heading")
+odd("runs away forwards", DRIVE, put(left__runs_at=0.3, right__runs_at=0.3), IN_BOUNDS, "encoders_against_duty|duty|speed|runs")
+odd("runs away backwards", DRIVE, put(left__runs_at=-0.3, right__runs_at=-0.3), IN_BOUNDS, "encoders_against_duty|duty|cross")
+odd("spins", DRIVE, put(left__runs_at=-0.15, right__runs_at=0.15), IN_BOUNDS, "heading|encoders_against_duty|duty")
+odd("left track stuck", DRIVE, put(left__blocked=True), IN_BOUNDS, "stalled|encoders_against_duty|duty")
+odd("right track stuck", DRIVE, put(right__blocked=True), IN_BOUNDS, "stalled|encoders_against_duty|duty")
+odd("both tracks stuck", DRIVE, put(left__blocked=True, right__blocked=True), IN_BOUNDS, "stalled|encoders_against_duty|duty")
+ENCODER = "encoder|stalled|gyro_against_encoders"
+for side in ("left", "right"):
+    odd(f"{side} encoder dead", DRIVE, put(**{side + "__encoder": 0.0}), IN_BOUNDS, ENCODER)
+    odd(f"{side} encoder dead from the start", START, put(**{side + "__encoder": 0.0}), IN_BOUNDS, ENCODER)
+    odd(f"{side} encoder backwards", DRIVE, put(**{side + "__encoder": -1.0}), IN_BOUNDS, ENCODER)
+    for lost in (30, 50, 70, 95):
+        odd(f"{side} encoder loses {lost} % of its edges", DRIVE, put(**{side + "__encoder": 1 - lost / 100}), IN_BOUNDS, ENCODER)
+odd("both encoders dead", DRIVE, put(left__encoder=0.0, right__encoder=0.0), IN_BOUNDS, ENCODER)
+odd("both encoders dead from the start", START, put(left__encoder=0.0, right__encoder=0.0), IN_BOUNDS, ENCODER)
+odd("both encoders lose half of their edges", DRIVE, put(left__encoder=0.5, right__encoder=0.5), IN_BOUNDS, ENCODER)
+odd("left encoder dead in a spin", TURN, put(left__encoder=0.0), IN_BOUNDS, ENCODER, course="spin")
+odd("left encoder dead in an arc", TURN, put(left__encoder=0.0), IN_BOUNDS, ENCODER, course="arc")
+GYRO = "gyro_against_encoders|gyro|imu"
+odd("gyro dead in an arc", TURN, put(gyro_scale=0.0), IN_BOUNDS, GYRO, course="arc")
+odd("gyro dead in a spin", TURN, put(gyro_scale=0.0), IN_BOUNDS, GYRO, course="spin")
+odd("gyro dead from the start, spin", START, put(gyro_scale=0.0), IN_BOUNDS, GYRO, course="spin")
+odd("gyro stands at its last value in an arc", ("drive", 3.0), lambda r: put(gyro_scale=0.0, gyro_bias=r.gyro * LSB)(r), IN_BOUNDS, GYRO, course="arc")
+odd("gyro of the wrong sign in an arc", START, put(gyro_scale=-1.0), IN_BOUNDS, GYRO + "|heading", course="arc")
+odd("gyro of the wrong sign in a spin", START, put(gyro_scale=-1.0), IN_BOUNDS, GYRO + "|heading", course="spin")
+odd("gyro twice too fast in a spin", TURN, put(gyro_scale=2.0), IN_BOUNDS, GYRO, course="spin")
+odd("gyro half too slow in a spin", TURN, put(gyro_scale=0.5), IN_BOUNDS, GYRO, course="spin")
+odd("gyro +30 deg/s", DRIVE, put(gyro_bias=0.01 + math.radians(30)), IN_BOUNDS, GYRO)
+odd("gyro -30 deg/s", DRIVE, put(gyro_bias=0.01 - math.radians(30)), IN_BOUNDS, GYRO)
+odd("gyro +10 deg/s", DRIVE, put(gyro_bias=0.01 + math.radians(10)), IN_BOUNDS, GYRO)
+odd("gyro at its limit", DRIVE, put(gyro_bias=50.0), IN_BOUNDS, GYRO)
+odd("gyro noisy while idle", IDLE, lambda r: samples(lambda f, _: [{**f, "gyro_z": r.random.randrange(-3000, 3000)}])(r),
+    stop(m=None, deg=None, arms=0), "gyro|still|rest")
+odd("tracks swapped in an arc", START, put(sides=-1.0), IN_BOUNDS, GYRO + "|heading", course="arc")
+odd("tracks swapped in a spin", START, put(sides=-1.0), IN_BOUNDS, GYRO + "|heading", course="spin")
+odd("motors swapped in a spin", START, lambda r: swap_motors(r), IN_BOUNDS, DUTY + "|gyro|heading", course="spin")
+def swap_motors(robot):
+    control = robot.control
+    robot.control = lambda now: control(now)[::-1]
+
+# -- 7. Cells, attitude, faults and other fields of a sample
+odd("cells at 5.4 V, which the board reports", DRIVE, put(battery_mv=5400), stop(1500, m=None, deg=None), "battery_low|low_cell")
+odd("cells at 5.4 V, which the board ignores", DRIVE, both(says(battery_mv=5400)), stop(2500, m=None, deg=None), "low_cell_voltage")
+odd("cells at 0 V in one sample", DRIVE, once(battery_mv=0), COMPLETE)
+odd("cells at 5.4 V from the start", START, put(battery_mv=5400), NEVER_ARMED._replace(arms=1), "battery|cell")
+odd("cells at 65 V", START, put(battery_mv=65535), COMPLETE)
+odd("upside down from the start", START, put(accel=(0, 0, -8192)), stop(m=None, deg=None, arms=0), "tilt|upright|upside")
+odd("on its side from the start", START, put(accel=(0, 8192, 0)), stop(m=None, deg=None, arms=0), "tilt|upright|side")
+odd("falls on its back", DRIVE, put(accel=(0, 0, -8192)), IN_BOUNDS, "tilt")
+odd("tips by 60 deg", DRIVE, put(accel=(7094, 0, 4096)), IN_BOUNDS, "tilt")
+odd("accelerometer at zero", DRIVE, put(accel=(0, 0, 0)), EITHER)
+odd("temperature of 500 deg", START, says(temperature=32767), COMPLETE)
+FAULTS = ("command_timeout stop_requested watchdog_reset brown_out loop_hung imu_missing imu_stale battery_low stalled_left "
+          "stalled_right reversed_left reversed_right parameters_missing").split()
+for bit, name in enumerate(FAULTS):
+    odd(f"latches {name}", DRIVE, lambda r, bit=bit: r.latch(bit, time.monotonic()), AT_ONCE, name)
+for bit in (13, 15):
+    odd(f"latches the unknown fault {bit}", DRIVE, lambda r, bit=bit: r.latch(bit, time.monotonic()), AT_ONCE,
+        rf"unknown.*fault|fault.*({bit}|unknown)")
+odd("unknown fault bit while running on", DRIVE, says(faults=1 << 14), AT_ONCE, r"unknown.*fault|fault.*(14|unknown)")
+odd("unknown fault bit from the start", START, says(faults=1 << 14), NEVER_ARMED, r"unknown.*fault|fault.*(14|unknown)")
+odd("a fault bit, but runs on", DRIVE, says(faults=1 << 4), AT_ONCE, "loop_hung")
+BY_ITSELF = "(is|says|went|now|became) (disarmed|faulted)|by itself|no longer|unasked"
+odd("Faulted without a fault", DRIVE, says(state=FAULTED), AT_ONCE, BY_ITSELF)
+odd("Disarmed by itself", DRIVE, lambda r: r.off(DISARMED), AT_ONCE, BY_ITSELF)
+odd("state 9", DRIVE, says(state=9), SILENCE, "")
+odd("state Hello in samples", DRIVE, says(state=HELLO), SILENCE, "")
+odd("imu_age 255, gyro 0", DRIVE, says(imu_age=255, gyro_z=0), SILENCE, "imu|gyro")
+odd("imu_age 255, gyro 0 from the start", START, says(imu_age=255, gyro_z=0), NEVER_ARMED._replace(arms=0), "imu|gyro")
+odd("imu_age 40", DRIVE, says(imu_age=40), SILENCE, "imu|gyro")
+odd("last_command stands still", DRIVE, lambda r: says(last_command=r.last_command)(r), IN_BOUNDS, "command")
+odd("last_command random", DRIVE, lambda r: samples(lambda f, _: [{**f, "last_command": r.random.getrandbits(16)}])(r),
+    EITHER)
+odd("duty of 20000", DRIVE, says(left_duty=20000), SILENCE, "")
+
+# -- 8. Restarts
+REBOOT = "robot_rebooted|link_lost"
+odd("restarts, hello after 1.2 s", DRIVE, restarts(1.2), SILENCE, REBOOT)
+odd("restarts, hello after 30 ms", DRIVE, restarts(0.03), AT_ONCE, REBOOT)
+odd("restarts with the same nonce", DRIVE, restarts(0.03, 0x51A7E001), AT_ONCE, REBOOT)
+odd("restarts, and is silent", DRIVE, restarts(60), SILENCE, REBOOT)
+def loop(robot):
+    restarts(0.1, robot.nonce + 1)(robot)
+    def each():
+        if time.monotonic() - robot.booted > 0.6:
+            restarts(0.1, robot.nonce + 1)(robot)
+    robot.each = each
+odd("restarts again and again", DRIVE, loop, AT_ONCE, REBOOT)
+odd("restarts again and again, from the start", IDLE, loop, NEVER_ARMED, REBOOT)
+odd("restarts while it is about to be armed", IDLE, restarts(0.1), NEVER_ARMED, REBOOT)
+odd("restarts on Arm", ARM, restarts(0.03), stop(300), REBOOT)
+odd("restarts on Arm, silent for 1.2 s", ARM, restarts(1.2), stop(300), REBOOT + "|not_acknowledged")
+odd("restarts as soon as it is armed", ("armed", 0.0), restarts(0.03), stop(300), REBOOT)
+odd("restarts on Disarm at the end", ("Disarm", 0.0), restarts(0.03), EITHER, course="short")
+odd("restarts by its watchdog", DRIVE, restarts(0.3, faults=4, reset_cause=4), SILENCE, REBOOT)
+odd("restarts by brown-out", DRIVE, restarts(0.3, faults=8, reset_cause=3), SILENCE, REBOOT)
+for text, name in (("\n", "Enter"), ("\n\n", "two Enters"), ("go\n", "go")):
+    odd(f"restarts, {name} in the gap", DRIVE, restarts(0.5), SILENCE, REBOOT, typed=((DRIVE[0], DRIVE[1] + 0.3, text),))
+odd("restarts, Enter just before it", DRIVE, restarts(0.5), Must((1,), 1, None, None, None, False), "stop_requested",
+    typed=((DRIVE[0], DRIVE[1] - 0.05, "\n"),))
+odd("restarts, Enter after it", DRIVE, restarts(0.1), AT_ONCE, REBOOT, typed=((DRIVE[0], DRIVE[1] + 0.5, "\n"),), options=("--stay", "--duration", "4"))
+
+# -- 9. Refusals
+for result in (1, 2, 3, 4, 5, 77):
+    detail = {3: 1 << 6, 4: 2, 5: DISARMED}.get(result, 0)
+    odd(f"refuses Arm with {result}", ARM, refuses("Arm", result, None, detail), stop(300), "refus|not.*arm")
+    odd(f"refuses Arm with {result}, says Running", ARM, refuses("Arm", result, RUNNING, detail), stop(300), "refus|not.*arm")
+    odd(f"refuses Parameters with {result}", START, refuses("Parameters", result, None, {4: 2, 5: DISARMED}.get(result, 0)), REFUSED,
+        "refus")
+odd("refuses Arm with 5, says Armed", ARM, refuses("Arm", 5, ARMED, DISARMED), stop(300), "refus|not.*arm")
+
+# -- 10. Answers that do not come, or are not for what was asked
+odd("does not answer Parameters", START, put(deaf={"Parameters"}), REFUSED, "parameter|answer")
+odd("does not answer SyncRequests", START, put(deaf={"SyncRequest"}), REFUSED, "clock|sync|answer")
+odd("does not answer SyncRequests while driving", DRIVE, put(deaf={"SyncRequest"}), COMPLETE)
+def unanswered(name):
+    return acks(lambda fields: [] if fields["request"] == TYPE[name] else [fields])
+UNANSWERED = "not_acknowledged|not confirm|did not answer|acknowledge"
+odd("obeys Arm, does not answer", ARM, unanswered("Arm"), stop(450), UNANSWERED)
+odd("does not take Arm", ARM, put(deaf={"Arm"}), stop(450), UNANSWERED)
+odd("obeys Disarm, does not answer", DRIVE, unanswered("Disarm"), EITHER, "", course="short")
+odd("does not take Disarm", DRIVE, put(deaf={"Disarm"}), Must((1,), 1, None, None, None, False), "disarm", course="short")
+odd("answers Arm with another token", ARM,
+    acks(lambda f: [{**f, "token": f["token"] + 1}] if f["request"] == TYPE["Arm"] else [f]), stop(450), UNANSWERED)
+odd("answers Disarm with another token, says Running", DRIVE,
+    both(acks(lambda f: [{**f, "token": f["token"] + 1}]), put(deaf={"Disarm"})), Must((1,), 1, None, None, None, False), "disarm", course="short")
+odd("answers Arm as if it were Parameters", ARM,
+    acks(lambda f: [{**f, "request": TYPE["Parameters"]}] if f["request"] == TYPE["Arm"] else [f]), stop(450), UNANSWERED)
+odd("answers everything twice", START, acks(lambda f: [f, f]), COMPLETE)
+def changes_its_mind(robot):
+    def change(fields):
+        robot.send("Acknowledge", **fields)
+        if fields["request"] == TYPE["Arm"]:
+            robot.send("Acknowledge", **{**fields, "result": 5})
+        return []
+    robot.acknowledges = change
+odd("accepts Arm, then refuses it", ARM, changes_its_mind, EITHER)
+odd("does not take Stop", DRIVE, both(put(deaf={"Stop", "Disarm"}), put(accel=(0, 0, -8192))), IN_BOUNDS, "tilt")
+def late_arm(robot):
+    unanswered("Arm")(robot)
+    begin = time.monotonic()
+    robot.hold = True
+    def each():
+        if robot.arm_answer and time.monotonic() - begin > 0.35 and robot.hold:
+            robot.hold = False
+            robot.send("Acknowledge", request=TYPE["Arm"], token=robot.arm_answer[0], result=ACCEPTED, detail=0)
+    robot.each = each
+odd("answers Arm after 350 ms", ARM, late_arm, stop(450), UNANSWERED)
+
+# -- 11. Bytes and their times
+odd("one byte a millisecond", START, trickles, REFUSED)
+def byte_by_byte(robot):
+    robot.transmit = lambda data: [robot.write(data[i:i + 1]) for i in range(len(data))]
+odd("byte by byte at full rate", START, byte_by_byte, COMPLETE)
+odd("2 s of bytes held back, then sent at once", DRIVE, holds_back(2.0), SILENCE, LOST)
+odd("gaps of 40 ms", DRIVE, holds_back(0.04, 0.2), COMPLETE)
+odd("gaps of 100 ms", DRIVE, holds_back(0.1, 0.4), COMPLETE)
+odd("all bytes 20 ms late", START, delays(lambda r: 0.02), COMPLETE)
+odd("all bytes 100 ms late", DRIVE, delays(lambda r: 0.1), IN_BOUNDS, LOST)
+odd("bytes up to 15 ms late", DRIVE, delays(lambda r: r.random.random() * 0.015), COMPLETE)
+odd("the port goes", DRIVE, lambda r: r.close(), Must((1,), 1, None, None, None, False), "link_lost|port|lost")
+odd("the port goes while idle", IDLE, lambda r: r.close(), Must((1, 2), 0, None, None, None, False), "port|lost")
+odd("the host's bytes are not read", DRIVE, put(reads=False), Must((1,), 1, None, None, None, False),
+    "command_timeout|link_lost|acknowledge|answer")
