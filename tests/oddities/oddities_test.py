@@ -22,7 +22,9 @@ from robot import COUNTS_PER_METRE, DEAD_BAND, FEED_FORWARD, SLIP_LEFT, SLIP_RIG
 
 STOOD_STILL_S = 0.05
 RUN_S = 7.0
-COURSES = {"short": ("line", "length_m = 0.2"), "line": ("line", "length_m = 3.0"),
+SHORT_M = 0.12
+COURSES = {"short": ("line", f"length_m = {SHORT_M}"), "line": ("line", "length_m = 3.0"),
+           "bend": ("arc", "radius_m = 0.3\nangle_deg = 30.0\n[[segment]]\ntype = \"line\"\nlength_m = 3.0"),
            "arc": ("arc", "radius_m = 0.3\nangle_deg = 360.0"), "spin": ("pivot", "angle_deg = 350.0")}
 FILES = {
     "robot.toml": f"""[model]
@@ -97,14 +99,14 @@ def judge(row, robot, status, output):
     arms = {fields["token"]: at for at, name, fields, _ in reversed(robot.heard) if name == "Arm"}
     if len(arms) > must.arms:
         broken.append(f"{len(arms)} Arms instead of {must.arms}")
-    if must.arms and not must.arrives and row.when[0] not in ("boot", "session"):
+    if must.arms == 1 and not must.arrives and row.when[0] not in ("boot", "session"):
         if any(at > robot.happened + 0.001 for at in arms.values()):
             broken.append("an Arm after the oddity")
     motions = [at for at, name, fields, _ in robot.heard if name == "Command" and asks_motion(fields)]
     if robot.refused is not None and motions and motions[-1] > robot.refused + 0.02:
         broken.append(f"motion {1000 * (motions[-1] - robot.refused):.0f} ms after a refused Arm")
     off = robot.asked_off
-    if not must.arrives and must.ms is not None and off is not None and motions and motions[-1] > robot.happened + off[0]:
+    if (must.ms or must.m) and off is not None and motions and motions[-1] > robot.happened + off[0]:
         broken.append(f"motion {1000 * (motions[-1] - robot.happened - off[0]):.0f} ms after motors were asked off")
     limits = ((must.ms, 1000, "ms"), (must.m, 1, "m"), (must.deg, math.degrees(1), "deg"))
     for index, (limit, unit, name) in enumerate(limits):
@@ -115,14 +117,14 @@ def judge(row, robot, status, output):
             late.append(f"{abs(off[index]) * unit:.3g} {name}, at most {limit:g}")
     if must.arrives:
         x, y, yaw = robot.origin
-        error = math.hypot(robot.pose[0] - x - 0.2 * math.cos(yaw), robot.pose[1] - y - 0.2 * math.sin(yaw))
-        if error > 0.03:
+        error = math.hypot(robot.pose[0] - x - SHORT_M * math.cos(yaw), robot.pose[1] - y - SHORT_M * math.sin(yaw))
+        if error > 0.015:
             broken.append(f"ends {error:.3f} m beside the end")
     if robot.ended_by_us:
         broken.append("the program did not end by itself")
     elif status not in must.exits:
         broken.append(f"exit {status}")
-    if not re.search(row.says, output, re.IGNORECASE):
+    if not re.search(row.says, "\n".join(complaints(output)), re.IGNORECASE):
         broken.append(f"no word of {row.says}")
     return broken, late
 
@@ -134,11 +136,10 @@ def stood_still(row, robot):
     return max([robot.late] + gaps) > STOOD_STILL_S
 
 
-def message(output):
-    """The line that says most: of a program that writes a log, the last that is not a matter of course."""
+def complaints(output):
+    """What the program wrote beyond what it always writes: warnings, errors, faults and the last line of an early end."""
     lines = [re.sub(r"^[\d:.]+ ", "", line) for line in output.splitlines()]
-    said = [line for line in lines if not re.match(r"info|x -?\d", line)]
-    return (said or lines or [""])[-1]
+    return [line for line in lines if line and not re.match(r"info |\w+: (completed|aborted|interrupted|duration) ", line)]
 
 
 def trial(job):
@@ -153,11 +154,11 @@ def trial(job):
         tries += 1
         if broken or not late or robot.ended_by_us or tries == 3:
             break
-    off, last = robot.asked_off, [at for at, name, fields, _ in robot.heard if name == "Command" and asks_motion(fields)]
+    off = robot.asked_off
     reaction = "" if off is None else f"{1000 * off[0]:.0f} ms {off[1]:.3f} m {abs(math.degrees(off[2])):.1f} deg"
     if os.environ.get("ODDITIES_VERBOSE"):
         print(f"--- {row.name}\n{output}", flush=True)
-    return Result(row.name, reaction, status, message(output), broken, late, tries, still)
+    return Result(row.name, reaction, status, (complaints(output) or [""])[-1], broken, late, tries, still)
 
 
 def main():

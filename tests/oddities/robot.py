@@ -68,12 +68,12 @@ class Robot:
         self.random = random.Random(1)
         self.heard = []             # every good frame of the host: time, name, fields, did the robot take it
         self.ended_by_us = False
+        self.asked = None           # the host's last Command
         self.refused = None         # when it first answered an Arm with anything but Accepted
         self.since = {}             # phase: time at which it began
         self.late = 0.0             # largest delay of this program's own loop
         self.pose = [0.0, 0.0, 0.0]
         self.origin = (0.0, 0.0, 0.0)   # where it was armed
-        self.twist = (0.0, 0.0)
         self.left, self.right = Track(SLIP_LEFT), Track(SLIP_RIGHT)
         self.sides = 1.0            # -1: both tracks, with motor and encoder, are plugged in on the other side
         self.gyro_bias, self.gyro_scale = 0.01, 1.0
@@ -136,14 +136,13 @@ class Robot:
         if self.happened is None and phase in self.since and now - self.since[phase] >= delay:
             self.happened = now
             self.twin, self.apart = [tuple(self.pose)], [0.0, 0.0]
-            self.twist_then = self.intended()
             self.oddity(self)
 
     def intended(self):
-        """Speed and turn rate that the host asked for last."""
-        if self.state != RUNNING or not self.command:
+        """Speed and turn rate that the host asks for at present, whether or not it is obeyed."""
+        if self.asked is None or self.asked_off is not None:
             return 0.0, 0.0
-        return self.command["speed_mps"], self.command["yaw_rate_radps"]
+        return self.asked["speed_mps"], self.asked["yaw_rate_radps"]
 
     def off(self, state):
         self.state, self.duties, self.command = state, (0.0, 0.0), None
@@ -175,6 +174,8 @@ class Robot:
         if (self.happened is not None and self.asked_off is None
                 and (name in ("Disarm", "Stop") or name == "HelloRequest" and self.state >= DISARMED)):
             self.asked_off = (now - self.happened, *self.apart)
+        if name == "Command":
+            self.asked = fields
         if name in ("Arm", "Disarm", "Parameters"):
             self.mark(name, now)
         if name in self.deaf or now < self.silent_until:
@@ -353,7 +354,7 @@ class Robot:
         if self.happened is None:
             return
         x, y, yaw = self.twin[-1]
-        speed, rate = self.twist_then
+        speed, rate = self.intended()
         yaw += rate * PERIOD
         self.twin.append((x + speed * PERIOD * math.cos(yaw), y + speed * PERIOD * math.sin(yaw), yaw))
         self.apart[0] = min(math.hypot(self.pose[0] - place[0], self.pose[1] - place[1]) for place in self.twin[::4])
