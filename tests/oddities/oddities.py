@@ -345,7 +345,8 @@ odd("clock wraps while driving", START, put(clock_us=2**32 - 1800000), COMPLETE)
 odd("clock wraps while connecting", START, put(clock_us=2**32 - 300000), COMPLETE)
 odd("clock passes 2^31", START, put(clock_us=2**31 - 1800000), COMPLETE)
 odd("clock answers 10 s off", DRIVE,
-    put(replies=lambda f: [{**f, "received_us": (f["received_us"] + 10**7) % 2**32, "sent_us": (f["sent_us"] + 10**7) % 2**32}]),
+    put(replies=lambda f: [{**f, "received_us": (f["received_us"] + 10**7) % 2**32,
+    "sent_us": (f["sent_us"] + 10**7) % 2**32}]),
     IN_BOUNDS, CLOCK)
 odd("clock answers with a time of sending before receiving", START,
     put(replies=lambda f: [{**f, "sent_us": (f["received_us"] - 5000) % 2**32}]), NEVER_ARMED, "clock|answer")
@@ -395,16 +396,19 @@ odd("firmware 255.255.255", START, hello(firmware=b"\xff\xff\xff"), COMPLETE)
 odd("never says hello", START, put(hello=lambda f: [pack("Log", {"device_us": 1, "level": 0, "text": b"hi"})]),
     REFUSED, "hello|answer")
 odd("says nothing at all", START, put(transmit=lambda data: None), REFUSED, "nothing|silen|answer|heard|received")
-odd("speaks another language", START, both(floods(100, random_bytes(40)), put(hello=lambda f: [])), REFUSED, "speed|baud|firmware|frame|answer")
+odd("speaks another language", START, both(floods(100, random_bytes(40)), put(hello=lambda f: [])), REFUSED,
+    "speed|baud|firmware|frame|answer")
 odd("boot banner before the hello", START, lambda r: r.write(b"Booting TP100...\r\nok\r\n"), COMPLETE)
 
 # -- 4. Floods and what is not asked for
 odd("1000 logs a second", DRIVE, floods(1000, log(b"a line of some length, 40 bytes, or so..")), COMPLETE)
-odd("logs of raw bytes and escapes", START, floods(20, log(lambda r: b"\x1b[2J\x07\r\n%s" + r.random.randbytes(34))), COMPLETE)
+odd("logs of raw bytes and escapes", START, floods(20, log(lambda r: b"\x1b[2J\x07\r\n%s" + r.random.randbytes(34))),
+    COMPLETE)
 odd("logs of level 200", START, floods(5, log(b"level", 200)), COMPLETE)
 odd("2400 fault reports a second", DRIVE, floods(2400, sends("FaultReport", device_us=5, fault=4, faults=16, detail=1)),
     COMPLETE)
-odd("fault report of an unknown fault", DRIVE, floods(20, sends("FaultReport", device_us=5, fault=200, faults=0, detail=1)),
+odd("fault report of an unknown fault", DRIVE, floods(20, sends("FaultReport", device_us=5, fault=200, faults=0,
+    detail=1)),
     COMPLETE)
 odd("frames of unknown types", DRIVE, floods(500, lambda r: frame(r.random.randrange(7, 0x40), r.random.randbytes(20))),
     COMPLETE)
@@ -429,14 +433,16 @@ odd("hellos of the same boot while driving", DRIVE, lambda r: setattr(r, "each",
 odd("one hello of the same boot while driving", DRIVE, lambda r: r.say_hello(time.monotonic()), AT_ONCE,
     r"link_lost|hello|rebooted|restart|session")
 odd("one hello of another boot while driving", DRIVE,
-    lambda r: r.write(pack("Hello", {"protocol": 1, "firmware": b"\1\1\1", "schema": 0x9286885F, "board": 2, "boot_nonce": 99,
+    lambda r: r.write(pack("Hello", {"protocol": 1, "firmware": b"\1\1\1", "schema": 0x9286885F, "board": 2,
+    "boot_nonce": 99,
                                      "reset_cause": 1, "state": 0, "faults": 0})), AT_ONCE, "rebooted|restart")
 odd("a bit flipped in a tenth of the frames", DRIVE, corrupts(0.1), COMPLETE)
 odd("a bit flipped in every frame", DRIVE, corrupts(1.0), SILENCE, LOST)
 odd("20 kB/s of noise between frames", DRIVE, floods(200, random_bytes(100)), EITHER)
 odd("a thousand spare delimiters a second", START, floods(1000, lambda r: b"\0"), COMPLETE)
 odd("frames of 4000 bytes", DRIVE, floods(5, lambda r: b"\x55" * 4000 + b"\0"), COMPLETE)
-odd("samples of 41 bytes", DRIVE, lambda r: setattr(r, "samples", lambda f: r.transmit(frame(2, bytes(41))) or []), SILENCE,
+odd("samples of 41 bytes", DRIVE, lambda r: setattr(r, "samples", lambda f: r.transmit(frame(2, bytes(41))) or []),
+    SILENCE,
     LOST)
 
 # -- 5. Does not obey
@@ -446,7 +452,8 @@ odd("stays Armed", ("armed", 0.0), both(says(state=ARMED), put(control=lambda no
     "stalled|still|immobilised|does not (drive|move|follow)|not_acknowledged")
 odd("ignores commands", ("armed", 0.0), both(put(deaf={"Command"}), put(watch=lambda now: None)), IN_BOUNDS,
     "stalled|still|immobilised|does not|command")
-odd("ignores commands while driving", ("drive", 1.5), both(put(deaf={"Command"}), put(watch=lambda now: None)), IN_BOUNDS,
+odd("ignores commands while driving", ("drive", 1.5), both(put(deaf={"Command"}), put(watch=lambda now: None)),
+    IN_BOUNDS,
     "command|cross|heading|stalled|does not", course="bend")
 odd("motors are dead", ("armed", 0.0), put(left__motor=0.0, right__motor=0.0), IN_BOUNDS,
     "stalled|encoders_against_duty|immobilised")
@@ -460,19 +467,23 @@ DUTY = "encoders_against_duty|reversed|stalled"
 odd("motors reversed", ("armed", 0.0), put(left__motor=-1.0, right__motor=-1.0), IN_BOUNDS, DUTY)
 odd("left motor reversed", ("armed", 0.0), put(left__motor=-1.0), IN_BOUNDS, DUTY + "|gyro_against|heading")
 odd("right motor reversed", ("armed", 0.0), put(right__motor=-1.0), IN_BOUNDS, DUTY + "|gyro_against|heading")
-odd("runs away forwards", DRIVE, put(left__runs_at=0.3, right__runs_at=0.3), IN_BOUNDS, "encoders_against_duty|duty|speed|runs")
-odd("runs away backwards", DRIVE, put(left__runs_at=-0.3, right__runs_at=-0.3), IN_BOUNDS, "encoders_against_duty|duty|cross")
+odd("runs away forwards", DRIVE, put(left__runs_at=0.3, right__runs_at=0.3), IN_BOUNDS,
+    "encoders_against_duty|duty|speed|runs")
+odd("runs away backwards", DRIVE, put(left__runs_at=-0.3, right__runs_at=-0.3), IN_BOUNDS,
+    "encoders_against_duty|duty|cross")
 odd("spins", DRIVE, put(left__runs_at=-0.15, right__runs_at=0.15), IN_BOUNDS, "heading|encoders_against_duty|duty")
 odd("left track stuck", DRIVE, put(left__blocked=True), IN_BOUNDS, "stalled|encoders_against_duty|duty")
 odd("right track stuck", DRIVE, put(right__blocked=True), IN_BOUNDS, "stalled|encoders_against_duty|duty")
-odd("both tracks stuck", DRIVE, put(left__blocked=True, right__blocked=True), IN_BOUNDS, "stalled|encoders_against_duty|duty")
+odd("both tracks stuck", DRIVE, put(left__blocked=True, right__blocked=True), IN_BOUNDS,
+    "stalled|encoders_against_duty|duty")
 ENCODER = "encoder|stalled|gyro_against_encoders"
 for side in ("left", "right"):
     odd(f"{side} encoder dead", DRIVE, put(**{side + "__encoder": 0.0}), IN_BOUNDS, ENCODER)
     odd(f"{side} encoder dead from the start", START, put(**{side + "__encoder": 0.0}), IN_BOUNDS, ENCODER)
     odd(f"{side} encoder backwards", DRIVE, put(**{side + "__encoder": -1.0}), IN_BOUNDS, ENCODER)
     for lost in (30, 50, 70, 95):
-        odd(f"{side} encoder loses {lost} % of its edges", DRIVE, put(**{side + "__encoder": 1 - lost / 100}), IN_BOUNDS, ENCODER)
+        odd(f"{side} encoder loses {lost} % of its edges", DRIVE, put(**{side + "__encoder": 1 - lost / 100}),
+            IN_BOUNDS, ENCODER)
 odd("both encoders dead", DRIVE, put(left__encoder=0.0, right__encoder=0.0), IN_BOUNDS, ENCODER)
 odd("both encoders dead from the start", START, put(left__encoder=0.0, right__encoder=0.0), IN_BOUNDS, ENCODER)
 odd("both encoders lose half of their edges", DRIVE, put(left__encoder=0.5, right__encoder=0.5), IN_BOUNDS, ENCODER)
@@ -482,7 +493,8 @@ GYRO = "gyro_against_encoders|gyro|imu"
 odd("gyro dead in an arc", TURN, put(gyro_scale=0.0), IN_BOUNDS, GYRO, course="arc")
 odd("gyro dead in a spin", TURN, put(gyro_scale=0.0), IN_BOUNDS, GYRO, course="spin")
 odd("gyro dead from the start, spin", START, put(gyro_scale=0.0), IN_BOUNDS, GYRO, course="spin")
-odd("gyro keeps the value that it has in an arc", ("drive", 1.5), lambda r: put(gyro_scale=0.0, gyro_bias=r.gyro * LSB)(r), IN_BOUNDS, GYRO, course="bend")
+odd("gyro keeps the value that it has in an arc", ("drive", 1.5), lambda r: put(gyro_scale=0.0,
+    gyro_bias=r.gyro * LSB)(r), IN_BOUNDS, GYRO, course="bend")
 odd("gyro of the wrong sign in an arc", START, put(gyro_scale=-1.0), IN_BOUNDS, GYRO + "|heading", course="arc")
 odd("gyro of the wrong sign in a spin", START, put(gyro_scale=-1.0), IN_BOUNDS, GYRO + "|heading", course="spin")
 odd("gyro twice too fast in a spin", TURN, put(gyro_scale=2.0), IN_BOUNDS, GYRO, course="spin")
@@ -491,7 +503,8 @@ odd("gyro +30 deg/s", DRIVE, put(gyro_bias=0.01 + math.radians(30)), IN_BOUNDS, 
 odd("gyro -30 deg/s", DRIVE, put(gyro_bias=0.01 - math.radians(30)), IN_BOUNDS, GYRO)
 odd("gyro +10 deg/s", DRIVE, put(gyro_bias=0.01 + math.radians(10)), IN_BOUNDS, GYRO)
 odd("gyro at its limit", DRIVE, put(gyro_bias=50.0), IN_BOUNDS, GYRO)
-odd("gyro noisy while idle", IDLE, lambda r: samples(lambda f, _: [{**f, "gyro_z": r.random.randrange(-3000, 3000)}])(r),
+odd("gyro noisy while idle", IDLE, lambda r: samples(lambda f, _: [{**f, "gyro_z": r.random.randrange(-3000,
+    3000)}])(r),
     stop(m=None, deg=None, arms=0), "gyro|still|rest")
 odd("tracks swapped in an arc", START, put(sides=-1.0), IN_BOUNDS, GYRO + "|heading", course="arc")
 odd("tracks swapped in a spin", START, put(sides=-1.0), IN_BOUNDS, GYRO + "|heading", course="spin")
@@ -501,19 +514,22 @@ def swap_motors(robot):
     robot.control = lambda now: control(now)[::-1]
 
 # -- 7. Cells, attitude, faults and other fields of a sample
-odd("cells at 5.4 V, which the board reports", DRIVE, put(battery_mv=5400), stop(1500, m=None, deg=None), "battery_low|low_cell")
-odd("cells at 5.4 V, which the board ignores", DRIVE, both(says(battery_mv=5400)), stop(2500, m=None, deg=None), "low_cell_voltage")
+odd("cells at 5.4 V, which the board reports", DRIVE, put(battery_mv=5400), stop(1500, m=None, deg=None),
+    "battery_low|low_cell")
+odd("cells at 5.4 V, which the board ignores", DRIVE, both(says(battery_mv=5400)), stop(2500, m=None, deg=None),
+    "low_cell_voltage")
 odd("cells at 0 V in one sample", DRIVE, once(battery_mv=0), COMPLETE)
 odd("cells at 5.4 V from the start", START, put(battery_mv=5400), NEVER_ARMED._replace(arms=1), "battery|cell")
 odd("cells at 65 V", START, put(battery_mv=65535), COMPLETE)
-odd("upside down from the start", START, put(accel=(0, 0, -8192)), stop(m=None, deg=None, arms=0), "tilt|upright|upside")
+odd("upside down from the start", START, put(accel=(0, 0, -8192)), stop(m=None, deg=None, arms=0),
+    "tilt|upright|upside")
 odd("on its side from the start", START, put(accel=(0, 8192, 0)), stop(m=None, deg=None, arms=0), "tilt|upright|side")
 odd("falls on its back", DRIVE, put(accel=(0, 0, -8192)), IN_BOUNDS, "tilt")
 odd("tips by 60 deg", DRIVE, put(accel=(7094, 0, 4096)), IN_BOUNDS, "tilt")
 odd("accelerometer at zero", DRIVE, put(accel=(0, 0, 0)), EITHER)
 odd("temperature of 500 deg", START, says(temperature=32767), COMPLETE)
-FAULTS = ("command_timeout stop_requested watchdog_reset brown_out loop_hung imu_missing imu_stale battery_low stalled_left "
-          "stalled_right reversed_left reversed_right parameters_missing").split()
+FAULTS = ("command_timeout stop_requested watchdog_reset brown_out loop_hung imu_missing imu_stale battery_low "
+          "stalled_left stalled_right reversed_left reversed_right parameters_missing").split()
 for bit, name in enumerate(FAULTS):
     odd(f"latches {name}", DRIVE, lambda r, bit=bit: r.latch(bit, time.monotonic()), AT_ONCE, name)
 for bit in (13, 15):
@@ -557,7 +573,8 @@ odd("restarts on Disarm at the end", ("Disarm", 0.0), restarts(0.03), EITHER, co
 odd("restarts by its watchdog", DRIVE, restarts(0.3, faults=4, reset_cause=4), SILENCE, REBOOT)
 odd("restarts by brown-out", DRIVE, restarts(0.3, faults=8, reset_cause=3), SILENCE, REBOOT)
 for text, name in (("\n", "Enter"), ("\n\n", "two Enters"), ("go\n", "go")):
-    odd(f"restarts, {name} in the gap", DRIVE, restarts(0.5), SILENCE, REBOOT + "|stop_requested", typed=((DRIVE[0], DRIVE[1] + 0.3, text),))
+    odd(f"restarts, {name} in the gap", DRIVE, restarts(0.5), SILENCE, REBOOT + "|stop_requested", typed=((DRIVE[0],
+        DRIVE[1] + 0.3, text),))
 odd("restarts, Enter just before it", DRIVE, restarts(0.5), Must((1,), 1, None, None, None, False), "stop_requested",
     typed=((DRIVE[0], DRIVE[1] - 0.05, "\n"),))
 STAYS = ("--stay", "--duration", "5")
@@ -565,7 +582,8 @@ odd("restarts, Enter after it", DRIVE, restarts(0.1), AT_ONCE, REBOOT, typed=(("
 odd("restarts, go after it", DRIVE, restarts(0.1), Must((1,), 2, None, None, None, False), REBOOT,
     typed=(("drive", 1.6, "go\n"),), options=STAYS)
 for seconds in (0.05, 0.5, 1.5):
-    odd(f"is obedient; Enter stops it, and again {seconds} s later", ("drive", 0.5), put(), Must((1,), 1, None, None, None, False),
+    odd(f"is obedient; Enter stops it, and again {seconds} s later", ("drive", 0.5), put(), Must((1,), 1, None, None,
+        None, False),
         "stop_requested", typed=(("drive", 0.5, "\n"), ("drive", 0.5 + seconds, "\n")), options=STAYS)
 odd("hello of a Mega behind a pty, Enter", START, hello(board=1), COMPLETE, typed=(("session", 1.0, "\n"),))
 
@@ -573,8 +591,10 @@ odd("hello of a Mega behind a pty, Enter", START, hello(board=1), COMPLETE, type
 for result in (1, 2, 3, 4, 5, 77):
     detail = {3: 1 << 6, 4: 2, 5: DISARMED}.get(result, 0)
     odd(f"refuses Arm with {result}", ARM, refuses("Arm", result, None, detail), stop(300), "refus|not.*arm")
-    odd(f"refuses Arm with {result}, says Running", ARM, refuses("Arm", result, RUNNING, detail), stop(300), "refus|not.*arm")
-    odd(f"refuses Parameters with {result}", START, refuses("Parameters", result, None, {4: 2, 5: DISARMED}.get(result, 0)), REFUSED,
+    odd(f"refuses Arm with {result}, says Running", ARM, refuses("Arm", result, RUNNING, detail), stop(300),
+        "refus|not.*arm")
+    odd(f"refuses Parameters with {result}", START, refuses("Parameters", result, None, {4: 2, 5: DISARMED}.get(result,
+        0)), REFUSED,
         "refus")
 odd("refuses Arm with 5, says Armed", ARM, refuses("Arm", 5, ARMED, DISARMED), stop(300), "refus|not.*arm")
 
@@ -588,13 +608,16 @@ UNANSWERED = "not_acknowledged|not confirm|did not answer|acknowledge"
 odd("obeys Arm, does not answer", ARM, unanswered("Arm"), stop(450), UNANSWERED)
 odd("does not take Arm", ARM, put(deaf={"Arm"}), stop(450), UNANSWERED)
 odd("obeys Disarm, does not answer", DRIVE, unanswered("Disarm"), EITHER, "", course="short")
-odd("does not take Disarm", DRIVE, put(deaf={"Disarm"}), Must((1,), 1, None, None, None, False), "disarm", course="short")
+odd("does not take Disarm", DRIVE, put(deaf={"Disarm"}), Must((1,), 1, None, None, None, False), "disarm",
+    course="short")
 odd("answers Arm with another token", ARM,
     acks(lambda f: [{**f, "token": f["token"] + 1}] if f["request"] == TYPE["Arm"] else [f]), stop(450), UNANSWERED)
 odd("answers Disarm with another token, says Running", DRIVE,
-    both(acks(lambda f: [{**f, "token": f["token"] + 1}]), put(deaf={"Disarm"})), Must((1,), 1, None, None, None, False), "disarm", course="short")
+    both(acks(lambda f: [{**f, "token": f["token"] + 1}]), put(deaf={"Disarm"})), Must((1,), 1, None, None, None,
+    False), "disarm", course="short")
 odd("answers Arm as if it were Parameters", ARM,
-    acks(lambda f: [{**f, "request": TYPE["Parameters"]}] if f["request"] == TYPE["Arm"] else [f]), stop(450), UNANSWERED)
+    acks(lambda f: [{**f, "request": TYPE["Parameters"]}] if f["request"] == TYPE["Arm"] else [f]), stop(450),
+    UNANSWERED)
 odd("answers everything twice", START, acks(lambda f: [f, f]), COMPLETE)
 def changes_its_mind(robot):
     def change(fields):

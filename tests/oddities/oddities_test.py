@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What tp100d does with robots that do what no robot should: each row of oddities.py against a robot that was written
-from firmware/PROTOCOL.md alone. Usage: oddities_test.py PROGRAM [--jobs N] [WORD...]; words choose rows by name.
+from firmware/PROTOCOL.md alone. Usage: oddities_test.py [--jobs N] [--verbose] PROGRAM [WORD...]; words choose rows by name.
 
 Times are those of the robot's own loop. A run in which that loop, or the program before the oddity, stood still for
 50 ms says nothing and is repeated; so is one that broke a limit of time or distance and nothing else, twice at most.
@@ -55,7 +55,7 @@ FENCE = "[fence]\nmin_x_m = -5.0\nmax_x_m = 5.0\nmin_y_m = -5.0\nmax_y_m = 5.0\n
 for course, (kind, size) in COURSES.items():
     FILES[course + ".toml"] = f'[[segment]]\ntype = "{kind}"\n{size}\n{FENCE}'
 
-Result = namedtuple("Result", "row reaction status message broken late tries still")
+Result = namedtuple("Result", "row reaction status message broken late tries still output")
 
 
 def live(row, program, folder):
@@ -137,9 +137,10 @@ def stood_still(row, robot):
 
 
 def complaints(output):
-    """What the program wrote beyond what it always writes: warnings, errors, faults and the last line of an early end."""
+    """What the program wrote beyond what it always writes: warnings, errors, faults, the reason of an early end."""
     lines = [re.sub(r"^[\d:.]+ ", "", line) for line in output.splitlines()]
-    return [line for line in lines if line and not re.match(r"info |\w+: (completed|aborted|interrupted|duration) ", line)]
+    usual = r"info |\w+: (completed|aborted|interrupted|duration) |$"
+    return [line for line in lines if not re.match(usual, line)]
 
 
 def trial(job):
@@ -156,9 +157,7 @@ def trial(job):
             break
     off = robot.asked_off
     reaction = "" if off is None else f"{1000 * off[0]:.0f} ms {off[1]:.3f} m {abs(math.degrees(off[2])):.1f} deg"
-    if os.environ.get("ODDITIES_VERBOSE"):
-        print(f"--- {row.name}\n{output}", flush=True)
-    return Result(row.name, reaction, status, (complaints(output) or [""])[-1], broken, late, tries, still)
+    return Result(row.name, reaction, status, (complaints(output) or [""])[-1], broken, late, tries, still, output)
 
 
 def main():
@@ -166,6 +165,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("words", nargs="*")
     parser.add_argument("--jobs", type=int, default=8)
+    parser.add_argument("--verbose", action="store_true", help="print what the program wrote")
     args = parser.parse_args()
     rows = [row for row in ROWS if not args.words or any(word in row.name for word in args.words)]
     failed = tries = still = 0
@@ -184,8 +184,10 @@ def main():
                       f"{result.message}", flush=True)
                 for what in bad:
                     print(f"       {what}", flush=True)
-    print(f"{len(rows)} oddities, {failed} failed, {tries} repeated for their time, {still} because the machine stood still, "
-          f"{time.monotonic() - begin:.0f} s")
+                if args.verbose:
+                    print(result.output, flush=True)
+    print(f"{len(rows)} oddities, {failed} failed, {tries} repeated for their time, {still} because the machine stood "
+          f"still, {time.monotonic() - begin:.0f} s")
     sys.exit(1 if failed else 0)
 
 

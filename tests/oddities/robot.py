@@ -7,12 +7,11 @@ import math
 import os
 import random
 import select
-import struct
 import time
 import tty
 
-from wire import (ACCEPTED, ARMED, DISARMED, FAULTED, FAULT_PERSISTS, HELLO, OUT_OF_RANGE, PARAMETERS, PROTOCOL, RUNNING,
-                  SCHEMA, STALE_TOKEN, TYPE, WRONG_BOOT, WRONG_STATE, newer, pack, signed, unpack)
+from wire import (ACCEPTED, ARMED, DISARMED, FAULTED, FAULT_PERSISTS, HELLO, OUT_OF_RANGE, PARAMETERS, PROTOCOL,
+                  RUNNING, SCHEMA, STALE_TOKEN, TYPE, WRONG_BOOT, WRONG_STATE, newer, pack, signed, unpack)
 
 PERIOD = 0.005
 LSB = math.radians(1) / 32.8
@@ -77,7 +76,6 @@ class Robot:
         self.left, self.right = Track(SLIP_LEFT), Track(SLIP_RIGHT)
         self.sides = 1.0            # -1: both tracks, with motor and encoder, are plugged in on the other side
         self.gyro_bias, self.gyro_scale = 0.01, 1.0
-        self.pushed = (0.0, 0.0)    # speed and turn rate that a hand adds
         self.accel = (0, 0, 8192)
         self.battery_mv, self.board, self.nonce, self.ppm, self.clock_us = 7800, 2, 0x51A7E001, 40.0, 1000000
         self.counts_offset = 0
@@ -93,7 +91,7 @@ class Robot:
         self.reads = True
         self.sends_samples = True
         self.report = {}                                # fields of samples that are sent instead of the true ones
-        self.waiting, self.to_send = b"", []
+        self.waiting = b""
         self.silent_until = 0.0
         self.boot(time.monotonic())
 
@@ -163,7 +161,8 @@ class Robot:
 
     def say_hello(self, now):
         self.last_hello = now
-        for data in self.hello({"protocol": PROTOCOL, "firmware": bytes((9, 8, 7)), "schema": SCHEMA, "board": self.board,
+        for data in self.hello({"protocol": PROTOCOL, "firmware": bytes((9, 8, 7)), "schema": SCHEMA,
+                                "board": self.board,
                                 "boot_nonce": self.nonce, "reset_cause": self.reset_cause, "state": self.state,
                                 "faults": self.faults}):
             self.transmit(b"\0" + data)
@@ -286,8 +285,8 @@ class Robot:
     def period(self, now):
         """Body, sensors, time-outs, control and one sample, for the instant `now`."""
         ground_left, ground_right = self.left.move(self.duties[0]), self.right.move(self.duties[1])
-        speed = (ground_left + ground_right) / 2 + self.pushed[0]
-        rate = self.sides * (ground_right - ground_left) / WHEELBASE + self.pushed[1]
+        speed = (ground_left + ground_right) / 2
+        rate = self.sides * (ground_right - ground_left) / WHEELBASE
         self.pose[0] += speed * PERIOD * math.cos(self.pose[2] + rate * PERIOD / 2)
         self.pose[1] += speed * PERIOD * math.sin(self.pose[2] + rate * PERIOD / 2)
         self.pose[2] += rate * PERIOD
