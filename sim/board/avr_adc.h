@@ -1,6 +1,6 @@
 #pragma once
-// What the ADC of the emulated Mega sees: the cells behind a divider to a third on A0, and the
-// noise of an open pin on A7.
+// What the ADC of the emulated Mega sees: the cells behind a divider to a third on A0, the noise of
+// an open pin on A7, and the board's supply as its reference. simavr's bandgap has 1.1 V.
 
 #include <cstdint>
 
@@ -15,6 +15,7 @@ class AvrAdc {
   AvrAdc(AvrCore& core, std::uint64_t seed);
   /// At the divider's upper end.
   void set_battery(double volts) { volts_ = volts; }
+  void set_supply(double volts);
 
  private:
   static void on_conversion(avr_irq_t*, std::uint32_t channel, void* adc);

@@ -242,6 +242,7 @@ std::vector<TimedByte> AvrBoard::take_sent() {
 Drive AvrBoard::drive() const { return machine_->powered ? motor_drive(machine_->core) : Drive{}; }
 
 void AvrBoard::set_battery(double volts) { machine_->adc.set_battery(volts); }
+void AvrBoard::set_supply(double volts) { machine_->adc.set_supply(volts); }
 void AvrBoard::set_i2c_fault(I2cFault fault) { machine_->i2c.set_fault(fault); }
 void AvrBoard::hang_main_loop() { machine_->hang_wanted = true; }
 

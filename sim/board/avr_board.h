@@ -50,6 +50,7 @@ class AvrBoard final : public Board {
   std::vector<TimedByte> take_sent() override;
   Drive drive() const override;
   void set_battery(double volts) override;
+  void set_supply(double volts) override;
 
   void set_i2c_fault(I2cFault fault);
   /// The main loop turns in one place from its next sleep on, interrupts go on; until a reset.

@@ -37,6 +37,8 @@ class Board {
   virtual Drive drive() const = 0;
   /// Voltage at the battery divider, set before each quantum.
   virtual void set_battery(double volts) = 0;
+  /// Supply of the board, which is the converter's reference; USB's 5 V without a call.
+  virtual void set_supply(double volts) = 0;
 };
 
 }  // namespace tp100::sim

@@ -9,6 +9,7 @@
 
 #include "firmware/firmware.h"
 #include "firmware/quadrature.h"
+#include "firmware/supply.h"
 
 namespace tp100::sim {
 namespace {
@@ -22,9 +23,8 @@ constexpr std::size_t kUartBuffer = 64;  // one slot of the ring stays free, as 
 constexpr std::int64_t kI2cByteNs = 471'000 / 17;
 constexpr std::int64_t kI2cRecoverNs = 200'000;
 constexpr std::uint8_t kImuAddress = 0x68;
-// 10-bit ADC, 5 V reference, cells behind a divider by two.
-constexpr double kAdcStepMv = 2.0 * 5000.0 / 1024.0;
-constexpr double kAdcMax = 1023.0;
+constexpr double kAdcSteps = 1024.0;  // of 10 bits
+constexpr int kReadingsBetweenBandgaps = 200;
 
 // SplitMix64 (Steele, Lea, Flood 2014).
 std::uint64_t mix(std::uint64_t x) {
@@ -150,6 +150,8 @@ struct NativeBoard::Machine final : firmware::Hal {
     blocked_ns = 0;
     if (!program) {
       for (EncoderPins& pins : encoders) pins.reset();
+      supply = {};
+      readings = 0;
       program.emplace(*this);
       program->setup();
       next_tick_ns = now_ns + tick_ns;
@@ -230,7 +232,15 @@ struct NativeBoard::Machine final : firmware::Hal {
     duties = {static_cast<double>(left) / wire::kFullDuty,
               static_cast<double>(right) / wire::kFullDuty};
   }
-  std::uint16_t battery_mv() override { return cells_mv; }
+  std::uint16_t battery_mv() override {
+    if (readings++ % kReadingsBetweenBandgaps == 0)
+      supply.update(converted(firmware::kBandgapMv * 1e-3));
+    return supply.cells_mv(converted(cells_v / firmware::kDivider));
+  }
+  std::uint16_t converted(double volts) const {
+    const double steps = std::floor(volts / supply_v * kAdcSteps);
+    return static_cast<std::uint16_t>(std::clamp(steps, 0.0, kAdcSteps - 1.0));
+  }
 
   void kick_watchdog() override {}
   std::uint32_t boot_nonce() override { return nonce; }
@@ -260,7 +270,10 @@ struct NativeBoard::Machine final : firmware::Hal {
   ReceiveBuffer received;
   std::vector<TimedByte> sent;
   Drive duties{};
-  std::uint16_t cells_mv = 0;
+  double cells_v = 0.0;
+  double supply_v = 5.0;
+  firmware::Supply supply;
+  int readings = 0;
   std::optional<firmware::Firmware> program;
 };
 
@@ -289,10 +302,8 @@ std::vector<TimedByte> NativeBoard::take_sent() {
 
 Drive NativeBoard::drive() const { return machine_->duties; }
 
-void NativeBoard::set_battery(double volts) {
-  const double steps = std::clamp(std::floor(volts * 1000.0 / kAdcStepMv), 0.0, kAdcMax);
-  machine_->cells_mv = static_cast<std::uint16_t>(steps * kAdcStepMv);
-}
+void NativeBoard::set_battery(double volts) { machine_->cells_v = volts; }
+void NativeBoard::set_supply(double volts) { machine_->supply_v = volts; }
 
 NativeBoardCounters NativeBoard::counters() const { return machine_->counters; }
 std::uint32_t NativeBoard::device_us() const { return machine_->device_us(machine_->now_ns); }

@@ -43,6 +43,7 @@ class NativeBoard final : public Board {
   std::vector<TimedByte> take_sent() override;
   Drive drive() const override;
   void set_battery(double volts) override;
+  void set_supply(double volts) override;
 
   NativeBoardCounters counters() const;
   /// Device clock at the end of the last quantum, wraps. [us]

@@ -353,6 +353,33 @@ TEST_P(Conformance, ATrackThatRunsAgainstItsDutyIsReversedAfterTheDistanceOfTheD
   EXPECT_NEAR((from - rig().last().left_counts) / 11140.0, most_m, 0.012);
 }
 
+TEST_P(Conformance, CellsBelowTheCutOffAreFoundAtALowUsbVoltage) {
+  rig().hardware().set_supply(4.5);
+  rig().battery_v = 5.5;  // 6.1 V if the supply were 5 V, above the cut-off
+  ASSERT_TRUE(rig().boot());
+  be_ready();
+  EXPECT_NEAR(rig().last().battery_mv, 5500, 55);
+  const wire::Acknowledge refused = ask(arm_with(50));
+  EXPECT_EQ(static_cast<Result>(refused.result), Result::kFaultPersists);
+  EXPECT_EQ(refused.detail, wire::fault_bit(Fault::battery_low));
+  rig().run(1100);
+  EXPECT_EQ(rig().last().faults, wire::fault_bit(Fault::battery_low));
+}
+
+TEST_P(Conformance, AUsbVoltageThatFallsWhileDrivingDoesNotHideEmptyCells) {
+  rig().battery_v = 6.3;
+  be_ready();
+  rig().drive();
+  rig().hardware().set_supply(4.5);
+  rig().run(20'000);
+  EXPECT_EQ(rig().state(), State::kRunning);
+  EXPECT_NEAR(rig().last().battery_mv, 6300, 63);
+  rig().battery_v = 5.8;
+  EXPECT_GE(rig().ms_until_off(1200), 900);
+  rig().run(20);
+  EXPECT_EQ(rig().last().faults, wire::fault_bit(Fault::battery_low));
+}
+
 TEST_P(Conformance, EdgesThatWereMissedAreCountedInTheClockAnswer) {
   be_ready();
   const auto missed = [&] {

@@ -22,7 +22,14 @@ using tp100::firmware::take_edge;
 const uint8_t kScl = _BV(PD0);
 const uint8_t kSda = _BV(PD1);
 const uint8_t kDirections = _BV(PA0) | _BV(PA1) | _BV(PA2) | _BV(PA3);
+const uint8_t kCellsPin = 0;
 const uint8_t kNoisePin = 7;
+// MUX4:0 of the bandgap, MUX5 is 0 (data sheet, table 26-4).
+const uint8_t kBandgap = 0x1E;
+// One of the cells a sample. The last two of a second are the bandgap's: it is a weak source, so
+// that the first of them only charges the converter.
+const uint8_t kConversions = 200;
+const uint8_t kCellsConversions = kConversions - 2;
 
 Quadrature left_encoder;
 Quadrature right_encoder;
@@ -79,6 +86,13 @@ void start_conversion(uint8_t channel) {
   ADCSRA |= _BV(ADSC);
 }
 
+uint16_t converted(uint8_t channel) {
+  start_conversion(channel);
+  for (uint16_t wait = 0; (ADCSRA & _BV(ADSC)) != 0 && wait < 2000; ++wait) {
+  }
+  return ADC;
+}
+
 uint32_t mixed(uint32_t hash, uint32_t value) {
   hash ^= value;
   hash *= 0x9E3779B1UL;
@@ -90,12 +104,7 @@ uint32_t new_nonce() {
   const uint32_t boots = eeprom_read_dword(&boot_counter) + 1;
   eeprom_update_dword(&boot_counter, boots);
   uint32_t hash = mixed(0x811C9DC5UL, boots);
-  for (uint8_t i = 0; i < 16; ++i) {
-    start_conversion(kNoisePin);
-    for (uint16_t wait = 0; (ADCSRA & _BV(ADSC)) != 0 && wait < 2000; ++wait) {
-    }
-    hash = mixed(hash, ADC);
-  }
+  for (uint8_t i = 0; i < 16; ++i) hash = mixed(hash, converted(kNoisePin));
   hash = mixed(hash, ::micros());
   return hash != 0 ? hash : 1;
 }
@@ -121,7 +130,10 @@ void MegaHal::begin() {
   uart_mega::begin();
   begin_encoders();
   nonce_ = new_nonce();
-  start_conversion(0);
+  converted(kBandgap);
+  delayMicroseconds(1000);
+  supply_.update(converted(kBandgap));
+  start_conversion(kCellsPin);
   twi_mega::begin();
 }
 
@@ -201,11 +213,11 @@ void MegaHal::motors(int16_t left, int16_t right) {
 }
 
 uint16_t MegaHal::battery_mv() {
-  if ((ADCSRA & _BV(ADSC)) == 0) {
-    // 3 * 5000 mV / 1024 a step.
-    battery_mv_ = static_cast<uint16_t>((ADC * 1875UL) >> 7);
-    start_conversion(0);
-  }
+  if ((ADCSRA & _BV(ADSC)) != 0) return battery_mv_;
+  if (conversion_ < kCellsConversions) battery_mv_ = supply_.cells_mv(ADC);
+  if (conversion_ == kConversions - 1) supply_.update(ADC);
+  conversion_ = static_cast<uint8_t>((conversion_ + 1) % kConversions);
+  start_conversion(conversion_ < kCellsConversions ? kCellsPin : kBandgap);
   return battery_mv_;
 }
 

@@ -7,8 +7,8 @@
 //   22, 23     PA0, PA1    L293D inputs 1, 2: left forward, left backward
 //   24, 25     PA2, PA3    L293D inputs 3, 4: right forward, right backward
 //   20, 21     PD1, PD0    MPU6050 SDA, SCL
-//   A0         PF0         cells through a divider to a third
-//   USB                    host, 500000 baud 8N1
+//   A0         PF0         cells through a divider to a third; USB's 5 V is the reference, see
+//   supply.h USB                    host, 500000 baud 8N1
 //
 // Details and safety notes: firmware/WIRING.md.
 #ifndef TP100_FIRMWARE_HAL_MEGA_H
@@ -17,13 +17,14 @@
 #if defined(__AVR__)
 
 #include "hal.h"
+#include "supply.h"
 
 namespace tp100 {
 namespace firmware {
 
 class MegaHal final : public Hal {
  public:
-  MegaHal() : battery_mv_(0), nonce_(0) {}
+  MegaHal() : battery_mv_(0), conversion_(0), nonce_(0) {}
 
   /// Outputs off, watchdog on, then everything else. Once, before any other call.
   void begin();
@@ -53,7 +54,9 @@ class MegaHal final : public Hal {
   void idle() override;
 
  private:
+  Supply supply_;
   uint16_t battery_mv_;
+  uint8_t conversion_;  // of kConversions
   uint32_t nonce_;
 };
 
