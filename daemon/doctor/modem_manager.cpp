@@ -42,7 +42,7 @@ std::string rule_for(const link::PortInfo& info) {
   char ids[80];
   std::snprintf(ids, sizeof ids, "ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", ",
                 static_cast<unsigned>(info.vendor_id), static_cast<unsigned>(info.product_id));
-  return std::string(ids) + "ENV{ID_MM_DEVICE_IGNORE}=\"1\"";
+  return std::string("SUBSYSTEM==\"tty\", ") + ids + "ENV{ID_MM_PORT_IGNORE}=\"1\"";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Known {
   const char* name;
 };
 
-// As config/udev/65-tp100.rules has them.
+// As the rules in config/udev have them.
 constexpr auto kKnown = std::to_array<Known>({
     {0x2341, 0x0042, PortKind::kMega, "Arduino Mega 2560"},
     {0x2341, 0x0010, PortKind::kMega, "Arduino Mega 2560"},

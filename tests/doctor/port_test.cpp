@@ -109,7 +109,7 @@ TEST_F(Port, IsProbedByAModemManagerThatRuns) {
   fake_.process("41", "ModemManager");
   EXPECT_EQ(finding().severity, Severity::kWarning);
   EXPECT_THAT(finding().fix, HasSubstr("ATTRS{idVendor}==\"2341\", ATTRS{idProduct}==\"0042\""));
-  EXPECT_THAT(finding().fix, HasSubstr("ID_MM_DEVICE_IGNORE"));
+  EXPECT_THAT(finding().fix, HasSubstr("ENV{ID_MM_PORT_IGNORE}=\"1\""));
   const Finding unknown =
       find(modem_manager_findings(fake_.system(), kDevice, {}), "modem-manager");
   EXPECT_EQ(unknown.severity, Severity::kWarning);

@@ -1,4 +1,5 @@
-// The package's udev rules prepare every port that the daemon finds likely, and no other.
+// The package's udev rules prepare a Mega's ports, those of bridges where somebody asks for it, and
+// no other.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,16 +21,25 @@ void PrintTo(const UsbId& id, std::ostream* out) {
 
 namespace {
 
+using testing::ContainsRegex;
+using testing::Not;
+using testing::UnorderedElementsAreArray;
+
 int number(const std::string& hex) { return std::stoi(hex, nullptr, 16); }
 
-/// A rule has one vendor and its products, separated by bars.
-std::vector<UsbId> ids_of_the_rules() {
+std::ifstream open_rules(const std::string& name) {
+  return std::ifstream(TP100_SOURCE_DIR "/config/udev/" + name + ".rules");
+}
+
+/// What a file of rules does `action` for. A rule has one vendor and its products, separated by
+/// bars.
+std::vector<UsbId> ids_of(const std::string& name, const std::string& action) {
   const std::regex rule(
-      "ATTRS\\{idVendor\\}==\"([0-9a-f]{4})\", ATTRS\\{idProduct\\}==\"([0-9a-f|]+)\", "
-      "GOTO=\"tp100_board\"");
-  std::ifstream file(TP100_SOURCE_DIR "/config/udev/65-tp100.rules");
+      "ATTRS\\{idVendor\\}==\"([0-9a-f]{4})\", ATTRS\\{idProduct\\}==\"([0-9a-f|]+)\", " + action);
+  std::ifstream file = open_rules(name);
   std::vector<UsbId> ids;
   for (std::string line; std::getline(file, line);) {
+    if (line.starts_with('#')) continue;
     std::smatch found;
     if (!std::regex_match(line, found, rule)) {
       EXPECT_EQ(line.find("ATTRS{idVendor}"), std::string::npos) << line;
@@ -42,8 +52,37 @@ std::vector<UsbId> ids_of_the_rules() {
   return ids;
 }
 
-TEST(UdevRules, CoverWhatTheDaemonFindsLikely) {
-  EXPECT_THAT(ids_of_the_rules(), ::testing::UnorderedElementsAreArray(known_ids()));
+std::vector<UsbId> known_ids_of(PortKind kind) {
+  std::vector<UsbId> ids;
+  for (const UsbId& id : known_ids()) {
+    PortInfo port;
+    port.vendor_id = id.vendor_id;
+    port.product_id = id.product_id;
+    if (classify(port) == kind) ids.push_back(id);
+  }
+  return ids;
+}
+
+TEST(UdevRules, PrepareAMega) {
+  EXPECT_THAT(ids_of("65-tp100", "GOTO=\"tp100_board\""),
+              UnorderedElementsAreArray(known_ids_of(PortKind::kMega)));
+}
+
+TEST(UdevRules, PrepareABridgeWhereSomebodyAsksForIt) {
+  EXPECT_THAT(ids_of("64-tp100-bridges", "ENV\\{TP100_BOARD\\}=\"1\""),
+              UnorderedElementsAreArray(known_ids_of(PortKind::kBridge)));
+}
+
+// A rule of the administrator's that comes first would be overruled.
+TEST(UdevRules, SayNothingOfASerialPortsGroupAndMode) {
+  for (const char* name : {"64-tp100-bridges", "65-tp100"}) {
+    std::ifstream file = open_rules(name);
+    ASSERT_TRUE(file.is_open()) << name;
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with('#') || line.starts_with("SUBSYSTEM==\"misc\"")) continue;
+      EXPECT_THAT(line, Not(ContainsRegex("(GROUP|MODE|OWNER)")));
+    }
+  }
 }
 
 }  // namespace

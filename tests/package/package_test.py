@@ -23,7 +23,8 @@ def make(build):
     written = run("dpkg-parsechangelog", "-l", ROOT + "/scripts/debian/changelog", "-S", "Version").strip()
     check(version == written, f"scripts/debian/changelog is of version {written}, the package of {version}")
     there = run("dpkg-deb", "-c", deb)
-    for path in ("bin/tp100-campaign", "share/doc/tp100/README.md", "share/doc/tp100/config/TUTORIALS.md"):
+    for path in ("bin/tp100-campaign", "share/doc/tp100/README.md", "share/doc/tp100/config/TUTORIALS.md",
+                 "share/doc/tp100/examples/64-tp100-bridges.rules"):
         check(f" ./usr/{path}\n" in there, f"the package has no /usr/{path}")
 
 

@@ -42,7 +42,9 @@ def add_service(tree, systemd):
     os.symlink("/bin/tp100d", tree + "/usr/bin/tp100d")
     shutil.copy(ROOT + "/config/systemd/tp100d@.service", tree + "/lib/systemd/system")
     shutil.copy(ROOT + "/config/systemd/tp100.conf", tree + "/usr/lib/sysusers.d")
-    shutil.copy(ROOT + "/config/udev/65-tp100.rules", tree + "/guest")
+    for rules in ("64-tp100-bridges", "65-tp100"):
+        shutil.copy(f"{ROOT}/config/udev/{rules}.rules", tree + "/guest")
+    os.makedirs(tree + "/etc/udev/rules.d", exist_ok=True)
     shutil.copy(ROOT + "/scripts/debian/postinst", tree + "/guest")
     shutil.copy(HERE + "/guest/check.service", tree + "/lib/systemd/system")
     # No bridge has its driver before somebody asks for it.

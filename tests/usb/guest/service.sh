@@ -17,7 +17,8 @@ try finds_the_board_plugged_in_later
 try has_its_rights
 try is_kept_from_other_ports
 try board_is_prepared
-try bridge_is_prepared
+try bridge_is_left_alone
+try bridge_is_prepared_when_asked
 try drives_as_the_service
 try is_restarted_after_want_of_files
 

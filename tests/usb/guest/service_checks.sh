@@ -55,6 +55,9 @@ check_has_its_rights() {
   has /tmp/open "/dev/ttyACM0$"
   sed -n 's/^CapEff:[^0-9]*//p' /proc/$pid/status > /tmp/capabilities
   has /tmp/capabilities "^0*$"
+  # The name of this machine's clock, by which a camera's stamps count.
+  is "the boot id that it sees" "$(cat /proc/sys/kernel/random/boot_id)" \
+    "$(cat /proc/$pid/root/proc/sys/kernel/random/boot_id 2>&1)"
 }
 
 # What it may open is what the unit names; the mode of this one would let it.
@@ -78,18 +81,36 @@ check_board_is_prepared() {
   has /tmp/port "ID_MM_PORT_IGNORE=1"
   has /tmp/port "TAGS=.*:uaccess:"
   udevadm info $usb > /tmp/usb
-  has /tmp/usb "ID_MM_DEVICE_IGNORE=1"
+  lacks /tmp/usb "ID_MM_DEVICE_IGNORE"
 }
 
-check_bridge_is_prepared() {
+# It may be somebody's meter, for which the administrator has a rule.
+check_bridge_is_left_alone() {
+  printf 'SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", GROUP="tty", MODE="0640"\n' > /etc/udev/rules.d/60-meter.rules
+  udevadm control --reload
   rm /etc/modprobe.d/later.conf
   modprobe ftdi_sio
   until_ test -e /dev/ttyUSB0 || wrong "no /dev/ttyUSB0"
+  udevadm settle
+  is /dev/ttyUSB0 "root:tty 640" "$(node /dev/ttyUSB0)"
+  is "latency timer" 16 "$(cat /sys/class/tty/ttyUSB0/device/latency_timer)"
+  udevadm info /dev/ttyUSB0 > /tmp/port
+  lacks /tmp/port "ID_MM_\|uaccess"
+  rm /etc/udev/rules.d/60-meter.rules
+}
+
+# As the rule file says it.
+check_bridge_is_prepared_when_asked() {
+  cp /guest/64-tp100-bridges.rules /etc/udev/rules.d
+  udevadm control --reload && udevadm trigger --subsystem-match=usb --subsystem-match=tty
   udevadm settle
   is /dev/ttyUSB0 "root:dialout 660" "$(node /dev/ttyUSB0)"
   is "latency timer" 1 "$(cat /sys/class/tty/ttyUSB0/device/latency_timer)"
   usb=$(realpath /sys/class/tty/ttyUSB0/device/../..)
   is "$usb/power/control" on "$(cat $usb/power/control)"
+  udevadm info /dev/ttyUSB0 > /tmp/port
+  has /tmp/port "ID_MM_PORT_IGNORE=1"
+  has /tmp/port "TAGS=.*:uaccess:"
 }
 
 drop_in() {
