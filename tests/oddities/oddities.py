@@ -5,7 +5,7 @@ import time
 from collections import namedtuple
 
 from robot import LSB
-from wire import ACCEPTED, ARMED, DISARMED, FAULTED, HELLO, OUT_OF_RANGE, RUNNING, TYPE, frame, pack
+from wire import ACCEPTED, ARMED, DISARMED, FAULTED, HELLO, OUT_OF_RANGE, RUNNING, SCHEMA, TYPE, frame, pack
 
 # `when`: phase of the robot's life and seconds after its beginning. `must`: see below. `says`: a regular expression
 # for what the program writes. `course`: line, short, arc, spin. `typed`: (phase, seconds, text) for the program's
@@ -39,7 +39,7 @@ END = ("Disarm", 0.0)
 ROWS = []
 
 
-def odd(name, when, do, must, says="", course=None, typed=(), options=()):
+def odd(name, when, do, must, says="", course=None, typed=(), options=("--go",)):
     course = course or ("short" if 0 in must.exits or when == END else "line")
     ROWS.append(Oddity(name, when, do, must, says, course, typed, options))
 
@@ -376,7 +376,7 @@ odd("hello of protocol 1 in 20 bytes", START,
     REFUSED, "hello|size|bytes")
 odd("restarts with protocol 2 while driving", DRIVE, both(restarts(0.1), hello(protocol=2)),
     stop(None, m=None, deg=None)._replace(exits=(1, 2)), VERSION)
-odd("nonce 0", START, hello(boot_nonce=0), REFUSED, "nonce")
+odd("nonce 0", START, hello(boot_nonce=0), REFUSED, "nonce|boot number")
 def new_nonces(robot):
     before = robot.hello
     def say(fields):
@@ -384,14 +384,14 @@ def new_nonces(robot):
         return before(fields)
     robot.hello = say
 odd("another nonce in every hello", START, new_nonces, COMPLETE)
-odd("hello of board 77", START, hello(board=77), COMPLETE, options=("--go",))
-odd("hello of board 0", START, hello(board=0), COMPLETE, options=("--go",))
+odd("hello of board 77", START, hello(board=77), COMPLETE)
+odd("hello of board 0", START, hello(board=0), COMPLETE)
 odd("hello of a Mega behind a pty", START, hello(board=1), Must((1,), 0, None, None, None, False),
     options=("--duration", "2"))
 odd("hello of board 77 behind a pty", START, hello(board=77), Must((1,), 0, None, None, None, False),
     options=("--duration", "2"))
 odd("reset cause 99", START, hello(reset_cause=99), COMPLETE)
-odd("state 9 in the hello", START, hello(state=9), Must((0, 2), 1, None, None, None, False), "hello|^$")
+odd("state 9 in the hello", START, hello(state=9), Must((0, 2), 1, None, None, None, False), "hello|state 9|^$")
 odd("firmware 255.255.255", START, hello(firmware=b"\xff\xff\xff"), COMPLETE)
 odd("never says hello", START, put(hello=lambda f: [pack("Log", {"device_us": 1, "level": 0, "text": b"hi"})]),
     REFUSED, "hello|answer")
@@ -433,7 +433,7 @@ odd("hellos of the same boot while driving", DRIVE, lambda r: setattr(r, "each",
 odd("one hello of the same boot while driving", DRIVE, lambda r: r.say_hello(time.monotonic()), AT_ONCE,
     r"link_lost|hello|rebooted|restart|session")
 odd("one hello of another boot while driving", DRIVE,
-    lambda r: r.write(pack("Hello", {"protocol": 1, "firmware": b"\1\1\1", "schema": 0x9286885F, "board": 2,
+    lambda r: r.write(pack("Hello", {"protocol": 1, "firmware": b"\1\1\1", "schema": SCHEMA, "board": 2,
     "boot_nonce": 99,
                                      "reset_cause": 1, "state": 0, "faults": 0})), AT_ONCE, "rebooted|restart")
 odd("a bit flipped in a tenth of the frames", DRIVE, corrupts(0.1), COMPLETE)
@@ -572,12 +572,12 @@ odd("restarts as soon as it is armed", ("armed", 0.0), restarts(0.03), stop(300)
 odd("restarts on Disarm at the end", ("Disarm", 0.0), restarts(0.03), EITHER, course="short")
 odd("restarts by its watchdog", DRIVE, restarts(0.3, faults=4, reset_cause=4), SILENCE, REBOOT)
 odd("restarts by brown-out", DRIVE, restarts(0.3, faults=8, reset_cause=3), SILENCE, REBOOT)
+STAYS = ("--stay", "--duration", "4")
 for text, name in (("\n", "Enter"), ("\n\n", "two Enters"), ("go\n", "go")):
-    odd(f"restarts, {name} in the gap", DRIVE, restarts(0.5), SILENCE, REBOOT + "|stop_requested", typed=((DRIVE[0],
-        DRIVE[1] + 0.3, text),))
+    odd(f"restarts, {name} in the gap", DRIVE, restarts(0.5), SILENCE, REBOOT + "|stop_requested",
+        typed=(("drive", 0.9, text),), options=STAYS)
 odd("restarts, Enter just before it", DRIVE, restarts(0.5), Must((1,), 1, None, None, None, False), "stop_requested",
-    typed=((DRIVE[0], DRIVE[1] - 0.05, "\n"),))
-STAYS = ("--stay", "--duration", "5")
+    typed=(("drive", 0.55, "\n"),), options=STAYS)
 odd("restarts, Enter after it", DRIVE, restarts(0.1), AT_ONCE, REBOOT, typed=(("drive", 1.6, "\n"),), options=STAYS)
 odd("restarts, go after it", DRIVE, restarts(0.1), Must((1,), 2, None, None, None, False), REBOOT,
     typed=(("drive", 1.6, "go\n"),), options=STAYS)
@@ -585,7 +585,7 @@ for seconds in (0.05, 0.5, 1.5):
     odd(f"is obedient; Enter stops it, and again {seconds} s later", ("drive", 0.5), put(), Must((1,), 1, None, None,
         None, False),
         "stop_requested", typed=(("drive", 0.5, "\n"), ("drive", 0.5 + seconds, "\n")), options=STAYS)
-odd("hello of a Mega behind a pty, Enter", START, hello(board=1), COMPLETE, typed=(("session", 1.0, "\n"),))
+odd("hello of a Mega behind a pty, Enter", START, hello(board=1), COMPLETE, typed=(("session", 1.0, "\n"),), options=())
 
 # -- 9. Refusals
 for result in (1, 2, 3, 4, 5, 77):
@@ -599,7 +599,7 @@ for result in (1, 2, 3, 4, 5, 77):
 odd("refuses Arm with 5, says Armed", ARM, refuses("Arm", 5, ARMED, DISARMED), stop(300), "refus|not.*arm")
 
 # -- 10. Answers that do not come, or are not for what was asked
-odd("does not answer Parameters", START, put(deaf={"Parameters"}), REFUSED, "parameter|answer")
+odd("does not answer Parameters", START, put(deaf={"Parameters"}), REFUSED, "parameter|hears nothing")
 odd("does not answer SyncRequests", START, put(deaf={"SyncRequest"}), REFUSED, "clock|sync|answer")
 odd("does not answer SyncRequests while driving", DRIVE, put(deaf={"SyncRequest"}), COMPLETE)
 def unanswered(name):
@@ -651,6 +651,6 @@ odd("all bytes 20 ms late", START, delays(lambda r: 0.02), COMPLETE)
 odd("all bytes 100 ms late", DRIVE, delays(lambda r: 0.1), IN_BOUNDS, LOST)
 odd("bytes up to 15 ms late", DRIVE, delays(lambda r: r.random.random() * 0.015), COMPLETE)
 odd("the port goes", DRIVE, lambda r: r.close(), Must((1,), 1, None, None, None, False), "link_lost|port|lost")
-odd("the port goes while idle", IDLE, lambda r: r.close(), Must((1, 2), 0, None, None, None, False), "port|lost")
+odd("the port goes while idle", IDLE, lambda r: r.close(), Must((1, 2), 0, None, None, None, False), "")
 odd("the host's bytes are not read", DRIVE, put(reads=False), Must((1,), 1, None, None, None, False),
     "command_timeout|link_lost|acknowledge|answer")

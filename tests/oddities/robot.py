@@ -15,7 +15,7 @@ from wire import (ACCEPTED, ARMED, DISARMED, FAULTED, FAULT_PERSISTS, HELLO, OUT
 
 PERIOD = 0.005
 LSB = math.radians(1) / 32.8
-COMMAND_TIMEOUT, STOP_REQUESTED, BATTERY_LOW = 0, 1, 7
+COMMAND_TIMEOUT, STOP_REQUESTED, BATTERY_LOW, PARAMETERS_MISSING = 0, 1, 7, 12
 # The robot as it is; the host's robot file says the same.
 COUNTS_PER_METRE, WHEELBASE, SLIP_LEFT, SLIP_RIGHT, FEED_FORWARD, DEAD_BAND = 9000.0, 0.26, 0.10, 0.12, 3.4, 0.09
 LAG = 0.08
@@ -239,7 +239,7 @@ class Robot:
         if fields["token"] == self.arm_token:
             return self.acknowledge("Arm", *self.arm_answer)
         ahead = signed(fields["expiry_us"] - self.device_us(now), 32)
-        fresh = self.command_at is not None and now - self.command_at < self.parameters["command_life_ms"] * 1e-3
+        fresh = self.state >= DISARMED and self.command_at is not None and now - self.command_at < self.parameters["command_life_ms"] * 1e-3
         result, detail = ACCEPTED, 0
         if fields["boot_nonce"] != self.nonce:
             result = WRONG_BOOT
@@ -247,10 +247,11 @@ class Robot:
             result = STALE_TOKEN
         elif not 0 < ahead <= 500000:
             result, detail = OUT_OF_RANGE, 2
-        elif self.state < DISARMED or not fresh:
-            result, detail = WRONG_STATE, self.state
-        elif self.low_since is not None:
-            result, detail = FAULT_PERSISTS, 1 << BATTERY_LOW
+        elif self.state < DISARMED:
+            result, detail = FAULT_PERSISTS, 1 << PARAMETERS_MISSING
+        elif not fresh or self.low_since is not None:
+            result = FAULT_PERSISTS
+            detail = (not fresh) << COMMAND_TIMEOUT | (self.low_since is not None) << BATTERY_LOW
         else:
             self.faults, self.state, self.origin = 0, ARMED, tuple(self.pose)
         if result not in (WRONG_BOOT, STALE_TOKEN):

@@ -1,35 +1,31 @@
-"""The wire of firmware/PROTOCOL.md, written from that page alone: frames, messages and their fields."""
+"""The wire as firmware/PROTOCOL.md has it: its messages are read from that page's tables, the framing is written from
+its words."""
+import os
+import re
 import struct
 
-PROTOCOL, SCHEMA = 1, 0x9286885F
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+with open(ROOT + "/firmware/PROTOCOL.md", encoding="utf-8") as page:
+    PAGE = page.read()
+PROTOCOL, SCHEMA = (int(value, 0) for value in re.search(r"protocol version (\d+), schema hash (\w+)", PAGE).groups())
 ACCEPTED, WRONG_BOOT, STALE_TOKEN, FAULT_PERSISTS, OUT_OF_RANGE, WRONG_STATE = range(6)
 HELLO, PARAMETERS, DISARMED, ARMED, RUNNING, FAULTED = range(6)  # states
+LETTERS = {"u8": "B", "u16": "H", "u32": "I", "i16": "h", "i32": "i", "f32": "f"}
 
-MESSAGES = {  # name: type, layout, fields
-    "Hello": (0x01, "<H3sIBIBBH", "protocol firmware schema board boot_nonce reset_cause state faults"),
-    "Sample": (0x02, "<HIiihhhhhhhHhhBHHB",
-               "sequence device_us left_counts right_counts gyro_x gyro_y gyro_z accel_x accel_y accel_z temperature "
-               "battery_mv left_duty right_duty state faults last_command imu_age"),
-    "Acknowledge": (0x03, "<BIBH", "request token result detail"),
-    "SyncReply": (0x04, "<HIIH", "id received_us sent_us damaged"),
-    "FaultReport": (0x05, "<IBHi", "device_us fault faults detail"),
-    "Log": (0x06, "<IB40s", "device_us level text"),
-    "HelloRequest": (0x41, "<HI", "protocol schema"),
-    "Parameters": (0x42, "<II13fHHHHHB",
-                   "boot_nonce token counts_per_metre wheelbase_m slip_left slip_right max_track_mps max_track_mps2 "
-                   "feed_forward dead_band speed_kp speed_ki yaw_kp max_yaw_radps gyro_z_radps_per_lsb "
-                   "battery_cutoff_mv stall_duty stall_ms command_life_ms yaw_window_ms flags"),
-    "Command": (0x43, "<IHH6fIf",
-                "boot_nonce sequence answers x_m y_m yaw_rad desired_yaw_rad yaw_rate_radps speed_mps expiry_us "
-                "gyro_bias_radps"),
-    "Arm": (0x44, "<III", "boot_nonce token expiry_us"),
-    "Disarm": (0x45, "<I", "token"),
-    "Stop": (0x46, "<I", "token"),
-    "SyncRequest": (0x47, "<H", "id"),
-}
-TYPE = {name: row[0] for name, row in MESSAGES.items()}
-NAME = {row[0]: name for name, row in MESSAGES.items()}
-LAYOUT = {name: (struct.Struct(row[1]), row[2].split()) for name, row in MESSAGES.items()}
+TYPE, LAYOUT = {}, {}  # type byte; struct and names of its fields, an i16[3] as three, a u8[n] as bytes
+for section in PAGE.split("\n### ")[1:]:
+    head = re.match(r"`(\w+)` (0x\w\w), (\d+) bytes", section)
+    if not head:
+        continue
+    layout, names = "<", []
+    for kind, count, field in re.findall(r"^\| \d+ \| (\w+)(?:\[(\d+)\])? \| `(\w+)`", section, re.MULTILINE):
+        layout += f"{count}s" if count and kind == "u8" else count + LETTERS[kind]
+        names += [f"{field}_{axis}" for axis in "xyz"] if count and kind != "u8" else [field]
+    assert struct.calcsize(layout) == int(head[3]), section
+    TYPE[head[1]], LAYOUT[head[1]] = int(head[2], 0), (struct.Struct(layout), names)
+NAME = {byte: name for name, byte in TYPE.items()}
+GOLDEN = re.findall(r"^(\w+) ((?:[0-9A-F]{2})+)$", PAGE, re.MULTILINE)
+
 CRC_TABLE = []
 for byte in range(256):
     crc = byte << 8
@@ -53,8 +49,9 @@ def frame(kind, payload):
 
 
 def pack(name, fields):
+    """A frame; fields that are not given are 0."""
     layout, names = LAYOUT[name]
-    return frame(TYPE[name], layout.pack(*(fields[key] for key in names)))
+    return frame(TYPE[name], layout.pack(*(fields.get(key, 0) for key in names)))
 
 
 def unpack(coded):
