@@ -10,10 +10,10 @@
 #include <optional>
 #include <string_view>
 
-#include "analysis/atomic_file.h"
 #include "analysis/drive_file.h"
 #include "analysis/tum.h"
 #include "app/drive_sink.h"
+#include "disk/atomic_file.h"
 
 namespace tp100::app {
 namespace {
@@ -84,7 +84,7 @@ void write_poses(const Recording& recording, const Write& write) {
   });
 }
 
-Write to(analysis::FileReplacement& file) {
+Write to(disk::FileReplacement& file) {
   return [&file](std::string_view text) { file.write(text); };
 }
 
@@ -93,7 +93,7 @@ class Product {
  public:
   Product(const std::filesystem::path& folder, const char* name)
       : path_((folder / name).string()), file_(path_) {}
-  analysis::FileReplacement& file() { return file_; }
+  disk::FileReplacement& file() { return file_; }
   void commit() {
     file_.commit();
     std::printf("%s\n", path_.c_str());
@@ -101,7 +101,7 @@ class Product {
 
  private:
   std::string path_;
-  analysis::FileReplacement file_;
+  disk::FileReplacement file_;
 };
 
 void export_csv(const Recording& recording, const std::filesystem::path& folder) {
@@ -140,7 +140,7 @@ void export_run(const std::string& run, const ExportOptions& options) {
   const std::filesystem::path folder = options.out.empty()
                                            ? std::filesystem::path(recording.path()).parent_path()
                                            : std::filesystem::path(options.out);
-  analysis::make_folder(folder);
+  disk::make_folder(folder);
   if (options.csv) export_csv(recording, folder);
   if (options.tum) export_tum(recording, folder);
 }

@@ -7,7 +7,6 @@
 #include <iostream>
 #include <optional>
 
-#include "analysis/atomic_file.h"
 #include "analysis/drive_file.h"
 #include "app/bundled_files.h"
 #include "app/calibration.h"
@@ -16,6 +15,7 @@
 #include "core/error.h"
 #include "course/course.h"
 #include "course/toml_document.h"
+#include "disk/atomic_file.h"
 
 namespace tp100::app {
 namespace {
@@ -83,11 +83,11 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
       const std::size_t number = result.drives.size() + 1;
       drive.name = (number < 10 ? "0" : "") + std::to_string(number) + "-" + course.name;
       if (drive.camera.empty()) ask_for(drive.measured);
-      analysis::write_file(options.folder + "/" + drive.name + "-samples.csv",
-                           analysis::write_drive(drive));
+      disk::write_file(options.folder + "/" + drive.name + "-samples.csv",
+                       analysis::write_drive(drive));
       result.drives.push_back(std::move(drive));
       const std::string measured = analysis::write_measured(result.drives);
-      if (!measured.empty()) analysis::write_file(options.folder + "/measured.csv", measured);
+      if (!measured.empty()) disk::write_file(options.folder + "/measured.csv", measured);
     }
   }
   result.completed = true;

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "analysis/atomic_file.h"
 #include "analysis/drive_file.h"
 #include "analysis/identify.h"
 #include "analysis/identify_report.h"
@@ -14,6 +13,7 @@
 #include "app/configuration.h"
 #include "app/drive_sink.h"
 #include "core/error.h"
+#include "disk/atomic_file.h"
 
 namespace tp100::app {
 namespace {
@@ -94,7 +94,7 @@ int run_identify(const IdentifyOptions& options) {
   // What no robot has is refused here, by name and range.
   course::parse_robot(text, options.out);
   std::printf("%s", analysis::identify_report(found, base).c_str());
-  analysis::write_file(options.out, text);
+  disk::write_file(options.out, text);
   std::printf("written to %s\n", options.out.c_str());
   return 0;
 }

@@ -49,6 +49,10 @@ void LiveWorld::stop() {
   if (files_ != nullptr) files_->stop();
 }
 
+bool LiveWorld::ended_by(std::chrono::steady_clock::time_point deadline) {
+  return files_ == nullptr || files_->ended_by(deadline);
+}
+
 std::string LiveWorld::take_note() {
   if (port_ != nullptr) return port_->take_note();
   return files_ != nullptr ? files_->take_note() : std::string();

@@ -28,6 +28,8 @@ class LiveWorld : public publish::Sink {
 
   void take(const StepRecord& record) override;
   void stop();
+  /// Waits until no file is written any more; false: not before `deadline`.
+  bool ended_by(std::chrono::steady_clock::time_point deadline);
   /// Something to log since the last call, or empty.
   std::string take_note();
   WorldFigures figures() const;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/atomic_file.h"
 #include "analysis/csv_reader.h"
 #include "app/bundled_files.h"
 #include "app/replay_recording.h"
 #include "core/angle.h"
 #include "course/nearest.h"
 #include "course/toml_document.h"
+#include "disk/atomic_file.h"
 #include "estimation/odometry.h"
 #include "estimation/standstill.h"
 #include "model/track_model.h"
@@ -189,7 +189,7 @@ int run_replay(const ReplayOptions& options) {
   const bridge::Parameters parameters =
       bridge_parameters(configuration, course::parse_robot(robot.text, robot.path));
   const TextFile in = read_text_file(options.in);
-  analysis::write_file(options.out, replay_csv(in.text, in.path, model, parameters));
+  disk::write_file(options.out, replay_csv(in.text, in.path, model, parameters));
   return 0;
 }
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "analysis/atomic_file.h"
 #include "course/toml_document.h"
+#include "disk/atomic_file.h"
 
 namespace tp100::app {
 namespace {
@@ -148,7 +148,7 @@ int run_replay_recording(const ReplayOptions& options) {
     }
   }
 
-  analysis::FileReplacement out(options.out);
+  disk::FileReplacement out(options.out);
   out.write(kReplayHeader);
   const HostNs start = recording.start_ns();
   const Replayed result =

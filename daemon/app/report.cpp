@@ -6,12 +6,12 @@
 #include <system_error>
 #include <utility>
 
-#include "analysis/atomic_file.h"
 #include "analysis/recorded_run.h"
 #include "analysis/report_page.h"
 #include "analysis/run_metrics.h"
 #include "app/replay_recording.h"
 #include "app/run_setup.h"
+#include "disk/atomic_file.h"
 
 namespace tp100::app {
 namespace {
@@ -35,7 +35,7 @@ analysis::RecordedRun read(const std::string& path) {
 
 void write(const fs::path& folder, const std::string& name, const std::string& text) {
   const std::string path = (folder / name).string();
-  analysis::write_file(path, text);
+  disk::write_file(path, text);
   std::printf("%s\n", path.c_str());
 }
 
@@ -64,7 +64,7 @@ int run_report(const ReportOptions& options) {
     const std::vector<analysis::Figure> figures = analysis::figures_of(run);
     const fs::path folder =
         options.out.empty() ? fs::path(run.path).parent_path() : fs::path(options.out);
-    analysis::make_folder(folder);
+    disk::make_folder(folder);
     write(folder, "report.html", analysis::report_page(run, judged, figures));
     write(folder, "metrics.json", analysis::metrics_json(run, judged));
     write(folder, figures);
@@ -88,7 +88,7 @@ int run_compare(const CompareOptions& options) {
   }
   const std::vector<analysis::Figure> figures = analysis::figures_of(runs);
   const fs::path folder = options.out;
-  analysis::make_folder(folder);
+  disk::make_folder(folder);
   write(folder, "compare.html", analysis::compare_page(runs, judged, figures));
   write(folder, "compare.json", metrics + "]}\n");
   write(folder, figures);

@@ -5,16 +5,15 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <condition_variable>
-#include <cstring>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 
 #include "core/error.h"
+#include "disk/atomic_file.h"
 #include "loop/pacing.h"
 #include "worlds/encoder_text.h"
 #include "worlds/orientation_text.h"
@@ -27,17 +26,14 @@ using namespace std::chrono_literals;
 // The file is looked at this often: a game engine's tick is 8 ms or more.
 constexpr auto kLook = 4ms;
 
-/// Replaces `path` by a rename, without waiting for the disk: a reader sees the old text or the
-/// new one. Zero or an errno.
-int replace_file(const std::string& path, const std::string& temporary, std::string_view text) {
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) return errno;
-  const ssize_t n = ::write(file, text.data(), text.size());
-  int error = n == static_cast<ssize_t>(text.size()) ? 0 : n < 0 ? errno : ENOSPC;
-  if (::close(file) != 0 && error == 0) error = errno;
-  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error != 0) ::unlink(temporary.c_str());
-  return error;
+/// Replaces `path`: a reader sees the old text or the new one. Why that failed, or nothing.
+std::string replace_file(const std::string& path, std::string_view text) {
+  try {
+    disk::write_file(path, text, disk::Flush::kNo);
+    return {};
+  } catch (const SetupError& error) {
+    return error.what();
+  }
 }
 
 /// A file as it was seen: another one has another stamp.
@@ -94,10 +90,7 @@ class Watched {
 
 struct WorldFiles::State {
   State(const WorldRun& r, GiveWorld action)
-      : run(r),
-        give(std::move(action)),
-        temporary(run.settings.encoder_file + "." + std::to_string(::getpid()) + ".tmp"),
-        orientation(run.settings.orientation_file) {}
+      : run(r), give(std::move(action)), orientation(run.settings.orientation_file) {}
 
   void live() {
     std::unique_lock lock(mutex);
@@ -105,7 +98,8 @@ struct WorldFiles::State {
       wake.wait_for(lock, kLook, [this] { return ending || text.has_value(); });
       const std::optional<std::string> next = std::exchange(text, std::nullopt);
       lock.unlock();
-      const int error = next ? replace_file(run.settings.encoder_file, temporary, *next) : 0;
+      const std::string error =
+          next ? replace_file(run.settings.encoder_file, *next) : std::string();
       const std::optional<std::string> seen = orientation.look();
       const HostNs now = loop::monotonic_now();
       const auto orientation_seen =
@@ -114,14 +108,15 @@ struct WorldFiles::State {
               : std::nullopt;
       const bool given = orientation_seen && give(sample_of(*orientation_seen, now));
       lock.lock();
-      if (next) ++(error == 0 ? counters.written : counters.write_errors);
+      if (next) ++(error.empty() ? counters.written : counters.write_errors);
       if (seen) ++(orientation_seen ? counters.read : counters.rejected);
       if (orientation_seen && !given) ++counters.dropped;
-      if (error != 0 && !std::exchange(told_write, true))
-        note = run.settings.encoder_file + ": cannot be written (" + std::strerror(error) + ")";
+      if (!error.empty() && !std::exchange(told_write, true)) note = error;
       if (seen && !orientation_seen && !std::exchange(told_read, true))
         note = run.settings.orientation_file + ": not understood; see world.orientation_template";
     }
+    ended = true;
+    wake.notify_all();
   }
 
   WorldSample sample_of(const worlds::Orientation& said, HostNs now) const {
@@ -141,7 +136,6 @@ struct WorldFiles::State {
 
   const WorldRun run;
   const GiveWorld give;
-  const std::string temporary;
   Watched orientation;  // the thread's alone
   HostNs next_ns = 0;   // of take() alone
 
@@ -151,7 +145,7 @@ struct WorldFiles::State {
   WorldFileCounters counters;
   std::string note;
   bool told_write = false, told_read = false;
-  bool ending = false;
+  bool ending = false, ended = false;
   std::thread thread;
 };
 
@@ -160,23 +154,27 @@ WorldFiles::WorldFiles(const WorldRun& run, GiveWorld give)
   const WorldSettings& settings = run.settings;
   worlds::require_encoder_template(settings.encoder_template, "world.encoder_template");
   worlds::require_orientation_template(settings.orientation_template, "world.orientation_template");
-  if (const int error = replace_file(settings.encoder_file, state_->temporary, "\n"); error != 0) {
-    throw SetupError("world.encoder_file " + settings.encoder_file + ": cannot be written (" +
-                     std::strerror(error) + "); choose another folder");
-  }
+  if (const std::string why = replace_file(settings.encoder_file, "\n"); !why.empty())
+    throw SetupError("world.encoder_file " + why);
   state_->thread = std::thread([state = state_.get()] { state->live(); });
 }
 
-WorldFiles::~WorldFiles() { stop(); }
+WorldFiles::~WorldFiles() {
+  stop();
+  if (state_->thread.joinable()) state_->thread.join();
+}
 
 void WorldFiles::stop() {
-  if (!state_->thread.joinable()) return;
   {
     const std::lock_guard lock(state_->mutex);
     state_->ending = true;
   }
   state_->wake.notify_one();
-  state_->thread.join();
+}
+
+bool WorldFiles::ended_by(std::chrono::steady_clock::time_point deadline) {
+  std::unique_lock lock(state_->mutex);
+  return state_->wake.wait_until(lock, deadline, [this] { return state_->ended; });
 }
 
 void WorldFiles::take(const StepRecord& record) {

@@ -1,6 +1,7 @@
 #pragma once
 // The paper's Encoder.txt and Orientation.txt, in a thread of their own.
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -29,7 +30,10 @@ class WorldFiles : public publish::Sink {
 
   /// The newest step is what the file will show; never waits for the disk.
   void take(const StepRecord& record) override;
+  /// Asks the thread to end; does not wait for it.
   void stop();
+  /// Waits for the end of the thread; false: not before `deadline`.
+  bool ended_by(std::chrono::steady_clock::time_point deadline);
   /// Something to log since the last call, or empty.
   std::string take_note();
   WorldFileCounters counters() const;

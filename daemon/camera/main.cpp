@@ -8,7 +8,6 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
-#include "analysis/atomic_file.h"
 #include "analysis/standard_streams.h"
 #include "camera/board.h"
 #include "camera/lens_calibration.h"
@@ -17,6 +16,7 @@
 #include "camera/watch.h"
 #include "core/error.h"
 #include "course/toml_document.h"
+#include "disk/atomic_file.h"
 #include "link/camera_message.h"
 
 namespace tp100::camera {
@@ -76,7 +76,7 @@ void add_options(CLI::App& app, Options& options) {
 int print_marker(const Options& options) {
   const View view = options.watch.view.empty() ? View{} : read_view(options.watch.view);
   const int id = options.marker_id < 0 ? view.marker_id : options.marker_id;
-  analysis::write_file(options.print_marker, marker_svg(view, id));
+  disk::write_file(options.print_marker, marker_svg(view, id));
   return 0;
 }
 
@@ -84,8 +84,7 @@ int print_board(const Options& options) {
   const cv::Mat picture = Board::parse(options.board).draw(kBoardPixelsPerM);
   std::vector<unsigned char> png;
   cv::imencode(".png", picture, png);
-  analysis::write_file(options.print_board,
-                       {reinterpret_cast<const char*>(png.data()), png.size()});
+  disk::write_file(options.print_board, {reinterpret_cast<const char*>(png.data()), png.size()});
   return 0;
 }
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/atomic_file.h"
 #include "app/bundled_files.h"
 #include "core/error.h"
+#include "disk/atomic_file.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/campaign_run.h"
 #include "sim/campaign/merge.h"
@@ -168,9 +168,9 @@ int run_merge(const std::string& path) {
   const CampaignFolder folder = CampaignFolder::existing(path);
   const CampaignSpec spec = parse_campaign(folder.spec_text(), folder.spec_path());
   const Merged merged = merge_folder(folder, spec);
-  analysis::write_file(path + "/merged.json", merged_json(merged));
-  analysis::write_file(path + "/runs.csv", merged_csv(merged));
-  analysis::write_file(path + "/index.html", merge_page(merged, folder.spec_text()));
+  disk::write_file(path + "/merged.json", merged_json(merged));
+  disk::write_file(path + "/runs.csv", merged_csv(merged));
+  disk::write_file(path + "/index.html", merge_page(merged, folder.spec_text()));
   const std::size_t refused = merged.runs.size() - merged.driven;
   std::printf("%s: %zu of %zu driven runs completed; page: %s/index.html\n", path.c_str(),
               merged.completed, merged.driven, path.c_str());

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "analysis/atomic_file.h"
 #include "app/bundled_files.h"
 #include "core/error.h"
+#include "disk/atomic_file.h"
 
 namespace tp100::sim {
 
@@ -26,7 +26,7 @@ CampaignFolder::CampaignFolder(std::string path, std::string spec_text)
 CampaignFolder::CampaignFolder(std::string path, std::string spec_text, Origin origin)
     : CampaignFolder(std::move(path), std::move(spec_text)) {
   const std::string origin_path = path_ + "/origin.txt";
-  analysis::make_folder(path_ + "/runs");
+  disk::make_folder(path_ + "/runs");
   // Written before the spec, so whoever sees the spec sees it too.
   const bool begun = fs::exists(spec_path());
   if (begun && app::read_text_file(spec_path()).text != spec_text_)
@@ -40,9 +40,9 @@ CampaignFolder::CampaignFolder(std::string path, std::string spec_text, Origin o
                      "another --out to drive all of them with this one");
   } else {
     origin_ = std::move(origin);
-    analysis::write_file(origin_path, origin_text(origin_));
+    disk::write_file(origin_path, origin_text(origin_));
   }
-  if (!begun) analysis::write_file(spec_path(), spec_text_);
+  if (!begun) disk::write_file(spec_path(), spec_text_);
 }
 
 void CampaignFolder::require(const Origin& origin) const {
@@ -68,7 +68,7 @@ std::string CampaignFolder::run_path(std::uint64_t index) const {
 bool CampaignFolder::has(std::uint64_t index) const { return fs::exists(run_path(index)); }
 
 void CampaignFolder::put(std::uint64_t index, const std::string& json) const {
-  analysis::write_file(run_path(index), json);
+  disk::write_file(run_path(index), json);
 }
 
 std::string CampaignFolder::get(std::uint64_t index) const {

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <vector>
 
-#include "analysis/atomic_file.h"
 #include "analysis/drive_file.h"
 #include "analysis/identify_report.h"
 #include "app/calibration.h"
 #include "app/drive_sink.h"
 #include "core/error.h"
+#include "disk/atomic_file.h"
 #include "sim/run/lockstep.h"
 
 namespace tp100::sim {
@@ -66,10 +66,10 @@ std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint
 }
 
 void write_drives(const std::string& folder, const std::vector<CalibrationDrive>& drives) {
-  analysis::make_folder(folder);
+  disk::make_folder(folder);
   for (const CalibrationDrive& drive : drives)
-    analysis::write_file(folder + "/" + drive.drive.name + "-samples.csv",
-                         analysis::write_drive(drive.drive));
+    disk::write_file(folder + "/" + drive.drive.name + "-samples.csv",
+                     analysis::write_drive(drive.drive));
 }
 
 std::array<double, kParameters> values_of(const EffectiveMotion& m) {

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "analysis/atomic_file.h"
 #include "analysis/drive_file.h"
 #include "analysis/metrics.h"
 #include "analysis/poses_csv.h"
@@ -11,6 +10,7 @@
 #include "analysis/result_table.h"
 #include "app/drive_sink.h"
 #include "core/error.h"
+#include "disk/atomic_file.h"
 #include "sim/run/lockstep.h"
 #include "sim/run/run_recorder.h"
 
@@ -19,12 +19,12 @@ namespace {
 
 void write_results(const std::string& folder, const analysis::RunResult& result,
                    const std::string& json, const analysis::Drive& drive) {
-  analysis::make_folder(folder);
+  disk::make_folder(folder);
   const std::string stem =
       folder + "/" + result.course + "-" + result.robot + "-" + std::to_string(result.seed);
-  analysis::write_file(stem + ".json", json + "\n");
-  analysis::write_file(stem + ".csv", analysis::poses_csv(result));
-  analysis::write_file(stem + "-samples.csv", analysis::write_drive(drive));
+  disk::write_file(stem + ".json", json + "\n");
+  disk::write_file(stem + ".csv", analysis::poses_csv(result));
+  disk::write_file(stem + "-samples.csv", analysis::write_drive(drive));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/atomic_file.h"
 #include "analysis/identify_report.h"
 #include "analysis/poses_csv.h"
 #include "analysis/tum.h"
@@ -12,6 +11,7 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "course/path.h"
+#include "disk/atomic_file.h"
 #include "sim/run/calibrate_command.h"
 #include "sim/run/drawn_robot.h"
 #include "sim/run/held_out.h"
@@ -134,7 +134,7 @@ void drive_drawn(const ReproduceCommand& command, Reproduction& what) {
     const std::string text =
         course::write_robot(analysis::identified_robot(calibration.found, loaded.robot, {}),
                             analysis::identified_note(calibration.found, {}, {}));
-    analysis::write_file(path, text);
+    disk::write_file(path, text);
     // Whoever takes the file drives the same robot.
     const course::Robot robot = course::parse_robot(text, path);
     for (const char* kind : kKinds) {
@@ -173,7 +173,7 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
   const analysis::RunResult& run = study.shown.result;
   if (run.points.empty()) return;
   const std::string stem = folder + "/" + run.course + "-" + run.robot + "-" + run.setup;
-  analysis::write_file(stem + ".csv", analysis::poses_csv(run));
+  disk::write_file(stem + ".csv", analysis::poses_csv(run));
   std::string truth, model, odometry, fused;
   for (const analysis::TrackPoint& point : run.points) {
     truth += analysis::tum_line(point.t_s, point.truth);
@@ -181,10 +181,10 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
     odometry += analysis::tum_line(point.t_s, point.odometry);
     fused += analysis::tum_line(point.t_s, point.fused);
   }
-  analysis::write_file(stem + "-truth.tum", truth);
-  analysis::write_file(stem + "-model.tum", model);
-  analysis::write_file(stem + "-odometry.tum", odometry);
-  if (run.has_camera) analysis::write_file(stem + "-fused.tum", fused);
+  disk::write_file(stem + "-truth.tum", truth);
+  disk::write_file(stem + "-model.tum", model);
+  disk::write_file(stem + "-odometry.tum", odometry);
+  if (run.has_camera) disk::write_file(stem + "-fused.tum", fused);
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ int run_reproduce(const ReproduceCommand& command) {
       command.part != "drawn" && command.part != "held-out" && command.part != "avr")
     throw SetupError("--part " + command.part +
                      ": unknown; give paper, state, robots, drawn, held-out, avr or all");
-  analysis::make_folder(command.out);
+  disk::make_folder(command.out);
   Reproduction what;
   what.reference = robot_named({});
   what.runs = command.runs;
@@ -211,8 +211,8 @@ int run_reproduce(const ReproduceCommand& command) {
   if (wanted("held-out")) drive_held_out(command, what);
   if (wanted("avr")) drive_image(command, what);
   for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);
-  analysis::write_file(command.out + "/results.json", reproduction_json(what));
-  analysis::write_file(command.out + "/index.html", reproduction_page(what));
+  disk::write_file(command.out + "/results.json", reproduction_json(what));
+  disk::write_file(command.out + "/index.html", reproduction_page(what));
   std::printf("%s\n%s/index.html\n", reproduction_table(what).c_str(), command.out.c_str());
   return all_hold(what) ? 0 : 1;
 }

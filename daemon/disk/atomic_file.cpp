@@ -1,4 +1,4 @@
-#include "analysis/atomic_file.h"
+#include "disk/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,12 +9,19 @@
 #include <filesystem>
 #include <system_error>
 
-namespace tp100::analysis {
+namespace tp100::disk {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
+
+// Read once, before there is a second thread: reading means changing it for a moment.
+const mode_t kMask = [] {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return mask;
+}();
 
 [[noreturn]] void fail(const std::string& path, int error) {
   throw SetupError(path + ": cannot be written (" + std::strerror(error) +
@@ -44,9 +51,10 @@ class Output {
     return 0;
   }
 
-  int close() {
+  int close(Flush flush) {
     // Pipes and terminals have nothing to flush.
-    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
+    if (flush == Flush::kYes && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP &&
+        errno != EROFS)
       return errno;
     const int result = ::close(descriptor_);
     descriptor_ = -1;
@@ -54,11 +62,7 @@ class Output {
   }
 
   /// The permissions of a file that was made in the ordinary way.
-  int open_to_all() {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return ::fchmod(descriptor_, 0666 & ~mask) == 0 ? 0 : errno;
-  }
+  int open_to_all() { return ::fchmod(descriptor_, 0666 & ~kMask) == 0 ? 0 : errno; }
 
   int rename_to(const std::string& path) {
     if (::rename(temporary_.c_str(), path.c_str()) != 0) return errno;
@@ -126,19 +130,19 @@ void FileReplacement::write(std::string_view content) {
   if (const int error = state_->flush(); error != 0) fail(state_->path, error);
 }
 
-void FileReplacement::commit() {
+void FileReplacement::commit(Flush flush) {
   State& s = *state_;
   int error = s.flush();
   if (error == 0 && !s.target.direct) error = s.output.open_to_all();
-  if (error == 0) error = s.output.close();
+  if (error == 0) error = s.output.close(flush);
   if (error == 0 && !s.target.direct) error = s.output.rename_to(s.target.path);
   if (error != 0) fail(s.path, error);
 }
 
-void write_file(const std::string& path, std::string_view content) {
+void write_file(const std::string& path, std::string_view content, Flush flush) {
   FileReplacement file(path);
   file.write(content);
-  file.commit();
+  file.commit(flush);
 }
 
 void make_folder(const std::string& path) {
@@ -150,4 +154,4 @@ void make_folder(const std::string& path) {
                      "); give another --out");
 }
 
-}  // namespace tp100::analysis
+}  // namespace tp100::disk

@@ -1,4 +1,4 @@
-#include "analysis/atomic_file.h"
+#include "disk/atomic_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 #include "../support/temporary_folder.h"
 
-namespace tp100::analysis {
+namespace tp100::disk {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ TEST_F(AtomicFile, AFolderForResultsIsMadeWithThoseAboveIt) {
 }
 
 }  // namespace
-}  // namespace tp100::analysis
+}  // namespace tp100::disk
