@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "app/parameter_list.h"
-#include "core/error.h"
 
 namespace tp100::app {
 namespace {
@@ -43,21 +42,28 @@ std::string LiveControls::set(const publish::ParameterText& parameter,
   return cycle_.change(*change) ? std::string() : kBusy;
 }
 
-std::string LiveControls::record_start(const std::string& name, std::string& run) {
-  try {
-    recording_.start(name);
-  } catch (const SetupError& error) {
-    return error.what();
-  }
-  run = recording_.figures().run;
-  return {};
+// Viewers need not know where the runs lie.
+publish::RecordingFigures LiveControls::recording() {
+  publish::RecordingFigures figures = recording_.figures();
+  const std::size_t folder = figures.file.rfind(figures.run + '/');
+  if (figures.run.empty() || folder == std::string::npos) return figures;
+  const std::string before = figures.file.substr(0, folder);
+  if (figures.warning.starts_with(before)) figures.warning.erase(0, folder);
+  figures.file.erase(0, folder);
+  return figures;
 }
 
-std::string LiveControls::record_stop(publish::RecordingFigures& recorded) {
-  if (!recording_.figures().active) return "nothing is recorded";
-  recording_.stop();
-  recorded = recording_.figures();
-  return {};
+// The answers may come when these controls are gone, but never after the recording.
+void LiveControls::record_start(const std::string& name, RecordAnswer answer) {
+  recording_.start(name, [&recording = recording_, answer](const std::string& why) {
+    answer(why, recording.figures());
+  });
+}
+
+void LiveControls::record_stop(RecordAnswer answer) {
+  recording_.stop(0, [&recording = recording_, answer](const std::string& why) {
+    answer(why, recording.figures());
+  });
 }
 
 publish::LoopFigures LiveControls::loop() {

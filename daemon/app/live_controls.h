@@ -24,11 +24,11 @@ class LiveControls : public publish::Controls {
   void stop() override;
   std::string set(const publish::ParameterText& parameter,
                   const publish::ParameterValue& value) override;
-  std::string record_start(const std::string& name, std::string& run) override;
-  std::string record_stop(publish::RecordingFigures& recorded) override;
+  void record_start(const std::string& name, RecordAnswer answer) override;
+  void record_stop(RecordAnswer answer) override;
   publish::LoopFigures loop() override;
   publish::PortFigures port() override;
-  publish::RecordingFigures recording() override { return recording_.figures(); }
+  publish::RecordingFigures recording() override;
 
   // The supervisor's thread.
   void set_port(publish::PortFigures port);

@@ -4,11 +4,13 @@
 #include <array>
 #include <ctime>
 #include <filesystem>
+#include <future>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
 #include "loop/pacing.h"
+#include "publish/recording_file.h"
 
 namespace tp100::app {
 namespace {
@@ -73,42 +75,65 @@ std::uint64_t LiveRecording::max_bytes() const {
   return std::uint64_t{1'000'000} * static_cast<std::uint64_t>(run_.configuration.record.max_mb);
 }
 
-void LiveRecording::start(const std::string& name) {
-  if (recorder_ == nullptr)
-    throw SetupError("nothing can be recorded: give --record or set record.directory");
-  const RecordSettings& settings = run_.configuration.record;
-  const std::lock_guard lock(mutex_);
-  if (recorder_->status().active)
-    throw SetupError("a recording is running already: " + recorder_->path());
-  const HostNs now = loop::monotonic_now();
+publish::Recorder::Make LiveRecording::make(const std::string& name) const {
   const std::string& course = run_.course == nullptr ? std::string("poses") : run_.course->name;
-  const std::string folder = make_run_folder(settings.directory, name.empty() ? course : name,
-                                             static_cast<std::int64_t>(clock_.unix_ns(now)));
-  recorder_->begin({.path = folder + "/run.mcap", .max_bytes = max_bytes(), .clock = clock_},
-                   run_facts(files_, run_, {{"program", "tp100d run"}}));
-  name_ = fs::path(folder).filename();
-  began_ns_ = now;
-  for (const auto& [channel, json] : in_force_) recorder_->message(channel, now, json);
+  const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(loop::monotonic_now()));
+  return [this, name = name.empty() ? course : name, unix_ns] {
+    const std::string folder = make_run_folder(run_.configuration.record.directory, name, unix_ns);
+    return std::make_unique<publish::RecordingWriter>(
+        publish::RecordingSettings{
+            .path = folder + "/run.mcap", .max_bytes = max_bytes(), .clock = clock_},
+        run_facts(files_, run_, {{"program", "tp100d run"}}));
+  };
 }
 
-void LiveRecording::stop() {
-  if (recorder_ != nullptr) recorder_->end();
+std::uint64_t LiveRecording::start(const std::string& name, Answer answer) {
+  if (recorder_ == nullptr) {
+    answer("nothing can be recorded: give --record or set record.directory");
+    return 0;
+  }
+  const std::lock_guard lock(mutex_);
+  const std::uint64_t number = recorder_->ask_begin(make(name), std::move(answer));
+  if (number == 0) return 0;
+  const HostNs now = loop::monotonic_now();
+  for (const auto& [channel, json] : in_force_) recorder_->message(channel, now, json);
+  return number;
+}
+
+void LiveRecording::stop(std::uint64_t number, Answer answer) {
+  if (recorder_ == nullptr) return answer("nothing is recorded");
+  recorder_->ask_end(number, std::move(answer));
+}
+
+std::uint64_t LiveRecording::number() const {
+  return recorder_ == nullptr ? 0 : recorder_->number();
+}
+
+void LiveRecording::begin() {
+  const auto answered = std::make_shared<std::promise<std::string>>();
+  start({}, [answered](const std::string& why) { answered->set_value(why); });
+  if (const std::string why = answered->get_future().get(); !why.empty()) throw SetupError(why);
+}
+
+bool LiveRecording::finish(std::chrono::steady_clock::time_point deadline) {
+  return recorder_ == nullptr || recorder_->end(deadline);
 }
 
 void LiveRecording::discard() {
-  if (recorder_ != nullptr) recorder_->discard();
+  if (recorder_ == nullptr) return;
+  recorder_->end();
+  publish::remove_recording(recorder_->status().path);
 }
 
 publish::RecordingFigures LiveRecording::figures() const {
   publish::RecordingFigures figures;
   figures.available = recorder_ != nullptr;
   if (recorder_ == nullptr) return figures;
-  const std::lock_guard lock(mutex_);
   const publish::RecordingStatus status = recorder_->status();
   figures.active = status.active;
-  figures.run = name_;
-  figures.file = recorder_->path();
-  figures.elapsed_s = to_s((status.active ? loop::monotonic_now() : status.last_ns) - began_ns_);
+  figures.run = fs::path(status.path).parent_path().filename();
+  figures.file = status.path;
+  figures.elapsed_s = to_s(status.last_ns - status.first_ns);
   figures.bytes = status.bytes;
   figures.dropped = status.dropped;
   figures.warning = status.warning;

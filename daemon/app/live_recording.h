@@ -2,6 +2,7 @@
 // The recordings of a running bridge: one at a time, from the start of the program or when somebody
 // asks. Each can be replayed, whenever it began (publish/recorder.h).
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -21,12 +22,16 @@ class LiveRecording : public publish::Sink {
   /// can be written to record.directory.
   LiveRecording(const RunFiles& files, const RunSetup& run, const publish::PublishClock& clock);
 
-  // Any thread.
-  /// Begins a recording in a new folder of record.directory; an empty `name` is the course's.
-  /// Throws SetupError: no folder is set, a recording runs already, or the disk says no.
-  void start(const std::string& name);
-  /// Ends the recording, if there is one.
-  void stop();
+  using Answer = publish::Recorder::Answer;
+
+  // Any thread; none of these waits for the disk.
+  /// A recording begins here, in a new folder of record.directory; an empty `name` is the course's.
+  /// Returns its number; 0: refused, as the answer says.
+  std::uint64_t start(const std::string& name, Answer answer);
+  /// Recording `number`, or whichever there is if that is 0, ends here.
+  void stop(std::uint64_t number, Answer answer);
+  /// Of the recording that is running or asked for; 0: none.
+  std::uint64_t number() const;
   publish::RecordingFigures figures() const;
   /// CPU time that recordings have taken [s].
   double cpu_s() const;
@@ -37,20 +42,25 @@ class LiveRecording : public publish::Sink {
   // The thread that drains the steps.
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
+
+  // These wait for the disk.
+  /// As start(). Throws SetupError.
+  void begin();
+  /// Ends the recording and waits until all of it is written; false: not before `deadline`.
+  bool finish(std::chrono::steady_clock::time_point deadline);
   /// Removes the recording: the run never began.
   void discard();
 
  private:
   std::uint64_t max_bytes() const;
+  publish::Recorder::Make make(const std::string& name) const;
 
   const RunFiles& files_;
   const RunSetup& run_;
   publish::PublishClock clock_;
-  std::unique_ptr<publish::Recorder> recorder_;  // null: no folder is set
-  mutable std::mutex mutex_;                     // of what follows
-  std::string name_;                             // of the run's folder
-  HostNs began_ns_ = 0;
+  std::mutex mutex_;                                  // of what follows
   std::map<publish::Channel, std::string> in_force_;  // the last message of channels that have one
+  std::unique_ptr<publish::Recorder> recorder_;       // null: no folder is set
 };
 
 /// Whether a message of that channel does not follow from the steps: only who is told can record

@@ -1,6 +1,6 @@
 #include "app/run_recorder.h"
 
-#include "core/error.h"
+#include <utility>
 
 namespace tp100::app {
 namespace {
@@ -10,35 +10,36 @@ constexpr HostNs kTailNs = kNsPerS;
 }  // namespace
 
 // Who looks on may have ended it, and begun another.
-bool RunRecorder::under_way() const {
-  const publish::RecordingFigures is = recording_.figures();
-  return is.active && is.file == own_;
+void RunRecorder::end() {
+  if (own_ != 0) recording_.stop(own_, [](const std::string&) {});
+  own_ = 0;
 }
 
-std::string RunRecorder::on_run_state(RunState to, HostNs now) {
-  if (!on_) return {};
+void RunRecorder::on_run_state(RunState to, HostNs now) {
+  if (!on_) return;
   if (to != RunState::kArming) {
-    if (to != RunState::kRunning && !own_.empty()) end_ns_ = now + kTailNs;
-    return {};
+    if (to != RunState::kRunning && own_ != 0) end_ns_ = now + kTailNs;
+    return;
   }
   end_ns_.reset();
-  if (under_way()) recording_.stop();
-  own_.clear();
-  if (recording_.figures().active) return {};
-  try {
-    recording_.start("");
-  } catch (const SetupError& error) {
-    return std::string("this run is not recorded: ") + error.what();
-  }
-  own_ = recording_.figures().file;
-  return {};
+  end();
+  if (recording_.number() != 0) return;
+  own_ = recording_.start("", [note = note_](const std::string& why) {
+    if (why.empty()) return;
+    const std::lock_guard lock(note->mutex);
+    note->text = "this run is not recorded: " + why;
+  });
 }
 
 void RunRecorder::tick(HostNs now) {
   if (!end_ns_ || now < *end_ns_) return;
   end_ns_.reset();
-  if (under_way()) recording_.stop();
-  own_.clear();
+  end();
+}
+
+std::string RunRecorder::take_note() {
+  const std::lock_guard lock(note_->mutex);
+  return std::exchange(note_->text, {});
 }
 
 }  // namespace tp100::app

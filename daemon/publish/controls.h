@@ -1,7 +1,9 @@
 #pragma once
 // What a viewer may ask of the daemon. The server has checked the arguments and the state; whoever
-// implements this passes them on. Every call comes from the server's thread and must not block.
+// implements this passes them on. Every call comes from the thread that serves STOP and must not
+// block: not for a disk, nor for a lock that somebody holds while waiting for one.
 
+#include <functional>
 #include <string>
 
 #include "core/time.h"
@@ -21,9 +23,13 @@ class Controls {
   virtual void stop() = 0;
   /// `value` has the right type and lies within the limits.
   virtual std::string set(const ParameterText& parameter, const ParameterValue& value) = 0;
-  /// `run` gets the name of what is recorded.
-  virtual std::string record_start(const std::string& name, std::string& run) = 0;
-  virtual std::string record_stop(RecordingFigures& recorded) = 0;
+
+  /// Why it failed, in one line, or nothing; and the recording, which has begun or ended. Called
+  /// once, from any thread, when the disk has done its part.
+  using RecordAnswer =
+      std::function<void(const std::string& why, const RecordingFigures& recorded)>;
+  virtual void record_start(const std::string& name, RecordAnswer answer) = 0;
+  virtual void record_stop(RecordAnswer answer) = 0;
 
   // What only others know; cheap enough to ask often.
   virtual LoopFigures loop() = 0;

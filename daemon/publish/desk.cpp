@@ -181,7 +181,8 @@ std::string Desk::start() {
   return state.can_start ? controls_.start() : state.why_not_start;
 }
 
-std::string Desk::record_start(const std::vector<RequestField>& request, std::string& run) {
+std::string Desk::record_start(const std::vector<RequestField>& request,
+                               Controls::RecordAnswer answer) {
   std::string name;
   for (const RequestField& field : request) {
     if (field.name != "name") continue;
@@ -190,7 +191,40 @@ std::string Desk::record_start(const std::vector<RequestField>& request, std::st
       return "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
     name = *text;
   }
-  return controls_.record_start(name, run);
+  controls_.record_start(name, std::move(answer));
+  return {};
+}
+
+Controls::RecordAnswer Desk::answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
+                                          std::uint32_t call) const {
+  return [arrivals = arrivals_, service, weak = std::weak_ptr(viewer), call](
+             const std::string& why, const RecordingFigures& recording) {
+    const std::lock_guard lock(arrivals->mutex);
+    arrivals->recorded.push_back({service, weak, call, why, recording});
+  };
+}
+
+void Desk::answer_recorded() {
+  std::vector<Recorded> all;
+  {
+    const std::lock_guard lock(arrivals_->mutex);
+    all.swap(arrivals_->recorded);
+  }
+  for (const Recorded& each : all) {
+    const auto viewer = each.viewer.lock();
+    if (viewer == nullptr) continue;
+    const auto service = static_cast<std::uint32_t>(each.service);
+    if (!each.why.empty()) {
+      viewer->reply(service_failure(service, each.call, each.why));
+      continue;
+    }
+    std::string json;
+    JsonWriter writer(json);
+    writer.begin_object().field("run", each.recording.run);
+    if (each.service == Service::kRecordStop) writer.field("bytes", each.recording.bytes);
+    writer.end_object();
+    viewer->reply(service_response(service, each.call, json), true);
+  }
 }
 
 void Desk::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call, Permission permission,
@@ -221,26 +255,12 @@ void Desk::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call, Pe
     case Service::kHold:
       why = service == Service::kStart ? start() : controls_.hold();
       return why.empty() ? answer(R"({"accepted":true})") : fail(why);
-    case Service::kRecordStart: {
-      std::string run;
-      why = record_start(*request, run);
-      if (!why.empty()) return fail(why);
-      std::string json;
-      JsonWriter(json).begin_object().field("run", run).end_object();
-      return answer(json);
-    }
-    case Service::kRecordStop: {
-      RecordingFigures recorded;
-      why = controls_.record_stop(recorded);
-      if (!why.empty()) return fail(why);
-      std::string json;
-      JsonWriter(json)
-          .begin_object()
-          .field("run", recorded.run)
-          .field("bytes", recorded.bytes)
-          .end_object();
-      return answer(json);
-    }
+    case Service::kRecordStart:
+      why = record_start(*request, answer_later(service, viewer, call.call));
+      return why.empty() ? answer_recorded() : fail(why);
+    case Service::kRecordStop:
+      controls_.record_stop(answer_later(service, viewer, call.call));
+      return answer_recorded();
     case Service::kStop:
       return;
   }
@@ -273,6 +293,7 @@ void Desk::settle(HostNs now) {
 
 void Desk::tick(HostNs now) {
   settle(now);
+  answer_recorded();
   if (waiting_.empty()) return;
   const StopFigures& stop = feed_.stop().figures();
   if (stop.status == StopFigures::Status::kPending) return;

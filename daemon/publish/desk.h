@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,7 +35,7 @@ class Desk {
               Permission permission, HostNs now);
   /// Forgets what the viewer waited for.
   void leave(const Viewer& viewer);
-  /// Time passes or something happened: answers those who wait for a STOP.
+  /// Time passes or something happened: answers those who wait for a STOP or for the disk.
   void tick(HostNs now);
 
  private:
@@ -43,6 +44,19 @@ class Desk {
     std::weak_ptr<Viewer> viewer;
     std::uint32_t viewer_id;
     std::uint32_t call;
+  };
+  /// What became of a recording, on its way from the thread that waits for the disk; it may come
+  /// when the desk is gone.
+  struct Recorded {
+    Service service;
+    std::weak_ptr<Viewer> viewer;
+    std::uint32_t call;
+    std::string why;
+    RecordingFigures recording;
+  };
+  struct Arrivals {
+    std::mutex mutex;
+    std::vector<Recorded> recorded;
   };
 
   void on(Viewer& viewer, const GetParameters& wanted) const;
@@ -53,7 +67,10 @@ class Desk {
   void call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs now);
   std::string set(const SetParameters::One& one);
   std::string start();
-  std::string record_start(const std::vector<RequestField>& request, std::string& run);
+  std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
+  Controls::RecordAnswer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
+                                      std::uint32_t call) const;
+  void answer_recorded();
   void settle(HostNs now);
   void parameter_changed(const ParameterText& parameter, HostNs now);
   std::vector<const ParameterText*> select(const std::vector<std::string>& names) const;
@@ -65,6 +82,7 @@ class Desk {
   std::string session_id_;
   std::vector<ServiceText> services_;
   std::vector<Waiting> waiting_;
+  std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
   HostNs settle_ns_ = 0;                                    // until then a change is on its way
   std::map<std::uint32_t, std::set<std::string>> watched_;  // parameters, by viewer
 };

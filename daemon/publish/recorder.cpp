@@ -3,14 +3,15 @@
 #include <chrono>
 #include <condition_variable>
 #include <ctime>
+#include <deque>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "core/error.h"
 #include "publish/record_queue.h"
-#include "publish/recording_file.h"
 #include "publish/step_codec.h"
 #include "publish/step_journal.h"
 
@@ -19,8 +20,18 @@ namespace {
 
 constexpr std::size_t kQueueBytes = std::size_t{16} << 20;
 constexpr auto kPatience = std::chrono::milliseconds(50);
+constexpr std::size_t kMostRequests = 16;
+constexpr const char* kSlow = "the disk has not served earlier requests; try again later";
 
-enum class Kind : std::uint8_t { kBegin, kEnd, kStep, kTruth, kMessage };
+enum class Kind : std::uint8_t { kRequest, kStep, kTruth, kMessage };
+
+/// To begin a recording, or without `make` to end it.
+struct Request {
+  std::uint64_t number;
+  Recorder::Make make;
+  Recorder::Answer answer;
+  std::uint64_t dropped;  // before it
+};
 
 constexpr double Pose::*kPose[] = {&Pose::x_m,      &Pose::y_m,       &Pose::z_m,
                                    &Pose::roll_rad, &Pose::pitch_rad, &Pose::yaw_rad};
@@ -52,14 +63,15 @@ struct Recorder::State {
     out.patch(1, static_cast<std::uint32_t>(entry.size() - kHead));
     if (queue.put(entry)) return;
     const std::lock_guard lock(mutex);
-    ++status.dropped;
+    ++dropped;
   }
 
-  /// Where a recording begins or ends: between what was put before and after.
-  void mark(Kind kind) {
+  /// Where a recording begins or ends: between what was put before and after. With the mutex held.
+  void request(Request request) {
+    requests.push_back(std::move(request));
     Bytes entry;
     ByteWriter out(entry);
-    out.number(static_cast<std::uint8_t>(kind));
+    out.number(static_cast<std::uint8_t>(Kind::kRequest));
     out.number<std::uint32_t>(0);
     queue.mark(entry);
   }
@@ -67,27 +79,67 @@ struct Recorder::State {
   void run() {
     Bytes taken;
     for (bool more = true; more;) {
-      try {
-        more = queue.take(taken, kPatience);
-        write(taken);
-        report();
-      } catch (const std::exception& error) {
-        // Out of memory, for instance: the robot must not stop for it.
-        writer.reset();
-        journal.reset();
-        const std::lock_guard lock(mutex);
-        status.active = false;
-        status.warning = path + ": recording stopped (" + error.what() + ")";
-        changed.notify_all();
+      more = queue.take(taken, kPatience);
+      ByteReader in(taken);
+      while (in.left() > 0) {
+        const auto kind = static_cast<Kind>(in.number<std::uint8_t>());
+        const auto payload = in.bytes(in.number<std::uint32_t>());
+        try {
+          write(kind, payload);
+        } catch (const std::exception& error) {
+          fail(error);
+        }
       }
+      report();
     }
   }
-  void begin() {
+  // Out of memory, for instance: the robot must not stop for it.
+  void fail(const std::exception& error) {
+    writer.reset();
+    journal.reset();
+    const std::lock_guard lock(mutex);
+    status.active = false;
+    status.warning = status.path + ": recording stopped (" + error.what() + ")";
+    if (number == writing) number = 0;
+  }
+  void serve() {
+    Request request;
     {
       const std::lock_guard lock(mutex);
-      writer = std::move(asked);
+      request = std::move(requests.front());
+      requests.pop_front();
     }
+    const std::string why = request.make ? begin(request) : finish();
+    request.answer(why);
+    if (request.make && why.empty()) write_before();
+  }
+  std::string begin(const Request& request) {
+    try {
+      writer = request.make();
+    } catch (const std::exception& error) {
+      const std::lock_guard lock(mutex);
+      if (number == request.number) number = 0;
+      return error.what();
+    }
+    writing = request.number;
     late.clear();
+    const std::lock_guard lock(mutex);
+    status = {
+        .active = true, .path = writer->path(), .bytes = writer->bytes(), .cpu_s = status.cpu_s};
+    dropped_before = request.dropped;
+    return {};
+  }
+  std::string finish() {
+    if (writer == nullptr) return "nothing is recorded";
+    try {
+      writer->finish();
+    } catch (const std::exception& error) {
+      fail(error);
+    }
+    report();
+    return {};
+  }
+  void write_before() {
     if (steps == 0) return;
     std::string lost = journal == nullptr ? std::string("nobody kept them") : journal->problem();
     if (lost.empty()) {
@@ -97,32 +149,23 @@ struct Recorder::State {
     }
     if (!lost.empty()) late = "it cannot be replayed, the steps before it are lost (" + lost + ")";
   }
-  void write(std::span<const std::uint8_t> entries) {
-    ByteReader in(entries);
-    while (in.left() > 0) {
-      const auto kind = static_cast<Kind>(in.number<std::uint8_t>());
-      const auto payload = in.bytes(in.number<std::uint32_t>());
-      switch (kind) {
-        case Kind::kBegin:
-          begin();
-          break;
-        case Kind::kEnd:
-          if (writer != nullptr) writer->finish();
-          report();
-          break;
-        case Kind::kStep:
-          decode_step(payload, *record);
-          ++steps;
-          if (journal != nullptr) journal->add(*record);
-          if (writer != nullptr) writer->step(*record, payload);
-          break;
-        case Kind::kTruth:
-          write_truth(ByteReader(payload));
-          break;
-        case Kind::kMessage:
-          write_message(ByteReader(payload));
-          break;
-      }
+  void write(Kind kind, std::span<const std::uint8_t> payload) {
+    switch (kind) {
+      case Kind::kRequest:
+        serve();
+        break;
+      case Kind::kStep:
+        decode_step(payload, *record);
+        ++steps;
+        if (journal != nullptr) journal->add(*record);
+        if (writer != nullptr) writer->step(*record, payload);
+        break;
+      case Kind::kTruth:
+        write_truth(ByteReader(payload));
+        break;
+      case Kind::kMessage:
+        write_message(ByteReader(payload));
+        break;
     }
   }
   void write_truth(ByteReader in) {
@@ -137,17 +180,19 @@ struct Recorder::State {
     if (writer != nullptr) writer->message(channel, at, in.text());
   }
   void report() {
+    std::unique_ptr<RecordingWriter> ended;  // its file is closed without the lock
     const std::lock_guard lock(mutex);
     status.cpu_s = thread_cpu_s();
     if (writer == nullptr) return;
     status.active = writer->active();
     status.bytes = writer->bytes();
     status.warning = writer->warning();
-    if (status.warning.empty() && !late.empty()) status.warning = path + ": " + late;
-    status.last_ns = record->now_ns;
+    if (status.warning.empty() && !late.empty()) status.warning = status.path + ": " + late;
+    status.first_ns = writer->first_ns();
+    if (status.first_ns != 0) status.last_ns = record->now_ns;
     if (status.active) return;
-    writer.reset();
-    changed.notify_all();
+    ended = std::move(writer);
+    if (number == writing) number = 0;
   }
 
   static constexpr std::size_t kHead = 5;
@@ -159,11 +204,12 @@ struct Recorder::State {
   std::unique_ptr<StepRecord> record = std::make_unique<StepRecord>();
   std::uint64_t steps = 0;
   std::string late;
+  std::uint64_t writing = 0;  // number of the writer's recording
 
-  mutable std::mutex mutex;  // of what follows
-  std::condition_variable changed;
-  std::string path;
-  std::unique_ptr<RecordingWriter> asked;
+  mutable std::mutex mutex;  // of what follows; never held while the disk is waited for
+  std::deque<Request> requests;
+  std::uint64_t number = 0, last_number = 0;
+  std::uint64_t dropped = 0, dropped_before = 0;
   RecordingStatus status;
   std::thread thread;
 };
@@ -176,20 +222,62 @@ Recorder::~Recorder() {
   state_->thread.join();
 }
 
-void Recorder::begin(const RecordingSettings& recording, const RunFacts& facts) {
-  auto writer = std::make_unique<RecordingWriter>(recording, facts);
-  const std::lock_guard lock(state_->mutex);
-  state_->path = recording.path;
-  state_->status = {.active = true, .bytes = writer->bytes(), .cpu_s = state_->status.cpu_s};
-  state_->asked = std::move(writer);
-  state_->mark(Kind::kBegin);
+std::uint64_t Recorder::ask_begin(Make make, Answer answer) {
+  std::string why;
+  {
+    const std::lock_guard lock(state_->mutex);
+    if (state_->number != 0) {
+      why = "a recording is running already";
+      if (state_->status.active) why += ": " + state_->status.path;
+    } else if (state_->requests.size() >= kMostRequests) {
+      why = kSlow;
+    } else {
+      state_->number = ++state_->last_number;
+      state_->request({state_->number, std::move(make), std::move(answer), state_->dropped});
+      return state_->number;
+    }
+  }
+  answer(why);
+  return 0;
 }
 
-void Recorder::end() {
-  std::unique_lock lock(state_->mutex);
-  if (!state_->status.active) return;
-  state_->mark(Kind::kEnd);
-  state_->changed.wait(lock, [this] { return !state_->status.active; });
+void Recorder::ask_end(std::uint64_t number, Answer answer) {
+  std::string why;
+  {
+    const std::lock_guard lock(state_->mutex);
+    if (state_->number == 0 || (number != 0 && number != state_->number)) {
+      why = "nothing is recorded";
+    } else if (state_->requests.size() >= kMostRequests) {
+      why = kSlow;
+    } else {
+      state_->request({std::exchange(state_->number, 0), {}, std::move(answer), 0});
+      return;
+    }
+  }
+  answer(why);
+}
+
+void Recorder::begin(Make make) {
+  // Shared with an answer that may still be returning from the promise.
+  const auto answered = std::make_shared<std::promise<std::string>>();
+  ask_begin(std::move(make), [answered](const std::string& why) { answered->set_value(why); });
+  if (const std::string why = answered->get_future().get(); !why.empty()) throw SetupError(why);
+}
+
+void Recorder::begin(const RecordingSettings& recording, const RunFacts& facts) {
+  begin([&] { return std::make_unique<RecordingWriter>(recording, facts); });
+}
+
+bool Recorder::end(Clock::time_point deadline) {
+  const auto answered = std::make_shared<std::promise<void>>();
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->request({std::exchange(state_->number, 0),
+                     {},
+                     [answered](const std::string&) { answered->set_value(); },
+                     0});
+  }
+  return answered->get_future().wait_until(deadline) == std::future_status::ready;
 }
 
 void Recorder::take(const StepRecord& record) {
@@ -213,19 +301,16 @@ void Recorder::message(Channel channel, HostNs at, std::string_view json) {
   });
 }
 
-void Recorder::discard() {
-  end();
-  remove_recording(path());
-}
-
 RecordingStatus Recorder::status() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->status;
+  RecordingStatus status = state_->status;
+  status.dropped = state_->dropped - state_->dropped_before;
+  return status;
 }
 
-std::string Recorder::path() const {
+std::uint64_t Recorder::number() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->path;
+  return state_->number;
 }
 
 }  // namespace tp100::publish

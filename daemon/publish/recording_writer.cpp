@@ -115,6 +115,7 @@ void RecordingWriter::before(HostNs at, std::span<const std::uint8_t> block) {
 
 void RecordingWriter::step(const StepRecord& record, std::span<const std::uint8_t> bytes) {
   const HostNs now = record.now_ns;
+  if (first_ns_ == 0) first_ns_ = now;
   write(step_channel_, now, bytes);
   if (truth_ && now - truth_->at_ns > kTruthHoldsNs) truth_.reset();
   message(Channel::kEstimate, now, messages_.estimate(record, truth_));

@@ -60,6 +60,9 @@ class RecordingWriter {
   /// Why it ended early, and what to do: one line. Empty: it did not.
   const std::string& warning() const { return warning_; }
   std::uint64_t bytes() const { return file_.size(); }
+  const std::string& path() const { return settings_.path; }
+  /// Time of the first step in it; 0: none yet.
+  HostNs first_ns() const { return first_ns_; }
 
  private:
   void add_channels();
@@ -76,7 +79,7 @@ class RecordingWriter {
   std::uint16_t before_channel_ = 0, step_channel_ = 0, truth_channel_ = 0;
   std::map<Channel, std::uint16_t> channels_;
   std::optional<Truth> truth_;
-  HostNs next_pose_ns_ = 0, next_slip_ns_ = 0;
+  HostNs first_ns_ = 0, next_pose_ns_ = 0, next_slip_ns_ = 0;
   bool active_ = true;
   std::string warning_;
 };

@@ -22,7 +22,7 @@ class RunRecorder : public publish::Sink {
   void take_push(HostNs at) override;
   /// Ends the file and says on standard error what went wrong.
   void finish();
-  std::string path() const { return recorder_.path(); }
+  std::string path() const { return recorder_.status().path; }
 
  private:
   RunRecorder(const std::string& folder, const Loaded& loaded, const app::RunSetup& run,

@@ -316,6 +316,31 @@ TEST_F(DeskTest, RecordingsHaveHarmlessNames) {
   EXPECT_EQ(answer_of(call(5).binaries.at(0))["run"], "run-1_a.b");
 }
 
+TEST_F(DeskTest, AnAnswerOfASlowDiskComesLaterAndStopBeforeIt) {
+  controls_.slow_disk = true;
+  const Heard nothing = call(5);
+  EXPECT_TRUE(nothing.texts.empty() && nothing.binaries.empty());
+  call(3);
+  EXPECT_EQ(controls_.stops, 1);
+  RecordingFigures late;
+  late.run = "late";
+  late.bytes = 7;
+  controls_.unanswered("", late);
+  desk_.tick(kNow);
+  const Json answer = answer_of(hear().binaries.at(0));
+  EXPECT_EQ(answer["run"], "late");
+  EXPECT_EQ(answer["bytes"], 7);
+  call(5);
+  controls_.unanswered("no disk", {});
+  desk_.tick(kNow);
+  EXPECT_EQ(hear().texts.at(0)["op"], "serviceCallFailure");
+  // Who has left gets none.
+  call(5);
+  viewer_.reset();
+  controls_.unanswered("", {});
+  desk_.tick(kNow);
+}
+
 TEST_F(DeskTest, WhoAsksAndNeverReadsIsFailed) {
   const ClientMessage ask = GetParameters{};
   for (int i = 0; i < 1000 && !failed_; ++i) desk_.handle(viewer_, ask, Permission::kCommand, kNow);

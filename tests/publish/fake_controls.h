@@ -26,16 +26,19 @@ class FakeControls : public Controls {
     sets.emplace_back(parameter.name, value);
     return set_refusal;
   }
-  std::string record_start(const std::string& name, std::string& run) override {
-    if (!can_record) return "no directory";
-    record.active = true;
-    record.run = run = name.empty() ? "20260102-030405-3" : name;
-    return {};
+  void record_start(const std::string& name, RecordAnswer answer) override {
+    if (can_record) {
+      record.active = true;
+      record.run = name.empty() ? "20260102-030405-3" : name;
+    }
+    answer(can_record ? "" : "no directory", record);
   }
-  std::string record_stop(RecordingFigures& recorded) override {
+  /// Answered at once, or, with a slow disk, by whoever takes `unanswered`.
+  void record_stop(RecordAnswer answer) override {
     record.active = false;
-    recorded = record;
-    return {};
+    if (!slow_disk) return answer("", record);
+    const std::lock_guard lock(mutex);
+    unanswered = std::move(answer);
   }
   LoopFigures loop() override { return {}; }
   PortFigures port() override { return {"/dev/ttyACM0", true, "0.1.0"}; }
@@ -45,7 +48,8 @@ class FakeControls : public Controls {
   std::mutex mutex;
   std::vector<std::pair<std::string, ParameterValue>> sets;
   std::string set_refusal;
-  bool can_record = false;
+  bool can_record = false, slow_disk = false;
+  RecordAnswer unanswered;
   RecordingFigures record{};
 };
 

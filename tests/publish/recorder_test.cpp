@@ -6,12 +6,14 @@
 
 #include <chrono>
 #include <csignal>
+#include <future>
 #include <thread>
 #include <tuple>
 
 #include "analysis/recording.h"
 #include "core/error.h"
 #include "fixtures.h"
+#include "publish/recording_file.h"
 #include "publish/step_codec.h"
 #include "random_record.h"
 #include "support/temporary_folder.h"
@@ -235,12 +237,88 @@ TEST_F(RecorderTest, AJournalThatCannotBeWrittenIsAnErrorOfOneLine) {
   EXPECT_THROW(Recorder({.journal_folder = "/proc/none"}), SetupError);
 }
 
-TEST_F(RecorderTest, DiscardLeavesNothing) {
+TEST_F(RecorderTest, RemovingARecordingLeavesNothing) {
   Recorder recorder({.patient = true});
   recorder.begin(settings("sub/run.mcap"), facts());
   feed(recorder, 1, 10);
-  recorder.discard();
+  recorder.end();
+  remove_recording(recorder.status().path);
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+}
+
+// What the disk of a test takes only when it is let.
+class SlowDisk {
+ public:
+  ~SlowDisk() { go_on(); }
+  void go_on() {
+    if (!std::exchange(going_, true)) goes_.set_value();
+  }
+  Recorder::Make make(const RecordingSettings& settings, const RunFacts& facts) {
+    return [settings, facts, goes = future_] {
+      goes.wait();
+      return std::make_unique<RecordingWriter>(settings, facts);
+    };
+  }
+
+ private:
+  bool going_ = false;
+  std::promise<void> goes_;
+  std::shared_future<void> future_ = goes_.get_future().share();
+};
+
+TEST_F(RecorderTest, WhoAsksNeverWaitsForTheDiskAndNothingIsLost) {
+  std::vector<std::string> answers;
+  Recorder recorder({.journal_folder = folder_.path().string()});
+  SlowDisk disk;
+  const auto answer = [&](const std::string& name) {
+    return [&answers, name](const std::string& why) { answers.push_back(name + why); };
+  };
+  feed(recorder, 1, 10);
+  EXPECT_EQ(recorder.ask_begin(disk.make(settings("first.mcap"), facts()), answer("begun")), 1U);
+  feed(recorder, 11, 20);
+  EXPECT_EQ(recorder.number(), 1U);
+  EXPECT_FALSE(recorder.status().active) << "there is no file yet";
+  recorder.ask_end(7, answer("another's: "));
+  recorder.ask_end(1, answer("ended"));
+  EXPECT_EQ(recorder.number(), 0U);
+  feed(recorder, 21, 30);
+  EXPECT_EQ(recorder.ask_begin(disk.make(settings("second.mcap"), facts()), answer("begun")), 2U);
+  feed(recorder, 31, 40);
+  EXPECT_THAT(answers, testing::ElementsAre("another's: nothing is recorded"));
+  EXPECT_FALSE(recorder.end(Recorder::Clock::now())) << "it ends when the disk allows";
+  disk.go_on();
+  EXPECT_TRUE(recorder.end());
+  EXPECT_THAT(answers,
+              testing::ElementsAre("another's: nothing is recorded", "begun", "ended", "begun"));
+  EXPECT_EQ(steps_in(Recording(folder_.file("first.mcap"))), 10U);
+  EXPECT_EQ(steps_in(Recording(folder_.file("second.mcap"))), 10U);
+  EXPECT_TRUE(Recording(folder_.file("second.mcap")).whole());
+}
+
+TEST_F(RecorderTest, OneRecordingAtATimeAndNoEndlessQueueOfRequests) {
+  std::string why;
+  Recorder recorder;
+  SlowDisk disk;
+  const auto note = [&](const std::string& text) { why = text; };
+  const auto ignore = [](const std::string&) {};
+  recorder.ask_begin(disk.make(settings(), facts()), ignore);
+  EXPECT_EQ(recorder.ask_begin(disk.make(settings("other"), facts()), note), 0U);
+  EXPECT_THAT(why, HasSubstr("running already"));
+  why.clear();
+  for (int i = 0; i < 100 && why.empty(); ++i) {
+    recorder.ask_end(0, note);
+    if (why.empty()) recorder.ask_begin(disk.make(settings(), facts()), note);
+  }
+  EXPECT_THAT(why, HasSubstr("has not served earlier requests"));
+}
+
+TEST_F(RecorderTest, AfterAFileThatCannotBeMadeTheNextOneMay) {
+  Recorder recorder;
+  EXPECT_THROW(recorder.begin([]() -> std::unique_ptr<RecordingWriter> { throw SetupError("no"); }),
+               SetupError);
+  EXPECT_EQ(recorder.number(), 0U);
+  recorder.begin(settings(), facts());
+  EXPECT_NE(recorder.number(), 0U);
 }
 
 }  // namespace
