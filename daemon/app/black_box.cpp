@@ -34,15 +34,19 @@ std::string black_box_directory(const RecordSettings& settings) {
 }
 
 BlackBox::BlackBox(const RunFiles& files, const RunSetup& run, const publish::PublishClock& clock,
-                   std::function<bool()> recorded)
+                   disk::Worker& disk, std::function<bool()> recorded)
     : files_(files),
       run_(run),
       clock_(clock),
+      disk_(disk),
       recorded_(std::move(recorded)),
       length_ns_(from_s(run.configuration.record.black_box_s)),
       directory_(black_box_directory(run.configuration.record)) {}
 
-BlackBox::~BlackBox() { finish(); }
+BlackBox::~BlackBox() {
+  finish();
+  disk_.idle_by(std::chrono::steady_clock::time_point::max());
+}
 
 void BlackBox::hear(publish::Channel channel, std::uint64_t unix_ns, std::string_view json) {
   if (length_ns_ == 0 || !is_told(channel)) return;
@@ -75,15 +79,18 @@ void BlackBox::keep(const StepRecord& record) {
 }
 
 void BlackBox::begin_to_write() {
-  if (writer_.joinable()) writer_.join();
   Messages messages;
   {
     const std::lock_guard lock(mutex_);
     messages = messages_;
   }
   // Two black boxes have no step in common.
-  writer_ = std::thread([this, fault = std::exchange(fault_, {}), steps = std::exchange(steps_, {}),
-                         messages = std::move(messages)] { write(fault, steps, messages); });
+  const std::string fault = std::exchange(fault_, {});
+  const bool taken =
+      disk_.post([this, fault, steps = std::exchange(steps_, {}), messages = std::move(messages)] {
+        write(fault, steps, messages);
+      });
+  if (!taken) note("black box of " + fault + " is not written: the disk is too slow");
 }
 
 void BlackBox::write(const std::string& fault, const Steps& steps, const Messages& messages) {
@@ -128,7 +135,6 @@ void BlackBox::keep_newest(const std::string& file) {
 
 void BlackBox::finish() {
   if (!fault_.empty() && !steps_.empty()) begin_to_write();
-  if (writer_.joinable()) writer_.join();
 }
 
 void BlackBox::note(std::string text) {

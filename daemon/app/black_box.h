@@ -10,10 +10,10 @@
 #include <mutex>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "app/run_setup.h"
+#include "disk/worker.h"
 #include "publish/channels.h"
 #include "publish/publish_clock.h"
 #include "publish/sink.h"
@@ -31,19 +31,19 @@ class BlackBox : public publish::Sink {
   static constexpr std::size_t kMostFiles = 20;
   static constexpr HostNs kAfterwardsNs = kNsPerS;
 
-  /// `recorded` tells whether a recording is running that holds the same; any thread. The
-  /// references must outlive this.
+  /// `recorded` tells whether a recording is running that holds the same; any thread. Black boxes
+  /// are written by `disk`. The references must outlive this.
   BlackBox(const RunFiles& files, const RunSetup& run, const publish::PublishClock& clock,
-           std::function<bool()> recorded);
-  /// As finish().
+           disk::Worker& disk, std::function<bool()> recorded);
+  /// As finish(), and waits until all is written.
   ~BlackBox() override;
 
   /// What is said on the channels (publish::Listener). Any thread.
   void hear(publish::Channel channel, std::uint64_t unix_ns, std::string_view json);
 
-  // The thread that drains the steps.
+  // The thread that drains the steps. Never waits for the disk.
   void take(const StepRecord& record) override;
-  /// The program ends: writes the fault whose second is not over, waits until all is on the disk.
+  /// The program ends: the fault whose second is not over is written, too.
   void finish();
   /// What there is to say since the last call: a file that was written, or why it was not; one
   /// line, or empty.
@@ -71,6 +71,7 @@ class BlackBox : public publish::Sink {
   const RunFiles& files_;
   const RunSetup& run_;
   publish::PublishClock clock_;
+  disk::Worker& disk_;
   std::function<bool()> recorded_;
   HostNs length_ns_;
   std::string directory_;
@@ -79,9 +80,8 @@ class BlackBox : public publish::Sink {
   FaultMask known_ = 0;                    // faults of the last step
   std::string fault_;                      // that waits to be written; empty: none
   HostNs due_ns_ = 0;                      // when it is
-  std::deque<std::string> files_written_;  // so far, oldest first; of the writer
-  std::thread writer_;
-  std::mutex mutex_;  // of what follows
+  std::deque<std::string> files_written_;  // so far, oldest first; of the disk's thread
+  std::mutex mutex_;                       // of what follows
   Messages messages_;
   std::string note_;
 };

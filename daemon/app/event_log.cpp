@@ -40,12 +40,18 @@ EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
   writer_->logger->flush_on(spdlog::level::info);
 }
 
-EventLog::~EventLog() {
+bool EventLog::flush() {
   for (std::chrono::milliseconds waited{0}; writer_->pool->queue_size() > 0 && waited < kPatience;
        waited += kLook)
     std::this_thread::sleep_for(kLook);
+  // The last line may be on its way still.
+  std::this_thread::sleep_for(kLook);
+  return writer_->pool->queue_size() == 0;
+}
+
+EventLog::~EventLog() {
   // Its thread hangs in a write that may never end: it goes with the process.
-  if (writer_->pool->queue_size() > 0) {
+  if (!flush()) {
     static_cast<void>(writer_.release());
     return;
   }

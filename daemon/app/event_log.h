@@ -20,6 +20,9 @@ class EventLog {
   /// Writes what waits; gives up on a reader who takes nothing for a second.
   ~EventLog();
 
+  /// Waits until all is written; false: the reader took nothing for a second.
+  bool flush();
+
   void info(const std::string& line);
   void warn(const std::string& line);
   /// `all_words`: of the event, one line each. Bursts of the same kind are folded.

@@ -25,6 +25,9 @@
 namespace tp100::app {
 namespace {
 
+// Each holds up to record.black_box_s of steps.
+constexpr std::size_t kWaitingBoxes = 4;
+
 bridge::Setup setup_of(const std::string& name) {
   if (const auto setup = bridge::setup_named(name)) return *setup;
   throw SetupError("--setup " + course::one_line(name) +
@@ -120,7 +123,9 @@ int run_run(const RunOptions& options) {
   const publish::PublishClock clock = read_clocks();
   LiveRecording recording(files, run, clock);
   settings.recording = &recording;
-  BlackBox black_box(files, run, clock, [&recording] { return recording.figures().active; });
+  disk::Worker disk(kWaitingBoxes);
+  settings.disk = &disk;
+  BlackBox black_box(files, run, clock, disk, [&recording] { return recording.figures().active; });
   settings.black_box = &black_box;
   LiveControls controls(cycle, loop, recording);
   const auto listener = [&](publish::Channel channel, std::uint64_t unix_ns,
@@ -130,7 +135,7 @@ int run_run(const RunOptions& options) {
   };
   const std::unique_ptr<publish::Server> server = make_server(run, clock, controls, listener);
   // Who stays records run by run.
-  if (!configuration.record.directory.empty() && !options.stay) recording.start("");
+  if (!configuration.record.directory.empty() && !options.stay) recording.begin();
   settings.server = server.get();
   settings.controls = &controls;
   settings.stay = options.stay;

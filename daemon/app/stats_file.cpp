@@ -1,14 +1,10 @@
 #include "app/stats_file.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/error.h"
+#include "disk/atomic_file.h"
 
 namespace tp100::app {
 namespace {
@@ -145,17 +141,39 @@ std::string stats_json(const RunFigures& figures) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_stats(const std::string& path, const std::string& text) {
-  const std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file || std::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int error = errno;
-    std::remove(temporary.c_str());
-    throw SetupError(path + ": cannot be written (" + std::strerror(error) +
-                     "); choose another file for --stats");
-  }
+StatsFile::StatsFile(std::string path, disk::Worker& disk) : path_(std::move(path)), disk_(disk) {}
+
+void StatsFile::begin(const RunFigures& figures) {
+  if (!path_.empty()) disk::write_file(path_, stats_json(figures), disk::Flush::kNo);
+}
+
+void StatsFile::write(const RunFigures& figures) {
+  if (path_.empty()) return;
+  std::string text = stats_json(figures);
+  const std::lock_guard lock(state_->mutex);
+  state_->text = std::move(text);
+  if (state_->writing) return;
+  state_->writing = disk_.post([path = path_, state = state_] {
+    for (;;) {
+      std::unique_lock lock_inside(state->mutex);
+      const std::optional<std::string> next = std::exchange(state->text, std::nullopt);
+      state->writing = next.has_value();
+      if (!next) return;
+      lock_inside.unlock();
+      try {
+        disk::write_file(path, *next, disk::Flush::kNo);
+      } catch (const SetupError& error) {
+        // A disk that fills up during a run does not end it.
+        lock_inside.lock();
+        if (!std::exchange(state->failed, true)) state->note = error.what();
+      }
+    }
+  });
+}
+
+std::string StatsFile::take_note() {
+  const std::lock_guard lock(state_->mutex);
+  return std::exchange(state_->note, {});
 }
 
 }  // namespace tp100::app

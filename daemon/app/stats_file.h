@@ -1,12 +1,15 @@
 #pragma once
-// The figures of a run as JSON (--stats). Written to a temporary file and renamed.
+// The figures of a run as JSON (--stats).
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/live_cycle.h"
 #include "app/live_world.h"
+#include "disk/worker.h"
 #include "link/camera_intake.h"
 #include "publish/figures.h"
 
@@ -33,7 +36,30 @@ struct RunFigures {
 /// One JSON object.
 std::string stats_json(const RunFigures& figures);
 
-/// Writes `text` to `path` as a whole or not at all. Throws SetupError.
-void write_stats(const std::string& path, const std::string& text);
+/// The file of --stats, which is replaced again and again. One thread.
+class StatsFile {
+ public:
+  /// An empty `path` is none. `disk` writes it and must outlive this.
+  StatsFile(std::string path, disk::Worker& disk);
+  /// Writes `figures` before anything moves, and waits for the disk. Throws SetupError.
+  void begin(const RunFigures& figures);
+  /// Has `figures` written; never waits for the disk: figures that it has not taken yet give way.
+  void write(const RunFigures& figures);
+  /// Why the file is not written any more, in one line, the first time that it was not; or nothing.
+  std::string take_note();
+
+ private:
+  struct State {
+    std::mutex mutex;
+    std::optional<std::string> text;  ///< that waits for the disk
+    bool writing = false;
+    bool failed = false;
+    std::string note;
+  };
+
+  const std::string path_;
+  disk::Worker& disk_;
+  std::shared_ptr<State> state_ = std::make_shared<State>();  // shared with the disk's thread
+};
 
 }  // namespace tp100::app

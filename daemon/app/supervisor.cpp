@@ -1,7 +1,9 @@
 #include "app/supervisor.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 // Asio 1.74 uses std::exchange without including it.
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -29,6 +31,9 @@ using Kind = link::SessionEvent::Kind;
 
 constexpr auto kTick = std::chrono::milliseconds(10);
 constexpr HostNs kStatsPeriodNs = kNsPerS;
+// How long the end of the program waits for disks; the unit's TimeoutStopSec is longer.
+constexpr auto kDiskPatience = std::chrono::seconds(5);
+constexpr auto kDiskLook = std::chrono::milliseconds(100);
 // Causes after which the robot may come back: without --go the daemon waits for a new start.
 constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
                                    fault_bit(Fault::stop_requested) | fault_bit(Fault::world_lost);
@@ -42,6 +47,7 @@ struct Supervisor::State {
         loop(l),
         connector(s.connector, l, [this](const std::string& line) { log.info(line); }),
         run_recorder(*s.recording, s.stay && s.recording->figures().available),
+        stats(s.stats_path, *s.disk),
         signals(context),
         timer(context) {}
 
@@ -56,7 +62,6 @@ struct Supervisor::State {
   void on_session(const LiveEvent& event);
   void on_session_state(SessionState state);
   void on_run_state(const LiveEvent& event);
-  void record_run(const LiveEvent& event);
   void on_enter();
   void run_ended(int exit_status, const std::string& result);
   void begin_serving();
@@ -64,9 +69,10 @@ struct Supervisor::State {
   void serve(const LiveEvent& event, const std::vector<publish::Event>& words);
   void take_signals();
   void end(int exit_status, const std::string& result);
-  void write_figures();
+  void take_figures();
   void take_recording();
-  void note_black_box();
+  void take_notes();
+  void finish_files();
   void summarize() const;
 
   SupervisorSettings settings;
@@ -77,6 +83,7 @@ struct Supervisor::State {
   asio::io_context context;
   Connector connector;
   RunRecorder run_recorder;
+  StatsFile stats;
   asio::signal_set signals;
   asio::steady_timer timer;
   std::unique_ptr<OperatorInput> input;
@@ -92,7 +99,6 @@ struct Supervisor::State {
   HostNs next_stats_ns = 0;
   std::string refusal;
   bool had_session = false;
-  bool stats_written = false, stats_failed = false;
   bool ending = false;
   int status = 1;
   int stay_status = 0;  // of the last run, for who stays
@@ -117,6 +123,7 @@ int Supervisor::State::run() {
   sinks.push_back(settings.black_box);
   sinks.push_back(settings.server);
   figures.page = settings.server->url();
+  stats.begin(figures);
   take_signals();
   if (!settings.camera.listen.empty()) {
     camera = std::make_unique<CameraPort>(
@@ -143,15 +150,45 @@ int Supervisor::State::run() {
   take_records();
   take_events();
   take_status(loop::monotonic_now());
+  finish_files();
+  return status;
+}
+
+// The robot is disarmed: now disks may be waited for, but not for ever.
+void Supervisor::State::finish_files() {
+  const auto deadline = std::chrono::steady_clock::now() + kDiskPatience;
+  // Each look is short, so that the watchdog is fed between them.
+  const auto wait = [&](const auto& done_by) {
+    for (std::uint64_t turns = loop.statistics().turns.load() + 1;; ++turns) {
+      const auto now = std::chrono::steady_clock::now();
+      if (done_by(now + kDiskLook)) return true;
+      if (now >= deadline) return false;
+      notice.alive(turns, loop::monotonic_now());
+    }
+  };
   // What happened last is to be in the recording.
   settings.server->flush();
-  settings.recording->stop();
   settings.black_box->finish();
-  note_black_box();
+  const bool recorded = wait([&](auto by) { return settings.recording->finish(by); });
   figures.duration_s = to_s(loop::monotonic_now() - began_ns);
-  write_figures();
+  take_figures();
+  const bool written = wait([&](auto by) { return settings.disk->idle_by(by); });
+  const bool answered = wait([&](auto by) { return world->ended_by(by); });
+  take_notes();
+  std::string lost;
+  if (!recorded && figures.recording.active) lost += ", the end of " + figures.recording.file;
+  if (!written) lost += ", the last figures of --stats or a black box";
+  if (!answered) lost += ", the last text of world.encoder_file";
+  if (!lost.empty()) {
+    status = std::max(status, 1);
+    log.warn("a disk has stood still for 5 s, lost: " + lost.substr(2) +
+             "; check the disks, tp100d recover makes recordings whole");
+  }
   summarize();
-  return status;
+  if (recorded && written && answered && !settings.server->waits_for_disk()) return;
+  // The threads that wait for it cannot be joined.
+  log.flush();
+  std::_Exit(status);
 }
 
 void Supervisor::State::begin_serving() {
@@ -217,7 +254,7 @@ void Supervisor::State::tick() {
   log.tick(now);
   notice.alive(loop.statistics().turns.load(), now);
   if (const std::string note = world->take_note(); !note.empty()) log.info(note);
-  note_black_box();
+  take_notes();
   run_recorder.tick(now);
   if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
   if (ending && loop.ended()) {
@@ -230,7 +267,7 @@ void Supervisor::State::tick() {
   if (now >= next_stats_ns) {
     next_stats_ns = now + kStatsPeriodNs;
     figures.duration_s = to_s(now - began_ns);
-    write_figures();
+    take_figures();
     if (settings.verbose) log.times(settings.controls->loop());
   }
   schedule_tick();
@@ -241,7 +278,8 @@ void Supervisor::State::take_events() {
   while (cycle.take_event(event)) {
     // What ends the program is said once, by the error.
     if (event.kind == LiveEvent::Kind::kSession) fail_early(event);
-    if (event.kind == LiveEvent::Kind::kRunState) record_run(event);
+    // Before anybody is told, so that the recording has it.
+    if (event.kind == LiveEvent::Kind::kRunState) run_recorder.on_run_state(event.to, event.at_ns);
     const std::vector<publish::Event> words = words_for(event);
     log.event(event, words);
     serve(event, words);
@@ -327,12 +365,6 @@ void Supervisor::State::on_run_state(const LiveEvent& event) {
   if (!waits) run_ended(1, "aborted");
 }
 
-// Before anybody is told, so that the recording has it.
-void Supervisor::State::record_run(const LiveEvent& event) {
-  const std::string why = run_recorder.on_run_state(event.to, event.at_ns);
-  if (!why.empty()) log.warn(why);
-}
-
 void Supervisor::State::run_ended(int exit_status, const std::string& result) {
   if (!settings.stay) return end(exit_status, result);
   stay_status = exit_status;
@@ -363,21 +395,12 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
   loop.request_stop();
 }
 
-void Supervisor::State::write_figures() {
+void Supervisor::State::take_figures() {
   if (camera != nullptr) figures.camera = camera->counters();
   figures.world = world->figures();
   take_recording();
-  if (settings.stats_path.empty()) return;
   figures.loop = settings.controls->loop();
-  const std::string text = stats_json(figures);
-  try {
-    write_stats(settings.stats_path, text);
-    stats_written = true;
-  } catch (const SetupError& error) {
-    // A disk that fills up during a run does not end it.
-    if (!stats_written) throw;
-    if (!std::exchange(stats_failed, true)) log.warn(error.what());
-  }
+  stats.write(figures);
 }
 
 void Supervisor::State::take_recording() {
@@ -397,8 +420,10 @@ void Supervisor::State::note_link() {
   for (const publish::Event& word : words) settings.server->take(word);
 }
 
-void Supervisor::State::note_black_box() {
-  if (const std::string note = settings.black_box->take_note(); !note.empty()) log.warn(note);
+void Supervisor::State::take_notes() {
+  for (const std::string& note :
+       {settings.black_box->take_note(), run_recorder.take_note(), stats.take_note()})
+    if (!note.empty()) log.warn(note);
 }
 
 void Supervisor::State::summarize() const {

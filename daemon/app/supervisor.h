@@ -1,6 +1,8 @@
 #pragma once
 // The second thread of `tp100d run`: ports, log, operator, signals, figures. Talks to the real-time
-// thread through its rings only.
+// thread through its rings only. It takes STOP from the operator and feeds the watchdog: it waits
+// for no disk, nor for a lock that somebody holds while waiting for one, before the robot is
+// disarmed.
 
 #include <memory>
 #include <optional>
@@ -14,6 +16,7 @@
 #include "app/live_cycle.h"
 #include "app/live_recording.h"
 #include "app/world_run.h"
+#include "disk/worker.h"
 #include "loop/fixed_rate_loop.h"
 #include "publish/server.h"
 #include "publish/sink.h"
@@ -36,6 +39,7 @@ struct SupervisorSettings {
   // Never null; they must outlive the supervisor.
   LiveRecording* recording = nullptr;  ///< gets every step
   BlackBox* black_box = nullptr;       ///< the same
+  disk::Worker* disk = nullptr;        ///< writes --stats and black boxes
   publish::Server* server = nullptr;   ///< started and fed here
   LiveControls* controls = nullptr;    ///< of the server
 };
@@ -51,7 +55,7 @@ class Supervisor {
 
   /// Runs until the course is completed, the run fails, the time is over or a signal comes; the
   /// robot is disarmed first. Returns the exit status; throws SetupError for what is wrong before
-  /// the first session.
+  /// the first session. Ends the process where a disk stands still.
   int run();
 
  private:

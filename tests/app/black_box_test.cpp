@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <memory>
 
 #include "../support/temporary_folder.h"
@@ -41,9 +42,13 @@ class BlackBoxTest : public testing::Test {
 
   BlackBox& box() {
     if (!box_)
-      box_ = std::make_unique<BlackBox>(files_, run_, publish::PublishClock{},
+      box_ = std::make_unique<BlackBox>(files_, run_, publish::PublishClock{}, disk_,
                                         [this] { return recorded_; });
     return *box_;
+  }
+  void finish() {
+    box().finish();
+    disk_.idle_by(std::chrono::steady_clock::time_point::max());
   }
   void drive(double seconds, FaultMask faults = 0) {
     for (int i = 0; i < static_cast<int>(seconds * 200.0); ++i) {
@@ -81,6 +86,7 @@ class BlackBoxTest : public testing::Test {
   RunSetup run_;
   bool recorded_ = false;
   std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
+  disk::Worker disk_{2};
   std::unique_ptr<BlackBox> box_;
 };
 
@@ -88,7 +94,7 @@ TEST_F(BlackBoxTest, HoldsTheSecondsBeforeAFaultAndOneAfterIt) {
   drive(10.0);
   const HostNs fault_ns = record_->now_ns + kStepNs;
   drive(4.0, fault_bit(Fault::link_lost));
-  box().finish();
+  finish();
   ASSERT_THAT(written(), SizeIs(1));
   EXPECT_THAT(written()[0], HasSubstr("black-box-link_lost"));
   const Contents found = contents(written()[0]);
@@ -103,14 +109,14 @@ TEST_F(BlackBoxTest, HoldsTheSecondsBeforeAFaultAndOneAfterIt) {
 
 TEST_F(BlackBoxTest, WithoutAFaultNothingIsWritten) {
   drive(10.0);
-  box().finish();
+  finish();
   EXPECT_THAT(written(), IsEmpty());
 }
 
 TEST_F(BlackBoxTest, AFaultThatStaysIsWrittenOnce) {
   drive(1.0);
   drive(20.0, fault_bit(Fault::battery_low));
-  box().finish();
+  finish();
   EXPECT_THAT(written(), SizeIs(1));
 }
 
@@ -118,12 +124,13 @@ TEST_F(BlackBoxTest, EveryNewFaultIsWrittenAndTheOldestGo) {
   const auto fail = [this] {
     drive(0.5);
     drive(1.5, fault_bit(Fault::link_lost));
+    disk_.idle_by(std::chrono::steady_clock::time_point::max());
   };
   fail();
   fail();
   const std::vector<std::string> first = written();
   for (std::size_t i = 0; i < BlackBox::kMostFiles; ++i) fail();
-  box().finish();
+  finish();
   EXPECT_THAT(written(), SizeIs(BlackBox::kMostFiles));
   for (const std::string& file : first) EXPECT_FALSE(fs::exists(file)) << file;
 }
@@ -131,7 +138,7 @@ TEST_F(BlackBoxTest, EveryNewFaultIsWrittenAndTheOldestGo) {
 TEST_F(BlackBoxTest, AProgramThatEndsWritesWhatItHas) {
   drive(0.5);
   drive(0.1, fault_bit(Fault::link_lost));
-  box().finish();
+  finish();
   ASSERT_THAT(written(), SizeIs(1));
   EXPECT_THAT(contents(written()[0]).steps, SizeIs(120));
 }
@@ -143,7 +150,7 @@ TEST_F(BlackBoxTest, WhatWasSaidIsInItFromTheSameTime) {
   box().hear(publish::Channel::kEvent, 9'900'000'000, R"({"text":"just before"})");
   box().hear(publish::Channel::kEstimate, 9'900'000'000, R"({"text":"follows from the steps"})");
   drive(2.0, fault_bit(Fault::link_lost));
-  box().finish();
+  finish();
   ASSERT_THAT(written(), SizeIs(1));
   EXPECT_THAT(contents(written()[0]).messages, testing::ElementsAre(HasSubstr("just before")));
 }
@@ -152,7 +159,7 @@ TEST_F(BlackBoxTest, ARecordingThatRunsHasItAlready) {
   recorded_ = true;
   drive(1.0);
   drive(2.0, fault_bit(Fault::link_lost));
-  box().finish();
+  finish();
   EXPECT_THAT(written(), IsEmpty());
 }
 
@@ -160,7 +167,7 @@ TEST_F(BlackBoxTest, OfNoSecondsKeepsNothing) {
   run_.configuration.record.black_box_s = 0.0;
   drive(1.0);
   drive(2.0, fault_bit(Fault::link_lost));
-  box().finish();
+  finish();
   EXPECT_THAT(written(), IsEmpty());
 }
 
@@ -169,14 +176,32 @@ TEST_F(BlackBoxTest, AFolderThatCannotBeMadeIsSaid) {
   run_.configuration.record.black_box_directory = folder_.file("file") + "/boxes";
   drive(1.0);
   drive(2.0, fault_bit(Fault::link_lost));
-  box().finish();
+  finish();
   EXPECT_THAT(box().take_note(), HasSubstr("black box of link_lost is not written"));
+}
+
+TEST_F(BlackBoxTest, ADiskThatStandsStillHoldsUpNobody) {
+  std::promise<void> disk, began;
+  disk_.post([&] {
+    began.set_value();
+    disk.get_future().wait();
+  });
+  began.get_future().wait();
+  for (int i = 0; i < 3; ++i) {
+    drive(0.5);
+    drive(1.5, fault_bit(Fault::link_lost));
+  }
+  EXPECT_THAT(box().take_note(), HasSubstr("link_lost is not written: the disk is too slow"));
+  EXPECT_THAT(written(), IsEmpty());
+  disk.set_value();
+  finish();
+  EXPECT_THAT(written(), SizeIs(2));
 }
 
 TEST_F(BlackBoxTest, AReportIsMadeOfIt) {
   drive(1.0);
   drive(2.0, fault_bit(Fault::link_lost));
-  box().finish();
+  finish();
   ASSERT_THAT(written(), SizeIs(1));
   ReportOptions options;
   options.runs = {written()[0]};

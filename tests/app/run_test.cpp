@@ -1,18 +1,25 @@
 // `tp100d run` against a scripted robot on a pty, both in this process.
 #include "app/run.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <fstream>
 #include <functional>
 #include <memory>
 #include <sstream>
+#include <thread>
 #include <vector>
 
 #include "../publish/web_client.h"
+#include "../support/frozen_disk.h"
+#include "../support/notify_socket.h"
 #include "../support/temporary_folder.h"
 #include "../support/weight.h"
 #include "app/replay.h"
@@ -24,6 +31,7 @@ namespace tp100::app {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using namespace std::chrono_literals;
 
 class Run : public ::testing::Test {
@@ -696,6 +704,104 @@ TEST_F(Run, WhoStaysRecordsRunByRun) {
             }),
             0);
   EXPECT_EQ(replayed_recordings(), 2);
+}
+
+// With recordings on a disk that stands still when a test wants it to.
+class RunBesideADisk : public Run {
+ protected:
+  void SetUp() override {
+    if (!disk_.available()) GTEST_SKIP() << "no file system can be frozen here (root, loop device)";
+    std::filesystem::create_directory(disk_.path() + "/runs");
+    options_.record = disk_.path() + "/runs";
+    options_.course = "1-straight";
+    options_.stay = true;
+    robot_->plug_in();
+  }
+  void drives_and_records() {
+    eventually(driven);
+    says_of_itself("\"active\": true");
+  }
+
+  test::FrozenDisk disk_;
+};
+
+TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
+  const std::string name = "@tp100-run-test-" + std::to_string(::getpid());
+  const test::NotifySocket manager(name);
+  ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
+  ::setenv("WATCHDOG_USEC", "2000000", 1);
+  EXPECT_GE(run([&] {
+              drives_and_records();
+              publish::WebClient viewer(page());
+              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              ASSERT_TRUE(disk_.freeze());
+              viewer.call(5);
+              viewer.call(3);
+              eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
+              manager.heard();
+              EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
+              // The same during another run, whose recording waits for the disk as well.
+              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              EXPECT_TRUE(soon([&] {
+                viewer.call(1);
+                std::this_thread::sleep_for(100ms);
+                return robot_->with(driven);
+              }));
+              viewer.call(3);
+              eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
+              manager.heard();
+              EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
+              viewer.drain();
+              for (const std::string& message : viewer.take())
+                EXPECT_THAT(message, Not(HasSubstr("\"bytes\"")));
+              ASSERT_TRUE(disk_.thaw());
+              EXPECT_THAT(viewer.read_until("\"bytes\""), HasSubstr("-1-straight"));
+            }),
+            0);
+  ::unsetenv("NOTIFY_SOCKET");
+  ::unsetenv("WATCHDOG_USEC");
+  EXPECT_EQ(replayed_recordings(), 2);
+}
+
+TEST_F(RunBesideADisk, SigtermDisarmsWhileADiskStandsStill) {
+  std::thread thaw;
+  EXPECT_EQ(run([&] {
+              drives_and_records();
+              ASSERT_TRUE(disk_.freeze());
+              thaw = std::thread([&] {
+                eventually([](const ScriptedRobot& robot) { return !robot.heard.disarms.empty(); });
+                disk_.thaw();
+              });
+            }),
+            1);
+  if (thaw.joinable()) thaw.join();
+  EXPECT_EQ(replayed_recordings(), 1) << "what happened last is in it";
+}
+
+TEST_F(Run, ItsFiguresHoldUpNobodyWhereTheyCannotBeWritten) {
+  ASSERT_EQ(::mkfifo(stats_path().c_str(), 0600), 0);
+  options_.course = "1-straight";
+  robot_->plug_in();
+  // The first figures are read, so that it begins; whoever writes the next waits in open().
+  std::thread first([this] { stats(); });
+  std::atomic<bool> over{false};
+  std::thread reader;
+  EXPECT_EQ(run([&] {
+              eventually(driven);
+              std::this_thread::sleep_for(1500ms);
+              reader = std::thread([&] {
+                eventually([](const ScriptedRobot& robot) { return !robot.heard.disarms.empty(); });
+                const int pipe = ::open(stats_path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+                char text[4096];
+                while (!over)
+                  if (::read(pipe, text, sizeof text) <= 0) std::this_thread::sleep_for(1ms);
+                ::close(pipe);
+              });
+            }),
+            1);
+  over = true;
+  first.join();
+  if (reader.joinable()) reader.join();
 }
 
 TEST_F(Run, APageThatCannotBeServedIsAnErrorOfOneLine) {
