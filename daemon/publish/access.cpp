@@ -67,6 +67,11 @@ bool host_allowed(std::string_view host, const AccessRules& rules) {
   return name == "localhost" || is_address(name) || contains(rules.hosts, name);
 }
 
+bool fetch_site_allowed(std::string_view site) {
+  const std::string said = lower(site);
+  return said != "cross-site" && said != "same-site";
+}
+
 bool origin_allowed(std::string_view origin, std::string_view host, const AccessRules& rules) {
   if (origin.empty()) return true;
   const std::string wanted = lower(origin);

@@ -19,6 +19,10 @@ std::vector<std::string> words(std::string_view text);
 /// without a port.
 bool host_allowed(std::string_view host, const AccessRules& rules);
 
+/// Of a request without Origin: what a browser says in Sec-Fetch-Site of the page that caused it is
+/// not another site. Absent, it is no browser's.
+bool fetch_site_allowed(std::string_view site);
+
 /// `origin` is the page's own ("http://" + host) or one of the rules. An absent origin is no
 /// browser's and is allowed: browsers always send it with WebSockets.
 bool origin_allowed(std::string_view origin, std::string_view host, const AccessRules& rules);

@@ -3,12 +3,17 @@
 #include <unistd.h>
 
 #include <array>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "publish/viewer_socket.h"
@@ -21,6 +26,7 @@ namespace http = beast::http;
 
 constexpr auto kRequestTime = std::chrono::seconds(5);
 constexpr auto kWriteTime = std::chrono::seconds(10);
+constexpr auto kDiskTime = std::chrono::seconds(2);
 constexpr std::uint32_t kMaxHeader = 8 * 1024;
 constexpr std::size_t kPart = 65'536;
 
@@ -33,7 +39,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
       : stream_(std::move(socket)), room_(room) {
     ++room_.connections;
   }
-  ~Connection() { --room_.connections; }
+  ~Connection() { leave(); }
 
   void read();
 
@@ -42,9 +48,15 @@ class Connection : public std::enable_shared_from_this<Connection> {
   using Head = http::response<http::empty_body>;
 
   void on_request();
+  bool may_ask() const;
+  void ask_disk();
+  void on_disk(std::uint64_t question, const std::function<void()>& then);
+  void await_disk(std::function<void()> late);
+  void leave();
   void answer(HttpAnswer answer);
   void write_body();
   void write_file();
+  void write_part(ssize_t got);
   void end();
   bool upgrade();
   std::string_view header(http::field name) const { return view(parser_->get()[name]); }
@@ -58,6 +70,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
   HttpAnswer answer_;
   std::array<char, kPart> part_{};
   bool last_ = false;
+  bool counted_ = true;  // among the room's connections
+  boost::asio::steady_timer patience_{stream_.get_executor()};
+  std::uint64_t question_ = 0;  // of the newest job for the disk
+};
+
+/// A request that outlives its connection's buffer.
+struct KeptRequest {
+  std::string method, target, range, none_match;
 };
 
 void Connection::read() {
@@ -93,15 +113,82 @@ void Connection::on_request() {
     ++room_.refused;
     return answer(http_text(403, "this Origin is not permitted; add it to server.origins"));
   }
+  if (!may_ask()) {
+    ++room_.refused;
+    return answer(http_text(403,
+                            "another site's page asks for this; open the address in the browser "
+                            "itself, or add that site to server.origins"));
+  }
   if (beast::websocket::is_upgrade(request)) {
     if (!upgrade()) ++room_.refused;
     return;
   }
+  if (needs_disk(view(request.target()))) return ask_disk();
   answer(http_answer({.method = view(request.method_string()),
                       .target = view(request.target()),
                       .range = header(http::field::range),
                       .none_match = header(http::field::if_none_match)},
                      room_.sources));
+}
+
+// Browsers send no Origin where a page only shows what it asks for, as <img> does. Following a link
+// to the page is no misuse; its frame-ancestors keep it out of frames.
+bool Connection::may_ask() const {
+  if (!header(http::field::origin).empty()) return true;  // which has been looked at
+  const Request& request = parser_->get();
+  const bool followed_link = view(request["Sec-Fetch-Mode"]) == "navigate" &&
+                             view(request["Sec-Fetch-Dest"]) == "document" &&
+                             !needs_disk(view(request.target()));
+  return followed_link || fetch_site_allowed(view(request["Sec-Fetch-Site"]));
+}
+
+void Connection::ask_disk() {
+  const Request& request = parser_->get();
+  KeptRequest kept{std::string(view(request.method_string())), std::string(view(request.target())),
+                   std::string(header(http::field::range)),
+                   std::string(header(http::field::if_none_match))};
+  HttpSources sources{.page = {},
+                      .runs_folder = room_.sources.runs_folder,
+                      .runs = room_.sources.runs,
+                      .active_run = [run = room_.sources.active_run()] { return run; },
+                      .health = {}};
+  const auto found = std::make_shared<HttpAnswer>();
+  const bool asked =
+      room_.disk.post([self = shared_from_this(), question = ++question_, found,
+                       kept = std::move(kept), sources = std::move(sources)]() mutable {
+        *found = http_answer({kept.method, kept.target, kept.range, kept.none_match}, sources);
+        auto* connection = self.get();
+        boost::asio::post(connection->stream_.get_executor(),
+                          [self = std::move(self), question, found] {
+                            self->on_disk(question, [&] { self->answer(std::move(*found)); });
+                          });
+      });
+  const auto busy = [this] { answer(http_text(503, "the disk does not answer; try again later")); };
+  if (!asked) return busy();
+  await_disk(busy);
+}
+
+// Answers of the disk that come too late are dropped.
+void Connection::on_disk(std::uint64_t question, const std::function<void()>& then) {
+  if (question != question_) return;
+  ++question_;
+  patience_.cancel();
+  then();
+}
+
+void Connection::await_disk(std::function<void()> late) {
+  stream_.expires_never();
+  patience_.expires_after(kDiskTime);
+  patience_.async_wait([self = shared_from_this(), question = question_,
+                        late = std::move(late)](boost::system::error_code cancelled) {
+    if (cancelled || question != self->question_) return;
+    ++self->question_;
+    late();
+  });
+}
+
+void Connection::leave() {
+  if (std::exchange(counted_, false)) --room_.connections;
 }
 
 bool Connection::upgrade() {
@@ -112,7 +199,9 @@ bool Connection::upgrade() {
                               std::string(kOldSubProtocol)));
     return false;
   }
-  if (room_.sockets >= room_.settings.max_clients) {
+  const std::size_t most = room_.settings.max_clients;
+  const std::size_t kept = is_local(stream_.socket()) ? 0 : std::min(kKeptForLocal, most / 2);
+  if (room_.sockets >= most - kept) {
     answer(http_text(503, "too many viewers (server.max_clients)"));
     return false;
   }
@@ -155,11 +244,26 @@ void Connection::write_body() {
 
 void Connection::write_file() {
   if (answer_.length == 0) return end();
-  const std::size_t wanted =
-      static_cast<std::size_t>(std::min<std::uint64_t>(kPart, answer_.length));
-  const ssize_t got =
-      ::pread(answer_.file.get(), part_.data(), wanted, static_cast<off_t>(answer_.offset));
-  if (got <= 0) return;  // cut short: the connection ends, which tells the reader
+  const bool asked = room_.disk.post([self = shared_from_this(), question = ++question_]() mutable {
+    Connection& it = *self;
+    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(kPart, it.answer_.length));
+    const ssize_t got = ::pread(it.answer_.file.get(), it.part_.data(), wanted,
+                                static_cast<off_t>(it.answer_.offset));
+    boost::asio::post(it.stream_.get_executor(), [self = std::move(self), question, got] {
+      self->on_disk(question, [&] { self->write_part(got); });
+    });
+  });
+  // Cut short: the connection ends, which tells the reader.
+  if (asked)
+    await_disk([this] {
+      beast::error_code ignored;
+      stream_.socket().close(ignored);
+      leave();
+    });
+}
+
+void Connection::write_part(ssize_t got) {
+  if (got <= 0) return;  // as above
   answer_.offset += static_cast<std::uint64_t>(got);
   answer_.length -= static_cast<std::uint64_t>(got);
   stream_.expires_after(kWriteTime);
@@ -182,8 +286,19 @@ void Connection::end() {
 
 }  // namespace
 
+boost::asio::ip::address plain(const boost::asio::ip::address& address) {
+  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address;
+  return boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, address.to_v6());
+}
+
+bool is_local(const boost::asio::ip::tcp::socket& socket) {
+  boost::system::error_code error;
+  const auto end = socket.remote_endpoint(error);
+  return !error && plain(end.address()).is_loopback();
+}
+
 void serve_connection(boost::asio::ip::tcp::socket socket, ServerRoom& room) {
-  if (room.connections >= kMaxConnections) {
+  if (room.connections >= kMaxConnections - (is_local(socket) ? 0 : kKeptForLocal)) {
     ++room.refused;
     return;
   }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "disk/worker.h"
 #include "publish/access.h"
 #include "publish/desk.h"
 #include "publish/http_content.h"
@@ -22,6 +23,7 @@ struct ServerRoom {
   Hub& hub;
   Feed& feed;
   Desk& desk;
+  disk::Worker& disk;  ///< for answers that need it; the thread of the room waits for none
   HttpSources sources{};
   std::map<std::uint32_t, std::weak_ptr<ViewerSocket>> viewers{};  // by id
   std::uint32_t last_id = 0;
@@ -32,6 +34,14 @@ struct ServerRoom {
 
 /// HTTP connections at once, besides the viewers; more are closed as they come.
 inline constexpr std::size_t kMaxConnections = 64;
+/// Of these, and of the viewers, so many are kept for programs of this machine: idle strangers must
+/// not keep the operator's page away.
+inline constexpr std::size_t kKeptForLocal = 4;
+
+/// `address`, as IPv4 if it is one in IPv6's clothes.
+boost::asio::ip::address plain(const boost::asio::ip::address& address);
+/// Whether the peer is a program of this machine.
+bool is_local(const boost::asio::ip::tcp::socket& socket);
 
 /// Serves `socket` until it ends.
 void serve_connection(boost::asio::ip::tcp::socket socket, ServerRoom& room);

@@ -4,8 +4,6 @@
 
 #include <charconv>
 
-#include "publish/run_files.h"
-
 namespace tp100::publish {
 namespace {
 
@@ -17,6 +15,13 @@ constexpr std::string_view kPagePolicy =
 constexpr std::string_view kReportPolicy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
     "img-src data: blob:; font-src data:; sandbox allow-scripts allow-downloads";
+
+constexpr std::string_view kRunList = "/api/runs";
+constexpr std::string_view kRuns = "/runs/";
+
+std::string_view path_of(std::string_view target) {
+  return target.substr(0, target.find_first_of("?#"));
+}
 
 HttpAnswer json_answer(std::string json) {
   HttpAnswer answer = http_text(200, std::move(json));
@@ -121,16 +126,21 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> byte_range(std::string_vi
   return std::pair(*first, end - *first + 1);
 }
 
+bool needs_disk(std::string_view target) {
+  const std::string_view path = path_of(target);
+  return path == kRunList || path.starts_with(kRuns);
+}
+
 HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
   if (request.method != "GET" && request.method != "HEAD") {
     HttpAnswer answer = http_text(405, "only GET and HEAD are served");
     answer.headers.emplace_back("Allow", "GET, HEAD");
     return answer;
   }
-  static constexpr std::string_view kRuns = "/runs/";
-  const std::string_view path = request.target.substr(0, request.target.find_first_of("?#"));
+  const std::string_view path = path_of(request.target);
   if (path == "/healthz") return json_answer(sources.health());
-  if (path == "/api/runs") return json_answer(runs_json(sources.runs_folder, sources.active_run()));
+  if (path == kRunList)
+    return json_answer(sources.runs->json(sources.runs_folder, sources.active_run()));
   if (path.starts_with(kRuns)) return file_answer(request, path.substr(kRuns.size()), sources);
   if (const auto file = sources.page ? sources.page(path) : std::nullopt)
     return page_answer(*file, request.none_match);

@@ -3,12 +3,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "publish/run_files.h"
 
 namespace tp100::publish {
 
@@ -60,11 +63,14 @@ struct HttpAnswer {
 /// What the content is made of.
 struct HttpSources {
   Page page;
-  std::string runs_folder;                  ///< empty: none
+  std::string runs_folder;  ///< empty: none
+  std::shared_ptr<RunList> runs = std::make_shared<RunList>();
   std::function<std::string()> active_run;  ///< the run that is being recorded; "": none
   std::function<std::string()> health;      ///< JSON
 };
 
+/// Whether the answer to `target` comes from the disk: then http_answer() may wait for that.
+bool needs_disk(std::string_view target);
 HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources);
 /// An answer of plain text.
 HttpAnswer http_text(unsigned status, std::string text);

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxName = 128;
 constexpr std::size_t kMaxFiles = 100;  // of one run
 constexpr std::size_t kMaxEntries = 20'000;
+constexpr auto kFresh = std::chrono::seconds(1);
 
 struct Ending {
   std::string_view end, kind, type;
@@ -100,12 +101,11 @@ std::vector<Run> list(const std::string& folder) {
   return runs;
 }
 
-}  // namespace
-
 std::string runs_json(const std::string& folder, std::string_view active) {
   std::string text;
   JsonWriter json(text);
-  json.begin_object().field("directory", folder).key("runs").begin_array();
+  const std::string name = fs::path(folder + "/").parent_path().filename();
+  json.begin_object().field("directory", name).key("runs").begin_array();
   for (const Run& run : folder.empty() ? std::vector<Run>() : list(folder)) {
     json.begin_object()
         .field("run", run.name)
@@ -127,6 +127,20 @@ std::string runs_json(const std::string& folder, std::string_view active) {
   }
   json.end_array().end_object();
   return text;
+}
+
+}  // namespace
+
+const std::string& RunList::json(const std::string& folder, const std::string& active) {
+  // The time after reading: a slow disk is not read all the time.
+  const auto now = std::chrono::steady_clock::now();
+  if (!json_.empty() && folder == folder_ && active == active_ && now - read_ < kFresh)
+    return json_;
+  json_ = runs_json(folder, active);
+  folder_ = folder;
+  active_ = active;
+  read_ = std::chrono::steady_clock::now();
+  return json_;
 }
 
 int open_run_file(const std::string& folder, std::string_view run, std::string_view file,

@@ -1,6 +1,7 @@
 #pragma once
 // The folder of runs: what lies there, and which of its files may be read from outside.
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -10,9 +11,18 @@ namespace tp100::publish {
 /// Runs listed at most; older ones are left out.
 inline constexpr std::size_t kMaxListedRuns = 500;
 
-/// The answer to GET /api/runs. `active`: the run that is being recorded; empty: none. An absent
-/// folder is an empty one.
-std::string runs_json(const std::string& folder, std::string_view active);
+/// The answer to GET /api/runs, read from the disk at most once a second for the same question. One
+/// thread, which may wait for the disk.
+class RunList {
+ public:
+  /// `active`: the run that is being recorded; empty: none. An absent folder is an empty one. No
+  /// path is told, only the folder's own name.
+  const std::string& json(const std::string& folder, const std::string& active);
+
+ private:
+  std::string folder_, active_, json_;
+  std::chrono::steady_clock::time_point read_{};
+};
 
 /// A regular file of a run, open for reading; -1: there is none that may be read. Names hold
 /// letters, digits, '-', '_' and '.', no '.' first, and no link is followed. The caller closes it.

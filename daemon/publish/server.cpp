@@ -114,7 +114,7 @@ struct Server::State {
         hub(channel_texts(), std::move(s.listener)),
         feed(hub, messages, c),
         desk(hub, feed, c, std::move(parameters), random_name()),
-        room{.settings = std::move(s), .hub = hub, .feed = feed, .desk = desk} {
+        room{.settings = std::move(s), .hub = hub, .feed = feed, .desk = desk, .disk = disk} {
     room.sources.page = room.settings.page;
     room.sources.runs_folder = room.settings.runs_folder;
     room.sources.active_run = [this] {
@@ -155,6 +155,8 @@ struct Server::State {
   tcp::acceptor acceptor{context};
   asio::steady_timer timer{context};
   asio::steady_timer pause{context};
+  // Its jobs post to the context.
+  disk::Worker disk{kMaxConnections};
 };
 
 bool Server::State::try_listen(const Address& address, boost::system::error_code& error) {
@@ -342,6 +344,8 @@ void Server::flush() {
   asio::post(state_->context, [said] { said->set_value(); });
   said->get_future().wait_for(kFlush);
 }
+
+bool Server::waits_for_disk() { return !state_->disk.idle_by(std::chrono::steady_clock::now()); }
 
 std::uint64_t Server::lost_records() const { return state_->inbox.lost(); }
 

@@ -56,6 +56,8 @@ class Server : public Sink {
   void stop_answered(HostNs at);
   /// Waits until all of that has been said on the channels; a second at most.
   void flush();
+  /// A request of a client still waits for the disk; so will the destructor.
+  bool waits_for_disk();
   /// Records that the server's thread was too slow for.
   std::uint64_t lost_records() const;
 

@@ -23,15 +23,11 @@ constexpr HostNs kWriteLimitNs = 10 * kNsPerS;
 constexpr int kSendBuffer = 256 * 1024;  // of the kernel: what lies there is stale
 constexpr std::size_t kMaxAgent = 120;
 
-std::string address_of(const boost::asio::ip::tcp::socket& socket, bool& local) {
+std::string address_of(const boost::asio::ip::tcp::socket& socket) {
   boost::system::error_code error;
   const auto end = socket.remote_endpoint(error);
-  if (error) return {};
-  auto address = end.address();
-  if (address.is_v6() && address.to_v6().is_v4_mapped())
-    address = boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, address.to_v6());
-  local = address.is_loopback();
-  return address.to_string() + ":" + std::to_string(end.port());
+  return error ? std::string()
+               : plain(end.address()).to_string() + ":" + std::to_string(end.port());
 }
 
 }  // namespace
@@ -44,8 +40,8 @@ ViewerSocket::ViewerSocket(Stream::socket_type socket, ServerRoom& room)
 ViewerSocket::~ViewerSocket() { --room_.sockets; }
 
 void ViewerSocket::accept(const Request& request, std::string_view sub_protocol) {
-  bool local = false;
-  address_ = address_of(socket_.next_layer().socket(), local);
+  address_ = address_of(socket_.next_layer().socket());
+  const bool local = is_local(socket_.next_layer().socket());
   agent_ = std::string(request[beast::http::field::user_agent]).substr(0, kMaxAgent);
   const CommandsFrom from = room_.settings.commands;
   const bool may_command = from == CommandsFrom::kAll || (from == CommandsFrom::kLocal && local);

@@ -40,6 +40,12 @@ TEST(Origin, EverybodyElsesIsNot) {
     EXPECT_FALSE(origin_allowed(origin, "127.0.0.1:8765", kRules)) << origin;
 }
 
+TEST(FetchSite, OnlyThePagesOwnRequestsAndTheUsersAreTaken) {
+  for (const char* own : {"", "same-origin", "none"}) EXPECT_TRUE(fetch_site_allowed(own)) << own;
+  for (const char* other : {"cross-site", "same-site", "Cross-Site"})
+    EXPECT_FALSE(fetch_site_allowed(other)) << other;
+}
+
 TEST(Words, AreSeparatedBySpacesAndCommas) {
   EXPECT_THAT(words(" a, b\tc  "), ElementsAre("a", "b", "c"));
   EXPECT_THAT(words(""), IsEmpty());

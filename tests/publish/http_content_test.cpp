@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "../support/temporary_folder.h"
 
@@ -86,6 +88,37 @@ TEST_F(HttpContent, RunsAreListedWithTheirFiles) {
   EXPECT_EQ(runs[1]["files"][0]["kind"], "recording");
   EXPECT_EQ(runs[1]["files"][0]["bytes"], 10);
   EXPECT_EQ(get(std::string(runs[1]["files"][0]["url"])).status, 200U);
+}
+
+TEST_F(HttpContent, TheListTellsNoPath) {
+  const std::string body = get("/api/runs").body;
+  EXPECT_EQ(Json::parse(body)["directory"], "runs");
+  EXPECT_EQ(body.find(folder_.path().string()), std::string::npos);
+}
+
+TEST_F(HttpContent, TheListIsReadFromTheDiskOnceASecond) {
+  const auto count = [&] { return Json::parse(get("/api/runs").body)["runs"].size(); };
+  // On a machine that stops for a second in between there is nothing to see.
+  for (bool seen = false; !seen;) {
+    const auto began = std::chrono::steady_clock::now();
+    const std::size_t before = count();
+    write("runs/" + std::to_string(before) + "/run.mcap", "");
+    const std::size_t after = count();
+    seen = std::chrono::steady_clock::now() - began < std::chrono::seconds(1);
+    if (seen) EXPECT_EQ(after, before);
+    while (count() == before) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  // Another question is another answer.
+  sources_.active_run = [] { return std::string("a"); };
+  write("runs/more/run.mcap", "");
+  EXPECT_THAT(get("/api/runs").body, ::testing::HasSubstr("more"));
+}
+
+TEST_F(HttpContent, OnlyRunsAndTheirFilesNeedTheDisk) {
+  for (const char* target : {"/api/runs", "/api/runs?x", "/runs/a/run.mcap", "/runs/"})
+    EXPECT_TRUE(needs_disk(target)) << target;
+  for (const char* target : {"/", "/healthz", "/app.js", "", "/none"})
+    EXPECT_FALSE(needs_disk(target)) << target;
 }
 
 TEST_F(HttpContent, AnAbsentFolderIsAnEmptyOne) {

@@ -2,11 +2,17 @@
 // fast the machine is: conditions are waited for.
 #include "publish/server.h"
 
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ifaddrs.h>
 #include <malloc.h>
+#include <net/if.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <thread>
@@ -14,7 +20,9 @@
 #include "core/error.h"
 #include "fake_controls.h"
 #include "fixtures.h"
+#include "publish/connection.h"
 #include "publish/steady.h"
+#include "support/temporary_folder.h"
 #include "web_client.h"
 
 namespace tp100::publish {
@@ -247,6 +255,111 @@ TEST_F(ServerTest, MoreViewersThanAllowedAreTurnedAway) {
       return false;
     }
   }));
+}
+
+/// An address of this machine besides loopback; empty: it has none.
+std::string other_address() {
+  std::string found;
+  ifaddrs* all = nullptr;
+  if (::getifaddrs(&all) != 0) return found;
+  for (const ifaddrs* at = all; at != nullptr && found.empty(); at = at->ifa_next) {
+    if (at->ifa_addr == nullptr || at->ifa_addr->sa_family != AF_INET) continue;
+    if ((at->ifa_flags & IFF_LOOPBACK) != 0 || (at->ifa_flags & IFF_UP) == 0) continue;
+    char text[INET_ADDRSTRLEN];
+    const auto* address = reinterpret_cast<const sockaddr_in*>(at->ifa_addr);
+    found = ::inet_ntop(AF_INET, &address->sin_addr, text, sizeof text);
+  }
+  ::freeifaddrs(all);
+  return found;
+}
+
+TEST_F(ServerTest, StrangersCannotTakeThePlacesOfThisMachine) {
+  const std::string address = other_address();
+  if (address.empty()) GTEST_SKIP() << "this machine has no address but loopback";
+  settings_.listen = "0.0.0.0:0";
+  settings_.max_clients = 16;
+  start();
+  std::vector<WebClient> strangers;
+  EXPECT_THROW(for (int i = 0; i < 100; ++i) strangers.emplace_back(port_, address),
+               std::runtime_error);
+  EXPECT_EQ(strangers.size(), 16 - kKeptForLocal);
+  // The same with connections that ask nothing.
+  std::vector<int> idle;
+  for (std::size_t i = 0; i < 2 * kMaxConnections; ++i) idle.push_back(dial(port_, address));
+  WebClient local = connect();
+  local.call(3);
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
+  for (const int fd : idle) ::close(fd);
+}
+
+TEST_F(ServerTest, StopDoesNotWaitForADiskThatEndsARecording) {
+  controls_.slow_disk = true;
+  start();
+  WebClient recorder = connect(), watcher = connect();
+  recorder.call(5);
+  ASSERT_TRUE(eventually([&] {
+    const std::lock_guard lock(controls_.mutex);
+    return controls_.unanswered != nullptr;
+  }));
+  watcher.call(3);
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
+  recorder.call(3);
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 2; }));
+  RecordingFigures late;
+  late.run = "late";
+  controls_.unanswered("", late);
+  EXPECT_THAT(recorder.read_until("\"bytes\""), HasSubstr("late"));
+}
+
+TEST_F(ServerTest, APageOfAnotherSiteCannotLoadWhatItMayNotSee) {
+  start();
+  const auto ask = [&](const std::string& target, const std::string& head) {
+    return http_head(port_, "GET " + target + " HTTP/1.1\r\nHost: 127.0.0.1\r\n" + head +
+                                "Connection: close\r\n\r\n");
+  };
+  for (const char* target : {"/", "/healthz", "/api/runs"}) {
+    EXPECT_THAT(ask(target, ""), HasSubstr("200 OK")) << "no browser";
+    EXPECT_THAT(ask(target, "Sec-Fetch-Site: same-origin\r\n"), HasSubstr("200 OK"));
+    EXPECT_THAT(ask(target, "Sec-Fetch-Site: none\r\n"), HasSubstr("200 OK"));
+    for (const char* site : {"cross-site", "same-site"})
+      EXPECT_THAT(ask(target, std::string("Sec-Fetch-Site: ") + site + "\r\n"),
+                  HasSubstr("403 Forbidden"));
+  }
+  const std::string link =
+      "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: navigate\r\nSec-Fetch-Dest: document\r\n";
+  EXPECT_THAT(ask("/", link), HasSubstr("200 OK")) << "a link to the page";
+  EXPECT_THAT(ask("/api/runs", link), HasSubstr("403 Forbidden"));
+}
+
+TEST_F(ServerTest, StopComesThroughBesideManyWhoReadRuns) {
+  test::TemporaryFolder folder;
+  settings_.runs_folder = folder.path();
+  for (int i = 0; i < 200; ++i) {
+    const std::string run = folder.file(std::to_string(i));
+    std::filesystem::create_directory(run);
+    std::ofstream(run + "/run.mcap") << std::string(100'000, 'x');
+  }
+  start();
+  std::atomic<bool> over{false};
+  std::atomic<int> lists{0}, files{0};
+  std::vector<std::thread> readers;
+  for (int i = 0; i < 8; ++i)
+    readers.emplace_back([&, i] {
+      const std::string run = "/runs/" + std::to_string(i) + "/run.mcap";
+      const std::string rest = " HTTP/1.0\r\nHost: localhost\r\n\r\n";
+      while (!over) {
+        if (http_get(port_, "GET /api/runs" + rest).find("\"files\"") != std::string::npos) ++lists;
+        if (http_get(port_, "GET " + run + rest).size() > 100'000) ++files;
+      }
+    });
+  WebClient viewer = connect();
+  for (int i = 1; i <= 10; ++i) {
+    viewer.call(3);
+    EXPECT_TRUE(eventually([&] { return controls_.stops == i; }));
+  }
+  EXPECT_TRUE(eventually([&] { return lists > 10 && files > 10; }));
+  over = true;
+  for (std::thread& reader : readers) reader.join();
 }
 
 TEST_F(ServerTest, AMessageThatIsTooLongEndsTheClientBeforeItIsSent) {

@@ -11,20 +11,21 @@
 #include <utility>
 
 namespace tp100::publish {
-namespace {
 
-constexpr std::size_t kKept = 200;
-
-int connect_to(const std::string& port) {
+int dial(const std::string& port, const std::string& to) {
   const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ::inet_pton(AF_INET, to.c_str(), &address.sin_addr);
   address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(port)));
   if (fd < 0 || ::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
     throw std::runtime_error("cannot connect");
   return fd;
 }
+
+namespace {
+
+constexpr std::size_t kKept = 200;
 
 // Writes what the peer takes within 100 ms.
 bool send_all(int fd, const std::string& bytes) {
@@ -56,7 +57,7 @@ std::string receive(int fd, bool only_head) {
 }
 
 std::string ask(const std::string& port, const std::string& request, bool only_head) {
-  const int fd = connect_to(port);
+  const int fd = dial(port);
   send_all(fd, request);
   std::string text = receive(fd, only_head);
   ::close(fd);
@@ -72,7 +73,8 @@ std::string http_head(const std::string& port, const std::string& request) {
   return ask(port, request, true);
 }
 
-WebClient::WebClient(const std::string& port) : fd_(connect_to(port)) {
+WebClient::WebClient(const std::string& port, const std::string& address)
+    : fd_(dial(port, address)) {
   send_all(fd_,
            "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
            "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"

@@ -10,6 +10,8 @@
 
 namespace tp100::publish {
 
+/// A connection to that port; the caller closes it. Throws std::runtime_error.
+int dial(const std::string& port, const std::string& address = "127.0.0.1");
 /// Sends `request` and returns everything until the server closes.
 std::string http_get(const std::string& port, const std::string& request);
 /// Sends `request` and returns the head of the answer.
@@ -18,7 +20,7 @@ std::string http_head(const std::string& port, const std::string& request);
 class WebClient {
  public:
   /// Connects and upgrades. Throws std::runtime_error if it is refused.
-  explicit WebClient(const std::string& port);
+  explicit WebClient(const std::string& port, const std::string& address = "127.0.0.1");
   ~WebClient();
   WebClient(WebClient&& other) noexcept;
   WebClient& operator=(WebClient&& other) noexcept;
