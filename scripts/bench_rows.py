@@ -20,6 +20,8 @@ PARTS = {
         ("what", "what", "<40s"), ("frame_bytes", "bytes", "5d"), ("ns_per_frame", "ns/frame", "8.1f"),
         ("slowest_round_ns", "slowest", "8.1f"), ("mb_per_s", "MB/s", "7.1f"),
         ("frames_per_s", "frames/s", "10.3g")]),
+    "stop": ("from the press to the robot, and how long others wait [ms]", [
+        ("what", "what", "<62s"), ("count", "presses", "5d"), ("p50", "p50", "8.2f"), ("max", "max", "8.2f")]),
     "replug": ("a driving robot unplugged again and again; what holds at the end beside what held after ten", [
         ("what", "what", "<43s"), ("count", "cycles", "5d"), ("p50", "p50", "8.2f"), ("p99", "p99", "8.2f"),
         ("max", "max", "8.2f"), ("from", "then", "8.4g"), ("to", "at the end", "8.4g")]),

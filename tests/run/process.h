@@ -15,8 +15,8 @@ namespace tp100::test {
 class Process {
  public:
   /// `arguments[0]` is tp100d, tp100-sim or an absolute path. Standard output and error go to one
-  /// buffer.
-  explicit Process(std::vector<std::string> arguments);
+  /// buffer. `input` becomes standard input; -1: there is none.
+  explicit Process(std::vector<std::string> arguments, int input = -1);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
