@@ -36,12 +36,14 @@ void add_run(CLI::App& app, Action& action) {
       ->type_name("FILE");
   command
       ->add_option("--port", options.port,
-                   "Serial port, or auto for the likeliest one (default: auto)")
+                   "Serial port, or auto for a Mega by its USB ids (default: auto)")
       ->type_name("DEVICE");
   command->add_flag("--wait", options.wait,
                     "Wait for port and robot instead of ending with status 2");
   command->add_flag("--go", options.go,
-                    "Start without Enter on a physical port too; end after every fault");
+                    "The first run does not wait for Enter on a physical port either, a service's "
+                    "does; end after every fault. Every later run takes the word go and Enter; "
+                    "Enter alone is STOP");
   command
       ->add_option("--course", options.course,
                    "Name in config/courses or file (default: none, poses only)")
@@ -102,7 +104,7 @@ void add_doctor(CLI::App& app, Action& action) {
       "doctor", "Find what keeps the robot from driving, and the line that mends it");
   command
       ->add_option("--port", options.port,
-                   "Serial port, or auto for the likeliest one (default: auto)")
+                   "Serial port, or auto for a Mega by its USB ids (default: auto)")
       ->type_name("DEVICE");
   command->add_flag("--json", options.json, "One JSON object instead of a table");
   command->add_flag("--wheels-up", options.wheels_up,
@@ -186,7 +188,7 @@ void add_identify(CLI::App& app, Action& action) {
                    "Overhead camera of --drive: udp:PORT or udp:ADDRESS:PORT (default: none)")
       ->type_name("ADDRESS");
   command->add_flag("--go", options.guided.run.go,
-                    "--drive does not wait for Enter on a physical port either");
+                    "--drive does not wait for Enter, or go and Enter, on a physical port either");
   command
       ->add_option("--course", options.guided.courses,
                    "Courses of --drive: names in config/courses or files (default: those that "

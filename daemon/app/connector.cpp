@@ -54,7 +54,7 @@ void Connector::try_open(HostNs now) {
     return;
   }
   path_ = port_.path();
-  physical_ = port_.physical();
+  pseudo_terminal_ = port_.pseudo_terminal();
   say_once(path_ + ": open");
   loop_.offer({port_.fd(), ++id_});
 }

@@ -44,7 +44,7 @@ class Connector {
 
   /// Port in use, or the last one.
   const std::string& path() const { return path_; }
-  bool physical() const { return physical_; }
+  bool pseudo_terminal() const { return pseudo_terminal_; }
 
  private:
   void take_back(const loop::LostPort& lost, HostNs now);
@@ -63,7 +63,7 @@ class Connector {
   std::uint32_t id_ = 0;
   HostNs next_try_ns_ = 0;
   HostNs retry_ns_ = kFirstRetryNs;
-  bool physical_ = false;
+  bool pseudo_terminal_ = false;
   bool found_ = false;
   bool stopped_ = false;
   bool several_said_ = false;

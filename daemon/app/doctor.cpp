@@ -128,7 +128,7 @@ void examine_port(Examination& all, const DoctorOptions& options) {
   if (all.port.device.empty()) return;
   append(all.findings, doctor::permission_findings(all.system, all.port.device, this_account(),
                                                    all.system.usable(all.port.device)));
-  if (all.port.physical) {
+  if (!all.port.pseudo_terminal) {
     append(all.findings, doctor::holder_findings(all.system, all.port.device));
     append(all.findings,
            doctor::modem_manager_findings(all.system, all.port.device, all.port.info));
@@ -176,7 +176,7 @@ int run_doctor(const DoctorOptions& options) {
   // A port that somebody else holds, or that is forbidden, is not opened only to hear the same.
   if (count(all.findings, Severity::kError) == 0) examine_robot(all, options);
   if (options.wheels_up) examine_tracks(all, options);
-  if (all.port.physical)
+  if (!all.port.device.empty() && !all.port.pseudo_terminal)
     append(all.findings, doctor::usb_findings(all.system, all.port.device, all.port.info));
   examine_host(all);
   const std::string text = options.json ? doctor::json(all.findings, all.port.path, all.link)

@@ -76,6 +76,7 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
       DriveSink sink;
       RunOptions run = options.run;
       run.course = name;
+      run.ran_before = !result.drives.empty();
       run.sinks.push_back(&sink);
       if (run_run(run) != 0) return result;
       analysis::Drive drive = sink.drive();

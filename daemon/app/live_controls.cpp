@@ -105,6 +105,18 @@ void LiveControls::set_port(publish::PortFigures port) {
   port_ = std::move(port);
 }
 
+void LiveControls::set_start(const StartFacts& facts) {
+  const std::lock_guard lock(mutex_);
+  start_ = facts;
+}
+
+StartConsent LiveControls::start_consent() {
+  const std::lock_guard lock(mutex_);
+  StartFacts facts = start_;
+  facts.has_run = cycle_.has_run();
+  return tp100::start_consent(facts);
+}
+
 void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
   const std::lock_guard lock(mutex_);
   for (const loop::Grant& grant : grants) privileges_.emplace_back(grant.what, grant.granted);

@@ -29,9 +29,12 @@ class LiveControls : public publish::Controls {
   publish::LoopFigures loop() override;
   publish::PortFigures port() override;
   publish::RecordingFigures recording() override;
+  StartConsent start_consent() override;  // any thread
 
   // The supervisor's thread.
   void set_port(publish::PortFigures port);
+  /// What the supervisor knows; whether something has run, the cycle says.
+  void set_start(const StartFacts& facts);
   void set_grants(const std::vector<loop::Grant>& grants);
   /// The program ends: nothing is started any more.
   void end();
@@ -42,6 +45,7 @@ class LiveControls : public publish::Controls {
   LiveRecording& recording_;
   std::mutex mutex_;
   publish::PortFigures port_{};
+  StartFacts start_{};
   std::vector<std::pair<std::string, bool>> privileges_;
   bool ending_ = false;
 };

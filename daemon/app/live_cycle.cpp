@@ -19,7 +19,12 @@ bool LiveCycle::request(OperatorRequest request) {
     return true;
   }
   const std::lock_guard lock(asking_);
-  return requests_.push(request);
+  return requests_.push({request, false});
+}
+
+bool LiveCycle::request_first_start() {
+  const std::lock_guard lock(asking_);
+  return requests_.push({OperatorRequest::kStart, true});
 }
 
 bool LiveCycle::change(const ParameterChange& change) {
@@ -58,6 +63,7 @@ void LiveCycle::pass_run_state(HostNs now) {
   const FaultMask more = snapshot.faults & ~kRobotFaults & ~faults_;
   faults_ = snapshot.faults & ~kRobotFaults;
   if (!changed && (more == 0 || run_state_ != RunState::kAborted)) return;
+  if (changed) has_run_.store(true, std::memory_order_release);
   LiveEvent event;
   event.kind = LiveEvent::Kind::kRunState;
   event.at_ns = now;
@@ -86,9 +92,10 @@ void LiveCycle::record() {
 }
 
 void LiveCycle::take_inputs() {
-  OperatorRequest request{};
-  while (requests_.pop(request)) {
-    if (!winding_up_) cycle_.request(request);
+  Asked asked;
+  while (requests_.pop(asked)) {
+    if (winding_up_ || (asked.only_first && has_run())) continue;
+    cycle_.request(asked.request);
   }
   ParameterChange change;
   for (std::size_t i = 0; i < Cycle::kMaxChanges && changes_.pop(change); ++i)

@@ -62,6 +62,11 @@ class LiveCycle : public loop::Driven {
   // Other threads.
   /// Any thread but the real-time one. False: too many requests wait; a STOP never does.
   bool request(OperatorRequest request);
+  /// A start that is carried out only if nothing has run and nobody has pressed STOP until then,
+  /// however long it was under way. Any thread but the real-time one. False: as request().
+  bool request_first_start();
+  /// A run began or somebody pressed STOP. Any thread.
+  bool has_run() const { return has_run_.load(std::memory_order_acquire); }
   /// Any thread but the real-time one. False: too many changes wait.
   bool change(const ParameterChange& change);
   // One other thread.
@@ -95,6 +100,11 @@ class LiveCycle : public loop::Driven {
   bool wind_up(HostNs now) override;
 
  private:
+  struct Asked {
+    OperatorRequest request = OperatorRequest::kHold;
+    bool only_first = false;
+  };
+
   void take_inputs();
   void time_sample(HostNs now);
   void pass_events();
@@ -105,9 +115,10 @@ class LiveCycle : public loop::Driven {
 
   Cycle cycle_;
   std::mutex asking_;  // among those who ask; the real-time thread never takes it
-  loop::SpscQueue<OperatorRequest, 16> requests_;
+  loop::SpscQueue<Asked, 16> requests_;
   loop::SpscQueue<ParameterChange, Cycle::kMaxChanges> changes_;
   std::atomic<bool> stop_asked_{false};
+  std::atomic<bool> has_run_{false};
   loop::SpscQueue<CameraSample, 32> camera_;  ///< a second of pictures
   loop::SpscQueue<WorldSample, kWaitingWorld> world_;
   loop::SpscQueue<LiveEvent, 256> events_;

@@ -8,6 +8,7 @@
 #include "app/hello.h"
 #include "app/robot_talk.h"
 #include "core/error.h"
+#include "core/start_rule.h"
 #include "loop/histogram.h"
 #include "loop/pacing.h"
 
@@ -113,8 +114,11 @@ doctor::Visit visit_robot(const VisitOptions& options, const std::atomic<bool>& 
   visit.battery_cutoff_v = options.battery_cutoff_v;
   try {
     {
-      RobotTalk talk(link::open_port(options.port, options.serial), options.session, stop);
+      link::Port port = link::open_port(options.port, options.serial);
+      const bool pseudo_terminal = port.pseudo_terminal();
+      RobotTalk talk(std::move(port), options.session, stop);
       listen(talk, options, visit);
+      visit.emulator = talk.greeted() && is_emulator(pseudo_terminal, talk.session().hello().board);
     }
     if (visit.bytes_in == 0 && !stop)
       visit.bootloader = bootloader_answers(options.port, kBootloaderS);

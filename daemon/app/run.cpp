@@ -114,6 +114,7 @@ int run_run(const RunOptions& options) {
   settings.camera = configuration.camera;
   settings.world = world_run(run);
   settings.go = options.go;
+  settings.ran_before = options.ran_before;
   settings.duration_s = options.duration_s;
   settings.stats_path = options.stats;
   settings.course = run.course == nullptr ? "" : run.course->name;

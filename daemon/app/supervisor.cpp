@@ -16,12 +16,13 @@
 #include "app/link_watch.h"
 #include "app/live_events.h"
 #include "app/live_world.h"
-#include "app/operator_input.h"
 #include "app/run_recorder.h"
 #include "app/service_notice.h"
 #include "app/stats_file.h"
+#include "app/terminal.h"
 #include "core/angle.h"
 #include "core/error.h"
+#include "core/start_rule.h"
 
 namespace tp100::app {
 namespace {
@@ -62,7 +63,6 @@ struct Supervisor::State {
   void on_session(const LiveEvent& event);
   void on_session_state(SessionState state);
   void on_run_state(const LiveEvent& event);
-  void on_enter();
   void run_ended(int exit_status, const std::string& result);
   void begin_serving();
   void tell_manager();
@@ -79,14 +79,15 @@ struct Supervisor::State {
   LiveCycle& cycle;
   loop::FixedRateLoop& loop;
   EventLog log;
-  ServiceNotice notice{service_settings()};
+  const ServiceSettings service = service_settings();
+  ServiceNotice notice{service};
   asio::io_context context;
   Connector connector;
   RunRecorder run_recorder;
   StatsFile stats;
   asio::signal_set signals;
   asio::steady_timer timer;
-  std::unique_ptr<OperatorInput> input;
+  std::unique_ptr<Terminal> terminal;
   std::vector<publish::Sink*> sinks;
   LinkWatch link_watch;
   std::unique_ptr<CameraPort> camera;
@@ -134,7 +135,8 @@ int Supervisor::State::run() {
   sinks.push_back(world.get());
   loop.start();
   grants.insert(grants.end(), loop.grants().begin(), loop.grants().end());
-  input = std::make_unique<OperatorInput>(context, [this] { on_enter(); });
+  terminal = std::make_unique<Terminal>(
+      context, Terminal::Reach{cycle, *settings.controls, *settings.server, log, settings.course});
   try {
     tick();
     log.grants(grants);
@@ -211,10 +213,16 @@ void Supervisor::State::tell_manager() {
 void Supervisor::State::serve(const LiveEvent& event, const std::vector<publish::Event>& words) {
   if (acknowledges_stop(event)) settings.server->stop_answered(event.at_ns);
   for (const publish::Event& word : words) settings.server->take(word);
-  if (event.kind == LiveEvent::Kind::kSession)
-    settings.controls->set_port(
-        {connector.path(), connector.physical(),
-         event.hello.boot_nonce == 0 ? std::string() : firmware_text(event.hello)});
+  if (event.kind != LiveEvent::Kind::kSession) return;
+  const bool greeted = event.hello.boot_nonce != 0;
+  const bool emulator = greeted && is_emulator(connector.pseudo_terminal(), event.hello.board);
+  settings.controls->set_port({.path = connector.path(),
+                               .physical = !emulator,
+                               .firmware = greeted ? firmware_text(event.hello) : std::string()});
+  settings.controls->set_start({.emulator = emulator,
+                                .go = settings.go,
+                                .service = !service.socket.empty(),
+                                .ran_before = settings.ran_before});
 }
 
 void Supervisor::State::take_signals() {
@@ -258,7 +266,6 @@ void Supervisor::State::tick() {
   run_recorder.tick(now);
   if (settings.duration_s && to_s(now - began_ns) >= *settings.duration_s) end(1, "duration");
   if (ending && loop.ended()) {
-    input->stop();
     if (camera != nullptr) camera->stop();
     world->stop();
     signals.cancel();
@@ -332,62 +339,53 @@ void Supervisor::State::on_session(const LiveEvent& event) {
 
 void Supervisor::State::on_session_state(SessionState next) {
   session = next;
+  terminal->follow(next);
   tell_manager();
   figures.port = connector.path();
   if (next != SessionState::kReady) return;
   connector.session_ready();
-  const bool first = !std::exchange(had_session, true);
+  had_session = true;
   if (settings.course.empty() || ending) return;
-  // On a physical port nothing moves before someone said so; and nothing ever moves by itself
-  // again.
-  if (first && (settings.go || !connector.physical())) {
-    cycle.request(OperatorRequest::kStart);
+  if (settings.controls->start_consent() == StartConsent::kNone) {
+    cycle.request_first_start();
   } else {
-    log.info("ready; press Enter to start course " + settings.course);
+    terminal->ask();
   }
 }
 
 void Supervisor::State::on_run_state(const LiveEvent& event) {
   run_state = event.to;
+  terminal->follow(event.to);
   tell_manager();
-  if (event.to == RunState::kFinished) run_ended(0, "completed");
+  if (event.to == RunState::kFinished) return run_ended(0, "completed");
   // Whoever asked for a run by an option does not wait for another start.
-  if (event.refused != StartRefusal::kNone && settings.go) run_ended(1, "refused");
-  if (event.to != RunState::kAborted) return;
-  figures.faults = event.faults | (event.from == event.to ? figures.faults : 0);
-  if (ending && status == 0) {
-    // What was completed is not, after all.
-    status = 1;
-    figures.result = "aborted";
+  if (event.refused != StartRefusal::kNone && settings.go) return run_ended(1, "refused");
+  if (event.to == RunState::kAborted) {
+    figures.faults = event.faults | (event.from == event.to ? figures.faults : 0);
+    if (ending && status == 0) {
+      // What was completed is not, after all.
+      status = 1;
+      figures.result = "aborted";
+    }
+    const bool waits = (figures.faults & kRecoverable) != 0 && !settings.go &&
+                       (figures.faults & fault_bit(Fault::moves_unasked)) == 0;
+    if (!waits) return run_ended(1, "aborted");
   }
-  const bool waits = (figures.faults & kRecoverable) != 0 && !settings.go &&
-                     (figures.faults & fault_bit(Fault::moves_unasked)) == 0;
-  if (!waits) run_ended(1, "aborted");
+  if (!ending) terminal->ask();
 }
 
 void Supervisor::State::run_ended(int exit_status, const std::string& result) {
   if (!settings.stay) return end(exit_status, result);
   stay_status = exit_status;
   figures.result = result;
-  log.info(result + "; press Enter, or start from the page, to drive again");
-}
-
-void Supervisor::State::on_enter() {
-  if (settings.course.empty() || ending) return;
-  if (run_state == RunState::kArming || run_state == RunState::kRunning) {
-    log.warn("Enter: STOP");
-    cycle.request(OperatorRequest::kStop);
-    settings.server->stop_pressed("keyboard");
-  } else if (session == SessionState::kReady) {
-    cycle.request(OperatorRequest::kStart);
-  } else {
-    log.info("no robot yet; nothing is started");
-  }
+  log.info(result);
+  terminal->ask();
 }
 
 void Supervisor::State::end(int exit_status, const std::string& result) {
   if (std::exchange(ending, true)) return;
   settings.controls->end();
+  terminal->stop();
   notice.stopping();
   status = exit_status;
   figures.result = result;

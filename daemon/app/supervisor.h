@@ -28,6 +28,7 @@ struct SupervisorSettings {
   CameraSettings camera{};
   WorldRun world{};
   bool go = false;
+  bool ran_before = false;  ///< as StartFacts
   std::optional<double> duration_s;
   std::string stats_path;
   std::string course;  ///< names for log and figures; an empty course is none

@@ -1,9 +1,9 @@
 #include "doctor/port.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "link/port_holder.h"
+#include "link/transport.h"
 
 namespace tp100::doctor {
 namespace {
@@ -15,8 +15,6 @@ ChosenPort missing(std::string seen, std::string fix) {
   none.findings = {{Severity::kError, "device", std::move(seen), std::move(fix)}};
   return none;
 }
-
-std::string name_of(const std::string& path) { return std::filesystem::path(path).filename(); }
 
 void add_stable_name(const System& system, ChosenPort& port, std::size_t candidates) {
   const std::string stable = stable_name(system, port.device);
@@ -52,17 +50,17 @@ ChosenPort choose_port(const System& system, const std::string& port,
   if (chosen.device.empty())
     return missing(chosen.path + ": no such port",
                    "plug the robot in, or name another port with --port (see tp100d ports)");
-  chosen.physical = chosen.device.rfind("/dev/", 0) == 0 &&
-                    system.exists("/sys/class/tty/" + name_of(chosen.device));
+  if (const auto file = system.device(chosen.device))
+    chosen.pseudo_terminal = link::is_pseudo_terminal(file->mode, file->number);
   const auto known = std::find_if(ports.begin(), ports.end(), [&](const link::PortInfo& info) {
     return info.path == chosen.device;
   });
   if (known != ports.end()) chosen.info = *known;
-  chosen.findings.push_back(
-      ok("device", chosen.device + ": " +
-                       (chosen.physical ? link::describe(chosen.info) : "no physical port") +
-                       (chosen.info.serial.empty() ? "" : ", serial " + chosen.info.serial)));
-  if (chosen.physical) add_stable_name(system, chosen, port == "auto" ? likely.size() : 1);
+  chosen.findings.push_back(ok(
+      "device", chosen.device + ": " +
+                    (chosen.pseudo_terminal ? "a pseudo-terminal" : link::describe(chosen.info)) +
+                    (chosen.info.serial.empty() ? "" : ", serial " + chosen.info.serial)));
+  if (!chosen.pseudo_terminal) add_stable_name(system, chosen, port == "auto" ? likely.size() : 1);
   return chosen;
 }
 

@@ -12,11 +12,11 @@ namespace tp100::doctor {
 
 /// The port to examine.
 struct ChosenPort {
-  std::string path;       ///< as it was named; empty: there is none
-  std::string device;     ///< the device file behind it, "/dev/..."
-  link::PortInfo info{};  ///< what its bus says of it
-  bool physical = false;  ///< a terminal device of the kernel's own, not a pty
-  Findings findings{};    ///< names: device, by-id
+  std::string path;              ///< as it was named; empty: there is none
+  std::string device;            ///< the device file behind it, "/dev/..."
+  link::PortInfo info{};         ///< what its bus says of it
+  bool pseudo_terminal = false;  ///< an emulator's, or a serial server's
+  Findings findings{};           ///< names: device, by-id
 };
 
 /// `port`: a path, or "auto" for the likeliest of `ports`.

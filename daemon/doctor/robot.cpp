@@ -156,7 +156,10 @@ Findings robot_findings(const Visit& visit) {
   if (!visit.ours)
     return {error("firmware", visit.greeting.substr(0, visit.greeting.rfind("; ")),
                   flash_command(visit.port))};
-  Findings findings = {ok("firmware", visit.greeting)};
+  Findings findings = {ok("firmware", visit.greeting),
+                       ok("start", visit.emulator ? "an emulated robot: a run starts by itself"
+                                                  : "a run waits for Enter at the terminal, or for "
+                                                    "start on the page")};
   if (!visit.refused.empty()) {
     findings.push_back(error("parameters", "the firmware refuses " + visit.refused,
                              "correct that key of the robot file (tp100d check FILE)"));

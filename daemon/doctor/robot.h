@@ -45,6 +45,7 @@ struct Visit {
   bool bootloader = false;    ///< a silent board's bootloader answered
   std::string greeting{};     ///< what the hello said; empty: there was none
   bool ours = false;          ///< firmware for this program
+  bool emulator = false;      ///< see core/start_rule.h
   std::string refused{};      ///< the parameter that the firmware refused; empty: none
   bool ready = false;         ///< samples flowed and the clocks were related
   std::uint64_t reboots = 0;
@@ -57,7 +58,7 @@ struct Visit {
   std::optional<LinkTest> link{};
 };
 
-/// Names: firmware, bootloader, parameters, session, reboots, motors, fault, battery, imu,
+/// Names: firmware, start, bootloader, parameters, session, reboots, motors, fault, battery, imu,
 /// link, clock; open for a port that cannot be opened.
 Findings robot_findings(const Visit& visit);
 

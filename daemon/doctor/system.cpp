@@ -67,7 +67,7 @@ std::string System::real(const std::string& path) const {
 std::optional<DeviceFile> System::device(const std::string& path) const {
   struct stat status {};
   if (::stat(file(path).c_str(), &status) != 0) return std::nullopt;
-  return DeviceFile{status.st_mode, status.st_uid, status.st_gid};
+  return DeviceFile{status.st_mode, status.st_uid, status.st_gid, status.st_rdev};
 }
 
 bool System::usable(const std::string& path) const {

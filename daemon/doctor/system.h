@@ -16,6 +16,7 @@ struct DeviceFile {
   mode_t mode = 0;
   uid_t uid = 0;
   gid_t gid = 0;
+  dev_t number = 0;
 };
 
 class System {

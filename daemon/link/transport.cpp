@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -25,6 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// UNIX98_PTY_SLAVE_MAJOR of the kernel, and as many as it has.
+constexpr unsigned kFirstPtyMajor = 136;
+constexpr unsigned kPtyMajors = 8;
+
 std::string resolved(const std::string& path) {
   char real[PATH_MAX];
   return ::realpath(path.c_str(), real) == nullptr ? path : std::string(real);
@@ -41,7 +46,8 @@ std::string owner_group(const std::string& path) {
   const PortHolder holder = port_holder(resolved(path));
   if (holder.name.empty() && holder.others_hidden)
     throw SetupError(path +
-                     ": port is busy, held by a program of another account; end it (a service with "
+                     ": port is busy, held by a program of another account or container; end it (a "
+                     "service with "
                      "`sudo systemctl stop 'tp100d@*'`; `sudo tp100d doctor` names it) or choose "
                      "another port with --port");
   throw SetupError(path + ": port is busy" +
@@ -85,20 +91,33 @@ class Guard {
   int fd_;
 };
 
+/// B0: it has no name.
 speed_t standard_speed(int baud) {
   switch (baud) {
+    case 9600:
+      return B9600;
+    case 19200:
+      return B19200;
+    case 38400:
+      return B38400;
     case 57600:
       return B57600;
     case 115200:
       return B115200;
     case 230400:
       return B230400;
+    case 460800:
+      return B460800;
+    case 500000:
+      return B500000;
+    case 921600:
+      return B921600;
     case 1000000:
       return B1000000;
     case 2000000:
       return B2000000;
     default:
-      return B500000;
+      return B0;
   }
 }
 
@@ -108,20 +127,28 @@ int open_raw(const std::string& real, int& error) {
   return fd;
 }
 
-void set_raw(int fd, const std::string& path, bool physical, const PortOptions& options) {
+/// The library opens what has a name in /dev that /sys has, too: not a node of another name, as in
+/// a container.
+bool known_by_name(const fs::path& real) {
+  std::error_code error;
+  return real.parent_path() == "/dev" && fs::exists("/sys/class/tty" / real.filename(), error);
+}
+
+/// `speed`: B0 leaves it as it is.
+void set_raw(int fd, const std::string& path, speed_t speed, const PortOptions& options) {
   termios settings{};
   if (::tcgetattr(fd, &settings) != 0) {
     throw SetupError(path + ": is not a serial port; see `tp100d ports`");
   }
   ::cfmakeraw(&settings);
+  settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
   settings.c_cflag |= CLOCAL | CREAD;
   if (options.hang_up) {
     settings.c_cflag |= HUPCL;
   } else {
     settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
   }
-  // A pty moves bytes at once whatever its speed says; an emulator may look at it.
-  if (!physical) ::cfsetspeed(&settings, standard_speed(options.baud));
+  if (speed != B0) ::cfsetspeed(&settings, speed);
   // With 0 an empty read returns 0, which looks like the end of the file.
   settings.c_cc[VMIN] = 1;
   settings.c_cc[VTIME] = 0;
@@ -143,14 +170,14 @@ void ask_low_latency(int fd) {
 Port::Port(Port&& other) noexcept
     : fd_(std::exchange(other.fd_, -1)),
       path_(std::move(other.path_)),
-      physical_(other.physical_) {}
+      pseudo_terminal_(other.pseudo_terminal_) {}
 
 Port& Port::operator=(Port&& other) noexcept {
   if (this != &other) {
     close();
     fd_ = std::exchange(other.fd_, -1);
     path_ = std::move(other.path_);
-    physical_ = other.physical_;
+    pseudo_terminal_ = other.pseudo_terminal_;
   }
   return *this;
 }
@@ -164,16 +191,13 @@ void Port::close() {
   ::close(std::exchange(fd_, -1));
 }
 
-bool is_physical_port(const std::string& path) {
-  std::error_code error;
-  const fs::path real = resolved(path);
-  return fs::exists(fs::path("/sys/class/tty") / real.filename(), error) &&
-         real.parent_path() == "/dev";
+bool is_pseudo_terminal(mode_t mode, dev_t number) {
+  return S_ISCHR(mode) && ::major(number) >= kFirstPtyMajor &&
+         ::major(number) < kFirstPtyMajor + kPtyMajors;
 }
 
 Port open_port(const std::string& path, const PortOptions& options) {
   const std::string real = resolved(path);
-  const bool physical = is_physical_port(path);
   // A named pipe or a disk file must not be touched.
   struct stat status {};
   if (::stat(real.c_str(), &status) != 0) fail_open(path, errno);
@@ -187,16 +211,24 @@ Port open_port(const std::string& path, const PortOptions& options) {
   if (first.fd() < 0) fail_open(path, error);
   if (::flock(first.fd(), LOCK_EX | LOCK_NB) != 0) fail_busy(path);
   ::flock(first.fd(), LOCK_UN);
-  const int fd = physical ? open_serial_port(real, options.baud, error) : open_raw(real, error);
+  const bool by_library = known_by_name(real);
+  const int fd = by_library ? open_serial_port(real, options.baud, error) : open_raw(real, error);
   if (fd < 0) fail_open(path, error);
   Guard guard(fd);
+  if (::fstat(fd, &status) != 0) fail_open(path, errno);
+  const bool pseudo_terminal = is_pseudo_terminal(status.st_mode, status.st_rdev);
   if (::isatty(fd) == 0) throw SetupError(path + ": is not a serial port; see `tp100d ports`");
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) fail_busy(path);
   ::ioctl(fd, TIOCEXCL);
-  set_raw(fd, path, physical, options);
-  if (physical) ask_low_latency(fd);
+  const speed_t speed = by_library ? B0 : standard_speed(options.baud);
+  // A pty moves bytes at once whatever its speed says; an emulator may look at it.
+  if (speed == B0 && !by_library && !pseudo_terminal)
+    throw SetupError(path + ": cannot be set to " + std::to_string(options.baud) +
+                     " baud under this name; use the name that `tp100d ports` prints");
+  set_raw(fd, path, speed, options);
+  if (!pseudo_terminal) ask_low_latency(fd);
   ::tcflush(fd, TCIFLUSH);
-  return {guard.release(), path, physical};
+  return {guard.release(), path, pseudo_terminal};
 }
 
 }  // namespace tp100::link

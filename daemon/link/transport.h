@@ -1,6 +1,9 @@
 #pragma once
-// Opening and closing a port: a real one through libserialport, a pty directly. Both give a raw,
-// exclusive, non-blocking descriptor. Set-up thread only: closing a port may block.
+// Opening and closing a port: a real one through libserialport, a pty and what that library does
+// not know by its name directly. All give a raw, exclusive, non-blocking descriptor. Set-up thread
+// only: closing a port may block.
+
+#include <sys/stat.h>
 
 #include <string>
 #include <utility>
@@ -17,8 +20,8 @@ struct PortOptions {
 class Port {
  public:
   Port() = default;
-  Port(int fd, std::string path, bool physical)
-      : fd_(fd), path_(std::move(path)), physical_(physical) {}
+  Port(int fd, std::string path, bool pseudo_terminal)
+      : fd_(fd), path_(std::move(path)), pseudo_terminal_(pseudo_terminal) {}
   Port(Port&& other) noexcept;
   Port& operator=(Port&& other) noexcept;
   ~Port();
@@ -26,15 +29,16 @@ class Port {
   bool is_open() const { return fd_ >= 0; }
   int fd() const { return fd_; }
   const std::string& path() const { return path_; }
-  /// A robot may hang on it; false for a pty.
-  bool physical() const { return physical_; }
+  /// As the kernel says of the open device, whatever its name. It may be an emulator's, or have a
+  /// robot behind it: see core/start_rule.h.
+  bool pseudo_terminal() const { return pseudo_terminal_; }
   /// Discards what is not sent yet, so that closing does not wait for a peer that reads nothing.
   void close();
 
  private:
   int fd_ = -1;
   std::string path_;
-  bool physical_ = false;
+  bool pseudo_terminal_ = false;
 };
 
 /// Opens `path` raw, exclusive, non-blocking and close-on-exec. Throws SetupError that
@@ -42,8 +46,7 @@ class Port {
 /// do.
 Port open_port(const std::string& path, const PortOptions& options);
 
-/// Same test as open_port uses: does the kernel know `path` as a terminal device of its own (not a
-/// pty)?
-bool is_physical_port(const std::string& path);
+/// Is it the near end of a pseudo-terminal? By its device number: a name proves nothing.
+bool is_pseudo_terminal(mode_t mode, dev_t number);
 
 }  // namespace tp100::link

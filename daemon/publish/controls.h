@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "core/start_rule.h"
 #include "core/time.h"
 #include "publish/figures.h"
 #include "publish/parameter_text.h"
@@ -35,6 +36,8 @@ class Controls {
   virtual LoopFigures loop() = 0;
   virtual PortFigures port() = 0;
   virtual RecordingFigures recording() = 0;
+  /// What a start takes now.
+  virtual StartConsent start_consent() = 0;
 };
 
 }  // namespace tp100::publish

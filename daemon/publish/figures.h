@@ -70,7 +70,7 @@ struct LoopFigures {
 /// The port in use.
 struct PortFigures {
   std::string path;
-  bool physical = false;
+  bool physical = true;  ///< unless it is proved to be an emulator's
   std::string firmware;  ///< empty: not known yet
 };
 
@@ -108,6 +108,7 @@ struct StateFigures {
   std::optional<double> battery_v;
   bool can_start = false, can_record = false;
   std::string why_not_start;
+  bool confirm_start = true;  ///< a start has to be confirmed by whoever asks for it
   FaultMask faults = 0;
   StopFigures stop{};
 };

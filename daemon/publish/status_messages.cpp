@@ -181,7 +181,8 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .field("stop", true)
       .field("record", state.can_record)
       .end_object()
-      .field("why_not_start", state.why_not_start);
+      .field("why_not_start", state.why_not_start)
+      .field("confirm_start", state.confirm_start);
   write_faults(json, state.faults);
   write_stop(json, state.stop, clock);
   json.end_object();

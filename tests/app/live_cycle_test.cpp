@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../link/scripted_robot.h"
+#include "course/course.h"
 #include "support/duty_watch.h"
 
 namespace tp100::app {
@@ -10,7 +11,10 @@ namespace {
 
 class LiveBench {
  public:
-  LiveBench() { cycle.opened(now); }
+  explicit LiveBench(std::shared_ptr<const course::Course> course = nullptr)
+      : cycle(session_settings({}), {}, std::move(course), false) {
+    cycle.opened(now);
+  }
   void step() {
     now += 5 * kNsPerMs;
     robot.tick(now);
@@ -35,8 +39,22 @@ class LiveBench {
   test::DutyCount duty;
   HostNs now = kNsPerS;
   ScriptedRobot robot;
-  LiveCycle cycle{session_settings({}), {}, nullptr, false};
+  void steps(int count) {
+    for (int i = 0; i < count; ++i) {
+      step();
+      while (cycle.front_record() != nullptr) cycle.release_record();
+    }
+  }
+  std::size_t arms() const { return robot.heard.arms.size(); }
+  LiveCycle cycle;
 };
+
+std::shared_ptr<const course::Course> line() {
+  return std::make_shared<const course::Course>(
+      course::parse_course("speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 1.0\n"
+                           "[fence]\nmin_x_m = -1\nmax_x_m = 2\nmin_y_m = -1\nmax_y_m = 1\n",
+                           "line.toml"));
+}
 
 TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
   LiveBench bench;
@@ -50,6 +68,53 @@ TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
   EXPECT_EQ(bench.duty.first_system_call, -1);
   if (!test::watches_system_calls())
     GTEST_SKIP() << "this kernel does not tell of system calls; heap and locks: none";
+}
+
+TEST(LiveCycle, AFirstStartIsCarriedOutUnlessSomethingHasRun) {
+  LiveBench bench(line());
+  bench.steps(400);
+  EXPECT_FALSE(bench.cycle.has_run());
+  bench.cycle.request(OperatorRequest::kHold);
+  bench.steps(20);
+  EXPECT_FALSE(bench.cycle.has_run()) << "nothing was held";
+  bench.cycle.request_first_start();
+  bench.steps(100);
+  EXPECT_TRUE(bench.cycle.has_run());
+  const std::size_t arms = bench.arms();
+  EXPECT_GT(arms, 0u);
+  bench.cycle.request(OperatorRequest::kStop);
+  bench.steps(20);
+  for (int i = 0; i < 200; ++i) {
+    bench.cycle.request_first_start();
+    bench.steps(1 + i % 7);
+  }
+  EXPECT_EQ(bench.arms(), arms);
+  bench.cycle.request(OperatorRequest::kStart);
+  bench.steps(100);
+  EXPECT_GT(bench.arms(), arms);
+}
+
+// Enter is a first start for whoever has not heard of the STOP yet.
+TEST(LiveCycle, AStopAndAFirstStartAtOnceEndWithoutARunInEitherOrder) {
+  for (int i = 0; i < 200; ++i) {
+    LiveBench bench(line());
+    bench.steps(400);
+    const bool stop_first = i % 2 == 0;
+    const int apart = i / 2 % 40;
+    const auto stop = [&] { bench.cycle.request(OperatorRequest::kStop); };
+    if (stop_first) stop();
+    if (!stop_first) bench.cycle.request_first_start();
+    bench.steps(apart);
+    if (stop_first) bench.cycle.request_first_start();
+    if (!stop_first) stop();
+    bench.steps(1);
+    // A start that came first may have been carried out until the STOP.
+    const std::size_t arms = bench.arms();
+    EXPECT_TRUE(arms == 0u || !stop_first) << "repetition " << i;
+    bench.steps(100);
+    EXPECT_EQ(bench.arms(), arms) << "repetition " << i;
+    EXPECT_TRUE(bench.cycle.has_run());
+  }
 }
 
 TEST(LiveCycle, HandsOutEveryStepOnceAndInOrder) {

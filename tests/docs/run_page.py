@@ -7,6 +7,7 @@ fails fails the page. A word behind ```sh says what is special about the block:
 
     instead   what takes the place of what a test has not: an emulated robot on $port, another port number
     enter     somebody presses Enter twice a second
+    start     somebody starts each run as the daemon asks for it: by Enter, or by the word go and Enter
     others    why it is not run: long, by-hand, fresh, install, ...
 
 Blocks in other languages are not touched.
@@ -29,11 +30,25 @@ def blocks(path):
         return BLOCK.findall(file.read())
 
 
+# Passes on what a block says and types what it asks for.
+STARTER = """start_runs() {
+  while IFS= read -r line; do
+    printf '%s\\n' "$line" >&2
+    case $line in
+      *"type go and press Enter to start"*) echo go > .keys ;;
+      *"press Enter to start"*) echo > .keys ;;
+    esac
+  done
+}
+mkfifo .keys"""
+
+
 def script_of(page):
-    lines = ["set -euo pipefail"]
+    lines = ["set -euo pipefail", STARTER]
     for language, word, body in page:
-        if language == "sh" and word in ("", "instead", "enter"):
-            source = " < <(while sleep 0.5; do echo; done)" if word == "enter" else ""
+        if language == "sh" and word in ("", "instead", "enter", "start"):
+            source = {"enter": " < <(while sleep 0.5; do echo; done)",
+                      "start": " <> .keys 2> >(start_runs)"}.get(word, "")
             lines.append("{ set -x\n" + body + "{ set +x; } 2>/dev/null\n}" + source)
         elif language != "sh" and word:
             lines.append(f"printf %s {shlex.quote(body)} > {shlex.quote(word)}")

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "../link/pty_pair.h"
 #include "../support/as_nobody.h"
 #include "doctor/modem_manager.h"
 #include "doctor/usb.h"
@@ -28,7 +29,7 @@ TEST_F(Port, IsTheLikeliestOneWithItsStableName) {
   fake_.link("/dev/serial/by-id/usb-Arduino-7583", "../../ttyACM0");
   const ChosenPort port = choose_port(fake_.system(), "auto", {FakeSystem::mega()});
   EXPECT_EQ(port.device, kDevice);
-  EXPECT_TRUE(port.physical);
+  EXPECT_FALSE(port.pseudo_terminal);
   EXPECT_EQ(count(port.findings, Severity::kOk), port.findings.size());
   EXPECT_EQ(find(port.findings, "device").seen, "/dev/ttyACM0: Arduino Mega 2560, serial 7583");
   EXPECT_EQ(find(port.findings, "by-id").seen, "/dev/serial/by-id/usb-Arduino-7583");
@@ -71,10 +72,17 @@ TEST_F(Port, OneOfSeveralShouldBeNamed) {
               HasSubstr("link.port = \"/dev/serial/by-id/usb-Arduino-7583\""));
 }
 
-TEST_F(Port, ThatIsNoPhysicalOneHasNoStableName) {
-  fake_.write("/dev/pts/3", "");
-  const ChosenPort port = choose_port(fake_.system(), "/dev/pts/3", {});
-  EXPECT_FALSE(port.physical);
+TEST_F(Port, ThatIsNamedAnyhowIsStillAPort) {
+  fake_.write("/dev/robot", "");
+  const ChosenPort port = choose_port(fake_.system(), "/dev/robot", {});
+  EXPECT_FALSE(port.pseudo_terminal);
+  EXPECT_EQ(find(port.findings, "by-id").severity, Severity::kNote);
+}
+
+TEST_F(Port, ThatIsAPseudoTerminalHasNoStableName) {
+  const PtyPair pty;
+  const ChosenPort port = choose_port(System(), pty.near(), {});
+  EXPECT_TRUE(port.pseudo_terminal);
   EXPECT_EQ(port.findings.size(), 1U);
   EXPECT_EQ(find(port.findings, "device").severity, Severity::kOk);
 }

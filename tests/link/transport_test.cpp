@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -38,7 +40,7 @@ class Transport : public ::testing::Test {
 
 TEST_F(Transport, GivesARawNonBlockingCloseOnExecDescriptor) {
   const Port port = open_port(pty_.near(), {});
-  EXPECT_FALSE(port.physical());
+  EXPECT_TRUE(port.pseudo_terminal());
   EXPECT_TRUE(::fcntl(port.fd(), F_GETFL) & O_NONBLOCK);
   EXPECT_TRUE(::fcntl(port.fd(), F_GETFD) & FD_CLOEXEC);
   termios settings{};
@@ -74,6 +76,27 @@ TEST_F(Transport, OpensThroughASymbolicLink) {
   const auto link = folder_.path() / "robot";
   std::filesystem::create_symlink(pty_.near(), link);
   EXPECT_TRUE(open_port(link.string(), {}).is_open());
+}
+
+TEST_F(Transport, KnowsAPseudoTerminalByItsNumberOnly) {
+  for (const unsigned number : {136U, 140U, 143U})
+    EXPECT_TRUE(is_pseudo_terminal(S_IFCHR, ::makedev(number, 3)));
+  // The Mega's driver, bridges', 16550s', a pty's master, its old slaves.
+  for (const unsigned number : {166U, 188U, 4U, 5U, 3U, 128U, 135U, 144U})
+    EXPECT_FALSE(is_pseudo_terminal(S_IFCHR, ::makedev(number, 3)));
+  EXPECT_FALSE(is_pseudo_terminal(S_IFREG, ::makedev(136, 3)));
+  struct stat status {};
+  ASSERT_EQ(::stat(pty_.near().c_str(), &status), 0);
+  const std::string node = folder_.file("ttyACM0");
+  if (::mknod(node.c_str(), S_IFCHR | 0600, status.st_rdev) != 0)
+    GTEST_SKIP() << "only root makes a device's node; run it as root";
+  Port port;
+  try {
+    port = open_port(node, {});
+  } catch (const SetupError& error) {
+    GTEST_SKIP() << "no devices are opened in this folder: " << error.what();
+  }
+  EXPECT_TRUE(port.pseudo_terminal()) << "whatever it is called";
 }
 
 TEST_F(Transport, SaysThatAPortIsMissing) {

@@ -43,6 +43,7 @@ class FakeControls : public Controls {
   LoopFigures loop() override { return {}; }
   PortFigures port() override { return {"/dev/ttyACM0", true, "0.1.0"}; }
   RecordingFigures recording() override { return record; }
+  StartConsent start_consent() override { return consent; }
 
   std::atomic<int> starts{0}, holds{0}, stops{0};
   std::mutex mutex;
@@ -50,6 +51,7 @@ class FakeControls : public Controls {
   std::string set_refusal;
   bool can_record = false, slow_disk = false;
   RecordAnswer unanswered;
+  StartConsent consent = StartConsent::kEnter;
   RecordingFigures record{};
 };
 

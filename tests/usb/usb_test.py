@@ -14,7 +14,7 @@ import systemd
 from host import check, find, skip
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-LIMIT_S = 600
+LIMIT_S = 800
 # What makes the checks, and what it needs of the kernel's command line.
 STEPS = {"machine": ("init.sh", ""),
          "service": ("service.sh", "rdinit=/lib/systemd/systemd systemd.unit=check.service systemd.show_status=off")}

@@ -85,7 +85,7 @@ function state() {
     t_s: t(), run, session: robot ? 'ready' : 'listening', robot_state: robot ? (run === 'running' ? 'running' : 'disarmed') : null, motors_on: robot && run === 'running',
     run_s: run === 'idle' ? null : (run === 'running' ? t() : runEnded) - runBegan, progress_m: s, length_m: length, course: '3',
     robot: 'end-loaded', setup: 'flat', steering: 'odometry', world: 'internal', battery_v: 7.92,
-    can: { start: robot && run !== 'running', hold: run === 'running', stop: true, record: recording === null }, why_not_start: why,
+    can: { start: robot && run !== 'running', hold: run === 'running', stop: true, record: recording === null }, why_not_start: why, confirm_start: true,
     faults: faults.map((name) => ({ name, cause: name === 'link_lost' ? 'the link broke, or no sample came for 200 ms' : 'STOP was pressed', remedy: 'check the cable; the daemon reconnects by itself, then start again', from: 'robot' })),
     stop,
   });

@@ -1,5 +1,5 @@
-// Start, hold and record. What sets the robot in motion is confirmed where a real robot or a latched
-// STOP is concerned; what stops it never is.
+// Start, hold and record. What sets the robot in motion is confirmed where the daemon says so; what
+// stops it never is.
 import { bytes, clock } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
@@ -56,7 +56,7 @@ export class Controls {
   show(store: Store, connected: boolean, mayCommand: boolean): void {
     const state = store.get('/state');
     const fresh = connected && mayCommand && state !== undefined && !store.stale('/state');
-    this.needsConfirmation = store.get('/link')?.kind !== 'emulated' || state?.stop.latched === true;
+    this.needsConfirmation = state?.confirm_start !== false;
     const confirm = this.now() < this.confirmUntil_ms;
     this.start.button.disabled = !(fresh && state.can.start);
     setClass(this.start.button, 'confirm', confirm);

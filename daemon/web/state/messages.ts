@@ -141,6 +141,8 @@ export interface State {
   battery_v: number | null;
   can: { start: boolean; hold: boolean; stop: boolean; record: boolean };
   why_not_start: string;
+  /** Not in recordings of older versions. */
+  confirm_start?: boolean;
   faults: Fault[];
   stop: StopState;
 }

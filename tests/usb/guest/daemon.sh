@@ -13,12 +13,13 @@ until_() {
 mkfifo /tmp/keys
 exec 9<> /tmp/keys
 press_enter() { echo >&9; }
+type_go() { echo go >&9; }
 
-# start ARGUMENTS...: tp100d run, in the background.
+# start ARGUMENTS...: tp100d run, in the background; in the folder $root as its root, if that is set.
 start() {
   : > /tmp/daemon.log
   said_before=0
-  tp100d run --listen off "$@" < /tmp/keys > /tmp/daemon.log 2>&1 &
+  ${root:+chroot $root} tp100d run --listen off "$@" < /tmp/keys > /tmp/daemon.log 2>&1 &
   daemon=$!
 }
 # From here on only what it says now counts.

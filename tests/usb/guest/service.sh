@@ -19,6 +19,7 @@ try is_kept_from_other_ports
 try board_is_prepared
 try bridge_is_left_alone
 try bridge_is_prepared_when_asked
+try starts_nothing_by_itself
 try drives_as_the_service
 try is_restarted_after_want_of_files
 

@@ -119,12 +119,34 @@ drop_in() {
   systemctl daemon-reload
 }
 
-# Nobody is there to press start on the page.
-check_drives_as_the_service() {
+# Not even with --go: it would start again whenever systemd starts it again.
+check_starts_nothing_by_itself() {
   started=$(grep '^ExecStart=' /lib/systemd/system/tp100d@.service)
   drop_in "ExecStart=
 $started --go"
   systemctl restart $unit
+  asked_before=$(journal | grep -c "press Enter to start course")
+  kill -9 $(main_pid)
+  again() { [ "$(ask NRestarts)" -ge 1 ] && [ "$(journal | grep -c "press Enter to start course")" -gt $asked_before ]; }
+  until_ again || wrong "NRestarts $(ask NRestarts): $(journal | tail -n 5 | tr '\n' '|')"
+  sleep 5
+  ! journal_says "-> arming" || wrong "the service started a run by itself"
+}
+
+# As the page does it: the service `start` of foxglove.websocket.v1.
+press_start() {
+  {
+    printf 'GET / HTTP/1.1\r\nHost: 127.0.0.1:8765\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n'
+    printf 'Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n'
+    printf 'Sec-WebSocket-Protocol: foxglove.websocket.v1\r\n\r\n'
+    sleep 2
+    printf '\202\223\000\000\000\000\002\001\000\000\000\001\000\000\000\004\000\000\000json{}'
+    sleep 2
+  } | socat - TCP:127.0.0.1:8765 > /tmp/page
+}
+
+check_drives_as_the_service() {
+  press_start
   hears "running -> finished"
   hears "info completed"
 }

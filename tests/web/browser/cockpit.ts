@@ -74,7 +74,10 @@ export async function alive(page: Page): Promise<void> {
   await until(() => drawn(page), 'a robot');
 }
 
-/** Starts the robot if it stands: at its end, or stopped by itself on a machine that is too busy for it. */
+/**
+ * Starts the robot if it stands: at its end, or stopped by itself on a machine that is too busy for it. The first press is
+ * a question, the second, by the next call, its answer.
+ */
 export async function goOn(page: Page): Promise<void> {
   if (['aborted', 'idle', 'finished'].includes(await run(page)) && (await page.isEnabled('#start'))) await page.click('#start');
 }

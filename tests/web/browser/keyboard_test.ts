@@ -68,7 +68,9 @@ describe('without a mouse', () => {
     await driveUntil(page, 'running');
     await page.keyboard.press('h');
     await until(async () => (await run(page)) === 'idle', 'it holds');
-    // An emulated robot that was not stopped starts at once.
+    // Something has run: a start is asked for twice, by key, too.
+    await page.keyboard.press('r');
+    await page.waitForFunction(() => document.querySelector('#start')?.textContent === 'Really?');
     await page.keyboard.press('r');
     await until(async () => ['arming', 'running'].includes(await run(page)), 'it starts');
     await page.keyboard.press('Escape');
