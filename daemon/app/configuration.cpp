@@ -46,8 +46,9 @@ std::span<const Key<LinkSettings>> link_keys() {
       {"port",
        &T::port,
        {},
-       "Serial port: a device path, or auto: those that may be a TP100 in turn, the likeliest "
-       "first"},
+       "Serial port: a device path, or auto: an Arduino Mega by its USB ids, or a bridge chip that "
+       "is the only candidate and that surely nobody has open. A service with several candidates "
+       "needs a path"},
       {"baud", &T::baud, {9600, 2000000}, "Speed of the port; the firmware speaks the default"},
       {"timeout_ms",
        &T::timeout_ms,

@@ -1,14 +1,29 @@
 #include "app/connector.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cstring>
 #include <utility>
 
 #include "core/error.h"
 #include "core/flash_command.h"
-#include "link/port_discovery.h"
 
 namespace tp100::app {
+namespace {
+
+/// Tells a port from the one of the same name before it was unplugged.
+std::string device_file(const std::string& path) {
+  struct stat status {};
+  const bool there = ::stat(path.c_str(), &status) == 0;
+  return path + " " + std::to_string(there ? status.st_ino : 0);
+}
+
+bool same_board(const link::PortInfo& a, const link::PortInfo& b) {
+  return a.vendor_id == b.vendor_id && a.product_id == b.product_id && a.serial == b.serial;
+}
+
+}  // namespace
 
 Connector::Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
                      std::function<void(const std::string&)> say)
@@ -26,12 +41,14 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
   next_try_ns_ = now + retry_ns_;
   retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
   const bool silent = lost.end == loop::PortEnd::kSilent;
-  if (silent) silent_.insert(path_);
+  if (silent && !robot_) silent_.insert(device_file(path_));
   std::string line = path_ + ": ";
   if (silent) {
     line += found_ ? "the robot fell silent"
                    : "nothing that speaks like a TP100; flash the board with " + flash_command() +
                          ", or choose another port with --port";
+    if (!found_ && settings_.port == "auto")
+      line += "; auto leaves it alone until it is plugged in again";
   } else {
     line += std::string("port is gone (") +
             (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
@@ -59,29 +76,45 @@ void Connector::try_open(HostNs now) {
   loop_.offer({port_.fd(), ++id_});
 }
 
-// One that is held or forbidden is somebody else's: the next is tried, and the first one's error is
-// told if none can be opened.
+link::AutoChoice Connector::choose() const {
+  std::vector<link::PortInfo> ports = link::list_ports();
+  if (robot_)
+    std::erase_if(ports, [this](const link::PortInfo& port) { return !same_board(port, *robot_); });
+  link::AutoChoice choice = link::choose_for_auto(
+      ports, settings_.attended, [](const std::string& path) { return link::port_holder(path); });
+  std::vector<link::PortInfo> open;
+  for (const link::PortInfo& port : std::exchange(choice.open, {})) {
+    if (silent_.contains(device_file(port.path))) {
+      choice.passed_over.push_back({port, "nothing on it spoke like a TP100"});
+    } else {
+      choice.open.push_back(port);
+    }
+  }
+  return choice;
+}
+
+// One that is forbidden or locked is somebody else's: the next is tried, and the first one's error
+// is told if none can be opened.
 link::Port Connector::open_next() {
   if (settings_.port != "auto") return link::open_port(settings_.port, settings_.options);
-  std::vector<link::PortInfo> ports = link::candidates(link::list_ports());
-  if (ports.empty()) {
-    throw SetupError(
-        "no USB port that may be a TP100; plug the robot in, or name its port with --port (see "
-        "`tp100d ports`)");
+  const link::AutoChoice choice = choose();
+  candidates_ = choice.open.size() + silent_.size();
+  if (choice.open.empty()) {
+    if (robot_ && choice.passed_over.empty())
+      throw SetupError(path_ + ": the robot's port is gone; plug it in again");
+    throw SetupError(link::why_none(choice));
   }
-  candidates_ = ports.size();
-  if (candidates_ > 1 && !std::exchange(several_said_, true))
-    say_(std::to_string(candidates_) +
+  const std::size_t all = choice.open.size() + choice.passed_over.size();
+  if (all > 1 && !std::exchange(several_said_, true))
+    say_(std::to_string(all) +
          " ports may be a TP100 (see `tp100d ports`), the likeliest first; name the robot's with "
          "--port or link.port");
-  const auto silent = [this](const link::PortInfo& port) { return silent_.contains(port.path); };
-  if (std::all_of(ports.begin(), ports.end(), silent)) silent_.clear();
-  std::stable_partition(ports.begin(), ports.end(), std::not_fn(silent));
   std::string refused;
-  for (const link::PortInfo& port : ports) {
-    if (silent(port) && !settings_.wait && !found_) break;
+  for (const link::PortInfo& port : choice.open) {
     try {
-      return link::open_port(port.path, settings_.options);
+      link::Port open = link::open_port(port.path, settings_.options);
+      opened_ = port;
+      return open;
     } catch (const SetupError& error) {
       if (refused.empty()) refused = error.what();
     }

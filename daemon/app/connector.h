@@ -3,20 +3,24 @@
 // thread.
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/time.h"
+#include "link/port_discovery.h"
 #include "link/transport.h"
 #include "loop/fixed_rate_loop.h"
 
 namespace tp100::app {
 
 struct ConnectorSettings {
-  std::string port = "auto";  ///< path, or auto: the ports that may be a TP100, most likely first
+  std::string port = "auto";  ///< path, or auto: link::choose_for_auto(), and after a robot was
+                              ///< found that one only
   link::PortOptions options{};
-  bool wait = false;  ///< do not give up before the first hello
+  bool wait = false;     ///< do not give up before the first hello
+  bool attended = true;  ///< no service: see link::choose_for_auto()
 };
 
 class Connector {
@@ -33,12 +37,12 @@ class Connector {
   /// to be had and nobody asked to wait.
   void tick(HostNs now);
   /// The robot said hello: from now on the connector waits whatever happens.
-  void robot_found() { found_ = true; }
-  /// A session is ready: the next retry is quick again.
-  void session_ready() {
-    retry_ns_ = kFirstRetryNs;
-    silent_.clear();
+  void robot_found() {
+    found_ = true;
+    robot_ = opened_;
   }
+  /// A session is ready: the next retry is quick again.
+  void session_ready() { retry_ns_ = kFirstRetryNs; }
   /// The program ends: no more opening. The port closes with the connector, after the loop.
   void stop() { stopped_ = true; }
 
@@ -50,6 +54,7 @@ class Connector {
   void take_back(const loop::LostPort& lost, HostNs now);
   void try_open(HostNs now);
   link::Port open_next();
+  link::AutoChoice choose() const;
   void say_once(const std::string& line);
 
   ConnectorSettings settings_;
@@ -58,7 +63,10 @@ class Connector {
   link::Port port_;
   std::string path_;
   std::string last_line_;
-  std::set<std::string> silent_;  // candidates that did not answer; the others are asked first
+  // By auto: which one is open; the robot's, once it said hello; and those on which nothing spoke
+  // like a TP100, by device file, which is another one after they were plugged in again.
+  std::optional<link::PortInfo> opened_, robot_;
+  std::set<std::string> silent_;
   std::size_t candidates_ = 1;
   std::uint32_t id_ = 0;
   HostNs next_try_ns_ = 0;

@@ -19,7 +19,8 @@ std::string usb_id(const link::PortInfo& port) {
 }  // namespace
 
 std::string ports_text(const std::vector<link::PortInfo>& ports,
-                       const std::vector<std::string>& stable_names) {
+                       const std::vector<std::string>& stable_names,
+                       const std::vector<link::PassedOver>& passed_over) {
   if (ports.empty()) {
     return "no serial ports; plug the robot in (an emulated robot's port is the path that its "
            "--link "
@@ -34,6 +35,10 @@ std::string ports_text(const std::vector<link::PortInfo>& ports,
       text += "\n    port = \"" + (stable_names[i].empty() ? port.path : stable_names[i]) + "\"";
     }
     text += "\n";
+    for (const link::PassedOver& each : passed_over) {
+      if (each.port.path == port.path)
+        text += "    auto passes it over: " + each.why + "; if it is the robot, name it\n";
+    }
   }
   return text;
 }
@@ -48,7 +53,9 @@ int run_ports() {
   names.reserve(ports.size());
   for (const link::PortInfo& port : ports)
     names.push_back(doctor::stable_name(doctor::System{}, port.path));
-  std::fputs(ports_text(ports, names).c_str(), stdout);
+  const link::AutoChoice choice = link::choose_for_auto(
+      all, true, [](const std::string& path) { return link::port_holder(path); });
+  std::fputs(ports_text(ports, names, choice.passed_over).c_str(), stdout);
   return 0;
 }
 

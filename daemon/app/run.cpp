@@ -14,6 +14,7 @@
 #include "app/live_recording.h"
 #include "app/live_server.h"
 #include "app/run_setup.h"
+#include "app/service_notice.h"
 #include "app/supervisor.h"
 #include "core/error.h"
 #include "course/course.h"
@@ -110,7 +111,8 @@ int run_run(const RunOptions& options) {
   settings.connector = {
       .port = configuration.link.port,
       .options = {.baud = configuration.link.baud, .hang_up = configuration.link.hang_up},
-      .wait = options.wait};
+      .wait = options.wait,
+      .attended = service_settings().socket.empty()};
   settings.camera = configuration.camera;
   settings.world = world_run(run);
   settings.go = options.go;

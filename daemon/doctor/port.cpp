@@ -40,11 +40,15 @@ ChosenPort choose_port(const System& system, const std::string& port,
   ChosenPort chosen;
   chosen.path = port;
   if (port == "auto") {
-    if (likely.empty())
-      return missing("no USB port that may be a TP100",
-                     "plug the robot in with a data cable, or name its port with --port (see "
-                     "tp100d ports)");
-    chosen.path = likely.front().path;
+    const link::AutoChoice choice = link::choose_for_auto(
+        ports, true,
+        [&](const std::string& path) { return link::port_holder(path, system.file("/proc")); });
+    if (choice.open.empty()) {
+      const std::string why = link::why_none(choice);
+      const std::size_t end = why.rfind("; ");
+      return missing(why.substr(0, end), why.substr(end + 2));
+    }
+    chosen.path = choice.open.front().path;
   }
   chosen.device = system.real(chosen.path);
   if (chosen.device.empty())

@@ -19,7 +19,7 @@ struct ChosenPort {
   Findings findings{};           ///< names: device, by-id
 };
 
-/// `port`: a path, or "auto" for the likeliest of `ports`.
+/// `port`: a path, or "auto" for the one of `ports` that `tp100d run` would take.
 ChosenPort choose_port(const System& system, const std::string& port,
                        const std::vector<link::PortInfo>& ports);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "core/error.h"
 
@@ -70,6 +71,43 @@ std::vector<PortInfo> candidates(std::vector<PortInfo> ports) {
     return rank(a) != rank(b) ? rank(a) < rank(b) : a.path < b.path;
   });
   return ports;
+}
+
+AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, bool attended,
+                           const HolderOf& holder_of) {
+  const std::vector<PortInfo> likely = candidates(ports);
+  const auto why_not = [&](const PortInfo& port) -> std::string {
+    if (!attended && likely.size() > 1)
+      return "not the only candidate, and a service does not guess";
+    const PortHolder holder = holder_of(port.path);
+    if (!holder.name.empty()) return "held open by " + holder.name;
+    if (classify(port) == PortKind::kMega) return {};
+    if (likely.size() > 1) return "a " + describe(port) + " that is not the only candidate";
+    if (holder.others_hidden)
+      return "a " + describe(port) + ", and what others have open cannot be seen from this account";
+    return {};
+  };
+  AutoChoice choice;
+  for (const PortInfo& port : likely) {
+    if (std::string why = why_not(port); why.empty()) {
+      choice.open.push_back(port);
+    } else {
+      choice.passed_over.push_back({port, std::move(why)});
+    }
+  }
+  return choice;
+}
+
+std::string why_none(const AutoChoice& choice) {
+  if (choice.passed_over.empty())
+    return "no USB port that may be a TP100; plug the robot in, or name its port with --port (see "
+           "`tp100d ports`)";
+  std::string line = "auto passes over ";
+  for (const PassedOver& each : choice.passed_over) {
+    if (&each != &choice.passed_over.front()) line += "; ";
+    line += each.port.path + ": " + each.why;
+  }
+  return line + "; if it is the robot, name it with --port or link.port (see `tp100d ports`)";
 }
 
 std::vector<PortInfo> list_ports() {

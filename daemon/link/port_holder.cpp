@@ -1,5 +1,6 @@
 #include "link/port_holder.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,14 +14,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of the process namespace that all others lie in; PROC_PID_INIT_INO of the kernel.
+constexpr const char* kWholeMachine = "pid:[4026531836]";
+
+/// Whether /proc has all processes: not in a container, nor where others are hidden from us.
+bool lists_all(const fs::path& proc) {
+  std::error_code error;
+  return fs::read_symlink(proc / "self/ns/pid", error) == kWholeMachine &&
+         fs::exists(proc / "1", error);
+}
+
+/// The device behind `path`; nothing if it is no device.
+std::optional<dev_t> device_of(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISCHR(status.st_mode)) return std::nullopt;
+  return status.st_rdev;
+}
+
 /// Whether the process has it open; nothing if that cannot be seen.
-std::optional<bool> holds(const fs::path& process, const std::string& real_path) {
+std::optional<bool> holds(const fs::path& process, const std::string& real_path,
+                          std::optional<dev_t> device) {
   std::error_code error;
   fs::directory_iterator fd(process / "fd", error);
   if (error == std::errc::permission_denied) return std::nullopt;
   for (const fs::directory_iterator end; !error && fd != end; fd.increment(error)) {
     std::error_code unreadable;
-    if (fs::read_symlink(fd->path(), unreadable) == real_path) return true;
+    const std::string target = fs::read_symlink(fd->path(), unreadable);
+    if (target == real_path) return true;
+    // Another node of the same device. Only in /dev: elsewhere a look may wait for a disk.
+    if (device && target.starts_with("/dev/") && device_of(fd->path()) == device) return true;
   }
   return false;
 }
@@ -29,13 +51,15 @@ std::optional<bool> holds(const fs::path& process, const std::string& real_path)
 
 PortHolder port_holder(const std::string& real_path, const fs::path& proc) {
   PortHolder holder;
+  holder.others_hidden = !lists_all(proc);
+  const std::optional<dev_t> device = device_of(real_path);
   std::error_code error;
   for (fs::directory_iterator process(proc, error), end; !error && process != end;
        process.increment(error)) {
     const std::string pid = process->path().filename();
     if (!std::all_of(pid.begin(), pid.end(), [](char c) { return c >= '0' && c <= '9'; })) continue;
     if (pid == std::to_string(::getpid())) continue;
-    const std::optional<bool> held = holds(process->path(), real_path);
+    const std::optional<bool> held = holds(process->path(), real_path, device);
     if (!held) holder.others_hidden = true;
     if (!held.value_or(false)) continue;
     std::string name;

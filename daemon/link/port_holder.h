@@ -8,11 +8,12 @@ namespace tp100::link {
 
 struct PortHolder {
   std::string name{};          ///< "name (pid N)"; empty: none was seen
-  bool others_hidden = false;  ///< not every process could be looked at
+  bool others_hidden = false;  ///< not every process of the machine could be looked at
 };
 
-/// The first other process that has `real_path` open. What programs of other accounts have open,
-/// only root sees. `proc` is where processes are looked up.
+/// The first other process that has the device `real_path` open, under whatever name in /dev. What
+/// programs of other accounts have open, only root sees; from within a container nobody sees those
+/// outside. `proc` is where processes are looked up.
 PortHolder port_holder(const std::string& real_path, const std::filesystem::path& proc = "/proc");
 
 }  // namespace tp100::link

@@ -79,6 +79,17 @@ TEST_F(Port, ThatIsNamedAnyhowIsStillAPort) {
   EXPECT_EQ(find(port.findings, "by-id").severity, Severity::kNote);
 }
 
+TEST_F(Port, ThatAutoPassesOverSaysWhy) {
+  fake_.process("999999999", "octoprint");
+  fake_.opens("999999999", kDevice);
+  const ChosenPort port = choose_port(fake_.system(), "auto", {FakeSystem::mega()});
+  EXPECT_EQ(port.device, "");
+  EXPECT_EQ(find(port.findings, "device").severity, Severity::kError);
+  EXPECT_EQ(find(port.findings, "device").seen,
+            "auto passes over /dev/ttyACM0: held open by octoprint (pid 999999999)");
+  EXPECT_THAT(find(port.findings, "device").fix, HasSubstr("name it with --port"));
+}
+
 TEST_F(Port, ThatIsAPseudoTerminalHasNoStableName) {
   const PtyPair pty;
   const ChosenPort port = choose_port(System(), pty.near(), {});

@@ -6,6 +6,8 @@
 namespace tp100::link {
 namespace {
 
+using ::testing::HasSubstr;
+
 PortInfo port(const char* path, int vendor_id, int product_id) {
   PortInfo info;
   info.path = path;
@@ -40,6 +42,68 @@ TEST(PortDiscovery, NamesWhatItKnows) {
   EXPECT_EQ(describe(port("a", 0x2341, 0x0242)), "Arduino Mega 2560");
   EXPECT_EQ(describe(port("a", 0x1a86, 0x7523)), "CH340 bridge");
   EXPECT_EQ(classify(port("a", -1, -1)), PortKind::kOther);
+}
+
+class Auto : public ::testing::Test {
+ protected:
+  AutoChoice choose(const std::vector<PortInfo>& ports, bool attended = true) const {
+    return choose_for_auto(ports, attended, [this](const std::string& path) {
+      return PortHolder{path == held_ ? "octoprint (pid 7)" : "", hidden_};
+    });
+  }
+  std::vector<std::string> opened(const std::vector<PortInfo>& ports, bool attended = true) const {
+    return paths(choose(ports, attended).open);
+  }
+  std::string held_;
+  bool hidden_ = false;
+  PortInfo mega_ = port("/dev/ttyACM0", 0x2341, 0x0042);
+  PortInfo other_mega_ = port("/dev/ttyACM1", 0x2341, 0x0042);
+  PortInfo bridge_ = port("/dev/ttyUSB0", 0x1a86, 0x7523);
+  PortInfo other_bridge_ = port("/dev/ttyUSB1", 0x0403, 0x6001);
+};
+
+TEST_F(Auto, OpensAMegaWhateverElseIsThere) {
+  EXPECT_THAT(opened({bridge_, mega_, other_bridge_}), ::testing::ElementsAre("/dev/ttyACM0"));
+  EXPECT_THAT(opened({other_mega_, mega_}), ::testing::ElementsAre("/dev/ttyACM0", "/dev/ttyACM1"));
+  hidden_ = true;
+  EXPECT_THAT(opened({mega_}), ::testing::ElementsAre("/dev/ttyACM0"));
+}
+
+TEST_F(Auto, OpensABridgeOnlyIfItIsTheOnlyCandidate) {
+  EXPECT_THAT(opened({bridge_}), ::testing::ElementsAre("/dev/ttyUSB0"));
+  EXPECT_THAT(opened({bridge_, port("/dev/ttyS0", -1, -1)}),
+              ::testing::ElementsAre("/dev/ttyUSB0"));
+  EXPECT_TRUE(opened({bridge_, other_bridge_}).empty());
+  EXPECT_THAT(why_none(choose({bridge_, other_bridge_})),
+              HasSubstr("/dev/ttyUSB0: a CH340 bridge that is not the only candidate"));
+}
+
+TEST_F(Auto, LeavesAloneWhatSomebodyHasOpen) {
+  held_ = "/dev/ttyACM0";
+  EXPECT_TRUE(opened({mega_}).empty());
+  EXPECT_THAT(opened({mega_, other_mega_}), ::testing::ElementsAre("/dev/ttyACM1"));
+  EXPECT_TRUE(opened({mega_, bridge_}).empty()) << "the bridge is no second choice";
+  EXPECT_THAT(why_none(choose({mega_})), HasSubstr("held open by octoprint (pid 7); if it is the "
+                                                   "robot, name it with --port"));
+  held_ = "/dev/ttyUSB0";
+  EXPECT_TRUE(opened({bridge_}).empty());
+}
+
+TEST_F(Auto, LeavesABridgeAloneIfItsHoldersCannotBeSeen) {
+  hidden_ = true;
+  EXPECT_TRUE(opened({bridge_}).empty());
+  EXPECT_THAT(why_none(choose({bridge_})), HasSubstr("cannot be seen from this account"));
+}
+
+TEST_F(Auto, OfAServiceTakesNoneOfSeveral) {
+  EXPECT_THAT(opened({mega_}, false), ::testing::ElementsAre("/dev/ttyACM0"));
+  EXPECT_TRUE(opened({mega_, bridge_}, false).empty());
+  EXPECT_TRUE(opened({mega_, other_mega_}, false).empty());
+  EXPECT_THAT(why_none(choose({mega_, bridge_}, false)), HasSubstr("a service does not guess"));
+}
+
+TEST_F(Auto, SaysWhatToDoIfThereIsNothing) {
+  EXPECT_THAT(why_none(choose({})), HasSubstr("plug the robot in"));
 }
 
 TEST(PortDiscovery, ListsThisMachinesPortsWithoutFailing) {

@@ -20,6 +20,8 @@ chmod 1777 /tmp
 . /guest/daemon.sh
 . /guest/port_checks.sh
 . /guest/plug_checks.sh
+. /guest/start_checks.sh
+. /guest/auto_checks.sh
 
 make_board 0 TP100A
 make_board 1 TP100B
@@ -33,12 +35,17 @@ try keeps_dtr
 try drops_dtr
 try low_latency
 try doctor
+try waits_under_another_name
+try waits_behind_a_link
+try waits_in_a_container
 try unplugged_while_joining
 try unplugged_while_ready
 try unplugged_while_driving
 try returns_under_another_number
 try two_boards
 try two_boards_change_numbers
+try leaves_what_others_have_open
+try leaves_a_bridge_that_others_have_open
 
 echo "guest: done"
 poweroff -f

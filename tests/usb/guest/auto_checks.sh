@@ -1,0 +1,72 @@
+# Ports that another program works with, which opened them as pyserial does: no lock, its own speed. Before and after each
+# check board 0 alone is plugged in, as ttyACM0.
+
+# work_with PORT: at 115200 baud. Sets $holder.
+work_with() {
+  (
+    stty 115200 raw -echo
+    exec sleep 100000
+  ) < $1 &
+  holder=$!
+  until_ works_at $1 115200 || wrong "$1 is not at 115200"
+}
+works_at() { stty < $1 | grep -q "speed $2 baud"; }
+
+# What the bus saw: a speed or DTR set, on a Mega or on the FTDI bridge.
+watch_bus() {
+  cat /sys/kernel/debug/usb/usbmon/0u > /tmp/bus &
+  bus=$!
+}
+bus_was_quiet() {
+  kill $bus
+  lacks /tmp/bus " s 21 2[02] "
+  lacks /tmp/bus " s 40 0[0134] "
+}
+
+check_leaves_what_others_have_open() {
+  unplug 0
+  plug 1
+  work_with /dev/ttyACM0
+  printer=$holder
+  work_with /dev/ttyUSB0
+  watch_bus
+  start_course --wait
+  await "auto passes over /dev/ttyACM0: held open by sleep (pid $printer)"
+  sleep 60
+  ! says ": open" || wrong "tp100d opened somebody's port: $(last_words)"
+  bus_was_quiet
+  works_at /dev/ttyACM0 115200 || wrong "the other Mega is at: $(stty < /dev/ttyACM0 | head -n 1)"
+  works_at /dev/ttyUSB0 115200 || wrong "the bridge is at: $(stty < /dev/ttyUSB0 | head -n 1)"
+  # The robot comes, and is found beside them.
+  plug 0 1
+  await "/dev/ttyACM1: open" && ready
+  works_at /dev/ttyACM0 115200 || wrong "the other Mega is at: $(stty < /dev/ttyACM0 | head -n 1)"
+  drive_it
+  kill $printer $holder
+  unplug 0
+  unplug 1
+  plug 0
+}
+
+check_leaves_a_bridge_that_others_have_open() {
+  unplug 0
+  work_with /dev/ttyUSB0
+  watch_bus
+  start --wait
+  await "auto passes over /dev/ttyUSB0: held open by sleep (pid $holder)"
+  sleep 20
+  bus_was_quiet
+  works_at /dev/ttyUSB0 115200 || wrong "the bridge is at: $(stty < /dev/ttyUSB0 | head -n 1)"
+  # Free, it is asked, once.
+  kill $holder
+  await "/dev/ttyUSB0: open" && await "auto leaves it alone until it is plugged in again"
+  mark
+  sleep 15
+  ! says ": open" || wrong "the bridge was asked again: $(last_words)"
+  stop
+  # Who cannot see others' programs leaves it alone.
+  chmod 666 /dev/ttyUSB0
+  su nobody -c "tp100d run --listen off" > /tmp/other 2>&1 < /dev/null
+  has /tmp/other "auto passes over /dev/ttyUSB0: a FTDI bridge, and what others have open cannot be seen"
+  plug 0
+}
