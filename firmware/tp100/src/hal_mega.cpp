@@ -24,7 +24,7 @@ const uint8_t kSda = _BV(PD1);
 const uint8_t kDirections = _BV(PA0) | _BV(PA1) | _BV(PA2) | _BV(PA3);
 const uint8_t kCellsPin = 0;
 const uint8_t kNoisePin = 7;
-// MUX4:0 of the bandgap, MUX5 is 0 (data sheet, table 26-4).
+// MUX4:0 of the bandgap, MUX5 is 0 (data sheet, "Input Channel Selections").
 const uint8_t kBandgap = 0x1E;
 // One of the cells a sample. The last two of a second are the bandgap's: it is a weak source, so
 // that the first of them only charges the converter.

@@ -1,10 +1,9 @@
 // The voltage of the board's supply, against which its ADC measures the cells.
 //
-// The reference is AVcc, USB's 5 V: 4.40 to 5.25 V at a device (USB 2.0, 7.2.2 and 7.2.1). Taken
-// for 5 V, cells of 5.28 V would read 6.0 V at 4.40 V. The chip's bandgap tells what AVcc is, as
-// well as the bandgap itself is known: 1.0 to 1.2 V, typically 1.1 V (data sheet of the
-// ATmega640/1280/1281/ 2560/2561, "System and Reset Characteristics"). It is taken for 1.1 V, and
-// the supply for 5 V at most:
+// The reference is AVcc, USB's 5 V: 4.40 to 5.25 V at a device by USB 2.0. Taken for 5 V, cells of
+// 5.28 V would read 6.0 V at 4.40 V. The chip's bandgap tells what AVcc is, as well as the bandgap
+// itself is known: 1.0 to 1.2 V, typically 1.1 V (data sheet of ATmega640 to 2561, "System and
+// Reset Characteristics"). It is taken for 1.1 V, and the supply for 5 V at most:
 //   - cells never read higher than they would if 5 V were assumed;
 //   - on a chip of 1.1 V they read right up to 5 V, and at most 5 % low above;
 //   - on the chip farthest off they read 10 % high (1.0 V, below 4.55 V) or 8 % low (1.2 V).
