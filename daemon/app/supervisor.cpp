@@ -369,6 +369,7 @@ void Supervisor::State::on_run_state(const LiveEvent& event) {
     }
     const bool waits = (figures.faults & kRecoverable) != 0 && !settings.go &&
                        (figures.faults & fault_bit(Fault::moves_unasked)) == 0;
+    stay_status = 1;
     if (!waits) return run_ended(1, "aborted");
   }
   if (!ending) terminal->ask();
