@@ -464,7 +464,7 @@ TEST_F(Run, ACourseIsCompletedOnceTheRobotHasConfirmedItsEnd) {
     // A machine that lets the robot sleep for 200 ms ends the run sooner.
     for (int i = 0; i < 10 && log_.find("running -> finished") == std::string::npos; ++i) {
       robot_->with([&](ScriptedRobot& robot) {
-        robot.metres_per_s = 0.1;
+        robot.drives = true;
         robot.heard = {};
         robot.answers_requests = true;
       });

@@ -54,6 +54,7 @@ class ScriptedRobot {
   double clock_ppm = 0.0;
   std::uint32_t device_offset_us = 0;
   double metres_per_s = 0.0;
+  bool drives = false;  // straight on, as fast as its commands say
 
   Heard heard;
   wire::State state = wire::State::kHello;
@@ -98,7 +99,8 @@ class ScriptedRobot {
     wire::Sample sample{};
     sample.sequence = sequence;
     sample.device_us = device_us(now);
-    const auto counts = static_cast<std::int32_t>(metres_per_s * to_s(now - boot_ns_) * 11140.0);
+    const double way_m = driven_m_ + metres_per_s * to_s(now - boot_ns_);
+    const auto counts = static_cast<std::int32_t>(way_m * 11140.0);
     sample.left_counts = sample.right_counts = counts;
     sample.accel[2] = 8192;
     sample.battery_mv = 7900;
@@ -111,6 +113,10 @@ class ScriptedRobot {
 
   /// Time passes: spontaneous frames.
   void tick(HostNs now) {
+    if (drives && state >= wire::State::kArmed && state <= wire::State::kRunning &&
+        !heard.commands.empty())
+      driven_m_ += static_cast<double>(heard.commands.back().speed_mps) * to_s(now - ticked_ns_);
+    ticked_ns_ = now;
     if (silent) return;
     if (state == wire::State::kHello && now >= next_hello_ns_) {
       say_hello();
@@ -204,6 +210,8 @@ class ScriptedRobot {
   }
 
   HostNs boot_ns_;
+  HostNs ticked_ns_ = 0;
+  double driven_m_ = 0.0;
   HostNs next_hello_ns_ = 0;
   HostNs next_sample_ns_ = 0;
   wire::FrameDecoder decoder_;
