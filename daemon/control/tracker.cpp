@@ -56,7 +56,7 @@ Tracker::Tracker(const Parameters& parameters, const course::Path& path, const D
           parameters_.pivot_rate_radps / parameters_.pivot_acceleration_radps2 +
           2.0 * parameters_.settle_s;
     } else {
-      nominal_duration_s_ += piece.length_m / drive_.speed_mps;
+      nominal_duration_s_ += piece.length_m / curve_mps(piece.begin.curvature_1pm);
     }
   }
   nominal_duration_s_ += drive_.speed_mps / parameters_.acceleration_mps2 + parameters_.settle_s;
@@ -144,6 +144,12 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   steer(pose, twist, here, left_m, dt_s);
 }
 
+double Tracker::curve_mps(double curvature_1pm) const {
+  const double radii = std::abs(curvature_1pm) * parameters_.full_speed_radius_m;
+  return std::max(radii > 1.0 ? drive_.speed_mps / radii : drive_.speed_mps,
+                  std::min(parameters_.min_speed_mps, drive_.speed_mps));
+}
+
 double Tracker::speed_cap(double left_m) const {
   double cap = drive_.speed_mps;
   if (recovery_.active() && std::abs(target_.heading_error_rad) > kLooksBackRad)
@@ -153,8 +159,7 @@ double Tracker::speed_cap(double left_m) const {
   const double braking_m = commanded_mps_ * commanded_mps_ / (2.0 * parameters_.acceleration_mps2);
   const double curvature = std::max(std::abs(progress_.here().curvature_1pm),
                                     std::abs(progress_.ahead(braking_m).curvature_1pm));
-  if (curvature * parameters_.full_speed_radius_m > 1.0)
-    cap = std::min(cap, drive_.speed_mps / (curvature * parameters_.full_speed_radius_m));
+  cap = std::min(cap, curve_mps(curvature));
   return std::max(cap, std::min(parameters_.min_speed_mps, drive_.speed_mps));
 }
 

@@ -56,7 +56,7 @@ class Tracker {
   /// branch. `disturbed`: someone pushes the robot, see Disturbance.
   const Target& update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed = false);
 
-  /// Duration of the path at nominal speed, pivots included. [s]
+  /// Duration of the path at the speeds that are meant, pivots included. [s]
   double nominal_duration_s() const { return nominal_duration_s_; }
 
  private:
@@ -68,6 +68,8 @@ class Tracker {
              double dt_s);
   void turn(const Pose& pose, const Twist& twist, double dt_s);
   double crab_rad(double curvature_1pm) const;
+  /// The course's speed, or less in a narrow curve.
+  double curve_mps(double curvature_1pm) const;
   double speed_cap(double left_m) const;
   void stand(double yaw_rad);
   bool settled(const Twist& twist, bool in_tolerance, double dt_s);

@@ -216,6 +216,15 @@ TEST(Tracker, TakesTheNominalDurationWithinATenth) {
   EXPECT_NEAR(outcome.duration_s, tracker.nominal_duration_s(), 0.1 * tracker.nominal_duration_s());
 }
 
+TEST(Tracker, TheNominalDurationKnowsThatNarrowArcsAreDrivenSlowly) {
+  const course::Course course = make_course({course::Arc{0.03, 10.0 * kPi}});
+  const course::Path path(course);
+  const Tracker tracker(Parameters{}, path, {.speed_mps = course.speed_mps});
+  const Outcome outcome = drive(course);
+  ASSERT_TRUE(outcome.done);
+  EXPECT_NEAR(outcome.duration_s, tracker.nominal_duration_s(), 0.2 * tracker.nominal_duration_s());
+}
+
 TEST(Tracker, RestartBeginsThePathAnew) {
   const course::Course course = make_course({course::Line{0.2}, course::Pivot{1.0}});
   const course::Path path(course);
