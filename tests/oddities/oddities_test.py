@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What tp100d does with robots that do what no robot should: each row of oddities.py against a robot that was written
-from firmware/PROTOCOL.md alone. Usage: oddities_test.py [--jobs N] [--verbose] PROGRAM [WORD...]; words choose rows by name.
+from firmware/PROTOCOL.md alone. Usage: oddities_test.py [--jobs N] [--verbose] PROGRAM [WORD...]; words choose rows by
+their names.
 
 Times are those of the robot's own loop. A run that was not right says nothing if that loop, or the program, stood still
 for 50 ms: it is repeated, as is one that broke a limit of time or distance and nothing else, twice at most. Both are
@@ -80,7 +81,7 @@ def live(row, program, folder):
             if run.poll() is None:
                 run.send_signal(signal.SIGINT)
                 robot.run_until(lambda: run.poll() is not None, time.monotonic() + 1.0)
-                robot.ended_by_us = True
+                robot.interrupted = True
         except BrokenPipeError:
             run.wait()
         finally:
@@ -98,8 +99,8 @@ def judge(row, robot, status, output):
     if robot.happened is None:
         return [], ["the oddity never happened"], []
     off = robot.asked_off
-    arms = {fields["token"]: at for at, name, fields, _ in reversed(robot.heard) if name == "Arm"}
-    motions = [at for at, name, fields, _ in robot.heard if name == "Command" and asks_motion(fields)]
+    arms = {fields["token"]: at for at, name, fields, _ in reversed(robot.received) if name == "Arm"}
+    motions = [at for at, name, fields, _ in robot.received if name == "Command" and asks_motion(fields)]
     if len(arms) > must.arms:
         never.append(f"{len(arms)} Arms instead of {must.arms}")
     if must.arms == 1 and not must.arrives and row.when[0] not in ("boot", "session"):
@@ -120,19 +121,20 @@ def judge(row, robot, status, output):
         error = math.hypot(robot.pose[0] - x - SHORT_M * math.cos(yaw), robot.pose[1] - y - SHORT_M * math.sin(yaw))
         if error > 0.015:
             wrong.append(f"ends {error:.3f} m beside the end")
-    if robot.ended_by_us:
+    if robot.interrupted:
         wrong.append("the program did not end by itself")
     elif status not in must.exits:
         wrong.append(f"exit {status}")
-    if not re.search(row.says, "\n".join(complaints(output)), re.IGNORECASE):
-        wrong.append(f"no word of {row.says}")
+    if not re.search(row.words, "\n".join(complaints(output)), re.IGNORECASE):
+        wrong.append(f"no word of {row.words}")
     return never, wrong, late
 
 
 def stood_still(row, robot, output):
     """Did this machine stand still for long enough to be the cause of whatever happened?"""
-    late = [int(ms) * 1e-3 for ms in re.findall(r"turns of the loop that came late, the longest after (\d+) ms", output)]
-    times = [at for at, name, _, _ in robot.heard if name == "Command" and at < (robot.happened or math.inf)]
+    late = [int(ms) * 1e-3 for ms in re.findall(r"turns of the loop that came late, the longest after (\d+) ms",
+    output)]
+    times = [at for at, name, _, _ in robot.received if name == "Command" and at < (robot.happened or math.inf)]
     gaps = [b - a for a, b in zip(times, times[1:])] if row.when[0] != "boot" else []
     return max([robot.late] + gaps + late) > STOOD_STILL_S
 
@@ -156,7 +158,7 @@ def trial(job):
             still += 1
             if still == STILL_TRIES:
                 break
-        elif wrong or robot.ended_by_us or repeated == 2:
+        elif wrong or robot.interrupted or repeated == 2:
             break
         else:
             repeated += 1
@@ -188,15 +190,16 @@ def main():
             jobs = [(index, args.program, folder) for index, row in enumerate(ROWS) if row in rows]
             for result in pool.imap(trial, jobs):
                 results.append(result)
-                print(f"{result.verdict:<4} {result.row:<52} {result.reaction:<28} exit {result.status}  {result.message}",
-                      flush=True)
+                print(f"{result.verdict:<4} {result.row:<52} {result.reaction:<28} exit {result.status}  "
+                      f"{result.message}", flush=True)
                 for what in result.broken:
                     print(f"     {what}", flush=True)
                 if args.verbose:
                     print(result.output, flush=True)
     failed, unknown = (sum(result.verdict == verdict for result in results) for verdict in ("FAIL", "????"))
-    print(f"{len(rows)} oddities, {failed} failed; repeated: {sum(result.repeated for result in results)} for their time, "
-          f"{sum(result.still for result in results)} because the machine stood still; {time.monotonic() - begin:.0f} s")
+    repeated, still = (sum(counts) for counts in zip(*((result.repeated, result.still) for result in results)))
+    print(f"{len(rows)} oddities, {failed} failed; repeated: {repeated} for their time, {still} as the machine stood "
+          f"still; {time.monotonic() - begin:.0f} s")
     if unknown and not failed:
         print(f"skipped: the machine stood still in all {STILL_TRIES} runs of {unknown} oddities")
         sys.exit(77)

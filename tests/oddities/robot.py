@@ -65,8 +65,8 @@ class Robot:
         self.when, self.oddity, self.happened = when, oddity, None
         self.asked_off = None       # seconds, metres and radians since the oddity when the host first asked motors off
         self.random = random.Random(1)
-        self.heard = []             # every good frame of the host: time, name, fields, did the robot take it
-        self.ended_by_us = False
+        self.received = []             # every good frame of the host: time, name, fields, did the robot take it
+        self.interrupted = False
         self.asked = None           # the host's last Command
         self.refused = None         # when it first answered an Arm with anything but Accepted
         self.since = {}             # phase: time at which it began
@@ -118,7 +118,7 @@ class Robot:
     # -- the session
     def boot(self, now, nonce=None, silent=0.0):
         self.nonce = nonce or self.nonce
-        self.booted, self.silent_until, self.last_hello, self.last_heard = now + silent, now + silent, -1.0, None
+        self.booted, self.silent_until, self.last_hello, self.last_received = now + silent, now + silent, -1.0, None
         self.state, self.faults, self.arm_token, self.arm_answer = HELLO, 0, 0, None
         self.command, self.parameters, self.kept = None, None, {}
         self.sequence, self.duties, self.reset_cause = 0, (0.0, 0.0), 1
@@ -159,7 +159,7 @@ class Robot:
             if name == "Arm" and fields["result"] != ACCEPTED and self.refused is None:
                 self.refused = time.monotonic()
 
-    def say_hello(self, now):
+    def send_hello(self, now):
         self.last_hello = now
         for data in self.hello({"protocol": PROTOCOL, "firmware": bytes((9, 8, 7)), "schema": SCHEMA,
                                 "board": self.board,
@@ -167,9 +167,9 @@ class Robot:
                                 "faults": self.faults}):
             self.transmit(b"\0" + data)
 
-    def hear(self, name, fields, now):
+    def take(self, name, fields, now):
         event = [now, name, fields, False]
-        self.heard.append(event)
+        self.received.append(event)
         if (self.happened is not None and self.asked_off is None
                 and (name in ("Disarm", "Stop") or name == "HelloRequest" and self.state >= DISARMED)):
             self.asked_off = (now - self.happened, *self.apart)
@@ -179,11 +179,11 @@ class Robot:
             self.mark(name, now)
         if name in self.deaf or now < self.silent_until:
             return
-        self.last_heard = now
+        self.last_received = now
         if name == "HelloRequest":
             self.off(PARAMETERS)
             self.parameters = None
-            self.say_hello(now)
+            self.send_hello(now)
         elif name == "Parameters":
             self.take_parameters(fields, now)
         elif name == "Command":
@@ -239,7 +239,8 @@ class Robot:
         if fields["token"] == self.arm_token:
             return self.acknowledge("Arm", *self.arm_answer)
         ahead = signed(fields["expiry_us"] - self.device_us(now), 32)
-        fresh = self.state >= DISARMED and self.command_at is not None and now - self.command_at < self.parameters["command_life_ms"] * 1e-3
+        fresh = (self.state >= DISARMED and self.command_at is not None
+                 and now - self.command_at < self.parameters["command_life_ms"] * 1e-3)
         result, detail = ACCEPTED, 0
         if fields["boot_nonce"] != self.nonce:
             result = WRONG_BOOT
@@ -304,11 +305,11 @@ class Robot:
         self.each()
         if self.silent_until > now:
             return
-        if self.last_heard is not None and now - self.last_heard > 1.0:
+        if self.last_received is not None and now - self.last_received > 1.0:
             self.off(HELLO)
-            self.last_heard = None
+            self.last_received = None
         if self.state == HELLO and now - self.last_hello >= 0.2:
-            self.say_hello(now)
+            self.send_hello(now)
         if self.state < DISARMED:
             self.duties = (0.0, 0.0)
             return
@@ -385,7 +386,7 @@ class Robot:
         for coded in frames:
             message = unpack(coded) if coded else None
             if message and self.is_open:
-                self.hear(*message, time.monotonic())
+                self.take(*message, time.monotonic())
 
 
 def asks_motion(fields):
