@@ -321,7 +321,7 @@ odd("no samples any more, but frames of an unknown type", DRIVE,
 odd("no samples while idle", IDLE, gap(60), NEVER_ARMED, LOST)
 odd("samples at 100 Hz", START, every_nth(2), COMPLETE)
 odd("samples at 20 Hz", START, every_nth(10), COMPLETE)
-odd("samples at 4 Hz", DRIVE, every_nth(50), SILENCE, LOST)
+odd("samples at 4 Hz", DRIVE, every_nth(50), stop(250 + 300), LOST)
 CLOCK = LOST + "|clock that"
 odd("clock -1 s", DRIVE, clock(-1000000), SILENCE, CLOCK)
 odd("clock +10 s", DRIVE, clock(10000000), SILENCE, CLOCK)
@@ -536,10 +536,10 @@ odd("Faulted without a fault", DRIVE, reports(state=FAULTED), AT_ONCE, BY_ITSELF
 odd("Disarmed by itself", DRIVE, lambda r: r.off(DISARMED), AT_ONCE, BY_ITSELF)
 odd("state 9", DRIVE, reports(state=9), SILENCE, "")
 odd("state Hello in samples", DRIVE, reports(state=HELLO), SILENCE, "")
-odd("imu_age 255, gyro 0", DRIVE, reports(imu_age=255, gyro_z=0), SILENCE, "imu|gyro")
+odd("imu_age 255, gyro 0", DRIVE, reports(imu_age=255, gyro_z=0), SILENCE, "imu|gyro|mpu6050")
 odd("imu_age 255, gyro 0 from the start", START, reports(imu_age=255, gyro_z=0), NEVER_ARMED._replace(arms=0),
-    "imu|gyro")
-odd("imu_age 40", DRIVE, reports(imu_age=40), SILENCE, "imu|gyro")
+    "imu|gyro|mpu6050")
+odd("imu_age 40", DRIVE, reports(imu_age=40), SILENCE, "imu|gyro|mpu6050")
 odd("last_command stands still", DRIVE, lambda r: reports(last_command=r.last_command)(r), IN_BOUNDS, "command")
 odd("last_command random", DRIVE, altered(lambda f, r: {"last_command": r.random.getrandbits(16)}), EITHER)
 odd("duty of 20000", DRIVE, reports(left_duty=20000), SILENCE, "")

@@ -42,7 +42,7 @@ dead_band = {DEAD_BAND}
 """,
     # Nothing that many programs at once cannot have, no port, nothing on the disk; the time for an answer shortened.
     "config.toml": """[link]
-first_frame_timeout_ms = 1000.0
+first_frame_timeout_ms = 1500.0
 [loop]
 spin_us = 0
 lock_memory = false
