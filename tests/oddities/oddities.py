@@ -13,7 +13,8 @@ from wire import ACCEPTED, ARMED, DISARMED, FAULTED, HELLO, OUT_OF_RANGE, RUNNIN
 Oddity = namedtuple("Oddity", "name when do must words course typed options")
 # `exits`: statuses that are right. `arms`: most Arms (repeats of a token count once). `ms`, `m`, `deg`: motors must be
 # asked off by then, counted from the oddity on; None: it need not. `arrives`: the robot must end where the course does.
-Must = namedtuple("Must", "exits arms ms m deg arrives")
+# `stops`: fewest Stops that a robot must be sent that does not obey.
+Must = namedtuple("Must", "exits arms ms m deg arrives stops", defaults=(0,))
 
 COMPLETE = Must((0,), 1, None, None, None, True)
 
@@ -25,7 +26,9 @@ def stop(ms=None, m=0.15, deg=20.0, arms=1):
 AT_ONCE = stop(250)             # one sample shows it
 SILENCE = stop(300)             # what stays away shows only after 200 ms
 IN_BOUNDS = stop()              # a window shows it
-UNARMED = stop(250, arms=0)
+UNARMED = stop(250, arms=0)     # the state shows it; with a duty it takes a Stop, repeated
+RUNS_UNARMED = UNARMED._replace(stops=2)
+RUNS_ON = AT_ONCE._replace(stops=2)
 ENDS = Must((1,), 1, None, None, None, False)
 EITHER = Must((0, 1), 1, None, None, None, False)
 NEVER_ARMED = Must((1, 2), 0, None, None, None, False)
@@ -260,24 +263,24 @@ def gap(seconds):
 
 # -- 1. Moves, or could, without having been asked
 UNASKED = "unasked"
-odd("runs unarmed", IDLE, drives(0.1, 0.1), UNARMED, UNASKED)
-odd("runs backwards unarmed", IDLE, drives(-0.1, -0.1), UNARMED, UNASKED)
-odd("spins unarmed", IDLE, drives(-0.1, 0.1), UNARMED, UNASKED)
-odd("one track runs unarmed", IDLE, drives(0.0, 0.1), UNARMED, UNASKED)
-odd("has a duty at standstill, unarmed", IDLE, reports(left_duty=300, right_duty=300), UNARMED, UNASKED)
+odd("runs unarmed", IDLE, drives(0.1, 0.1), RUNS_UNARMED, UNASKED)
+odd("runs backwards unarmed", IDLE, drives(-0.1, -0.1), RUNS_UNARMED, UNASKED)
+odd("spins unarmed", IDLE, drives(-0.1, 0.1), RUNS_UNARMED, UNASKED)
+odd("one track runs unarmed", IDLE, drives(0.0, 0.1), RUNS_UNARMED, UNASKED)
+odd("has a duty at standstill, unarmed", IDLE, reports(left_duty=300, right_duty=300), RUNS_UNARMED, UNASKED)
 odd("reports Armed unasked", IDLE, reports(state=ARMED), UNARMED, UNASKED)
 odd("reports Running unasked", IDLE, reports(state=RUNNING), UNARMED, UNASKED)
-odd("reports Running and runs unasked", IDLE, drives(0.1, 0.1, state=RUNNING), UNARMED, UNASKED)
+odd("reports Running and runs unasked", IDLE, drives(0.1, 0.1, state=RUNNING), RUNS_UNARMED, UNASKED)
 odd("is armed from the start", ("session", 0.0), reports(state=ARMED), UNARMED, UNASKED)
-odd("runs from the start", ("session", 0.0), drives(0.1, 0.1, state=RUNNING), UNARMED, UNASKED)
+odd("runs from the start", ("session", 0.0), drives(0.1, 0.1, state=RUNNING), RUNS_UNARMED, UNASKED)
 odd("is pushed by hand for 0.5 s while idle", IDLE, pushed(0.05, 0.0, 0.5), COMPLETE)
 odd("is turned by hand for 0.5 s while idle", IDLE, pushed(0.0, 0.5, 0.5), COMPLETE)
 odd("is pushed by hand for ever", IDLE, pushed(0.03, 0.0, 60), stop(m=None, deg=None, arms=0), r"still|rest")
 odd("is turned by hand for ever", IDLE, pushed(0.0, 0.3, 60), stop(m=None, deg=None, arms=0), r"still|rest")
 odd("restarts and runs unarmed", DRIVE, both(restarts(0.1), drives(0.1, 0.1)), AT_ONCE, r"robot_rebooted|restart")
-odd("runs on after Disarm, acknowledged, reports Disarmed", END, drives(0.1, 0.1), stop(250), UNASKED)
-odd("runs on after Disarm, acknowledged, reports Running", END, drives(0.1, 0.1, state=RUNNING), stop(250), UNASKED)
-odd("reports Armed after Disarm", END, reports(state=ARMED), stop(250), UNASKED)
+odd("runs on after Disarm, acknowledged, reports Disarmed", END, drives(0.1, 0.1), RUNS_ON, UNASKED)
+odd("runs on after Disarm, acknowledged, reports Running", END, drives(0.1, 0.1, state=RUNNING), RUNS_ON, UNASKED)
+odd("reports Armed after Disarm", END, reports(state=ARMED), AT_ONCE, UNASKED + "|not_acknowledged")
 odd("runs on after a Stop", DRIVE, both(reports(accel_x=8192, accel_z=0), drives(0.1, 0.1)), IN_BOUNDS, "tilt")
 odd("rolls a little after Disarm, without a duty", END, pushed(0.02, 0.0, 0.2), COMPLETE._replace(arrives=False))
 odd("starts with stop_requested latched", START, put(faults=1 << 1), COMPLETE)

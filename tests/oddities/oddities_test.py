@@ -23,7 +23,7 @@ from robot import COUNTS_PER_METRE, DEAD_BAND, FEED_FORWARD, SLIP_LEFT, SLIP_RIG
 from wire import GOLDEN, pack, unpack
 
 STOOD_STILL_S = 0.05
-STILL_TRIES = 8
+STILL_TRIES = 5
 RUN_S = 7.0
 SHORT_M = 0.12
 COURSES = {"short": ("line", f"length_m = {SHORT_M}"), "line": ("line", "length_m = 3.0"),
@@ -116,6 +116,9 @@ def judge(row, robot, status, output):
     elif off is not None:
         late = [f"{abs(value) * unit:.3g} {name}, at most {limit:g}" for value, (limit, unit, name) in zip(off, limits)
                 if limit is not None and abs(value) * unit > limit]
+    stops = sum(name == "Stop" for _, name, _, _ in robot.received)
+    if stops < must.stops:
+        wrong.append(f"{stops} Stops, at least {must.stops}")
     if must.arrives:
         x, y, yaw = robot.origin
         error = math.hypot(robot.pose[0] - x - SHORT_M * math.cos(yaw), robot.pose[1] - y - SHORT_M * math.sin(yaw))
