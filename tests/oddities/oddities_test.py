@@ -99,8 +99,8 @@ def judge(row, robot, status, output):
     if robot.happened is None:
         return [], ["the oddity never happened"], []
     off = robot.asked_off
-    arms = {fields["token"]: at for at, name, fields, _ in reversed(robot.received) if name == "Arm"}
-    motions = [at for at, name, fields, _ in robot.received if name == "Command" and asks_motion(fields)]
+    arms = {fields["token"]: at for at, name, fields in reversed(robot.received) if name == "Arm"}
+    motions = [at for at, name, fields in robot.received if name == "Command" and asks_motion(fields)]
     if len(arms) > must.arms:
         never.append(f"{len(arms)} Arms instead of {must.arms}")
     if must.arms == 1 and not must.arrives and row.when[0] not in ("boot", "session"):
@@ -116,7 +116,7 @@ def judge(row, robot, status, output):
     elif off is not None:
         late = [f"{abs(value) * unit:.3g} {name}, at most {limit:g}" for value, (limit, unit, name) in zip(off, limits)
                 if limit is not None and abs(value) * unit > limit]
-    stops = sum(name == "Stop" for _, name, _, _ in robot.received)
+    stops = sum(name == "Stop" for _, name, _ in robot.received)
     if stops < must.stops:
         wrong.append(f"{stops} Stops, at least {must.stops}")
     if must.arrives:
@@ -137,7 +137,7 @@ def stood_still(row, robot, output):
     """Did this machine stand still for long enough to be the cause of whatever happened?"""
     late = [int(ms) * 1e-3 for ms in re.findall(r"turns of the loop that came late, the longest after (\d+) ms",
     output)]
-    times = [at for at, name, _, _ in robot.received if name == "Command" and at < (robot.happened or math.inf)]
+    times = [at for at, name, _ in robot.received if name == "Command" and at < (robot.happened or math.inf)]
     gaps = [b - a for a, b in zip(times, times[1:])] if row.when[0] != "boot" else []
     return max([robot.late] + gaps + late) > STOOD_STILL_S
 

@@ -29,7 +29,7 @@ class Track:
     """A motor, its track and its encoder. Speeds in m/s of the track, forward positive."""
 
     def __init__(self, slip):
-        self.slip, self.speed, self.travelled, self.counted, self.lag = slip, 0.0, 0.0, 0.0, 0.0
+        self.slip, self.speed, self.counted, self.lag = slip, 0.0, 0.0, 0.0
         self.motor = 1.0        # strength; negative: leads swapped
         self.encoder = 1.0      # share of the edges that are counted; negative: backwards
         self.runs_at = None     # speed that the track has whatever its duty says
@@ -49,8 +49,7 @@ class Track:
         if target == 0:
             self.lag = 0.0
             return 0.0
-        self.lag += (target - measured) * PERIOD
-        self.lag = max(-0.1, min(0.1, self.lag))
+        self.lag = max(-0.02, min(0.02, self.lag + (target - measured) * PERIOD))
         duty = math.copysign(given["dead_band"], target) + given["feed_forward"] * target
         duty += given["speed_kp"] * (target - measured) + given["speed_ki"] * self.lag
         return max(-1.0, min(1.0, duty))
@@ -65,7 +64,7 @@ class Robot:
         self.when, self.oddity, self.happened = when, oddity, None
         self.asked_off = None       # seconds, metres and radians since the oddity when the host first asked motors off
         self.random = random.Random(1)
-        self.received = []             # every good frame of the host: time, name, fields, did the robot take it
+        self.received = []             # every good frame of the host: time, name, fields
         self.interrupted = False
         self.asked = None           # the host's last Command
         self.refused = None         # when it first answered an Arm with anything but Accepted
@@ -76,7 +75,8 @@ class Robot:
         self.left, self.right = Track(SLIP_LEFT), Track(SLIP_RIGHT)
         self.sides = 1.0            # -1: both tracks, with motor and encoder, are plugged in on the other side
         self.gyro_bias, self.gyro_scale = 0.01, 1.0
-        self.accel = (0, 0, 8192)
+        self.accel, self.gyro, self.turned = (0, 0, 8192), 0, 0.0
+        self.counts, self.measured = (0, 0), (0.0, 0.0)     # edges; speeds of the tracks by them
         self.battery_mv, self.board, self.nonce, self.ppm, self.clock_us = 7800, 2, 0x51A7E001, 40.0, 1000000
         self.counts_offset = 0
         self.is_open = True
@@ -162,14 +162,12 @@ class Robot:
     def send_hello(self, now):
         self.last_hello = now
         for data in self.hello({"protocol": PROTOCOL, "firmware": bytes((9, 8, 7)), "schema": SCHEMA,
-                                "board": self.board,
-                                "boot_nonce": self.nonce, "reset_cause": self.reset_cause, "state": self.state,
-                                "faults": self.faults}):
+                                "board": self.board, "boot_nonce": self.nonce, "reset_cause": self.reset_cause,
+                                "state": self.state, "faults": self.faults}):
             self.transmit(b"\0" + data)
 
     def take(self, name, fields, now):
-        event = [now, name, fields, False]
-        self.received.append(event)
+        self.received.append((now, name, fields))
         if (self.happened is not None and self.asked_off is None
                 and (name in ("Disarm", "Stop") or name == "HelloRequest" and self.state >= DISARMED)):
             self.asked_off = (now - self.happened, *self.apart)
@@ -187,7 +185,7 @@ class Robot:
         elif name == "Parameters":
             self.take_parameters(fields, now)
         elif name == "Command":
-            event[3] = self.take_command(fields, now)
+            self.take_command(fields, now)
         elif name == "Arm":
             self.take_arm(fields, now)
         elif name in ("Disarm", "Stop"):
@@ -233,7 +231,6 @@ class Robot:
             if self.state == ARMED and asks_motion(fields):
                 self.state = RUNNING
                 self.mark("drive", now)
-        return good
 
     def take_arm(self, fields, now):
         if fields["token"] == self.arm_token:
@@ -268,8 +265,8 @@ class Robot:
         order, given = self.command, self.parameters
         if self.state != RUNNING or order is None:
             return 0.0, 0.0
-        turned = self.turned - self.kept.get(order["answers"], (0, self.turned, 0, 0))[1]
-        turned -= order["gyro_bias_radps"] * (now - self.kept.get(order["answers"], (now,))[0])
+        answered_at, turned_then = self.kept.get(order["answers"], (now, self.turned))
+        turned = self.turned - turned_then - order["gyro_bias_radps"] * (now - answered_at)
         yaw = order["yaw_rad"] + (turned if given["flags"] & 1 else 0.0)
         rate = order["yaw_rate_radps"] + given["yaw_kp"] * wrapped(order["desired_yaw_rad"] - yaw)
         rate = max(-given["max_yaw_radps"], min(given["max_yaw_radps"], rate))
@@ -278,11 +275,6 @@ class Robot:
         speed = math.copysign(min(abs(speed), max(0.0, most * 0.85 - abs(half))), speed)
         left, right = (speed - half) / (1 - given["slip_left"]), (speed + half) / (1 - given["slip_right"])
         return (self.left.duty(left, self.measured[0], given), self.right.duty(right, self.measured[1], given))
-
-    measured = (0.0, 0.0)
-    turned = 0.0
-    counts = (0, 0)
-    gyro = 0
 
     def period(self, now):
         """Body, sensors, time-outs, control and one sample, for the instant `now`."""
@@ -295,7 +287,7 @@ class Robot:
         self.follow_twin()
         noisy = rate * self.gyro_scale + self.gyro_bias + self.random.gauss(0, 0.0015)
         self.gyro = max(-32768, min(32767, round(noisy / LSB)))
-        before, self.counts = self.counts, (int(self.left.counted), int(self.right.counted))
+        before, self.counts = self.counts, (math.floor(self.left.counted), math.floor(self.right.counted))
         self.measured = tuple(old + 0.3 * ((new - past) / COUNTS_PER_METRE / PERIOD - old)
                               for old, new, past in zip(self.measured, self.counts, before))
         if self.silent_until > now:
