@@ -725,8 +725,17 @@ class RunBesideADisk : public Run {
     options_.stay = true;
     robot_->plug_in();
   }
-  void drives_and_records() {
-    eventually(driven);
+  // On a busy machine the link may be lost before a run has begun.
+  void drives(publish::WebClient& viewer) {
+    EXPECT_TRUE(soon([&] {
+      viewer.call(1);
+      std::this_thread::sleep_for(100ms);
+      viewer.drain();
+      return robot_->with(driven);
+    }));
+  }
+  void drives_and_records(publish::WebClient& viewer) {
+    drives(viewer);
     says_of_itself("\"active\": true");
   }
 
@@ -739,8 +748,8 @@ TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
   ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
   ::setenv("WATCHDOG_USEC", "2000000", 1);
   EXPECT_GE(run([&] {
-              drives_and_records();
               publish::WebClient viewer(page());
+              drives_and_records(viewer);
               robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
               ASSERT_TRUE(disk_.freeze());
               viewer.call(5);
@@ -750,11 +759,7 @@ TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
               EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
               // The same during another run, whose recording waits for the disk as well.
               robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
-              EXPECT_TRUE(soon([&] {
-                viewer.call(1);
-                std::this_thread::sleep_for(100ms);
-                return robot_->with(driven);
-              }));
+              drives(viewer);
               viewer.call(3);
               eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
               manager.heard();
@@ -768,13 +773,15 @@ TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
             0);
   ::unsetenv("NOTIFY_SOCKET");
   ::unsetenv("WATCHDOG_USEC");
-  EXPECT_EQ(replayed_recordings(), 2);
+  EXPECT_GE(replayed_recordings(), 2);
 }
 
 TEST_F(RunBesideADisk, SigtermDisarmsWhileADiskStandsStill) {
   std::thread thaw;
   EXPECT_EQ(run([&] {
-              drives_and_records();
+              publish::WebClient viewer(page());
+              drives_and_records(viewer);
+              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
               ASSERT_TRUE(disk_.freeze());
               thaw = std::thread([&] {
                 eventually([](const ScriptedRobot& robot) { return !robot.heard.disarms.empty(); });
@@ -783,19 +790,18 @@ TEST_F(RunBesideADisk, SigtermDisarmsWhileADiskStandsStill) {
             }),
             1);
   if (thaw.joinable()) thaw.join();
-  EXPECT_EQ(replayed_recordings(), 1) << "what happened last is in it";
+  EXPECT_GE(replayed_recordings(), 1) << "what happened last is in it";
 }
 
 TEST_F(Run, ItsFiguresHoldUpNobodyWhereTheyCannotBeWritten) {
   ASSERT_EQ(::mkfifo(stats_path().c_str(), 0600), 0);
-  options_.course = "1-straight";
   robot_->plug_in();
   // The first figures are read, so that it begins; whoever writes the next waits in open().
   std::thread first([this] { stats(); });
   std::atomic<bool> over{false};
   std::thread reader;
   EXPECT_EQ(run([&] {
-              eventually(driven);
+              eventually(commanded);
               std::this_thread::sleep_for(1500ms);
               reader = std::thread([&] {
                 eventually([](const ScriptedRobot& robot) { return !robot.heard.disarms.empty(); });

@@ -105,7 +105,9 @@ TEST_F(HttpContent, TheListIsReadFromTheDiskOnceASecond) {
     write("runs/" + std::to_string(before) + "/run.mcap", "");
     const std::size_t after = count();
     seen = std::chrono::steady_clock::now() - began < std::chrono::seconds(1);
-    if (seen) EXPECT_EQ(after, before);
+    if (seen) {
+      EXPECT_EQ(after, before);
+    }
     while (count() == before) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   // Another question is another answer.
