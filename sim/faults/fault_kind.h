@@ -43,6 +43,8 @@ enum class FaultKind : std::uint8_t {
   kSequence,
   // sensors
   kEncoderStuck,
+  kEncoderSilent,
+  kEncoderLose,
   kEncoderFlip,
   kEncoderJump,
   kImuMissing,

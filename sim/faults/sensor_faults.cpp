@@ -20,6 +20,11 @@ bool of_side(const PlannedFault& fault, std::uint8_t channel) {
   return channel < 2 ? fault.left : fault.right;
 }
 
+// Forward, A leads: it is A's turn where both are alike.
+std::size_t next_phase(const std::array<bool, 2>& levels, bool forward) {
+  return (levels[0] == levels[1]) == forward ? 0 : 1;
+}
+
 }  // namespace
 
 EncoderFaults::EncoderFaults(const std::vector<PlannedFault>& faults) {
@@ -40,6 +45,9 @@ void EncoderFaults::pass(std::vector<Edge>& edges, std::int64_t from_ns, std::in
       return fault.active(edge.at_ns + shift_ns) && of_side(fault, edge.channel);
     };
     if (fault.kind == FaultKind::kEncoderStuck) std::erase_if(edges, hit);
+    if (fault.kind == FaultKind::kEncoderSilent)
+      std::erase_if(edges, [&](const Edge& edge) { return hit(edge) && edge.channel % 2 == 1; });
+    if (fault.kind == FaultKind::kEncoderLose) lose(edges, shift_ns, planned);
     if (fault.kind == FaultKind::kEncoderFlip)
       for (Edge& edge : edges)
         if (hit(edge)) edge.channel ^= 1U;
@@ -48,6 +56,34 @@ void EncoderFaults::pass(std::vector<Edge>& edges, std::int64_t from_ns, std::in
         jump(edges, from_ns, static_cast<std::uint8_t>(2 * side), planned.cycles[side]);
   }
   levels_ = after;
+}
+
+void EncoderFaults::lose(std::vector<Edge>& edges, std::int64_t shift_ns, Planned& planned) const {
+  const PlannedFault& fault = planned.fault;
+  std::array<bool, 4> levels = levels_;
+  std::vector<Edge> passed;
+  for (const Edge& edge : edges) {
+    const std::size_t side = edge.channel / 2U;
+    Slipping& slipping = planned.slipping[side];
+    const std::array<bool, 2> before{levels[2 * side], levels[2 * side + 1]};
+    levels[edge.channel] = edge.level;
+    const bool active = fault.active(edge.at_ns + shift_ns) && of_side(fault, edge.channel);
+    if (!slipping.began && !active) {
+      passed.push_back(edge);
+      continue;
+    }
+    // The disk keeps its place on the axle once the fault is over: phases stay shifted.
+    if (!slipping.began) slipping = {.began = true, .levels = before};
+    const bool forward = next_phase(before, true) == edge.channel % 2U;
+    slipping.kept += (forward ? 1.0 : -1.0) * (active ? 1.0 - fault.number : 1.0);
+    if (std::abs(slipping.kept) < 1.0) continue;
+    const std::size_t phase = next_phase(slipping.levels, slipping.kept > 0.0);
+    slipping.kept -= slipping.kept > 0.0 ? 1.0 : -1.0;
+    slipping.levels[phase] = !slipping.levels[phase];
+    passed.push_back(
+        {edge.at_ns, static_cast<std::uint8_t>(2 * side + phase), slipping.levels[phase]});
+  }
+  edges = std::move(passed);
 }
 
 void EncoderFaults::jump(std::vector<Edge>& edges, std::int64_t from_ns, std::uint8_t first_channel,
@@ -64,8 +100,7 @@ void EncoderFaults::jump(std::vector<Edge>& edges, std::int64_t from_ns, std::ui
   const bool forward = cycles > 0;
   std::array<bool, 2> level{levels_[first_channel], levels_[first_channel + 1U]};
   for (int i = 0; i < 4 * std::abs(now); ++i) {
-    // Forward, A leads: it is A's turn where both are alike.
-    const std::size_t phase = (level[0] == level[1]) == forward ? 0 : 1;
+    const std::size_t phase = next_phase(level, forward);
     level[phase] = !level[phase];
     edges.push_back({from_ns + (i + 1) * kEdgeNs, static_cast<std::uint8_t>(first_channel + phase),
                      level[phase]});

@@ -24,10 +24,19 @@ class EncoderFaults {
   void jump(std::vector<Edge>& edges, std::int64_t from_ns, std::uint8_t first_channel,
             int& cycles);
 
+  /// What the counter of one side gets instead of its encoder's phases, once edges were lost.
+  struct Slipping {
+    bool began = false;
+    double kept = 0.0;  ///< of an edge that is still to be passed on, signed
+    std::array<bool, 2> levels{};
+  };
   struct Planned {
     PlannedFault fault;
     std::array<int, 2> cycles;  ///< of the two phases that are still to be made up, signed
+    std::array<Slipping, 2> slipping{};
   };
+  void lose(std::vector<Edge>& edges, std::int64_t shift_ns, Planned& planned) const;
+
   std::vector<Planned> faults_;
   std::array<bool, 4> levels_{};
 };

@@ -70,6 +70,23 @@ TEST(EncoderFaults, OneSideStandsStill) {
   EXPECT_EQ(counted("encoder-stuck").right, 0);
 }
 
+TEST(EncoderFaults, ADeadPhaseLeavesACountThatGoesToAndFro) {
+  const Counts one = counted("encoder-silent:left@0.5");
+  EXPECT_NEAR(one.left, static_cast<double>(one.truly) / 2.0, 2.0);
+  EXPECT_NEAR(one.right, static_cast<double>(one.truly), 2.0);
+}
+
+TEST(EncoderFaults, AShareOfTheEdgesIsLost) {
+  for (const double share : {0.0, 0.3, 0.5, 0.95, 1.0}) {
+    const Counts lost = counted("encoder-lose:left:" + std::to_string(share));
+    EXPECT_NEAR(lost.left, static_cast<double>(lost.truly) * (1.0 - share), 2.0) << share;
+    EXPECT_NEAR(lost.right, static_cast<double>(lost.truly), 2.0) << share;
+  }
+  const Counts half = counted("encoder-lose:0.5@0.25+0.5");
+  EXPECT_NEAR(half.left, static_cast<double>(half.truly) * 0.75, 2.0);
+  EXPECT_NEAR(half.right, static_cast<double>(half.truly) * 0.75, 2.0);
+}
+
 TEST(EncoderFaults, SwappedPhasesCountBackwards) {
   const Counts all = counted("encoder-flip:right");
   EXPECT_NEAR(all.left, static_cast<double>(all.truly), 1.0);
