@@ -264,7 +264,7 @@ std::span<const Key<ServerSettings>> server_keys() {
 
 std::span<const Key<control::Parameters>> control_keys() {
   using T = control::Parameters;
-  static const std::array<Key<T>, 30> kKeys = {{
+  static const std::array<Key<T>, 31> kKeys = {{
       {"law",
        Choice<T>{{"stanley", "pure-pursuit", "lqr"},
                  [](const T& c) { return static_cast<std::size_t>(c.law); },
@@ -344,6 +344,11 @@ std::span<const Key<control::Parameters>> control_keys() {
        {0.05, 10},
        "Largest difference between the yaw rates of gyro and encoders"},
       {"disagreement_s", &T::disagreement_s, {0.1, 30}, "Abort after it was larger for this long"},
+      {"turn_slip_share",
+       &T::turn_slip_share,
+       {0, 1},
+       "Abort when gyro and encoders disagree in sum by more than this part of the turn and 6 deg; "
+       "more for a robot that is not identified"},
       {"push_radps",
        &T::push_radps,
        {0.05, 10},

@@ -124,6 +124,20 @@ double Perception::heading_rate_radps() const {
   return leans ? attitude_.yaw_rate_radps(body_z_radps) : body_z_radps;
 }
 
+// Steered by the paper's constants, a robot still turns by its own.
+double Perception::encoder_yaw_rate_radps() const {
+  if (!parameters_.paper_model) return track_model_.twist().yaw_rate_radps;
+  return model::body_twist(track_parameters(parameters_), model::Mode::kExtended,
+                           interval_.belts.left_mps, interval_.belts.right_mps)
+      .yaw_rate_radps;
+}
+
+bool Perception::on_obstacle() const {
+  if (parameters_.setup != Setup::kTerrain) return false;
+  const Underfoot under = grounds_.underfoot();
+  return under.climbing || under.obstacle != Obstacle::kNone;
+}
+
 void Perception::update_attitude(bool running) {
   if (sample_.imu_age != 0) return;
   const double dt_s = interval_.dt_s;
@@ -184,7 +198,7 @@ void Perception::update_speeds(double rate_radps) {
   follow(speeds_.steering.yaw_rate_radps, steering.yaw_rate_radps);
   follow(speeds_.belts.left_mps, interval_.belts.left_mps);
   follow(speeds_.belts.right_mps, interval_.belts.right_mps);
-  follow(speeds_.encoder_yaw_rate_radps, track_model_.twist().yaw_rate_radps);
+  follow(speeds_.encoder_yaw_rate_radps, encoder_yaw_rate_radps());
   follow(speeds_.gyro_yaw_rate_radps, rate_radps);
 }
 

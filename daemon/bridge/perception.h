@@ -25,7 +25,7 @@ namespace tp100::bridge {
 struct Speeds {
   Twist steering{};  ///< of the steering pose
   estimation::BeltSpeeds belts{};
-  double encoder_yaw_rate_radps = 0.0;  ///< of eqs 1-5
+  double encoder_yaw_rate_radps = 0.0;  ///< of eqs 1-5, by this robot's values
   double gyro_yaw_rate_radps = 0.0;     ///< about the world's vertical, bias taken off
 };
 
@@ -67,6 +67,10 @@ class Perception {
   /// Of the gyro's z axis; 0 until it is known.
   double gyro_bias_radps() const { return standstill_.bias_radps(); }
   bool gyro_bias_known() const { return standstill_.bias_known(); }
+  /// Of the real body.
+  double pitch_rad() const { return attitude_.pitch_rad(); }
+  /// On a ramp or block that is really there, by the map.
+  bool on_obstacle() const;
   /// The belts run and the robot stays.
   bool immobilised() const { return grip_.state() == Traction::kImmobilised; }
   /// How often the camera contradicted the filter so much that it began anew.
@@ -79,6 +83,7 @@ class Perception {
   const Twist& steering_twist() const;
   double way_m() const;
   double heading_rate_radps() const;
+  double encoder_yaw_rate_radps() const;
   void update_attitude(bool running);
   void update_grounds();
   void update_filter(double rate_radps);

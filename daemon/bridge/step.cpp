@@ -50,7 +50,10 @@ struct Step::State {
     if (course == nullptr) return;
     path.emplace(*course);
     tracker.emplace(p.control, *path, drive_of(p, course->speed_mps));
-    monitor.emplace(p.control, course->fence, tracker->nominal_duration_s());
+    monitor.emplace(p.control, course->fence, tracker->nominal_duration_s(),
+                    control::MonitoredRobot{.motor = {p.drive.dead_band, p.drive.feed_forward},
+                                            .wheelbase_m = p.model.wheelbase_m,
+                                            .identified = !course->identifies});
   }
 
   void take_changes(std::span<const ParameterChange> changes);
@@ -190,6 +193,8 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .encoder_yaw_rate_radps = speeds.encoder_yaw_rate_radps,
           .gyro_yaw_rate_radps = speeds.gyro_yaw_rate_radps,
           .gyro_in_use = seen.gyro_steers(),
+          .pitch_rad = seen.pitch_rad(),
+          .on_obstacle = seen.on_obstacle(),
           .immobilised = seen.immobilised() || outer.blocked(),
           .target = target,
           .commanded_left_mps = belts.left_mps,

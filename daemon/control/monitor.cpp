@@ -1,5 +1,6 @@
 #include "control/monitor.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tp100::control {
@@ -14,9 +15,15 @@ constexpr double kDrivenMps = 0.03;
 constexpr double kStandingMps = 0.003;
 constexpr double kFullyDriven = 0.3;
 constexpr double kBackwardsMps = 0.02;
+// A robot that stands turns by its tracks alone.
+constexpr double kSlowestMps = 0.02;
 
 bool against(double duty, double belt_mps) {
   return std::abs(duty) > kFullyDriven && std::abs(belt_mps) > kBackwardsMps && duty * belt_mps < 0;
+}
+
+double mean_mps(const Observation& seen) {
+  return (std::abs(seen.left_mps) + std::abs(seen.right_mps)) / 2.0;
 }
 
 bool stands(double commanded_mps, double belt_mps) {
@@ -33,6 +40,28 @@ bool tilted(const Sample& sample, const Parameters& parameters) {
 
 void Monitor::restart() {
   heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
+  left_duty_.restart();
+  right_duty_.restart();
+  turn_.restart();
+}
+
+bool Monitor::duty_disagrees(const Observation& seen) {
+  const Load load = {
+      .turning = std::abs(seen.gyro_yaw_rate_radps) * wheelbase_m_ / 2.0 /
+                 std::max(mean_mps(seen), kSlowestMps),
+      .pitch_rad = seen.pitch_rad,
+      .on_obstacle = seen.on_obstacle,
+  };
+  const Load free = {};
+  const Load& taken = seen.gyro_in_use ? load : free;
+  const bool left = left_duty_.update(seen.sample->left_duty, seen.left_mps, taken, seen.dt_s);
+  const bool right = right_duty_.update(seen.sample->right_duty, seen.right_mps, taken, seen.dt_s);
+  return left || right;
+}
+
+bool Monitor::turn_disagrees(const Observation& seen) {
+  return seen.gyro_in_use && turn_.update(seen.gyro_yaw_rate_radps, seen.encoder_yaw_rate_radps,
+                                          mean_mps(seen), seen.on_obstacle, seen.dt_s);
 }
 
 FaultMask Monitor::update(const Observation& seen) {
@@ -62,10 +91,12 @@ FaultMask Monitor::update(const Observation& seen) {
             against(sample.left_duty, seen.left_mps) || against(sample.right_duty, seen.right_mps),
             dt, kAgainstDutyS),
         Fault::encoders_against_duty);
+  raise(duty_disagrees(seen), Fault::encoders_against_duty);
   const double disagreement = std::abs(seen.gyro_yaw_rate_radps - seen.encoder_yaw_rate_radps);
   raise(disagreement_.update(seen.gyro_in_use && disagreement > parameters_.disagreement_radps, dt,
                              parameters_.disagreement_s),
         Fault::gyro_against_encoders);
+  raise(turn_disagrees(seen), Fault::gyro_against_encoders);
   raise(seen.immobilised, Fault::immobilised);
   return faults;
 }

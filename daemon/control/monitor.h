@@ -1,6 +1,7 @@
 #pragma once
 // The aborts: conditions under which a run ends, each with its own fault.
 
+#include "control/encoder_watch.h"
 #include "control/parameters.h"
 #include "control/tracker.h"
 #include "core/faults.h"
@@ -14,9 +15,11 @@ struct Observation {
   Pose pose{};                     ///< steering pose
   double left_mps = 0.0;           ///< measured belt speeds
   double right_mps = 0.0;
-  double encoder_yaw_rate_radps = 0.0;  ///< eq 5
+  double encoder_yaw_rate_radps = 0.0;  ///< eq 5, by this robot's values
   double gyro_yaw_rate_radps = 0.0;     ///< bias removed
-  bool gyro_in_use = false;
+  bool gyro_in_use = false;  ///< the body turns as the gyro says; else the tracks spin free
+  double pitch_rad = 0.0;    ///< of the real body
+  bool on_obstacle = false;  ///< a ramp or block that is really there
   bool immobilised = false;  ///< the belts run, the robot does not
   Target target{};
   double commanded_left_mps = 0.0;  ///< belt speeds that the command means
@@ -41,11 +44,25 @@ class Lasting {
   double held_s_ = 0.0;
 };
 
+/// What the monitor knows of the robot.
+struct MonitoredRobot {
+  MotorModel motor{};
+  double wheelbase_m = 0.2742;  ///< equivalent, eq 5
+  bool identified = true;       ///< else gyro and encoders may disagree about a turn
+};
+
 /// Watches one run. No allocation; safe in the real-time thread.
 class Monitor {
  public:
-  Monitor(const Parameters& parameters, const course::Fence& fence, double nominal_duration_s)
-      : parameters_(parameters), fence_(fence), nominal_duration_s_(nominal_duration_s) {}
+  Monitor(const Parameters& parameters, const course::Fence& fence, double nominal_duration_s,
+          const MonitoredRobot& robot)
+      : parameters_(parameters),
+        fence_(fence),
+        nominal_duration_s_(nominal_duration_s),
+        wheelbase_m_(robot.wheelbase_m),
+        left_duty_(robot.motor),
+        right_duty_(robot.motor),
+        turn_(robot.wheelbase_m, robot.identified ? parameters.turn_slip_share : 1.0) {}
 
   /// Forgets what has lasted; call when a run begins.
   void restart();
@@ -53,9 +70,15 @@ class Monitor {
   FaultMask update(const Observation& seen);
 
  private:
+  bool duty_disagrees(const Observation& seen);
+  bool turn_disagrees(const Observation& seen);
+
   Parameters parameters_;
   course::Fence fence_;
   double nominal_duration_s_;
+  double wheelbase_m_;
+  DutyWatch left_duty_, right_duty_;
+  TurnBalance turn_;
   Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_;
 };
 

@@ -36,6 +36,7 @@ struct Parameters {
   double stall_s = 1.0;
   double disagreement_radps = 0.6;  ///< gyro against encoders
   double disagreement_s = 1.0;
+  double turn_slip_share = 0.05;      ///< of a turn, in sum; more is a fault of gyro or encoders
   double push_radps = 0.5;            ///< gyro against belts: someone turns the robot
   double recovery_speed_share = 0.5;  ///< of the course's speed, until it looks back to the path
   double recovery_window_m = 0.10;    ///< how far a push may have moved it along the path

@@ -45,6 +45,7 @@ struct Course {
   std::string name;  ///< file stem, e.g. "1-curve"
   std::string description;
   double speed_mps = 0.10;
+  bool identifies = false;    ///< driven to find the robot's values: nobody knows how it turns yet
   Pose start{};               ///< x, y, yaw
   std::vector<Segment> path;  ///< never empty
   std::vector<Shove> shoves;  ///< ascending at_m

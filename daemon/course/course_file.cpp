@@ -89,6 +89,7 @@ Course parse_course(const std::string& text, const std::string& file) {
   course.name = std::filesystem::path(file).stem().string();
   course.description = root.text("description", "");
   course.speed_mps = root.number("speed_mps", course.speed_mps, {0.01, 0.3});
+  course.identifies = root.boolean("identifies", course.identifies);
   course.start = start_of(root.table("start"));
 
   const std::vector<TomlTable> segments = root.tables("segment");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 namespace tp100::control {
@@ -36,7 +37,8 @@ class MonitorTest : public testing::TestWithParam<Case> {
   Sample sample_{};
   Observation seen_{};
   double lasted_s_ = 0.0;
-  Monitor monitor_{Parameters{}, course::Fence{-1.0, 1.0, -1.0, 1.0}, 20.0};
+  Monitor monitor_{Parameters{}, course::Fence{-1.0, 1.0, -1.0, 1.0}, 20.0,
+                   MonitoredRobot{.motor = {.dead_band = 0.09, .feed_forward = 3.4}}};
 };
 
 TEST_P(MonitorTest, AHealthyRunGoesOnAndTheSpoiltOneEndsWithItsOwnCause) {
@@ -69,12 +71,147 @@ INSTANTIATE_TEST_SUITE_P(
                            s.left_duty = 0.5;
                            o.left_mps = -0.05;
                          }},
-                    Case{"GyroAgainstEncoders", Fault::gyro_against_encoders, 1.0,
+                    Case{"GyroAgainstEncoders", Fault::gyro_against_encoders, 0.3,
                          [](Observation& o, Sample&) {
                            o.gyro_yaw_rate_radps = -0.4;
                            o.encoder_yaw_rate_radps = 0.4;
                          }}),
     [](const testing::TestParamInfo<Case>& param) { return param.param.name; });
+
+/// A robot that drives straight on at 0.06 m/s, and what its sensors make of it.
+class EncoderMonitorTest : public MonitorTest {
+ protected:
+  EncoderMonitorTest() { drive(0.0714); }
+  void drive(double track_mps) {
+    seen_.left_mps = seen_.right_mps = seen_.commanded_left_mps = seen_.commanded_right_mps =
+        track_mps;
+    sample_.left_duty = sample_.right_duty = 0.08 + 3.1 * track_mps;
+  }
+  /// Runs healthy for a while, then changes; the time until it is noticed, 0 if never in
+  /// `within_s`.
+  double noticed_after(double within_s, FaultMask expected,
+                       const std::function<void(Observation&, Sample&)>& spoil) {
+    EXPECT_EQ(run(3.0), 0u);
+    spoil(seen_, sample_);
+    const FaultMask faults = run(within_s);
+    if (faults == 0) return 0.0;
+    EXPECT_EQ(faults, expected);
+    return lasted_s_;
+  }
+};
+
+constexpr FaultMask kDuty = fault_bit(Fault::encoders_against_duty);
+constexpr FaultMask kTurn = fault_bit(Fault::gyro_against_encoders);
+
+// The yaw loop keeps the heading by the gyro: one target falls to nothing, the other doubles.
+TEST_F(EncoderMonitorTest, ADeadEncoderIsNoticedThoughTheYawLoopHidesIt) {
+  const double after_s = noticed_after(3.0, kTurn, [](Observation& o, Sample& s) {
+    o.left_mps = o.commanded_left_mps = 0.0;
+    o.right_mps = o.commanded_right_mps = 0.143;
+    o.encoder_yaw_rate_radps = 0.143 * 0.84 / 0.274;
+    s.left_duty = s.right_duty = 0.47;
+  });
+  EXPECT_GT(after_s, 0.0);
+  EXPECT_LT(after_s, 1.0);
+}
+
+TEST_F(EncoderMonitorTest, TheDutyTellsIfTheGyroIsNotInUse) {
+  seen_.gyro_in_use = false;
+  const double after_s = noticed_after(3.0, kDuty, [](Observation& o, Sample& s) {
+    o.left_mps = o.commanded_left_mps = 0.0;
+    s.left_duty = 0.47;
+  });
+  EXPECT_GT(after_s, 0.5);
+  EXPECT_LT(after_s, 1.0);
+}
+
+TEST_F(EncoderMonitorTest, AShareOfTheEdgesOfBothTracksIsMissedByTheirDuty) {
+  const double after_s = noticed_after(5.0, kDuty, [](Observation&, Sample& s) {
+    s.left_duty = s.right_duty = 0.08 + 3.1 * 0.0714 / 0.7;
+  });
+  EXPECT_GT(after_s, 0.5);
+  EXPECT_LT(after_s, 3.0);
+}
+
+TEST_F(EncoderMonitorTest, ThirtyDegreesASecondAreQuestionedWithinTwentyDegrees) {
+  for (const double sign : {1.0, -1.0}) {
+    monitor_.restart();
+    seen_.gyro_yaw_rate_radps = 0.0;
+    const double after_s = noticed_after(3.0, kTurn, [sign](Observation& o, Sample&) {
+      o.gyro_yaw_rate_radps = sign * 30.0 * kRadPerDeg;
+    });
+    EXPECT_GT(after_s, 0.0);
+    EXPECT_LT(after_s * 30.0, 20.0);
+  }
+}
+
+TEST_F(EncoderMonitorTest, APushIsNone) {
+  EXPECT_EQ(run(3.0), 0u);
+  seen_.gyro_yaw_rate_radps = 15.0 * kRadPerDeg / 0.3;
+  EXPECT_EQ(run(0.3), 0u);
+  seen_.gyro_yaw_rate_radps = 0.0;
+  EXPECT_EQ(run(10.0), 0u);
+}
+
+TEST_F(EncoderMonitorTest, ARobotThatIsHeldForLessThanHalfASecondGoesOn) {
+  for (const double track_mps : {0.036, 0.0714, 0.119, 0.2}) {
+    monitor_.restart();
+    drive(track_mps);
+    EXPECT_EQ(run(3.0), 0u);
+    seen_.left_mps = seen_.right_mps = 0.0;
+    sample_.left_duty = sample_.right_duty = 1.0;
+    EXPECT_EQ(run(0.49), 0u) << track_mps;
+    // It comes up to speed again, and the lag is worked off.
+    for (int i = 1; i <= 10; ++i) {
+      seen_.left_mps = seen_.right_mps = 0.28 * (1.0 - std::exp(-0.01 * i / 0.08));
+      EXPECT_EQ(run(0.01), 0u) << track_mps;
+    }
+    drive(track_mps);
+    EXPECT_EQ(run(5.0), 0u);
+  }
+}
+
+TEST_F(EncoderMonitorTest, LoadIsNoFault) {
+  EXPECT_EQ(run(3.0), 0u);
+  // A turn on the spot of a robot that scrubs.
+  seen_.left_mps = -0.08;
+  seen_.right_mps = 0.08;
+  seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = 0.6;
+  sample_.right_duty = 0.08 + 3.1 * 0.08 + 0.25;
+  sample_.left_duty = -sample_.right_duty;
+  EXPECT_EQ(run(10.0), 0u);
+  drive(0.0714);
+  seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = 0.0;
+  EXPECT_EQ(run(3.0), 0u);
+  // A slope of 20 deg, and a block that is really there.
+  seen_.pitch_rad = 20.0 * kRadPerDeg;
+  sample_.left_duty = sample_.right_duty += 0.13;
+  EXPECT_EQ(run(10.0), 0u);
+  drive(0.0714);
+  seen_.pitch_rad = 0.0;
+  seen_.on_obstacle = true;
+  sample_.left_duty = sample_.right_duty += 0.33;
+  EXPECT_EQ(run(10.0), 0u);
+}
+
+TEST_F(EncoderMonitorTest, ARobotsFileMayBeOffByAThird) {
+  for (const double factor : {0.6, 0.8, 1.3}) {
+    for (const double track_mps : {0.036, 0.0714, 0.119, 0.2}) {
+      monitor_.restart();
+      drive(track_mps);
+      sample_.left_duty = sample_.right_duty = 0.09 + factor * 3.4 * track_mps;
+      EXPECT_EQ(run(30.0), 0u) << factor << " " << track_mps;
+    }
+  }
+}
+
+TEST_F(EncoderMonitorTest, ABatteryMaySag) {
+  for (int i = 0; i < 600; ++i) {
+    drive(0.0714);
+    sample_.left_duty = sample_.right_duty *= 0.8 + 0.3 * i / 600.0;
+    EXPECT_EQ(run(1.0), 0u) << i;
+  }
+}
 
 }  // namespace
 }  // namespace tp100::control
