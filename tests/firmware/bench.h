@@ -64,9 +64,14 @@ class Bench {
   // The body.
   bool belts_follow = false;
   bool left_blocked = false;
+  bool right_blocked = false;
+  double pushed_radps = 0.0;  ///< turn that the belts do not make
+  double left_counted = 1.0;  ///< share of the edges that its encoder gives
+  double right_counted = 1.0;
   double left_mps = 0.0;
   double right_mps = 0.0;
   double true_yaw_rad = 0.0;
+  double true_m = 0.0;  ///< way of the middle
 
   // What came back.
   std::vector<wire::Hello> hellos;
@@ -224,12 +229,13 @@ class Bench {
   void move() {
     if (!belts_follow) return;
     left_mps = left_blocked ? 0.0 : follow(left_mps, hal.duties.left);
-    right_mps = follow(right_mps, hal.duties.right);
-    left_m_ += left_mps * 1e-3;
-    right_m_ += right_mps * 1e-3;
+    right_mps = right_blocked ? 0.0 : follow(right_mps, hal.duties.right);
+    left_m_ += left_mps * 1e-3 * left_counted;
+    right_m_ += right_mps * 1e-3 * right_counted;
+    true_m += (left_mps * 0.84 + right_mps * 0.90) / 2.0 * 1e-3;
     hal.left_counts = static_cast<std::int32_t>(std::floor(left_m_ * 11140.0));
     hal.right_counts = static_cast<std::int32_t>(std::floor(right_m_ * 11140.0));
-    const double rate = (right_mps * 0.90 - left_mps * 0.84) / 0.274;
+    const double rate = (right_mps * 0.90 - left_mps * 0.84) / 0.274 + pushed_radps;
     true_yaw_rad += rate * 1e-3;
     hal.gyro_z = static_cast<std::int16_t>(std::lround(rate / static_cast<double>(kGyroScale)));
   }

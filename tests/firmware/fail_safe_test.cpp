@@ -223,6 +223,81 @@ TEST(FailSafe, ABlockedBeltIsStalled) {
   EXPECT_FALSE(bench.motors_on());
 }
 
+/// Drives straight on by the true yaw until a fault or `ms` are over; the way that was driven.
+double driven_m(Bench& bench, int ms) {
+  const double from_m = bench.true_m;
+  for (int i = 0; i < ms / 5 && bench.program.faults() == 0; ++i) {
+    bench.yaw_rad = static_cast<float>(bench.true_yaw_rad);
+    bench.run(5);
+  }
+  return bench.true_m - from_m;
+}
+
+TEST(FailSafe, AnEncoderThatLosesCountsIsFoundThoughTheYawLoopHidesIt) {
+  for (const float speed : {0.03f, 0.06f, 0.1f, 0.15f}) {
+    for (const double counted : {0.0, 0.05, 0.3, 0.5, 0.7}) {
+      for (const bool left : {true, false}) {
+        Bench bench;
+        bench.belts_follow = true;
+        bench.drive(speed);
+        driven_m(bench, 2000);
+        ASSERT_EQ(bench.program.faults(), 0) << speed;
+        (left ? bench.left_counted : bench.right_counted) = counted;
+        const double m = driven_m(bench, 60'000);
+        const std::uint16_t expected = static_cast<std::uint16_t>(
+            wire::fault_bit(left ? Fault::stalled_left : Fault::stalled_right));
+        EXPECT_EQ(bench.program.faults(), expected) << speed << " " << counted;
+        EXPECT_FALSE(bench.motors_on());
+        // The middle is counted with half of what is lost.
+        EXPECT_LT(m * (1.0 - counted) / 2.0, 0.12) << speed << " " << counted;
+      }
+    }
+  }
+}
+
+TEST(FailSafe, TwoEncodersThatLoseMostCountsAreFoundByTheirDuty) {
+  for (const float speed : {0.03f, 0.06f, 0.1f, 0.15f}) {
+    for (const double counted : {0.0, 0.05}) {
+      Bench bench;
+      bench.belts_follow = true;
+      bench.drive(speed);
+      driven_m(bench, 2000);
+      bench.left_counted = bench.right_counted = counted;
+      EXPECT_LT(driven_m(bench, 10'000), 0.25) << speed << " " << counted;
+      EXPECT_NE(bench.program.faults(), 0) << speed << " " << counted;
+    }
+  }
+}
+
+TEST(FailSafe, ABeltThatIsHeldForLessThanHalfASecondGoesOn) {
+  for (const float speed : {0.03f, 0.06f, 0.1f, 0.15f}) {
+    for (const bool both : {false, true}) {
+      Bench bench;
+      bench.belts_follow = true;
+      bench.drive(speed);
+      driven_m(bench, 2000);
+      bench.left_blocked = true;
+      bench.right_blocked = both;
+      driven_m(bench, 490);
+      bench.left_blocked = bench.right_blocked = false;
+      driven_m(bench, 3000);
+      EXPECT_EQ(bench.program.faults(), 0) << speed << " " << both;
+    }
+  }
+}
+
+TEST(FailSafe, APushIsNoEncoderThatLosesCounts) {
+  Bench bench;
+  bench.belts_follow = true;
+  bench.drive(0.1f);
+  driven_m(bench, 2000);
+  bench.pushed_radps = 15.0 / 57.3 / 0.3;
+  driven_m(bench, 300);
+  bench.pushed_radps = 0.0;
+  driven_m(bench, 5000);
+  EXPECT_EQ(bench.program.faults(), 0);
+}
+
 TEST(FailSafe, ABeltThatRunsAgainstItsDutyIsReversed) {
   Bench bench;
   bench.parameters.flags = wire::kInvertRightMotor;

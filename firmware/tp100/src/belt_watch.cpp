@@ -11,9 +11,26 @@ const float kStandingM = 0.002f;
 const float kRunOnM = 0.02f;
 const float kRunOnS = 0.2f;
 
+// A duty means a speed, but for a file that is off by a fifth and all the load that belts can take
+// from the floor.
+const float kMissingM = 0.05f;
+const float kSpeedShare = 1.2f;
+const float kLoadDuty = 0.3f;
+// A belt that stands is found in this part of the time that `stall_ms` allows.
+const float kSoonestMs = 0.8f;
+const uint16_t kStepMs = 40;
+
 }  // namespace
 
-BeltWatch::BeltWatch() : sign_(0), start_counts_(0), standing_ms_(0), best_counts_(0) {}
+BeltWatch::BeltWatch()
+    : sign_(0),
+      start_counts_(0),
+      standing_ms_(0),
+      best_counts_(0),
+      step_counts_(0),
+      step_duty_ms_(0),
+      step_ms_(0),
+      missing_m_(0.0f) {}
 
 BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_ms,
                                      const wire::Parameters& p) {
@@ -28,6 +45,10 @@ BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_m
     start_counts_ = counts;
     best_counts_ = counts;
     standing_ms_ = 0;
+    step_counts_ = counts;
+    step_duty_ms_ = 0;
+    step_ms_ = 0;
+    missing_m_ = 0.0f;
     return kGood;
   }
   if (distance(counts, best_counts_) * sign > 0) best_counts_ = counts;
@@ -38,6 +59,7 @@ BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_m
     if (static_cast<float>(back) > furthest_m * p.counts_per_metre) return kReversed;
   }
 
+  if (missing(size, sign, counts, dt_ms, p)) return kStalled;
   const bool pushes = p.stall_duty > 0 && size >= p.stall_duty;
   const float moved = static_cast<float>(distance(counts, start_counts_));
   if (!pushes || magnitude(moved) > kStandingM * p.counts_per_metre) {
@@ -47,6 +69,25 @@ BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_m
   }
   standing_ms_ = static_cast<uint16_t>(standing_ms_ + dt_ms);
   return standing_ms_ >= p.stall_ms ? kStalled : kGood;
+}
+
+bool BeltWatch::missing(uint16_t size, int8_t sign, int32_t counts, uint16_t dt_ms,
+                        const wire::Parameters& p) {
+  if (p.stall_duty == 0 || p.feed_forward <= 0.0f) return false;
+  step_duty_ms_ += static_cast<uint32_t>(size) * dt_ms;
+  step_ms_ = static_cast<uint16_t>(step_ms_ + dt_ms);
+  if (step_ms_ < kStepMs) return false;
+  const float step_ms = static_cast<float>(step_ms_);
+  const float duty_ms = static_cast<float>(step_duty_ms_) * 1e-3f;
+  const float moved_m =
+      static_cast<float>(distance(counts, step_counts_) * sign) / p.counts_per_metre;
+  step_counts_ = counts;
+  step_duty_ms_ = 0;
+  step_ms_ = 0;
+  const float meant_m = (duty_ms - (p.dead_band + kLoadDuty) * step_ms) * 1e-3f / p.feed_forward;
+  const float most_m = kMissingM / (kSoonestMs * static_cast<float>(p.stall_ms)) * step_ms;
+  missing_m_ = larger(0.0f, missing_m_ + smaller(meant_m - kSpeedShare * moved_m, most_m));
+  return missing_m_ > kMissingM;
 }
 
 }  // namespace firmware

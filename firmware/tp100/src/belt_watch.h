@@ -1,5 +1,5 @@
-// Watches one belt for what only wiring or a blocked track can do: standing still under power, or
-// moving against its duty.
+// Watches one belt for what only wiring or a blocked track can do: standing still under power,
+// moving much less than its duty means, or moving against it.
 #ifndef TP100_FIRMWARE_BELT_WATCH_H
 #define TP100_FIRMWARE_BELT_WATCH_H
 
@@ -18,10 +18,18 @@ class BeltWatch {
   void reset() { sign_ = 0; }
 
  private:
+  bool missing(uint16_t size, int8_t sign, int32_t counts, uint16_t dt_ms,
+               const wire::Parameters& parameters);
+
   int8_t sign_;
   int32_t start_counts_;  // where the belt began to stand
   uint16_t standing_ms_;
   int32_t best_counts_;  // furthest along the duty
+  // One step of many samples, and the way that the duty means beyond what was counted.
+  int32_t step_counts_;
+  uint32_t step_duty_ms_;
+  uint16_t step_ms_;
+  float missing_m_;
 };
 
 }  // namespace firmware

@@ -10,6 +10,7 @@
 #include "host_link.h"
 #include "imu.h"
 #include "speed_loop.h"
+#include "turn_watch.h"
 
 namespace tp100 {
 namespace firmware {
@@ -60,6 +61,7 @@ class Firmware {
   void check_trip();
   void check_sensors(uint32_t now_us);
   void check_belts(uint32_t now_us, uint16_t dt_ms);
+  void check_turn(uint32_t now_us);
   void check_host(uint32_t now_us);
 
   void take_sample();
@@ -86,6 +88,7 @@ class Firmware {
   CommandGate gate_;
   Belt left_;
   Belt right_;
+  TurnWatch turn_watch_;
   BeltSpeeds target_;
   wire::Parameters parameters_;
 

@@ -79,6 +79,7 @@ void Firmware::drive(uint32_t now_us, uint16_t dt_us) {
   right_.loop.measure(right_.counts, dt_us, parameters_);
   if (!may_drive()) return;
   check_belts(now_us, static_cast<uint16_t>((dt_us + 500) / 1000));
+  check_turn(now_us);
   if (!may_drive()) return;
   const BeltSpeeds speeds = wanted(now_us);
   if (state_ == State::kArmed) return;
@@ -98,6 +99,17 @@ void Firmware::check_belts(uint32_t now_us, uint16_t dt_ms) {
   if (left == BeltWatch::kReversed) latch(Fault::reversed_left, left_.duty, now_us);
   if (right == BeltWatch::kStalled) latch(Fault::stalled_right, right_.duty, now_us);
   if (right == BeltWatch::kReversed) latch(Fault::reversed_right, right_.duty, now_us);
+}
+
+void Firmware::check_turn(uint32_t now_us) {
+  if (state_ != State::kRunning || !uses_gyro(parameters_) || !imu_.fresh()) {
+    turn_watch_.reset();
+    return;
+  }
+  const TurnWatch::Verdict verdict =
+      turn_watch_.update(history_.newest(), gate_.current().gyro_bias_radps, parameters_);
+  if (verdict == TurnWatch::kLeftShort) latch(Fault::stalled_left, left_.duty, now_us);
+  if (verdict == TurnWatch::kRightShort) latch(Fault::stalled_right, right_.duty, now_us);
 }
 
 BeltSpeeds Firmware::wanted(uint32_t now_us) {
