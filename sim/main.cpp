@@ -211,6 +211,9 @@ int run(int argc, char** argv) {
   faults_app->add_flag("--json", faults.json, "One JSON object a line instead of a table");
   faults_app->add_flag("--drive", faults.drive,
                        "Drive with each in virtual time: expected beside seen, as a table");
+  faults_app->add_flag("--encoders", faults.encoders,
+                       "Let encoders fail at every speed and place, with three robots: the worst "
+                       "until the motors are off, as a table");
   faults_app->add_option("--board", faults.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 
@@ -20,8 +21,8 @@ constexpr double kBeginWithinS = 3.0;
 constexpr double kOffS = 0.21;
 // What the robot has to find out by itself takes it longer; the times are its own.
 constexpr double kOnlyItsBytesS = 0.30;  // the samples get too old to steer by, a command's life
-constexpr double kStallS = 1.10;         // drive.stall_s
-constexpr double kOneStallS = 1.90;      // the other belt steers against it first
+constexpr double kDutyS = 0.85;          // the duty means more than is counted
+constexpr double kTurnS = 1.00;          // gyro and encoders turn apart
 constexpr double kBackwardsS = 0.35;     // against its duty
 constexpr double kImuS = 0.10;           // the same values again and again
 constexpr double kCellsS = 1.15;         // a second below the cut-off
@@ -66,9 +67,12 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"unknown-message", kCompleted, "unknown_type", 1, 0, 0, "frames that no robot sends"},
     {"replay:20", kCompleted, "duplicated", 1, 0, 0, "samples that come again"},
     {"sequence@3+2", "link_lost", "reordered", 1, kOffS, 6},
-    {"encoder-stuck:left@3+2", "stalled_left", "robot_faults", 1, kOneStallS, 6},
-    {"encoder-stuck@3+2", "stalled_left", "robot_faults", 1, kStallS, 6},
-    {"encoder-flip:left@3+2", "reversed_left", "robot_faults", 1, kBackwardsS, 6},
+    {"encoder-stuck:left@3+2", "gyro_against_encoders", "daemon_faults", 1, kTurnS, 6},
+    {"encoder-stuck@3+2", "encoders_against_duty", "daemon_faults", 1, kDutyS, 6},
+    {"encoder-silent:left@3+2", "gyro_against_encoders", "daemon_faults", 1, kTurnS, 6},
+    {"encoder-lose:0.5:right@3+2", "gyro_against_encoders", "daemon_faults", 1, kTurnS, 6},
+    {"encoder-lose:0.5@3+2", "encoders_against_duty", "daemon_faults", 1, kDutyS, 6},
+    {"encoder-flip:left@3+2", "gyro_against_encoders", "daemon_faults", 1, kBackwardsS, 6},
     {"encoder-jump:500:left@3", kCompleted, "implausible", 1, 0, 0, "values that cannot be"},
     {"imu-missing@3+2", "imu_stale", "robot_faults", 1, kImuS, 6},
     {"imu-frozen@3+2", "imu_stale", "robot_faults", 1, kImuS, 6},
@@ -77,6 +81,9 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"host-stall:100@3", kCompleted, "lateness_ms", 90, 0, 0, "turns of the loop"},
     {"host-stall:300@3", "command_timeout", "robot_faults", 1, kOffS, 4, "turns of the loop"},
 });
+
+// A robot's own are the lower bits.
+constexpr unsigned kRobotFaults = 16;
 
 /// Looks at every step, and at every command that goes out.
 class StepWatch : public publish::Sink {
@@ -93,7 +100,8 @@ class StepWatch : public publish::Sink {
             {"lateness_ms", lateness_ms_},
             {"drift_ppm", drift_ppm_},
             {"clock_uncertainty_us", uncertainty_us_},
-            {"device_wraps", wraps_}};
+            {"device_wraps", wraps_},
+            {"daemon_faults", static_cast<double>(std::popcount(faults >> kRobotFaults))}};
   }
 
   std::uint64_t commands = 0, wild = 0;
@@ -219,24 +227,25 @@ std::string fault_table_head() {
 }
 
 std::string fault_row(const FaultTrial& trial, BoardKind board, const FaultOutcome& outcome) {
-  const auto words = [&](std::string_view end, bool counter, bool off, std::string_view again) {
+  const auto words = [&](std::string_view end, bool counter, const char* off, double off_s,
+                         std::string_view again) {
     std::string text(end);
     text += (counter ? ", counted as " : ", not counted as ") + std::string(trial.counter);
     if (trial.off_within_s > 0.0) {
-      std::array<char, 64> limit{};
-      std::snprintf(limit.data(), limit.size(), ", motors %s %.2f s",
-                    off ? "off within" : "on after", trial.off_within_s);
-      text += limit.data();
+      std::array<char, 64> time{};
+      std::snprintf(time.data(), time.size(), ", motors off %s %.2f s", off, off_s);
+      text += time.data();
     }
     if (!again.empty()) text += ", the next start " + std::string(again);
     return text;
   };
-  std::string seen = words(outcome.end, outcome.counted >= trial.at_least,
-                           off_in_time(trial, outcome), outcome.again);
+  std::string seen = words(outcome.end, outcome.counted >= trial.at_least, "after",
+                           outcome.off_after_s, outcome.again);
   if (outcome.wild > 0) seen += ", commands out of range";
   return "| `" + std::string(trial.fault) + "` | " + to_string(board) + " | " +
-         words(trial.end, true, true, trial.again_s > 0.0 ? kCompleted : "") + " | " + seen +
-         " |\n";
+         words(trial.end, true, "within", trial.off_within_s,
+               trial.again_s > 0.0 ? kCompleted : "") +
+         " | " + seen + " |\n";
 }
 
 }  // namespace tp100::sim

@@ -43,7 +43,7 @@ struct Figure {
   double value;
 };
 
-/// What was seen. Words only on the page: numbers are another thing on each board.
+/// What was seen.
 struct FaultOutcome {
   std::string end;
   std::string again;     ///< the end of the second run; empty: there was none

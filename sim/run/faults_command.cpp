@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "sim/faults/fault_kind.h"
+#include "sim/run/encoder_study.h"
 #include "sim/run/fault_study.h"
 #include "sim/run/options.h"
 
@@ -62,10 +64,38 @@ int drive_all(const std::string& board_name) {
   return good ? 0 : 1;
 }
 
+int sweep_encoders(const std::string& board_name) {
+  Options options;
+  options.board = board_name;
+  const BoardKind board = load(options).board;
+  EncoderStudy study;
+  std::printf("%s", encoder_table_head().c_str());
+  bool good = true;
+  for (const EncoderFailure& failure : encoder_failures()) {
+    std::vector<EncoderOutcome> row;
+    for (const double speed_mps : encoder_speeds()) {
+      row.emplace_back();
+      for (const EncoderTrial& trial : encoder_trials(failure, speed_mps, board, true)) {
+        const EncoderOutcome outcome = study.drive(trial);
+        good = good && outcome.good();
+        if (!outcome.good())
+          std::fprintf(stderr, "%s at %.2f m/s, %s, %s: %s\n", std::string(failure.fault).c_str(),
+                       speed_mps, to_string(trial.onset), std::string(trial.robot).c_str(),
+                       outcome.end.c_str());
+        row.back().merge(outcome);
+      }
+    }
+    std::printf("%s", encoder_row(failure, row).c_str());
+    std::fflush(stdout);
+  }
+  return good ? 0 : 1;
+}
+
 }  // namespace
 
 int run_faults(const FaultsCommand& command) {
   if (command.drive) return drive_all(command.board);
+  if (command.encoders) return sweep_encoders(command.board);
   if (command.json) {
     for (const FaultText& text : fault_texts()) print_json(text);
     return 0;

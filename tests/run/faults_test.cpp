@@ -13,6 +13,7 @@
 
 #include "app/link_watch.h"
 #include "app/live_events.h"
+#include "sim/run/encoder_study.h"
 #include "sim/run/fault_study.h"
 #include "support/paths.h"
 
@@ -23,6 +24,8 @@ const std::string kSource = TP100_SOURCE_DIR;
 const std::string kPage = kSource + "/sim/faults/FAULTS.md";
 constexpr const char* kMark = "<!-- rows -->\n";
 constexpr const char* kEnd = "<!-- end of rows -->\n";
+constexpr const char* kEncoderMark = "<!-- encoders -->\n";
+constexpr const char* kEncoderEnd = "<!-- end of encoders -->\n";
 
 std::string text_of_file(const std::string& path) {
   std::ifstream file(path);
@@ -40,7 +43,9 @@ std::string part(const std::string& text, const std::string& from, const std::st
   return text.substr(begin + from.size(), end - begin - from.size());
 }
 
-std::string table;
+std::string table, encoder_table;
+
+bool rewriting() { return std::getenv("TP100_REWRITE_FAULTS") != nullptr; }
 
 struct Case {
   FaultTrial trial;
@@ -108,8 +113,7 @@ TEST_P(FaultTest, EndsAsExpectedAndAsThePageSays) {
     EXPECT_TRUE(complete(words, trial.log)) << trial.log << " is not in\n" << joined(words);
   }
   table += row;
-  const bool rewriting = std::getenv("TP100_REWRITE_FAULTS") != nullptr;
-  EXPECT_TRUE(rewriting || page().find(row) != std::string::npos) << "not on the page: " << row;
+  EXPECT_TRUE(rewriting() || page().find(row) != std::string::npos) << "not on the page: " << row;
 }
 
 std::string name_of(const ::testing::TestParamInfo<Case>& info) {
@@ -120,6 +124,68 @@ std::string name_of(const ::testing::TestParamInfo<Case>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(List, FaultTest, ::testing::ValuesIn(cases()), name_of);
+
+class EncoderTest : public ::testing::TestWithParam<EncoderFailure> {};
+
+// Each place with one robot in turn; `tp100-sim faults --encoders` drives all of them.
+TEST_P(EncoderTest, TheMotorsAreOffBeforeTheRobotIsFarFromWhereItShouldBe) {
+  EncoderStudy study;
+  std::vector<EncoderOutcome> row;
+  for (const double speed_mps : encoder_speeds()) {
+    row.emplace_back();
+    for (const EncoderTrial& trial :
+         encoder_trials(GetParam(), speed_mps, BoardKind::kNative, false)) {
+      const EncoderOutcome outcome = study.drive(trial);
+      EXPECT_TRUE(outcome.good()) << speed_mps << " m/s, " << to_string(trial.onset) << ", "
+                                  << trial.robot << ": " << outcome.end << ", " << outcome.beyond_m
+                                  << " m, " << outcome.beyond_rad << " rad";
+      row.back().merge(outcome);
+    }
+  }
+  const std::string text = encoder_row(GetParam(), row);
+  encoder_table += text;
+  EXPECT_TRUE(rewriting() || page().find(text) != std::string::npos) << "not on the page: " << text;
+}
+
+std::string name_of_failure(const ::testing::TestParamInfo<EncoderFailure>& info) {
+  std::string name(info.param.fault);
+  for (char& letter : name)
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sweep, EncoderTest,
+                         ::testing::ValuesIn(encoder_failures().begin(), encoder_failures().end()),
+                         name_of_failure);
+
+#ifdef TP100_HAS_IMAGE
+TEST(EncoderFaultsOnTheChip, EndTheRunAsWell) {
+  EncoderStudy study;
+  for (const char* fault : {"encoder-stuck:left", "encoder-lose:0.3:right", "encoder-lose:0.5"}) {
+    for (const Onset onset : {Onset::kStraight, Onset::kArc}) {
+      const EncoderOutcome outcome =
+          study.drive({{fault}, 0.1, onset, "end-loaded", BoardKind::kAvr});
+      EXPECT_TRUE(outcome.good()) << fault << " " << to_string(onset) << ": " << outcome.end << ", "
+                                  << outcome.beyond_m << " m";
+    }
+  }
+}
+#endif
+
+// The daemon looks away: what is left is the firmware's own watch.
+TEST(EncoderFaultsWithoutTheHost, StopTheRobotOnAStraight) {
+  EncoderStudy study(false);
+  for (const char* fault : {"encoder-stuck:left", "encoder-stuck:right", "encoder-silent:left",
+                            "encoder-lose:0.5:right", "encoder-lose:0.3:left"}) {
+    for (const double speed_mps : {0.03, 0.06, 0.1, 0.2}) {
+      const EncoderOutcome outcome =
+          study.drive({{fault}, speed_mps, Onset::kStraight, "end-loaded"});
+      EXPECT_TRUE(outcome.good()) << fault << " at " << speed_mps << ": " << outcome.end << ", "
+                                  << outcome.beyond_m << " m";
+      EXPECT_TRUE(outcome.end.starts_with("stalled_")) << outcome.end;
+    }
+  }
+}
 
 TEST(FaultList, HasATrialForEveryKind) {
   std::set<std::string_view> tried;
@@ -170,6 +236,17 @@ TEST(FaultPage, HasOneRowForEveryTrialAndNoOther) {
   EXPECT_EQ(i, expected.size());
 }
 
+TEST(FaultPage, HasOneRowForEveryEncoderFailureAndNoOther) {
+  const std::string rows = part(page(), kEncoderMark + encoder_table_head(), kEncoderEnd);
+  std::istringstream lines(rows);
+  std::size_t i = 0;
+  for (std::string line; std::getline(lines, line); ++i) {
+    ASSERT_LT(i, encoder_failures().size()) << "a row too many: " << line;
+    EXPECT_TRUE(line.starts_with("| `" + std::string(encoder_failures()[i].fault) + "`")) << line;
+  }
+  EXPECT_EQ(i, encoder_failures().size());
+}
+
 /// Every `Suite.Name` of the sources below tests/.
 std::set<std::string> tests_in_the_sources() {
   std::set<std::string> names;
@@ -213,10 +290,16 @@ TEST(FaultPage, EveryTestThatItNamesExists) {
 class Page : public ::testing::Environment {
  public:
   void TearDown() override {
-    if (std::getenv("TP100_REWRITE_FAULTS") == nullptr) return;
-    const std::string old = page();
-    std::ofstream(kPage) << old.substr(0, old.find(kMark)) << kMark << fault_table_head() << table
-                         << old.substr(old.find(kEnd));
+    if (!rewriting()) return;
+    std::string text = page();
+    const auto put = [&](const std::string& from, const std::string& to, const std::string& rows) {
+      const std::size_t begin = text.find(from) + from.size();
+      text.replace(begin, text.find(to) - begin, rows);
+    };
+    if (!table.empty()) put(kMark, kEnd, fault_table_head() + table);
+    if (!encoder_table.empty())
+      put(kEncoderMark, kEncoderEnd, encoder_table_head() + encoder_table);
+    std::ofstream(kPage) << text;
   }
 };
 const auto* const kPageWriter = ::testing::AddGlobalTestEnvironment(new Page);
