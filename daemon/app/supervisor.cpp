@@ -360,7 +360,10 @@ void Supervisor::State::on_run_state(const LiveEvent& event) {
   if (event.to == RunState::kFinished) return run_ended(0, "completed");
   // Whoever asked for a run by an option does not wait for another start.
   if (event.refused != StartRefusal::kNone && settings.go) return run_ended(1, "refused");
-  if (event.to == RunState::kAborted) {
+  // A STOP after the end of a run does not change what the run was.
+  const bool late_stop = event.from == RunState::kFinished &&
+                         (event.faults & ~kRobotFaults) == fault_bit(Fault::stop_requested);
+  if (event.to == RunState::kAborted && !late_stop) {
     figures.faults = event.faults | (event.from == event.to ? figures.faults : 0);
     if (ending && status == 0) {
       // What was completed is not, after all.
