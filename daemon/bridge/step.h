@@ -36,7 +36,7 @@ struct Outputs {
   Command command{};
   RobotRequest request = RobotRequest::kNone;  ///< hand to the link once
   StartRefusal refused = StartRefusal::kNone;  ///< a start was refused in this step
-  bool disarming = false;  ///< the end of a run is not confirmed yet; for at most 0.25 s
+  bool disarming = false;  ///< the end of a run is not confirmed yet, or motors are on unasked
   Snapshot snapshot{};
 };
 

@@ -14,7 +14,7 @@ constexpr double kConfirmS = 1.0;
 // The link repeats a request for 0.2 s.
 constexpr double kRequestS = 0.2;
 constexpr double kConfirmOffS = 0.25;
-constexpr HostNs kUnaskedNs = 100 * kNsPerMs;
+constexpr HostNs kUnaskedNs = 50 * kNsPerMs;
 constexpr double kStopAgainS = 0.2;
 
 bool lost(const ArmingInputs& in) {
@@ -70,7 +70,9 @@ RobotRequest Arming::update(const ArmingInputs& in, double dt_s) {
   just_began_ = false;
   refused_ = StartRefusal::kNone;
   if (disarming_) confirm_off(in, dt_s);
-  if (unasked(in, dt_s)) {
+  moves_unasked_ = unasked(in, dt_s);
+  if (moves_unasked_) {
+    disarming_ = false;
     abort(fault_bit(Fault::moves_unasked));
     stop_again_s_ -= dt_s;
     if (stop_again_s_ <= 0.0) {
@@ -152,6 +154,8 @@ void Arming::confirm_off(const ArmingInputs& in, double dt_s) {
     return abort(fault_bit(in.rebooted ? Fault::robot_rebooted : Fault::link_lost));
   }
   acknowledged_ = acknowledged_ || in.answer == RequestAnswer::kAcknowledged;
+  // From here on motors that are on are not meant to be.
+  if (acknowledged_) off_due_s_ = 0.0;
   if (acknowledged_ && !motors_on(*in.sample)) {
     disarming_ = false;
   } else if (in.answer == RequestAnswer::kFailed || off_s_ > kConfirmOffS) {

@@ -43,9 +43,9 @@ class Arming {
   bool just_began() const { return just_began_; }
   /// Why a start was refused in this step.
   StartRefusal refused() const { return refused_; }
-  /// A run has ended, and the robot has not confirmed yet that its motors are off; for at most
-  /// 0.25 s.
-  bool disarming() const { return disarming_; }
+  /// A run has ended, and the robot has not confirmed yet that its motors are off (for at most
+  /// 0.25 s), or they are on without being asked.
+  bool disarming() const { return disarming_ || moves_unasked_; }
   /// Daemon's faults, latched until the next start().
   FaultMask faults() const { return faults_; }
 
@@ -65,6 +65,7 @@ class Arming {
   bool arm_sent_ = false;
   bool just_began_ = false;
   bool disarming_ = false;
+  bool moves_unasked_ = false;
   bool acknowledged_ = false;  // the arm or disarm that was asked last
   double begin_s_ = 0.0;       // since the start
   double waited_s_ = 0.0;
