@@ -35,7 +35,6 @@ void Arming::start() {
 
 void Arming::hold() {
   pending_ = RobotRequest::kDisarm;
-  off_due_s_ = kRequestS;
   if (state_ != RunState::kArming && state_ != RunState::kRunning) return;
   state_ = RunState::kIdle;
   begin_disarm();

@@ -223,7 +223,7 @@ TEST_F(StepTest, SaysBeforehandWhyAStartWouldBeRefused) {
     Step step(parameters_, course_);
     KinematicRobot robot(parameters_);
     oddity(robot);
-    for (int i = 0; i < 15; ++i) tick(step, robot);
+    for (int i = 0; i < 6; ++i) tick(step, robot);
     return tick(step, robot).snapshot.start_refusal;
   };
   EXPECT_EQ(refusal([](KinematicRobot&) {}), StartRefusal::kNotStill);
