@@ -14,7 +14,7 @@ class DriveMotion {
   /// `counts_per_metre` of the belts; it is known, never fitted. At least two samples.
   DriveMotion(const Drive& drive, double counts_per_metre);
 
-  /// Poses of eqs 1-5 (extended) at the samples, from the origin heading +x.
+  /// Poses of the extended model at the samples, from the origin heading +x.
   std::vector<Pose> poses(const model::TrackParameters& parameters) const;
   /// Between two of `poses`, linear; the first and the last one hold outside.
   Pose at(const std::vector<Pose>& poses, double t_s) const;

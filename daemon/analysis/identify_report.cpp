@@ -102,6 +102,16 @@ std::string run_lines(const Fit& fit) {
   return text;
 }
 
+/// Of the keys that eqs 1-5 have, as lines of a robot file.
+std::string plain_values(const Fit& plain) {
+  std::string text;
+  for (std::size_t i = 0; i <= index(Parameter::kWheelbase); ++i) {
+    const ParameterKey& key = kParameterKeys[i];
+    text += format("  %s = %.5f\n", key.key, plain.estimates[i].value / key.si);
+  }
+  return text;
+}
+
 }  // namespace
 
 Belief belief_of(const course::Robot& robot, double turning_threshold_radps) {
@@ -132,6 +142,7 @@ std::string identify_report(const Identification& found, const course::Robot& ba
     text += "best-fit residual against the camera, whose noise is in it:\n";
     text += "  eqs 1-5                                  " + residual(found.plain) + "\n";
     text += "  with turning centre and tight turns      " + residual(found.extended) + "\n";
+    text += "eqs 1-5 alone, all other keys of [model] at 0:\n" + plain_values(found.plain);
     text += format("camera's time stamps late by %.1f ms\n", found.extended.camera_late_s * 1e3);
   }
   text += format("condition number %.1f\n", found.extended.condition);

@@ -76,7 +76,8 @@ void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunF
   page.heading("Errors");
   if (judged) {
     page.table({kPoseHead, pose_row("model", judged->model)},
-               "Model: eqs 1-5 on encoder counts against the truth, piece by piece between shoves");
+               "Model: on encoder counts (extended: eqs 1-5 and seven constants of ours; or as "
+               "model.mode says) against the truth, piece by piece between shoves");
     Rows estimates = {kPoseHead, pose_row("odometry", judged->odometry)};
     if (judged->fused) estimates.push_back(pose_row("fused", *judged->fused));
     page.table(estimates, "Estimates against the truth, from start to end");

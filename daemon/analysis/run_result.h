@@ -20,7 +20,7 @@ struct TrackPoint {
   Pose truth{};      ///< exact pose of the reference point; on a bench the steering pose
   Pose world{};     ///< the same in the course's world: behind `truth` where a virtual obstacle has
                     ///< cost the virtual robot way; judged against the reference path
-  Pose model{};     ///< eqs 1-5 on encoder counts alone
+  Pose model{};     ///< the model (model/track_model.h) on encoder counts alone
   Pose odometry{};  ///< encoders + gyro
   Pose fused{};     ///< with the overhead camera, if the run had one
   double progress_m =

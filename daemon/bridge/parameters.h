@@ -61,7 +61,7 @@ struct Parameters {
   double max_sample_age_s = 0.060;  ///< older samples are not steered by: samples_stale
 };
 
-/// Eqs 1-5 with this robot's values.
+/// The extended model with this robot's values.
 model::TrackParameters track_parameters(const Parameters& parameters);
 /// Eqs 1-5 with the paper's constants; only the turning threshold is `values`'.
 model::TrackParameters paper_parameters(const course::ModelValues& values);

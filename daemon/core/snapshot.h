@@ -19,7 +19,7 @@ struct Snapshot {
   Sample sample{};  ///< newest sample; sample.sequence is valid only if has_sample
   bool has_sample = false;
   std::int64_t age_us = 0;  ///< now - when the newest sample was measured
-  Pose model{};             ///< eqs 1-5 on encoder counts alone
+  Pose model{};             ///< the model (model/track_model.h) on encoder counts alone
   Twist model_twist{};
   Pose odometry{};  ///< encoders + gyro
   Twist odometry_twist{};

@@ -11,7 +11,7 @@
 
 namespace tp100::course {
 
-/// Parameters of eqs 1-5 and 7 for the `extended` mode.
+/// Parameters of the `extended` mode: of eqs 1-5 and 7, and ours.
 struct ModelValues {
   double slip_left = 0.1;
   double slip_right = 0.1188;

@@ -228,11 +228,12 @@ bool all_hold(const Reproduction& what) {
 
 std::string reproduction_page(const Reproduction& what) {
   analysis::HtmlPage page("The paper's experiment on the emulated TP100");
-  page.paragraph(
-      format("Seeds %llu and following, %d a course, each driven both ways round. The "
-             "truth is the exact pose of a rigid body on belts (ODE) that shares no "
-             "code with the model; the robot drives by the fused pose.",
-             static_cast<unsigned long long>(what.seed), what.runs));
+  page.paragraph(format(
+      "Seeds %llu and following, %d a course, each driven both ways round. The "
+      "truth is the exact pose of a rigid body on belts (ODE) that shares no "
+      "code with the model; the robot drives by the fused pose. Model means the extended "
+      "one: eqs 1-5 and seven constants of ours, which the paper's equations alone have not.",
+      static_cast<unsigned long long>(what.seed), what.runs));
   page.paragraph(
       "The reference robot's slip table is fitted through its contact creep, its slip on the level "
       "is a belt speed deficit that no physics explains, and its end-loaded belts make eqs 1-5 "
