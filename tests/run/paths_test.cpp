@@ -52,8 +52,8 @@ constexpr int kDrawn = 30;
 constexpr double kMostTurns = 10.0;
 #endif
 constexpr double kRoomM = 0.5;
-// A limit of scripts/reproduce.
-constexpr double kTrackingM = 0.008;
+// Of scripts/reproduce, where a path is not smooth.
+constexpr double kTrackingM = 0.015;
 // Of the estimate, and of a step.
 constexpr double kSlackM = 0.02;
 
