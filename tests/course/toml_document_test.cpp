@@ -34,6 +34,18 @@ TEST(TomlDocument, NamesTheNearestKeyForAnUnknownOne) {
             "f.toml:2:2: unknown key 'speeed_mps'; did you mean 'speed_mps'?");
 }
 
+// As of a seed or a marker's id.
+TEST(TomlDocument, RefusesAnIntegerOutOfItsRange) {
+  const auto read = [](TomlTable& table) { table.integer("seed", 1, {0, 250}); };
+  EXPECT_THAT(told("seed = 0", read), IsEmpty());
+  EXPECT_THAT(told("seed = 250", read), IsEmpty());
+  for (const char* bad : {"-1", "251", "9223372036854775807", "-9223372036854775808"})
+    EXPECT_THAT(told("seed = " + std::string(bad), read),
+                testing::AllOf(StartsWith("f.toml:1:"), HasSubstr("seed"), HasSubstr("0 to 250")))
+        << bad;
+  EXPECT_THAT(told("seed = 1.5", read), HasSubstr("an integer"));
+}
+
 TEST(TomlDocument, ListsTheValidKeysIfNoneIsNear) {
   EXPECT_EQ(told("colour = 1", read_speed),
             "f.toml:1:1: unknown key 'colour'; valid here: speed_mps");
