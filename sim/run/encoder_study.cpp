@@ -14,21 +14,22 @@ namespace tp100::sim {
 namespace {
 
 constexpr std::array kFailures = std::to_array<EncoderFailure>({
-    {"encoder-stuck:left"},
+    {"encoder-stuck:left", 0.0, true},
     {"encoder-stuck:right"},
-    {"encoder-stuck"},
+    {"encoder-stuck", 0.0, true},
     {"encoder-silent:left"},
+    {"encoder-silent:right", 0.0, true},
     {"encoder-silent"},
-    {"encoder-lose:0.3:left"},
-    {"encoder-lose:0.3:right"},
-    {"encoder-lose:0.3"},
+    {"encoder-lose:0.3:left", 0.0, true},
+    {"encoder-lose:0.3:right", 0.0, true},
+    {"encoder-lose:0.3", 0.0, true},
     {"encoder-lose:0.5:left"},
-    {"encoder-lose:0.5"},
+    {"encoder-lose:0.5", 0.0, true},
     {"encoder-lose:0.7:right"},
     {"encoder-lose:0.7"},
     {"encoder-lose:0.95:left"},
-    {"encoder-lose:0.95"},
-    {"encoder-jump:200:left", 0.25},
+    {"encoder-lose:0.95", 0.0, true},
+    {"encoder-jump:200:left", 0.25, true},
     {"encoder-jump:-200", 0.25},
 });
 constexpr std::array kSpeeds = {0.03, 0.06, 0.10, 0.15, 0.20};
@@ -50,6 +51,12 @@ course::Course course_at(double speed_mps) {
                  course::Pivot{kSpinRad}, course::Line{0.3}};
   course.fence = {-kRoomM, kRoomM, -kRoomM, kRoomM};
   return course;
+}
+
+Loaded load_robot(std::string_view name) {
+  Options options;
+  options.robot = name;
+  return load(options);
 }
 
 /// The daemon's own checks as wide as they go.
@@ -131,7 +138,7 @@ const EncoderStudy::Healthy& EncoderStudy::healthy(const EncoderTrial& trial) {
       healthy_.try_emplace({trial.robot, trial.speed_mps, trial.board}, Healthy{});
   Healthy& healthy = found->second;
   if (!is_new) return healthy;
-  const Loaded loaded = load({.robot = std::string(trial.robot)});
+  const Loaded loaded = load_robot(trial.robot);
   PlaceWatch places(kOpenNs);
   run_lockstep({.course = course_at(trial.speed_mps),
                 .robot = loaded.robot,
@@ -149,7 +156,7 @@ const EncoderStudy::Healthy& EncoderStudy::healthy(const EncoderTrial& trial) {
 EncoderOutcome EncoderStudy::drive(const EncoderTrial& trial) {
   const Healthy& healthy = this->healthy(trial);
   const double at_s = healthy.onset_s.at(trial.onset);
-  const Loaded loaded = load({.robot = std::string(trial.robot)});
+  const Loaded loaded = load_robot(trial.robot);
   EncoderOutcome outcome;
   std::size_t step = 0;
   double beyond_m = 0.0, beyond_rad = 0.0;
@@ -179,17 +186,17 @@ EncoderOutcome EncoderStudy::drive(const EncoderTrial& trial) {
 std::vector<EncoderTrial> encoder_trials(const EncoderFailure& failure, double speed_mps,
                                          BoardKind board, bool every_robot) {
   std::vector<EncoderTrial> trials;
-  const auto in_turn = [&](std::size_t onset) {
-    const auto at = std::find(kSpeeds.begin(), kSpeeds.end(), speed_mps) - kSpeeds.begin();
-    const auto number = std::find_if(kFailures.begin(), kFailures.end(),
-                                     [&](const auto& one) { return one.fault == failure.fault; }) -
-                        kFailures.begin();
-    return (onset + static_cast<std::size_t>(at + number)) % kRobots.size();
+  const auto number_of = [](const auto& all, auto is_it) {
+    return std::find_if(all.begin(), all.end(), is_it) - all.begin();
   };
-  for (std::size_t onset = 0; onset < kOnsets.size(); ++onset)
+  const auto speed = number_of(kSpeeds, [&](double one) { return one == speed_mps; });
+  const auto number =
+      number_of(kFailures, [&](const EncoderFailure& one) { return one.fault == failure.fault; });
+  const std::size_t in_turn = static_cast<std::size_t>(speed + number) % kRobots.size();
+  for (const Onset onset : kOnsets)
     for (std::size_t robot = 0; robot < kRobots.size(); ++robot)
-      if (every_robot || robot == in_turn(onset))
-        trials.push_back({failure, speed_mps, kOnsets[onset], kRobots[robot], board});
+      if (every_robot || robot == in_turn)
+        trials.push_back({failure, speed_mps, onset, kRobots[robot], board});
   return trials;
 }
 

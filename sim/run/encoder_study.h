@@ -19,6 +19,7 @@ namespace tp100::sim {
 struct EncoderFailure {
   std::string_view fault;  ///< as for --fault, without its time
   double again_s = 0.0;    ///< happens again after each of these; 0: lasts
+  bool on_page = false;    ///< a row of sim/faults/FAULTS.md, driven by the tests
 };
 
 /// Where the robot is when it begins.
@@ -74,8 +75,8 @@ class EncoderStudy {
   std::map<std::tuple<std::string_view, double, BoardKind>, Healthy> healthy_;
 };
 
-/// The trials of one cell of the table (failure and speed): every onset with every robot, or each
-/// with one robot in turn.
+/// The trials of one cell of the table (failure and speed): every onset with every robot, or all
+/// with one robot, which is another one in the next cell.
 std::vector<EncoderTrial> encoder_trials(const EncoderFailure& failure, double speed_mps,
                                          BoardKind board, bool every_robot);
 
