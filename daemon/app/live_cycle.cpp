@@ -104,10 +104,6 @@ void LiveCycle::take_inputs() {
   for (std::size_t i = 0; i < Cycle::kMaxCamera && camera_.pop(seen); ++i) cycle_.camera(seen);
   WorldSample said;
   for (std::size_t i = 0; i < kWaitingWorld && world_.pop(said); ++i) cycle_.world(said);
-  // A start that was not carried out when its session ended is void: nothing moves after a
-  // reconnect.
-  const bool ready = cycle_.session().state() == SessionState::kReady;
-  if (run_state_ == RunState::kArming && !ready) cycle_.request(OperatorRequest::kHold);
   // Last: nothing that was asked in the same step may undo it.
   if (stop_asked_.exchange(false, std::memory_order_acq_rel))
     cycle_.request(OperatorRequest::kStop);

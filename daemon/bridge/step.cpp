@@ -22,7 +22,7 @@ constexpr double kLongestSeenS = 0.05;
 // A little late is answered with silence, which the robot bridges; this late is a broken link.
 constexpr double kSamplesLostS = 0.2;
 // The firmware's own limit is 10 samples.
-constexpr std::uint8_t kOldestImu = 40;
+constexpr std::uint8_t kOldestImu = 20;
 
 control::Drive drive_of(const Parameters& parameters, double speed_mps) {
   // A pose that knows of no turning centre is not steered by it.
@@ -164,6 +164,7 @@ StartRefusal Step::State::refusal(const Inputs& in, HostNs now) const {
   if (!fresh_sample(now)) return StartRefusal::kNoSample;
   const Sample& sample = seen.sample();
   if (motors_on(sample)) return StartRefusal::kMotorsOn;
+  if ((sample.faults & ~kKnownRobotFaults) != 0) return StartRefusal::kUnknownFault;
   if (control::tilted(sample, parameters.control)) return StartRefusal::kTilted;
   if (seen.gyro_steers() && sample.imu_age > kOldestImu) return StartRefusal::kNoImu;
   if (seen.gyro_steers() && !seen.gyro_bias_known()) return StartRefusal::kNotStill;

@@ -94,6 +94,11 @@ RobotRequest Arming::update(const ArmingInputs& in, double dt_s) {
 
 RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
   if (!arm_sent_) {
+    // Nothing moves after a reconnect that was asked for before it.
+    const bool under_way = begin_s_ > 0.0;
+    if (under_way && in.rebooted) faults_ |= fault_bit(Fault::robot_rebooted);
+    if (under_way && in.new_session) faults_ |= fault_bit(Fault::link_lost);
+    if (faults_ != 0) return end(RunState::kAborted, in);
     begin_s_ += dt_s;
     waited_s_ = in.refusal == StartRefusal::kNone ? waited_s_ + dt_s : 0.0;
     if (waited_s_ >= kCommandsFirstS) {

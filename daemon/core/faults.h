@@ -14,6 +14,12 @@ using wire::FaultMask;
 
 /// Those that a robot latches; the others are the daemon's.
 inline constexpr FaultMask kRobotFaults = 0xFFFFU;
+/// Those of them that this version knows.
+inline constexpr FaultMask kKnownRobotFaults = 0
+#define TP100_KNOWN(bit, name, cause, remedy) | fault_bit(Fault::name)
+    TP100_ROBOT_FAULTS(TP100_KNOWN)
+#undef TP100_KNOWN
+    ;
 
 /// One row of the fault list.
 struct FaultText {

@@ -21,14 +21,15 @@ std::string_view to_string(RunState state);
 enum class StartRefusal : std::uint8_t {
   kNone,
   kNoCourse,
-  kUnderWay,   ///< a run is arming or running
-  kNoSession,  ///< no robot, or the handshake is not over
-  kNoSample,   ///< no fresh sample
-  kMotorsOn,   ///< the robot is armed or has a duty without being asked
-  kTilted,     ///< by more than control.max_tilt_deg
-  kNoImu,      ///< the yaw is the gyro's, and it delivers nothing
-  kNotStill,   ///< the gyro's bias is not known: it has not been at rest yet
-  kNoWorld,    ///< the external world has not answered in time
+  kUnderWay,      ///< a run is arming or running
+  kNoSession,     ///< no robot, or the handshake is not over
+  kNoSample,      ///< no fresh sample
+  kMotorsOn,      ///< the robot is armed or has a duty without being asked
+  kUnknownFault,  ///< the robot reports a fault that this version does not know
+  kTilted,        ///< by more than control.max_tilt_deg
+  kNoImu,         ///< the yaw is the gyro's, and it delivers nothing
+  kNotStill,      ///< the gyro's bias is not known: it has not been at rest yet
+  kNoWorld,       ///< the external world has not answered in time
 };
 
 /// Why, and what to do, in one line; empty for kNone.

@@ -54,7 +54,8 @@
   X(26, gyro_against_encoders,                                                                 \
     "gyro and encoders disagree about the turn (lost counts, or a mis-wired yaw loop)",        \
     "check both encoders, which track is left, and the gyro; identify the robot")              \
-  X(27, not_acknowledged, "the robot refused arm or disarm, or did not confirm it in time",    \
+  X(27, not_acknowledged,                                                                      \
+    "the robot refused arm or disarm, did not confirm it in time, or disarmed by itself",      \
     "remove the cause of a refusal, which the log names; else check the cable")                \
   X(28, samples_stale, "samples arrive too late to steer by", "check USB hub and host load")   \
   X(29, immobilised, "the belts run but the robot does not move, or not over the obstacle",    \
