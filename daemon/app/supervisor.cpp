@@ -32,6 +32,8 @@ using Kind = link::SessionEvent::Kind;
 
 constexpr auto kTick = std::chrono::milliseconds(10);
 constexpr HostNs kStatsPeriodNs = kNsPerS;
+// A handshake takes less than 2 s, a silent robot is given up by the session itself.
+constexpr HostNs kFirstSessionNs = 10 * kNsPerS;
 // How long the end of the program waits for disks; the unit's TimeoutStopSec is longer.
 constexpr auto kDiskPatience = std::chrono::seconds(5);
 constexpr auto kDiskLook = std::chrono::milliseconds(100);
@@ -60,6 +62,7 @@ struct Supervisor::State {
   void take_records();
   void note_link();
   void fail_early(const LiveEvent& event) const;
+  void fail_without_session(HostNs now) const;
   void on_session(const LiveEvent& event);
   void on_session_state(SessionState state);
   void on_run_state(const LiveEvent& event);
@@ -98,6 +101,7 @@ struct Supervisor::State {
   SessionState session = SessionState::kClosed;
   HostNs began_ns = 0;
   HostNs next_stats_ns = 0;
+  HostNs spoke_ns = 0;  // when a robot first got an answer out of the session
   std::string refusal;
   bool had_session = false;
   bool ending = false;
@@ -257,6 +261,7 @@ void Supervisor::State::tick() {
   take_records();
   take_events();
   note_link();
+  fail_without_session(now);
   connector.tick(now);
   take_status(now);
   log.tick(now);
@@ -330,6 +335,15 @@ void Supervisor::State::fail_early(const LiveEvent& event) const {
   }
 }
 
+void Supervisor::State::fail_without_session(HostNs now) const {
+  if (settings.connector.wait || had_session || ending || spoke_ns == 0) return;
+  if (now - spoke_ns < kFirstSessionNs) return;
+  throw SetupError(connector.path() + ": the robot sends frames, but no session came about in " +
+                   std::to_string(kFirstSessionNs / kNsPerS) + " s, last state " +
+                   std::string(to_string(session)) +
+                   "; flash this version's firmware (scripts/flash, installed: tp100-flash)");
+}
+
 void Supervisor::State::on_session(const LiveEvent& event) {
   if (event.session.kind == Kind::kHello) connector.robot_found();
   if (event.session.kind == Kind::kState) {
@@ -339,6 +353,8 @@ void Supervisor::State::on_session(const LiveEvent& event) {
 
 void Supervisor::State::on_session_state(SessionState next) {
   session = next;
+  if (spoke_ns == 0 && next != SessionState::kClosed && next != SessionState::kListening)
+    spoke_ns = loop::monotonic_now();
   terminal->follow(next);
   tell_manager();
   figures.port = connector.path();
