@@ -143,13 +143,10 @@ std::string stats_json(const RunFigures& figures) {
 
 StatsFile::StatsFile(std::string path, disk::Worker& disk) : path_(std::move(path)), disk_(disk) {}
 
-void StatsFile::begin(const RunFigures& figures) {
-  if (!path_.empty()) disk::write_file(path_, stats_json(figures), disk::Flush::kNo);
-}
-
 void StatsFile::write(const RunFigures& figures) {
   if (path_.empty()) return;
   std::string text = stats_json(figures);
+  if (!std::exchange(begun_, true)) return disk::write_file(path_, text, disk::Flush::kNo);
   const std::lock_guard lock(state_->mutex);
   state_->text = std::move(text);
   if (state_->writing) return;

@@ -41,9 +41,9 @@ class StatsFile {
  public:
   /// An empty `path` is none. `disk` writes it and must outlive this.
   StatsFile(std::string path, disk::Worker& disk);
-  /// Writes `figures` before anything moves, and waits for the disk. Throws SetupError.
-  void begin(const RunFigures& figures);
-  /// Has `figures` written; never waits for the disk: figures that it has not taken yet give way.
+  /// Has `figures` written. The first time, before anything moves, it waits for the disk and throws
+  /// SetupError if they cannot be; later it never waits, and figures that the disk has not taken
+  /// yet give way.
   void write(const RunFigures& figures);
   /// Why the file is not written any more, in one line, the first time that it was not; or nothing.
   std::string take_note();
@@ -59,6 +59,7 @@ class StatsFile {
 
   const std::string path_;
   disk::Worker& disk_;
+  bool begun_ = false;
   std::shared_ptr<State> state_ = std::make_shared<State>();  // shared with the disk's thread
 };
 

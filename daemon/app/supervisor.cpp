@@ -129,7 +129,6 @@ int Supervisor::State::run() {
   sinks.push_back(settings.server);
   figures.page = settings.server->url();
   take_signals();
-  stats.begin(figures);
   if (!settings.camera.listen.empty()) {
     camera = std::make_unique<CameraPort>(
         context, settings.camera, [this](const CameraSample& seen) { return cycle.camera(seen); });
