@@ -66,6 +66,7 @@ class Bench {
   bool left_blocked = false;
   bool right_blocked = false;
   double pushed_radps = 0.0;  ///< turn that the belts do not make
+  double jumped_m = 0.0;      // that the left encoder has counted from nowhere
   double left_counted = 1.0;  ///< share of the edges that its encoder gives
   double right_counted = 1.0;
   double left_mps = 0.0;
@@ -233,7 +234,7 @@ class Bench {
     left_m_ += left_mps * 1e-3 * left_counted;
     right_m_ += right_mps * 1e-3 * right_counted;
     true_m += (left_mps * 0.84 + right_mps * 0.90) / 2.0 * 1e-3;
-    hal.left_counts = static_cast<std::int32_t>(std::floor(left_m_ * 11140.0));
+    hal.left_counts = static_cast<std::int32_t>(std::floor((left_m_ + jumped_m) * 11140.0));
     hal.right_counts = static_cast<std::int32_t>(std::floor(right_m_ * 11140.0));
     const double rate = (right_mps * 0.90 - left_mps * 0.84) / 0.274 + pushed_radps;
     true_yaw_rad += rate * 1e-3;

@@ -286,6 +286,21 @@ TEST(FailSafe, ABeltThatIsHeldForLessThanHalfASecondGoesOn) {
   }
 }
 
+TEST(FailSafe, CountsThatJumpAgainAreAnEncoderThatFailsAndOneJumpIsNot) {
+  for (const bool again : {false, true}) {
+    Bench bench;
+    bench.belts_follow = true;
+    bench.drive(0.1f);
+    driven_m(bench, 2000);
+    bench.jumped_m += 0.02;
+    driven_m(bench, 300);
+    EXPECT_EQ(bench.program.faults(), 0);
+    if (again) bench.jumped_m += 0.02;
+    driven_m(bench, 300);
+    EXPECT_EQ(bench.program.faults(), again ? wire::fault_bit(Fault::stalled_left) : 0);
+  }
+}
+
 TEST(FailSafe, APushIsNoEncoderThatLosesCounts) {
   Bench bench;
   bench.belts_follow = true;

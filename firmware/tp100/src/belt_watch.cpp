@@ -11,6 +11,13 @@ const float kStandingM = 0.002f;
 const float kRunOnM = 0.02f;
 const float kRunOnS = 0.2f;
 
+// So far no belt moves between two samples, beyond twice its fastest: counts from nowhere. A glitch
+// comes alone, and is over soon.
+const float kJumpM = 0.004f;
+const int32_t kFewCounts = 8;
+const uint16_t kJumpAgainMs = 1000;
+const uint16_t kOneJumpMs = 100;
+
 // A duty means a speed, but for a file that is off by a fifth and all the load that belts can take
 // from the floor.
 const float kMissingM = 0.05f;
@@ -23,7 +30,10 @@ const uint16_t kStepMs = 40;
 }  // namespace
 
 BeltWatch::BeltWatch()
-    : sign_(0),
+    : known_(false),
+      last_counts_(0),
+      jumped_ms_(0),
+      sign_(0),
       start_counts_(0),
       standing_ms_(0),
       best_counts_(0),
@@ -34,6 +44,7 @@ BeltWatch::BeltWatch()
 
 BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_ms,
                                      const wire::Parameters& p) {
+  if (jumps_again(counts, dt_ms, p)) return kStalled;
   const uint16_t size = static_cast<uint16_t>(duty < 0 ? -duty : duty);
   const int8_t sign = duty > 0 ? 1 : duty < 0 ? -1 : 0;
   if (sign == 0 || static_cast<float>(size) < p.dead_band * static_cast<float>(wire::kFullDuty)) {
@@ -69,6 +80,18 @@ BeltWatch::Verdict BeltWatch::update(int16_t duty, int32_t counts, uint16_t dt_m
   }
   standing_ms_ = static_cast<uint16_t>(standing_ms_ + dt_ms);
   return standing_ms_ >= p.stall_ms ? kStalled : kGood;
+}
+
+bool BeltWatch::jumps_again(int32_t counts, uint16_t dt_ms, const wire::Parameters& p) {
+  const int32_t moved = known_ ? distance(counts, last_counts_) : 0;
+  known_ = true;
+  last_counts_ = counts;
+  jumped_ms_ = jumped_ms_ > dt_ms ? static_cast<uint16_t>(jumped_ms_ - dt_ms) : 0;
+  if (moved > -kFewCounts && moved < kFewCounts) return false;
+  const float furthest_m = kJumpM + 2e-3f * p.max_track_mps * static_cast<float>(dt_ms);
+  if (magnitude(static_cast<float>(moved)) <= furthest_m * p.counts_per_metre) return false;
+  if (jumped_ms_ == 0) jumped_ms_ = kJumpAgainMs;
+  return jumped_ms_ < kJumpAgainMs - kOneJumpMs;
 }
 
 bool BeltWatch::missing(uint16_t size, int8_t sign, int32_t counts, uint16_t dt_ms,
