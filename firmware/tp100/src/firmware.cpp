@@ -57,6 +57,8 @@ void Firmware::setup() {
   gate_.open(boot_nonce_);
   const uint32_t now_us = hal_.micros();
   const wire::ResetCause cause = hal_.reset_cause();
+  // What a restart cut off on the line is not the beginning of the first report.
+  hal_.uart_write(&wire::kDelimiter, 1);
   if (cause == wire::ResetCause::kWatchdog) latch(Fault::watchdog_reset, 0, now_us);
   if (cause == wire::ResetCause::kBrownOut) latch(Fault::brown_out, 0, now_us);
   send_hello(now_us);

@@ -25,7 +25,7 @@ class Supply {
   /// The bandgap, measured with AVcc as the reference; in steps of the 10-bit converter.
   void update(uint16_t steps) {
     if (steps == 0) return;
-    const uint32_t mv = kBandgapMv * 1024UL / steps;
+    const uint32_t mv = static_cast<uint32_t>(kBandgapMv) * 1024U / steps;
     // What one reading is off by its noise, four are less.
     sixteenths_ = known_ ? sixteenths_ - sixteenths_ / 4 + 4 * mv : 16 * mv;
     known_ = true;
