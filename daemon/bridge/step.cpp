@@ -21,6 +21,8 @@ namespace {
 constexpr double kLongestSeenS = 0.05;
 // A little late is answered with silence, which the robot bridges; this late is a broken link.
 constexpr double kSamplesLostS = 0.2;
+// The robot itself gives up after 200 ms without a valid command.
+constexpr double kNoneTakenS = 0.3;
 // The firmware's own limit is 10 samples.
 constexpr std::uint8_t kOldestImu = 20;
 
@@ -61,6 +63,7 @@ struct Step::State {
   void take_world(std::span<const WorldSample> said, double dt_s);
   void heed_stop();
   bool fresh_sample(HostNs now) const;
+  bool takes_commands(double dt_s);
   FaultMask aborts(const Inputs& in, HostNs now, double dt_s);
   StartRefusal refusal(const Inputs& in, HostNs now) const;
   void begin_run(HostNs now);
@@ -81,6 +84,8 @@ struct Step::State {
 
   control::Target target{};
   HostNs last_step_ns = 0, run_began_ns = 0;
+  std::uint16_t last_taken = 0;
+  double none_taken_s = 0.0;
   std::uint32_t session_number = 0;
   Outputs out{};
 };
@@ -144,6 +149,13 @@ bool Step::State::fresh_sample(HostNs now) const {
   return seen.has_sample() && to_s(now - seen.sample().measured_ns) <= kSamplesLostS;
 }
 
+bool Step::State::takes_commands(double dt_s) {
+  const bool taken = seen.sample().last_command != last_taken || !out.command_valid;
+  last_taken = seen.sample().last_command;
+  none_taken_s = taken ? 0.0 : none_taken_s + std::min(dt_s, kLongestSeenS);
+  return none_taken_s < kNoneTakenS;
+}
+
 FaultMask Step::State::aborts(const Inputs& in, HostNs now, double dt_s) {
   FaultMask faults = 0;
   const bool running = arming.state() == RunState::kRunning;
@@ -151,6 +163,7 @@ FaultMask Step::State::aborts(const Inputs& in, HostNs now, double dt_s) {
     faults = monitor->update(observe(now, dt_s));
     if (!fresh_sample(now))
       faults |= fault_bit(in.samples.empty() ? Fault::link_lost : Fault::samples_stale);
+    if (!takes_commands(dt_s)) faults |= fault_bit(Fault::command_timeout);
     if (seen.gyro_steers() && seen.sample().imu_age > kOldestImu)
       faults |= fault_bit(Fault::imu_stale);
   }
@@ -179,6 +192,7 @@ void Step::State::begin_run(HostNs now) {
   disturbance.restart(seen.contradictions());
   monitor->restart();
   run_began_ns = now;
+  none_taken_s = 0.0;
 }
 
 control::Observation Step::State::observe(HostNs now, double dt_s) const {

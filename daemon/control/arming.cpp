@@ -30,6 +30,7 @@ void Arming::start() {
   arm_sent_ = false;
   disarming_ = false;
   begin_s_ = 0.0;
+  begin_session_ = false;
   waited_s_ = 0.0;
 }
 
@@ -95,10 +96,12 @@ RobotRequest Arming::update(const ArmingInputs& in, double dt_s) {
 RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
   if (!arm_sent_) {
     // Nothing moves after a reconnect that was asked for before it.
-    const bool under_way = begin_s_ > 0.0;
-    if (under_way && in.rebooted) faults_ |= fault_bit(Fault::robot_rebooted);
-    if (under_way && in.new_session) faults_ |= fault_bit(Fault::link_lost);
-    if (faults_ != 0) return end(RunState::kAborted, in);
+    const bool ready = in.session == SessionState::kReady;
+    if (begin_session_ && (in.rebooted || in.new_session || !ready)) {
+      faults_ |= fault_bit(in.rebooted ? Fault::robot_rebooted : Fault::link_lost);
+      return end(RunState::kAborted, in);
+    }
+    begin_session_ = ready;
     begin_s_ += dt_s;
     waited_s_ = in.refusal == StartRefusal::kNone ? waited_s_ + dt_s : 0.0;
     if (waited_s_ >= kCommandsFirstS) {

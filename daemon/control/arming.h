@@ -66,8 +66,9 @@ class Arming {
   bool just_began_ = false;
   bool disarming_ = false;
   bool moves_unasked_ = false;
-  bool acknowledged_ = false;  // the arm or disarm that was asked last
-  double begin_s_ = 0.0;       // since the start
+  bool acknowledged_ = false;   // the arm or disarm that was asked last
+  double begin_s_ = 0.0;        // since the start
+  bool begin_session_ = false;  // a session was ready since the start
   double waited_s_ = 0.0;
   double off_s_ = 0.0;              // since the disarm
   double off_due_s_ = 0.0;          // motors may be on for so long

@@ -15,11 +15,21 @@ constexpr double kDrivenMps = 0.03;
 constexpr double kStandingMps = 0.003;
 constexpr double kFullyDriven = 0.3;
 constexpr double kBackwardsMps = 0.02;
+constexpr double kOpposedS = 0.3;
+constexpr double kAskedRadps = 0.3;
+constexpr double kTurningRadps = 0.15;
 // A robot that stands turns by its tracks alone.
 constexpr double kSlowestMps = 0.02;
 
 bool against(double duty, double belt_mps) {
   return std::abs(duty) > kFullyDriven && std::abs(belt_mps) > kBackwardsMps && duty * belt_mps < 0;
+}
+
+// Tracks that are swapped with their encoders: only the turn shows it.
+bool opposed(const Observation& seen, double wheelbase_m) {
+  const double asked = (seen.commanded_right_mps - seen.commanded_left_mps) / wheelbase_m;
+  return std::abs(asked) > kAskedRadps && std::abs(seen.encoder_yaw_rate_radps) > kTurningRadps &&
+         asked * seen.encoder_yaw_rate_radps < 0.0;
 }
 
 double mean_mps(const Observation& seen) {
@@ -39,7 +49,7 @@ bool tilted(const Sample& sample, const Parameters& parameters) {
 }
 
 void Monitor::restart() {
-  heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
+  heading_ = opposed_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
   left_duty_.restart();
   right_duty_.restart();
   turn_.restart();
@@ -76,6 +86,7 @@ FaultMask Monitor::update(const Observation& seen) {
   raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
                         dt, kHeadingS),
         Fault::heading);
+  raise(opposed_.update(opposed(seen, wheelbase_m_), dt, kOpposedS), Fault::heading);
   raise(tilt_.update(tilted(sample, parameters_), dt, kTiltS), Fault::tilt);
   raise(seen.pose.x_m < fence_.min_x_m || seen.pose.x_m > fence_.max_x_m ||
             seen.pose.y_m < fence_.min_y_m || seen.pose.y_m > fence_.max_y_m,

@@ -79,7 +79,7 @@ class Monitor {
   double wheelbase_m_;
   DutyWatch left_duty_, right_duty_;
   TurnBalance turn_;
-  Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_;
+  Lasting heading_, opposed_, tilt_, battery_, stalled_, against_duty_, disagreement_;
 };
 
 }  // namespace tp100::control

@@ -196,6 +196,7 @@ class WorldStep : public testing::Test {
     now_ += kPeriod;
     Sample sample;
     sample.sequence = static_cast<std::uint16_t>(now_ / kPeriod);
+    sample.last_command = sample.sequence;
     sample.device_us = now_ / kNsPerUs;
     sample.measured_ns = now_;
     sample.accel_mps2[2] = 9.81;

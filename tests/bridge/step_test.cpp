@@ -26,6 +26,7 @@ class KinematicRobot {
   Sample sample(HostNs now) {
     Sample sample;
     sample.sequence = static_cast<std::uint16_t>(now / kPeriod);
+    sample.last_command = sample.sequence;
     sample.device_us = now / kNsPerUs;
     sample.measured_ns = now;
     sample.left_counts = std::llround(left_m_ * parameters_.drive.counts_per_metre);
