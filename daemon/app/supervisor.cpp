@@ -32,8 +32,8 @@ using Kind = link::SessionEvent::Kind;
 
 constexpr auto kTick = std::chrono::milliseconds(10);
 constexpr HostNs kStatsPeriodNs = kNsPerS;
-// A handshake takes less than 2 s, a silent robot is given up by the session itself.
-constexpr HostNs kFirstSessionNs = 10 * kNsPerS;
+// A board needs 2 s after its reset, and a handshake less; a silent port is given up sooner.
+constexpr HostNs kFirstSessionNs = 6 * kNsPerS;
 // How long the end of the program waits for disks; the unit's TimeoutStopSec is longer.
 constexpr auto kDiskPatience = std::chrono::seconds(5);
 constexpr auto kDiskLook = std::chrono::milliseconds(100);
@@ -101,7 +101,7 @@ struct Supervisor::State {
   SessionState session = SessionState::kClosed;
   HostNs began_ns = 0;
   HostNs next_stats_ns = 0;
-  HostNs spoke_ns = 0;  // when a robot first got an answer out of the session
+  HostNs first_tried_ns = 0;  // since when a port that is the robot's, as far as known, is open
   std::string refusal;
   bool had_session = false;
   bool ending = false;
@@ -335,12 +335,13 @@ void Supervisor::State::fail_early(const LiveEvent& event) const {
 }
 
 void Supervisor::State::fail_without_session(HostNs now) const {
-  if (settings.connector.wait || had_session || ending || spoke_ns == 0) return;
-  if (now - spoke_ns < kFirstSessionNs) return;
-  throw SetupError(connector.path() + ": the robot sends frames, but no session came about in " +
+  if (settings.connector.wait || had_session || ending || first_tried_ns == 0) return;
+  if (now - first_tried_ns < kFirstSessionNs) return;
+  throw SetupError(connector.path() + ": no session with the robot came about in " +
                    std::to_string(kFirstSessionNs / kNsPerS) + " s, last state " +
                    std::string(to_string(session)) +
-                   "; flash this version's firmware (scripts/flash, installed: tp100-flash)");
+                   ": its hello or its answers are none of this version's; flash this version's "
+                   "firmware (scripts/flash, installed: tp100-flash)");
 }
 
 void Supervisor::State::on_session(const LiveEvent& event) {
@@ -352,8 +353,9 @@ void Supervisor::State::on_session(const LiveEvent& event) {
 
 void Supervisor::State::on_session_state(SessionState next) {
   session = next;
-  if (spoke_ns == 0 && next != SessionState::kClosed && next != SessionState::kListening)
-    spoke_ns = loop::monotonic_now();
+  const bool meant = next != SessionState::kListening || settings.connector.port != "auto";
+  if (first_tried_ns == 0 && next != SessionState::kClosed && meant)
+    first_tried_ns = loop::monotonic_now();
   terminal->follow(next);
   tell_manager();
   figures.port = connector.path();

@@ -33,7 +33,7 @@ std::string_view to_string(StartRefusal refusal) {
     case StartRefusal::kMotorsOn:
       return "the robot's motors are on without being asked; press STOP";
     case StartRefusal::kUnknownFault:
-      return "the robot reports a fault that this version does not know; update the daemon";
+      return "the robot reports an unknown fault; update the daemon";
     case StartRefusal::kTilted:
       return "the robot is tilted by more than control.max_tilt_deg; set it upright";
     case StartRefusal::kNoImu:
