@@ -31,6 +31,7 @@ constexpr std::array kFailures = std::to_array<EncoderFailure>({
     {"encoder-lose:0.95", 0.0, true},
     {"encoder-jump:200:left", 0.25, true},
     {"encoder-jump:-200", 0.25},
+    {"encoder-flip:left", 0.0, true},
 });
 constexpr std::array kSpeeds = {0.03, 0.06, 0.10, 0.15, 0.20};
 constexpr std::array kOnsets = {Onset::kStraight, Onset::kArc, Onset::kStandstill, Onset::kSpin};

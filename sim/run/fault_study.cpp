@@ -72,7 +72,7 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"encoder-silent:left@3+2", "gyro_against_encoders", "daemon_faults", 1, kTurnS, 6},
     {"encoder-lose:0.5:right@3+2", "gyro_against_encoders", "daemon_faults", 1, kTurnS, 6},
     {"encoder-lose:0.5@3+2", "encoders_against_duty", "daemon_faults", 1, kDutyS, 6},
-    {"encoder-flip:left@3+2", "gyro_against_encoders", "daemon_faults", 1, kBackwardsS, 6},
+    {"encoder-flip@3+2", "reversed_left", "robot_faults", 1, kBackwardsS, 6},
     {"encoder-jump:500:left@3", kCompleted, "implausible", 1, 0, 0, "values that cannot be"},
     {"imu-missing@3+2", "imu_stale", "robot_faults", 1, kImuS, 6},
     {"imu-frozen@3+2", "imu_stale", "robot_faults", 1, kImuS, 6},

@@ -63,14 +63,17 @@ TEST(Terrain, AStepThatThisRobotCannotClimbIsRefusedInEverySetUp) {
 TEST(Terrain, WithTooLittleGripTheRobotIsImmobilisedAndTheRunStops) {
   LockstepSettings settings = course_3(bridge::Setup::kTerrain);
   settings.robot.emulated.body.friction = 0.6;
+  // It slides round on the spot before it is sure to be stuck: the firmware, which knows no terrain,
+  // may take that for an encoder that counts short.
+  const auto stopped = testing::AnyOf("immobilised", "stalled_left", "stalled_right");
   const analysis::RunResult result = run_lockstep(settings);
   EXPECT_FALSE(result.completed);
-  EXPECT_EQ(result.cause, "immobilised");
+  EXPECT_THAT(result.cause, stopped);
   EXPECT_LT(largest_nose_up_deg(result), 5.0);
 
   settings.camera = course::EmulatedCamera{};
   settings.configuration.parameters.steering = bridge::Steering::kFused;
-  EXPECT_EQ(run_lockstep(settings).cause, "immobilised");
+  EXPECT_THAT(run_lockstep(settings).cause, stopped);
 }
 
 TEST(Terrain, ThreeSecondsWithoutACameraOverTheStepLeaveThePoseWithinThreeCentimetres) {
