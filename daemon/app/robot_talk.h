@@ -41,8 +41,8 @@ class RobotTalk {
   const Sample& newest() const { return newest_; }
   bool greeted() const { return greeted_; }  ///< a hello came, of whatever version
   bool gone() const { return gone_; }
-  /// Its motors were on for 100 ms although arm() had not asked for it. It is told to stop as long as
-  /// they are.
+  /// Its motors were on for 100 ms although arm() had not asked for it. It is told to stop as long
+  /// as they are.
   bool moved_unasked() const { return moved_unasked_; }
   const std::string& why() const { return why_; }
   const std::string& remedy() const { return remedy_; }

@@ -47,7 +47,7 @@ struct LinkCounters {
   std::uint64_t reboots = 0;        ///< new boot nonce
   std::uint64_t silences = 0;       ///< no good frame within the time-out
   std::uint64_t unanswered = 0;     ///< frames came, but no answer for link.first_frame_timeout_ms
-  std::uint64_t refused = 0;        ///< hellos of another version or none of ours, parameters out of range
+  std::uint64_t refused = 0;        ///< unknown hellos, parameters out of range
   std::uint64_t unknown_board = 0;  ///< hellos of a board that this version does not know
   std::uint64_t robot_faults = 0;   ///< faults that the robot reported
   /// Frames that came spoilt at the robot, by its own count.

@@ -33,8 +33,8 @@ std::string key_of(const StateFigures& state) {
         static_cast<unsigned>(state.steering),
         state.robot ? static_cast<unsigned>(*state.robot) : 99U,
         static_cast<unsigned>(state.faults), static_cast<unsigned>(state.stop.status),
-         state.stop.latched ? 1U : 0U, state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U,
-         state.confirm_start ? 1U : 0U})
+        state.stop.latched ? 1U : 0U, state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U,
+        state.confirm_start ? 1U : 0U})
     key += std::to_string(part) + ' ';
   return key + state.why_not_start;
 }

@@ -208,8 +208,8 @@ template <class Visitor, MaybeConst<StepRecord> T>
 void visit_fields(Visitor& v, T& record) {
   // One more here is one more for visit_inputs, or below.
   auto& [now, step, samples, sample_count, requests, request_count, camera, camera_count, world,
-         world_count, changes, change_count, session, clock, session_number, rebooted, answer,
-         link, command_valid, request, snapshot] = record;
+         world_count, changes, change_count, session, clock, session_number, rebooted, answer, link,
+         command_valid, request, snapshot] = record;
   visit_inputs(v, record);
   v("link", link);
   v("command_valid", command_valid);

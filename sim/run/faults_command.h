@@ -7,7 +7,7 @@ namespace tp100::sim {
 
 struct FaultsCommand {
   bool json = false;
-  bool drive = false;  ///< drive with each, print expected beside seen
+  bool drive = false;     ///< drive with each, print expected beside seen
   bool encoders = false;  ///< sweep encoders that fail over speeds, places and robots
   std::string board = "native";
 };

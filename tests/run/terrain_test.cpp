@@ -63,8 +63,8 @@ TEST(Terrain, AStepThatThisRobotCannotClimbIsRefusedInEverySetUp) {
 TEST(Terrain, WithTooLittleGripTheRobotIsImmobilisedAndTheRunStops) {
   LockstepSettings settings = course_3(bridge::Setup::kTerrain);
   settings.robot.emulated.body.friction = 0.6;
-  // It slides round on the spot before it is sure to be stuck: the firmware, which knows no terrain,
-  // may take that for an encoder that counts short.
+  // It slides round on the spot before it is sure to be stuck: the firmware, which knows no
+  // terrain, may take that for an encoder that counts short.
   const auto stopped = testing::AnyOf("immobilised", "stalled_left", "stalled_right");
   const analysis::RunResult result = run_lockstep(settings);
   EXPECT_FALSE(result.completed);
