@@ -62,6 +62,7 @@ void BoardRig::step() {
                                 [&](const TimedByte& byte) { return byte.at_ns > until; });
   const std::vector<TimedByte> received(to_board_.begin(), due);
   to_board_.erase(to_board_.begin(), due);
+  for (const TimedByte& byte : received) on_byte(true, byte);
   hardware().advance(until, edges_, received);
   now_ns = until;
   collect();
@@ -80,6 +81,7 @@ void BoardRig::keep(std::vector<Message>& messages) {
 void BoardRig::collect() {
   for (const TimedByte& byte : hardware().take_sent()) {
     bytes.push_back(byte);
+    on_byte(false, byte);
     const wire::Received received = decoder_.push(byte.value);
     if (received == wire::Received::kNothing) continue;
     if (received != wire::Received::kFrame) {

@@ -25,6 +25,8 @@ class BoardRig {
   BoardRig& operator=(const BoardRig&) = delete;
   virtual ~BoardRig();
   virtual Board& hardware() = 0;
+  /// Each byte that the board sent or was sent.
+  virtual void on_byte(bool /*to_board*/, const TimedByte&) {}
 
   template <class Message>
   static std::vector<std::uint8_t> frame_of(const Message& message) {
