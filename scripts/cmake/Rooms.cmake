@@ -44,15 +44,18 @@ function(tp100_room name)
   endif()
 endfunction()
 
-# tp100_test(NAME SOURCES ... DEPENDS rooms... [LABELS ...] [LIBRARIES ...])
-# The label "threads" says that a test starts threads, or programs of ours that do. Under the thread
-# sanitizer only those are built and run: the others have nothing that it could find.
+# tp100_test(NAME SOURCES ... DEPENDS rooms... [LABELS ...] [LIBRARIES ...] [LONG <regex>]
+#            [ALL <regex>] [NIGHTLY <regex>])
+# Of the labels "realtime" says that a test waits more than it computes: many run at once, and nothing that computes beside
+# them; "threads" that it starts threads, or programs of ours that do: under the thread sanitizer only those are built
+# and run, the others have nothing that it could find. LONG, ALL and NIGHTLY match how names of tests (Suite.Name)
+# begin: LONG ones are started first, ALL and NIGHTLY ones are left to scripts/test --all and --nightly.
 function(tp100_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS;LABELS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "" "LONG;ALL;NIGHTLY" "SOURCES;DEPENDS;LABELS;LIBRARIES" ${ARGN})
   list(TRANSFORM TEST_DEPENDS PREPEND "tp100_")
   add_executable(${name} ${TEST_SOURCES})
-  target_link_libraries(${name} PRIVATE
-    tp100_options tp100_test_options ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE tp100_options tp100_test_options tp100_test_time
+    ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM tp100_test_headers)
   target_include_directories(${name} PRIVATE ${CMAKE_BINARY_DIR}/tests/paths)
   if(TP100_SANITIZE STREQUAL "thread" AND NOT "threads" IN_LIST TEST_LABELS)
@@ -65,10 +68,19 @@ function(tp100_test name)
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES
     TIMEOUT 300 ENVIRONMENT "XDG_STATE_HOME=${CMAKE_BINARY_DIR}/state")
   # Not among the properties above: discovery would keep the first of several labels only.
-  set(labels ${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake)
-  file(WRITE ${labels}
-    "foreach(test IN LISTS ${name}_TESTS)\n"
-    "  set_tests_properties(\"\${test}\" PROPERTIES LABELS \"${TEST_LABELS}\")\n"
-    "endforeach()\n")
-  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels})
+  set(properties ${CMAKE_CURRENT_BINARY_DIR}/${name}_properties.cmake)
+  set(text "foreach(test IN LISTS ${name}_TESTS)\n  set(labels \"${TEST_LABELS}\")\n")
+  foreach(level ALL NIGHTLY)
+    if(TEST_${level})
+      string(TOLOWER ${level} label)
+      string(APPEND text "  if(test MATCHES [[^[^.]+\\.(${TEST_${level}})]])\n    list(APPEND labels ${label})\n  endif()\n")
+    endif()
+  endforeach()
+  string(APPEND text "  set_tests_properties(\"\${test}\" PROPERTIES LABELS \"\${labels}\")\n")
+  if(TEST_LONG)
+    string(APPEND text "  if(test MATCHES [[^[^.]+\\.(${TEST_LONG})]])\n"
+      "    set_tests_properties(\"\${test}\" PROPERTIES COST 100)\n  endif()\n")
+  endif()
+  file(WRITE ${properties} "${text}endforeach()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${properties})
 endfunction()

@@ -1,0 +1,56 @@
+// Appends what a test took to the file that TP100_TEST_TIMES names, a line a test: name, wall and
+// processor seconds (with the programs that it started and waited for). scripts/tested.py finds
+// with it who is in the wrong group.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace tp100 {
+namespace {
+
+double seconds(const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); }
+
+double processor_s(int who) {
+  rusage usage{};
+  ::getrusage(who, &usage);
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+class TestTime : public testing::EmptyTestEventListener {
+  void OnTestProgramEnd(const testing::UnitTest& program) override {
+    const char* file = std::getenv("TP100_TEST_TIMES");
+    if (file == nullptr || program.test_to_run_count() != 1) return;
+    std::string name;
+    for (int i = 0; i < program.total_test_suite_count(); ++i) {
+      const testing::TestSuite& suite = *program.GetTestSuite(i);
+      for (int k = 0; k < suite.total_test_count(); ++k) {
+        const testing::TestInfo& test = *suite.GetTestInfo(k);
+        if (test.should_run()) name = std::string(suite.name()) + '.' + test.name();
+      }
+    }
+    char line[400];
+    const int size = std::snprintf(line, sizeof line, "%s\t%.3f\t%.3f\n", name.c_str(),
+                                   1e-3 * double(program.elapsed_time()),
+                                   processor_s(RUSAGE_SELF) + processor_s(RUSAGE_CHILDREN));
+    const int fd = ::open(file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
+    if (fd < 0) return;
+    // One write a line: tests of other processes append to the same file.
+    if (::write(fd, line, std::size_t(size)) != size) std::perror(file);
+    ::close(fd);
+  }
+};
+
+[[maybe_unused]] const bool kListens = [] {
+  testing::UnitTest::GetInstance()->listeners().Append(new TestTime);
+  return true;
+}();
+
+}  // namespace
+}  // namespace tp100
