@@ -16,13 +16,6 @@
 namespace tp100::sim {
 namespace {
 
-// Sanitized builds run the same code some ten times slower: fewer seeds there.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kSeeds = 1;
-#else
-constexpr std::uint64_t kSeeds = 10;
-#endif
-
 LockstepSettings settings(const std::string& course, const std::string& robot,
                           bridge::Steering steering) {
   Options options;
@@ -47,6 +40,7 @@ struct Case {
   const char* robot;
   double max_m;  ///< largest error of the fused pose, median over the seeds; 0: none
   double tracking_m;
+  std::uint64_t seeds;
 };
 
 class FusedCourses : public testing::TestWithParam<Case> {};
@@ -55,7 +49,7 @@ TEST_P(FusedCourses, FusedSteersAndKeepsItsLimits) {
   const Case& which = GetParam();
   LockstepSettings run = settings(which.course, which.robot, bridge::Steering::kFused);
   std::vector<double> max_m, rms_m, yaw_rad, tracking_m;
-  for (run.seed = 1; run.seed <= kSeeds; ++run.seed) {
+  for (run.seed = 1; run.seed <= which.seeds; ++run.seed) {
     const analysis::RunResult result = run_lockstep(run);
     EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
     const analysis::RunFigures figures = analysis::figures(result, run.course);
@@ -76,17 +70,23 @@ TEST_P(FusedCourses, FusedSteersAndKeepsItsLimits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Flat, FusedCourses,
-    testing::Values(Case{"1-straight", "end-loaded", 0.006, 0.008},
-                    Case{"1-curve", "end-loaded", 0.006, 0.008},
-                    Case{"1-sharp", "end-loaded", 0.010, 0.015}, Case{"2", "end-loaded", 0.0, 0.0},
-                    Case{"1-curve", "uniform", 0.006, 0.008}, Case{"2", "uniform", 0.0, 0.0}),
-    [](const testing::TestParamInfo<Case>& param) {
-      std::string name = std::string(param.param.course) + "_" + param.param.robot;
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
+std::vector<Case> cases(std::uint64_t seeds) {
+  return {{"1-straight", "end-loaded", 0.006, 0.008, seeds},
+          {"1-curve", "end-loaded", 0.006, 0.008, seeds},
+          {"1-sharp", "end-loaded", 0.010, 0.015, seeds},
+          {"2", "end-loaded", 0.0, 0.0, seeds},
+          {"1-curve", "uniform", 0.006, 0.008, seeds},
+          {"2", "uniform", 0.0, 0.0, seeds}};
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& param) {
+  std::string name = std::string(param.param.course) + "_" + param.param.robot;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Flat, FusedCourses, testing::ValuesIn(cases(3)), name_of);
+INSTANTIATE_TEST_SUITE_P(NightlyFlat, FusedCourses, testing::ValuesIn(cases(10)), name_of);
 
 TEST(CameraRun, ACameraChangesNothingOfARunThatOdometrySteers) {
   LockstepSettings run = settings("1-curve", "end-loaded", bridge::Steering::kOdometry);

@@ -16,14 +16,6 @@
 namespace tp100::sim {
 namespace {
 
-// Sanitized builds run the same code some ten times slower: fewer seeds there.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kSeeds = 1;
-#else
-constexpr std::uint64_t kSeeds = 10;
-#endif
-constexpr std::uint64_t kAvrSeeds = 5;
-
 LockstepSettings settings(const std::string& course, const std::string& robot,
                           const std::string& board = "native") {
   Options options;
@@ -42,6 +34,7 @@ struct Case {
   const char* course;
   const char* robot;
   double model_limit_m;  ///< median over the seeds of the largest position error; 0: none
+  std::uint64_t seeds = 1;
 };
 
 void PrintTo(const Case& which, std::ostream* out) {
@@ -53,9 +46,8 @@ class Courses : public testing::TestWithParam<Case> {};
 TEST_P(Courses, AreCompletedForEverySeedAndTheModelKeepsItsLimit) {
   const Case& which = GetParam();
   LockstepSettings run = settings(which.course, which.robot, which.board);
-  const std::uint64_t seeds = run.board == BoardKind::kAvr ? kAvrSeeds : kSeeds;
   std::vector<double> model_m;
-  for (run.seed = 1; run.seed <= seeds; ++run.seed) {
+  for (run.seed = 1; run.seed <= which.seeds; ++run.seed) {
     const analysis::RunResult result = run_lockstep(run);
     EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
     EXPECT_EQ(result.link.lost, 0u);
@@ -69,11 +61,14 @@ TEST_P(Courses, AreCompletedForEverySeedAndTheModelKeepsItsLimit) {
   }
 }
 
-std::vector<Case> cases(const char* board) {
-  return {{board, "1-straight", "end-loaded", 0.010}, {board, "1-curve", "end-loaded", 0.010},
-          {board, "1-sharp", "end-loaded", 0.030},    {board, "2", "end-loaded", 0.0},
-          {board, "1-straight", "uniform", 0.0},      {board, "1-curve", "uniform", 0.0},
-          {board, "1-sharp", "uniform", 0.0},         {board, "2", "uniform", 0.0}};
+std::vector<Case> cases(const char* board, std::uint64_t seeds) {
+  std::vector<Case> all = {
+      {board, "1-straight", "end-loaded", 0.010}, {board, "1-curve", "end-loaded", 0.010},
+      {board, "1-sharp", "end-loaded", 0.030},    {board, "2", "end-loaded", 0.0},
+      {board, "1-straight", "uniform", 0.0},      {board, "1-curve", "uniform", 0.0},
+      {board, "1-sharp", "uniform", 0.0},         {board, "2", "uniform", 0.0}};
+  for (Case& one : all) one.seeds = seeds;
+  return all;
 }
 
 std::string name_of(const testing::TestParamInfo<Case>& param) {
@@ -82,10 +77,12 @@ std::string name_of(const testing::TestParamInfo<Case>& param) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Native, Courses, testing::ValuesIn(cases("native")), name_of);
+INSTANTIATE_TEST_SUITE_P(Native, Courses, testing::ValuesIn(cases("native", 3)), name_of);
+INSTANTIATE_TEST_SUITE_P(NightlyNative, Courses, testing::ValuesIn(cases("native", 10)), name_of);
 // Only builds that make the image can fly it.
 #ifdef TP100_HAS_IMAGE
-INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr")), name_of);
+INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr", 1)), name_of);
+INSTANTIATE_TEST_SUITE_P(NightlyAvr, Courses, testing::ValuesIn(cases("avr", 5)), name_of);
 
 TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
   LockstepSettings run = settings("1-curve", "end-loaded", "avr");
