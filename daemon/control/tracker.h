@@ -52,8 +52,9 @@ class Tracker {
   }
   /// Back to the start of the path.
   void restart();
-  /// One step of `dt_s` with the steering pose and twist. The pose's yaw must be on the path's
-  /// branch. `disturbed`: someone pushes the robot, see Disturbance.
+  /// One step of `dt_s` with the steering pose and twist. Whole turns of the pose's yaw change
+  /// nothing, except that the desired yaw of a robot that stops is on the pose's branch.
+  /// `disturbed`: someone pushes the robot, see Disturbance.
   const Target& update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed = false);
 
   /// Duration of the path at the speeds that are meant, pivots included. [s]
