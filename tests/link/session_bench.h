@@ -18,7 +18,7 @@ class SessionBench {
     return settings;
   }
 
-  SessionBench() : session(settings()) {}
+  explicit SessionBench(const SessionSettings& with = settings()) : session(with) {}
 
   /// Runs `ms` milliseconds; the robot's bytes pass through `mangle` first.
   void run(int ms) {

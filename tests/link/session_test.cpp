@@ -341,6 +341,31 @@ TEST(Session, CountsAndTimesOfAnEarlierBootAreForgotten) {
   EXPECT_EQ(bench.session.counters().implausible, 0u);
 }
 
+// The next boot is as old as the last one was: nothing but the nonce tells its counts from a jump.
+TEST(Session, CountsOfANewBootAreNoJumpOfTheOldOne) {
+  SessionSettings settings = SessionBench::settings();
+  settings.parameters.max_track_mps = 0.1f;
+  settings.parameters.counts_per_metre = 11140.0f;
+  SessionBench bench(settings);
+  bench.robot.metres_per_s = 0.1;
+  bench.connect();
+  bench.run(10'000);
+  const Sample before = bench.samples.back();
+  EXPECT_GT(before.left_counts, 11'000);
+  bench.session.close(bench.now);
+  bench.robot.metres_per_s = 0.0;
+  bench.robot.reboot(bench.now);
+  bench.run(11'500);
+  bench.connect();
+  ASSERT_EQ(bench.session.state(), SessionState::kReady);
+  const Sample& after = bench.samples.back();
+  EXPECT_GT(after.device_us, before.device_us);
+  EXPECT_LT(after.device_us, before.device_us + 1'000'000);
+  EXPECT_EQ(after.left_counts, 0);
+  EXPECT_EQ(after.right_counts, 0);
+  EXPECT_EQ(bench.session.counters().implausible, 0u);
+}
+
 TEST(Session, CommandsGoOnWhereTheRobotIsInTheNextSession) {
   SessionBench bench;
   bench.commands = true;
