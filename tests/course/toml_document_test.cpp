@@ -36,14 +36,34 @@ TEST(TomlDocument, NamesTheNearestKeyForAnUnknownOne) {
 
 // As of a seed or a marker's id.
 TEST(TomlDocument, RefusesAnIntegerOutOfItsRange) {
-  const auto read = [](TomlTable& table) { table.integer("seed", 1, {0, 250}); };
-  EXPECT_THAT(told("seed = 0", read), IsEmpty());
-  EXPECT_THAT(told("seed = 250", read), IsEmpty());
-  for (const char* bad : {"-1", "251", "9223372036854775807", "-9223372036854775808"})
+  long long value = -1;
+  const auto read = [&](TomlTable& table) { value = table.integer("seed", 1, {0, 250}); };
+  for (const auto& [good, means] : {std::pair{"0", 0},
+                                    {"-0", 0},
+                                    {"+7", 7},
+                                    {"250", 250},
+                                    {"0xFA", 250},
+                                    {"0o372", 250},
+                                    {"0b1111_1010", 250}}) {
+    EXPECT_THAT(told("seed = " + std::string(good), read), IsEmpty());
+    EXPECT_EQ(value, means) << good;
+  }
+  for (const char* bad :
+       {"-1", "251", "0xFB", "0x7FFFFFFFFFFFFFFF", "9223372036854775807", "-9223372036854775808"})
     EXPECT_THAT(told("seed = " + std::string(bad), read),
-                testing::AllOf(StartsWith("f.toml:1:"), HasSubstr("seed"), HasSubstr("0 to 250")))
+                testing::AllOf(StartsWith("f.toml:1:8: 'seed' is "), HasSubstr("0 to 250")))
         << bad;
-  EXPECT_THAT(told("seed = 1.5", read), HasSubstr("an integer"));
+}
+
+TEST(TomlDocument, RefusesWhatIsNoIntegerOfSixtyFourBits) {
+  const auto read = [](TomlTable& table) { table.integer("seed", 1, {0, 250}); };
+  for (const char* bad : {"1.5", "1.0", "1e2", "1e300", "nan", "inf"})
+    EXPECT_THAT(told("seed = " + std::string(bad), read), HasSubstr("expected an integer")) << bad;
+  for (const char* bad : {"9223372036854775808", "-9223372036854775809", "0x8000000000000000",
+                          "0xFFFFFFFFFFFFFFFFFFFF", "0x", "1_", "007", "-0x1", "--1"})
+    EXPECT_THAT(told("seed = " + std::string(bad), read),
+                testing::AllOf(StartsWith("f.toml:1:"), HasSubstr("not TOML")))
+        << bad;
 }
 
 TEST(TomlDocument, ListsTheValidKeysIfNoneIsNear) {
