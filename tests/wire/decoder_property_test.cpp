@@ -239,6 +239,21 @@ TEST(Decoder, NamesTheCauseOfEveryLoss) {
             (std::map<Received, int>{{Received::kCrc, 1}}));
 }
 
+// One past the end is past the end: the byte that such a code takes is not of this frame.
+TEST(Decoder, ACodeMayPointToTheEndOfItsFrameAndNoFurther) {
+  for (std::size_t coded = 1; coded < kMaxFrame; ++coded) {
+    for (std::size_t code = 1; code <= 0xFF; ++code) {
+      Bytes stream{static_cast<std::uint8_t>(code)};
+      // The block that the code begins, and empty ones behind it.
+      while (stream.size() < coded) stream.push_back(stream.size() < code ? 0x11 : 0x01);
+      stream.push_back(kDelimiter);
+      const std::map<Received, int> losses = decode(stream).losses;
+      ASSERT_EQ(losses.size(), 1U) << coded << " " << code;
+      EXPECT_EQ(losses.begin()->first == Received::kCobs, code > coded) << coded << " " << code;
+    }
+  }
+}
+
 TEST(Decoder, SpareDelimitersAreNoLoss) { EXPECT_EQ(decode({0x00, 0x00, 0x00}).lost(), 0); }
 
 }  // namespace
