@@ -85,6 +85,21 @@ TEST(Ride, OverABlockItClimbsTipsAndComesDownAgain) {
   EXPECT_LT(way_m, 1.12);
 }
 
+TEST(Ride, ABlockIsASlopeOfThePitchUphillBeforeAndDownhillBehindIt) {
+  const World world(block_at_half_a_metre(), {});
+  Ride ride(world, {});
+  Pose pose{};
+  double steepest_up = 0.0, steepest_down = 0.0;
+  drive(ride, pose, 1.0, [&](const RideState& on) {
+    ASSERT_EQ(on.incline.slope_rad, -on.pitch_rad) << pose.x_m;
+    if (!on.climbing) return;
+    steepest_up = std::max(steepest_up, on.incline.slope_rad);
+    steepest_down = std::min(steepest_down, on.incline.slope_rad);
+  });
+  EXPECT_GT(steepest_up, 40 * kRadPerDeg);
+  EXPECT_LT(steepest_down, -15 * kRadPerDeg);
+}
+
 TEST(Ride, ARealBodyClimbsWhenItsNoseRisesNotWhereTheMapHasTheBlock) {
   const World world(block_at_half_a_metre(), {});
   Ride ride(world, {});
