@@ -1,0 +1,210 @@
+// Every Jacobian of the pose filter against central differences of what it is the Jacobian of.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/angle.h"
+#include "estimation/camera_update.h"
+#include "estimation/motion.h"
+
+namespace tp100::estimation {
+namespace {
+
+constexpr double kStep = 1e-4;
+constexpr double kFastest = 0.25;  // belt [m/s]
+
+model::TrackParameters tracks() {
+  model::TrackParameters tracks;
+  tracks.slip_left = 0.16;
+  tracks.slip_right = 0.12;
+  tracks.slip_angle_turning_rad = -0.05;
+  tracks.x_icr_m = 0.02;
+  tracks.x_icr_spin_shift_m = -0.03;
+  tracks.wheelbase_spin_m = 0.31;
+  tracks.turn_slip = 0.04;
+  return tracks;
+}
+
+class Jacobian : public testing::Test {
+ protected:
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+
+  StateVector state() {
+    StateVector mean;
+    mean << uniform(-2.0, 2.0), uniform(-2.0, 2.0), uniform(-20.0, 20.0), uniform(-0.1, 0.1),
+        uniform(0.0, 0.4), uniform(0.0, 0.4);
+    return mean;
+  }
+
+  /// An interval of one to eight samples: forward, backward, arcs, turns on the spot, at rest; on
+  /// the level, on a slope and while a body tips.
+  Motion motion(bool gyro) {
+    Motion motion;
+    motion.dt_s = 0.005 * static_cast<double>(1 + random_() % 8);
+    motion.belts = {uniform(-kFastest, kFastest), uniform(-kFastest, kFastest)};
+    if (random_() % 8 == 0) motion.belts = {};
+    motion.shape = model::turn_shape(motion.belts.left_mps, motion.belts.right_mps);
+    motion.gyro = gyro;
+    motion.gyro_z_radps = uniform(0.2, 1.5) * (random_() % 2 == 0 ? 1.0 : -1.0);
+    motion.ground.planar = random_() % 4 == 0 ? uniform(-2.0, 2.0) : uniform(0.85, 1.0);
+    motion.ground.hold_slip = random_() % 4 == 0;
+    motion.ground.slip = {uniform(0.05, 0.3), uniform(0.05, 0.3)};
+    return motion;
+  }
+
+  StateVector predicted(const StateVector& mean, const Motion& motion) const {
+    FilterState state{mean, StateMatrix::Zero()};
+    model_.predict(state, motion);
+    return state.mean;
+  }
+
+  std::mt19937 random_{3};
+  FilterParameters noise_{};
+  MotionModel model_{tracks(), noise_};
+};
+
+/// Column by column; `f` of a state.
+template <class F>
+auto differences(const F& f, const StateVector& at) {
+  using Value = decltype(f(at));
+  Eigen::Matrix<double, Value::RowsAtCompileTime, kStates> result;
+  for (Eigen::Index i = 0; i < kStates; ++i) {
+    StateVector more = at, less = at;
+    more[i] += kStep;
+    less[i] -= kStep;
+    result.col(i) = (f(more) - f(less)) / (2.0 * kStep);
+  }
+  return result;
+}
+
+/// What predict() does to covariances without its noise: (F p)(F p)^T tells F but for the sign of
+/// its columns, and for p of two columns that too.
+class Used {
+ public:
+  Used(const MotionModel& model, const StateVector& mean, const Motion& motion)
+      : model_(model), mean_(mean), motion_(motion), noise_(covariance(StateMatrix::Zero())) {}
+
+  StateMatrix outer(const StateVector& p) const { return covariance(p * p.transpose()) - noise_; }
+
+ private:
+  StateMatrix covariance(const StateMatrix& before) const {
+    FilterState state{mean_, before};
+    model_.predict(state, motion_);
+    return state.covariance;
+  }
+
+  const MotionModel& model_;
+  StateVector mean_;
+  Motion motion_;
+  StateMatrix noise_;
+};
+
+TEST_F(Jacobian, OfThePredictionIsThatOfTheExactArc) {
+  for (const bool gyro : {true, false}) {
+    for (int round = 0; round < 2000; ++round) {
+      const StateVector mean = state();
+      const Motion motion = this->motion(gyro);
+      // At the yaw rate at which the slip angle changes there is no Jacobian.
+      if (std::abs(std::abs(model_.twist(mean, motion).yaw_rate_radps) - 0.05) < 0.02) continue;
+      const StateMatrix f =
+          differences([&](const StateVector& at) { return predicted(at, motion); }, mean);
+      const Used used(model_, mean, motion);
+      // What is left out is how the chord is shorter than the arc: by a share of turn^2 / 24.
+      const Twist twist = model_.twist(mean, motion);
+      const double turn = std::abs(twist.yaw_rate_radps) * motion.dt_s;
+      const double stretch = std::max(1.0, std::abs(motion.ground.planar));
+      const double way = std::hypot(twist.vx_mps * stretch, twist.vy_mps) * motion.dt_s;
+      const double tolerance =
+          1e-9 + motion.dt_s * (turn * way / 10.0 + turn * turn / 20.0 * kFastest * stretch);
+      for (Eigen::Index i = 0; i < kStates; ++i) {
+        for (Eigen::Index k = 0; k < kStates; ++k) {
+          const StateVector p = StateVector::Unit(i) + (i == k ? 0.0 : 1.0) * StateVector::Unit(k);
+          const StateVector moved = f * p;
+          const StateMatrix error = used.outer(p) - moved * moved.transpose();
+          ASSERT_LT(error.cwiseAbs().maxCoeff(), tolerance * (1.0 + moved.cwiseAbs().maxCoeff()))
+              << "states " << i << " " << k << ", round " << round << ", gyro " << gyro << "\n"
+              << error;
+        }
+      }
+    }
+  }
+}
+
+/// What a measurement of variance `r` along `h` leaves of `p`.
+template <int kRows>
+StateMatrix left_of(const StateMatrix& p, const Eigen::Matrix<double, kRows, kStates>& h,
+                    const Eigen::Matrix<double, kRows, kRows>& r) {
+  return p - p * h.transpose() * (h * p * h.transpose() + r).inverse() * h * p;
+}
+
+TEST_F(Jacobian, OfTheResidualIsThatOfTheBeltsYawRateAndTheBias) {
+  for (int round = 0; round < 2000; ++round) {
+    FilterState state{this->state(), StateMatrix::Zero()};
+    Motion motion = this->motion(true);
+    motion.ground.hold_slip = false;
+    motion.has_residual = true;
+    motion.residual.belts = motion.belts;
+    const auto expected = [&](const StateVector& mean) {
+      Motion by_belts = motion;
+      by_belts.gyro = false;
+      return Eigen::Matrix<double, 1, 1>(model_.twist(mean, by_belts).yaw_rate_radps + mean[kBias]);
+    };
+    // As it should be: nothing is gated.
+    motion.residual.gyro_z_radps = expected(state.mean)[0];
+    const auto h = differences(expected, state.mean);
+    const double rate = std::abs(motion.residual.gyro_z_radps - state.mean[kBias]);
+    const Eigen::Matrix<double, 1, 1> r(
+        std::pow(noise_.residual_sd_radps + noise_.residual_share * rate, 2));
+    const StateMatrix root = StateMatrix::Random() * 0.05;
+    state.covariance = root * root.transpose();
+    const StateMatrix right = left_of<1>(state.covariance, h, r);
+    const StateVector before = state.mean;
+    model_.measure(state, motion);
+    ASSERT_LT((state.covariance - right).cwiseAbs().maxCoeff(), 1e-9) << round;
+    ASSERT_LT((state.mean - before).cwiseAbs().maxCoeff(), 1e-9) << round;
+  }
+}
+
+TEST_F(Jacobian, OfTheRobotAtRestIsTheBiasAlone) {
+  FilterState state{this->state(), StateMatrix::Zero()};
+  Motion motion;
+  motion.rest_radps = state.mean[kBias];
+  motion.rest_sd_radps = 0.01;
+  const StateMatrix root = StateMatrix::Random() * 0.05;
+  state.covariance = root * root.transpose();
+  Eigen::Matrix<double, 1, kStates> h = Eigen::Matrix<double, 1, kStates>::Zero();
+  h[kBias] = 1.0;
+  const StateMatrix right = left_of<1>(state.covariance, h, Eigen::Matrix<double, 1, 1>(1e-4));
+  model_.measure(state, motion);
+  EXPECT_LT((state.covariance - right).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+// The update takes the identity for the camera's. On a slope the far end of the marker is nearer
+// to the lens: its direction then depends on the place, most at the arena's edge.
+TEST_F(Jacobian, OfTheCameraIsTheIdentityOnTheLevelAndNearItOnASlope) {
+  const CameraParameters camera{};
+  Eigen::Matrix<double, 3, kStates> identity = Eigen::Matrix<double, 3, kStates>::Zero();
+  identity.leftCols<3>().setIdentity();
+  for (int round = 0; round < 2000; ++round) {
+    StateVector mean = state();
+    mean.head<2>() << uniform(-0.95, 0.95), uniform(-0.5, 0.5);
+    Ground ground;
+    const auto seen = [&](const StateVector& at) {
+      return expected_marker(at.head<3>(), ground, camera, {});
+    };
+    const auto level = differences(seen, mean);
+    EXPECT_LT((level - identity).cwiseAbs().maxCoeff(), 1e-8);
+    ground.pitch_rad = uniform(-28.0, 28.0) * kRadPerDeg;
+    ground.z_m = uniform(0.0, 0.08);
+    const Eigen::Matrix<double, 3, kStates> off = differences(seen, mean) - identity;
+    EXPECT_LT(off.topRows<2>().cwiseAbs().maxCoeff(), 0.08) << round;
+    EXPECT_LT(off.row(2).cwiseAbs().maxCoeff(), 0.30) << round;
+  }
+}
+
+}  // namespace
+}  // namespace tp100::estimation
