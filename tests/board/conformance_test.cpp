@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -394,6 +396,50 @@ TEST_P(Conformance, EdgesThatWereMissedAreCountedInTheClockAnswer) {
     rig().run(5);
   }
   EXPECT_EQ(missed() - before, 2);
+}
+
+/// A byte that says nothing, and the time that it takes.
+constexpr std::int64_t kSpareNs = 20'000;
+
+// The expiry is a time of the board's clock, so that it does not matter when the board comes to
+// read the command.
+TEST_P(Conformance, AnExpiredCommandSwitchesOffInTheTickBeforeItsExpiry) {
+  be_ready();
+  // Virtual time at which the board's clock was 0, earlier by the least delay of its answers.
+  std::int64_t zero_ns = INT64_MIN;
+  for (std::size_t spare = 0; spare < 40; ++spare) {
+    rig().sync_replies.clear();
+    rig().send_bytes(std::vector<std::uint8_t>(spare, wire::kDelimiter));
+    const std::vector<std::uint8_t> request = BoardRig::frame_of(wire::SyncRequest{9});
+    const std::int64_t arrival_ns =
+        rig().now_ns + static_cast<std::int64_t>(spare + request.size()) * kSpareNs;
+    rig().send_bytes(request);
+    rig().run(7);
+    ASSERT_EQ(rig().sync_replies.size(), 1U);
+    zero_ns =
+        std::max(zero_ns, arrival_ns - std::int64_t{rig().sync_replies[0].received_us} * 1000);
+  }
+  for (std::uint32_t phase_us = 0; phase_us < 1000; phase_us += 90) {
+    rig().speed_mps = 0.0f;
+    rig().drive();
+    ASSERT_TRUE(rig().moves());
+    rig().streams = false;
+    wire::Command last = rig().command();
+    last.expiry_us = rig().device_us() + 195'000 + phase_us;
+    rig().send(last);
+    const std::int64_t expiry_ns = zero_ns + std::int64_t{last.expiry_us} * 1000;
+    while (rig().now_ns < expiry_ns - 2 * BoardRig::kStepNs) rig().run(1);
+    // The tracks' edges are not watched for so short a time.
+    while (rig().moves() && rig().now_ns < expiry_ns + 5 * BoardRig::kStepNs) {
+      rig().now_ns += 10'000;
+      rig().hardware().advance(rig().now_ns, {}, {});
+    }
+    const double left_us = static_cast<double>(expiry_ns - rig().now_ns) / 1000.0;
+    EXPECT_GE(left_us, 0.0) << phase_us;
+    EXPECT_LE(left_us, 1000.0) << phase_us;
+    rig().run(10);
+    EXPECT_EQ(rig().last().faults, wire::fault_bit(Fault::command_timeout));
+  }
 }
 
 std::string name_of(const ::testing::TestParamInfo<const char*>& test) { return test.param; }

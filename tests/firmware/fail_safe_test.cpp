@@ -349,5 +349,30 @@ TEST(FailSafeAlone, DrivesOnlyWhileEnabledAndIsEnabledOnlyWithAFreshCommand) {
   EXPECT_TRUE(fail_safe.enable());
 }
 
+// Ticks come each millisecond, a command at any time between two: the motors go off at the last
+// tick at which the command still has some life, and it never has any left that is worth a tick.
+TEST(FailSafeAlone, TheLastTickOfACommandsLifeSwitchesOff) {
+  for (const std::uint32_t life_us : {200'000U, 199'999U, 123'456U, 50'000U, 5'001U}) {
+    for (std::uint32_t phase_us = 0; phase_us < 1000; ++phase_us) {
+      ScriptedHal hal;
+      hal.now_us = 0U - 100'000U;  // the clock wraps on the way
+      FailSafe fail_safe(hal);
+      fail_safe.watch(hal.now_us);
+      const std::uint32_t fresh_us = hal.now_us + phase_us;
+      fail_safe.fresh(fresh_us, life_us);
+      ASSERT_TRUE(fail_safe.enable());
+      fail_safe.drive(300, 300);
+      while (hal.duties != ScriptedHal::Duties{} && hal.now_us - fresh_us + 1000 < 300'000U) {
+        hal.now_us += 1000;
+        fail_safe.beat();
+        fail_safe.tick();
+      }
+      const std::uint32_t age_us = hal.now_us - fresh_us;
+      ASSERT_LT(age_us, life_us) << "a tick too late at " << phase_us;
+      ASSERT_GE(age_us + 1000, life_us) << "a tick too early at " << phase_us;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tp100::firmware
