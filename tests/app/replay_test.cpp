@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "../support/temporary_folder.h"
@@ -68,6 +69,23 @@ Expected paper(double left, double right, double t_s) {
           vx,
           vy,
           rate};
+}
+
+TEST(Replay, EveryColumnHoldsWhatItsNameSays) {
+  const Pose pose{.x_m = 1, .y_m = 2, .z_m = 3, .roll_rad = 4, .pitch_rad = 5, .yaw_rad = 6};
+  const Twist twist{.vx_mps = 7, .vy_mps = 8, .yaw_rate_radps = 9};
+  const std::map<std::string_view, double> columns = {{"t_s", 0.5},        {"x_m", 1.0},
+                                                      {"y_m", 2.0},        {"z_m", 3.0},
+                                                      {"roll_rad", 4.0},   {"pitch_rad", 5.0},
+                                                      {"yaw_rad", 6.0},    {"vx_mps", 7.0},
+                                                      {"vy_mps", 8.0},     {"yaw_rate_radps", 9.0},
+                                                      {"slip_left", 10.0}, {"slip_right", 11.0}};
+  std::vector<std::string_view> names = {"t_s"};
+  for (const auto& [name, value] : columns)
+    if (name != "t_s") names.push_back(name);
+  const analysis::CsvTable table = analysis::parse_csv(
+      kReplayHeader + replay_row(0.5, pose, twist, {10, 11}), "out.csv", {names, {}});
+  for (const auto& [name, value] : columns) EXPECT_EQ(table[name][0], value) << name;
 }
 
 TEST(Replay, TimesMayBeUnixTime) {

@@ -1,0 +1,145 @@
+#include "app/export.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "../publish/random_record.h"
+#include "analysis/csv_reader.h"
+#include "analysis/recording.h"
+#include "recorded_run.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::app {
+namespace {
+
+using analysis::CsvTable;
+using analysis::parse_csv;
+
+/// A recording in which every value that is exported is another one.
+class Export : public testing::Test {
+ protected:
+  Export() {
+    record_run(folder_.file("run.mcap"), [this](StepRecord& record) {
+      publish::RandomFiller fill(record.step + 1);
+      Snapshot& s = record.snapshot;
+      for (Pose* pose : {&s.model, &s.odometry, &s.fused.pose}) fill("", *pose);
+      for (double* value :
+           {&s.left_mps, &s.right_mps, &s.slip_left, &s.slip_right, &s.cross_track_m,
+            &s.heading_error_rad, &s.progress_m, &s.command.desired_yaw_rad, &s.command.speed_mps})
+        fill("", *value);
+      for (std::size_t i = 0; i < record.sample_count; ++i) {
+        Sample& sample = record.samples[i];
+        fill("", sample.gyro_radps);
+        sample.left_counts = static_cast<std::int64_t>(3 * record.step);
+        sample.right_counts = -static_cast<std::int64_t>(5 * record.step);
+        samples_.push_back(sample);
+      }
+      if (record.sample_count > 0) snapshots_.push_back(s);
+      return true;
+    });
+    const std::string out = folder_.path().string();
+    EXPECT_EQ(run_export({.runs = {folder_.file("run.mcap")}, .out = out}), 0);
+    start_ns_ = analysis::Recording(folder_.file("run.mcap")).start_ns();
+  }
+
+  std::string text(const char* name) const { return test::read_bytes(folder_.file(name)); }
+  /// The step that a row with this time is of.
+  const Snapshot& at(double t_s) const {
+    for (const Snapshot& snapshot : snapshots_)
+      if (std::abs(to_s(snapshot.sample.measured_ns - start_ns_) - t_s) < 1e-6) return snapshot;
+    throw std::runtime_error("no step of that time");
+  }
+
+  test::TemporaryFolder folder_;
+  std::vector<Snapshot> snapshots_;  // of the steps that got a sample
+  std::vector<Sample> samples_;
+  HostNs start_ns_ = 0;
+};
+
+using Value = std::function<double(const Snapshot&)>;
+
+std::map<std::string, Value> columns_of_poses() {
+  std::map<std::string, Value> columns;
+  const std::map<std::string, std::function<Pose(const Snapshot&)>> poses = {
+      {"model", [](const Snapshot& s) { return s.model; }},
+      {"odometry", [](const Snapshot& s) { return s.odometry; }},
+      {"fused", [](const Snapshot& s) { return s.fused.pose; }}};
+  const std::map<std::string, double Pose::*> values = {{"x_m", &Pose::x_m},
+                                                        {"y_m", &Pose::y_m},
+                                                        {"z_m", &Pose::z_m},
+                                                        {"roll_rad", &Pose::roll_rad},
+                                                        {"pitch_rad", &Pose::pitch_rad},
+                                                        {"yaw_rad", &Pose::yaw_rad}};
+  for (const auto& [name, pose] : poses)
+    for (const auto& [key, value] : values)
+      columns[name + "_" + key] = [pose, value](const Snapshot& s) { return pose(s).*value; };
+  columns["left_mps"] = [](const Snapshot& s) { return s.left_mps; };
+  columns["right_mps"] = [](const Snapshot& s) { return s.right_mps; };
+  columns["slip_left"] = [](const Snapshot& s) { return s.slip_left; };
+  columns["slip_right"] = [](const Snapshot& s) { return s.slip_right; };
+  columns["cross_track_m"] = [](const Snapshot& s) { return s.cross_track_m; };
+  columns["heading_error_rad"] = [](const Snapshot& s) { return s.heading_error_rad; };
+  columns["progress_m"] = [](const Snapshot& s) { return s.progress_m; };
+  columns["desired_yaw_rad"] = [](const Snapshot& s) { return s.command.desired_yaw_rad; };
+  columns["speed_mps"] = [](const Snapshot& s) { return s.command.speed_mps; };
+  return columns;
+}
+
+TEST_F(Export, EveryColumnOfPosesHoldsWhatItsNameSays) {
+  const std::map<std::string, Value> columns = columns_of_poses();
+  const std::string csv = text("poses.csv");
+  std::vector<std::string_view> names = {"t_s"};
+  for (const auto& [name, value] : columns) names.push_back(name);
+  const std::string header = csv.substr(0, csv.find('\n'));
+  EXPECT_EQ(static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1,
+            names.size());
+  const CsvTable table = parse_csv(csv, "poses.csv", {names, {}});
+  ASSERT_GT(table.rows(), 50u);
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    for (const auto& [name, value] : columns)
+      ASSERT_EQ(table[name][i], value(at(table["t_s"][i]))) << name << " in row " << i;
+}
+
+TEST_F(Export, EveryColumnOfSamplesHoldsWhatItsNameSays) {
+  const CsvTable table = parse_csv(text("samples.csv"), "samples.csv",
+                                   {{"t_s", "left_count", "right_count", "gyro_z_radps"}, {}});
+  ASSERT_EQ(table.rows(), samples_.size());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    ASSERT_NEAR(table["t_s"][i], static_cast<double>(samples_[i].device_us) * 1e-6, 1e-9);
+    ASSERT_EQ(table["left_count"][i], static_cast<double>(samples_[i].left_counts));
+    ASSERT_EQ(table["right_count"][i], static_cast<double>(samples_[i].right_counts));
+    ASSERT_EQ(table["gyro_z_radps"][i], samples_[i].gyro_radps[2]);
+  }
+}
+
+// `time x y z qx qy qz qw`.
+TEST_F(Export, EveryTrajectoryHoldsThePoseOfItsName) {
+  const std::map<std::string, std::function<Pose(const Snapshot&)>> files = {
+      {"model.tum", [](const Snapshot& s) { return s.model; }},
+      {"odometry.tum", [](const Snapshot& s) { return s.odometry; }},
+      {"fused.tum", [](const Snapshot& s) { return s.fused.pose; }}};
+  for (const auto& [name, pose_of] : files) {
+    std::istringstream lines(text(name.c_str()));
+    double t_s, x, y, z, qx, qy, qz, qw;
+    int count = 0;
+    for (; lines >> t_s >> x >> y >> z >> qx >> qy >> qz >> qw; ++count) {
+      const Pose pose = pose_of(at(t_s));
+      ASSERT_NEAR(x, pose.x_m, 1e-6) << name;
+      ASSERT_NEAR(y, pose.y_m, 1e-6) << name;
+      ASSERT_NEAR(z, pose.z_m, 1e-6) << name;
+      ASSERT_NEAR(std::atan2(2 * (qw * qx + qy * qz), 1 - 2 * (qx * qx + qy * qy)), pose.roll_rad,
+                  1e-5);
+      ASSERT_NEAR(std::asin(2 * (qw * qy - qz * qx)), pose.pitch_rad, 1e-5);
+      ASSERT_NEAR(std::atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz)), pose.yaw_rad,
+                  1e-5);
+    }
+    EXPECT_GT(count, 50) << name;
+  }
+}
+
+}  // namespace
+}  // namespace tp100::app
