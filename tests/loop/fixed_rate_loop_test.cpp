@@ -153,18 +153,37 @@ TEST(FixedRateLoop, GivesALostPortBackAndTakesTheNext) {
   }
 }
 
-TEST(FixedRateLoop, DropsOutputThatNobodyTakes) {
+TEST(FixedRateLoop, DropsOutputThatNobodyTakesAndGoesOnOnceItIsTaken) {
   Echo echo;
   SocketPair sockets;
   // Fill the socket, so that a write of ours finds no room.
   char block[4096] = {};
-  while (::write(sockets.ends[0], block, sizeof block) > 0) {
-  }
+  std::size_t filled = 0;
+  for (ssize_t n = 0; (n = ::write(sockets.ends[0], block, sizeof block)) > 0;)
+    filled += static_cast<std::size_t>(n);
   FixedRateLoop loop(settings(), echo);
   loop.start();
   ASSERT_TRUE(loop.offer({sockets.ends[0], 1}));
   ASSERT_EQ(::write(sockets.ends[1], "x", 1), 1);
-  EXPECT_TRUE(eventually([&] { return echo.drops > 0; }));
+  ASSERT_TRUE(eventually([&] { return echo.drops > 0; }));
+  const std::uint64_t steps = echo.steps;
+  EXPECT_TRUE(eventually([&] { return echo.steps > steps + 10; })) << "it waits for nobody";
+  EXPECT_EQ(echo.drops, 1) << "what is dropped is gone";
+  std::string taken;
+  const auto take = [&] {
+    const ssize_t n = ::read(sockets.ends[1], block, sizeof block);
+    if (n > 0) taken.append(block, static_cast<std::size_t>(n));
+    return n > 0;
+  };
+  while (take()) {
+  }
+  EXPECT_EQ(taken, std::string(filled, '\0'));
+  taken.clear();
+  ASSERT_EQ(::write(sockets.ends[1], "y", 1), 1);
+  EXPECT_TRUE(eventually(take));
+  EXPECT_EQ(taken, "y");
+  LostPort lost;
+  EXPECT_FALSE(loop.take_lost(lost));
 }
 
 TEST(FixedRateLoop, WindsUpAndThenEnds) {
