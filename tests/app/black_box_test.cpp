@@ -200,16 +200,27 @@ TEST_F(BlackBoxTest, ADiskThatStandsStillHoldsUpNobody) {
 
 TEST_F(BlackBoxTest, AReportIsMadeOfIt) {
   drive(1.0);
+  box().hear(publish::Channel::kEvent, 900'000'000, R"({"level":"warn","text":"a knock"})");
   drive(2.0, fault_bit(Fault::link_lost));
   finish();
   ASSERT_THAT(written(), SizeIs(1));
+  const std::size_t steps = contents(written()[0]).steps.size();
   ReportOptions options;
   options.runs = {written()[0]};
   options.out = folder_.file("report");
   testing::internal::CaptureStdout();
-  EXPECT_NO_THROW(run_report(options));
-  testing::internal::GetCapturedStdout();
-  EXPECT_TRUE(fs::exists(folder_.file("report/report.html")));
+  EXPECT_EQ(run_report(options), 0);
+  const std::string told = testing::internal::GetCapturedStdout();
+  EXPECT_THAT(told, HasSubstr(folder_.file("report/report.html")));
+  const std::string page = test::read_bytes(folder_.file("report/report.html"));
+  EXPECT_THAT(page, HasSubstr("1-curve, end-loaded, flat"));
+  EXPECT_THAT(page, HasSubstr("black-box-link_lost"));
+  EXPECT_THAT(page, HasSubstr(std::to_string(steps) + ", 0 missing"));
+  EXPECT_THAT(page, HasSubstr("a knock"));
+  EXPECT_THAT(page, HasSubstr("</html>"));
+  const std::string metrics = test::read_bytes(folder_.file("report/metrics.json"));
+  EXPECT_THAT(metrics, HasSubstr("\"steps\": " + std::to_string(steps)));
+  EXPECT_THAT(metrics, HasSubstr("\"rate_hz\": 200.0"));
 }
 
 TEST(BlackBoxDirectory, IsWhatWasSetElseWhereRecordingsAreElseTheUsers) {
