@@ -528,13 +528,14 @@ TEST_F(Run, SurvivesManyUnpluggings) {
 class Unplugging : public Run {
  protected:
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  // What a sanitizer sets aside is no growth of ours.
   static constexpr int kCycles = 15;
-  static constexpr long kGrowthKib = 1'000'000;
+  // What a sanitizer sets aside hides our growth.
+  static constexpr bool kWeighed = false;
 #else
   static constexpr int kCycles = 50;
-  static constexpr long kGrowthKib = 4096;
+  static constexpr bool kWeighed = true;
 #endif
+  static constexpr long kGrowthKib = 4096;
   static constexpr int kSettled = 10;
   static constexpr double kMaxMps2 = 0.15, kMaxRadps = 1.5;
 
@@ -628,7 +629,9 @@ TEST_F(Unplugging, AgainAndAgainLeavesNothingBehindAndMovesNothingUnasked) {
   EXPECT_THAT(stats(), HasSubstr("\"reconnects\": " + std::to_string(kCycles)));
   EXPECT_LE(after.descriptors, settled.descriptors);
   EXPECT_LE(after.threads, settled.threads);
-  EXPECT_LE(after.resident_kib - settled.resident_kib, kGrowthKib);
+  if (kWeighed) {
+    EXPECT_LE(after.resident_kib - settled.resident_kib, kGrowthKib);
+  }
   RecordProperty("grown_kib", static_cast<int>(after.resident_kib - settled.resident_kib));
 }
 
