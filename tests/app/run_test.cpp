@@ -109,6 +109,13 @@ class Run : public ::testing::Test {
     EXPECT_TRUE(happened) << "did not happen";
     return happened;
   }
+  /// Until the robot has got so many more commands, in which what must not happen could.
+  void commanded_again(std::size_t more) {
+    const std::size_t before =
+        robot_->with([](const ScriptedRobot& robot) { return robot.heard.commands.size(); });
+    eventually(
+        [&](const ScriptedRobot& robot) { return robot.heard.commands.size() >= before + more; });
+  }
   /// How many recordings there are; each repeats its run bit for bit.
   int replayed_recordings() const {
     int replayed = 0;
@@ -201,7 +208,7 @@ TEST_F(Run, AWrongVersionIsRefusedWithBothVersions) {
 TEST_F(Run, WaitsForAPortThatComesLater) {
   options_.wait = true;
   EXPECT_EQ(run([&] {
-              std::this_thread::sleep_for(200ms);
+              says_of_itself("\"closed\"");
               robot_->plug_in();
               eventually(commanded);
             }),
@@ -298,11 +305,10 @@ TEST_F(Run, ReconnectsByItselfAndStaysDisarmed) {
   EXPECT_EQ(run([&] {
               eventually(driven);
               robot_->unplug();
-              std::this_thread::sleep_for(100ms);
+              says_of_itself("\"closed\"");
               robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
               robot_->plug_in();
-              eventually(commanded);
-              std::this_thread::sleep_for(800ms);
+              commanded_again(160);
             }),
             1);
   EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
@@ -318,7 +324,7 @@ TEST_F(Run, ARobotThatFallsSilentIsALostLinkAndIsWaitedFor) {
       run([&] {
         eventually(driven);
         robot_->with([](ScriptedRobot& robot) { robot.samples = robot.answers_sync = false; });
-        std::this_thread::sleep_for(1500ms);
+        says_of_itself("\"silences\": 1");
         robot_->with([](ScriptedRobot& robot) {
           robot.samples = robot.answers_sync = true;
           robot.heard = {};
@@ -439,7 +445,7 @@ TEST_F(Run, AStartThatCannotBeginIsRefusedAndNotKept) {
               says_of_itself("\"run\": \"idle\"");
               // And put down.
               robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.0; });
-              std::this_thread::sleep_for(2s);
+              commanded_again(400);
             }),
             1);
   EXPECT_THAT(log_, HasSubstr("start refused: the gyro is not still"));
@@ -615,17 +621,18 @@ TEST_F(Unplugging, AgainAndAgainLeavesNothingBehindAndMovesNothingUnasked) {
   robot_->plug_in();
   test::Weight settled, after;
   // Ended by a signal in its last drive (1) or once that was lost (0), but in order.
-  EXPECT_GE(run([&] {
-              if (!eventually(driven)) return;
-              publish::WebClient viewer(page());
-              robot_->unplug();
-              for (int i = 1; i <= kCycles && !HasFatalFailure(); ++i) {
-                cycle(i, viewer);
-                if (i == kSettled) settled = test::weigh("self");
-              }
-              after = weigh_at_most(settled);
-            }),
-            0);
+  EXPECT_THAT(run([&] {
+                if (!eventually(driven)) return;
+                publish::WebClient viewer(page());
+                robot_->unplug();
+                for (int i = 1; i <= kCycles && !HasFatalFailure(); ++i) {
+                  cycle(i, viewer);
+                  if (i == kSettled) settled = test::weigh("self");
+                }
+                after = weigh_at_most(settled);
+              }),
+              ::testing::AnyOf(0, 1))
+      << message_;
   EXPECT_THAT(stats(), HasSubstr("\"reconnects\": " + std::to_string(kCycles)));
   EXPECT_LE(after.descriptors, settled.descriptors);
   EXPECT_LE(after.threads, settled.threads);
@@ -650,7 +657,7 @@ TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
               stopped = viewer.read_until("\"acknowledged\"");
               viewer.subscribe(publish::Channel::kState);
               viewer.read_until("\"can\":{\"start\":true");
-              std::this_thread::sleep_for(200ms);
+              commanded_again(40);
               // A stream of commands never arms again; only a start does.
               EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) {
                 return !robot.heard.stops.empty() && robot.heard.arms.empty();
@@ -698,22 +705,23 @@ TEST_F(Run, WhoStaysRecordsRunByRun) {
   options_.stay = true;
   options_.record = folder_.file("runs");
   robot_->plug_in();
-  EXPECT_GE(run([&] {
-              eventually(driven);
-              publish::WebClient viewer(page());
-              says_of_itself("\"active\": true");
-              viewer.call(3);
-              says_of_itself("\"active\": false");
-              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
-              EXPECT_TRUE(soon([&] {
-                viewer.call(1);
-                std::this_thread::sleep_for(100ms);
-                viewer.drain();
-                return robot_->with(driven);
-              }));
-              says_of_itself("\"active\": true");
-            }),
-            0);
+  EXPECT_THAT(run([&] {
+                eventually(driven);
+                publish::WebClient viewer(page());
+                says_of_itself("\"active\": true");
+                viewer.call(3);
+                says_of_itself("\"active\": false");
+                robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+                EXPECT_TRUE(soon([&] {
+                  viewer.call(1);
+                  std::this_thread::sleep_for(100ms);
+                  viewer.drain();
+                  return robot_->with(driven);
+                }));
+                says_of_itself("\"active\": true");
+              }),
+              ::testing::AnyOf(0, 1))
+      << message_;
   EXPECT_EQ(replayed_recordings(), 2);
 }
 
@@ -750,30 +758,31 @@ TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
   const test::NotifySocket manager(name);
   ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
   ::setenv("WATCHDOG_USEC", "2000000", 1);
-  EXPECT_GE(run([&] {
-              publish::WebClient viewer(page());
-              drives_and_records(viewer);
-              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
-              ASSERT_TRUE(disk_.freeze());
-              viewer.call(5);
-              viewer.call(3);
-              eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
-              manager.heard();
-              EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
-              // The same during another run, whose recording waits for the disk as well.
-              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
-              drives(viewer);
-              viewer.call(3);
-              eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
-              manager.heard();
-              EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
-              viewer.drain();
-              for (const std::string& message : viewer.take())
-                EXPECT_THAT(message, Not(HasSubstr("\"bytes\"")));
-              ASSERT_TRUE(disk_.thaw());
-              EXPECT_THAT(viewer.read_until("\"bytes\""), HasSubstr("-1-straight"));
-            }),
-            0);
+  EXPECT_THAT(run([&] {
+                publish::WebClient viewer(page());
+                drives_and_records(viewer);
+                robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+                ASSERT_TRUE(disk_.freeze());
+                viewer.call(5);
+                viewer.call(3);
+                eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
+                manager.heard();
+                EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
+                // The same during another run, whose recording waits for the disk as well.
+                robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+                drives(viewer);
+                viewer.call(3);
+                eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
+                manager.heard();
+                EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
+                viewer.drain();
+                for (const std::string& message : viewer.take())
+                  EXPECT_THAT(message, Not(HasSubstr("\"bytes\"")));
+                ASSERT_TRUE(disk_.thaw());
+                EXPECT_THAT(viewer.read_until("\"bytes\""), HasSubstr("-1-straight"));
+              }),
+              ::testing::AnyOf(0, 1))
+      << message_;
   ::unsetenv("NOTIFY_SOCKET");
   ::unsetenv("WATCHDOG_USEC");
   EXPECT_GE(replayed_recordings(), 2);

@@ -56,8 +56,8 @@ class Starts : public ::testing::Test {
  protected:
   // Of one path; the whole number is reached by --gtest_repeat.
   static constexpr int kRepetitions = 10;
-  // After it a start that was taken would have armed the robot.
-  static constexpr auto kLong = 250ms;
+  // After so many a start that was taken would have armed the robot.
+  static constexpr std::size_t kManyCommands = 50;
 
   Starts() {
     robot_ = std::make_unique<PtyRobot>(folder_.path() / "robot");
@@ -111,6 +111,14 @@ class Starts : public ::testing::Test {
   }
   std::size_t stops() {
     return robot_->with([](ScriptedRobot& robot) { return robot.heard.stops.size(); });
+  }
+  /// Until the robot has got so many more commands. They come all the time, armed or not.
+  bool after_commands(std::size_t more = kManyCommands) {
+    const auto got = [this] {
+      return robot_->with([](ScriptedRobot& robot) { return robot.heard.commands.size(); });
+    };
+    const std::size_t until = got() + more;
+    return soon([&] { return got() >= until; });
   }
   bool ready() {
     return soon([this] {
@@ -173,7 +181,7 @@ TEST_F(Starts, ASecondEnterStartsNothing) {
       keyboard_.enter();
       std::this_thread::sleep_for(apart);
       keyboard_.enter();
-      std::this_thread::sleep_for(1s);
+      ASSERT_TRUE(after_commands(200));
       ASSERT_EQ(arms(), before) << "a second Enter armed the robot";
     }
     ASSERT_TRUE(start_again()) << "the word does";
@@ -191,7 +199,7 @@ TEST_F(Starts, AgainAndAgainTakeTheWord) {
       keyboard_.enter();
       std::this_thread::sleep_for(std::chrono::milliseconds(i % 2 == 0 ? 50 : i * 3));
       keyboard_.enter();
-      std::this_thread::sleep_for(kLong);
+      ASSERT_TRUE(after_commands());
       ASSERT_EQ(arms(), before) << "repetition " << i;
       ASSERT_TRUE(start_again());
     }
@@ -213,7 +221,7 @@ TEST_F(Starts, EnterInTheCycleInWhichARunEndsStartsNothing) {
       end();
       std::this_thread::sleep_for(std::chrono::milliseconds(2 * i));
       if (i % 4 != 3) press();
-      std::this_thread::sleep_for(kLong);
+      ASSERT_TRUE(after_commands());
       ASSERT_EQ(arms(), before) << "repetition " << i;
       ASSERT_TRUE(start_again());
     }
@@ -232,7 +240,7 @@ TEST_F(Starts, EnterAndTheStopOfThePageAtOnceStartNothing) {
       std::this_thread::sleep_for(std::chrono::milliseconds(i));
       if (i % 2 == 0) keyboard_.enter();
       if (i % 2 != 0) viewer.call(3);
-      std::this_thread::sleep_for(kLong);
+      ASSERT_TRUE(after_commands());
       ASSERT_EQ(arms(), before) << "repetition " << i;
       viewer.drain();
       ASSERT_TRUE(start_again());
@@ -248,11 +256,11 @@ TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
     publish::WebClient viewer(page());
     viewer.call(3);
     keyboard_.enter();
-    std::this_thread::sleep_for(1s);
+    ASSERT_TRUE(after_commands(200));
     ASSERT_TRUE(soon([this] { return stops() > 0; }));
     const std::size_t before = arms();
     keyboard_.enter();
-    std::this_thread::sleep_for(kLong);
+    ASSERT_TRUE(after_commands());
     EXPECT_EQ(arms(), before);
     ASSERT_TRUE(start_again());
   });
@@ -264,17 +272,17 @@ TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
     // Before anything is asked.
     keyboard_.type("\n\ngo\n\ngo");
     ASSERT_TRUE(ready());
-    std::this_thread::sleep_for(500ms);
+    ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 0u);
     // The word's beginning was forgotten, and lines that come together are no answer.
     keyboard_.type("\n\n");
-    std::this_thread::sleep_for(500ms);
+    ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 0u);
     keyboard_.enter();
     ASSERT_TRUE(soon([this] { return moves(); }));
     keyboard_.type("\ngo\n");
     ASSERT_TRUE(standing());
-    std::this_thread::sleep_for(500ms);
+    ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 1u);
   });
 }
@@ -283,7 +291,7 @@ TEST_F(Starts, AMegasHelloBehindAPtyWaitsForEnter) {
   with_board(wire::Board::kMega2560);
   run([&] {
     ASSERT_TRUE(ready());
-    std::this_thread::sleep_for(1s);
+    ASSERT_TRUE(after_commands(200));
     EXPECT_EQ(arms(), 0u);
     keyboard_.enter();
     ASSERT_TRUE(soon([this] { return moves(); }));
@@ -295,7 +303,7 @@ TEST_F(Starts, ABoardThatNobodyKnowsWaitsForEnter) {
   with_board(wire::Board::kUnknown);
   run([&] {
     ASSERT_TRUE(ready());
-    std::this_thread::sleep_for(1s);
+    ASSERT_TRUE(after_commands(200));
     EXPECT_EQ(arms(), 0u);
   });
 }
@@ -313,7 +321,7 @@ TEST_F(Starts, ALaterDriveOfTheSameProgramTakesTheWord) {
     ASSERT_TRUE(ready());
     std::this_thread::sleep_for(300ms);
     keyboard_.enter();
-    std::this_thread::sleep_for(500ms);
+    ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 0u);
     ASSERT_TRUE(start_again());
   });
@@ -327,7 +335,7 @@ TEST_F(Starts, AServiceNeverStartsByItself) {
     with_board(wire::Board::kNative);
     run([&] {
       ASSERT_TRUE(ready());
-      std::this_thread::sleep_for(1s);
+      ASSERT_TRUE(after_commands(200));
       EXPECT_EQ(arms(), 0u);
     });
     robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
@@ -344,7 +352,7 @@ TEST_F(Starts, AStopBeforeTheRobotIsThereIsNotUndoneByStartingByItself) {
     std::this_thread::sleep_for(300ms);
     with_board(wire::Board::kNative);
     ASSERT_TRUE(ready());
-    std::this_thread::sleep_for(1s);
+    ASSERT_TRUE(after_commands(200));
     EXPECT_EQ(arms(), 0u);
     ASSERT_TRUE(start_again());
   });
