@@ -204,10 +204,8 @@ TEST_F(Programs, AStarvedLoopLeavesTheMotorsOffAndSaysWhy) {
   ASSERT_TRUE(robot.wait_for("linked from"));
   Process bridge(daemon_arguments());
   ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
-  usleep(300'000);
   bridge.signal(SIGSTOP);
   ASSERT_TRUE(robot.wait_for("motors off: command_timeout")) << robot.output();
-  usleep(200'000);
   bridge.signal(SIGCONT);
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
   EXPECT_NE(bridge.output().find("turns of the loop that came late"), std::string::npos)
@@ -317,7 +315,7 @@ TEST_F(Programs, TheDaemonWaitsForARobotThatComesLater) {
   std::vector<std::string> arguments = daemon_arguments("1-straight");
   arguments.push_back("--wait");
   Process bridge(arguments);
-  usleep(300'000);
+  ASSERT_TRUE(bridge.wait_for("; waiting")) << bridge.output();
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
   EXPECT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
