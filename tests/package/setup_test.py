@@ -1,5 +1,7 @@
-"""scripts/setup and scripts/campaign on a machine that says to be another: programs in a folder ahead in PATH."""
+"""scripts/setup, build and campaign on a machine that says to be another: programs in a folder ahead in PATH."""
 import os
+import re
+import shutil
 import tempfile
 
 from host import ROOT, check, run
@@ -12,7 +14,7 @@ class Machine:
     """Has every package but `parallel`, apt-get that writes down how it is called, and a sudo that drops variables."""
 
     def __init__(self, folder, parallel, installed=""):
-        self.log = folder + "/apt"
+        self.folder, self.log = folder, folder + "/apt"
         self.path = f"{folder}/bin:{os.environ['PATH']}"
         os.makedirs(folder + "/bin")
         for name, script in {
@@ -22,13 +24,15 @@ class Machine:
                 "sudo": 'exec env -i PATH="$PATH" "$@"',
                 "id": "echo 1000",
                 "tp100-sim": "echo 1"}.items():
-            with open(f"{folder}/bin/{name}", "w", encoding="utf-8") as file:
-                file.write(f"#!/bin/sh\n{script}\n")
-            os.chmod(f"{folder}/bin/{name}", 0o755)
-        self.folder = folder
+            self.replace(name, script)
 
     def run(self, *command, good=True):
         return run(*command, good=good, env=dict(os.environ, PATH=self.path, TP100_BIN=self.folder + "/bin"))
+
+    def replace(self, name, script):
+        with open(f"{self.folder}/bin/{name}", "w", encoding="utf-8") as file:
+            file.write(f"#!/bin/bash\n{script}\n")
+        os.chmod(f"{self.folder}/bin/{name}", 0o755)
 
     def asked(self):
         """How apt-get was called."""
@@ -38,7 +42,59 @@ class Machine:
             return file.read()
 
 
+def failures(at):
+    """What keeps apt-get from installing is said in one line."""
+    for name, says, line in (
+            ("offline", "W: Failed to fetch http://deb/Packages  Temporary failure resolving 'deb'", "to the network"),
+            ("full", "E: You don't have enough free space in /var/cache/apt/archives/.", "make room"),
+            ("refused", "sudo: a password is required", "ask an administrator for: apt-get install parallel"),
+            ("other", "E: Unmet dependencies.", "what the log says")):
+        machine = Machine(f"{at}/{name}", MOREUTILS)
+        machine.replace("apt-get", f'for i in 1 2 3; do echo "{says}" >&2; done; [ $1 = update ]')
+        lines = machine.run(at + "/tree/scripts/setup", "parallel", good=False).splitlines()
+        check(len(lines) == 2 and line in lines[1] and "parallel" in lines[1], f"{name}: scripts/setup said {lines}")
+        log = re.search(r"\(log: (.*)\)$", lines[1])
+        with open(log[1], encoding="utf-8") as file:
+            check(says in file.read(), f"{name}: {log[1]} does not have what apt-get said")
+
+
+def parts(at):
+    """Only what the targets need is installed and configured, and what is configured stays."""
+    machine = Machine(at + "/builder", GNU)
+    # Remembers in its cache what it is told, as CMake does; configures or builds nothing.
+    machine.replace("cmake", f"""[ "$1" = --preset ] || exit 0
+echo "$0 $*" >> {machine.log}
+touch build/$2/build.ninja
+for part in FIRMWARE CAMERA TESTS; do
+  [[ "$*" == *_$part=OFF* ]] || echo "TP100_BUILD_$part:BOOL=ON"
+done > build/$2/CMakeCache.txt""")
+    # No package is there, and no program is one.
+    machine.replace("dpkg-query", "exit 1")
+
+    def asked(*targets):
+        if os.path.exists(machine.log):
+            os.remove(machine.log)
+        machine.run(at + "/tree/scripts/build", "release", *targets)
+        return machine.asked()
+
+    demo = asked("tp100d", "tp100-sim")
+    check("libode-dev" in demo and not re.search("libopencv-dev|gcc-avr|libgtest-dev", demo)
+          and all(f"{part}=OFF" in demo for part in ("FIRMWARE", "CAMERA", "TESTS")), f"for the demo: {demo}")
+    check("--preset" not in (again := asked("tp100d")), f"configured for nothing: {again}")
+    image = asked("tp100d", "tp100_image")
+    check("gcc-avr" in image and "FIRMWARE=OFF" not in image and "CAMERA=OFF" in image, f"for the image: {image}")
+    camera = asked("tp100-camera")
+    check("libopencv-dev" in camera and "TESTS=OFF" in camera and camera.count("=OFF") == 1, f"and the camera: {camera}")
+    everything = asked()
+    check("libgtest-dev" in everything and "=OFF" not in everything, f"for everything: {everything}")
+    check("--preset" not in (fewer := asked("tp100d")), f"what was configured is left out again: {fewer}")
+
+
 def setup(_build):
+    with tempfile.TemporaryDirectory() as at:
+        shutil.copytree(ROOT + "/scripts", at + "/tree/scripts")
+        failures(at)
+        parts(at)
     with tempfile.TemporaryDirectory() as at:
         machine = Machine(at + "/moreutils", MOREUTILS)
         machine.run(ROOT + "/scripts/setup", "parallel")
