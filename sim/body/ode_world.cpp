@@ -16,7 +16,7 @@ std::mutex& ode_mutex() {
   return mutex;
 }
 
-void count_message(int, const char* format, va_list arguments) {
+[[gnu::format(printf, 2, 0)]] void count_message(int, const char* format, va_list arguments) {
   if (g_messages.fetch_add(1) == 0) {
     std::fputs("ODE: ", stderr);
     std::vfprintf(stderr, format, arguments);
@@ -24,7 +24,8 @@ void count_message(int, const char* format, va_list arguments) {
   }
 }
 
-[[noreturn]] void give_up(int number, const char* format, va_list arguments) {
+[[noreturn, gnu::format(printf, 2, 0)]] void give_up(int number, const char* format,
+                                                     va_list arguments) {
   count_message(number, format, arguments);
   std::abort();
 }

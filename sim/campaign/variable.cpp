@@ -1,7 +1,6 @@
 #include "sim/campaign/variable.h"
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "core/angle.h"
@@ -11,8 +10,6 @@ namespace {
 
 using course::TomlTable;
 using course::TomlValue;
-
-constexpr double kMost = std::numeric_limits<double>::max();
 
 /// Evenly between 0 and 1, ends left out; the same in every program.
 class Shares {
