@@ -128,6 +128,10 @@ int run(int argc, char** argv) {
       ->add_option("--camera-to", robot.camera_to,
                    "Where its detections go, udp:PORT or udp:HOST:PORT (default: udp:47100)")
       ->type_name("ADDRESS");
+  robot_app
+      ->add_option("--stats", robot.stats,
+                   "Write its figures to FILE in the end: samples, longest pause of this machine")
+      ->type_name("FILE");
 
   SlopeCommand slope;
   CLI::App* slope_app =

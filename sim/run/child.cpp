@@ -38,7 +38,9 @@ Child::Child(const std::vector<std::string>& arguments, bool quiet) {
   }
 }
 
-Child::~Child() {
+Child::~Child() { stop(); }
+
+void Child::stop() {
   if (!running()) return;
   kill(pid_, SIGTERM);
   wait();

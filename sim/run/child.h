@@ -19,6 +19,8 @@ class Child {
 
   /// Waits for the end; returns the exit status, 128 + signal if it was killed.
   int wait();
+  /// Asks it to end (SIGTERM), and waits.
+  void stop();
   /// True while it runs.
   bool running();
 

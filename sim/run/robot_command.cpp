@@ -4,10 +4,13 @@
 #include <sys/resource.h>
 #include <time.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -15,6 +18,8 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/time.h"
+#include "loop/pacing.h"
+#include "loop/real_time.h"
 #include "sim/run/camera_stream.h"
 #include "sim/run/pusher.h"
 #include "sim/wire/pty.h"
@@ -31,12 +36,6 @@ volatile std::sig_atomic_t g_stop = 0;
 
 void on_signal(int) { g_stop = 1; }
 
-std::int64_t monotonic_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * kNsPerS + now.tv_nsec;
-}
-
 void sleep_until(std::int64_t at_ns) {
   const timespec at{at_ns / kNsPerS, at_ns % kNsPerS};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR && g_stop == 0) {
@@ -52,12 +51,12 @@ void go_beside_others() {
   ::setpriority(PRIO_PROCESS, 0, -15);
 }
 
-/// A robot does not wait for the programs of its host. Where the system does not allow it, a
-/// machine that is busy for a fifth of a second makes the firmware stop for want of commands.
-/// Niceness alone does not help: the kernel weighs whole sessions against each other.
+/// A robot does not wait for the programs of its host, nor for its own pages. Where the system does
+/// not allow it, a machine that is busy for a fifth of a second makes the firmware stop for want of
+/// commands. Niceness alone does not help: the kernel weighs whole sessions against each other.
 void go_before_others() {
-  const sched_param fifo{.sched_priority = kFifoPriority};
-  if (::sched_setscheduler(0, SCHED_FIFO, &fifo) != 0) go_beside_others();
+  const std::vector<loop::Grant> grants = loop::apply_to_this_thread({.priority = kFifoPriority});
+  if (!std::ranges::all_of(grants, &loop::Grant::granted)) go_beside_others();
 }
 
 /// Prints what the firmware says about itself, and counts its samples.
@@ -205,6 +204,7 @@ int run_robot(const RobotCommand& command) {
   std::optional<CameraStream> camera = camera_stream(command, loaded, course.fence);
   Cable cable(robot, command.link);
   Pusher pusher(course.shoves);
+  const loop::RealTimeProcess process({});
   go_before_others();
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
@@ -218,12 +218,14 @@ int run_robot(const RobotCommand& command) {
   std::fflush(stdout);
 
   robot.reset(PowerUp::kPowerOn);
-  std::int64_t begin_ns = monotonic_ns();
+  std::int64_t begin_ns = loop::monotonic_now();
+  std::int64_t longest_pause_ns = 0;
   while (g_stop == 0) {
     // A quantum is computed when it is over: nothing reaches the host before its time, and what the
     // host wrote meanwhile arrives with the next one.
     const std::int64_t due_ns = begin_ns + robot.now_ns() + kPhysicsStepNs;
-    const std::int64_t now_ns = monotonic_ns();
+    const std::int64_t now_ns = loop::monotonic_now();
+    longest_pause_ns = std::max(longest_pause_ns, now_ns - due_ns);
     if (now_ns - due_ns > kGiveUpNs) {
       begin_ns += now_ns - due_ns;
       // Whatever cannot keep pace must not keep a processor for itself.
@@ -234,7 +236,7 @@ int run_robot(const RobotCommand& command) {
     cable.watch();
     cable.from_host();
     cable.to_host(robot.advance());
-    if (camera) camera->look(robot.truth().pose, robot.now_ns(), begin_ns, monotonic_ns());
+    if (camera) camera->look(robot.truth().pose, robot.now_ns(), begin_ns, loop::monotonic_now());
     if (pusher.update(robot) != nullptr) {
       std::printf("robot: somebody pushes the robot\n");
       std::fflush(stdout);
@@ -243,6 +245,13 @@ int run_robot(const RobotCommand& command) {
   std::printf("robot: sent %llu samples since its port was opened\n",
               static_cast<unsigned long long>(cable.samples()));
   print_place(robot.truth().pose);
+  if (!command.stats.empty()) {
+    const nlohmann::json figures = {
+        {"samples", cable.samples()},
+        {"longest_pause_ms", static_cast<double>(longest_pause_ns) * 1e-6}};
+    if (!(std::ofstream(command.stats) << figures.dump(2) << '\n').flush())
+      throw SetupError(command.stats + ": cannot be written; check --stats");
+  }
   return 0;
 }
 

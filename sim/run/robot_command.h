@@ -16,7 +16,8 @@ struct RobotCommand {
                        ///< camera_to
   std::string camera_to;              ///< "udp:[HOST:]PORT"; empty: kCameraPort of this machine
   std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
-  std::string course;                 ///< start pose and shoves come from it; empty: origin
+  std::string stats;   ///< file for figures of the run, written at its end; empty: none
+  std::string course;  ///< start pose and shoves come from it; empty: origin
 };
 
 /// Runs until SIGINT or SIGTERM. Returns the exit status. Throws SetupError.

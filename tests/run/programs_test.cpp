@@ -342,5 +342,46 @@ TEST_F(Programs, OneSeedPrintsOneJsonButForTimings) {
   EXPECT_NE(json("4"), json("5"));
 }
 
+/// Words of a program's command line, or lines of its status.
+std::string of_process(const std::filesystem::path& folder, const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(folder / file).rdbuf();
+  return text.str();
+}
+
+/// The child of `parent` whose command line has `word`; -1: none.
+pid_t child_of(pid_t parent, const std::string& word) {
+  const std::string parents_line = "PPid:\t" + std::to_string(parent) + "\n";
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    if (of_process(entry.path(), "status").find(parents_line) != std::string::npos &&
+        of_process(entry.path(), "cmdline").find(word) != std::string::npos)
+      return std::stoi(entry.path().filename());
+  }
+  return -1;
+}
+
+TEST_F(Programs, ADemoWhoseMachineStoodStillDrivesAgainAndSaysSo) {
+  Process demo({"tp100-sim", "demo", "--headless", "--course", short_course()});
+  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
+  const pid_t robot = child_of(demo.pid(), "tp100-sim");
+  ASSERT_GT(robot, 0);
+  ::kill(robot, SIGSTOP);
+  EXPECT_TRUE(demo.wait_for("running -> aborted")) << demo.output();
+  ::kill(robot, SIGCONT);
+  ASSERT_TRUE(demo.wait_for("demo: the machine stood still for ")) << demo.output();
+  EXPECT_TRUE(demo.wait_for("ms, which ended the run; drives again")) << demo.output();
+  EXPECT_EQ(demo.wait(), 0) << demo.output();
+}
+
+TEST_F(Programs, ADemoThatIsStoppedDoesNotDriveAgain) {
+  Process demo({"tp100-sim", "demo", "--headless", "--course", short_course()});
+  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
+  const pid_t daemon = child_of(demo.pid(), "/tp100d");
+  ASSERT_GT(daemon, 0);
+  ::kill(daemon, SIGINT);
+  EXPECT_EQ(demo.wait(), 1) << demo.output();
+  EXPECT_EQ(demo.output().find("drives again"), std::string::npos) << demo.output();
+}
+
 }  // namespace
 }  // namespace tp100::test
