@@ -4,13 +4,14 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+
+#include "analysis/distributions.h"
 
 namespace tp100::analysis {
 namespace {
 
-constexpr double kTwoSided = 0.975;
+constexpr double kTail = 0.025;
 constexpr double kNormalQuantile = 1.96;
 
 double square(double value) { return value * value; }
@@ -81,9 +82,8 @@ Eigen::VectorXd Summed::half_intervals() const {
     half[i] = kNormalQuantile * std::sqrt(covariance_(i, i));
     const double runs = shares[i] > 0.0 ? 1.0 / shares[i] : 1.0;
     if (runs_.size() < 2 || runs < 1.5 || !std::isfinite(clustered(i, i))) continue;
-    const boost::math::students_t student(std::max(1.0, runs - 1.0));
-    half[i] =
-        std::max(half[i], boost::math::quantile(student, kTwoSided) * std::sqrt(clustered(i, i)));
+    const double student = student_t(kTail, std::max(1.0, runs - 1.0));
+    half[i] = std::max(half[i], student * std::sqrt(clustered(i, i)));
   }
   return half;
 }

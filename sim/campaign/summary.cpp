@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
+#include "analysis/distributions.h"
 #include "analysis/spread.h"
 
 namespace tp100::sim {
 namespace {
-
-namespace math = boost::math;
 
 constexpr double kTail = 0.025;
 constexpr std::array<double, 4> kShares = {0.05, 0.5, 0.95, 0.99};
@@ -20,11 +17,11 @@ constexpr std::array<double, 4> kShares = {0.05, 0.5, 0.95, 0.99};
 // Between the order statistics whose ranks a binomial count leaves on each side but in kTail.
 Interval percentile_interval(const std::vector<double>& sorted, double share) {
   const auto n = static_cast<double>(sorted.size());
-  const math::binomial_distribution<> below(n, share);
-  if (math::cdf(below, 0.0) > kTail || math::cdf(below, n - 1.0) < 1.0 - kTail) return {};
+  const auto at_most = [&](double k) { return analysis::binomial_at_most(k, n, share); };
+  if (at_most(0.0) > kTail || at_most(n - 1.0) < 1.0 - kTail) return {};
   double low = 0.0, high = n;
-  while (math::cdf(below, low) <= kTail) ++low;
-  while (math::cdf(below, high - 1.0) >= 1.0 - kTail) --high;
+  while (at_most(low) <= kTail) ++low;
+  while (at_most(high - 1.0) >= 1.0 - kTail) --high;
   const auto at = [&](double rank) { return sorted[static_cast<std::size_t>(rank) - 1]; };
   return std::pair(at(low), at(std::min(high + 1.0, n)));
 }
@@ -70,17 +67,13 @@ Summary summarise(std::vector<double> values) {
   double squares = 0.0;
   for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
   summary.sd = std::sqrt(squares / (n - 1.0));
-  const math::students_t_distribution<> t(n - 1.0);
-  const double half = math::quantile(math::complement(t, kTail)) * summary.sd / std::sqrt(n);
+  const double half = analysis::student_t(kTail, n - 1.0) * summary.sd / std::sqrt(n);
   if (std::isfinite(half)) summary.mean_interval = {summary.mean - half, summary.mean + half};
   return summary;
 }
 
 std::pair<double, double> share_interval(std::size_t successes, std::size_t of) {
-  const auto n = static_cast<double>(of), k = static_cast<double>(successes);
-  using Binomial = math::binomial_distribution<>;
-  return {Binomial::find_lower_bound_on_p(n, k, kTail),
-          Binomial::find_upper_bound_on_p(n, k, kTail)};
+  return analysis::binomial_shares(static_cast<double>(successes), static_cast<double>(of), kTail);
 }
 
 std::optional<double> rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
