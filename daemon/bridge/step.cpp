@@ -12,6 +12,7 @@
 #include "control/monitor.h"
 #include "control/recovery.h"
 #include "control/tracker.h"
+#include "core/belt_speed.h"
 #include "core/error.h"
 
 namespace tp100::bridge {
@@ -52,10 +53,13 @@ struct Step::State {
     if (course == nullptr) return;
     path.emplace(*course);
     tracker.emplace(p.control, *path, drive_of(p, course->speed_mps));
-    monitor.emplace(p.control, course->fence, tracker->nominal_duration_s(),
-                    control::MonitoredRobot{.motor = {p.drive.dead_band, p.drive.feed_forward},
-                                            .wheelbase_m = p.model.wheelbase_m,
-                                            .identified = !course->identifies});
+    monitor.emplace(
+        p.control, course->fence, tracker->nominal_duration_s(),
+        control::MonitoredRobot{
+            .motor = {p.drive.dead_band, p.drive.feed_forward},
+            .wheelbase_m = p.model.wheelbase_m,
+            .identified = !course->identifies,
+            .max_counts_per_s = kFastestBelt * p.drive.max_track_mps * p.drive.counts_per_metre});
   }
 
   void take_changes(std::span<const ParameterChange> changes);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/belt_speed.h"
+
 namespace tp100::control {
 namespace {
 
@@ -85,6 +87,20 @@ bool TurnBalance::update(double gyro_radps, double encoder_radps, double track_m
   all_rad_ = drained(all_rad_ + difference * dt_s, slip_rad);
   slow_rad_ = drained(slow_rad_ + std::clamp(difference, -kSlowRadps, kSlowRadps) * dt_s, slip_rad);
   return std::abs(all_rad_) > kMostRad || std::abs(slow_rad_) > kMostSlowRad;
+}
+
+bool JumpWatch::update(const Sample& sample) {
+  const double dt_s = static_cast<double>(sample.device_us - device_us_) * 1e-6;
+  const auto possible = [&](std::int64_t counts) {
+    return counts_possible(static_cast<double>(counts), max_per_s_, dt_s);
+  };
+  const bool jumped = known_ && !(possible(sample.left_counts - left_counts_) &&
+                                  possible(sample.right_counts - right_counts_));
+  known_ = true;
+  device_us_ = sample.device_us;
+  left_counts_ = sample.left_counts;
+  right_counts_ = sample.right_counts;
+  return jumped;
 }
 
 }  // namespace tp100::control

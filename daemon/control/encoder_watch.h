@@ -1,8 +1,10 @@
 #pragma once
 // Encoders against what else tells of the motion: each track's duty, and the gyro. Both add up what
 // cannot be explained, so that a small share shows over a distance and a moment of it never does.
+// And counts that no track can make.
 
 #include "core/angle.h"
+#include "core/sample.h"
 
 namespace tp100::control {
 
@@ -76,6 +78,25 @@ class TurnBalance {
   double slip_share_;
   double all_rad_ = 0.0;
   double slow_rad_ = 0.0;  ///< of rates up to a limit
+};
+
+/// Counts of both tracks that jump. A jump that comes alone is not in the samples. No allocation;
+/// safe in the real-time thread.
+class JumpWatch {
+ public:
+  /// Counts a second that a track may reach; 0: any.
+  explicit JumpWatch(double max_per_s) : max_per_s_(max_per_s) {}
+
+  /// A run begins.
+  void restart() { known_ = false; }
+  /// The newest sample, new or not. True: it cannot follow the one before.
+  bool update(const Sample& sample);
+
+ private:
+  double max_per_s_;
+  bool known_ = false;
+  DeviceUs device_us_ = 0;
+  std::int64_t left_counts_ = 0, right_counts_ = 0;
 };
 
 }  // namespace tp100::control

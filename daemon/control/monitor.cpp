@@ -15,7 +15,7 @@ constexpr double kDrivenMps = 0.03;
 constexpr double kStandingMps = 0.003;
 constexpr double kFullyDriven = 0.3;
 constexpr double kBackwardsMps = 0.02;
-constexpr double kOpposedS = 0.3;
+constexpr double kOpposedRad = 6.0 * kRadPerDeg;
 constexpr double kAskedRadps = 0.3;
 constexpr double kTurningRadps = 0.15;
 // A robot that stands turns by its tracks alone.
@@ -49,10 +49,12 @@ bool tilted(const Sample& sample, const Parameters& parameters) {
 }
 
 void Monitor::restart() {
-  heading_ = opposed_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
+  heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
+  opposed_rad_ = 0.0;
   left_duty_.restart();
   right_duty_.restart();
   turn_.restart();
+  jumps_.restart();
 }
 
 bool Monitor::duty_disagrees(const Observation& seen) {
@@ -86,7 +88,9 @@ FaultMask Monitor::update(const Observation& seen) {
   raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
                         dt, kHeadingS),
         Fault::heading);
-  raise(opposed_.update(opposed(seen, wheelbase_m_), dt, kOpposedS), Fault::heading);
+  opposed_rad_ =
+      opposed(seen, wheelbase_m_) ? opposed_rad_ + std::abs(seen.encoder_yaw_rate_radps) * dt : 0.0;
+  raise(opposed_rad_ > kOpposedRad, Fault::heading);
   raise(tilt_.update(tilted(sample, parameters_), dt, kTiltS), Fault::tilt);
   raise(seen.pose.x_m < fence_.min_x_m || seen.pose.x_m > fence_.max_x_m ||
             seen.pose.y_m < fence_.min_y_m || seen.pose.y_m > fence_.max_y_m,
@@ -103,6 +107,7 @@ FaultMask Monitor::update(const Observation& seen) {
             dt, kAgainstDutyS),
         Fault::encoders_against_duty);
   raise(duty_disagrees(seen), Fault::encoders_against_duty);
+  raise(jumps_.update(sample), Fault::encoders_against_duty);
   const double disagreement = std::abs(seen.gyro_yaw_rate_radps - seen.encoder_yaw_rate_radps);
   raise(disagreement_.update(seen.gyro_in_use && disagreement > parameters_.disagreement_radps, dt,
                              parameters_.disagreement_s),

@@ -47,8 +47,9 @@ class Lasting {
 /// What the monitor knows of the robot.
 struct MonitoredRobot {
   MotorModel motor{};
-  double wheelbase_m = 0.2742;  ///< equivalent, eq 5
-  bool identified = true;       ///< else gyro and encoders may disagree about a turn
+  double wheelbase_m = 0.2742;    ///< equivalent, eq 5
+  bool identified = true;         ///< else gyro and encoders may disagree about a turn
+  double max_counts_per_s = 0.0;  ///< of a track, see counts_possible(); 0: any
 };
 
 /// Watches one run. No allocation; safe in the real-time thread.
@@ -62,7 +63,8 @@ class Monitor {
         wheelbase_m_(robot.wheelbase_m),
         left_duty_(robot.motor),
         right_duty_(robot.motor),
-        turn_(robot.wheelbase_m, robot.identified ? parameters.turn_slip_share : 1.0) {}
+        turn_(robot.wheelbase_m, robot.identified ? parameters.turn_slip_share : 1.0),
+        jumps_(robot.max_counts_per_s) {}
 
   /// Forgets what has lasted; call when a run begins.
   void restart();
@@ -79,7 +81,9 @@ class Monitor {
   double wheelbase_m_;
   DutyWatch left_duty_, right_duty_;
   TurnBalance turn_;
-  Lasting heading_, opposed_, tilt_, battery_, stalled_, against_duty_, disagreement_;
+  JumpWatch jumps_;
+  double opposed_rad_ = 0.0;  ///< turned against what was asked for
+  Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_;
 };
 
 }  // namespace tp100::control

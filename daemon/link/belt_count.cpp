@@ -1,14 +1,17 @@
 #include "link/belt_count.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/belt_speed.h"
 
 namespace tp100::link {
 namespace {
 
-// Edges of one sample that an interrupt put into the next.
-constexpr double kSlackCounts = 4.0;
 // After a longer gap nobody knows whether the belt went on.
 constexpr double kLongestHoldS = 0.1;
+// A glitch and its way back are one jump.
+constexpr double kOneJumpS = 0.1;
 
 }  // namespace
 
@@ -18,15 +21,18 @@ bool BeltCount::update(std::int32_t value, double dt_s) {
     counts_ = last_ = value;
     per_s_ = 0.0;
     held_in_row_ = 0;
+    since_jump_s_ = kForgottenS;
     return true;
   }
   const auto step = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) -
                                               static_cast<std::uint32_t>(last_));
   last_ = value;
-  const bool possible = max_per_s_ <= 0.0 || dt_s <= 0.0 ||
-                        std::abs(static_cast<double>(step)) <= max_per_s_ * dt_s + kSlackCounts;
+  const bool possible = counts_possible(step, max_per_s_, dt_s);
+  since_jump_s_ += std::max(dt_s, 0.0);
   if (possible) held_in_row_ = 0;
-  if (!possible && held_in_row_ < kHeldInRow) {
+  const bool again = since_jump_s_ >= kOneJumpS && since_jump_s_ < kForgottenS;
+  if (!possible && !again && held_in_row_ < kHeldInRow) {
+    if (since_jump_s_ >= kForgottenS) since_jump_s_ = 0.0;
     ++held_in_row_;
     if (dt_s <= kLongestHoldS) counts_ += std::llround(per_s_ * dt_s);
     return false;

@@ -1,5 +1,5 @@
 #pragma once
-// One encoder's count: unwrapped to 64 bit, without the jumps that no belt can make.
+// One encoder's count: unwrapped to 64 bit, without single jumps that no belt can make.
 
 #include <cstdint>
 
@@ -16,17 +16,21 @@ class BeltCount {
   /// A new boot: the count begins with the next value.
   void forget() { known_ = false; }
   /// The board's count, `dt_s` after the last one. False: it jumped (glitches on the encoder's
-  /// wires), and the belt goes on at the rate that it had, for 0.1 s at most.
+  /// wires), and the belt goes on at the rate that it had, for 0.1 s at most. A jump that comes
+  /// again 0.1 s to 1 s after another is believed: who watches the belts is to see it.
   bool update(std::int32_t value, double dt_s);
   std::int64_t counts() const { return counts_; }
 
  private:
+  static constexpr double kForgottenS = 1.0;
+
   double max_per_s_;
   bool known_ = false;
   std::int32_t last_ = 0;
   std::int64_t counts_ = 0;
   double per_s_ = 0.0;
   int held_in_row_ = 0;
+  double since_jump_s_ = kForgottenS;
 };
 
 }  // namespace tp100::link

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/belt_speed.h"
+
 namespace tp100::link {
 namespace {
 
@@ -29,9 +31,6 @@ bool known(std::uint8_t board) {
   return board == static_cast<std::uint8_t>(wire::Board::kMega2560) ||
          board == static_cast<std::uint8_t>(wire::Board::kNative);
 }
-
-// Faster no belt runs, be it driven, pushed or going down a ramp.
-constexpr double kFastestBelt = 3.0;  // times the limit of the drive
 
 double max_counts_per_s(const wire::Parameters& parameters) {
   return kFastestBelt * static_cast<double>(parameters.max_track_mps) *

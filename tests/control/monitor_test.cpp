@@ -145,6 +145,61 @@ TEST_F(EncoderMonitorTest, ThirtyDegreesASecondAreQuestionedWithinTwentyDegrees)
   }
 }
 
+TEST_F(EncoderMonitorTest, CountsThatNoTrackCanMakeEndTheRun) {
+  monitor_ = Monitor{Parameters{}, course::Fence{-1.0, 1.0, -1.0, 1.0}, 20.0,
+                     MonitoredRobot{.motor = {.dead_band = 0.09, .feed_forward = 3.4},
+                                    .max_counts_per_s = 6000.0}};
+  const auto drive_on = [&](int samples, std::int64_t counts) {
+    for (int i = 0; i < samples; ++i) {
+      sample_.device_us += 5000;
+      sample_.left_counts += counts;
+      sample_.right_counts += counts;
+      EXPECT_EQ(monitor_.update(seen_), 0u);
+      EXPECT_EQ(monitor_.update(seen_), 0u) << "no new sample";
+    }
+  };
+  for (const std::int64_t jump : {40, -40}) {
+    monitor_.restart();
+    drive_on(100, 7);
+    drive_on(3, 30);
+    sample_.device_us += 50000;
+    sample_.left_counts += 300;
+    EXPECT_EQ(monitor_.update(seen_), 0u) << "after a gap";
+    sample_.device_us += 5000;
+    sample_.right_counts += jump;
+    EXPECT_EQ(monitor_.update(seen_), kDuty);
+  }
+}
+
+TEST_F(EncoderMonitorTest, ATurnTheOtherWayEndsTheRunWithinTenDegreesWhateverItsRate) {
+  for (const double radps : {0.3, 0.6, 1.2}) {
+    monitor_.restart();
+    drive(0.0);
+    seen_.commanded_left_mps = -0.08;
+    seen_.commanded_right_mps = 0.08;
+    seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = -radps;
+    seen_.left_mps = 0.137 * radps;
+    seen_.right_mps = -0.137 * radps;
+    EXPECT_EQ(run(3.0), fault_bit(Fault::heading));
+    EXPECT_LT(lasted_s_ * radps, 10.0 * kRadPerDeg);
+  }
+}
+
+TEST_F(EncoderMonitorTest, ATurnThatIsTurnedBackRunsOnForAMoment) {
+  sample_.left_duty = sample_.right_duty = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    seen_.commanded_left_mps = -0.08 * side;
+    seen_.commanded_right_mps = 0.08 * side;
+    for (const double radps : {-0.6, 0.6}) {
+      seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = side * radps;
+      seen_.right_mps = 0.137 * side * radps;
+      seen_.left_mps = -seen_.right_mps;
+      EXPECT_EQ(run(radps < 0.0 ? 0.12 : 1.0), 0u) << i;
+    }
+  }
+}
+
 TEST_F(EncoderMonitorTest, APushIsNone) {
   EXPECT_EQ(run(3.0), 0u);
   seen_.gyro_yaw_rate_radps = 15.0 * kRadPerDeg / 0.3;

@@ -40,6 +40,28 @@ TEST(BeltCount, AJumpIsLeftOutAndTheBeltGoesOnAsItWent) {
   }
 }
 
+TEST(BeltCount, AJumpThatComesAgainAndAgainIsBelieved) {
+  for (const int every : {10, 50, 150}) {
+    BeltCount belt(kMaxPerS);
+    std::int32_t board = 0;
+    belt.update(board, 0.0);
+    for (int i = 1; i <= 400; ++i) belt.update(board += 7 + (i % every == 0 ? 40 : 0), kDtS);
+    const std::int64_t believed = (belt.counts() - std::int64_t{400 * 7}) / 40;
+    EXPECT_GE(believed, 400 / every / 2) << every;
+    EXPECT_LT(believed, 400 / every) << every;
+  }
+}
+
+TEST(BeltCount, RareJumpsAreLeftOutAndSoIsTheirWayBack) {
+  BeltCount belt(kMaxPerS);
+  std::int32_t board = 0;
+  belt.update(board, 0.0);
+  for (int i = 1; i <= 2000; ++i) {
+    const int jump = i % 210 == 0 ? 500 : i % 210 == 5 && i > 5 ? -500 : 0;
+    EXPECT_EQ(belt.update(board += 7 + jump, kDtS), jump == 0) << i;
+  }
+}
+
 TEST(BeltCount, WhatLastsIsBelieved) {
   BeltCount belt(kMaxPerS);
   std::int32_t board = 0;

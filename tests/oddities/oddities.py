@@ -356,8 +356,7 @@ def jumps(robot):
         if robot.sequence % 10 == 0:
             robot.left.counted += 40
     robot.each = each
-odd("left counts jump by 40 every 50 ms", DRIVE, jumps, IN_BOUNDS, "encoder",
-    short="tp100d passes over single counts that cannot be; where they come again and again, the firmware ends the run")
+odd("left counts jump by 40 every 50 ms", DRIVE, jumps, IN_BOUNDS, "encoder")
 
 # -- 3. Hellos
 VERSION = r"protocol|version|schema"
@@ -467,8 +466,7 @@ odd("runs away forwards", DRIVE, put(left__runs_at=0.3, right__runs_at=0.3), IN_
     "encoders_against_duty|duty|speed|runs")
 odd("runs away backwards", DRIVE, put(left__runs_at=-0.3, right__runs_at=-0.3), IN_BOUNDS,
     "encoders_against_duty|duty|cross")
-odd("spins", DRIVE, put(left__runs_at=-0.15, right__runs_at=0.15), IN_BOUNDS, "heading|encoders_against_duty|duty",
-    short="at 67 deg/s 0.3 s are 20 deg; a shorter look would take a correction for it")
+odd("spins", DRIVE, put(left__runs_at=-0.15, right__runs_at=0.15), IN_BOUNDS, "heading|encoders_against_duty|duty")
 odd("left track stuck", DRIVE, put(left__blocked=True), IN_BOUNDS, "stalled|encoders_against_duty|duty")
 odd("right track stuck", DRIVE, put(right__blocked=True), IN_BOUNDS, "stalled|encoders_against_duty|duty")
 odd("both tracks stuck", DRIVE, put(left__blocked=True, right__blocked=True), IN_BOUNDS,
@@ -507,8 +505,7 @@ odd("tracks swapped in a spin", START, put(sides=-1.0), IN_BOUNDS, GYRO + "|head
 def swap_motors(robot):
     control = robot.control
     robot.control = lambda now: control(now)[::-1]
-odd("motors swapped in a spin", START, swap_motors, IN_BOUNDS, DUTY + "|gyro|heading", course="spin",
-    short="the turn has to be asked for, and to go the other way, for 0.3 s")
+odd("motors swapped in a spin", START, swap_motors, IN_BOUNDS, DUTY + "|gyro|heading", course="spin")
 
 # -- 7. Cells, attitude, faults and other fields of a sample
 odd("cells at 5.4 V, which the board reports", DRIVE, put(battery_mv=5400), stop(1500, m=None, deg=None),
