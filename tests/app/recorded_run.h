@@ -20,7 +20,7 @@ namespace tp100::app {
 inline void record_run(
     const std::string& path,
     const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },
-    const publish::McapMap& facts = {{"seed", "5"}}, int begin_at = 0) {
+    const publish::McapMap& facts = {{"seed", "5"}}, int begin_at = 0, bool compress = true) {
   RunFiles files;
   files.robot = read_bundled(Bundled::kRobots, "end-loaded");
   files.course = read_bundled(Bundled::kCourses, "1-curve");
@@ -28,7 +28,8 @@ inline void record_run(
   publish::Recorder recorder(
       {.journal_folder = std::filesystem::path(path).parent_path().string(), .patient = true});
   const auto begin = [&] {
-    recorder.begin({.path = path, .clock = {kNsPerS, 0}}, run_facts(files, run, facts));
+    recorder.begin({.path = path, .compress = compress, .clock = {kNsPerS, 0}},
+                   run_facts(files, run, facts));
   };
   ScriptedRobot robot;
   Cycle cycle(session_settings(run.parameters), run.parameters, run.course);
