@@ -27,7 +27,8 @@ constexpr double kGainDownS = 0.3;
 constexpr double kGainUpPerS = 0.005;
 constexpr double kSlowS = 0.2;
 constexpr double kSlowest = 0.95, kFastest = 1.1;
-constexpr double kLeastMps = 0.015;
+// At a creep, duty and speed are mostly noise and lag that is worked off.
+constexpr double kLeastMps = 0.028;
 constexpr double kStraight = 0.05;
 constexpr double kLevelRad = 0.03;
 

@@ -260,6 +260,18 @@ TEST_F(EncoderMonitorTest, ARobotsFileMayBeOffByAThird) {
   }
 }
 
+TEST_F(EncoderMonitorTest, ACreepTeachesNothingAboutTheSpeedsAfterIt) {
+  seen_.gyro_in_use = false;
+  drive(0.1087);
+  EXPECT_EQ(run(5.0), 0u);
+  drive(0.0222);
+  sample_.left_duty = sample_.right_duty = 0.09 + 0.052;
+  EXPECT_EQ(run(5.0), 0u);
+  drive(0.16);
+  sample_.left_duty = sample_.right_duty = 0.09 + 0.9 * 3.4 * 0.16;
+  EXPECT_EQ(run(20.0), 0u);
+}
+
 TEST_F(EncoderMonitorTest, ABatteryMaySag) {
   for (int i = 0; i < 600; ++i) {
     drive(0.0714);
