@@ -98,7 +98,8 @@ TEST(Service, IsRestartedAfterWhatNoFileExplains) {
   GTEST_SKIP() << "a sanitizer needs descriptors itself, of which there are none here";
 #endif
   const char* script =
-      "ulimit -n 6; exec " TP100_BINARY_DIR "/bin/tp100d run --wait --port none --listen off";
+      "exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ulimit -n 6; exec " TP100_BINARY_DIR
+      "/bin/tp100d run --wait --port none --listen off";
   const Finished starved = run({"/bin/sh", "-c", script});
   EXPECT_EQ(starved.status, 3);
   EXPECT_THAT(starved.output, HasSubstr("tp100d: stopped: "));
