@@ -181,6 +181,24 @@ TEST_F(ArmingTest, ARobotThatSwitchesItselfOffEndsTheRunWithItsOwnFault) {
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::stalled_left));
 }
 
+TEST_F(ArmingTest, ARestartWhileItArmsEndsTheStartWithItsCause) {
+  connect();
+  arming_.start();
+  ASSERT_EQ(run(100), RobotRequest::kArm);
+  in_.rebooted = true;
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.state(), RunState::kAborted);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::robot_rebooted));
+}
+
+TEST_F(ArmingTest, WhatTheMonitorFindsEndsTheRunWithItsCause) {
+  begin();
+  in_.aborts = fault_bit(Fault::stalled_right);
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.state(), RunState::kAborted);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::stalled_right));
+}
+
 TEST_F(ArmingTest, AFaultInASampleEndsTheRunWhateverItsStateAndName) {
   for (const FaultMask fault : {fault_bit(Fault::stalled_left), FaultMask{1} << 15}) {
     SetUp();

@@ -62,6 +62,31 @@ TEST_P(EveryLaw, IsMirroredLeftAndRight) {
   EXPECT_NEAR(law->steer(left).yaw_rate_radps, -law->steer(right).yaw_rate_radps, 1e-12);
 }
 
+TEST(Stanley, ItsDesiredYawTurnsAsFastAsItsAngleOfApproachFalls) {
+  Parameters parameters;
+  parameters.law = LawName::kStanley;
+  const auto law = make_law(parameters, {});
+  PathErrors errors{.cross_track_m = 0.01, .heading_rad = -0.2, .speed_mps = 0.1};
+  constexpr double kDt = 1e-6;
+  const Steering before = law->steer(errors);
+  errors.cross_track_m += errors.speed_mps * std::sin(errors.heading_rad) * kDt;
+  const Steering after = law->steer(errors);
+  EXPECT_GT(before.yaw_rate_radps, 0.1);
+  EXPECT_NEAR(before.yaw_rate_radps, (after.yaw_rad - before.yaw_rad) / kDt, 1e-4);
+}
+
+TEST(Lqr, SteersByTheTurnThatIsNotThePathsOwn) {
+  Parameters parameters;
+  parameters.law = LawName::kLqr;
+  const auto law = make_law(parameters, {});
+  // On an arc of the path, driven as it is: nothing is left to correct.
+  const PathErrors errors{.yaw_rate_radps = 0.2,
+                          .speed_mps = 0.1,
+                          .curvature_1pm = 2.0,
+                          .ahead = {.curvature_1pm = 2.0}};
+  EXPECT_NEAR(law->steer(errors).yaw_rad, 0.0, 1e-12);
+}
+
 TEST_P(EveryLaw, StaysBoundedForAnyErrors) {
   const Parameters values = parameters();
   const auto law = make_law(values, {});

@@ -221,6 +221,15 @@ TEST(Tracker, TakesTheNominalDurationWithinATenth) {
   EXPECT_NEAR(outcome.duration_s, tracker.nominal_duration_s(), 0.1 * tracker.nominal_duration_s());
 }
 
+TEST(Tracker, TheNominalDurationOfALineIsItsDriveItsStartAndItsEnd) {
+  const course::Course course = make_course({course::Line{1.7}});
+  const course::Path path(course);
+  const Parameters p;
+  const Tracker tracker(p, path, {.speed_mps = 0.15});
+  EXPECT_NEAR(tracker.nominal_duration_s(), 1.7 / 0.15 + 0.15 / p.acceleration_mps2 + p.settle_s,
+              1e-9);
+}
+
 TEST(Tracker, TheNominalDurationKnowsThatNarrowArcsAreDrivenSlowly) {
   const course::Course course = make_course({course::Arc{0.03, 10.0 * kPi}});
   const course::Path path(course);
