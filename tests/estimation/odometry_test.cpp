@@ -16,10 +16,14 @@ TEST(Odometry, TurnsWithTheGyroAndNotWithTheBelts) {
 }
 
 TEST(Odometry, WithoutAGyroItIsTheExtendedModel) {
-  const model::TrackParameters parameters;
+  // Turns of every shape, each with its own wheelbase.
+  model::TrackParameters parameters;
+  parameters.slip_left = 0.3;
+  parameters.wheelbase_tight_m = 0.30;
+  parameters.wheelbase_spin_m = 0.35;
   Odometry odometry(parameters);
   model::TrackModel model(parameters, model::Mode::kExtended);
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const double left = 0.1 + 0.001 * i, right = 0.12 - 0.001 * i;
     odometry.advance_without_gyro({left, right}, 0.1);
     model.advance(left, right, 0.1);

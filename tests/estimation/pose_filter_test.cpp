@@ -65,6 +65,22 @@ TEST_F(PoseFilterTest, WithoutACameraItGoesWhereOdometryGoes) {
   EXPECT_EQ(fused.fused(now_).camera_age_us, -1);
 }
 
+TEST_F(PoseFilterTest, ItDriftsAsideByTheSlipAngleAsOdometryDoes) {
+  tracks_.slip_angle_straight_rad = 0.02;
+  tracks_.slip_angle_turning_rad = -0.05;
+  for (const double rate : {0.0, 0.3}) {
+    PoseFilter fused = filter();
+    Odometry odometry(tracks_);
+    for (int i = 0; i < 400; ++i) {
+      const FilterInput in = interval(0.1, rate);
+      fused.advance(in);
+      odometry.advance(in.belts, rate, kDt);
+    }
+    EXPECT_NEAR(fused.pose().x_m, odometry.pose().x_m, 1e-4) << rate;
+    EXPECT_NEAR(fused.pose().y_m, odometry.pose().y_m, 1e-4) << rate;
+  }
+}
+
 TEST_F(PoseFilterTest, WithoutAGyroTheBeltsGiveTheTurn) {
   PoseFilter fused = filter();
   Odometry odometry(tracks_);
@@ -128,19 +144,21 @@ TEST_F(PoseFilterTest, SamplesThatMakeNoSenseAreNotUsed) {
   PoseFilter fused = filter();
   for (int i = 0; i < 400; ++i) fused.advance(interval(0.0, 0.0));
   const FilterState before = fused.state();
-  CameraSample bad = seen({});
-  bad.x_m = std::numeric_limits<double>::quiet_NaN();
-  fused.camera(bad);
+  for (double Pose::*const value : {&Pose::x_m, &Pose::y_m, &Pose::yaw_rad}) {
+    Pose bad;
+    bad.*value = std::numeric_limits<double>::quiet_NaN();
+    fused.camera(seen(bad));
+  }
   CameraSample old = seen({});
   old.measured_ns -= 2 * kNsPerS;
   fused.camera(old);
   fused.camera(seen({.x_m = 0.5}));
   EXPECT_EQ(fused.state().mean, before.mean);
-  EXPECT_EQ(fused.fused(now_).camera_rejected, 3u);
+  EXPECT_EQ(fused.fused(now_).camera_rejected, 5u);
   CameraSample again = seen({});
   again.measured_ns -= kNsPerMs;  // older than the one above
   fused.camera(again);
-  EXPECT_EQ(fused.fused(now_).camera_rejected, 4u);
+  EXPECT_EQ(fused.fused(now_).camera_rejected, 6u);
 }
 
 TEST_F(PoseFilterTest, ASampleAheadOfTheEncodersWaitsForThem) {
@@ -176,6 +194,7 @@ TEST_F(PoseFilterTest, OneOutlierIsRejectedAndARobotThatWasMovedIsFoundInTwoFram
   EXPECT_NEAR(fused.pose().y_m, 0.04, 1e-3);
   EXPECT_NEAR(fused.pose().yaw_rad, 0.26, 5e-3);
   EXPECT_EQ(fused.fused(now_).recoveries, 1u);
+  EXPECT_EQ(fused.recoveries(), 1u);
   EXPECT_NEAR(fused.state().mean[kSlipLeft], tracks_.slip_left, 1e-3);
 }
 
@@ -242,6 +261,20 @@ TEST_F(PoseFilterTest, ABeginWithoutACameraTakesTheStartAndKeepsTheBias) {
   EXPECT_EQ(fused.pose().x_m, 0.4);
   EXPECT_EQ(fused.pose().yaw_rad, 1.0);
   EXPECT_NEAR(fused.fused(now_).gyro_bias_radps, 0.02, 1e-3);
+}
+
+TEST_F(PoseFilterTest, AfterAnInterruptionTheCameraOfBeforeKnowsTheStartNoBetter) {
+  PoseFilter fused = filter();
+  for (int i = 0; i < 60; ++i) {
+    fused.advance(interval(0.0, 0.0));
+    if (i % 6 == 0) fused.camera(seen({}));
+  }
+  ASSERT_GE(fused.fused(now_).camera_age_us, 0);
+  fused.interrupt();
+  EXPECT_EQ(fused.fused(now_).camera_age_us, -1);
+  fused.begin({.x_m = 0.4, .y_m = -0.2, .yaw_rad = 1.0}, now_);
+  EXPECT_EQ(fused.pose().x_m, 0.4);
+  EXPECT_EQ(fused.pose().y_m, -0.2);
 }
 
 TEST_F(PoseFilterTest, TheCovarianceStaysSymmetricAndPositive) {

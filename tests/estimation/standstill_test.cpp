@@ -47,6 +47,13 @@ TEST_F(StandstillTest, ATurnByHandWithRestingBeltsIsNotRest) {
   EXPECT_FALSE(standstill_.bias_known());
 }
 
+TEST_F(StandstillTest, AfterATurnByHandItIsAtRestAsSoonAsAfterADrive) {
+  for (int i = 0; i < 400; ++i) feed(1, 0.3 * std::sin(i * 0.05), 0.0);
+  feed(130, 0.03, 0.0);
+  ASSERT_TRUE(standstill_.bias_known());
+  EXPECT_NEAR(standstill_.bias_radps(), 0.03, 1e-3);
+}
+
 TEST_F(StandstillTest, FollowsASlowDriftAtRestAndHoldsWhileDriving) {
   feed(200, 0.02, 0.0);
   feed(2000, 0.04, 0.0);
