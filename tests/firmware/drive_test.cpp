@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "bench.h"
 
 namespace tp100::firmware {
@@ -118,6 +121,20 @@ TEST(Drive, IntegratorsStartClearedAfterAnArm) {
   EXPECT_EQ(bench.hal.nonzero_writes, writes);
 }
 
+TEST(Drive, ADutyIsNeverMoreThanFull) {
+  Bench bench;
+  bench.parameters.stall_duty = 0;
+  bench.belts_follow = true;
+  bench.left_blocked = bench.right_blocked = true;
+  bench.drive(0.2f);
+  int most = 0;
+  for (int ms = 0; ms < 1000; ++ms) {
+    bench.run(1);
+    most = std::max(most, std::abs(int{bench.hal.duties.left}));
+  }
+  EXPECT_EQ(most, wire::kFullDuty);
+}
+
 TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
   wire::Parameters p = Bench::good_parameters();
   p.speed_ki = 1.0f;
@@ -125,6 +142,17 @@ TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
   for (int i = 0; i < 100; ++i) {
     loop.measure(0, 5000, p);
     EXPECT_FLOAT_EQ(loop.update(0.2f, 5e-3f, p), 1.0f);
+  }
+  EXPECT_EQ(loop.lag_m(), 0.0f);
+}
+
+TEST(SpeedLoop, NorDoesItBackwards) {
+  wire::Parameters p = Bench::good_parameters();
+  p.speed_ki = 1.0f;
+  SpeedLoop loop;
+  for (int i = 0; i < 100; ++i) {
+    loop.measure(0, 5000, p);
+    EXPECT_FLOAT_EQ(loop.update(-0.2f, 5e-3f, p), -1.0f);
   }
   EXPECT_EQ(loop.lag_m(), 0.0f);
 }

@@ -212,6 +212,27 @@ TEST(FailSafe, AShortDipOfTheCellsIsNoFault) {
   EXPECT_FALSE(bench.has(Fault::battery_low));
 }
 
+TEST(BeltWatchAlone, ABeltThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
+  wire::Parameters p = Bench::good_parameters();
+  p.feed_forward = 0.0f;  // the duty says nothing about the speed
+  p.dead_band = 0.0f;
+  for (const std::int16_t stall_duty : {std::int16_t{1}, std::int16_t{600}}) {
+    p.stall_duty = static_cast<std::uint16_t>(stall_duty);
+    for (const int sign : {1, -1}) {
+      BeltWatch at, below;
+      BeltWatch::Verdict verdict = BeltWatch::kGood;
+      for (int ms = 0; ms <= 1010; ms += 5) {
+        EXPECT_EQ(verdict, BeltWatch::kGood) << ms;
+        verdict = at.update(static_cast<std::int16_t>(sign * stall_duty), 0, 5, p);
+        EXPECT_EQ(below.update(static_cast<std::int16_t>(sign * (stall_duty - 1)), 0, 5, p),
+                  BeltWatch::kGood);
+        if (verdict != BeltWatch::kGood) break;
+      }
+      EXPECT_EQ(verdict, BeltWatch::kStalled) << stall_duty << " " << sign;
+    }
+  }
+}
+
 TEST(FailSafe, ABlockedBeltIsStalled) {
   Bench bench;
   bench.belts_follow = true;

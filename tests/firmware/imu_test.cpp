@@ -30,6 +30,9 @@ TEST(Imu, DeadFromTheStartNeverStopsFramesOrTheFailSafe) {
   bench.run(1000);
   EXPECT_TRUE(bench.has(Fault::imu_missing));
   EXPECT_FALSE(bench.has(Fault::imu_stale));
+  ASSERT_FALSE(bench.reports.empty());
+  EXPECT_EQ(bench.reports[0].fault, static_cast<std::uint8_t>(Fault::imu_missing));
+  EXPECT_GT(bench.reports[0].detail, 0) << "how often it did not answer";
   EXPECT_GT(bench.samples.size(), 180U);
   EXPECT_EQ(bench.samples.back().imu_age, 255);
   bench.streams = false;

@@ -29,6 +29,7 @@ class ScriptedHal final : public Hal {
   std::int32_t left_counts = 0;
   std::int32_t right_counts = 0;
   std::uint16_t missed = 0;
+  std::uint8_t waiting = 0;  // bytes that the line has not taken yet
   std::uint16_t cells_mv = 7900;
   wire::ResetCause cause = wire::ResetCause::kPowerOn;
   std::uint32_t nonce = 0xB007;
@@ -55,7 +56,7 @@ class ScriptedHal final : public Hal {
     return true;
   }
   std::uint8_t uart_room() override { return static_cast<std::uint8_t>(room); }
-  std::uint8_t uart_waiting() override { return 0; }
+  std::uint8_t uart_waiting() override { return waiting; }
   void uart_write(const std::uint8_t* bytes, std::uint8_t size) override {
     overfilled = overfilled || size > room;
     room -= std::min<std::size_t>(room, size);

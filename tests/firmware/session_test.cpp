@@ -6,6 +6,7 @@
 
 #include "bench.h"
 #include "firmware/parameters.h"
+#include "firmware/version.h"
 
 namespace tp100::firmware {
 namespace {
@@ -32,10 +33,20 @@ TEST(Session, SaysHelloEvery200MsUntilAHostSpeaks) {
   EXPECT_EQ(bench.hellos[0].boot_nonce, 0xB007U);
   EXPECT_EQ(bench.hellos[0].protocol, wire::kProtocolVersion);
   EXPECT_EQ(bench.hellos[0].schema, wire::kSchemaHash);
-  EXPECT_EQ(bench.hellos[0].firmware[1], 1);
+  EXPECT_EQ(bench.hellos[0].firmware[0], kVersionMajor);
+  EXPECT_EQ(bench.hellos[0].firmware[1], kVersionMinor);
+  EXPECT_EQ(bench.hellos[0].firmware[2], kVersionPatch);
   EXPECT_TRUE(bench.samples.empty());
   EXPECT_EQ(bench.count_logs("boot"), 1);
   EXPECT_EQ(bench.bad_frames, 0);
+}
+
+TEST(Session, WhatWasCutOffBeforeABootEndsBeforeTheFirstReport) {
+  Bench bench(false);
+  bench.hal.cause = wire::ResetCause::kWatchdog;  // which is reported at once
+  bench.boot();
+  ASSERT_GT(bench.hal.sent.size(), 1U);
+  EXPECT_EQ(bench.hal.sent[0], wire::kDelimiter);
 }
 
 TEST(Session, WhatElseWasSaidOnTheLineSpoilsNoHello) {
@@ -244,6 +255,22 @@ TEST(Session, SyncReplyCarriesTheTimesOfReceiptAndReply) {
   EXPECT_LE(bench.sync_replies[0].sent_us, bench.hal.now_us);
 }
 
+TEST(Session, SyncReplyLeavesAfterWhatStillWaitsForTheLine) {
+  Bench bench;
+  bench.connect();
+  const auto takes_us = [&](std::uint8_t waiting) {
+    bench.hal.waiting = waiting;
+    bench.sync_replies.clear();
+    bench.send(wire::SyncRequest{4711});
+    bench.run(2);
+    return bench.sync_replies.empty()
+               ? 0
+               : bench.sync_replies[0].sent_us - bench.sync_replies[0].received_us;
+  };
+  const std::uint32_t at_once = takes_us(0);
+  EXPECT_EQ(takes_us(10) - at_once, 10U * 20U) << "20 us a byte at 500000 baud";
+}
+
 TEST(Session, SyncReplyCarriesHowManyFramesCameSpoilt) {
   Bench bench;
   bench.connect();
@@ -258,6 +285,27 @@ TEST(Session, SyncReplyCarriesHowManyFramesCameSpoilt) {
   bench.hal.received.insert(bench.hal.received.end(), std::begin(spoilt), std::end(spoilt));
   bench.run(2);
   EXPECT_EQ(asked(), before + 1);
+}
+
+TEST(Session, SyncReplyCountsWhateverSpoiltAFrame) {
+  Bench bench;
+  bench.connect();
+  const auto asked = [&] {
+    bench.sync_replies.clear();
+    bench.send(wire::SyncRequest{4711});
+    bench.run(2);
+    return bench.sync_replies.empty() ? -1 : int{bench.sync_replies[0].damaged};
+  };
+  const int before = asked();
+  std::vector<std::uint8_t> oversize(wire::kMaxFrame + 5, 0x01);
+  oversize.push_back(0x00);
+  const std::vector<std::uint8_t> past_its_end{0x09, 'x', 'y', 0x00}, too_short{0x02, 'x', 0x00};
+  int spoilt = 0;
+  for (const auto& bytes : {oversize, past_its_end, too_short}) {
+    bench.hal.received.insert(bench.hal.received.end(), bytes.begin(), bytes.end());
+    bench.run(5);
+    EXPECT_EQ(asked(), before + ++spoilt);
+  }
 }
 
 TEST(Session, SyncReplyCarriesHowManyEncoderEdgesWereMissed) {
@@ -281,6 +329,16 @@ TEST(Session, ASilentHostIsForgottenAfterASecond) {
   EXPECT_EQ(bench.program.state(), State::kHello);
   EXPECT_GE(bench.hellos.size(), 1U);
   EXPECT_FALSE(bench.motors_on());
+}
+
+TEST(Session, AHostThatOnlyAsksToArmIsNotForgotten) {
+  Bench bench;
+  bench.connect();
+  for (int i = 0; i < 15; ++i) {
+    bench.send(bench.arm_message());
+    bench.run(100);
+  }
+  EXPECT_NE(bench.program.state(), State::kHello);
 }
 
 TEST(Session, WiringFlagsTurnAndSwapBothWays) {
