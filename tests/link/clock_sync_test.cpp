@@ -221,6 +221,25 @@ TEST(ClockSync, TakesTheRequestsWireTimeFromItsBeginningAndTheReplysFromItsEnd) 
   EXPECT_NEAR(static_cast<double>(sync.state().to_host(now / kNsPerUs) - now), 0.0, 5e3);
 }
 
+TEST(ClockSync, ARepliesMiddleIsExactForEvenAndOddTimesInTheRobot) {
+  for (const DeviceUs inside_us : {100, 101}) {
+    ClockSync sync;
+    HostNs now = kNsPerS;
+    sync.reset(now);
+    for (std::uint16_t id = 1; id <= ClockSync::kValidAfter; ++id) {
+      sync.asked(id, now, 0);
+      const DeviceUs received_us = now / kNsPerUs;
+      const HostNs back_ns = now + inside_us * kNsPerUs;
+      EXPECT_EQ(sync.answered(id, received_us, received_us + inside_us, back_ns, 0),
+                ClockSync::Verdict::kAccepted);
+      now += ClockSync::kQuickPeriodNs;
+    }
+    ASSERT_TRUE(sync.state().valid);
+    EXPECT_NEAR(static_cast<double>(sync.state().to_host(now / kNsPerUs) - now), 0.0, 100.0)
+        << inside_us;
+  }
+}
+
 TEST(ClockSync, TakesOnlyTheReplyThatItWaitsFor) {
   ClockSync sync;
   sync.reset(0);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "wire/messages.h"
 
 namespace tp100::link {
@@ -37,6 +39,42 @@ TEST_F(OutputQueueTest, AFrameCutBeforeItsDelimiterCountsOnce) {
   queue.pad(3);
   write(queue.bytes().size());
   EXPECT_EQ(counters.frames_out, 1u);
+}
+
+TEST_F(OutputQueueTest, EachPortBeginsWithADelimiter) {
+  for (int port = 0; port < 2; ++port) {
+    const std::size_t frame = queue.push(wire::SyncRequest{1});
+    ASSERT_EQ(queue.bytes().size(), 1 + frame);
+    EXPECT_EQ(queue.bytes()[0], wire::kDelimiter);
+    write(queue.bytes().size());
+    const std::size_t second = queue.push(wire::SyncRequest{2});
+    EXPECT_EQ(queue.bytes().size(), second) << "led by none";
+    write(queue.bytes().size());
+    queue.reset();
+  }
+}
+
+TEST_F(OutputQueueTest, AFrameThatFillsTheQueueLeavesWhatIsBehindItAlone) {
+  // Whatever was queued and written before: frames come back as they went in.
+  wire::FrameDecoder decoder;
+  std::uint32_t expected = 0;
+  for (std::uint32_t id = 0; id < 300; ++id) {
+    queue.push(wire::SyncRequest{static_cast<std::uint16_t>(id)});
+    queue.pad(id % 7);
+    const std::size_t taken = queue.bytes().size() - id % 3;
+    const std::vector<std::uint8_t> bytes(
+        queue.bytes().begin(), queue.bytes().begin() + static_cast<std::ptrdiff_t>(taken));
+    for (const std::uint8_t byte : bytes) {
+      if (decoder.push(byte) != wire::Received::kFrame) continue;
+      wire::SyncRequest request{};
+      ASSERT_TRUE(wire::read_payload(decoder.payload(), decoder.size(), request));
+      EXPECT_EQ(request.id, expected++);
+    }
+    write(taken);
+  }
+  EXPECT_GE(expected, 298u);
+  EXPECT_EQ(counters.frames_out, expected);
+  EXPECT_EQ(counters.unwritten, 0u);
 }
 
 TEST_F(OutputQueueTest, PadsNoFurtherThanThereIsRoom) {

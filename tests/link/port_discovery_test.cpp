@@ -3,6 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
+#include "../support/temporary_folder.h"
+#include "link/port_holder.h"
+
 namespace tp100::link {
 namespace {
 
@@ -104,6 +110,46 @@ TEST_F(Auto, OfAServiceTakesNoneOfSeveral) {
 
 TEST_F(Auto, SaysWhatToDoIfThereIsNothing) {
   EXPECT_THAT(why_none(choose({})), HasSubstr("plug the robot in"));
+}
+
+// A folder like /proc, with one process that has `target` open.
+class Holder : public ::testing::Test {
+ protected:
+  Holder() {
+    std::filesystem::create_directories(folder_.path() / "self/ns");
+    std::filesystem::create_directories(folder_.path() / "1");
+    std::filesystem::create_directories(folder_.path() / "4711/fd");
+    std::ofstream(folder_.path() / "4711/comm") << "screen\n";
+  }
+  PortHolder of(const std::string& real_path) const {
+    return port_holder(real_path, folder_.path());
+  }
+  void seen_from(const char* processes) const {
+    std::filesystem::create_symlink(processes, folder_.path() / "self/ns/pid");
+  }
+  void has_open(const char* target) const {
+    std::filesystem::create_symlink(target, folder_.path() / "4711/fd/3");
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Holder, OthersCanBeSeenWhereAllProcessesOfTheMachineAre) {
+  seen_from("pid:[4026531836]");
+  EXPECT_FALSE(of("/dev/null").others_hidden);
+  EXPECT_EQ(of("/dev/null").name, "");
+}
+
+TEST_F(Holder, OthersAreHiddenFromWithinAContainer) {
+  seen_from("pid:[4026532840]");
+  EXPECT_TRUE(of("/dev/null").others_hidden);
+}
+
+TEST_F(Holder, IsWhoHasTheDeviceOpenUnderAnyOfItsNames) {
+  seen_from("pid:[4026531836]");
+  has_open("/dev/null");
+  EXPECT_EQ(of("/dev/null").name, "screen (pid 4711)");
+  EXPECT_EQ(of("/dev/../dev/null").name, "screen (pid 4711)");
+  EXPECT_EQ(of("/dev/zero").name, "");
 }
 
 TEST(PortDiscovery, ListsThisMachinesPortsWithoutFailing) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "session_bench.h"
@@ -50,6 +51,28 @@ TEST_F(SampleLoss, GapsAreCountedAndReportedToTheConsumer) {
   EXPECT_EQ(bench_.samples[1].lost_before, 2u);
   EXPECT_EQ(bench_.samples[2].lost_before, 0u);
   EXPECT_EQ(delta().lost, 2u);
+}
+
+TEST_F(SampleLoss, ASampleKeepsTheDutyOfEachTrackWithItsSign) {
+  bench_.now += 200 * kNsPerMs;
+  wire::Sample sample = at(0);
+  sample.left_duty = -wire::kFullDuty;
+  sample.right_duty = wire::kFullDuty / 4;
+  feed(sample);
+  ASSERT_EQ(bench_.samples.size(), 1u);
+  EXPECT_DOUBLE_EQ(bench_.samples[0].left_duty, -1.0);
+  EXPECT_DOUBLE_EQ(bench_.samples[0].right_duty, 0.25);
+}
+
+TEST_F(SampleLoss, ADutyBeyondFullIsImplausibleBothWays) {
+  bench_.now += 200 * kNsPerMs;
+  for (const int duty : {wire::kFullDuty + 1, -wire::kFullDuty - 1}) {
+    wire::Sample left = at(0), right = at(0);
+    left.left_duty = right.right_duty = static_cast<std::int16_t>(duty);
+    feed(left);
+    feed(right);
+  }
+  EXPECT_TRUE(bench_.samples.empty());
 }
 
 TEST_F(SampleLoss, DuplicatesAreCountedAndNotHandedOn) {
@@ -112,6 +135,23 @@ TEST_F(SampleLoss, WhatNobodyTakesIsBoundedAndCountsAsLost) {
   EXPECT_EQ(samples[0].lost_before, total - Session::kMaxSamples);
   EXPECT_EQ(delta().lost, total - Session::kMaxSamples);
   EXPECT_EQ(delta().samples, Session::kMaxSamples);
+}
+
+TEST_F(SampleLoss, WhateverSpoilsAFrameIsCountedByItsCause) {
+  const auto counts = [&] {
+    const LinkCounters& c = bench_.session.counters();
+    return std::array{c.oversize, c.cobs_errors, c.undersize, c.crc_errors};
+  };
+  std::vector<std::uint8_t> oversize(wire::kMaxFrame + 5, 0x01);
+  oversize.push_back(0x00);
+  const std::array<std::vector<std::uint8_t>, 4> spoilt{
+      oversize, {0x09, 'x', 'y', 0x00}, {0x02, 'x', 0x00}, {0x05, 'x', 'y', 'z', 'u', 0x00}};
+  for (std::size_t cause = 0; cause < spoilt.size(); ++cause) {
+    auto expected = counts();
+    ++expected.at(cause);
+    bench_.session.receive(spoilt.at(cause), bench_.now);
+    EXPECT_EQ(counts(), expected) << cause;
+  }
 }
 
 TEST(SampleWrap, SequenceTimeAndCountsRunThroughTheirWraps) {

@@ -82,6 +82,17 @@ TEST(Session, RefusesAnotherProtocolOrSchemaAndFallsSilent) {
   }
 }
 
+TEST(Session, ABoardThatSpeaksAnotherProtocolAfterARestartIsRefusedToo) {
+  SessionBench bench;
+  bench.connect();
+  ASSERT_EQ(bench.session.state(), SessionState::kReady);
+  bench.robot.protocol = 7;
+  bench.robot.reboot(bench.now);
+  bench.run(400);
+  EXPECT_EQ(bench.session.state(), SessionState::kRefused);
+  EXPECT_EQ(bench.count(Kind::kVersionMismatch), 1);
+}
+
 TEST(Session, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
   for (int ms = 1; ms <= 400; ++ms) {
     SessionBench bench;
@@ -713,6 +724,7 @@ TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
   SessionBench bench;
   bench.connect();
   wire::Log log{};
+  log.device_us = 4711;
   log.text[0] = 'h';
   log.text[1] = 0x1B;
   log.text[2] = 'i';
@@ -724,6 +736,7 @@ TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
   for (const SessionEvent& event : bench.events) {
     if (event.kind == Kind::kRobotLog) {
       EXPECT_STREQ(event.text.data(), "h?i");
+      EXPECT_EQ(event.detail, 4711);
     }
     if (event.kind == Kind::kRobotFault) {
       EXPECT_EQ(event.b, 5900);

@@ -78,6 +78,12 @@ TEST_F(Transport, OpensThroughASymbolicLink) {
   EXPECT_TRUE(open_port(link.string(), {}).is_open());
 }
 
+TEST_F(Transport, OpensAPseudoTerminalWhateverSpeedIsAsked) {
+  PortOptions options;
+  options.baud = 123457;
+  EXPECT_TRUE(open_port(pty_.near(), options).is_open());
+}
+
 TEST_F(Transport, KnowsAPseudoTerminalByItsNumberOnly) {
   for (const unsigned number : {136U, 140U, 143U})
     EXPECT_TRUE(is_pseudo_terminal(S_IFCHR, ::makedev(number, 3)));
