@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -92,6 +93,19 @@ TEST(CheckClimb, RefusesABlockBehindWhichTheRobotFallsOnItsNose) {
   geometry.com_forward_m = 0.125;
   ASSERT_GT(climb_limit_m(geometry), 0.060);
   EXPECT_THROW(check_climb(geometry, {0.060, 0.1}), SetupError);
+  // The height that it names is the one that decides.
+  const double lowest_m =
+      std::hypot(geometry.axle_spacing_m - geometry.com_forward_m, geometry.belt_radius_m) +
+      geometry.belt_radius_m;
+  EXPECT_NO_THROW(check_climb(geometry, {lowest_m - 1e-6, 0.1}));
+  try {
+    check_climb(geometry, {lowest_m + 1e-6, 0.1});
+    ADD_FAILURE() << "nothing is refused";
+  } catch (const SetupError& error) {
+    char named[32];
+    std::snprintf(named, sizeof named, "below %.1f mm", lowest_m * 1e3);
+    EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace
