@@ -43,6 +43,7 @@ TEST(Ride, OnAPlaneEveryMillimetreGoesAhead) {
   const World world({}, {});
   Ride ride(world, {});
   Pose pose{};
+  EXPECT_FALSE(ride.state().climbing);
   EXPECT_NEAR(drive(ride, pose, 1.0, [](const RideState&) {}), 1.0, 2 * kWayM);
   EXPECT_EQ(ride.state().obstacle, Obstacle::kNone);
 }
@@ -69,9 +70,10 @@ TEST(Ride, OverABlockItClimbsTipsAndComesDownAgain) {
   const World world(block_at_half_a_metre(), {});
   Ride ride(world, {});
   Pose pose{};
-  double nose_up = 0.0, nose_down = 0.0;
+  double nose_up = 0.0, nose_down = 0.0, highest = 0.0;
   bool climbed = false;
   const double way_m = drive(ride, pose, 1.0, [&](const RideState& on) {
+    highest = std::max(highest, on.height_m);
     nose_up = std::max(nose_up, -on.pitch_rad);
     nose_down = std::max(nose_down, on.pitch_rad);
     climbed = climbed || on.climbing;
@@ -79,6 +81,8 @@ TEST(Ride, OverABlockItClimbsTipsAndComesDownAgain) {
   EXPECT_TRUE(climbed);
   EXPECT_NEAR(nose_up * kDegPerRad, 45.0, 4.0);
   EXPECT_GT(nose_down, 15 * kRadPerDeg);
+  EXPECT_GT(highest, 0.036);
+  EXPECT_EQ(ride.state().height_m, 0.0);
   EXPECT_FALSE(ride.state().climbing);
   EXPECT_EQ(ride.state().pitch_rad, 0.0);
   EXPECT_GT(way_m, 1.02);
@@ -98,6 +102,23 @@ TEST(Ride, ABlockIsASlopeOfThePitchUphillBeforeAndDownhillBehindIt) {
   });
   EXPECT_GT(steepest_up, 40 * kRadPerDeg);
   EXPECT_LT(steepest_down, -15 * kRadPerDeg);
+}
+
+TEST(Ride, WhoBacksOffABlockStandsOnTheFloorAgain) {
+  const World world(block_at_half_a_metre(), {});
+  Ride ride(world, {});
+  Pose pose{};
+  while (!ride.state().climbing)
+    pose.x_m += kWayM * ride.advance(pose, kWayM, kStepS).incline.planar;
+  const double touch_m = pose.x_m;
+  // Up the riser a little; back on the way, and off.
+  for (int i = 0; i < 20; ++i) pose.x_m += kWayM * ride.advance(pose, kWayM, kStepS).incline.planar;
+  EXPECT_LT(ride.state().pitch_rad, 0.0);
+  for (int i = 0; i < 60; ++i)
+    pose.x_m -= kWayM * ride.advance(pose, -kWayM, kStepS).incline.planar;
+  EXPECT_LT(pose.x_m, touch_m - 0.01);
+  EXPECT_FALSE(ride.state().climbing);
+  EXPECT_EQ(ride.state().pitch_rad, 0.0);
 }
 
 TEST(Ride, ARealBodyClimbsWhenItsNoseRisesNotWhereTheMapHasTheBlock) {

@@ -48,6 +48,7 @@ TEST(World, IsLevelWhereNothingStands) {
   const Footing footing = world.at({.x_m = 0.5});
   EXPECT_EQ(footing.height_m, 0.0);
   EXPECT_EQ(footing.pitch_rad, 0.0);
+  EXPECT_EQ(footing.roll_rad, 0.0);
   EXPECT_EQ(footing.obstacle, Obstacle::kNone);
   EXPECT_EQ(footing.surface, nullptr);
 }
@@ -117,6 +118,16 @@ TEST(World, OnABlockTheRobotStandsLevelAtItsHeight) {
   const Footing climbing = world.at(heading_back(1.2 + 0.15 + 0.03));
   EXPECT_GT(climbing.slope_rad, 15 * kRadPerDeg);
   EXPECT_EQ(climbing.obstacle, Obstacle::kBlock);
+}
+
+TEST(World, ABlockUnderEitherTrackIsTheObstacle) {
+  const World world(one_block(), {});
+  const Footing left = world.at(heading_back(1.2, -0.6));
+  EXPECT_GT(left.roll_rad, 0.0);
+  EXPECT_EQ(left.obstacle, Obstacle::kBlock);
+  const Footing right = world.at(heading_back(1.2, -1.0));
+  EXPECT_LT(right.roll_rad, 0.0);
+  EXPECT_EQ(right.obstacle, Obstacle::kBlock);
 }
 
 TEST(World, HeightIsThatOfThePieceUnderThePoint) {
