@@ -195,8 +195,8 @@ class _Finder:
             self.replaced(begin, end, at, at + len(operator), SWAPS[operator], above)
 
     def replaced(self, begin, end, at, to, other, above):
-        """The expression with text[at:to] changed. Of class types the two may differ in type (Eigen's have one for each
-        formula): then the statement, or the value of the variable, is taken twice."""
+        """The expression with text[at:to] changed. Of class types the two may differ in type (Eigen's have one for
+        each formula): then the statement, or the value of the variable, is taken twice."""
         statement, cast = False, ''
         for outer in reversed(above):
             outer_begin, outer_end = self.range(outer)
@@ -307,8 +307,8 @@ def lines(text, site):
 
 
 def weave(text, mutants, head):
-    """The text with all of `mutants` ({id: mutant}) in it below `head`, and where each is: [(begin, end, ids)], innermost
-    last."""
+    """The text with all of `mutants` ({id: mutant}) in it below `head`, and where each is: [(begin, end, ids)], the
+    innermost last."""
     groups = {}
     for number, mutant in mutants.items():
         for site in mutant.sites:
@@ -331,8 +331,8 @@ def weave(text, mutants, head):
             places.append(None)
             _, _, statement, cast = group
             if statement:
-                head = '{ ' + ''.join(f'if (TP100_MUTANT({n})) {{ {other} }} else ' for n, other in groups[group]) + '{ '
-                foot = ' } }'
+                others = ''.join(f'if (TP100_MUTANT({n})) {{ {other} }} else ' for n, other in groups[group])
+                head, foot = '{ ' + others + '{ ', ' } }'
             else:
                 to = f'TP100_MUTANT_TYPE({cast})' if cast else ''
                 head = '(' + ''.join(f'TP100_MUTANT({n}) ? {to}({other}) : ' for n, other in groups[group]) + to + '('

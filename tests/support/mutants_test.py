@@ -54,7 +54,8 @@ FOUND = {
      'Vector operator-(Vector other) const { return {x / other.x}; }'),
     ('bool is_low(double value) { return value < kGain; }', 'bool is_low(double value) { return !(value < kGain); }'),
     ('bool is_low(double value) { return value < kGain; }', 'bool is_low(double value) { return value <= kGain; }'),
-    ('bool is_low(double value) { return value < kGain; }', 'bool is_low(double value) { return value < (2 * kGain); }'),
+    ('bool is_low(double value) { return value < kGain; }',
+     'bool is_low(double value) { return value < (2 * kGain); }'),
     ('if (value > 2) return std::min(value, 7);', 'if (!(value > 2)) return std::min(value, 7);'),
     ('if (value > 2) return std::min(value, 7);', 'if (value >= 2) return std::min(value, 7);'),
     ('if (value > 2) return std::min(value, 7);', 'if (value > 3) return std::min(value, 7);'),
@@ -85,7 +86,8 @@ def main():
         subprocess.run(['c++', '-std=c++20', '-w', path, '-o', folder + '/small'], check=True)
 
         def output(number):
-            return subprocess.run([folder + '/small'], env={'MUTANT': str(number)}, check=True, capture_output=True).stdout
+            run = subprocess.run([folder + '/small'], env={'MUTANT': str(number)}, check=True, capture_output=True)
+            return run.stdout
 
         right = output(0)
         assert right == b'-1 5 1 0 0 4 7\n', right
