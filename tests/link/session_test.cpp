@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "session_bench.h"
 
 namespace tp100::link {
@@ -131,6 +134,25 @@ TEST(Session, LostAnswersToClockRequestsAreAskedForAgain) {
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
   EXPECT_TRUE(bench.session.clock().valid);
   EXPECT_LT(bench.session.clock().uncertainty_us, 1000.0);
+}
+
+TEST(Session, ClockRequestsAreSpreadOverAMillisecondOfTheWire) {
+  SessionBench bench;
+  bench.connect();
+  bench.port_takes = false;
+  std::set<std::size_t> spare;
+  for (int ms = 0; ms < 20'000; ++ms) {
+    bench.step();
+    const auto out = bench.session.output();
+    if (out.empty()) continue;
+    spare.insert(static_cast<std::size_t>(
+        std::find_if(out.begin(), out.end(), [](std::uint8_t byte) { return byte != 0; }) -
+        out.begin()));
+    bench.robot.hear(out, bench.now);
+    bench.session.written(out.size());
+  }
+  EXPECT_GT(spare.size(), 20u);
+  EXPECT_LT(*spare.rbegin(), 51u);
 }
 
 TEST(Session, ABoardThatIsNotKnownIsCountedAndToldAndMayDrive) {
@@ -498,10 +520,12 @@ TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
   EXPECT_EQ(arms.front().expiry_us, arms.back().expiry_us);
 
   bench.robot.answers_requests = true;
-  bench.robot.say(
-      wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kArm), arms.back().token, 0, 0});
-  bench.run(20);
-  EXPECT_EQ(bench.robot.heard.disarms.size(), 1u);
+  for (int again = 0; again < 2; ++again) {
+    bench.robot.say(
+        wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kArm), arms.back().token, 0, 0});
+    bench.run(20);
+    EXPECT_EQ(bench.robot.heard.disarms.size(), 1u);
+  }
 }
 
 TEST(Session, AnArmWithoutASessionIsRefusedAtOnce) {
