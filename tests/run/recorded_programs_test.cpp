@@ -149,6 +149,11 @@ TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
   RecordProperty("lost_ms", std::to_string((killed - last) / kNsPerMs));
   EXPECT_LT(to_s(killed - last), 5.0);
 
+  const test::Finished exported =
+      test::run({"tp100d", "export", file(), "--out", folder_.file("out")});
+  EXPECT_EQ(exported.status, 0) << exported.output;
+  EXPECT_THAT(exported.output, HasSubstr("was cut off; exported up to there"));
+
   const test::Finished recover = test::run({"tp100d", "recover", file()});
   EXPECT_EQ(recover.status, 0) << recover.output;
   const std::string saved = std::filesystem::path(file()).parent_path() / "run-recovered.mcap";

@@ -11,6 +11,7 @@
 
 #include "analysis/metrics.h"
 #include "analysis/result_json.h"
+#include "analysis/tum.h"
 #include "app/replay_recording.h"
 #include "process.h"
 #include "sim/run/lockstep.h"
@@ -94,6 +95,54 @@ TEST_P(RecordedCourse, TheReportHasTheFiguresOfTheRun) {
   const std::string page = test::read_bytes(folder + "/report.html");
   EXPECT_THAT(page, HasSubstr("tp100Replay(document"));
   EXPECT_EQ(run.result.shoves.empty(), page.find("the robot is pushed") == std::string::npos);
+}
+
+TEST_P(RecordedCourse, IsExportedFromTheFirstToTheLastStepOfItsRun) {
+  const Recorded run = drive(GetParam(), folder_.path().string());
+  const std::string out = folder_.file("out");
+  const test::Finished exported = test::run({"tp100d", "export", run.path, "--out", out});
+  ASSERT_EQ(exported.status, 0) << exported.output;
+  std::string told;
+  for (const char* name :
+       {"samples.csv", "poses.csv", "model.tum", "odometry.tum", "fused.tum", "truth.tum"})
+    told += out + "/" + name + "\n";
+  EXPECT_EQ(exported.output, told);
+
+  const Recording recording(run.path);
+  HostNs from = 0, to = 0, last = 0;
+  recording.visit({.step = [&](const StepRecord& record) {
+    if (record.snapshot.run_state != RunState::kRunning) return;
+    if (from == 0) from = record.now_ns;
+    to = record.now_ns;
+  }});
+  std::size_t rows = 0;
+  std::string model, odometry, fused, truth;
+  recording.visit({.step =
+                       [&](const StepRecord& record) {
+                         const HostNs at = record.snapshot.sample.measured_ns;
+                         if (record.sample_count == 0 || at < from || at > to || at <= last) return;
+                         last = at;
+                         ++rows;
+                         const double t_s = to_s(at - recording.start_ns());
+                         model += analysis::tum_line(t_s, record.snapshot.model);
+                         odometry += analysis::tum_line(t_s, record.snapshot.odometry);
+                         fused += analysis::tum_line(t_s, record.snapshot.fused.pose);
+                       },
+                   .truth =
+                       [&](HostNs at, const Pose& pose) {
+                         if (at >= from && at <= to)
+                           truth += analysis::tum_line(to_s(at - recording.start_ns()), pose);
+                       }});
+  ASSERT_GT(rows, 1000u);
+  EXPECT_EQ(test::read_bytes(out + "/model.tum"), model);
+  EXPECT_EQ(test::read_bytes(out + "/odometry.tum"), odometry);
+  EXPECT_EQ(test::read_bytes(out + "/fused.tum"), fused);
+  EXPECT_EQ(test::read_bytes(out + "/truth.tum"), truth);
+  EXPECT_EQ(test::lines(test::read_bytes(out + "/poses.csv")), rows + 1);
+
+  const test::Finished two = test::run({"tp100d", "export", run.path, run.path, "--out", out});
+  EXPECT_EQ(two.status, 2);
+  EXPECT_THAT(two.output, HasSubstr("--out is for one run"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Courses, RecordedCourse, testing::Values("1-curve", "2", "3"),
