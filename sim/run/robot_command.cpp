@@ -59,6 +59,28 @@ void go_before_others() {
   if (!std::ranges::all_of(grants, &loop::Grant::granted)) go_beside_others();
 }
 
+/// Whether this thread computed nearly all the time since it was asked last, or since it began.
+class Overloaded {
+ public:
+  bool operator()(std::int64_t now_ns) {
+    const std::int64_t used_ns = thread_time_ns();
+    const bool all_the_time = used_ns - used_ns_ > (now_ns - asked_ns_) * 4 / 5;
+    used_ns_ = used_ns;
+    asked_ns_ = now_ns;
+    return all_the_time;
+  }
+
+ private:
+  static std::int64_t thread_time_ns() {
+    timespec used{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return used.tv_sec * kNsPerS + used.tv_nsec;
+  }
+
+  std::int64_t asked_ns_ = loop::monotonic_now();
+  std::int64_t used_ns_ = thread_time_ns();
+};
+
 /// Prints what the firmware says about itself, and counts its samples.
 class FirmwareLog {
  public:
@@ -220,6 +242,7 @@ int run_robot(const RobotCommand& command) {
   robot.reset(PowerUp::kPowerOn);
   std::int64_t begin_ns = loop::monotonic_now();
   std::int64_t longest_pause_ns = 0;
+  Overloaded overloaded;
   while (g_stop == 0) {
     // A quantum is computed when it is over: nothing reaches the host before its time, and what the
     // host wrote meanwhile arrives with the next one.
@@ -228,8 +251,9 @@ int run_robot(const RobotCommand& command) {
     longest_pause_ns = std::max(longest_pause_ns, now_ns - due_ns);
     if (now_ns - due_ns > kGiveUpNs) {
       begin_ns += now_ns - due_ns;
-      // Whatever cannot keep pace must not keep a processor for itself.
-      go_beside_others();
+      // Whatever cannot keep pace must not keep a processor for itself. A machine that stood still
+      // is another matter: beside a busy program the robot would fall behind again and again.
+      if (overloaded(now_ns)) go_beside_others();
     }
     if (now_ns < due_ns) sleep_until(due_ns);
     cable.plug();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +18,8 @@
 #include <fstream>
 #include <regex>
 #include <sstream>
+#include <thread>
+#include <utility>
 
 #include "process.h"
 #include "support/paths.h"
@@ -358,6 +362,24 @@ pid_t child_of(pid_t parent, const std::string& word) {
       return std::stoi(entry.path().filename());
   }
   return -1;
+}
+
+TEST_F(Programs, ARobotWhoseMachineStoodStillKeepsItsPriority) {
+  Process robot(robot_arguments());
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  const auto priority = [&] {
+    return std::pair(::sched_getscheduler(robot.pid()),
+                     ::getpriority(PRIO_PROCESS, id_t(robot.pid())));
+  };
+  const auto before = priority();
+  // Longer than it catches up with.
+  robot.signal(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  robot.signal(SIGCONT);
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(priority(), before);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
 }
 
 TEST_F(Programs, ADemoWhoseMachineStoodStillDrivesAgainAndSaysSo) {
