@@ -8,7 +8,7 @@ export default defineConfig({
   server: { fs: { strict: false } },
   test: {
     include: ['tests/web/browser/**/*_test.ts'],
-    testTimeout: 840_000,
+    testTimeout: 300_000,
     hookTimeout: 180_000,
     fileParallelism: false,
   },

@@ -20,7 +20,7 @@ const kFlags = [
 ];
 /** Nothing that is waited for moved on for this long, or it did but is not there after that long: it never will be. */
 const kStill_ms = 120_000;
-const kLimit_ms = 360_000;
+const kLimit_ms = 150_000;
 
 /** Without a graphics card a browser takes every core it gets; the robot must not starve for pictures. */
 export async function openBrowser(flags: string[] = []): Promise<Browser> {
