@@ -26,7 +26,7 @@ double processor_s(int who) {
 class TestTime : public testing::EmptyTestEventListener {
   void OnTestProgramEnd(const testing::UnitTest& program) override {
     const char* file = std::getenv("TP100_TEST_TIMES");
-    if (file == nullptr || program.test_to_run_count() != 1) return;
+    if (file == nullptr || *file == 0 || program.test_to_run_count() != 1) return;
     std::string name;
     for (int i = 0; i < program.total_test_suite_count(); ++i) {
       const testing::TestSuite& suite = *program.GetTestSuite(i);
