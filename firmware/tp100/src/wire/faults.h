@@ -40,7 +40,9 @@
   X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again") \
   X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",         \
     "put it back to the start; identify the robot if it happens again")                        \
-  X(19, heading, "the heading error stayed above control.max_heading_error_deg",               \
+  X(19, heading,                                                                               \
+    "the heading error stayed above control.max_heading_error_deg, or the robot turned "       \
+    "against the command",                                                                     \
     "check gyro sign and belts; identify the robot")                                           \
   X(20, tilt, "roll or pitch beyond control.max_tilt_deg", "set the robot upright")            \
   X(21, fence, "the reference point left the arena of the course",                             \
