@@ -65,6 +65,7 @@ class Bench {
   bool belts_follow = false;
   bool left_blocked = false;
   bool right_blocked = false;
+  double load_duty = 0.0;     ///< that the floor takes of each belt's
   double pushed_radps = 0.0;  ///< turn that the belts do not make
   double jumped_m = 0.0;      // that the left encoder has counted from nowhere
   double left_counted = 1.0;  ///< share of the edges that its encoder gives
@@ -222,8 +223,8 @@ class Bench {
         ++bad_frames;
     }
   }
-  static double follow(double mps, std::int16_t duty) {
-    const double size = std::abs(duty) / 1000.0;
+  double follow(double mps, std::int16_t duty) const {
+    const double size = std::abs(duty) / 1000.0 - load_duty;
     const double wanted = std::copysign(std::max(0.0, size - 0.13) / 4.3, duty);
     return mps + (wanted - mps) * (1.0 / 80.0);
   }

@@ -26,6 +26,7 @@ class ScriptedHal final : public Hal {
   bool imu_frozen = false;           // answers with the same values again and again
   std::uint32_t i2c_timeout_us = 0;  // what a dead bus costs a call
   std::int16_t gyro_z = 0;
+  std::int16_t accel_x = 0;
   std::int32_t left_counts = 0;
   std::int32_t right_counts = 0;
   std::uint16_t missed = 0;
@@ -116,7 +117,7 @@ class ScriptedHal final : public Hal {
   }
   void measure() {
     ++burst_;
-    put(0x3B, static_cast<std::int16_t>(burst_ % 7));  // noise
+    put(0x3B, static_cast<std::int16_t>(accel_x + burst_ % 7));  // noise
     put(0x3F, 8192);
     put(0x47, gyro_z);
   }

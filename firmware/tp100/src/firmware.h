@@ -88,6 +88,7 @@ class Firmware {
   CommandGate gate_;
   Belt left_;
   Belt right_;
+  BeltWatch mean_watch_;
   TurnWatch turn_watch_;
   BeltSpeeds target_;
   wire::Parameters parameters_;

@@ -92,13 +92,26 @@ void Firmware::drive(uint32_t now_us, uint16_t dt_us) {
 }
 
 void Firmware::check_belts(uint32_t now_us, uint16_t dt_ms) {
-  const BeltWatch::Verdict left = left_.watch.update(left_.duty, left_.counts, dt_ms, parameters_);
+  const float slope_duty = turn_watch_.slope_duty();
+  const float load_duty = slope_duty + turn_watch_.turn_duty();
+  const BeltWatch::Verdict left =
+      left_.watch.update(left_.duty, left_.counts, dt_ms, load_duty, parameters_);
   const BeltWatch::Verdict right =
-      right_.watch.update(right_.duty, right_.counts, dt_ms, parameters_);
+      right_.watch.update(right_.duty, right_.counts, dt_ms, load_duty, parameters_);
+  // What one track takes more in a turn the other takes less.
+  const int16_t mean_duty = static_cast<int16_t>((left_.duty + right_.duty) / 2);
+  const int32_t mean_counts = distance(left_.counts, distance(left_.counts, right_.counts) / 2);
+  const BeltWatch::Verdict mean =
+      mean_watch_.update(mean_duty, mean_counts, dt_ms, slope_duty, parameters_);
   if (left == BeltWatch::kStalled) latch(Fault::stalled_left, left_.duty, now_us);
   if (left == BeltWatch::kReversed) latch(Fault::reversed_left, left_.duty, now_us);
   if (right == BeltWatch::kStalled) latch(Fault::stalled_right, right_.duty, now_us);
   if (right == BeltWatch::kReversed) latch(Fault::reversed_right, right_.duty, now_us);
+  if (mean != BeltWatch::kStalled || !may_drive()) return;
+  const float left_m = left_.watch.missing_m();
+  const float right_m = right_.watch.missing_m();
+  if (left_m >= 0.5f * right_m) latch(Fault::stalled_left, left_.duty, now_us);
+  if (right_m >= 0.5f * left_m) latch(Fault::stalled_right, right_.duty, now_us);
 }
 
 void Firmware::check_turn(uint32_t now_us) {
@@ -106,8 +119,8 @@ void Firmware::check_turn(uint32_t now_us) {
     turn_watch_.reset();
     return;
   }
-  const TurnWatch::Verdict verdict =
-      turn_watch_.update(history_.newest(), gate_.current().gyro_bias_radps, parameters_);
+  const TurnWatch::Verdict verdict = turn_watch_.update(
+      history_.newest(), imu_.values().accel[0], gate_.current().gyro_bias_radps, parameters_);
   if (verdict == TurnWatch::kLeftShort) latch(Fault::stalled_left, left_.duty, now_us);
   if (verdict == TurnWatch::kRightShort) latch(Fault::stalled_right, right_.duty, now_us);
 }

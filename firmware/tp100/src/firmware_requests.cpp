@@ -156,6 +156,8 @@ bool Firmware::enable() {
   right_.loop.reset();
   left_.watch.reset();
   right_.watch.reset();
+  mean_watch_.reset();
+  turn_watch_.reset();
   if (!fail_safe_.enable()) return false;
   faults_ = 0;
   state_ = State::kArmed;
