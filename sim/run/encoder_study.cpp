@@ -68,6 +68,7 @@ void look_away(LockstepSettings& settings) {
   control.stall_s = 30.0;
   control.disagreement_radps = 10.0;
   settings.course.identifies = true;
+  settings.host_knows_motors = false;
 }
 
 /// When a healthy robot is where encoders fail.

@@ -122,11 +122,17 @@ bridge::Parameters parameters_of(const LockstepSettings& settings) {
   return parameters;
 }
 
+bridge::Parameters host_parameters(const LockstepSettings& settings) {
+  bridge::Parameters parameters = parameters_of(settings);
+  if (!settings.host_knows_motors) parameters.drive.feed_forward = 0.0;
+  return parameters;
+}
+
 Lockstep::Lockstep(const LockstepSettings& settings)
     : settings_(settings),
       parameters_(parameters_of(settings)),
       path_(settings.course),
-      cycle_(app::session_settings(parameters_), parameters_,
+      cycle_(app::session_settings(parameters_), host_parameters(settings),
              std::make_shared<const course::Course>(settings.course)),
       robot_({.values = settings.robot.emulated,
               .start = settings.course.start,

@@ -34,7 +34,8 @@ struct LockstepSettings {
   publish::Sink* sink = nullptr;  ///< gets every step, and the truth of each new sample's instant
   /// Hears what the session has to tell, with the robot's hello as far as it is known.
   std::function<void(const link::SessionEvent&, const wire::Hello&)> heard{};
-  double begin_within_s = 10.0;  ///< of its start; a run that never begins is a failure
+  bool host_knows_motors = true;  ///< false: a duty means nothing to the host
+  double begin_within_s = 10.0;   ///< of its start; a run that never begins is a failure
 };
 
 /// Drives the course once. A bench is no place for a camera: the robot that it sees stands still.
