@@ -2,6 +2,7 @@
 import os
 import re
 import shutil
+import subprocess
 import tempfile
 
 from host import ROOT, check, run
@@ -90,10 +91,20 @@ done > build/$2/CMakeCache.txt""")
     check("--preset" not in (fewer := asked("tp100d")), f"what was configured is left out again: {fewer}")
 
 
+def options(at):
+    """An option is no preset."""
+    build = at + "/tree/scripts/build"
+    for words in (("--help",), ("--preset", "dev"), ("dev", "-j2")):
+        asked = subprocess.run([build, *words], capture_output=True, text=True, check=False)
+        check(asked.returncode == 2 and asked.stderr.startswith("scripts/build [PRESET]") and not asked.stdout,
+              f"scripts/build {' '.join(words)}: {asked}")
+
+
 def setup(_build):
     with tempfile.TemporaryDirectory() as at:
         shutil.copytree(ROOT + "/scripts", at + "/tree/scripts")
         failures(at)
+        options(at)
         parts(at)
     with tempfile.TemporaryDirectory() as at:
         machine = Machine(at + "/moreutils", MOREUTILS)
