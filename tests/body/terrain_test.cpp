@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/angle.h"
 #include "sim/body/body.h"
@@ -115,7 +116,10 @@ TEST_P(BodyOnASlope, SlipsAsInThePapersTable) {
 INSTANTIATE_TEST_SUITE_P(PaperTable, BodyOnASlope,
                          testing::Values(Slip{8, 0.17, 0.176}, Slip{12, 0.18, 0.197},
                                          Slip{16, 0.19, 0.204}, Slip{20, 0.20, 0.218},
-                                         Slip{24, 0.21, 0.247}, Slip{28, 0.22, 0.260}));
+                                         Slip{24, 0.21, 0.247}, Slip{28, 0.22, 0.260}),
+                         [](const auto& param) {
+                           return std::to_string(std::lround(param.param.slope_deg)) + "deg";
+                         });
 
 TEST(BodyOnASlope, StandsStill) {
   const double slope = 28 * kRadPerDeg;
@@ -162,7 +166,11 @@ TEST_P(HighestStep, DependsOnTheHeightOfTheMass) {
 INSTANTIATE_TEST_SUITE_P(MassAt, HighestStep,
                          testing::Values(Limit{0.018, 0.0405, 0.0425}, Limit{0.022, 0.0385, 0.0405},
                                          Limit{0.026, 0.0365, 0.0385},
-                                         Limit{0.030, 0.0335, 0.0355}));
+                                         Limit{0.030, 0.0335, 0.0355}),
+                         [](const auto& param) {
+                           return std::to_string(std::lround(1e3 * param.param.com_height_m)) +
+                                  "mm";
+                         });
 
 TEST(BodyOnAStep, SquaresUpToTheRiser) {
   const Drive crossing = over(block(0.037), robot(0.022, 0.9), 8.5, {.yaw_rad = 8 * kRadPerDeg});

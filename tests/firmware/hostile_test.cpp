@@ -99,7 +99,7 @@ TEST_P(Hostile, NoiseOnTheWireDoesNotOutliveTheCommandLifeOfADrive) {
   EXPECT_FALSE(bench.motors_on());
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Hostile, testing::Range(1U, 6U));
+INSTANTIATE_TEST_SUITE_P(Seeds, Hostile, testing::Range(1U, 6U), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace tp100::firmware

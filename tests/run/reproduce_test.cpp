@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -52,7 +53,12 @@ TEST_P(HeldOutCourse, CanBeDrivenWhateverTheSeed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, HeldOutCourse,
-                         testing::Values("1-straight", "1-curve", "1-sharp", "2", "3"));
+                         testing::Values("1-straight", "1-curve", "1-sharp", "2", "3"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(HeldOut, TheSameSeedDrawsTheSameCourse) {
   const course::Course a = held_out_course("2", 7), b = held_out_course("2", 7);

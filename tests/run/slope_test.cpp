@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 #include "core/angle.h"
 #include "sim/run/options.h"
 #include "sim/run/slope_command.h"
@@ -28,7 +31,10 @@ INSTANTIATE_TEST_SUITE_P(Slopes, ReferenceRobot,
                          testing::Values(PaperRow{0, 0.16, 0.162}, PaperRow{8, 0.17, 0.176},
                                          PaperRow{12, 0.18, 0.197}, PaperRow{16, 0.19, 0.204},
                                          PaperRow{20, 0.20, 0.218}, PaperRow{24, 0.21, 0.247},
-                                         PaperRow{28, 0.22, 0.260}));
+                                         PaperRow{28, 0.22, 0.260}),
+                         [](const auto& param) {
+                           return std::to_string(std::lround(param.param.slope_deg)) + "deg";
+                         });
 
 TEST(Slope, SlipDoesNotDependOnTheSpeed) {
   const course::EmulatedBody values;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/angle.h"
 #include "core/error.h"
@@ -107,7 +108,12 @@ TEST_P(OtherRobots, DriveCurvesAndSharpTurns) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, OtherRobots, testing::Values("front-heavy", "slippery", "large"));
+INSTANTIATE_TEST_SUITE_P(Robots, OtherRobots, testing::Values("front-heavy", "slippery", "large"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(OtherRobotsOnTerrain, TheClimbersCrossStepAndRampAndTheOthersAreRefused) {
   for (const char* name : {"uniform", "front-heavy", "large"}) {

@@ -227,7 +227,8 @@ TEST_P(DecoderProperty, ForgettingAHalfFrameMakesRoomForTheNext) {
   EXPECT_EQ(outcome.lost(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, DecoderProperty, testing::Range(1U, 9U));
+INSTANTIATE_TEST_SUITE_P(Seeds, DecoderProperty, testing::Range(1U, 9U),
+                         testing::PrintToStringParamName());
 
 TEST(Decoder, NamesTheCauseOfEveryLoss) {
   EXPECT_EQ(decode({0x05, 0x01, 0x00}).losses, (std::map<Received, int>{{Received::kCobs, 1}}));
