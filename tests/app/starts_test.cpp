@@ -319,7 +319,7 @@ TEST_F(Starts, ALaterDriveOfTheSameProgramTakesTheWord) {
   with_board(wire::Board::kMega2560);
   run([&] {
     ASSERT_TRUE(ready());
-    std::this_thread::sleep_for(300ms);
+    ASSERT_TRUE(after_commands());
     keyboard_.enter();
     ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 0u);
@@ -348,8 +348,9 @@ TEST_F(Starts, AStopBeforeTheRobotIsThereIsNotUndoneByStartingByItself) {
   options_.wait = true;
   run([&] {
     publish::WebClient viewer(page());
+    viewer.subscribe(publish::Channel::kState);
     viewer.call(3);
-    std::this_thread::sleep_for(300ms);
+    viewer.read_until("\"latched\":true");
     with_board(wire::Board::kNative);
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands(200));

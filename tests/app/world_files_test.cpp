@@ -101,7 +101,12 @@ TEST_F(Files, AChangedFileIsReadAndABadOneIsCountedAndChangesNothing) {
   world_writes("P=-0.5 Y=0 R=0\n");
   EXPECT_TRUE(eventually([&] { return pitch() == -0.5; }));
   const std::uint64_t read = files_->counters().read;
-  std::this_thread::sleep_for(50ms);
+  // Each text that is written is followed by a look.
+  for (int i = 0; i < 3; ++i) {
+    const std::uint64_t written = files_->counters().written;
+    step();
+    ASSERT_TRUE(eventually([&] { return files_->counters().written > written; }));
+  }
   EXPECT_EQ(files_->counters().read, read) << "nobody wrote";
 }
 

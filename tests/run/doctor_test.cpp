@@ -8,11 +8,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "process.h"
 #include "support/paths.h"
@@ -82,7 +84,7 @@ TEST_F(Doctor, FindsNothingThatKeepsAGoodRobotFromDriving) {
   EXPECT_GT(link.at("commands_confirmed"), 0);
   EXPECT_GT(link.at("round_trip_us").at("p50"), 0.0);
   EXPECT_LE(link.at("age_us").at("p50"), link.at("age_us").at("p99"));
-  EXPECT_EQ(robot_->output().find("motors on"), std::string::npos) << "nothing may move";
+  EXPECT_EQ(robot_->output().find("motors off"), std::string::npos) << "they were never on";
 }
 
 TEST_F(Doctor, PrintsATableWithTheCountsAtItsEnd) {
@@ -353,12 +355,16 @@ TEST_F(WheelsUp, IsBrokenOffByAFault) {
 }
 
 TEST_F(WheelsUp, IsBrokenOffByAFaultThatForbidsArming) {
-  start_robot({"--setup", "bench", "--fault", "battery:5.5@7.5"});
+  // Some time after the question, on the board's clock, which begins when the port is opened.
+  start_robot({"--setup", "bench", "--fault", "battery:5.5@8.5"});
   const auto doctor = start();
   ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
+  ASSERT_TRUE(robot_->wait_for("port closed")) << robot_->output();
   answer("");
+  ASSERT_TRUE(robot_->wait_for("port opened, board resets")) << robot_->output();
+  const auto opened = std::chrono::steady_clock::now();
   ASSERT_TRUE(doctor->wait_for("What ran?")) << doctor->output();
-  usleep(3'000'000);
+  std::this_thread::sleep_until(opened + std::chrono::milliseconds(9'500));
   answer("");
   EXPECT_EQ(doctor->wait(), 1);
   EXPECT_THAT(doctor->output(), AllOf(HasSubstr("the robot cannot be armed: the cells are below"),

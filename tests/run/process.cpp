@@ -10,7 +10,10 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include "support/paths.h"
 
@@ -24,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 Process::Process(std::vector<std::string> arguments, int input) {
   if (!arguments[0].starts_with('/')) {
-    arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/" + arguments[0];
+    arguments[0] = TP100_BINARY_DIR "/bin/" + arguments[0];
   }
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -108,6 +111,31 @@ Finished run(std::vector<std::string> arguments) {
   Process process(std::move(arguments));
   const int status = process.wait();
   return {status, process.output()};
+}
+
+bool eventually(const std::function<bool()>& condition) {
+  const auto deadline = Clock::now() + 60s;
+  while (!condition()) {
+    if (Clock::now() > deadline) return false;
+    std::this_thread::sleep_for(10ms);
+  }
+  return true;
+}
+
+double figure(const std::string& stats, const std::string& name) {
+  std::stringstream text;
+  text << std::ifstream(stats).rdbuf();
+  const std::string key = "\"" + name + "\": ";
+  const std::size_t at = text.str().find(key);
+  return at == std::string::npos ? -1.0 : std::stod(text.str().substr(at + key.size()));
+}
+
+bool goes_on(const std::string& stats) {
+  const double old = figure(stats, "turns");
+  double begun = old;
+  // What is in the file was counted before.
+  return eventually([&] { return (begun = figure(stats, "turns")) != old; }) &&
+         eventually([&] { return figure(stats, "turns") >= begun + 100.0; });
 }
 
 std::size_t lines(const std::string& text) {

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,15 @@ struct Finished {
   std::string output;
 };
 Finished run(std::vector<std::string> arguments);
+
+/// Waits until `condition` holds. False: a minute has passed without.
+bool eventually(const std::function<bool()>& condition);
+/// The first number of that name in the file that tp100d --stats writes once a second; -1: none
+/// yet.
+double figure(const std::string& stats, const std::string& name);
+/// Waits until the daemon that writes `stats` has made a hundred turns more. False: a minute has
+/// passed without.
+bool goes_on(const std::string& stats);
 
 /// Number of lines in `text`.
 std::size_t lines(const std::string& text);

@@ -34,8 +34,9 @@ class Programs : public testing::Test {
     return {"tp100-sim", "robot", "--link", port(), "--course", "1-curve"};
   }
   std::vector<std::string> daemon_arguments(const std::string& course = "1-curve") const {
-    return {"tp100d", "run", "--port", port(), "--course", course};
+    return {"tp100d", "run", "--port", port(), "--course", course, "--stats", stats()};
   }
+  std::string stats() const { return folder_.file("stats.json"); }
   /// Six seconds' way.
   std::string short_course() const {
     std::ofstream(folder_.file("short.toml"))
@@ -59,15 +60,14 @@ TEST_F(Programs, DriveACourseInRealTimeAndBothEndCleanly) {
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
   std::vector<std::string> arguments = daemon_arguments();
-  arguments.insert(arguments.end(), {"--stats", folder_.file("stats.json"), "--verbose"});
+  arguments.push_back("--verbose");
   Process bridge(arguments);
   EXPECT_EQ(bridge.wait(), 0) << bridge.output();
   EXPECT_NE(bridge.output().find("state: running -> finished"), std::string::npos);
   EXPECT_NE(bridge.output().find("loop, p50/p99/max us: lateness "), std::string::npos);
   EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
-  std::ifstream stats(folder_.file("stats.json"));
   std::stringstream text;
-  text << stats.rdbuf();
+  text << std::ifstream(stats()).rdbuf();
   EXPECT_NE(text.str().find("\"reconnects\""), std::string::npos);
   for (const char* time :
        {"lateness_us", "compute_us", "write_us", "sample_wire_us", "sample_wait_us"})
@@ -129,7 +129,7 @@ TEST_F(Programs, AKilledDaemonLeavesTheMotorsOffWithinTwoHundredMilliseconds) {
   ASSERT_TRUE(robot.wait_for("linked from"));
   Process bridge(daemon_arguments());
   ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
-  usleep(500'000);
+  ASSERT_TRUE(eventually([&] { return figure(stats(), "progress_m") > 0.02; }));
   bridge.signal(SIGKILL);
   bridge.wait();
   ASSERT_TRUE(robot.wait_for("port closed")) << robot.output();
@@ -155,7 +155,7 @@ TEST_F(Programs, AKilledRobotLeavesTheDaemonWaitingAndDisarmedUntilANewStart) {
   robot = std::make_unique<Process>(robot_arguments());
   ASSERT_TRUE(robot->wait_for("linked from")) << robot->output();
   ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
-  usleep(1'500'000);
+  ASSERT_TRUE(goes_on(stats()));
   EXPECT_EQ(bridge.output().rfind("-> arming"), bridge.output().find("-> arming"))
       << "it must not arm again by itself: " << bridge.output();
   bridge.signal(SIGTERM);
@@ -173,7 +173,7 @@ TEST_F(Programs, AnUnpluggedRobotIsReadyAgainByItselfAndDisarmedUntilANewStart) 
   ASSERT_TRUE(bridge.wait_for("port is gone")) << bridge.output();
   ASSERT_TRUE(robot.wait_for("plugged in again, on ")) << robot.output();
   ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
-  usleep(1'000'000);
+  ASSERT_TRUE(goes_on(stats()));
   EXPECT_EQ(bridge.output().rfind("-> arming"), bridge.output().find("-> arming"))
       << "it must not arm again by itself: " << bridge.output();
   bridge.signal(SIGTERM);
@@ -225,8 +225,7 @@ TEST_F(Programs, AStepOfTheWallClockChangesNothing) {
   std::vector<std::string> arguments = daemon_arguments(short_course());
   arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/tp100d";
   arguments.insert(arguments.begin(), {"/usr/bin/env", "LD_PRELOAD=" TP100_WALL_CLOCK});
-  arguments.insert(arguments.end(),
-                   {"--stats", folder_.file("stats.json"), "--record", folder_.file("runs")});
+  arguments.insert(arguments.end(), {"--record", folder_.file("runs")});
   Process bridge(arguments);
   EXPECT_EQ(bridge.wait(), 0) << bridge.output();
   EXPECT_NE(bridge.output().find("state: running -> finished"), std::string::npos);

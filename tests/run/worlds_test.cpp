@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -17,7 +16,6 @@
 #include <ostream>
 #include <regex>
 #include <sstream>
-#include <thread>
 
 #include "../link/udp_receiver.h"
 #include "analysis/recording.h"
@@ -186,7 +184,8 @@ TEST_F(LiveWorlds, AStartThatTheWorldDoesNotAnswerIsRefusedAndNotKept) {
       << bridge.output();
   Process world({TP100_SOURCE_DIR "/scripts/world", "--listen", address.substr(4)});
   ASSERT_TRUE(bridge.wait_for("world: welcomed")) << bridge.output();
-  usleep(500'000);
+  ASSERT_TRUE(eventually([&] { return figure(folder_.file("stats.json"), "answered") > 0.0; }));
+  ASSERT_TRUE(goes_on(folder_.file("stats.json")));
   EXPECT_THAT(bridge.output(), HasSubstr("state: arming -> idle"));
   EXPECT_THAT(bridge.output(), Not(HasSubstr("-> running")));
 }
@@ -302,10 +301,7 @@ TEST_F(FileWorlds, BeginWhereTheCourseBegins) {
   ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();
   std::ofstream(folder_.file("Encoder.txt")) << "1 0.5 0.0 0.0 running\n";
   std::string text;
-  for (int i = 0; i < 100 && text.empty(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    text = read(folder_.file("Orientation.txt"));
-  }
+  EXPECT_TRUE(eventually([&] { return !(text = read(folder_.file("Orientation.txt"))).empty(); }));
   EXPECT_THAT(text, ::testing::StartsWith("X=-20.000 Y=10.000 Z=0.000\n"));
   EXPECT_THAT(text, HasSubstr("Y=-30.000000"));
 }
