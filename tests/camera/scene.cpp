@@ -81,15 +81,17 @@ cv::Mat blurred(const cv::Mat& grey, double sd) {
   const std::vector<float> weights = gaussian(sd);
   const int half = static_cast<int>(weights.size()) / 2;
   cv::Mat rows(grey.size(), CV_32F), out(grey.size(), CV_32F);
+  std::vector<float> wider(static_cast<std::size_t>(grey.cols + 2 * half));
   for (int v = 0; v < grey.rows; ++v) {
     const float* in = grey.ptr<float>(v);
+    std::fill_n(wider.begin(), half, in[0]);
+    std::copy_n(in, grey.cols, wider.begin() + half);
+    std::fill_n(wider.end() - half, half, in[grey.cols - 1]);
     float* to = rows.ptr<float>(v);
-    for (int u = 0; u < grey.cols; ++u) {
-      float sum = 0.0F;
-      for (int i = -half; i <= half; ++i)
-        sum +=
-            weights[static_cast<std::size_t>(i + half)] * in[std::clamp(u + i, 0, grey.cols - 1)];
-      to[u] = sum;
+    std::fill(to, to + grey.cols, 0.0F);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const float* from = wider.data() + i;
+      for (int u = 0; u < grey.cols; ++u) to[u] += weights[i] * from[u];
     }
   }
   for (int v = 0; v < grey.rows; ++v) {
@@ -129,6 +131,10 @@ std::array<double, 2> SceneCamera::pixel(const Vec3& world_m) const {
 }
 
 Vec3 SceneCamera::direction(double u_px, double v_px) const {
+  return direction(u_px, v_px, axes());
+}
+
+Vec3 SceneCamera::direction(double u_px, double v_px, const std::array<Vec3, 3>& frame) const {
   const double want_x = (u_px - centre_x_px) / focal_px, want_y = (v_px - centre_y_px) / focal_px;
   double x = want_x, y = want_y, off = 1.0;
   for (int i = 0; i < 200 && off > 1e-12; ++i) {
@@ -141,7 +147,6 @@ Vec3 SceneCamera::direction(double u_px, double v_px) const {
     y = next_y;
   }
   if (off > 1e-6) throw std::logic_error("scene: no ray for this pixel");
-  const std::array<Vec3, 3> frame = axes();
   return plus(plus(frame[2], frame[0], x), frame[1], y);
 }
 
@@ -215,6 +220,7 @@ void Scene::draw(cv::Mat& grey, const std::vector<std::vector<Decal>>& instants)
   const int u1 = std::min(grey.cols - 1, static_cast<int>(right) + 6);
   const int v0 = std::max(0, static_cast<int>(top) - 6);
   const int v1 = std::min(grey.rows - 1, static_cast<int>(bottom) + 6);
+  const std::array<Vec3, 3> frame = camera_.axes();
   for (int v = v0; v <= v1; ++v) {
     float* row = grey.ptr<float>(v);
     for (int u = u0; u <= u1; ++u) {
@@ -222,7 +228,7 @@ void Scene::draw(cv::Mat& grey, const std::vector<std::vector<Decal>>& instants)
       for (int ray = 0; ray < kRays; ++ray) {
         const double du = (ray % kGrid + 0.5) / kGrid - 0.5;
         const double dv = (static_cast<double>(ray / kGrid) + 0.5) / kGrid - 0.5;
-        const Vec3 direction = camera_.direction(u + du, v + dv);
+        const Vec3 direction = camera_.direction(u + du, v + dv, frame);
         // Seven shares no factor with the grid: instants and places mix.
         const auto& decals = instants[static_cast<std::size_t>(ray * 7 % kRays) % instants.size()];
         double value = row[u];
@@ -253,15 +259,16 @@ cv::Mat Scene::finish(cv::Mat grey, const SceneNoise& noise) {
   grey = blurred(grey, noise.blur_px);
   cv::Mat out(grey.size(), CV_8U);
   // A table that every row enters elsewhere: drawing two million numbers a picture takes longer.
-  std::vector<float> errors(1 << 14);
+  constexpr std::size_t kErrors = 1 << 14;
+  std::vector<float> errors(kErrors);
   std::normal_distribution<float> error(0.0F, static_cast<float>(noise.grey_sd));
   for (float& one : errors) one = noise.grey_sd > 0.0 ? error(random_) : 0.0F;
   for (int v = 0; v < grey.rows; ++v) {
     const float* from = grey.ptr<float>(v);
     auto* to = out.ptr<unsigned char>(v);
-    std::size_t at = random_() % errors.size();
+    std::size_t at = random_() % kErrors;
     for (int u = 0; u < grey.cols; ++u) {
-      at = (at + 1) % errors.size();
+      at = (at + 1) % kErrors;
       to[u] = static_cast<unsigned char>(std::clamp(from[u] + errors[at] + 0.5F, 0.0F, 255.0F));
     }
   }

@@ -31,8 +31,9 @@ struct SceneCamera {
   std::array<double, 2> pixel(const Vec3& world_m) const;
   /// Direction in the world in which a pixel looks.
   Vec3 direction(double u_px, double v_px) const;
-
- private:
+  /// The same; `frame` is axes().
+  Vec3 direction(double u_px, double v_px, const std::array<Vec3, 3>& frame) const;
+  /// In the world: x, y and z of the camera frame.
   std::array<Vec3, 3> axes() const;
 };
 
