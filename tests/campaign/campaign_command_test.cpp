@@ -19,14 +19,24 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
+// Over soon.
+constexpr const char* kCourse =
+    "[[segment]]\ntype = \"arc\"\nradius_m = 0.3\nangle_deg = 30.0\n"
+    "[fence]\nmin_x_m = -0.5\nmax_x_m = 0.8\nmin_y_m = -0.5\nmax_y_m = 0.5\n";
 constexpr const char* kSpec =
-    "runs = 6\ncourse = \"1-curve\"\n"
+    "runs = 6\n"
     "robot = { list = [\"end-loaded\", \"uniform\"] }\n"
     "[robot_values]\nemulated.body.friction = { uniform = [0.6, 0.9] }\n";
 
 class Campaign : public testing::Test {
  protected:
-  Campaign() { write("spec.toml", kSpec); }
+  Campaign() {
+    write("short.toml", kCourse);
+    write("spec.toml", spec(folder_.file("short.toml")));
+  }
+  static std::string spec(const std::string& course) {
+    return "course = \"" + course + "\"\n" + kSpec;
+  }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_.file(name)) << text;
   }
@@ -80,6 +90,7 @@ TEST_F(Campaign, InAnyOrderAndBySeveralProgramsAtOnceComesOutTheSame) {
 }
 
 TEST_F(Campaign, KilledInTheMiddleIsTakenUpWhereItWas) {
+  write("spec.toml", spec("1-curve"));
   Process killed(command("a"));
   while (done("a") < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   killed.signal(SIGKILL);
@@ -142,9 +153,9 @@ TEST_F(Campaign, AnEmptyIndexDrivesNothing) {
 }
 
 TEST_F(Campaign, ARunThatCannotBeDrivenIsToldAndNotTriedAgain) {
-  write("spec.toml",
-        "runs = 2\ncourse = \"1-curve\"\n"
-        "[robot_values]\nemulated.body.friction = { list = [0.8, 77.0] }\n");
+  write("spec.toml", "runs = 2\ncourse = \"" + folder_.file("short.toml") +
+                         "\"\n"
+                         "[robot_values]\nemulated.body.friction = { list = [0.8, 77.0] }\n");
   const Finished first = drive("a");
   EXPECT_EQ(first.status, 1);
   EXPECT_THAT(first.output, HasSubstr("run 1 refused"));
@@ -171,8 +182,8 @@ TEST_F(Campaign, IsTakenUpOnlyWithTheProgramAndTheFilesThatItWasBegunWith) {
   std::ostringstream robot;
   robot << bundled.rdbuf();
   write("mine.toml", robot.str());
-  write("spec.toml",
-        "runs = 2\ncourse = \"1-curve\"\nrobot = \"" + folder_.file("mine.toml") + "\"\n");
+  write("spec.toml", "runs = 2\ncourse = \"" + folder_.file("short.toml") + "\"\nrobot = \"" +
+                         folder_.file("mine.toml") + "\"\n");
   ASSERT_EQ(drive("a", {"--index", "0"}).status, 0);
   const std::string origin = read("a/origin.txt");
   EXPECT_THAT(origin, testing::ContainsRegex("program: tp100-sim [0-9.]+, build [0-9a-f]{40}\n"));
@@ -223,7 +234,7 @@ TEST_F(Campaign, MistakesAreOneLineAndStatus2) {
     EXPECT_EQ(wrong.status, 2) << index;
     EXPECT_EQ(lines(wrong.output), 1u) << wrong.output;
   }
-  write("spec.toml", std::string(kSpec) + "# another\n");
+  write("spec.toml", spec(folder_.file("short.toml")) + "# another\n");
   const Finished other = drive("a");
   EXPECT_EQ(other.status, 2);
   EXPECT_THAT(other.output, HasSubstr("holds the runs of another campaign"));
