@@ -10,6 +10,7 @@
 #include "analysis/result_json.h"
 #include "core/angle.h"
 #include "core/error.h"
+#include "recovered.h"
 #include "sim/run/lockstep.h"
 #include "sim/run/options.h"
 
@@ -50,17 +51,15 @@ TEST_P(FusedCourses, FusedSteersAndKeepsItsLimits) {
   LockstepSettings run = settings(which.course, which.robot, bridge::Steering::kFused);
   std::vector<double> max_m, rms_m, yaw_rad, tracking_m;
   for (run.seed = 1; run.seed <= which.seeds; ++run.seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << run.seed);
     const analysis::RunResult result = run_lockstep(run);
-    EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
+    EXPECT_TRUE(result.completed) << result.cause;
     const analysis::RunFigures figures = analysis::figures(result, run.course);
     max_m.push_back(figures.fused->max_position_error_m);
     rms_m.push_back(figures.fused->rms_position_error_m);
     yaw_rad.push_back(std::sqrt(figures.fused->mse_yaw_rad2));
     tracking_m.push_back(figures.tracking.max_cross_track_m);
-    for (const std::optional<double>& recovery : figures.tracking.recovery_s) {
-      ASSERT_TRUE(recovery.has_value()) << "seed " << run.seed;
-      EXPECT_LE(*recovery, 2.5) << "seed " << run.seed;
-    }
+    expect_recovered(figures.tracking, run.course);
   }
   EXPECT_LE(median(rms_m), 0.010);
   EXPECT_LE(median(yaw_rad), 1.0 * kRadPerDeg);

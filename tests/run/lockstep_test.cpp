@@ -92,6 +92,7 @@ TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
   EXPECT_TRUE(result.completed) << result.cause;
   EXPECT_EQ(result.link.implausible, 0u);
   EXPECT_EQ(result.link.lost, 0u);
+  EXPECT_EQ(result.link.crc_errors, 0u);
   EXPECT_LE(analysis::figures(result, run.course).model.max_position_error_m, 0.010);
 }
 #endif

@@ -49,7 +49,7 @@ constexpr int kDrawn = 3;
 constexpr double kMostTurns = 2.0;
 #else
 constexpr int kDrawn = 30;
-constexpr double kMostTurns = 10.0;
+constexpr double kMostTurns = 4.0;
 #endif
 constexpr double kRoomM = 0.5;
 // Of scripts/reproduce, where a path is not smooth.
