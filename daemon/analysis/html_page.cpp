@@ -42,17 +42,14 @@ std::string escaped(const std::string& text) {
 void HtmlPage::heading(const std::string& text) { body_ += "<h2>" + escaped(text) + "</h2>\n"; }
 void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + escaped(text) + "</p>\n"; }
 
-void HtmlPage::table(const std::vector<std::vector<std::string>>& rows,
-                     const std::string& caption) {
+void HtmlPage::table(const Rows& rows, const std::string& caption) {
   body_ += "<table><caption>" + escaped(caption) + "</caption>\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string cell = i == 0 ? "th" : "td";
+    const std::string tag = i == 0 ? "th" : "td";
     body_ += "<tr>";
-    for (const std::string& text : rows[i]) {
-      const bool missed = !text.empty() && text[0] == '!';
-      body_ += "<" + cell + (missed ? " class='missed'>" : ">") +
-               escaped(missed ? text.substr(1) : text) + "</" + cell + ">";
-    }
+    for (const Cell& cell : rows[i])
+      body_ += "<" + tag + (cell.missed ? " class='missed'>" : ">") + escaped(cell.text) + "</" +
+               tag + ">";
     body_ += "</tr>\n";
   }
   body_ += "</table>\n";

@@ -14,8 +14,7 @@
 namespace tp100::analysis {
 namespace {
 
-using Row = std::vector<std::string>;
-using Rows = std::vector<Row>;
+using Row = Rows::value_type;
 
 constexpr double kCmPerM = 100.0;
 constexpr std::size_t kLongestFact = 200;
@@ -27,11 +26,7 @@ std::string number(double value, int decimals) {
   return text.data();
 }
 
-// A cell's leading '!' would mark it.
-std::string plain(const std::string& text) {
-  const std::string line = course::one_line(text, kLongestFact);
-  return line.starts_with('!') ? " " + line : line;
-}
+std::string plain(const std::string& text) { return course::one_line(text, kLongestFact); }
 
 std::string count(std::uint64_t value) { return std::to_string(value); }
 
@@ -40,8 +35,9 @@ std::string title_of(const RecordedRun& run) {
   return plain(course) + ", " + plain(run.result.robot) + ", " + plain(run.result.setup);
 }
 
-std::string outcome(const RecordedRun& run) {
-  return run.result.completed ? "completed" : "!not completed: " + plain(run.result.cause);
+Cell outcome(const RecordedRun& run) {
+  if (run.result.completed) return "completed";
+  return {"not completed: " + plain(run.result.cause), true};
 }
 
 Rows summary(const RecordedRun& run) {
@@ -54,10 +50,11 @@ Rows summary(const RecordedRun& run) {
                {"steps", count(run.steps) + ", " + count(run.missing_steps) + " missing"}};
   if (run.runs > 1)
     rows.push_back({"runs in the recording", count(run.runs) + ", the last is shown"});
-  if (!run.whole) rows.push_back({"recording", "!cut off; everything up to there is here"});
+  if (!run.whole) rows.push_back({"recording", {"cut off; everything up to there is here", true}});
   if (run.every > 1) rows.push_back({"points", "every " + count(run.every) + "th is looked at"});
   if (run.implausible > 0)
-    rows.push_back({"points left out", "!" + count(run.implausible) + ": their numbers cannot be"});
+    rows.push_back(
+        {"points left out", {count(run.implausible) + ": their values are impossible", true}});
   return rows;
 }
 
@@ -150,8 +147,7 @@ void add_events(HtmlPage& page, const RecordedRun& run) {
   page.heading("Events");
   Rows rows = {{"time [s]", "what", "what to do"}};
   for (const RunEvent& event : run.events)
-    rows.push_back(
-        {number(event.t_s, 3), (event.bad ? "!" : "") + plain(event.text), plain(event.remedy)});
+    rows.push_back({number(event.t_s, 3), {plain(event.text), event.bad}, plain(event.remedy)});
   page.table(rows, "Time counts from the beginning of the run");
   if (run.more_events > 0) page.paragraph(count(run.more_events) + " more are not listed.");
 }

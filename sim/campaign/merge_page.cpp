@@ -11,7 +11,7 @@
 namespace tp100::sim {
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
+using analysis::Rows;
 
 // A page of more is none that anybody reads; merged.json has all.
 constexpr std::size_t kListed = 500;
@@ -88,8 +88,10 @@ Rows cause_rows(const Merged& merged) {
 Rows failed_rows(const std::vector<const MergedRun*>& failed) {
   Rows rows = {{"run", "seed", "cause", "drawn"}};
   for (std::size_t i = 0; i < std::min(failed.size(), kListed); ++i)
-    rows.push_back({std::to_string(failed[i]->index), std::to_string(failed[i]->seed),
-                    "!" + failed[i]->cause, drawn_text(*failed[i])});
+    rows.push_back({std::to_string(failed[i]->index),
+                    std::to_string(failed[i]->seed),
+                    {failed[i]->cause, true},
+                    drawn_text(*failed[i])});
   return rows;
 }
 
@@ -147,7 +149,9 @@ Rows refused_rows(const Merged& merged) {
   Rows rows = {{"run", "seed", "why", "drawn"}};
   for (const MergedRun& run : merged.runs)
     if (!run.refused.empty() && rows.size() <= kListed)
-      rows.push_back({std::to_string(run.index), std::to_string(run.seed), "!" + run.refused,
+      rows.push_back({std::to_string(run.index),
+                      std::to_string(run.seed),
+                      {run.refused, true},
                       drawn_text(run)});
   return rows;
 }

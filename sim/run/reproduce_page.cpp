@@ -17,7 +17,7 @@ namespace tp100::sim {
 namespace {
 
 using analysis::ChartSeries;
-using Rows = std::vector<std::vector<std::string>>;
+using analysis::Rows;
 
 // The paper's figures: truth green, model red. Ours beside them.
 constexpr const char* kTruthColour = "#2e8b3d";
@@ -51,14 +51,23 @@ Rows judged_rows(const Reproduction& what) {
     const std::string where =
         study.setup + ", " + (study.blind.empty() ? study.board : study.blind);
     if (study.completed != study.runs)
-      rows.push_back({study.course, study.robot, where, "completed", std::to_string(study.runs),
-                      "!" + std::to_string(study.completed), "", "runs"});
-    for (const Judged& one : study.judged) {
-      const std::string mark = one.holds() ? "" : "!";
-      rows.push_back({study.course, study.robot, where, one.what,
-                      one.limit < 0 ? "-" : number(one.limit), mark + number(one.ours.median),
-                      number(one.ours.p95), one.unit});
-    }
+      rows.push_back({study.course,
+                      study.robot,
+                      where,
+                      "completed",
+                      std::to_string(study.runs),
+                      {std::to_string(study.completed), true},
+                      "",
+                      "runs"});
+    for (const Judged& one : study.judged)
+      rows.push_back({study.course,
+                      study.robot,
+                      where,
+                      one.what,
+                      one.limit < 0 ? "-" : number(one.limit),
+                      {number(one.ours.median), !one.holds()},
+                      number(one.ours.p95),
+                      one.unit});
   }
   return rows;
 }
@@ -229,10 +238,10 @@ bool all_hold(const Reproduction& what) {
 std::string reproduction_page(const Reproduction& what) {
   analysis::HtmlPage page("The paper's experiment on the emulated TP100");
   page.paragraph(format(
-      "Seeds %llu and following, %d a course, each driven both ways round. The "
-      "truth is the exact pose of a rigid body on belts (ODE) that shares no "
-      "code with the model; the robot drives by the fused pose. Model means the extended "
-      "one: eqs 1-5 and seven constants of ours, which the paper's equations alone have not.",
+      "Seeds %llu and following, %d a course, each driven both ways round. The truth is the exact "
+      "pose of a rigid body on belts (ODE) that shares no code with the model; the robot drives by "
+      "the fused pose. Model means the extended one: eqs 1-5 and seven constants of ours, which "
+      "the paper's equations alone have not.",
       static_cast<unsigned long long>(what.seed), what.runs));
   page.paragraph(
       "The reference robot's slip table is fitted through its contact creep, its slip on the level "
@@ -246,8 +255,8 @@ std::string reproduction_page(const Reproduction& what) {
     page.figures(slope_charts(what), "Lines: ours. Dots: the paper's table.");
     page.heading("Parameters (tables 2 and 3)");
     page.table(parameter_table(what),
-               "Ours: the reference robot's file. Another floor, another "
-               "robot: only the wheelbase is meant to agree.");
+               "Ours: the reference robot's file. Another floor, another robot: only the wheelbase "
+               "is meant to agree.");
   }
   write_courses(page, what);
   page.heading("Mean squared errors (table 5)");
@@ -259,10 +268,10 @@ std::string reproduction_page(const Reproduction& what) {
     page.heading("Robots drawn from ranges");
     page.table(
         drawn_table(),
-        "Each was identified from its own calibration drives first; its file lies beside "
-        "this page. One seed, both ways round. Where friction is below 0.85, or the robot is "
-        "so long that it meets the step in the curve, course 3 is driven on a flat floor; "
-        "so it is with bundled robots.");
+        "Each was identified from its own calibration drives first; its file lies beside this "
+        "page. One seed, both ways round. Where friction is below 0.85, or the robot is so long "
+        "that it meets the step in the curve, course 3 is driven on a flat floor; so it is with "
+        "bundled robots.");
   }
   page.heading("Every figure with its limit");
   page.table(judged_rows(what), "Limits are ours. Red: does not hold.");
@@ -317,12 +326,13 @@ std::string reproduction_json(const Reproduction& what) {
 
 std::string reproduction_table(const Reproduction& what) {
   std::string out;
-  for (const std::vector<std::string>& row : judged_rows(what)) {
-    const bool missed = row[5][0] == '!';
-    out += format("%-24s %-14s %-26s %-42s %8s %8s %8s %-8s%s\n", row[0].c_str(), row[1].c_str(),
-                  row[2].c_str(), row[3].c_str(), row[4].c_str(),
-                  missed ? row[5].c_str() + 1 : row[5].c_str(), row[6].c_str(), row[7].c_str(),
-                  missed ? " DOES NOT HOLD" : "");
+  for (const std::vector<analysis::Cell>& row : judged_rows(what)) {
+    constexpr std::array kWidths = {24, 14, 26, 42, -8, -8, -8, 8};
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out += format("%s%*s", i == 0 ? "" : " ", -kWidths[i], row[i].text.c_str());
+    const bool missed =
+        std::any_of(row.begin(), row.end(), [](const analysis::Cell& cell) { return cell.missed; });
+    out += missed ? " DOES NOT HOLD\n" : "\n";
   }
   if (!what.slopes.empty())
     out += format("slip against slope: largest difference to the paper's table %.3f, limit %.2f\n",
