@@ -2,6 +2,8 @@
 // What the bridge knows of the link: the session's state, counters and the clock relation.
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -94,6 +96,16 @@ void each_counter(Counters& link, Visit&& visit) {
   visit("robot_faults", robot_faults);
   visit("robot_damaged", robot_damaged);
   visit("missed_edges", missed_edges);
+}
+
+/// What was counted since `before`, an earlier state of the same counters.
+inline LinkCounters operator-(LinkCounters now, LinkCounters before) {
+  std::array<std::uint64_t, sizeof(LinkCounters) / sizeof(std::uint64_t)> earlier{};
+  std::size_t i = 0;
+  each_counter(before, [&](const char*, std::uint64_t counter) { earlier[i++] = counter; });
+  i = 0;
+  each_counter(now, [&](const char*, std::uint64_t& counter) { counter -= earlier[i++]; });
+  return now;
 }
 
 /// Device clock against host clock: host_ns = reference_host_ns + (device - reference_us)(1 +
