@@ -60,6 +60,8 @@ std::span<const Key<View>> marker_keys() {
   return kKeys;
 }
 
+cv::Point2d to_point(const std::array<double, 2>& values) { return {values[0], values[1]}; }
+
 std::vector<FloorMarker> read_markers(course::TomlTable& root, const View& view) {
   std::vector<FloorMarker> markers;
   for (course::TomlTable& table : root.tables("floor_marker")) {
@@ -70,7 +72,7 @@ std::vector<FloorMarker> read_markers(course::TomlTable& root, const View& view)
     for (const FloorMarker& other : markers)
       if (other.id == marker.id)
         table.fail("id", "floor marker " + std::to_string(marker.id) + " is there twice");
-    marker.world_m = {table.required_number("x_m", kPlaces), table.required_number("y_m", kPlaces)};
+    marker.world_m = to_point(table.required_numbers({"x_m", "y_m"}, kPlaces));
     markers.push_back(marker);
   }
   return markers;
@@ -80,8 +82,8 @@ std::vector<FloorPoint> read_points(course::TomlTable& root) {
   std::vector<FloorPoint> points;
   for (course::TomlTable& table : root.tables("floor_point")) {
     FloorPoint point;
-    point.pixel = {table.required_number("u_px", kPixels), table.required_number("v_px", kPixels)};
-    point.world_m = {table.required_number("x_m", kPlaces), table.required_number("y_m", kPlaces)};
+    point.pixel = to_point(table.required_numbers({"u_px", "v_px"}, kPixels));
+    point.world_m = to_point(table.required_numbers({"x_m", "y_m"}, kPlaces));
     points.push_back(point);
   }
   return points;

@@ -42,11 +42,9 @@ Pose start_of(TomlTable table) {
 }
 
 Fence fence_of(TomlTable table) {
-  Fence fence{};
-  fence.min_x_m = table.required_number("min_x_m", kPlace);
-  fence.max_x_m = table.required_number("max_x_m", kPlace);
-  fence.min_y_m = table.required_number("min_y_m", kPlace);
-  fence.max_y_m = table.required_number("max_y_m", kPlace);
+  const auto [min_x_m, max_x_m, min_y_m, max_y_m] =
+      table.required_numbers({"min_x_m", "max_x_m", "min_y_m", "max_y_m"}, kPlace);
+  const Fence fence{min_x_m, max_x_m, min_y_m, max_y_m};
   if (fence.min_x_m >= fence.max_x_m) table.fail("max_x_m", "'max_x_m' must exceed 'min_x_m'");
   if (fence.min_y_m >= fence.max_y_m) table.fail("max_y_m", "'max_y_m' must exceed 'min_y_m'");
   return fence;

@@ -13,11 +13,8 @@ constexpr Range kSize{0.01, 20.0};
 constexpr Range kSlope{1.0, 60.0};
 
 Place place_of(TomlTable& table) {
-  Place place;
-  place.x_m = table.required_number("x_m", kPlace);
-  place.y_m = table.required_number("y_m", kPlace);
-  place.heading_rad = table.number("heading_deg", 0.0, kHeading) * kRadPerDeg;
-  return place;
+  const auto [x_m, y_m] = table.required_numbers({"x_m", "y_m"}, kPlace);
+  return {x_m, y_m, table.number("heading_deg", 0.0, kHeading) * kRadPerDeg};
 }
 
 Ramp ramp_of(TomlTable table) {

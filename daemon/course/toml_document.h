@@ -3,6 +3,8 @@
 // asked for, a wrong type or a value out of range is one line with file:line:column and the nearest
 // valid name. toml++ stays in the source file.
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -46,6 +48,14 @@ class TomlTable {
   double number(std::string_view key, double fallback, Range range);
   /// Same, but the key must be there.
   double required_number(std::string_view key, Range range);
+  /// Same for keys with similar names, so that none is mistaken for another one mistyped.
+  template <std::size_t N>
+  std::array<double, N> required_numbers(const std::string_view (&keys)[N], Range range) {
+    for (const std::string_view key : keys) number(key, 0.0, range);
+    std::array<double, N> values{};
+    for (std::size_t i = 0; i < N; ++i) values[i] = required_number(keys[i], range);
+    return values;
+  }
   long long integer(std::string_view key, long long fallback, Range range);
   bool boolean(std::string_view key, bool fallback);
   std::string text(std::string_view key, std::string_view fallback);

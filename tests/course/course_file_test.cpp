@@ -57,6 +57,10 @@ TEST(CourseFile, RefusesACourseWithoutPathOrFence) {
   EXPECT_THAT(told(kLine), HasSubstr("missing key 'fence.min_x_m'"));
   EXPECT_THAT(told(kLine + "[fense]\nmin_x_m = -1\n"),
               HasSubstr(":4:2: unknown key 'fense'; did you mean 'fence'?"));
+  EXPECT_THAT(told(kLine + "[fence]\nmin__m = -1\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n"),
+              HasSubstr(":5:1: unknown key 'fence.min__m'; did you mean 'fence.min_x_m'?"));
+  EXPECT_THAT(told(kLine + "[fence]\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n"),
+              HasSubstr(":4:1: missing key 'fence.min_x_m'"));
   EXPECT_THAT(told(""), StartsWith("dir/c.toml:1:1: "));
   EXPECT_THAT(told("segment = []\n" + kFence), HasSubstr("at least one [[segment]]"));
 }
