@@ -1,11 +1,9 @@
 // tp100d: the command line. Each subcommand is a file of app/; this one only names the options.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/standard_streams.h"
@@ -19,9 +17,6 @@
 #include "app/replay.h"
 #include "app/report.h"
 #include "app/run.h"
-#include "core/error.h"
-#include "course/nearest.h"
-#include "course/toml_document.h"
 
 namespace tp100::app {
 namespace {
@@ -254,27 +249,7 @@ void add_compare(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_compare(options); }; });
 }
 
-/// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
-std::string unknown_subcommand(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return {};
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands(std::function<bool(const CLI::App*)>{}))
-    names.push_back(command->get_name());
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
-  const std::string_view meant = course::nearest_name(argv[1], {names.begin(), names.end()});
-  return "unknown subcommand '" + course::one_line(argv[1]) + "'" +
-         (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?");
-}
-
-/// Of what no file and no option explains: systemd starts the service again.
-constexpr int kStopped = 3;
-
-int fail(const std::string& message, int status = 2) {
-  std::fprintf(stderr, "tp100d: %s\n", course::one_line(message, 500).c_str());
-  return status;
-}
-
-int run_program(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app("Real-time bridge for the TP100 crawler", "tp100d");
   app.set_version_flag("--version", TP100_VERSION);
   app.require_subcommand(1);
@@ -294,8 +269,12 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = unknown_subcommand(app, argc, argv);
-    return fail((unknown.empty() ? std::string(error.what()) : unknown) + "; see tp100d --help");
+    std::vector<std::string> names;
+    for (const CLI::App* command :
+         std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{}))
+      names.push_back(command->get_name());
+    const std::string unknown = analysis::unknown_subcommand(argc, argv, names);
+    return analysis::report_usage_error("tp100d", unknown.empty() ? error.what() : unknown);
   }
   return action();
 }
@@ -304,15 +283,5 @@ int run_program(int argc, char** argv) {
 }  // namespace tp100::app
 
 int main(int argc, char** argv) {
-  tp100::analysis::claim_standard_streams();
-  try {
-    return tp100::analysis::finish_standard_output("tp100d", tp100::app::run_program(argc, argv));
-  } catch (const tp100::SetupError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-  } catch (const std::exception& error) {
-    return tp100::app::fail(std::string("stopped: ") + error.what() +
-                                "; start it again, and report it if it comes back",
-                            tp100::app::kStopped);
-  }
-  return 2;
+  return tp100::analysis::run_program("tp100d", [&] { return tp100::app::run(argc, argv); });
 }

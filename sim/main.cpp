@@ -1,16 +1,12 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <csignal>
-#include <cstdio>
-#include <exception>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/standard_streams.h"
-#include "core/error.h"
-#include "course/nearest.h"
-#include "course/toml_document.h"
 #include "sim/campaign/campaign_command.h"
 #include "sim/run/calibrate_command.h"
 #include "sim/run/course_command.h"
@@ -51,22 +47,6 @@ void add_faults(CLI::App& app, std::vector<std::string>& faults) {
          "repeated; the list: tp100-sim faults")
       ->type_name("FAULT")
       ->allow_extra_args(false);
-}
-
-/// A first word that is no subcommand, with the one that was probably meant; empty if it is one.
-std::string unknown_subcommand(int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return {};
-  const std::vector<std::string_view> names = {
-      "course", "robot", "slope", "reproduce", "calibrate", "demo", "faults", "campaign", "merge"};
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return {};
-  const std::string_view meant = tp100::course::nearest_name(argv[1], names);
-  return "unknown subcommand '" + tp100::course::one_line(argv[1]) + "'" +
-         (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?");
-}
-
-int fail(const std::string& message, int status = 2) {
-  std::fprintf(stderr, "tp100-sim: %s\n", message.c_str());
-  return status;
 }
 
 int run(int argc, char** argv) {
@@ -257,9 +237,13 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = unknown_subcommand(argc, argv);
-    return fail(tp100::course::one_line(unknown.empty() ? error.what() : unknown, 500) +
-                "; see tp100-sim --help");
+    std::vector<std::string> names;
+    for (const CLI::App* command :
+         std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{}))
+      names.push_back(command->get_name());
+    const std::string unknown = tp100::analysis::unknown_subcommand(argc, argv, names);
+    return tp100::analysis::report_usage_error("tp100-sim",
+                                               unknown.empty() ? error.what() : unknown);
   }
   if (*course_app) return run_course(course);
   if (*robot_app) return run_robot(robot);
@@ -275,14 +259,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  tp100::analysis::claim_standard_streams();
   // A file that may not grow any more is an error like any other.
   std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return tp100::analysis::finish_standard_output("tp100-sim", run(argc, argv));
-  } catch (const tp100::SetupError& error) {
-    return fail(error.what());
-  } catch (const std::exception& error) {
-    return fail(std::string(error.what()) + "; this is a defect, please report it", 3);
-  }
+  return tp100::analysis::run_program("tp100-sim", [&] { return run(argc, argv); });
 }

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -32,11 +31,6 @@ struct Options {
   std::string print_marker, print_board;
   int marker_id = -1;
 };
-
-int fail(const std::string& message, int status = 2) {
-  std::fprintf(stderr, "tp100-camera: %s\n", course::one_line(message, 500).c_str());
-  return status;
-}
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("SOURCE", options.watch.source,
@@ -115,11 +109,12 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    return fail(std::string(error.what()) + "; see tp100-camera --help");
+    return analysis::report_usage_error("tp100-camera", error.what());
   }
   if (!options.print_marker.empty()) return print_marker(options);
   if (!options.print_board.empty()) return print_board(options);
-  if (options.watch.source.empty()) return fail("SOURCE is required; see tp100-camera --help");
+  if (options.watch.source.empty())
+    return analysis::report_usage_error("tp100-camera", "SOURCE is required");
   if (options.lens_out.empty()) return run_watch(options);
   return calibrate_lens(options.watch.source, options.watch.pictures, options.board,
                         options.lens_out);
@@ -129,17 +124,9 @@ int run(int argc, char** argv) {
 }  // namespace tp100::camera
 
 int main(int argc, char** argv) {
-  tp100::analysis::claim_standard_streams();
   // One line of ours says what is wrong; and the processors belong to the bridge.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);
-  try {
-    return tp100::analysis::finish_standard_output("tp100-camera", tp100::camera::run(argc, argv));
-  } catch (const tp100::SetupError& error) {
-    return tp100::camera::fail(error.what());
-  } catch (const cv::Exception& error) {
-    return tp100::camera::fail(std::string("stopped: ") + error.what(), 1);
-  } catch (const std::exception& error) {
-    return tp100::camera::fail(std::string("stopped: ") + error.what(), 1);
-  }
+  return tp100::analysis::run_program("tp100-camera",
+                                      [&] { return tp100::camera::run(argc, argv); });
 }
