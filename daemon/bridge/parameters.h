@@ -58,7 +58,8 @@ struct Parameters {
   WorldParameters world{};
   double command_life_s =
       0.180;  ///< expiry of a command after the step; the robot takes 0.2 at most
-  double max_sample_age_s = 0.060;  ///< older samples are not steered by: samples_stale
+  double max_sample_age_s = 0.060;  ///< older samples are not answered with a command
+  double sample_timeout_s = 0.2;    ///< no newer sample ends a run: link_lost or samples_stale
 };
 
 /// The extended model with this robot's values.

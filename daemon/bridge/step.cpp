@@ -20,8 +20,6 @@ namespace {
 
 // Nobody saw what happened in a longer gap between two steps: it does not count as having lasted.
 constexpr double kLongestSeenS = 0.05;
-// A little late is answered with silence, which the robot bridges; this late is a broken link.
-constexpr double kSamplesLostS = 0.2;
 // The robot itself gives up after 200 ms without a valid command.
 constexpr double kNoneTakenS = 0.3;
 // The firmware's own limit is 10 samples.
@@ -150,7 +148,7 @@ void Step::State::heed_stop() {
 }
 
 bool Step::State::fresh_sample(HostNs now) const {
-  return seen.has_sample() && to_s(now - seen.sample().measured_ns) <= kSamplesLostS;
+  return seen.has_sample() && to_s(now - seen.sample().measured_ns) <= parameters.sample_timeout_s;
 }
 
 bool Step::State::takes_commands(double dt_s) {
@@ -200,10 +198,6 @@ void Step::State::begin_run(HostNs now) {
 }
 
 control::Observation Step::State::observe(HostNs now, double dt_s) const {
-  const control::BeltLimits limits = drive_of(parameters, 0.0).limits;
-  const control::Belts belts = control::belts_for(
-      target.speed_mps,
-      control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits), limits);
   const Speeds& speeds = seen.speeds();
   return {.sample = &seen.sample(),
           .pose = seen.world_pose(),
@@ -216,8 +210,8 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .on_obstacle = seen.on_obstacle(),
           .immobilised = seen.immobilised() || outer.blocked(),
           .target = target,
-          .commanded_left_mps = belts.left_mps,
-          .commanded_right_mps = belts.right_mps,
+          .commanded_left_mps = out.snapshot.commanded_left_mps,
+          .commanded_right_mps = out.snapshot.commanded_right_mps,
           .elapsed_s = to_s(now - run_began_ns),
           .dt_s = std::min(dt_s, kLongestSeenS)};
 }
@@ -251,6 +245,7 @@ void Step::State::command(const Inputs& in, HostNs now) {
   command.answers = sample.sequence;
   command.answered_us = sample.device_us;
   command.pose = seen.steering_pose();
+  // The desired yaw is one of the course's world, and so must be the yaw that the robot compares.
   command.pose.yaw_rad = seen.world_pose().yaw_rad;
   command.desired_yaw_rad = target.desired_yaw_rad;
   command.yaw_rate_radps = target.yaw_rate_radps;
@@ -266,6 +261,12 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
   snapshot.now_ns = now;
   seen.write(snapshot, now);
   snapshot.command = out.command;
+  const control::BeltLimits limits = drive_of(parameters, 0.0).limits;
+  const control::Belts commanded = control::belts_for(
+      target.speed_mps,
+      control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits), limits);
+  snapshot.commanded_left_mps = commanded.left_mps;
+  snapshot.commanded_right_mps = commanded.right_mps;
   snapshot.cross_track_m = target.cross_track_m;
   snapshot.heading_error_rad = target.heading_error_rad;
   snapshot.progress_m = target.progress_m;

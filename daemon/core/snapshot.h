@@ -39,6 +39,9 @@ struct Snapshot {
   Slope imu_slope = Slope::kFlat;
   Obstacle imu_obstacle = Obstacle::kNone;  ///< what leans the body, without a map
   Command command{};
+  /// Track speeds that the command makes the firmware's yaw loop ask for, within the track's limit.
+  double commanded_left_mps = 0.0;
+  double commanded_right_mps = 0.0;
   double cross_track_m = 0.0;      ///< steering pose against the path, left positive
   double heading_error_rad = 0.0;  ///< desired - actual
   double progress_m = 0.0;         ///< along the path

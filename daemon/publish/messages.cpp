@@ -73,24 +73,15 @@ void write_reference(JsonWriter& json, const course::Path* path, double progress
       .end_object();
 }
 
-/// Belt speeds, and those that the command means to the firmware's yaw loop.
-void write_tracks(JsonWriter& json, const StepRecord& record, const course::Robot& robot) {
+void write_tracks(JsonWriter& json, const StepRecord& record) {
   const Snapshot& snapshot = record.snapshot;
   json.key("tracks")
       .begin_object()
       .field("left_mps", snapshot.left_mps)
       .field("right_mps", snapshot.right_mps);
   if (record.command_valid) {
-    const Command& command = snapshot.command;
-    const double turn = std::clamp(
-        command.yaw_rate_radps +
-            robot.drive.yaw_kp *
-                std::remainder(command.desired_yaw_rad - command.pose.yaw_rad, 2.0 * kPi),
-        -robot.drive.max_yaw_radps, robot.drive.max_yaw_radps);
-    const bool moving = command.speed_mps != 0.0 || command.yaw_rate_radps != 0.0;
-    const double half = moving ? turn * robot.model.wheelbase_m / 2.0 : 0.0;
-    json.field("left_commanded_mps", (command.speed_mps - half) / (1.0 - robot.model.slip_left))
-        .field("right_commanded_mps", (command.speed_mps + half) / (1.0 - robot.model.slip_right));
+    json.field("left_commanded_mps", snapshot.commanded_left_mps)
+        .field("right_commanded_mps", snapshot.commanded_right_mps);
   } else {
     json.null_field("left_commanded_mps").null_field("right_commanded_mps");
   }
@@ -261,7 +252,7 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
       .field("slope_rad", snapshot.underfoot.slope_rad)
       .field("traction", name_of(snapshot.underfoot.traction))
       .end_object();
-  write_tracks(json, record, subject_.robot);
+  write_tracks(json, record);
   json.field("cross_track_m", snapshot.cross_track_m)
       .field("heading_error_rad", snapshot.heading_error_rad)
       .field("desired_yaw_rad", snapshot.command.desired_yaw_rad)

@@ -153,8 +153,8 @@ template <class Visitor, MaybeConst<Snapshot> T>
 void visit_fields(Visitor& v, T& snapshot) {
   auto& [now, sample, has_sample, age, model, model_twist, odometry, odometry_twist, fused, world,
          underfoot, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope,
-         imu_obstacle, command, cross_track, heading_error, progress, recovering, steering,
-         run_state, start_refusal, faults] = snapshot;
+         imu_obstacle, command, commanded_left, commanded_right, cross_track, heading_error,
+         progress, recovering, steering, run_state, start_refusal, faults] = snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -176,6 +176,8 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("imu_slope", imu_slope, Slope::kDown);
   v("imu_obstacle", imu_obstacle, Obstacle::kBlock);
   v("command", command);
+  v("commanded_left_mps", commanded_left);
+  v("commanded_right_mps", commanded_right);
   v("cross_track_m", cross_track);
   v("heading_error_rad", heading_error);
   v("progress_m", progress);

@@ -40,6 +40,7 @@ class KinematicRobot {
     return sample;
   }
 
+  double rate_radps() const { return rate_radps_; }
   void obey(const Outputs& out) {
     if (out.request == RobotRequest::kArm) armed = true;
     if (out.request == RobotRequest::kDisarm || out.request == RobotRequest::kStop) armed = false;
@@ -140,6 +141,35 @@ TEST_F(StepTest, DrivesACourseToItsEndAndDisarms) {
   EXPECT_FALSE(robot.armed);
   EXPECT_NEAR(robot.x_m, 0.8, 0.02);
   EXPECT_NEAR(robot.y_m, 0.3, 0.02);
+}
+
+TEST_F(StepTest, CommandedTrackSpeedsAreThoseThatTheRobotMakesOfTheCommand) {
+  parameters_.drive.max_track_mps = 0.12;
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  start(step, robot);
+  const course::ModelValues& model = parameters_.model;
+  int moving = 0, limited = 0;
+  RunState state = RunState::kIdle;
+  while (state != RunState::kFinished && state != RunState::kAborted) {
+    const Outputs& out = tick(step, robot);
+    state = out.snapshot.run_state;
+    const double left_mps = out.snapshot.commanded_left_mps;
+    const double right_mps = out.snapshot.commanded_right_mps;
+    ASSERT_LE(std::max(std::abs(left_mps), std::abs(right_mps)), 0.12 + 1e-12);
+    const double turn_radps =
+        (right_mps * (1.0 - model.slip_right) - left_mps * (1.0 - model.slip_left)) /
+        model.wheelbase_m;
+    // The turn that was asked for has priority over the speed.
+    ASSERT_NEAR(turn_radps, robot.rate_radps(), 1e-9) << to_s(now_);
+    const double speed_mps =
+        (right_mps * (1.0 - model.slip_right) + left_mps * (1.0 - model.slip_left)) / 2.0;
+    moving += speed_mps > 0.05 ? 1 : 0;
+    limited += std::abs(speed_mps - out.command.speed_mps) > 1e-9 ? 1 : 0;
+  }
+  EXPECT_EQ(state, RunState::kFinished);
+  EXPECT_GT(moving, 500);
+  EXPECT_EQ(limited, 0) << "the tracker asks for nothing that the tracks cannot do";
 }
 
 TEST_F(StepTest, AChangedGainCountsFromTheNextStep) {

@@ -51,24 +51,17 @@ TEST_F(MessagesTest, NumbersThatAreNoneStayOutOfTheJson) {
   EXPECT_TRUE(json["model"]["x_m"].is_null());
 }
 
-TEST_F(MessagesTest, AStraightCommandMeansTheSameGroundSpeedOfBothBelts) {
-  const Json tracks = Json::parse(messages_.estimate(record_, std::nullopt))["tracks"];
-  const course::ModelValues& model = messages_.subject().robot.model;
-  EXPECT_NEAR(tracks["left_commanded_mps"].get<double>() * (1 - model.slip_left), 0.1, 1e-12);
-  EXPECT_NEAR(tracks["right_commanded_mps"].get<double>() * (1 - model.slip_right), 0.1, 1e-12);
+TEST_F(MessagesTest, CommandedTrackSpeedsAreThoseOfTheStepAndNoneWithoutACommand) {
+  record_.snapshot.commanded_left_mps = 0.05;
+  record_.snapshot.commanded_right_mps = 0.15;
+  const auto tracks = [&] {
+    return Json::parse(messages_.estimate(record_, std::nullopt))["tracks"];
+  };
+  EXPECT_EQ(tracks()["left_commanded_mps"], 0.05);
+  EXPECT_EQ(tracks()["right_commanded_mps"], 0.15);
   record_.command_valid = false;
-  EXPECT_TRUE(Json::parse(messages_.estimate(record_, std::nullopt))["tracks"]["left_commanded_mps"]
-                  .is_null());
-}
-
-TEST_F(MessagesTest, AWideYawErrorIsNotCommandedTheLongWayRound) {
-  record_.snapshot.command.desired_yaw_rad = record_.snapshot.odometry.yaw_rad + 2 * kPi + 0.1;
-  const Json tracks = Json::parse(messages_.estimate(record_, std::nullopt))["tracks"];
-  // 0.1 rad to the left, not the largest turn.
-  const course::Robot& robot = messages_.subject().robot;
-  const double half = robot.drive.yaw_kp * 0.1 * robot.model.wheelbase_m / 2.0;
-  EXPECT_NEAR(tracks["right_commanded_mps"].get<double>() * (1 - robot.model.slip_right),
-              0.1 + half, 1e-9);
+  EXPECT_TRUE(tracks()["left_commanded_mps"].is_null());
+  EXPECT_TRUE(tracks()["right_commanded_mps"].is_null());
 }
 
 TEST_F(MessagesTest, TheReferenceIsThePathAtTheProgress) {
