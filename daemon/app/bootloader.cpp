@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/clock.h"
 #include "core/time.h"
 #include "link/transport.h"
-#include "loop/pacing.h"
 
 namespace tp100::app {
 namespace {
@@ -25,10 +25,10 @@ constexpr std::string_view kSignature = "AVRISP_2";
 
 bool bootloader_answers(const std::string& path, double limit_s) {
   const link::Port port = link::open_port(path, {.baud = kBootloaderBaud});
-  const HostNs end = loop::monotonic_now() + from_s(limit_s);
+  const HostNs end = monotonic_now() + from_s(limit_s);
   HostNs next_ns = 0;
   std::string heard;
-  for (HostNs now = loop::monotonic_now(); now < end; now = loop::monotonic_now()) {
+  for (HostNs now = monotonic_now(); now < end; now = monotonic_now()) {
     if (now >= next_ns) {
       next_ns = now + kAskEveryNs;
       if (::write(port.fd(), kSignOn.data(), kSignOn.size()) < 0) continue;

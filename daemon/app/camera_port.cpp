@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "app/udp_socket.h"
+#include "core/clock.h"
 #include "core/error.h"
-#include "loop/pacing.h"
 
 namespace tp100::app {
 namespace {
@@ -42,7 +42,7 @@ struct CameraPort::State : std::enable_shared_from_this<State> {
     for (int i = 0; i < kMostAtOnce && !error; ++i) {
       const std::size_t n = socket.receive(boost::asio::buffer(buffer), 0, error);
       if (error) break;
-      const auto sample = intake.receive({buffer.data(), n}, loop::monotonic_now());
+      const auto sample = intake.receive({buffer.data(), n}, monotonic_now());
       if (sample && !give(*sample)) intake.count_dropped();
     }
     wait();

@@ -26,16 +26,14 @@ std::span<const Key<Configuration>> run_keys() {
        &T::course,
        {},
        "Course: a name from config/courses or the path of a course file; empty: poses only, the "
-       "robot "
-       "stands still"},
+       "robot stands still"},
       {"setup",
        Choice<T>{{"bench", "flat", "terrain"},
                  [](const T& c) { return static_cast<std::size_t>(c.parameters.setup); },
                  [](T& c, std::size_t i) { c.parameters.setup = static_cast<bridge::Setup>(i); }},
        {},
        "Where the robot stands. bench: tracks spin free, the gyro does not steer; flat: flat "
-       "floor, "
-       "obstacles only in the virtual world; terrain: the real floor has the obstacles too"},
+       "floor, obstacles only in the virtual world; terrain: the real floor has the obstacles too"},
   }};
   return kKeys;
 }
@@ -112,8 +110,7 @@ std::span<const Key<bridge::Parameters>> model_keys() {
                  [](T& p, std::size_t i) { p.paper_model = i == 1; }},
        {},
        "paper: eqs 1-5 with the paper's constants whatever the robot file says; extended: the "
-       "robot's "
-       "values, turning centre and slope"},
+       "robot's values, turning centre and slope"},
       {"slip_curve",
        Choice<T>{{"table", "fit", "table-downhill", "fit-downhill"},
                  [](const T& p) { return static_cast<std::size_t>(p.slip_curve); },
@@ -423,10 +420,8 @@ Configuration parse_configuration(const std::string& text, const std::string& fi
 std::string write_configuration(const Configuration& configuration) {
   std::string text = course::toml_comment(
       "Configuration of tp100d and tp100-sim, with every key at its default. A file needs only the "
-      "keys "
-      "that differ. Angles are in degrees; a key's end names its unit. `tp100d check FILE` says "
-      "whether "
-      "a file is right.");
+      "keys that differ. Angles are in degrees; a key's end names its unit. `tp100d check FILE` "
+      "says whether a file is right.");
   std::string last = "none";
   for_each_section(configuration, [&](const std::string& section, auto keys, const auto& values) {
     if (section != last) text += section.empty() ? "\n" : "\n[" + section + "]\n";

@@ -15,7 +15,7 @@ namespace tp100::app {
 
 /// How the robot is reached.
 struct LinkSettings {
-  std::string port = "auto";  ///< device path, or "auto": the only port that looks like a TP100
+  std::string port = "auto";  ///< device path, or "auto": found by its USB ids, see ports.h
   int baud = 500000;
   double timeout_ms = 500.0;               ///< no good frame for this long: link lost
   double first_frame_timeout_ms = 5000.0;  ///< nothing heard for this long: warn

@@ -10,8 +10,8 @@
 #include <system_error>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/time.h"
-#include "loop/pacing.h"
 
 namespace tp100::app {
 namespace {
@@ -55,9 +55,9 @@ doctor::Disk try_disk(const std::string& folder) {
   struct statvfs space {};
   if (::fstatvfs(fd, &space) == 0)
     disk.free_mb = static_cast<double>(space.f_bavail) * static_cast<double>(space.f_frsize) * 1e-6;
-  const HostNs begun = loop::monotonic_now();
+  const HostNs begun = monotonic_now();
   if (!write_all(fd)) disk.error = std::strerror(errno);
-  const double took_s = to_s(loop::monotonic_now() - begun);
+  const double took_s = to_s(monotonic_now() - begun);
   ::close(fd);
   if (took_s > 0.0)
     disk.written_mb_per_s = kPieces * static_cast<double>(kPieceBytes) * 1e-6 / took_s;

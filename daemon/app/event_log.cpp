@@ -136,8 +136,7 @@ void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs n
   const Pose& pose = status.snapshot.odometry;
   writer_->logger->info(
       "x {:.3f} m, y {:.3f} m, yaw {:.1f} deg; samples {}, lost {}, bad frames {}, overruns {}; "
-      "clock "
-      "drift {:.1f} ppm, +-{:.0f} us; battery {:.2f} V",
+      "clock drift {:.1f} ppm, +-{:.0f} us; battery {:.2f} V",
       pose.x_m, pose.y_m, pose.yaw_rad * kDegPerRad, link.samples, link.lost, link.damaged(),
       overruns, status.clock.drift * 1e6, status.clock.uncertainty_us,
       status.snapshot.sample.battery_v);

@@ -18,13 +18,14 @@ struct GuidedOptions {
   std::string folder;                ///< for the recordings, one CSV file a drive; made if need be
 };
 
-/// Drives them all. On a physical port each waits for Enter (unless `go`); a drive that no camera
-/// saw is asked for on standard output and standard input. A drive that is not completed ends it:
-/// those before it stay in the folder and fewer are returned. Throws SetupError.
 struct GuidedDrives {
   std::vector<analysis::Drive> drives;
-  bool completed = false;
+  bool completed = false;  ///< all of them; else the drives before the one that failed
 };
+
+/// Drives all courses. On a physical port each drive waits for Enter (unless `go`); where a drive
+/// ended is asked for on standard output and read from standard input if no camera saw it. A drive
+/// that is not completed ends the calibration; earlier ones stay in the folder. Throws SetupError.
 GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot);
 
 }  // namespace tp100::app

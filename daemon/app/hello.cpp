@@ -73,8 +73,8 @@ Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
   } else {
     std::snprintf(
         text.data(), text.size(),
-        "firmware %u.%u.%u, protocol %u schema %08x, but tp100d speaks protocol %u schema "
-        "%08x; flash the board with %s",
+        "firmware %u.%u.%u, protocol %u schema %08x, but tp100d speaks protocol %u schema %08x; "
+        "flash the board with %s",
         hello.firmware[0], hello.firmware[1], hello.firmware[2], hello.protocol, hello.schema,
         wire::kProtocolVersion, wire::kSchemaHash, flash_command().c_str());
   }

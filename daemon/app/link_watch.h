@@ -37,11 +37,12 @@ class LinkWatch : public publish::Sink {
     kStoodStill,
     kCount
   };
-  /// One kind of trouble: how much of it, and when it was last spoken of.
+  /// One kind of trouble, and what of it was reported.
   struct Tally {
-    std::uint64_t now = 0, said = 0;  ///< counted so far, and when it was last spoken of
-    HostNs said_ns = 0;
-    bool spoken = false;
+    std::uint64_t now = 0;   ///< counted so far
+    std::uint64_t said = 0;  ///< of these, in a line that was reported
+    HostNs said_ns = 0;      ///< time of that line
+    bool spoken = false;     ///< there was one
   };
   void count(const LinkCounters& link);
   void time(const StepRecord& record);

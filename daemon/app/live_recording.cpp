@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/error.h"
-#include "loop/pacing.h"
 #include "publish/recording_file.h"
 
 namespace tp100::app {
@@ -77,7 +77,7 @@ std::uint64_t LiveRecording::max_bytes() const {
 
 publish::Recorder::Make LiveRecording::make(const std::string& name) const {
   const std::string& course = run_.course == nullptr ? std::string("poses") : run_.course->name;
-  const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(loop::monotonic_now()));
+  const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(monotonic_now()));
   return [this, name = name.empty() ? course : name, unix_ns] {
     const std::string folder = make_run_folder(run_.configuration.record.directory, name, unix_ns);
     return std::make_unique<publish::RecordingWriter>(
@@ -95,7 +95,7 @@ std::uint64_t LiveRecording::start(const std::string& name, Answer answer) {
   const std::lock_guard lock(mutex_);
   const std::uint64_t number = recorder_->ask_begin(make(name), std::move(answer));
   if (number == 0) return 0;
-  const HostNs now = loop::monotonic_now();
+  const HostNs now = monotonic_now();
   for (const auto& [channel, json] : in_force_) recorder_->message(channel, now, json);
   return number;
 }

@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/faults.h"
-#include "loop/pacing.h"
 
 namespace tp100::app {
 namespace {
@@ -26,13 +26,13 @@ constexpr HostNs kStopAgainNs = 200 * kNsPerMs;
 RobotTalk::RobotTalk(link::Port port, const link::SessionSettings& settings,
                      const std::atomic<bool>& stop)
     : port_(std::move(port)), session_(settings), stop_(stop) {
-  session_.open(loop::monotonic_now());
+  session_.open(monotonic_now());
 }
 
 bool RobotTalk::turn(double limit_s, const std::function<bool()>& enough) {
-  const HostNs end = loop::monotonic_now() + from_s(limit_s);
+  const HostNs end = monotonic_now() + from_s(limit_s);
   while (!enough()) {
-    if (gone_ || stop_ || loop::monotonic_now() >= end) return false;
+    if (gone_ || stop_ || monotonic_now() >= end) return false;
     turn_once();
   }
   return true;
@@ -48,23 +48,23 @@ bool RobotTalk::arm() {
   asked_ = true;
   why_ = "not acknowledged";
   remedy_ = "check the cable and run it again";
-  session_.request(RobotRequest::kArm, loop::monotonic_now());
+  session_.request(RobotRequest::kArm, monotonic_now());
   turn(kArmLimitS, [this] { return !session_.request_pending(); });
   return acknowledged_ && !stop_;
 }
 
 void RobotTalk::disarm() {
   command(0.0, 0.0);
-  session_.request(RobotRequest::kDisarm, loop::monotonic_now());
-  const HostNs end = loop::monotonic_now() + from_s(kDisarmLimitS);
-  while (session_.request_pending() && !gone_ && loop::monotonic_now() < end) turn_once();
+  session_.request(RobotRequest::kDisarm, monotonic_now());
+  const HostNs end = monotonic_now() + from_s(kDisarmLimitS);
+  while (session_.request_pending() && !gone_ && monotonic_now() < end) turn_once();
   asked_ = false;
 }
 
 void RobotTalk::turn_once() {
   pollfd descriptor{port_.fd(), POLLIN, 0};
   ::poll(&descriptor, 1, 1);
-  const HostNs now = loop::monotonic_now();
+  const HostNs now = monotonic_now();
   read(now);
   take(now);
   session_.poll(now);
@@ -92,7 +92,7 @@ void RobotTalk::take(HostNs now) {
       sequence_ = sample.last_command;
       awaiting_ = false;
     }
-    if (awaiting_ && static_cast<std::int16_t>(sample.last_command - awaited_) >= 0) {
+    if (awaiting_ && wrapped_difference(sample.last_command, awaited_) >= 0) {
       awaiting_ = false;
       on_confirmed(now - awaited_since_ns_);
     }

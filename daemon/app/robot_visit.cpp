@@ -7,10 +7,10 @@
 #include "app/cycle.h"
 #include "app/hello.h"
 #include "app/robot_talk.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/start_rule.h"
 #include "loop/histogram.h"
-#include "loop/pacing.h"
 
 namespace tp100::app {
 namespace {
@@ -29,18 +29,6 @@ doctor::Percentiles percentiles(const loop::Histogram& times) {
   return {us(0.5), us(0.9), us(0.99), static_cast<double>(times.max()) * 1e-3};
 }
 
-LinkCounters difference(const LinkCounters& now, const LinkCounters& then) {
-  LinkCounters out = now;
-  out.lost -= then.lost;
-  out.duplicated -= then.duplicated;
-  out.implausible -= then.implausible;
-  out.crc_errors -= then.crc_errors;
-  out.cobs_errors -= then.cobs_errors;
-  out.oversize -= then.oversize;
-  out.undersize -= then.undersize;
-  return out;
-}
-
 doctor::LinkTest test_link(RobotTalk& talk, double duration_s) {
   loop::Histogram age;
   loop::Histogram round_trip;
@@ -51,15 +39,15 @@ doctor::LinkTest test_link(RobotTalk& talk, double duration_s) {
   };
   talk.on_confirmed = [&](HostNs took) { round_trip.add(took); };
   const LinkCounters before = talk.session().counters();
-  const HostNs begun = loop::monotonic_now();
+  const HostNs begun = monotonic_now();
   talk.turn(duration_s, [] { return false; });
   doctor::LinkTest test;
-  test.duration_s = to_s(loop::monotonic_now() - begun);
+  test.duration_s = to_s(monotonic_now() - begun);
   talk.on_sample = [](const Sample&, HostNs) {};
   talk.on_confirmed = [](HostNs) {};
   test.samples = samples;
   test.expected_samples = test.duration_s * 1e6 / wire::kSamplePeriodUs;
-  test.counters = difference(talk.session().counters(), before);
+  test.counters = talk.session().counters() - before;
   test.age = percentiles(age);
   test.round_trip = percentiles(round_trip);
   test.confirmed = static_cast<std::size_t>(round_trip.count());

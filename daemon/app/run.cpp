@@ -16,6 +16,7 @@
 #include "app/run_setup.h"
 #include "app/service_notice.h"
 #include "app/supervisor.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "course/course.h"
 #include "course/toml_document.h"
@@ -82,7 +83,7 @@ loop::LoopSettings loop_settings(const LoopSettings& settings) {
 publish::PublishClock read_clocks() {
   std::timespec wall{};
   std::timespec_get(&wall, TIME_UTC);
-  return {.start_ns = loop::monotonic_now(),
+  return {.start_ns = monotonic_now(),
           .start_unix_ns = std::int64_t{wall.tv_sec} * kNsPerS + wall.tv_nsec};
 }
 

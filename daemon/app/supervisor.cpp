@@ -21,6 +21,7 @@
 #include "app/stats_file.h"
 #include "app/terminal.h"
 #include "core/angle.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/start_rule.h"
 
@@ -122,7 +123,7 @@ int Supervisor::State::run() {
   figures.robot = settings.robot;
   figures.setup = settings.setup;
   grants = settings.process_grants;
-  began_ns = loop::monotonic_now();
+  began_ns = monotonic_now();
   sinks.push_back(&link_watch);
   sinks.push_back(settings.recording);
   sinks.push_back(settings.black_box);
@@ -154,7 +155,7 @@ int Supervisor::State::run() {
   loop.join();
   take_records();
   take_events();
-  take_status(loop::monotonic_now());
+  take_status(monotonic_now());
   finish_files();
   return status;
 }
@@ -168,14 +169,14 @@ void Supervisor::State::finish_files() {
       const auto now = std::chrono::steady_clock::now();
       if (done_by(now + kDiskLook)) return true;
       if (now >= deadline) return false;
-      notice.alive(turns, loop::monotonic_now());
+      notice.alive(turns, monotonic_now());
     }
   };
   // What happened last is to be in the recording.
   settings.server->flush();
   settings.black_box->finish();
   const bool recorded = wait([&](auto by) { return settings.recording->finish(by); });
-  figures.duration_s = to_s(loop::monotonic_now() - began_ns);
+  figures.duration_s = to_s(monotonic_now() - began_ns);
   take_figures();
   const bool written = wait([&](auto by) { return settings.disk->idle_by(by); });
   const bool answered = wait([&](auto by) { return world->ended_by(by); });
@@ -256,7 +257,7 @@ void Supervisor::State::schedule_tick() {
 }
 
 void Supervisor::State::tick() {
-  const HostNs now = loop::monotonic_now();
+  const HostNs now = monotonic_now();
   take_records();
   take_events();
   note_link();
@@ -355,7 +356,7 @@ void Supervisor::State::on_session_state(SessionState next) {
   session = next;
   const bool meant = next != SessionState::kListening || settings.connector.port != "auto";
   if (first_tried_ns == 0 && next != SessionState::kClosed && meant)
-    first_tried_ns = loop::monotonic_now();
+    first_tried_ns = monotonic_now();
   terminal->follow(next);
   tell_manager();
   figures.port = connector.path();

@@ -12,9 +12,9 @@
 #include <thread>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "disk/atomic_file.h"
-#include "loop/pacing.h"
 #include "worlds/encoder_text.h"
 #include "worlds/orientation_text.h"
 
@@ -101,7 +101,7 @@ struct WorldFiles::State {
       const std::string error =
           next ? replace_file(run.settings.encoder_file, *next) : std::string();
       const std::optional<std::string> seen = orientation.look();
-      const HostNs now = loop::monotonic_now();
+      const HostNs now = monotonic_now();
       const auto orientation_seen =
           seen
               ? worlds::orientation_of(*seen, run.settings.orientation_template, run.settings.frame)

@@ -21,9 +21,8 @@ std::span<const Key<bridge::WorldParameters>> world_keys() {
                  [](T& w, std::size_t i) { w.kind = static_cast<bridge::WorldKind>(i); }},
        {},
        "What the virtual robot stands on. internal: the course's ramps and blocks; udp: what a "
-       "game "
-       "engine or simulator says, see daemon/worlds/WORLD.md; files: the same through two text "
-       "files"},
+       "game engine or simulator says, see daemon/worlds/WORLD.md; files: the same through two "
+       "text files"},
       {"authority",
        Choice<T>{{"bridge", "world"},
                  [](const T& w) { return static_cast<std::size_t>(w.owns_pose); },
@@ -67,8 +66,7 @@ std::span<const Key<WorldSettings>> world_stream_keys() {
        &T::orientation_template,
        {},
        "files: its text with {x}, {y}, {z}, {roll}, {pitch}, {yaw}, {} for a number to skip; "
-       "empty: "
-       "what Unreal prints of a rotator and a vector, or plain numbers"},
+       "empty: what Unreal prints of a rotator and a vector, or plain numbers"},
       {"live_link",
        &T::live_link,
        {},

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/udp_socket.h"
+#include "core/clock.h"
 #include "core/error.h"
-#include "loop/pacing.h"
 
 namespace tp100::app {
 namespace {
@@ -63,7 +63,7 @@ struct WorldPort::State : std::enable_shared_from_this<State> {
         ++strangers;
         continue;
       }
-      const auto sample = peer.receive({buffer.data(), n}, sender.port(), loop::monotonic_now());
+      const auto sample = peer.receive({buffer.data(), n}, sender.port(), monotonic_now());
       if (sample && !give(*sample)) peer.count_dropped();
       if (const auto reply = peer.take_reply()) send(*reply, sender);
     }
@@ -88,7 +88,7 @@ WorldPort::WorldPort(boost::asio::io_context& context, const WorldRun& run, Give
 WorldPort::~WorldPort() { stop(); }
 
 void WorldPort::take(const StepRecord& record) {
-  if (const auto datagram = state_->peer.step(record, loop::monotonic_now()))
+  if (const auto datagram = state_->peer.step(record, monotonic_now()))
     state_->send(*datagram, state_->world);
 }
 

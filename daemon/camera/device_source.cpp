@@ -1,19 +1,12 @@
 #include "camera/device_source.h"
 
-#include <time.h>
-
 #include <opencv2/imgproc.hpp>
 
 #include "camera/quiet.h"
+#include "core/clock.h"
 #include "core/error.h"
 
 namespace tp100::camera {
-
-HostNs monotonic_now() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * kNsPerS + now.tv_nsec;
-}
 
 HostNs picture_time(double driver_ms, HostNs grabbed_ns, HostNs delay_ns) {
   const double age_ms = static_cast<double>(grabbed_ns) * 1e-6 - driver_ms;
@@ -31,8 +24,8 @@ DeviceSource::DeviceSource(const std::string& device, const SourceOptions& optio
   }
   if (!open)
     throw SetupError(device +
-                     ": cannot be opened as a camera; check that it is there, that you may "
-                     "read it (group video) and that no other program has it");
+                     ": cannot be opened as a camera; check that it is there, that you may read it "
+                     "(group video) and that no other program has it");
   // Uncompressed pictures of this size do not fit through USB 2 at 30 a second.
   capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
   if (options.width_px > 0) {

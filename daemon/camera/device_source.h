@@ -28,7 +28,4 @@ class DeviceSource : public Source {
   HostNs delay_ns_;
 };
 
-/// CLOCK_MONOTONIC.
-HostNs monotonic_now();
-
 }  // namespace tp100::camera

@@ -12,6 +12,7 @@
 #include "camera/picture_gaps.h"
 #include "camera/pose_stream.h"
 #include "camera/tum_file.h"
+#include "core/clock.h"
 #include "core/error.h"
 
 namespace tp100::camera {

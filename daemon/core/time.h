@@ -1,6 +1,7 @@
 #pragma once
 // Time of the host and of the robot. Neither is ever the wall clock.
 
+#include <concepts>
 #include <cstdint>
 #include <type_traits>
 
@@ -31,31 +32,11 @@ inline constexpr std::int64_t whole_time(double value) {
 /// Seconds as nanoseconds.
 inline constexpr HostNs from_s(double s) { return whole_time(s * 1e9); }
 
-/// Extends a wrapping unsigned counter of the robot (time or sequence) to 64 bit. A value up to
-/// half a range behind the last one is an older value, not a wrap. No allocation.
-template <class Unsigned>
-class Unwrapped {
- public:
-  /// Starts anew at `value` (a new boot).
-  void reset(Unsigned value) {
-    last_ = value;
-    extended_ = static_cast<std::int64_t>(value);
-  }
-  /// The extended value; moves forward only if `value` is newer.
-  std::int64_t extend(Unsigned value) {
-    using Signed = std::make_signed_t<Unsigned>;
-    const auto ahead = static_cast<Signed>(static_cast<Unsigned>(value - last_));
-    const std::int64_t result = extended_ + ahead;
-    if (ahead > 0) {
-      last_ = value;
-      extended_ = result;
-    }
-    return result;
-  }
-
- private:
-  Unsigned last_ = 0;
-  std::int64_t extended_ = 0;
-};
+/// How far `newer` is ahead of `older`, two values of a counter that wraps: exact up to half its
+/// range, negative if it is behind.
+template <std::unsigned_integral Counter>
+constexpr std::make_signed_t<Counter> wrapped_difference(Counter newer, Counter older) {
+  return static_cast<std::make_signed_t<Counter>>(static_cast<Counter>(newer - older));
+}
 
 }  // namespace tp100

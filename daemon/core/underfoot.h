@@ -7,10 +7,9 @@ namespace tp100 {
 
 /// Where pitch and roll of the published poses come from; follows from the set-up.
 enum class PitchSource : std::uint8_t {
-  kVirtual,    ///< the virtual world (bench, flat)
-  kImu,        ///< the robot's own IMU (terrain)
-  kRecording,  ///< a recorded or given slope (replay)
-  kExternal,   ///< an external world (udp, files)
+  kVirtual,   ///< the virtual world (bench, flat)
+  kImu,       ///< the robot's own IMU (terrain)
+  kExternal,  ///< an external world (udp, files)
 };
 
 /// What carries the robot.

@@ -32,10 +32,4 @@ const Twist& Odometry::advance_without_gyro(const BeltSpeeds& belts, double dt_s
   return twist_;
 }
 
-void Odometry::stand(double z_m, double roll_rad, double pitch_rad) {
-  pose_.z_m = z_m;
-  pose_.roll_rad = roll_rad;
-  pose_.pitch_rad = pitch_rad;
-}
-
 }  // namespace tp100::estimation

@@ -28,8 +28,6 @@ class Odometry {
   /// One interval without a usable gyro (bench, dead sensor): eq 5 gives the turn.
   const Twist& advance_without_gyro(const BeltSpeeds& belts, double dt_s,
                                     const model::Incline& incline = {});
-  /// How the robot stands there, where something else knows it better than the slope.
-  void stand(double z_m, double roll_rad, double pitch_rad);
 
   const Pose& pose() const { return pose_; }
   const Twist& twist() const { return twist_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/belt_speed.h"
+#include "core/time.h"
 
 namespace tp100::link {
 namespace {
@@ -24,8 +25,8 @@ bool BeltCount::update(std::int32_t value, double dt_s) {
     since_jump_s_ = kForgottenS;
     return true;
   }
-  const auto step = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) -
-                                              static_cast<std::uint32_t>(last_));
+  const std::int32_t step =
+      wrapped_difference(static_cast<std::uint32_t>(value), static_cast<std::uint32_t>(last_));
   last_ = value;
   const bool possible = counts_possible(step, max_per_s_, dt_s);
   since_jump_s_ += std::max(dt_s, 0.0);

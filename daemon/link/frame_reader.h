@@ -27,8 +27,6 @@ class FrameReader {
   std::size_t size() const { return decoder_.size(); }
   /// Bytes of the last good frame on the wire, delimiter included.
   std::size_t frame_bytes() const { return frame_bytes_; }
-  /// True from the first good frame of this port on.
-  bool in_step() const { return in_step_; }
 
  private:
   void count(wire::Received cause);

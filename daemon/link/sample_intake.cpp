@@ -33,7 +33,7 @@ DeviceUs DeviceClock::extend(std::uint32_t device_us, HostNs now) {
   // The host's clock tells how many wraps went by, so that a long silence does not matter.
   const DeviceUs expected = newest_us_ + (now - newest_ns_) / kNsPerUs;
   const DeviceUs result =
-      expected + static_cast<std::int32_t>(device_us - static_cast<std::uint32_t>(expected));
+      expected + wrapped_difference(device_us, static_cast<std::uint32_t>(expected));
   if (result > newest_us_) {
     newest_us_ = result;
     newest_ns_ = now;
@@ -55,8 +55,7 @@ void SampleIntake::begin(bool new_boot) {
 bool SampleIntake::in_order(std::uint16_t sequence, DeviceUs device_us, std::uint32_t& missing) {
   missing = 0;
   if (!started_) return true;
-  const auto ahead =
-      static_cast<std::int16_t>(static_cast<std::uint16_t>(sequence - last_sequence_));
+  const std::int16_t ahead = wrapped_difference(sequence, last_sequence_);
   if (ahead <= 0) {
     const unsigned back = static_cast<unsigned>(-int{ahead});
     const std::uint64_t bit = back < 64 ? kNewest << back : 0;

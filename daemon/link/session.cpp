@@ -276,8 +276,8 @@ void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
 // come late.
 void Session::count_robots_own(const wire::SyncReply& reply) {
   const wire::SyncReply before = last_reply_.value_or(reply);
-  const auto damaged = static_cast<std::int16_t>(reply.damaged - before.damaged);
-  const auto missed = static_cast<std::int16_t>(reply.missed_edges - before.missed_edges);
+  const auto damaged = wrapped_difference(reply.damaged, before.damaged);
+  const auto missed = wrapped_difference(reply.missed_edges, before.missed_edges);
   if (damaged < 0 || missed < 0) return;
   counters_.robot_damaged += static_cast<std::uint64_t>(damaged);
   counters_.missed_edges += static_cast<std::uint64_t>(missed);

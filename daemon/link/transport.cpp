@@ -47,9 +47,8 @@ std::string owner_group(const std::string& path) {
   if (holder.name.empty() && holder.others_hidden)
     throw SetupError(path +
                      ": port is busy, held by a program of another account or container; end it (a "
-                     "service with "
-                     "`sudo systemctl stop 'tp100d@*'`; `sudo tp100d doctor` names it) or choose "
-                     "another port with --port");
+                     "service with `sudo systemctl stop 'tp100d@*'`; `sudo tp100d doctor` names "
+                     "it) or choose another port with --port");
   throw SetupError(path + ": port is busy" +
                    (holder.name.empty() ? "" : ", held by " + holder.name) +
                    "; end that program or choose another port with --port");

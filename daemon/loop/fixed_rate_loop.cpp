@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "core/clock.h"
 #include "core/error.h"
 
 namespace tp100::loop {

@@ -4,6 +4,8 @@
 
 #include <cerrno>
 
+#include "core/clock.h"
+
 namespace tp100::loop {
 namespace {
 
@@ -12,12 +14,6 @@ timespec to_timespec(HostNs ns) {
 }
 
 }  // namespace
-
-HostNs monotonic_now() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<HostNs>(now.tv_sec) * kNsPerS + now.tv_nsec;
-}
 
 std::uint64_t Schedule::advance(HostNs now) {
   deadline_ns_ += period_ns_;

@@ -5,9 +5,6 @@
 
 namespace tp100::loop {
 
-/// Host time of the live daemon: CLOCK_MONOTONIC.
-HostNs monotonic_now();
-
 /// What happens to turns whose time has passed before the one before them was over.
 enum class OverrunPolicy {
   kSkipMissed,  ///< they are left out; the next turn is on the old grid

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <string>
 
+#include "core/clock.h"
 #include "core/error.h"
-#include "loop/pacing.h"
 
 namespace tp100::loop {
 

@@ -82,8 +82,8 @@ RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
     const bool held = latency_fd_ >= 0 && ::write(latency_fd_, &zero, sizeof zero) == sizeof zero;
     grants_.push_back({"processor kept awake (/dev/cpu_dma_latency)", held,
                        R"(echo KERNEL==\"cpu_dma_latency\",OWNER=\"$USER\" | )"
-                       "sudo tee /etc/udev/rules.d/90-tp100.rules && "
-                       "sudo udevadm trigger /dev/cpu_dma_latency"});
+                       "sudo tee /etc/udev/rules.d/90-tp100.rules && sudo udevadm trigger "
+                       "/dev/cpu_dma_latency"});
   }
   for (Grant& grant : grants_) settle(grant);
 }

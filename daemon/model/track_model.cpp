@@ -81,10 +81,4 @@ const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s,
   return twist_;
 }
 
-void TrackModel::stand(double z_m, double roll_rad, double pitch_rad) {
-  pose_.z_m = z_m;
-  pose_.roll_rad = roll_rad;
-  pose_.pitch_rad = pitch_rad;
-}
-
 }  // namespace tp100::model

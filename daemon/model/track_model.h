@@ -76,14 +76,10 @@ class TrackModel {
   }
   /// Belts at constant speeds for `dt_s`. Returns the twist that was integrated.
   const Twist& advance(double left_mps, double right_mps, double dt_s, const Incline& incline = {});
-  /// How the robot stands there, where something else knows it better than the slope.
-  void stand(double z_m, double roll_rad, double pitch_rad);
 
   const Pose& pose() const { return pose_; }
   const Twist& twist() const { return twist_; }
   const Slip& slip() const { return slip_; }
-  const TrackParameters& parameters() const { return parameters_; }
-  Mode mode() const { return mode_; }
 
  private:
   TrackParameters parameters_;

@@ -9,12 +9,12 @@ namespace {
 
 // The page's own files, its own server, nobody's frame.
 constexpr std::string_view kPagePolicy =
-    "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' data: blob:; "
-    "style-src 'self' 'unsafe-inline'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
+    "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' data: blob:; style-src 'self' "
+    "'unsafe-inline'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
 // A report carries its script inside and must not reach the server.
 constexpr std::string_view kReportPolicy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
-    "img-src data: blob:; font-src data:; sandbox allow-scripts allow-downloads";
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
+    "blob:; font-src data:; sandbox allow-scripts allow-downloads";
 
 constexpr std::string_view kRunList = "/api/runs";
 constexpr std::string_view kRuns = "/runs/";

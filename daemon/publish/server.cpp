@@ -15,11 +15,11 @@
 #include <thread>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "publish/connection.h"
 #include "publish/json_writer.h"
 #include "publish/status_messages.h"
-#include "publish/steady.h"
 #include "publish/viewer_socket.h"
 
 namespace tp100::publish {
@@ -213,7 +213,7 @@ void Server::State::accept() {
 void Server::State::take_records() {
   woken = false;
   while (inbox.pop(record)) feed.take(record);
-  desk.tick(steady_now());
+  desk.tick(monotonic_now());
 }
 
 ClientsFigures Server::State::clients(HostNs now) const {
@@ -239,7 +239,7 @@ void Server::State::every_second(HostNs now) {
 }
 
 void Server::State::tick() {
-  const HostNs now = steady_now();
+  const HostNs now = monotonic_now();
   feed.tick(now);
   desk.tick(now);
   if (now >= next_second_ns) {
@@ -253,7 +253,7 @@ void Server::State::tick() {
 }
 
 std::string Server::State::health() const {
-  const HostNs now = steady_now();
+  const HostNs now = monotonic_now();
   std::string text;
   JsonWriter(text)
       .begin_object()
@@ -282,13 +282,13 @@ void Server::State::stop() {
   const auto viewers = room.viewers;
   for (const auto& [id, weak] : viewers)
     if (const auto viewer = weak.lock()) viewer->go_away();
-  stop_by_ns = steady_now() + kGoodbyeNs;
+  stop_by_ns = monotonic_now() + kGoodbyeNs;
   await_goodbyes();
 }
 
 // Who does not answer in time is left.
 void Server::State::await_goodbyes() {
-  if (room.sockets == 0 || steady_now() > stop_by_ns) return context.stop();
+  if (room.sockets == 0 || monotonic_now() > stop_by_ns) return context.stop();
   timer.expires_after(kGoodbyeTick);
   timer.async_wait([this](boost::system::error_code) { await_goodbyes(); });
 }
@@ -326,13 +326,13 @@ void Server::take(const Event& event) {
 }
 
 void Server::stop_pressed(const std::string& by) {
-  const HostNs now = steady_now();
+  const HostNs now = monotonic_now();
   asio::post(state_->context, [this, by, now] { state_->feed.stop_pressed(by, now); });
 }
 
 void Server::stop_answered(HostNs at) {
   asio::post(state_->context, [this, at] {
-    const HostNs now = steady_now();
+    const HostNs now = monotonic_now();
     state_->feed.stop_answered(at, now);
     state_->desk.tick(now);
   });

@@ -43,8 +43,6 @@ inline const char* name_of(PitchSource source) {
       return "virtual";
     case PitchSource::kImu:
       return "imu";
-    case PitchSource::kRecording:
-      return "recording";
     case PitchSource::kExternal:
       return "external";
   }

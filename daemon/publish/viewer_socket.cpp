@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-#include "publish/steady.h"
+#include "core/clock.h"
 
 namespace tp100::publish {
 namespace {
@@ -71,7 +71,7 @@ void ViewerSocket::accept(const Request& request, std::string_view sub_protocol)
 }
 
 void ViewerSocket::opened() {
-  connected_ns_ = tokens_ns_ = steady_now();
+  connected_ns_ = tokens_ns_ = monotonic_now();
   open_ = true;
   const auto weak = weak_from_this();
   viewer_ = std::make_shared<Viewer>(
@@ -107,7 +107,7 @@ bool ViewerSocket::within_rate(std::size_t bytes, HostNs now) {
 }
 
 void ViewerSocket::take(std::size_t bytes) {
-  const HostNs now = steady_now();
+  const HostNs now = monotonic_now();
   if (!within_rate(bytes, now)) return close(Code::policy_error, "too many messages");
   const auto data = buffer_.cdata();
   const auto* begin = static_cast<const std::uint8_t*>(data.data());
@@ -124,7 +124,7 @@ void ViewerSocket::take(std::size_t bytes) {
 void ViewerSocket::flush() {
   if (busy_ || closing_ || !open_ || viewer_->outbox().empty()) return;
   busy_ = true;
-  write_began_ns_ = steady_now();
+  write_began_ns_ = monotonic_now();
   writing_ = viewer_->outbox().pop();
   socket_.binary(writing_.binary);
   const std::array<boost::asio::const_buffer, 2> parts = {

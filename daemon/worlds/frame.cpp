@@ -51,12 +51,6 @@ std::string_view to_string(Frame frame) {
   return "unknown";
 }
 
-std::optional<Frame> frame_named(std::string_view name) {
-  for (const Frame frame : {Frame::kRos, Frame::kUnreal, Frame::kUnity})
-    if (name == to_string(frame)) return frame;
-  return std::nullopt;
-}
-
 double to_length(Frame frame, double m) { return frame == Frame::kUnreal ? m * kCmPerM : m; }
 double from_length(Frame frame, double length) {
   return frame == Frame::kUnreal ? length / kCmPerM : length;

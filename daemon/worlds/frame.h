@@ -19,7 +19,6 @@ namespace tp100::worlds {
 enum class Frame { kRos, kUnreal, kUnity };
 
 std::string_view to_string(Frame frame);
-std::optional<Frame> frame_named(std::string_view name);
 
 /// Three numbers of a frame, in its order of axes.
 using Vector = std::array<double, 3>;

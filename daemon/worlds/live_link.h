@@ -9,9 +9,6 @@
 
 namespace tp100::worlds {
 
-/// Where Live Link's JSON sources listen.
-inline constexpr std::uint16_t kLiveLinkPort = 54321;
-
 enum class LiveLinkDialect {
   kBones,      ///< {SUBJECT: [{Name: "root", Parent: -1, Location, Rotation, Scale}]}
   kTransform,  ///< {SUBJECT: {Location, Rotation, Scale}}

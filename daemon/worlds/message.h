@@ -16,8 +16,6 @@ namespace tp100::worlds {
 
 inline constexpr std::int64_t kWorldVersion = 1;
 inline constexpr std::size_t kMaxWorldDatagram = 1200;
-/// Where a world listens and where its answers come in, if nobody says otherwise.
-inline constexpr std::uint16_t kWorldPort = 9760;
 
 /// Who integrates the pose.
 enum class Authority { kBridge, kWorld };

@@ -52,8 +52,7 @@ std::vector<Range> ranges_of(const std::optional<std::string>& text, std::uint64
   if (!text) return {{0, runs - 1}};
   if (text->empty())
     throw SetupError(
-        "--index is empty; give runs as 3, 3-7 or 3,5-7,12, or leave --index out for "
-        "all runs");
+        "--index is empty; give runs as 3, 3-7 or 3,5-7,12, or leave --index out for all runs");
   std::vector<Range> ranges;
   for (std::size_t begin = 0; begin <= text->size();) {
     const std::size_t end = std::min(text->find(',', begin), text->size());

@@ -16,6 +16,7 @@
 
 #include "bridge/grounds.h"
 #include "core/angle.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/time.h"
 #include "loop/pacing.h"
@@ -77,7 +78,7 @@ class Overloaded {
     return used.tv_sec * kNsPerS + used.tv_nsec;
   }
 
-  std::int64_t asked_ns_ = loop::monotonic_now();
+  std::int64_t asked_ns_ = monotonic_now();
   std::int64_t used_ns_ = thread_time_ns();
 };
 
@@ -240,14 +241,14 @@ int run_robot(const RobotCommand& command) {
   std::fflush(stdout);
 
   robot.reset(PowerUp::kPowerOn);
-  std::int64_t begin_ns = loop::monotonic_now();
+  std::int64_t begin_ns = monotonic_now();
   std::int64_t longest_pause_ns = 0;
   Overloaded overloaded;
   while (g_stop == 0) {
     // A quantum is computed when it is over: nothing reaches the host before its time, and what the
     // host wrote meanwhile arrives with the next one.
     const std::int64_t due_ns = begin_ns + robot.now_ns() + kPhysicsStepNs;
-    const std::int64_t now_ns = loop::monotonic_now();
+    const std::int64_t now_ns = monotonic_now();
     longest_pause_ns = std::max(longest_pause_ns, now_ns - due_ns);
     if (now_ns - due_ns > kGiveUpNs) {
       begin_ns += now_ns - due_ns;
@@ -260,7 +261,7 @@ int run_robot(const RobotCommand& command) {
     cable.watch();
     cable.from_host();
     cable.to_host(robot.advance());
-    if (camera) camera->look(robot.truth().pose, robot.now_ns(), begin_ns, loop::monotonic_now());
+    if (camera) camera->look(robot.truth().pose, robot.now_ns(), begin_ns, monotonic_now());
     if (pusher.update(robot) != nullptr) {
       std::printf("robot: somebody pushes the robot\n");
       std::fflush(stdout);

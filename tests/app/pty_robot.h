@@ -7,7 +7,7 @@
 
 #include "../link/pty_pair.h"
 #include "../link/scripted_robot.h"
-#include "loop/pacing.h"
+#include "core/clock.h"
 
 namespace tp100 {
 
@@ -15,7 +15,7 @@ class PtyRobot {
  public:
   /// `link` is created when the robot is plugged in.
   explicit PtyRobot(std::filesystem::path link)
-      : link_(std::move(link)), robot_(loop::monotonic_now()), thread_([this] { live(); }) {}
+      : link_(std::move(link)), robot_(monotonic_now()), thread_([this] { live(); }) {}
   ~PtyRobot() {
     stop_ = true;
     thread_.join();
@@ -26,7 +26,7 @@ class PtyRobot {
     pty_ = std::make_unique<PtyPair>();
     std::filesystem::remove(link_);
     std::filesystem::create_symlink(pty_->near(), link_);
-    robot_.reboot(loop::monotonic_now());
+    robot_.reboot(monotonic_now());
   }
   void unplug() {
     const std::lock_guard lock(mutex_);
@@ -45,7 +45,7 @@ class PtyRobot {
     while (!stop_) {
       {
         const std::lock_guard lock(mutex_);
-        const HostNs now = loop::monotonic_now();
+        const HostNs now = monotonic_now();
         if (pty_ != nullptr) {
           robot_.hear(pty_->read(), now);
           robot_.tick(now);

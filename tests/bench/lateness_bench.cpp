@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "loop/fixed_rate_loop.h"
 
@@ -67,7 +68,7 @@ void measure(double rate_hz, double spin_us, double seconds, int cpu) {
   settings.thread.cpu = cpu;
   loop::FixedRateLoop loop(settings, idle);
   loop.start();
-  loop::sleep_until(loop::monotonic_now() + from_s(seconds));
+  loop::sleep_until(monotonic_now() + from_s(seconds));
   loop.request_stop();
   loop.join();
   std::printf("{");

@@ -14,6 +14,7 @@
 #include "../link/pty_pair.h"
 #include "../link/scripted_robot.h"
 #include "bench_peer.h"
+#include "core/clock.h"
 #include "loop/pacing.h"
 
 namespace tp100 {
@@ -28,21 +29,19 @@ constexpr HostNs kWarmUpNs = kNsPerS;
 constexpr int kPriority = 90;
 
 int milliseconds_until(HostNs at) {
-  return static_cast<int>(std::max<HostNs>(0, at - loop::monotonic_now()) / kNsPerMs);
+  return static_cast<int>(std::max<HostNs>(0, at - monotonic_now()) / kNsPerMs);
 }
 
 class Robot {
  public:
-  explicit Robot(bool daemon) : daemon_(daemon), robot_(loop::monotonic_now()) {
-    robot_.samples = false;
-  }
+  explicit Robot(bool daemon) : daemon_(daemon), robot_(monotonic_now()) { robot_.samples = false; }
 
   const std::string& port() const { return pty_.near(); }
 
   /// False: nobody answers.
   bool connect(test::BenchPeer& peer) {
-    const HostNs give_up = loop::monotonic_now() + kConnectNs;
-    while (loop::monotonic_now() < give_up && !peer.ended()) {
+    const HostNs give_up = monotonic_now() + kConnectNs;
+    while (monotonic_now() < give_up && !peer.ended()) {
       // A pty swallows nothing: what is written before the peer is ready waits there.
       if (daemon_ ? greet() : exchange() >= 0) return true;
     }
@@ -51,14 +50,14 @@ class Robot {
 
   /// Time from sample to answer, negative if there is none. [ns]
   HostNs exchange() {
-    const HostNs began = loop::monotonic_now();
+    const HostNs began = monotonic_now();
     const auto frame = frame_of(robot_.sample(began));
     robot_.heard.commands.clear();
     pty_.write(frame);
     std::size_t echoed = 0;
     while (pty_.wait(milliseconds_until(began + kPatienceNs))) {
       const auto bytes = pty_.read();
-      const HostNs now = loop::monotonic_now();
+      const HostNs now = monotonic_now();
       echoed += bytes.size();
       if (daemon_) hear(bytes, now);
       const bool over = daemon_ ? answered() : echoed >= frame.size();
@@ -73,7 +72,7 @@ class Robot {
  private:
   bool greet() {
     pty_.wait(1);
-    const HostNs now = loop::monotonic_now();
+    const HostNs now = monotonic_now();
     hear(pty_.read(), now);
     robot_.tick(now);
     pty_.write(robot_.take());
@@ -103,12 +102,12 @@ int run(bool daemon, double seconds, const std::vector<std::string>& command) {
     std::fprintf(stderr, "turnaround_bench: %s does not answer\n", command[0].c_str());
     return 1;
   }
-  const HostNs begin = loop::monotonic_now() + kWarmUpNs;
+  const HostNs begin = monotonic_now() + kWarmUpNs;
   const HostNs end = begin + from_s(seconds);
   std::printf("{\"us\":[");
   const char* comma = "";
   int unanswered = 0;
-  for (HostNs due = loop::monotonic_now(); due < end;) {
+  for (HostNs due = monotonic_now(); due < end;) {
     loop::sleep_until(due);
     const HostNs took = robot.exchange();
     if (due >= begin && took >= 0) {
@@ -117,7 +116,7 @@ int run(bool daemon, double seconds, const std::vector<std::string>& command) {
     }
     unanswered += took < 0 ? 1 : 0;
     // An answer that takes longer leaves samples out.
-    while (due <= loop::monotonic_now()) due += kSampleNs;
+    while (due <= monotonic_now()) due += kSampleNs;
   }
   std::printf("],\"unanswered\":%d,\"before_others\":%s}\n", unanswered,
               before_others ? "true" : "false");

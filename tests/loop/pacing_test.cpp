@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/clock.h"
 #include "loop/real_time.h"
 
 namespace tp100::loop {

@@ -6,8 +6,8 @@
 
 #include <array>
 
+#include "core/clock.h"
 #include "core/error.h"
-#include "loop/pacing.h"
 
 namespace tp100::loop {
 namespace {

@@ -95,18 +95,6 @@ TEST(TrackModel, TheIcrOffsetMovesTheReferencePointSidewaysInTurnsOnly) {
   EXPECT_EQ(body_twist(parameters, Mode::kPaper, -0.1, 0.1).vy_mps, 0.0);
 }
 
-TEST(TrackModel, StandsAsItIsToldAndStaysWhereItIs) {
-  TrackModel model(TrackParameters{}, Mode::kExtended);
-  model.advance(0.1, 0.12, 1.0);
-  const Pose before = model.pose();
-  model.stand(0.2, 0.1, -0.3);
-  EXPECT_EQ(model.pose().z_m, 0.2);
-  EXPECT_EQ(model.pose().roll_rad, 0.1);
-  EXPECT_EQ(model.pose().pitch_rad, -0.3);
-  EXPECT_EQ(model.pose().x_m, before.x_m);
-  EXPECT_EQ(model.pose().yaw_rad, before.yaw_rad);
-}
-
 TEST(TrackModel, DrivingBackRetracesTheSameArc) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> speed(-0.2, 0.2);

@@ -17,11 +17,11 @@
 #include <map>
 #include <thread>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "fake_controls.h"
 #include "fixtures.h"
 #include "publish/connection.h"
-#include "publish/steady.h"
 #include "support/temporary_folder.h"
 #include "web_client.h"
 
@@ -45,7 +45,7 @@ class ServerTest : public ::testing::Test {
     };
   }
   void start() {
-    const PublishClock clock{steady_now(), 1'700'000'000 * kNsPerS};
+    const PublishClock clock{monotonic_now(), 1'700'000'000 * kNsPerS};
     server_ = std::make_unique<Server>(
         settings_, Messages(example_subject(), clock),
         std::vector<ParameterText>{
@@ -60,7 +60,7 @@ class ServerTest : public ::testing::Test {
   WebClient connect() { return WebClient(port_); }
   void step(int count = 1) {
     for (int i = 0; i < count; ++i) {
-      record_.now_ns = record_.snapshot.now_ns = steady_now();
+      record_.now_ns = record_.snapshot.now_ns = monotonic_now();
       ++record_.step;
       server_->take(record_);
     }
@@ -109,7 +109,7 @@ TEST_F(ServerTest, ItsListenerHearsAllOfItAlsoWhenNobodyIsServed) {
     start();
     EXPECT_EQ(server_->url().empty(), std::string(listen) == "off");
     step();
-    server_->take(Event{.at_ns = steady_now(), .text = "something"});
+    server_->take(Event{.at_ns = monotonic_now(), .text = "something"});
     server_->flush();
     server_.reset();  // and its thread, which writes to `heard`
     EXPECT_THAT(heard[Channel::kParameter], HasSubstr("control.gain")) << listen;
@@ -225,7 +225,7 @@ TEST_F(ServerTest, AViewerSeesStepsAndStops) {
   EXPECT_THAT(client.read_until("\"odometry\""), HasSubstr("\"x_m\":0.22"));
   client.call(3);
   EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
-  server_->stop_answered(steady_now());
+  server_->stop_answered(monotonic_now());
   EXPECT_THAT(client.read_until("\"acknowledged\""), HasSubstr("true"));
 }
 

@@ -162,10 +162,5 @@ TEST(Frame, LookingStraightUpOrDownLosesNothing) {
   }
 }
 
-TEST(Frame, NamesAreThoseOfTheConfiguration) {
-  for (const Frame frame : kFrames) EXPECT_EQ(frame_named(to_string(frame)), frame);
-  EXPECT_FALSE(frame_named("enu"));
-}
-
 }  // namespace
 }  // namespace tp100::worlds

@@ -25,7 +25,6 @@ FailSafe::FailSafe(Hal& hal)
       fresh_us_(0),
       life_us_(0),
       tripped_(0),
-      was_enabled_(false),
       tripped_us_(0) {}
 
 void FailSafe::tick() {
@@ -51,7 +50,6 @@ void FailSafe::check_commands(uint32_t now_us) {
 
 void FailSafe::trip(wire::Fault fault, uint32_t now_us) {
   if (enabled_ || tripped_ == 0) tripped_us_ = now_us;
-  if (enabled_) was_enabled_ = true;
   enabled_ = false;
   tripped_ = static_cast<uint16_t>(tripped_ | bit(fault));
 }
@@ -101,10 +99,8 @@ void FailSafe::drive(int16_t left, int16_t right) {
 
 Trip FailSafe::take_trip() {
   const CriticalSection section(hal_);
-  const Trip result = {tripped_, tripped_us_, distance(tripped_us_, fresh_us_) / 1000,
-                       was_enabled_};
+  const Trip result = {tripped_, tripped_us_, distance(tripped_us_, fresh_us_) / 1000};
   tripped_ = 0;
-  was_enabled_ = false;
   return result;
 }
 

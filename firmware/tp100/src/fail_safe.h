@@ -19,7 +19,6 @@ struct Trip {
   wire::FaultMask faults;  ///< empty: nothing
   uint32_t at_us;          ///< device time
   int32_t silence_ms;      ///< since the last fresh command
-  bool was_enabled;        ///< the motors were switched off by it
 };
 
 class FailSafe {
@@ -65,7 +64,6 @@ class FailSafe {
   volatile uint32_t fresh_us_;
   volatile uint32_t life_us_;
   volatile uint16_t tripped_;
-  volatile bool was_enabled_;
   volatile uint32_t tripped_us_;
 };
 

@@ -1,0 +1,18 @@
+#pragma once
+// The one clock of the host. Only the outer layers read it: nothing that computes a pose or a
+// command does.
+
+#include <time.h>
+
+#include "core/time.h"
+
+namespace tp100 {
+
+/// Host time now: CLOCK_MONOTONIC. Any thread; safe in the real-time thread.
+inline HostNs monotonic_now() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<HostNs>(now.tv_sec) * kNsPerS + now.tv_nsec;
+}
+
+}  // namespace tp100
