@@ -85,7 +85,7 @@ TEST(SvgChart, AMapHasOneScale) {
 
 TEST(HtmlPage, EscapesWhatItIsGivenAndMarksWhatDoesNotHold) {
   HtmlPage page("a & b");
-  page.table({{"head"}, {"!1.0"}, {"<script>"}}, "caption");
+  page.table({{"head"}, {Cell("1.0", true)}, {"<script>"}, {"!"}}, "caption");
   EXPECT_THAT(page.text(), HasSubstr("a &amp; b"));
   EXPECT_THAT(page.text(), HasSubstr("<td class='missed'>1.0</td>"));
   EXPECT_THAT(page.text(), HasSubstr("&lt;script&gt;"));
