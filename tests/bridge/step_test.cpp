@@ -144,7 +144,7 @@ TEST_F(StepTest, DrivesACourseToItsEndAndDisarms) {
 }
 
 TEST_F(StepTest, CommandedTrackSpeedsAreThoseThatTheRobotMakesOfTheCommand) {
-  parameters_.drive.max_track_mps = 0.12;
+  parameters_.drive.max_track_mps = 0.14;
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
   start(step, robot);
@@ -156,7 +156,7 @@ TEST_F(StepTest, CommandedTrackSpeedsAreThoseThatTheRobotMakesOfTheCommand) {
     state = out.snapshot.run_state;
     const double left_mps = out.snapshot.commanded_left_mps;
     const double right_mps = out.snapshot.commanded_right_mps;
-    ASSERT_LE(std::max(std::abs(left_mps), std::abs(right_mps)), 0.12 + 1e-12);
+    ASSERT_LE(std::max(std::abs(left_mps), std::abs(right_mps)), 0.14 + 1e-12);
     const double turn_radps =
         (right_mps * (1.0 - model.slip_right) - left_mps * (1.0 - model.slip_left)) /
         model.wheelbase_m;
