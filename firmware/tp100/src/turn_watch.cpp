@@ -75,7 +75,7 @@ TurnWatch::Verdict TurnWatch::update(const TurnMark& now, int16_t accel_x, float
 }
 
 void TurnWatch::weigh(float turn_rad, float driven_rad, float elapsed_s) {
-  const float turning = 0.5f * turn_rad / (driven_rad + kSlowestRad);
+  const float turning = 0.5f * turn_rad / larger(driven_rad, kSlowestRad);
   turn_duty_ = larger(kTurnDuty * smaller(1.0f, turning / kFullTurning),
                       turn_duty_ - kTurnFallPerS * elapsed_s);
   const float pitch_rad = static_cast<float>(accel_x_) * (1.0f / (wire::kAccelLsbPerG * kSamples));
