@@ -6,17 +6,17 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/standard_streams.h"
 #include "app/check.h"
 #include "app/doctor.h"
 #include "app/export.h"
-#include "app/hello.h"
 #include "app/identify.h"
 #include "app/ports.h"
 #include "app/recover.h"
 #include "app/replay.h"
 #include "app/report.h"
 #include "app/run.h"
+#include "doctor/hello.h"
+#include "text/standard_streams.h"
 
 namespace tp100::app {
 namespace {
@@ -82,15 +82,16 @@ void add_run(CLI::App& app, Action& action) {
 }
 
 void add_ports(CLI::App& app, Action& action) {
-  static HelloOptions hello;
+  static doctor::HelloOptions hello;
   CLI::App* command = app.add_subcommand("ports", "List serial ports, likely robots first");
   command->add_option("--hello", hello.port, "Wait for the firmware on this port and name it")
       ->type_name("DEVICE");
   command->add_option("--timeout", hello.timeout_s, "How long to wait for it [s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
-  command->callback(
-      [&action] { action = [] { return hello.port.empty() ? run_ports() : run_hello(hello); }; });
+  command->callback([&action] {
+    action = [] { return hello.port.empty() ? run_ports() : doctor::run_hello(hello); };
+  });
 }
 
 void add_doctor(CLI::App& app, Action& action) {
@@ -273,8 +274,8 @@ int run(int argc, char** argv) {
     for (const CLI::App* command :
          std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{}))
       names.push_back(command->get_name());
-    const std::string unknown = analysis::unknown_subcommand(argc, argv, names);
-    return analysis::report_usage_error("tp100d", unknown.empty() ? error.what() : unknown);
+    const std::string unknown = text::unknown_subcommand(argc, argv, names);
+    return text::report_usage_error("tp100d", unknown.empty() ? error.what() : unknown);
   }
   return action();
 }
@@ -283,5 +284,5 @@ int run(int argc, char** argv) {
 }  // namespace tp100::app
 
 int main(int argc, char** argv) {
-  return tp100::analysis::run_program("tp100d", [&] { return tp100::app::run(argc, argv); });
+  return tp100::text::run_program("tp100d", [&] { return tp100::app::run(argc, argv); });
 }

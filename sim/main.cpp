@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/standard_streams.h"
 #include "sim/campaign/campaign_command.h"
-#include "sim/run/calibrate_command.h"
-#include "sim/run/course_command.h"
-#include "sim/run/demo_command.h"
-#include "sim/run/faults_command.h"
-#include "sim/run/reproduce.h"
-#include "sim/run/robot_command.h"
-#include "sim/run/slope_command.h"
+#include "sim/robot/course_command.h"
+#include "sim/robot/demo_command.h"
+#include "sim/robot/robot_command.h"
+#include "sim/study/calibrate_command.h"
+#include "sim/study/faults_command.h"
+#include "sim/study/reproduce.h"
+#include "sim/study/slope_command.h"
+#include "text/standard_streams.h"
 
 namespace {
 
@@ -144,7 +144,7 @@ int run(int argc, char** argv) {
 
   reproduce_app
       ->add_option("--drawn", reproduce.drawn,
-                   "Robots to draw from the ranges in sim/run/drawn_robot.h; each is identified "
+                   "Robots to draw from the ranges in sim/study/drawn_robot.h; each is identified "
                    "first, then drives every course")
       ->check(CLI::Range(0, 10000))
       ->type_name("NUMBER")
@@ -241,9 +241,8 @@ int run(int argc, char** argv) {
     for (const CLI::App* command :
          std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{}))
       names.push_back(command->get_name());
-    const std::string unknown = tp100::analysis::unknown_subcommand(argc, argv, names);
-    return tp100::analysis::report_usage_error("tp100-sim",
-                                               unknown.empty() ? error.what() : unknown);
+    const std::string unknown = tp100::text::unknown_subcommand(argc, argv, names);
+    return tp100::text::report_usage_error("tp100-sim", unknown.empty() ? error.what() : unknown);
   }
   if (*course_app) return run_course(course);
   if (*robot_app) return run_robot(robot);
@@ -261,5 +260,5 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A file that may not grow any more is an error like any other.
   std::signal(SIGXFSZ, SIG_IGN);
-  return tp100::analysis::run_program("tp100-sim", [&] { return run(argc, argv); });
+  return tp100::text::run_program("tp100-sim", [&] { return run(argc, argv); });
 }

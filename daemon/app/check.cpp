@@ -5,15 +5,15 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/bundled_files.h"
-#include "app/configuration.h"
+#include "config/configuration.h"
+#include "course/bundled_files.h"
 #include "course/camera.h"
 #include "course/course.h"
-#include "course/nearest.h"
 #include "course/path.h"
 #include "course/robot.h"
-#include "course/toml_document.h"
 #include "terrain/climbable.h"
+#include "text/nearest.h"
+#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
@@ -64,31 +64,33 @@ constexpr std::array<Word, 39> kWords = {{
 
 std::string text_of(const course::Course& course) {
   const course::Path path(course);
-  return "course " + course.name + ": " + course::number_text(path.length_m()) + " m in " +
+  return "course " + course.name + ": " + text::number_text(path.length_m()) + " m in " +
          std::to_string(path.pieces().size()) + " pieces at " +
-         course::number_text(course.speed_mps) + " m/s, " + std::to_string(course.shoves.size()) +
+         text::number_text(course.speed_mps) + " m/s, " + std::to_string(course.shoves.size()) +
          " shoves, " + std::to_string(course.terrain.ramps.size()) + " ramps, " +
          std::to_string(course.terrain.blocks.size()) + " blocks";
 }
 
 std::string text_of(const course::Robot& robot) {
-  return "robot " + robot.name + ": wheelbase " + course::number_text(robot.model.wheelbase_m) +
-         " m, slip " + course::number_text(robot.model.slip_left) + " / " +
-         course::number_text(robot.model.slip_right);
+  return "robot " + robot.name + ": wheelbase " + text::number_text(robot.model.wheelbase_m) +
+         " m, slip " + text::number_text(robot.model.slip_left) + " / " +
+         text::number_text(robot.model.slip_right);
 }
 
 std::string text_of(const course::EmulatedCamera& camera, const std::string& path) {
-  return "camera " + file_stem(path) + ": " + course::number_text(camera.rate_hz) +
-         " pictures/s, " + course::number_text(camera.delay_s * 1e3) + " ms late";
+  return "camera " + course::file_stem(path) + ": " + text::number_text(camera.rate_hz) +
+         " pictures/s, " + text::number_text(camera.delay_s * 1e3) + " ms late";
 }
 
-std::string check_configuration(const TextFile& file) {
-  const Configuration configuration = parse_configuration(file.text, file.path);
-  const TextFile robot_file = read_bundled(Bundled::kRobots, configuration.robot);
+std::string check_configuration(const course::TextFile& file) {
+  const config::Configuration configuration = config::parse_configuration(file.text, file.path);
+  const course::TextFile robot_file =
+      course::read_bundled(course::Bundled::kRobots, configuration.robot);
   const course::Robot robot = course::parse_robot(robot_file.text, robot_file.path);
   std::string text = "configuration with " + text_of(robot);
   if (configuration.course.empty()) return text;
-  const TextFile course_file = read_bundled(Bundled::kCourses, configuration.course);
+  const course::TextFile course_file =
+      course::read_bundled(course::Bundled::kCourses, configuration.course);
   const course::Course course = course::parse_course(course_file.text, course_file.path);
   terrain::require_climbable(course, robot);
   return text + ", " + text_of(course);
@@ -97,15 +99,15 @@ std::string check_configuration(const TextFile& file) {
 }  // namespace
 
 FileKind file_kind(const std::string& text, const std::string& file) {
-  const course::TomlDocument document(text, file);
-  course::TomlTable root = document.root();
+  const text::TomlDocument document(text, file);
+  text::TomlTable root = document.root();
   std::vector<std::string_view> words;
   words.reserve(kWords.size());
   for (const Word& word : kWords) words.push_back(word.first);
   // Each key, mistyped or not, votes for the kind of file that has it.
   std::array<int, 6> votes{};
   for (const std::string& key : root.keys()) {
-    const std::string_view word = course::nearest_name(key, words);
+    const std::string_view word = text::nearest_name(key, words);
     for (const auto& [name, kind] : kWords)
       if (name == word) ++votes[static_cast<std::size_t>(kind)];
   }
@@ -113,7 +115,7 @@ FileKind file_kind(const std::string& text, const std::string& file) {
   if (root.has("runs")) votes[static_cast<std::size_t>(FileKind::kCampaign)] += 4;
   // [model] is a table of two kinds.
   if (root.has("model")) {
-    const course::TomlTable model = root.table("model");
+    const text::TomlTable model = root.table("model");
     const bool configures = model.has("mode") || model.has("turning_threshold_radps");
     ++votes[static_cast<std::size_t>(configures ? FileKind::kConfiguration : FileKind::kRobot)];
   }
@@ -125,7 +127,7 @@ FileKind file_kind(const std::string& text, const std::string& file) {
 }
 
 std::string check_file(const std::string& path) {
-  const TextFile file = read_text_file(path);
+  const course::TextFile file = course::read_text_file(path);
   switch (file_kind(file.text, file.path)) {
     case FileKind::kCourse:
       return text_of(course::parse_course(file.text, file.path));

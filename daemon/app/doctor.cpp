@@ -13,23 +13,23 @@
 #include <optional>
 #include <vector>
 
-#include "app/bundled_files.h"
-#include "app/configuration.h"
-#include "app/cycle.h"
-#include "app/disk_speed.h"
-#include "app/robot_visit.h"
-#include "app/wheels_up.h"
+#include "bridge/cycle.h"
+#include "config/configuration.h"
 #include "core/error.h"
+#include "course/bundled_files.h"
 #include "course/robot.h"
 #include "doctor/account.h"
+#include "doctor/disk_speed.h"
 #include "doctor/finding.h"
 #include "doctor/host.h"
 #include "doctor/modem_manager.h"
 #include "doctor/port.h"
 #include "doctor/report.h"
 #include "doctor/robot.h"
+#include "doctor/robot_visit.h"
 #include "doctor/system.h"
 #include "doctor/usb.h"
+#include "doctor/wheels_up.h"
 #include "link/port_discovery.h"
 #include "loop/real_time.h"
 
@@ -59,7 +59,7 @@ doctor::Account this_account() {
 
 /// What `work` makes of the privileges of a run's loop, in a thread that ends with them.
 template <class Work>
-auto with_privileges(const LoopSettings& settings, const Work& work) {
+auto with_privileges(const config::LoopSettings& settings, const Work& work) {
   const auto privileged = [&] {
     return work(loop::apply_to_this_thread({settings.priority, settings.cpu}));
   };
@@ -67,7 +67,7 @@ auto with_privileges(const LoopSettings& settings, const Work& work) {
 }
 
 /// Asks for the privileges of a run.
-std::vector<loop::Grant> ask_privileges(const LoopSettings& settings) {
+std::vector<loop::Grant> ask_privileges(const config::LoopSettings& settings) {
   const loop::RealTimeProcess process({settings.lock_memory, settings.hold_cpu_latency});
   std::vector<loop::Grant> grants = process.grants();
   const auto more =
@@ -89,7 +89,7 @@ std::optional<std::uint16_t> page_port(const std::string& listen) {
 /// What an examination works on, and what it found.
 struct Examination {
   doctor::System system{};
-  Configuration configuration{};
+  config::Configuration configuration{};
   course::Robot robot{};
   doctor::ChosenPort port{};
   std::optional<doctor::LinkTest> link{};
@@ -99,20 +99,20 @@ struct Examination {
 Examination begin(const DoctorOptions& options) {
   Examination all;
   if (!options.config.empty()) {
-    const TextFile file = read_text_file(options.config);
-    all.configuration = parse_configuration(file.text, file.path);
+    const course::TextFile file = course::read_text_file(options.config);
+    all.configuration = config::parse_configuration(file.text, file.path);
   }
-  const TextFile robot = read_bundled(
-      Bundled::kRobots, options.robot.empty() ? all.configuration.robot : options.robot);
+  const course::TextFile robot = course::read_bundled(
+      course::Bundled::kRobots, options.robot.empty() ? all.configuration.robot : options.robot);
   all.robot = course::parse_robot(robot.text, robot.path);
   return all;
 }
 
-VisitOptions visit_options(const Examination& all, const DoctorOptions& options) {
-  VisitOptions visit;
+doctor::VisitOptions visit_options(const Examination& all, const DoctorOptions& options) {
+  doctor::VisitOptions visit;
   visit.port = all.port.path;
   visit.serial = {all.configuration.link.baud, all.configuration.link.hang_up};
-  visit.session = session_settings(bridge_parameters(all.configuration, all.robot));
+  visit.session = bridge::session_settings(config::bridge_parameters(all.configuration, all.robot));
   visit.session.baud = static_cast<std::uint32_t>(all.configuration.link.baud);
   visit.battery_cutoff_v = all.robot.drive.battery_cutoff_v;
   visit.link_test_s = options.link_test_s;
@@ -136,7 +136,7 @@ void examine_port(Examination& all, const DoctorOptions& options) {
 }
 
 void examine_robot(Examination& all, const DoctorOptions& options) {
-  const doctor::Visit visit = visit_robot(visit_options(all, options), stop);
+  const doctor::Visit visit = doctor::visit_robot(visit_options(all, options), stop);
   append(all.findings, doctor::robot_findings(visit));
   all.link = visit.link;
 }
@@ -147,11 +147,12 @@ void examine_tracks(Examination& all, const DoctorOptions& options) {
         {Severity::kNote, "wheels-up", "the tracks were not tried", "mend the errors above first"});
     return;
   }
-  const VisitOptions visit = visit_options(all, options);
+  const doctor::VisitOptions visit = visit_options(all, options);
   try {
     // Belts that run want a command every 200 ms, however busy the machine is.
     append(all.findings, with_privileges(all.configuration.loop, [&](const auto&) {
-             return try_wheels_up({visit.port, visit.serial, visit.session, all.robot.drive}, stop);
+             return doctor::try_wheels_up(
+                 {visit.port, visit.serial, visit.session, all.robot.drive}, stop);
            }));
   } catch (const SetupError& error) {
     append(all.findings, doctor::robot_findings({.port = visit.port, .open_error = error.what()}));
@@ -164,7 +165,7 @@ void examine_host(Examination& all) {
   append(all.findings, doctor::governor_findings(all.system));
   if (const auto port = page_port(all.configuration.server.listen))
     append(all.findings, doctor::page_port_findings(all.system, *port));
-  append(all.findings, doctor::disk_findings(try_disk(all.configuration.record.directory)));
+  append(all.findings, doctor::disk_findings(doctor::try_disk(all.configuration.record.directory)));
 }
 
 }  // namespace

@@ -10,15 +10,15 @@
 #include <optional>
 #include <string_view>
 
-#include "analysis/drive_file.h"
-#include "analysis/tum.h"
-#include "app/drive_sink.h"
-#include "disk/atomic_file.h"
+#include "identify/drive_file.h"
+#include "identify/drive_sink.h"
+#include "report/tum.h"
+#include "text/atomic_file.h"
 
 namespace tp100::app {
 namespace {
 
-using analysis::Recording;
+using record::Recording;
 
 std::string number(double value) {
   std::array<char, 32> digits{};
@@ -84,7 +84,7 @@ void write_poses(const Recording& recording, const Write& write) {
   });
 }
 
-Write to(disk::FileReplacement& file) {
+Write to(text::FileReplacement& file) {
   return [&file](std::string_view text) { file.write(text); };
 }
 
@@ -93,7 +93,7 @@ class Product {
  public:
   Product(const std::filesystem::path& folder, const char* name)
       : path_((folder / name).string()), file_(path_) {}
-  disk::FileReplacement& file() { return file_; }
+  text::FileReplacement& file() { return file_; }
   void commit() {
     file_.commit();
     std::printf("%s\n", path_.c_str());
@@ -101,12 +101,12 @@ class Product {
 
  private:
   std::string path_;
-  disk::FileReplacement file_;
+  text::FileReplacement file_;
 };
 
 void export_csv(const Recording& recording, const std::filesystem::path& folder) {
   Product samples(folder, "samples.csv");
-  samples.file().write(analysis::write_drive(recorded_drive(recording)));
+  samples.file().write(identify::write_drive(identify::recorded_drive(recording)));
   samples.commit();
   Product poses(folder, "poses.csv");
   write_poses(recording, to(poses.file()));
@@ -116,9 +116,9 @@ void export_csv(const Recording& recording, const std::filesystem::path& folder)
 void export_tum(const Recording& recording, const std::filesystem::path& folder) {
   Product model(folder, "model.tum"), odometry(folder, "odometry.tum"), fused(folder, "fused.tum");
   for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
-    model.file().write(analysis::tum_line(t_s, snapshot.model));
-    odometry.file().write(analysis::tum_line(t_s, snapshot.odometry));
-    fused.file().write(analysis::tum_line(t_s, snapshot.fused.pose));
+    model.file().write(report::tum_line(t_s, snapshot.model));
+    odometry.file().write(report::tum_line(t_s, snapshot.odometry));
+    fused.file().write(report::tum_line(t_s, snapshot.fused.pose));
   });
   for (Product* product : {&model, &odometry, &fused}) product->commit();
 
@@ -127,7 +127,7 @@ void export_tum(const Recording& recording, const std::filesystem::path& folder)
   recording.visit({.truth = [&](HostNs at, const Pose& pose) {
     if (!window.has(at)) return;
     if (!truth) truth.emplace(folder, "truth.tum");
-    truth->file().write(analysis::tum_line(to_s(at - recording.start_ns()), pose));
+    truth->file().write(report::tum_line(to_s(at - recording.start_ns()), pose));
   }});
   if (truth) truth->commit();
 }
@@ -140,7 +140,7 @@ void export_run(const std::string& run, const ExportOptions& options) {
   const std::filesystem::path folder = options.out.empty()
                                            ? std::filesystem::path(recording.path()).parent_path()
                                            : std::filesystem::path(options.out);
-  disk::make_folder(folder);
+  text::make_folder(folder);
   if (options.csv) export_csv(recording, folder);
   if (options.tum) export_tum(recording, folder);
 }

@@ -7,15 +7,15 @@
 #include <iostream>
 #include <optional>
 
-#include "analysis/drive_file.h"
-#include "app/bundled_files.h"
-#include "app/calibration.h"
-#include "app/drive_sink.h"
 #include "core/angle.h"
 #include "core/error.h"
+#include "course/bundled_files.h"
 #include "course/course.h"
-#include "course/toml_document.h"
-#include "disk/atomic_file.h"
+#include "identify/calibration.h"
+#include "identify/drive_file.h"
+#include "identify/drive_sink.h"
+#include "text/atomic_file.h"
+#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
@@ -35,11 +35,11 @@ std::optional<double> ask(const std::string& question) {
     const double value = std::strtod(line.c_str(), &end);
     const bool whole = std::string_view(end).find_first_not_of(" \t\r") == std::string_view::npos;
     if (end != line.c_str() && whole && std::isfinite(value)) return value;
-    std::printf("'%s' is no number\n", course::one_line(line, 40).c_str());
+    std::printf("'%s' is no number\n", text::one_line(line, 40).c_str());
   }
 }
 
-void ask_for(analysis::HandMeasured& measured) {
+void ask_for(identify::HandMeasured& measured) {
   std::printf("No camera saw this drive. Measure it; an empty line leaves a value out.\n");
   measured.distance_m = ask("  distance from start to end, straight through the air [m]:");
   const auto turned_deg = ask("  turned angle, left positive, whole turns counted [deg]:");
@@ -63,32 +63,32 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
     throw SetupError(options.folder + ": cannot create the folder (" + error.message() +
                      "); give another --runs-dir");
   const std::vector<std::string> courses =
-      options.courses.empty() ? calibration_courses(robot.shape) : options.courses;
+      options.courses.empty() ? identify::calibration_courses(robot.shape) : options.courses;
   const std::size_t all = courses.size() * static_cast<std::size_t>(options.repeats);
   GuidedDrives result;
   for (const std::string& name : courses) {
-    const TextFile file = read_bundled(Bundled::kCourses, name);
+    const course::TextFile file = course::read_bundled(course::Bundled::kCourses, name);
     const course::Course course = course::parse_course(file.text, file.path);
     for (int repeat = 1; repeat <= options.repeats; ++repeat) {
       std::printf("drive %zu of %zu: %s; it needs %s of its start\n", result.drives.size() + 1, all,
                   course.name.c_str(), space_for(course).c_str());
       std::fflush(stdout);
-      DriveSink sink;
+      identify::DriveSink sink;
       RunOptions run = options.run;
       run.course = name;
       run.ran_before = !result.drives.empty();
       run.sinks.push_back(&sink);
       if (run_run(run) != 0) return result;
-      analysis::Drive drive = sink.drive();
+      identify::Drive drive = sink.drive();
       // In the order of a folder's listing, by which hand measurements count the runs.
       const std::size_t number = result.drives.size() + 1;
       drive.name = (number < 10 ? "0" : "") + std::to_string(number) + "-" + course.name;
       if (drive.camera.empty()) ask_for(drive.measured);
-      disk::write_file(options.folder + "/" + drive.name + "-samples.csv",
-                       analysis::write_drive(drive));
+      text::write_file(options.folder + "/" + drive.name + "-samples.csv",
+                       identify::write_drive(drive));
       result.drives.push_back(std::move(drive));
-      const std::string measured = analysis::write_measured(result.drives);
-      if (!measured.empty()) disk::write_file(options.folder + "/measured.csv", measured);
+      const std::string measured = identify::write_measured(result.drives);
+      if (!measured.empty()) text::write_file(options.folder + "/measured.csv", measured);
     }
   }
   result.completed = true;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/drive.h"
 #include "app/run.h"
 #include "course/robot.h"
+#include "identify/drive.h"
 
 namespace tp100::app {
 
@@ -19,7 +19,7 @@ struct GuidedOptions {
 };
 
 struct GuidedDrives {
-  std::vector<analysis::Drive> drives;
+  std::vector<identify::Drive> drives;
   bool completed = false;  ///< all of them; else the drives before the one that failed
 };
 

@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <utility>
 
-#include "analysis/drive_file.h"
-#include "analysis/identify.h"
-#include "analysis/identify_report.h"
-#include "app/bundled_files.h"
-#include "app/configuration.h"
-#include "app/drive_sink.h"
+#include "config/configuration.h"
 #include "core/error.h"
-#include "disk/atomic_file.h"
+#include "course/bundled_files.h"
+#include "identify/drive_file.h"
+#include "identify/drive_sink.h"
+#include "identify/identify.h"
+#include "identify/identify_report.h"
+#include "text/atomic_file.h"
 
 namespace tp100::app {
 namespace {
@@ -27,20 +27,20 @@ std::string today() {
   return text.data();
 }
 
-std::vector<analysis::Drive> recorded(const IdentifyOptions& options) {
-  std::vector<analysis::Drive> drives;
+std::vector<identify::Drive> recorded(const IdentifyOptions& options) {
+  std::vector<identify::Drive> drives;
   for (const std::string& path : options.runs) {
-    if (analysis::is_recording(path)) {
-      drives.push_back(recorded_drive(analysis::Recording(path)));
+    if (record::is_recording(path)) {
+      drives.push_back(identify::recorded_drive(record::Recording(path)));
       drives.back().name = path;
       continue;
     }
-    const TextFile file = read_text_file(path);
-    drives.push_back(analysis::parse_drive(file.text, file.path));
+    const course::TextFile file = course::read_text_file(path);
+    drives.push_back(identify::parse_drive(file.text, file.path));
   }
   if (!options.measured.empty()) {
-    const TextFile file = read_text_file(options.measured);
-    analysis::add_measured(file.text, file.path, drives);
+    const course::TextFile file = course::read_text_file(options.measured);
+    identify::add_measured(file.text, file.path, drives);
   }
   return drives;
 }
@@ -63,18 +63,18 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot) 
 }  // namespace
 
 int run_identify(const IdentifyOptions& options) {
-  Configuration configuration;
+  config::Configuration configuration;
   if (!options.config.empty()) {
-    const TextFile file = read_text_file(options.config);
-    configuration = parse_configuration(file.text, file.path);
+    const course::TextFile file = course::read_text_file(options.config);
+    configuration = config::parse_configuration(file.text, file.path);
   }
-  const TextFile base_file =
-      read_bundled(Bundled::kRobots, options.robot.empty() ? configuration.robot : options.robot);
+  const course::TextFile base_file = course::read_bundled(
+      course::Bundled::kRobots, options.robot.empty() ? configuration.robot : options.robot);
   const course::Robot base = course::parse_robot(base_file.text, base_file.path);
 
   if (!options.drive && options.runs.empty())
     throw SetupError("identify: give recordings (RUN...), or --drive to make them");
-  std::vector<analysis::Drive> drives;
+  std::vector<identify::Drive> drives;
   if (options.drive) {
     GuidedDrives guided = driven(options, base);
     if (!guided.completed) return 1;
@@ -83,18 +83,18 @@ int run_identify(const IdentifyOptions& options) {
     drives = recorded(options);
   }
 
-  const analysis::Belief belief =
-      analysis::belief_of(base, configuration.parameters.model.turning_threshold_radps);
-  const analysis::Identification found = analysis::identify(drives, belief);
+  const identify::Belief belief =
+      identify::belief_of(base, configuration.parameters.model.turning_threshold_radps);
+  const identify::Identification found = identify::identify(drives, belief);
   const std::string date = options.date.empty() ? today() : options.date;
-  const course::Robot robot = analysis::identified_robot(found, base, date);
+  const course::Robot robot = identify::identified_robot(found, base, date);
   const std::string note =
-      analysis::identified_note(found, course::head_note(base_file.text), date);
+      identify::identified_note(found, course::head_note(base_file.text), date);
   const std::string text = course::write_robot(robot, note);
   // What no robot has is refused here, by name and range.
   course::parse_robot(text, options.out);
-  std::printf("%s", analysis::identify_report(found, base).c_str());
-  disk::write_file(options.out, text);
+  std::printf("%s", identify::identify_report(found, base).c_str());
+  text::write_file(options.out, text);
   std::printf("written to %s\n", options.out.c_str());
   return 0;
 }

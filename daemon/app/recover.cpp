@@ -6,30 +6,30 @@
 #include <map>
 #include <tuple>
 
-#include "analysis/mcap_reader.h"
-#include "analysis/recording.h"
 #include "core/error.h"
-#include "publish/mcap_writer.h"
+#include "record/mcap_reader.h"
+#include "record/mcap_writer.h"
+#include "record/recording.h"
 
 namespace tp100::app {
 namespace {
 
 namespace fs = std::filesystem;
-using analysis::McapChannel;
+using record::McapChannel;
 
 constexpr std::size_t kLargestChunk = std::size_t{4} << 20;
 
 /// Writes down again what it is given.
-class Copier : public analysis::McapHandler {
+class Copier : public record::McapHandler {
  public:
-  explicit Copier(publish::McapWriter& writer) : writer_(writer) {}
+  explicit Copier(record::McapWriter& writer) : writer_(writer) {}
 
   bool channel(const McapChannel& channel) override {
     channels_[channel.id] =
         writer_.add_channel(schema_of(channel), channel.topic, channel.encoding);
     return true;
   }
-  bool message(const analysis::McapMessage& message) override {
+  bool message(const record::McapMessage& message) override {
     writer_.message(channels_.at(message.channel->id), message.log_ns, message.data);
     // Others write messages without chunks around them.
     if (writer_.open_bytes() > kLargestChunk) writer_.end_chunk();
@@ -64,7 +64,7 @@ class Copier : public analysis::McapHandler {
     return entry->second;
   }
 
-  publish::McapWriter& writer_;
+  record::McapWriter& writer_;
   std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> schemas_;
   std::map<std::uint16_t, std::uint16_t> channels_;
 };
@@ -77,16 +77,16 @@ std::string beside(const std::string& path) {
 }  // namespace
 
 Recovered recover(const std::string& in, const std::string& out) {
-  const analysis::McapReader reader(in);
+  const record::McapReader reader(in);
   std::error_code ignored;
   if (fs::equivalent(in, out, ignored))
     throw SetupError(out + ": is the file to recover; give another --out");
   Recovered recovered;
   recovered.path = out;
-  publish::RecordingFile file(out);
-  publish::McapWriter writer(file, "tp100d recover", publish::McapCompression::kZstd);
+  record::RecordingFile file(out);
+  record::McapWriter writer(file, "tp100d recover", record::McapCompression::kZstd);
   Copier copier(writer);
-  const analysis::McapEnd end = reader.stream(copier);
+  const record::McapEnd end = reader.stream(copier);
   writer.finish();
   if (file.error() != 0) {
     fs::remove(out, ignored);
@@ -100,10 +100,10 @@ Recovered recover(const std::string& in, const std::string& out) {
 }
 
 int run_recover(const RecoverOptions& options) {
-  const std::string in = analysis::recording_file(options.in);
+  const std::string in = record::recording_file(options.in);
   {
-    analysis::McapHandler nobody;
-    if (analysis::McapReader(in).stream(nobody).whole) {
+    record::McapHandler nobody;
+    if (record::McapReader(in).stream(nobody).whole) {
       std::printf("%s: is whole, nothing to recover\n", in.c_str());
       return 0;
     }

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/csv_reader.h"
-#include "app/bundled_files.h"
 #include "app/replay_recording.h"
 #include "core/angle.h"
-#include "course/nearest.h"
-#include "course/toml_document.h"
-#include "disk/atomic_file.h"
+#include "course/bundled_files.h"
 #include "estimation/odometry.h"
 #include "estimation/standstill.h"
 #include "model/track_model.h"
+#include "text/atomic_file.h"
+#include "text/csv_reader.h"
+#include "text/nearest.h"
+#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
@@ -101,15 +101,14 @@ class Replay {
   double left_m_ = 0.0, right_m_ = 0.0;
 };
 
-Row row_of(const analysis::CsvTable& table, std::size_t i) {
+Row row_of(const text::CsvTable& table, std::size_t i) {
   const auto value = [&](const char* column) { return table.has(column) ? table[column][i] : 0.0; };
   Row row{table["t_s"][i], table["left_mps"][i], table["right_mps"][i], value("slope_rad"),
           value("gyro_z_radps")};
   const auto limit = [&](const char* column, double found, double most) {
     if (std::abs(found) > most)
-      throw SetupError(table.where(i) + ": " + column + " is " + course::number_text(found) +
-                       ", allowed " + course::number_text(-most) + " to " +
-                       course::number_text(most));
+      throw SetupError(table.where(i) + ": " + column + " is " + text::number_text(found) +
+                       ", allowed " + text::number_text(-most) + " to " + text::number_text(most));
   };
   // Unix time in seconds, even in milliseconds, is fine.
   limit("t_s", row.t_s, 1e13);
@@ -148,9 +147,9 @@ ReplayModel replay_model(const std::string& name) {
   if (name == "odometry") return ReplayModel::kOdometry;
   if (name == "fused") return ReplayModel::kFused;
   const std::string_view meant =
-      course::nearest_name(name, {"paper", "extended", "odometry", "fused"});
+      text::nearest_name(name, {"paper", "extended", "odometry", "fused"});
   throw SetupError(
-      "--model '" + course::one_line(name) + "' is unknown" +
+      "--model '" + text::one_line(name) + "' is unknown" +
       (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?") +
       "; use paper, extended, odometry or fused");
 }
@@ -159,7 +158,7 @@ std::string replay_csv(const std::string& text, const std::string& file, ReplayM
                        const bridge::Parameters& parameters) {
   if (model == ReplayModel::kFused)
     throw SetupError(file + ": --model fused needs a recording; use odometry");
-  const analysis::CsvTable table = analysis::parse_csv(
+  const text::CsvTable table = text::parse_csv(
       text, file, {{"t_s", "left_mps", "right_mps"}, {"slope_rad", "gyro_z_radps"}});
   if (model == ReplayModel::kOdometry && !table.has("gyro_z_radps"))
     throw SetupError(file +
@@ -176,20 +175,21 @@ std::string replay_csv(const std::string& text, const std::string& file, ReplayM
 }
 
 int run_replay(const ReplayOptions& options) {
-  if (analysis::is_recording(options.in)) return run_replay_recording(options);
-  Configuration configuration;
+  if (record::is_recording(options.in)) return run_replay_recording(options);
+  config::Configuration configuration;
   if (!options.config.empty()) {
-    const TextFile file = read_text_file(options.config);
-    configuration = parse_configuration(file.text, file.path);
+    const course::TextFile file = course::read_text_file(options.config);
+    configuration = config::parse_configuration(file.text, file.path);
   }
   const ReplayModel model = !options.model.empty()                 ? replay_model(options.model)
                             : configuration.parameters.paper_model ? ReplayModel::kPaper
                                                                    : ReplayModel::kExtended;
-  const TextFile robot = read_bundled(Bundled::kRobots, configuration.robot);
+  const course::TextFile robot =
+      course::read_bundled(course::Bundled::kRobots, configuration.robot);
   const bridge::Parameters parameters =
-      bridge_parameters(configuration, course::parse_robot(robot.text, robot.path));
-  const TextFile in = read_text_file(options.in);
-  disk::write_file(options.out, replay_csv(in.text, in.path, model, parameters));
+      config::bridge_parameters(configuration, course::parse_robot(robot.text, robot.path));
+  const course::TextFile in = course::read_text_file(options.in);
+  text::write_file(options.out, replay_csv(in.text, in.path, model, parameters));
   return 0;
 }
 

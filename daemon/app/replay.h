@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/configuration.h"
+#include "config/configuration.h"
 #include "core/pose.h"
 #include "model/track_model.h"
 

@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <utility>
 
-#include "course/toml_document.h"
-#include "disk/atomic_file.h"
+#include "text/atomic_file.h"
+#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
 
-using analysis::Recording;
+using record::Recording;
 
 /// Ends the reading from within.
 struct Enough {};
@@ -69,16 +69,16 @@ bridge::Inputs inputs_of(const StepRecord& record) {
           .answer = record.answer};
 }
 
-RunFiles recorded_files(const Recording& recording) {
+config::RunFiles recorded_files(const Recording& recording) {
   const auto file = [&](const char* name, const std::string& fallback) {
-    return TextFile{recording.path() + "/" + fallback, recording.file(name)};
+    return course::TextFile{recording.path() + "/" + fallback, recording.file(name)};
   };
-  RunFiles files;
-  files.configuration = file(kConfigurationFile, kConfigurationFile);
-  files.robot = file(kRobotFile, recording.fact("robot") + ".toml");
+  config::RunFiles files;
+  files.configuration = file(config::kConfigurationFile, config::kConfigurationFile);
+  files.robot = file(config::kRobotFile, recording.fact("robot") + ".toml");
   if (files.robot.text.empty())
     throw SetupError(recording.path() + ": the robot file is not in it; it cannot be replayed");
-  files.course = file(kCourseFile, recording.fact("course") + ".toml");
+  files.course = file(config::kCourseFile, recording.fact("course") + ".toml");
   const auto setup = bridge::setup_named(recording.fact("setup"));
   if (!setup) throw SetupError(recording.path() + ": the set-up is not in it");
   files.setup = *setup;
@@ -113,7 +113,7 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
     computed->request = out.request;
     computed->snapshot = out.snapshot;
     if (verify) {
-      if (auto difference = publish::first_difference(recorded, *computed)) {
+      if (auto difference = record::first_difference(recorded, *computed)) {
         result.differs_at = recorded.step;
         result.difference = std::move(*difference);
         throw Enough{};
@@ -131,13 +131,13 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
 
 int run_replay_recording(const ReplayOptions& options) {
   const Recording recording(options.in);
-  RunFiles files = recorded_files(recording);
+  config::RunFiles files = recorded_files(recording);
   bool verify = true;
   if (!options.config.empty()) {
-    files.configuration = read_text_file(options.config);
+    files.configuration = course::read_text_file(options.config);
     verify = false;
   }
-  RunSetup run = parse_run(files);
+  config::RunSetup run = config::parse_run(files);
   ReplayModel model = steering_model(run.parameters);
   if (!options.model.empty()) {
     model = replay_model(options.model);
@@ -148,7 +148,7 @@ int run_replay_recording(const ReplayOptions& options) {
     }
   }
 
-  disk::FileReplacement out(options.out);
+  text::FileReplacement out(options.out);
   out.write(kReplayHeader);
   const HostNs start = recording.start_ns();
   const Replayed result =
@@ -174,7 +174,7 @@ int run_replay_recording(const ReplayOptions& options) {
                  path.c_str(), static_cast<unsigned long long>(*result.differs_at),
                  seconds(result.last_ns - start).c_str(), result.difference.field.c_str(),
                  result.difference.computed.c_str(), result.difference.recorded.c_str(),
-                 course::one_line(recording.fact("version"), 20).c_str());
+                 text::one_line(recording.fact("version"), 20).c_str());
     return 1;
   }
   out.commit();

@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "analysis/recording.h"
 #include "app/replay.h"
-#include "app/run_setup.h"
 #include "bridge/step.h"
-#include "publish/step_codec.h"
+#include "config/run_setup.h"
+#include "record/recording.h"
+#include "record/step_codec.h"
 
 namespace tp100::app {
 
@@ -18,7 +18,7 @@ namespace tp100::app {
 bridge::Inputs inputs_of(const StepRecord& record);
 
 /// The files of a recorded run. Throws SetupError: they are not in it, or make no sense.
-RunFiles recorded_files(const analysis::Recording& recording);
+config::RunFiles recorded_files(const record::Recording& recording);
 
 /// What came of a replay.
 struct Replayed {
@@ -28,13 +28,13 @@ struct Replayed {
   /// Steps that are missing before this one end the replay: what follows cannot be known.
   std::optional<std::uint64_t> gap_before;
   std::optional<std::uint64_t> differs_at;  ///< number of the first step that came out otherwise
-  publish::StepDifference difference{};
+  record::StepDifference difference{};
 };
 
 /// Feeds the recorded inputs to a step with these parameters and course. `each` gets the recorded
 /// inputs with the results of the replay. `verify`: compares them and stops at the first
 /// difference.
-Replayed replay_steps(const analysis::Recording& recording, const bridge::Parameters& parameters,
+Replayed replay_steps(const record::Recording& recording, const bridge::Parameters& parameters,
                       std::shared_ptr<const course::Course> course, bool verify,
                       const std::function<void(const StepRecord&)>& each);
 

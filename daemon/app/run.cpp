@@ -6,23 +6,23 @@
 #include <memory>
 #include <thread>
 
-#include "app/black_box.h"
-#include "app/bundled_files.h"
-#include "app/configuration.h"
-#include "app/live_controls.h"
-#include "app/live_cycle.h"
-#include "app/live_recording.h"
-#include "app/live_server.h"
-#include "app/run_setup.h"
-#include "app/service_notice.h"
-#include "app/supervisor.h"
+#include "config/configuration.h"
+#include "config/run_setup.h"
 #include "core/clock.h"
 #include "core/error.h"
+#include "course/bundled_files.h"
 #include "course/course.h"
-#include "course/toml_document.h"
+#include "live/black_box.h"
+#include "live/live_controls.h"
+#include "live/live_cycle.h"
+#include "live/live_recording.h"
+#include "live/live_server.h"
+#include "live/service_notice.h"
+#include "live/supervisor.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
 #include "terrain/climbable.h"
+#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
@@ -32,27 +32,27 @@ constexpr std::size_t kWaitingBoxes = 4;
 
 bridge::Setup setup_of(const std::string& name) {
   if (const auto setup = bridge::setup_named(name)) return *setup;
-  throw SetupError("--setup " + course::one_line(name) +
+  throw SetupError("--setup " + text::one_line(name) +
                    ": not a set-up; use bench, flat or terrain");
 }
 
 /// The files of the run and what the command line says otherwise.
-RunFiles files_of(const RunOptions& options) {
-  RunFiles files;
-  if (!options.config.empty()) files.configuration = read_text_file(options.config);
-  const Configuration configuration =
-      parse_configuration(files.configuration.text, files.configuration.path);
+config::RunFiles files_of(const RunOptions& options) {
+  config::RunFiles files;
+  if (!options.config.empty()) files.configuration = course::read_text_file(options.config);
+  const config::Configuration configuration =
+      config::parse_configuration(files.configuration.text, files.configuration.path);
   const std::string& course = options.course.empty() ? configuration.course : options.course;
-  if (!course.empty()) files.course = read_bundled(Bundled::kCourses, course);
-  files.robot =
-      read_bundled(Bundled::kRobots, options.robot.empty() ? configuration.robot : options.robot);
+  if (!course.empty()) files.course = course::read_bundled(course::Bundled::kCourses, course);
+  files.robot = course::read_bundled(course::Bundled::kRobots,
+                                     options.robot.empty() ? configuration.robot : options.robot);
   files.setup = options.setup.empty() ? configuration.parameters.setup : setup_of(options.setup);
-  files.world = world_option(options.world, configuration.parameters.world.kind);
+  files.world = config::world_option(options.world, configuration.parameters.world.kind);
   return files;
 }
 
-RunSetup setup_run(const RunFiles& files, const RunOptions& options) {
-  RunSetup run = parse_run(files);
+config::RunSetup setup_run(const config::RunFiles& files, const RunOptions& options) {
+  config::RunSetup run = config::parse_run(files);
   if (!options.port.empty()) run.configuration.link.port = options.port;
   if (!options.camera.empty()) run.configuration.camera.listen = options.camera;
   if (options.world.starts_with("udp:")) run.configuration.world.address = options.world;
@@ -67,12 +67,12 @@ RunSetup setup_run(const RunFiles& files, const RunOptions& options) {
 
 HostNs ns_of_ms(double ms) { return from_s(ms * 1e-3); }
 
-loop::LoopSettings loop_settings(const LoopSettings& settings) {
+loop::LoopSettings loop_settings(const config::LoopSettings& settings) {
   loop::LoopSettings out;
   out.period_ns = static_cast<HostNs>(std::llround(1e9 / settings.rate_hz));
-  out.robot_paced = settings.pacing == Pacing::kRobot;
-  out.overrun = settings.overrun == Overrun::kSkip ? loop::OverrunPolicy::kSkipMissed
-                                                   : loop::OverrunPolicy::kShiftPhase;
+  out.robot_paced = settings.pacing == config::Pacing::kRobot;
+  out.overrun = settings.overrun == config::Overrun::kSkip ? loop::OverrunPolicy::kSkipMissed
+                                                           : loop::OverrunPolicy::kShiftPhase;
   // Whoever the loop waits for needs the only processor.
   const bool alone = std::thread::hardware_concurrency() == 1;
   out.spin_ns = alone ? 0 : settings.spin_us * kNsPerUs;
@@ -80,7 +80,7 @@ loop::LoopSettings loop_settings(const LoopSettings& settings) {
   return out;
 }
 
-publish::PublishClock read_clocks() {
+messages::PublishClock read_clocks() {
   std::timespec wall{};
   std::timespec_get(&wall, TIME_UTC);
   return {.start_ns = monotonic_now(),
@@ -93,29 +93,29 @@ int run_run(const RunOptions& options) {
   if (options.duration_s && !(*options.duration_s > 0.0 && *options.duration_s < 1e9)) {
     throw SetupError("--duration: give a number of seconds above 0");
   }
-  const RunFiles files = files_of(options);
-  const RunSetup run = setup_run(files, options);
-  const Configuration& configuration = run.configuration;
+  const config::RunFiles files = files_of(options);
+  const config::RunSetup run = setup_run(files, options);
+  const config::Configuration& configuration = run.configuration;
 
-  link::SessionSettings session = session_settings(run.parameters);
+  link::SessionSettings session = bridge::session_settings(run.parameters);
   session.baud = static_cast<std::uint32_t>(configuration.link.baud);
   session.timeout_ns = ns_of_ms(configuration.link.timeout_ms);
   session.first_frame_timeout_ns = ns_of_ms(configuration.link.first_frame_timeout_ms);
   const bool leave_silent_port = !options.wait || configuration.link.port == "auto";
-  LiveCycle cycle(session, run.parameters, run.course, leave_silent_port);
+  live::LiveCycle cycle(session, run.parameters, run.course, leave_silent_port);
 
   const loop::RealTimeProcess process({.lock_memory = configuration.loop.lock_memory,
                                        .hold_cpu_latency = configuration.loop.hold_cpu_latency});
   loop::FixedRateLoop loop(loop_settings(configuration.loop), cycle);
 
-  SupervisorSettings settings;
+  live::SupervisorSettings settings;
   settings.connector = {
       .port = configuration.link.port,
       .options = {.baud = configuration.link.baud, .hang_up = configuration.link.hang_up},
       .wait = options.wait,
-      .attended = service_settings().socket.empty()};
+      .attended = live::service_settings().socket.empty()};
   settings.camera = configuration.camera;
-  settings.world = world_run(run);
+  settings.world = config::world_run(run);
   settings.go = options.go;
   settings.ran_before = options.ran_before;
   settings.duration_s = options.duration_s;
@@ -124,28 +124,29 @@ int run_run(const RunOptions& options) {
   settings.robot = run.robot.name;
   settings.setup = bridge::to_string(run.parameters.setup);
   settings.process_grants = process.grants();
-  const publish::PublishClock clock = read_clocks();
-  LiveRecording recording(files, run, clock);
+  const messages::PublishClock clock = read_clocks();
+  live::LiveRecording recording(files, run, clock);
   settings.recording = &recording;
-  disk::Worker disk(kWaitingBoxes);
+  record::Worker disk(kWaitingBoxes);
   settings.disk = &disk;
-  BlackBox black_box(files, run, clock, disk, [&recording] { return recording.figures().active; });
+  live::BlackBox black_box(files, run, clock, disk,
+                           [&recording] { return recording.figures().active; });
   settings.black_box = &black_box;
-  LiveControls controls(cycle, loop, recording);
-  const auto listener = [&](publish::Channel channel, std::uint64_t unix_ns,
+  live::LiveControls controls(cycle, loop, recording);
+  const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
                             std::string_view json) {
     recording.hear(channel, unix_ns, json);
     black_box.hear(channel, unix_ns, json);
   };
-  const std::unique_ptr<publish::Server> server = make_server(run, clock, controls, listener);
+  const std::unique_ptr<server::Server> server = live::make_server(run, clock, controls, listener);
   // Who stays records run by run.
   if (!configuration.record.directory.empty() && !options.stay) recording.begin();
   settings.server = server.get();
   settings.controls = &controls;
   settings.stay = options.stay;
   settings.verbose = options.verbose;
-  Supervisor supervisor(settings, cycle, loop);
-  for (publish::Sink* sink : options.sinks) supervisor.add_sink(*sink);
+  live::Supervisor supervisor(settings, cycle, loop);
+  for (messages::Sink* sink : options.sinks) supervisor.add_sink(*sink);
   try {
     return supervisor.run();
   } catch (const SetupError&) {

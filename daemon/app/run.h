@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "publish/sink.h"
+#include "messages/sink.h"
 
 namespace tp100::app {
 
@@ -26,7 +26,7 @@ struct RunOptions {
   bool verbose = false;     ///< the loop's times in the log once a second
   bool stay = false;  ///< a run that is over does not end the program: wait for the next start
   std::optional<double> duration_s;
-  std::vector<publish::Sink*> sinks{};  ///< get every step; outlive the command
+  std::vector<messages::Sink*> sinks{};  ///< get every step; outlive the command
 };
 
 /// The command. 0: course completed; 1: aborted, interrupted or --duration passed. Throws

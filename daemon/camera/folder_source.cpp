@@ -10,10 +10,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
-#include "app/bundled_files.h"
 #include "camera/quiet.h"
 #include "core/error.h"
-#include "course/toml_document.h"
+#include "course/bundled_files.h"
+#include "text/toml_document.h"
 
 namespace tp100::camera {
 namespace {
@@ -56,7 +56,7 @@ bool comes_before(const std::string& a, const std::string& b) {
 }
 
 std::map<std::string, HostNs> read_times(const std::string& path) {
-  std::istringstream text(app::read_text_file(path).text);
+  std::istringstream text(course::read_text_file(path).text);
   std::map<std::string, HostNs> times;
   std::string row;
   double last_s = -kMaxTimeS;
@@ -93,7 +93,7 @@ std::vector<PictureFile> list_pictures(const std::string& folder, std::optional<
     if (name == kTimes) {
       timed = true;
     } else if (!has_picture_name(entry->path()) || !entry->is_regular_file()) {
-      throw SetupError(course::one_line(entry->path().string(), 300) +
+      throw SetupError(text::one_line(entry->path().string(), 300) +
                        ": no picture; keep only pictures and times.csv in the folder");
     } else if (names.push_back(name); names.size() > kMostPictures) {
       throw SetupError(folder + ": too many pictures; split the folder");
@@ -117,12 +117,12 @@ std::vector<PictureFile> list_pictures(const std::string& folder, std::optional<
   for (const std::string& name : names) {
     const auto found = times.find(name);
     if (found == times.end())
-      throw SetupError(times_path + ": no time for " + course::one_line(name, 200));
+      throw SetupError(times_path + ": no time for " + text::one_line(name, 200));
     files.push_back({(base / name).string(), found->second});
   }
   for (const auto& [name, taken_ns] : times)
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw SetupError(times_path + ": " + course::one_line(name, 200) + " is not in the folder");
+      throw SetupError(times_path + ": " + text::one_line(name, 200) + " is not in the folder");
   std::sort(files.begin(), files.end(),
             [](const PictureFile& a, const PictureFile& b) { return a.taken_ns < b.taken_ns; });
   return files;
@@ -138,7 +138,7 @@ bool FolderSource::next(Picture& picture) {
     picture.grey.release();
   }
   if (picture.grey.empty())
-    throw SetupError(course::one_line(file.path, 300) +
+    throw SetupError(text::one_line(file.path, 300) +
                      ": cannot be read as a picture; remove or repair it");
   picture.taken_ns = file.taken_ns;
   return true;

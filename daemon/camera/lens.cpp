@@ -5,14 +5,14 @@
 #include <opencv2/core/persistence.hpp>
 #include <span>
 
-#include "app/bundled_files.h"
 #include "core/error.h"
-#include "course/key.h"
+#include "course/bundled_files.h"
+#include "text/key.h"
 
 namespace tp100::camera {
 namespace {
 
-using course::Key;
+using text::Key;
 
 std::span<const Key<Lens>> keys() {
   using T = Lens;
@@ -75,13 +75,13 @@ Lens parse_opencv(const std::string& text, const std::string& path) {
 }
 
 Lens parse_toml(const std::string& text, const std::string& path) {
-  const course::TomlDocument document(text, path);
-  course::TomlTable root = document.root();
+  const text::TomlDocument document(text, path);
+  text::TomlTable root = document.root();
   Lens lens;
   // A lens without its focal length is no lens: nothing here has a sensible default.
   for (const char* key : {"width_px", "height_px", "fx_px", "fy_px", "cx_px", "cy_px"})
     if (!root.has(key)) fail(path, std::string("no ") + key);
-  course::read_keys(root, keys(), lens);
+  text::read_keys(root, keys(), lens);
   root.finish();
   return lens;
 }
@@ -134,9 +134,9 @@ cv::Point2d Lens::ray(const cv::Point2d& pixel) const {
 }
 
 Lens read_lens(const std::string& path) {
-  const app::TextFile file = app::read_text_file(path);
+  const course::TextFile file = course::read_text_file(path);
   const bool opencv = is_opencv_file(path, file.text);
-  if (opencv && file.text.size() > course::kMaxTomlSize) fail(path, "too large for a lens file");
+  if (opencv && file.text.size() > text::kMaxTomlSize) fail(path, "too large for a lens file");
   // The same ranges for both kinds.
   const Lens lens = opencv ? parse_toml(write_lens(parse_opencv(file.text, path)), path)
                            : parse_toml(file.text, path);
@@ -145,10 +145,10 @@ Lens read_lens(const std::string& path) {
 }
 
 std::string write_lens(const Lens& lens) {
-  return course::toml_comment(
+  return text::toml_comment(
              "Lens of an overhead camera, by tp100-camera --calibrate-lens: a pinhole with Brown's "
              "distortion in OpenCV's order.") +
-         "\n" + course::write_keys(keys(), lens);
+         "\n" + text::write_keys(keys(), lens);
 }
 
 }  // namespace tp100::camera

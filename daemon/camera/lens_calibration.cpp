@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "disk/atomic_file.h"
+#include "text/atomic_file.h"
 
 namespace tp100::camera {
 namespace {
@@ -114,7 +114,7 @@ int calibrate_lens(const std::string& source, const SourceOptions& options,
   }
   if (views.size() > kMostViews) thin_out(views);
   const LensFit fit = fit_lens(views, size);
-  disk::write_file(out, write_lens(fit.lens));
+  text::write_file(out, write_lens(fit.lens));
   read_lens(out);
   std::printf(
       "%s: %zu pictures, %.2f px rms, focal length %.1f +- %.1f px, %.0f %% of the picture "

@@ -7,16 +7,16 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
-#include "analysis/standard_streams.h"
 #include "camera/board.h"
 #include "camera/lens_calibration.h"
 #include "camera/print.h"
 #include "camera/view.h"
 #include "camera/watch.h"
 #include "core/error.h"
-#include "course/toml_document.h"
-#include "disk/atomic_file.h"
 #include "link/camera_message.h"
+#include "text/atomic_file.h"
+#include "text/standard_streams.h"
+#include "text/toml_document.h"
 
 namespace tp100::camera {
 namespace {
@@ -70,7 +70,7 @@ void add_options(CLI::App& app, Options& options) {
 int print_marker(const Options& options) {
   const View view = options.watch.view.empty() ? View{} : read_view(options.watch.view);
   const int id = options.marker_id < 0 ? view.marker_id : options.marker_id;
-  disk::write_file(options.print_marker, marker_svg(view, id));
+  text::write_file(options.print_marker, marker_svg(view, id));
   return 0;
 }
 
@@ -78,7 +78,7 @@ int print_board(const Options& options) {
   const cv::Mat picture = Board::parse(options.board).draw(kBoardPixelsPerM);
   std::vector<unsigned char> png;
   cv::imencode(".png", picture, png);
-  disk::write_file(options.print_board, {reinterpret_cast<const char*>(png.data()), png.size()});
+  text::write_file(options.print_board, {reinterpret_cast<const char*>(png.data()), png.size()});
   return 0;
 }
 
@@ -95,7 +95,7 @@ int run_watch(Options& options) {
                    &used) != 2 ||
        used != static_cast<int>(options.size.size()) || pictures.width_px < 16 ||
        pictures.height_px < 16 || pictures.width_px > 16384 || pictures.height_px > 16384))
-    throw SetupError("--size " + course::one_line(options.size) + ": not a size; use 1920x1080");
+    throw SetupError("--size " + text::one_line(options.size) + ": not a size; use 1920x1080");
   return watch(watch_options);
 }
 
@@ -109,12 +109,12 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    return analysis::report_usage_error("tp100-camera", error.what());
+    return text::report_usage_error("tp100-camera", error.what());
   }
   if (!options.print_marker.empty()) return print_marker(options);
   if (!options.print_board.empty()) return print_board(options);
   if (options.watch.source.empty())
-    return analysis::report_usage_error("tp100-camera", "SOURCE is required");
+    return text::report_usage_error("tp100-camera", "SOURCE is required");
   if (options.lens_out.empty()) return run_watch(options);
   return calibrate_lens(options.watch.source, options.watch.pictures, options.board,
                         options.lens_out);
@@ -127,6 +127,5 @@ int main(int argc, char** argv) {
   // One line of ours says what is wrong; and the processors belong to the bridge.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);
-  return tp100::analysis::run_program("tp100-camera",
-                                      [&] { return tp100::camera::run(argc, argv); });
+  return tp100::text::run_program("tp100-camera", [&] { return tp100::camera::run(argc, argv); });
 }

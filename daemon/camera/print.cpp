@@ -4,7 +4,7 @@
 
 #include "camera/marker_detector.h"
 #include "core/error.h"
-#include "course/toml_document.h"
+#include "text/toml_document.h"
 
 namespace tp100::camera {
 
@@ -20,7 +20,7 @@ std::string marker_svg(const View& view, int id) {
   // The detector needs white around the black square: one and a half modules.
   const double rim_mm = 1.5 * module_mm;
   const double side_mm = view.marker_size_m * 1e3 + 2.0 * rim_mm;
-  const auto mm = [](double value) { return course::number_text(value); };
+  const auto mm = [](double value) { return text::number_text(value); };
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + mm(side_mm) +
                     "mm\" height=\"" + mm(side_mm) + "mm\" viewBox=\"0 0 " + mm(side_mm) + " " +
                     mm(side_mm) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";

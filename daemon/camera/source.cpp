@@ -7,7 +7,7 @@
 #include "camera/folder_source.h"
 #include "camera/video_source.h"
 #include "core/error.h"
-#include "course/toml_document.h"
+#include "text/toml_document.h"
 
 namespace tp100::camera {
 
@@ -28,7 +28,7 @@ std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions
     case fs::file_type::regular:
       return std::make_unique<VideoSource>(path);
     default:
-      throw SetupError(course::one_line(path, 300) +
+      throw SetupError(text::one_line(path, 300) +
                        ": no such video, folder or device; check the name");
   }
 }

@@ -7,7 +7,7 @@
 
 #include "camera/quiet.h"
 #include "core/error.h"
-#include "course/toml_document.h"
+#include "text/toml_document.h"
 
 namespace tp100::camera {
 namespace {
@@ -29,7 +29,7 @@ VideoSource::VideoSource(const std::string& path) : path_(path) {
   } catch (const cv::Exception&) {
   }
   if (!open)
-    throw SetupError(course::one_line(path, 300) +
+    throw SetupError(text::one_line(path, 300) +
                      ": cannot be read as a video; give a video file, a folder or a device");
   promised_ = capture_.get(cv::CAP_PROP_FRAME_COUNT);
   fps_ = capture_.get(cv::CAP_PROP_FPS);
@@ -38,8 +38,8 @@ VideoSource::VideoSource(const std::string& path) : path_(path) {
 void VideoSource::check_end() const {
   const double missing = promised_ - static_cast<double>(taken_);
   if (!(missing > std::max(kMissingCount, kMissingShare * promised_)) && taken_ > 0) return;
-  throw SetupError(course::one_line(path_, 300) + ": ends after " + std::to_string(taken_) +
-                   " of " + course::number_text(promised_) +
+  throw SetupError(text::one_line(path_, 300) + ": ends after " + std::to_string(taken_) + " of " +
+                   text::number_text(promised_) +
                    " pictures; the file is damaged, record or copy it again");
 }
 

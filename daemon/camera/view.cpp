@@ -5,22 +5,22 @@
 #include <filesystem>
 #include <span>
 
-#include "app/bundled_files.h"
 #include "camera/marker_detector.h"
 #include "core/angle.h"
 #include "core/error.h"
-#include "course/key.h"
+#include "course/bundled_files.h"
+#include "text/key.h"
 
 namespace tp100::camera {
 namespace {
 
-using course::Choice;
-using course::Key;
+using text::Choice;
+using text::Key;
 
 constexpr std::size_t kMostPoints = 256;
-constexpr course::Range kIds{0, 1023};
-constexpr course::Range kPlaces{-100, 100};
-constexpr course::Range kPixels{0, 16384};
+constexpr text::Range kIds{0, 1023};
+constexpr text::Range kPlaces{-100, 100};
+constexpr text::Range kPixels{0, 16384};
 
 std::span<const Key<View>> camera_keys() {
   using T = View;
@@ -62,9 +62,9 @@ std::span<const Key<View>> marker_keys() {
 
 cv::Point2d to_point(const std::array<double, 2>& values) { return {values[0], values[1]}; }
 
-std::vector<FloorMarker> read_markers(course::TomlTable& root, const View& view) {
+std::vector<FloorMarker> read_markers(text::TomlTable& root, const View& view) {
   std::vector<FloorMarker> markers;
-  for (course::TomlTable& table : root.tables("floor_marker")) {
+  for (text::TomlTable& table : root.tables("floor_marker")) {
     FloorMarker marker;
     marker.id = static_cast<int>(table.required_number("id", kIds));
     if (table.integer("id", 0, kIds) == view.marker_id)
@@ -78,9 +78,9 @@ std::vector<FloorMarker> read_markers(course::TomlTable& root, const View& view)
   return markers;
 }
 
-std::vector<FloorPoint> read_points(course::TomlTable& root) {
+std::vector<FloorPoint> read_points(text::TomlTable& root) {
   std::vector<FloorPoint> points;
-  for (course::TomlTable& table : root.tables("floor_point")) {
+  for (text::TomlTable& table : root.tables("floor_point")) {
     FloorPoint point;
     point.pixel = to_point(table.required_numbers({"u_px", "v_px"}, kPixels));
     point.world_m = to_point(table.required_numbers({"x_m", "y_m"}, kPlaces));
@@ -92,12 +92,12 @@ std::vector<FloorPoint> read_points(course::TomlTable& root) {
 }  // namespace
 
 View parse_view(const std::string& text, const std::string& file) {
-  const course::TomlDocument document(text, file);
-  course::TomlTable root = document.root();
+  const text::TomlDocument document(text, file);
+  text::TomlTable root = document.root();
   View view;
-  course::read_keys(root, camera_keys(), view);
-  course::TomlTable marker = root.table("marker");
-  course::read_keys(marker, marker_keys(), view);
+  text::read_keys(root, camera_keys(), view);
+  text::TomlTable marker = root.table("marker");
+  text::read_keys(marker, marker_keys(), view);
   view.floor_markers = read_markers(root, view);
   view.floor_points = read_points(root);
   root.finish();
@@ -112,29 +112,29 @@ View parse_view(const std::string& text, const std::string& file) {
 }
 
 std::string write_view(const View& view) {
-  std::string text = course::toml_comment(
+  std::string text = text::toml_comment(
       "What an overhead camera looks at: tp100-camera SOURCE --view THIS FILE. Places are in the "
       "course's frame: x forward, y to the left, both on the floor. A key's end names its unit.");
-  text += "\n" + course::write_keys(camera_keys(), view);
-  text += "\n[marker]\n" + course::write_keys(marker_keys(), view);
-  text += "\n" + course::toml_comment(
+  text += "\n" + text::write_keys(camera_keys(), view);
+  text += "\n[marker]\n" + text::write_keys(marker_keys(), view);
+  text += "\n" + text::toml_comment(
                      "Four or more markers that lie on the floor, with the place of their middles. "
                      "Or [[floor_point]] with u_px, v_px (a pixel of the picture, 0 is the middle "
                      "of the first) and x_m, y_m.");
   const auto place = [](const cv::Point2d& world_m) {
-    return "x_m = " + course::toml_number(world_m.x) + "\ny_m = " + course::toml_number(world_m.y) +
+    return "x_m = " + text::toml_number(world_m.x) + "\ny_m = " + text::toml_number(world_m.y) +
            "\n";
   };
   for (const FloorMarker& marker : view.floor_markers)
     text += "[[floor_marker]]\nid = " + std::to_string(marker.id) + "\n" + place(marker.world_m);
   for (const FloorPoint& point : view.floor_points)
-    text += "[[floor_point]]\nu_px = " + course::toml_number(point.pixel.x) +
-            "\nv_px = " + course::toml_number(point.pixel.y) + "\n" + place(point.world_m);
+    text += "[[floor_point]]\nu_px = " + text::toml_number(point.pixel.x) +
+            "\nv_px = " + text::toml_number(point.pixel.y) + "\n" + place(point.world_m);
   return text;
 }
 
 View read_view(const std::string& path) {
-  const app::TextFile file = app::read_text_file(path);
+  const course::TextFile file = course::read_text_file(path);
   View view = parse_view(file.text, file.path);
   view.lens = (std::filesystem::path(path).parent_path() / view.lens).string();
   return view;

@@ -2,7 +2,7 @@
 #include <span>
 
 #include "course/camera.h"
-#include "course/key.h"
+#include "text/key.h"
 
 namespace tp100::course {
 namespace {
@@ -10,9 +10,9 @@ namespace {
 constexpr double kDeg = kRadPerDeg;
 constexpr double kMs = 1e-3;
 
-std::span<const Key<EmulatedCamera>> keys() {
+std::span<const text::Key<EmulatedCamera>> keys() {
   using T = EmulatedCamera;
-  static const std::array<Key<T>, 17> kKeys = {{
+  static const std::array<text::Key<T>, 17> kKeys = {{
       {"rate_hz", &T::rate_hz, {1, 500}, "Pictures per second"},
       {"delay_ms", &T::delay_s, {5, 400}, "From the picture to the arrival of its sample", kMs},
       {"delay_jitter_ms", &T::delay_jitter_s, {0, 100}, "Standard deviation of that delay", kMs},
@@ -53,19 +53,19 @@ std::span<const Key<EmulatedCamera>> keys() {
 }  // namespace
 
 EmulatedCamera parse_camera(const std::string& text, const std::string& file) {
-  const TomlDocument document(text, file);
-  TomlTable root = document.root();
+  const text::TomlDocument document(text, file);
+  text::TomlTable root = document.root();
   EmulatedCamera values;
-  read_keys(root, keys(), values);
+  text::read_keys(root, keys(), values);
   root.finish();
   return values;
 }
 
 std::string write_camera(const EmulatedCamera& values) {
-  return toml_comment(
+  return text::toml_comment(
              "An emulated overhead camera, with every key at its default. What the daemon believes "
              "of the camera is in the configuration's [camera], not here.") +
-         "\n" + write_keys(keys(), values);
+         "\n" + text::write_keys(keys(), values);
 }
 
 }  // namespace tp100::course

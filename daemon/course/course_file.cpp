@@ -5,27 +5,28 @@
 #include "course/course.h"
 #include "course/path.h"
 #include "course/terrain_file.h"
-#include "course/toml_document.h"
+#include "text/toml_document.h"
 
 namespace tp100::course {
 namespace {
 
 constexpr std::size_t kMaxSegments = 1000;
 constexpr std::size_t kMaxShoves = 100;
-constexpr Range kPlace{-100.0, 100.0};
-constexpr Range kAngle{-3600.0, 3600.0};
-constexpr Range kLength{0.001, 100.0};
+constexpr text::Range kPlace{-100.0, 100.0};
+constexpr text::Range kAngle{-3600.0, 3600.0};
+constexpr text::Range kLength{0.001, 100.0};
 constexpr double kSmallestAngleDeg = 0.1;
 
-double turn_rad(TomlTable& table) {
+double turn_rad(text::TomlTable& table) {
   const double angle_deg = table.required_number("angle_deg", kAngle);
   if (std::abs(angle_deg) < kSmallestAngleDeg)
-    table.fail("angle_deg", "'angle_deg' is " + number_text(angle_deg) + ", smallest turn is " +
-                                number_text(kSmallestAngleDeg) + " deg to either side");
+    table.fail("angle_deg", "'angle_deg' is " + text::number_text(angle_deg) +
+                                ", smallest turn is " + text::number_text(kSmallestAngleDeg) +
+                                " deg to either side");
   return angle_deg * kRadPerDeg;
 }
 
-Segment segment_of(TomlTable table) {
+Segment segment_of(text::TomlTable table) {
   const std::string type = table.required_choice("type", {"line", "arc", "pivot"});
   if (type == "line") return Line{table.required_number("length_m", kLength)};
   if (type == "pivot") return Pivot{turn_rad(table)};
@@ -33,7 +34,7 @@ Segment segment_of(TomlTable table) {
   return Arc{radius_m, turn_rad(table)};
 }
 
-Pose start_of(TomlTable table) {
+Pose start_of(text::TomlTable table) {
   Pose start;
   start.x_m = table.number("x_m", 0.0, kPlace);
   start.y_m = table.number("y_m", 0.0, kPlace);
@@ -41,7 +42,7 @@ Pose start_of(TomlTable table) {
   return start;
 }
 
-Fence fence_of(TomlTable table) {
+Fence fence_of(text::TomlTable table) {
   const auto [min_x_m, max_x_m, min_y_m, max_y_m] =
       table.required_numbers({"min_x_m", "max_x_m", "min_y_m", "max_y_m"}, kPlace);
   const Fence fence{min_x_m, max_x_m, min_y_m, max_y_m};
@@ -50,20 +51,20 @@ Fence fence_of(TomlTable table) {
   return fence;
 }
 
-Shove shove_of(TomlTable table, double length_m, double after_m) {
+Shove shove_of(text::TomlTable table, double length_m, double after_m) {
   Shove shove{};
   shove.at_m = table.required_number("at_m", {0.0, 1e5});
   shove.sideways_m = table.number("sideways_m", 0.0, {-0.3, 0.3});
   shove.yaw_rad = table.number("yaw_deg", 0.0, {-90.0, 90.0}) * kRadPerDeg;
   shove.duration_s = table.number("duration_s", 0.3, {0.05, 5.0});
   if (shove.at_m > length_m)
-    table.fail("at_m", "'at_m' is " + number_text(shove.at_m) + ", but the path is only " +
-                           number_text(length_m) + " m long");
+    table.fail("at_m", "'at_m' is " + text::number_text(shove.at_m) + ", but the path is only " +
+                           text::number_text(length_m) + " m long");
   if (shove.at_m < after_m) table.fail("at_m", "shoves must be listed in the order of 'at_m'");
   return shove;
 }
 
-void require_inside(const Path& path, const Fence& fence, const TomlTable& table) {
+void require_inside(const Path& path, const Fence& fence, const text::TomlTable& table) {
   constexpr int kSteps = 180;
   for (std::size_t i = 0; i < path.pieces().size(); ++i) {
     const Piece& piece = path.pieces()[i];
@@ -71,9 +72,9 @@ void require_inside(const Path& path, const Fence& fence, const TomlTable& table
       const PathPoint point = path.at(i, piece.length_m * step / kSteps);
       if (point.x_m < fence.min_x_m || point.x_m > fence.max_x_m || point.y_m < fence.min_y_m ||
           point.y_m > fence.max_y_m)
-        table.fail("fence", "the path leaves the fence at (" + number_text(point.x_m) + ", " +
-                                number_text(point.y_m) + ") m, " + number_text(point.s_m) +
-                                " m from its start");
+        table.fail("fence", "the path leaves the fence at (" + text::number_text(point.x_m) + ", " +
+                                text::number_text(point.y_m) + ") m, " +
+                                text::number_text(point.s_m) + " m from its start");
     }
   }
 }
@@ -81,8 +82,8 @@ void require_inside(const Path& path, const Fence& fence, const TomlTable& table
 }  // namespace
 
 Course parse_course(const std::string& text, const std::string& file) {
-  const TomlDocument document(text, file);
-  TomlTable root = document.root();
+  const text::TomlDocument document(text, file);
+  text::TomlTable root = document.root();
   Course course;
   course.name = std::filesystem::path(file).stem().string();
   course.description = root.text("description", "");
@@ -90,8 +91,8 @@ Course parse_course(const std::string& text, const std::string& file) {
   course.identifies = root.boolean("identifies", course.identifies);
   course.start = start_of(root.table("start"));
 
-  const std::vector<TomlTable> segments = root.tables("segment");
-  const std::vector<TomlTable> shoves = root.tables("shove");
+  const std::vector<text::TomlTable> segments = root.tables("segment");
+  const std::vector<text::TomlTable> shoves = root.tables("shove");
   course.terrain = terrain_of(root);
   course.fence = fence_of(root.table("fence"));
   // A mistyped table name is better named than its absence.
@@ -101,10 +102,10 @@ Course parse_course(const std::string& text, const std::string& file) {
   }
   if (segments.size() > kMaxSegments) root.fail("segment", "more than 1000 segments");
   if (shoves.size() > kMaxShoves) root.fail("shove", "more than 100 shoves");
-  for (const TomlTable& segment : segments) course.path.push_back(segment_of(segment));
+  for (const text::TomlTable& segment : segments) course.path.push_back(segment_of(segment));
 
   const Path path(course);
-  for (const TomlTable& shove : shoves)
+  for (const text::TomlTable& shove : shoves)
     course.shoves.push_back(
         shove_of(shove, path.length_m(), course.shoves.empty() ? 0.0 : course.shoves.back().at_m));
   root.finish();

@@ -4,18 +4,18 @@
 #include <span>
 #include <sstream>
 
-#include "course/key.h"
 #include "course/robot.h"
 #include "course/robot_keys.h"
+#include "text/key.h"
 
 namespace tp100::course {
 namespace {
 
 constexpr double kDeg = kRadPerDeg;
 
-std::span<const Key<ModelValues>> model_keys() {
+std::span<const text::Key<ModelValues>> model_keys() {
   using T = ModelValues;
-  static const std::array<Key<T>, 13> kKeys = {{
+  static const std::array<text::Key<T>, 13> kKeys = {{
       {"slip_left", &T::slip_left, {-0.5, 0.9}, "Slip ratio of the left belt on flat ground"},
       {"slip_right", &T::slip_right, {-0.5, 0.9}, "Slip ratio of the right belt on flat ground"},
       {"slip_angle_straight_deg",
@@ -68,9 +68,9 @@ std::span<const Key<ModelValues>> model_keys() {
   return kKeys;
 }
 
-std::span<const Key<ShapeValues>> shape_keys() {
+std::span<const text::Key<ShapeValues>> shape_keys() {
   using T = ShapeValues;
-  static const std::array<Key<T>, 7> kKeys = {{
+  static const std::array<text::Key<T>, 7> kKeys = {{
       {"length_m", &T::length_m, {0.05, 1}, "Length over the belts"},
       {"height_m", &T::height_m, {0.02, 0.5}, "Height"},
       {"axle_spacing_m", &T::axle_spacing_m, {0.03, 1}, "Distance between the two axles"},
@@ -88,9 +88,9 @@ std::span<const Key<ShapeValues>> shape_keys() {
   return kKeys;
 }
 
-std::span<const Key<DriveValues>> drive_keys() {
+std::span<const text::Key<DriveValues>> drive_keys() {
   using T = DriveValues;
-  static const std::array<Key<T>, 17> kKeys = {{
+  static const std::array<text::Key<T>, 17> kKeys = {{
       {"counts_per_metre", &T::counts_per_metre, {100, 1e6}, "Encoder edges per metre of belt"},
       {"max_track_mps", &T::max_track_mps, {0.01, 2}, "Highest belt speed that is asked for"},
       {"max_track_mps2", &T::max_track_mps2, {0.05, 20}, "Highest belt acceleration"},
@@ -121,9 +121,9 @@ std::span<const Key<DriveValues>> drive_keys() {
   return kKeys;
 }
 
-std::span<const Key<EmulatedBody>> body_keys() {
+std::span<const text::Key<EmulatedBody>> body_keys() {
   using T = EmulatedBody;
-  static const std::array<Key<T>, 19> kKeys = {{
+  static const std::array<text::Key<T>, 19> kKeys = {{
       {"mass_kg", &T::mass_kg, {0.1, 10}, "Mass with electronics"},
       {"length_m", &T::length_m, {0.05, 1}, "Length of the box that gives the inertia"},
       {"width_m", &T::width_m, {0.05, 1}, "Width of that box"},
@@ -165,9 +165,9 @@ std::span<const Key<EmulatedBody>> body_keys() {
   return kKeys;
 }
 
-std::span<const Key<EmulatedMotor>> motor_keys() {
+std::span<const text::Key<EmulatedMotor>> motor_keys() {
   using T = EmulatedMotor;
-  static const std::array<Key<T>, 8> kKeys = {{
+  static const std::array<text::Key<T>, 8> kKeys = {{
       {"no_load_mps_per_v",
        &T::no_load_mps_per_v,
        {0.001, 1},
@@ -186,9 +186,9 @@ std::span<const Key<EmulatedMotor>> motor_keys() {
   return kKeys;
 }
 
-std::span<const Key<EmulatedEncoder>> encoder_keys() {
+std::span<const text::Key<EmulatedEncoder>> encoder_keys() {
   using T = EmulatedEncoder;
-  static const std::array<Key<T>, 2> kKeys = {{
+  static const std::array<text::Key<T>, 2> kKeys = {{
       {"counts_per_metre", &T::counts_per_metre, {100, 1e6}, "True edges per metre of belt"},
       {"phase_error",
        &T::phase_error,
@@ -198,9 +198,9 @@ std::span<const Key<EmulatedEncoder>> encoder_keys() {
   return kKeys;
 }
 
-std::span<const Key<EmulatedImu>> imu_keys() {
+std::span<const text::Key<EmulatedImu>> imu_keys() {
   using T = EmulatedImu;
-  static const std::array<Key<T>, 10> kKeys = {{
+  static const std::array<text::Key<T>, 10> kKeys = {{
       {"gyro_noise_radps_rthz", &T::gyro_noise_radps_rthz, {0, 0.1}, "Noise density of the gyro"},
       {"gyro_bias_radps",
        &T::gyro_bias_radps,
@@ -230,9 +230,9 @@ std::span<const Key<EmulatedImu>> imu_keys() {
   return kKeys;
 }
 
-std::span<const Key<EmulatedBattery>> battery_keys() {
+std::span<const text::Key<EmulatedBattery>> battery_keys() {
   using T = EmulatedBattery;
-  static const std::array<Key<T>, 5> kKeys = {{
+  static const std::array<text::Key<T>, 5> kKeys = {{
       {"full_v", &T::full_v, {3, 20}, "Voltage of both cells at the start"},
       {"internal_ohm", &T::internal_ohm, {0, 5}, "Internal resistance of both cells"},
       {"capacity_as", &T::capacity_as, {10, 1e6}, "Charge of the cells"},
@@ -242,46 +242,46 @@ std::span<const Key<EmulatedBattery>> battery_keys() {
   return kKeys;
 }
 
-std::span<const Key<Emulated>> emulated_keys() {
-  static const std::array<Key<Emulated>, 1> kKeys = {{
+std::span<const text::Key<Emulated>> emulated_keys() {
+  static const std::array<text::Key<Emulated>, 1> kKeys = {{
       {"clock_ppm", &Emulated::clock_ppm, {-20000, 20000}, "Error of the Mega's resonator"},
   }};
   return kKeys;
 }
 
 template <class T>
-std::string section(const char* name, std::span<const Key<T>> keys, const T& values,
-                    const Origins& origins = {}) {
-  return "\n[" + std::string(name) + "]\n" + write_keys(keys, values, origins);
+std::string section(const char* name, std::span<const text::Key<T>> keys, const T& values,
+                    const text::Origins& origins = {}) {
+  return "\n[" + std::string(name) + "]\n" + text::write_keys(keys, values, origins);
 }
 
 }  // namespace
 
 Robot parse_robot(const std::string& text, const std::string& file) {
-  const TomlDocument document(text, file);
-  TomlTable root = document.root();
+  const text::TomlDocument document(text, file);
+  text::TomlTable root = document.root();
   Robot robot;
   robot.name = std::filesystem::path(file).stem().string();
   robot.description = root.text("description", "");
-  TomlTable model = root.table("model");
-  TomlTable shape = root.table("shape");
-  TomlTable drive = root.table("drive");
-  TomlTable emulated = root.table("emulated");
-  TomlTable body = emulated.table("body");
-  TomlTable motor = emulated.table("motor");
-  TomlTable encoder = emulated.table("encoder");
-  TomlTable imu = emulated.table("imu");
-  TomlTable battery = emulated.table("battery");
-  read_keys(model, model_keys(), robot.model);
-  robot.origins = read_origins(text, "model");
-  read_keys(shape, shape_keys(), robot.shape);
-  read_keys(drive, drive_keys(), robot.drive);
-  read_keys(emulated, emulated_keys(), robot.emulated);
-  read_keys(body, body_keys(), robot.emulated.body);
-  read_keys(motor, motor_keys(), robot.emulated.motor);
-  read_keys(encoder, encoder_keys(), robot.emulated.encoder);
-  read_keys(imu, imu_keys(), robot.emulated.imu);
-  read_keys(battery, battery_keys(), robot.emulated.battery);
+  text::TomlTable model = root.table("model");
+  text::TomlTable shape = root.table("shape");
+  text::TomlTable drive = root.table("drive");
+  text::TomlTable emulated = root.table("emulated");
+  text::TomlTable body = emulated.table("body");
+  text::TomlTable motor = emulated.table("motor");
+  text::TomlTable encoder = emulated.table("encoder");
+  text::TomlTable imu = emulated.table("imu");
+  text::TomlTable battery = emulated.table("battery");
+  text::read_keys(model, model_keys(), robot.model);
+  robot.origins = text::read_origins(text, "model");
+  text::read_keys(shape, shape_keys(), robot.shape);
+  text::read_keys(drive, drive_keys(), robot.drive);
+  text::read_keys(emulated, emulated_keys(), robot.emulated);
+  text::read_keys(body, body_keys(), robot.emulated.body);
+  text::read_keys(motor, motor_keys(), robot.emulated.motor);
+  text::read_keys(encoder, encoder_keys(), robot.emulated.encoder);
+  text::read_keys(imu, imu_keys(), robot.emulated.imu);
+  text::read_keys(battery, battery_keys(), robot.emulated.battery);
   root.finish();
   if (robot.emulated.body.belt_width_m >= robot.emulated.body.gauge_m)
     body.fail("belt_width_m", "'emulated.body.belt_width_m' must be below 'emulated.body.gauge_m'");
@@ -305,17 +305,18 @@ std::string head_note(const std::string& text) {
   return note;
 }
 
-std::vector<KeyText> robot_keys(const Robot& robot) {
-  std::vector<KeyText> out;
-  describe_keys("robot.model.", model_keys(), robot.model, out);
-  describe_keys("robot.shape.", shape_keys(), robot.shape, out);
-  describe_keys("robot.drive.", drive_keys(), robot.drive, out);
+std::vector<text::KeyText> robot_keys(const Robot& robot) {
+  std::vector<text::KeyText> out;
+  text::describe_keys("robot.model.", model_keys(), robot.model, out);
+  text::describe_keys("robot.shape.", shape_keys(), robot.shape, out);
+  text::describe_keys("robot.drive.", drive_keys(), robot.drive, out);
   return out;
 }
 
 std::string write_robot(const Robot& robot, const std::string& note) {
   const Emulated& emulated = robot.emulated;
-  return toml_comment(note) + "\ndescription = " + toml_string(robot.description) + "\n" +
+  return text::toml_comment(note) + "\ndescription = " + text::toml_string(robot.description) +
+         "\n" +
          "\n# What the daemon believes of this robot. Found by driving it, never copied from "
          "[emulated].\n" +
          section("model", model_keys(), robot.model, robot.origins).substr(1) +

@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "course/key.h"
 #include "course/robot.h"
+#include "text/key.h"
 
 namespace tp100::course {
 
 /// Those that the daemon uses (model, shape, drive), named "robot.model.slip_left".
-std::vector<KeyText> robot_keys(const Robot& robot);
+std::vector<text::KeyText> robot_keys(const Robot& robot);
 
 }  // namespace tp100::course

@@ -6,18 +6,18 @@ namespace tp100::course {
 namespace {
 
 constexpr std::size_t kMaxPieces = 50;
-constexpr Range kPlace{-100.0, 100.0};
-constexpr Range kHeading{-3600.0, 3600.0};
-constexpr Range kHeight{0.001, 0.5};
-constexpr Range kSize{0.01, 20.0};
-constexpr Range kSlope{1.0, 60.0};
+constexpr text::Range kPlace{-100.0, 100.0};
+constexpr text::Range kHeading{-3600.0, 3600.0};
+constexpr text::Range kHeight{0.001, 0.5};
+constexpr text::Range kSize{0.01, 20.0};
+constexpr text::Range kSlope{1.0, 60.0};
 
-Place place_of(TomlTable& table) {
+Place place_of(text::TomlTable& table) {
   const auto [x_m, y_m] = table.required_numbers({"x_m", "y_m"}, kPlace);
   return {x_m, y_m, table.number("heading_deg", 0.0, kHeading) * kRadPerDeg};
 }
 
-Ramp ramp_of(TomlTable table) {
+Ramp ramp_of(text::TomlTable table) {
   Ramp ramp{};
   ramp.place = place_of(table);
   ramp.height_m = table.required_number("height_m", kHeight);
@@ -28,7 +28,7 @@ Ramp ramp_of(TomlTable table) {
   return ramp;
 }
 
-Block block_of(TomlTable table) {
+Block block_of(text::TomlTable table) {
   Block block{};
   block.place = place_of(table);
   block.height_m = table.required_number("height_m", kHeight);
@@ -37,7 +37,7 @@ Block block_of(TomlTable table) {
   return block;
 }
 
-Surface surface_of(TomlTable table) {
+Surface surface_of(text::TomlTable table) {
   Surface surface{};
   surface.name = table.text("name", "");
   if (surface.name.empty()) table.fail("name", "a [[surface]] needs a 'name'");
@@ -50,18 +50,19 @@ Surface surface_of(TomlTable table) {
 }
 
 template <class Piece>
-std::vector<Piece> read(TomlTable& root, const char* name, Piece (*piece_of)(TomlTable)) {
-  const std::vector<TomlTable> tables = root.tables(name);
+std::vector<Piece> read(text::TomlTable& root, const char* name,
+                        Piece (*piece_of)(text::TomlTable)) {
+  const std::vector<text::TomlTable> tables = root.tables(name);
   if (tables.size() > kMaxPieces) root.fail(name, std::string("more than 50 [[") + name + "]]");
   std::vector<Piece> pieces;
   pieces.reserve(tables.size());
-  for (const TomlTable& table : tables) pieces.push_back(piece_of(table));
+  for (const text::TomlTable& table : tables) pieces.push_back(piece_of(table));
   return pieces;
 }
 
 }  // namespace
 
-Terrain terrain_of(TomlTable& root) {
+Terrain terrain_of(text::TomlTable& root) {
   Terrain terrain;
   terrain.ramps = read<Ramp>(root, "ramp", ramp_of);
   terrain.blocks = read<Block>(root, "block", block_of);

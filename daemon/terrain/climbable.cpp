@@ -6,8 +6,8 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "course/path.h"
-#include "course/toml_document.h"
 #include "terrain/slice.h"
+#include "text/toml_document.h"
 
 namespace tp100::terrain {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double kStepM = 0.01;
 
 std::string rounded(double value, double unit) {
-  return course::number_text(std::round(value / unit * 10.0) / 10.0);
+  return text::number_text(std::round(value / unit * 10.0) / 10.0);
 }
 
 bool meets(const course::Path& path, const Outline& outline, double half_width_m) {

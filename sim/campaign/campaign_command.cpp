@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/bundled_files.h"
 #include "core/error.h"
-#include "disk/atomic_file.h"
+#include "course/bundled_files.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/campaign_run.h"
 #include "sim/campaign/merge.h"
 #include "sim/campaign/merge_page.h"
+#include "text/atomic_file.h"
 
 namespace tp100::sim {
 namespace {
@@ -58,7 +58,7 @@ std::vector<Range> ranges_of(const std::optional<std::string>& text, std::uint64
     const std::size_t end = std::min(text->find(',', begin), text->size());
     const auto range = read_range(std::string_view(*text).substr(begin, end - begin), runs);
     if (!range)
-      throw SetupError("--index " + course::one_line(*text) + ": not runs of this campaign; give " +
+      throw SetupError("--index " + text::one_line(*text) + ": not runs of this campaign; give " +
                        "them as 3, 3-7 or 3,5-7,12, from 0 to " + std::to_string(runs - 1));
     ranges.push_back(*range);
     begin = end + 1;
@@ -146,7 +146,7 @@ void take(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t 
 }  // namespace
 
 int run_campaign(const CampaignCommand& command) {
-  const app::TextFile file = app::read_text_file(command.spec);
+  const course::TextFile file = course::read_text_file(command.spec);
   const CampaignSpec spec = parse_campaign(file.text, file.path);
   const std::vector<Range> ranges = ranges_of(command.index, spec.runs);
   const CampaignFolder folder(command.out, file.text, origin_of(spec));
@@ -167,9 +167,9 @@ int run_merge(const std::string& path) {
   const CampaignFolder folder = CampaignFolder::existing(path);
   const CampaignSpec spec = parse_campaign(folder.spec_text(), folder.spec_path());
   const Merged merged = merge_folder(folder, spec);
-  disk::write_file(path + "/merged.json", merged_json(merged));
-  disk::write_file(path + "/runs.csv", merged_csv(merged));
-  disk::write_file(path + "/index.html", merge_page(merged, folder.spec_text()));
+  text::write_file(path + "/merged.json", merged_json(merged));
+  text::write_file(path + "/runs.csv", merged_csv(merged));
+  text::write_file(path + "/index.html", merge_page(merged, folder.spec_text()));
   const std::size_t refused = merged.runs.size() - merged.driven;
   std::printf("%s: %zu of %zu driven runs completed; page: %s/index.html\n", path.c_str(),
               merged.completed, merged.driven, path.c_str());

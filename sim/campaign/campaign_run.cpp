@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "analysis/metrics.h"
-#include "analysis/result_json.h"
 #include "core/error.h"
-#include "sim/run/lockstep.h"
-#include "sim/run/run_recorder.h"
+#include "report/metrics.h"
+#include "report/result_json.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/run_recorder.h"
 
 namespace tp100::sim {
 namespace {
@@ -16,12 +16,12 @@ using Json = nlohmann::ordered_json;
 
 Json figures_of(const PlannedRun& run, const std::string& record) {
   Loaded loaded = load(run.options);
-  loaded.files.course = app::read_bundled(app::Bundled::kCourses, run.course);
+  loaded.files.course = course::read_bundled(course::Bundled::kCourses, run.course);
   const course::Course course =
       course::parse_course(loaded.files.course.text, loaded.files.course.path);
   std::optional<RunRecorder> recorder;
   if (!record.empty()) recorder.emplace(record, loaded, run.options.seed);
-  const analysis::RunResult result = run_lockstep(
+  const report::RunResult result = run_lockstep(
       {.course = course,
        .robot = loaded.robot,
        .configuration = loaded.configuration,
@@ -32,7 +32,7 @@ Json figures_of(const PlannedRun& run, const std::string& record) {
        .faults = parse_faults(run.faults),
        .sink = recorder ? &*recorder : nullptr});
   if (recorder) recorder->finish();
-  return Json::parse(analysis::result_json(result, analysis::figures(result, course)));
+  return Json::parse(report::result_json(result, report::figures(result, course)));
 }
 
 }  // namespace

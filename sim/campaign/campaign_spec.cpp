@@ -7,8 +7,8 @@
 namespace tp100::sim {
 namespace {
 
-constexpr course::Range kRuns{1.0, 1e6};
-constexpr course::Range kSeeds{0.0, 9e15};
+constexpr text::Range kRuns{1.0, 1e6};
+constexpr text::Range kSeeds{0.0, 9e15};
 
 struct ChoiceKey {
   const char* name;
@@ -22,17 +22,17 @@ constexpr std::array<ChoiceKey, 6> kChoices = {{{"board", "native"},
                                                 {"robot", ""},
                                                 {"setup", ""}}};
 
-bool is_text(const course::TomlValue& value) { return std::holds_alternative<std::string>(value); }
+bool is_text(const text::TomlValue& value) { return std::holds_alternative<std::string>(value); }
 
 bool only_texts(const Variable& variable) {
-  if (const auto* value = std::get_if<course::TomlValue>(&variable.source)) return is_text(*value);
+  if (const auto* value = std::get_if<text::TomlValue>(&variable.source)) return is_text(*value);
   const auto* list = std::get_if<List>(&variable.source);
   return list != nullptr && std::all_of(list->begin(), list->end(), is_text);
 }
 
-Variable read_choice(course::TomlTable& root, const ChoiceKey& key) {
+Variable read_choice(text::TomlTable& root, const ChoiceKey& key) {
   if (!root.has(key.name) && key.standard != nullptr)
-    return {key.name, course::TomlValue(root.text(key.name, key.standard))};
+    return {key.name, text::TomlValue(root.text(key.name, key.standard))};
   Variable variable = read_variable(root, key.name, key.name);
   if (!only_texts(variable))
     root.fail(key.name, std::string(key.name) + " needs a string or { list = [\"...\", ...] }");
@@ -51,8 +51,8 @@ class Drawing {
  public:
   Drawing(const CampaignSpec& spec, PlannedRun& run) : spec_(spec), run_(run), turn_(run.index) {}
 
-  course::TomlValue operator()(const Variable& variable, const std::string& prefix) {
-    course::TomlValue value = draw(variable, {spec_.seed, run_.index, turn_});
+  text::TomlValue operator()(const Variable& variable, const std::string& prefix) {
+    text::TomlValue value = draw(variable, {spec_.seed, run_.index, turn_});
     turn_ /= variable.choices();
     if (variable.varies()) run_.drawn.emplace_back(prefix + variable.name, value);
     return value;
@@ -67,7 +67,7 @@ class Drawing {
 }  // namespace
 
 CampaignSpec parse_campaign(const std::string& text, const std::string& file) {
-  course::TomlTable root = course::TomlDocument(text, file).root();
+  text::TomlTable root = text::TomlDocument(text, file).root();
   CampaignSpec spec;
   spec.runs = static_cast<std::uint64_t>(root.required_number("runs", kRuns));
   spec.seed = static_cast<std::uint64_t>(root.integer("seed", 1, kSeeds));

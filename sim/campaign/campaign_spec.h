@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/campaign/variable.h"
-#include "sim/run/options.h"
+#include "sim/robot/options.h"
 
 namespace tp100::sim {
 
@@ -18,7 +18,7 @@ struct PlannedRun {
   std::string course;
   std::string camera;               ///< empty: nobody looks on
   std::vector<std::string> faults;  ///< as --fault has them
-  course::NamedValues drawn;        ///< what differs from run to run
+  text::NamedValues drawn;          ///< what differs from run to run
 };
 
 /// The file: config/campaigns/course-3.toml is one, with every key explained.

@@ -38,7 +38,7 @@ void flatten(const Json& json, const std::string& name, std::map<std::string, do
 }
 
 /// As parse_run_file keeps it.
-std::string drawn_text(const course::TomlValue& value) {
+std::string drawn_text(const text::TomlValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return std::visit([](const auto& one) { return Json(one).dump(); }, value);
 }
@@ -211,7 +211,7 @@ Merged merge(const CampaignSpec& spec, std::vector<MergedRun> runs) {
   const auto add_groups = [&](const std::vector<Variable>& variables, const std::string& prefix) {
     for (const Variable& variable : variables)
       if (const auto* list = std::get_if<List>(&variable.source))
-        for (const course::TomlValue& value : *list)
+        for (const text::TomlValue& value : *list)
           merged.groups.push_back(group_of(merged.runs, prefix + variable.name, drawn_text(value)));
   };
   add_groups(spec.choices, "");

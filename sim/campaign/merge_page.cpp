@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "analysis/html_page.h"
-#include "analysis/svg_chart.h"
+#include "report/html_page.h"
+#include "report/svg_chart.h"
 
 namespace tp100::sim {
 namespace {
 
-using analysis::Rows;
+using report::Rows;
 
 // A page of more is none that anybody reads; merged.json has all.
 constexpr std::size_t kListed = 500;
@@ -95,7 +95,7 @@ Rows failed_rows(const std::vector<const MergedRun*>& failed) {
   return rows;
 }
 
-void add_failed(analysis::HtmlPage& page, const Merged& merged) {
+void add_failed(report::HtmlPage& page, const Merged& merged) {
   const std::vector<const MergedRun*> failed = merged.failed();
   if (failed.empty()) return;
   page.heading("Failed runs");
@@ -164,20 +164,20 @@ std::string distribution(const MergedFigure& figure, const Merged& merged) {
         run.completed && found != run.figures.end() && std::isfinite(found->second))
       values.push_back(found->second);
   std::sort(values.begin(), values.end());
-  analysis::ChartSeries series{.colour = kColour};
+  report::ChartSeries series{.colour = kColour};
   for (std::size_t i = 0; i < values.size(); ++i)
     series.points.emplace_back(
         values[i], 100.0 * static_cast<double>(i + 1) / static_cast<double>(figure.summary.count));
-  return analysis::svg({.title = figure.name,
-                        .x_label = figure.name,
-                        .y_label = "runs that stay below [%]",
-                        .series = {series}});
+  return report::svg({.title = figure.name,
+                      .x_label = figure.name,
+                      .y_label = "runs that stay below [%]",
+                      .series = {series}});
 }
 
 }  // namespace
 
 std::string merge_page(const Merged& merged, const std::string& spec_text) {
-  analysis::HtmlPage page("Campaign");
+  report::HtmlPage page("Campaign");
   page.paragraph(completion(merged));
   page.paragraph(
       "Figures are those of completed runs, against the emulated body's exact pose; in brackets 95 "

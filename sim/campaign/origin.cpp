@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/bundled_files.h"
-#include "app/configuration.h"
+#include "config/configuration.h"
 #include "core/error.h"
+#include "course/bundled_files.h"
 #include "sim/board/avr_image.h"
 #include "sim/campaign/build_id.h"
 
@@ -34,10 +34,10 @@ std::string digest(std::string_view content) {
 /// Every text that the variable can take.
 std::vector<std::string> texts_of(const Variable& variable) {
   List values;
-  if (const auto* value = std::get_if<course::TomlValue>(&variable.source)) values = {*value};
+  if (const auto* value = std::get_if<text::TomlValue>(&variable.source)) values = {*value};
   if (const auto* list = std::get_if<List>(&variable.source)) values = *list;
   std::vector<std::string> texts;
-  for (const course::TomlValue& value : values)
+  for (const text::TomlValue& value : values)
     if (const auto* text = std::get_if<std::string>(&value)) texts.push_back(*text);
   return texts;
 }
@@ -46,9 +46,9 @@ std::vector<std::string> texts_of(const Variable& variable) {
 std::vector<std::string> configured_robots(const CampaignSpec& spec) {
   for (const Variable& variable : spec.configuration)
     if (variable.name == "robot") return texts_of(variable);
-  if (spec.config.empty()) return {app::Configuration{}.robot};
-  const app::TextFile file = app::read_text_file(spec.config);
-  return {app::parse_configuration(file.text, file.path).robot};
+  if (spec.config.empty()) return {config::Configuration{}.robot};
+  const course::TextFile file = course::read_text_file(spec.config);
+  return {config::parse_configuration(file.text, file.path).robot};
 }
 
 class Finding {
@@ -59,7 +59,7 @@ class Finding {
     program();
     if (!spec_.config.empty())
       add("configuration " + spec_.config,
-          [this] { return app::read_text_file(spec_.config).text; });
+          [this] { return course::read_text_file(spec_.config).text; });
     for (const Variable& variable : spec_.choices)
       for (const std::string& value : texts_of(variable)) choice(variable.name, value);
     return std::move(origin_);
@@ -77,7 +77,7 @@ class Finding {
   // The run says why a file cannot be read.
   template <class Read>
   void add(const std::string& name, Read read) {
-    std::string& content = origin_[course::one_line(name, kLongestName)];
+    std::string& content = origin_[text::one_line(name, kLongestName)];
     try {
       content = digest(read());
     } catch (const SetupError&) {
@@ -85,27 +85,28 @@ class Finding {
     }
   }
 
-  void add_bundled(const char* noun, app::Bundled folder, const std::string& name) {
-    add(std::string(noun) + " " + name, [&] { return app::read_bundled(folder, name).text; });
+  void add_bundled(const char* noun, course::Bundled folder, const std::string& name) {
+    add(std::string(noun) + " " + name, [&] { return course::read_bundled(folder, name).text; });
   }
 
   void add_robots() {
     try {
       for (const std::string& robot : configured_robots(spec_))
-        add_bundled("robot", app::Bundled::kRobots, robot);
+        add_bundled("robot", course::Bundled::kRobots, robot);
     } catch (const SetupError&) {
       // As unreadable as the configuration, which stands here already.
     }
   }
 
   void choice(const std::string& variable, const std::string& value) {
-    if (variable == "course") add_bundled("course", app::Bundled::kCourses, value);
+    if (variable == "course") add_bundled("course", course::Bundled::kCourses, value);
     if (variable == "camera" && !value.empty())
-      add_bundled("camera", app::Bundled::kCameras, value);
-    if (variable == "robot" && !value.empty()) add_bundled("robot", app::Bundled::kRobots, value);
+      add_bundled("camera", course::Bundled::kCameras, value);
+    if (variable == "robot" && !value.empty())
+      add_bundled("robot", course::Bundled::kRobots, value);
     if (variable == "robot" && value.empty()) add_robots();
     if (variable == "board" && value == "avr")
-      add("firmware", [] { return app::read_text_file(built_firmware()).text; });
+      add("firmware", [] { return course::read_text_file(built_firmware()).text; });
   }
 
   const CampaignSpec& spec_;

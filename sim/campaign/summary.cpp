@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "analysis/distributions.h"
-#include "analysis/spread.h"
+#include "core/distributions.h"
+#include "core/spread.h"
 
 namespace tp100::sim {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::array<double, 4> kShares = {0.05, 0.5, 0.95, 0.99};
 // Between the order statistics whose ranks a binomial count leaves on each side but in kTail.
 Interval percentile_interval(const std::vector<double>& sorted, double share) {
   const auto n = static_cast<double>(sorted.size());
-  const auto at_most = [&](double k) { return analysis::binomial_at_most(k, n, share); };
+  const auto at_most = [&](double k) { return binomial_at_most(k, n, share); };
   if (at_most(0.0) > kTail || at_most(n - 1.0) < 1.0 - kTail) return {};
   double low = 0.0, high = n;
   while (at_most(low) <= kTail) ++low;
@@ -61,19 +61,19 @@ Summary summarise(std::vector<double> values) {
   summary.mean = mean_of(values);
   for (const double share : kShares)
     summary.percentiles.push_back(
-        {share, analysis::percentile(values, share), percentile_interval(values, share)});
+        {share, percentile(values, share), percentile_interval(values, share)});
   if (values.size() < 2) return summary;
   const auto n = static_cast<double>(values.size());
   double squares = 0.0;
   for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
   summary.sd = std::sqrt(squares / (n - 1.0));
-  const double half = analysis::student_t(kTail, n - 1.0) * summary.sd / std::sqrt(n);
+  const double half = student_t(kTail, n - 1.0) * summary.sd / std::sqrt(n);
   if (std::isfinite(half)) summary.mean_interval = {summary.mean - half, summary.mean + half};
   return summary;
 }
 
 std::pair<double, double> share_interval(std::size_t successes, std::size_t of) {
-  return analysis::binomial_shares(static_cast<double>(successes), static_cast<double>(of), kTail);
+  return binomial_shares(static_cast<double>(successes), static_cast<double>(of), kTail);
 }
 
 std::optional<double> rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {

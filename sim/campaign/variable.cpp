@@ -8,8 +8,8 @@
 namespace tp100::sim {
 namespace {
 
-using course::TomlTable;
-using course::TomlValue;
+using text::TomlTable;
+using text::TomlValue;
 
 /// Evenly between 0 and 1, ends left out; the same in every program.
 class Shares {

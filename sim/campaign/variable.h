@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "course/toml_document.h"
+#include "text/toml_document.h"
 
 namespace tp100::sim {
 
@@ -16,11 +16,11 @@ struct Uniform {
 struct Normal {
   double mean, sd;
 };
-using List = std::vector<course::TomlValue>;
+using List = std::vector<text::TomlValue>;
 
 struct Variable {
   std::string name;
-  std::variant<course::TomlValue, Uniform, Normal, List> source;
+  std::variant<text::TomlValue, Uniform, Normal, List> source;
 
   bool varies() const { return source.index() != 0; }
   /// Values of a list, else 1: so many runs it takes to see all of them.
@@ -32,14 +32,14 @@ struct Variable {
 struct DrawnBy {
   std::uint64_t seed, index, turn;
 };
-course::TomlValue draw(const Variable& variable, const DrawnBy& by);
+text::TomlValue draw(const Variable& variable, const DrawnBy& by);
 
 /// A value, or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }. Throws
 /// SetupError.
-Variable read_variable(course::TomlTable& table, const std::string& key, const std::string& name);
+Variable read_variable(text::TomlTable& table, const std::string& key, const std::string& name);
 
 /// The variables in `table` and in the tables within, by full name, in alphabetical order. Throws
 /// SetupError.
-std::vector<Variable> read_variables(course::TomlTable table, const std::string& prefix = "");
+std::vector<Variable> read_variables(text::TomlTable table, const std::string& prefix = "");
 
 }  // namespace tp100::sim

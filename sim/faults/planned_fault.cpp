@@ -6,8 +6,8 @@
 
 #include "core/error.h"
 #include "core/time.h"
-#include "course/nearest.h"
-#include "course/toml_document.h"
+#include "text/nearest.h"
+#include "text/toml_document.h"
 
 namespace tp100::sim {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double kMostS = 1e6;
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
-  throw SetupError("--fault " + course::one_line(std::string(text)) + ": " + why +
+  throw SetupError("--fault " + text::one_line(std::string(text)) + ": " + why +
                    "; see tp100-sim faults");
 }
 
@@ -41,7 +41,7 @@ const FaultText& kind_named(std::string_view name, std::string_view whole) {
     if (text.name == name) return text;
     names.push_back(text.name);
   }
-  const std::string_view meant = course::nearest_name(std::string(name), names);
+  const std::string_view meant = text::nearest_name(std::string(name), names);
   refuse(whole,
          "no such fault" + (meant.empty() ? "" : "; did you mean '" + std::string(meant) + "'?"));
 }
@@ -64,7 +64,7 @@ void take_number(std::string_view word, const FaultText& text, std::string_view 
                  PlannedFault& fault) {
   const std::optional<double> number = text.number.empty() ? std::nullopt : number_of(word);
   if (!number)
-    refuse(whole, "'" + course::one_line(std::string(word)) + "' says nothing about " +
+    refuse(whole, "'" + text::one_line(std::string(word)) + "' says nothing about " +
                       std::string(text.name));
   if (*number < text.least || *number > text.most)
     refuse(whole, std::string(text.number) + " is out of range");
@@ -74,7 +74,7 @@ void take_number(std::string_view word, const FaultText& text, std::string_view 
 std::int64_t time_of(std::string_view text, std::string_view whole) {
   const std::optional<double> seconds = number_of(text);
   if (!seconds || *seconds < 0.0 || *seconds > kMostS)
-    refuse(whole, "'" + course::one_line(std::string(text)) + "' is no time in seconds");
+    refuse(whole, "'" + text::one_line(std::string(text)) + "' is no time in seconds");
   return from_s(*seconds);
 }
 

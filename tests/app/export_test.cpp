@@ -7,24 +7,24 @@
 #include <map>
 #include <sstream>
 
-#include "../publish/random_record.h"
-#include "analysis/csv_reader.h"
-#include "analysis/recording.h"
+#include "../record/random_record.h"
+#include "record/recording.h"
 #include "recorded_run.h"
 #include "support/temporary_folder.h"
+#include "text/csv_reader.h"
 
 namespace tp100::app {
 namespace {
 
-using analysis::CsvTable;
-using analysis::parse_csv;
+using text::CsvTable;
+using text::parse_csv;
 
 /// A recording in which every value that is exported is another one.
 class Export : public testing::Test {
  protected:
   Export() {
     record_run(folder_.file("run.mcap"), [this](StepRecord& record) {
-      publish::RandomFiller fill(record.step + 1);
+      record::RandomFiller fill(record.step + 1);
       Snapshot& s = record.snapshot;
       for (Pose* pose : {&s.model, &s.odometry, &s.fused.pose}) fill("", *pose);
       for (double* value :
@@ -43,7 +43,7 @@ class Export : public testing::Test {
     });
     const std::string out = folder_.path().string();
     EXPECT_EQ(run_export({.runs = {folder_.file("run.mcap")}, .out = out}), 0);
-    start_ns_ = analysis::Recording(folder_.file("run.mcap")).start_ns();
+    start_ns_ = record::Recording(folder_.file("run.mcap")).start_ns();
   }
 
   std::string text(const char* name) const { return test::read_bytes(folder_.file(name)); }

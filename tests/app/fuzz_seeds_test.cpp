@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "analysis/recording.h"
+#include "record/recording.h"
 #include "recorded_run.h"
 #include "support/paths.h"
 #include "support/temporary_folder.h"
@@ -31,7 +31,7 @@ void rewrite() {
   test::write_bytes(kSeeds + "cut.mcap", plain.substr(0, plain.size() * 2 / 3));
 }
 
-std::uint64_t steps_of(const analysis::Recording& recording) {
+std::uint64_t steps_of(const record::Recording& recording) {
   std::uint64_t steps = 0;
   recording.visit({.step = [&](const StepRecord&) { ++steps; }, .truth = {}, .message = {}});
   return steps;
@@ -42,7 +42,7 @@ TEST(FuzzSeeds, AreRecordingsOfThePresentLayout) {
   for (const std::string name : {"plain", "packed", "cut"}) {
     SCOPED_TRACE(name + ".mcap; TP100_REWRITE_SEEDS=1 writes the seeds anew");
     try {
-      const analysis::Recording recording(kSeeds + name + ".mcap");
+      const record::Recording recording(kSeeds + name + ".mcap");
       const std::uint64_t steps = steps_of(recording);
       EXPECT_EQ(recording.whole(), name != "cut");
       // Its only chunk is lost with its end.

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "../link/scripted_robot.h"
-#include "app/cycle.h"
-#include "app/run_setup.h"
-#include "publish/recorder.h"
-#include "publish/step_codec.h"
+#include "bridge/cycle.h"
+#include "config/run_setup.h"
+#include "record/recorder.h"
+#include "record/step_codec.h"
 
 namespace tp100::app {
 
@@ -20,19 +20,19 @@ namespace tp100::app {
 inline void record_run(
     const std::string& path,
     const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },
-    const publish::McapMap& facts = {{"seed", "5"}}, int begin_at = 0, bool compress = true) {
-  RunFiles files;
-  files.robot = read_bundled(Bundled::kRobots, "end-loaded");
-  files.course = read_bundled(Bundled::kCourses, "1-curve");
-  const RunSetup run = parse_run(files);
-  publish::Recorder recorder(
+    const record::McapMap& facts = {{"seed", "5"}}, int begin_at = 0, bool compress = true) {
+  config::RunFiles files;
+  files.robot = course::read_bundled(course::Bundled::kRobots, "end-loaded");
+  files.course = course::read_bundled(course::Bundled::kCourses, "1-curve");
+  const config::RunSetup run = config::parse_run(files);
+  record::Recorder recorder(
       {.journal_folder = std::filesystem::path(path).parent_path().string(), .patient = true});
   const auto begin = [&] {
     recorder.begin({.path = path, .compress = compress, .clock = {kNsPerS, 0}},
-                   run_facts(files, run, facts));
+                   config::run_facts(files, run, facts));
   };
   ScriptedRobot robot;
-  Cycle cycle(session_settings(run.parameters), run.parameters, run.course);
+  bridge::Cycle cycle(bridge::session_settings(run.parameters), run.parameters, run.course);
   HostNs now = kNsPerS;
   cycle.open(now);
   cycle.request(OperatorRequest::kStart);

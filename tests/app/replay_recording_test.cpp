@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "../publish/random_record.h"
+#include "../record/random_record.h"
 #include "app/replay.h"
 #include "core/error.h"
 #include "recorded_run.h"
@@ -25,8 +25,8 @@ class ReplayRecording : public testing::Test {
     return {.in = file(), .out = poses(), .config = {}, .model = {}};
   }
   Replayed replayed(bool verify = true) const {
-    const analysis::Recording recording(file());
-    const RunSetup run = parse_run(recorded_files(recording));
+    const record::Recording recording(file());
+    const config::RunSetup run = config::parse_run(recorded_files(recording));
     return replay_steps(recording, run.parameters, run.course, verify, [](const StepRecord&) {});
   }
   test::TemporaryFolder folder_;
@@ -131,7 +131,7 @@ TEST_F(ReplayRecording, InputsThatNoRobotSentDoNoHarm) {
     const HostNs now = record.now_ns;
     // Between them the robot's own, so that it gets somewhere.
     if (step % 50 < 25) return true;
-    record = *publish::random_record(step);
+    record = *record::random_record(step);
     record.step = step;
     record.now_ns = step % 3 == 0 ? record.clock.reference_host_ns : now;
     return true;
@@ -147,11 +147,11 @@ TEST_F(ReplayRecording, InputsThatNoRobotSentDoNoHarm) {
 
 TEST_F(ReplayRecording, TheRecordedConfigurationIsTheOneInForce) {
   record_run(file());
-  const RunFiles files = recorded_files(analysis::Recording(file()));
-  EXPECT_EQ(files.robot.text, read_bundled(Bundled::kRobots, "end-loaded").text);
-  EXPECT_EQ(files.course.text, read_bundled(Bundled::kCourses, "1-curve").text);
+  const config::RunFiles files = recorded_files(record::Recording(file()));
+  EXPECT_EQ(files.robot.text, course::read_bundled(course::Bundled::kRobots, "end-loaded").text);
+  EXPECT_EQ(files.course.text, course::read_bundled(course::Bundled::kCourses, "1-curve").text);
   EXPECT_EQ(files.setup, bridge::Setup::kFlat);
-  EXPECT_EQ(parse_run(files).course->name, "1-curve");
+  EXPECT_EQ(config::parse_run(files).course->name, "1-curve");
 }
 
 }  // namespace

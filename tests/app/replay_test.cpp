@@ -13,9 +13,9 @@
 #include <sstream>
 
 #include "../support/temporary_folder.h"
-#include "analysis/csv_reader.h"
 #include "core/angle.h"
 #include "core/error.h"
+#include "text/csv_reader.h"
 
 namespace tp100::app {
 namespace {
@@ -23,12 +23,12 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-analysis::CsvTable replayed(const std::string& csv, ReplayModel model,
-                            const bridge::Parameters& parameters = {}) {
-  return analysis::parse_csv(replay_csv(csv, "in.csv", model, parameters), "out.csv",
-                             {{"t_s", "x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad",
-                               "vx_mps", "vy_mps", "yaw_rate_radps", "slip_left", "slip_right"},
-                              {}});
+text::CsvTable replayed(const std::string& csv, ReplayModel model,
+                        const bridge::Parameters& parameters = {}) {
+  return text::parse_csv(replay_csv(csv, "in.csv", model, parameters), "out.csv",
+                         {{"t_s", "x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad", "vx_mps",
+                           "vy_mps", "yaw_rate_radps", "slip_left", "slip_right"},
+                          {}});
 }
 
 std::string told(const std::string& csv, ReplayModel model = ReplayModel::kPaper) {
@@ -83,7 +83,7 @@ TEST(Replay, EveryColumnHoldsWhatItsNameSays) {
   std::vector<std::string_view> names = {"t_s"};
   for (const auto& [name, value] : columns)
     if (name != "t_s") names.push_back(name);
-  const analysis::CsvTable table = analysis::parse_csv(
+  const text::CsvTable table = text::parse_csv(
       kReplayHeader + replay_row(0.5, pose, twist, {10, 11}), "out.csv", {names, {}});
   for (const auto& [name, value] : columns) EXPECT_EQ(table[name][0], value) << name;
 }
@@ -92,7 +92,7 @@ TEST(Replay, TimesMayBeUnixTime) {
   const auto end = [](double begin_s) {
     std::string csv = "t_s,left_mps,right_mps\n";
     for (const double t_s : {begin_s, begin_s + 1.0}) csv += std::to_string(t_s) + ",0.1,0.13\n";
-    const analysis::CsvTable poses = replayed(csv, ReplayModel::kPaper);
+    const text::CsvTable poses = replayed(csv, ReplayModel::kPaper);
     return std::array{poses["x_m"][1], poses["y_m"][1], poses["yaw_rad"][1]};
   };
   EXPECT_EQ(end(1.8e9), end(0.0));
@@ -107,7 +107,7 @@ TEST(Replay, PaperModeIsEquations1To5WhateverTheConfiguration) {
   const double kSpeeds[][2] = {{0.1, 0.1},    {0.05, 0.12}, {-0.1, 0.1},
                                {-0.08, -0.1}, {0.1, 0.0},   {0.1 * 0.8812 / 0.9, 0.1}};
   for (const auto& [left, right] : kSpeeds) {
-    const analysis::CsvTable table =
+    const text::CsvTable table =
         replayed(constant(left, right, 0.005, 4001), ReplayModel::kPaper, other);
     for (std::size_t i = 0; i < table.rows(); i += 400) {
       const Expected want = paper(left, right, table["t_s"][i]);
@@ -124,8 +124,8 @@ TEST(Replay, PaperModeIsEquations1To5WhateverTheConfiguration) {
 }
 
 TEST(Replay, TheStepSizeDoesNotMatter) {
-  const analysis::CsvTable coarse = replayed(constant(-0.05, 0.2, 30.0, 2), ReplayModel::kPaper);
-  const analysis::CsvTable fine = replayed(constant(-0.05, 0.2, 0.001, 30001), ReplayModel::kPaper);
+  const text::CsvTable coarse = replayed(constant(-0.05, 0.2, 30.0, 2), ReplayModel::kPaper);
+  const text::CsvTable fine = replayed(constant(-0.05, 0.2, 0.001, 30001), ReplayModel::kPaper);
   EXPECT_GT(std::abs(coarse["yaw_rad"][1]), 2 * kPi);  // unwrapped
   EXPECT_NEAR(coarse["x_m"][1], fine["x_m"].back(), 1e-9);
   EXPECT_NEAR(coarse["y_m"][1], fine["y_m"].back(), 1e-9);
@@ -141,7 +141,7 @@ TEST(Replay, TheTurningThresholdIsConfigured) {
 }
 
 TEST(Replay, RowsHoldUntilTheNextAndThePoseStartsAtZero) {
-  const analysis::CsvTable table = replayed(
+  const text::CsvTable table = replayed(
       "t_s,left_mps,right_mps\n5,0.1,0.1\n6,0,0\n8,0.2,0.2\n9,0.5,0.5\n", ReplayModel::kPaper);
   EXPECT_EQ(table["t_s"][0], 5.0);
   EXPECT_EQ(table["x_m"][0], 0.0);
@@ -159,13 +159,13 @@ TEST(Replay, ExtendedModeUsesTheRobotsValuesAndTheSlope) {
   parameters.model.slip_angle_straight_rad = 0.0;
   parameters.model.x_icr_m = 0.01;
   parameters.model.wheelbase_m = 0.3;
-  const analysis::CsvTable turn =
+  const text::CsvTable turn =
       replayed("t_s,left_mps,right_mps\n0,-0.1,0.1\n1,0,0\n", ReplayModel::kExtended, parameters);
   const double rate = 0.16 / 0.3;
   EXPECT_NEAR(turn["yaw_rad"][1], rate, 1e-12);
   EXPECT_NEAR(turn["vy_mps"][0], -0.01 * rate, 1e-15);
   const double slope = 28 * kRadPerDeg;
-  const analysis::CsvTable climb = replayed(
+  const text::CsvTable climb = replayed(
       "t_s,left_mps,right_mps,slope_rad\n0,0.1,0.1," + std::to_string(slope) + "\n1,0,0,0\n",
       ReplayModel::kExtended, parameters);
   EXPECT_NEAR(climb["slip_left"][0], 0.2 + 0.06, 1e-6);
@@ -176,7 +176,7 @@ TEST(Replay, ExtendedModeUsesTheRobotsValuesAndTheSlope) {
 }
 
 TEST(Replay, OdometryTurnsWithTheGyro) {
-  const analysis::CsvTable table =
+  const text::CsvTable table =
       replayed("t_s,left_mps,right_mps,gyro_z_radps\n0,0.1,0.1,0.5\n1,0.1,0.1,-0.25\n3,0,0,0\n",
                ReplayModel::kOdometry);
   EXPECT_NEAR(table["yaw_rad"][1], 0.5, 1e-12);
@@ -187,7 +187,7 @@ TEST(Replay, OdometryTakesTheGyrosBiasWhileStandingStill) {
   std::string csv = "t_s,left_mps,right_mps,gyro_z_radps\n";
   for (int i = 0; i < 600; ++i)
     csv += std::to_string(i * 0.01) + (i < 200 ? ",0,0,0.02\n" : ",0.1,0.1,0.02\n");
-  const analysis::CsvTable table = replayed(csv, ReplayModel::kOdometry);
+  const text::CsvTable table = replayed(csv, ReplayModel::kOdometry);
   EXPECT_NEAR(table["yaw_rad"].back() - table["yaw_rad"][200], 0.0, 1e-6);
 }
 

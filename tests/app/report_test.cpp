@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "../publish/random_record.h"
+#include "../record/random_record.h"
 #include "core/error.h"
 #include "recorded_run.h"
 #include "support/temporary_folder.h"
@@ -99,7 +99,7 @@ TEST_F(Report, ResultsThatNoStepGivesDoNoHarm) {
   record_run(file(), [&](StepRecord& record) {
     const std::uint64_t step = record.step;
     const HostNs now = record.now_ns;
-    if (step % 3 == 0) record = *publish::random_record(step);
+    if (step % 3 == 0) record = *record::random_record(step);
     record.step = step % 7 == 0 ? random() : step;
     record.now_ns = now;
     Snapshot& snapshot = record.snapshot;

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "app/cycle.h"
+#include "bridge/cycle.h"
 #include "course/robot.h"
 #include "link/session.h"
 #include "percentile.h"
@@ -126,7 +126,7 @@ class Line {
   Mpu6050 imu_{course::EmulatedImu{}, 1};
   NativeBoard board_;
   UartLine wire_{wire::kBaud};
-  link::Session session_{app::session_settings({})};
+  link::Session session_{bridge::session_settings({})};
   std::deque<TimedByte> arriving_;
   std::vector<std::uint8_t> bytes_;
   std::int64_t now_ns_ = 0;

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/configuration.h"
 #include "bridge/parameters.h"
+#include "config/configuration.h"
 #include "kept_steps.h"
-#include "sim/run/lockstep.h"
-#include "sim/run/options.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/options.h"
 
 namespace tp100::test {
 
@@ -26,7 +26,7 @@ inline KeptRun keep_course_3(bridge::Setup setup) {
   loaded.configuration.parameters.steering = bridge::Steering::kFused;
   KeptRun run;
   run.course = std::make_shared<const course::Course>(sim::load_course("3"));
-  run.parameters = app::bridge_parameters(loaded.configuration, loaded.robot);
+  run.parameters = config::bridge_parameters(loaded.configuration, loaded.robot);
   run.parameters.setup = setup;
   StepKeeper keeper;
   run.completed = sim::run_lockstep({.course = *run.course,

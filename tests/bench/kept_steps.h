@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "core/step_record.h"
-#include "publish/sink.h"
+#include "messages/sink.h"
 
 namespace tp100::test {
 
-class StepKeeper : public publish::Sink {
+class StepKeeper : public messages::Sink {
  public:
   void take(const StepRecord& record) override { records.push_back(record); }
   std::vector<StepRecord> records;

@@ -11,12 +11,12 @@
 #include <thread>
 #include <vector>
 
-#include "app/bundled_files.h"
-#include "app/run_setup.h"
+#include "config/run_setup.h"
+#include "course/bundled_files.h"
 #include "kept_steps.h"
-#include "publish/recorder.h"
-#include "sim/run/lockstep.h"
-#include "sim/run/options.h"
+#include "record/recorder.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/options.h"
 #include "support/temporary_folder.h"
 
 namespace tp100 {
@@ -45,7 +45,7 @@ struct Cost {
   double take_us = 0.0, longest_take_us = 0.0;
 };
 
-Cost feed(const std::vector<StepRecord>& records, int steps, publish::Recorder* recorder) {
+Cost feed(const std::vector<StepRecord>& records, int steps, record::Recorder* recorder) {
   Cost cost;
   const double before = cpu_s();
   const Clock::time_point began = Clock::now();
@@ -68,8 +68,8 @@ Cost feed(const std::vector<StepRecord>& records, int steps, publish::Recorder* 
 
 int run(double seconds) {
   sim::Loaded loaded = sim::load({});
-  loaded.files.course = app::read_bundled(app::Bundled::kCourses, "1-curve");
-  const app::RunSetup setup = app::parse_run(loaded.files);
+  loaded.files.course = course::read_bundled(course::Bundled::kCourses, "1-curve");
+  const config::RunSetup setup = config::parse_run(loaded.files);
   test::StepKeeper keeper;
   sim::run_lockstep({.course = *setup.course,
                      .robot = loaded.robot,
@@ -80,14 +80,14 @@ int run(double seconds) {
   const Cost without = feed(keeper.records, steps, nullptr);
 
   const test::TemporaryFolder folder;
-  publish::Recorder recorder({.journal_folder = folder.path().string()});
-  recorder.begin({.path = folder.file("run.mcap")}, app::run_facts(loaded.files, setup, {}));
+  record::Recorder recorder({.journal_folder = folder.path().string()});
+  recorder.begin({.path = folder.file("run.mcap")}, config::run_facts(loaded.files, setup, {}));
   const int warm_up = std::min(steps, 400);
   feed(keeper.records, warm_up, &recorder);
   const long resident = resident_kb();
-  const publish::RecordingStatus began = recorder.status();
+  const record::RecordingStatus began = recorder.status();
   const Cost with = feed(keeper.records, steps, &recorder);
-  const publish::RecordingStatus ended = recorder.status();
+  const record::RecordingStatus ended = recorder.status();
   const long grown = resident_kb() - resident;
   recorder.end();
 

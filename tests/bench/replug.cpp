@@ -15,8 +15,8 @@
 #include <thread>
 #include <vector>
 
-#include "../publish/web_client.h"
-#include "../run/process.h"
+#include "../programs/process.h"
+#include "../server/web_client.h"
 #include "../support/temporary_folder.h"
 #include "../support/weight.h"
 #include "percentile.h"
@@ -25,7 +25,7 @@ namespace tp100 {
 namespace {
 
 using namespace std::chrono_literals;
-using publish::Channel;
+using messages::Channel;
 using test::percentile;
 using Clock = std::chrono::steady_clock;
 
@@ -117,7 +117,7 @@ class CommandWatch {
         std::max(largest_.turn_rad, step_up(now.turn_rad, before_.turn_rad) - kMaxRadps * later_s);
     before_ = now;
   }
-  publish::WebClient viewer_;
+  server::WebClient viewer_;
   Asked before_{};
   double before_s_ = 0.0;
   mutable std::mutex mutex_;
@@ -280,7 +280,7 @@ class Replug {
   bool linked_;
   test::Process daemon_;
   std::string port_;
-  publish::WebClient events_;
+  server::WebClient events_;
   CommandWatch commands_;
   test::Weight settled_{};
   std::vector<double> noticed_ms_, ready_ms_;

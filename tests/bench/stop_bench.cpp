@@ -23,9 +23,9 @@
 #include <thread>
 #include <vector>
 
-#include "../app/pty_robot.h"
-#include "../publish/web_client.h"
-#include "../run/process.h"
+#include "../live/pty_robot.h"
+#include "../programs/process.h"
+#include "../server/web_client.h"
 #include "../support/frozen_disk.h"
 #include "../support/temporary_folder.h"
 #include "percentile.h"
@@ -108,11 +108,11 @@ class Drive {
     const std::string& said = daemon_->output();
     const std::size_t at = said.find(before) + before.size();
     port_ = said.substr(at, said.find('/', at) - at);
-    viewer_ = std::make_unique<publish::WebClient>(port_);
+    viewer_ = std::make_unique<server::WebClient>(port_);
   }
 
   const std::string& port() const { return port_; }
-  publish::WebClient& viewer() { return *viewer_; }
+  server::WebClient& viewer() { return *viewer_; }
   test::Process& daemon() { return *daemon_; }
 
   /// Starts until it drives, and for as long as a recording needs to begin.
@@ -158,7 +158,7 @@ class Drive {
   PtyRobot robot_;
   std::unique_ptr<test::Process> daemon_;
   std::string port_;
-  std::unique_ptr<publish::WebClient> viewer_;
+  std::unique_ptr<server::WebClient> viewer_;
 };
 
 void beside_a_frozen_disk(int rounds) {
@@ -247,8 +247,8 @@ void beside_readers(int rounds, int runs) {
         for (const std::string& target :
              {std::string("/api/runs"), std::string("/"), std::string("/healthz"), file}) {
           try {
-            publish::http_get(drive.port(),
-                              "GET " + target + " HTTP/1.0\r\nHost: localhost\r\n\r\n");
+            server::http_get(drive.port(),
+                             "GET " + target + " HTTP/1.0\r\nHost: localhost\r\n\r\n");
             ++answers;
           } catch (const std::runtime_error&) {
           }

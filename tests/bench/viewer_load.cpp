@@ -13,12 +13,12 @@
 #include <thread>
 #include <vector>
 
-#include "../publish/web_client.h"
+#include "../server/web_client.h"
 
 namespace {
 
-using tp100::publish::Channel;
-using tp100::publish::WebClient;
+using tp100::messages::Channel;
+using tp100::server::WebClient;
 using namespace std::chrono_literals;
 
 constexpr int kGood = 47;
@@ -68,7 +68,7 @@ std::thread hostile(const std::string& port, const std::atomic<bool>& over, Once
 void load(const std::string& port, Clock::time_point end) {
   std::vector<WebClient> good = polite(port, kGood);
   WebClient deaf(port);
-  for (std::uint32_t i = 1; i <= tp100::publish::kChannelCount; ++i)
+  for (std::uint32_t i = 1; i <= tp100::messages::kChannelCount; ++i)
     deaf.subscribe(static_cast<Channel>(i));
   WebClient watcher(port);
   watcher.subscribe(Channel::kClient);

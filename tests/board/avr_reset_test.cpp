@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
-#include "app/cycle.h"
-#include "sim/run/emulated_robot.h"
-#include "sim/run/options.h"
+#include "bridge/cycle.h"
+#include "sim/robot/emulated_robot.h"
+#include "sim/robot/options.h"
 
 namespace tp100::sim {
 namespace {
@@ -27,8 +27,8 @@ class Desk {
  public:
   explicit Desk(bool bootloader)
       : loaded_(load(avr_options())),
-        parameters_(app::bridge_parameters(loaded_.configuration, loaded_.robot)),
-        cycle_(app::session_settings(parameters_), parameters_,
+        parameters_(config::bridge_parameters(loaded_.configuration, loaded_.robot)),
+        cycle_(bridge::session_settings(parameters_), parameters_,
                std::make_shared<const course::Course>(load_course("1-straight"))),
         robot_({.values = loaded_.robot.emulated,
                 .board = BoardKind::kAvr,
@@ -62,7 +62,7 @@ class Desk {
  private:
   Loaded loaded_;
   bridge::Parameters parameters_;
-  app::Cycle cycle_;
+  bridge::Cycle cycle_;
   EmulatedRobot robot_;
 };
 

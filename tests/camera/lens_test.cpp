@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "../run/process.h"
+#include "../programs/process.h"
 #include "core/error.h"
 #include "marker_scene.h"
 

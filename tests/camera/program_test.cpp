@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "../link/udp_receiver.h"
-#include "../run/process.h"
+#include "../programs/process.h"
 #include "core/angle.h"
 #include "link/camera_message.h"
 #include "link/udp.h"

@@ -9,7 +9,7 @@
 #include <opencv2/videoio.hpp>
 #include <sstream>
 
-#include "../run/process.h"
+#include "../programs/process.h"
 #include "camera/folder_source.h"
 #include "camera/picture_gaps.h"
 #include "core/error.h"

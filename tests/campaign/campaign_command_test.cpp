@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-#include "../run/process.h"
+#include "../programs/process.h"
 #include "support/paths.h"
 
 namespace tp100::test {

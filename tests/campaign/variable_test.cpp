@@ -10,7 +10,7 @@ namespace tp100::sim {
 namespace {
 
 std::vector<Variable> read(const std::string& text) {
-  course::TomlTable root = course::TomlDocument(text, "spec.toml").root();
+  text::TomlTable root = text::TomlDocument(text, "spec.toml").root();
   std::vector<Variable> variables = read_variables(root);
   root.finish();
   return variables;

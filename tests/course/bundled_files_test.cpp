@@ -1,126 +1,53 @@
-#include <gtest/gtest.h>
+#include "course/bundled_files.h"
 
-#include <cstdlib>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
-#include "core/angle.h"
-#include "course/course.h"
-#include "course/path.h"
-#include "course/robot.h"
-#include "support/paths.h"
+#include "../support/temporary_folder.h"
 
 namespace tp100::course {
 namespace {
 
-const std::filesystem::path kConfig = std::filesystem::path(TP100_SOURCE_DIR) / "config";
-
-std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  EXPECT_TRUE(file) << path;
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-Course bundled_course(const std::string& name) {
-  const auto path = kConfig / "courses" / (name + ".toml");
-  return parse_course(read(path), path.string());
-}
-
-TEST(BundledCourses, HaveTheDocumentedLengthsAndEnds) {
-  struct Expected {
-    const char* name;
-    double length_m, end_x_m, end_y_m, end_yaw_deg;
-  };
-  for (const Expected& expected : {Expected{"1-straight", 1.7, 1.7, 0.0, 0.0},
-                                   Expected{"1-curve", 0.8 + 0.35 * kPi, 0.0, 0.7, 180.0},
-                                   Expected{"1-sharp", 1.7, 1.0, 0.7, 90.0},
-                                   Expected{"2", 2.6 + 0.15 * kPi, 0.3, -0.5, -180.0}}) {
-    SCOPED_TRACE(expected.name);
-    const Course course = bundled_course(expected.name);
-    const Path path(course);
-    EXPECT_EQ(course.name, expected.name);
-    EXPECT_EQ(course.speed_mps, 0.10);
-    EXPECT_NEAR(path.length_m(), expected.length_m, 1e-9);
-    EXPECT_NEAR(path.pieces().back().end.x_m, expected.end_x_m, 1e-9);
-    EXPECT_NEAR(path.pieces().back().end.y_m, expected.end_y_m, 1e-9);
-    EXPECT_NEAR(path.pieces().back().end.yaw_rad, expected.end_yaw_deg * kRadPerDeg, 1e-9);
-  }
-}
-
-TEST(BundledCourses, LieInThePapersArenaWithRoomForAShove) {
-  for (const char* name : {"1-straight", "1-curve", "1-sharp", "2"}) {
-    SCOPED_TRACE(name);
-    const Course course = bundled_course(name);
-    EXPECT_NEAR(course.fence.max_x_m - course.fence.min_x_m, 1.9, 1e-9);
-    EXPECT_NEAR(course.fence.max_y_m - course.fence.min_y_m, 1.0, 1e-9);
-    const Path path(course);
-    for (double s = 0.0; s <= path.length_m(); s += 0.01) {
-      const PathPoint p = path.at(s);
-      EXPECT_GE(p.x_m - course.fence.min_x_m, 0.095);
-      EXPECT_GE(course.fence.max_x_m - p.x_m, 0.095);
-      EXPECT_GE(p.y_m - course.fence.min_y_m, 0.095);
-      EXPECT_GE(course.fence.max_y_m - p.y_m, 0.095);
+class BundledFiles : public ::testing::Test {
+ protected:
+  static std::string failure(Bundled folder, const std::string& name) {
+    try {
+      read_bundled(folder, name);
+    } catch (const SetupError& error) {
+      return error.what();
     }
+    return "no error";
   }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(BundledFiles, ReadsAFileWholeWithEveryByte) {
+  const std::string text("a\r\n\0b\xff", 6);
+  std::ofstream(folder_.path() / "x.toml", std::ios::binary) << text;
+  const TextFile file = read_text_file(folder_.file("x.toml"));
+  EXPECT_EQ(file.text, text);
+  EXPECT_EQ(file_stem(file.path), "x");
 }
 
-TEST(BundledCourses, Course3HasThePapersStepAndRampOnItsWayBack) {
-  const Course course = bundled_course("3");
-  const Path path(course);
-  EXPECT_NEAR(path.pieces().back().end.x_m, 0.0, 1e-9);
-  EXPECT_NEAR(path.pieces().back().end.y_m, -0.8, 1e-9);
-  EXPECT_NEAR(course.fence.max_x_m - course.fence.min_x_m, 1.9, 1e-9);
-  EXPECT_NEAR(course.fence.max_y_m - course.fence.min_y_m, 1.0, 1e-9);
-  ASSERT_EQ(course.terrain.blocks.size(), 1u);
-  const Block& block = course.terrain.blocks[0];
-  EXPECT_EQ(block.place.x_m, 1.20);
-  EXPECT_EQ(block.place.y_m, -0.80);
-  EXPECT_EQ(block.height_m, 0.037);
-  ASSERT_EQ(course.terrain.ramps.size(), 1u);
-  const Ramp& ramp = course.terrain.ramps[0];
-  EXPECT_EQ(ramp.place.x_m, 0.70);
-  EXPECT_EQ(ramp.place.y_m, -0.80);
-  EXPECT_DOUBLE_EQ(ramp.up_rad, 28 * kRadPerDeg);
-  EXPECT_NEAR(ramp.length_m(), 0.2 + 2 * 0.08 / std::tan(28 * kRadPerDeg), 1e-12);
+TEST_F(BundledFiles, NamesAMissingFileInOneLine) {
+  const std::string message = failure(Bundled::kCourses, folder_.file("none.toml"));
+  EXPECT_THAT(message, ::testing::HasSubstr("none.toml: cannot be opened (No such file"));
+  EXPECT_EQ(message.find('\n'), std::string::npos);
 }
 
-TEST(BundledCourses, Course2IsShovedAt80CmAnd50CmBeforeItsEnd) {
-  const Course course = bundled_course("2");
-  ASSERT_EQ(course.shoves.size(), 2u);
-  EXPECT_EQ(course.shoves[0].at_m, 0.8);
-  EXPECT_NEAR(course.shoves[1].at_m, Path(course).length_m() - 0.5, 1e-3);
-  for (const Shove& shove : course.shoves) {
-    EXPECT_DOUBLE_EQ(std::abs(shove.sideways_m), 0.04);
-    EXPECT_DOUBLE_EQ(std::abs(shove.yaw_rad), 15.0 * kRadPerDeg);
-  }
+TEST_F(BundledFiles, RefusesADirectory) {
+  EXPECT_THAT(failure(Bundled::kRobots, folder_.path().string() + "/"),
+              ::testing::HasSubstr("is a directory"));
 }
 
-// TP100_REWRITE_CONFIG=1 writes the files anew from the values that they hold, with the key table's
-// prose.
-TEST(BundledRobots, SayWhatTheKeyTableSays) {
-  for (const char* name : {"end-loaded", "uniform", "front-heavy", "slippery", "large", "worn"}) {
-    const auto path = kConfig / "robots" / (std::string(name) + ".toml");
-    const std::string text = read(path);
-    const Robot robot = parse_robot(text, path.string());
-    const std::string written = write_robot(robot, head_note(text));
-    if (std::getenv("TP100_REWRITE_CONFIG"))
-      std::ofstream(path, std::ios::binary) << written;
-    else
-      EXPECT_EQ(text, written) << "the prose of " << path << " has drifted";
-  }
-}
-
-TEST(BundledRobots, DifferInHowTheBeltsCarryTheLoad) {
-  const auto robot = [](const std::string& name) {
-    const auto path = kConfig / "robots" / (name + ".toml");
-    return parse_robot(read(path), path.string());
-  };
-  EXPECT_EQ(robot("end-loaded").emulated.body.mid_lift_m, 0.0003);
-  EXPECT_EQ(robot("uniform").emulated.body.mid_lift_m, 0.0);
-  EXPECT_GT(robot("end-loaded").model.wheelbase_m, robot("uniform").model.wheelbase_m + 0.05);
+TEST_F(BundledFiles, AnUnknownNameListsWhatThereIs) {
+  EXPECT_THAT(failure(Bundled::kCourses, "no-such-course"),
+              ::testing::HasSubstr("no-such-course: no such course; give a file or one of"));
 }
 
 }  // namespace

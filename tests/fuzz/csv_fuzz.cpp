@@ -1,9 +1,9 @@
 // Tables of people: recorded drives, measured distances, speeds to replay.
 
-#include "analysis/drive_file.h"
 #include "app/replay.h"
 #include "byte_source.h"
 #include "core/error.h"
+#include "identify/drive_file.h"
 
 namespace tp100 {
 namespace {
@@ -11,14 +11,14 @@ namespace {
 using fuzz::require;
 
 void read_drive(const std::string& text) {
-  const std::string written = analysis::write_drive(analysis::parse_drive(text, "fuzz"));
-  require(analysis::write_drive(analysis::parse_drive(written, "fuzz")) == written,
+  const std::string written = identify::write_drive(identify::parse_drive(text, "fuzz"));
+  require(identify::write_drive(identify::parse_drive(written, "fuzz")) == written,
           "a drive comes back as it was");
 }
 
 void read_measured(const std::string& text) {
-  std::vector<analysis::Drive> drives(3);
-  analysis::add_measured(text, "fuzz", drives);
+  std::vector<identify::Drive> drives(3);
+  identify::add_measured(text, "fuzz", drives);
 }
 
 void replay_speeds(const std::string& text) {

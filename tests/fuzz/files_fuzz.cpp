@@ -1,8 +1,8 @@
 // The TOML files of people: configuration, course, robot, emulated camera. A file is refused in one
 // line or says the same when it is written again.
 
-#include "app/configuration.h"
 #include "byte_source.h"
+#include "config/configuration.h"
 #include "core/error.h"
 #include "course/camera.h"
 #include "course/course.h"
@@ -15,8 +15,9 @@ namespace {
 using fuzz::require;
 
 void read_configuration(const std::string& text) {
-  const std::string written = app::write_configuration(app::parse_configuration(text, "fuzz"));
-  require(app::write_configuration(app::parse_configuration(written, "fuzz")) == written,
+  const std::string written =
+      config::write_configuration(config::parse_configuration(text, "fuzz"));
+  require(config::write_configuration(config::parse_configuration(written, "fuzz")) == written,
           "a configuration comes back as it was");
 }
 

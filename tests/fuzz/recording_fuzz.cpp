@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "analysis/recording.h"
 #include "byte_source.h"
+#include "record/recording.h"
 
 namespace tp100 {
 namespace {
@@ -32,15 +32,15 @@ class MemoryFile {
 };
 
 void stream(const std::string& path, std::size_t size) {
-  const analysis::McapReader reader(path);
-  analysis::McapHandler ignoring;
-  const analysis::McapEnd end = reader.stream(ignoring);
+  const record::McapReader reader(path);
+  record::McapHandler ignoring;
+  const record::McapEnd end = reader.stream(ignoring);
   require(end.good_bytes <= size, "no more is good than there is");
   require(end.whole || !end.problem.empty(), "what is not whole has a problem");
 }
 
 void visit(const std::string& path) {
-  const analysis::Recording recording(path);
+  const record::Recording recording(path);
   recording.visit({.step =
                        [](const StepRecord& record) {
                          require(record.now_ns < (HostNs{1} << 60), "times that no sum overflows");

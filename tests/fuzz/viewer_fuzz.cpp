@@ -3,18 +3,19 @@
 #include <cmath>
 #include <memory>
 
-#include "../publish/fake_controls.h"
-#include "../publish/fixtures.h"
+#include "../messages/fixtures.h"
+#include "../server/fake_controls.h"
 #include "byte_source.h"
-#include "publish/access.h"
-#include "publish/desk.h"
-#include "publish/http_content.h"
+#include "server/access.h"
+#include "server/desk.h"
+#include "server/http_content.h"
 
 namespace tp100 {
 namespace {
 
 using fuzz::require;
-using namespace publish;
+using namespace messages;
+using namespace server;
 
 std::vector<ParameterText> parameters() {
   const ParameterText gain{{.name = "gain", .value = 1.0, .standard = 1.0, .range = {0.0, 2.0}},
@@ -93,7 +94,7 @@ void request(std::string_view text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const auto permission :
-       {tp100::publish::Permission::kCommand, tp100::publish::Permission::kStopOnly})
+       {tp100::server::Permission::kCommand, tp100::server::Permission::kStopOnly})
     tp100::converse({data, size}, permission);
   tp100::request({reinterpret_cast<const char*>(data), size});
   return 0;

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/metrics.h"
 #include "core/angle.h"
 #include "course/course.h"
+#include "report/metrics.h"
 
 namespace tp100::sim {
 
-inline void expect_recovered(const analysis::Recovery& recovery) {
+inline void expect_recovered(const report::Recovery& recovery) {
   ASSERT_TRUE(recovery.detection_s.has_value());
   EXPECT_LT(*recovery.detection_s, 0.10);
   ASSERT_TRUE(recovery.settling_s.has_value());
@@ -23,11 +23,10 @@ inline void expect_recovered(const analysis::Recovery& recovery) {
 }
 
 /// From every disturbance, and nothing else was taken for one.
-inline void expect_recovered(const analysis::TrackingErrors& tracking,
-                             const course::Course& course) {
+inline void expect_recovered(const report::TrackingErrors& tracking, const course::Course& course) {
   EXPECT_EQ(tracking.false_alarms, 0);
   EXPECT_EQ(tracking.recovery.size(), course.shoves.size());
-  for (const analysis::Recovery& recovery : tracking.recovery) expect_recovered(recovery);
+  for (const report::Recovery& recovery : tracking.recovery) expect_recovered(recovery);
 }
 
 }  // namespace tp100::sim

@@ -1,5 +1,5 @@
 // A stand-in for tp100d to work on the page without a build: the protocol and channels of
-// daemon/publish/CHANNELS.md, a synthetic drive of course 3. `node dev/mock_server.mjs [PORT]`.
+// daemon/messages/CHANNELS.md, a synthetic drive of course 3. `node dev/mock_server.mjs [PORT]`.
 // SIGUSR1: the robot goes away or comes back.
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';

@@ -1,4 +1,4 @@
-// The daemon's channels as types (daemon/publish/CHANNELS.md). SI units, REP-103 frames; null: not known.
+// The daemon's channels as types (daemon/messages/CHANNELS.md). SI units, REP-103 frames; null: not known.
 
 export interface Pose {
   x_m: number;

@@ -1,0 +1,72 @@
+#include "config/run_setup.h"
+
+#include "core/error.h"
+#include "text/toml_document.h"
+
+namespace tp100::config {
+
+RunSetup parse_run(const RunFiles& files) {
+  RunSetup run;
+  run.configuration = parse_configuration(files.configuration.text, files.configuration.path);
+  run.configuration.parameters.setup = files.setup;
+  run.configuration.parameters.world.kind = files.world;
+  run.robot = course::parse_robot(files.robot.text, files.robot.path);
+  if (!files.course.text.empty())
+    run.course = std::make_shared<const course::Course>(
+        course::parse_course(files.course.text, files.course.path));
+  run.parameters = bridge_parameters(run.configuration, run.robot);
+  return run;
+}
+
+WorldRun world_run(const RunSetup& run) {
+  WorldRun out;
+  out.parameters = run.parameters.world;
+  out.settings = run.configuration.world;
+  out.version = TP100_VERSION;
+  out.setup = bridge::to_string(run.parameters.setup);
+  if (run.course == nullptr) return out;
+  out.course = run.course->name;
+  for (const course::Surface& surface : run.course->terrain.surfaces)
+    out.surfaces.emplace_back(surface.name, surface.slip_offset);
+  return out;
+}
+
+bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured) {
+  if (option.empty()) return configured;
+  if (option.starts_with("udp:")) return bridge::WorldKind::kUdp;
+  const auto kind = bridge::world_kind_named(option);
+  if (kind && *kind != bridge::WorldKind::kUdp) return *kind;
+  throw SetupError("--world " + text::one_line(option) +
+                   ": not a world; use internal, files or udp:[HOST:]PORT, as in udp:9760");
+}
+
+messages::Subject subject_of(const RunSetup& run) {
+  return {.version = TP100_VERSION,
+          .course = run.course,
+          .robot = run.robot,
+          .setup = bridge::to_string(run.parameters.setup),
+          .world = bridge::to_string(run.parameters.world.kind),
+          .pacing = run.configuration.loop.pacing == Pacing::kHost ? "host" : "robot",
+          .rate_hz = run.configuration.loop.rate_hz};
+}
+
+record::RunFacts run_facts(const RunFiles& files, const RunSetup& run,
+                           const record::McapMap& more) {
+  record::RunFacts facts;
+  facts.subject = subject_of(run);
+  facts.facts = {{"course", run.course == nullptr ? "" : run.course->name},
+                 {"robot", run.robot.name},
+                 {"setup", facts.subject.setup},
+                 {"world", bridge::to_string(files.world)}};
+  facts.facts.insert(facts.facts.end(), more.begin(), more.end());
+  const auto attach = [&facts](const char* name, const course::TextFile& file) {
+    facts.files.push_back(
+        {.name = name, .media_type = "application/toml", .log_ns = 0, .data = file.text});
+  };
+  attach(kConfigurationFile, files.configuration);
+  attach(kRobotFile, files.robot);
+  if (!files.course.text.empty()) attach(kCourseFile, files.course);
+  return facts;
+}
+
+}  // namespace tp100::config

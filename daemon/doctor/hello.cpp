@@ -1,0 +1,100 @@
+#include "doctor/hello.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+
+#include "core/flash_command.h"
+#include "link/transport.h"
+#include "wire/frame.h"
+#include "wire/messages.h"
+
+namespace tp100::doctor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+const char* board_name(std::uint8_t board) {
+  switch (static_cast<wire::Board>(board)) {
+    case wire::Board::kMega2560:
+      return "Mega 2560";
+    case wire::Board::kNative:
+      return "native";
+    case wire::Board::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+/// The first hello before `deadline`; an empty text if there is none.
+Greeting listen(const link::Port& port, Clock::time_point deadline) {
+  wire::FrameDecoder decoder;
+  std::array<std::uint8_t, 256> buffer{};
+  for (;;) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+    if (left.count() <= 0) return {};
+    pollfd descriptor{port.fd(), POLLIN, 0};
+    const int ready = ::poll(&descriptor, 1, static_cast<int>(left.count()));
+    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+    const ssize_t n = ::read(port.fd(), buffer.data(), buffer.size());
+    if (n <= 0 && (n == 0 || (errno != EAGAIN && errno != EINTR))) return {};
+    for (ssize_t i = 0; i < n; ++i) {
+      if (decoder.push(buffer[static_cast<std::size_t>(i)]) != wire::Received::kFrame) continue;
+      if (decoder.type() != static_cast<std::uint8_t>(wire::Type::kHello)) continue;
+      Greeting greeting = read_greeting(decoder.payload(), decoder.size());
+      if (!greeting.text.empty()) return greeting;
+    }
+  }
+}
+
+}  // namespace
+
+Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
+  // Every version's hello opens with protocol, firmware and schema.
+  constexpr std::size_t kPrefix = 9;
+  if (size < kPrefix) return {};
+  wire::Hello hello{};
+  wire::Reader prefix(payload);
+  prefix.field("", hello.protocol);
+  prefix.field("", hello.firmware);
+  prefix.field("", hello.schema);
+  const bool ours = wire::read_payload(payload, size, hello) &&
+                    hello.protocol == wire::kProtocolVersion && hello.schema == wire::kSchemaHash;
+  std::array<char, 200> text{};
+  if (ours) {
+    std::snprintf(text.data(), text.size(), "board %s, firmware %u.%u.%u, protocol %u",
+                  board_name(hello.board), hello.firmware[0], hello.firmware[1], hello.firmware[2],
+                  hello.protocol);
+  } else {
+    std::snprintf(
+        text.data(), text.size(),
+        "firmware %u.%u.%u, protocol %u schema %08x, but tp100d speaks protocol %u schema %08x; "
+        "flash the board with %s",
+        hello.firmware[0], hello.firmware[1], hello.firmware[2], hello.protocol, hello.schema,
+        wire::kProtocolVersion, wire::kSchemaHash, flash_command().c_str());
+  }
+  return {ours, text.data()};
+}
+
+int run_hello(const HelloOptions& options) {
+  const link::Port port = link::open_port(options.port, {});
+  const auto patience = std::chrono::duration<double>(options.timeout_s);
+  const Greeting greeting =
+      listen(port, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
+  if (greeting.ours) {
+    std::printf("%s: %s\n", options.port.c_str(), greeting.text.c_str());
+    return 0;
+  }
+  const std::string none = "no hello of a TP100; flash the board with " + flash_command() +
+                           ", or choose another port (see `tp100d ports`)";
+  std::fprintf(stderr, "%s: %s\n", options.port.c_str(),
+               (greeting.text.empty() ? none : greeting.text).c_str());
+  return 1;
+}
+
+}  // namespace tp100::doctor

@@ -1,0 +1,45 @@
+#pragma once
+// One recorded drive of a robot, as plain data: what identify learns from. Any recording can fill
+// it.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tp100::identify {
+
+/// What the robot measured, device time.
+struct DriveSample {
+  double t_s = 0.0;
+  std::int64_t left_counts = 0;
+  std::int64_t right_counts = 0;
+  double gyro_z_radps = 0.0;  ///< nominal scale, bias included
+};
+
+/// Where a camera saw the robot's marker, on the plane at the marker's height over a flat floor.
+struct SeenPose {
+  double t_s = 0.0;  ///< when the picture was taken, same clock as the samples
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double yaw_rad = 0.0;  ///< any branch
+};
+
+/// What a tape and a protractor say of the whole drive; only what was measured.
+struct HandMeasured {
+  std::optional<double> distance_m;  ///< from start to end, straight through the air
+  std::optional<double> ahead_m;     ///< end from start, along the heading at the start
+  std::optional<double> left_m;      ///< end from start, to the left of that heading
+  std::optional<double> turned_rad;  ///< end heading - start heading, whole turns counted
+};
+
+/// One drive on flat ground, from standing still to standing still, nobody pushing. Samples and
+/// pictures ascend in time.
+struct Drive {
+  std::string name;  ///< for messages and reports
+  std::vector<DriveSample> samples;
+  std::vector<SeenPose> camera;  ///< empty without a camera
+  HandMeasured measured{};
+};
+
+}  // namespace tp100::identify

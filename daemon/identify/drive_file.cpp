@@ -1,0 +1,191 @@
+#include "identify/drive_file.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "core/angle.h"
+#include "text/csv_reader.h"
+#include "text/toml_document.h"
+
+namespace tp100::identify {
+namespace {
+
+using text::number_text;
+
+constexpr std::array<std::string_view, 3> kSampleColumns = {"left_count", "right_count",
+                                                            "gyro_z_radps"};
+constexpr std::array<std::string_view, 3> kCameraColumns = {"camera_x_m", "camera_y_m",
+                                                            "camera_yaw_rad"};
+// Above it a double does not hold every whole number.
+constexpr double kMostCounts = 9e15;
+constexpr double kMostMetres = 1e4;
+constexpr double kMostRadps = 1e3;
+constexpr double kMostRad = 1e6;
+// Unix time in seconds, even in milliseconds, is fine.
+constexpr double kMostSeconds = 1e13;
+
+/// One row of a table that must lie within limits.
+class Row {
+ public:
+  Row(const text::CsvTable& table, std::size_t row) : table_(table), row_(row) {}
+
+  double number(std::string_view column, double most) const {
+    const double value = table_[column][row_];
+    if (std::abs(value) > most)
+      fail(std::string(column) + " is " + number_text(value) + ", allowed " + number_text(-most) +
+           " to " + number_text(most));
+    return value;
+  }
+  std::int64_t counts(std::string_view column) const {
+    const double value = number(column, kMostCounts);
+    if (value != std::floor(value))
+      fail(std::string(column) + " is " + number_text(value) + ", expected a whole number");
+    return static_cast<std::int64_t>(value);
+  }
+  /// True if all of `columns` have a value, false if none; one of three is an error.
+  bool holds(const std::array<std::string_view, 3>& columns) const {
+    std::size_t there = 0;
+    for (const std::string_view column : columns)
+      if (!std::isnan(table_[column][row_])) ++there;
+    if (there != 0 && there != columns.size())
+      fail("of " + std::string(columns[0]) + ", " + std::string(columns[1]) + " and " +
+           std::string(columns[2]) + " only some have a value; give all or none");
+    return there != 0;
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw SetupError(table_.where(row_) + ": " + what);
+  }
+
+ private:
+  const text::CsvTable& table_;
+  std::size_t row_;
+};
+
+/// Shortest text that reads back the same.
+void append(std::string& text, double value) {
+  std::array<char, 32> cell{};
+  const auto end = std::to_chars(cell.data(), cell.data() + cell.size(), value).ptr;
+  text.append(cell.data(), end);
+}
+
+void append(std::string& text, const DriveSample& sample) {
+  text +=
+      ',' + std::to_string(sample.left_counts) + ',' + std::to_string(sample.right_counts) + ',';
+  append(text, sample.gyro_z_radps);
+}
+
+void append(std::string& text, const SeenPose& seen) {
+  for (const double value : {seen.x_m, seen.y_m, seen.yaw_rad}) {
+    text += ',';
+    append(text, value);
+  }
+}
+
+}  // namespace
+
+Drive parse_drive(std::string_view text, const std::string& file) {
+  const std::vector<std::string_view> camera(kCameraColumns.begin(), kCameraColumns.end());
+  std::vector<std::string_view> required = {"t_s"};
+  required.insert(required.end(), kSampleColumns.begin(), kSampleColumns.end());
+  std::vector<std::string_view> gaps = camera;
+  gaps.insert(gaps.end(), kSampleColumns.begin(), kSampleColumns.end());
+  const text::CsvTable table = text::parse_csv(text, file, {required, camera, gaps});
+
+  bool has_camera = false;
+  for (const std::string_view column : camera) has_camera = has_camera || table.has(column);
+  for (const std::string_view column : camera)
+    if (has_camera && !table.has(column))
+      throw SetupError(file + ":1: column '" + std::string(column) +
+                       "' is missing; a camera pose needs all three");
+
+  Drive drive;
+  drive.name = std::filesystem::path(file).stem().string();
+  if (drive.name.ends_with("-samples")) drive.name.resize(drive.name.size() - 8);
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const Row row(table, i);
+    const double t_s = row.number("t_s", kMostSeconds);
+    const bool sampled = row.holds(kSampleColumns);
+    const bool seen = has_camera && row.holds(kCameraColumns);
+    if (!sampled && !seen) row.fail("neither a sample nor a camera pose in this row");
+    if (sampled)
+      drive.samples.push_back({t_s, row.counts("left_count"), row.counts("right_count"),
+                               row.number("gyro_z_radps", kMostRadps)});
+    if (seen)
+      drive.camera.push_back({t_s, row.number("camera_x_m", kMostMetres),
+                              row.number("camera_y_m", kMostMetres),
+                              row.number("camera_yaw_rad", kMostRad)});
+  }
+  if (drive.samples.size() < 2)
+    throw SetupError(file + ": fewer than two samples; give a recording of a whole drive");
+  return drive;
+}
+
+std::string write_drive(const Drive& drive) {
+  const bool has_camera = !drive.camera.empty();
+  std::string text = "t_s,left_count,right_count,gyro_z_radps";
+  text += has_camera ? ",camera_x_m,camera_y_m,camera_yaw_rad\n" : "\n";
+  auto sample = drive.samples.begin();
+  auto seen = drive.camera.begin();
+  while (sample != drive.samples.end() || seen != drive.camera.end()) {
+    const bool with_sample =
+        sample != drive.samples.end() && (seen == drive.camera.end() || sample->t_s <= seen->t_s);
+    const bool with_seen =
+        seen != drive.camera.end() && (sample == drive.samples.end() || seen->t_s <= sample->t_s);
+    append(text, with_sample ? sample->t_s : seen->t_s);
+    if (with_sample)
+      append(text, *sample++);
+    else
+      text += ",,,";
+    if (with_seen)
+      append(text, *seen++);
+    else if (has_camera)
+      text += ",,,";
+    text += '\n';
+  }
+  return text;
+}
+
+void add_measured(std::string_view text, const std::string& file, std::vector<Drive>& drives) {
+  const std::vector<std::string_view> columns = {"distance_m", "ahead_m", "left_m", "turned_deg"};
+  const text::CsvTable table = text::parse_csv(text, file, {{"run"}, columns, columns});
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const Row row(table, i);
+    const double run = row.number("run", kMostCounts);
+    if (run < 1.0 || run != std::floor(run) || run > static_cast<double>(drives.size()))
+      row.fail("run is " + number_text(run) + ", but there are runs 1 to " +
+               std::to_string(drives.size()));
+    HandMeasured& measured = drives[static_cast<std::size_t>(run) - 1].measured;
+    const auto take = [&](std::string_view column, double most, double si,
+                          std::optional<double>& into) {
+      if (table.has(column) && !std::isnan(table[column][i])) into = row.number(column, most) * si;
+    };
+    take("distance_m", kMostMetres, 1.0, measured.distance_m);
+    take("ahead_m", kMostMetres, 1.0, measured.ahead_m);
+    take("left_m", kMostMetres, 1.0, measured.left_m);
+    take("turned_deg", kMostRad, kRadPerDeg, measured.turned_rad);
+    if (measured.distance_m && *measured.distance_m < 0.0) row.fail("distance_m is below 0");
+  }
+}
+
+std::string write_measured(const std::vector<Drive>& drives) {
+  std::string rows;
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    const HandMeasured& m = drives[i].measured;
+    if (!m.distance_m && !m.ahead_m && !m.left_m && !m.turned_rad) continue;
+    rows += std::to_string(i + 1);
+    const auto cell = [&rows](const std::optional<double>& value, double si) {
+      rows += ',';
+      if (value) append(rows, *value / si);
+    };
+    cell(m.distance_m, 1.0);
+    cell(m.ahead_m, 1.0);
+    cell(m.left_m, 1.0);
+    cell(m.turned_rad, kRadPerDeg);
+    rows += '\n';
+  }
+  return rows.empty() ? rows : "run,distance_m,ahead_m,left_m,turned_deg\n" + rows;
+}
+
+}  // namespace tp100::identify

@@ -1,0 +1,87 @@
+#include "identify/drive_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace tp100::identify {
+namespace {
+
+// One edge may flicker under a resting wheel.
+constexpr std::int64_t kRestCounts = 1;
+// A shorter rest gives no bias worth having.
+constexpr double kRestS = 0.3;
+// The robot turns a little before an edge says so.
+constexpr double kBeforeEdgeS = 0.15;
+
+}  // namespace
+
+DriveMotion::DriveMotion(const Drive& drive, double counts_per_metre) {
+  const std::vector<DriveSample>& samples = drive.samples;
+  const DriveSample& first = samples.front();
+  std::size_t resting = 0;
+  while (resting < samples.size() &&
+         std::abs(samples[resting].left_counts - first.left_counts) <= kRestCounts &&
+         std::abs(samples[resting].right_counts - first.right_counts) <= kRestCounts) {
+    ++resting;
+  }
+  moves_s_ = samples[std::min(resting, samples.size() - 1)].t_s;
+  double sum = 0.0;
+  std::size_t quiet = 0;
+  while (quiet < resting && samples[quiet].t_s < moves_s_ - kBeforeEdgeS)
+    sum += samples[quiet++].gyro_z_radps;
+  has_bias_ = moves_s_ - kBeforeEdgeS - first.t_s >= kRestS;
+  const double bias = has_bias_ ? sum / static_cast<double>(quiet) : 0.0;
+
+  times_s_.push_back(first.t_s);
+  gyro_rad_.push_back(0.0);
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const DriveSample& a = samples[i - 1];
+    const DriveSample& b = samples[i];
+    const double dt_s = b.t_s - a.t_s;
+    const double left_m = static_cast<double>(b.left_counts - a.left_counts) / counts_per_metre;
+    const double right_m = static_cast<double>(b.right_counts - a.right_counts) / counts_per_metre;
+    intervals_.push_back({dt_s, left_m / dt_s, right_m / dt_s});
+    times_s_.push_back(b.t_s);
+    gyro_rad_.push_back(gyro_rad_.back() + ((a.gyro_z_radps + b.gyro_z_radps) / 2.0 - bias) * dt_s);
+    left_m_ += left_m;
+    right_m_ += right_m;
+  }
+}
+
+std::vector<Pose> DriveMotion::poses(const model::TrackParameters& parameters) const {
+  model::TrackModel track_model(parameters, model::Mode::kExtended);
+  std::vector<Pose> poses = {track_model.pose()};
+  poses.reserve(times_s_.size());
+  for (const Interval& interval : intervals_) {
+    track_model.advance(interval.left_mps, interval.right_mps, interval.dt_s);
+    poses.push_back(track_model.pose());
+  }
+  return poses;
+}
+
+DriveMotion::Place DriveMotion::place(double t_s) const {
+  if (t_s <= times_s_.front()) return {0, 0.0};
+  if (t_s >= times_s_.back()) return {times_s_.size() - 2, 1.0};
+  const auto after = std::upper_bound(times_s_.begin(), times_s_.end(), t_s);
+  const auto index = static_cast<std::size_t>(after - times_s_.begin()) - 1;
+  return {index, (t_s - times_s_[index]) / intervals_[index].dt_s};
+}
+
+Pose DriveMotion::at(const std::vector<Pose>& poses, double t_s) const {
+  const auto [index, share] = place(t_s);
+  const Pose& a = poses[index];
+  const Pose& b = poses[index + 1];
+  Pose pose;
+  pose.x_m = std::lerp(a.x_m, b.x_m, share);
+  pose.y_m = std::lerp(a.y_m, b.y_m, share);
+  pose.yaw_rad = std::lerp(a.yaw_rad, b.yaw_rad, share);
+  return pose;
+}
+
+double DriveMotion::gyro_rad(double t_s) const {
+  const auto [index, share] = place(t_s);
+  return std::lerp(gyro_rad_[index], gyro_rad_[index + 1], share);
+}
+
+}  // namespace tp100::identify

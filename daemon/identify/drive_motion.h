@@ -1,0 +1,51 @@
+#pragma once
+// A recorded drive as the model sees it: belt speeds in, poses out.
+
+#include <vector>
+
+#include "core/pose.h"
+#include "identify/drive.h"
+#include "model/track_model.h"
+
+namespace tp100::identify {
+
+class DriveMotion {
+ public:
+  /// `counts_per_metre` of the belts; it is known, never fitted. At least two samples.
+  DriveMotion(const Drive& drive, double counts_per_metre);
+
+  /// Poses of the extended model at the samples, from the origin heading +x.
+  std::vector<Pose> poses(const model::TrackParameters& parameters) const;
+  /// Between two of `poses`, linear; the first and the last one hold outside.
+  Pose at(const std::vector<Pose>& poses, double t_s) const;
+  /// Integral of the gyro less its bias up to `t_s`, nominal scale. [rad]
+  double gyro_rad(double t_s) const;
+
+  double begin_s() const { return times_s_.front(); }
+  double end_s() const { return times_s_.back(); }
+  /// The belts' first motion.
+  double moves_s() const { return moves_s_; }
+  /// The bias is known: the belts rested long enough before it.
+  bool has_bias() const { return has_bias_; }
+  double left_m() const { return left_m_; }  ///< travel of the left belt, forward less backward
+  double right_m() const { return right_m_; }
+
+ private:
+  struct Interval {
+    double dt_s, left_mps, right_mps;
+  };
+  struct Place {
+    std::size_t index;  // of the sample before
+    double share;
+  };
+  Place place(double t_s) const;
+
+  std::vector<double> times_s_;
+  std::vector<Interval> intervals_;
+  std::vector<double> gyro_rad_;  // at the samples
+  double moves_s_ = 0.0;
+  double left_m_ = 0.0, right_m_ = 0.0;
+  bool has_bias_ = false;
+};
+
+}  // namespace tp100::identify

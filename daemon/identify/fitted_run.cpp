@@ -1,0 +1,55 @@
+#include "identify/fitted_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.h"
+#include "core/median.h"
+
+namespace tp100::identify {
+namespace {
+
+// A camera that saw nothing of the rest: its first pictures.
+constexpr std::size_t kFirstPictures = 5;
+
+}  // namespace
+
+FittedRun::FittedRun(const Drive& drive, double counts_per_metre, double gyro_scale)
+    : name(drive.name), motion(drive, counts_per_metre), measured(drive.measured) {
+  const std::vector<SeenPose>& seen = drive.camera;
+  std::size_t resting = 0;
+  while (resting < seen.size() && seen[resting].t_s < motion.moves_s()) ++resting;
+  std::vector<double> x, y, sine, cosine;
+  for (std::size_t i = 0; i < std::max(resting, std::min(seen.size(), kFirstPictures)); ++i) {
+    x.push_back(seen[i].x_m);
+    y.push_back(seen[i].y_m);
+    sine.push_back(std::sin(seen[i].yaw_rad));
+    cosine.push_back(std::cos(seen[i].yaw_rad));
+  }
+  const double yaw = std::atan2(median(sine), median(cosine));
+  own = {median(x), median(y), yaw, yaw};
+  for (SeenPose picture : seen) {
+    if (picture.t_s < motion.begin_s() || picture.t_s > motion.end_s()) continue;
+    const double near = yaw + gyro_scale * motion.gyro_rad(picture.t_s);
+    picture.yaw_rad = near + wrap_angle(picture.yaw_rad - near);
+    pictures.push_back(picture);
+  }
+  pictures_per_s = static_cast<double>(pictures.size()) / (motion.end_s() - motion.begin_s());
+}
+
+Pose FittedRun::predicted(const std::vector<Pose>& poses, double t_s) const {
+  const Pose way = motion.at(poses, t_s);
+  const double c = std::cos(own[2]), s = std::sin(own[2]);
+  Pose pose;
+  pose.x_m = own[0] + c * way.x_m - s * way.y_m;
+  pose.y_m = own[1] + s * way.x_m + c * way.y_m;
+  pose.yaw_rad = own[2] + way.yaw_rad;
+  return pose;
+}
+
+Residual FittedRun::residual(const std::vector<Pose>& poses, const SeenPose& seen,
+                             double late_s) const {
+  return residual(seen, predicted(poses, seen.t_s - late_s));
+}
+
+}  // namespace tp100::identify

@@ -1,0 +1,100 @@
+#include "identify/least_squares.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/distributions.h"
+
+namespace tp100::identify {
+namespace {
+
+constexpr double kTail = 0.025;
+constexpr double kNormalQuantile = 1.96;
+
+double square(double value) { return value * value; }
+
+}  // namespace
+
+RunSums::RunSums(Eigen::Index shared, Eigen::Index own)
+    : information_(Eigen::MatrixXd::Zero(shared, shared)),
+      cross_(Eigen::MatrixXd::Zero(shared, own)),
+      own_information_(Eigen::MatrixXd::Zero(own, own)),
+      own_inverse_(own, own),
+      score_(Eigen::VectorXd::Zero(shared)),
+      own_score_(Eigen::VectorXd::Zero(own)) {}
+
+void RunSums::add(const Eigen::VectorXd& by_shared, const Eigen::VectorXd& by_own, double residual,
+                  double weight) {
+  information_.noalias() += weight * by_shared * by_shared.transpose();
+  cross_.noalias() += weight * by_shared * by_own.transpose();
+  own_information_.noalias() += weight * by_own * by_own.transpose();
+  score_ += weight * residual * by_shared;
+  own_score_ += weight * residual * by_own;
+}
+
+void RunSums::eliminate() {
+  // An own parameter that nothing was said of stays where it is.
+  for (Eigen::Index i = 0; i < own_information_.rows(); ++i)
+    if (own_information_(i, i) == 0.0) own_information_(i, i) = 1.0;
+  own_inverse_ = own_information_.inverse();
+  information_ -= cross_ * own_inverse_ * cross_.transpose();
+  score_ -= cross_ * own_inverse_ * own_score_;
+}
+
+Eigen::VectorXd RunSums::own_step(const Eigen::VectorXd& shared_step) const {
+  return own_inverse_ * (own_score_ - cross_.transpose() * shared_step);
+}
+
+Summed::Summed(const std::vector<RunSums>& runs, const Eigen::MatrixXd& prior_information,
+               const Eigen::VectorXd& prior_score)
+    : runs_(runs), information_(prior_information), score_(prior_score) {
+  for (const RunSums& run : runs) {
+    information_ += run.information();
+    score_ += run.score();
+  }
+  covariance_ = information_.inverse();
+}
+
+Eigen::VectorXd Summed::step(double damping) const {
+  Eigen::MatrixXd damped = information_;
+  damped.diagonal() *= 1.0 + damping;
+  return damped.ldlt().solve(score_);
+}
+
+Eigen::VectorXd Summed::half_intervals() const {
+  const Eigen::Index size = score_.size();
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
+  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(size);
+  for (const RunSums& run : runs_) {
+    const Eigen::MatrixXd others = identity - run.information() * covariance_;
+    const Eigen::VectorXd score = others.partialPivLu().solve(run.score());
+    scatter += score * score.transpose();
+    const Eigen::MatrixXd by_run = covariance_ * run.information() * covariance_;
+    for (Eigen::Index i = 0; i < size; ++i) shares[i] += square(by_run(i, i) / covariance_(i, i));
+  }
+  const Eigen::MatrixXd clustered = covariance_ * scatter * covariance_;
+  Eigen::VectorXd half(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    half[i] = kNormalQuantile * std::sqrt(covariance_(i, i));
+    const double runs = shares[i] > 0.0 ? 1.0 / shares[i] : 1.0;
+    if (runs_.size() < 2 || runs < 1.5 || !std::isfinite(clustered(i, i))) continue;
+    const double student = student_t(kTail, std::max(1.0, runs - 1.0));
+    half[i] = std::max(half[i], student * std::sqrt(clustered(i, i)));
+  }
+  return half;
+}
+
+double Summed::condition() const {
+  const Eigen::VectorXd scale = information_.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * information_ * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
+  // Of the Jacobian, not of its square.
+  return std::sqrt(solver.eigenvalues().maxCoeff() /
+                   std::max(solver.eigenvalues().minCoeff(), 1e-16));
+}
+
+}  // namespace tp100::identify

@@ -1,0 +1,420 @@
+#include "identify/model_fit.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.h"
+#include "core/median.h"
+
+namespace tp100::identify {
+namespace {
+
+struct Scale {
+  double prior_sd;  // about what was believed: wider than any robot
+  double useful;    // an error that hurts nobody
+};
+constexpr std::array<Scale, kShared> kScales = {{
+    {0.3, 0.01},                        // slip_left
+    {0.3, 0.01},                        // slip_right
+    {10 * kRadPerDeg, 1 * kRadPerDeg},  // slip angle, straight
+    {10 * kRadPerDeg, 2 * kRadPerDeg},  // slip angle, turning
+    {0.5, 0.02},                        // wheelbase, parts of itself
+    {0.1, 0.01},                        // x_icr
+    {0.25, 0.03},                       // wheelbase in tight arcs, parts of the wheelbase
+    {0.1, 0.01},                        // shift of x_icr in tight arcs
+    {0.25, 0.03},                       // wheelbase on the spot, parts of the wheelbase
+    {0.1, 0.01},                        // shift of x_icr on the spot
+    {0.1, 0.01},                        // turn slip
+    {0.1, 0.01},                        // turn slip, tight
+    {0.2, 0.01},                        // gyro scale
+    {0.02, 0.02},                       // delay
+}};
+// Step of the derivatives, in the unit of each.
+constexpr double kDifference = 1e-4;
+
+constexpr int kRounds = 60;
+constexpr int kRoundsBeforeRejecting = 4;
+constexpr int kAttempts = 12;
+constexpr double kConverged = 1e-5;  // of a useful accuracy
+constexpr double kHuber = 2.0;       // standard deviations
+constexpr double kReject = 6.0;
+constexpr double kNoDirectionM = 0.05;  // a shorter way through the air says nothing
+// Medians of a normal distribution's absolute value in two dimensions and in one.
+constexpr double kMedianOfTwo = 1.1774, kMedianOfOne = 0.6745;
+// Of the largest part of a confused direction: smaller ones are not named.
+constexpr double kPart = 0.25;
+
+double huber_weight(double deviations) { return deviations <= kHuber ? 1.0 : kHuber / deviations; }
+double huber_cost(double deviations) {
+  return deviations <= kHuber ? deviations * deviations : kHuber * (2.0 * deviations - kHuber);
+}
+
+/// How many residuals in a row are worth one: their correlation, summed up to where it ends.
+double samples_together(const std::vector<double>& residuals) {
+  const std::size_t n = residuals.size();
+  double squares = 0.0;
+  for (const double residual : residuals) squares += residual * residual;
+  double together = 1.0;
+  for (std::size_t lag = 1; lag < n / 2 && squares > 0.0; ++lag) {
+    double products = 0.0;
+    for (std::size_t i = lag; i < n; ++i) products += residuals[i] * residuals[i - lag];
+    if (products <= 0.0) break;
+    together += 2.0 * products / squares;
+  }
+  return together;
+}
+
+bool of_tighter_turns(std::size_t i) {
+  return i == index(Parameter::kWheelbaseTight) || i == index(Parameter::kWheelbaseSpin);
+}
+
+bool false_detection(const FittedRun& run, const Residual& off) {
+  return off.off_m() > kReject * run.usual_m || off.off_rad() > kReject * run.usual_rad;
+}
+
+}  // namespace
+
+ModelFit::ModelFit(std::vector<FittedRun> runs, const Values& start, const Values& believed,
+                   const Free& free, double turning_threshold_radps,
+                   const IdentifySettings& settings)
+    : runs_(std::move(runs)),
+      values_(start),
+      believed_(believed),
+      threshold_radps_(turning_threshold_radps),
+      settings_(settings),
+      correlated_s_(settings.correlated_s) {
+  for (std::size_t i = 0; i < kShared; ++i)
+    if (free[i]) free_.push_back(i);
+}
+
+double ModelFit::prior_sd(std::size_t i) const {
+  const bool relative = i == index(Parameter::kWheelbase) || of_tighter_turns(i);
+  return kScales[i].prior_sd * (relative ? believed_[index(Parameter::kWheelbase)] : 1.0);
+}
+
+model::TrackParameters ModelFit::tracks(const Values& v) const {
+  const auto value = [&v](Parameter parameter) { return v[index(parameter)]; };
+  return {.slip_left = value(Parameter::kSlipLeft),
+          .slip_right = value(Parameter::kSlipRight),
+          .slip_angle_straight_rad = value(Parameter::kSlipAngleStraight),
+          .slip_angle_turning_rad = value(Parameter::kSlipAngleTurning),
+          .turning_threshold_radps = threshold_radps_,
+          .wheelbase_m = value(Parameter::kWheelbase),
+          .x_icr_m = value(Parameter::kXIcr),
+          .wheelbase_tight_m = value(Parameter::kWheelbaseTight),
+          .x_icr_tight_shift_m = value(Parameter::kXIcrTightShift),
+          .wheelbase_spin_m = value(Parameter::kWheelbaseSpin),
+          .x_icr_spin_shift_m = value(Parameter::kXIcrSpinShift),
+          .turn_slip = value(Parameter::kTurnSlip),
+          .turn_slip_tight = value(Parameter::kTurnSlipTight)};
+}
+
+double ModelFit::prior(Eigen::MatrixXd& information, Eigen::VectorXd& score) const {
+  information = Eigen::MatrixXd::Zero(size(), size());
+  score = Eigen::VectorXd::Zero(size());
+  double cost = 0.0;
+  for (Eigen::Index k = 0; k < size(); ++k) {
+    const std::size_t i = shared_index(k);
+    const double weight = 1.0 / (prior_sd(i) * prior_sd(i));
+    // Those of tighter turns are expected near the other one, whatever that turns out to be.
+    const bool tighter = of_tighter_turns(i);
+    const double off =
+        (tighter ? values_[index(Parameter::kWheelbase)] : believed_[i]) - values_[i];
+    information(k, k) += weight;
+    score[k] += weight * off;
+    cost += weight * off * off;
+    for (Eigen::Index j = 0; tighter && j < size(); ++j) {
+      if (shared_index(j) != index(Parameter::kWheelbase)) continue;
+      information(j, j) += weight;
+      information(j, k) -= weight;
+      information(k, j) -= weight;
+      score[j] -= weight * off;
+    }
+  }
+  return cost;
+}
+
+Summed ModelFit::sum() const {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd score;
+  prior(information, score);
+  return {sums_, information, score};
+}
+
+double ModelFit::cost() const {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd score;
+  return prior(information, score) + linearise(nullptr);
+}
+
+// poses[0] belongs to the present values, poses[k + 1] to a change of the k-th free one.
+double ModelFit::take_pictures(const FittedRun& run, const Poses& poses, RunSums* sums) const {
+  const double together = std::max(1.0, run.pictures_per_s * correlated_s_);
+  const double gyro_scale = values_[index(Parameter::kGyroScale)];
+  double cost = 0.0;
+  Eigen::VectorXd by_x(size()), by_y(size()), by_yaw(size()), by_gyro(size());
+  for (const SeenPose& seen : run.pictures) {
+    const double t_s = seen.t_s - values_[kDelay];
+    const Pose here = run.predicted(poses[0], t_s);
+    const Residual off = FittedRun::residual(seen, here);
+    const double turned = run.motion.gyro_rad(t_s);
+    const double gyro = seen.yaw_rad - (run.own[3] + gyro_scale * turned);
+    const double off_m = off.off_m() / sd_m_, off_rad = off.off_rad() / sd_rad_;
+    const double off_gyro = run.motion.has_bias() ? std::abs(gyro) / sd_gyro_rad_ : 0.0;
+    if (rejecting_ && false_detection(run, off)) {
+      cost += huber_cost(kReject) / together;
+      continue;
+    }
+    cost += (huber_cost(off_m) + huber_cost(off_rad) + huber_cost(off_gyro)) / together;
+    if (sums == nullptr) continue;
+    by_gyro.setZero();
+    for (Eigen::Index k = 0; k < size(); ++k) {
+      const std::size_t i = shared_index(k);
+      const bool delay = i == kDelay;
+      const Pose there = run.predicted(poses[delay ? 0 : static_cast<std::size_t>(k) + 1],
+                                       delay ? t_s - kDifference : t_s);
+      by_x[k] = (there.x_m - here.x_m) / kDifference;
+      by_y[k] = (there.y_m - here.y_m) / kDifference;
+      by_yaw[k] = (there.yaw_rad - here.yaw_rad) / kDifference;
+      if (i == index(Parameter::kGyroScale)) by_gyro[k] = turned;
+      if (delay)
+        by_gyro[k] = gyro_scale * (run.motion.gyro_rad(t_s - kDifference) - turned) / kDifference;
+    }
+    const double weight_m = huber_weight(off_m) / (sd_m_ * sd_m_ * together);
+    const double weight_rad = huber_weight(off_rad) / (sd_rad_ * sd_rad_ * together);
+    sums->add(by_x, Eigen::Vector4d(1.0, 0.0, run.own[1] - here.y_m, 0.0), off.x_m, weight_m);
+    sums->add(by_y, Eigen::Vector4d(0.0, 1.0, here.x_m - run.own[0], 0.0), off.y_m, weight_m);
+    sums->add(by_yaw, Eigen::Vector4d(0.0, 0.0, 1.0, 0.0), off.yaw_rad, weight_rad);
+    if (!run.motion.has_bias()) continue;
+    const double weight_gyro = huber_weight(off_gyro) / (sd_gyro_rad_ * sd_gyro_rad_ * together);
+    sums->add(by_gyro, Eigen::Vector4d(0.0, 0.0, 0.0, 1.0), gyro, weight_gyro);
+  }
+  return cost;
+}
+
+double ModelFit::take_measured(const FittedRun& run, const Poses& poses, RunSums* sums) const {
+  double cost = 0.0;
+  Eigen::VectorXd by(size());
+  const auto take = [&](double measured, double sd, const auto& of) {
+    const double here = of(poses[0].back());
+    const double off = measured - here;
+    cost += off * off / (sd * sd);
+    if (sums == nullptr) return;
+    for (Eigen::Index k = 0; k < size(); ++k)
+      by[k] = (of(poses[static_cast<std::size_t>(k) + 1].back()) - here) / kDifference;
+    sums->add(by, Eigen::VectorXd::Zero(FittedRun::kOwn), off, 1.0 / (sd * sd));
+  };
+  const HandMeasured& m = run.measured;
+  const double tape = settings_.tape_sd_m, protractor = settings_.protractor_sd_rad;
+  if (m.distance_m && *m.distance_m > kNoDirectionM)
+    take(*m.distance_m, tape, [](const Pose& end) { return std::hypot(end.x_m, end.y_m); });
+  if (m.ahead_m) take(*m.ahead_m, tape, [](const Pose& end) { return end.x_m; });
+  if (m.left_m) take(*m.left_m, tape, [](const Pose& end) { return end.y_m; });
+  if (!m.turned_rad) return cost;
+  take(*m.turned_rad, protractor, [](const Pose& end) { return end.yaw_rad; });
+  if (!run.motion.has_bias()) return cost;
+  const double turned = run.motion.gyro_rad(run.motion.end_s());
+  const double off = *m.turned_rad - values_[index(Parameter::kGyroScale)] * turned;
+  cost += off * off / (protractor * protractor);
+  if (sums == nullptr) return cost;
+  for (Eigen::Index k = 0; k < size(); ++k)
+    by[k] = shared_index(k) == index(Parameter::kGyroScale) ? turned : 0.0;
+  sums->add(by, Eigen::VectorXd::Zero(FittedRun::kOwn), off, 1.0 / (protractor * protractor));
+  return cost;
+}
+
+double ModelFit::linearise(std::vector<RunSums>* sums) const {
+  double cost = 0.0;
+  if (sums != nullptr) sums->clear();
+  for (const FittedRun& run : runs_) {
+    Poses poses = {run.motion.poses(tracks(values_))};
+    for (std::size_t k = 0; sums != nullptr && k < free_.size(); ++k) {
+      Values changed = values_;
+      changed[free_[k]] += kDifference;
+      const bool moves = free_[k] != kDelay && free_[k] != index(Parameter::kGyroScale);
+      poses.push_back(moves ? run.motion.poses(tracks(changed)) : poses[0]);
+    }
+    RunSums* const of_run =
+        sums == nullptr ? nullptr : &sums->emplace_back(size(), FittedRun::kOwn);
+    cost += take_pictures(run, poses, of_run);
+    cost += take_measured(run, poses, of_run);
+    if (of_run != nullptr) of_run->eliminate();
+  }
+  return cost;
+}
+
+void ModelFit::rescale() {
+  std::vector<double> off_m, off_rad, off_gyro;
+  for (FittedRun& run : runs_) {
+    std::vector<double> run_m, run_rad;
+    const std::vector<Pose> poses = run.motion.poses(tracks(values_));
+    for (const SeenPose& seen : run.pictures) {
+      const Residual off = run.residual(poses, seen, values_[kDelay]);
+      run_m.push_back(off.off_m());
+      run_rad.push_back(off.off_rad());
+      off_gyro.push_back(std::abs(seen.yaw_rad - run.own[3] -
+                                  values_[index(Parameter::kGyroScale)] *
+                                      run.motion.gyro_rad(seen.t_s - values_[kDelay])));
+    }
+    off_m.insert(off_m.end(), run_m.begin(), run_m.end());
+    off_rad.insert(off_rad.end(), run_rad.begin(), run_rad.end());
+    run.usual_m = std::max(settings_.camera_sd_m, median(std::move(run_m)) / kMedianOfTwo);
+    run.usual_rad = std::max(settings_.camera_sd_rad, median(std::move(run_rad)) / kMedianOfOne);
+  }
+  sd_m_ = std::max(settings_.camera_sd_m, median(std::move(off_m)) / kMedianOfTwo);
+  sd_rad_ = std::max(settings_.camera_sd_rad, median(std::move(off_rad)) / kMedianOfOne);
+  sd_gyro_rad_ = std::max(settings_.camera_sd_rad, median(std::move(off_gyro)) / kMedianOfOne);
+}
+
+// What no model knows, as a worn stretch of a belt that comes round, shifts all pictures of some
+// seconds together.
+void ModelFit::correlate() {
+  for (const FittedRun& run : runs_) {
+    const std::vector<Pose> poses = run.motion.poses(tracks(values_));
+    std::vector<double> x, y, yaw;
+    for (const SeenPose& seen : run.pictures) {
+      const Residual off = run.residual(poses, seen, values_[kDelay]);
+      if (false_detection(run, off)) continue;
+      x.push_back(off.x_m);
+      y.push_back(off.y_m);
+      yaw.push_back(off.yaw_rad);
+    }
+    for (const std::vector<double>* residuals : {&x, &y, &yaw})
+      correlated_s_ = std::max(correlated_s_, samples_together(*residuals) / run.pictures_per_s);
+  }
+}
+
+bool ModelFit::improve(double& damping, double& moved) {
+  const double before = cost();
+  linearise(&sums_);
+  const Summed sums = sum();
+  const Values values = values_;
+  const std::vector<FittedRun::Own> own = [this] {
+    std::vector<FittedRun::Own> all;
+    for (const FittedRun& run : runs_) all.push_back(run.own);
+    return all;
+  }();
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const Eigen::VectorXd step = sums.step(damping);
+    moved = 0.0;
+    for (Eigen::Index k = 0; k < size(); ++k) {
+      const std::size_t i = shared_index(k);
+      values_[i] = values[i] + step[k];
+      moved = std::max(moved, std::abs(step[k]) / kScales[i].useful);
+    }
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+      const Eigen::VectorXd own_step = sums_[r].own_step(step);
+      for (std::size_t j = 0; j < FittedRun::kOwn; ++j)
+        runs_[r].own[j] = own[r][j] + own_step[static_cast<Eigen::Index>(j)];
+    }
+    const bool possible = values_[index(Parameter::kWheelbase)] > 0.01 &&
+                          values_[index(Parameter::kWheelbaseTight)] >= 0.0 &&
+                          values_[index(Parameter::kWheelbaseSpin)] >= 0.0;
+    if (possible && cost() <= before) {
+      damping = std::max(damping / 10.0, 1e-9);
+      return true;
+    }
+    damping *= 10.0;
+  }
+  values_ = values;
+  for (std::size_t r = 0; r < runs_.size(); ++r) runs_[r].own = own[r];
+  return false;
+}
+
+void ModelFit::solve() {
+  double damping = 1e-4;
+  for (int round = 0; round < kRounds; ++round) {
+    rejecting_ = round >= kRoundsBeforeRejecting;
+    rescale();
+    double moved = 0.0;
+    const bool better = improve(damping, moved);
+    if (round > kRoundsBeforeRejecting && (!better || moved < kConverged)) break;
+    if (!better) damping = 1e-4;
+  }
+  rescale();
+  correlate();
+  linearise(&sums_);
+}
+
+std::array<double, kShared> ModelFit::uncertainty_left() const {
+  std::array<double, kShared> left{};
+  const Summed sums = sum();
+  for (Eigen::Index k = 0; k < size(); ++k)
+    left[shared_index(k)] = std::sqrt(sums.covariance()(k, k)) / prior_sd(shared_index(k));
+  return left;
+}
+
+void ModelFit::find_confused(Fit& fit, const Summed& sums) const {
+  Eigen::VectorXd useful(size());
+  for (Eigen::Index k = 0; k < size(); ++k) {
+    const Scale& scale = kScales[shared_index(k)];
+    useful[k] = scale.useful * prior_sd(shared_index(k)) / scale.prior_sd;
+  }
+  const Eigen::VectorXd inverse = useful.cwiseInverse();
+  const Eigen::MatrixXd scaled = inverse.asDiagonal() * sums.covariance() * inverse.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
+  for (Eigen::Index e = 0; e < size(); ++e) {
+    // Along this direction the runs leave useful accuracy behind.
+    if (solver.eigenvalues()[e] < 1.0) continue;
+    std::vector<std::pair<double, std::size_t>> parts;
+    for (Eigen::Index k = 0; k < size(); ++k) {
+      if (shared_index(k) == kDelay) continue;
+      parts.emplace_back(std::abs(solver.eigenvectors()(k, e)), shared_index(k));
+    }
+    std::sort(parts.rbegin(), parts.rend());
+    if (parts.size() < 2 || parts[1].first < kPart * parts[0].first) continue;
+    const auto [a, b] = std::minmax(parts[0].second, parts[1].second);
+    fit.confused.emplace_back(static_cast<Parameter>(a), static_cast<Parameter>(b));
+  }
+}
+
+void ModelFit::describe_runs(Fit& fit) const {
+  double squares = 0.0, squares_rad = 0.0;
+  std::size_t pictures = 0;
+  for (const FittedRun& run : runs_) {
+    RunFit& of = fit.runs.emplace_back();
+    of.name = run.name;
+    const std::vector<Pose> poses = run.motion.poses(tracks(values_));
+    double run_squares = 0.0, run_squares_rad = 0.0;
+    for (const SeenPose& seen : run.pictures) {
+      const Residual off = run.residual(poses, seen, values_[kDelay]);
+      if (false_detection(run, off)) {
+        ++of.rejected;
+        continue;
+      }
+      ++of.pictures;
+      run_squares += off.off_m() * off.off_m();
+      run_squares_rad += off.yaw_rad * off.yaw_rad;
+      of.max_m = std::max(of.max_m, off.off_m());
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(of.pictures, 1));
+    of.rms_m = std::sqrt(run_squares / count);
+    of.rms_rad = std::sqrt(run_squares_rad / count);
+    squares += run_squares;
+    squares_rad += run_squares_rad;
+    pictures += of.pictures;
+    fit.max_m = std::max(fit.max_m, of.max_m);
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(pictures, 1));
+  fit.rms_m = std::sqrt(squares / count);
+  fit.rms_rad = std::sqrt(squares_rad / count);
+}
+
+Fit ModelFit::fit() const {
+  Fit fit;
+  const Summed sums = sum();
+  fit.condition = sums.condition();
+  fit.camera_late_s = values_[kDelay];
+  for (std::size_t i = 0; i < kParameters; ++i) fit.estimates[i].value = values_[i];
+  const Eigen::VectorXd half = sums.half_intervals();
+  for (Eigen::Index k = 0; k < size(); ++k) {
+    const std::size_t i = shared_index(k);
+    if (i < kParameters) fit.estimates[i] = {values_[i], half[k], true};
+  }
+  find_confused(fit, sums);
+  describe_runs(fit);
+  return fit;
+}
+
+}  // namespace tp100::identify

@@ -1,0 +1,131 @@
+#include "live/connector.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "core/error.h"
+#include "core/flash_command.h"
+
+namespace tp100::live {
+namespace {
+
+/// Tells a port from the one of the same name before it was unplugged.
+std::string device_file(const std::string& path) {
+  struct stat status {};
+  const bool there = ::stat(path.c_str(), &status) == 0;
+  return path + " " + std::to_string(there ? status.st_ino : 0);
+}
+
+bool same_board(const link::PortInfo& a, const link::PortInfo& b) {
+  return a.vendor_id == b.vendor_id && a.product_id == b.product_id && a.serial == b.serial;
+}
+
+}  // namespace
+
+Connector::Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
+                     std::function<void(const std::string&)> say)
+    : settings_(std::move(settings)), loop_(loop), say_(std::move(say)) {}
+
+void Connector::tick(HostNs now) {
+  loop::LostPort lost;
+  while (loop_.take_lost(lost)) take_back(lost, now);
+  if (!stopped_ && !port_.is_open() && now >= next_try_ns_) try_open(now);
+}
+
+void Connector::take_back(const loop::LostPort& lost, HostNs now) {
+  if (!port_.is_open() || lost.id != id_) return;
+  port_.close();
+  next_try_ns_ = now + retry_ns_;
+  retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
+  const bool silent = lost.end == loop::PortEnd::kSilent;
+  if (silent && !robot_) silent_.insert(device_file(path_));
+  std::string line = path_ + ": ";
+  if (silent) {
+    line += found_ ? "the robot fell silent"
+                   : "nothing that speaks like a TP100; flash the board with " + flash_command() +
+                         ", or choose another port with --port";
+    if (!found_ && settings_.port == "auto")
+      line += "; auto leaves it alone until it is plugged in again";
+  } else {
+    line += std::string("port is gone (") +
+            (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
+            "); plug the robot in again";
+  }
+  if (!found_ && !settings_.wait && !(silent && silent_.size() < candidates_)) {
+    throw SetupError(line);
+  }
+  say_once(line);
+}
+
+void Connector::try_open(HostNs now) {
+  try {
+    port_ = open_next();
+  } catch (const SetupError& error) {
+    if (!found_ && !settings_.wait) throw;
+    say_once(std::string(error.what()) + "; waiting");
+    next_try_ns_ = now + retry_ns_;
+    retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);
+    return;
+  }
+  path_ = port_.path();
+  pseudo_terminal_ = port_.pseudo_terminal();
+  say_once(path_ + ": open");
+  loop_.offer({port_.fd(), ++id_});
+}
+
+link::AutoChoice Connector::choose() const {
+  std::vector<link::PortInfo> ports = link::list_ports();
+  if (robot_)
+    std::erase_if(ports, [this](const link::PortInfo& port) { return !same_board(port, *robot_); });
+  link::AutoChoice choice = link::choose_for_auto(
+      ports, settings_.attended, [](const std::string& path) { return link::port_holder(path); });
+  std::vector<link::PortInfo> open;
+  for (const link::PortInfo& port : std::exchange(choice.open, {})) {
+    if (silent_.contains(device_file(port.path))) {
+      choice.passed_over.push_back({port, "nothing on it spoke like a TP100"});
+    } else {
+      choice.open.push_back(port);
+    }
+  }
+  return choice;
+}
+
+// One that is forbidden or locked is somebody else's: the next is tried, and the first one's error
+// is told if none can be opened.
+link::Port Connector::open_next() {
+  if (settings_.port != "auto") return link::open_port(settings_.port, settings_.options);
+  const link::AutoChoice choice = choose();
+  candidates_ = choice.open.size() + silent_.size();
+  if (choice.open.empty()) {
+    if (robot_ && choice.passed_over.empty())
+      throw SetupError(path_ + ": the robot's port is gone; plug it in again");
+    throw SetupError(link::why_none(choice));
+  }
+  const std::size_t all = choice.open.size() + choice.passed_over.size();
+  if (all > 1 && !std::exchange(several_said_, true))
+    say_(std::to_string(all) +
+         " ports may be a TP100 (see `tp100d ports`), the likeliest first; name the robot's with "
+         "--port or link.port");
+  std::string refused;
+  for (const link::PortInfo& port : choice.open) {
+    try {
+      link::Port open = link::open_port(port.path, settings_.options);
+      opened_ = port;
+      return open;
+    } catch (const SetupError& error) {
+      if (refused.empty()) refused = error.what();
+    }
+  }
+  throw SetupError(refused);
+}
+
+void Connector::say_once(const std::string& line) {
+  if (line == last_line_) return;
+  last_line_ = line;
+  say_(line);
+}
+
+}  // namespace tp100::live

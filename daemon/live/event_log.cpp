@@ -1,0 +1,154 @@
+#include "live/event_log.h"
+
+#include <spdlog/async_logger.h>
+#include <spdlog/details/thread_pool.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/angle.h"
+
+namespace tp100::live {
+namespace {
+
+using Kind = link::SessionEvent::Kind;
+using namespace std::chrono_literals;
+
+// More lines than this within a second are noise.
+constexpr int kBurst = 50;
+constexpr HostNs kStatusPeriodNs = 10 * kNsPerS;
+// A gyro at rest is known after half a second, a world answers soon.
+constexpr HostNs kRefusalNs = kNsPerS;
+constexpr std::size_t kWaiting = 1024;
+constexpr auto kPatience = 1000ms, kLook = 5ms;
+
+}  // namespace
+
+struct EventLog::Writer {
+  std::shared_ptr<spdlog::details::thread_pool> pool =
+      std::make_shared<spdlog::details::thread_pool>(kWaiting, 1);
+  // An asynchronous logger wants to be shared.
+  std::shared_ptr<spdlog::async_logger> logger = std::make_shared<spdlog::async_logger>(
+      "tp100d", std::make_shared<spdlog::sinks::stderr_color_sink_mt>(), pool,
+      spdlog::async_overflow_policy::overrun_oldest);
+};
+
+EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
+  writer_->logger->set_pattern("%H:%M:%S.%e %^%l%$ %v");
+  writer_->logger->flush_on(spdlog::level::info);
+}
+
+bool EventLog::flush() {
+  for (std::chrono::milliseconds waited{0}; writer_->pool->queue_size() > 0 && waited < kPatience;
+       waited += kLook)
+    std::this_thread::sleep_for(kLook);
+  // The last line may be on its way still.
+  std::this_thread::sleep_for(kLook);
+  return writer_->pool->queue_size() == 0;
+}
+
+EventLog::~EventLog() {
+  // Its thread hangs in a write that may never end: it goes with the process.
+  if (!flush()) {
+    static_cast<void>(writer_.release());
+    return;
+  }
+  // Its thread ends before the logger does: a last line may still hold that.
+  writer_->pool.reset();
+}
+
+void EventLog::info(const std::string& line) { writer_->logger->info("{}", line); }
+void EventLog::warn(const std::string& line) { writer_->logger->warn("{}", line); }
+
+void EventLog::tick(HostNs now) {
+  if (now - burst_began_ns_ <= kNsPerS) return;
+  if (folded_ > 0) writer_->logger->warn("{} more events within a second are not shown", folded_);
+  burst_began_ns_ = now;
+  burst_ = 0;
+  folded_ = 0;
+}
+
+bool EventLog::allow() {
+  if (++burst_ <= kBurst) return true;
+  ++folded_;
+  return false;
+}
+
+void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>& all_words) {
+  if (event.kind == LiveEvent::Kind::kSession) {
+    // A port on which nothing is heard says so once.
+    const bool silent = event.session.kind == Kind::kTimeout;
+    const bool told = std::exchange(silence_told_, silent);
+    tick(event.session.at_ns);
+    if ((silent && told) || !allow()) return;
+  }
+  words(all_words);
+}
+
+void EventLog::words(const std::vector<messages::Event>& all) {
+  for (const messages::Event& words : all) {
+    const std::string line = words.text + (words.cause.empty() ? "" : ": " + words.cause) +
+                             (words.remedy.empty() ? "" : "; " + words.remedy);
+    switch (words.level) {
+      case messages::Event::Level::kInfo:
+        writer_->logger->info("{}", line);
+        break;
+      case messages::Event::Level::kWarning:
+        writer_->logger->warn("{}", line);
+        break;
+      case messages::Event::Level::kError:
+        writer_->logger->error("{}", line);
+        break;
+    }
+  }
+}
+
+void EventLog::grants(const std::vector<loop::Grant>& grants) {
+  for (const loop::Grant& grant : grants) {
+    if (grant.granted) {
+      writer_->logger->info("real time: {}", grant.what);
+    } else {
+      writer_->logger->info("real time: no {}; {}", grant.what, grant.remedy);
+    }
+  }
+}
+
+// Without a course, or during a run, nobody thinks of a start; that there is no robot is said.
+void EventLog::refusal(StartRefusal refusal, HostNs now) {
+  if (refusal != refusal_) {
+    refusal_ = refusal;
+    refusal_since_ns_ = now;
+    refusal_told_ = false;
+  }
+  const bool known = refusal <= StartRefusal::kNoSession;
+  if (known || refusal_told_ || now - refusal_since_ns_ < kRefusalNs) return;
+  refusal_told_ = true;
+  warn("a start would be refused: " + std::string(to_string(refusal)));
+}
+
+void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs now) {
+  refusal(status.snapshot.start_refusal, now);
+  if (status.session != SessionState::kReady || now < next_status_ns_) return;
+  next_status_ns_ = now + kStatusPeriodNs;
+  const LinkCounters& link = status.counters;
+  const Pose& pose = status.snapshot.odometry;
+  writer_->logger->info(
+      "x {:.3f} m, y {:.3f} m, yaw {:.1f} deg; samples {}, lost {}, bad frames {}, overruns {}; "
+      "clock drift {:.1f} ppm, +-{:.0f} us; battery {:.2f} V",
+      pose.x_m, pose.y_m, pose.yaw_rad * kDegPerRad, link.samples, link.lost, link.damaged(),
+      overruns, status.clock.drift * 1e6, status.clock.uncertainty_us,
+      status.snapshot.sample.battery_v);
+}
+
+void EventLog::times(const messages::LoopFigures& loop) {
+  std::string line = "loop, p50/p99/max us:";
+  loop.each_time([&](std::string_view name, const messages::Durations& of) {
+    line += fmt::format(" {} {:.0f}/{:.0f}/{:.0f},", name.substr(0, name.rfind('_')), of.p50_us,
+                        of.p99_us, of.max_us);
+  });
+  writer_->logger->info("{} overruns {}, left out {}", line, loop.overruns, loop.missed);
+}
+
+}  // namespace tp100::live

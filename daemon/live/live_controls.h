@@ -1,0 +1,56 @@
+#pragma once
+// What viewers ask, handed to the real-time loop; and what only the loop and the ports know.
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "live/live_cycle.h"
+#include "live/live_recording.h"
+#include "loop/fixed_rate_loop.h"
+#include "server/controls.h"
+
+namespace tp100::live {
+
+class LiveControls : public server::Controls {
+ public:
+  /// All must outlive the controls.
+  LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording)
+      : cycle_(cycle), loop_(loop), recording_(recording) {}
+
+  // The server's thread.
+  std::string start() override;
+  std::string hold() override;
+  void stop() override;
+  std::string set(const messages::ParameterText& parameter,
+                  const messages::ParameterValue& value) override;
+  void record_start(const std::string& name, RecordAnswer answer) override;
+  void record_stop(RecordAnswer answer) override;
+  messages::LoopFigures loop() override;
+  messages::PortFigures port() override;
+  messages::RecordingFigures recording() override;
+  StartConsent start_consent() override;  // any thread
+
+  // The supervisor's thread.
+  void set_port(messages::PortFigures port);
+  /// What the supervisor knows; whether something has run, the cycle says.
+  void set_start(const StartFacts& facts);
+  void set_grants(const std::vector<loop::Grant>& grants);
+  /// The program ends: nothing is started any more.
+  void end();
+
+ private:
+  LiveCycle& cycle_;
+  const loop::FixedRateLoop& loop_;
+  LiveRecording& recording_;
+  std::mutex mutex_;
+  messages::PortFigures port_{};
+  StartFacts start_{};
+  std::vector<std::pair<std::string, bool>> privileges_;
+  bool ending_ = false;
+};
+
+/// Figures of a histogram of nanoseconds.
+messages::Durations durations(const loop::Histogram& histogram);
+
+}  // namespace tp100::live

@@ -1,0 +1,93 @@
+#include "live/service_notice.h"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace tp100::live {
+namespace {
+
+std::string_view variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string_view() : std::string_view(value);
+}
+
+/// 0 if it is no whole number above 0.
+std::int64_t number(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::max<std::int64_t>(value, 0)
+                                                                  : 0;
+}
+
+}  // namespace
+
+ServiceSettings service_settings() {
+  ServiceSettings settings;
+  settings.socket = variable("NOTIFY_SOCKET");
+  const std::string_view guarded = variable("WATCHDOG_PID");
+  const std::int64_t us = number(variable("WATCHDOG_USEC"));
+  // Inherited from a parent that is watched itself, it is not meant for us.
+  const bool ours = guarded.empty() || number(guarded) == ::getpid();
+  if (ours && us < std::numeric_limits<HostNs>::max() / kNsPerUs)
+    settings.watchdog_ns = us * kNsPerUs;
+  return settings;
+}
+
+ServiceNotice::ServiceNotice(ServiceSettings settings) : settings_(std::move(settings)) {
+  if (!settings_.socket.empty()) socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+}
+
+ServiceNotice::~ServiceNotice() {
+  if (socket_ >= 0) ::close(socket_);
+}
+
+std::string ServiceNotice::ready() {
+  if (settings_.socket.empty()) return {};
+  const int error = send("READY=1");
+  if (error == 0) return {};
+  return "NOTIFY_SOCKET=" + settings_.socket + ": the service manager cannot be told (" +
+         std::strerror(error) + "); start the program by systemctl, or without that variable";
+}
+
+void ServiceNotice::status(const std::string& line) {
+  if (line == status_) return;
+  status_ = line;
+  send("STATUS=" + line);
+}
+
+void ServiceNotice::alive(std::uint64_t turns, HostNs now) {
+  if (settings_.watchdog_ns == 0 || now < next_ns_ || turns == turns_) return;
+  turns_ = turns;
+  next_ns_ = now + settings_.watchdog_ns / 4;
+  send("WATCHDOG=1");
+}
+
+void ServiceNotice::stopping() { send("STOPPING=1"); }
+
+// The errno of what went wrong, or 0.
+int ServiceNotice::send(const std::string& text) const {
+  sockaddr_un address{};
+  const std::string& name = settings_.socket;
+  if (socket_ < 0) return ENOTSOCK;
+  if (name.size() >= sizeof address.sun_path) return ENAMETOOLONG;
+  address.sun_family = AF_UNIX;
+  std::copy(name.begin(), name.end(), address.sun_path);
+  if (name.front() == '@') address.sun_path[0] = '\0';
+  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());
+  const ssize_t sent = ::sendto(socket_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT,
+                                reinterpret_cast<const sockaddr*>(&address), size);
+  return sent < 0 ? errno : 0;
+}
+
+}  // namespace tp100::live

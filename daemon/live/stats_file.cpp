@@ -1,0 +1,177 @@
+#include "live/stats_file.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/error.h"
+#include "text/atomic_file.h"
+
+namespace tp100::live {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json loop_figures(const messages::LoopFigures& loop) {
+  Json json = {{"turns", loop.turns},
+               {"overruns", loop.overruns},
+               {"missed", loop.missed},
+               {"without_frame", loop.without_frame},
+               {"lost_records", loop.lost_records},
+               {"lost_events", loop.lost_events}};
+  loop.each_time([&](const char* name, const messages::Durations& of) { json[name] = of; });
+  Json privileges = Json::object();
+  for (const auto& [name, granted] : loop.privileges) privileges[name] = granted;
+  json["privileges"] = std::move(privileges);
+  return json;
+}
+
+Json pose(const Pose& pose) {
+  return {{"x_m", pose.x_m}, {"y_m", pose.y_m}, {"yaw_rad", pose.yaw_rad}};
+}
+
+Json link_figures(const LinkCounters& link) {
+  Json json;
+  each_counter(link, [&](const char* name, std::uint64_t count) { json[name] = count; });
+  return json;
+}
+
+Json camera_figures(const link::CameraCounters& camera, const Fused& fused) {
+  return {{"received", camera.received},
+          {"accepted", camera.accepted},
+          {"malformed", camera.malformed},
+          {"late", camera.late},
+          {"early", camera.early},
+          {"foreign", camera.foreign},
+          {"missing", camera.missing},
+          {"dropped", camera.dropped},
+          {"streams", camera.streams},
+          {"used", fused.camera_used},
+          {"rejected", fused.camera_rejected},
+          {"recoveries", fused.recoveries},
+          {"nis_mean", fused.nis_mean}};
+}
+
+Json recording_figures(const messages::RecordingFigures& recording, double cpu_s) {
+  return {{"file", recording.file},           {"active", recording.active},
+          {"elapsed_s", recording.elapsed_s}, {"bytes", recording.bytes},
+          {"dropped", recording.dropped},     {"cpu_s", cpu_s},
+          {"warning", recording.warning}};
+}
+
+Json world_figures(const WorldFigures& world) {
+  Json json = {{"kind", world.name}};
+  if (world.udp) {
+    const worlds::PeerCounters& udp = *world.udp;
+    json["udp"] = {{"hellos", udp.hellos},
+                   {"poses", udp.poses},
+                   {"answered", udp.answered},
+                   {"received", udp.received},
+                   {"accepted", udp.accepted},
+                   {"malformed", udp.malformed},
+                   {"wrong_version", udp.wrong_version},
+                   {"foreign", udp.foreign},
+                   {"strangers", world.strangers},
+                   {"reordered", udp.reordered},
+                   {"back_in_time", udp.back_in_time},
+                   {"unknown_ack", udp.unknown_ack},
+                   {"missing", udp.missing},
+                   {"unknown_surface", udp.unknown_surface},
+                   {"dropped", udp.dropped},
+                   {"sessions", udp.sessions},
+                   {"losses", udp.losses},
+                   {"round_trip_ms", udp.round_trip_ms},
+                   {"mean_round_trip_ms", udp.mean_round_trip_ms},
+                   {"max_round_trip_ms", udp.max_round_trip_ms}};
+  }
+  if (world.files) {
+    json["files"] = {{"written", world.files->written},
+                     {"write_errors", world.files->write_errors},
+                     {"read", world.files->read},
+                     {"rejected", world.files->rejected},
+                     {"dropped", world.files->dropped}};
+  }
+  return json;
+}
+
+Json fault_list(FaultMask faults) {
+  Json names = Json::array();
+  while (const auto fault = first_fault(faults)) {
+    names.push_back(describe(*fault).name);
+    faults &= ~fault_bit(*fault);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string stats_json(const RunFigures& figures) {
+  const LiveStatus& status = figures.status;
+  const Snapshot& snapshot = status.snapshot;
+  Json json = {
+      {"result", figures.result},
+      {"completed", figures.result == "completed"},
+      {"duration_s", figures.duration_s},
+      {"course", figures.course},
+      {"robot", figures.robot},
+      {"setup", figures.setup},
+      {"port", figures.port},
+      {"page", figures.page},
+      {"faults", fault_list(figures.faults)},
+      {"session", to_string(status.session)},
+      {"run", to_string(snapshot.run_state)},
+      {"firmware", std::to_string(status.hello.firmware[0]) + "." +
+                       std::to_string(status.hello.firmware[1]) + "." +
+                       std::to_string(status.hello.firmware[2])},
+      {"odometry", pose(snapshot.odometry)},
+      {"model", pose(snapshot.model)},
+      {"fused", pose(snapshot.fused.pose)},
+      {"progress_m", snapshot.progress_m},
+      {"battery_v", snapshot.sample.battery_v},
+      {"link", link_figures(status.counters)},
+      {"clock",
+       {{"valid", status.clock.valid},
+        {"drift_ppm", status.clock.drift * 1e6},
+        {"uncertainty_us", status.clock.uncertainty_us}}},
+      {"loop", loop_figures(figures.loop)},
+  };
+  if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.fused);
+  if (figures.world.udp || figures.world.files) json["world"] = world_figures(figures.world);
+  if (!figures.recording.file.empty())
+    json["recording"] = recording_figures(figures.recording, figures.recording_cpu_s);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+StatsFile::StatsFile(std::string path, record::Worker& disk)
+    : path_(std::move(path)), disk_(disk) {}
+
+void StatsFile::write(const RunFigures& figures) {
+  if (path_.empty()) return;
+  std::string text = stats_json(figures);
+  if (!std::exchange(begun_, true)) return text::write_file(path_, text, text::Flush::kNo);
+  const std::lock_guard lock(state_->mutex);
+  state_->text = std::move(text);
+  if (state_->writing) return;
+  state_->writing = disk_.post([path = path_, state = state_] {
+    for (;;) {
+      std::unique_lock lock_inside(state->mutex);
+      const std::optional<std::string> next = std::exchange(state->text, std::nullopt);
+      state->writing = next.has_value();
+      if (!next) return;
+      lock_inside.unlock();
+      try {
+        text::write_file(path, *next, text::Flush::kNo);
+      } catch (const SetupError& error) {
+        // A disk that fills up during a run does not end it.
+        lock_inside.lock();
+        if (!std::exchange(state->failed, true)) state->note = error.what();
+      }
+    }
+  });
+}
+
+std::string StatsFile::take_note() {
+  const std::lock_guard lock(state_->mutex);
+  return std::exchange(state_->note, {});
+}
+
+}  // namespace tp100::live

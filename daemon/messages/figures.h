@@ -1,0 +1,140 @@
+#pragma once
+// What the slow channels show, as plain data.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/faults.h"
+#include "core/link_state.h"
+#include "core/run_state.h"
+#include "core/sample.h"
+#include "core/steering.h"
+#include "core/time.h"
+
+namespace tp100::messages {
+
+/// A distribution of durations [us].
+struct Durations {
+  std::uint64_t count = 0;
+  double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, p999_us = 0.0, max_us = 0.0;
+
+  /// Calls visit(name, value) for each of them, as JSON has them.
+  template <class Visit>
+  void each(Visit&& visit) const {
+    visit("count", count);
+    visit("mean", mean_us);
+    visit("p50", p50_us);
+    visit("p99", p99_us);
+    visit("p999", p999_us);
+    visit("max", max_us);
+  }
+};
+
+/// What nlohmann's JSON makes of it.
+template <class Json>
+void to_json(Json& json, const Durations& durations) {
+  durations.each([&](const char* name, auto value) { json[name] = value; });
+}
+
+/// Upper edges of the lateness histogram [us]; one more count lies above the last.
+inline constexpr std::array<int, 13> kLatenessEdgesUs{1,   2,   5,    10,   20,   50,   100,
+                                                      200, 500, 1000, 2000, 5000, 10000};
+
+/// The real-time loop since its start.
+struct LoopFigures {
+  std::uint64_t turns = 0, overruns = 0, missed = 0, without_frame = 0;
+  Durations lateness{}, work{}, compute{}, write{};      ///< of turns, see loop::LoopStatistics
+  Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see app::SampleTimes
+  std::array<std::uint64_t, kLatenessEdgesUs.size() + 1> lateness_counts{};
+  std::vector<std::pair<std::string, bool>> privileges;
+  /// Steps and events that found no room on their way out of the loop.
+  std::uint64_t lost_records = 0, lost_events = 0;
+
+  /// Calls visit(name, durations) for each of them.
+  template <class Visit>
+  void each_time(Visit&& visit) const {
+    visit("lateness_us", lateness);
+    visit("work_us", work);
+    visit("compute_us", compute);
+    visit("write_us", write);
+    visit("sample_wire_us", sample_wire);
+    visit("sample_wait_us", sample_wait);
+    visit("sample_age_us", sample_age);
+  }
+};
+
+/// The port in use.
+struct PortFigures {
+  std::string path;
+  bool physical = true;  ///< unless it is proved to be an emulator's
+  std::string firmware;  ///< empty: not known yet
+};
+
+/// The link over the last second.
+struct LinkFigures {
+  SessionState session = SessionState::kClosed;
+  LinkCounters counters{};
+  ClockState clock{};
+  double samples_hz = 0.0, lost_hz = 0.0, bad_hz = 0.0, in_bytes_ps = 0.0, out_bytes_ps = 0.0;
+  PortFigures port{};
+  Durations sample_age{};
+};
+
+/// The last STOP.
+struct StopFigures {
+  enum class Status : std::uint8_t { kNone, kPending, kAcknowledged, kNotAcknowledged };
+  std::uint64_t count = 0;
+  bool latched = false;
+  std::string by;
+  HostNs requested_ns = 0;  ///< of the oldest press that is not acknowledged, else of the last
+  Status status = Status::kNone;
+  double acknowledged_ms = 0.0;
+};
+
+/// Run, session and what may be done now.
+struct StateFigures {
+  RunState run = RunState::kIdle;
+  Steering steering = Steering::kOdometry;
+  SessionState session = SessionState::kClosed;
+  std::optional<RobotState> robot;
+  bool motors_on = false;  ///< it is armed or has a duty, asked or not
+  std::optional<double> run_s;
+  double progress_m = 0.0;
+  std::optional<double> length_m;
+  std::optional<double> battery_v;
+  bool can_start = false, can_record = false;
+  std::string why_not_start;
+  bool confirm_start = true;  ///< a start has to be confirmed by whoever asks for it
+  FaultMask faults = 0;
+  StopFigures stop{};
+};
+
+/// The recorder.
+struct RecordingFigures {
+  bool available = false;
+  bool active = false;
+  std::string run, file;
+  double elapsed_s = 0.0;
+  std::uint64_t bytes = 0, dropped = 0;
+  std::string warning;
+};
+
+/// One viewer.
+struct ClientFigures {
+  std::uint32_t id = 0;
+  std::string address, agent;
+  std::size_t subscriptions = 0, queued = 0;
+  std::uint64_t sent = 0, dropped = 0;
+  double connected_s = 0.0;
+};
+struct ClientsFigures {
+  std::vector<ClientFigures> clients;
+  std::uint64_t dropped_total = 0, refused_total = 0, closed_total = 0;
+  std::size_t queue_limit = 0;
+};
+
+}  // namespace tp100::messages

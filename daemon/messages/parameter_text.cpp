@@ -1,0 +1,97 @@
+#include "messages/parameter_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "text/json_writer.h"
+
+namespace tp100::messages {
+namespace {
+
+using Type = ParameterText::Type;
+
+const char* type_name(Type type) {
+  switch (type) {
+    case Type::kNumber:
+      return "number";
+    case Type::kInteger:
+      return "integer";
+    case Type::kBoolean:
+      return "boolean";
+    case Type::kText:
+      return "text";
+    case Type::kChoice:
+      break;
+  }
+  return "choice";
+}
+
+bool is_number(Type type) { return type == Type::kNumber || type == Type::kInteger; }
+
+std::string number_text(double number) {
+  std::string text;
+  text::JsonWriter(text).value(number);
+  return text;
+}
+
+void write_value(text::JsonWriter& json, std::string_view name, const ParameterValue& value) {
+  json.key(name);
+  std::visit([&](const auto& content) { json.value(content); }, value);
+}
+
+}  // namespace
+
+std::string why_not(const ParameterText& parameter, const ParameterValue& value) {
+  if (is_number(parameter.type)) {
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr || !std::isfinite(*number)) return parameter.name + " takes a number";
+    if (parameter.type == Type::kInteger && *number != std::floor(*number))
+      return parameter.name + " takes a whole number";
+    if (*number < parameter.range.min || *number > parameter.range.max)
+      return parameter.name + " goes from " + number_text(parameter.range.min) + " to " +
+             number_text(parameter.range.max) +
+             (parameter.unit.empty() ? "" : " " + parameter.unit);
+    return {};
+  }
+  if (parameter.type == Type::kBoolean)
+    return std::holds_alternative<bool>(value) ? "" : parameter.name + " takes true or false";
+  const std::string* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return parameter.name + " takes a text";
+  if (parameter.type == Type::kChoice &&
+      std::find(parameter.choices.begin(), parameter.choices.end(), *text) ==
+          parameter.choices.end()) {
+    std::string names;
+    for (const std::string& choice : parameter.choices)
+      names += (names.empty() ? "" : ", ") + choice;
+    return parameter.name + " is one of " + names;
+  }
+  return {};
+}
+
+std::string parameters_message(const std::vector<ParameterText>& parameters) {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object().key("parameters").begin_array();
+  for (const ParameterText& parameter : parameters) {
+    json.begin_object().field("name", parameter.name);
+    write_value(json, "value", parameter.value);
+    write_value(json, "default", parameter.standard);
+    json.field("type", type_name(parameter.type)).field("unit", parameter.unit);
+    if (is_number(parameter.type)) {
+      json.field("min", parameter.range.min).field("max", parameter.range.max);
+    } else {
+      json.null_field("min").null_field("max");
+    }
+    json.key("choices").begin_array();
+    for (const std::string& choice : parameter.choices) json.value(choice);
+    json.end_array()
+        .field("meaning", parameter.meaning)
+        .field("live", parameter.live)
+        .field("when", parameter.only_at_rest ? "not running" : "always")
+        .end_object();
+  }
+  json.end_array().end_object();
+  return text;
+}
+
+}  // namespace tp100::messages

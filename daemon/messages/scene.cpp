@@ -1,0 +1,171 @@
+// The course and the robot as a scene for 3-D viewers.
+
+#include <cmath>
+#include <vector>
+
+#include "messages/foxglove_json.h"
+#include "messages/messages.h"
+
+namespace tp100::messages {
+namespace {
+
+constexpr double kPathSpacingM = 0.02;
+constexpr double kPathLiftM = 0.002;  // above the floor, so that the two do not flicker
+constexpr Colour kFenceColour{0.65, 0.65, 0.65, 1.0};
+constexpr Colour kRampColour{0.72, 0.60, 0.42, 1.0};
+constexpr Colour kBlockColour{0.55, 0.45, 0.35, 1.0};
+constexpr Colour kSurfaceColour{0.35, 0.55, 0.60, 0.6};
+constexpr Colour kBodyColour{0.20, 0.72, 0.35, 1.0};
+constexpr Colour kBeltColour{0.12, 0.12, 0.12, 1.0};
+
+Pose pose_of(const course::Place& place, double z_m) {
+  return {.x_m = place.x_m, .y_m = place.y_m, .z_m = z_m, .yaw_rad = place.heading_rad};
+}
+
+std::string cube(const Pose& pose, const Point& size, const Colour& colour) {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object();
+  write_foxglove_pose(json, pose);
+  write_xyz(json, "size", size);
+  write_colour(json, colour);
+  json.end_object();
+  return text;
+}
+
+/// A list of triangles, two for each quad a, b, c, d.
+class Triangles {
+ public:
+  void quad(Point a, Point b, Point c, Point d) {
+    for (const Point& corner : {a, b, c, a, c, d}) points_.push_back(corner);
+  }
+  std::string json(const Pose& pose, const Colour& colour) const {
+    std::string text;
+    text::JsonWriter json(text);
+    json.begin_object();
+    write_foxglove_pose(json, pose);
+    json.key("points").begin_array();
+    for (const Point& point : points_) {
+      json.begin_object()
+          .field("x", point.x_m)
+          .field("y", point.y_m)
+          .field("z", point.z_m)
+          .end_object();
+    }
+    json.end_array();
+    write_colour(json, colour);
+    json.key("colors").begin_array().end_array().key("indices").begin_array().end_array();
+    json.end_object();
+    return text;
+  }
+
+ private:
+  std::vector<Point> points_;
+};
+
+std::string ramp_triangles(const course::Ramp& ramp) {
+  const double half = ramp.length_m() / 2.0, side = ramp.width_m / 2.0, h = ramp.height_m;
+  const double x0 = -half, x1 = x0 + ramp.up_length_m(), x2 = x1 + ramp.top_m, x3 = half;
+  Triangles out;
+  out.quad({x0, -side, 0}, {x1, -side, h}, {x1, side, h}, {x0, side, 0});
+  out.quad({x1, -side, h}, {x2, -side, h}, {x2, side, h}, {x1, side, h});
+  out.quad({x2, -side, h}, {x3, -side, 0}, {x3, side, 0}, {x2, side, h});
+  for (const double y : {-side, side}) out.quad({x0, y, 0}, {x3, y, 0}, {x2, y, h}, {x1, y, h});
+  return out.json(pose_of(ramp.place, 0.0), kRampColour);
+}
+
+void write_course(text::JsonWriter& json, const Messages& messages, std::uint64_t at) {
+  std::vector<Point> points;
+  for (const course::PathPoint& point : path_points(*messages.path(), kPathSpacingM))
+    points.push_back({point.x_m, point.y_m, kPathLiftM});
+  write_entity(json, {.id = "course/path", .lines = line_strip(points, 0.006, kPathColour)}, at);
+
+  const course::Course& course = *messages.subject().course;
+  const course::Fence& fence = course.fence;
+  const std::vector<Point> corners = {{fence.min_x_m, fence.min_y_m, 0},
+                                      {fence.max_x_m, fence.min_y_m, 0},
+                                      {fence.max_x_m, fence.max_y_m, 0},
+                                      {fence.min_x_m, fence.max_y_m, 0},
+                                      {fence.min_x_m, fence.min_y_m, 0}};
+  write_entity(json, {.id = "course/fence", .lines = line_strip(corners, 0.004, kFenceColour)}, at);
+
+  std::size_t number = 0;
+  for (const course::Ramp& ramp : course.terrain.ramps)
+    write_entity(
+        json, {.id = "course/ramp/" + std::to_string(number++), .triangles = ramp_triangles(ramp)},
+        at);
+  number = 0;
+  for (const course::Block& block : course.terrain.blocks)
+    write_entity(json,
+                 {.id = "course/block/" + std::to_string(number++),
+                  .cubes = cube(pose_of(block.place, block.height_m / 2.0),
+                                {block.depth_m, block.width_m, block.height_m}, kBlockColour)},
+                 at);
+  number = 0;
+  for (const course::Surface& surface : course.terrain.surfaces)
+    write_entity(json,
+                 {.id = "course/surface/" + std::to_string(number++),
+                  .cubes = cube(pose_of(surface.place, 0.0005),
+                                {surface.length_m, surface.width_m, 0.001}, kSurfaceColour)},
+                 at);
+}
+
+void write_robot(text::JsonWriter& json, const course::Robot& robot, std::uint64_t at) {
+  const course::ShapeValues& shape = robot.shape;
+  const double belt_m = robot.emulated.body.belt_width_m;
+  const double belt_height_m = 2.0 * shape.belt_radius_m;
+  const double body_height_m = std::max(0.01, shape.height_m - shape.belt_radius_m);
+  const Pose body{.z_m = shape.belt_radius_m + body_height_m / 2.0};
+  write_entity(
+      json,
+      {.id = "robot/body",
+       .frame = "robot",
+       .cubes =
+           cube(body, {shape.length_m * 0.9, std::max(0.01, shape.gauge_m - belt_m), body_height_m},
+                kBodyColour)},
+      at);
+  for (const bool left : {true, false}) {
+    const Pose belt{.y_m = (left ? 0.5 : -0.5) * shape.gauge_m, .z_m = shape.belt_radius_m};
+    write_entity(json,
+                 {.id = left ? "robot/left" : "robot/right",
+                  .frame = "robot",
+                  .cubes = cube(belt, {shape.length_m, belt_m, belt_height_m}, kBeltColour)},
+                 at);
+  }
+}
+
+/// An array whose elements are already JSON.
+void write_elements(text::JsonWriter& json, std::string_view name, const std::string& elements) {
+  json.key(name).raw("[" + elements + "]");
+}
+
+}  // namespace
+
+void write_entity(text::JsonWriter& json, const Entity& entity, std::uint64_t unix_ns) {
+  json.begin_object();
+  write_time(json, "timestamp", unix_ns);
+  json.field("frame_id", entity.frame).field("id", entity.id);
+  write_time(json, "lifetime", 0);
+  json.field("frame_locked", true);
+  for (const char* empty : {"metadata", "arrows", "spheres", "cylinders", "texts", "models"})
+    json.key(empty).begin_array().end_array();
+  write_elements(json, "cubes", entity.cubes);
+  write_elements(json, "lines", entity.lines);
+  write_elements(json, "triangles", entity.triangles);
+  json.end_object();
+}
+
+std::string Messages::scene(HostNs at) const {
+  const std::uint64_t unix_ns = clock_.unix_ns(at);
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object().key("deletions").begin_array();
+  write_deletion_of_all(json, unix_ns);
+  json.end_array().key("entities").begin_array();
+  if (path() != nullptr) write_course(json, *this, unix_ns);
+  write_robot(json, subject_.robot, unix_ns);
+  json.end_array().end_object();
+  return text;
+}
+
+}  // namespace tp100::messages

@@ -1,0 +1,24 @@
+#pragma once
+// Messages of the slow channels, as JSON (CHANNELS.md).
+
+#include <string>
+
+#include "messages/figures.h"
+#include "messages/publish_clock.h"
+#include "messages/subject.h"
+
+namespace tp100::messages {
+
+std::string link_message(double t_s, const LinkFigures& link);
+std::string loop_message(double t_s, const LoopFigures& loop, const Subject& subject);
+std::string state_message(HostNs now, const PublishClock& clock, const StateFigures& state,
+                          const Subject& subject);
+std::string recording_message(const RecordingFigures& recording);
+std::string clients_message(const ClientsFigures& clients);
+
+/// Name as in /state.stop.status.
+const char* to_string(StopFigures::Status status);
+/// "good", "poor" or "lost".
+const char* link_quality(const LinkFigures& link);
+
+}  // namespace tp100::messages

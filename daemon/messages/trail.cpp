@@ -1,0 +1,94 @@
+#include "messages/trail.h"
+
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "messages/messages.h"
+
+namespace tp100::messages {
+namespace {
+
+constexpr double kThicknessM = 0.004;
+constexpr double kLiftM = 0.004;
+
+const Colour& colour_of(Steering estimate) {
+  switch (estimate) {
+    case Steering::kModel:
+      return kModelColour;
+    case Steering::kOdometry:
+      return kOdometryColour;
+    case Steering::kFused:
+      break;
+  }
+  return kFusedColour;
+}
+
+}  // namespace
+
+void Trail::add(const Snapshot& snapshot) {
+  const bool began = snapshot.run_state == RunState::kRunning && run_ != RunState::kRunning;
+  run_ = snapshot.run_state;
+  if (began) clear();
+  if (!snapshot.has_sample) return;
+  for (std::size_t i = 0; i < strips_.size(); ++i)
+    append(strips_[i], pose_of(snapshot, kEstimates[i]));
+}
+
+void Trail::clear() {
+  for (Strip& strip : strips_) strip = {};
+  replace_ = true;
+}
+
+void Trail::append(Strip& strip, const Pose& pose) {
+  const Point point{pose.x_m, pose.y_m, pose.z_m + kLiftM};
+  if (!strip.points.empty()) {
+    const Point& last = strip.points.back();
+    const double moved = std::hypot(point.x_m - last.x_m, point.y_m - last.y_m);
+    if (!(moved >= kSpacingM)) return;
+  }
+  strip.points.push_back(point);
+  if (strip.points.size() <= kMaxPoints) return;
+  for (std::size_t i = 0; i < strip.points.size() / 2; ++i) strip.points[i] = strip.points[2 * i];
+  strip.points.resize(strip.points.size() / 2);
+  replace_ = true;
+}
+
+std::string Trail::take_update(const PublishClock& clock, HostNs now) {
+  bool any = replace_;
+  for (const Strip& strip : strips_) any = any || strip.points.size() > strip.given;
+  if (!any) return {};
+  ++chunk_;
+  std::string text = message(clock, now, std::exchange(replace_, false));
+  for (Strip& strip : strips_) strip.given = strip.points.size();
+  return text;
+}
+
+std::string Trail::whole(const PublishClock& clock, HostNs now) const {
+  return message(clock, now, true);
+}
+
+std::string Trail::message(const PublishClock& clock, HostNs now, bool all) const {
+  const std::uint64_t at = clock.unix_ns(now);
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object().key("deletions").begin_array();
+  if (all) write_deletion_of_all(json, at);
+  json.end_array().key("entities").begin_array();
+  for (std::size_t i = 0; i < strips_.size(); ++i) {
+    const Strip& strip = strips_[i];
+    // One point of the part before, so that the strip has no gap.
+    const std::size_t from = all || strip.given == 0 ? 0 : strip.given - 1;
+    if (strip.points.size() < from + 2) continue;
+    write_entity(
+        json,
+        {.id = "trail/" + std::string(to_string(kEstimates[i])) + "/" + std::to_string(chunk_),
+         .lines = line_strip(std::span(strip.points).subspan(from), kThicknessM,
+                             colour_of(kEstimates[i]))},
+        at);
+  }
+  json.end_array().end_object();
+  return text;
+}
+
+}  // namespace tp100::messages

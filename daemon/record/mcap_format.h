@@ -1,0 +1,54 @@
+#pragma once
+// The MCAP file format, https://mcap.dev/spec, profile of our own: magic, header, then schemas,
+// channels, attachments, metadata and chunks with their message indexes as they come, data end,
+// summary, summary offsets, footer, magic. All numbers little-endian.
+
+#include <array>
+#include <boost/crc.hpp>
+#include <cstdint>
+#include <span>
+
+namespace tp100::record {
+
+inline constexpr std::array<std::uint8_t, 8> kMcapMagic = {0x89, 'M', 'C',  'A',
+                                                           'P',  '0', '\r', '\n'};
+
+/// Record types. Each record is its u8 type, u64 length and content.
+enum class McapOp : std::uint8_t {
+  kHeader = 0x01,
+  kFooter = 0x02,
+  kSchema = 0x03,
+  kChannel = 0x04,
+  kMessage = 0x05,
+  kChunk = 0x06,
+  kMessageIndex = 0x07,
+  kChunkIndex = 0x08,
+  kAttachment = 0x09,
+  kAttachmentIndex = 0x0A,
+  kStatistics = 0x0B,
+  kMetadata = 0x0C,
+  kMetadataIndex = 0x0D,
+  kSummaryOffset = 0x0E,
+  kDataEnd = 0x0F,
+};
+
+inline constexpr std::size_t kMcapRecordHead = 9;  ///< type and length
+inline constexpr std::size_t kMcapFooterSize = 20;
+
+/// CRC-32 as of zlib, over bytes as they come.
+class Crc32 {
+ public:
+  void add(std::span<const std::uint8_t> bytes) { crc_.process_bytes(bytes.data(), bytes.size()); }
+  std::uint32_t value() const { return crc_.checksum(); }
+
+ private:
+  boost::crc_32_type crc_;
+};
+
+inline std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
+  Crc32 crc;
+  crc.add(bytes);
+  return crc.value();
+}
+
+}  // namespace tp100::record

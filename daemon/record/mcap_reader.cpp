@@ -1,0 +1,404 @@
+#include "record/mcap_reader.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+
+#include "core/bytes.h"
+#include "record/mcap_format.h"
+
+namespace tp100::record {
+namespace {
+
+using Span = std::span<const std::uint8_t>;
+
+/// What is wrong with a record; whoever knows the place adds it.
+struct Damage {
+  std::string what;
+};
+
+std::string text_of(Span bytes) { return {bytes.begin(), bytes.end()}; }
+
+// Ours are a thousandth of these.
+constexpr std::uint64_t kMostDirectory = std::uint64_t{64} << 20;
+constexpr std::uint64_t kMostMetadata = std::uint64_t{1} << 20;
+
+/// Channels as they come up in a file.
+class Directory {
+ public:
+  void add_schema(ByteReader in) {
+    const auto id = in.number<std::uint16_t>();
+    if (schemas_.contains(id)) return;
+    take(in.left());
+    Schema schema;
+    schema.name = in.text();
+    schema.encoding = in.text();
+    schema.text = text_of(in.bytes(in.number<std::uint32_t>()));
+    if (!in.ok() || id == 0) throw Damage{"a schema makes no sense"};
+    schemas_[id] = std::move(schema);
+  }
+  /// The channel, if it is a new one.
+  const McapChannel* add_channel(ByteReader in) {
+    McapChannel channel;
+    channel.id = in.number<std::uint16_t>();
+    if (channels_.contains(channel.id)) return nullptr;
+    take(in.left());
+    const auto schema = in.number<std::uint16_t>();
+    channel.topic = in.text();
+    channel.encoding = in.text();
+    in.bytes(in.number<std::uint32_t>());
+    if (!in.ok()) throw Damage{"a channel makes no sense"};
+    if (schema != 0) {
+      const auto found = schemas_.find(schema);
+      if (found == schemas_.end()) throw Damage{"a channel has no schema"};
+      take(found->second.text.size());
+      channel.schema_name = found->second.name;
+      channel.schema_encoding = found->second.encoding;
+      channel.schema = found->second.text;
+    }
+    const std::uint16_t id = channel.id;
+    return &channels_.emplace(id, std::move(channel)).first->second;
+  }
+  const McapChannel* find(std::uint16_t id) const {
+    const auto found = channels_.find(id);
+    return found == channels_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  struct Schema {
+    std::string name, encoding, text;
+  };
+  void take(std::uint64_t bytes) {
+    if (bytes > left_) throw Damage{"too many schemas and channels"};
+    left_ -= bytes;
+  }
+
+  std::map<std::uint16_t, Schema> schemas_;
+  std::map<std::uint16_t, McapChannel> channels_;
+  std::uint64_t left_ = kMostDirectory;
+};
+
+/// Content of a chunk record, unpacked and with its CRC checked. Throws Damage.
+void unpack(Span content, Bytes& out) {
+  ByteReader in(content);
+  in.number<std::uint64_t>();
+  in.number<std::uint64_t>();
+  const auto size = in.number<std::uint64_t>();
+  const auto crc = in.number<std::uint32_t>();
+  const std::string_view compression = in.text();
+  const Span packed = in.bytes(in.number<std::uint64_t>());
+  if (!in.ok() || in.left() > 0) throw Damage{"a chunk makes no sense"};
+  if (size > McapReader::kMaxSize)
+    throw Damage{"a chunk claims to hold " + std::to_string(size) + " bytes"};
+  if (compression.empty()) {
+    if (packed.size() != size) throw Damage{"the size of a chunk is wrong"};
+    out.assign(packed.begin(), packed.end());
+  } else if (compression == "zstd") {
+    out.resize(static_cast<std::size_t>(size));
+    const std::size_t got = ZSTD_decompress(out.data(), out.size(), packed.data(), packed.size());
+    if (ZSTD_isError(got) != 0 || got != size) throw Damage{"a chunk cannot be unpacked"};
+  } else {
+    throw Damage{"a chunk is packed with something else than zstd"};
+  }
+  if (crc != 0 && crc != crc32(out)) throw Damage{"the CRC of a chunk is wrong"};
+}
+
+/// The records of an unpacked chunk, or of a part of the file.
+class RecordList {
+ public:
+  explicit RecordList(Span bytes) : in_(bytes) {}
+  /// Next record; false at the end. Throws Damage.
+  bool next() {
+    if (in_.left() == 0) return false;
+    op = static_cast<McapOp>(in_.number<std::uint8_t>());
+    content = in_.bytes(in_.number<std::uint64_t>());
+    if (!in_.ok()) throw Damage{"a record is longer than what it lies in"};
+    return true;
+  }
+  McapOp op{};
+  Span content;
+
+ private:
+  ByteReader in_;
+};
+
+McapMessage message_of(Span content, const Directory& directory) {
+  ByteReader in(content);
+  McapMessage message;
+  message.channel = directory.find(in.number<std::uint16_t>());
+  message.sequence = in.number<std::uint32_t>();
+  message.log_ns = in.number<std::uint64_t>();
+  in.number<std::uint64_t>();
+  if (!in.ok()) throw Damage{"a message makes no sense"};
+  if (message.channel == nullptr) throw Damage{"a message has no channel"};
+  message.data = in.bytes(in.left());
+  return message;
+}
+
+struct ChunkPlace {
+  std::uint64_t first_ns, last_ns, offset, length;
+  std::vector<std::uint16_t> channels;
+};
+
+}  // namespace
+
+struct McapReader::State {
+  explicit State(const std::string& p) : path(p) {}
+  ~State() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  void open();
+  Span read(std::uint64_t offset, std::uint64_t size, Bytes& buffer) const;
+  void read_summary();
+  void take_summary_record(McapOp op, Span content);
+  bool hand_on(McapOp op, Span content, Directory& known, McapHandler& handler,
+               Bytes& unpacked) const;
+  [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const {
+    throw SetupError(path + ": damaged at byte " + std::to_string(offset) + " (" + what +
+                     "); tp100d recover saves what is whole");
+  }
+
+  std::string path;
+  int descriptor = -1;
+  std::uint64_t size = 0;
+
+  bool has_summary = false;
+  Directory directory;
+  std::vector<ChunkPlace> chunks;
+  std::uint64_t message_count = 0;
+};
+
+void McapReader::State::open() {
+  descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  struct stat status {};
+  if (descriptor < 0 || ::fstat(descriptor, &status) != 0)
+    throw SetupError(path + ": cannot be read (" + std::strerror(errno) + ")");
+  if (!S_ISREG(status.st_mode)) throw SetupError(path + ": not a file; give a recording");
+  size = static_cast<std::uint64_t>(status.st_size);
+  Bytes buffer;
+  if (size < kMcapMagic.size() ||
+      !std::ranges::equal(read(0, kMcapMagic.size(), buffer), kMcapMagic))
+    throw SetupError(path + ": not a recording (no MCAP file)");
+}
+
+// `size` bytes at `offset`, both within the file.
+Span McapReader::State::read(std::uint64_t offset, std::uint64_t bytes, Bytes& buffer) const {
+  buffer.resize(static_cast<std::size_t>(bytes));
+  std::size_t done = 0;
+  while (done < buffer.size()) {
+    const ssize_t n = ::pread(descriptor, buffer.data() + done, buffer.size() - done,
+                              static_cast<off_t>(offset + done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0)
+      throw SetupError(path + ": cannot be read (" + (n < 0 ? std::strerror(errno) : "it shrinks") +
+                       ")");
+    done += static_cast<std::size_t>(n);
+  }
+  return buffer;
+}
+
+// The summary is used only if all of it makes sense.
+void McapReader::State::read_summary() {
+  const std::uint64_t tail = kMcapRecordHead + kMcapFooterSize + kMcapMagic.size();
+  if (size < kMcapMagic.size() + tail) return;
+  Bytes buffer;
+  ByteReader in(read(size - tail, tail, buffer));
+  const auto op = static_cast<McapOp>(in.number<std::uint8_t>());
+  const auto length = in.number<std::uint64_t>();
+  const auto summary_at = in.number<std::uint64_t>();
+  in.number<std::uint64_t>();
+  const auto crc = in.number<std::uint32_t>();
+  if (op != McapOp::kFooter || length != kMcapFooterSize ||
+      !std::ranges::equal(in.bytes(kMcapMagic.size()), kMcapMagic))
+    return;
+  const std::uint64_t footer_at = size - tail;
+  if (summary_at < kMcapMagic.size() || summary_at > footer_at || footer_at - summary_at > kMaxSize)
+    return;
+  const Span bytes =
+      read(summary_at, footer_at - summary_at + kMcapRecordHead + kMcapFooterSize, buffer);
+  if (crc != 0 && crc != crc32(bytes.first(bytes.size() - 4))) return;
+  try {
+    RecordList records(bytes.first(static_cast<std::size_t>(footer_at - summary_at)));
+    while (records.next()) take_summary_record(records.op, records.content);
+    has_summary = true;
+  } catch (const Damage&) {
+    chunks.clear();
+  }
+}
+
+void McapReader::State::take_summary_record(McapOp op, Span content) {
+  ByteReader in(content);
+  if (op == McapOp::kSchema) {
+    directory.add_schema(in);
+  } else if (op == McapOp::kChannel) {
+    directory.add_channel(in);
+  } else if (op == McapOp::kStatistics) {
+    message_count = in.number<std::uint64_t>();
+  } else if (op == McapOp::kChunkIndex) {
+    ChunkPlace chunk{};
+    chunk.first_ns = in.number<std::uint64_t>();
+    chunk.last_ns = in.number<std::uint64_t>();
+    chunk.offset = in.number<std::uint64_t>();
+    chunk.length = in.number<std::uint64_t>();
+    ByteReader offsets(in.bytes(in.number<std::uint32_t>()));
+    while (offsets.ok() && offsets.left() > 0) {
+      chunk.channels.push_back(offsets.number<std::uint16_t>());
+      offsets.number<std::uint64_t>();
+    }
+    if (!in.ok() || !offsets.ok() || chunk.length > size || chunk.offset > size - chunk.length ||
+        chunk.length < kMcapRecordHead || chunk.length > kMaxSize)
+      throw Damage{"the index makes no sense"};
+    chunks.push_back(std::move(chunk));
+  }
+}
+
+// One record of the data section to the handler. False: enough. Throws Damage.
+bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapHandler& handler,
+                                Bytes& unpacked) const {
+  ByteReader in(content);
+  switch (op) {
+    case McapOp::kSchema:
+      known.add_schema(in);
+      return true;
+    case McapOp::kChannel: {
+      const McapChannel* channel = known.add_channel(in);
+      return channel == nullptr || handler.channel(*channel);
+    }
+    case McapOp::kMessage:
+      return handler.message(message_of(content, known));
+    case McapOp::kChunk: {
+      unpack(content, unpacked);
+      RecordList records(unpacked);
+      Bytes none;
+      while (records.next()) {
+        if (records.op == McapOp::kChunk || records.op == McapOp::kAttachment ||
+            records.op == McapOp::kMetadata)
+          throw Damage{"a chunk holds what does not belong there"};
+        if (!hand_on(records.op, records.content, known, handler, none)) return false;
+      }
+      return handler.chunk_end();
+    }
+    case McapOp::kAttachment: {
+      const auto log_ns = in.number<std::uint64_t>();
+      in.number<std::uint64_t>();
+      const std::string name(in.text());
+      const std::string media_type(in.text());
+      const Span data = in.bytes(in.number<std::uint64_t>());
+      const auto crc = in.number<std::uint32_t>();
+      if (!in.ok() || in.left() > 0) throw Damage{"an attachment makes no sense"};
+      if (crc != 0 && crc != crc32(content.first(content.size() - 4)))
+        throw Damage{"the CRC of an attachment is wrong"};
+      return handler.attachment(name, media_type, log_ns, text_of(data));
+    }
+    case McapOp::kMetadata: {
+      if (content.size() > kMostMetadata) throw Damage{"metadata of too many bytes"};
+      const std::string name(in.text());
+      ByteReader entries(in.bytes(in.number<std::uint32_t>()));
+      std::map<std::string, std::string> map;
+      while (entries.ok() && entries.left() > 0) {
+        const std::string key(entries.text());
+        map[key] = entries.text();
+      }
+      if (!in.ok() || !entries.ok()) throw Damage{"metadata make no sense"};
+      return handler.metadata(name, map);
+    }
+    default:
+      return true;
+  }
+}
+
+McapReader::McapReader(const std::string& path) : state_(std::make_unique<State>(path)) {
+  state_->open();
+  state_->read_summary();
+}
+
+McapReader::~McapReader() = default;
+
+McapEnd McapReader::stream(McapHandler& handler) const {
+  McapEnd end;
+  const std::uint64_t size = state_->size;
+  Directory known;
+  Bytes head, content, unpacked;
+  std::uint64_t at = kMcapMagic.size();
+  const auto problem = [&](const std::string& what) {
+    if (end.problem.empty()) end.problem = what + " at byte " + std::to_string(at);
+  };
+  for (;;) {
+    end.good_bytes = at;
+    if (size - at < kMcapRecordHead) {
+      problem("the file is cut off");
+      return end;
+    }
+    ByteReader in(state_->read(at, kMcapRecordHead, head));
+    const auto op = static_cast<McapOp>(in.number<std::uint8_t>());
+    const auto length = in.number<std::uint64_t>();
+    if (op == McapOp{} || length > size - at - kMcapRecordHead) {
+      problem(op == McapOp{} ? "nonsense" : "the file is cut off");
+      return end;
+    }
+    if (op == McapOp::kFooter) {
+      const std::uint64_t tail = at + kMcapRecordHead + length;
+      end.whole = state_->has_summary && size - tail == kMcapMagic.size() && end.problem.empty();
+      if (!end.whole) problem("the end of the file makes no sense");
+      return end;
+    }
+    if (length > kMaxSize) {
+      problem("a record of " + std::to_string(length) + " bytes");
+      return end;
+    }
+    try {
+      const Span bytes = state_->read(at + kMcapRecordHead, length, content);
+      if (!state_->hand_on(op, bytes, known, handler, unpacked)) return end;
+    } catch (const Damage& damage) {
+      ++end.damaged;
+      problem(damage.what);
+    }
+    at += kMcapRecordHead + length;
+  }
+}
+
+bool McapReader::indexed() const { return state_->has_summary; }
+std::uint64_t McapReader::message_count() const { return state_->message_count; }
+const std::string& McapReader::path() const { return state_->path; }
+
+void McapReader::read(const std::set<std::string>& topics, std::uint64_t from_ns,
+                      std::uint64_t to_ns, McapHandler& handler) const {
+  if (!state_->has_summary)
+    throw SetupError(path() + ": has no end; tp100d recover makes it whole");
+  const auto wanted = [&](std::uint16_t id) {
+    const McapChannel* channel = state_->directory.find(id);
+    return channel != nullptr && (topics.empty() || topics.contains(channel->topic));
+  };
+  Bytes content, unpacked;
+  for (const ChunkPlace& chunk : state_->chunks) {
+    if (chunk.last_ns < from_ns || chunk.first_ns > to_ns) continue;
+    if (std::ranges::none_of(chunk.channels, wanted)) continue;
+    try {
+      RecordList chunk_record(state_->read(chunk.offset, chunk.length, content));
+      if (!chunk_record.next() || chunk_record.op != McapOp::kChunk)
+        throw Damage{"no chunk where the index says"};
+      unpack(chunk_record.content, unpacked);
+      RecordList records(unpacked);
+      while (records.next()) {
+        if (records.op != McapOp::kMessage) continue;
+        const McapMessage message = message_of(records.content, state_->directory);
+        if (message.log_ns < from_ns || message.log_ns > to_ns || !wanted(message.channel->id))
+          continue;
+        if (!handler.message(message)) return;
+      }
+    } catch (const Damage& damage) {
+      state_->fail(chunk.offset, damage.what);
+    }
+  }
+}
+
+}  // namespace tp100::record

@@ -1,0 +1,179 @@
+#include "record/recording.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "record/recording_writer.h"
+#include "record/step_codec.h"
+#include "text/toml_document.h"
+
+namespace tp100::record {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What stands before the first message.
+class Beginning : public McapHandler {
+ public:
+  bool message(const McapMessage&) override { return false; }
+  bool attachment(const std::string& name, const std::string&, std::uint64_t,
+                  std::string_view data) override {
+    held_ += data.size();
+    if (held_ > McapReader::kMaxSize || files.size() >= kMostFiles) return false;
+    files[name] = data;
+    return true;
+  }
+  bool metadata(const std::string& name,
+                const std::map<std::string, std::string>& entries) override {
+    if (name == kFactsName) facts = entries;
+    return true;
+  }
+  std::map<std::string, std::string> files, facts;
+
+ private:
+  static constexpr std::size_t kMostFiles = 100;
+  std::uint64_t held_ = 0;
+};
+
+constexpr std::size_t kLongestTruth = 4096;
+
+bool is_time(HostNs at) { return at >= -kLongestTime && at <= kLongestTime; }
+
+class Distributor : public McapHandler {
+ public:
+  Distributor(const RecordingVisitor& visitor, const std::string& path, const std::string& version)
+      : visitor_(visitor), path_(path), version_(version) {}
+
+  bool message(const McapMessage& message) override {
+    const McapChannel& channel = *message.channel;
+    if (channel.topic == kBeforeTopic) {
+      if (visitor_.before) before(message);
+    } else if (channel.topic == kStepTopic) {
+      if (visitor_.step) step(message);
+    } else if (channel.topic == kTruthTopic) {
+      if (visitor_.truth) truth(message);
+    } else if (visitor_.message && channel.encoding == "json" &&
+               (visitor_.topics.empty() || visitor_.topics.contains(channel.topic))) {
+      visitor_.message(channel.topic, message.log_ns, message.text());
+    }
+    return true;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw SetupError(path_ + ": " + what); }
+
+  void require_layout(const McapMessage& message, const std::string& layout) const {
+    if (message.channel->schema != layout)
+      fail("its steps were recorded by version " + text::one_line(version_, 20) +
+           ", whose layout is another; use that version of tp100d");
+  }
+
+  void before(const McapMessage& message) {
+    require_layout(message, inputs_schema());
+    for (std::span<const std::uint8_t> block = message.data; !block.empty();) {
+      if (const auto problem = decode_inputs(block, *record_))
+        fail("a step before it makes no sense (" + *problem + ")");
+      visitor_.before(*record_);
+    }
+  }
+
+  void step(const McapMessage& message) {
+    require_layout(message, step_schema());
+    if (const auto problem = decode_step(message.data, *record_))
+      fail("step " + std::to_string(message.sequence) + " makes no sense (" + *problem + ")");
+    visitor_.step(*record_);
+  }
+
+  void truth(const McapMessage& message) {
+    const auto refuse = [&] {
+      fail("truth " + std::to_string(message.sequence) + " makes no sense");
+    };
+    if (message.data.size() > kLongestTruth) refuse();
+    const Json json = Json::parse(message.text(), nullptr, false);
+    const auto number = [&](const char* name) {
+      const auto found = json.find(name);
+      if (!json.is_object() || found == json.end() || !found->is_number()) refuse();
+      const auto value = found->get<double>();
+      if (!(std::abs(value) <= kMostInput)) refuse();
+      return value;
+    };
+    const Pose pose{number("x_m"),      number("y_m"),       number("z_m"),
+                    number("roll_rad"), number("pitch_rad"), number("yaw_rad")};
+    const auto at = json.find("host_ns");
+    if (at == json.end() || !at->is_number_integer() || !is_time(at->get<HostNs>())) refuse();
+    visitor_.truth(at->get<HostNs>(), pose);
+  }
+
+  const RecordingVisitor& visitor_;
+  const std::string& path_;
+  const std::string& version_;
+  std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
+};
+
+}  // namespace
+
+std::string recording_file(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error) ? path + "/run.mcap" : path;
+}
+
+bool is_recording(const std::string& path) {
+  std::array<char, kMcapMagic.size()> magic{};
+  std::ifstream file(recording_file(path), std::ios::binary);
+  file.read(magic.data(), magic.size());
+  return file && std::memcmp(magic.data(), kMcapMagic.data(), magic.size()) == 0;
+}
+
+struct Recording::State {
+  explicit State(const std::string& path) : reader(recording_file(path)) {}
+  McapReader reader;
+  std::map<std::string, std::string> files, facts;
+};
+
+Recording::Recording(const std::string& path) : state_(std::make_unique<State>(path)) {
+  Beginning beginning;
+  state_->reader.stream(beginning);
+  if (beginning.facts.empty())
+    throw SetupError(state_->reader.path() + ": an MCAP file, but no recording of tp100d");
+  state_->files = std::move(beginning.files);
+  state_->facts = std::move(beginning.facts);
+}
+
+Recording::~Recording() = default;
+
+const std::string& Recording::path() const { return state_->reader.path(); }
+bool Recording::whole() const { return state_->reader.indexed(); }
+const std::map<std::string, std::string>& Recording::facts() const { return state_->facts; }
+
+std::string Recording::fact(const std::string& name) const {
+  const auto found = state_->facts.find(name);
+  return found == state_->facts.end() ? std::string() : found->second;
+}
+
+HostNs Recording::start_ns() const {
+  const std::string text = fact("start_ns");
+  HostNs start = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), start);
+  return error == std::errc{} && end == text.data() + text.size() && is_time(start) ? start : 0;
+}
+
+std::string Recording::file(const std::string& name) const {
+  const auto found = state_->files.find(name);
+  return found == state_->files.end() ? std::string() : found->second;
+}
+
+void Recording::visit(const RecordingVisitor& visitor) const {
+  const std::string version = fact("version");
+  Distributor distributor(visitor, path(), version);
+  const McapEnd end = state_->reader.stream(distributor);
+  if (end.damaged > 0)
+    throw SetupError(path() + ": damaged, " + end.problem + "; tp100d recover saves what is whole");
+}
+
+}  // namespace tp100::record

@@ -1,0 +1,64 @@
+#pragma once
+// A recording of a run: what it was, every step bit for bit, the truth where it was known, and the
+// messages that viewers saw.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/step_record.h"
+#include "record/mcap_reader.h"
+
+namespace tp100::record {
+
+/// Takes what a recording holds, in the order of the file; what is empty is not looked for. What it
+/// is given is valid during the call only. Times are within 2^60 ns of zero, inputs and truth
+/// finite; results of the steps may be any numbers.
+struct RecordingVisitor {
+  /// A step before the recording: its inputs, nothing else.
+  std::function<void(const StepRecord&)> before{};
+  std::function<void(const StepRecord&)> step{};
+  std::function<void(HostNs at, const Pose& truth)> truth{};
+  /// JSON of the other topics; all of them if `topics` is empty.
+  std::function<void(const std::string& topic, std::uint64_t unix_ns, std::string_view json)>
+      message{};
+  std::set<std::string> topics{};
+};
+
+/// Whether `path` is the folder of a recorded run or looks like a recording.
+bool is_recording(const std::string& path);
+/// The recording's file: `path`, or run.mcap in it if it is a folder.
+std::string recording_file(const std::string& path);
+
+class Recording {
+ public:
+  /// `path`: a file, or the folder of a run. Throws SetupError: not there, no recording of a run,
+  /// or damaged.
+  explicit Recording(const std::string& path);
+  ~Recording();
+
+  const std::string& path() const;
+  /// False: it was cut off, by a kill or a full disk; everything up to there is still given.
+  bool whole() const;
+  /// Value of `name` ("course", "robot", "setup", "seed", "version", ...); empty: not known.
+  std::string fact(const std::string& name) const;
+  const std::map<std::string, std::string>& facts() const;
+  /// Host time of t_s = 0; 0 if the file does not say.
+  HostNs start_ns() const;
+  /// Text of a file as it was loaded ("course.toml", "robot.toml", "tp100.toml"); empty: none.
+  std::string file(const std::string& name) const;
+
+  /// All of it. Throws SetupError where the file is damaged, or if its steps were recorded by a
+  /// version with another layout.
+  void visit(const RecordingVisitor& visitor) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tp100::record

@@ -1,0 +1,200 @@
+#include "record/recording_writer.h"
+
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+
+#include "core/error.h"
+#include "record/step_codec.h"
+#include "text/json_writer.h"
+
+namespace tp100::record {
+namespace {
+
+constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
+constexpr std::uint64_t kChunkNs = 500'000'000;
+// Every step is on /estimate; what only moves pictures comes as often as pictures do.
+constexpr HostNs kPosePeriodNs = 20 * kNsPerMs;
+constexpr HostNs kSlipPeriodNs = 50 * kNsPerMs;
+constexpr HostNs kTruthHoldsNs = 200 * kNsPerMs;
+
+/// `path`, with its folder made.
+const std::string& with_folder(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error)
+    throw SetupError(folder.string() + ": cannot create the folder (" + error.message() +
+                     "); give another folder for recordings");
+  return path;
+}
+
+std::string truth_text(const messages::PublishClock& clock, const messages::Truth& truth) {
+  std::string text;
+  const Pose& pose = truth.pose;
+  text::JsonWriter(text)
+      .begin_object()
+      .field("t_s", clock.t_s(truth.at_ns))
+      .field("host_ns", truth.at_ns)
+      .field("x_m", pose.x_m)
+      .field("y_m", pose.y_m)
+      .field("z_m", pose.z_m)
+      .field("roll_rad", pose.roll_rad)
+      .field("pitch_rad", pose.pitch_rad)
+      .field("yaw_rad", pose.yaw_rad)
+      .end_object();
+  return text;
+}
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// Not what only makes sense live, or follows from the rest.
+bool recorded(messages::Channel channel) {
+  return channel != messages::Channel::kTrail && channel != messages::Channel::kClient &&
+         channel != messages::Channel::kRecording;
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(const RecordingSettings& settings, const RunFacts& facts)
+    : settings_(settings),
+      messages_(facts.subject, settings.clock),
+      file_(with_folder(settings.path)),
+      writer_(file_, "tp100 " + facts.subject.version,
+              settings.compress ? McapCompression::kZstd : McapCompression::kNone) {
+  add_channels();
+  add_files(facts);
+  if (file_.error() != 0)
+    throw SetupError(settings.path + ": cannot be written (" + std::strerror(file_.error()) +
+                     "); check free space");
+  const HostNs start = settings.clock.start_ns;
+  message(messages::Channel::kCourse, start, messages_.course());
+  message(messages::Channel::kPath, start, messages_.path_poses(start));
+  message(messages::Channel::kScene, start, messages_.scene(start));
+}
+
+void RecordingWriter::add_channels() {
+  std::map<std::string, std::uint16_t> schemas;
+  const auto add = [&](const McapSchema& schema, std::string_view topic,
+                       std::string_view encoding) {
+    const auto [entry, is_new] = schemas.emplace(schema.name, std::uint16_t{});
+    if (is_new) entry->second = writer_.add_schema(schema);
+    return writer_.add_channel(entry->second, topic, encoding);
+  };
+  before_channel_ =
+      add({kInputsSchemaName, kStepEncoding, inputs_schema()}, kBeforeTopic, kStepEncoding);
+  step_channel_ = add({kStepSchemaName, kStepEncoding, step_schema()}, kStepTopic, kStepEncoding);
+  truth_channel_ =
+      add({kTruthSchemaName, "jsonschema",
+           messages::schema_of(kTruthSchemaName, truth_text(settings_.clock, messages::Truth{}))},
+          kTruthTopic, "json");
+  for (const messages::ChannelText& channel : messages::channel_texts()) {
+    if (!recorded(channel.channel)) continue;
+    channels_[channel.channel] =
+        add({channel.schema_name, "jsonschema", channel.schema}, channel.topic, "json");
+  }
+}
+
+void RecordingWriter::add_files(const RunFacts& facts) {
+  McapMap entries = facts.facts;
+  entries.emplace_back("version", facts.subject.version);
+  entries.emplace_back("start_ns", std::to_string(settings_.clock.start_ns));
+  entries.emplace_back("start_unix_ns", std::to_string(settings_.clock.start_unix_ns));
+  writer_.add_metadata(kFactsName, entries);
+  for (McapAttachment attachment : facts.files) {
+    attachment.log_ns = settings_.clock.unix_ns(settings_.clock.start_ns);
+    writer_.attach(attachment);
+  }
+}
+
+void RecordingWriter::before(HostNs at, std::span<const std::uint8_t> block) {
+  write(before_channel_, at, block);
+}
+
+void RecordingWriter::step(const StepRecord& record, std::span<const std::uint8_t> bytes) {
+  const HostNs now = record.now_ns;
+  if (first_ns_ == 0) first_ns_ = now;
+  write(step_channel_, now, bytes);
+  if (truth_ && now - truth_->at_ns > kTruthHoldsNs) truth_.reset();
+  message(messages::Channel::kEstimate, now, messages_.estimate(record, truth_));
+  for (std::uint32_t i = 0; i < record.sample_count; ++i)
+    message(messages::Channel::kSample, now, messages_.sample(record.samples[i], now));
+  if (record.command_valid) message(messages::Channel::kCommand, now, messages_.command(record));
+  if (now >= next_slip_ns_) {
+    next_slip_ns_ = now + kSlipPeriodNs;
+    message(messages::Channel::kSlip, now, messages_.slip(record));
+  }
+  if (now >= next_pose_ns_) {
+    next_pose_ns_ = now + kPosePeriodNs;
+    poses(record);
+  }
+}
+
+void RecordingWriter::poses(const StepRecord& record) {
+  const HostNs now = record.now_ns;
+  message(messages::Channel::kTransforms, now, messages_.transforms(record, truth_));
+  message(messages::Channel::kPoseModel, now, messages_.pose(now, record.snapshot.model));
+  message(messages::Channel::kPoseOdometry, now, messages_.pose(now, record.snapshot.odometry));
+  message(messages::Channel::kPoseFused, now, messages_.pose(now, record.snapshot.fused.pose));
+  if (truth_)
+    message(messages::Channel::kPoseTruth, now, messages_.pose(truth_->at_ns, truth_->pose));
+}
+
+void RecordingWriter::truth(const messages::Truth& truth) {
+  truth_ = truth;
+  write(truth_channel_, truth.at_ns, bytes_of(truth_text(settings_.clock, truth)));
+}
+
+void RecordingWriter::message(messages::Channel channel, HostNs at, std::string_view json) {
+  const auto entry = channels_.find(channel);
+  if (entry != channels_.end()) write(entry->second, at, bytes_of(json));
+}
+
+void RecordingWriter::write(std::uint16_t channel, HostNs at, std::span<const std::uint8_t> data) {
+  if (!active_) return;
+  const std::uint64_t log_ns = settings_.clock.unix_ns(at);
+  const bool old = writer_.open_bytes() > 0 && log_ns >= writer_.open_since_ns() + kChunkNs;
+  if (old || writer_.open_bytes() > kChunkBytes) end_chunk();
+  if (active_) writer_.message(channel, log_ns, data);
+}
+
+// While there is room, there is room for the end of the file too.
+void RecordingWriter::end_chunk() {
+  const std::uint64_t room = file_.room();
+  if (writer_.needed() > room) return end_early("the disk is full");
+  const std::uint64_t before = file_.size();
+  writer_.end_chunk();
+  if (file_.error() != 0) {
+    active_ = false;
+    warning_ = settings_.path + ": recording stopped (" + std::strerror(file_.error()) +
+               "); the file has no end, tp100d recover makes it whole";
+    return;
+  }
+  // The next chunk is hardly twice as large as this one.
+  const std::uint64_t next = 2 * (file_.size() - before) + writer_.needed();
+  if (file_.size() + next > settings_.max_bytes)
+    end_early("record.max_mb, " + std::to_string(settings_.max_bytes / 1'000'000) +
+              " MB, is reached");
+}
+
+// Without the open chunk, which would not fit.
+void RecordingWriter::end_early(const std::string& why) {
+  writer_.drop_chunk();
+  finish();
+  if (warning_.empty())
+    warning_ = settings_.path + ": recording stopped, " + why + "; the file is whole";
+}
+
+void RecordingWriter::finish() {
+  if (!active_) return;
+  active_ = false;
+  writer_.finish();
+  if (file_.error() != 0)
+    warning_ = settings_.path + ": the end of the recording could not be written (" +
+               std::strerror(file_.error()) + "); tp100d recover makes it whole";
+}
+
+}  // namespace tp100::record

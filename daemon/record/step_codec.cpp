@@ -1,0 +1,315 @@
+#include "record/step_codec.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+
+#include "core/bytes.h"
+#include "record/step_fields.h"
+
+namespace tp100::record {
+namespace {
+
+template <class T>
+concept Scalar = std::is_arithmetic_v<T>;
+
+class Encoder {
+ public:
+  explicit Encoder(Bytes& out) : out_(out) {}
+
+  template <class T>
+  void operator()(const char*, const T& value) {
+    if constexpr (std::same_as<T, bool>) {
+      out_.number(static_cast<std::uint8_t>(value));
+    } else if constexpr (Scalar<T>) {
+      out_.number(value);
+    } else {
+      visit_fields(*this, value);
+    }
+  }
+  void operator()(const char* name, const std::array<double, 3>& values) {
+    for (const double value : values) (*this)(name, value);
+  }
+  template <class T>
+  void operator()(const char*, T value, T) {
+    out_.number(static_cast<std::uint8_t>(value));
+  }
+  template <class T, std::size_t N, class... Last>
+  void list(const char* name, const std::array<T, N>& entries, std::uint32_t count, Last... last) {
+    out_.number(count);
+    for (std::uint32_t i = 0; i < count; ++i) (*this)(name, entries[i], last...);
+  }
+
+ private:
+  ByteWriter out_;
+};
+
+class Decoder {
+ public:
+  explicit Decoder(std::span<const std::uint8_t> in) : in_(in) {}
+
+  template <class T>
+  void operator()(const char* name, T& value) {
+    if constexpr (std::same_as<T, bool>) {
+      const auto byte = in_.number<std::uint8_t>();
+      if (byte > 1) refuse(name);
+      value = byte == 1;
+    } else if constexpr (Scalar<T>) {
+      value = in_.number<T>();
+      if (!plausible(value)) refuse(name);
+    } else {
+      if constexpr (std::same_as<T, LinkCounters>) inputs_ = false;
+      visit_fields(*this, value);
+    }
+  }
+  void operator()(const char* name, std::array<double, 3>& values) {
+    for (double& value : values) (*this)(name, value);
+  }
+  template <class T>
+  void operator()(const char* name, T& value, T last) {
+    const auto byte = in_.number<std::uint8_t>();
+    if (byte > static_cast<std::uint8_t>(last)) return refuse(name);
+    value = static_cast<T>(byte);
+  }
+  template <class T, std::size_t N, class... Last>
+  void list(const char* name, std::array<T, N>& entries, std::uint32_t& count, Last... last) {
+    count = in_.number<std::uint32_t>();
+    if (count > N) {
+      count = 0;
+      return refuse(name);
+    }
+    for (std::uint32_t i = 0; i < count; ++i) (*this)(name, entries[i], last...);
+  }
+
+  std::optional<std::string> problem() const {
+    if (!refused_.empty()) return refused_ + " is out of range";
+    if (!in_.ok()) return "too few bytes";
+    if (in_.left() > 0) return std::to_string(in_.left()) + " bytes too many";
+    return std::nullopt;
+  }
+
+ private:
+  void refuse(const char* name) {
+    if (refused_.empty()) refused_ = name;
+  }
+  template <class T>
+  bool plausible(T value) const {
+    if constexpr (std::same_as<T, double>) {
+      return !inputs_ || std::abs(value) <= kMostInput;
+    } else if constexpr (std::same_as<T, std::int64_t>) {
+      return value >= -kLongestTime && value <= kLongestTime;
+    }
+    return true;
+  }
+
+  ByteReader in_;
+  bool inputs_ = true;  // the fields before the link's counters
+  std::string refused_;
+};
+
+template <class T>
+const char* type_name() {
+  if constexpr (std::same_as<T, double>) return "f64";
+  if constexpr (std::same_as<T, std::uint64_t>) return "u64";
+  if constexpr (std::same_as<T, std::int64_t>) return "i64";
+  if constexpr (std::same_as<T, std::uint32_t>) return "u32";
+  if constexpr (std::same_as<T, std::uint16_t>) return "u16";
+  static_assert(!std::same_as<T, float> && !std::same_as<T, std::int32_t>);
+  return "u8";
+}
+
+class SchemaWriter {
+ public:
+  template <class T>
+  void operator()(const char* name, const T& value) {
+    if constexpr (Scalar<T>) {
+      entry(name, std::is_same_v<T, bool> ? "bool" : type_name<T>());
+    } else {
+      open(name);
+      visit_fields(*this, value);
+      text += "]]";
+    }
+  }
+  void operator()(const char* name, const std::array<double, 3>&) { entry(name, "f64[3]"); }
+  template <class T>
+  void operator()(const char* name, T, T last) {
+    entry(name, "enum 0.." + std::to_string(static_cast<unsigned>(last)));
+  }
+  template <class T, std::size_t N, class... Last>
+  void list(const char* name, const std::array<T, N>& entries, std::uint32_t, Last... last) {
+    open(name);
+    entry("count", "u32");
+    (*this)("entry", entries[0], last...);
+    text += "]]";
+  }
+
+  std::string text;
+
+ private:
+  void separate() {
+    if (text.ends_with(']')) text += ",";
+  }
+  void entry(const std::string& name, const std::string& type) {
+    separate();
+    text += "[\"" + name + "\",\"" + type + "\"]";
+  }
+  void open(const std::string& name) {
+    separate();
+    text += "[\"" + name + "\",[";
+  }
+};
+
+template <class T>
+std::string shown(T value) {
+  std::array<char, 40> digits{};
+  if constexpr (std::same_as<T, bool>) return value ? "true" : "false";
+  const auto end = [&] {
+    if constexpr (std::integral<T>)
+      return std::to_chars(digits.data(), digits.data() + digits.size(), +value).ptr;
+    else
+      return std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  }();
+  return {digits.data(), end};
+}
+
+/// Names and texts of all results in order. Slow; only for a record that is known to differ.
+class Lister {
+ public:
+  template <class T>
+  void operator()(const char* name, const T& value) {
+    if constexpr (Scalar<T>) {
+      entries.push_back({prefix_ + name, shown(value), bits(value)});
+    } else {
+      const std::string outer = prefix_;
+      prefix_ += std::string(name) + ".";
+      visit_fields(*this, value);
+      prefix_ = outer;
+    }
+  }
+  void operator()(const char* name, const std::array<double, 3>& values) {
+    for (const double value : values) (*this)(name, value);
+  }
+  template <class T>
+  void operator()(const char* name, T value, T) {
+    (*this)(name, static_cast<std::uint8_t>(value));
+  }
+
+  struct Entry {
+    std::string field, value;
+    std::uint64_t bits;
+  };
+  std::vector<Entry> entries;
+
+ private:
+  template <class T>
+  static std::uint64_t bits(T value) {
+    std::uint64_t out = 0;
+    std::memcpy(&out, &value, sizeof value);
+    return out;
+  }
+  std::string prefix_;
+};
+
+/// Any drift can come of the first exchanges on a crowded machine, but device time is host time
+/// divided by 1 + drift.
+bool has_device_time(const ClockState& clock, HostNs at) {
+  const auto since_ns = static_cast<double>(at - clock.reference_host_ns);
+  return std::abs(since_ns * 1e-3 / (1.0 + clock.drift)) <= static_cast<double>(kLongestTime);
+}
+
+std::optional<std::string> problem_of(const Decoder& decoder, const StepRecord& record) {
+  if (auto problem = decoder.problem()) return problem;
+  if (!record.clock.valid) return std::nullopt;
+  const auto camera = std::span(record.camera).first(record.camera_count);
+  if (!has_device_time(record.clock, record.now_ns) ||
+      !std::ranges::all_of(camera, [&](const CameraSample& seen) {
+        return has_device_time(record.clock, seen.measured_ns);
+      }))
+    return "drift is out of range";
+  return std::nullopt;
+}
+
+template <class Visitor>
+void visit_results(Visitor& visitor, const StepRecord& record) {
+  visitor("command_valid", record.command_valid);
+  visitor("request", record.request, RobotRequest::kStop);
+  visitor("snapshot", record.snapshot);
+}
+
+}  // namespace
+
+void encode_step(const StepRecord& record, std::vector<std::uint8_t>& out) {
+  Encoder encoder(out);
+  visit_fields(encoder, record);
+}
+
+std::optional<std::string> decode_step(std::span<const std::uint8_t> bytes, StepRecord& record) {
+  Decoder decoder(bytes);
+  visit_fields(decoder, record);
+  return problem_of(decoder, record);
+}
+
+void encode_inputs(const StepRecord& record, std::vector<std::uint8_t>& block) {
+  ByteWriter out(block);
+  const std::size_t size_at = out.size();
+  out.number<std::uint32_t>(0);
+  Encoder encoder(block);
+  visit_inputs(encoder, record);
+  out.patch(size_at, static_cast<std::uint32_t>(out.size() - size_at - sizeof(std::uint32_t)));
+}
+
+std::optional<std::string> decode_inputs(std::span<const std::uint8_t>& block, StepRecord& record) {
+  ByteReader in(block);
+  const auto bytes = in.bytes(in.number<std::uint32_t>());
+  block = block.last(in.left());
+  if (!in.ok()) return "too few bytes";
+  Decoder decoder(bytes);
+  visit_inputs(decoder, record);
+  return problem_of(decoder, record);
+}
+
+const std::string& step_schema() {
+  static const std::string kText = [] {
+    SchemaWriter writer;
+    writer.text = R"({"encoding":"little-endian, packed","fields":[)";
+    visit_fields(writer, *std::make_unique<const StepRecord>());
+    return writer.text + "]}";
+  }();
+  return kText;
+}
+
+const std::string& inputs_schema() {
+  static const std::string kText = [] {
+    SchemaWriter writer;
+    writer.text =
+        R"({"encoding":"little-endian, packed; each with its size in front, u32","fields":[)";
+    visit_inputs(writer, *std::make_unique<const StepRecord>());
+    return writer.text + "]}";
+  }();
+  return kText;
+}
+
+std::optional<StepDifference> first_difference(const StepRecord& recorded,
+                                               const StepRecord& computed) {
+  thread_local Bytes a, b;
+  a.clear();
+  b.clear();
+  Encoder first(a), second(b);
+  visit_results(first, recorded);
+  visit_results(second, computed);
+  if (a == b) return std::nullopt;
+  Lister was, is;
+  visit_results(was, recorded);
+  visit_results(is, computed);
+  for (std::size_t i = 0; i < was.entries.size(); ++i) {
+    if (was.entries[i].bits != is.entries[i].bits)
+      return StepDifference{was.entries[i].field, was.entries[i].value, is.entries[i].value};
+  }
+  return std::nullopt;
+}
+
+}  // namespace tp100::record

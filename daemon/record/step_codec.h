@@ -1,0 +1,54 @@
+#pragma once
+// A StepRecord as bytes, exactly: the channel /step of a recording. Little-endian, packed, in the
+// order of step_fields.h: integers of their size, doubles as IEEE 754, truth values and
+// enumerations as one byte, a list as u32 count and its entries. The channel /before has the inputs
+// alone, of many steps in one block: each as u32 size and its fields. Pure.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/step_record.h"
+
+namespace tp100::record {
+
+/// What a robot measures is far below these; above them sums would lose their meaning.
+inline constexpr double kMostInput = 1e9;
+inline constexpr std::int64_t kLongestTime = std::int64_t{1} << 60;
+
+/// Appends `record` to `out`.
+void encode_step(const StepRecord& record, std::vector<std::uint8_t>& out);
+
+/// Reads all of `bytes` into `record`; entries beyond the counts stay as they are. Returns nothing
+/// if all is well, else what is wrong: too few or too many bytes, a count, an enumeration or a
+/// truth value out of range, a time beyond kLongestTime, inputs that no robot can have measured
+/// (not finite, beyond kMostInput). Numbers among the results may be anything.
+std::optional<std::string> decode_step(std::span<const std::uint8_t> bytes, StepRecord& record);
+
+/// Appends the inputs of `record`, with their size, to a block.
+void encode_inputs(const StepRecord& record, std::vector<std::uint8_t>& block);
+
+/// Reads the first step of `block` into the inputs of `record`, and takes it from `block`. Returns
+/// what is wrong, as decode_step.
+std::optional<std::string> decode_inputs(std::span<const std::uint8_t>& block, StepRecord& record);
+
+/// The layout as JSON: {"encoding": ..., "fields": [[name, type], ...]}. Two programs understand
+/// each other's records if these texts are equal.
+const std::string& step_schema();
+const std::string& inputs_schema();
+
+/// One result that is not as it was recorded.
+struct StepDifference {
+  std::string field;     ///< dotted name
+  std::string recorded;  ///< as text; doubles with all digits
+  std::string computed;
+};
+
+/// The first difference, bit by bit, between the results (command_valid, request, snapshot) of two
+/// records.
+std::optional<StepDifference> first_difference(const StepRecord& recorded,
+                                               const StepRecord& computed);
+
+}  // namespace tp100::record

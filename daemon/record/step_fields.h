@@ -1,0 +1,222 @@
+#pragma once
+// Every field of a StepRecord by name, once: encoding, decoding, the schema in a recording and the
+// search for a difference all walk this list. A type that grows does not compile until its new
+// field is named here.
+
+#include <concepts>
+#include <type_traits>
+
+#include "core/step_record.h"
+
+namespace tp100::record {
+
+template <class T, class Plain>
+concept MaybeConst = std::same_as<std::remove_const_t<T>, Plain>;
+
+template <class Visitor, MaybeConst<Pose> T>
+void visit_fields(Visitor& v, T& pose) {
+  auto& [x, y, z, roll, pitch, yaw] = pose;
+  v("x_m", x);
+  v("y_m", y);
+  v("z_m", z);
+  v("roll_rad", roll);
+  v("pitch_rad", pitch);
+  v("yaw_rad", yaw);
+}
+
+template <class Visitor, MaybeConst<Twist> T>
+void visit_fields(Visitor& v, T& twist) {
+  auto& [vx, vy, rate] = twist;
+  v("vx_mps", vx);
+  v("vy_mps", vy);
+  v("yaw_rate_radps", rate);
+}
+
+template <class Visitor, MaybeConst<Sample> T>
+void visit_fields(Visitor& v, T& sample) {
+  auto& [sequence, lost, device, measured, left, right, gyro, accel, temperature, battery,
+         left_duty, right_duty, state, faults, last_command, imu_age] = sample;
+  v("sequence", sequence);
+  v("lost_before", lost);
+  v("device_us", device);
+  v("measured_ns", measured);
+  v("left_counts", left);
+  v("right_counts", right);
+  v("gyro_radps", gyro);
+  v("accel_mps2", accel);
+  v("temperature_degc", temperature);
+  v("battery_v", battery);
+  v("left_duty", left_duty);
+  v("right_duty", right_duty);
+  v("state", state, RobotState::kFaulted);
+  v("faults", faults);
+  v("last_command", last_command);
+  v("imu_age", imu_age);
+}
+
+template <class Visitor, MaybeConst<CameraSample> T>
+void visit_fields(Visitor& v, T& seen) {
+  auto& [x, y, yaw, measured, sequence] = seen;
+  v("x_m", x);
+  v("y_m", y);
+  v("yaw_rad", yaw);
+  v("measured_ns", measured);
+  v("sequence", sequence);
+}
+
+template <class Visitor, MaybeConst<WorldSample> T>
+void visit_fields(Visitor& v, T& said) {
+  auto& [session, answered, stop, has_ground, height, roll, pitch, slip_offset, step_height,
+         blocked, has_pose, pose] = said;
+  v("session", session);
+  v("answered_ns", answered);
+  v("stop", stop);
+  v("has_ground", has_ground);
+  v("height_m", height);
+  v("roll_rad", roll);
+  v("pitch_rad", pitch);
+  v("slip_offset", slip_offset);
+  v("step_height_m", step_height);
+  v("blocked", blocked);
+  v("has_pose", has_pose);
+  v("pose", pose);
+}
+
+template <class Visitor, MaybeConst<ParameterChange> T>
+void visit_fields(Visitor& v, T& change) {
+  auto& [parameter, value] = change;
+  v("parameter", parameter, LiveParameter::kPivotAcceleration);
+  v("value", value);
+}
+
+template <class Visitor, MaybeConst<ClockState> T>
+void visit_fields(Visitor& v, T& clock) {
+  auto& [valid, reference_host, reference, drift, uncertainty] = clock;
+  v("valid", valid);
+  v("reference_host_ns", reference_host);
+  v("reference_us", reference);
+  v("drift", drift);
+  v("uncertainty_us", uncertainty);
+}
+
+template <class Visitor, MaybeConst<LinkCounters> T>
+void visit_fields(Visitor& v, T& link) {
+  each_counter(link, v);
+}
+
+template <class Visitor, MaybeConst<Command> T>
+void visit_fields(Visitor& v, T& command) {
+  auto& [answers, answered, pose, desired_yaw, yaw_rate, speed, gyro_bias, expiry] = command;
+  v("answers", answers);
+  v("answered_us", answered);
+  v("pose", pose);
+  v("desired_yaw_rad", desired_yaw);
+  v("yaw_rate_radps", yaw_rate);
+  v("speed_mps", speed);
+  v("gyro_bias_radps", gyro_bias);
+  v("expiry_us", expiry);
+}
+
+template <class Visitor, MaybeConst<Fused> T>
+void visit_fields(Visitor& v, T& fused) {
+  auto& [pose, twist, variance_x, variance_y, variance_yaw, slip_left, slip_right, gyro_bias, nis,
+         nis_mean, nis_count, camera_age, camera_used, camera_rejected, recoveries] = fused;
+  v("pose", pose);
+  v("twist", twist);
+  v("variance_x_m2", variance_x);
+  v("variance_y_m2", variance_y);
+  v("variance_yaw_rad2", variance_yaw);
+  v("slip_left", slip_left);
+  v("slip_right", slip_right);
+  v("gyro_bias_radps", gyro_bias);
+  v("nis", nis);
+  v("nis_mean", nis_mean);
+  v("nis_count", nis_count);
+  v("camera_age_us", camera_age);
+  v("camera_used", camera_used);
+  v("camera_rejected", camera_rejected);
+  v("recoveries", recoveries);
+}
+
+template <class Visitor, MaybeConst<Underfoot> T>
+void visit_fields(Visitor& v, T& underfoot) {
+  auto& [pitch_source, obstacle, climbing, slope, slip_offset, traction] = underfoot;
+  v("pitch_source", pitch_source, PitchSource::kExternal);
+  v("obstacle", obstacle, Obstacle::kBlock);
+  v("climbing", climbing);
+  v("slope_rad", slope);
+  v("slip_offset", slip_offset);
+  v("traction", traction, Traction::kImmobilised);
+}
+
+template <class Visitor, MaybeConst<Snapshot> T>
+void visit_fields(Visitor& v, T& snapshot) {
+  auto& [now, sample, has_sample, age, model, model_twist, odometry, odometry_twist, fused, world,
+         underfoot, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope,
+         imu_obstacle, command, commanded_left, commanded_right, cross_track, heading_error,
+         progress, recovering, steering, run_state, start_refusal, faults] = snapshot;
+  v("now_ns", now);
+  v("sample", sample);
+  v("has_sample", has_sample);
+  v("age_us", age);
+  v("model", model);
+  v("model_twist", model_twist);
+  v("odometry", odometry);
+  v("odometry_twist", odometry_twist);
+  v("fused", fused);
+  v("world", world);
+  v("underfoot", underfoot);
+  v("left_mps", left);
+  v("right_mps", right);
+  v("slip_left", slip_left);
+  v("slip_right", slip_right);
+  v("gyro_bias_radps", gyro_bias);
+  v("imu_roll_rad", imu_roll);
+  v("imu_pitch_rad", imu_pitch);
+  v("imu_slope", imu_slope, Slope::kDown);
+  v("imu_obstacle", imu_obstacle, Obstacle::kBlock);
+  v("command", command);
+  v("commanded_left_mps", commanded_left);
+  v("commanded_right_mps", commanded_right);
+  v("cross_track_m", cross_track);
+  v("heading_error_rad", heading_error);
+  v("progress_m", progress);
+  v("recovering", recovering);
+  v("steering", steering, Steering::kFused);
+  v("run_state", run_state, RunState::kAborted);
+  v("start_refusal", start_refusal, StartRefusal::kNoWorld);
+  v("faults", faults);
+}
+
+/// What went into the step, its time and number included.
+template <class Visitor, MaybeConst<StepRecord> T>
+void visit_inputs(Visitor& v, T& record) {
+  v("now_ns", record.now_ns);
+  v("step", record.step);
+  v.list("samples", record.samples, record.sample_count);
+  v.list("requests", record.requests, record.request_count, OperatorRequest::kStop);
+  v.list("camera", record.camera, record.camera_count);
+  v.list("world", record.world, record.world_count);
+  v.list("changes", record.changes, record.change_count);
+  v("session", record.session, SessionState::kRefused);
+  v("clock", record.clock);
+  v("session_number", record.session_number);
+  v("robot_rebooted", record.robot_rebooted);
+  v("answer", record.answer, RequestAnswer::kFailed);
+}
+
+/// Inputs first, then the link's counters, then the results of the step.
+template <class Visitor, MaybeConst<StepRecord> T>
+void visit_fields(Visitor& v, T& record) {
+  // One more here is one more for visit_inputs, or below.
+  auto& [now, step, samples, sample_count, requests, request_count, camera, camera_count, world,
+         world_count, changes, change_count, session, clock, session_number, rebooted, answer, link,
+         command_valid, request, snapshot] = record;
+  visit_inputs(v, record);
+  v("link", link);
+  v("command_valid", command_valid);
+  v("request", request, RobotRequest::kStop);
+  v("snapshot", snapshot);
+}
+
+}  // namespace tp100::record

@@ -1,0 +1,32 @@
+#include "report/poses_csv.h"
+
+#include <sstream>
+
+namespace tp100::report {
+
+std::string poses_csv(const RunResult& result) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "t_s";
+  for (const char* pose : {"truth", "model", "odometry", "fused"}) {
+    if (pose == std::string("fused") && !result.has_camera) continue;
+    for (const char* value : {"x_m", "y_m", "z_m", "pitch_rad", "yaw_rad"})
+      out << ',' << pose << '_' << value;
+  }
+  out << '\n';
+  for (const TrackPoint& point : result.points) {
+    out << point.t_s;
+    const auto write = [&out](const Pose& pose) {
+      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.z_m << ',' << pose.pitch_rad << ','
+          << pose.yaw_rad;
+    };
+    write(point.truth);
+    write(point.model);
+    write(point.odometry);
+    if (result.has_camera) write(point.fused);
+    out << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace tp100::report

@@ -1,0 +1,332 @@
+#include "report/recorded_run.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "course/path.h"
+#include "report/duration_tally.h"
+#include "report/run_watch.h"
+
+namespace tp100::report {
+namespace {
+
+using Json = nlohmann::json;
+
+// Twenty minutes at 200 Hz; beyond it every second point goes.
+constexpr std::size_t kMostPoints = std::size_t{1} << 18;
+// No robot gets farther.
+constexpr double kFarthest = 1e6;
+constexpr double kEndToleranceM = 0.15;
+constexpr std::size_t kLongestEvent = std::size_t{1} << 16;
+
+double known(double value) {
+  return std::abs(value) <= kFarthest ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool plausible(const Pose& pose) {
+  return std::ranges::all_of(
+      std::initializer_list<double>{pose.x_m, pose.y_m, pose.z_m, pose.roll_rad, pose.pitch_rad,
+                                    pose.yaw_rad},
+      [](double value) { return std::abs(value) <= kFarthest; });
+}
+
+class Reader {
+ public:
+  Reader(RecordedRun& run, const record::Recording& recording)
+      : run_(run), period_us_(1e6 / run.subject.rate_hz), start_ns_(recording.start_ns()) {
+    const std::string text = recording.fact("start_unix_ns");
+    std::from_chars(text.data(), text.data() + text.size(), start_unix_ns_);
+  }
+
+  void step(const StepRecord& record);
+  void truth(HostNs at, const Pose& pose);
+  void event(std::uint64_t unix_ns, std::string_view json);
+  void finish();
+
+ private:
+  void begin(HostNs now);
+  void time(const StepRecord& record);
+  void believe(const Snapshot& snapshot);
+  void point(const StepRecord& record);
+  void thin();
+  void shoves();
+  void judge();
+  double t_s(HostNs at) const { return to_s(at - begin_ns_); }
+
+  RecordedRun& run_;
+  double period_us_;
+  HostNs start_ns_;
+  std::uint64_t start_unix_ns_ = 0;
+
+  RunWatch watch_;
+  DurationTally jitter_, sample_age_;
+  std::vector<HostNs> pushes_ns_;
+  RunState state_ = RunState::kIdle;
+  FaultMask faults_ = 0;
+  std::uint64_t step_ = 0;
+  HostNs begin_ns_ = 0, now_ns_ = 0, end_ns_ = 0;
+  double step_jitter_us_ = 0.0;
+  double cross_track_squares_ = 0.0;
+  std::uint64_t believed_steps_ = 0;
+  // Of the newest sample that was looked at, and of the last point.
+  DeviceUs device_us_ = -1;
+  HostNs point_ns_ = std::numeric_limits<HostNs>::min();
+  double behind_x_m_ = 0.0, behind_y_m_ = 0.0;
+  std::uint64_t samples_ = 0;
+};
+
+void Reader::step(const StepRecord& record) {
+  if (run_.steps == 0) begin(record.now_ns);
+  watch_.step(record);
+  const RunState state = record.snapshot.run_state;
+  if (state == RunState::kRunning && state_ != RunState::kRunning) {
+    ++run_.runs;
+    begin(record.now_ns);
+  }
+  if (run_.runs == 0 || state == RunState::kRunning) {
+    time(record);
+    believe(record.snapshot);
+    point(record);
+    end_ns_ = record.now_ns;
+  } else if (state_ == RunState::kRunning) {
+    end_ns_ = record.now_ns;
+    faults_ = record.snapshot.faults;
+  }
+  if (run_.steps > 0 && record.step > step_) run_.missing_steps += record.step - step_ - 1;
+  ++run_.steps;
+  run_.result.link = record.link;
+  state_ = state;
+  step_ = record.step;
+  now_ns_ = record.now_ns;
+}
+
+// A run that came before is forgotten.
+void Reader::begin(HostNs now) {
+  begin_ns_ = end_ns_ = now;
+  run_.result.points.clear();
+  run_.moments.clear();
+  run_.every = 1;
+  run_.implausible = 0;
+  run_.believed = {};
+  jitter_ = {};
+  sample_age_ = {};
+  pushes_ns_.clear();
+  faults_ = 0;
+  cross_track_squares_ = 0.0;
+  believed_steps_ = 0;
+  samples_ = 0;
+}
+
+void Reader::time(const StepRecord& record) {
+  step_jitter_us_ = std::numeric_limits<double>::quiet_NaN();
+  if (run_.steps > 0 && record.step == step_ + 1) {
+    step_jitter_us_ = known(std::abs(to_s(record.now_ns - now_ns_) * 1e6 - period_us_));
+    jitter_.add(step_jitter_us_);
+  }
+  if (record.snapshot.has_sample) sample_age_.add(static_cast<double>(record.snapshot.age_us));
+}
+
+void Reader::believe(const Snapshot& snapshot) {
+  const double cross = std::abs(known(snapshot.cross_track_m));
+  const double heading = std::abs(known(snapshot.heading_error_rad));
+  if (std::isnan(cross) || std::isnan(heading)) return;
+  ++believed_steps_;
+  cross_track_squares_ += cross * cross;
+  BelievedErrors& believed = run_.believed;
+  believed.max_cross_track_m = std::max(believed.max_cross_track_m, cross);
+  believed.max_heading_error_rad = std::max(believed.max_heading_error_rad, heading);
+  believed.rms_cross_track_m =
+      std::sqrt(cross_track_squares_ / static_cast<double>(believed_steps_));
+}
+
+void Reader::point(const StepRecord& record) {
+  const Snapshot& snapshot = record.snapshot;
+  const Sample& sample = snapshot.sample;
+  if (!snapshot.has_sample || sample.device_us == device_us_) return;
+  if (sample.measured_ns < begin_ns_ || sample.measured_ns > record.now_ns) return;
+  device_us_ = sample.device_us;
+  point_ns_ = std::numeric_limits<HostNs>::min();
+  if (samples_++ % run_.every != 0) return;
+  TrackPoint point{.t_s = t_s(sample.measured_ns),
+                   .model = snapshot.model,
+                   .odometry = snapshot.odometry,
+                   .fused = snapshot.fused.pose,
+                   .progress_m = snapshot.progress_m,
+                   .recovering = snapshot.recovering};
+  for (const Pose* pose : std::initializer_list<const Pose*>{&point.model, &point.odometry,
+                                                             &point.fused, &snapshot.world}) {
+    if (plausible(*pose)) continue;
+    ++run_.implausible;
+    return;
+  }
+  const bool ascends = run_.result.points.empty() || point.t_s > run_.result.points.back().t_s;
+  if (!ascends || !(std::abs(point.progress_m) <= kFarthest)) {
+    ++run_.implausible;
+    return;
+  }
+  point.world = snapshot.world;
+  const Pose& steering = steering_pose(run_, point);
+  behind_x_m_ = snapshot.world.x_m - steering.x_m;
+  behind_y_m_ = snapshot.world.y_m - steering.y_m;
+  run_.result.points.push_back(point);
+  run_.moments.push_back({.slip_left = known(snapshot.slip_left),
+                          .slip_right = known(snapshot.slip_right),
+                          .left_mps = known(snapshot.left_mps),
+                          .right_mps = known(snapshot.right_mps),
+                          .cross_track_m = known(snapshot.cross_track_m),
+                          .heading_error_rad = known(snapshot.heading_error_rad),
+                          .jitter_us = step_jitter_us_,
+                          .steering_world = snapshot.world});
+  point_ns_ = sample.measured_ns;
+  if (run_.result.points.size() >= kMostPoints) thin();
+}
+
+void Reader::thin() {
+  const auto every_second = [](auto& list) {
+    for (std::size_t i = 0; 2 * i < list.size(); ++i) list[i] = list[2 * i];
+    list.resize((list.size() + 1) / 2);
+  };
+  every_second(run_.result.points);
+  every_second(run_.moments);
+  run_.every *= 2;
+  samples_ = 0;
+}
+
+// It comes after the step that took the sample of that time.
+void Reader::truth(HostNs at, const Pose& pose) {
+  if (at != point_ns_ || !plausible(pose)) return;
+  TrackPoint& point = run_.result.points.back();
+  point.truth = pose;
+  point.world = pose;
+  point.world.x_m += behind_x_m_;
+  point.world.y_m += behind_y_m_;
+  run_.moments.back().truth_known = true;
+}
+
+// Only what does not follow from the steps.
+void Reader::event(std::uint64_t unix_ns, std::string_view text) {
+  // Till 2116, and no sum overflows.
+  if (text.size() > kLongestEvent || unix_ns >> 62 != 0 || start_unix_ns_ >> 62 != 0) return;
+  const Json json = Json::parse(text, nullptr, false);
+  const auto field = [&](const char* name) -> std::string {
+    if (!json.is_object()) return {};
+    const auto found = json.find(name);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  const std::string kind = field("kind"), words = field("text");
+  if (kind == "run" || kind == "fault" || (kind == "session" && words.starts_with("state: ")))
+    return;
+  const HostNs at =
+      start_ns_ + (static_cast<HostNs>(unix_ns) - static_cast<HostNs>(start_unix_ns_));
+  if (kind == "push" && pushes_ns_.size() < RunWatch::kMost) pushes_ns_.push_back(at);
+  watch_.add({.at_ns = at,
+              .text = words.substr(0, 300),
+              .remedy = field("remedy").substr(0, 300),
+              .bad = field("level") == "error"});
+}
+
+// When each began is recorded, how long it took is in the course.
+void Reader::shoves() {
+  if (run_.subject.course == nullptr) return;
+  const std::vector<course::Shove>& planned = run_.subject.course->shoves;
+  for (std::size_t i = 0; i < std::min(pushes_ns_.size(), planned.size()); ++i) {
+    const double begin_s = t_s(pushes_ns_[i]);
+    run_.result.shoves.push_back({begin_s, begin_s + planned[i].duration_s});
+  }
+}
+
+void Reader::judge() {
+  RunResult& result = run_.result;
+  if (run_.runs == 0) {
+    result.cause = "nothing ran";
+  } else if (state_ == RunState::kRunning) {
+    result.cause = "the recording ends before the run does";
+  } else if (const auto fault = first_fault(faults_)) {
+    result.cause = describe(*fault).name;
+  } else if (run_.subject.course == nullptr || result.points.empty()) {
+    result.cause = "unknown";
+  } else {
+    result.finished = true;
+    const course::Path path(*run_.subject.course);
+    const course::PathPoint goal = path.at(path.pieces().size() - 1, path.length_m());
+    const Pose& end = result.points.back().world;
+    if (std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m) > kEndToleranceM)
+      result.cause = "ended too far from the end of the path";
+  }
+  result.completed = result.cause.empty();
+}
+
+void Reader::finish() {
+  RunResult& result = run_.result;
+  run_.has_truth =
+      std::ranges::any_of(run_.moments, [](const RunMoment& m) { return m.truth_known; });
+  if (run_.has_truth) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < run_.moments.size(); ++i) {
+      if (!run_.moments[i].truth_known) continue;
+      result.points[kept] = result.points[i];
+      run_.moments[kept++] = run_.moments[i];
+    }
+    result.points.resize(kept);
+    run_.moments.resize(kept);
+  }
+  result.duration_s = t_s(end_ns_);
+  shoves();
+  judge();
+  run_.jitter = jitter_.result();
+  run_.jitter_counts = jitter_.counts();
+  run_.sample_age = sample_age_.result();
+  for (const Happening& one : watch_.happenings())
+    run_.events.push_back({t_s(one.at_ns), one.text, one.remedy, one.bad});
+  std::ranges::stable_sort(run_.events, {}, &RunEvent::t_s);
+  run_.more_events = watch_.more();
+}
+
+}  // namespace
+
+const Pose& steering_pose(const RecordedRun& run, const TrackPoint& point) {
+  switch (run.subject.steering) {
+    case Steering::kModel:
+      return point.model;
+    case Steering::kFused:
+      return point.fused;
+    case Steering::kOdometry:
+      break;
+  }
+  return point.odometry;
+}
+
+RecordedRun read_run(const record::Recording& recording, const RunSubject& subject) {
+  RecordedRun run;
+  run.path = recording.path();
+  run.facts = recording.facts();
+  run.subject = subject;
+  run.whole = recording.whole();
+  for (const char* name : {"tp100.toml", "robot.toml", "course.toml"})
+    run.files.emplace_back(name, recording.file(name));
+  run.result.course = recording.fact("course");
+  run.result.board = recording.fact("board");
+  run.result.robot = recording.fact("robot");
+  run.result.setup = recording.fact("setup");
+  const std::string seed = recording.fact("seed");
+  std::from_chars(seed.data(), seed.data() + seed.size(), run.result.seed);
+
+  const auto reader = std::make_unique<Reader>(run, recording);
+  recording.visit({.step =
+                       [&](const StepRecord& record) {
+                         reader->step(record);
+                         if (record.camera_count > 0) run.result.has_camera = true;
+                       },
+                   .truth = [&](HostNs at, const Pose& pose) { reader->truth(at, pose); },
+                   .message = [&](const std::string&, std::uint64_t unix_ns,
+                                  std::string_view json) { reader->event(unix_ns, json); },
+                   .topics = {"/event"}});
+  reader->finish();
+  return run;
+}
+
+}  // namespace tp100::report

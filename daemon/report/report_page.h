@@ -1,0 +1,22 @@
+#pragma once
+// Reports of recorded runs as offline HTML pages.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/metrics.h"
+#include "report/report_figures.h"
+
+namespace tp100::report {
+
+/// One run: figures of merit, charts, replay, link, events, settings, versions.
+std::string report_page(const RecordedRun& run, const std::optional<RunFigures>& judged,
+                        const std::vector<Figure>& figures);
+
+/// Several, side by side; `judged` has an entry for each.
+std::string compare_page(const std::vector<ComparedRun>& runs,
+                         const std::vector<std::optional<RunFigures>>& judged,
+                         const std::vector<Figure>& figures);
+
+}  // namespace tp100::report

@@ -1,0 +1,78 @@
+#include "report/run_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "record/step_fields.h"
+#include "report/result_json.h"
+
+namespace tp100::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Collects the counters by the names that recordings give them.
+struct CounterList {
+  std::vector<std::pair<std::string, std::uint64_t>> list;
+  void operator()(const char* name, const std::uint64_t& value) { list.emplace_back(name, value); }
+};
+
+}  // namespace
+
+std::optional<RunFigures> judged(const RecordedRun& run) {
+  if (!run.has_truth || run.subject.course == nullptr) return std::nullopt;
+  return figures(run.result, *run.subject.course);
+}
+
+Difference model_from_odometry(const RecordedRun& run) {
+  Difference difference;
+  for (const TrackPoint& point : run.result.points) {
+    difference.final_m =
+        std::hypot(point.model.x_m - point.odometry.x_m, point.model.y_m - point.odometry.y_m);
+    difference.max_m = std::max(difference.max_m, difference.final_m);
+  }
+  return difference;
+}
+
+std::vector<std::pair<std::string, std::uint64_t>> counters_of(const LinkCounters& link) {
+  CounterList counters;
+  record::visit_fields(counters, link);
+  return counters.list;
+}
+
+std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>& figures) {
+  Json json = Json::parse(result_json(run.result, figures.value_or(RunFigures{})));
+  json.erase("realtime_factor");
+  json.erase("loop");
+  if (!figures) {
+    for (const char* name : {"model", "odometry", "fused", "tracking"})
+      if (json.contains(name)) json[name] = nullptr;
+  }
+  json["truth"] = run.has_truth;
+  json["steering"] = to_string(run.subject.steering);
+  json["believed"] = {{"max_cross_track_m", run.believed.max_cross_track_m},
+                      {"rms_cross_track_m", run.believed.rms_cross_track_m},
+                      {"max_heading_error_rad", run.believed.max_heading_error_rad}};
+  const Difference difference = model_from_odometry(run);
+  json["differences"] = {
+      {"model_from_odometry", {{"max_m", difference.max_m}, {"final_m", difference.final_m}}}};
+  json["timing"] = {{"rate_hz", run.subject.rate_hz},
+                    {"jitter_us", run.jitter},
+                    {"sample_age_us", run.sample_age}};
+  json["link"] = Json::object();
+  for (const auto& [name, value] : counters_of(run.result.link)) json["link"][name] = value;
+  json["recording"] = {{"file", run.path},
+                       {"whole", run.whole},
+                       {"runs", run.runs},
+                       {"steps", run.steps},
+                       {"missing_steps", run.missing_steps},
+                       {"implausible_points", run.implausible},
+                       {"points_of_every", run.every}};
+  json["versions"] = Json::object();
+  for (const char* name : {"program", "version", "start_unix_ns"})
+    if (run.facts.contains(name)) json["versions"][name] = run.facts.at(name);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tp100::report

@@ -1,0 +1,120 @@
+#include "report/slope_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/angle.h"
+
+namespace tp100::report {
+namespace {
+
+constexpr double kLeansRad = 4.0 * kRadPerDeg;
+constexpr double kLastsS = 0.2;
+// A state may follow the body this late and still belong to its change.
+constexpr double kBelongsS = 1.0;
+// Both ends of the belts stand on a slope that differs from its ramp's by less than this.
+constexpr double kOnRampRad = 0.5 * kRadPerDeg;
+constexpr double kRobotM = 0.15;
+// What leans the body is to be known this long after it leans.
+constexpr double kToldS = 0.5;
+
+Slope slope_of(const Pose& pose) {
+  if (std::abs(pose.pitch_rad) <= kLeansRad) return Slope::kFlat;
+  return pose.pitch_rad < 0.0 ? Slope::kUp : Slope::kDown;
+}
+
+/// What a robot at `pose` leans on, going by where it is.
+bool near(const course::Place& place, double length_m, double width_m, const Pose& pose) {
+  const double c = std::cos(place.heading_rad), s = std::sin(place.heading_rad);
+  const double dx = pose.x_m - place.x_m, dy = pose.y_m - place.y_m;
+  return std::abs(c * dx + s * dy) <= length_m / 2.0 + kRobotM &&
+         std::abs(c * dy - s * dx) <= width_m / 2.0;
+}
+
+const course::Ramp* ramp_at(const course::Terrain& terrain, const Pose& pose) {
+  for (const course::Ramp& ramp : terrain.ramps)
+    if (near(ramp.place, ramp.length_m(), ramp.width_m, pose)) return &ramp;
+  return nullptr;
+}
+
+std::vector<SlopeChange> changes_of(const std::vector<TrackPoint>& points) {
+  std::vector<SlopeChange> changes;
+  Slope is = Slope::kFlat;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Slope to = slope_of(points[i].truth);
+    if (to == is) continue;
+    bool lasts = true;
+    for (std::size_t k = i; k < points.size() && points[k].t_s < points[i].t_s + kLastsS; ++k)
+      lasts = lasts && slope_of(points[k].truth) == to;
+    if (!lasts) continue;
+    changes.push_back({.at_s = points[i].t_s, .to = to, .found_s = {}});
+    is = to;
+  }
+  return changes;
+}
+
+/// Gives every change the first state of its kind from it on; counts the others.
+int match(std::vector<SlopeChange>& changes, const std::vector<TrackPoint>& points) {
+  int others = 0;
+  Slope was = Slope::kFlat;
+  for (const TrackPoint& point : points) {
+    if (point.slope == was) continue;
+    was = point.slope;
+    const auto mine = std::find_if(changes.begin(), changes.end(), [&](const SlopeChange& change) {
+      return change.to == point.slope && !change.found_s && point.t_s >= change.at_s &&
+             point.t_s < change.at_s + kBelongsS;
+    });
+    if (mine == changes.end())
+      ++others;
+    else
+      mine->found_s = point.t_s - mine->at_s;
+  }
+  return others;
+}
+
+void judge_pitch(SlopeFigures& figures, const std::vector<TrackPoint>& points,
+                 const course::Terrain& terrain) {
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (const TrackPoint& point : points) {
+    const course::Ramp* ramp = ramp_at(terrain, point.truth);
+    const double climb = -point.truth.pitch_rad;
+    if (ramp == nullptr || (std::abs(climb - ramp->up_rad) > kOnRampRad &&
+                            std::abs(climb + ramp->down_rad) > kOnRampRad))
+      continue;
+    const double error = std::abs(point.imu_pitch_rad - point.truth.pitch_rad);
+    figures.ramp_pitch_max_error_rad = std::max(figures.ramp_pitch_max_error_rad, error);
+    squares += error * error;
+    ++count;
+  }
+  if (count > 0) figures.ramp_pitch_rms_error_rad = std::sqrt(squares / static_cast<double>(count));
+}
+
+void judge_kinds(SlopeFigures& figures, const std::vector<TrackPoint>& points,
+                 const course::Terrain& terrain) {
+  for (const SlopeChange& change : figures.changes) {
+    if (change.to != Slope::kUp || !change.found_s) continue;
+    const auto told = std::find_if(points.begin(), points.end(), [&](const TrackPoint& point) {
+      return point.t_s >= change.at_s + kToldS;
+    });
+    if (told == points.end()) continue;
+    ++figures.obstacles;
+    const Obstacle real =
+        ramp_at(terrain, told->truth) != nullptr ? Obstacle::kRamp : Obstacle::kBlock;
+    if (told->leans_on != real) ++figures.mistaken;
+  }
+}
+
+}  // namespace
+
+SlopeFigures slope_figures(const std::vector<TrackPoint>& points, const course::Terrain& terrain) {
+  SlopeFigures figures;
+  figures.changes = changes_of(points);
+  figures.false_changes = match(figures.changes, points);
+  judge_pitch(figures, points, terrain);
+  judge_kinds(figures, points, terrain);
+  return figures;
+}
+
+}  // namespace tp100::report

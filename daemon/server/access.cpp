@@ -1,0 +1,82 @@
+#include "server/access.h"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace tp100::server {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(), [](char c) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  });
+  return out;
+}
+
+bool is_port(std::string_view text) {
+  return !text.empty() && text.size() <= 5 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// The host without its port; empty if it is not of that form.
+std::string_view name_of(std::string_view host) {
+  if (!host.empty() && host.front() == '[') {
+    const std::size_t end = host.find(']');
+    if (end == std::string_view::npos) return {};
+    const std::string_view rest = host.substr(end + 1);
+    if (!rest.empty() && (rest.front() != ':' || !is_port(rest.substr(1)))) return {};
+    return host.substr(1, end - 1);
+  }
+  const std::size_t colon = host.find(':');
+  if (colon == std::string_view::npos) return host;
+  return is_port(host.substr(colon + 1)) ? host.substr(0, colon) : std::string_view();
+}
+
+bool is_address(const std::string& name) {
+  unsigned char buffer[16];
+  return ::inet_pton(AF_INET, name.c_str(), buffer) == 1 ||
+         ::inet_pton(AF_INET6, name.c_str(), buffer) == 1;
+}
+
+bool contains(const std::vector<std::string>& list, const std::string& wanted) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](const std::string& each) { return lower(each) == wanted; });
+}
+
+}  // namespace
+
+std::vector<std::string> words(std::string_view text) {
+  std::vector<std::string> out(1);
+  for (const char c : text) {
+    if (c != ' ' && c != ',' && c != '\t') {
+      out.back() += c;
+    } else if (!out.back().empty()) {
+      out.emplace_back();
+    }
+  }
+  if (out.back().empty()) out.pop_back();
+  return out;
+}
+
+bool host_allowed(std::string_view host, const AccessRules& rules) {
+  const std::string name = lower(name_of(host));
+  if (name.empty()) return false;
+  return name == "localhost" || is_address(name) || contains(rules.hosts, name);
+}
+
+bool fetch_site_allowed(std::string_view site) {
+  const std::string said = lower(site);
+  return said != "cross-site" && said != "same-site";
+}
+
+bool origin_allowed(std::string_view origin, std::string_view host, const AccessRules& rules) {
+  if (origin.empty()) return true;
+  const std::string wanted = lower(origin);
+  return wanted == "http://" + lower(host) || wanted == "https://" + lower(host) ||
+         contains(rules.origins, wanted);
+}
+
+}  // namespace tp100::server

@@ -1,0 +1,30 @@
+#pragma once
+// Who may look and who may command: Host and Origin of a request against the settings. Pure.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tp100::server {
+
+struct AccessRules {
+  std::vector<std::string> hosts;    ///< names besides addresses and localhost
+  std::vector<std::string> origins;  ///< besides the page's own, e.g. "https://app.example.org"
+};
+
+/// Words of `text` between spaces and commas.
+std::vector<std::string> words(std::string_view text);
+
+/// `host` is an address (which no name server can forge), localhost or a name of the rules, with or
+/// without a port.
+bool host_allowed(std::string_view host, const AccessRules& rules);
+
+/// Of a request without Origin: what a browser says in Sec-Fetch-Site of the page that caused it is
+/// not another site. Absent, it is no browser's.
+bool fetch_site_allowed(std::string_view site);
+
+/// `origin` is the page's own ("http://" + host) or one of the rules. An absent origin is no
+/// browser's and is allowed: browsers always send it with WebSockets.
+bool origin_allowed(std::string_view origin, std::string_view host, const AccessRules& rules);
+
+}  // namespace tp100::server

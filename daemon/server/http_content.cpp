@@ -1,0 +1,150 @@
+#include "server/http_content.h"
+
+#include <unistd.h>
+
+#include <charconv>
+
+namespace tp100::server {
+namespace {
+
+// The page's own files, its own server, nobody's frame.
+constexpr std::string_view kPagePolicy =
+    "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' data: blob:; style-src 'self' "
+    "'unsafe-inline'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
+// A report carries its script inside and must not reach the server.
+constexpr std::string_view kReportPolicy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
+    "blob:; font-src data:; sandbox allow-scripts allow-downloads";
+
+constexpr std::string_view kRunList = "/api/runs";
+constexpr std::string_view kRuns = "/runs/";
+
+std::string_view path_of(std::string_view target) {
+  return target.substr(0, target.find_first_of("?#"));
+}
+
+HttpAnswer json_answer(std::string json) {
+  HttpAnswer answer = http_text(200, std::move(json));
+  answer.type = "application/json";
+  answer.headers.emplace_back("Cache-Control", "no-store");
+  return answer;
+}
+
+HttpAnswer page_answer(const PageFile& file, std::string_view none_match) {
+  HttpAnswer answer;
+  answer.type = file.mime;
+  answer.headers.emplace_back("ETag", file.etag);
+  answer.headers.emplace_back("Cache-Control", "no-cache");
+  answer.headers.emplace_back("Content-Security-Policy", kPagePolicy);
+  if (none_match == file.etag) {
+    answer.status = 304;
+    return answer;
+  }
+  if (!file.encoding.empty()) answer.headers.emplace_back("Content-Encoding", file.encoding);
+  answer.bytes = file.bytes;
+  answer.length = file.bytes.size();
+  return answer;
+}
+
+HttpAnswer file_answer(const HttpRequest& request, std::string_view path,
+                       const HttpSources& sources) {
+  const std::size_t slash = path.find('/');
+  if (slash == std::string_view::npos) return http_text(404, "no such file");
+  const std::string_view name = path.substr(slash + 1);
+  std::uint64_t size = 0;
+  OpenFile file(open_run_file(sources.runs_folder, path.substr(0, slash), name, size));
+  if (!file) return http_text(404, "no such file");
+  HttpAnswer answer;
+  answer.type = content_type(name);
+  answer.headers.emplace_back("Accept-Ranges", "bytes");
+  answer.headers.emplace_back("Cache-Control", "no-cache");
+  answer.headers.emplace_back("Content-Security-Policy", kReportPolicy);
+  answer.length = size;
+  bool outside = false;
+  const auto part = byte_range(request.range, size, outside);
+  if (outside) {
+    HttpAnswer refusal = http_text(416, "the range lies outside the file");
+    refusal.headers.emplace_back("Content-Range", "bytes */" + std::to_string(size));
+    return refusal;
+  }
+  if (part) {
+    answer.status = 206;
+    answer.offset = part->first;
+    answer.length = part->second;
+    answer.headers.emplace_back("Content-Range",
+                                "bytes " + std::to_string(part->first) + "-" +
+                                    std::to_string(part->first + part->second - 1) + "/" +
+                                    std::to_string(size));
+  }
+  answer.file = std::move(file);
+  return answer;
+}
+
+std::optional<std::uint64_t> number(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+OpenFile::~OpenFile() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+HttpAnswer http_text(unsigned status, std::string text) {
+  HttpAnswer answer;
+  answer.status = status;
+  answer.body = std::move(text);
+  answer.length = answer.body.size();
+  return answer;
+}
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> byte_range(std::string_view header,
+                                                                  std::uint64_t size,
+                                                                  bool& outside) {
+  outside = false;
+  static constexpr std::string_view kUnit = "bytes=";
+  if (!header.starts_with(kUnit)) return std::nullopt;
+  header.remove_prefix(kUnit.size());
+  const std::size_t dash = header.find('-');
+  if (dash == std::string_view::npos || header.find(',') != std::string_view::npos)
+    return std::nullopt;
+  const auto first = number(header.substr(0, dash)), last = number(header.substr(dash + 1));
+  if (dash == 0) {  // the last bytes
+    if (!last) return std::nullopt;
+    outside = *last == 0 || size == 0;
+    const std::uint64_t length = std::min(*last, size);
+    return outside ? std::nullopt : std::optional(std::pair(size - length, length));
+  }
+  if (!first || (!last && dash + 1 != header.size())) return std::nullopt;
+  if (last && *last < *first) return std::nullopt;
+  outside = *first >= size;
+  if (outside) return std::nullopt;
+  const std::uint64_t end = last ? std::min(*last, size - 1) : size - 1;
+  return std::pair(*first, end - *first + 1);
+}
+
+bool needs_disk(std::string_view target) {
+  const std::string_view path = path_of(target);
+  return path == kRunList || path.starts_with(kRuns);
+}
+
+HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
+  if (request.method != "GET" && request.method != "HEAD") {
+    HttpAnswer answer = http_text(405, "only GET and HEAD are served");
+    answer.headers.emplace_back("Allow", "GET, HEAD");
+    return answer;
+  }
+  const std::string_view path = path_of(request.target);
+  if (path == "/healthz") return json_answer(sources.health());
+  if (path == kRunList)
+    return json_answer(sources.runs->json(sources.runs_folder, sources.active_run()));
+  if (path.starts_with(kRuns)) return file_answer(request, path.substr(kRuns.size()), sources);
+  if (const auto file = sources.page ? sources.page(path) : std::nullopt)
+    return page_answer(*file, request.none_match);
+  return http_text(404, "nothing is served at this address");
+}
+
+}  // namespace tp100::server

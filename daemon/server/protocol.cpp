@@ -1,0 +1,322 @@
+#include "server/protocol.h"
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "text/json_writer.h"
+
+namespace tp100::server {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kMaxDepth = 16;
+constexpr std::size_t kMaxList = 1024;
+constexpr std::size_t kMaxName = 256;
+constexpr std::uint8_t kClientData = 1, kServiceCall = 2;
+constexpr std::uint8_t kMessageData = 1, kServiceResponse = 3;
+
+struct Refused {
+  std::string why;
+};
+
+/// Depth of brackets outside of strings.
+bool too_deep(std::string_view text) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMaxDepth) return true;
+    } else if ((c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
+std::optional<Json> parse(std::string_view text) {
+  if (too_deep(text)) return std::nullopt;
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object()) return std::nullopt;
+  return json;
+}
+
+const Json& list(const Json& json, const char* name) {
+  const auto found = json.find(name);
+  if (found == json.end() || !found->is_array())
+    throw Refused{std::string(name) + " must be a list"};
+  if (found->size() > kMaxList) throw Refused{std::string(name) + " is too long"};
+  return *found;
+}
+
+std::uint32_t number(const Json& json) {
+  if (!json.is_number_unsigned()) throw Refused{"an id must be a whole number"};
+  const auto value = json.get<std::uint64_t>();
+  if (value > std::numeric_limits<std::uint32_t>::max()) throw Refused{"an id is too large"};
+  return static_cast<std::uint32_t>(value);
+}
+
+std::uint32_t number(const Json& json, const char* name) {
+  if (!json.is_object() || !json.contains(name)) throw Refused{std::string(name) + " is missing"};
+  return number(json[name]);
+}
+
+std::string text(const Json& json) {
+  if (!json.is_string()) throw Refused{"a name must be a text"};
+  const auto& value = json.get_ref<const std::string&>();
+  if (value.size() > kMaxName) throw Refused{"a name is too long"};
+  return value;
+}
+
+std::string optional_text(const Json& json, const char* name) {
+  const auto found = json.find(name);
+  return found == json.end() || found->is_null() ? std::string() : text(*found);
+}
+
+std::vector<std::uint32_t> numbers(const Json& json, const char* name) {
+  std::vector<std::uint32_t> values;
+  for (const Json& each : list(json, name)) values.push_back(number(each));
+  return values;
+}
+
+std::vector<std::string> names(const Json& json) {
+  std::vector<std::string> values;
+  for (const Json& each : list(json, "parameterNames")) values.push_back(text(each));
+  return values;
+}
+
+std::optional<messages::ParameterValue> parameter_value(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number()) return json.get<double>();
+  if (json.is_string()) return json.get<std::string>();
+  return std::nullopt;
+}
+
+ClientMessage message(const Json& json) {
+  const std::string op = optional_text(json, "op");
+  if (op == "subscribe") {
+    Subscribe out;
+    for (const Json& each : list(json, "subscriptions"))
+      out.subscriptions.push_back({number(each, "id"), number(each, "channelId")});
+    return out;
+  }
+  if (op == "unsubscribe") return Unsubscribe{numbers(json, "subscriptionIds")};
+  if (op == "getParameters") return GetParameters{names(json), optional_text(json, "id")};
+  if (op == "setParameters") {
+    SetParameters out;
+    out.id = optional_text(json, "id");
+    for (const Json& each : list(json, "parameters")) {
+      if (!each.is_object()) throw Refused{"a parameter must be an object"};
+      const auto value = each.find("value");
+      out.parameters.push_back({optional_text(each, "name"),
+                                value == each.end() ? std::nullopt : parameter_value(*value)});
+    }
+    return out;
+  }
+  if (op == "subscribeParameterUpdates") return WatchParameters{names(json), true};
+  if (op == "unsubscribeParameterUpdates") return WatchParameters{names(json), false};
+  for (const char* known : {"advertise", "unadvertise", "subscribeConnectionGraph",
+                            "unsubscribeConnectionGraph", "fetchAsset"})
+    if (op == known) return Unserved{op};
+  return Malformed{"op is none that this protocol has"};
+}
+
+std::uint32_t little(std::span<const std::uint8_t> bytes) {
+  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U |
+         static_cast<std::uint32_t>(bytes[2]) << 16U | static_cast<std::uint32_t>(bytes[3]) << 24U;
+}
+
+template <class Byte, class Out>
+void put_little(Out out, std::uint64_t value, int bytes) {
+  for (int i = 0; i < bytes; ++i) *out++ = static_cast<Byte>(value >> (8 * i));
+}
+
+std::string characters(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
+
+void write_service_side(text::JsonWriter& json, const char* name, const std::string& schema_name,
+                        const std::string& schema) {
+  json.key(name)
+      .begin_object()
+      .field("encoding", "json")
+      .field("schemaName", schema_name)
+      .field("schemaEncoding", "jsonschema")
+      .field("schema", schema)
+      .end_object();
+}
+
+}  // namespace
+
+std::string_view choose_sub_protocol(std::string_view offered) {
+  bool old = false;
+  while (!offered.empty()) {
+    const std::size_t end = std::min(offered.find(','), offered.size());
+    std::string_view name = offered.substr(0, end);
+    offered.remove_prefix(std::min(end + 1, offered.size()));
+    while (!name.empty() && (name.front() == ' ' || name.front() == '\t')) name.remove_prefix(1);
+    while (!name.empty() && (name.back() == ' ' || name.back() == '\t')) name.remove_suffix(1);
+    if (name == kNewSubProtocol) return kNewSubProtocol;
+    old = old || name == kOldSubProtocol;
+  }
+  return old ? kOldSubProtocol : std::string_view();
+}
+
+ClientMessage parse_text(std::string_view text) {
+  const std::optional<Json> json = parse(text);
+  if (!json) return Malformed{"not a JSON object"};
+  try {
+    return message(*json);
+  } catch (const Refused& refused) {
+    return Malformed{refused.why};
+  }
+}
+
+ClientMessage parse_binary(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return Malformed{"an empty binary message"};
+  if (bytes[0] == kClientData) return Unserved{"client message data"};
+  if (bytes[0] != kServiceCall) return Malformed{"a binary message of an unknown kind"};
+  bytes = bytes.subspan(1);
+  if (bytes.size() < 12) return Malformed{"a service call that is too short"};
+  ServiceCall out;
+  out.service = little(bytes);
+  out.call = little(bytes.subspan(4));
+  const std::size_t encoding = little(bytes.subspan(8));
+  bytes = bytes.subspan(12);
+  if (encoding > bytes.size()) return Malformed{"a service call whose encoding is cut off"};
+  out.encoding = characters(bytes.first(encoding));
+  out.payload = characters(bytes.subspan(encoding));
+  return out;
+}
+
+std::optional<std::vector<RequestField>> parse_request(std::string_view text) {
+  std::vector<RequestField> fields;
+  if (text.empty()) return fields;
+  const std::optional<Json> json = parse(text);
+  if (!json) return std::nullopt;
+  for (const auto& [name, content] : json->items())
+    if (auto value = parameter_value(content)) fields.push_back({name, std::move(*value)});
+  return fields;
+}
+
+std::string server_info(std::string_view session_id, std::span<const Metadata> metadata) {
+  std::string out;
+  text::JsonWriter json(out);
+  json.begin_object()
+      .field("op", "serverInfo")
+      .field("name", "tp100d")
+      .key("capabilities")
+      .begin_array();
+  for (const char* capability : {"parameters", "parametersSubscribe", "services"})
+    json.value(capability);
+  json.end_array().key("supportedEncodings").begin_array().value("json").end_array();
+  json.key("metadata").begin_object();
+  for (const Metadata& each : metadata) json.field(each.name, each.value);
+  json.end_object().field("sessionId", session_id).end_object();
+  return out;
+}
+
+std::string advertise(std::span<const messages::ChannelText> channels) {
+  std::string out;
+  text::JsonWriter json(out);
+  json.begin_object().field("op", "advertise").key("channels").begin_array();
+  for (const messages::ChannelText& channel : channels) {
+    json.begin_object()
+        .field("id", static_cast<std::uint32_t>(channel.channel))
+        .field("topic", channel.topic)
+        .field("encoding", "json")
+        .field("schemaName", channel.schema_name)
+        .field("schemaEncoding", "jsonschema")
+        .field("schema", channel.schema)
+        .end_object();
+  }
+  json.end_array().end_object();
+  return out;
+}
+
+std::string advertise_services(std::span<const ServiceText> services) {
+  std::string out;
+  text::JsonWriter json(out);
+  json.begin_object().field("op", "advertiseServices").key("services").begin_array();
+  for (const ServiceText& service : services) {
+    json.begin_object()
+        .field("id", service.id)
+        .field("name", service.name)
+        .field("type", service.type)
+        // Both spellings that clients know.
+        .field("requestSchema", service.request_schema)
+        .field("responseSchema", service.response_schema);
+    write_service_side(json, "request", service.type + "Request", service.request_schema);
+    write_service_side(json, "response", service.type + "Response", service.response_schema);
+    json.end_object();
+  }
+  json.end_array().end_object();
+  return out;
+}
+
+std::string status(StatusLevel level, std::string_view message) {
+  std::string out;
+  text::JsonWriter(out)
+      .begin_object()
+      .field("op", "status")
+      .field("level", static_cast<int>(level))
+      .field("message", message)
+      .end_object();
+  return out;
+}
+
+std::string parameter_values(std::span<const messages::ParameterText* const> parameters,
+                             std::string_view id) {
+  std::string out;
+  text::JsonWriter json(out);
+  json.begin_object().field("op", "parameterValues").key("parameters").begin_array();
+  for (const messages::ParameterText* parameter : parameters) {
+    json.begin_object().field("name", parameter->name).key("value");
+    std::visit([&](const auto& content) { json.value(content); }, parameter->value);
+    // Tells viewers that 16 may become 16.5.
+    if (std::holds_alternative<double>(parameter->value)) json.field("type", "float64");
+    json.end_object();
+  }
+  json.end_array();
+  if (!id.empty()) json.field("id", id);
+  json.end_object();
+  return out;
+}
+
+std::string service_failure(std::uint32_t service, std::uint32_t call, std::string_view message) {
+  std::string out;
+  text::JsonWriter(out)
+      .begin_object()
+      .field("op", "serviceCallFailure")
+      .field("serviceId", service)
+      .field("callId", call)
+      .field("message", message)
+      .end_object();
+  return out;
+}
+
+std::array<std::uint8_t, 13> message_head(std::uint32_t subscription, std::uint64_t unix_ns) {
+  std::array<std::uint8_t, 13> head{};
+  head[0] = kMessageData;
+  put_little<std::uint8_t>(head.begin() + 1, subscription, 4);
+  put_little<std::uint8_t>(head.begin() + 5, unix_ns, 8);
+  return head;
+}
+
+std::string service_response(std::uint32_t service, std::uint32_t call, std::string_view json) {
+  static constexpr std::string_view kEncoding = "json";
+  std::string out(1, static_cast<char>(kServiceResponse));
+  put_little<char>(std::back_inserter(out), service, 4);
+  put_little<char>(std::back_inserter(out), call, 4);
+  put_little<char>(std::back_inserter(out), kEncoding.size(), 4);
+  out += kEncoding;
+  out += json;
+  return out;
+}
+
+}  // namespace tp100::server

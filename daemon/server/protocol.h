@@ -1,0 +1,101 @@
+#pragma once
+// The Foxglove WebSocket protocol, server's side: text and bytes from and to plain data. Pure; what
+// a client sends is hostile until it has passed here. Little-endian, as the protocol.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "messages/channels.h"
+#include "messages/parameter_text.h"
+
+namespace tp100::server {
+
+inline constexpr std::string_view kNewSubProtocol = "foxglove.sdk.v1";
+inline constexpr std::string_view kOldSubProtocol = "foxglove.websocket.v1";
+/// The sub-protocol to answer a Sec-WebSocket-Protocol header with; empty: none of ours is offered.
+std::string_view choose_sub_protocol(std::string_view offered);
+
+// What a client says.
+struct Subscribe {
+  struct One {
+    std::uint32_t subscription, channel;
+  };
+  std::vector<One> subscriptions;
+};
+struct Unsubscribe {
+  std::vector<std::uint32_t> subscriptions;
+};
+struct GetParameters {
+  std::vector<std::string> names;  ///< empty: all
+  std::string id;                  ///< comes back with the answer; empty: none
+};
+struct SetParameters {
+  struct One {
+    std::string name;
+    std::optional<messages::ParameterValue> value;  ///< nothing: of a type that no parameter has
+  };
+  std::vector<One> parameters;
+  std::string id;
+};
+struct WatchParameters {
+  std::vector<std::string> names;  ///< empty: all
+  bool watch = true;               ///< false: no more
+};
+struct ServiceCall {
+  std::uint32_t service = 0, call = 0;
+  std::string encoding;
+  std::string payload;
+};
+/// A message of the protocol that this server does not serve.
+struct Unserved {
+  std::string what;
+};
+/// Not a message of the protocol.
+struct Malformed {
+  std::string why;
+};
+using ClientMessage = std::variant<Subscribe, Unsubscribe, GetParameters, SetParameters,
+                                   WatchParameters, ServiceCall, Unserved, Malformed>;
+
+ClientMessage parse_text(std::string_view text);
+ClientMessage parse_binary(std::span<const std::uint8_t> bytes);
+
+/// Fields of a JSON object of plain values, for service requests; nothing if `text` is no object.
+/// Nested values are left out.
+struct RequestField {
+  std::string name;
+  messages::ParameterValue value;
+};
+std::optional<std::vector<RequestField>> parse_request(std::string_view text);
+
+// What the server says.
+enum class StatusLevel : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };
+
+struct ServiceText {
+  std::uint32_t id = 0;
+  std::string name, type, request_schema, response_schema;
+};
+
+struct Metadata {
+  std::string name, value;
+};
+std::string server_info(std::string_view session_id, std::span<const Metadata> metadata);
+std::string advertise(std::span<const messages::ChannelText> channels);
+std::string advertise_services(std::span<const ServiceText> services);
+std::string status(StatusLevel level, std::string_view message);
+std::string parameter_values(std::span<const messages::ParameterText* const> parameters,
+                             std::string_view id);
+std::string service_failure(std::uint32_t service, std::uint32_t call, std::string_view message);
+
+/// Head of a message-data frame; the payload follows.
+std::array<std::uint8_t, 13> message_head(std::uint32_t subscription, std::uint64_t unix_ns);
+/// A whole service response with a JSON payload.
+std::string service_response(std::uint32_t service, std::uint32_t call, std::string_view json);
+
+}  // namespace tp100::server

@@ -1,0 +1,69 @@
+#pragma once
+// The server: one TCP port for the page and the Foxglove WebSocket protocol (CHANNELS.md), in a
+// thread of its own. Beast stays in the source files.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/commands_from.h"
+#include "messages/messages.h"
+#include "messages/parameter_text.h"
+#include "messages/sink.h"
+#include "server/access.h"
+#include "server/controls.h"
+#include "server/http_content.h"
+#include "server/hub.h"
+
+namespace tp100::server {
+
+struct ServerSettings {
+  /// HOST:PORT, with port 0 for any free one; "auto": 127.0.0.1:8765, or any free port of that
+  /// address if another program has that one; "off": nobody is served, only `listener`.
+  std::string listen = "auto";
+  AccessRules access{};
+  config::CommandsFrom commands = config::CommandsFrom::kLocal;
+  std::size_t max_clients = 64;
+  std::string runs_folder;  ///< empty: none
+  Page page;
+  Listener listener;  ///< called from the constructor and the server's thread; must not block
+};
+
+class Server : public messages::Sink {
+ public:
+  /// Listens; nothing is served before start(). Throws SetupError if the address cannot be had.
+  /// `controls` must outlive the server.
+  Server(ServerSettings settings, const messages::Messages& messages,
+         std::vector<messages::ParameterText> parameters, Controls& controls);
+  /// Says goodbye to every client, at most for a second.
+  ~Server() override;
+
+  /// "http://127.0.0.1:8765/"; empty: off.
+  const std::string& url() const;
+  /// Why it is not the usual port, in one line; empty: it is, or another one was asked for.
+  const std::string& note() const;
+  /// Starts the thread.
+  void start();
+
+  // From any one thread, never the real-time one; they never wait for a client.
+  void take(const StepRecord& record) override;
+  void take_truth(HostNs at, const Pose& truth) override;
+  void take(const messages::Event& event);
+  /// STOP came from elsewhere (a key); it is on its way to the robot.
+  void stop_pressed(const std::string& by);
+  /// The robot acknowledged a STOP at host time `at`.
+  void stop_answered(HostNs at);
+  /// Waits until all of that has been said on the channels; a second at most.
+  void flush();
+  /// A request of a client still waits for the disk; so will the destructor.
+  bool waits_for_disk();
+  /// Records that the server's thread was too slow for.
+  std::uint64_t lost_records() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tp100::server

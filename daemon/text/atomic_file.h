@@ -1,0 +1,41 @@
+#pragma once
+// A result file that is there completely or not at all.
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace tp100::text {
+
+/// Whether the content is on the disk when the call returns, or follows in the kernel's own time:
+/// for files that are replaced again and again.
+enum class Flush : bool { kNo, kYes };
+
+/// Replaces `path` with `content`: written under a temporary name beside it, then renamed. On
+/// failure (no such folder, no permission, disk full) the old file stays and nothing else is left
+/// behind. What is no ordinary file (a pipe, /dev/stdout) is written directly. Throws SetupError.
+void write_file(const std::string& path, std::string_view content, Flush flush = Flush::kYes);
+
+/// The same for content that comes in pieces. Without commit() nothing happens.
+class FileReplacement {
+ public:
+  /// Throws SetupError.
+  explicit FileReplacement(const std::string& path);
+  ~FileReplacement();
+  /// Appends. Throws SetupError.
+  void write(std::string_view content);
+  /// Puts the file in its place. Throws SetupError.
+  void commit(Flush flush = Flush::kYes);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Makes the folder for results, and those above it, if need be; empty is the working folder.
+/// Throws SetupError.
+void make_folder(const std::string& path);
+
+}  // namespace tp100::text

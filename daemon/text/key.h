@@ -1,0 +1,163 @@
+#pragma once
+// Keys of a file as a table: name, field, range and prose in one place. The same table reads a file
+// and writes the commented file, so that neither can drift from the other.
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "text/toml_document.h"
+
+namespace tp100::text {
+
+/// A key whose values are a few names. Index into `names` on both ways.
+template <class T>
+struct Choice {
+  std::vector<std::string_view> names;
+  std::size_t (*get)(const T&);
+  void (*set)(T&, std::size_t);
+};
+
+/// One key that fills a field of T.
+template <class T>
+struct Key {
+  std::string_view name;  ///< its end tells the unit, see unit_of
+  std::variant<double T::*, int T::*, bool T::*, std::string T::*, Choice<T>> field;
+  Range range{0.0, 0.0};     ///< of numbers, in the file's unit
+  std::string_view meaning;  ///< one sentence, no unit and no range
+  double si = 1.0;           ///< SI value of one file unit (kRadPerDeg for _deg)
+};
+
+/// A number as a file shows it: ten significant digits, always read back as written.
+std::string toml_number(double value);
+/// A quoted TOML string.
+std::string toml_string(std::string_view value);
+/// `text` as comment lines of at most 100 columns.
+std::string toml_comment(std::string_view text);
+/// "0.1 to 0.3 m/s"; the unit alone stands in brackets where there is one.
+std::string range_and_unit(std::string_view key, Range range);
+
+/// Reads every key of `keys`; absent ones keep their value. Throws SetupError.
+template <class T>
+void read_keys(TomlTable& table, std::span<const Key<T>> keys, T& values) {
+  for (const Key<T>& key : keys) {
+    if (const auto* field = std::get_if<double T::*>(&key.field)) {
+      if (table.has(key.name))
+        values.** field = table.number(key.name, 0.0, key.range) * key.si;
+      else
+        table.number(key.name, 0.0, key.range);
+    } else if (const auto* number = std::get_if<int T::*>(&key.field)) {
+      values.** number = static_cast<int>(table.integer(key.name, values.**number, key.range));
+    } else if (const auto* flag = std::get_if<bool T::*>(&key.field)) {
+      values.** flag = table.boolean(key.name, values.**flag);
+    } else if (const auto* text = std::get_if<std::string T::*>(&key.field)) {
+      values.** text = table.text(key.name, values.**text);
+    } else {
+      const auto& choice = std::get<Choice<T>>(key.field);
+      const std::string name =
+          table.choice(key.name, choice.names[choice.get(values)], choice.names);
+      for (std::size_t i = 0; i < choice.names.size(); ++i)
+        if (choice.names[i] == name) choice.set(values, i);
+    }
+  }
+}
+
+/// Value of one key as a file shows it.
+template <class T>
+std::string show_key(const Key<T>& key, const T& values) {
+  if (const auto* field = std::get_if<double T::*>(&key.field))
+    return toml_number(values.**field / key.si);
+  if (const auto* number = std::get_if<int T::*>(&key.field))
+    return std::to_string(values.**number);
+  if (const auto* flag = std::get_if<bool T::*>(&key.field))
+    return values.**flag ? "true" : "false";
+  if (const auto* text = std::get_if<std::string T::*>(&key.field))
+    return toml_string(values.**text);
+  const auto& choice = std::get<Choice<T>>(key.field);
+  return toml_string(choice.names[choice.get(values)]);
+}
+
+/// A key with its value and everything that is known about it, for those who show it.
+struct KeyText {
+  enum class Type { kNumber, kInteger, kBoolean, kText, kChoice };
+  using Value = std::variant<double, bool, std::string>;
+
+  std::string name{};  ///< with the names of its tables: "control.preview_s"
+  Type type = Type::kNumber;
+  Value value{}, standard{};  ///< numbers in the file's unit
+  std::string unit{};         ///< numbers; may be empty
+  Range range{0.0, 0.0};      ///< numbers
+  std::vector<std::string> choices{};
+  std::string meaning{};
+};
+
+/// The keys of one table, named with `prefix` ("control.").
+template <class T>
+void describe_keys(const std::string& prefix, std::span<const Key<T>> keys, const T& values,
+                   std::vector<KeyText>& out) {
+  using Type = KeyText::Type;
+  const T standard{};
+  for (const Key<T>& key : keys) {
+    KeyText text;
+    text.name = prefix + std::string(key.name);
+    text.unit = unit_of(key.name);
+    text.range = key.range;
+    text.meaning = key.meaning;
+    const auto fill = [&](Type type, auto read) {
+      text.type = type;
+      text.value = read(values);
+      text.standard = read(standard);
+    };
+    if (const auto* field = std::get_if<double T::*>(&key.field)) {
+      fill(Type::kNumber, [&](const T& from) { return from.**field / key.si; });
+    } else if (const auto* number = std::get_if<int T::*>(&key.field)) {
+      fill(Type::kInteger, [&](const T& from) { return static_cast<double>(from.**number); });
+    } else if (const auto* flag = std::get_if<bool T::*>(&key.field)) {
+      fill(Type::kBoolean, [&](const T& from) { return from.**flag; });
+    } else if (const auto* content = std::get_if<std::string T::*>(&key.field)) {
+      fill(Type::kText, [&](const T& from) { return from.**content; });
+    } else {
+      const auto& choice = std::get<Choice<T>>(key.field);
+      fill(Type::kChoice,
+           [&](const T& from) { return std::string(choice.names[choice.get(from)]); });
+      text.choices.assign(choice.names.begin(), choice.names.end());
+    }
+    out.push_back(std::move(text));
+  }
+}
+
+/// Where values came from, by key: one sentence each, without its first word "From" and its stop.
+using Origins = std::map<std::string, std::string, std::less<>>;
+
+/// Reads the origins of the keys of `[table]` back from a file that write_keys wrote.
+Origins read_origins(std::string_view text, std::string_view table);
+
+/// The keys with meaning, unit, default, range and origin as comments: the body of one table of a
+/// file.
+template <class T>
+std::string write_keys(std::span<const Key<T>> keys, const T& values, const Origins& origins = {}) {
+  std::string text;
+  for (const Key<T>& key : keys) {
+    std::string comment = std::string(key.meaning) + ". Default " + show_key(key, T{});
+    if (const auto* choice = std::get_if<Choice<T>>(&key.field)) {
+      comment += ", one of";
+      for (const std::string_view name : choice->names) comment += " " + toml_string(name);
+    } else if (std::holds_alternative<double T::*>(key.field) ||
+               std::holds_alternative<int T::*>(key.field)) {
+      comment += ", range " + range_and_unit(key.name, key.range);
+    } else if (std::holds_alternative<bool T::*>(key.field)) {
+      comment += ", true or false";
+    }
+    text += toml_comment(comment + ".");
+    if (const auto origin = origins.find(key.name); origin != origins.end())
+      text += toml_comment("From " + origin->second + ".");
+    text += std::string(key.name) + " = " + show_key(key, values) + "\n";
+  }
+  return text;
+}
+
+}  // namespace tp100::text

@@ -1,0 +1,67 @@
+#include "text/standard_streams.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <string>
+
+#include "core/error.h"
+#include "text/nearest.h"
+#include "text/toml_document.h"
+
+namespace tp100::text {
+int report_error(const char* program, std::string_view message, int status) {
+  std::fprintf(stderr, "%s: %.*s\n", program, static_cast<int>(message.size()), message.data());
+  return status;
+}
+
+int report_usage_error(const char* program, std::string_view what) {
+  return report_error(program, one_line(what, 500) + "; see " + program + " --help");
+}
+
+std::string unknown_subcommand(int argc, char** argv, const std::vector<std::string>& subcommands) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  const std::string word = argv[1];
+  if (std::find(subcommands.begin(), subcommands.end(), word) != subcommands.end()) return {};
+  const std::string meant(nearest_name(word, {subcommands.begin(), subcommands.end()}));
+  return "unknown subcommand '" + one_line(word) + "'" +
+         (meant.empty() ? "" : "; did you mean '" + meant + "'?");
+}
+
+int run_program(const char* program, const std::function<int()>& run) {
+  claim_standard_streams();
+  try {
+    return finish_standard_output(program, run());
+  } catch (const SetupError& error) {
+    return report_error(program, error.what());
+  } catch (const std::exception& error) {
+    return report_error(program,
+                        std::string("stopped: ") + error.what() +
+                            "; start it again, and report it if it comes back",
+                        3);
+  }
+}
+
+void claim_standard_streams() {
+  // The lowest free number is given out first.
+  int fd = 0;
+  while (fd >= 0 && fd <= STDERR_FILENO) fd = ::open("/dev/null", O_RDWR);
+  if (fd > STDERR_FILENO) ::close(fd);
+}
+
+int finish_standard_output(const char* program, int status) {
+  errno = 0;
+  const bool failed_before = std::ferror(stdout) != 0;
+  if (std::fflush(stdout) == 0 && !failed_before) return status;
+  const char* reason = errno == 0 ? "an earlier line failed" : std::strerror(errno);
+  std::fprintf(stderr, "%s: standard output: cannot be written (%s); check where it goes\n",
+               program, reason);
+  return status == 0 ? 2 : status;
+}
+
+}  // namespace tp100::text

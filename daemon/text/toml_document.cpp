@@ -1,0 +1,407 @@
+#include "text/toml_document.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <sstream>
+#include <utility>
+
+#include "text/nearest.h"
+#include "toml++/toml.h"
+
+namespace tp100::text {
+namespace {
+
+// toml++ recurses once per dotted part, and its own limit counts brackets only.
+constexpr std::ptrdiff_t kMaxDots = 32;
+
+std::string at(const std::string& file, toml::source_position where) {
+  return file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) + ": ";
+}
+
+std::string quoted(std::string_view name) { return "'" + one_line(name) + "'"; }
+
+std::string type_name(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return node.is_array_of_tables() ? "an array of tables" : "an array";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string range_text(std::string_view key, Range range) {
+  const std::string_view unit = unit_of(key);
+  return number_text(range.min) + " to " + number_text(range.max) +
+         (unit.empty() ? std::string() : " " + std::string(unit));
+}
+
+void refuse_deep_lines(const std::string& text, const std::string& file) {
+  std::size_t begin = 0;
+  for (std::uint32_t line = 1; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view row(text.data() + begin, end - begin);
+    const std::size_t first = row.find_first_not_of(" \t");
+    if (first != std::string_view::npos && row[first] != '#' &&
+        std::count(row.begin(), row.end(), '.') > kMaxDots)
+      throw SetupError(at(file, {line, 1}) + "more than " + std::to_string(kMaxDots) +
+                       " dots on one line; no key is nested that deep");
+    begin = end + 1;
+  }
+}
+
+}  // namespace
+
+std::string_view unit_of(std::string_view key) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kUnits = {{
+      {"_radps_rts", "rad/s/sqrt(s)"},
+      {"_radps_rthz", "rad/s/sqrt(Hz)"},
+      {"_mps2_rthz", "m/s^2/sqrt(Hz)"},
+      {"_radps_per_lsb", "rad/s"},
+      {"_mps_per_v", "m/s/V"},
+      {"_bias_per_degc", "rad/s/K"},
+      {"counts_per_metre", "1/m"},
+      {"_amps_per_n", "A/N"},
+      {"amps_per_n", "A/N"},
+      {"_n_per_v", "N/V"},
+      {"_radps2", "rad/s^2"},
+      {"_radps", "rad/s"},
+      {"_mps2", "m/s^2"},
+      {"_degc", "degC"},
+      {"_mps", "m/s"},
+      {"_1pm", "1/m"},
+      {"_1ps", "1/s"},
+      {"_deg", "deg"},
+      {"_rad", "rad"},
+      {"_ohm", "ohm"},
+      {"_ppm", "ppm"},
+      {"_hz", "Hz"},
+      {"_ms", "ms"},
+      {"_us", "us"},
+      {"_kg", "kg"},
+      {"_mb", "MB"},
+      {"_as", "A s"},
+      {"baud", "baud"},
+      {"_m", "m"},
+      {"_s", "s"},
+      {"_v", "V"},
+      {"_n", "N"},
+      {"_a", "A"},
+      {"_bytes", "B"},
+  }};
+  for (const auto& [suffix, unit] : kUnits)
+    if (key.ends_with(suffix)) return unit;
+  return {};
+}
+
+std::string number_text(double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.10g", value);
+  return buffer.data();
+}
+
+std::string one_line(std::string_view text, std::size_t most) {
+  std::string line(text.substr(0, most));
+  for (char& c : line)
+    if (c < 0x20 || c > 0x7e) c = '?';
+  return text.size() > most ? line + "..." : line;
+}
+
+struct TomlTable::State {
+  std::shared_ptr<const toml::table> document;
+  std::string file;
+  std::string path;                    // "drive.", empty for the root
+  const toml::table* table = nullptr;  // null: absent
+  toml::source_position where{1, 1};
+  std::vector<std::string> asked;
+  std::vector<std::shared_ptr<State>> children;
+  std::weak_ptr<State> parent;
+  std::string own_name;  // in the parent
+
+  std::string full(std::string_view key) const { return quoted(path + std::string(key)); }
+
+  const toml::node* ask(std::string_view key) {
+    if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.emplace_back(key);
+    return table ? table->get(key) : nullptr;
+  }
+
+  std::vector<std::string_view> unasked() const {
+    std::vector<std::string_view> names;
+    if (table)
+      for (const auto& [key, node] : *table)
+        if (std::find(asked.begin(), asked.end(), key.str()) == asked.end())
+          names.push_back(key.str());
+    return names;
+  }
+
+  toml::source_position position_of_key(std::string_view key) const {
+    const auto found = table->find(key);
+    return found->first.source().begin ? found->first.source().begin : found->second.source().begin;
+  }
+
+  [[noreturn]] void unknown(std::string_view key, std::string_view meant) const {
+    std::string what = at(file, position_of_key(key)) + "unknown key " + full(key);
+    if (!meant.empty()) {
+      what += "; did you mean " + full(meant) + "?";
+    } else if (asked.empty()) {
+      what += "; this table has no keys";
+    } else {
+      what += "; valid here: ";
+      for (std::size_t i = 0; i < asked.size(); ++i)
+        what += (i ? ", " : "") + (i < 12 ? asked[i] : std::string("..."));
+    }
+    throw SetupError(what);
+  }
+
+  [[noreturn]] void missing(std::string_view key) const {
+    // A required key that was mistyped is better named as what was typed.
+    for (const std::string_view other : unasked())
+      if (nearest_name(other, {key}) == key) unknown(other, key);
+    if (const auto above = parent.lock(); above && !table)
+      for (const std::string_view other : above->unasked())
+        if (nearest_name(other, {own_name}) == own_name) above->unknown(other, own_name);
+    throw SetupError(at(file, where) + "missing key " + full(key) + "; it has no default");
+  }
+
+  [[noreturn]] void wrong_type(std::string_view key, const toml::node& node,
+                               std::string_view expected) const {
+    throw SetupError(at(file, node.source().begin) + full(key) + " is " + type_name(node) +
+                     ", expected " + std::string(expected));
+  }
+
+  void check_range(std::string_view key, const toml::node& node, double value, Range range) const {
+    if (value >= range.min && value <= range.max) return;
+    throw SetupError(at(file, node.source().begin) + full(key) + " is " + number_text(value) +
+                     ", allowed " + range_text(key, range));
+  }
+
+  double number(std::string_view key, const toml::node& node, Range range) const {
+    if (!node.is_number()) wrong_type(key, node, "a number");
+    const double value = *node.value<double>();
+    check_range(key, node, value, range);
+    return value;
+  }
+
+  TomlValue value(std::string_view key, const toml::node& node) const {
+    if (node.is_boolean()) return node.as_boolean()->get();
+    if (node.is_integer()) return static_cast<long long>(node.as_integer()->get());
+    if (node.is_floating_point()) return node.as_floating_point()->get();
+    if (!node.is_string()) wrong_type(key, node, "true, false, a number or a string");
+    return node.as_string()->get();
+  }
+
+  std::string choice(std::string_view key, const toml::node& node,
+                     const std::vector<std::string_view>& choices) const {
+    std::string names;
+    for (const std::string_view name : choices)
+      names += (names.empty() ? "'" : ", '") + std::string(name) + "'";
+    if (!node.is_string()) wrong_type(key, node, "one of " + names);
+    const std::string& value = node.as_string()->get();
+    if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
+    const std::string_view meant = nearest_name(value, choices);
+    throw SetupError(at(file, node.source().begin) + full(key) + " is " + quoted(value) +
+                     (meant.empty() ? "" : "; did you mean " + quoted(meant) + "?") +
+                     " Allowed: " + names);
+  }
+
+  static std::shared_ptr<State> child(const std::shared_ptr<State>& of_state, std::string_view key,
+                                      const toml::table* of) {
+    auto state = std::make_shared<State>();
+    state->document = of_state->document;
+    state->file = of_state->file;
+    state->path = of_state->path + std::string(key) + ".";
+    state->table = of;
+    state->where = of ? of->source().begin : of_state->where;
+    state->parent = of_state;
+    state->own_name = key;
+    of_state->children.push_back(state);
+    return state;
+  }
+
+  void finish() const {
+    if (const auto names = unasked(); !names.empty()) {
+      // The first in the file, so that the user works from top to bottom.
+      const auto first = std::min_element(
+          names.begin(), names.end(), [this](std::string_view a, std::string_view b) {
+            const auto pa = position_of_key(a), pb = position_of_key(b);
+            return std::pair(pa.line, pa.column) < std::pair(pb.line, pb.column);
+          });
+      unknown(*first, nearest_name(*first, {asked.begin(), asked.end()}));
+    }
+    for (const auto& one : children) one->finish();
+  }
+};
+
+namespace {
+
+toml::table parse(const std::string& text, const std::string& file) {
+  if (text.size() > kMaxTomlSize)
+    throw SetupError(file + ": larger than " + std::to_string(kMaxTomlSize / 1024) +
+                     " kB; this is no file of ours");
+  refuse_deep_lines(text, file);
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw SetupError(at(file, error.source().begin) +
+                     "not TOML: " + one_line(error.description(), 200));
+  }
+}
+
+/// The table that holds the last part of `name`; made where there is none.
+toml::table& holder_of(toml::table& root, std::string_view& name, const std::string& file) {
+  toml::table* table = &root;
+  for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.')) {
+    const std::string_view part = name.substr(0, dot);
+    name.remove_prefix(dot + 1);
+    const auto [place, made] = table->emplace<toml::table>(part);
+    if (!place->second.is_table())
+      throw SetupError(file + ": " + quoted(part) + " is no table, so that it has no " +
+                       quoted(name));
+    table = place->second.as_table();
+  }
+  return *table;
+}
+
+}  // namespace
+
+std::string with_values(const std::string& text, const std::string& file,
+                        const NamedValues& values) {
+  toml::table root = parse(text, file);
+  for (const auto& [full_name, value] : values) {
+    std::string_view name = full_name;
+    toml::table& table = holder_of(root, name, file);
+    std::visit([&](const auto& one) { table.insert_or_assign(name, one); }, value);
+  }
+  std::ostringstream out;
+  out << root << "\n";
+  return out.str();
+}
+
+TomlDocument::TomlDocument(const std::string& text, const std::string& file) {
+  auto document = std::make_shared<const toml::table>(parse(text, file));
+  root_.state_ = std::make_shared<TomlTable::State>();
+  root_.state_->document = document;
+  root_.state_->file = file;
+  root_.state_->table = document.get();
+}
+
+double TomlTable::number(std::string_view key, double fallback, Range range) {
+  const toml::node* node = state_->ask(key);
+  return node ? state_->number(key, *node, range) : fallback;
+}
+
+double TomlTable::required_number(std::string_view key, Range range) {
+  const toml::node* node = state_->ask(key);
+  if (!node) state_->missing(key);
+  return state_->number(key, *node, range);
+}
+
+long long TomlTable::integer(std::string_view key, long long fallback, Range range) {
+  const toml::node* node = state_->ask(key);
+  if (!node) return fallback;
+  if (!node->is_integer()) state_->wrong_type(key, *node, "an integer");
+  const std::int64_t value = *node->value<std::int64_t>();
+  state_->check_range(key, *node, static_cast<double>(value), range);
+  return value;
+}
+
+bool TomlTable::boolean(std::string_view key, bool fallback) {
+  const toml::node* node = state_->ask(key);
+  if (!node) return fallback;
+  if (!node->is_boolean()) state_->wrong_type(key, *node, "true or false");
+  return node->as_boolean()->get();
+}
+
+std::string TomlTable::text(std::string_view key, std::string_view fallback) {
+  const toml::node* node = state_->ask(key);
+  if (!node) return std::string(fallback);
+  if (!node->is_string()) state_->wrong_type(key, *node, "a string");
+  return node->as_string()->get();
+}
+
+std::string TomlTable::choice(std::string_view key, std::string_view fallback,
+                              const std::vector<std::string_view>& choices) {
+  const toml::node* node = state_->ask(key);
+  return node ? state_->choice(key, *node, choices) : std::string(fallback);
+}
+
+std::string TomlTable::required_choice(std::string_view key,
+                                       const std::vector<std::string_view>& choices) {
+  const toml::node* node = state_->ask(key);
+  if (!node) state_->missing(key);
+  return state_->choice(key, *node, choices);
+}
+
+TomlValue TomlTable::required_value(std::string_view key) {
+  const toml::node* node = state_->ask(key);
+  if (!node) state_->missing(key);
+  return state_->value(key, *node);
+}
+
+std::vector<TomlValue> TomlTable::values(std::string_view key) {
+  std::vector<TomlValue> values;
+  const toml::node* node = state_->ask(key);
+  if (!node) return values;
+  if (!node->is_array()) state_->wrong_type(key, *node, "an array");
+  for (const toml::node& one : *node->as_array()) values.push_back(state_->value(key, one));
+  return values;
+}
+
+bool TomlTable::holds_table(std::string_view key) const {
+  const toml::node* node = state_->table ? state_->table->get(key) : nullptr;
+  return node && node->is_table();
+}
+
+TomlTable TomlTable::table(std::string_view key) {
+  const toml::node* node = state_->ask(key);
+  if (node && !node->is_table()) state_->wrong_type(key, *node, "a table");
+  TomlTable result;
+  result.state_ = State::child(state_, key, node ? node->as_table() : nullptr);
+  return result;
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+  std::vector<TomlTable> result;
+  const toml::node* node = state_->ask(key);
+  if (!node) return result;
+  const toml::array* array = node->as_array();
+  if (!array || (!array->empty() && !array->is_array_of_tables()))
+    state_->wrong_type(key, *node, "an array of tables, each headed [[" + std::string(key) + "]]");
+  for (const toml::node& one : *array) {
+    result.emplace_back();
+    result.back().state_ = State::child(state_, key, one.as_table());
+  }
+  return result;
+}
+
+bool TomlTable::has(std::string_view key) const {
+  return state_->table && state_->table->contains(key);
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> names;
+  if (state_->table)
+    for (const auto& [key, node] : *state_->table) names.emplace_back(key.str());
+  return names;
+}
+
+void TomlTable::fail(std::string_view key, const std::string& what) const {
+  const toml::node* node = state_->table ? state_->table->get(key) : nullptr;
+  throw SetupError(at(state_->file, node ? node->source().begin : state_->where) + what);
+}
+
+void TomlTable::finish() const { state_->finish(); }
+
+}  // namespace tp100::text

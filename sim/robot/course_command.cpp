@@ -1,0 +1,79 @@
+#include "sim/robot/course_command.h"
+
+#include <cstdio>
+#include <optional>
+
+#include "core/error.h"
+#include "identify/drive_file.h"
+#include "identify/drive_sink.h"
+#include "report/metrics.h"
+#include "report/poses_csv.h"
+#include "report/result_json.h"
+#include "report/result_table.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/run_recorder.h"
+#include "text/atomic_file.h"
+
+namespace tp100::sim {
+namespace {
+
+void write_results(const std::string& folder, const report::RunResult& result,
+                   const std::string& json, const identify::Drive& drive) {
+  text::make_folder(folder);
+  const std::string stem =
+      folder + "/" + result.course + "-" + result.robot + "-" + std::to_string(result.seed);
+  text::write_file(stem + ".json", json + "\n");
+  text::write_file(stem + ".csv", report::poses_csv(result));
+  text::write_file(stem + "-samples.csv", identify::write_drive(drive));
+}
+
+}  // namespace
+
+int run_course(const CourseCommand& command) {
+  Loaded loaded = load(command.options);
+  loaded.files.course = course::read_bundled(course::Bundled::kCourses, command.course);
+  const course::Course course =
+      course::parse_course(loaded.files.course.text, loaded.files.course.path);
+  const std::optional<course::EmulatedCamera> camera =
+      command.camera.empty() ? std::nullopt : std::optional(load_camera(command.camera));
+  if (command.world.starts_with("udp:")) loaded.configuration.world.address = command.world;
+  loaded.files.world =
+      config::world_option(command.world, loaded.configuration.parameters.world.kind);
+  if (loaded.files.world == bridge::WorldKind::kFiles)
+    throw SetupError("world files: have no place in virtual time; use udp or internal");
+  bool all_completed = true;
+  for (int i = 0; i < command.runs; ++i) {
+    const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);
+    std::optional<RunRecorder> recorder;
+    if (!command.record.empty()) recorder.emplace(command.record, loaded, seed);
+    identify::DriveSink drive;
+    messages::SinkList sinks;
+    if (!command.out.empty()) sinks.add(drive);
+    if (recorder) sinks.add(*recorder);
+    const report::RunResult result =
+        run_lockstep({.course = course,
+                      .robot = loaded.robot,
+                      .configuration = loaded.configuration,
+                      .setup = loaded.setup,
+                      .board = loaded.board,
+                      .camera = camera,
+                      .external_world = loaded.files.world == bridge::WorldKind::kUdp,
+                      .seed = seed,
+                      .faults = parse_faults(command.faults),
+                      .sink = sinks.empty() ? nullptr : &sinks});
+    if (recorder) recorder->finish();
+    const report::RunFigures figures = report::figures(result, course);
+    const std::string json = report::result_json(result, figures);
+    if (command.json) {
+      std::printf("%s\n", json.c_str());
+    } else {
+      std::printf("%s\n", report::result_table(result, figures).c_str());
+    }
+    std::fflush(stdout);
+    if (!command.out.empty()) write_results(command.out, result, json, drive.drive());
+    all_completed = all_completed && result.completed;
+  }
+  return all_completed ? 0 : 1;
+}
+
+}  // namespace tp100::sim

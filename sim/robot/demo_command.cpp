@@ -1,0 +1,163 @@
+#include "sim/robot/demo_command.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/error.h"
+#include "core/faults.h"
+#include "sim/robot/child.h"
+#include "sim/robot/course_command.h"
+
+namespace tp100::sim {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+/// Programs with a processor of their own do not wait for it this long.
+constexpr double kPauseMs = 20.0;
+constexpr int kMostAgain = 3;
+
+/// A folder of its own, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "tp100-demo-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw SetupError(pattern + ": cannot create a folder; check $TMPDIR");
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void wait_for(const fs::path& link, Child& robot) {
+  for (int i = 0; i < 100; ++i) {
+    if (fs::exists(link)) return;
+    if (!robot.running()) break;
+    std::this_thread::sleep_for(50ms);
+  }
+  throw SetupError("tp100-sim robot did not come up within 5 s; run it by hand to see why");
+}
+
+/// What a program wrote about its run; no object if nothing is there yet.
+nlohmann::json figures_of(const fs::path& stats) {
+  std::ifstream file(stats);
+  return nlohmann::json::parse(file, nullptr, false);
+}
+
+/// Address of the page that a daemon serves, from its figures; empty: it serves none.
+std::string page_of(const fs::path& stats, Child& daemon) {
+  for (int i = 0; i < 100 && daemon.running(); ++i) {
+    const nlohmann::json json = figures_of(stats);
+    if (json.is_object()) return json.value("page", "");
+    std::this_thread::sleep_for(50ms);
+  }
+  return {};
+}
+
+struct LiveRun {
+  int status = 0;         ///< the daemon's
+  double pause_ms = 0.0;  ///< longest time for which a program of it waited for a processor
+  bool in_time = true;    ///< no fault says that samples or commands came late
+};
+
+/// A machine that stood still ended it: nothing else does with an emulated robot.
+bool paused(const LiveRun& run) {
+  return run.status != 0 && !run.in_time && run.pause_ms > kPauseMs;
+}
+
+LiveRun judged(int status, const nlohmann::json& daemon, const nlohmann::json& robot) {
+  LiveRun run{.status = status};
+  if (robot.is_object()) run.pause_ms = robot.value("longest_pause_ms", 0.0);
+  if (!daemon.is_object()) return run;
+  const double late_us = daemon.value("/loop/lateness_us/max"_json_pointer, 0.0);
+  run.pause_ms = std::max(run.pause_ms, late_us * 1e-3);
+  const auto faults = daemon.value("faults", std::vector<std::string>());
+  for (const std::string& fault : faults) {
+    // Whoever stops a robot does not want it to drive on.
+    if (fault == describe(Fault::stop_requested).name) return {.status = status};
+    for (const Fault late : {Fault::command_timeout, Fault::samples_stale, Fault::link_lost})
+      run.in_time = run.in_time && fault != describe(late).name;
+  }
+  return run;
+}
+
+LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::string& robot_name) {
+  const TemporaryFolder folder;
+  const std::string link = (folder.path() / "tp100").string();
+  const fs::path robot_stats = folder.path() / "robot.json", stats = folder.path() / "stats.json";
+  Child robot({(programs / "tp100-sim").string(), "robot", "--link", link, "--robot", robot_name,
+               "--board", command.options.board, "--course", command.course, "--seed",
+               std::to_string(command.options.seed), "--stats", robot_stats.string()},
+              command.headless);
+  wait_for(link, robot);
+  // Without --go the daemon waits for somebody after a broken link.
+  Child bridge({(programs / "tp100d").string(), "run", "--port", link, "--course", command.course,
+                "--robot", robot_name, "--stats", stats.string(), "--go"},
+               command.headless);
+  const std::string page = page_of(stats, bridge);
+  if (!page.empty()) std::printf("demo: watch it at %s\n", page.c_str());
+  std::fflush(stdout);
+  const int status = bridge.wait();
+  robot.stop();
+  return judged(status, figures_of(stats), figures_of(robot_stats));
+}
+
+}  // namespace
+
+int run_demo(const DemoCommand& command) {
+  const course::Course course = load_course(command.course);
+  const Loaded loaded = load(command.options);
+  const fs::path programs = fs::read_symlink("/proc/self/exe").parent_path();
+  const std::string daemon = (programs / "tp100d").string();
+  if (!fs::exists(daemon)) throw SetupError(daemon + ": not there; build the target tp100d");
+
+  const std::string robot_name =
+      command.options.robot.empty() ? loaded.robot.name : command.options.robot;
+  std::printf("demo: an emulated %s TP100 and the daemon, joined by a serial line, drive %s\n",
+              loaded.robot.name.c_str(), course.name.c_str());
+  std::fflush(stdout);
+  LiveRun live = drive(command, programs, robot_name);
+  for (int again = 0; paused(live) && again < kMostAgain; ++again) {
+    std::printf("demo: the machine stood still for %.0f ms, which ended the run; drives again\n",
+                live.pause_ms);
+    std::fflush(stdout);
+    live = drive(command, programs, robot_name);
+  }
+  std::printf("demo: live run %s\n\n", live.status == 0 ? "completed" : "failed");
+  std::printf(
+      "demo: the same course, robot and seed in virtual time, scored against exact truth\n");
+  std::fflush(stdout);
+  CourseCommand scored;
+  scored.options = command.options;
+  scored.course = command.course;
+  const int scored_status = run_course(scored);
+  if (paused(live)) {
+    std::printf(
+        "demo: the live run failed %d times because the machine stood still, at last for "
+        "%.0f ms; end other programs and start it again\n",
+        kMostAgain + 1, live.pause_ms);
+  }
+  return live.status == 0 && scored_status == 0 ? 0 : 1;
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,167 @@
+#include "sim/robot/emulated_robot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "sim/board/avr_board.h"
+#include "sim/board/native_board.h"
+
+namespace tp100::sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Independent streams from one seed (SplitMix64's finaliser).
+std::uint64_t stream(std::uint64_t seed, std::uint64_t number) {
+  std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + number * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+  return z ^ (z >> 31);
+}
+
+constexpr std::int64_t kNsPerUs = 1000;
+constexpr std::uint32_t kTickUs = 1024;
+
+// Errors that belong to the robot and not to a run.
+constexpr std::uint64_t kLeftEncoder = 11;
+constexpr std::uint64_t kRightEncoder = 12;
+
+// Where the belts came to rest after the last run.
+double belt_rest_m(const course::EmulatedBody& body, std::uint64_t random) {
+  const double length_m = 2.0 * (body.axle_spacing_m + kPi * body.belt_radius_m);
+  return length_m * static_cast<double>(random >> 11) * 0x1p-53;
+}
+
+struct BoardClock {
+  double ppm;
+  std::uint32_t start_us;
+};
+
+/// At least a tick before the wrap: from 0 on it would be 71 minutes away.
+std::uint32_t start_before_wrap_us(std::int64_t wrap_ns) {
+  const std::int64_t ahead_us = std::max<std::int64_t>(wrap_ns / kNsPerUs, kTickUs);
+  return static_cast<std::uint32_t>(-ahead_us) / kTickUs * kTickUs;
+}
+
+/// A resonator and a register are as they are from power-on.
+BoardClock clock_of(const EmulatedRobotSettings& settings) {
+  BoardClock clock{settings.values.clock_ppm, settings.start_us};
+  for (const PlannedFault& fault : settings.faults) {
+    if (fault.kind == FaultKind::kDrift) clock.ppm += fault.number;
+    if (fault.kind == FaultKind::kWrap) clock.start_us = start_before_wrap_us(fault.begin_ns);
+    if (fault.kind == FaultKind::kHang && settings.board != BoardKind::kAvr)
+      throw SetupError("--fault hang: only an emulated chip can hang; add --board avr");
+  }
+  return clock;
+}
+
+std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlave& imu) {
+  const auto phase_ns = static_cast<std::int64_t>(stream(settings.seed, 2) % 5'000'000);
+  const auto [clock_ppm, start_us] = clock_of(settings);
+  const std::uint64_t seed = stream(settings.seed, 1);
+  switch (settings.board) {
+    case BoardKind::kNative:
+      break;
+    case BoardKind::kAvr:
+      return std::make_unique<AvrBoard>(AvrBoardSettings{.bootloader = settings.bootloader,
+                                                         .blank = settings.blank,
+                                                         .seed = seed,
+                                                         .clock_ppm = clock_ppm,
+                                                         .start_us = start_us,
+                                                         .reset_hold_ns = phase_ns},
+                                        &imu);
+  }
+  return std::make_unique<NativeBoard>(NativeBoardSettings{.seed = seed,
+                                                           .clock_ppm = clock_ppm,
+                                                           .start_us = start_us,
+                                                           .boot_delay_ns = 4'000'000 + phase_ns},
+                                       &imu);
+}
+
+}  // namespace
+
+const char* to_string(BoardKind board) {
+  switch (board) {
+    case BoardKind::kNative:
+      return "native";
+    case BoardKind::kAvr:
+      return "avr";
+  }
+  return "unknown";
+}
+
+EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
+    : body_(settings.values.body, settings.start, settings.on_stand, settings.terrain),
+      left_motor_(settings.values.motor, settings.values.motor.left_gain),
+      right_motor_(settings.values.motor, settings.values.motor.right_gain),
+      left_encoder_(settings.values.encoder, 0, kLeftEncoder),
+      right_encoder_(settings.values.encoder, 2, kRightEncoder),
+      imu_(settings.values.imu, stream(settings.seed, 3)),
+      battery_(settings.values.battery),
+      faults_(settings.faults, 10'000'000'000LL / settings.baud, stream(settings.seed, 6)),
+      bus_(imu_),
+      board_(make_board(settings, bus_)),
+      to_board_(settings.baud) {
+  body_.turn_belts(belt_rest_m(settings.values.body, stream(settings.seed, 4)),
+                   belt_rest_m(settings.values.body, stream(settings.seed, 5)));
+}
+
+EmulatedRobot::~EmulatedRobot() = default;
+
+void EmulatedRobot::reset(PowerUp cause) {
+  if (cause == PowerUp::kPowerOn) imu_.power_on();
+  board_->reset(cause, now_ns_);
+}
+
+void EmulatedRobot::receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns) {
+  to_board_.send(bytes, now_ns);
+}
+
+void EmulatedRobot::shove(double sideways_m, double yaw_rad, double duration_s) {
+  body_.shove(sideways_m, yaw_rad, duration_s);
+}
+
+void EmulatedRobot::inject() {
+  imu_.freeze(faults_.active(FaultKind::kImuFrozen, now_ns_));
+  bus_.set_missing(faults_.active(FaultKind::kImuMissing, now_ns_));
+  bus_.set_saturated(faults_.active(FaultKind::kImuSaturated, now_ns_));
+  if (faults_.take(FaultKind::kReboot, now_ns_) || faults_.take(FaultKind::kRebootLoop, now_ns_))
+    board_->reset(PowerUp::kBrownOut, now_ns_);
+  if (faults_.take(FaultKind::kHang, now_ns_)) dynamic_cast<AvrBoard&>(*board_).hang_main_loop();
+}
+
+std::vector<TimedByte> EmulatedRobot::advance() {
+  constexpr double kStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
+  const std::int64_t until_ns = now_ns_ + kPhysicsStepNs;
+  const Drive drive = board_->drive();
+  const double volts = battery_.volts();
+  const Clock::time_point physics = Clock::now();
+  left_motor_.step(drive.left, volts, body_.state().left_load_n);
+  right_motor_.step(drive.right, volts, body_.state().right_load_n);
+  battery_.step(std::abs(left_motor_.force_n()) + std::abs(right_motor_.force_n()));
+  body_.step(left_motor_.belt_mps(), right_motor_.belt_mps());
+  spent_.physics += Clock::now() - physics;
+  inject();
+  imu_.measure(body_.state(), now_ns_);
+
+  edges_.clear();
+  left_encoder_.move(left_motor_.belt_mps() * kStepS, now_ns_, until_ns, edges_);
+  const auto left_edges = static_cast<std::ptrdiff_t>(edges_.size());
+  right_encoder_.move(right_motor_.belt_mps() * kStepS, now_ns_, until_ns, edges_);
+  std::inplace_merge(edges_.begin(), edges_.begin() + left_edges, edges_.end(),
+                     [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+
+  faults_.edges(edges_, now_ns_);
+
+  board_->set_battery(faults_.battery(volts, now_ns_));
+  const std::vector<TimedByte>& received = faults_.to_robot(to_board_.take(until_ns), until_ns);
+  const Clock::time_point board = Clock::now();
+  board_->advance(until_ns, edges_, received);
+  spent_.board += Clock::now() - board;
+  now_ns_ = until_ns;
+  return faults_.to_host(board_->take_sent(), until_ns);
+}
+
+}  // namespace tp100::sim

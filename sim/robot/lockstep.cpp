@@ -1,0 +1,403 @@
+#include "sim/robot/lockstep.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bridge/cycle.h"
+#include "bridge/grounds.h"
+#include "bridge/outer_world.h"
+#include "core/error.h"
+#include "core/faults.h"
+#include "sim/robot/options.h"
+#include "sim/robot/pusher.h"
+#include "sim/robot/world_client.h"
+#include "sim/sensors/overhead_camera.h"
+#include "terrain/climbable.h"
+
+namespace tp100::sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kEndToleranceM = 0.15;
+// The robot stands still this long before the host opens the port.
+constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
+constexpr double kRestS = 0.5;
+constexpr std::int64_t kOldestTruthNs = 200 * kNsPerMs;
+
+/// Truth of the last steps, to pair an estimate with the instant that it belongs to.
+class TruthHistory {
+ public:
+  void add(std::int64_t at_ns, const Pose& pose) { at(at_ns) = pose; }
+  /// Between two physics steps the pose is interpolated; `at_ns` is at most a quarter second old.
+  Pose find(std::int64_t at_ns) const {
+    const std::int64_t before = at_ns / kPhysicsStepNs * kPhysicsStepNs;
+    const double share = static_cast<double>(at_ns - before) / static_cast<double>(kPhysicsStepNs);
+    const Pose& a = history_[index(before)];
+    const Pose& b = history_[index(before + kPhysicsStepNs)];
+    return {.x_m = std::lerp(a.x_m, b.x_m, share),
+            .y_m = std::lerp(a.y_m, b.y_m, share),
+            .z_m = std::lerp(a.z_m, b.z_m, share),
+            .roll_rad = std::lerp(a.roll_rad, b.roll_rad, share),
+            .pitch_rad = std::lerp(a.pitch_rad, b.pitch_rad, share),
+            .yaw_rad = std::lerp(a.yaw_rad, b.yaw_rad, share)};
+  }
+
+ private:
+  static std::size_t index(std::int64_t at_ns) {
+    return static_cast<std::size_t>(at_ns / kPhysicsStepNs) % kSize;
+  }
+  Pose& at(std::int64_t at_ns) { return history_[index(at_ns)]; }
+
+  static constexpr std::size_t kSize = 256;
+  std::array<Pose, kSize> history_{};
+};
+
+class Lockstep {
+ public:
+  explicit Lockstep(const LockstepSettings& settings);
+  /// Power on, port open.
+  void open();
+  /// One run, from its start to half a second after its end.
+  report::RunResult run();
+  /// Held until `from_opening_s` have passed since open(), and then taken back to the start.
+  void rest_until(double from_opening_s);
+
+ private:
+  void turn();
+  void judge(RunState state, std::int64_t end_ns);
+  void count(std::chrono::duration<double> wall);
+  void advance_robot();
+  void step_host();
+  void look();
+  void cable();
+  void push();
+  void record(const Snapshot& snapshot);
+  void publish();
+  /// The robot's true pose, seen from where it was put down for this run.
+  Pose truth_at(std::int64_t at_ns) const { return put_back_.of(truth_.find(at_ns)); }
+  Pose truth_now() const { return put_back_.of(robot_.truth().pose); }
+  /// Of the virtual robot against the real one.
+  Pose in_world(const Pose& real) const;
+  bool plugged() const { return robot_.now_ns() >= plugged_ns_; }
+  bool bench() const { return settings_.setup == bridge::Setup::kBench; }
+
+  LockstepSettings settings_;
+  bridge::Parameters parameters_;
+  course::Path path_;
+  bridge::Cycle cycle_;
+  EmulatedRobot robot_;
+  std::optional<OverheadCamera> camera_;
+  std::optional<WorldClient> world_;
+  TruthHistory truth_;
+  StepRecord record_{};
+  std::vector<std::uint8_t> arriving_;
+  std::int64_t plugged_ns_ = 0;     ///< until then the port is away
+  std::int64_t host_awake_ns_ = 0;  ///< until then the host stands still
+  report::RunResult result_{};
+  std::int64_t period_ns_;
+  bridge::Shift behind_{};
+  bridge::Shift put_back_{};  ///< from where the robot stands to the start of the course
+  std::int64_t opened_ns_ = 0;
+  std::int64_t next_step_ns_ = 0;
+  std::int64_t begin_ns_ = -1;
+  std::int64_t last_recorded_us_ = -1;
+  Pusher pusher_;
+  std::uint64_t steps_ = 0;
+  std::chrono::nanoseconds step_time_{0};
+  std::chrono::nanoseconds longest_step_{0};
+};
+
+bridge::Parameters parameters_of(const LockstepSettings& settings) {
+  bridge::Parameters parameters = config::bridge_parameters(settings.configuration, settings.robot);
+  parameters.setup = settings.setup;
+  parameters.world.kind =
+      settings.external_world ? bridge::WorldKind::kUdp : bridge::WorldKind::kInternal;
+  return parameters;
+}
+
+bridge::Parameters host_parameters(const LockstepSettings& settings) {
+  bridge::Parameters parameters = parameters_of(settings);
+  if (!settings.host_knows_motors) parameters.drive.feed_forward = 0.0;
+  return parameters;
+}
+
+Lockstep::Lockstep(const LockstepSettings& settings)
+    : settings_(settings),
+      parameters_(parameters_of(settings)),
+      path_(settings.course),
+      cycle_(bridge::session_settings(parameters_), host_parameters(settings),
+             std::make_shared<const course::Course>(settings.course)),
+      robot_({.values = settings.robot.emulated,
+              .start = settings.course.start,
+              .on_stand = settings.setup == bridge::Setup::kBench,
+              .terrain = bridge::floor_of(settings.course.terrain, settings.setup),
+              .seed = settings.seed,
+              .board = settings.board,
+              .start_us = settings.start_us,
+              .faults = settings.faults}),
+      period_ns_(static_cast<std::int64_t>(std::lround(1e3 / settings.configuration.loop.rate_hz)) *
+                 kNsPerMs),
+      pusher_(settings.course.shoves) {
+  terrain::require_climbable(settings.course, settings.robot);
+  if (period_ns_ < kPhysicsStepNs) period_ns_ = kPhysicsStepNs;
+  if (settings.camera) {
+    if (bench())
+      throw SetupError("--camera: on a bench it would see a robot that stands still; leave it out");
+    const course::Fence& fence = settings.course.fence;
+    camera_.emplace(*settings.camera, (fence.min_x_m + fence.max_x_m) / 2.0,
+                    (fence.min_y_m + fence.max_y_m) / 2.0, settings.seed);
+  }
+  if (settings.external_world) {
+    config::RunSetup run{.configuration = settings.configuration,
+                         .robot = settings.robot,
+                         .course = std::make_shared<const course::Course>(settings.course),
+                         .parameters = parameters_};
+    world_.emplace(config::world_run(run), static_cast<std::uint32_t>(settings.seed));
+  }
+  result_.has_camera = camera_.has_value();
+  result_.course = settings.course.name;
+  result_.board = to_string(settings.board);
+  result_.robot = settings.robot.name;
+  result_.setup = bridge::to_string(settings.setup);
+  result_.seed = settings.seed;
+}
+
+void Lockstep::advance_robot() {
+  for (const TimedByte& byte : robot_.advance()) {
+    if (!plugged()) continue;
+    arriving_.push_back(byte.value);
+    // The live loop wakes up for bytes; a frame's end is what its time stamp belongs to.
+    if (byte.value == wire::kDelimiter) {
+      cycle_.receive(arriving_, byte.at_ns);
+      arriving_.clear();
+    }
+  }
+  truth_.add(robot_.now_ns(), robot_.truth().pose);
+  if (settings_.watch) settings_.watch(robot_);
+}
+
+void Lockstep::look() {
+  camera_->look(truth_now(), robot_.now_ns());
+  while (const std::optional<CameraSample> seen = camera_->take(robot_.now_ns()))
+    cycle_.camera(*seen);
+}
+
+void Lockstep::cable() {
+  if (plugged_ns_ > 0 && plugged()) {
+    plugged_ns_ = 0;
+    robot_.reset(PowerUp::kExternal);
+    cycle_.open(robot_.now_ns());
+  }
+  if (const std::optional<double> away_s = robot_.take_fault(FaultKind::kUnplug)) {
+    plugged_ns_ = robot_.now_ns() + from_s(*away_s);
+    arriving_.clear();
+    cycle_.close(robot_.now_ns());
+  }
+  if (const std::optional<double> stall_ms = robot_.take_fault(FaultKind::kHostStall))
+    host_awake_ns_ = robot_.now_ns() + from_s(*stall_ms * 1e-3);
+}
+
+void Lockstep::push() {
+  const course::Shove* shove = pusher_.update(robot_);
+  if (shove == nullptr) return;
+  const double now_s = to_s(robot_.now_ns() - begin_ns_);
+  result_.shoves.push_back({now_s, now_s + shove->duration_s});
+  if (settings_.sink != nullptr) settings_.sink->take_push(robot_.now_ns());
+}
+
+Pose Lockstep::in_world(const Pose& real) const { return behind_.of(real); }
+
+void Lockstep::record(const Snapshot& snapshot) {
+  if (!snapshot.has_sample || snapshot.sample.device_us == last_recorded_us_) return;
+  const std::int64_t measured_ns = snapshot.sample.measured_ns;
+  if (measured_ns < begin_ns_ || measured_ns > robot_.now_ns()) return;
+  last_recorded_us_ = snapshot.sample.device_us;
+  const Pose steering = parameters_.steering == bridge::Steering::kModel   ? snapshot.model
+                        : parameters_.steering == bridge::Steering::kFused ? snapshot.fused.pose
+                                                                           : snapshot.odometry;
+  const Pose truth = bench() ? steering : truth_at(measured_ns);
+  behind_ = bridge::Shift::between(steering, snapshot.world);
+  result_.points.push_back({.t_s = to_s(measured_ns - begin_ns_),
+                            .truth = truth,
+                            .world = in_world(truth),
+                            .model = snapshot.model,
+                            .odometry = snapshot.odometry,
+                            .fused = snapshot.fused.pose,
+                            .progress_m = snapshot.progress_m,
+                            .recovering = snapshot.recovering,
+                            .imu_pitch_rad = snapshot.imu_pitch_rad,
+                            .slope = snapshot.imu_slope,
+                            .leans_on = snapshot.imu_obstacle});
+}
+
+void Lockstep::publish() {
+  if (settings_.sink == nullptr && !world_) return;
+  cycle_.record(record_);
+  if (world_) {
+    world_->exchange(record_, robot_.now_ns(),
+                     [this](const WorldSample& said) { cycle_.world(said); });
+  }
+  if (settings_.sink == nullptr) return;
+  settings_.sink->take(record_);
+  if (bench()) return;
+  for (const Sample& sample : cycle_.samples()) {
+    const std::int64_t age_ns = robot_.now_ns() - sample.measured_ns;
+    if (age_ns >= 0 && age_ns < kOldestTruthNs)
+      settings_.sink->take_truth(sample.measured_ns, truth_at(sample.measured_ns));
+  }
+}
+
+void Lockstep::step_host() {
+  const std::int64_t now = robot_.now_ns();
+  if (!arriving_.empty()) {
+    cycle_.receive(arriving_, now);
+    arriving_.clear();
+  }
+  const Clock::time_point before = Clock::now();
+  const bridge::Outputs& out = cycle_.step(now);
+  const std::chrono::nanoseconds took = Clock::now() - before;
+  step_time_ += took;
+  longest_step_ = std::max(longest_step_, took);
+  ++steps_;
+  publish();
+  for (const link::SessionEvent& event : cycle_.take_events())
+    if (settings_.heard) settings_.heard(event, cycle_.session().hello());
+  if (plugged()) robot_.receive(cycle_.output(), now);
+  cycle_.written(cycle_.output().size());
+  if (out.snapshot.run_state == RunState::kRunning) {
+    if (begin_ns_ < 0) begin_ns_ = now;
+    record(out.snapshot);
+  }
+}
+
+void Lockstep::open() {
+  robot_.reset(PowerUp::kPowerOn);
+  while (robot_.now_ns() < kOpenNs) robot_.advance();
+  robot_.opened();
+  opened_ns_ = next_step_ns_ = robot_.now_ns();
+  cycle_.open(opened_ns_);
+}
+
+void Lockstep::turn() {
+  advance_robot();
+  cable();
+  if (camera_) look();
+  if (begin_ns_ >= 0) push();
+  if (robot_.now_ns() < std::max(next_step_ns_, host_awake_ns_)) return;
+  next_step_ns_ += period_ns_;
+  step_host();
+}
+
+void Lockstep::rest_until(double from_opening_s) {
+  cycle_.request(OperatorRequest::kHold);
+  const std::int64_t until_ns =
+      std::max(opened_ns_ + from_s(from_opening_s), robot_.now_ns() + period_ns_);
+  while (robot_.now_ns() < until_ns) turn();
+  put_back_ = bridge::Shift::between(robot_.truth().pose, settings_.course.start);
+}
+
+report::RunResult Lockstep::run() {
+  const Clock::time_point wall_begin = Clock::now();
+  const std::int64_t started_ns = robot_.now_ns();
+  begin_ns_ = -1;
+  result_.points.clear();
+  result_.shoves.clear();
+  bool started = false;
+  std::int64_t end_ns = 0;
+  RunState state = RunState::kIdle;
+  while (end_ns == 0 || robot_.now_ns() < end_ns) {
+    const std::uint64_t steps = steps_;
+    // As the daemon does by itself: not before there is a robot.
+    if (!started && cycle_.session().state() == SessionState::kReady) {
+      started = true;
+      cycle_.request(OperatorRequest::kStart);
+    }
+    turn();
+    if (steps_ == steps) continue;
+    state = cycle_.outputs().snapshot.run_state;
+    const bool over = state == RunState::kFinished || state == RunState::kAborted;
+    const bool never_begins =
+        begin_ns_ < 0 && to_s(robot_.now_ns() - started_ns) > settings_.begin_within_s;
+    if (end_ns == 0 && (over || never_begins)) end_ns = robot_.now_ns() + from_s(kRestS);
+  }
+  judge(state, end_ns);
+  count(Clock::now() - wall_begin);
+  return result_;
+}
+
+void Lockstep::judge(RunState state, std::int64_t end_ns) {
+  result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kRestS) - begin_ns_);
+  const course::PathPoint goal = path_.at(path_.pieces().size() - 1, path_.length_m());
+  const Pose end = begin_ns_ < 0 || (bench() && result_.points.empty()) ? settings_.course.start
+                   : bench() ? result_.points.back().world
+                             : in_world(truth_now());
+  const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
+  result_.finished = state == RunState::kFinished;
+  result_.completed = result_.finished && miss_m <= kEndToleranceM;
+  result_.cause.clear();
+  if (!result_.completed) {
+    const std::optional<Fault> fault = first_fault(cycle_.outputs().snapshot.faults);
+    const bool no_world = begin_ns_ < 0 && world_ && world_->silent();
+    result_.cause = no_world           ? std::string(describe(Fault::world_lost).name)
+                    : begin_ns_ < 0    ? "never began"
+                    : result_.finished ? "ended too far from the end of the path"
+                    : fault            ? std::string(describe(*fault).name)
+                                       : "unknown";
+  }
+}
+
+void Lockstep::count(std::chrono::duration<double> wall) {
+  result_.link = cycle_.session().counters();
+  result_.realtime_factor = to_s(robot_.now_ns()) / wall.count();
+  const auto spent_s = [](std::chrono::nanoseconds time) { return to_s(time.count()); };
+  const double physics_s = spent_s(robot_.spent().physics);
+  const double board_s = spent_s(robot_.spent().board);
+  result_.loop = {{"physics_s", physics_s},
+                  {"board_s", board_s},
+                  {"rest_s", wall.count() - physics_s - board_s},
+                  {"steps", static_cast<double>(steps_)},
+                  {"mean_step_us", static_cast<double>(step_time_.count()) * 1e-3 /
+                                       static_cast<double>(std::max<std::uint64_t>(steps_, 1))},
+                  {"max_step_us", static_cast<double>(longest_step_.count()) * 1e-3}};
+  if (camera_) {
+    const Fused& fused = cycle_.outputs().snapshot.fused;
+    result_.camera = {.used = fused.camera_used,
+                      .rejected = fused.camera_rejected,
+                      .recoveries = fused.recoveries,
+                      .judged = fused.nis_count,
+                      .nis_mean = fused.nis_mean};
+  }
+  if (world_) {
+    const worlds::PeerCounters& world = world_->counters();
+    result_.loop.insert(result_.loop.end(),
+                        {{"world_poses", static_cast<double>(world.poses)},
+                         {"world_answered", static_cast<double>(world.answered)},
+                         {"world_missing", static_cast<double>(world.missing)}});
+  }
+}
+
+}  // namespace
+
+report::RunResult run_lockstep(const LockstepSettings& settings) {
+  Lockstep lockstep(settings);
+  lockstep.open();
+  return lockstep.run();
+}
+
+TwoRuns run_lockstep_twice(const LockstepSettings& settings, double again_s) {
+  Lockstep lockstep(settings);
+  lockstep.open();
+  TwoRuns out{.first = lockstep.run()};
+  lockstep.rest_until(again_s);
+  out.again = lockstep.run();
+  return out;
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,55 @@
+#pragma once
+// One course in virtual time: the daemon's cycle and the emulated robot in one process, exchanging
+// the same bytes as over a cable.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "config/configuration.h"
+#include "course/camera.h"
+#include "course/course.h"
+#include "course/robot.h"
+#include "link/session.h"
+#include "messages/sink.h"
+#include "report/run_result.h"
+#include "sim/robot/emulated_robot.h"
+
+namespace tp100::sim {
+
+struct LockstepSettings {
+  course::Course course{};
+  course::Robot robot{};
+  config::Configuration configuration{};
+  bridge::Setup setup = bridge::Setup::kFlat;
+  BoardKind board = BoardKind::kNative;
+  std::optional<course::EmulatedCamera> camera{};  ///< none: nobody looks on
+  /// World at the configuration's address; else the course's own, whatever the configuration says.
+  bool external_world = false;
+  std::uint64_t seed = 1;
+  std::uint32_t start_us = 0;          ///< device clock at boot; near 2^32 it wraps in the run
+  std::vector<PlannedFault> faults{};  ///< of the robot, its cable and the host
+  std::function<void(const EmulatedRobot&)> watch{};  ///< sees the robot after every physics step
+  messages::Sink* sink = nullptr;  ///< gets every step, and the truth of each new sample's instant
+  /// Hears what the session has to tell, with the robot's hello as far as it is known.
+  std::function<void(const link::SessionEvent&, const wire::Hello&)> heard{};
+  bool host_knows_motors = true;  ///< false: a duty means nothing to the host
+  double begin_within_s = 10.0;   ///< of its start; a run that never begins is a failure
+};
+
+/// Drives the course once. A bench is no place for a camera: the robot that it sees stands still.
+/// Deterministic but for `realtime_factor` and `loop`. Throws SetupError if course and robot do not
+/// fit together.
+report::RunResult run_lockstep(const LockstepSettings& settings);
+
+/// The same, and once more without restarting anything: half a second after the first run ended,
+/// but not before `again_s` after the port was opened, the robot is taken back to the start and
+/// started again. Counters are those of the whole session.
+struct TwoRuns {
+  report::RunResult first{};
+  report::RunResult again{};
+};
+TwoRuns run_lockstep_twice(const LockstepSettings& settings, double again_s);
+
+}  // namespace tp100::sim

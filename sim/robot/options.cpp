@@ -1,0 +1,58 @@
+#include "sim/robot/options.h"
+
+#include "core/error.h"
+#include "course/bundled_files.h"
+
+namespace tp100::sim {
+namespace {
+
+BoardKind board_kind(const std::string& name) {
+  if (name == "native") return BoardKind::kNative;
+  if (name == "avr") return BoardKind::kAvr;
+  throw SetupError("--board " + text::one_line(name) + ": not a board; use native or avr");
+}
+
+bridge::Setup setup_kind(const std::string& name) {
+  if (const auto setup = bridge::setup_named(name)) return *setup;
+  throw SetupError("--setup " + text::one_line(name) +
+                   ": not a set-up; use bench, flat or terrain");
+}
+
+// What is said of the changed text names no line of the file.
+void change(course::TextFile& file, const text::NamedValues& values) {
+  if (values.empty()) return;
+  file.text = text::with_values(file.text, file.path, values);
+  file.path += (file.path.empty() ? "defaults" : "") + std::string(" with other values");
+}
+
+}  // namespace
+
+Loaded load(const Options& options) {
+  Loaded loaded;
+  loaded.board = board_kind(options.board);
+  course::TextFile& configuration = loaded.files.configuration;
+  if (!options.config.empty()) configuration = course::read_text_file(options.config);
+  change(configuration, options.configuration_values);
+  if (!configuration.text.empty())
+    loaded.configuration = config::parse_configuration(configuration.text, configuration.path);
+  const std::string& robot = options.robot.empty() ? loaded.configuration.robot : options.robot;
+  loaded.files.robot = course::read_bundled(course::Bundled::kRobots, robot);
+  change(loaded.files.robot, options.robot_values);
+  loaded.robot = course::parse_robot(loaded.files.robot.text, loaded.files.robot.path);
+  loaded.setup =
+      options.setup.empty() ? loaded.configuration.parameters.setup : setup_kind(options.setup);
+  loaded.files.setup = loaded.setup;
+  return loaded;
+}
+
+course::EmulatedCamera load_camera(const std::string& name_or_path) {
+  const course::TextFile file = course::read_bundled(course::Bundled::kCameras, name_or_path);
+  return course::parse_camera(file.text, file.path);
+}
+
+course::Course load_course(const std::string& name_or_path) {
+  const course::TextFile file = course::read_bundled(course::Bundled::kCourses, name_or_path);
+  return course::parse_course(file.text, file.path);
+}
+
+}  // namespace tp100::sim

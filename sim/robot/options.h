@@ -1,0 +1,45 @@
+#pragma once
+// Options that several commands of tp100-sim share, and what they resolve to.
+
+#include <cstdint>
+#include <string>
+
+#include "bridge/parameters.h"
+#include "config/configuration.h"
+#include "config/run_setup.h"
+#include "course/camera.h"
+#include "course/course.h"
+#include "course/robot.h"
+#include "sim/robot/emulated_robot.h"
+#include "text/toml_document.h"
+
+namespace tp100::sim {
+
+/// As given on the command line, or by a campaign.
+struct Options {
+  std::string board = "native";
+  std::string robot;   ///< bundled name or file; empty: the configuration's
+  std::string config;  ///< file; empty: defaults
+  std::string setup;   ///< empty: the configuration's
+  std::uint64_t seed = 1;
+  text::NamedValues configuration_values{};  ///< instead of those in the file
+  text::NamedValues robot_values{};          ///< instead of those in the robot's file
+};
+
+/// Everything loaded. Throws SetupError.
+struct Loaded {
+  BoardKind board = BoardKind::kNative;
+  config::Configuration configuration{};
+  course::Robot robot{};
+  config::RunFiles files{};  ///< what it was loaded from; the course is left to who has one
+  bridge::Setup setup = bridge::Setup::kFlat;
+};
+Loaded load(const Options& options);
+
+/// A course by bundled name or file. Throws SetupError.
+course::Course load_course(const std::string& name_or_path);
+
+/// An overhead camera by bundled name or file. Throws SetupError.
+course::EmulatedCamera load_camera(const std::string& name_or_path);
+
+}  // namespace tp100::sim

@@ -1,0 +1,283 @@
+#include "sim/robot/robot_command.h"
+
+#include <sched.h>
+#include <sys/resource.h>
+#include <time.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "bridge/grounds.h"
+#include "core/angle.h"
+#include "core/clock.h"
+#include "core/error.h"
+#include "core/time.h"
+#include "loop/pacing.h"
+#include "loop/real_time.h"
+#include "sim/robot/camera_stream.h"
+#include "sim/robot/pusher.h"
+#include "sim/wire/pty.h"
+#include "wire/frame.h"
+#include "wire/messages.h"
+
+namespace tp100::sim {
+namespace {
+
+// Behind real time by more than this (a suspended machine): go on from here instead of catching up.
+constexpr std::int64_t kGiveUpNs = 500 * kNsPerMs;
+
+volatile std::sig_atomic_t g_stop = 0;
+
+void on_signal(int) { g_stop = 1; }
+
+void sleep_until(std::int64_t at_ns) {
+  const timespec at{at_ns / kNsPerS, at_ns % kNsPerS};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR && g_stop == 0) {
+  }
+}
+
+// Behind the loop of a daemon on the same machine.
+constexpr int kFifoPriority = 10;
+
+void go_beside_others() {
+  const sched_param none{};
+  ::sched_setscheduler(0, SCHED_OTHER, &none);
+  ::setpriority(PRIO_PROCESS, 0, -15);
+}
+
+/// A robot does not wait for the programs of its host, nor for its own pages. Where the system does
+/// not allow it, a machine that is busy for a fifth of a second makes the firmware stop for want of
+/// commands. Niceness alone does not help: the kernel weighs whole sessions against each other.
+void go_before_others() {
+  const std::vector<loop::Grant> grants = loop::apply_to_this_thread({.priority = kFifoPriority});
+  if (!std::ranges::all_of(grants, &loop::Grant::granted)) go_beside_others();
+}
+
+/// Whether this thread computed nearly all the time since it was asked last, or since it began.
+class Overloaded {
+ public:
+  bool operator()(std::int64_t now_ns) {
+    const std::int64_t used_ns = thread_time_ns();
+    const bool all_the_time = used_ns - used_ns_ > (now_ns - asked_ns_) * 4 / 5;
+    used_ns_ = used_ns;
+    asked_ns_ = now_ns;
+    return all_the_time;
+  }
+
+ private:
+  static std::int64_t thread_time_ns() {
+    timespec used{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return used.tv_sec * kNsPerS + used.tv_nsec;
+  }
+
+  std::int64_t asked_ns_ = monotonic_now();
+  std::int64_t used_ns_ = thread_time_ns();
+};
+
+/// Prints what the firmware says about itself, and counts its samples.
+class FirmwareLog {
+ public:
+  /// Samples that it sent since it was restarted.
+  std::uint64_t samples() const { return samples_; }
+  void restart() { samples_ = 0; }
+  void push(std::uint8_t byte) {
+    if (decoder_.push(byte) != wire::Received::kFrame) return;
+    if (decoder_.type() == static_cast<std::uint8_t>(wire::Type::kSample)) ++samples_;
+    if (decoder_.type() != static_cast<std::uint8_t>(wire::Type::kLog)) return;
+    wire::Log log{};
+    if (!wire::read_payload(decoder_.payload(), decoder_.size(), log)) return;
+    std::array<char, wire::Log::kTextSize + 1> text{};
+    for (std::size_t i = 0; i < wire::Log::kTextSize; ++i) text[i] = static_cast<char>(log.text[i]);
+    std::printf("robot: %.6f s: %s\n", static_cast<double>(log.device_us) * 1e-6, text.data());
+    std::fflush(stdout);
+  }
+
+ private:
+  wire::FrameDecoder decoder_;
+  std::uint64_t samples_ = 0;
+};
+
+/// The robot's end of the cable in real time.
+class Cable {
+ public:
+  Cable(EmulatedRobot& robot, const std::string& link) : robot_(robot), link_(link), pty_(link) {}
+
+  const std::string& device() const { return pty_->device(); }
+  /// Samples that the robot sent since the port was opened.
+  std::uint64_t samples() const { return log_.samples(); }
+
+  /// Takes the port away and brings it back where the robot's faults say so.
+  void plug() {
+    if (const std::optional<double> away_s = robot_.take_fault(FaultKind::kUnplug)) {
+      std::printf("robot: %.6f s: unplugged for %g s\n", to_s(robot_.now_ns() - reset_ns_),
+                  *away_s);
+      std::fflush(stdout);
+      pty_.reset();
+      open_ = false;
+      waiting_.clear();
+      plug_ns_ = robot_.now_ns() + from_s(*away_s);
+    }
+    if (pty_ || robot_.now_ns() < plug_ns_) return;
+    pty_.emplace(link_);
+    std::printf("robot: %.6f s: plugged in again, on %s\n", to_s(robot_.now_ns() - reset_ns_),
+                device().c_str());
+    std::fflush(stdout);
+  }
+
+  /// Opening the port resets the board, as DTR does on a Mega.
+  void watch() {
+    if (!pty_) return;
+    const bool open = pty_->open();
+    if (open == open_) return;
+    open_ = open;
+    // On the board's clock, as the firmware's own lines.
+    std::printf("robot: %.6f s: port %s\n", to_s(robot_.now_ns() - reset_ns_),
+                open ? "opened, board resets" : "closed");
+    std::fflush(stdout);
+    if (open) {
+      robot_.reset(PowerUp::kExternal);
+      reset_ns_ = robot_.now_ns();
+      robot_.opened();
+      log_.restart();
+    }
+    waiting_.clear();
+  }
+  void from_host() {
+    if (!pty_) return;
+    std::array<std::uint8_t, 4096> buffer;
+    const std::size_t n = pty_->read(buffer);
+    robot_.receive(std::span(buffer.data(), n), robot_.now_ns() + kPhysicsStepNs);
+  }
+  void to_host(const std::vector<TimedByte>& sent) {
+    for (const TimedByte& byte : sent) {
+      log_.push(byte.value);
+      if (open_) waiting_.push_back(byte.value);
+    }
+    if (waiting_.empty()) return;
+    const std::size_t n = pty_->write(waiting_);
+    waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(n));
+    // A client that does not read loses bytes, as it would on a real port.
+    if (waiting_.size() > kMostWaiting) waiting_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kMostWaiting = 8192;
+  EmulatedRobot& robot_;
+  std::string link_;
+  std::optional<Pty> pty_;
+  std::int64_t plug_ns_ = 0;
+  FirmwareLog log_;
+  bool open_ = false;
+  std::int64_t reset_ns_ = 0;
+  std::vector<std::uint8_t> waiting_;
+};
+
+/// The camera that was asked for, over the middle of the course's fence.
+std::optional<CameraStream> camera_stream(const RobotCommand& command, const Loaded& loaded,
+                                          const course::Fence& fence) {
+  if (command.camera.empty() && command.camera_to.empty()) return std::nullopt;
+  if (loaded.setup == bridge::Setup::kBench)
+    throw SetupError("--camera: on a bench it would see a robot that stands still; leave it out");
+  const link::UdpAddress to = command.camera_to.empty()
+                                  ? link::UdpAddress{.port = link::kCameraPort}
+                                  : link::parse_udp(command.camera_to, "--camera-to");
+  const course::EmulatedCamera values =
+      load_camera(command.camera.empty() ? "overhead" : command.camera);
+  const OverheadCamera camera(values, (fence.min_x_m + fence.max_x_m) / 2.0,
+                              (fence.min_y_m + fence.max_y_m) / 2.0, command.options.seed);
+  return std::optional<CameraStream>(std::in_place, camera, to, command.options.seed);
+}
+
+void print_place(const Pose& truth) {
+  std::printf("robot: stands at x %.4f m, y %.4f m, yaw %.2f deg\n", truth.x_m, truth.y_m,
+              truth.yaw_rad * kDegPerRad);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int run_robot(const RobotCommand& command) {
+  const Loaded loaded = load(command.options);
+  if (command.blank && loaded.board != BoardKind::kAvr) {
+    throw SetupError("--blank: only an emulated chip can be blank; add --board avr");
+  }
+  const std::vector<PlannedFault> faults = parse_faults(command.faults);
+  for (const PlannedFault& fault : faults)
+    if (fault.kind == FaultKind::kHostStall)
+      throw SetupError("--fault host-stall: the host is a program of its own here; stop that one");
+  course::Course course;
+  if (!command.course.empty()) course = load_course(command.course);
+  EmulatedRobot robot({.values = loaded.robot.emulated,
+                       .start = course.start,
+                       .on_stand = loaded.setup == bridge::Setup::kBench,
+                       .terrain = bridge::floor_of(course.terrain, loaded.setup),
+                       .seed = command.options.seed,
+                       .board = loaded.board,
+                       .bootloader = true,
+                       .blank = command.blank,
+                       .faults = faults});
+  std::optional<CameraStream> camera = camera_stream(command, loaded, course.fence);
+  Cable cable(robot, command.link);
+  Pusher pusher(course.shoves);
+  const loop::RealTimeProcess process({});
+  go_before_others();
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  // Under nohup it stays ignored.
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  // The robot lives on when nobody reads its log any more.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::printf("robot: %s, seed %llu, on %s%s%s\n", loaded.robot.name.c_str(),
+              static_cast<unsigned long long>(command.options.seed), cable.device().c_str(),
+              command.link.empty() ? "" : ", linked from ", command.link.c_str());
+  std::fflush(stdout);
+
+  robot.reset(PowerUp::kPowerOn);
+  std::int64_t begin_ns = monotonic_now();
+  std::int64_t longest_pause_ns = 0;
+  Overloaded overloaded;
+  while (g_stop == 0) {
+    // A quantum is computed when it is over: nothing reaches the host before its time, and what the
+    // host wrote meanwhile arrives with the next one.
+    const std::int64_t due_ns = begin_ns + robot.now_ns() + kPhysicsStepNs;
+    const std::int64_t now_ns = monotonic_now();
+    longest_pause_ns = std::max(longest_pause_ns, now_ns - due_ns);
+    if (now_ns - due_ns > kGiveUpNs) {
+      begin_ns += now_ns - due_ns;
+      // Whatever cannot keep pace must not keep a processor for itself. A machine that stood still
+      // is another matter: beside a busy program the robot would fall behind again and again.
+      if (overloaded(now_ns)) go_beside_others();
+    }
+    if (now_ns < due_ns) sleep_until(due_ns);
+    cable.plug();
+    cable.watch();
+    cable.from_host();
+    cable.to_host(robot.advance());
+    if (camera) camera->look(robot.truth().pose, robot.now_ns(), begin_ns, monotonic_now());
+    if (pusher.update(robot) != nullptr) {
+      std::printf("robot: somebody pushes the robot\n");
+      std::fflush(stdout);
+    }
+  }
+  std::printf("robot: sent %llu samples since its port was opened\n",
+              static_cast<unsigned long long>(cable.samples()));
+  print_place(robot.truth().pose);
+  if (!command.stats.empty()) {
+    const nlohmann::json figures = {
+        {"samples", cable.samples()},
+        {"longest_pause_ms", static_cast<double>(longest_pause_ns) * 1e-6}};
+    if (!(std::ofstream(command.stats) << figures.dump(2) << '\n').flush())
+      throw SetupError(command.stats + ": cannot be written; check --stats");
+  }
+  return 0;
+}
+
+}  // namespace tp100::sim

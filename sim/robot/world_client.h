@@ -1,0 +1,53 @@
+#pragma once
+// The external world of a run in virtual time: every pose waits for its answer, so that the numbers
+// are the same however slow the world is.
+
+#include <netinet/in.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+
+#include "config/world_run.h"
+#include "core/step_record.h"
+#include "worlds/peer.h"
+
+namespace tp100::sim {
+
+class WorldClient {
+ public:
+  using Take = std::function<void(const WorldSample&)>;
+
+  /// Finds the world at run.settings.address and waits until it says welcome, five seconds at
+  /// most. `session` begins the numbers of the conversation. Throws SetupError.
+  WorldClient(const config::WorldRun& run, std::uint32_t session);
+  ~WorldClient();
+  WorldClient(const WorldClient&) = delete;
+  WorldClient& operator=(const WorldClient&) = delete;
+
+  /// After a step at virtual time `now`: sends the pose, if one is due, and waits for the matching
+  /// answer. A world that takes more than five seconds of real time is not waited for again.
+  void exchange(const StepRecord& record, HostNs now, const Take& take);
+
+  /// It did not answer in time once; the others were not waited for.
+  bool silent() const { return !waits_; }
+  const worlds::PeerCounters& counters() const { return peer_.counters(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void greet();
+  void send(const std::string& datagram);
+  /// One datagram of the world, if one comes before `deadline`. False: none.
+  bool receive(HostNs now, Clock::time_point deadline, const Take& take);
+
+  worlds::Peer peer_;
+  sockaddr_in world_{};
+  int socket_ = -1;
+  bool waits_ = true;
+  // One more than a datagram may have: a longer one is seen to be too long.
+  std::array<char, worlds::kMaxWorldDatagram + 1> buffer_{};
+};
+
+}  // namespace tp100::sim

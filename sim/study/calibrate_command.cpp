@@ -1,0 +1,187 @@
+#include "sim/study/calibrate_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "core/error.h"
+#include "identify/calibration.h"
+#include "identify/drive_file.h"
+#include "identify/drive_sink.h"
+#include "identify/identify_report.h"
+#include "sim/robot/lockstep.h"
+#include "text/atomic_file.h"
+
+namespace tp100::sim {
+namespace {
+
+using identify::kParameters;
+using identify::Parameter;
+
+// Stated accuracy: of slip, and of the wheelbase in parts of itself.
+constexpr double kSlipWithin = 0.01;
+constexpr double kWheelbaseWithin = 0.02;
+// Seeds of the drives of one calibration lie apart, so that no two share their noise.
+constexpr std::uint64_t kSeedStride = 1'000'003;
+
+// The order of app::calibration_courses.
+constexpr std::array<DriveKind, 7> kKinds = {
+    DriveKind::kStraight, DriveKind::kWide, DriveKind::kWide, DriveKind::kTight,
+    DriveKind::kTight,    DriveKind::kSpin, DriveKind::kSpin};
+
+course::Robot without_model(course::Robot robot) {
+  robot.model = {};
+  return robot;
+}
+
+std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint64_t seed) {
+  std::vector<CalibrationDrive> drives;
+  const course::Robot unknown = without_model(loaded.robot);
+  const std::vector<std::string> courses = identify::calibration_courses(loaded.robot.shape);
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    const std::string& name = courses.at(i);
+    const course::Course course = load_course(name);
+    for (int repeat = 1; repeat <= repeats; ++repeat) {
+      identify::DriveSink sink;
+      const report::RunResult result = run_lockstep({.course = course,
+                                                     .robot = unknown,
+                                                     .configuration = loaded.configuration,
+                                                     .board = loaded.board,
+                                                     .camera = load_camera("overhead"),
+                                                     .seed = seed + kSeedStride * drives.size(),
+                                                     .sink = &sink});
+      // Where a robot that nothing is known of ends is one of the things to learn.
+      if (!result.finished)
+        throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
+                         "); there is nothing to learn from");
+      identify::Drive drive = sink.drive();
+      drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
+                   std::to_string(repeat);
+      drives.push_back({kKinds[i], std::move(drive), sink.truth()});
+    }
+  }
+  return drives;
+}
+
+void write_drives(const std::string& folder, const std::vector<CalibrationDrive>& drives) {
+  text::make_folder(folder);
+  for (const CalibrationDrive& drive : drives)
+    text::write_file(folder + "/" + drive.drive.name + "-samples.csv",
+                     identify::write_drive(drive.drive));
+}
+
+std::array<double, kParameters> values_of(const EffectiveMotion& m) {
+  return {m.slip_left,
+          m.slip_right,
+          m.slip_angle_straight_rad,
+          m.slip_angle_turning_rad,
+          m.wheelbase_m,
+          m.x_icr_m,
+          m.wheelbase_tight_m,
+          m.x_icr_tight_m - m.x_icr_m,
+          m.wheelbase_spin_m,
+          m.x_icr_spin_m - m.x_icr_m,
+          m.turn_slip,
+          m.turn_slip_tight,
+          m.gyro_scale};
+}
+
+/// How one parameter fared over several calibrations.
+struct Tally {
+  double worst = 0.0, errors = 0.0, halves = 0.0;
+  int inside = 0, count = 0;
+};
+
+void print_tallies(const std::string& robot, const std::array<Tally, kParameters>& tallies) {
+  std::printf("robot %s, %d calibrations: found - true, and how often the 95 %% interval held it\n",
+              robot.c_str(), tallies[0].count);
+  std::printf("                             mean error   largest error   mean interval   held\n");
+  for (std::size_t i = 0; i < kParameters; ++i) {
+    const Tally& t = tallies[i];
+    const double n = t.count * identify::kParameterKeys[i].si;
+    std::printf("  %-24s   %+10.5f      %+10.5f     +- %8.5f   %3.0f %%\n",
+                identify::kParameterKeys[i].key, t.errors / n,
+                t.worst / identify::kParameterKeys[i].si, t.halves / n, 100.0 * t.inside / t.count);
+  }
+}
+
+void print_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
+                const std::array<double, kParameters>& truth) {
+  std::printf(R"({"robot":"%s","seed":%llu)", robot.c_str(), static_cast<unsigned long long>(seed));
+  for (std::size_t i = 0; i < kParameters; ++i) {
+    const double si = identify::kParameterKeys[i].si;
+    std::printf(R"(,"%s":{"found":%.6g,"half_interval":%.6g,"true":%.6g})",
+                identify::kParameterKeys[i].key, fit.estimates[i].value / si,
+                fit.estimates[i].half_interval / si, truth[i] / si);
+  }
+  std::printf("}\n");
+}
+
+}  // namespace
+
+Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed) {
+  Calibration calibration;
+  calibration.drives = drive(loaded, repeats, seed);
+  std::vector<identify::Drive> drives;
+  for (const CalibrationDrive& d : calibration.drives) drives.push_back(d.drive);
+  calibration.found = identify::identify(
+      drives, identify::belief_of(without_model(loaded.robot),
+                                  loaded.configuration.parameters.model.turning_threshold_radps));
+  calibration.truth = values_of(effective_motion(calibration.drives, loaded.robot.emulated));
+  return calibration;
+}
+
+bool Calibration::holds(Parameter parameter) const {
+  const identify::Estimate& estimate = found.extended[parameter];
+  return estimate.found &&
+         std::abs(estimate.value - truth[index(parameter)]) <= estimate.half_interval;
+}
+
+bool Calibration::accurate() const {
+  const auto within = [this](Parameter parameter, double most) {
+    const identify::Estimate& estimate = found.extended[parameter];
+    return estimate.found && std::abs(estimate.value - truth[index(parameter)]) <= most;
+  };
+  const auto share = [this](Parameter parameter) {
+    return kWheelbaseWithin * truth[index(parameter)];
+  };
+  return within(Parameter::kSlipLeft, kSlipWithin) && within(Parameter::kSlipRight, kSlipWithin) &&
+         within(Parameter::kWheelbase, share(Parameter::kWheelbase)) &&
+         within(Parameter::kWheelbaseTight, share(Parameter::kWheelbaseTight)) &&
+         within(Parameter::kWheelbaseSpin, share(Parameter::kWheelbaseSpin));
+}
+
+int run_calibrate(const CalibrateCommand& command) {
+  const Loaded loaded = load(command.options);
+  std::array<Tally, kParameters> tallies{};
+  bool all_accurate = true;
+  for (int run = 0; run < command.runs; ++run) {
+    const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(run);
+    const Calibration calibration = calibrate(loaded, command.repeats, seed);
+    if (!command.out.empty()) write_drives(command.out, calibration.drives);
+    all_accurate = all_accurate && calibration.accurate();
+    for (std::size_t i = 0; i < kParameters; ++i) {
+      const identify::Estimate& estimate = calibration.found.extended.estimates[i];
+      const double error = estimate.value - calibration.truth[i];
+      Tally& tally = tallies[i];
+      ++tally.count;
+      tally.errors += error;
+      tally.halves += estimate.half_interval;
+      if (std::abs(error) > std::abs(tally.worst)) tally.worst = error;
+      if (calibration.holds(static_cast<Parameter>(i))) ++tally.inside;
+    }
+    if (command.json) {
+      print_json(loaded.robot.name, seed, calibration.found.extended, calibration.truth);
+    } else if (command.runs == 1) {
+      const course::Robot unknown = without_model(loaded.robot);
+      std::printf("%s\n", identify::identify_report(calibration.found, unknown).c_str());
+    }
+    std::fflush(stdout);
+  }
+  if (!command.json) print_tallies(loaded.robot.name, tallies);
+  return all_accurate ? 0 : 1;
+}
+
+}  // namespace tp100::sim

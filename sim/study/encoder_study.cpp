@@ -1,0 +1,233 @@
+#include "sim/study/encoder_study.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/angle.h"
+#include "core/time.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/options.h"
+
+namespace tp100::sim {
+namespace {
+
+constexpr std::array kFailures = std::to_array<EncoderFailure>({
+    {"encoder-stuck:left", 0.0, true},
+    {"encoder-stuck:right"},
+    {"encoder-stuck", 0.0, true},
+    {"encoder-silent:left"},
+    {"encoder-silent:right", 0.0, true},
+    {"encoder-silent"},
+    {"encoder-lose:0.3:left", 0.0, true},
+    {"encoder-lose:0.3:right", 0.0, true},
+    {"encoder-lose:0.3", 0.0, true},
+    {"encoder-lose:0.5:left"},
+    {"encoder-lose:0.5", 0.0, true},
+    {"encoder-lose:0.7:right"},
+    {"encoder-lose:0.7"},
+    {"encoder-lose:0.95:left"},
+    {"encoder-lose:0.95", 0.0, true},
+    {"encoder-jump:200:left", 0.25, true},
+    {"encoder-jump:-200", 0.25},
+    {"encoder-flip:left", 0.0, true},
+});
+constexpr std::array kSpeeds = {0.03, 0.06, 0.10, 0.15, 0.20};
+constexpr std::array kOnsets = {Onset::kStraight, Onset::kArc, Onset::kStandstill, Onset::kSpin};
+constexpr std::array<std::string_view, 3> kRobots = {"end-loaded", "uniform", "worn"};
+
+// Pieces of the course, and where in them encoders fail.
+constexpr double kLineM = 0.5, kRadiusM = 0.35, kArcRad = 90.0 * kRadPerDeg, kNextLineM = 0.2;
+constexpr double kInLineM = 0.2, kInArcM = 0.65;
+constexpr double kSpinRad = 90.0 * kRadPerDeg, kInSpinRad = kArcRad + 30.0 * kRadPerDeg;
+constexpr double kStoppedM = kLineM + kRadiusM * kArcRad + kNextLineM - 0.01;
+constexpr int kTimes = 60;
+constexpr double kRoomM = 3.0;
+
+course::Course course_at(double speed_mps) {
+  course::Course course = load_course("1-straight");
+  course.speed_mps = speed_mps;
+  course.path = {course::Line{kLineM}, course::Arc{kRadiusM, kArcRad}, course::Line{kNextLineM},
+                 course::Pivot{kSpinRad}, course::Line{0.3}};
+  course.fence = {-kRoomM, kRoomM, -kRoomM, kRoomM};
+  return course;
+}
+
+Loaded load_robot(std::string_view name) {
+  Options options;
+  options.robot = name;
+  return load(options);
+}
+
+/// The daemon's own checks as wide as they go.
+void look_away(LockstepSettings& settings) {
+  control::Parameters& control = settings.configuration.parameters.control;
+  control.max_cross_track_m = 10.0;
+  control.max_heading_error_rad = 180.0 * kRadPerDeg;
+  control.stall_s = 30.0;
+  control.disagreement_radps = 10.0;
+  settings.course.identifies = true;
+  settings.host_knows_motors = false;
+}
+
+/// When a healthy robot is where encoders fail.
+class PlaceWatch : public messages::Sink {
+ public:
+  explicit PlaceWatch(std::int64_t opened_ns) : opened_ns_(opened_ns) {}
+  void take(const StepRecord& record) override {
+    const Snapshot& snapshot = record.snapshot;
+    if (snapshot.run_state != RunState::kRunning) return;
+    const auto mark = [&](Onset onset, bool there) {
+      if (there) onset_s.try_emplace(onset, to_s(record.now_ns - opened_ns_));
+    };
+    const double turned = snapshot.odometry.yaw_rad;
+    const bool stands = snapshot.left_mps == 0.0 && snapshot.right_mps == 0.0;
+    mark(Onset::kStraight, snapshot.progress_m > kInLineM);
+    mark(Onset::kArc, snapshot.progress_m > kInArcM);
+    mark(Onset::kStandstill, snapshot.progress_m > kStoppedM && stands);
+    mark(Onset::kSpin, snapshot.progress_m > kStoppedM && turned > kInSpinRad);
+  }
+  std::map<Onset, double> onset_s;
+
+ private:
+  std::int64_t opened_ns_;
+};
+
+// As in lockstep.cpp: the robot stands before the host opens the port.
+constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
+
+std::vector<PlannedFault> planned(const EncoderFailure& failure, double at_s) {
+  std::vector<PlannedFault> faults;
+  for (int i = 0; i < (failure.again_s > 0.0 ? kTimes : 1); ++i) {
+    PlannedFault fault = parse_fault(failure.fault);
+    fault.begin_ns = from_s(at_s + i * failure.again_s);
+    faults.push_back(fault);
+  }
+  return faults;
+}
+
+}  // namespace
+
+std::span<const EncoderFailure> encoder_failures() { return kFailures; }
+std::span<const double> encoder_speeds() { return kSpeeds; }
+std::span<const Onset> encoder_onsets() { return kOnsets; }
+std::span<const std::string_view> encoder_robots() { return kRobots; }
+
+const char* to_string(Onset onset) {
+  switch (onset) {
+    case Onset::kStraight:
+      return "straight";
+    case Onset::kArc:
+      return "arc";
+    case Onset::kStandstill:
+      return "standstill";
+    case Onset::kSpin:
+      break;
+  }
+  return "spin";
+}
+
+void EncoderOutcome::merge(const EncoderOutcome& other) {
+  if (end.empty() || other.end == "completed") end = other.end;
+  off_after_s = std::max(off_after_s, other.off_after_s);
+  beyond_m = std::max(beyond_m, other.beyond_m);
+  beyond_rad = std::max(beyond_rad, other.beyond_rad);
+}
+
+const EncoderStudy::Healthy& EncoderStudy::healthy(const EncoderTrial& trial) {
+  const auto [found, is_new] =
+      healthy_.try_emplace({trial.robot, trial.speed_mps, trial.board}, Healthy{});
+  Healthy& healthy = found->second;
+  if (!is_new) return healthy;
+  const Loaded loaded = load_robot(trial.robot);
+  PlaceWatch places(kOpenNs);
+  run_lockstep({.course = course_at(trial.speed_mps),
+                .robot = loaded.robot,
+                .configuration = loaded.configuration,
+                .board = trial.board,
+                .watch =
+                    [&](const EmulatedRobot& robot) {
+                      if (robot.now_ns() > kOpenNs) healthy.truth.push_back(robot.truth().pose);
+                    },
+                .sink = &places});
+  healthy.onset_s = places.onset_s;
+  return healthy;
+}
+
+EncoderOutcome EncoderStudy::drive(const EncoderTrial& trial) {
+  const Healthy& healthy = this->healthy(trial);
+  const double at_s = healthy.onset_s.at(trial.onset);
+  const Loaded loaded = load_robot(trial.robot);
+  EncoderOutcome outcome;
+  std::size_t step = 0;
+  double beyond_m = 0.0, beyond_rad = 0.0;
+  LockstepSettings settings{
+      .course = course_at(trial.speed_mps),
+      .robot = loaded.robot,
+      .configuration = loaded.configuration,
+      .board = trial.board,
+      .faults = planned(trial.failure, at_s),
+      .watch = [&](const EmulatedRobot& robot) {
+        if (robot.now_ns() <= kOpenNs) return;
+        const Pose& should = healthy.truth[std::min(step++, healthy.truth.size() - 1)];
+        const Pose& is = robot.truth().pose;
+        beyond_m = std::max(beyond_m, std::hypot(is.x_m - should.x_m, is.y_m - should.y_m));
+        beyond_rad = std::max(beyond_rad, std::abs(wrap_angle(is.yaw_rad - should.yaw_rad)));
+        if (robot.drive().left == 0.0 && robot.drive().right == 0.0) return;
+        outcome.off_after_s = to_s(robot.now_ns() - kOpenNs) - at_s;
+        outcome.beyond_m = beyond_m;
+        outcome.beyond_rad = beyond_rad;
+      }};
+  if (!host_watches_) look_away(settings);
+  const report::RunResult result = run_lockstep(settings);
+  outcome.end = result.finished ? "completed" : result.cause;
+  return outcome;
+}
+
+std::vector<EncoderTrial> encoder_trials(const EncoderFailure& failure, double speed_mps,
+                                         BoardKind board, bool every_robot) {
+  std::vector<EncoderTrial> trials;
+  const auto number_of = [](const auto& all, auto is_it) {
+    return std::find_if(all.begin(), all.end(), is_it) - all.begin();
+  };
+  const auto speed = number_of(kSpeeds, [&](double one) { return one == speed_mps; });
+  const auto number =
+      number_of(kFailures, [&](const EncoderFailure& one) { return one.fault == failure.fault; });
+  const std::size_t in_turn = static_cast<std::size_t>(speed + number) % kRobots.size();
+  for (const Onset onset : kOnsets)
+    for (std::size_t robot = 0; robot < kRobots.size(); ++robot)
+      if (every_robot || robot == in_turn)
+        trials.push_back({failure, speed_mps, onset, kRobots[robot], board});
+  return trials;
+}
+
+std::string encoder_table_head() {
+  std::string head = "| `--fault` |", line = "|---|";
+  for (const double speed : kSpeeds) {
+    std::array<char, 32> cell{};
+    std::snprintf(cell.data(), cell.size(), " %.2f m/s |", speed);
+    head += cell.data();
+    line += "---|";
+  }
+  return head + "\n" + line + "\n";
+}
+
+std::string encoder_row(const EncoderFailure& failure, std::span<const EncoderOutcome> by_speed) {
+  std::array<char, 96> text{};
+  std::string row = "| `" + std::string(failure.fault) + "`";
+  if (failure.again_s > 0.0) {
+    std::snprintf(text.data(), text.size(), " every %.2f s", failure.again_s);
+    row += text.data();
+  }
+  row += " |";
+  for (const EncoderOutcome& worst : by_speed) {
+    std::snprintf(text.data(), text.size(), " %s%.1f s, %.1f cm, %.0f deg |",
+                  worst.end == "completed" ? "completed, " : "", worst.off_after_s,
+                  worst.beyond_m * 100.0, worst.beyond_rad * kDegPerRad);
+    row += text.data();
+  }
+  return row + "\n";
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,87 @@
+#pragma once
+// Encoders that fail while the robot drives: what it does beyond what it should until its motors
+// are off, over kinds of failure, speeds, places and robots.
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "core/pose.h"
+#include "sim/robot/emulated_robot.h"
+
+namespace tp100::sim {
+
+/// One way to fail.
+struct EncoderFailure {
+  std::string_view fault;  ///< as for --fault, without its time
+  double again_s = 0.0;    ///< happens again after each of these; 0: lasts
+  bool on_page = false;    ///< a row of sim/faults/FAULTS.md, driven by the tests
+};
+
+/// Where the robot is when it begins.
+enum class Onset : std::uint8_t { kStraight, kArc, kStandstill, kSpin };
+
+std::span<const EncoderFailure> encoder_failures();
+std::span<const double> encoder_speeds();  ///< of the course [m/s]
+std::span<const Onset> encoder_onsets();
+std::span<const std::string_view> encoder_robots();
+const char* to_string(Onset onset);
+
+struct EncoderTrial {
+  EncoderFailure failure{};
+  double speed_mps = 0.1;
+  Onset onset = Onset::kStraight;
+  std::string_view robot;
+  BoardKind board = BoardKind::kNative;
+};
+
+/// Until the motors were off for good.
+struct EncoderOutcome {
+  std::string end;           ///< "completed" or the fault that ended the run
+  double off_after_s = 0.0;  ///< from the fault's beginning
+  /// The most that it was elsewhere, and looked elsewhere, than the same robot without the fault at
+  /// the same time, by the truth.
+  double beyond_m = 0.0;
+  double beyond_rad = 0.0;
+
+  static constexpr double kMostM = 0.15;
+  static constexpr double kMostRad = 20.0 * kRadPerDeg;
+  bool good() const { return end != "completed" && beyond_m < kMostM && beyond_rad < kMostRad; }
+  /// Of several outcomes the worst of each figure; `completed` if one was.
+  void merge(const EncoderOutcome& other);
+};
+
+/// Drives a line, an arc, a line, a turn on the spot and a line; keeps what healthy robots did.
+/// Deterministic.
+class EncoderStudy {
+ public:
+  /// `host_watches` false: the daemon's own checks are off, the firmware is on its own.
+  explicit EncoderStudy(bool host_watches = true) : host_watches_(host_watches) {}
+  /// Throws SetupError.
+  EncoderOutcome drive(const EncoderTrial& trial);
+
+ private:
+  struct Healthy {
+    std::vector<Pose> truth;          ///< one a physics step, from the opening of the port
+    std::map<Onset, double> onset_s;  ///< of the same time
+  };
+  const Healthy& healthy(const EncoderTrial& trial);
+
+  bool host_watches_;
+  std::map<std::tuple<std::string_view, double, BoardKind>, Healthy> healthy_;
+};
+
+/// The trials of one cell of the table (failure and speed): every onset with every robot, or all
+/// with one robot, which is another one in the next cell.
+std::vector<EncoderTrial> encoder_trials(const EncoderFailure& failure, double speed_mps,
+                                         BoardKind board, bool every_robot);
+
+/// A row of a Markdown table: the worst of the trials of one failure at each speed.
+std::string encoder_row(const EncoderFailure& failure, std::span<const EncoderOutcome> by_speed);
+std::string encoder_table_head();
+
+}  // namespace tp100::sim

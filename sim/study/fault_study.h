@@ -1,0 +1,70 @@
+#pragma once
+// What each fault does to a run, and to the next one: driven in virtual time, expected beside seen.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/faults.h"
+#include "link/session.h"
+#include "messages/sink.h"
+#include "sim/robot/emulated_robot.h"
+
+namespace tp100::sim {
+
+/// One fault and what must come of it.
+struct FaultTrial {
+  std::string_view fault;  ///< as for --fault; empty: none
+  std::string_view end;  ///< "completed", "never began" or the name of the fault that ends the run
+  /// What the daemon publishes of it, and how much at least: a counter of the link (damaged: all
+  /// four of spoilt frames), or the most of a figure during the run, named with its unit.
+  std::string_view counter;
+  double at_least = 1.0;
+  double off_within_s = 0.0;  ///< motors are off so long after the fault begins; 0: run completes
+  double again_s = 0.0;       ///< the next start, from the port's opening: it completes; 0: none
+  std::string_view
+      log{};  ///< begin of the line that the log has, with cause and remedy; else `end`
+  bool chip_only = false;  ///< wants board avr
+};
+
+std::span<const FaultTrial> fault_trials();
+
+/// What the session told, and the hello that it knew.
+struct Said {
+  link::SessionEvent event;
+  wire::Hello hello;
+};
+
+/// A counter or figure of a run, as trials name it.
+struct Figure {
+  std::string_view name;
+  double value;
+};
+
+/// What was seen.
+struct FaultOutcome {
+  std::string end;
+  std::string again;     ///< the end of the second run; empty: there was none
+  double counted = 0.0;  ///< of the trial's counter
+  std::vector<Figure> figures{};
+  double off_after_s = 0.0;    ///< from the fault's beginning to the last instant with a duty
+  std::uint64_t commands = 0;  ///< that the daemon sent
+  std::uint64_t wild = 0;      ///< of these not finite, out of range or expired when sent
+  FaultMask faults = 0;        ///< that ended the first run
+  std::vector<Said> said{};
+  bool as_expected = false;
+};
+
+/// Drives the first 0.6 m of course 1-straight with the reference robot, and once more if the trial
+/// says so. `sink` sees every step. Deterministic. Throws SetupError.
+FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink* sink = nullptr,
+                       std::uint64_t seed = 1);
+
+/// The row of a Markdown table: fault, expected, seen.
+std::string fault_row(const FaultTrial& trial, BoardKind board, const FaultOutcome& outcome);
+/// Its head.
+std::string fault_table_head();
+
+}  // namespace tp100::sim

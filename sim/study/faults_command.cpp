@@ -1,0 +1,116 @@
+#include "sim/study/faults_command.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/faults/fault_kind.h"
+#include "sim/robot/options.h"
+#include "sim/study/encoder_study.h"
+#include "sim/study/fault_study.h"
+
+namespace tp100::sim {
+namespace {
+
+std::string_view words(FaultWord word) {
+  switch (word) {
+    case FaultWord::kDirection:
+      return "to-host|to-robot";
+    case FaultWord::kSide:
+      return "left|right";
+    case FaultWord::kNone:
+      break;
+  }
+  return "";
+}
+
+void print_json(const FaultText& text) {
+  nlohmann::ordered_json json{{"name", text.name}, {"group", text.group}, {"what", text.what}};
+  if (!text.number.empty())
+    json["number"] = {
+        {"unit", text.number}, {"default", text.standard}, {"min", text.least}, {"max", text.most}};
+  json["word"] = words(text.word);
+  json["lasts"] = !text.at_once;
+  std::printf("%s\n", json.dump().c_str());
+}
+
+void print_row(const FaultText& text) {
+  std::string usage(text.name);
+  if (!text.number.empty()) {
+    char number[64];
+    std::snprintf(number, sizeof number, ":%g", text.standard);
+    usage += number;
+  }
+  if (text.word != FaultWord::kNone) usage += "[:" + std::string(words(text.word)) + "]";
+  std::printf("  %-36s %s%s%.*s%s\n", usage.c_str(), std::string(text.what).c_str(),
+              text.number.empty() ? "" : " [", static_cast<int>(text.number.size()),
+              text.number.data(), text.number.empty() ? "" : "]");
+}
+
+int drive_all(const std::string& board_name) {
+  Options options;
+  options.board = board_name;
+  const BoardKind board = load(options).board;
+  std::printf("%s", fault_table_head().c_str());
+  bool good = true;
+  for (const FaultTrial& trial : fault_trials()) {
+    if (trial.chip_only && board != BoardKind::kAvr) continue;
+    const FaultOutcome outcome = try_fault(trial, board);
+    good = good && outcome.as_expected;
+    std::printf("%s", fault_row(trial, board, outcome).c_str());
+    std::fflush(stdout);
+  }
+  return good ? 0 : 1;
+}
+
+int sweep_encoders(const std::string& board_name) {
+  Options options;
+  options.board = board_name;
+  const BoardKind board = load(options).board;
+  EncoderStudy study;
+  std::printf("%s", encoder_table_head().c_str());
+  bool good = true;
+  for (const EncoderFailure& failure : encoder_failures()) {
+    std::vector<EncoderOutcome> row;
+    for (const double speed_mps : encoder_speeds()) {
+      row.emplace_back();
+      for (const EncoderTrial& trial : encoder_trials(failure, speed_mps, board, true)) {
+        const EncoderOutcome outcome = study.drive(trial);
+        good = good && outcome.good();
+        if (!outcome.good())
+          std::fprintf(stderr, "%s at %.2f m/s, %s, %s: %s\n", std::string(failure.fault).c_str(),
+                       speed_mps, to_string(trial.onset), std::string(trial.robot).c_str(),
+                       outcome.end.c_str());
+        row.back().merge(outcome);
+      }
+    }
+    std::printf("%s", encoder_row(failure, row).c_str());
+    std::fflush(stdout);
+  }
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int run_faults(const FaultsCommand& command) {
+  if (command.drive) return drive_all(command.board);
+  if (command.encoders) return sweep_encoders(command.board);
+  if (command.json) {
+    for (const FaultText& text : fault_texts()) print_json(text);
+    return 0;
+  }
+  std::printf(
+      "--fault NAME[:NUMBER][:WORD][@T[+D]], from T s after the port was opened (0) for D s "
+      "(for ever)\n");
+  std::string_view group;
+  for (const FaultText& text : fault_texts()) {
+    if (text.group != group)
+      std::printf("\n%.*s\n", static_cast<int>(text.group.size()), text.group.data());
+    group = text.group;
+    print_row(text);
+  }
+  return 0;
+}
+
+}  // namespace tp100::sim

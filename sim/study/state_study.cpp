@@ -1,0 +1,132 @@
+#include "sim/study/state_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "core/angle.h"
+#include "sim/robot/options.h"
+#include "sim/study/climb_check.h"
+
+namespace tp100::sim {
+namespace {
+
+constexpr const char* kKinds[] = {"1-straight", "1-curve", "1-sharp", "2", "3"};
+constexpr double kBeltMps = 0.10;
+constexpr double kBlockHeightsM[] = {0.020, 0.025, 0.030, 0.037};
+constexpr double kBlockDepthsM[] = {0.10, 0.20};
+
+double slowest_s(const TrialRun& run) {
+  double slowest = 0.0;
+  for (const report::SlopeChange& change : run.figures.slope.changes)
+    slowest = std::max(slowest, change.found_s.value_or(std::numeric_limits<double>::infinity()));
+  return slowest;
+}
+
+double off_nis(const TrialRun& run) {
+  return std::abs(run.result.camera.nis_mean - report::CameraFigures::kNisDegrees);
+}
+
+/// The largest of a figure over all runs: one that is beyond the limit is too many.
+Judged worst(const CourseStudy& study, const std::vector<TrialRun>& runs, const char* what,
+             const char* unit, double limit, double (*figure)(const TrialRun&)) {
+  double largest = 0.0;
+  for (const TrialRun& run : runs) largest = std::max(largest, figure(run));
+  return {study.course, study.robot, what, unit, limit, {largest, largest, runs.size()}};
+}
+
+Judged typical(const CourseStudy& study, const std::vector<TrialRun>& runs, const char* what,
+               const char* unit, double limit, double (*figure)(const TrialRun&)) {
+  return {study.course, study.robot, what, unit, limit, spread_of(runs, figure)};
+}
+
+CourseStudy study_of(const std::string& course, const course::Robot& robot, bridge::Setup setup,
+                     const std::vector<TrialRun>& runs) {
+  CourseStudy study;
+  study.course = course;
+  study.robot = robot.name;
+  study.setup = bridge::to_string(setup);
+  study.board = to_string(BoardKind::kNative);
+  study.runs = static_cast<int>(runs.size());
+  study.completed = completed(runs);
+  return study;
+}
+
+double false_changes(const TrialRun& run) { return run.figures.slope.false_changes; }
+
+CourseStudy study_flat(const course::Robot& robot, std::uint64_t first_seed, int runs) {
+  std::vector<TrialRun> all;
+  for (const char* kind : kKinds) {
+    for (TrialRun& run : run_trial({.course = load_course(kind),
+                         .robot = robot,
+                         .setup = bridge::Setup::kFlat,
+                         .first_seed = first_seed,
+                         .runs = runs,
+                         .both_directions = false})) {
+      run.result.points.clear();
+      all.push_back(std::move(run));
+    }
+  }
+  CourseStudy study = study_of("all, on a flat floor", robot, bridge::Setup::kFlat, all);
+  study.judged.push_back(
+      worst(study, all, "false changes of the slope's state, most", "", 0.0, false_changes));
+  study.judged.push_back(typical(study, all, "camera NIS, mean off 3", "", 0.25, off_nis));
+  return study;
+}
+
+CourseStudy study_obstacles(const course::Robot& robot, std::uint64_t first_seed, int runs) {
+  const std::vector<TrialRun> all = run_trial({.course = load_course("3"),
+                                               .robot = robot,
+                                               .setup = bridge::Setup::kTerrain,
+                                               .first_seed = first_seed,
+                                               .runs = runs});
+  CourseStudy study = study_of("3, state", robot, bridge::Setup::kTerrain, all);
+  study.judged = {
+      typical(
+          study, all, "IMU pitch on ramps, max error", "deg", 1.5,
+          [](const TrialRun& r) { return r.figures.slope.ramp_pitch_max_error_rad * kDegPerRad; }),
+      typical(study, all, "slope passes 4 deg: found after, slowest", "s", 0.3, slowest_s),
+      worst(study, all, "false changes of the slope's state, most", "", 0.0, false_changes),
+      worst(study, all, "ramp for step or step for ramp, most", "", 0.0,
+            [](const TrialRun& r) { return static_cast<double>(r.figures.slope.mistaken); }),
+      typical(study, all, "camera NIS, mean off 3", "", -1.0, off_nis)};
+  return study;
+}
+
+CourseStudy study_climb(const course::Robot& robot) {
+  CourseStudy study = study_of("step without slip", robot, bridge::Setup::kTerrain, {});
+  double rms_rad = 0.0, max_rad = 0.0;
+  for (const double height_m : kBlockHeightsM) {
+    for (const double depth_m : kBlockDepthsM) {
+      const ClimbCheck check = check_climb_pitch(robot, height_m, depth_m, kBeltMps);
+      ++study.runs;
+      if (check.crossed) ++study.completed;
+      rms_rad = std::max(rms_rad, check.pitch_rms_rad);
+      max_rad = std::max(max_rad, check.pitch_max_rad);
+    }
+  }
+  const auto judged = [&](const char* what, double limit, double value_rad) {
+    const double deg = value_rad * kDegPerRad;
+    study.judged.push_back({study.course,
+                            study.robot,
+                            what,
+                            "deg",
+                            limit,
+                            {deg, deg, static_cast<std::size_t>(study.runs)}});
+  };
+  judged("model pitch against the body, rms", 2.0, rms_rad);
+  judged("model pitch against the body, max", -1.0, max_rad);
+  return study;
+}
+
+}  // namespace
+
+std::vector<CourseStudy> study_state(const course::Robot& robot, std::uint64_t first_seed,
+                                     int runs) {
+  return {study_flat(robot, first_seed, runs), study_obstacles(robot, first_seed, runs),
+          study_climb(robot)};
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "course/path.h"
+#include "sim/study/reproduce.h"
+
+namespace tp100::sim {
+namespace {
+
+constexpr double kShare = 0.03;           // of the distance, for robots but the reference
+constexpr double kOdometryShare = 0.025;  // of the distance
+
+double cm(double metres) { return metres * 100.0; }
+
+/// Limits of a kind of course. [cm]
+struct Limits {
+  std::string kind;
+  double model_cm, fused_cm, tracking_cm;
+};
+
+Limits limits_of(const std::string& kind, double distance_m) {
+  if (kind == "1-straight" || kind == "1-curve") return {kind, 1.0, 0.6, 0.8};
+  if (kind == "1-sharp") return {kind, 3.0, 1.0, 1.5};
+  if (kind == "2") return {kind, 3.0, 1.0, -1.0};
+  if (kind == "3") return {kind, cm(0.02 * distance_m), 1.0, 1.5};
+  throw SetupError("no limits for a course of kind " + kind);
+}
+
+class Judge {
+ public:
+  Judge(CourseStudy& study, const std::vector<TrialRun>& runs) : study_(study), runs_(runs) {}
+  void add(const char* what, const char* unit, double limit, double (*figure)(const TrialRun&)) {
+    study_.judged.push_back(
+        {study_.course, study_.robot, what, unit, limit, spread_of(runs_, figure)});
+  }
+
+ private:
+  CourseStudy& study_;
+  const std::vector<TrialRun>& runs_;
+};
+
+void judge_model(Judge& judge, const Limits& limits, double distance_m, bool reference) {
+  const auto max_cm = [](const TrialRun& r) { return cm(r.figures.model.max_position_error_m); };
+  if (limits.kind == "2" && reference) {
+    judge.add("model rms between shoves", "cm", limits.model_cm,
+              [](const TrialRun& r) { return cm(r.model_rms_m); });
+    judge.add("model yaw rms between shoves", "deg", 3.0,
+              [](const TrialRun& r) { return r.model_rms_yaw_rad * kDegPerRad; });
+    return;
+  }
+  judge.add(limits.kind == "2" ? "model max between shoves" : "model max", "cm",
+            reference ? limits.model_cm : cm(kShare * distance_m), max_cm);
+}
+
+void judge_odometry(Judge& judge, const Limits& limits, double distance_m) {
+  // A slide leaves no trace in encoders and gyro.
+  if (limits.kind == "2") return;
+  judge.add("odometry max", "cm", cm(kOdometryShare * distance_m),
+            [](const TrialRun& r) { return cm(r.figures.odometry.max_position_error_m); });
+  judge.add("odometry yaw drift", "deg/min", limits.kind == "3" ? -1.0 : 1.5,
+            [](const TrialRun& r) {
+              return r.figures.odometry.max_yaw_error_rad * kDegPerRad /
+                     std::max(r.result.duration_s / 60.0, 1.0 / 3.0);
+            });
+}
+
+void judge_fused(Judge& judge, const Limits& limits, bool blind) {
+  if (blind) {
+    judge.add("fused max, 3 s without camera", "cm", 3.0, [](const TrialRun& r) {
+      return cm(std::max(r.fused_max_flat_m, r.fused_max_obstacle_m));
+    });
+    return;
+  }
+  if (limits.kind == "2") {
+    judge.add("fused rms", "cm", 1.0, [](const TrialRun& r) { return cm(r.fused_rms_m); });
+    judge.add("fused yaw rms", "deg", 1.0,
+              [](const TrialRun& r) { return r.fused_rms_yaw_rad * kDegPerRad; });
+    return;
+  }
+  judge.add("fused max on the level", "cm", limits.fused_cm,
+            [](const TrialRun& r) { return cm(r.fused_max_flat_m); });
+  if (limits.kind == "3")
+    judge.add("fused max on obstacles", "cm", 2.0,
+              [](const TrialRun& r) { return cm(r.fused_max_obstacle_m); });
+}
+
+void judge_tracking(Judge& judge, const Limits& limits) {
+  if (limits.kind == "2") {
+    judge.add("tracking: slowest recovery from a shove", "s", 2.5,
+              [](const TrialRun& r) { return r.slowest_recovery_s; });
+    return;
+  }
+  judge.add("tracking max", "cm", limits.tracking_cm,
+            [](const TrialRun& r) { return cm(r.figures.tracking.max_cross_track_m); });
+}
+
+}  // namespace
+
+CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
+  const std::vector<TrialRun> runs = run_trial(trial);
+  CourseStudy result;
+  result.course = trial.course.name;
+  result.robot = trial.robot.name;
+  result.setup = bridge::to_string(trial.setup);
+  result.board = to_string(trial.board);
+  result.runs = static_cast<int>(runs.size());
+  result.completed = completed(runs);
+  result.distance_m = course::Path(trial.course).length_m();
+  if (trial.blind_s > 0.0) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "no camera %.0f-%.0f s", trial.blind_from_s,
+                  trial.blind_from_s + trial.blind_s);
+    result.blind = text.data();
+  }
+  const Limits limits = limits_of(kind, result.distance_m);
+  Judge judge(result, runs);
+  const bool blind = trial.blind_s > 0.0;
+  const bool bench = trial.setup == bridge::Setup::kBench;
+  // On a bench there is no truth but the virtual pose itself.
+  if (!blind && !bench) {
+    judge_model(judge, limits, result.distance_m, reference);
+    judge_odometry(judge, limits, result.distance_m);
+  }
+  if (!bench) judge_fused(judge, limits, blind);
+  if (!blind) judge_tracking(judge, limits);
+  result.mse_x_m2 = spread_of(runs, [](const TrialRun& r) { return r.figures.model.mse_x_m2; });
+  result.mse_y_m2 = spread_of(runs, [](const TrialRun& r) { return r.figures.model.mse_y_m2; });
+  result.mse_yaw_rad2 =
+      spread_of(runs, [](const TrialRun& r) { return r.figures.model.mse_yaw_rad2; });
+  if (!runs.empty()) result.shown = runs.front();
+  std::fprintf(stderr, "%-28s %-14s %-8s %d of %d completed\n", result.course.c_str(),
+               result.robot.c_str(), result.setup.c_str(), result.completed, result.runs);
+  return result;
+}
+
+}  // namespace tp100::sim

@@ -1,0 +1,146 @@
+#include "bridge/cycle.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "../link/scripted_robot.h"
+#include "support/alloc_count.h"
+
+namespace tp100::bridge {
+namespace {
+
+class CycleBench {
+ public:
+  explicit CycleBench(const bridge::Parameters& parameters = {})
+      : cycle(session_settings(parameters), parameters, nullptr) {
+    cycle.open(now);
+  }
+  void run(int ms) {
+    for (int i = 0; i < ms; ++i) {
+      now += kNsPerMs;
+      robot.tick(now);
+      cycle.receive(robot.take(), now);
+      if (i % 5 == 0) cycle.step(now);
+      robot.hear(cycle.output(), now);
+      cycle.written(cycle.output().size());
+      cycle.take_events();
+    }
+  }
+  HostNs now = kNsPerS;
+  ScriptedRobot robot;
+  Cycle cycle;
+};
+
+TEST(Cycle, ConnectsAndAnswersSamplesWithCommands) {
+  CycleBench bench;
+  bench.run(1000);
+  EXPECT_EQ(bench.cycle.session().state(), SessionState::kReady);
+  ASSERT_GT(bench.robot.heard.commands.size(), 50u);
+  const wire::Command& command = bench.robot.heard.commands.back();
+  EXPECT_EQ(command.speed_mps, 0.0F);
+  const auto behind = static_cast<std::uint16_t>(bench.robot.sequence - command.answers);
+  EXPECT_LE(behind, 4u);
+}
+
+TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
+  bridge::Parameters parameters;
+  parameters.model.wheelbase_m = 0.31;
+  parameters.model.gyro_scale = 1.02;
+  parameters.drive.battery_cutoff_v = 6.25;
+  parameters.drive.stall_duty = 0.55;
+  parameters.drive.swap_tracks = true;
+  CycleBench bench(parameters);
+  bench.run(100);
+  ASSERT_EQ(bench.robot.heard.parameters.size(), 1u);
+  const wire::Parameters& sent = bench.robot.heard.parameters[0];
+  EXPECT_FLOAT_EQ(sent.wheelbase_m, 0.31F);
+  EXPECT_FLOAT_EQ(sent.gyro_z_radps_per_lsb,
+                  static_cast<float>(1.02 * 0.017453292519943295 / 32.8));
+  EXPECT_EQ(sent.battery_cutoff_mv, 6250);
+  EXPECT_EQ(sent.stall_duty, 550);
+  EXPECT_EQ(sent.flags, wire::kUseGyro | wire::kSwapTracks);
+}
+
+TEST(Cycle, TheGyroDoesNotSteerOnABench) {
+  bridge::Parameters parameters;
+  parameters.setup = bridge::Setup::kBench;
+  EXPECT_EQ(session_settings(parameters).parameters.flags & wire::kUseGyro, 0);
+}
+
+TEST(Cycle, DisarmIsAcknowledgedAndThenNothingIsPending) {
+  CycleBench bench;
+  bench.run(600);
+  bench.cycle.disarm(bench.now);
+  EXPECT_TRUE(bench.cycle.request_pending());
+  bench.run(50);
+  EXPECT_FALSE(bench.cycle.request_pending());
+  EXPECT_EQ(bench.robot.heard.disarms.size(), 1u);
+}
+
+TEST(Cycle, AStopIsNeverCrowdedOut) {
+  CycleBench bench;
+  bench.run(600);
+  for (int i = 0; i < 40; ++i) bench.cycle.request(OperatorRequest::kHold);
+  bench.cycle.request(OperatorRequest::kStop);
+  bench.run(50);
+  EXPECT_EQ(bench.robot.heard.stops.size(), 1u);
+}
+
+TEST(Cycle, TheRecordOfAStepHoldsItsInputsAndResults) {
+  CycleBench bench;
+  bench.run(600);
+  bench.cycle.request(OperatorRequest::kHold);
+  bench.cycle.camera({.x_m = 0.1, .y_m = 0.2, .yaw_rad = 0.3, .measured_ns = bench.now});
+  bench.run(1);
+  auto record = std::make_unique<StepRecord>();
+  bench.cycle.record(*record);
+  EXPECT_EQ(record->step, 121u);
+  EXPECT_EQ(record->now_ns, bench.now);
+  ASSERT_EQ(record->sample_count, bench.cycle.inputs().samples.size());
+  ASSERT_GT(record->sample_count, 0u);
+  EXPECT_EQ(record->samples[0].device_us, bench.cycle.inputs().samples[0].device_us);
+  ASSERT_EQ(record->request_count, 1u);
+  EXPECT_EQ(record->requests[0], OperatorRequest::kHold);
+  ASSERT_EQ(record->camera_count, 1u);
+  EXPECT_EQ(record->camera[0].y_m, 0.2);
+  EXPECT_EQ(record->session, SessionState::kReady);
+  EXPECT_EQ(record->link.samples, bench.cycle.session().counters().samples);
+  EXPECT_TRUE(record->command_valid);
+  EXPECT_EQ(record->snapshot.sample.device_us, record->samples[0].device_us);
+}
+
+TEST(Cycle, AWholeTurnNeverTouchesTheHeap) {
+  HostNs now = kNsPerS;
+  ScriptedRobot robot;
+  Cycle cycle(session_settings({}), {}, nullptr);
+  cycle.open(now);
+  const auto record = std::make_unique<StepRecord>();
+  std::uint64_t calls = 0;
+  for (int turn = 0; turn < 1000; ++turn) {
+    now += 5 * kNsPerMs;
+    robot.tick(now);
+    const std::vector<std::uint8_t> bytes = robot.take();
+    {
+      const test::AllocCount heap;
+      cycle.receive(bytes, now);
+      cycle.step(now);
+      cycle.record(*record);
+      cycle.take_events();
+      calls += heap.calls();
+    }
+    robot.hear(cycle.output(), now);
+    cycle.written(cycle.output().size());
+  }
+  EXPECT_EQ(calls, 0u);
+  EXPECT_EQ(cycle.session().state(), SessionState::kReady);
+}
+
+TEST(Cycle, NamesEveryParameterThatARobotCanRefuse) {
+  EXPECT_STREQ(parameter_name(0), "boot_nonce");
+  EXPECT_STREQ(parameter_name(3), "wheelbase_m");
+  EXPECT_STREQ(parameter_name(99), "unknown");
+}
+
+}  // namespace
+}  // namespace tp100::bridge

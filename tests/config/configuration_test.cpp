@@ -1,0 +1,109 @@
+#include "config/configuration.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "support/paths.h"
+
+namespace tp100::config {
+namespace {
+
+using testing::HasSubstr;
+
+std::string told(const std::string& text) {
+  try {
+    parse_configuration(text, "tp100.toml");
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// TP100_REWRITE_CONFIG=1 writes the bundled file anew from the key table.
+TEST(Configuration, TheBundledFileIsWhatTheKeyTableSays) {
+  const std::string path = TP100_SOURCE_DIR "/config/tp100.toml";
+  const std::string text = write_configuration(Configuration{});
+  if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {
+    std::ofstream(path, std::ios::binary) << text;
+    return;
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bundled;
+  bundled << file.rdbuf();
+  EXPECT_EQ(bundled.str(), text) << "config/tp100.toml has drifted from the key table";
+}
+
+TEST(Configuration, AnEmptyFileIsTheDefaults) {
+  EXPECT_EQ(write_configuration(parse_configuration("", "f")),
+            write_configuration(Configuration{}));
+}
+
+TEST(Configuration, AWrittenFileReadsBackTheSame) {
+  Configuration changed;
+  changed.robot = "uniform";
+  changed.course = "my \"course\".toml";
+  changed.link.port = "/dev/ttyACM0";
+  changed.link.hang_up = true;
+  changed.loop.pacing = Pacing::kRobot;
+  changed.loop.cpu = 1;
+  changed.parameters.setup = bridge::Setup::kBench;
+  changed.parameters.steering = bridge::Steering::kModel;
+  changed.parameters.paper_model = true;
+  changed.parameters.command_life_s = 0.15;
+  changed.parameters.control.max_tilt_rad = 33 * kRadPerDeg;
+  const Configuration read = parse_configuration(write_configuration(changed), "f");
+  EXPECT_EQ(write_configuration(read), write_configuration(changed));
+  EXPECT_EQ(read.course, changed.course);
+  EXPECT_EQ(read.parameters.steering, bridge::Steering::kModel);
+  EXPECT_NEAR(read.parameters.control.max_tilt_rad, changed.parameters.control.max_tilt_rad, 1e-12);
+  EXPECT_DOUBLE_EQ(read.parameters.command_life_s, 0.15);
+}
+
+TEST(Configuration, EveryKeyOfTheBundledFileRefusesAWrongType) {
+  std::istringstream lines(write_configuration(Configuration{}));
+  std::string section, line;
+  int keys = 0;
+  while (std::getline(lines, line)) {
+    if (line.starts_with("[")) section = line + "\n";
+    const std::size_t equals = line.find(" = ");
+    if (line.starts_with("#") || equals == std::string::npos) continue;
+    ++keys;
+    const std::string name = line.substr(0, equals);
+    EXPECT_THAT(told(section + name + " = [1]\n"), HasSubstr(name + "' is an array, expected"));
+    EXPECT_EQ(told(section + line + "\n"), "");
+    EXPECT_THAT(told(section + name + "x = 1\n"), HasSubstr("did you mean"));
+  }
+  EXPECT_GT(keys, 35);
+}
+
+TEST(Configuration, RefusesUnknownKeysAndValuesOutOfRangeInOneLine) {
+  EXPECT_EQ(told("[loop]\nrate = 100\n"),
+            "tp100.toml:2:1: unknown key 'loop.rate'; did you mean 'loop.rate_hz'?");
+  EXPECT_EQ(told("[loop]\nrate_hz = 2000\n"),
+            "tp100.toml:2:11: 'loop.rate_hz' is 2000, allowed 50 to 1000 Hz");
+  EXPECT_EQ(told("[control]\ncommand_life_ms = 500\n"),
+            "tp100.toml:2:19: 'control.command_life_ms' is 500, allowed 20 to 190 ms");
+  EXPECT_THAT(told("setup = 'flatt'\n"), HasSubstr("did you mean 'flat'?"));
+  EXPECT_THAT(told("[lopp]\n"), HasSubstr("unknown key 'lopp'; did you mean 'loop'?"));
+}
+
+TEST(Configuration, TheRobotGivesModelAndDriveAndTheConfigurationTheTurningThreshold) {
+  const Configuration configuration =
+      parse_configuration("[model]\nturning_threshold_radps = 0.2\n", "f");
+  course::Robot robot;
+  robot.model.wheelbase_m = 0.3;
+  robot.drive.dead_band = 0.25;
+  const bridge::Parameters parameters = bridge_parameters(configuration, robot);
+  EXPECT_EQ(parameters.model.wheelbase_m, 0.3);
+  EXPECT_EQ(parameters.drive.dead_band, 0.25);
+  EXPECT_EQ(parameters.model.turning_threshold_radps, 0.2);
+}
+
+}  // namespace
+}  // namespace tp100::config

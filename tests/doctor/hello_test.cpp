@@ -1,0 +1,60 @@
+#include "doctor/hello.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "wire/frame.h"
+#include "wire/messages.h"
+
+namespace tp100::doctor {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+/// The payload of a hello.
+std::array<std::uint8_t, wire::Hello::kSize> payload(std::uint16_t protocol, std::uint32_t schema) {
+  wire::Hello hello{};
+  hello.protocol = protocol;
+  hello.firmware[0] = 3;
+  hello.firmware[1] = 20;
+  hello.firmware[2] = 100;
+  hello.schema = schema;
+  hello.board = static_cast<std::uint8_t>(wire::Board::kMega2560);
+  hello.boot_nonce = 7;
+  std::array<std::uint8_t, wire::Hello::kSize> bytes{};
+  wire::Writer writer(bytes.data());
+  hello.visit(writer);
+  return bytes;
+}
+
+TEST(Greeting, NamesBoardFirmwareAndProtocol) {
+  const auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
+  const Greeting greeting = read_greeting(bytes.data(), bytes.size());
+  EXPECT_TRUE(greeting.ours);
+  EXPECT_EQ(greeting.text, "board Mega 2560, firmware 3.20.100, protocol " +
+                               std::to_string(wire::kProtocolVersion));
+}
+
+TEST(Greeting, OfAnotherVersionNamesBothAndAsksForFlashing) {
+  const auto other = payload(wire::kProtocolVersion + 1, 0xABCD);
+  // Only its first nine bytes are promised.
+  for (const std::size_t size : {std::size_t{9}, other.size()}) {
+    const Greeting greeting = read_greeting(other.data(), size);
+    EXPECT_FALSE(greeting.ours);
+    EXPECT_THAT(greeting.text, HasSubstr("firmware 3.20.100"));
+    EXPECT_THAT(greeting.text, HasSubstr("schema 0000abcd"));
+    EXPECT_THAT(greeting.text,
+                EndsWith("; flash the board with scripts/flash (installed: tp100-flash)"));
+  }
+}
+
+TEST(Greeting, ThatIsTooShortIsNone) {
+  const auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
+  EXPECT_EQ(read_greeting(bytes.data(), 8).text, "");
+}
+
+}  // namespace
+}  // namespace tp100::doctor

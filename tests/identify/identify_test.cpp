@@ -1,0 +1,231 @@
+// identify on drives of a made-up robot: eqs 1-5 integrated here, in small steps and in closed form
+// nowhere shared with the model under test; noise, outliers and delay on top.
+
+#include "identify/identify.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/angle.h"
+#include "core/error.h"
+
+namespace tp100::identify {
+namespace {
+
+using testing::HasSubstr;
+
+struct Truth {
+  double slip_left = 0.13, slip_right = 0.17, wheelbase_m = 0.23, x_icr_m = 0.012;
+  double gyro_scale = 1.02, slip_angle_rad = 0.02, late_s = 0.0;
+  double noise_m = 0.0015, noise_rad = 0.4 * kRadPerDeg, outliers = 0.0;
+  double counts_per_metre = 20000.0;
+};
+
+/// Rest, belts at constant speeds, rest.
+Drive drive(const Truth& truth, const std::string& name, double left_mps, double right_mps,
+            double duration_s, unsigned seed) {
+  constexpr double kRestS = 1.0, kStepS = 5e-4;
+  constexpr int kStepsPerSample = 20, kStepsPerPicture = 60;
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const double bias = 0.02 * normal(random);
+  Drive drive;
+  drive.name = name;
+  double x = 0.3 * uniform(random), y = 0.3 * uniform(random), yaw = 3.0 * uniform(random);
+  double left_m = 0.0, right_m = 0.0;
+  const auto steps = static_cast<int>((2.0 * kRestS + duration_s) / kStepS);
+  for (int i = 0; i < steps; ++i) {
+    const double t = i * kStepS;
+    const bool moves = t > kRestS && t < kRestS + duration_s;
+    const double left = moves ? left_mps : 0.0, right = moves ? right_mps : 0.0;
+    const double l = left * (1.0 - truth.slip_left), r = right * (1.0 - truth.slip_right);
+    const double rate = (r - l) / truth.wheelbase_m, vx = (l + r) / 2.0;
+    const double vy = vx * std::tan(truth.slip_angle_rad) - truth.x_icr_m * rate;
+    if (i % kStepsPerSample == 0)
+      drive.samples.push_back({t, std::lround(left_m * truth.counts_per_metre),
+                               std::lround(right_m * truth.counts_per_metre),
+                               rate / truth.gyro_scale + bias + 7e-4 * normal(random)});
+    if (i % kStepsPerPicture == 0) {
+      SeenPose seen{t + truth.late_s, x + truth.noise_m * normal(random),
+                    y + truth.noise_m * normal(random),
+                    wrap_angle(yaw + truth.noise_rad * normal(random))};
+      if (std::abs(uniform(random)) < truth.outliers) {
+        seen.x_m += 0.3 * uniform(random);
+        seen.yaw_rad = kPi * uniform(random);
+      }
+      drive.camera.push_back(seen);
+    }
+    const double middle = yaw + rate * kStepS / 2.0;
+    x += (vx * std::cos(middle) - vy * std::sin(middle)) * kStepS;
+    y += (vx * std::sin(middle) + vy * std::cos(middle)) * kStepS;
+    yaw += rate * kStepS;
+    left_m += left * kStepS;
+    right_m += right * kStepS;
+  }
+  return drive;
+}
+
+std::vector<Drive> all_kinds(const Truth& truth, unsigned seed = 1) {
+  std::vector<Drive> drives;
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    drives.push_back(drive(truth, "straight", 0.117, 0.123, 12.0, ++seed));
+    drives.push_back(drive(truth, "arc left", 0.09, 0.15, 10.0, ++seed));
+    drives.push_back(drive(truth, "arc right", 0.15, 0.09, 10.0, ++seed));
+    drives.push_back(drive(truth, "tight left", 0.06, 0.15, 8.0, ++seed));
+    drives.push_back(drive(truth, "tight right", 0.15, 0.06, 8.0, ++seed));
+    drives.push_back(drive(truth, "spin left", -0.1, 0.1, 8.0, ++seed));
+    drives.push_back(drive(truth, "spin right", 0.1, -0.1, 8.0, ++seed));
+  }
+  return drives;
+}
+
+Belief unknown() { return {.counts_per_metre = Truth{}.counts_per_metre}; }
+
+void expect_found(const Fit& fit, Parameter parameter, double truth, double within) {
+  SCOPED_TRACE(kParameterKeys[index(parameter)].key);
+  EXPECT_TRUE(fit[parameter].found);
+  EXPECT_NEAR(fit[parameter].value, truth, within);
+  EXPECT_NEAR(fit[parameter].value, truth, 1.5 * fit[parameter].half_interval);
+}
+
+void expect_all_found(const Identification& found, const Truth& truth) {
+  const Fit& fit = found.extended;
+  expect_found(fit, Parameter::kSlipLeft, truth.slip_left, 0.003);
+  expect_found(fit, Parameter::kSlipRight, truth.slip_right, 0.003);
+  expect_found(fit, Parameter::kWheelbase, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
+  expect_found(fit, Parameter::kWheelbaseTight, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
+  expect_found(fit, Parameter::kWheelbaseSpin, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
+  expect_found(fit, Parameter::kXIcr, truth.x_icr_m, 0.002);
+  expect_found(fit, Parameter::kGyroScale, truth.gyro_scale, 0.004);
+  expect_found(fit, Parameter::kSlipAngleStraight, truth.slip_angle_rad, 0.3 * kRadPerDeg);
+  expect_found(fit, Parameter::kSlipAngleTurning, truth.slip_angle_rad, 0.3 * kRadPerDeg);
+  EXPECT_TRUE(fit.confused.empty());
+}
+
+TEST(Identify, FindsARobotOfWhichNothingIsKnown) {
+  const Truth truth;
+  const Identification found = identify(all_kinds(truth), unknown());
+  expect_all_found(found, truth);
+  EXPECT_LT(found.extended.rms_m, 0.003);
+  EXPECT_GT(found.plain.rms_m, found.extended.rms_m);
+  EXPECT_LT(found.extended.condition, 10.0);
+  EXPECT_EQ(found.belief.tracks.slip_left, found.extended[Parameter::kSlipLeft].value);
+  EXPECT_EQ(found.belief.counts_per_metre, truth.counts_per_metre);
+}
+
+TEST(Identify, PicturesThatAreOffTogetherSayLess) {
+  // What no model knows, and comes round.
+  const auto with_waves = [](double duration_s) {
+    std::vector<Drive> drives = all_kinds(Truth{});
+    for (Drive& drive : drives) {
+      for (SeenPose& seen : drive.camera)
+        seen.yaw_rad += 0.02 * std::sin(2.0 * kPi * seen.t_s / duration_s);
+    }
+    return identify(drives, unknown()).extended[Parameter::kWheelbaseTight].half_interval;
+  };
+  EXPECT_GT(with_waves(8.0), 1.25 * with_waves(0.13));
+}
+
+TEST(Identify, FalseDetectionsAndLateStampsDoNotBendIt) {
+  Truth truth;
+  truth.outliers = 0.1;
+  truth.late_s = 0.03;
+  const Identification found = identify(all_kinds(truth), unknown());
+  expect_all_found(found, truth);
+  EXPECT_NEAR(found.extended.camera_late_s, truth.late_s, 0.003);
+  for (const RunFit& run : found.extended.runs) EXPECT_GT(run.rejected, 10u) << run.name;
+}
+
+TEST(Identify, ALargerRobotConvergesFromTheSameStart) {
+  Truth truth;
+  truth.wheelbase_m = 0.49;
+  expect_all_found(identify(all_kinds(truth), unknown()), truth);
+}
+
+TEST(Identify, TapeAndProtractorAreEnough) {
+  const Truth truth;
+  std::vector<Drive> drives = all_kinds(truth);
+  for (Drive& d : drives) {
+    // What a careful hand would write down: the drive's noiseless ends to a millimetre and a
+    // degree.
+    Truth exact = truth;
+    exact.noise_m = exact.noise_rad = 0.0;
+    const SeenPose a = d.camera.front(), b = d.camera.back();
+    const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
+    d.measured.ahead_m = std::cos(a.yaw_rad) * dx + std::sin(a.yaw_rad) * dy;
+    d.measured.left_m = -std::sin(a.yaw_rad) * dx + std::cos(a.yaw_rad) * dy;
+    double turned = 0.0;
+    for (std::size_t i = 1; i < d.camera.size(); ++i)
+      turned += wrap_angle(d.camera[i].yaw_rad - d.camera[i - 1].yaw_rad);
+    d.measured.turned_rad = turned;
+    d.camera.clear();
+  }
+  const Fit fit = identify(drives, unknown()).extended;
+  expect_found(fit, Parameter::kSlipLeft, truth.slip_left, 0.01);
+  expect_found(fit, Parameter::kSlipRight, truth.slip_right, 0.01);
+  expect_found(fit, Parameter::kWheelbase, truth.wheelbase_m, 0.02 * truth.wheelbase_m);
+  expect_found(fit, Parameter::kGyroScale, truth.gyro_scale, 0.01);
+}
+
+TEST(Identify, SaysWhatStraightRunsDoNotShow) {
+  const Truth truth;
+  const Belief before = unknown();
+  const Identification found = identify(
+      {drive(truth, "a", 0.117, 0.123, 12.0, 1), drive(truth, "b", 0.117, 0.123, 12.0, 2)}, before);
+  EXPECT_FALSE(found.extended[Parameter::kXIcr].found);
+  EXPECT_FALSE(found.extended[Parameter::kWheelbaseSpin].found);
+  EXPECT_EQ(found.belief.tracks.wheelbase_spin_m, before.tracks.wheelbase_spin_m);
+  EXPECT_EQ(found.belief.tracks.x_icr_m, before.tracks.x_icr_m);
+}
+
+TEST(Identify, NamesThePairThatTurnsToOneSideMix) {
+  const Truth truth;
+  const Fit fit =
+      identify({drive(truth, "a", 0.09, 0.15, 10.0, 1), drive(truth, "b", 0.09, 0.15, 10.0, 2),
+                drive(truth, "c", 0.09, 0.15, 10.0, 3)},
+               unknown())
+          .extended;
+  EXPECT_FALSE(fit.confused.empty());
+  // Below 10 with drives of all kinds.
+  EXPECT_GT(fit.condition, 20.0);
+}
+
+TEST(Identify, RefusesARunWithoutAnythingToCompare) {
+  Drive blind = drive(Truth{}, "blind", 0.1, 0.1, 2.0, 1);
+  blind.camera.clear();
+  try {
+    identify({blind}, unknown());
+    FAIL();
+  } catch (const SetupError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("blind: neither camera poses nor hand measurements"));
+  }
+  EXPECT_THROW(identify({drive(Truth{}, "still", 0.0, 0.0, 2.0, 1)}, unknown()), SetupError);
+  EXPECT_THROW(identify({}, unknown()), SetupError);
+}
+
+// Intervals of 95 %, on noise that is given: nothing here is left to chance.
+TEST(Identify, IntervalsHoldTheTruth) {
+  const Truth truth;
+  int inside = 0, all = 0;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const Fit fit = identify(all_kinds(truth, 100 * seed), unknown()).extended;
+    for (const auto& [parameter, value] : {std::pair{Parameter::kSlipLeft, truth.slip_left},
+                                           std::pair{Parameter::kSlipRight, truth.slip_right},
+                                           std::pair{Parameter::kWheelbase, truth.wheelbase_m},
+                                           std::pair{Parameter::kWheelbaseTight, truth.wheelbase_m},
+                                           std::pair{Parameter::kWheelbaseSpin, truth.wheelbase_m},
+                                           std::pair{Parameter::kXIcr, truth.x_icr_m},
+                                           std::pair{Parameter::kGyroScale, truth.gyro_scale}}) {
+      ++all;
+      if (std::abs(fit[parameter].value - value) <= fit[parameter].half_interval) ++inside;
+    }
+  }
+  EXPECT_GE(inside, 0.9 * all) << inside << " of " << all;
+}
+
+}  // namespace
+}  // namespace tp100::identify

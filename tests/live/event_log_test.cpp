@@ -1,0 +1,87 @@
+#include "live/event_log.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <thread>
+
+namespace tp100::live {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Standard error as a pipe of one page, until it ends.
+class SmallPipe {
+ public:
+  SmallPipe() : before_(::dup(STDERR_FILENO)) {
+    EXPECT_EQ(::pipe2(ends_.data(), O_CLOEXEC), 0);
+    ::fcntl(ends_[1], F_SETPIPE_SZ, 4096);
+    ::dup2(ends_[1], STDERR_FILENO);
+    ::close(ends_[1]);
+  }
+  ~SmallPipe() {
+    restore();
+    ::close(ends_[0]);
+  }
+  void restore() {
+    if (before_ < 0) return;
+    ::dup2(before_, STDERR_FILENO);
+    ::close(before_);
+    before_ = -1;
+  }
+  /// Until nobody writes any more.
+  std::string read_all() const {
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (ssize_t n = 0; (n = ::read(ends_[0], buffer.data(), buffer.size())) > 0;)
+      text.append(buffer.data(), static_cast<std::size_t>(n));
+    return text;
+  }
+
+ private:
+  int before_;
+  std::array<int, 2> ends_{};
+};
+
+TEST(EventLog, LinesComeInOrderAndAllOfThemBeforeItEnds) {
+  SmallPipe pipe;
+  std::string said;
+  std::thread reader([&] { said = pipe.read_all(); });
+  {
+    EventLog log;
+    for (int i = 0; i < 300; ++i) log.info("line " + std::to_string(i) + ";");
+    log.warn("the last one");
+  }
+  pipe.restore();
+  reader.join();
+  std::size_t at = 0;
+  for (int i = 0; i < 300; ++i) {
+    at = said.find("line " + std::to_string(i) + ";", at);
+    ASSERT_NE(at, std::string::npos) << i;
+  }
+  EXPECT_THAT(said, HasSubstr("warning the last one"));
+}
+
+TEST(EventLog, WhoDoesNotReadItHoldsUpNobody) {
+  SmallPipe pipe;
+  std::string said;
+  std::thread reader;
+  {
+    EventLog log;
+    for (int i = 0; i < 5000; ++i) log.info("line " + std::to_string(i) + ";");
+    // Only then somebody reads: the newest lines are there.
+    reader = std::thread([&] { said = pipe.read_all(); });
+  }
+  pipe.restore();
+  reader.join();
+  EXPECT_TRUE(said.ends_with("line 4999;\n"));
+  EXPECT_LT(std::count(said.begin(), said.end(), '\n'), 5000) << "the oldest are lost";
+}
+
+}  // namespace
+}  // namespace tp100::live

@@ -1,0 +1,149 @@
+#include "live/live_cycle.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "../link/scripted_robot.h"
+#include "course/course.h"
+#include "support/duty_watch.h"
+
+namespace tp100::live {
+namespace {
+
+class LiveBench {
+ public:
+  explicit LiveBench(std::shared_ptr<const course::Course> course = nullptr)
+      : cycle(bridge::session_settings({}), {}, std::move(course), false) {
+    cycle.opened(now);
+  }
+  void step() {
+    now += 5 * kNsPerMs;
+    robot.tick(now);
+    const std::vector<std::uint8_t> bytes = robot.take();
+    {
+      // A sanitizer may call the system when it meets a type for the first time.
+      std::optional<test::DutyWatch> watch;
+      if (watched) watch.emplace(duty);
+      cycle.received(bytes, now);
+      cycle.step(now);
+      cycle.settle(now);
+    }
+    robot.hear(cycle.output(), now);
+    cycle.written(cycle.output().size());
+    LiveEvent event;
+    while (cycle.take_event(event)) {
+    }
+  }
+  // Number of the oldest waiting record; 0: none.
+  std::uint64_t front() const {
+    const StepRecord* record = cycle.front_record();
+    return record == nullptr ? 0 : record->step;
+  }
+  bool watched = false;
+  test::DutyCount duty;
+  HostNs now = kNsPerS;
+  ScriptedRobot robot;
+  void steps(int count) {
+    for (int i = 0; i < count; ++i) {
+      step();
+      while (cycle.front_record() != nullptr) cycle.release_record();
+    }
+  }
+  std::size_t arms() const { return robot.heard.arms.size(); }
+  LiveCycle cycle;
+};
+
+std::shared_ptr<const course::Course> line() {
+  return std::make_shared<const course::Course>(
+      course::parse_course("speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 1.0\n"
+                           "[fence]\nmin_x_m = -1\nmax_x_m = 2\nmin_y_m = -1\nmax_y_m = 1\n",
+                           "line.toml"));
+}
+
+TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
+  LiveBench bench;
+  bench.watched = true;
+  for (int i = 0; i < 400; ++i) {
+    if (i % 50 == 20) bench.cycle.request(OperatorRequest::kHold);
+    bench.step();
+    while (bench.cycle.front_record() != nullptr) bench.cycle.release_record();
+  }
+  EXPECT_EQ(bench.duty.heap, 0u);
+  EXPECT_EQ(bench.duty.locks, 0u);
+  EXPECT_EQ(bench.duty.first_system_call, -1);
+  if (!test::watches_system_calls())
+    GTEST_SKIP() << "this kernel does not tell of system calls; heap and locks: none";
+}
+
+TEST(LiveCycle, AFirstStartIsCarriedOutUnlessSomethingHasRun) {
+  LiveBench bench(line());
+  bench.steps(400);
+  EXPECT_FALSE(bench.cycle.has_run());
+  bench.cycle.request(OperatorRequest::kHold);
+  bench.steps(20);
+  EXPECT_FALSE(bench.cycle.has_run()) << "nothing was held";
+  bench.cycle.request_first_start();
+  bench.steps(100);
+  EXPECT_TRUE(bench.cycle.has_run());
+  const std::size_t arms = bench.arms();
+  EXPECT_GT(arms, 0u);
+  bench.cycle.request(OperatorRequest::kStop);
+  bench.steps(20);
+  for (int i = 0; i < 200; ++i) {
+    bench.cycle.request_first_start();
+    bench.steps(1 + i % 7);
+  }
+  EXPECT_EQ(bench.arms(), arms);
+  bench.cycle.request(OperatorRequest::kStart);
+  bench.steps(100);
+  EXPECT_GT(bench.arms(), arms);
+}
+
+// Enter is a first start for whoever has not heard of the STOP yet.
+TEST(LiveCycle, AStopAndAFirstStartAtOnceEndWithoutARunInEitherOrder) {
+  for (int i = 0; i < 200; ++i) {
+    LiveBench bench(line());
+    bench.steps(400);
+    const bool stop_first = i % 2 == 0;
+    const int apart = i / 2 % 40;
+    const auto stop = [&] { bench.cycle.request(OperatorRequest::kStop); };
+    if (stop_first) stop();
+    if (!stop_first) bench.cycle.request_first_start();
+    bench.steps(apart);
+    if (stop_first) bench.cycle.request_first_start();
+    if (!stop_first) stop();
+    bench.steps(1);
+    // A start that came first may have been carried out until the STOP.
+    const std::size_t arms = bench.arms();
+    EXPECT_TRUE(arms == 0u || !stop_first) << "repetition " << i;
+    bench.steps(100);
+    EXPECT_EQ(bench.arms(), arms) << "repetition " << i;
+    EXPECT_TRUE(bench.cycle.has_run());
+  }
+}
+
+TEST(LiveCycle, HandsOutEveryStepOnceAndInOrder) {
+  LiveBench bench;
+  for (std::uint64_t step = 1; step <= 2000; ++step) {
+    bench.step();
+    ASSERT_EQ(bench.front(), step);
+    bench.cycle.release_record();
+    ASSERT_EQ(bench.front(), 0u);
+  }
+  EXPECT_EQ(bench.cycle.lost_records(), 0u);
+}
+
+TEST(LiveCycle, ASlowReaderCostsRecordsAndNothingElse) {
+  LiveBench bench;
+  for (std::size_t i = 0; i < LiveCycle::kWaitingRecords + 30; ++i) bench.step();
+  EXPECT_EQ(bench.cycle.lost_records(), 30u);
+  EXPECT_GT(bench.robot.heard.commands.size(), 300u);
+  EXPECT_EQ(bench.front(), 1u);
+  while (bench.front() != 0) bench.cycle.release_record();
+  bench.step();
+  EXPECT_EQ(bench.front(), LiveCycle::kWaitingRecords + 31);
+}
+
+}  // namespace
+}  // namespace tp100::live

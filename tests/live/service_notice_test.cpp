@@ -1,0 +1,119 @@
+#include "live/service_notice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "../support/notify_socket.h"
+#include "../support/temporary_folder.h"
+
+namespace tp100::live {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(ServiceNotice, SaysWhatHappensOverASocketByPath) {
+  const test::TemporaryFolder folder;
+  const test::NotifySocket manager(folder.file("notify"));
+  ServiceNotice notice({.socket = folder.file("notify")});
+  EXPECT_EQ(notice.ready(), "");
+  notice.status("waits for a robot");
+  notice.status("waits for a robot");
+  notice.status("ready");
+  notice.stopping();
+  EXPECT_THAT(manager.heard(),
+              ElementsAre("READY=1", "STATUS=waits for a robot", "STATUS=ready", "STOPPING=1"));
+}
+
+TEST(ServiceNotice, SaysItOverAnAbstractSocketToo) {
+  const std::string name = "@tp100-notice-" + std::to_string(::getpid());
+  const test::NotifySocket manager(name);
+  ServiceNotice notice({.socket = name});
+  EXPECT_EQ(notice.ready(), "");
+  EXPECT_THAT(manager.heard(), ElementsAre("READY=1"));
+}
+
+TEST(ServiceNotice, TheWatchdogIsFedFourTimesAPeriodWhileTheLoopTurns) {
+  const test::TemporaryFolder folder;
+  const test::NotifySocket manager(folder.file("notify"));
+  ServiceNotice notice({.socket = folder.file("notify"), .watchdog_ns = 2 * kNsPerS});
+  for (HostNs now = 0; now < 4 * kNsPerS; now += 10 * kNsPerMs)
+    notice.alive(static_cast<std::uint64_t>(1 + now / (5 * kNsPerMs)), now);
+  EXPECT_THAT(manager.heard(), testing::AllOf(testing::SizeIs(8), testing::Each("WATCHDOG=1")));
+}
+
+TEST(ServiceNotice, AHungLoopStarvesTheWatchdogAndOneThatGoesOnFeedsIt) {
+  const test::TemporaryFolder folder;
+  const test::NotifySocket manager(folder.file("notify"));
+  ServiceNotice notice({.socket = folder.file("notify"), .watchdog_ns = 2 * kNsPerS});
+  notice.alive(0, 0);
+  EXPECT_THAT(manager.heard(), IsEmpty()) << "it has not begun to turn";
+  notice.alive(7, kNsPerS);
+  EXPECT_THAT(manager.heard(), ElementsAre("WATCHDOG=1"));
+  for (HostNs now = kNsPerS; now < 10 * kNsPerS; now += 10 * kNsPerMs) notice.alive(7, now);
+  EXPECT_THAT(manager.heard(), IsEmpty());
+  notice.alive(8, 10 * kNsPerS);
+  EXPECT_THAT(manager.heard(), ElementsAre("WATCHDOG=1"));
+}
+
+TEST(ServiceNotice, NobodyListensNobodyIsTold) {
+  ServiceNotice alone({});
+  EXPECT_EQ(alone.ready(), "");
+  alone.status("ready");
+  alone.alive(1, kNsPerS);
+  alone.stopping();
+}
+
+TEST(ServiceNotice, AManagerThatCannotBeToldIsNamed) {
+  const test::TemporaryFolder folder;
+  ServiceNotice gone({.socket = folder.file("gone")});
+  EXPECT_THAT(gone.ready(), testing::AllOf(HasSubstr(folder.file("gone") + ": "),
+                                           HasSubstr("No such file"), HasSubstr("systemctl")));
+  ServiceNotice deep({.socket = "/" + std::string(200, 'x')});
+  EXPECT_THAT(deep.ready(), HasSubstr("name too long"));
+}
+
+TEST(ServiceNotice, AManagerThatDoesNotReadHoldsUpNobody) {
+  const test::TemporaryFolder folder;
+  const test::NotifySocket manager(folder.file("notify"));
+  ServiceNotice notice({.socket = folder.file("notify")});
+  for (int i = 0; i < 5000; ++i) notice.status(std::to_string(i));
+  EXPECT_FALSE(manager.heard().empty());
+}
+
+class ServiceEnvironment : public testing::Test {
+ protected:
+  void TearDown() override {
+    for (const char* name : {"NOTIFY_SOCKET", "WATCHDOG_USEC", "WATCHDOG_PID"}) ::unsetenv(name);
+  }
+};
+
+TEST_F(ServiceEnvironment, SaysWhoListensAndHowLongItWaits) {
+  EXPECT_EQ(service_settings().socket, "");
+  EXPECT_EQ(service_settings().watchdog_ns, 0);
+  ::setenv("NOTIFY_SOCKET", "@manager", 1);
+  ::setenv("WATCHDOG_USEC", "2000000", 1);
+  EXPECT_EQ(service_settings().socket, "@manager");
+  EXPECT_EQ(service_settings().watchdog_ns, 2 * kNsPerS);
+  ::setenv("WATCHDOG_PID", std::to_string(::getpid()).c_str(), 1);
+  EXPECT_EQ(service_settings().watchdog_ns, 2 * kNsPerS);
+}
+
+TEST_F(ServiceEnvironment, AWatchdogOfAnotherProgramOrNoNumberIsNone) {
+  ::setenv("WATCHDOG_USEC", "2000000", 1);
+  ::setenv("WATCHDOG_PID", std::to_string(::getppid()).c_str(), 1);
+  EXPECT_EQ(service_settings().watchdog_ns, 0);
+  ::unsetenv("WATCHDOG_PID");
+  for (const char* text : {"", "2s", "-1", "99999999999999999999", "9223372036854775807"}) {
+    ::setenv("WATCHDOG_USEC", text, 1);
+    EXPECT_EQ(service_settings().watchdog_ns, 0) << text;
+  }
+}
+
+}  // namespace
+}  // namespace tp100::live

@@ -1,0 +1,373 @@
+// Who starts a run of `tp100d run`, and with what: somebody at the keyboard, a viewer and a
+// scripted robot on a pty, all in this process.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <sstream>
+
+#include "../server/web_client.h"
+#include "../support/notify_socket.h"
+#include "../support/temporary_folder.h"
+#include "app/run.h"
+#include "core/error.h"
+#include "pty_robot.h"
+
+namespace tp100::live {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using namespace std::chrono_literals;
+
+/// Standard input of this process, typed by the test.
+class Keyboard {
+ public:
+  Keyboard() : kept_(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)) {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    ::dup2(ends[0], STDIN_FILENO);
+    ::close(ends[0]);
+    keys_ = ends[1];
+  }
+  ~Keyboard() {
+    if (kept_ >= 0) ::dup2(kept_, STDIN_FILENO);
+    ::close(kept_);
+    ::close(keys_);
+  }
+  Keyboard(const Keyboard&) = delete;
+  Keyboard& operator=(const Keyboard&) = delete;
+
+  void type(const std::string& text) const {
+    if (::write(keys_, text.data(), text.size()) < 0) throw std::runtime_error("nobody reads");
+  }
+  void enter() const { type("\n"); }
+
+ private:
+  int kept_;
+  int keys_ = -1;
+};
+
+class Starts : public ::testing::Test {
+ protected:
+  // Of one path; the whole number is reached by --gtest_repeat.
+  static constexpr int kRepetitions = 10;
+  // After so many a start that was taken would have armed the robot.
+  static constexpr std::size_t kManyCommands = 50;
+
+  Starts() {
+    robot_ = std::make_unique<PtyRobot>(folder_.path() / "robot");
+    // Ordinary scheduling: the tests of a whole machine run at once.
+    std::ofstream(folder_.path() / "config.toml")
+        << "[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n"
+           "[server]\nlisten = \"127.0.0.1:0\"\n"
+           "[record]\nblack_box_s = 0\n";
+    options_.config = folder_.file("config.toml");
+    options_.port = folder_.file("robot");
+    options_.course = "1-straight";
+    options_.stats = folder_.file("stats.json");
+    options_.stay = true;
+    options_.duration_s = 300.0;
+  }
+  ~Starts() override { robot_.reset(); }
+
+  /// The command with `script` beside it, which ends it.
+  void run(const std::function<void()>& script) {
+    std::thread beside([&] {
+      try {
+        script();
+      } catch (const std::exception& error) {
+        ADD_FAILURE() << error.what();
+      }
+      ::kill(::getpid(), SIGTERM);
+    });
+    testing::internal::CaptureStderr();
+    try {
+      app::run_run(options_);
+    } catch (const SetupError& error) {
+      ADD_FAILURE() << error.what();
+    }
+    beside.join();
+    log_ = testing::internal::GetCapturedStderr();
+  }
+  void with_board(wire::Board board) {
+    robot_->with([&](ScriptedRobot& robot) { robot.board = static_cast<std::uint8_t>(board); });
+    robot_->plug_in();
+  }
+  static bool soon(const std::function<bool()>& condition, std::chrono::seconds limit = 20s) {
+    const auto end = std::chrono::steady_clock::now() + limit;
+    while (std::chrono::steady_clock::now() < end) {
+      if (condition()) return true;
+      std::this_thread::sleep_for(5ms);
+    }
+    return false;
+  }
+  std::size_t arms() {
+    return robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.size(); });
+  }
+  std::size_t stops() {
+    return robot_->with([](ScriptedRobot& robot) { return robot.heard.stops.size(); });
+  }
+  /// Until the robot has got so many more commands. They come all the time, armed or not.
+  bool after_commands(std::size_t more = kManyCommands) {
+    const auto got = [this] {
+      return robot_->with([](ScriptedRobot& robot) { return robot.heard.commands.size(); });
+    };
+    const std::size_t until = got() + more;
+    return soon([&] { return got() >= until; });
+  }
+  bool ready() {
+    return soon([this] {
+      return robot_->with([](ScriptedRobot& robot) { return robot.heard.commands.size() > 60; });
+    });
+  }
+  bool moves() {
+    return robot_->with([](ScriptedRobot& robot) {
+      return !robot.heard.commands.empty() && robot.heard.commands.back().speed_mps > 0.0F;
+    });
+  }
+  /// On a machine that is too busy a run may end by itself: then it is started again.
+  bool driving() {
+    return soon([this] { return moves(); }, 5s) || start_again();
+  }
+  bool standing() {
+    return soon([this] {
+      return robot_->with([](ScriptedRobot& robot) {
+        return !robot.heard.commands.empty() && robot.heard.commands.back().speed_mps == 0.0F;
+      });
+    });
+  }
+  bool start_again() {
+    for (int tries = 0; tries < 10; ++tries) {
+      const std::size_t before = arms();
+      keyboard_.type("go\n");
+      if (soon([&] { return arms() > before; }, 2s) && soon([this] { return moves(); }, 3s))
+        return true;
+    }
+    return false;
+  }
+  std::string page() const {
+    static const std::string kBefore = "http://127.0.0.1:";
+    std::string served;
+    soon([&] {
+      std::ostringstream stats;
+      stats << std::ifstream(options_.stats).rdbuf();
+      const std::string text = stats.str();
+      const std::size_t at = text.find(kBefore), end = text.find('/', at + kBefore.size());
+      if (end == std::string::npos || at == std::string::npos) return false;
+      served = text.substr(at + kBefore.size(), end - at - kBefore.size());
+      return true;
+    });
+    return served;
+  }
+
+  test::TemporaryFolder folder_;
+  Keyboard keyboard_;
+  std::unique_ptr<PtyRobot> robot_;
+  app::RunOptions options_;
+  std::string log_;
+};
+
+TEST_F(Starts, ASecondEnterStartsNothing) {
+  with_board(wire::Board::kNative);
+  run([&] {
+    for (const auto apart : {50ms, 500ms, 5000ms}) {
+      ASSERT_TRUE(apart == 50ms ? driving() : start_again());
+      const std::size_t before = arms();
+      keyboard_.enter();
+      std::this_thread::sleep_for(apart);
+      keyboard_.enter();
+      ASSERT_TRUE(after_commands(200));
+      ASSERT_EQ(arms(), before) << "a second Enter armed the robot";
+    }
+    ASSERT_TRUE(start_again()) << "the word does";
+  });
+  EXPECT_THAT(log_, HasSubstr("Enter: STOP"));
+  EXPECT_THAT(log_, HasSubstr("type go and press Enter to start course 1-straight"));
+}
+
+TEST_F(Starts, AgainAndAgainTakeTheWord) {
+  with_board(wire::Board::kNative);
+  run([&] {
+    ASSERT_TRUE(driving());
+    for (int i = 0; i < kRepetitions; ++i) {
+      const std::size_t before = arms();
+      keyboard_.enter();
+      std::this_thread::sleep_for(std::chrono::milliseconds(i % 2 == 0 ? 50 : i * 3));
+      keyboard_.enter();
+      ASSERT_TRUE(after_commands());
+      ASSERT_EQ(arms(), before) << "repetition " << i;
+      ASSERT_TRUE(start_again());
+    }
+  });
+}
+
+// The robot ends the run; at that moment somebody presses Enter to stop it.
+TEST_F(Starts, EnterInTheCycleInWhichARunEndsStartsNothing) {
+  with_board(wire::Board::kNative);
+  run([&] {
+    ASSERT_TRUE(driving());
+    for (int i = 0; i < kRepetitions; ++i) {
+      const std::size_t before = arms();
+      const auto press = [&] { keyboard_.enter(); };
+      const auto end = [&] {
+        robot_->with([](ScriptedRobot& robot) { robot.state = wire::State::kFaulted; });
+      };
+      if (i % 4 == 3) press();
+      end();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2 * i));
+      if (i % 4 != 3) press();
+      ASSERT_TRUE(after_commands());
+      ASSERT_EQ(arms(), before) << "repetition " << i;
+      ASSERT_TRUE(start_again());
+    }
+  });
+}
+
+TEST_F(Starts, EnterAndTheStopOfThePageAtOnceStartNothing) {
+  with_board(wire::Board::kNative);
+  run([&] {
+    ASSERT_TRUE(driving());
+    server::WebClient viewer(page());
+    for (int i = 0; i < kRepetitions; ++i) {
+      const std::size_t before = arms();
+      if (i % 2 == 0) viewer.call(3);
+      if (i % 2 != 0) keyboard_.enter();
+      std::this_thread::sleep_for(std::chrono::milliseconds(i));
+      if (i % 2 == 0) keyboard_.enter();
+      if (i % 2 != 0) viewer.call(3);
+      ASSERT_TRUE(after_commands());
+      ASSERT_EQ(arms(), before) << "repetition " << i;
+      viewer.drain();
+      ASSERT_TRUE(start_again());
+    }
+  });
+}
+
+// As AFirstStart... of the cycle, through the whole program: nobody knows yet of the other's key.
+TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
+  with_board(wire::Board::kMega2560);
+  run([&] {
+    ASSERT_TRUE(ready());
+    server::WebClient viewer(page());
+    viewer.call(3);
+    keyboard_.enter();
+    ASSERT_TRUE(after_commands(200));
+    ASSERT_TRUE(soon([this] { return stops() > 0; }));
+    const std::size_t before = arms();
+    keyboard_.enter();
+    ASSERT_TRUE(after_commands());
+    EXPECT_EQ(arms(), before);
+    ASSERT_TRUE(start_again());
+  });
+}
+
+TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
+  with_board(wire::Board::kMega2560);
+  run([&] {
+    // Before anything is asked.
+    keyboard_.type("\n\ngo\n\ngo");
+    ASSERT_TRUE(ready());
+    ASSERT_TRUE(after_commands(100));
+    EXPECT_EQ(arms(), 0u);
+    // The word's beginning was forgotten, and lines that come together are no answer.
+    keyboard_.type("\n\n");
+    ASSERT_TRUE(after_commands(100));
+    EXPECT_EQ(arms(), 0u);
+    keyboard_.enter();
+    ASSERT_TRUE(soon([this] { return moves(); }));
+    keyboard_.type("\ngo\n");
+    ASSERT_TRUE(standing());
+    ASSERT_TRUE(after_commands(100));
+    EXPECT_EQ(arms(), 1u);
+  });
+}
+
+TEST_F(Starts, AMegasHelloBehindAPtyWaitsForEnter) {
+  with_board(wire::Board::kMega2560);
+  run([&] {
+    ASSERT_TRUE(ready());
+    ASSERT_TRUE(after_commands(200));
+    EXPECT_EQ(arms(), 0u);
+    keyboard_.enter();
+    ASSERT_TRUE(soon([this] { return moves(); }));
+  });
+  EXPECT_THAT(log_, HasSubstr("ready; press Enter to start course 1-straight"));
+}
+
+TEST_F(Starts, ABoardThatNobodyKnowsWaitsForEnter) {
+  with_board(wire::Board::kUnknown);
+  run([&] {
+    ASSERT_TRUE(ready());
+    ASSERT_TRUE(after_commands(200));
+    EXPECT_EQ(arms(), 0u);
+  });
+}
+
+TEST_F(Starts, AMegasHelloBehindAPtyStartsWithGo) {
+  options_.go = true;
+  with_board(wire::Board::kMega2560);
+  run([&] { ASSERT_TRUE(soon([this] { return moves(); })); });
+}
+
+TEST_F(Starts, ALaterDriveOfTheSameProgramTakesTheWord) {
+  options_.ran_before = true;
+  with_board(wire::Board::kMega2560);
+  run([&] {
+    ASSERT_TRUE(ready());
+    ASSERT_TRUE(after_commands());
+    keyboard_.enter();
+    ASSERT_TRUE(after_commands(100));
+    EXPECT_EQ(arms(), 0u);
+    ASSERT_TRUE(start_again());
+  });
+}
+
+TEST_F(Starts, AServiceNeverStartsByItself) {
+  const test::NotifySocket manager(folder_.file("notify"));
+  ::setenv("NOTIFY_SOCKET", folder_.file("notify").c_str(), 1);
+  for (const bool go : {false, true}) {
+    options_.go = go;
+    with_board(wire::Board::kNative);
+    run([&] {
+      ASSERT_TRUE(ready());
+      ASSERT_TRUE(after_commands(200));
+      EXPECT_EQ(arms(), 0u);
+    });
+    robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+    robot_->unplug();
+  }
+  ::unsetenv("NOTIFY_SOCKET");
+}
+
+TEST_F(Starts, AStopBeforeTheRobotIsThereIsNotUndoneByStartingByItself) {
+  options_.wait = true;
+  run([&] {
+    server::WebClient viewer(page());
+    viewer.subscribe(messages::Channel::kState);
+    viewer.call(3);
+    viewer.read_until("\"latched\":true");
+    with_board(wire::Board::kNative);
+    ASSERT_TRUE(ready());
+    ASSERT_TRUE(after_commands(200));
+    EXPECT_EQ(arms(), 0u);
+    ASSERT_TRUE(start_again());
+  });
+}
+
+TEST_F(Starts, ThePageIsToldThatAStartIsToBeConfirmed) {
+  with_board(wire::Board::kNative);
+  run([&] {
+    ASSERT_TRUE(driving());
+    server::WebClient viewer(page());
+    viewer.subscribe(messages::Channel::kState);
+    EXPECT_THAT(viewer.read_until("\"run\":\"running\""), HasSubstr("\"confirm_start\":true"));
+  });
+}
+
+}  // namespace
+}  // namespace tp100::live

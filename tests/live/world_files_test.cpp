@@ -1,0 +1,140 @@
+#include "live/world_files.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "core/error.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::live {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Files : public testing::Test {
+ protected:
+  Files() {
+    run_.settings.encoder_file = folder_.file("Encoder.txt");
+    run_.settings.orientation_file = folder_.file("Orientation.txt");
+    run_.settings.rate_hz = 1000.0;
+  }
+  void open() {
+    files_ = std::make_unique<WorldFiles>(run_, [this](const WorldSample& said) {
+      const std::lock_guard lock(mutex_);
+      said_ = said;
+      return true;
+    });
+  }
+  void step() {
+    record_->now_ns += 5 * kNsPerMs;
+    ++record_->step;
+    files_->take(*record_);
+  }
+  void world_writes(const std::string& text) {
+    test::write_bytes(run_.settings.orientation_file, text);
+  }
+  double pitch() {
+    const std::lock_guard lock(mutex_);
+    return said_.pitch_rad;
+  }
+  static bool eventually(const std::function<bool()>& condition) {
+    for (int i = 0; i < 5000; ++i) {
+      if (condition()) return true;
+      std::this_thread::sleep_for(2ms);
+    }
+    return false;
+  }
+
+  test::TemporaryFolder folder_;
+  config::WorldRun run_;
+  std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
+  std::mutex mutex_;
+  WorldSample said_{};
+  std::unique_ptr<WorldFiles> files_;
+};
+
+TEST_F(Files, TheNewestStepIsWrittenAsAWhole) {
+  run_.settings.encoder_template = "{seq} " + std::string(400, '.') + " {seq}";
+  open();
+  std::atomic<bool> over{false};
+  std::atomic<int> torn{0};
+  // A reader that looks all the time never sees half a text.
+  std::thread reader([&] {
+    while (!over) {
+      const std::string text = test::read_bytes(run_.settings.encoder_file);
+      const bool first = text == "\n";
+      const std::string number = text.substr(0, text.find(' '));
+      if (!first && text != number + " " + std::string(400, '.') + " " + number + "\n") ++torn;
+    }
+  });
+  for (int i = 0; i < 200; ++i) {
+    step();
+    std::this_thread::sleep_for(1ms);
+  }
+  const std::string last = std::to_string(record_->step);
+  EXPECT_TRUE(eventually(
+      [&] { return test::read_bytes(run_.settings.encoder_file).starts_with(last + " "); }));
+  over = true;
+  reader.join();
+  EXPECT_EQ(torn, 0);
+  files_.reset();
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1)
+      << "nothing temporary is left";
+}
+
+TEST_F(Files, AChangedFileIsReadAndABadOneIsCountedAndChangesNothing) {
+  open();
+  world_writes("-0.25\n");
+  EXPECT_TRUE(eventually([&] { return pitch() == -0.25; }));
+  world_writes("rubbish\n");
+  EXPECT_TRUE(eventually([&] { return files_->counters().rejected >= 1; }));
+  EXPECT_EQ(pitch(), -0.25);
+  EXPECT_NE(files_->take_note(), "");
+  world_writes("P=-0.5 Y=0 R=0\n");
+  EXPECT_TRUE(eventually([&] { return pitch() == -0.5; }));
+  const std::uint64_t read = files_->counters().read;
+  // Each text that is written is followed by a look.
+  for (int i = 0; i < 3; ++i) {
+    const std::uint64_t written = files_->counters().written;
+    step();
+    ASSERT_TRUE(eventually([&] { return files_->counters().written > written; }));
+  }
+  EXPECT_EQ(files_->counters().read, read) << "nobody wrote";
+}
+
+TEST_F(Files, WithoutALinesEndItIsReadTwice) {
+  open();
+  world_writes("-0.75");
+  EXPECT_TRUE(eventually([&] { return pitch() == -0.75; }));
+}
+
+TEST_F(Files, BadSettingsAreErrorsAtTheStart) {
+  run_.settings.encoder_template = "{speed}";
+  EXPECT_THROW(open(), SetupError);
+  run_.settings.encoder_template = "{left}";
+  run_.settings.orientation_template = "{roll}";
+  EXPECT_THROW(open(), SetupError);
+  run_.settings.orientation_template = "";
+  run_.settings.encoder_file = folder_.file("none/Encoder.txt");
+  EXPECT_THROW(open(), SetupError);
+}
+
+TEST_F(Files, APipeInPlaceOfTheFileStopsNothing) {
+  ASSERT_EQ(::mkfifo(run_.settings.orientation_file.c_str(), 0600), 0);
+  open();
+  step();
+  const std::string last = std::to_string(record_->step);
+  EXPECT_TRUE(eventually(
+      [&] { return test::read_bytes(run_.settings.encoder_file).starts_with(last + " "); }));
+}
+
+}  // namespace
+}  // namespace tp100::live

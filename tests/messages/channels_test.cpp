@@ -1,0 +1,107 @@
+#include "messages/channels.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "fixtures.h"
+#include "messages/status_messages.h"
+
+namespace tp100::messages {
+namespace {
+
+using Json = nlohmann::json;
+
+// What schema readers of viewers accept: objects, arrays of objects or of plain values.
+void expect_readable(const Json& schema, const std::string& where, bool in_array) {
+  ASSERT_TRUE(schema.contains("type")) << where;
+  const std::string type = schema["type"];
+  if (type == "object") {
+    ASSERT_TRUE(schema["properties"].is_object()) << where;
+    for (const auto& [name, property] : schema["properties"].items())
+      expect_readable(property, where + "." + name, false);
+  } else if (type == "array") {
+    EXPECT_FALSE(in_array) << where;
+    expect_readable(schema["items"], where + "[]", true);
+  } else {
+    EXPECT_TRUE(type == "string" || type == "number" || type == "boolean") << where;
+  }
+}
+
+// Fields of `message` that the schema does not name.
+void expect_described(const Json& schema, const Json& message, const std::string& where) {
+  if (message.is_null()) return;
+  if (schema["type"] == "object") {
+    for (const auto& [name, content] : message.items()) {
+      ASSERT_TRUE(schema["properties"].contains(name)) << where << "." << name;
+      expect_described(schema["properties"][name], content, where + "." + name);
+    }
+  } else if (schema["type"] == "array") {
+    for (const Json& element : message) expect_described(schema["items"], element, where + "[]");
+  }
+}
+
+TEST(Channels, IdsFollowTheOrderOfTheTable) {
+  const auto texts = channel_texts();
+  ASSERT_EQ(texts.size(), kChannelCount);
+  std::set<std::string> topics;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    EXPECT_EQ(static_cast<std::uint32_t>(texts[i].channel), i + 1);
+    EXPECT_TRUE(topics.insert(texts[i].topic).second);
+  }
+  EXPECT_EQ(texts.back().topic, "/client");
+  EXPECT_EQ(static_cast<std::uint32_t>(Channel::kClient), kChannelCount);
+}
+
+TEST(Channels, SchemaReadersOfViewersTakeEverySchema) {
+  std::map<std::string, std::string> by_name;
+  for (const ChannelText& text : channel_texts()) {
+    const Json schema = Json::parse(text.schema);
+    EXPECT_EQ(schema["title"], text.schema_name);
+    EXPECT_EQ(schema["type"], "object");
+    expect_readable(schema, text.topic, false);
+    // One name, one schema.
+    const auto [at, fresh] = by_name.emplace(text.schema_name, text.schema);
+    EXPECT_TRUE(fresh || at->second == text.schema) << text.topic;
+  }
+}
+
+TEST(Channels, TheValueOfAParameterHasNoTypeInTheSchema) {
+  for (const ChannelText& text : channel_texts()) {
+    if (text.topic != "/parameter") continue;
+    const Json parameter =
+        Json::parse(text.schema)["properties"]["parameters"]["items"]["properties"];
+    EXPECT_TRUE(parameter.contains("name"));
+    EXPECT_FALSE(parameter.contains("value"));
+    EXPECT_FALSE(parameter.contains("default"));
+  }
+}
+
+TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
+  const Messages messages(example_subject(), example_clock());
+  const StepRecord record = example_record();
+  const std::map<std::string, std::string> examples = {
+      {"/tf", messages.transforms(record, std::nullopt)},
+      {"/pose/model", messages.pose(0, {})},
+      {"/path", messages.path_poses(0)},
+      {"/scene", messages.scene(0)},
+      {"/log", messages.log({})},
+      {"/estimate", messages.estimate(record, std::nullopt)},
+      {"/sample", messages.sample(record.snapshot.sample, 0)},
+      {"/command", messages.command(record)},
+      {"/slip", messages.slip(record)},
+      {"/course", messages.course()},
+      {"/state", state_message(0, {}, {}, example_subject())},
+      {"/event", messages.event({})},
+  };
+  for (const ChannelText& text : channel_texts()) {
+    const auto found = examples.find(text.topic);
+    if (found != examples.end())
+      expect_described(Json::parse(text.schema), Json::parse(found->second), text.topic);
+  }
+}
+
+}  // namespace
+}  // namespace tp100::messages

@@ -1,0 +1,166 @@
+#include "messages/messages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/angle.h"
+#include "fixtures.h"
+#include "messages/foxglove_json.h"
+
+namespace tp100::messages {
+namespace {
+
+using Json = nlohmann::json;
+
+class MessagesTest : public ::testing::Test {
+ protected:
+  Messages messages_{example_subject(), example_clock()};
+  StepRecord record_ = example_record();
+};
+
+TEST_F(MessagesTest, TheThreeEstimatesAreNeverMixed) {
+  const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
+  EXPECT_EQ(json["model"]["x_m"], 0.11);
+  EXPECT_EQ(json["odometry"]["x_m"], 0.22);
+  EXPECT_EQ(json["fused"]["x_m"], 0.33);
+  EXPECT_TRUE(json["truth"].is_null());
+  EXPECT_TRUE(json["fused"]["camera_age_us"].is_null());
+  EXPECT_EQ(json["t_s"], 10.0);
+}
+
+TEST_F(MessagesTest, TruthCarriesItsAge) {
+  const Truth truth{record_.now_ns - 5 * kNsPerMs, {.x_m = 0.44}};
+  const Json json = Json::parse(messages_.estimate(record_, truth));
+  EXPECT_EQ(json["truth"]["x_m"], 0.44);
+  EXPECT_EQ(json["truth"]["age_us"], 5000);
+}
+
+TEST_F(MessagesTest, WithoutASampleTheAgeIsUnknown) {
+  record_.snapshot.has_sample = false;
+  EXPECT_TRUE(Json::parse(messages_.estimate(record_, std::nullopt))["age_us"].is_null());
+}
+
+TEST_F(MessagesTest, NumbersThatAreNoneStayOutOfTheJson) {
+  record_.snapshot.fused.variance_x_m2 = -1.0;
+  record_.snapshot.model.x_m = std::numeric_limits<double>::infinity();
+  const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
+  EXPECT_TRUE(json["fused"]["sd_x_m"].is_null());
+  EXPECT_TRUE(json["model"]["x_m"].is_null());
+}
+
+TEST_F(MessagesTest, CommandedTrackSpeedsAreThoseOfTheStepAndNoneWithoutACommand) {
+  record_.snapshot.commanded_left_mps = 0.05;
+  record_.snapshot.commanded_right_mps = 0.15;
+  const auto tracks = [&] {
+    return Json::parse(messages_.estimate(record_, std::nullopt))["tracks"];
+  };
+  EXPECT_EQ(tracks()["left_commanded_mps"], 0.05);
+  EXPECT_EQ(tracks()["right_commanded_mps"], 0.15);
+  record_.command_valid = false;
+  EXPECT_TRUE(tracks()["left_commanded_mps"].is_null());
+  EXPECT_TRUE(tracks()["right_commanded_mps"].is_null());
+}
+
+TEST_F(MessagesTest, TheReferenceIsThePathAtTheProgress) {
+  const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
+  EXPECT_NEAR(json["reference"]["x_m"].get<double>(), 0.2, 1e-12);
+  Subject none = example_subject();
+  none.course = nullptr;
+  const Messages without(none, example_clock());
+  EXPECT_TRUE(Json::parse(without.estimate(record_, std::nullopt))["reference"].is_null());
+}
+
+TEST_F(MessagesTest, ASampleNamesItsFaults) {
+  Sample sample = record_.snapshot.sample;
+  sample.faults = fault_bit(Fault::battery_low) | fault_bit(Fault::imu_stale);
+  const Json json = Json::parse(messages_.sample(sample, record_.now_ns));
+  EXPECT_EQ(json["faults"], Json({"imu_stale", "battery_low"}));
+  EXPECT_EQ(json["age_us"], 3000);
+  EXPECT_EQ(json["state"], "running");
+}
+
+TEST_F(MessagesTest, ACommandSaysHowLongItLives) {
+  record_.snapshot.command.expiry_us = record_.clock.to_device(record_.now_ns + 180 * kNsPerMs);
+  const Json json = Json::parse(messages_.command(record_));
+  EXPECT_NEAR(json["expires_in_ms"].get<double>(), 180.0, 0.01);
+  record_.clock.valid = false;
+  EXPECT_TRUE(Json::parse(messages_.command(record_))["expires_in_ms"].is_null());
+}
+
+TEST_F(MessagesTest, ThePathIsDenseAndKeepsEveryCorner) {
+  const auto points = path_points(*messages_.path(), 0.02);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    EXPECT_LE(std::hypot(points[i].x_m - points[i - 1].x_m, points[i].y_m - points[i - 1].y_m),
+              0.02 + 1e-9);
+    EXPECT_GE(points[i].s_m, points[i - 1].s_m);
+  }
+  EXPECT_EQ(points.front().s_m, 0.0);
+  EXPECT_DOUBLE_EQ(points.back().s_m, messages_.path()->length_m());
+  EXPECT_DOUBLE_EQ(points.back().yaw_rad, kPi / 2 - 1.0);
+}
+
+TEST_F(MessagesTest, ACourseTellsItsGeometry) {
+  const Json json = Json::parse(messages_.course());
+  EXPECT_EQ(json["name"], "example");
+  EXPECT_EQ(json["ramps"][0]["heading_rad"], kPi / 2);
+  EXPECT_EQ(json["blocks"][0]["depth_m"], 0.1);
+  EXPECT_EQ(json["surfaces"][0]["name"], "ice");
+  EXPECT_EQ(json["fence"]["max_y_m"], 4.0);
+  EXPECT_EQ(json["pieces"].size(), 3U);
+  EXPECT_EQ(json["pieces"][1]["kind"], "pivot");
+  EXPECT_DOUBLE_EQ(json["pieces"][2]["radius_m"].get<double>(), 0.5);
+}
+
+TEST_F(MessagesTest, WithoutACourseTheListsAreEmpty) {
+  const Messages without(Subject{}, example_clock());
+  const Json json = Json::parse(without.course());
+  EXPECT_EQ(json["name"], "");
+  EXPECT_TRUE(json["path"].empty());
+  EXPECT_TRUE(json["fence"].is_null());
+}
+
+TEST_F(MessagesTest, TransformsMoveTheRobotInTheCoursesWorld) {
+  const Json json = Json::parse(messages_.transforms(record_, std::nullopt))["transforms"];
+  ASSERT_EQ(json.size(), 4U);
+  EXPECT_EQ(json[0]["child_frame_id"], "robot");
+  EXPECT_EQ(json[0]["translation"]["x"], 0.22);
+  EXPECT_EQ(json[0]["translation"]["z"], 0.05);
+  EXPECT_EQ(json[0]["timestamp"], Json({{"sec", 1010}, {"nsec", 0}}));
+  const Truth truth{record_.now_ns, {.x_m = 0.44}};
+  EXPECT_EQ(Json::parse(messages_.transforms(record_, truth))["transforms"][4]["child_frame_id"],
+            "truth");
+}
+
+TEST(Quaternion, TurnsAVectorAsTheEulerAnglesDo) {
+  // z-y-x: R = Rz(yaw) Ry(pitch) Rx(roll), written out.
+  const double roll = 0.3, pitch = -0.7, yaw = 2.1;
+  const auto [x, y, z, w] = quaternion({.roll_rad = roll, .pitch_rad = pitch, .yaw_rad = yaw});
+  EXPECT_NEAR(x * x + y * y + z * z + w * w, 1.0, 1e-12);
+  // Nose-up is negative pitch: the forward axis points up.
+  EXPECT_NEAR(1 - 2 * (y * y + z * z), std::cos(yaw) * std::cos(pitch), 1e-12);
+  EXPECT_NEAR(2 * (x * y + w * z), std::sin(yaw) * std::cos(pitch), 1e-12);
+  EXPECT_NEAR(2 * (x * z - w * y), -std::sin(pitch), 1e-12);
+  EXPECT_GT(2 * (x * z - w * y), 0.0);
+  // Left axis, z part.
+  EXPECT_NEAR(2 * (y * z + w * x), std::cos(pitch) * std::sin(roll), 1e-12);
+}
+
+TEST_F(MessagesTest, ALogLineHoldsCauseAndRemedy) {
+  const Event event{.at_ns = 3 * kNsPerS,
+                    .kind = "fault",
+                    .level = Event::Level::kError,
+                    .text = "tilt",
+                    .cause = "too steep",
+                    .remedy = "set it upright"};
+  const Json json = Json::parse(messages_.log(event));
+  EXPECT_EQ(json["message"], "tilt: too steep; set it upright");
+  EXPECT_EQ(json["level"], 4);
+  EXPECT_EQ(json["timestamp"]["sec"], 1001);
+  EXPECT_EQ(Json::parse(messages_.event(event))["level"], "error");
+}
+
+}  // namespace
+}  // namespace tp100::messages

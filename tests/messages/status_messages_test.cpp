@@ -1,0 +1,81 @@
+#include "messages/status_messages.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fixtures.h"
+
+namespace tp100::messages {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(StateMessage, FaultsComeWithCauseAndRemedy) {
+  StateFigures state;
+  state.faults = fault_bit(Fault::cross_track) | fault_bit(Fault::battery_low);
+  const Json faults = Json::parse(state_message(0, {}, state, example_subject()))["faults"];
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults[0]["name"], "battery_low");
+  EXPECT_EQ(faults[0]["from"], "robot");
+  EXPECT_EQ(faults[1]["from"], "daemon");
+  for (const Json& fault : faults) {
+    EXPECT_NE(fault["cause"], "");
+    EXPECT_NE(fault["remedy"], "");
+  }
+}
+
+TEST(StateMessage, TheTimeOfAStopIsOnlyThereWhenItIsKnown) {
+  StateFigures state;
+  const auto stop = [&] {
+    return Json::parse(state_message(0, example_clock(), state, example_subject()))["stop"];
+  };
+  EXPECT_EQ(stop()["status"], "none");
+  EXPECT_TRUE(stop()["requested_t_s"].is_null());
+  state.stop = {.count = 1,
+                .latched = true,
+                .by = "viewer 3",
+                .requested_ns = 5 * kNsPerS,
+                .status = StopFigures::Status::kNotAcknowledged,
+                .acknowledged_ms = 14.0};
+  EXPECT_EQ(stop()["status"], "not_acknowledged");
+  EXPECT_EQ(stop()["requested_t_s"], 3.0);
+  EXPECT_TRUE(stop()["acknowledged_ms"].is_null());
+  state.stop.status = StopFigures::Status::kAcknowledged;
+  EXPECT_EQ(stop()["acknowledged_ms"], 14.0);
+}
+
+TEST(LinkMessage, ALinkIsPoorAboveOnePercent) {
+  LinkFigures link;
+  EXPECT_STREQ(link_quality(link), "lost");
+  link.session = SessionState::kReady;
+  link.samples_hz = 200.0;
+  link.lost_hz = 2.0;
+  EXPECT_STREQ(link_quality(link), "good");
+  link.bad_hz = 1.0;
+  EXPECT_STREQ(link_quality(link), "poor");
+}
+
+TEST(LoopMessage, HasEveryTimeOfATurn) {
+  LoopFigures loop;
+  loop.sample_wait.p99_us = 2.5;
+  const Json json = Json::parse(loop_message(1.0, loop, example_subject()));
+  EXPECT_EQ(json["sample_wait_us"]["p99"], 2.5);
+  int times = 0;
+  loop.each_time([&](const char* name, const Durations&) {
+    ++times;
+    EXPECT_TRUE(json[name].contains("p999")) << name;
+  });
+  EXPECT_EQ(times, 7);
+}
+
+TEST(LoopMessage, TheHistogramHasOneCountMoreThanEdges) {
+  LoopFigures loop;
+  loop.privileges = {{"SCHED_FIFO 80", true}};
+  const Json json = Json::parse(loop_message(1.0, loop, example_subject()));
+  EXPECT_EQ(json["histogram"]["lateness"].size(), json["histogram"]["edges_us"].size() + 1);
+  EXPECT_EQ(json["privileges"]["SCHED_FIFO 80"], true);
+}
+
+}  // namespace
+}  // namespace tp100::messages

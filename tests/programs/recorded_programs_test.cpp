@@ -1,0 +1,206 @@
+// Recordings of programs that run live: exported, and cut off by a kill or a full disk.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "app/replay_recording.h"
+#include "process.h"
+#include "record/recording.h"
+#include "support/paths.h"
+
+namespace tp100::sim {
+namespace {
+
+using record::Recording;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+app::Replayed replayed(const Recording& recording) {
+  const config::RunSetup run = config::parse_run(app::recorded_files(recording));
+  return app::replay_steps(recording, run.parameters, run.course, true, [](const StepRecord&) {});
+}
+
+class RecordedPrograms : public testing::Test {
+ protected:
+  RecordedPrograms() {
+    std::ofstream(folder_.file("tp100.toml")) << "[loop]\npriority = 0\nlock_memory = false\n";
+  }
+  /// Without a course the run goes on whatever a crowded machine does to its times.
+  std::vector<std::string> daemon(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"tp100d", "run",  "--config", folder_.file("tp100.toml"),
+                                          "--port", port(), "--record", records()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  std::string port() const { return folder_.file("tp100"); }
+  std::string records() const { return folder_.file("records"); }
+  /// The only run's file.
+  std::string file() const {
+    for (const auto& entry : std::filesystem::directory_iterator(records()))
+      return (entry.path() / "run.mcap").string();
+    return "none";
+  }
+  /// That can be read by now; none if it has no beginning yet.
+  static std::uint64_t steps_in(const std::string& file) {
+    std::uint64_t steps = 0;
+    try {
+      Recording(file).visit({.step = [&](const StepRecord&) { ++steps; }});
+    } catch (const SetupError&) {
+    }
+    return steps;
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(RecordedPrograms, ALiveRunReplaysBitForBitAndIsExported) {
+  test::Process robot({"tp100-sim", "robot", "--link", port(), "--course", "1-curve"});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  test::Process bridge(daemon({"--course", "1-curve", "--duration", "6"}));
+  bridge.wait();
+  EXPECT_THAT(bridge.output(), HasSubstr("recording to " + file()));
+  // On a crowded machine it may be aborted soon after.
+  EXPECT_THAT(bridge.output(), HasSubstr("state: idle -> arming"));
+
+  const test::Finished replay = test::run({"tp100d", "replay", file(), "--out", folder_.file("p")});
+  EXPECT_EQ(replay.status, 0) << replay.output;
+  EXPECT_THAT(replay.output, HasSubstr("every pose and command as recorded, bit for bit"));
+  EXPECT_GT(test::lines(test::read_bytes(folder_.file("p"))), 10u);
+
+  const std::string out = folder_.file("out");
+  std::filesystem::create_directory(out);
+  EXPECT_EQ(test::run({"tp100d", "export", file(), "--out", out}).status, 0);
+  for (const char* name : {"samples.csv", "poses.csv", "model.tum", "odometry.tum", "fused.tum"})
+    EXPECT_GT(test::lines(test::read_bytes(out + "/" + name)), 10u) << name;
+  EXPECT_FALSE(std::filesystem::exists(out + "/truth.tum")) << "nobody knew it";
+}
+
+TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappened) {
+  std::ofstream(folder_.file("short.toml"))
+      << "description = \"short\"\nspeed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
+         "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
+  test::Process robot({"tp100-sim", "robot", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  // Nobody needs to look for it to be recorded.
+  test::Process bridge(
+      daemon({"--course", folder_.file("short.toml"), "--listen", "off", "--duration", "30"}));
+  // On a crowded machine commands may come too late: then it is aborted, and that is what happened.
+  const std::string end =
+      bridge.wait() == 0 ? "state: running -> finished" : "state: running -> aborted";
+  EXPECT_THAT(bridge.output(), testing::Not(HasSubstr("page:")));
+
+  std::map<std::string, int> counts;
+  std::map<std::string, std::uint64_t> happened;
+  std::uint64_t first = UINT64_MAX, last = 0;
+  Recording(file()).visit(
+      {.message = [&](const std::string& topic, std::uint64_t unix_ns, std::string_view json) {
+        ++counts[topic];
+        if (topic == "/estimate") first = std::min(first, unix_ns), last = unix_ns;
+        if (topic == "/event") happened[Json::parse(json)["text"]] = unix_ns;
+      }});
+  for (const std::string& text :
+       {std::string("state: idle -> arming"), std::string("state: arming -> running"), end}) {
+    ASSERT_TRUE(happened.contains(text)) << text;
+    EXPECT_GE(happened[text], first) << text;
+    EXPECT_LE(happened[text], last) << text;
+  }
+  EXPECT_LT(happened["state: idle -> arming"], happened["state: arming -> running"]);
+  EXPECT_LT(happened["state: arming -> running"], happened[end]);
+  EXPECT_EQ(counts["/log"], counts["/event"]);
+  for (const char* topic : {"/state", "/link", "/loop", "/parameter"}) EXPECT_GT(counts[topic], 0);
+  // Five times a second, and what changes in between.
+  EXPECT_LT(counts["/state"], counts["/estimate"] / 4);
+
+  ASSERT_EQ(test::run({"tp100d", "report", file()}).status, 0);
+  const std::string page =
+      test::read_bytes((std::filesystem::path(file()).parent_path() / "report.html").string());
+  EXPECT_THAT(page, HasSubstr("hello from an emulated board"));
+  EXPECT_THAT(page, HasSubstr("run: running -&gt; " + end.substr(end.rfind(' ') + 1)));
+}
+
+TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
+  test::Process robot({"tp100-sim", "robot", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  test::Process bridge(daemon());
+  ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
+  // Two seconds of it are in the file.
+  for (int i = 0; i < 600 && steps_in(file()) < 400; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const HostNs killed = std::chrono::steady_clock::now().time_since_epoch().count();
+  bridge.signal(SIGKILL);
+  bridge.wait();
+
+  std::uint64_t steps = 0;
+  HostNs last = 0;
+  const Recording cut(file());
+  EXPECT_FALSE(cut.whole());
+  cut.visit({.step = [&](const StepRecord& record) {
+    ++steps;
+    last = record.now_ns;
+  }});
+  EXPECT_GE(steps, 400u);
+  // Less than a second on a machine that keeps up; a crowded one may be late.
+  RecordProperty("lost_ms", std::to_string((killed - last) / kNsPerMs));
+  EXPECT_LT(to_s(killed - last), 5.0);
+
+  const test::Finished exported =
+      test::run({"tp100d", "export", file(), "--out", folder_.file("out")});
+  EXPECT_EQ(exported.status, 0) << exported.output;
+  EXPECT_THAT(exported.output, HasSubstr("was cut off; exported up to there"));
+
+  const test::Finished recover = test::run({"tp100d", "recover", file()});
+  EXPECT_EQ(recover.status, 0) << recover.output;
+  const std::string saved = std::filesystem::path(file()).parent_path() / "run-recovered.mcap";
+  const Recording whole(saved);
+  EXPECT_TRUE(whole.whole());
+  const app::Replayed replay = replayed(whole);
+  EXPECT_EQ(replay.steps, steps);
+  EXPECT_FALSE(replay.differs_at);
+  EXPECT_THAT(test::run({"tp100d", "recover", saved}).output, HasSubstr("nothing to recover"));
+}
+
+TEST_F(RecordedPrograms, ARunGoesOnWhenTheDiskIsFull) {
+  test::Process robot({"tp100-sim", "robot", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  // 600 blocks of 512 bytes.
+  std::string command = "ulimit -f 600; exec \"$0\" \"$@\"";
+  std::vector<std::string> arguments = {"/bin/sh", "-c", command, TP100_BINARY_DIR "/bin/tp100d"};
+  const std::vector<std::string> run = daemon({"--duration", "10"});
+  arguments.insert(arguments.end(), run.begin() + 1, run.end());
+  test::Process bridge(arguments);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+  EXPECT_THAT(bridge.output(), HasSubstr("recording stopped, the disk is full; the file is whole"));
+  EXPECT_THAT(bridge.output(), HasSubstr("no course: duration after 10."));
+  EXPECT_TRUE(Recording(file()).whole());
+}
+
+TEST_F(RecordedPrograms, ARunThatNeverBeganLeavesNothing) {
+  EXPECT_EQ(test::run(daemon()).status, 2);
+  EXPECT_TRUE(std::filesystem::is_empty(records()));
+}
+
+TEST(RecordedErrors, AreOneLineEach) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.file("text.mcap")) << "\x89MCAP0\r\n and then nonsense";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"tp100d", "replay", folder.file("text.mcap"), "--out", "x"},
+        {"tp100d", "export", folder.file("none")},
+        {"tp100d", "export", folder.path().string()},
+        {"tp100d", "recover", folder.file("none")},
+        {"tp100d", "report", folder.file("text.mcap")},
+        {"tp100d", "compare", folder.file("text.mcap")},
+        {"tp100-sim", "course", "1-straight", "--record", "/proc/none"}}) {
+    const test::Finished ended = test::run(arguments);
+    EXPECT_EQ(ended.status, 2) << ended.output;
+    EXPECT_EQ(test::lines(ended.output), 1u) << ended.output;
+  }
+}
+
+}  // namespace
+}  // namespace tp100::sim

@@ -1,0 +1,374 @@
+// An external world, scripts/world, with the real programs: in lockstep and over a pseudo-terminal.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <regex>
+#include <sstream>
+
+#include "../link/udp_receiver.h"
+#include "process.h"
+#include "record/recording.h"
+#include "support/paths.h"
+
+namespace tp100::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// scripts/world at a port of its own.
+class PythonWorld {
+ public:
+  explicit PythonWorld(std::vector<std::string> more = {}) : process_(arguments(std::move(more))) {
+    EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
+    // The number follows, in the same line.
+    process_.wait_for("\n");
+    const std::string& text = process_.output();
+    port_ = std::stoi(text.substr(text.find("127.0.0.1:") + 10));
+  }
+  std::string address() const { return "udp:127.0.0.1:" + std::to_string(port_); }
+
+ private:
+  static std::vector<std::string> arguments(std::vector<std::string> more) {
+    std::vector<std::string> out = {TP100_SOURCE_DIR "/scripts/world", "--listen", "127.0.0.1:0"};
+    out.insert(out.end(), more.begin(), more.end());
+    return out;
+  }
+  Process process_;
+  int port_ = 0;
+};
+
+std::string read(const std::string& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class Worlds : public testing::Test {
+ protected:
+  std::string config(const std::string& world) const {
+    const std::string path = folder_.file("config.toml");
+    std::ofstream(path) << "[world]\n" << world;
+    return path;
+  }
+  TemporaryFolder folder_;
+};
+
+std::string without_timings(const std::string& json) {
+  static const std::regex timings(
+      R"re("(realtime_factor|[a-z_]*time[a-z_]*)":[-0-9.e+]+|"loop":\{[^}]*\})re");
+  return std::regex_replace(json, timings, "");
+}
+
+TEST_F(Worlds, CourseThreeInLockstepGivesTheSameNumbersEveryTime) {
+  PythonWorld world;
+  const std::vector<std::string> arguments = {"tp100-sim", "course",  "3",
+                                              "--json",    "--world", world.address()};
+  const Finished first = run(arguments);
+  EXPECT_EQ(first.status, 0) << first.output;
+  EXPECT_THAT(first.output, HasSubstr("\"completed\":true"));
+  EXPECT_THAT(first.output, Not(HasSubstr("\"world_answered\":0")));
+  EXPECT_EQ(without_timings(run(arguments).output), without_timings(first.output));
+}
+
+TEST_F(Worlds, TheControllerSteersByTheWorldsPoseAndTheRecordingReplays) {
+  PythonWorld world;
+  const Finished driven = run({"tp100-sim", "course", "3", "--json", "--world", world.address(),
+                               "--record", folder_.path().string(), "--config",
+                               config("authority = \"world\"\nframe = \"unreal\"\n")});
+  EXPECT_EQ(driven.status, 0) << driven.output;
+  const Finished replayed = run({"tp100d", "replay", folder_.file("3-end-loaded-1/run.mcap"),
+                                 "--out", folder_.file("poses.csv")});
+  EXPECT_EQ(replayed.status, 0) << replayed.output;
+  EXPECT_THAT(replayed.output, HasSubstr("bit for bit"));
+}
+
+TEST_F(Worlds, NobodyThereIsAnErrorOfOneLine) {
+  // A port that was free a moment ago: the world at it has gone.
+  std::string address;
+  {
+    PythonWorld gone;
+    address = gone.address();
+  }
+  const Finished finished = run({"tp100-sim", "course", "3", "--world", address});
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_THAT(finished.output, HasSubstr("no welcome"));
+}
+
+TEST_F(Worlds, ASilentWorldEndsALockstepRunWithItsCause) {
+  PythonWorld world({"--fault", "silence@1"});
+  const Finished finished = run({"tp100-sim", "course", "3", "--world", world.address()});
+  EXPECT_EQ(finished.status, 1) << finished.output;
+  EXPECT_THAT(finished.output, HasSubstr("world_lost"));
+}
+
+/// The daemon, the emulated robot and the world as three processes.
+class LiveWorlds : public Worlds {
+ protected:
+  LiveWorlds() : robot_({"tp100-sim", "robot", "--link", folder_.file("tp100")}) {
+    EXPECT_TRUE(robot_.wait_for("linked from")) << robot_.output();
+  }
+  std::vector<std::string> daemon(const std::string& course, const std::string& world,
+                                  int timeout_ms = 2000) {
+    return {"tp100d",   "run",
+            "--port",   folder_.file("tp100"),
+            "--course", course,
+            "--world",  world,
+            "--config", config("timeout_ms = " + std::to_string(timeout_ms) + "\n"),
+            "--stats",  folder_.file("stats.json")};
+  }
+  Process robot_;
+};
+
+// Shorter than course 3, with a step and a ramp like its.
+constexpr const char* kCourse = R"(description = "step and ramp"
+speed_mps = 0.1
+[[segment]]
+type = "line"
+length_m = 1.0
+[[block]]
+x_m = 0.35
+y_m = 0.0
+heading_deg = 0.0
+height_m = 0.037
+depth_m = 0.1
+width_m = 0.4
+[[ramp]]
+x_m = 0.75
+y_m = 0.0
+heading_deg = 0.0
+height_m = 0.03
+up_deg = 28.0
+top_m = 0.05
+down_deg = 28.0
+width_m = 0.4
+[fence]
+min_x_m = -0.5
+max_x_m = 2.0
+min_y_m = -0.5
+max_y_m = 0.5
+)";
+
+TEST_F(LiveWorlds, DriveAStepAndARampInRealTime) {
+  std::ofstream(folder_.file("course.toml")) << kCourse;
+  PythonWorld world({"--course", folder_.file("course.toml")});
+  Process bridge(daemon(folder_.file("course.toml"), world.address()));
+  EXPECT_EQ(bridge.wait(), 0) << bridge.output();
+  EXPECT_THAT(bridge.output(), HasSubstr("world: welcomed by scripts/world"));
+  const std::string stats = read(folder_.file("stats.json"));
+  EXPECT_THAT(stats, HasSubstr("\"kind\": \"udp\""));
+  EXPECT_THAT(stats, HasSubstr("\"missing\": 0,"));
+}
+
+TEST_F(LiveWorlds, AStartThatTheWorldDoesNotAnswerIsRefusedAndNotKept) {
+  std::string address;
+  {
+    PythonWorld gone;
+    address = gone.address();
+  }
+  Process bridge(daemon("1-straight", address));
+  ASSERT_TRUE(bridge.wait_for("state: idle -> arming")) << bridge.output();
+  ASSERT_TRUE(bridge.wait_for("start refused: the external world does not answer"))
+      << bridge.output();
+  Process world({TP100_SOURCE_DIR "/scripts/world", "--listen", address.substr(4)});
+  ASSERT_TRUE(bridge.wait_for("world: welcomed")) << bridge.output();
+  ASSERT_TRUE(eventually([&] { return figure(folder_.file("stats.json"), "answered") > 0.0; }));
+  ASSERT_TRUE(goes_on(folder_.file("stats.json")));
+  EXPECT_THAT(bridge.output(), HasSubstr("state: arming -> idle"));
+  EXPECT_THAT(bridge.output(), Not(HasSubstr("-> running")));
+}
+
+struct Trouble {
+  const char* name;
+  const char* cause;
+};
+
+void PrintTo(const Trouble& trouble, std::ostream* out) { *out << trouble.name; }
+
+class TroubledWorlds : public LiveWorlds, public testing::WithParamInterface<Trouble> {};
+
+// Each begins a second into the run and ends it, with the robot's motors off.
+TEST_P(TroubledWorlds, EndTheRunSafelyAndTheCauseIsNamed) {
+  PythonWorld world({"--fault", std::string(GetParam().name) + "@1"});
+  Process bridge(daemon("1-straight", world.address(), 1000));
+  ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
+  EXPECT_TRUE(robot_.wait_for("motors off")) << robot_.output();
+  bridge.signal(SIGTERM);
+  EXPECT_EQ(bridge.wait(), 1);
+  EXPECT_THAT(bridge.output(), HasSubstr(GetParam().cause));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, TroubledWorlds,
+    testing::Values(Trouble{"silence", "world_lost"}, Trouble{"freeze", "world_lost"},
+                    Trouble{"garbage", "world_lost"}, Trouble{"version", "world_lost"},
+                    Trouble{"back", "world_lost"}, Trouble{"slow", "world_lost"},
+                    Trouble{"estop", "stop_requested"}),
+    [](const auto& param) { return std::string(param.param.name); });
+
+TEST_F(LiveWorlds, AKilledWorldEndsTheRunAndANewOneIsWelcome) {
+  auto world = std::make_unique<PythonWorld>();
+  const std::string address = world->address();
+  Process bridge(daemon("1-straight", address, 1000));
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  world.reset();
+  ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
+  Process anew({TP100_SOURCE_DIR "/scripts/world", "--listen", address.substr(4)});
+  EXPECT_TRUE(bridge.wait_for("world: welcomed")) << bridge.output();
+  EXPECT_THAT(bridge.output(), HasSubstr("world_lost"));
+}
+
+TEST_F(LiveWorlds, LosingAThirdOfTheAnswersIsNoTrouble) {
+  PythonWorld world({"--fault", "loss"});
+  std::vector<std::string> arguments = daemon("1-straight", world.address());
+  arguments.insert(arguments.end(), {"--duration", "5"});
+  EXPECT_EQ(run(arguments).status, 1);
+  const std::string stats = read(folder_.file("stats.json"));
+  EXPECT_THAT(stats, HasSubstr("\"result\": \"duration\""));
+  EXPECT_THAT(stats, Not(HasSubstr("\"missing\": 0,")));
+}
+
+/// The world behind two text files, as in the paper: it gets belt speeds and owns the pose.
+class FileWorlds : public LiveWorlds {
+ protected:
+  // Ends behind the step.
+  FileWorlds() {
+    std::ofstream(folder_.file("course.toml"))
+        << std::regex_replace(kCourse, std::regex("length_m = 1.0"), "length_m = 0.55");
+  }
+  std::vector<std::string> world(const std::string& fault = "") const {
+    return {TP100_SOURCE_DIR "/scripts/world",
+            "--files",
+            folder_.path().string(),
+            "--course",
+            folder_.file("course.toml"),
+            "--fault",
+            fault};
+  }
+  std::vector<std::string> files_daemon(int timeout_ms, const std::string& more = "") {
+    std::vector<std::string> out = daemon(folder_.file("course.toml"), "files");
+    config("authority = \"world\"\nframe = \"unreal\"\ntimeout_ms = " + std::to_string(timeout_ms) +
+           "\nencoder_file = \"" + folder_.file("Encoder.txt") +
+           "\"\nencoder_template = \"{seq} {t_s} {left} {right} {mode}\"\norientation_file = \"" +
+           folder_.file("Orientation.txt") + "\"\n" + more);
+    return out;
+  }
+};
+
+/// What Live Link is told of a pose: centimetres, y to the right, the quaternion turned the other
+/// way round.
+std::array<double, 7> unreal_numbers(const Pose& pose) {
+  const double cr = std::cos(pose.roll_rad / 2), sr = std::sin(pose.roll_rad / 2);
+  const double cp = std::cos(pose.pitch_rad / 2), sp = std::sin(pose.pitch_rad / 2);
+  const double cy = std::cos(pose.yaw_rad / 2), sy = std::sin(pose.yaw_rad / 2);
+  return {100 * pose.x_m,
+          -100 * pose.y_m,
+          100 * pose.z_m,
+          -(sr * cp * cy - cr * sp * sy),
+          cr * sp * cy + sr * cp * sy,
+          -(cr * cp * sy - sr * sp * cy),
+          cr * cp * cy + sr * sp * sy};
+}
+
+/// Nothing if it is not what Live Link's JSON sources read.
+std::optional<std::array<double, 7>> live_link_numbers(const std::string& datagram) {
+  const auto json = nlohmann::json::parse(datagram, nullptr, false);
+  if (!json.is_object() || json.size() != 1 || !json.contains("TP100")) return std::nullopt;
+  const nlohmann::json& bone = json["TP100"][0];
+  if (bone["Name"] != "root" || bone["Parent"] != -1) return std::nullopt;
+  std::array<double, 7> out{};
+  for (std::size_t i = 0; i < 3; ++i) out[i] = bone["Location"][i];
+  for (std::size_t i = 0; i < 4; ++i) out[3 + i] = bone["Rotation"][i];
+  return out;
+}
+
+TEST_F(FileWorlds, BeginWhereTheCourseBegins) {
+  std::ofstream(folder_.file("course.toml"))
+      << kCourse << "\n[start]\nx_m = -0.2\ny_m = -0.1\nyaw_deg = 30.0\n";
+  Process unreal(world());
+  ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();
+  std::ofstream(folder_.file("Encoder.txt")) << "1 0.5 0.0 0.0 running\n";
+  std::string text;
+  EXPECT_TRUE(eventually([&] { return !(text = read(folder_.file("Orientation.txt"))).empty(); }));
+  EXPECT_THAT(text, ::testing::StartsWith("X=-20.000 Y=10.000 Z=0.000\n"));
+  EXPECT_THAT(text, HasSubstr("Y=-30.000000"));
+}
+
+TEST_F(FileWorlds, DriveAStepAndLiveLinkShowsThePoses) {
+  UdpReceiver live_link;
+  Process unreal(world());
+  ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();
+  std::vector<std::string> arguments = files_daemon(
+      2000, "live_link = \"udp:127.0.0.1:" + std::to_string(live_link.port()) + "\"\n");
+  arguments.insert(arguments.end(), {"--record", folder_.file("runs")});
+  Process bridge(arguments);
+  std::vector<std::string> datagrams;
+  ASSERT_TRUE(bridge.wait_for("state: idle -> arming")) << bridge.output();
+  for (std::string one; !(one = live_link.wait(1000)).empty();) datagrams.push_back(one);
+  EXPECT_EQ(bridge.wait(), 0) << bridge.output();
+
+  const std::string stats = read(folder_.file("stats.json"));
+  EXPECT_THAT(stats, HasSubstr("\"kind\": \"files\""));
+  EXPECT_THAT(stats, HasSubstr("\"write_errors\": 0"));
+  EXPECT_THAT(stats, HasSubstr("\"rejected\": 0"));
+
+  std::string run;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.file("runs")))
+    run = entry.path();
+  std::vector<Pose> poses;
+  double highest_m = 0.0, steepest_rad = 0.0;
+  record::Recording(run).visit({.step = [&](const StepRecord& record) {
+    poses.push_back(record.snapshot.world);
+    highest_m = std::max(highest_m, poses.back().z_m);
+    steepest_rad = std::max(steepest_rad, std::abs(poses.back().pitch_rad));
+  }});
+  EXPECT_GT(highest_m, 0.015) << "half on the step";
+  EXPECT_GT(steepest_rad, 0.15);
+
+  // Each shows one of the steps, in their order.
+  ASSERT_GT(datagrams.size(), 300u);
+  std::size_t at = 0;
+  for (const std::string& datagram : datagrams) {
+    const auto shown = live_link_numbers(datagram);
+    ASSERT_TRUE(shown) << datagram;
+    const auto is_shown = [&](const Pose& pose) {
+      const std::array<double, 7> numbers = unreal_numbers(pose);
+      return std::equal(numbers.begin(), numbers.end(), shown->begin(),
+                        [](double a, double b) { return std::abs(a - b) < 2e-6; });
+    };
+    while (at < poses.size() && !is_shown(poses[at])) ++at;
+    ASSERT_LT(at, poses.size()) << datagram;
+  }
+}
+
+class TroubledFiles : public FileWorlds, public testing::WithParamInterface<const char*> {};
+
+// The last good value is no answer for ever.
+TEST_P(TroubledFiles, EndTheRunSafelyAndTheCauseIsNamed) {
+  Process unreal(world(std::string(GetParam()) + "@1"));
+  ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();
+  Process bridge(files_daemon(1000));
+  ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
+  EXPECT_TRUE(robot_.wait_for("motors off")) << robot_.output();
+  bridge.signal(SIGTERM);
+  EXPECT_EQ(bridge.wait(), 1);
+  EXPECT_THAT(bridge.output(), HasSubstr("world_lost: the external world is silent"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, TroubledFiles, testing::Values("freeze", "garbage"),
+                         [](const auto& param) { return std::string(param.param); });
+
+}  // namespace
+}  // namespace tp100::test

@@ -1,0 +1,160 @@
+#include "record/step_codec.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "random_record.h"
+
+namespace tp100::record {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::uint8_t> encoded(const StepRecord& record) {
+  std::vector<std::uint8_t> bytes;
+  encode_step(record, bytes);
+  return bytes;
+}
+
+TEST(StepCodec, EveryFieldComesBackBitForBit) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const auto record = random_record(seed);
+    const auto bytes = encoded(*record);
+    auto back = random_record(seed + 1000);
+    ASSERT_EQ(decode_step(bytes, *back), std::nullopt) << seed;
+    ASSERT_EQ(encoded(*back), bytes) << seed;
+    ASSERT_EQ(first_difference(*record, *back), std::nullopt) << seed;
+    ASSERT_EQ(back->sample_count, record->sample_count);
+    for (std::uint32_t i = 0; i < record->sample_count; ++i)
+      ASSERT_EQ(back->samples[i].accel_mps2, record->samples[i].accel_mps2);
+  }
+}
+
+TEST(StepCodec, ResultsMayBeAnyDoubleDownToTheSignOfZero) {
+  const auto record = random_record(1);
+  auto back = random_record(2);
+  for (const double value :
+       {-0.0, std::numeric_limits<double>::denorm_min(), HUGE_VAL, std::nan("")}) {
+    record->snapshot.fused.nis_mean = value;
+    ASSERT_EQ(decode_step(encoded(*record), *back), std::nullopt);
+    EXPECT_EQ(first_difference(*record, *back), std::nullopt);
+  }
+  record->snapshot.fused.nis_mean = 0.0;
+  back->snapshot.fused.nis_mean = -0.0;
+  const auto difference = first_difference(*record, *back);
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_EQ(difference->field, "snapshot.fused.nis_mean");
+  EXPECT_EQ(difference->recorded, "0");
+  EXPECT_EQ(difference->computed, "-0");
+}
+
+TEST(StepCodec, NamesTheFirstResultThatDiffers) {
+  const auto a = random_record(5), b = random_record(5);
+  b->snapshot.command.pose.yaw_rad = std::nextafter(b->snapshot.command.pose.yaw_rad, 1.0);
+  b->snapshot.faults ^= 1;
+  ASSERT_TRUE(first_difference(*a, *b).has_value());
+  EXPECT_EQ(first_difference(*a, *b)->field, "snapshot.command.pose.yaw_rad");
+  EXPECT_NE(first_difference(*a, *b)->recorded, first_difference(*a, *b)->computed);
+}
+
+TEST(StepCodec, InputsAndCountersAreNoResults) {
+  const auto a = random_record(5), b = random_record(5);
+  b->clock.drift += 0.1;
+  b->link.samples += 1;
+  EXPECT_EQ(first_difference(*a, *b), std::nullopt);
+}
+
+TEST(StepCodec, RefusesBytesThatAreTooFewOrTooMany) {
+  const auto record = random_record(3);
+  auto back = random_record(4);
+  auto bytes = encoded(*record);
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    ASSERT_NE(decode_step(std::span(bytes).first(size), *back), std::nullopt) << size;
+  bytes.push_back(0);
+  EXPECT_THAT(decode_step(bytes, *back).value_or(""), HasSubstr("1 bytes too many"));
+}
+
+TEST(StepCodec, ABlockOfInputsIsTakenStepByStepAndRefusedWhereItIsCut) {
+  std::vector<std::uint8_t> block;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) encode_inputs(*random_record(seed), block);
+  auto back = random_record(4);
+  std::span<const std::uint8_t> rest(block);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    ASSERT_EQ(decode_inputs(rest, *back), std::nullopt);
+    EXPECT_EQ(back->now_ns, random_record(seed)->now_ns);
+  }
+  EXPECT_TRUE(rest.empty());
+  for (std::size_t size = 1; size < block.size(); ++size) {
+    rest = std::span(block).first(size);
+    std::optional<std::string> problem;
+    while (!problem && !rest.empty()) problem = decode_inputs(rest, *back);
+    // Cut between two steps it is whole.
+    std::size_t at = 0;
+    bool between = false;
+    while (at < size) {
+      std::uint32_t length = 0;
+      std::memcpy(&length, block.data() + at, sizeof length);
+      at += sizeof length + length;
+      between = at == size;
+    }
+    ASSERT_EQ(problem.has_value(), !between) << size;
+  }
+}
+
+TEST(StepCodec, RefusesInputsThatNoRobotCanHaveMeasured) {
+  auto back = random_record(4);
+  const auto told = [&](auto change) {
+    const auto record = random_record(3);
+    record->sample_count = 1;
+    change(*record);
+    return decode_step(encoded(*record), *back).value_or("");
+  };
+  EXPECT_THAT(told([](StepRecord& r) { r.samples[0].gyro_radps[1] = std::nan(""); }),
+              HasSubstr("gyro"));
+  EXPECT_THAT(told([](StepRecord& r) { r.samples[0].battery_v = HUGE_VAL; }), HasSubstr("battery"));
+  EXPECT_THAT(told([](StepRecord& r) { r.samples[0].device_us = INT64_MAX; }), HasSubstr("device"));
+  EXPECT_THAT(told([](StepRecord& r) {
+                r.clock.valid = true;
+                r.clock.drift = -1.0;
+              }),
+              HasSubstr("drift"));
+  EXPECT_THAT(told([](StepRecord& r) { r.samples[0].state = static_cast<RobotState>(99); }),
+              HasSubstr("state"));
+}
+
+// On a crowded machine answers wait in buffers and seem to come at once.
+TEST(StepCodec, TakesTheDriftOfTheFirstExchanges) {
+  auto back = random_record(4);
+  for (const double drift : {-0.9999, -1.5, 40.0}) {
+    const auto record = random_record(3);
+    record->clock.valid = true;
+    record->clock.reference_host_ns = record->now_ns - 10 * kNsPerS;
+    record->camera_count = 0;
+    record->clock.drift = drift;
+    EXPECT_EQ(decode_step(encoded(*record), *back), std::nullopt) << drift;
+  }
+}
+
+TEST(StepCodec, RefusesACountThatFindsNoRoom) {
+  const auto record = random_record(3);
+  auto bytes = encoded(*record);
+  bytes[16] = 65;  // behind time and number of the step
+  auto back = random_record(4);
+  EXPECT_THAT(decode_step(bytes, *back).value_or(""), HasSubstr("samples"));
+}
+
+TEST(StepCodec, TheSchemaListsTheLayout) {
+  const auto schema = nlohmann::json::parse(step_schema());
+  EXPECT_EQ(schema["fields"][0], nlohmann::json({"now_ns", "i64"}));
+  EXPECT_EQ(schema["fields"][2][0], "samples");
+  EXPECT_EQ(schema["fields"][2][1][0], nlohmann::json({"count", "u32"}));
+  EXPECT_EQ(schema["fields"].back()[0], "snapshot");
+}
+
+}  // namespace
+}  // namespace tp100::record

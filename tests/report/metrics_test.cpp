@@ -1,0 +1,146 @@
+#include "report/metrics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/angle.h"
+
+namespace tp100::report {
+namespace {
+
+const Pose& model_of(const TrackPoint& point) { return point.model; }
+
+TrackPoint point(double t_s, const Pose& truth, const Pose& model) {
+  TrackPoint result;
+  result.t_s = t_s;
+  result.truth = truth;
+  result.world = truth;
+  result.model = model;
+  return result;
+}
+
+Pose pose(double x_m, double y_m, double yaw_rad = 0.0) {
+  Pose result;
+  result.x_m = x_m;
+  result.y_m = y_m;
+  result.yaw_rad = yaw_rad;
+  return result;
+}
+
+course::Course straight(double length_m) {
+  course::Course course;
+  course.path = {course::Line{length_m}};
+  return course;
+}
+
+TEST(PoseErrors, FollowEquation8AndMeanSquares) {
+  const std::vector<TrackPoint> points = {
+      point(0, pose(0, 0), pose(0, 0)),
+      point(1, pose(1, 1, 0.1), pose(1.03, 1.04, -0.1)),
+      point(2, pose(2, 1, 3.1), pose(2.0, 0.99, -3.1)),
+  };
+  const PoseErrors errors = pose_errors(points, model_of);
+  EXPECT_NEAR(errors.max_position_error_m, 0.05, 1e-12);
+  EXPECT_NEAR(errors.mean_position_error_m, 0.06 / 3, 1e-12);
+  EXPECT_NEAR(errors.rms_position_error_m, std::sqrt((0.0025 + 0.0001) / 3), 1e-12);
+  EXPECT_NEAR(errors.final_position_error_m, 0.01, 1e-12);
+  EXPECT_NEAR(errors.mse_x_m2, 0.0009 / 3, 1e-12);
+  EXPECT_NEAR(errors.mse_y_m2, 0.0017 / 3, 1e-12);
+  const double across = 2 * kPi - 6.2;  // 3.1 and -3.1 lie this close together
+  EXPECT_NEAR(errors.max_yaw_error_rad, 0.2, 1e-12);
+  EXPECT_NEAR(errors.mse_yaw_rad2, (0.04 + across * across) / 3, 1e-12);
+}
+
+TEST(PoseErrors, OfARunWithoutPointsAreZero) {
+  EXPECT_EQ(pose_errors({}, model_of).rms_position_error_m, 0.0);
+}
+
+TEST(PoseErrors, AShoveThatTheModelCannotSeeDoesNotCountAgainstIt) {
+  // The robot drives straight, is pushed by (0.04 m, 15 deg), and drives on; the model sees
+  // straight driving.
+  const double turn = 15 * kRadPerDeg;
+  std::vector<TrackPoint> points;
+  for (int i = 0; i <= 400; ++i) {
+    const double t = i * 0.01, s = 0.1 * t;
+    Pose truth = pose(s, 0);
+    if (t > 2.0) {
+      const double part = std::min(1.0, (t - 2.0) / 0.3), after = std::max(0.0, s - 0.23);
+      truth = pose(std::min(s, 0.23) + after * std::cos(turn), 0.04 * part + after * std::sin(turn),
+                   turn * part);
+    }
+    points.push_back(point(t, truth, pose(s, 0)));
+  }
+  EXPECT_GT(pose_errors(points, model_of).max_position_error_m, 0.04);
+  const PoseErrors between = pose_errors_between(points, {{2.0, 2.3}}, model_of);
+  EXPECT_LT(between.max_position_error_m, 1e-3);
+  EXPECT_LT(between.max_yaw_error_rad, 1e-9);
+}
+
+TEST(PoseErrors, AShoveBetweenTwoPointsStillSetsTheModelOntoTheTruth) {
+  const std::vector<TrackPoint> points = {
+      point(0, pose(0, 0), pose(0, 0)), point(1, pose(1, 1), pose(1, 0)),
+      point(2, pose(2, 1), pose(2, 0)), point(3, pose(3, 1.5), pose(3, 0))};
+  const PoseErrors errors = pose_errors_between(points, {{0.4, 0.6}, {0.7, 0.8}}, model_of);
+  EXPECT_NEAR(errors.max_position_error_m, 0.5, 1e-12);
+  EXPECT_NEAR(errors.mean_position_error_m, 0.125, 1e-12);
+}
+
+TEST(TrackingErrors, MeasureTheDistanceToThePathAndTheYawToItsTangent) {
+  std::vector<TrackPoint> points = {point(0, pose(0, 0), {}), point(1, pose(0.5, 0.03, 0.1), {}),
+                                    point(2, pose(1.04, 0.0, -0.2), {})};
+  points[1].progress_m = 0.5;
+  points[2].progress_m = 1.0;
+  const TrackingErrors errors = tracking_errors(points, {}, course::Path(straight(1.0)));
+  EXPECT_NEAR(errors.max_cross_track_m, 0.04, 1e-12);
+  EXPECT_NEAR(errors.rms_cross_track_m, std::sqrt(0.0025 / 3), 1e-12);
+  EXPECT_NEAR(errors.max_yaw_error_rad, 0.2, 1e-12);
+  EXPECT_TRUE(errors.recovery_s.empty());
+}
+
+TEST(TrackingErrors, ATurnOnTheSpotIsNoYawError) {
+  course::Course course;
+  course.path = {course::Line{1.0}, course::Pivot{kPi / 2}, course::Line{1.0}};
+  std::vector<TrackPoint> points;
+  for (int i = 0; i <= 10; ++i) {
+    points.push_back(point(i, pose(1.0, 0.0, i * kPi / 20 + 2 * kPi), {}));
+    points.back().progress_m = 1.0;
+  }
+  EXPECT_NEAR(tracking_errors(points, {}, course::Path(course)).max_yaw_error_rad, 0.0, 1e-12);
+  points.back().world.yaw_rad += 0.3;
+  EXPECT_NEAR(tracking_errors(points, {}, course::Path(course)).max_yaw_error_rad, 0.3, 1e-12);
+}
+
+TEST(TrackingErrors, ACrossingPathIsComparedNearTheProgressOnly) {
+  course::Course course;  // out, round and across itself
+  course.path = {course::Line{1.0}, course::Arc{0.5, 1.5 * kPi}, course::Line{1.5}};
+  const course::Path path(course);
+  TrackPoint crossing = point(0, pose(0.5, 0.0, 0.0), {});
+  crossing.progress_m = 0.5;
+  EXPECT_NEAR(tracking_errors({crossing}, {}, path).max_cross_track_m, 0.0, 1e-12);
+  crossing.world.y_m = 0.4;  // nearly on the arc, but that part comes much later
+  EXPECT_NEAR(tracking_errors({crossing}, {}, path).max_cross_track_m, 0.4, 1e-9);
+}
+
+TEST(TrackingErrors, RecoveryRunsFromTheEndOfThePushToTheLastReturn) {
+  std::vector<TrackPoint> points;
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = i * 0.01;
+    double y = 0.0;
+    if (t > 1.0 && t < 2.5) y = 0.04;
+    if (t > 2.7 && t < 2.8) y = 0.02;  // inside for 0.2 s only
+    if (t > 5.0) y = 0.04;             // pushed again, never back
+    points.push_back(point(t, pose(0.1 * t, y), {}));
+    points.back().progress_m = 0.1 * t;
+  }
+  const TrackingErrors errors =
+      tracking_errors(points, {{1.0, 1.3}, {5.0, 5.3}}, course::Path(straight(2.0)));
+  ASSERT_EQ(errors.recovery_s.size(), 2u);
+  ASSERT_TRUE(errors.recovery_s[0].has_value());
+  EXPECT_NEAR(*errors.recovery_s[0], 1.5, 0.011);
+  EXPECT_FALSE(errors.recovery_s[1].has_value());
+}
+
+}  // namespace
+}  // namespace tp100::report

@@ -1,0 +1,150 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "report/result_json.h"
+#include "report/result_table.h"
+
+namespace tp100::report {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::ordered_json;
+
+RunResult a_run() {
+  RunResult run;
+  run.course = "2";
+  run.board = "native";
+  run.robot = "end-loaded";
+  run.setup = "flat";
+  run.seed = 7;
+  run.completed = true;
+  run.duration_s = 41.25;
+  run.realtime_factor = 30.0;
+  run.shoves = {{8.0, 8.3}, {30.0, 30.3}};
+  run.link.samples = 8000;
+  run.loop = {{"steps", 8250.0}};
+  return run;
+}
+
+RunFigures some_figures() {
+  RunFigures figures;
+  figures.model.max_position_error_m = 0.1 + 0.2;
+  figures.odometry.mse_x_m2 = 1.25e-5;
+  figures.tracking.recovery_s = {1.5, std::nullopt};
+  figures.tracking.recovery = {{.begin_s = 8.0,
+                                .detection_s = 0.03,
+                                .peak_cross_track_m = 0.041,
+                                .peak_yaw_error_rad = 0.25,
+                                .settling_s = 1.5,
+                                .overshoot_m = 0.002,
+                                .shortcut_m = 0.0},
+                               {.begin_s = 30.0}};
+  return figures;
+}
+
+std::vector<std::string> keys(const Json& json) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  return names;
+}
+
+TEST(ResultJson, HasTheDocumentedKeysInOrder) {
+  const Json json = Json::parse(result_json(a_run(), some_figures()));
+  EXPECT_THAT(keys(json), ElementsAre("course", "board", "robot", "setup", "seed", "completed",
+                                      "duration_s", "realtime_factor", "model", "odometry",
+                                      "tracking", "slope", "link", "loop"));
+  const auto errors = ElementsAre("max_position_error_m", "mean_position_error_m",
+                                  "rms_position_error_m", "final_position_error_m", "mse_x_m2",
+                                  "mse_y_m2", "mse_yaw_rad2", "max_yaw_error_rad");
+  EXPECT_THAT(keys(json["model"]), errors);
+  EXPECT_THAT(keys(json["odometry"]), errors);
+  EXPECT_THAT(keys(json["tracking"]),
+              ElementsAre("max_cross_track_m", "rms_cross_track_m", "max_yaw_error_rad",
+                          "recovery_s", "recovery", "false_alarms"));
+  ASSERT_EQ(json["tracking"]["recovery"].size(), 2u);
+  EXPECT_THAT(keys(json["tracking"]["recovery"][0]),
+              ElementsAre("begin_s", "detection_s", "peak_cross_track_m", "peak_yaw_error_rad",
+                          "settling_s", "overshoot_m", "shortcut_m"));
+  EXPECT_EQ(json["tracking"]["recovery"][0]["detection_s"], 0.03);
+  EXPECT_TRUE(json["tracking"]["recovery"][1]["settling_s"].is_null());
+  EXPECT_THAT(keys(json["slope"]),
+              ElementsAre("ramp_pitch_max_error_rad", "ramp_pitch_rms_error_rad", "changes",
+                          "false_changes", "obstacles", "mistaken"));
+  EXPECT_EQ(json["link"]["samples"], 8000);
+  EXPECT_EQ(json["loop"]["steps"], 8250.0);
+  EXPECT_EQ(json["seed"], 7);
+}
+
+TEST(ResultJson, IsOneLineWhoseNumbersReadBackExactly) {
+  const std::string text = result_json(a_run(), some_figures());
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+  EXPECT_EQ(Json::parse(text)["model"]["max_position_error_m"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(text, result_json(a_run(), some_figures()));
+}
+
+TEST(ResultJson, FusedIsThereOnlyIfACameraWas) {
+  EXPECT_FALSE(Json::parse(result_json(a_run(), some_figures())).contains("fused"));
+  RunFigures figures = some_figures();
+  figures.fused.emplace().max_position_error_m = 0.004;
+  const Json json = Json::parse(result_json(a_run(), figures));
+  EXPECT_EQ(json["fused"]["max_position_error_m"], 0.004);
+  EXPECT_EQ(keys(json["fused"]), keys(json["model"]));
+  EXPECT_THAT(result_table(a_run(), figures), HasSubstr("ours: fused (+ camera)"));
+  EXPECT_THAT(result_table(a_run(), some_figures()), Not(HasSubstr("fused")));
+}
+
+TEST(ResultJson, AShoveWithoutRecoveryIsNull) {
+  const Json json = Json::parse(result_json(a_run(), some_figures()));
+  EXPECT_EQ(json["tracking"]["recovery_s"].dump(), "[1.5,null]");
+}
+
+TEST(ResultJson, ARunThatWasNotCompletedSaysWhy) {
+  RunResult run = a_run();
+  EXPECT_THAT(result_json(run, {}), Not(HasSubstr("cause")));
+  run.completed = false;
+  run.cause = "fence";
+  EXPECT_EQ(Json::parse(result_json(run, {}))["cause"], "fence");
+}
+
+TEST(ResultJson, SurvivesNamesThatAreNoText) {
+  RunResult run = a_run();
+  run.course = "a\xff\n\"b";
+  const std::string text = result_json(run, {});
+  EXPECT_TRUE(Json::accept(text));
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+TEST(ResultTable, ShowsThePrintedValuesAndWhatIsOurs) {
+  const std::string text = result_table(a_run(), some_figures());
+  EXPECT_THAT(text, HasSubstr("completed\n41.2 s of robot time"));
+  EXPECT_THAT(text, HasSubstr("paper, as printed"));
+  EXPECT_THAT(text, HasSubstr("0.1854"));
+  EXPECT_THAT(text, HasSubstr("are ours: the paper does not print them"));
+  EXPECT_THAT(text, HasSubstr("shown, not compared"));
+  EXPECT_THAT(
+      text, HasSubstr("shove at   8.0 s                       0.03      4.10      14.3      1.50"));
+  EXPECT_THAT(
+      text, HasSubstr("shove at  30.0 s                      never      0.00       0.0     never"));
+  RunResult curve = a_run();
+  curve.course = "1-curve";
+  curve.shoves.clear();
+  EXPECT_THAT(result_table(curve, {}), HasSubstr("1.20"));
+  curve.course = "my-own";
+  EXPECT_THAT(result_table(curve, {}), Not(HasSubstr("as printed")));
+}
+
+TEST(ResultTable, FitsAHundredColumns) {
+  RunResult run = a_run();
+  run.completed = false;
+  run.cause = "fence";
+  std::istringstream lines(result_table(run, some_figures()));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+}
+
+}  // namespace
+}  // namespace tp100::report

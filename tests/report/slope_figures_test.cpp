@@ -1,0 +1,91 @@
+#include "report/slope_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/angle.h"
+
+namespace tp100::report {
+namespace {
+
+constexpr double kStepS = 0.005;
+
+course::Terrain one_ramp() {
+  course::Ramp ramp{};
+  ramp.place.x_m = 0.5;
+  ramp.height_m = 0.08;
+  ramp.up_rad = ramp.down_rad = 20.0 * kRadPerDeg;
+  ramp.top_m = 0.2;
+  ramp.width_m = 0.4;
+  course::Terrain terrain;
+  terrain.ramps.push_back(ramp);
+  return terrain;
+}
+
+/// Level, from 2 to 5 s nose up by 20 deg near the ramp, level again; the IMU is off by `off_rad`,
+/// the state `late_s` behind.
+std::vector<TrackPoint> climb(double off_rad, double late_s) {
+  std::vector<TrackPoint> points;
+  for (int i = 0; i * kStepS < 8.0; ++i) {
+    TrackPoint point;
+    point.t_s = i * kStepS;
+    point.truth.x_m = 0.5;
+    const auto leans = [](double t_s) { return t_s >= 2.0 && t_s < 5.0; };
+    point.truth.pitch_rad = leans(point.t_s) ? -20.0 * kRadPerDeg : 0.0;
+    point.imu_pitch_rad = point.truth.pitch_rad + off_rad;
+    if (leans(point.t_s - late_s)) {
+      point.slope = Slope::kUp;
+      point.leans_on = Obstacle::kRamp;
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+TEST(SlopeFigures, TellPitchErrorAndDelay) {
+  const SlopeFigures figures = slope_figures(climb(0.01, 0.2), one_ramp());
+  EXPECT_NEAR(figures.ramp_pitch_max_error_rad, 0.01, 1e-12);
+  EXPECT_NEAR(figures.ramp_pitch_rms_error_rad, 0.01, 1e-12);
+  ASSERT_EQ(figures.changes.size(), 2u);
+  EXPECT_EQ(figures.changes[0].to, Slope::kUp);
+  EXPECT_NEAR(figures.changes[0].at_s, 2.0, 1e-9);
+  EXPECT_NEAR(figures.changes[0].found_s.value(), 0.2, 1e-9);
+  EXPECT_EQ(figures.changes[1].to, Slope::kFlat);
+  EXPECT_NEAR(figures.changes[1].found_s.value(), 0.2, 1e-9);
+  EXPECT_EQ(figures.false_changes, 0);
+  EXPECT_EQ(figures.obstacles, 1);
+  EXPECT_EQ(figures.mistaken, 0);
+}
+
+TEST(SlopeFigures, WhatTheStateNeverSaidWasNotFound) {
+  std::vector<TrackPoint> points = climb(0.0, 0.0);
+  for (TrackPoint& point : points) point.slope = Slope::kFlat;
+  const SlopeFigures figures = slope_figures(points, one_ramp());
+  ASSERT_EQ(figures.changes.size(), 2u);
+  EXPECT_FALSE(figures.changes[0].found_s.has_value());
+}
+
+TEST(SlopeFigures, AStateWithoutACauseIsFalse) {
+  std::vector<TrackPoint> points = climb(0.0, 0.1);
+  for (TrackPoint& point : points)
+    if (point.t_s > 7.0 && point.t_s < 7.3) point.slope = Slope::kDown;
+  EXPECT_EQ(slope_figures(points, one_ramp()).false_changes, 2) << "to down, and back";
+}
+
+TEST(SlopeFigures, ARampTakenForAStepIsAMistake) {
+  std::vector<TrackPoint> points = climb(0.0, 0.1);
+  for (TrackPoint& point : points)
+    if (point.slope != Slope::kFlat) point.leans_on = Obstacle::kBlock;
+  EXPECT_EQ(slope_figures(points, one_ramp()).mistaken, 1);
+}
+
+TEST(SlopeFigures, AKnockThatDoesNotLastIsNoChangeOfTheBody) {
+  std::vector<TrackPoint> points = climb(0.0, 0.1);
+  for (TrackPoint& point : points)
+    if (point.t_s > 7.0 && point.t_s < 7.1) point.truth.pitch_rad = 0.2;
+  EXPECT_EQ(slope_figures(points, one_ramp()).changes.size(), 2u);
+}
+
+}  // namespace
+}  // namespace tp100::report

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "../run/recovered.h"
+#include "report/metrics.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/options.h"
+
+namespace tp100::sim {
+namespace {
+
+// Sanitized builds run the same code some ten times slower: fewer seeds there.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t kSeeds = 1;
+#else
+constexpr std::uint64_t kSeeds = 3;
+#endif
+
+struct Case {
+  control::LawName law;
+  const char* law_name;
+  const char* course;
+  double tracking_m;  ///< median over the seeds of the largest distance from the path; 0: shoved
+};
+
+void PrintTo(const Case& which, std::ostream* out) {
+  *out << which.law_name << ' ' << which.course;
+}
+
+LockstepSettings settings(const Case& which, const std::string& robot = "end-loaded") {
+  Options options;
+  options.robot = robot;
+  const Loaded loaded = load(options);
+  LockstepSettings settings{.course = load_course(which.course),
+                            .robot = loaded.robot,
+                            .configuration = loaded.configuration,
+                            .setup = loaded.setup,
+                            .camera = load_camera("overhead")};
+  settings.configuration.parameters.steering = bridge::Steering::kFused;
+  settings.configuration.parameters.control.law = which.law;
+  return settings;
+}
+
+class CoursesByLaw : public testing::TestWithParam<Case> {};
+
+TEST_P(CoursesByLaw, SteerTheBodyAlongTheCourse) {
+  const Case& which = GetParam();
+  LockstepSettings run = settings(which);
+  std::vector<double> tracking_m;
+  for (run.seed = 1; run.seed <= kSeeds; ++run.seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << run.seed);
+    const report::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << result.cause;
+    const report::TrackingErrors tracking = report::figures(result, run.course).tracking;
+    tracking_m.push_back(tracking.max_cross_track_m);
+    expect_recovered(tracking, run.course);
+  }
+  std::sort(tracking_m.begin(), tracking_m.end());
+  if (which.tracking_m > 0.0) {
+    EXPECT_LE(tracking_m[tracking_m.size() / 2], which.tracking_m);
+  }
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const auto& [law, name] : {std::pair{control::LawName::kStanley, "stanley"},
+                                  std::pair{control::LawName::kPurePursuit, "pure_pursuit"},
+                                  std::pair{control::LawName::kLqr, "lqr"}}) {
+    all.push_back({law, name, "3", 0.015});
+    // The law of FusedCourses, which drive the others.
+    if (law == control::Parameters{}.law) continue;
+    all.push_back({law, name, "1-curve", 0.008});
+    all.push_back({law, name, "1-sharp", 0.015});
+    all.push_back({law, name, "2", 0.0});
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Flat, CoursesByLaw, testing::ValuesIn(cases()),
+                         [](const testing::TestParamInfo<Case>& param) {
+                           std::string name =
+                               std::string(param.param.law_name) + "_" + param.param.course;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+// A law that nobody can tell from another is not chosen by its key.
+TEST(Laws, DriveDifferently) {
+  std::vector<double> end_s;
+  for (const control::LawName law :
+       {control::LawName::kStanley, control::LawName::kPurePursuit, control::LawName::kLqr}) {
+    const report::RunResult result = run_lockstep(settings({law, "", "2", 0.0}));
+    double sum = 0.0;
+    for (const report::TrackPoint& point : result.points) sum += point.truth.y_m;
+    end_s.push_back(sum);
+  }
+  EXPECT_NE(end_s[0], end_s[1]);
+  EXPECT_NE(end_s[0], end_s[2]);
+  EXPECT_NE(end_s[1], end_s[2]);
+}
+
+// Those that FusedCourses leave out.
+TEST(Laws, ShovesAreRecoveredFromOnEveryRobot) {
+  for (const char* robot : {"front-heavy", "large", "slippery"}) {
+    SCOPED_TRACE(robot);
+    const LockstepSettings run = settings({control::LawName::kStanley, "", "2", 0.0}, robot);
+    const report::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << result.cause;
+    expect_recovered(report::figures(result, run.course).tracking, run.course);
+  }
+}
+
+}  // namespace
+}  // namespace tp100::sim

@@ -1,0 +1,167 @@
+#include "sim/robot/lockstep.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "course/bundled_files.h"
+#include "report/metrics.h"
+#include "report/result_json.h"
+#include "sim/robot/options.h"
+
+namespace tp100::sim {
+namespace {
+
+LockstepSettings settings(const std::string& course, const std::string& robot,
+                          const std::string& board = "native") {
+  Options options;
+  options.board = board;
+  options.robot = robot;
+  const Loaded loaded = load(options);
+  return {.course = load_course(course),
+          .robot = loaded.robot,
+          .configuration = loaded.configuration,
+          .setup = loaded.setup,
+          .board = loaded.board};
+}
+
+struct Case {
+  const char* board;
+  const char* course;
+  const char* robot;
+  double model_limit_m;  ///< median over the seeds of the largest position error; 0: none
+  std::uint64_t seeds = 1;
+};
+
+void PrintTo(const Case& which, std::ostream* out) {
+  *out << which.board << ' ' << which.course << ' ' << which.robot;
+}
+
+class Courses : public testing::TestWithParam<Case> {};
+
+TEST_P(Courses, AreCompletedForEverySeedAndTheModelKeepsItsLimit) {
+  const Case& which = GetParam();
+  LockstepSettings run = settings(which.course, which.robot, which.board);
+  std::vector<double> model_m;
+  for (run.seed = 1; run.seed <= which.seeds; ++run.seed) {
+    const report::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
+    EXPECT_EQ(result.link.lost, 0u);
+    EXPECT_EQ(result.link.crc_errors, 0u);
+    model_m.push_back(report::figures(result, run.course).model.max_position_error_m);
+  }
+  std::sort(model_m.begin(), model_m.end());
+  const double median_m = model_m[model_m.size() / 2];
+  if (which.model_limit_m > 0.0) {
+    EXPECT_LE(median_m, which.model_limit_m);
+  }
+}
+
+std::vector<Case> cases(const char* board, std::uint64_t seeds) {
+  std::vector<Case> all = {
+      {board, "1-straight", "end-loaded", 0.010}, {board, "1-curve", "end-loaded", 0.010},
+      {board, "1-sharp", "end-loaded", 0.030},    {board, "2", "end-loaded", 0.0},
+      {board, "1-straight", "uniform", 0.0},      {board, "1-curve", "uniform", 0.0},
+      {board, "1-sharp", "uniform", 0.0},         {board, "2", "uniform", 0.0}};
+  for (Case& one : all) one.seeds = seeds;
+  return all;
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& param) {
+  std::string name = std::string(param.param.course) + "_" + param.param.robot;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Native, Courses, testing::ValuesIn(cases("native", 3)), name_of);
+INSTANTIATE_TEST_SUITE_P(NightlyNative, Courses, testing::ValuesIn(cases("native", 10)), name_of);
+// Only builds that make the image can fly it.
+#ifdef TP100_HAS_IMAGE
+INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr", 1)), name_of);
+INSTANTIATE_TEST_SUITE_P(NightlyAvr, Courses, testing::ValuesIn(cases("avr", 5)), name_of);
+
+TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
+  LockstepSettings run = settings("1-curve", "end-loaded", "avr");
+  // Ten seconds before the wrap, in steps of the board's timer.
+  run.start_us = (0xFFFFFFFFu - 10'000'000u) / 1024u * 1024u;
+  const report::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_EQ(result.link.implausible, 0u);
+  EXPECT_EQ(result.link.lost, 0u);
+  EXPECT_EQ(result.link.crc_errors, 0u);
+  EXPECT_LE(report::figures(result, run.course).model.max_position_error_m, 0.010);
+}
+#endif
+
+TEST(Lockstep, TheDeviceClockWrapsWithoutAJump) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  run.start_us = 0xFFFFFFFFu - 10'000'000u;
+  const report::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_LE(report::figures(result, run.course).model.max_position_error_m, 0.010);
+}
+
+std::string without_time(report::RunResult result, const course::Course& course) {
+  result.realtime_factor = 0.0;
+  result.loop.clear();
+  return report::result_json(result, report::figures(result, course));
+}
+
+TEST(Lockstep, OneSeedGivesOneResultAndAnotherSeedAnother) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  const std::string first = without_time(run_lockstep(run), run.course);
+  EXPECT_EQ(first, without_time(run_lockstep(run), run.course));
+  run.seed = 2;
+  EXPECT_NE(first, without_time(run_lockstep(run), run.course));
+}
+
+TEST(Lockstep, OnABenchTheVirtualRobotCompletesTheCourseAndTheBodyStays) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  run.setup = bridge::Setup::kBench;
+  const report::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.completed) << result.cause;
+  EXPECT_NEAR(result.points.back().truth.y_m, 0.7, 0.03);
+}
+
+TEST(Lockstep, ARobotThatLeavesItsFenceIsStoppedAndTheCauseIsNamed) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  run.course.fence.max_y_m = 0.3;
+  const report::RunResult result = run_lockstep(run);
+  EXPECT_FALSE(result.completed);
+  EXPECT_EQ(result.cause, "fence");
+}
+
+TEST(Lockstep, ARobotWhoseSlipNobodyKnowsFinishesElsewhere) {
+  LockstepSettings run = settings("1-straight", "end-loaded");
+  run.robot.model = {};
+  run.robot.emulated.body.belt_deficit_left = run.robot.emulated.body.belt_deficit_right = 0.4;
+  const report::RunResult result = run_lockstep(run);
+  EXPECT_TRUE(result.finished);
+  EXPECT_FALSE(result.completed);
+  EXPECT_EQ(result.cause, "ended too far from the end of the path");
+}
+
+TEST(Lockstep, AReversedMotorIsFoundBeforeTheRobotGetsFar) {
+  LockstepSettings run = settings("1-straight", "end-loaded");
+  run.robot.drive.invert_right_motor = true;
+  const report::RunResult result = run_lockstep(run);
+  EXPECT_FALSE(result.completed);
+  EXPECT_FALSE(result.cause.empty());
+  ASSERT_FALSE(result.points.empty());
+  EXPECT_LT(std::abs(result.points.back().truth.x_m), 0.10) << result.cause;
+}
+
+TEST(Lockstep, AGyroOfTheWrongSignIsFound) {
+  LockstepSettings run = settings("1-curve", "end-loaded");
+  run.robot.model.gyro_scale = -1.0;
+  const report::RunResult result = run_lockstep(run);
+  EXPECT_FALSE(result.completed);
+  EXPECT_FALSE(result.cause.empty());
+}
+
+}  // namespace
+}  // namespace tp100::sim

@@ -1,0 +1,167 @@
+// The emulated overhead camera on the network and the daemon that listens: three ends of one run.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "../link/udp_receiver.h"
+#include "../programs/process.h"
+#include "link/camera_message.h"
+#include "link/udp.h"
+#include "support/paths.h"
+
+namespace tp100::test {
+namespace {
+
+class OverheadCameraRun : public testing::Test {
+ protected:
+  OverheadCameraRun() {
+    // Somebody pushes the robot aside, which neither encoders nor gyro can see.
+    std::ifstream curve(TP100_SOURCE_DIR "/config/courses/1-curve.toml");
+    std::ofstream(course()) << curve.rdbuf()
+                            << "\n[[shove]]\nat_m = 0.3\nsideways_m = 0.04\nyaw_deg = 0.0\n"
+                               "duration_s = 0.4\n";
+    std::ofstream(folder_.file("fused.toml")) << "[estimation]\nsteering = \"fused\"\n"
+                                                 "[control]\nmax_cross_track_m = 0.5\n";
+  }
+  std::string course() const { return folder_.file("1-curve.toml"); }
+  std::string port() const { return folder_.file("tp100"); }
+  std::string address() const { return "udp:" + std::to_string(udp_port_); }
+  std::vector<std::string> robot(const std::string& name = "uniform") const {
+    return {"tp100-sim", "robot", "--link",   port(),        "--course", course(),
+            "--robot",   name,    "--camera", "--camera-to", address()};
+  }
+  std::vector<std::string> daemon() const {
+    return {"tp100d",     "run",
+            "--port",     port(),
+            "--course",   course(),
+            "--robot",    "uniform",
+            "--config",   folder_.file("fused.toml"),
+            "--camera",   address(),
+            "--duration", "50",
+            "--stats",    folder_.file("stats.json")};
+  }
+  nlohmann::json stats() const {
+    return nlohmann::json::parse(std::ifstream(folder_.file("stats.json")));
+  }
+
+  /// A run to its end, and what the robot said. A machine that is busy with other things for a
+  /// fifth of a second stops the robot, as it must; that is no matter of the camera, so it gets
+  /// another try.
+  std::string drive() {
+    for (int attempt = 0;; ++attempt) {
+      Process body(robot());
+      EXPECT_TRUE(body.wait_for("linked from"));
+      Process bridge(daemon());
+      const int status = bridge.wait();
+      body.signal(SIGTERM);
+      EXPECT_EQ(body.wait(), 0);
+      bool stalled = false;
+      for (const char* cause : {"command_timeout", "samples_stale", "link_lost"})
+        stalled = stalled || bridge.output().find(cause) != std::string::npos;
+      if (status == 1 && stalled && attempt < 4) continue;
+      EXPECT_EQ(status, 0) << bridge.output();
+      return body.output();
+    }
+  }
+
+  TemporaryFolder folder_;
+  std::uint16_t udp_port_ = free_udp_port();
+};
+
+TEST_F(OverheadCameraRun, PushedAsideFusedSteersBackByTheDatagramsAndEndsWhereTheRobotIs) {
+  const std::string said = drive();
+  double x_m = 0.0, y_m = 0.0, yaw_deg = 0.0;
+  const std::size_t at = said.find("robot: stands at");
+  ASSERT_NE(at, std::string::npos) << said;
+  ASSERT_EQ(std::sscanf(said.c_str() + at, "robot: stands at x %lf m, y %lf m, yaw %lf deg", &x_m,
+                        &y_m, &yaw_deg),
+            3);
+
+  const nlohmann::json figures = stats();
+  const nlohmann::json& fused = figures.at("fused");
+  EXPECT_NEAR(fused.at("x_m").get<double>(), x_m, 0.006);
+  EXPECT_NEAR(fused.at("y_m").get<double>(), y_m, 0.006);
+  EXPECT_NEAR(std::remainder(fused.at("yaw_rad").get<double>() * 57.29578 - yaw_deg, 360.0), 0.0,
+              1.0);
+  EXPECT_NEAR(x_m, 0.0, 0.015) << "the end of the path";
+  EXPECT_NEAR(y_m, 0.7, 0.015);
+  const nlohmann::json& odometry = figures.at("odometry");
+  EXPECT_GT(
+      std::hypot(odometry.at("x_m").get<double>() - x_m, odometry.at("y_m").get<double>() - y_m),
+      0.025)
+      << "without the camera the push would be lost";
+  const nlohmann::json& camera = figures.at("camera");
+  EXPECT_GT(camera.at("accepted").get<int>(), 300) << camera;
+  EXPECT_GT(camera.at("used").get<int>(), 100) << camera;
+  EXPECT_GT(camera.at("missing").get<int>(), 0) << "the camera drops 3 % of its pictures";
+  EXPECT_EQ(camera.at("malformed").get<int>(), 0) << camera;
+  EXPECT_EQ(camera.at("dropped").get<int>(), 0) << camera;
+}
+
+TEST_F(OverheadCameraRun, WhatTheEmulatedCameraSendsIsOfTheFormat) {
+  UdpReceiver receiver;
+  std::vector<std::string> arguments = robot();
+  arguments.back() = "udp:" + std::to_string(receiver.port());
+  Process body(arguments);
+  std::uint32_t last = 0;
+  for (int i = 0; i < 20; ++i) {
+    const std::string datagram = receiver.wait();
+    const auto message = link::decode_camera(datagram);
+    ASSERT_TRUE(message.has_value()) << datagram;
+    EXPECT_GT(message->sequence, last);
+    EXPECT_GE(message->age_us, 5'000);
+    last = message->sequence;
+  }
+}
+
+TEST_F(OverheadCameraRun, HostileDatagramsDoNotDisturbARun) {
+  Process body(robot());
+  ASSERT_TRUE(body.wait_for("linked from"));
+  Process bridge(daemon());
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  link::UdpSender sender({.port = udp_port_});
+  link::CameraMessage lie;
+  lie.clock = "elsewhere";
+  lie.x_m = 5.0;
+  // Old enough to be of no use even where the robot falls silent on a busy machine.
+  lie.age_us = 5'000'000;
+  for (int i = 0; i < 200; ++i) {
+    sender.send("rubbish");
+    sender.send(std::string(2000, 'x'));
+    sender.send(link::encode(lie));
+    usleep(5'000);
+  }
+  bridge.signal(SIGTERM);
+  EXPECT_EQ(bridge.wait(), 1) << bridge.output();
+  const nlohmann::json camera = stats().at("camera");
+  // Some are lost where the daemon does not get to read them.
+  EXPECT_GE(camera.at("malformed").get<int>(), 100) << camera;
+  EXPECT_GE(camera.at("foreign").get<int>() + camera.at("late").get<int>(), 50) << camera;
+  EXPECT_GT(camera.at("used").get<int>(), 10) << camera;
+  EXPECT_EQ(camera.at("recoveries").get<int>(), 0) << camera;
+}
+
+TEST_F(OverheadCameraRun, ABusyPortABadAddressAndABenchAreErrorsOfOneLine) {
+  const UdpReceiver busy(udp_port_);
+  Process body(robot());
+  ASSERT_TRUE(body.wait_for("linked from"));
+  const Finished taken = run(daemon());
+  EXPECT_EQ(taken.status, 2);
+  EXPECT_EQ(lines(taken.output), 1U) << taken.output;
+  EXPECT_NE(taken.output.find("cannot listen"), std::string::npos) << taken.output;
+  EXPECT_EQ(run({"tp100d", "run", "--port", port(), "--camera", "47100"}).status, 2);
+  EXPECT_EQ(
+      run({"tp100d", "run", "--port", port(), "--camera", address(), "--setup", "bench"}).status,
+      2);
+  EXPECT_EQ(run({"tp100-sim", "robot", "--camera-to", "udp:"}).status, 2);
+  EXPECT_EQ(run({"tp100-sim", "robot", "--camera=nothing"}).status, 2);
+}
+
+}  // namespace
+}  // namespace tp100::test

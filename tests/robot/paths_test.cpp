@@ -1,0 +1,272 @@
+// Paths of the whole course format, driven by the body and watched by the monitor.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "control/progress.h"
+#include "core/angle.h"
+#include "course/bundled_files.h"
+#include "course/path.h"
+#include "report/metrics.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/options.h"
+
+namespace {
+
+/// From here on along the path progress stands still: a fault of this test's own.
+double g_frozen_from_m = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+// The linker puts these in the place of Progress::advance.
+// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+extern "C" {
+void __real__ZN5tp1007control8Progress7advanceEdd(tp100::control::Progress* self, double x_m,
+                                                  double y_m);
+void __wrap__ZN5tp1007control8Progress7advanceEdd(tp100::control::Progress* self, double x_m,
+                                                  double y_m);
+void __wrap__ZN5tp1007control8Progress7advanceEdd(tp100::control::Progress* self, double x_m,
+                                                  double y_m) {
+  if (self->here().s_m < g_frozen_from_m)
+    __real__ZN5tp1007control8Progress7advanceEdd(self, x_m, y_m);
+}
+}
+// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+
+namespace tp100::sim {
+namespace {
+
+// Sanitized builds run the same code some ten times slower.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kDrawn = 3;
+constexpr double kMostTurns = 2.0;
+#else
+constexpr int kDrawn = 30;
+constexpr double kMostTurns = 4.0;
+#endif
+constexpr double kRoomM = 0.5;
+// Of scripts/reproduce, where a path is not smooth.
+constexpr double kTrackingM = 0.015;
+// Of the estimate, and of a step.
+constexpr double kSlackM = 0.02;
+
+course::Course course_of(std::vector<course::Segment> segments) {
+  course::Course course;
+  course.name = "drawn";
+  course.path = std::move(segments);
+  return course;
+}
+
+void fence_in(course::Course& course) {
+  const course::Path path(course);
+  course.fence = {1e9, -1e9, 1e9, -1e9};
+  constexpr double kStepM = 0.005;
+  for (double s_m = 0.0; s_m <= path.length_m() + kStepM; s_m += kStepM) {
+    const course::PathPoint point = path.at(s_m);
+    course.fence.min_x_m = std::min(course.fence.min_x_m, point.x_m - kRoomM);
+    course.fence.max_x_m = std::max(course.fence.max_x_m, point.x_m + kRoomM);
+    course.fence.min_y_m = std::min(course.fence.min_y_m, point.y_m - kRoomM);
+    course.fence.max_y_m = std::max(course.fence.max_y_m, point.y_m + kRoomM);
+  }
+}
+
+/// With the overhead camera, steered by what it sees.
+LockstepSettings settings(course::Course course, const std::string& robot) {
+  Options options;
+  options.robot = robot;
+  const Loaded loaded = load(options);
+  fence_in(course);
+  LockstepSettings settings{.course = std::move(course),
+                            .robot = loaded.robot,
+                            .configuration = loaded.configuration,
+                            .setup = loaded.setup,
+                            .camera = load_camera("overhead")};
+  settings.configuration.parameters.steering = bridge::Steering::kFused;
+  return settings;
+}
+
+/// By which the body turned in all, whole turns counted.
+double turned_rad(const report::RunResult& run) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < run.points.size(); ++i)
+    sum += wrap_angle(run.points[i].truth.yaw_rad - run.points[i - 1].truth.yaw_rad);
+  return sum;
+}
+
+/// Whoever left a turn out has turned less.
+void expect_driven_whole(const LockstepSettings& run, const report::RunResult& result) {
+  ASSERT_TRUE(result.completed) << result.cause;
+  const course::Path path(run.course);
+  const std::vector<course::Piece>& pieces = path.pieces();
+  EXPECT_NEAR(turned_rad(result), pieces.back().end.yaw_rad - pieces.front().begin.yaw_rad,
+              30.0 * kRadPerDeg);
+}
+
+/// However far progress is wrong, the body is not farther from the path at progress than is
+/// allowed.
+void expect_watched(const LockstepSettings& run, const report::RunResult& result) {
+  const course::Path path(run.course);
+  const double most_m = run.configuration.parameters.control.max_cross_track_m + kSlackM;
+  for (const report::TrackPoint& point : result.points) {
+    const course::PathPoint meant = path.at(point.progress_m);
+    ASSERT_LE(std::hypot(point.truth.x_m - meant.x_m, point.truth.y_m - meant.y_m), most_m)
+        << point.t_s << " s";
+  }
+}
+
+class FreezableProgress : public testing::Test {
+ protected:
+  ~FreezableProgress() override { freeze(std::numeric_limits<double>::infinity()); }
+  static void freeze(double from_m) { g_frozen_from_m = from_m; }
+};
+
+class Paths : public testing::TestWithParam<std::string> {};
+
+TEST_P(Paths, ThatCloseOrCrossAreDrivenToTheirEnd) {
+  using course::Arc;
+  using course::Line;
+  const double turn = 2.0 * kPi;
+  std::vector<course::Segment> out, in;
+  for (int i = 0; i < 3; ++i) out.emplace_back(Arc{0.15 + 0.1 * i, 0.75 * turn});
+  for (int i = 0; i < 6; ++i) in.emplace_back(Arc{0.4 - 0.05 * i, -0.5 * turn});
+  std::vector<std::vector<course::Segment>> all = {
+      {Line{0.1}, Arc{0.2, 359.0 * kRadPerDeg}, Line{0.1}},
+      {Line{0.1}, Arc{0.2, -turn}, Line{0.1}},
+      {Line{0.1}, Arc{0.2, 400.0 * kRadPerDeg}, Line{0.1}},
+      {Line{0.1}, Arc{0.2, -2.0 * turn}, Line{0.1}},
+      {Arc{0.15, kMostTurns * turn}},
+      {Arc{0.2, turn}, Arc{0.2, -turn}},
+      {Line{0.3}, Arc{0.2, 0.75 * turn}, Line{0.4}, Arc{0.2, -0.75 * turn}, Line{0.3}},
+      out,
+      in};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    SCOPED_TRACE(testing::Message() << "path " << i);
+    const LockstepSettings run = settings(course_of(std::move(all[i])), GetParam());
+    const report::RunResult result = run_lockstep(run);
+    expect_driven_whole(run, result);
+    EXPECT_LE(report::figures(result, run.course).tracking.max_cross_track_m, kTrackingM);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryRobot, Paths,
+                         testing::ValuesIn(course::bundled_names(course::Bundled::kRobots)),
+                         [](const testing::TestParamInfo<std::string>& param) {
+                           std::string name = param.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+/// Draws over all that config/courses/1-straight.toml allows, but only so much of it that a robot
+/// has driven it in about twenty seconds.
+class Draw {
+ public:
+  explicit Draw(std::uint32_t seed) : random_(seed) {}
+
+  std::size_t below(std::size_t count) { return random_() % count; }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967295.0;
+  }
+
+  course::Course course() {
+    course::Course course = course_of({});
+    course.speed_mps = over(0.01, 0.3);
+    course.start = {.x_m = between(-100.0, 100.0),
+                    .y_m = between(-100.0, 100.0),
+                    .yaw_rad = between(-3600.0, 3600.0) * kRadPerDeg};
+    double left_s = kLastsS;
+    for (std::size_t i = 1 + below(8); i > 0 && left_s > 0.1; --i)
+      course.path.push_back(segment(course.speed_mps, left_s));
+    return course;
+  }
+
+ private:
+  static constexpr double kLastsS = 20.0;
+  static constexpr double kTurnsRadps = 0.6;
+
+  /// Every order of magnitude as often as the next.
+  double over(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
+
+  course::Segment segment(double speed_mps, double& left_s) {
+    const double most_s = left_s * between(0.2, 1.0);
+    const std::size_t kind = below(3);
+    if (kind == 0) {
+      const double length_m = std::clamp(speed_mps * most_s, 0.001, over(0.001, 100.0));
+      left_s -= length_m / speed_mps;
+      return course::Line{length_m};
+    }
+    const double radius_m = over(0.01, 100.0);
+    // In narrow arcs the robot goes slower.
+    const double rate_radps = kind == 1 ? kTurnsRadps : std::min(speed_mps / radius_m, kTurnsRadps);
+    const double sign = below(2) == 0 ? 1.0 : -1.0;
+    const double drawn_deg = below(2) == 0 ? over(0.1, 3600.0) : between(0.1, 3600.0);
+    const double angle_rad =
+        std::max(std::min(drawn_deg * kRadPerDeg, rate_radps * most_s), 0.1 * kRadPerDeg);
+    left_s -= angle_rad / rate_radps;
+    if (kind == 1) return course::Pivot{sign * angle_rad};
+    return course::Arc{radius_m, sign * angle_rad};
+  }
+
+  std::mt19937 random_;
+};
+
+class DrawnPaths : public FreezableProgress {
+ protected:
+  static LockstepSettings drawn(int seed) {
+    Draw draw(static_cast<std::uint32_t>(seed));
+    const std::vector<std::string> robots = course::bundled_names(course::Bundled::kRobots);
+    LockstepSettings run = settings(draw.course(), robots[draw.below(robots.size())]);
+    // Faster than its belts no robot is sent.
+    run.course.speed_mps = std::min(run.course.speed_mps, run.robot.drive.max_track_mps);
+    return run;
+  }
+};
+
+TEST_F(DrawnPaths, AreDrivenToTheirEnd) {
+  for (int seed = 1; seed <= kDrawn; ++seed) {
+    const LockstepSettings run = drawn(seed);
+    SCOPED_TRACE(testing::Message() << "drawn by " << seed << ", " << run.robot.name);
+    const report::RunResult result = run_lockstep(run);
+    expect_driven_whole(run, result);
+    expect_watched(run, result);
+    // Many turns on the spot about a point that is not the reference point.
+    EXPECT_LE(report::figures(result, run.course).tracking.max_cross_track_m, 0.1);
+  }
+}
+
+TEST_F(DrawnPaths, AreNotLeftFarWhenProgressStandsStill) {
+  for (int seed = 1; seed <= kDrawn; seed += 3) {
+    const LockstepSettings run = drawn(seed);
+    SCOPED_TRACE(testing::Message() << "drawn by " << seed << ", " << run.robot.name);
+    freeze(course::Path(run.course).length_m() / 3.0);
+    expect_watched(run, run_lockstep(run));
+  }
+}
+
+// Nothing else would see it but the fence.
+TEST_F(FreezableProgress, ThatStandsStillEndsTheRunByTheDistanceFromThePath) {
+  constexpr double kFromM = 0.5;
+  freeze(kFromM);
+  for (const course::Course& course :
+       {course_of({course::Line{2.0}}),
+        course_of({course::Line{0.2}, course::Arc{0.35, 4.0 * kPi}}),
+        course_of({course::Arc{0.2, -20.0 * kPi}}),
+        course_of({course::Arc{0.3, 2.0 * kPi}, course::Arc{0.3, -2.0 * kPi}})}) {
+    for (const char* robot : {"end-loaded", "front-heavy"}) {
+      const LockstepSettings run = settings(course, robot);
+      const report::RunResult result = run_lockstep(run);
+      EXPECT_EQ(result.cause, "cross_track");
+      EXPECT_NEAR(result.points.back().progress_m, kFromM, 0.01);
+      expect_watched(run, result);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tp100::sim

@@ -1,0 +1,204 @@
+// Recordings of emulated runs are replayed bit for bit.
+
+#include "record/recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "../programs/process.h"
+#include "app/replay_recording.h"
+#include "report/metrics.h"
+#include "report/result_json.h"
+#include "report/tum.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/run_recorder.h"
+#include "support/paths.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::sim {
+namespace {
+
+using record::Recording;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+app::Replayed replayed(const Recording& recording) {
+  const config::RunSetup run = config::parse_run(app::recorded_files(recording));
+  return app::replay_steps(recording, run.parameters, run.course, true, [](const StepRecord&) {});
+}
+
+struct Recorded {
+  report::RunResult result;
+  std::string path;
+};
+
+Recorded drive(const std::string& course, const std::string& folder, bool camera = false,
+               const Options& options = {}) {
+  Loaded loaded = load(options);
+  loaded.files.course = course::read_bundled(course::Bundled::kCourses, course);
+  RunRecorder recorder(folder, loaded, 1);
+  LockstepSettings settings{.course = load_course(course),
+                            .robot = loaded.robot,
+                            .configuration = loaded.configuration,
+                            .setup = loaded.setup,
+                            .board = loaded.board,
+                            .sink = &recorder};
+  if (camera) settings.camera = load_camera("overhead");
+  Recorded recorded{run_lockstep(settings), recorder.path()};
+  recorder.finish();
+  return recorded;
+}
+
+class RecordedCourse : public testing::TestWithParam<const char*> {
+ protected:
+  test::TemporaryFolder folder_;
+};
+
+TEST_P(RecordedCourse, ReplaysBitForBitAndHoldsTheTruth) {
+  const Recorded run = drive(GetParam(), folder_.path().string());
+  const Recording recording(run.path);
+  EXPECT_TRUE(recording.whole());
+  const app::Replayed replay = replayed(recording);
+  EXPECT_GT(replay.steps, 1000u);
+  EXPECT_FALSE(replay.differs_at) << *replay.differs_at << " " << replay.difference.field;
+  EXPECT_FALSE(replay.gap_before);
+
+  std::map<double, Pose> truth;
+  recording.visit({.truth = [&](HostNs at, const Pose& pose) { truth[to_s(at)] = pose; }});
+  // The run's own clock begins with the run.
+  ASSERT_FALSE(run.result.points.empty());
+  std::size_t found = 0;
+  auto known = truth.begin();
+  for (const report::TrackPoint& point : run.result.points) {
+    while (known != truth.end() && known->second.x_m != point.truth.x_m) ++known;
+    if (known != truth.end() && known->second.y_m == point.truth.y_m) ++found;
+  }
+  EXPECT_EQ(found, run.result.points.size());
+}
+
+TEST_P(RecordedCourse, TheReportHasTheFiguresOfTheRun) {
+  const Recorded run = drive(GetParam(), folder_.path().string());
+  const test::Finished report = test::run({"tp100d", "report", run.path});
+  ASSERT_EQ(report.status, 0) << report.output;
+  const std::string folder = std::filesystem::path(run.path).parent_path().string();
+  const Json metrics = Json::parse(test::read_bytes(folder + "/metrics.json"));
+  const report::RunFigures figures = report::figures(run.result, load_course(GetParam()));
+  const Json expected = Json::parse(report::result_json(run.result, figures));
+  for (const char* name : {"course", "robot", "setup", "board", "seed", "completed", "duration_s",
+                           "model", "odometry", "tracking"})
+    EXPECT_EQ(metrics[name], expected[name]) << name;
+  EXPECT_EQ(metrics["truth"], true);
+  const std::string page = test::read_bytes(folder + "/report.html");
+  EXPECT_THAT(page, HasSubstr("tp100Replay(document"));
+  EXPECT_EQ(run.result.shoves.empty(), page.find("the robot is pushed") == std::string::npos);
+}
+
+TEST_P(RecordedCourse, IsExportedFromTheFirstToTheLastStepOfItsRun) {
+  const Recorded run = drive(GetParam(), folder_.path().string());
+  const std::string out = folder_.file("out");
+  const test::Finished exported = test::run({"tp100d", "export", run.path, "--out", out});
+  ASSERT_EQ(exported.status, 0) << exported.output;
+  std::string told;
+  for (const char* name :
+       {"samples.csv", "poses.csv", "model.tum", "odometry.tum", "fused.tum", "truth.tum"})
+    told += out + "/" + name + "\n";
+  EXPECT_EQ(exported.output, told);
+
+  const Recording recording(run.path);
+  HostNs from = 0, to = 0, last = 0;
+  recording.visit({.step = [&](const StepRecord& record) {
+    if (record.snapshot.run_state != RunState::kRunning) return;
+    if (from == 0) from = record.now_ns;
+    to = record.now_ns;
+  }});
+  std::size_t rows = 0;
+  std::string model, odometry, fused, truth;
+  recording.visit({.step =
+                       [&](const StepRecord& record) {
+                         const HostNs at = record.snapshot.sample.measured_ns;
+                         if (record.sample_count == 0 || at < from || at > to || at <= last) return;
+                         last = at;
+                         ++rows;
+                         const double t_s = to_s(at - recording.start_ns());
+                         model += report::tum_line(t_s, record.snapshot.model);
+                         odometry += report::tum_line(t_s, record.snapshot.odometry);
+                         fused += report::tum_line(t_s, record.snapshot.fused.pose);
+                       },
+                   .truth =
+                       [&](HostNs at, const Pose& pose) {
+                         if (at >= from && at <= to)
+                           truth += report::tum_line(to_s(at - recording.start_ns()), pose);
+                       }});
+  ASSERT_GT(rows, 1000u);
+  EXPECT_EQ(test::read_bytes(out + "/model.tum"), model);
+  EXPECT_EQ(test::read_bytes(out + "/odometry.tum"), odometry);
+  EXPECT_EQ(test::read_bytes(out + "/fused.tum"), fused);
+  EXPECT_EQ(test::read_bytes(out + "/truth.tum"), truth);
+  EXPECT_EQ(test::lines(test::read_bytes(out + "/poses.csv")), rows + 1);
+
+  const test::Finished two = test::run({"tp100d", "export", run.path, run.path, "--out", out});
+  EXPECT_EQ(two.status, 2);
+  EXPECT_THAT(two.output, HasSubstr("--out is for one run"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Courses, RecordedCourse, testing::Values("1-curve", "2", "3"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::erase(name, '-');
+                           return "Course" + name;
+                         });
+
+#ifdef TP100_HAS_IMAGE
+constexpr const char* kBoards[] = {"native", "avr"};
+#else
+constexpr const char* kBoards[] = {"native"};
+#endif
+
+TEST(RecordedRun, EveryBoardReplaysBitForBitInEverySetup) {
+  for (const char* board : kBoards) {
+    for (const char* setup : {"bench", "flat", "terrain"}) {
+      const test::TemporaryFolder folder;
+      const Recording recording(drive("1-straight", folder.path().string(), false,
+                                      {.board = board, .robot = {}, .config = {}, .setup = setup})
+                                    .path);
+      EXPECT_EQ(recording.fact("board"), board);
+      EXPECT_EQ(recording.fact("setup"), setup);
+      const app::Replayed replay = replayed(recording);
+      EXPECT_GT(replay.steps, 1000u) << board << " " << setup;
+      EXPECT_FALSE(replay.differs_at) << board << " " << setup << " " << replay.difference.field;
+      EXPECT_FALSE(replay.gap_before) << board << " " << setup;
+    }
+  }
+}
+
+TEST(RecordedRun, ARampAndAStepUnderTheTracksReplayToo) {
+  const test::TemporaryFolder folder;
+  const Recording recording(
+      drive("3", folder.path().string(), false, {.robot = {}, .config = {}, .setup = "terrain"})
+          .path);
+  EXPECT_FALSE(replayed(recording).differs_at);
+}
+
+TEST(RecordedRun, ACameraIsAnInputToo) {
+  const test::TemporaryFolder folder;
+  const Recorded run = drive("1-curve", folder.path().string(), true);
+  const Recording recording(run.path);
+  std::uint64_t seen = 0;
+  recording.visit({.step = [&](const StepRecord& record) { seen += record.camera_count; }});
+  EXPECT_GT(seen, 100u);
+  EXPECT_FALSE(replayed(recording).differs_at);
+}
+
+TEST(RecordedRun, OneSeedGivesOneFile) {
+  const test::TemporaryFolder a, b;
+  const std::string first = test::read_bytes(drive("1-straight", a.path().string()).path);
+  EXPECT_GT(first.size(), 100000u);
+  EXPECT_TRUE(first == test::read_bytes(drive("1-straight", b.path().string()).path));
+}
+
+}  // namespace
+}  // namespace tp100::sim

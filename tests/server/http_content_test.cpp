@@ -1,0 +1,175 @@
+#include "server/http_content.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "../support/temporary_folder.h"
+
+namespace tp100::server {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using ::testing::Contains;
+using ::testing::Pair;
+
+constexpr unsigned char kPage[] = "<html>";
+
+class HttpContent : public ::testing::Test {
+ protected:
+  HttpContent() {
+    sources_.page = [](std::string_view path) {
+      return path == "/" ? std::optional(PageFile{"text/html", {kPage, 6}, "\"5a\"", "gzip"})
+                         : std::nullopt;
+    };
+    sources_.runs_folder = folder_.file("runs");
+    sources_.active_run = [] { return std::string("b"); };
+    sources_.health = [] { return std::string("{}"); };
+    write("runs/a/run.mcap", "0123456789");
+    write("runs/b/report.html", "<p>");
+    write("secret", "secret");
+  }
+
+  void write(const std::string& path, const std::string& text) {
+    fs::create_directories((folder_.path() / path).parent_path());
+    std::ofstream(folder_.path() / path) << text;
+  }
+  HttpAnswer get(std::string_view target, std::string_view range = {},
+                 std::string_view none_match = {}) const {
+    return http_answer({"GET", target, range, none_match}, sources_);
+  }
+
+  test::TemporaryFolder folder_;
+  HttpSources sources_;
+};
+
+TEST_F(HttpContent, ThePageIsServedOnceUntilItChanges) {
+  const HttpAnswer first = get("/?x#y");
+  EXPECT_EQ(first.status, 200U);
+  EXPECT_EQ(first.length, 6U);
+  std::string tag;
+  for (const auto& [name, value] : first.headers)
+    if (name == "ETag") tag = value;
+  EXPECT_EQ(tag, "\"5a\"");
+  EXPECT_EQ(get("/", {}, tag).status, 304U);
+  EXPECT_EQ(get("/", {}, "\"other\"").status, 200U);
+}
+
+TEST_F(HttpContent, OnlyGetAndHeadAreServed) {
+  EXPECT_EQ(http_answer({"HEAD", "/", {}, {}}, sources_).status, 200U);
+  for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "TRACE"}) {
+    const HttpAnswer answer = http_answer({method, "/", {}, {}}, sources_);
+    EXPECT_EQ(answer.status, 405U);
+    EXPECT_THAT(answer.headers, Contains(Pair("Allow", "GET, HEAD")));
+  }
+}
+
+TEST_F(HttpContent, RunsAreListedWithTheirFiles) {
+  fs::create_symlink(folder_.path() / "secret", folder_.path() / "runs/a/link.csv");
+  fs::create_directory_symlink(folder_.path(), folder_.path() / "runs/linked");
+  write("runs/.hidden/x", "");
+  write("runs/loose", "");
+  fs::last_write_time(
+      folder_.path() / "runs/b/report.html",
+      fs::last_write_time(folder_.path() / "runs/a/run.mcap") + std::chrono::seconds(5));
+  const Json runs = Json::parse(get("/api/runs").body)["runs"];
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0]["run"], "b");  // the newest first
+  EXPECT_EQ(runs[0]["active"], true);
+  EXPECT_EQ(runs[1]["active"], false);
+  ASSERT_EQ(runs[1]["files"].size(), 1U);
+  EXPECT_EQ(runs[1]["files"][0]["kind"], "recording");
+  EXPECT_EQ(runs[1]["files"][0]["bytes"], 10);
+  EXPECT_EQ(get(std::string(runs[1]["files"][0]["url"])).status, 200U);
+}
+
+TEST_F(HttpContent, TheListTellsNoPath) {
+  const std::string body = get("/api/runs").body;
+  EXPECT_EQ(Json::parse(body)["directory"], "runs");
+  EXPECT_EQ(body.find(folder_.path().string()), std::string::npos);
+}
+
+TEST_F(HttpContent, TheListIsReadFromTheDiskOnceASecond) {
+  const auto count = [&] { return Json::parse(get("/api/runs").body)["runs"].size(); };
+  // On a machine that stops for a second in between there is nothing to see.
+  for (bool seen = false; !seen;) {
+    const auto began = std::chrono::steady_clock::now();
+    const std::size_t before = count();
+    write("runs/" + std::to_string(before) + "/run.mcap", "");
+    const std::size_t after = count();
+    seen = std::chrono::steady_clock::now() - began < std::chrono::seconds(1);
+    if (seen) {
+      EXPECT_EQ(after, before);
+    }
+    while (count() == before) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  // Another question is another answer.
+  sources_.active_run = [] { return std::string("a"); };
+  write("runs/more/run.mcap", "");
+  EXPECT_THAT(get("/api/runs").body, ::testing::HasSubstr("more"));
+}
+
+TEST_F(HttpContent, OnlyRunsAndTheirFilesNeedTheDisk) {
+  for (const char* target : {"/api/runs", "/api/runs?x", "/runs/a/run.mcap", "/runs/"})
+    EXPECT_TRUE(needs_disk(target)) << target;
+  for (const char* target : {"/", "/healthz", "/app.js", "", "/none"})
+    EXPECT_FALSE(needs_disk(target)) << target;
+}
+
+TEST_F(HttpContent, AnAbsentFolderIsAnEmptyOne) {
+  for (const std::string& folder : {std::string(), folder_.file("none")}) {
+    sources_.runs_folder = folder;
+    EXPECT_TRUE(Json::parse(get("/api/runs").body)["runs"].empty());
+    EXPECT_EQ(get("/runs/a/run.mcap").status, 404U);
+  }
+}
+
+TEST_F(HttpContent, NothingOutsideOfARunIsServed) {
+  fs::create_symlink(folder_.path() / "secret", folder_.path() / "runs/a/link.csv");
+  fs::create_directory_symlink(folder_.path(), folder_.path() / "runs/linked");
+  ASSERT_EQ(mkfifo((folder_.path() / "runs/a/pipe.csv").c_str(), 0600), 0);
+  for (const char* target :
+       {"/runs/", "/runs/a", "/runs/a/", "/runs/../secret", "/runs/a/../../secret", "/runs/a/..",
+        "/runs/./a/run.mcap", "/runs/a/link.csv", "/runs/linked/secret", "/runs/a/pipe.csv",
+        "/runs//etc/passwd", "/runs/a/%2e%2e", "/runs/a/b/run.mcap", "/secret", "//secret", "",
+        "x"})
+    EXPECT_EQ(get(target).status, 404U) << target;
+}
+
+TEST_F(HttpContent, PartsOfAFileAreServedForScrubbing) {
+  const auto part = [&](const char* range) {
+    const HttpAnswer answer = get("/runs/a/run.mcap", range);
+    return std::tuple(answer.status, answer.offset, answer.length);
+  };
+  EXPECT_EQ(part(""), std::tuple(200U, 0U, 10U));
+  EXPECT_EQ(part("bytes=2-4"), std::tuple(206U, 2U, 3U));
+  EXPECT_EQ(part("bytes=7-"), std::tuple(206U, 7U, 3U));
+  EXPECT_EQ(part("bytes=7-100"), std::tuple(206U, 7U, 3U));
+  EXPECT_EQ(part("bytes=-4"), std::tuple(206U, 6U, 4U));
+  EXPECT_EQ(part("bytes=-40"), std::tuple(206U, 0U, 10U));
+  for (const char* whole : {"bytes=", "bytes=-", "bytes=4-2", "bytes=1-2,4-5", "lines=1-2",
+                            "bytes=a-b", "bytes=99999999999999999999-"})
+    EXPECT_EQ(part(whole), std::tuple(200U, 0U, 10U)) << whole;
+  for (const char* outside : {"bytes=10-", "bytes=10-20", "bytes=-0"}) {
+    const HttpAnswer answer = get("/runs/a/run.mcap", outside);
+    EXPECT_EQ(answer.status, 416U) << outside;
+    EXPECT_THAT(answer.headers, Contains(Pair("Content-Range", "bytes */10")));
+  }
+}
+
+TEST_F(HttpContent, AReportIsKeptAwayFromTheServer) {
+  bool sandboxed = false;
+  for (const auto& [name, value] : get("/runs/b/report.html").headers)
+    if (name == "Content-Security-Policy") sandboxed = value.find("sandbox") != std::string::npos;
+  EXPECT_TRUE(sandboxed);
+}
+
+}  // namespace
+}  // namespace tp100::server

@@ -1,0 +1,232 @@
+#include "web_client.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <utility>
+
+namespace tp100::server {
+
+int dial(const std::string& port, const std::string& to) {
+  const int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  ::inet_pton(AF_INET, to.c_str(), &address.sin_addr);
+  address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(port)));
+  if (fd < 0 || ::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
+    throw std::runtime_error("cannot connect");
+  // As browsers do: a second message at once must not wait for the first one's acknowledgement.
+  const int at_once = 1;
+  ::setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
+  return fd;
+}
+
+namespace {
+
+constexpr std::size_t kKept = 200;
+
+// Writes what the peer takes within 100 ms.
+bool send_all(int fd, const std::string& bytes) {
+  std::size_t sent = 0;
+  while (sent < bytes.size()) {
+    const ssize_t n =
+        ::send(fd, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (n > 0) {
+      sent += static_cast<std::size_t>(n);
+      continue;
+    }
+    if (errno != EAGAIN && errno != EINTR) return false;
+    pollfd wait{fd, POLLOUT, 0};
+    if (::poll(&wait, 1, 100) == 0) return true;
+  }
+  return true;
+}
+
+std::string receive(int fd, bool only_head) {
+  std::string text;
+  char buffer[4096];
+  for (;;) {
+    const std::size_t end = text.find("\r\n\r\n");
+    if (only_head && end != std::string::npos) return text.substr(0, end + 4);
+    const ssize_t n = ::recv(fd, buffer, sizeof buffer, 0);
+    if (n <= 0) return text;
+    text.append(buffer, static_cast<std::size_t>(n));
+  }
+}
+
+std::string ask(const std::string& port, const std::string& request, bool only_head) {
+  const int fd = dial(port);
+  send_all(fd, request);
+  std::string text = receive(fd, only_head);
+  ::close(fd);
+  return text;
+}
+
+}  // namespace
+
+std::string http_get(const std::string& port, const std::string& request) {
+  return ask(port, request, false);
+}
+std::string http_head(const std::string& port, const std::string& request) {
+  return ask(port, request, true);
+}
+
+WebClient::WebClient(const std::string& port, const std::string& address)
+    : fd_(dial(port, address)) {
+  send_all(fd_,
+           "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+           "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+           "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n");
+  // Byte by byte: frames may follow at once.
+  std::string head;
+  char byte = 0;
+  while (!head.ends_with("\r\n\r\n") && ::recv(fd_, &byte, 1, 0) == 1) head += byte;
+  if (head.find(" 101 ") == std::string::npos) {
+    ::close(fd_);
+    throw std::runtime_error("refused: " + head);
+  }
+}
+
+WebClient::~WebClient() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+WebClient::WebClient(WebClient&& other) noexcept { *this = std::move(other); }
+
+WebClient& WebClient::operator=(WebClient&& other) noexcept {
+  std::swap(fd_, other.fd_);
+  std::swap(in_, other.in_);
+  std::swap(messages_, other.messages_);
+  std::swap(number_, other.number_);
+  std::swap(received_, other.received_);
+  std::swap(closed_, other.closed_);
+  std::swap(data_, other.data_);
+  return *this;
+}
+
+void WebClient::write_raw(const std::string& bytes) {
+  if (!closed_ && !send_all(fd_, bytes)) closed_ = true;
+}
+
+void WebClient::frame(std::uint8_t opcode, const std::string& payload) {
+  std::string bytes = {static_cast<char>(0x80U | opcode)};
+  // A mask of zeros leaves the payload as it is.
+  if (payload.size() < 126) {
+    bytes += static_cast<char>(0x80U | payload.size());
+  } else {
+    bytes += static_cast<char>(0xFEU);
+    bytes += static_cast<char>(payload.size() >> 8U);
+    bytes += static_cast<char>(payload.size() & 0xFFU);
+  }
+  bytes.append(4, '\0');
+  write_raw(bytes + payload);
+}
+
+void WebClient::write_text(const std::string& text) { frame(1, text); }
+void WebClient::write_binary(const std::string& bytes) { frame(2, bytes); }
+
+void WebClient::write_raw_header(std::uint64_t size) {
+  std::string bytes = {'\x82', '\xff'};
+  for (int shift = 56; shift >= 0; shift -= 8) bytes += static_cast<char>(size >> shift);
+  bytes.append(4, '\0');
+  write_raw(bytes);
+}
+
+void WebClient::subscribe(messages::Channel channel) {
+  const std::string id = std::to_string(static_cast<std::uint32_t>(channel));
+  write_text(R"({"op":"subscribe","subscriptions":[{"id":)" + id + R"(,"channelId":)" + id + "}]}");
+}
+
+void WebClient::call(std::uint32_t service) {
+  std::string bytes = {'\x02', static_cast<char>(service), 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0};
+  write_binary(bytes + "json{}");
+}
+
+void WebClient::drain() {
+  char buffer[65536];
+  while (!closed_) {
+    const ssize_t n = ::recv(fd_, buffer, sizeof buffer, MSG_DONTWAIT);
+    if (n > 0) {
+      in_.append(buffer, static_cast<std::size_t>(n));
+    } else {
+      if (n == 0 || (errno != EAGAIN && errno != EINTR)) closed_ = true;
+      break;
+    }
+  }
+  take_frames();
+}
+
+void WebClient::take_frames() {
+  std::size_t at = 0;
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(in_[at + i]); };
+  for (;;) {
+    if (in_.size() - at < 2) break;
+    std::size_t size = byte(1), head = 2;
+    const std::size_t more = size == 126 ? 2 : size == 127 ? 8 : 0;
+    if (in_.size() - at < head + more) break;
+    if (more > 0) size = 0;
+    for (std::size_t i = 0; i < more; ++i) size = size << 8U | byte(2 + i);
+    head += more;
+    if (in_.size() - at < head + size) break;
+    const unsigned opcode = byte(0) & 0xFU;
+    std::string payload = in_.substr(at + head, size);
+    at += head + size;
+    if (opcode == 8) closed_ = true;
+    if (opcode == 9) frame(10, payload);
+    if (opcode != 1 && opcode != 2) continue;
+    ++received_;
+    data_ = data_ || (opcode == 2 && payload[0] == 1);
+    messages_.push_back(std::move(payload));
+    if (messages_.size() > kKept) messages_.erase(messages_.begin());
+  }
+  in_.erase(0, at);
+}
+
+bool WebClient::has_data() {
+  drain();
+  return data_;
+}
+
+bool WebClient::closed() {
+  drain();
+  return closed_;
+}
+
+std::string WebClient::read_until(const std::string& part) {
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < limit) {
+    drain();
+    while (!messages_.empty()) {
+      const std::string message = std::move(messages_.front());
+      messages_.erase(messages_.begin());
+      if (message.find(part) != std::string::npos) return message;
+    }
+    if (closed_) break;
+    pollfd wait{fd_, POLLIN, 0};
+    ::poll(&wait, 1, 100);
+  }
+  throw std::runtime_error("nothing came with " + part);
+}
+
+std::vector<std::string> WebClient::take() {
+  drain();
+  return std::exchange(messages_, {});
+}
+
+std::uint64_t WebClient::number_after(const std::string& key) {
+  drain();
+  for (const std::string& message : messages_) {
+    const std::size_t at = message.find(key);
+    if (at != std::string::npos) number_ = std::stoull(message.substr(at + key.size()));
+  }
+  messages_.clear();
+  return number_;
+}
+
+}  // namespace tp100::server

@@ -1,0 +1,62 @@
+#pragma once
+// A WebSocket client as small as can be, on a plain socket, so that it can also misbehave.
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "messages/channels.h"
+
+namespace tp100::server {
+
+/// A connection to that port; the caller closes it. Throws std::runtime_error.
+int dial(const std::string& port, const std::string& address = "127.0.0.1");
+/// Sends `request` and returns everything until the server closes.
+std::string http_get(const std::string& port, const std::string& request);
+/// Sends `request` and returns the head of the answer.
+std::string http_head(const std::string& port, const std::string& request);
+
+class WebClient {
+ public:
+  /// Connects and upgrades. Throws std::runtime_error if it is refused.
+  explicit WebClient(const std::string& port, const std::string& address = "127.0.0.1");
+  ~WebClient();
+  WebClient(WebClient&& other) noexcept;
+  WebClient& operator=(WebClient&& other) noexcept;
+
+  void write_text(const std::string& text);
+  void write_binary(const std::string& bytes);
+  /// The head of a binary frame that claims this size.
+  void write_raw_header(std::uint64_t size);
+  void write_raw(const std::string& bytes);
+  void subscribe(messages::Channel channel);
+  void call(std::uint32_t service);
+
+  /// Reads what is there without waiting; the last 200 messages are kept.
+  void drain();
+  bool has_data();
+  /// What has come, not yet looked at.
+  std::vector<std::string> take();
+  /// Messages received.
+  std::size_t received() const { return received_; }
+  /// The first message not yet looked at that holds `part`; waits for it. Throws after a minute.
+  std::string read_until(const std::string& part);
+  /// The number behind the last `key` received; 0: none yet.
+  std::uint64_t number_after(const std::string& key);
+  bool closed();
+
+ private:
+  void frame(std::uint8_t opcode, const std::string& payload);
+  void take_frames();
+
+  int fd_ = -1;
+  std::string in_;
+  std::vector<std::string> messages_;
+  std::uint64_t number_ = 0;
+  std::size_t received_ = 0;
+  bool closed_ = false;
+  bool data_ = false;
+};
+
+}  // namespace tp100::server

@@ -1,0 +1,332 @@
+// Every fault of the list on every board that can have it; the page that people read says what is
+// seen here, row by row, and which test proves what no --fault does. TP100_REWRITE_FAULTS=1 writes
+// the rows anew, from one process: build/dev/bin/faults_test.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "live/link_watch.h"
+#include "live/live_events.h"
+#include "sim/study/encoder_study.h"
+#include "sim/study/fault_study.h"
+#include "support/paths.h"
+
+namespace tp100::sim {
+namespace {
+
+const std::string kSource = TP100_SOURCE_DIR;
+const std::string kPage = kSource + "/sim/faults/FAULTS.md";
+constexpr const char* kMark = "<!-- rows -->\n";
+constexpr const char* kEnd = "<!-- end of rows -->\n";
+constexpr const char* kEncoderMark = "<!-- encoders -->\n";
+constexpr const char* kEncoderEnd = "<!-- end of encoders -->\n";
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string page() { return text_of_file(kPage); }
+
+/// What stands between two marks of the page.
+std::string part(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t begin = text.find(from), end = text.find(to);
+  if (begin == std::string::npos || end == std::string::npos) return "";
+  return text.substr(begin + from.size(), end - begin - from.size());
+}
+
+std::string table, encoder_table;
+
+bool rewriting() { return std::getenv("TP100_REWRITE_FAULTS") != nullptr; }
+
+struct Case {
+  FaultTrial trial;
+  BoardKind board;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const FaultTrial& trial : fault_trials()) {
+    if (!trial.chip_only) all.push_back({trial, BoardKind::kNative});
+#ifdef TP100_HAS_IMAGE
+    all.push_back({trial, BoardKind::kAvr});
+#endif
+  }
+  return all;
+}
+
+/// What the log and the viewers get to read of a run that `watch` saw.
+std::vector<messages::Event> words_of(const FaultOutcome& outcome, live::LinkWatch& watch) {
+  std::vector<messages::Event> all = watch.take_words();
+  const auto add = [&](const live::LiveEvent& event) {
+    for (messages::Event& word : live::words_for(event)) all.push_back(std::move(word));
+  };
+  for (const Said& said : outcome.said)
+    add({.at_ns = said.event.at_ns, .session = said.event, .hello = said.hello});
+  if (outcome.faults != 0)
+    add({.kind = live::LiveEvent::Kind::kRunState,
+         .from = RunState::kRunning,
+         .to = RunState::kAborted,
+         .faults = outcome.faults});
+  return all;
+}
+
+/// Which of `all` names `what` with cause and remedy.
+const messages::Event* complete(const std::vector<messages::Event>& all, std::string_view what) {
+  for (const messages::Event& word : all)
+    if (word.level != messages::Event::Level::kInfo && !word.cause.empty() &&
+        !word.remedy.empty() && word.text.find(what) != std::string::npos)
+      return &word;
+  return nullptr;
+}
+
+std::string joined(const std::vector<messages::Event>& all) {
+  std::string out;
+  for (const messages::Event& word : all)
+    out += "  " + word.text + ": " + word.cause + "; " + word.remedy + "\n";
+  return out;
+}
+
+class FaultTest : public ::testing::TestWithParam<Case> {};
+
+TEST_P(FaultTest, EndsAsExpectedAndAsThePageSays) {
+  const auto& [trial, board] = GetParam();
+  live::LinkWatch watch;
+  const FaultOutcome seen = try_fault(trial, board, &watch);
+  const std::string row = fault_row(trial, board, seen);
+  EXPECT_TRUE(seen.as_expected) << row << "motors off after " << seen.off_after_s << " s; "
+                                << trial.counter << " " << seen.counted;
+  EXPECT_EQ(seen.wild, 0u) << "commands that no robot may get";
+  const std::vector<messages::Event> words = words_of(seen, watch);
+  if (trial.end != "completed" && trial.end != "never began") {
+    EXPECT_TRUE(complete(words, trial.end)) << trial.end << " is not in\n" << joined(words);
+  }
+  if (!trial.log.empty()) {
+    EXPECT_TRUE(complete(words, trial.log)) << trial.log << " is not in\n" << joined(words);
+  }
+  table += row;
+  EXPECT_TRUE(rewriting() || page().find(row) != std::string::npos) << "not on the page: " << row;
+}
+
+std::string name_of(const ::testing::TestParamInfo<Case>& info) {
+  std::string name = std::string(info.param.trial.fault) + "_" + to_string(info.param.board);
+  for (char& letter : name)
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(List, FaultTest, ::testing::ValuesIn(cases()), name_of);
+
+std::vector<EncoderFailure> failures_on_the_page() {
+  std::vector<EncoderFailure> all;
+  for (const EncoderFailure& failure : encoder_failures())
+    if (failure.on_page) all.push_back(failure);
+  return all;
+}
+
+class EncoderTest : public ::testing::TestWithParam<EncoderFailure> {};
+
+// Each speed with one robot in turn; `tp100-sim faults --encoders` drives all, and more failures.
+TEST_P(EncoderTest, TheMotorsAreOffBeforeTheRobotIsFarFromWhereItShouldBe) {
+  EncoderStudy study;
+  std::vector<EncoderOutcome> row;
+  for (const double speed_mps : encoder_speeds()) {
+    row.emplace_back();
+    for (const EncoderTrial& trial :
+         encoder_trials(GetParam(), speed_mps, BoardKind::kNative, false)) {
+      const EncoderOutcome outcome = study.drive(trial);
+      EXPECT_TRUE(outcome.good()) << speed_mps << " m/s, " << to_string(trial.onset) << ", "
+                                  << trial.robot << ": " << outcome.end << ", " << outcome.beyond_m
+                                  << " m, " << outcome.beyond_rad << " rad";
+      row.back().merge(outcome);
+    }
+  }
+  const std::string text = encoder_row(GetParam(), row);
+  encoder_table += text;
+  EXPECT_TRUE(rewriting() || page().find(text) != std::string::npos) << "not on the page: " << text;
+}
+
+std::string name_of_failure(const ::testing::TestParamInfo<EncoderFailure>& info) {
+  std::string name(info.param.fault);
+  for (char& letter : name)
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sweep, EncoderTest, ::testing::ValuesIn(failures_on_the_page()),
+                         name_of_failure);
+
+#ifdef TP100_HAS_IMAGE
+TEST(EncoderFaultsOnTheChip, EndTheRunAsWell) {
+  EncoderStudy study;
+  for (const char* fault : {"encoder-stuck:left", "encoder-lose:0.3:right", "encoder-lose:0.5"}) {
+    for (const Onset onset : {Onset::kStraight, Onset::kArc}) {
+      const EncoderOutcome outcome =
+          study.drive({{fault}, 0.1, onset, "end-loaded", BoardKind::kAvr});
+      EXPECT_TRUE(outcome.good()) << fault << " " << to_string(onset) << ": " << outcome.end << ", "
+                                  << outcome.beyond_m << " m";
+    }
+  }
+}
+#endif
+
+// The daemon looks away: what is left is the firmware's own watch.
+TEST(EncoderFaultsWithoutTheHost, StopTheRobotOnAStraight) {
+  EncoderStudy study(false);
+  for (const char* fault :
+       {"encoder-stuck:left", "encoder-silent", "encoder-lose:0.3", "encoder-lose:0.3:left",
+        "encoder-lose:0.5:right", "encoder-lose:0.7"}) {
+    for (const double speed_mps : {0.03, 0.06, 0.1, 0.15}) {
+      const EncoderOutcome outcome =
+          study.drive({{fault}, speed_mps, Onset::kStraight, "end-loaded"});
+      EXPECT_TRUE(outcome.good()) << fault << " at " << speed_mps << ": " << outcome.end << ", "
+                                  << outcome.beyond_m << " m";
+      EXPECT_TRUE(outcome.end.starts_with("stalled_")) << outcome.end;
+    }
+  }
+}
+
+TEST(EncoderFaultsWithoutTheHost, StopTheRobotInATurn) {
+  EncoderStudy study(false);
+  for (const std::string_view robot : {"uniform", "worn"}) {
+    for (const Onset onset : {Onset::kArc, Onset::kSpin}) {
+      for (const EncoderFailure& failure :
+           {EncoderFailure{"encoder-lose:0.3"}, EncoderFailure{"encoder-lose:0.5"},
+            EncoderFailure{"encoder-stuck"}, EncoderFailure{"encoder-jump:-200", 0.25}}) {
+        const EncoderOutcome outcome = study.drive({failure, 0.15, onset, robot});
+        EXPECT_TRUE(outcome.good())
+            << failure.fault << ", " << to_string(onset) << ", " << robot << ": " << outcome.end
+            << ", " << outcome.beyond_m << " m, " << outcome.beyond_rad << " rad";
+      }
+    }
+  }
+}
+
+TEST(FaultList, HasATrialForEveryKind) {
+  std::set<std::string_view> tried;
+  for (const FaultTrial& trial : fault_trials())
+    tried.insert(text_of(parse_fault(trial.fault).kind).name);
+  for (const FaultText& text : fault_texts()) EXPECT_TRUE(tried.contains(text.name)) << text.name;
+}
+
+// Else a trial would pass whatever its fault does.
+TEST(FaultList, WithoutAFaultNothingIsCountedAndNothingSaid) {
+  for (const FaultTrial& trial : fault_trials()) {
+    EXPECT_FALSE(trial.counter.empty()) << trial.fault;
+    EXPECT_GT(trial.at_least, 0.0) << trial.fault;
+    const bool aborted = trial.end != "completed" && trial.end != "never began";
+    EXPECT_EQ(trial.off_within_s > 0.0, aborted) << trial.fault;
+    EXPECT_EQ(trial.again_s > 0.0, trial.end != "completed") << trial.fault;
+  }
+  FaultTrial none = fault_trials()[0];
+  none.fault = "";
+  live::LinkWatch watch;
+  const FaultOutcome seen = try_fault(none, BoardKind::kNative, &watch);
+  EXPECT_EQ(seen.end, "completed");
+  EXPECT_EQ(joined(watch.take_words()), "");
+  for (const FaultTrial& trial : fault_trials()) {
+    const auto figure = std::find_if(seen.figures.begin(), seen.figures.end(),
+                                     [&](const Figure& one) { return one.name == trial.counter; });
+    ASSERT_NE(figure, seen.figures.end()) << trial.counter;
+    EXPECT_LT(figure->value, trial.at_least) << trial.fault << ": " << trial.counter;
+  }
+}
+
+// The rows as a whole: none is missing, none is left of a trial that is no more.
+TEST(FaultPage, HasOneRowForEveryTrialAndNoOther) {
+  const std::string rows = part(page(), kMark + fault_table_head(), kEnd);
+  ASSERT_FALSE(rows.empty()) << kPage << ": no marks, or another head";
+  std::vector<std::string> expected;
+  for (const FaultTrial& trial : fault_trials())
+    for (const BoardKind board : {BoardKind::kNative, BoardKind::kAvr})
+      if (board == BoardKind::kAvr || !trial.chip_only)
+        expected.push_back("| `" + std::string(trial.fault) + "` | " + to_string(board) + " | ");
+  std::istringstream lines(rows);
+  std::string line;
+  std::size_t i = 0;
+  for (; std::getline(lines, line); ++i) {
+    ASSERT_LT(i, expected.size()) << "a row too many: " << line;
+    EXPECT_EQ(line.substr(0, expected[i].size()), expected[i]);
+  }
+  EXPECT_EQ(i, expected.size());
+}
+
+TEST(FaultPage, HasOneRowForEveryEncoderFailureAndNoOther) {
+  const std::string rows = part(page(), kEncoderMark + encoder_table_head(), kEncoderEnd);
+  const std::vector<EncoderFailure> expected = failures_on_the_page();
+  std::istringstream lines(rows);
+  std::size_t i = 0;
+  for (std::string line; std::getline(lines, line); ++i) {
+    ASSERT_LT(i, expected.size()) << "a row too many: " << line;
+    EXPECT_TRUE(line.starts_with("| `" + std::string(expected[i].fault) + "`")) << line;
+  }
+  EXPECT_EQ(i, expected.size());
+}
+
+/// Every `Suite.Name` of the sources below tests/.
+std::set<std::string> tests_in_the_sources() {
+  std::set<std::string> names;
+  const std::regex pattern(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kSource + "/tests")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = text_of_file(entry.path());
+    for (std::size_t at = 0; (at = text.find("\nTEST", at)) != std::string::npos; ++at) {
+      const std::string head = text.substr(at + 1, 200);
+      std::smatch found;
+      if (std::regex_search(head, found, pattern, std::regex_constants::match_continuous))
+        names.insert(found[2].str() + "." + found[3].str());
+    }
+  }
+  return names;
+}
+
+TEST(FaultPage, EveryTestThatItNamesExists) {
+  const std::string text = page();
+  const std::string rest = text.substr(std::min(text.size(), text.find(kEncoderEnd)));
+  const std::set<std::string> known = tests_in_the_sources();
+  const std::regex pattern(R"(`([A-Z]\w+\.[A-Z]\w+|tests/[\w/]+\.(?:py|sh))`)");
+  std::size_t named = 0;
+  std::istringstream lines(rest);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| ") || line.starts_with("| fault") || line.starts_with("|---"))
+      continue;
+    std::size_t in_row = 0;
+    for (std::sregex_iterator it(line.begin(), line.end(), pattern), end; it != end; ++it) {
+      ++in_row;
+      const std::string name = (*it)[1].str();
+      EXPECT_TRUE(known.contains(name) || std::filesystem::exists(kSource + "/" + name))
+          << "no such test: " << name;
+    }
+    EXPECT_GT(in_row, 0u) << "no test proves: " << line;
+    named += in_row;
+  }
+  EXPECT_GT(named, 20u) << kPage << ": the rows below the mark are gone";
+}
+
+class Page : public ::testing::Environment {
+ public:
+  void TearDown() override {
+    if (!rewriting()) return;
+    std::string text = page();
+    const auto put = [&](const std::string& from, const std::string& to, const std::string& rows) {
+      const std::size_t begin = text.find(from) + from.size();
+      text.replace(begin, text.find(to) - begin, rows);
+    };
+    if (!table.empty()) put(kMark, kEnd, fault_table_head() + table);
+    if (!encoder_table.empty())
+      put(kEncoderMark, kEncoderEnd, encoder_table_head() + encoder_table);
+    std::ofstream(kPage) << text;
+  }
+};
+const auto* const kPageWriter = ::testing::AddGlobalTestEnvironment(new Page);
+
+}  // namespace
+}  // namespace tp100::sim

@@ -1,0 +1,181 @@
+#include "sim/study/reproduce.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "course/path.h"
+#include "identify/identify_report.h"
+#include "sim/robot/options.h"
+#include "sim/study/calibrate_command.h"
+#include "sim/study/drawn_robot.h"
+#include "sim/study/held_out.h"
+#include "sim/study/reproduce_page.h"
+#include "terrain/climbable.h"
+
+namespace tp100::sim {
+namespace {
+
+using testing::HasSubstr;
+
+Trial one_run(const course::Course& course, bridge::Setup setup = bridge::Setup::kFlat) {
+  return {.course = course,
+          .robot = load({}).robot,
+          .setup = setup,
+          .runs = 1,
+          .both_directions = false};
+}
+
+class HeldOutCourse : public testing::TestWithParam<const char*> {};
+
+TEST_P(HeldOutCourse, CanBeDrivenWhateverTheSeed) {
+  const course::Robot robot = load({}).robot;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const course::Course course = held_out_course(GetParam(), seed);
+    SCOPED_TRACE(course.name);
+    const course::Path path(course);
+    for (double s = 0.0; s <= path.length_m(); s += 0.05) {
+      EXPECT_GT(path.at(s).x_m, course.fence.min_x_m + 0.2);
+      EXPECT_LT(path.at(s).y_m, course.fence.max_y_m - 0.2);
+    }
+    double last_m = 0.0;
+    for (const course::Shove& shove : course.shoves) {
+      EXPECT_GT(shove.at_m, last_m);
+      last_m = shove.at_m;
+    }
+    EXPECT_LT(last_m, path.length_m());
+    EXPECT_NO_THROW(terrain::require_climbable(course, robot));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, HeldOutCourse,
+                         testing::Values("1-straight", "1-curve", "1-sharp", "2", "3"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(HeldOut, TheSameSeedDrawsTheSameCourse) {
+  const course::Course a = held_out_course("2", 7), b = held_out_course("2", 7);
+  EXPECT_EQ(course::Path(a).length_m(), course::Path(b).length_m());
+  EXPECT_NE(course::Path(a).length_m(), course::Path(held_out_course("2", 8)).length_m());
+  EXPECT_THROW(held_out_course("4", 1), SetupError);
+}
+
+TEST(DrawnRobot, IsARobotThatAFileCouldHold) {
+  const course::Robot reference = load({}).robot;
+  for (std::uint64_t number = 0; number < 200; ++number) {
+    const course::Robot robot = drawn_robot(reference, number);
+    SCOPED_TRACE(robot.name);
+    course::Robot read;
+    ASSERT_NO_THROW(read = course::parse_robot(course::write_robot(robot, "drawn"), "r.toml"));
+    EXPECT_NEAR(read.emulated.body.friction, robot.emulated.body.friction, 1e-4);
+    EXPECT_EQ(robot.model.wheelbase_m, course::ModelValues{}.wheelbase_m);
+    EXPECT_EQ(robot.shape.gauge_m, robot.emulated.body.gauge_m);
+    EXPECT_GE(robot.emulated.body.mid_lift_m, 0.0);
+    EXPECT_LE(robot.emulated.body.mid_lift_m, 0.0003);
+    EXPECT_GE(robot.emulated.encoder.counts_per_metre, 2785.0);
+    EXPECT_LE(robot.emulated.encoder.counts_per_metre, 22280.0);
+  }
+}
+
+TEST(DrawnRobot, TheSameNumberDrawsTheSameRobot) {
+  const course::Robot reference = load({}).robot;
+  EXPECT_EQ(course::write_robot(drawn_robot(reference, 7), ""),
+            course::write_robot(drawn_robot(reference, 7), ""));
+  EXPECT_NE(drawn_robot(reference, 7).emulated.body.friction,
+            drawn_robot(reference, 8).emulated.body.friction);
+}
+
+// The short form of `tp100-sim reproduce --part drawn`.
+TEST(DrawnRobot, IsPredictedOnceItIsIdentified) {
+  Loaded loaded = load({});
+  loaded.robot = drawn_robot(loaded.robot, 1);
+  const Calibration calibration = calibrate(loaded, 1, 1);
+  Trial trial = one_run(load_course("1-curve"));
+  trial.robot = identify::identified_robot(calibration.found, loaded.robot, "");
+  const CourseStudy result = study(trial, "1-curve", false);
+  EXPECT_EQ(result.completed, 1);
+  for (const Judged& one : result.judged) EXPECT_TRUE(one.holds()) << one.what << one.ours.median;
+}
+
+TEST(Study, JudgesModelEstimateAndTrackingByTheirOwnLimits) {
+  const CourseStudy result = study(one_run(load_course("1-straight")), "1-straight", true);
+  EXPECT_EQ(result.completed, 1);
+  std::vector<std::string> what;
+  for (const Judged& one : result.judged) {
+    what.push_back(one.what);
+    EXPECT_TRUE(one.holds()) << one.what << " " << one.ours.median;
+    EXPECT_GT(one.ours.median, 0.0);
+  }
+  EXPECT_THAT(what, testing::IsSupersetOf(
+                        {"model max", "odometry max", "fused max on the level", "tracking max"}));
+}
+
+TEST(Study, OnObstaclesTheFusedPoseHasALimitOfItsOwn) {
+  const CourseStudy result = study(one_run(load_course("3"), bridge::Setup::kTerrain), "3", true);
+  EXPECT_EQ(result.completed, 1);
+  EXPECT_GT(result.shown.fused_max_obstacle_m, result.shown.fused_max_flat_m);
+  for (const Judged& one : result.judged) EXPECT_TRUE(one.holds()) << one.what;
+}
+
+TEST(Study, WithoutACameraForAWhileOnlyThatIsJudged) {
+  Trial trial = one_run(load_course("1-straight"));
+  trial.blind_from_s = 5.0;
+  trial.blind_s = 3.0;
+  const CourseStudy result = study(trial, "1-straight", true);
+  ASSERT_EQ(result.judged.size(), 1u);
+  EXPECT_EQ(result.judged[0].limit, 3.0);
+  EXPECT_EQ(result.blind, "no camera 5-8 s");
+}
+
+Reproduction made_up(double fused_cm) {
+  Reproduction what;
+  what.reference = load({}).robot;
+  what.runs = 1;
+  for (const SlopeRow& row : slope_rows())
+    what.slopes.push_back({row.slope_deg, row.paper_left.value_or(0.1) + 0.015,
+                           row.paper_right.value_or(0.1), 0.0, true});
+  CourseStudy one;
+  one.course = "1-curve";
+  one.robot = what.reference.name;
+  one.setup = "flat";
+  one.board = "native";
+  one.runs = one.completed = 1;
+  one.judged.push_back(
+      {"1-curve", one.robot, "fused max on the level", "cm", 0.6, {fused_cm, fused_cm, 1}});
+  what.studies.push_back(one);
+  return what;
+}
+
+TEST(Reproduction, SaysWhichLimitDoesNotHold) {
+  EXPECT_TRUE(all_hold(made_up(0.5)));
+  const Reproduction missed = made_up(0.7);
+  EXPECT_FALSE(all_hold(missed));
+  EXPECT_THAT(reproduction_table(missed), HasSubstr("DOES NOT HOLD"));
+  EXPECT_THAT(reproduction_page(missed), HasSubstr("<td class='missed'>0.70</td>"));
+  const auto json = nlohmann::json::parse(reproduction_json(missed));
+  EXPECT_EQ(json["all_hold"], false);
+  EXPECT_EQ(json["studies"][0]["figures"][0]["holds"], false);
+  EXPECT_NEAR(json["slope_max_difference"].get<double>(), 0.015, 1e-12);
+  EXPECT_EQ(json["studies"][0]["paper"]["max_position_error_cm"], 1.2028);
+}
+
+TEST(Reproduction, ARunThatWasNotCompletedDoesNotHold) {
+  Reproduction what = made_up(0.5);
+  what.studies[0].completed = 0;
+  EXPECT_FALSE(all_hold(what));
+}
+
+TEST(Reproduction, AFigureThatIsNoNumberDoesNotHold) {
+  EXPECT_FALSE(all_hold(made_up(std::numeric_limits<double>::infinity())));
+  EXPECT_FALSE(all_hold(made_up(std::numeric_limits<double>::quiet_NaN())));
+}
+
+}  // namespace
+}  // namespace tp100::sim

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "report/metrics.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/options.h"
+#include "sim/study/climb_check.h"
+#include "sim/study/state_study.h"
+
+namespace tp100::sim {
+namespace {
+
+// The long form is tp100-sim reproduce --part state: fifty flat runs, twenty over the obstacles.
+TEST(State, HoldsItsLimitsOnTheFlatOverObstaclesAndOnTheStepWithoutSlip) {
+  const std::vector<CourseStudy> studies = study_state(load({}).robot, 1, 1);
+  ASSERT_EQ(studies.size(), 3u);
+  EXPECT_EQ(studies[0].runs, 5);
+  EXPECT_EQ(studies[1].runs, 2);
+  for (const CourseStudy& study : studies) {
+    EXPECT_EQ(study.completed, study.runs) << study.course;
+    for (const Judged& one : study.judged)
+      EXPECT_TRUE(one.holds()) << study.course << ": " << one.what << ' ' << one.ours.median;
+  }
+}
+
+TEST(State, FindsEveryChangeOfTheCourseWithItsObstacles) {
+  LockstepSettings run{
+      .course = load_course("3"), .robot = load({}).robot, .setup = bridge::Setup::kTerrain};
+  const report::RunResult result = run_lockstep(run);
+  const report::SlopeFigures slope = report::figures(result, run.course).slope;
+  // Up and down each of them at least, and level again.
+  EXPECT_GE(slope.changes.size(), 6u);
+  EXPECT_EQ(slope.obstacles, 2);
+  EXPECT_EQ(slope.mistaken, 0);
+  bool step = false, ramp = false;
+  for (const report::TrackPoint& point : result.points) {
+    step = step || point.leans_on == Obstacle::kBlock;
+    ramp = ramp || point.leans_on == Obstacle::kRamp;
+  }
+  EXPECT_TRUE(step);
+  EXPECT_TRUE(ramp);
+}
+
+TEST(State, ABodyThatSlipsIsNotTheCaseWithoutSlip) {
+  const course::Robot robot = load({}).robot;
+  EXPECT_LT(check_climb_pitch(robot, 0.037, 0.1, 0.1).pitch_rms_rad, 0.035);
+  // The check can fail: a model of another robot is off.
+  course::Robot other = robot;
+  other.shape.axle_spacing_m *= 1.15;
+  EXPECT_GT(check_climb_pitch(other, 0.037, 0.1, 0.1).pitch_rms_rad, 0.035);
+}
+
+/// NIS of the camera over several runs together, against the band for that many samples.
+struct Consistency {
+  double mean = 0.0;
+  double half_band = 0.0;
+};
+
+Consistency consistency(const std::string& robot, double noise_factor) {
+  Options options;
+  options.robot = robot;
+  LockstepSettings run{.course = load_course("1-curve"),
+                       .robot = load(options).robot,
+                       .camera = load_camera("overhead")};
+  run.configuration.parameters.steering = bridge::Steering::kFused;
+  run.camera->noise_m *= noise_factor;
+  run.camera->noise_rad *= noise_factor;
+  report::CameraFigures all;
+  for (run.seed = 1; run.seed <= 3; ++run.seed) {
+    const report::CameraFigures one = run_lockstep(run).camera;
+    all.nis_mean =
+        (all.nis_mean * all.judged + one.nis_mean * one.judged) / (all.judged + one.judged);
+    all.judged += one.judged;
+  }
+  return {all.nis_mean, all.nis_half_band()};
+}
+
+// The filter allows for slip that changes, which these runs do not have: it may be 5 % too
+// cautious, and never too sure.
+TEST(CameraNoise, IsWhatTheFilterAssumesOnRobotsOfEveryKind) {
+  constexpr double kCautious = 0.15;
+  for (const char* robot : {"end-loaded", "uniform", "slippery"}) {
+    const Consistency c = consistency(robot, 1.0);
+    EXPECT_GT(c.mean, 3.0 - c.half_band - kCautious) << robot;
+    EXPECT_LT(c.mean, 3.0 + c.half_band) << robot;
+  }
+}
+
+TEST(CameraNoise, ABetterOrWorseCameraLeavesTheBand) {
+  const Consistency better = consistency("end-loaded", 0.8);
+  EXPECT_LT(better.mean, 3.0 - 3.0 * better.half_band);
+  const Consistency worse = consistency("end-loaded", 1.25);
+  EXPECT_GT(worse.mean, 3.0 + 3.0 * worse.half_band);
+}
+
+}  // namespace
+}  // namespace tp100::sim

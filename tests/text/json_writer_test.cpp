@@ -1,0 +1,85 @@
+#include "text/json_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+namespace tp100::text {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string json_text(std::string_view text) {
+  std::string out;
+  JsonWriter(out).value(text);
+  return out;
+}
+
+TEST(JsonWriter, WritesNestedObjectsAndArrays) {
+  std::string text;
+  JsonWriter(text)
+      .begin_object()
+      .field("a", 1)
+      .key("b")
+      .begin_array()
+      .value(true)
+      .begin_object()
+      .end_object()
+      .null()
+      .end_array()
+      .field("c", "d")
+      .null_field("e")
+      .end_object();
+  EXPECT_EQ(text, R"({"a":1,"b":[true,{},null],"c":"d","e":null})");
+}
+
+TEST(JsonWriter, EveryDoubleComesBackExactly) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const auto value = std::bit_cast<double>(random());
+    if (!std::isfinite(value)) continue;
+    std::string text;
+    JsonWriter(text).value(value);
+    EXPECT_EQ(Json::parse(text).get<double>(), value) << text;
+  }
+}
+
+TEST(JsonWriter, WhatIsNotFiniteIsNull) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double value : {infinity, -infinity, std::nan("")}) {
+    std::string text;
+    JsonWriter(text).value(value);
+    EXPECT_EQ(text, "null");
+  }
+}
+
+TEST(JsonWriter, AnyBytesBecomeValidJson) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 2000; ++i) {
+    std::string bytes(random() % 12, '\0');
+    for (char& c : bytes) c = static_cast<char>(random());
+    EXPECT_TRUE(Json::accept(json_text(bytes))) << i;
+  }
+}
+
+TEST(JsonWriter, TextComesBackAsItWas) {
+  for (const std::string text : {"", "plain", "quote \" and \\", "line\nand\ttab", "\x01\x1f",
+                                 "grün ≈ 3 🤖", "</script>"}) {
+    EXPECT_EQ(Json::parse(json_text(text)).get<std::string>(), text);
+  }
+}
+
+TEST(JsonWriter, BrokenCharactersAreReplaced) {
+  // A surrogate, an overlong slash, a lone continuation, a cut-off character.
+  for (const std::string bytes : {"\xED\xA0\x80", "\xC0\xAF", "\x80", "\xE2\x82"}) {
+    const std::string out = json_text(bytes);
+    EXPECT_TRUE(Json::accept(out));
+    EXPECT_NE(out.find("\xEF\xBF\xBD"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace tp100::text

@@ -1,0 +1,50 @@
+#include "text/standard_streams.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <initializer_list>
+
+namespace tp100::text {
+namespace {
+
+// Number that the next opened file gets after `closed` were closed and claimed.
+int next_number(std::initializer_list<int> closed) {
+  for (const int fd : closed) ::close(fd);
+  claim_standard_streams();
+  return ::open("/", O_RDONLY);
+}
+
+TEST(StandardStreamsDeathTest, NoFileGetsTheNumberOfAClosedStream) {
+  for (const auto closed : {std::initializer_list<int>{0}, {1}, {2}, {0, 1, 2}, {}}) {
+    EXPECT_EXIT(std::_Exit(next_number(closed) > 2 ? 0 : 1), testing::ExitedWithCode(0), "");
+  }
+}
+
+TEST(StandardStreamsDeathTest, AnOutputThatCannotBeWrittenIsAnError) {
+  const auto end = [](const char* path, int status) {
+    if (std::freopen(path, "w", stdout) == nullptr) std::_Exit(99);
+    std::printf("result\n");
+    std::_Exit(finish_standard_output("prog", status));
+  };
+  EXPECT_EXIT(end("/dev/full", 0), testing::ExitedWithCode(2),
+              "^prog: standard output: cannot be written \\(No space left on device\\)");
+  EXPECT_EXIT(end("/dev/full", 1), testing::ExitedWithCode(1), "cannot be written");
+  EXPECT_EXIT(end("/dev/null", 0), testing::ExitedWithCode(0), "");
+}
+
+TEST(StandardStreamsDeathTest, SoIsOneThatFailedEarlier) {
+  const auto end = [] {
+    if (std::freopen("/dev/full", "w", stdout) == nullptr) std::_Exit(99);
+    std::printf("result\n");
+    std::fflush(stdout);
+    std::_Exit(finish_standard_output("prog", 0));
+  };
+  EXPECT_EXIT(end(), testing::ExitedWithCode(2), "cannot be written");
+}
+
+}  // namespace
+}  // namespace tp100::text

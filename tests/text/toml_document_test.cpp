@@ -1,0 +1,238 @@
+#include "text/toml_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace tp100::text {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+/// What a reader of `text` is told; empty if nothing is wrong.
+std::string told(const std::string& text, const std::function<void(TomlTable&)>& read) {
+  try {
+    TomlDocument document(text, "f.toml");
+    TomlTable root = document.root();
+    read(root);
+    root.finish();
+  } catch (const SetupError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void read_speed(TomlTable& table) { table.number("speed_mps", 0.1, {0.01, 0.3}); }
+
+TEST(TomlDocument, NamesTheNearestKeyForAnUnknownOne) {
+  EXPECT_EQ(told("\n speeed_mps = 0.1\n", read_speed),
+            "f.toml:2:2: unknown key 'speeed_mps'; did you mean 'speed_mps'?");
+}
+
+// As of a seed or a marker's id.
+TEST(TomlDocument, RefusesAnIntegerOutOfItsRange) {
+  long long value = -1;
+  const auto read = [&](TomlTable& table) { value = table.integer("seed", 1, {0, 250}); };
+  for (const auto& [good, means] : {std::pair{"0", 0},
+                                    {"-0", 0},
+                                    {"+7", 7},
+                                    {"250", 250},
+                                    {"0xFA", 250},
+                                    {"0o372", 250},
+                                    {"0b1111_1010", 250}}) {
+    EXPECT_THAT(told("seed = " + std::string(good), read), IsEmpty());
+    EXPECT_EQ(value, means) << good;
+  }
+  for (const char* bad :
+       {"-1", "251", "0xFB", "0x7FFFFFFFFFFFFFFF", "9223372036854775807", "-9223372036854775808"})
+    EXPECT_THAT(told("seed = " + std::string(bad), read),
+                testing::AllOf(StartsWith("f.toml:1:8: 'seed' is "), HasSubstr("0 to 250")))
+        << bad;
+}
+
+TEST(TomlDocument, RefusesWhatIsNoIntegerOfSixtyFourBits) {
+  const auto read = [](TomlTable& table) { table.integer("seed", 1, {0, 250}); };
+  for (const char* bad : {"1.5", "1.0", "1e2", "1e300", "nan", "inf"})
+    EXPECT_THAT(told("seed = " + std::string(bad), read), HasSubstr("expected an integer")) << bad;
+  for (const char* bad : {"9223372036854775808", "-9223372036854775809", "0x8000000000000000",
+                          "0xFFFFFFFFFFFFFFFFFFFF", "0x", "1_", "007", "-0x1", "--1"})
+    EXPECT_THAT(told("seed = " + std::string(bad), read),
+                testing::AllOf(StartsWith("f.toml:1:"), HasSubstr("not TOML")))
+        << bad;
+}
+
+TEST(TomlDocument, ListsTheValidKeysIfNoneIsNear) {
+  EXPECT_EQ(told("colour = 1", read_speed),
+            "f.toml:1:1: unknown key 'colour'; valid here: speed_mps");
+}
+
+TEST(TomlDocument, ReportsTheFirstUnknownKeyOfTheFile) {
+  EXPECT_THAT(told("zz = 1\naa = 2\n", read_speed), StartsWith("f.toml:1:1: unknown key 'zz'"));
+}
+
+TEST(TomlDocument, SaysValueRangeAndUnitWhenOutOfRange) {
+  EXPECT_EQ(told("speed_mps = 3.5", read_speed),
+            "f.toml:1:13: 'speed_mps' is 3.5, allowed 0.01 to 0.3 m/s");
+  EXPECT_THAT(told("speed_mps = nan", read_speed), HasSubstr("is nan, allowed 0.01 to 0.3 m/s"));
+  EXPECT_THAT(told("speed_mps = -inf", read_speed), HasSubstr("is -inf, allowed"));
+}
+
+TEST(TomlDocument, SaysFoundAndExpectedType) {
+  EXPECT_EQ(told("speed_mps = 'fast'", read_speed),
+            "f.toml:1:13: 'speed_mps' is a string, expected a number");
+  EXPECT_EQ(told("a = 1.0",
+                 [](TomlTable& t) {
+                   t.integer("a", 0, {0, 9});
+                 }),
+            "f.toml:1:5: 'a' is a number, expected an integer");
+  EXPECT_EQ(told("a = 1", [](TomlTable& t) { t.boolean("a", false); }),
+            "f.toml:1:5: 'a' is an integer, expected true or false");
+  EXPECT_EQ(told("a = 1979-05-27", [](TomlTable& t) { t.text("a", ""); }),
+            "f.toml:1:5: 'a' is a date or time, expected a string");
+  EXPECT_EQ(told("a = 1", [](TomlTable& t) { t.table("a"); }),
+            "f.toml:1:5: 'a' is an integer, expected a table");
+  EXPECT_THAT(told("[a]\nb = 1", [](TomlTable& t) { t.tables("a"); }),
+              HasSubstr("'a' is a table, expected an array of tables, each headed [[a]]"));
+  EXPECT_THAT(told("a = [1, 2]", [](TomlTable& t) { t.tables("a"); }), HasSubstr("is an array,"));
+}
+
+TEST(TomlDocument, OffersTheNearestChoice) {
+  const auto read = [](TomlTable& t) { t.choice("type", "line", {"line", "arc"}); };
+  EXPECT_EQ(told("type = 'lnie'", read),
+            "f.toml:1:8: 'type' is 'lnie'; did you mean 'line'? Allowed: 'line', 'arc'");
+  EXPECT_EQ(told("type = 'arc'", read), "");
+}
+
+TEST(TomlDocument, ReportsAMissingKeyOrItsMisspelling) {
+  const auto read = [](TomlTable& t) { t.table("a").required_number("length_m", {0, 1}); };
+  EXPECT_EQ(told("\n[a]\n", read), "f.toml:2:1: missing key 'a.length_m'; it has no default");
+  EXPECT_EQ(told("[a]\nlenght_m = 1\n", read),
+            "f.toml:2:1: unknown key 'a.lenght_m'; did you mean 'a.length_m'?");
+}
+
+TEST(TomlDocument, FindsUnknownKeysInTablesAndInArraysOfTables) {
+  const auto read = [](TomlTable& t) {
+    t.table("drive").number("dead_band", 0, {0, 1});
+    for (TomlTable one : t.tables("segment")) one.number("length_m", 0, {0, 1});
+  };
+  EXPECT_THAT(
+      told("[drive]\ndeadband = 0", read),
+      StartsWith("f.toml:2:1: unknown key 'drive.deadband'; did you mean 'drive.dead_band'?"));
+  EXPECT_THAT(told("[[segment]]\n[[segment]]\nlenth_m = 0", read),
+              StartsWith("f.toml:3:1: unknown key 'segment.lenth_m'"));
+  EXPECT_THAT(told("[drvie]\n", read), HasSubstr("did you mean 'drive'?"));
+}
+
+TEST(TomlDocument, AbsentKeysAndTablesReadAsDefaults) {
+  EXPECT_EQ(told("",
+                 [](TomlTable& t) {
+                   EXPECT_EQ(t.number("a", 1.5, {0, 1}), 1.5);
+                   EXPECT_EQ(t.integer("b", 7, {0, 1}), 7);
+                   EXPECT_TRUE(t.boolean("c", true));
+                   EXPECT_EQ(t.text("d", "x"), "x");
+                   EXPECT_EQ(t.choice("e", "y", {"z"}), "y");
+                   EXPECT_EQ(t.table("f").table("g").number("h", 2.5, {0, 1}), 2.5);
+                   EXPECT_TRUE(t.tables("i").empty());
+                 }),
+            "");
+}
+
+TEST(TomlDocument, RefusesTextThatIsNotTomlAtItsPlace) {
+  EXPECT_THAT(told("a = 1\nb = = 2\n", read_speed), StartsWith("f.toml:2:"));
+  EXPECT_THAT(told("a = 1\na = 2\n", read_speed), StartsWith("f.toml:2:"));
+  EXPECT_THAT(told("a = 1\n\x01", read_speed), StartsWith("f.toml:2:"));
+  EXPECT_THAT(told("a = \"\xc3\x28\"\n", read_speed), StartsWith("f.toml:1:"));
+  EXPECT_THAT(told(std::string("a = 1\0 # nul", 12), read_speed), StartsWith("f.toml:1:"));
+  EXPECT_THAT(told("speed_mps = 1e999", read_speed), StartsWith("f.toml:1:"));
+  EXPECT_THAT(told("\"\\u001b[31m\\n\" = 1", read_speed), HasSubstr("unknown key '?[31m?'"));
+}
+
+TEST(TomlDocument, SurvivesDeepAndLargeFiles) {
+  std::string dotted = "a", brackets = "a = ", tables;
+  for (int i = 0; i < 100000; ++i) dotted += ".a";
+  for (int i = 0; i < 100000; ++i) brackets += "[";
+  for (int i = 0; i < 120; ++i) tables += "[{a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = [\n";
+  EXPECT_THAT(told(dotted + " = 1", read_speed), HasSubstr("more than 32 dots"));
+  EXPECT_THAT(told("[" + dotted + "]", read_speed), HasSubstr("more than 32 dots"));
+  EXPECT_THAT(told(brackets, read_speed), StartsWith("f.toml:1:"));
+  EXPECT_THAT(told("a = " + tables, read_speed), StartsWith("f.toml:"));
+  EXPECT_THAT(told(std::string(kMaxTomlSize + 1, '#'), read_speed),
+              HasSubstr("larger than 256 kB"));
+  EXPECT_THAT(told(std::string(100000, 'a').append(" = 1"), read_speed), HasSubstr("aaa...'"));
+}
+
+TEST(TomlDocument, ValuesAreOfAnySimpleType) {
+  EXPECT_EQ(told("a = true\nb = 3\nc = 0.5\nd = \"x\"\ne = [1, 2.5, \"y\"]\n[f]\n",
+                 [](TomlTable& t) {
+                   EXPECT_EQ(t.required_value("a"), TomlValue(true));
+                   EXPECT_EQ(t.required_value("b"), TomlValue(3LL));
+                   EXPECT_EQ(t.required_value("c"), TomlValue(0.5));
+                   EXPECT_EQ(t.required_value("d"), TomlValue(std::string("x")));
+                   EXPECT_THAT(t.values("e"), ElementsAre(TomlValue(1LL), TomlValue(2.5),
+                                                          TomlValue(std::string("y"))));
+                   EXPECT_THAT(t.values("none"), IsEmpty());
+                   EXPECT_TRUE(t.holds_table("f"));
+                   EXPECT_FALSE(t.holds_table("a"));
+                   t.table("f");
+                 }),
+            "");
+  const auto read = [](TomlTable& t) { t.required_value("a"); };
+  EXPECT_EQ(told("a = [1]", read),
+            "f.toml:1:5: 'a' is an array, expected true, false, a number or a string");
+  EXPECT_THAT(told("b = 1", read), HasSubstr("missing key 'a'"));
+}
+
+TEST(WithValues, OtherValuesStandInTheirPlacesAndNewOnesBesideThem) {
+  const std::string text = with_values("# note\nspeed = 1\n[drive]\nkp = 2.0\n", "f.toml",
+                                       {{"drive.kp", 3.5},
+                                        {"drive.ki", 4LL},
+                                        {"body.shape.name", std::string("flat \"x\"")},
+                                        {"on", true}});
+  EXPECT_EQ(told(text,
+                 [](TomlTable& t) {
+                   EXPECT_EQ(t.required_value("speed"), TomlValue(1LL));
+                   EXPECT_EQ(t.required_value("on"), TomlValue(true));
+                   TomlTable drive = t.table("drive");
+                   EXPECT_EQ(drive.required_value("kp"), TomlValue(3.5));
+                   EXPECT_EQ(drive.required_value("ki"), TomlValue(4LL));
+                   EXPECT_EQ(t.table("body").table("shape").required_value("name"),
+                             TomlValue(std::string("flat \"x\"")));
+                 }),
+            "");
+}
+
+TEST(WithValues, APathThroughAValueIsRefused) {
+  try {
+    with_values("drive = 1", "f.toml", {{"drive.kp", 2.0}});
+    FAIL();
+  } catch (const SetupError& error) {
+    EXPECT_STREQ(error.what(), "f.toml: 'drive' is no table, so that it has no 'kp'");
+  }
+}
+
+TEST(TomlDocument, AnyDamageGivesOneLineOrNone) {
+  const std::string good =
+      "description = \"x\"\nspeed_mps = 0.1\n[start]\nx_m = 1e-3\n[[segment]]\ntype = 'line'\n";
+  std::mt19937 random(7);
+  for (int round = 0; round < 3000; ++round) {
+    std::string text = good;
+    for (int i = 0; i < 3; ++i) text[random() % text.size()] = static_cast<char>(random() % 256);
+    const std::string line = told(text, [](TomlTable& t) {
+      t.text("description", "");
+      read_speed(t);
+      t.table("start").number("x_m", 0, {0, 1});
+      for (TomlTable one : t.tables("segment")) one.required_choice("type", {"line"});
+    });
+    if (line.empty()) continue;
+    EXPECT_THAT(line, StartsWith("f.toml:"));
+    for (const char c : line) EXPECT_TRUE(c >= 0x20 && c < 0x7f) << line;
+  }
+}
+
+}  // namespace
+}  // namespace tp100::text
