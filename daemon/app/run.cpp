@@ -139,7 +139,7 @@ int run_run(const RunOptions& options) {
     black_box.hear(channel, unix_ns, json);
   };
   const std::unique_ptr<server::Server> server = live::make_server(run, clock, controls, listener);
-  // Who stays records run by run.
+  // With --stay each run gets a recording of its own.
   if (!configuration.record.directory.empty() && !options.stay) recording.begin();
   settings.server = server.get();
   settings.controls = &controls;

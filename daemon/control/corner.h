@@ -19,13 +19,13 @@ namespace tp100::control {
 /// SI units. Nothing but the constructor, which searches, takes time; no allocation.
 class Corner {
  public:
-  /// Turns on the very spot, wherever that is.
+  /// A turn without an arc: the robot turns on the spot.
   Corner() = default;
   /// `turn` is a piece of kind pivot; `room_m` what there is of line before it, and as much after
-  /// it. On the very spot where there is too little room or nothing to gain.
+  /// it. Without an arc where there is too little room or nothing to gain.
   Corner(const course::Piece& turn, double x_icr_m, double room_m);
 
-  /// Of the turning centre's arc; 0: on the very spot. [m]
+  /// Of the turning centre's arc; 0: no arc. [m]
   double radius_m() const { return radius_m_; }
   /// The reference point stops this much before the corner. Not negative.
   double stop_before_m() const;

@@ -1,5 +1,6 @@
 #pragma once
-// The one exception of the project, thrown at set-up only. The loop returns results instead.
+// The exception for what a user, a file or a viewer got wrong. Nothing throws it in the real-time
+// loop, which returns results instead.
 
 #include <stdexcept>
 #include <string>

@@ -11,7 +11,7 @@ namespace tp100::estimation {
 
 /// What the floor does under the robot. Everything zero on a plane.
 struct Ground {
-  double planar = 1.0;  ///< planar way per way along the ground, see model::Incline
+  double planar = 1.0;  ///< horizontal distance per distance along the ground; model::Incline
   double z_m = 0.0;     ///< height and attitude of the body: they shift the marker
   double roll_rad = 0.0;
   double pitch_rad = 0.0;

@@ -63,7 +63,8 @@ Fit best_fit(const std::vector<FittedRun>& runs, const Belief& base, Free free, 
     believed[index(parameter)] = 0.0;
     free[index(parameter)] = false;
   }
-  // What cannot be told apart is a matter of the runs, not of what was given up for it.
+  // Which parameters these drives cannot tell apart depends on the drives, not on the parameters
+  // that were dropped for it: it is judged by the fit with all of them.
   std::optional<Fit> with_all;
   while (true) {
     Values start = believed;

@@ -11,7 +11,7 @@ namespace {
 
 // After a longer gap nobody knows whether the belt went on.
 constexpr double kLongestHoldS = 0.1;
-// A glitch and its way back are one jump.
+// A glitch and its return are one jump.
 constexpr double kOneJumpS = 0.1;
 
 }  // namespace

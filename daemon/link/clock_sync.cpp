@@ -7,7 +7,8 @@
 namespace tp100::link {
 namespace {
 
-// An exchange bounds the relation by half its trip plus this much drift of the drift per age.
+// An exchange bounds the offset of the clocks by half its round trip. The bound widens with the age
+// of the exchange by this share, because the drift itself changes.
 constexpr double kAgeing = 3e-6;
 // Resonators of cheap boards are off by up to 0.5 %, usually far less.
 constexpr double kDriftPrior = 500e-6;

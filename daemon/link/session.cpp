@@ -26,7 +26,8 @@ constexpr HostNs kLongestRetryNs = 5 * kNsPerS;
 std::int32_t number(SessionState state) { return static_cast<std::int32_t>(state); }
 std::int32_t number(Type type) { return static_cast<std::int32_t>(type); }
 
-/// Whoever speaks all the messages may drive; a board without a name is worth a warning.
+/// Whether this version knows the kind of board. An unknown one may drive if it speaks the
+/// protocol, after a warning.
 bool known(std::uint8_t board) {
   return board == static_cast<std::uint8_t>(wire::Board::kMega2560) ||
          board == static_cast<std::uint8_t>(wire::Board::kNative);

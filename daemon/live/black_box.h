@@ -1,8 +1,8 @@
 #pragma once
-// The last seconds of a running bridge. They are kept in memory, and when something goes wrong
-// while nothing is recorded, written as a recording: steps with samples, commands and states, and
-// what was said, up to a second after the fault. `tp100d report` and `export` read it; replay does
-// not, since it does not begin with the first step.
+// The last seconds of a running bridge, kept in memory. When a fault occurs while nothing is
+// recorded, they are written as a recording: steps with samples, commands and states, and the
+// channels' messages, up to a second after the fault. `tp100d report` and `export` read it; replay
+// does not, because it does not begin with the first step.
 
 #include <atomic>
 #include <deque>
@@ -26,8 +26,8 @@ std::string black_box_directory(const config::RecordSettings& settings);
 
 class BlackBox : public messages::Sink {
  public:
-  /// Of one program; the oldest goes for the newest: a fault that comes again and again must not
-  /// fill the disk.
+  /// Most files that one run of the program keeps. The newest replaces the oldest, so that a fault
+  /// that recurs does not fill the disk.
   static constexpr std::size_t kMostFiles = 20;
   static constexpr HostNs kAfterwardsNs = kNsPerS;
 
@@ -36,10 +36,10 @@ class BlackBox : public messages::Sink {
   BlackBox(const config::RunFiles& files, const config::RunSetup& run,
            const messages::PublishClock& clock, record::Worker& disk,
            std::function<bool()> recorded);
-  /// As finish(), and waits until all is written.
+  /// Calls finish() and waits until everything is written.
   ~BlackBox() override;
 
-  /// What is said on the channels (publish::Listener). Any thread.
+  /// Takes a message of a channel (server::Listener). Any thread.
   void hear(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
 
   // The thread that drains the steps. Never waits for the disk.

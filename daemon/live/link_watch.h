@@ -14,7 +14,7 @@ namespace tp100::live {
 
 class LinkWatch : public messages::Sink {
  public:
-  /// What is said once is not said again for so long; what came meanwhile is in the next line.
+  /// A kind of trouble is reported at most once in this time; the next line counts what came since.
   static constexpr HostNs kQuietNs = 10 * kNsPerS;
   /// A step's sample is too old from here on: a frame and a turn of the loop take less.
   static constexpr std::int64_t kLateUs = 15'000;

@@ -36,8 +36,8 @@ class LiveRecording : public messages::Sink {
   messages::RecordingFigures figures() const;
   /// CPU time that recordings have taken [s].
   double cpu_s() const;
-  /// What is said on the channels (publish::Listener); what does not follow from the steps is
-  /// recorded.
+  /// Takes a message of a channel (server::Listener) and records it if it does not follow from the
+  /// steps.
   void hear(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
 
   // The thread that drains the steps.

@@ -48,7 +48,7 @@ inline constexpr std::array<int, 13> kLatenessEdgesUs{1,   2,   5,    10,   20, 
 struct LoopFigures {
   std::uint64_t turns = 0, overruns = 0, missed = 0, without_frame = 0;
   Durations lateness{}, work{}, compute{}, write{};      ///< of turns, see loop::LoopStatistics
-  Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see app::SampleTimes
+  Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see live::SampleTimes
   std::array<std::uint64_t, kLatenessEdgesUs.size() + 1> lateness_counts{};
   std::vector<std::pair<std::string, bool>> privileges;
   /// Steps and events that found no room on their way out of the loop.

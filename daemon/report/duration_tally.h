@@ -31,7 +31,7 @@ class DurationTally {
             .p999_us = percentile(0.999),
             .max_us = max_};
   }
-  /// By publish::kLatenessEdgesUs.
+  /// By messages::kLatenessEdgesUs.
   const auto& counts() const { return counts_; }
 
  private:

@@ -26,7 +26,7 @@ constexpr double kWheelbaseWithin = 0.02;
 // Seeds of the drives of one calibration lie apart, so that no two share their noise.
 constexpr std::uint64_t kSeedStride = 1'000'003;
 
-// The order of app::calibration_courses.
+// The order of identify::calibration_courses.
 constexpr std::array<DriveKind, 7> kKinds = {
     DriveKind::kStraight, DriveKind::kWide, DriveKind::kWide, DriveKind::kTight,
     DriveKind::kTight,    DriveKind::kSpin, DriveKind::kSpin};
