@@ -18,7 +18,7 @@ import xml.etree.ElementTree
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MOST_SECOND_TRIES = 3
 # Shorter tests do not matter to the others.
-LONG_S = 5
+LONG_S = 10
 # Of a processor. A neighbour makes a test longer, and so the share smaller, but never larger.
 COMPUTES, WAITS = 0.8, 0.2
 REASONS = (
