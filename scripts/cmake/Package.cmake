@@ -61,9 +61,11 @@ execute_process(COMMAND gzip -9nc INPUT_FILE ${debian}/changelog OUTPUT_FILE ${d
   COMMAND_ERROR_IS_FATAL ANY)
 install(FILES ${debian}/copyright ${documents}/changelog.gz DESTINATION share/doc/tp100)
 # In the folders of the source tree: they point at each other.
-foreach(page README.md config/TUTORIALS.md daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md
-    daemon/messages/CHANNELS.md daemon/server/THREATS.md daemon/worlds/WORLD.md firmware/FIRST_DRIVE.md
-    firmware/PROTOCOL.md firmware/WIRING.md sim/CI.md sim/faults/FAULTS.md tests/PROOF.md)
+foreach(page README.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE.md daemon/GLOSSARY.md
+    daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md daemon/messages/CHANNELS.md
+    daemon/record/RECORDINGS.md daemon/report/RESULTS.md daemon/server/THREATS.md daemon/worlds/WORLD.md
+    firmware/FIRST_DRIVE.md firmware/PROTOCOL.md firmware/WIRING.md sim/CI.md sim/campaign/CAMPAIGNS.md
+    sim/faults/FAULTS.md tests/PROOF.md)
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${page} DESTINATION share/doc/tp100/${folder})
 endforeach()
