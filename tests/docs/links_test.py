@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""links_test.py ROOT: every link and every path that a page names leads somewhere, and README.md leads to every page."""
+import pathlib
+import re
+import sys
+
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+# In a code span: a path with a folder in it, and the name of a file of ours.
+PATH = re.compile(r"`((?:\.\./|[\w.-]+/)+[\w.-]+\.(?:h|cpp|md|toml|py|ts|js|ino|rules))`")
+BLOCK = re.compile(r"^```.*?^```$", re.M | re.S)
+FOLDERS = ("daemon", "firmware", "sim", "config", "tests", "scripts", ".github")
+
+
+def pages(root):
+    found = list(root.glob("*.md"))
+    for folder in FOLDERS:
+        found += [one for one in (root / folder).rglob("*.md") if "node_modules" not in one.parts]
+    return sorted(found)
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    all_pages, failures, leads_to = pages(root), [], {}
+    checked = 0
+    for page in all_pages:
+        text = BLOCK.sub("", page.read_text(encoding="utf-8"))
+        targets = leads_to.setdefault(page, set())
+        for link in LINK.findall(text):
+            if re.match(r"\w+:|#", link):
+                continue
+            checked += 1
+            target = (page.parent / link.split("#")[0]).resolve()
+            targets.add(target)
+            if not target.exists():
+                failures.append(f"{page.relative_to(root)}: no {link}")
+        for path in PATH.findall(text):
+            checked += 1
+            if not any((base / path).exists() for base in (page.parent, root)):
+                failures.append(f"{page.relative_to(root)}: no {path}")
+    reached, left = set(), [root / "README.md"]
+    while left:
+        page = left.pop()
+        if page not in reached:
+            reached.add(page)
+            left += leads_to.get(page, ())
+    for page in all_pages:
+        if page not in reached and page.name != "MUTANTS.md":
+            failures.append(f"{page.relative_to(root)}: README.md does not lead to it")
+    print("\n".join(failures) if failures else f"{len(all_pages)} pages, {checked} links and paths")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
