@@ -69,6 +69,7 @@ foreach(page README.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${page} DESTINATION share/doc/tp100/${folder})
 endforeach()
+install(FILES daemon/web/cockpit.png DESTINATION share/doc/tp100/daemon/web)
 install(FILES daemon/web/dist/licences.txt DESTINATION share/doc/tp100 RENAME page-licences.txt)
 
 set(CPACK_GENERATOR DEB)
