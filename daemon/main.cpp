@@ -1,4 +1,4 @@
-// tp100d: the command line. Each subcommand is a file of app/; this one only names the options.
+// tp100d: the command line. Each subcommand is a file in app/; this file only defines the options.
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -6,22 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/check.h"
-#include "app/doctor.h"
-#include "app/export.h"
-#include "app/identify.h"
-#include "app/ports.h"
-#include "app/recover.h"
-#include "app/replay.h"
-#include "app/report.h"
-#include "app/run.h"
+#include "app/commands.h"
 #include "doctor/hello.h"
 #include "text/standard_streams.h"
 
 namespace tp100::app {
 namespace {
 
-/// What to do once the command line is understood. Returns the exit status.
+/// Action to run after parsing the command line. Returns the exit status.
 using Action = std::function<int()>;
 
 void add_run(CLI::App& app, Action& action) {
@@ -46,7 +38,7 @@ void add_run(CLI::App& app, Action& action) {
   command
       ->add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
-  command->add_option("--setup", options.setup, "bench, flat or terrain (default: flat)")
+  command->add_option("--setup", options.setup, "stand, flat or terrain (default: flat)")
       ->type_name("SETUP");
   command
       ->add_option("--camera", options.camera,
@@ -84,7 +76,9 @@ void add_run(CLI::App& app, Action& action) {
 void add_ports(CLI::App& app, Action& action) {
   static doctor::HelloOptions hello;
   CLI::App* command = app.add_subcommand("ports", "List serial ports, likely robots first");
-  command->add_option("--hello", hello.port, "Wait for the firmware on this port and name it")
+  command
+      ->add_option("--hello", hello.port,
+                   "Wait for the firmware on this port and print its version")
       ->type_name("DEVICE");
   command->add_option("--timeout", hello.timeout_s, "How long to wait for it [s]")
       ->check(CLI::Range(0.1, 3600.0))
@@ -97,16 +91,18 @@ void add_ports(CLI::App& app, Action& action) {
 void add_doctor(CLI::App& app, Action& action) {
   static DoctorOptions options;
   CLI::App* command = app.add_subcommand(
-      "doctor", "Find what keeps the robot from driving, and the line that mends it");
+      "doctor", "Find what prevents the robot from driving, with one line to fix each");
   command
       ->add_option("--port", options.port,
                    "Serial port, or auto for a Mega by its USB ids (default: auto)")
       ->type_name("DEVICE");
   command->add_flag("--json", options.json, "One JSON object instead of a table");
   command->add_flag("--wheels-up", options.wheels_up,
-                    "Then, on a stand and after Enter, drive each track and say whether motors, "
-                    "encoders and gyro turn the right way");
-  command->add_option("--link-test", options.link_test_s, "How long to test the link [s]; 0: not")
+                    "Then, on a stand and after Enter, drive each track and check that motors, "
+                    "encoders and gyro have the right sign");
+  command
+      ->add_option("--link-test", options.link_test_s,
+                   "How long to test the link [s]; 0: no link test")
       ->check(CLI::Range(0.0, 3600.0))
       ->type_name("SECONDS")
       ->capture_default_str();
@@ -120,15 +116,14 @@ void add_doctor(CLI::App& app, Action& action) {
 
 void add_check(CLI::App& app, Action& action) {
   static std::vector<std::string> files;
-  CLI::App* command =
-      app.add_subcommand("check", "Say whether configuration, course and robot files are right");
+  CLI::App* command = app.add_subcommand("check", "Check configuration, course and robot files");
   command->add_option("FILE", files, "Files of any of these kinds")->type_name("FILE")->required();
   command->callback([&action] { action = [] { return run_check(files); }; });
 }
 
 void add_replay(CLI::App& app, Action& action) {
   static ReplayOptions options;
-  CLI::App* command = app.add_subcommand("replay", "Turn a recording, or belt speeds, into poses");
+  CLI::App* command = app.add_subcommand("replay", "Turn a recording, or track speeds, into poses");
   command
       ->add_option("IN", options.in,
                    "Recording or its folder: verified bit for bit; or CSV "
@@ -162,7 +157,7 @@ void add_identify(CLI::App& app, Action& action) {
   command->add_option("--out", options.out, "Robot file to write")->type_name("FILE")->required();
   command
       ->add_option("--robot", options.robot,
-                   "Everything else is taken from it: name in config/robots or file (default: "
+                   "Source of all other values: name in config/robots or file (default: "
                    "end-loaded)")
       ->type_name("ROBOT");
   command
@@ -204,7 +199,7 @@ void add_identify(CLI::App& app, Action& action) {
 void add_recover(CLI::App& app, Action& action) {
   static RecoverOptions options;
   CLI::App* command =
-      app.add_subcommand("recover", "Make a recording whole that was cut off or damaged");
+      app.add_subcommand("recover", "Rebuild a recording that was truncated or corrupted");
   command->add_option("FILE", options.in, "Recording, or its folder")
       ->type_name("FILE")
       ->required();
@@ -241,7 +236,7 @@ void add_report(CLI::App& app, Action& action) {
 
 void add_compare(CLI::App& app, Action& action) {
   static CompareOptions options;
-  CLI::App* command = app.add_subcommand("compare", "Lay several recorded runs over each other");
+  CLI::App* command = app.add_subcommand("compare", "Compare recorded runs in overlaid figures");
   command->add_option("RUN", options.runs, "Recordings, or their folders")
       ->type_name("RUN")
       ->required();

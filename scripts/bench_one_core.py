@@ -1,6 +1,6 @@
 """scripts/bench one_core: how many robots at 200 Hz one processor holds, a daemon each, before deadlines are missed.
 
-Every daemon is tied to one processor, the emulated robots to all others. These stand on a stand (set-up `bench`), where
+Every daemon is tied to one processor, the emulated robots to all others. These stand on a stand (set-up `stand`), where
 they need no physics and so little of a processor that they are the limit as late as can be; where they are, the row
 says so. The count doubles until it is not held, then closes in. Usage: bench_one_core.py FOLDER_OF_PROGRAMS
 """
@@ -32,13 +32,13 @@ def processors():
 def counted(robots):
     """Turns made, overruns and turns left out up to now, of all."""
     loops = [robot.stats_now()["loop"] for robot in robots]
-    return [sum(loop[key] for loop in loops) for key in ("turns", "overruns", "missed")]
+    return [sum(loop[key] for loop in loops) for key in ("cycles", "overruns", "missed")]
 
 
 def measured(programs, count, duration_s):
     on = processors()
     with contextlib.ExitStack() as stack:
-        robots = [DrivenRobot(programs, LAPS, setup="bench", processors=on) for _ in range(count)]
+        robots = [DrivenRobot(programs, LAPS, setup="stand", processors=on) for _ in range(count)]
         with concurrent.futures.ThreadPoolExecutor(STARTED_AT_ONCE) as pool:
             list(pool.map(stack.enter_context, robots))
         time.sleep(2 * STATS_PERIOD_S)

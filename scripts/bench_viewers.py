@@ -35,7 +35,7 @@ def measure(programs, viewers, duration_s):
         peak = memory_kib(robot.daemon.pid, "VmHWM")
         took_s = cpu_s(robot.daemon) - before_s
     loop = robot.stats["loop"]
-    return {**loop["lateness_us"], "overruns": loop["overruns"], "turns": loop["turns"],
+    return {**loop["lateness_us"], "overruns": loop["overruns"], "cycles": loop["cycles"],
             "peak_mib": peak / 1024, "cpu": took_s / duration_s, **seen}
 
 

@@ -1,6 +1,6 @@
 """Completion for bash and zsh, for scripts/manual.py."""
 # What may follow an option, by the name of its value.
-WORDS = {"SETUP": "bench flat terrain", "BOARD": "native avr", "MODEL": "paper extended odometry fused",
+WORDS = {"SETUP": "stand flat terrain", "BOARD": "native avr", "MODEL": "paper extended odometry fused",
          "ENGINE": "parallel slurm one"}
 BUNDLED = {"COURSE": "courses", "ROBOT": "robots"}
 

@@ -7,13 +7,9 @@
 #include <vector>
 
 #include "sim/campaign/campaign_command.h"
-#include "sim/robot/course_command.h"
-#include "sim/robot/demo_command.h"
-#include "sim/robot/robot_command.h"
-#include "sim/study/calibrate_command.h"
-#include "sim/study/faults_command.h"
+#include "sim/robot/commands.h"
+#include "sim/study/commands.h"
 #include "sim/study/reproduce.h"
-#include "sim/study/slope_command.h"
 #include "text/standard_streams.h"
 
 namespace {
@@ -35,7 +31,7 @@ void add_common(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
-  app.add_option("--setup", options.setup, "bench, flat or terrain (default: flat)")
+  app.add_option("--setup", options.setup, "stand, flat or terrain (default: flat)")
       ->type_name("SETUP");
   add_seed(app, options);
 }
@@ -98,7 +94,7 @@ int run(int argc, char** argv) {
   robot_app->add_flag("--blank", robot.blank, "Only the bootloader is on the avr board: flash it");
   robot_app
       ->add_option("--course", robot.course,
-                   "Course at whose start it stands and whose shoves it gets (default: none)")
+                   "Course that sets the start pose and the disturbances (default: none)")
       ->type_name("COURSE");
   robot_app
       ->add_flag("--camera{overhead}", robot.camera,
@@ -130,7 +126,7 @@ int run(int argc, char** argv) {
   reproduce_app
       ->add_option("--part", reproduce.part,
                    "paper (reference robot), state (slopes and steps, camera noise), robots (all "
-                   "others), drawn (robots of stated ranges), held-out (courses that are not "
+                   "others), sampled (robots of stated ranges), held-out (courses that are not "
                    "bundled), avr (course 3 on the image) or all")
       ->type_name("PART")
       ->capture_default_str();
@@ -143,8 +139,8 @@ int run(int argc, char** argv) {
       ->capture_default_str();
 
   reproduce_app
-      ->add_option("--drawn", reproduce.drawn,
-                   "Robots to draw from the ranges in sim/study/drawn_robot.h; each is identified "
+      ->add_option("--sampled", reproduce.sampled,
+                   "Robots to draw from the ranges in sim/study/sampled.h; each is identified "
                    "first, then drives every course")
       ->check(CLI::Range(0, 10000))
       ->type_name("NUMBER")
@@ -204,7 +200,7 @@ int run(int argc, char** argv) {
 
   CampaignCommand campaign;
   CLI::App* campaign_app = app.add_subcommand(
-      "campaign", "Drive many runs that differ as a file says; those that are done are kept");
+      "campaign", "Drive many runs that differ as a file defines; runs already done are kept");
   campaign_app
       ->add_option("SPEC", campaign.spec, "The file; config/campaigns/course-3.toml explains it")
       ->required();

@@ -1,10 +1,9 @@
-#include "app/check.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdio>
 #include <utility>
 
+#include "app/commands.h"
 #include "config/configuration.h"
 #include "course/bundled_files.h"
 #include "course/camera.h"
@@ -12,7 +11,7 @@
 #include "course/path.h"
 #include "course/robot.h"
 #include "terrain/climbable.h"
-#include "text/nearest.h"
+#include "text/format.h"
 #include "text/toml_document.h"
 
 namespace tp100::app {
@@ -32,7 +31,7 @@ constexpr std::array<Word, 39> kWords = {{
     {"speed_mps", FileKind::kCourse},
     {"start", FileKind::kCourse},
     {"segment", FileKind::kCourse},
-    {"shove", FileKind::kCourse},
+    {"disturbance", FileKind::kCourse},
     {"ramp", FileKind::kCourse},
     {"block", FileKind::kCourse},
     {"surface", FileKind::kCourse},
@@ -66,8 +65,9 @@ std::string text_of(const course::Course& course) {
   const course::Path path(course);
   return "course " + course.name + ": " + text::number_text(path.length_m()) + " m in " +
          std::to_string(path.pieces().size()) + " pieces at " +
-         text::number_text(course.speed_mps) + " m/s, " + std::to_string(course.shoves.size()) +
-         " shoves, " + std::to_string(course.terrain.ramps.size()) + " ramps, " +
+         text::number_text(course.speed_mps) + " m/s, " +
+         std::to_string(course.disturbances.size()) + " disturbances, " +
+         std::to_string(course.terrain.ramps.size()) + " ramps, " +
          std::to_string(course.terrain.blocks.size()) + " blocks";
 }
 
@@ -79,7 +79,7 @@ std::string text_of(const course::Robot& robot) {
 
 std::string text_of(const course::EmulatedCamera& camera, const std::string& path) {
   return "camera " + course::file_stem(path) + ": " + text::number_text(camera.rate_hz) +
-         " pictures/s, " + text::number_text(camera.delay_s * 1e3) + " ms late";
+         " images/s, " + text::number_text(camera.delay_s * 1e3) + " ms late";
 }
 
 std::string check_configuration(const course::TextFile& file) {
@@ -104,16 +104,16 @@ FileKind file_kind(const std::string& text, const std::string& file) {
   std::vector<std::string_view> words;
   words.reserve(kWords.size());
   for (const Word& word : kWords) words.push_back(word.first);
-  // Each key, mistyped or not, votes for the kind of file that has it.
+  // Each key, even misspelled, votes for the kind of file that has it.
   std::array<int, 6> votes{};
   for (const std::string& key : root.keys()) {
     const std::string_view word = text::nearest_name(key, words);
     for (const auto& [name, kind] : kWords)
       if (name == word) ++votes[static_cast<std::size_t>(kind)];
   }
-  // The one key that a campaign cannot do without, beside many that a configuration has too.
+  // The one key that every campaign needs, against the many that it shares with a configuration.
   if (root.has("runs")) votes[static_cast<std::size_t>(FileKind::kCampaign)] += 4;
-  // [model] is a table of two kinds.
+  // Two kinds of files have a table [model].
   if (root.has("model")) {
     const text::TomlTable model = root.table("model");
     const bool configures = model.has("mode") || model.has("turning_threshold_radps");

@@ -1,5 +1,3 @@
-#include "app/doctor.h"
-
 #include <grp.h>
 #include <pwd.h>
 #include <unistd.h>
@@ -13,22 +11,18 @@
 #include <optional>
 #include <vector>
 
+#include "app/commands.h"
 #include "bridge/cycle.h"
 #include "config/configuration.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/robot.h"
-#include "doctor/account.h"
-#include "doctor/disk_speed.h"
 #include "doctor/finding.h"
-#include "doctor/host.h"
-#include "doctor/modem_manager.h"
-#include "doctor/port.h"
-#include "doctor/report.h"
+#include "doctor/host_checks.h"
+#include "doctor/port_checks.h"
 #include "doctor/robot.h"
-#include "doctor/robot_visit.h"
+#include "doctor/robot_talk.h"
 #include "doctor/system.h"
-#include "doctor/usb.h"
 #include "doctor/wheels_up.h"
 #include "link/port_discovery.h"
 #include "loop/real_time.h"
@@ -57,17 +51,17 @@ doctor::Account this_account() {
   return account;
 }
 
-/// What `work` makes of the privileges of a run's loop, in a thread that ends with them.
+/// Runs `work` with the privileges of a run's loop, in a thread that ends with them.
 template <class Work>
-auto with_privileges(const config::LoopSettings& settings, const Work& work) {
+auto with_privileges(const config::LoopConfiguration& settings, const Work& work) {
   const auto privileged = [&] {
     return work(loop::apply_to_this_thread({settings.priority, settings.cpu}));
   };
   return std::async(std::launch::async, privileged).get();
 }
 
-/// Asks for the privileges of a run.
-std::vector<loop::Grant> ask_privileges(const config::LoopSettings& settings) {
+/// Requests the privileges of a run.
+std::vector<loop::Grant> ask_privileges(const config::LoopConfiguration& settings) {
   const loop::RealTimeProcess process({settings.lock_memory, settings.hold_cpu_latency});
   std::vector<loop::Grant> grants = process.grants();
   const auto more =
@@ -86,7 +80,7 @@ std::optional<std::uint16_t> page_port(const std::string& listen) {
   return port;
 }
 
-/// What an examination works on, and what it found.
+/// The subject of an examination, and its findings.
 struct Examination {
   doctor::System system{};
   config::Configuration configuration{};
@@ -121,7 +115,7 @@ doctor::VisitOptions visit_options(const Examination& all, const DoctorOptions& 
 
 void examine_port(Examination& all, const DoctorOptions& options) {
   std::string name = options.port.empty() ? all.configuration.link.port : options.port;
-  // All findings speak of the system's files from its root.
+  // All findings name the system's files by absolute path.
   if (name != "auto") name = std::filesystem::absolute(name);
   all.port = doctor::choose_port(all.system, name, link::list_ports());
   append(all.findings, all.port.findings);
@@ -136,7 +130,7 @@ void examine_port(Examination& all, const DoctorOptions& options) {
 }
 
 void examine_robot(Examination& all, const DoctorOptions& options) {
-  const doctor::Visit visit = doctor::visit_robot(visit_options(all, options), stop);
+  const doctor::Visit visit = doctor::probe_robot(visit_options(all, options), stop);
   append(all.findings, doctor::robot_findings(visit));
   all.link = visit.link;
 }
@@ -144,12 +138,12 @@ void examine_robot(Examination& all, const DoctorOptions& options) {
 void examine_tracks(Examination& all, const DoctorOptions& options) {
   if (count(all.findings, Severity::kError) > 0) {
     all.findings.push_back(
-        {Severity::kNote, "wheels-up", "the tracks were not tried", "mend the errors above first"});
+        {Severity::kNote, "wheels-up", "the tracks were not tried", "fix the errors above first"});
     return;
   }
   const doctor::VisitOptions visit = visit_options(all, options);
   try {
-    // Belts that run want a command every 200 ms, however busy the machine is.
+    // Driven tracks need a command every 200 ms, however busy the machine is.
     append(all.findings, with_privileges(all.configuration.loop, [&](const auto&) {
              return doctor::try_wheels_up(
                  {visit.port, visit.serial, visit.session, all.robot.drive}, stop);
@@ -174,7 +168,7 @@ int run_doctor(const DoctorOptions& options) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_signal);
   Examination all = begin(options);
   examine_port(all, options);
-  // A port that somebody else holds, or that is forbidden, is not opened only to hear the same.
+  // If the port is in use or not permitted, opening it would only report the same again.
   if (count(all.findings, Severity::kError) == 0) examine_robot(all, options);
   if (options.wheels_up) examine_tracks(all, options);
   if (!all.port.device.empty() && !all.port.pseudo_terminal)

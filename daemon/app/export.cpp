@@ -1,5 +1,3 @@
-#include "app/export.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,9 +8,9 @@
 #include <optional>
 #include <string_view>
 
+#include "app/commands.h"
 #include "identify/drive_file.h"
-#include "identify/drive_sink.h"
-#include "report/tum.h"
+#include "report/run_result.h"
 #include "text/atomic_file.h"
 
 namespace tp100::app {
@@ -25,7 +23,7 @@ std::string number(double value) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-/// When the run was: its first and last step, or everything if nothing ran.
+/// The time of the run: from its first to its last step, or everything if nothing ran.
 struct Window {
   HostNs from_ns = std::numeric_limits<HostNs>::max();
   HostNs to_ns = std::numeric_limits<HostNs>::min();
@@ -47,7 +45,7 @@ Window window_of(const Recording& recording) {
 
 using Write = std::function<void(std::string_view)>;
 
-/// Calls `each` with the snapshot of every step in the window that got a sample.
+/// Calls `each` with the snapshot of every step in the window that received a sample.
 template <class Each>
 void for_each_pose(const Recording& recording, Each each) {
   const Window window = window_of(recording);
@@ -55,7 +53,7 @@ void for_each_pose(const Recording& recording, Each each) {
   recording.visit({.step = [&](const StepRecord& record) {
     const Snapshot& snapshot = record.snapshot;
     const HostNs at = snapshot.sample.measured_ns;
-    if (record.sample_count == 0 || !window.has(at) || at <= last) return;
+    if (record.inputs.samples.empty() || !window.has(at) || at <= last) return;
     last = at;
     each(to_s(at - recording.start_ns()), snapshot);
   }});
@@ -63,17 +61,17 @@ void for_each_pose(const Recording& recording, Each each) {
 
 void write_poses(const Recording& recording, const Write& write) {
   std::string line = "t_s";
-  for (const char* pose : {"model", "odometry", "fused"})
+  for (const PoseSource source : kPoseSources)
     for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
-      line += std::string(",") + pose + "_" + value;
+      line += "," + std::string(to_string(source)) + "_" + value;
   write(line +
         ",left_mps,right_mps,slip_left,slip_right,cross_track_m,heading_error_rad,progress_m,"
         "desired_yaw_rad,speed_mps\n");
   for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
     line = number(t_s);
-    for (const Pose* pose : {&snapshot.model, &snapshot.odometry, &snapshot.fused.pose})
+    for (const auto& [pose, twist] : snapshot.estimates.values)
       for (const double value :
-           {pose->x_m, pose->y_m, pose->z_m, pose->roll_rad, pose->pitch_rad, pose->yaw_rad})
+           {pose.x_m, pose.y_m, pose.z_m, pose.roll_rad, pose.pitch_rad, pose.yaw_rad})
         line += "," + number(value);
     for (const double value :
          {snapshot.left_mps, snapshot.right_mps, snapshot.slip_left, snapshot.slip_right,
@@ -88,7 +86,7 @@ Write to(text::FileReplacement& file) {
   return [&file](std::string_view text) { file.write(text); };
 }
 
-/// A file that is told once it is there.
+/// An output file that is announced once it is written.
 class Product {
  public:
   Product(const std::filesystem::path& folder, const char* name)
@@ -116,9 +114,9 @@ void export_csv(const Recording& recording, const std::filesystem::path& folder)
 void export_tum(const Recording& recording, const std::filesystem::path& folder) {
   Product model(folder, "model.tum"), odometry(folder, "odometry.tum"), fused(folder, "fused.tum");
   for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
-    model.file().write(report::tum_line(t_s, snapshot.model));
-    odometry.file().write(report::tum_line(t_s, snapshot.odometry));
-    fused.file().write(report::tum_line(t_s, snapshot.fused.pose));
+    model.file().write(report::tum_line(t_s, snapshot.estimates[PoseSource::kModel].pose));
+    odometry.file().write(report::tum_line(t_s, snapshot.estimates[PoseSource::kOdometry].pose));
+    fused.file().write(report::tum_line(t_s, snapshot.estimates[PoseSource::kFused].pose));
   });
   for (Product* product : {&model, &odometry, &fused}) product->commit();
 

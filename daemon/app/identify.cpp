@@ -1,22 +1,63 @@
-#include "app/identify.h"
+#include "identify/identify.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <iostream>
+#include <optional>
 #include <utility>
 
+#include "app/commands.h"
 #include "config/configuration.h"
+#include "core/angle.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
+#include "course/course.h"
 #include "identify/drive_file.h"
-#include "identify/drive_sink.h"
-#include "identify/identify.h"
 #include "identify/identify_report.h"
 #include "text/atomic_file.h"
+#include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
+
+/// A number from standard input; nothing for an empty line.
+std::optional<double> ask(const std::string& question) {
+  while (true) {
+    std::printf("%s ", question.c_str());
+    std::fflush(stdout);
+    std::string line;
+    if (!std::getline(std::cin, line))
+      throw SetupError(
+          "identify --drive: no camera saw the drive and there is no input; give --camera, or "
+          "answer "
+          "on standard input");
+    if (line.find_first_not_of(" \t\r") == std::string::npos) return std::nullopt;
+    char* end = nullptr;
+    const double value = std::strtod(line.c_str(), &end);
+    const bool whole = std::string_view(end).find_first_not_of(" \t\r") == std::string_view::npos;
+    if (end != line.c_str() && whole && std::isfinite(value)) return value;
+    std::printf("'%s' is no number\n", text::one_line(line, 40).c_str());
+  }
+}
+
+void ask_for(identify::HandMeasured& measured) {
+  std::printf("No camera saw this drive. Measure it; an empty line leaves a value out.\n");
+  measured.distance_m = ask("  distance from start to end, straight through the air [m]:");
+  const auto turned_deg = ask("  turned angle, left positive, whole turns counted [deg]:");
+  if (turned_deg) measured.turned_rad = *turned_deg * kRadPerDeg;
+}
+
+std::string space_for(const course::Course& course) {
+  char text[120];
+  std::snprintf(text, sizeof text, "%.1f m ahead, %.1f behind, %.1f to the left, %.1f to the right",
+                course.fence.max_x_m, -course.fence.min_x_m, course.fence.max_y_m,
+                -course.fence.min_y_m);
+  return text;
+}
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -27,8 +68,8 @@ std::string today() {
   return text.data();
 }
 
-std::vector<identify::Drive> recorded(const IdentifyOptions& options) {
-  std::vector<identify::Drive> drives;
+std::vector<identify::RecordedDrive> recorded(const IdentifyOptions& options) {
+  std::vector<identify::RecordedDrive> drives;
   for (const std::string& path : options.runs) {
     if (record::is_recording(path)) {
       drives.push_back(identify::recorded_drive(record::Recording(path)));
@@ -62,6 +103,45 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot) 
 
 }  // namespace
 
+GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot) {
+  std::error_code error;
+  std::filesystem::create_directories(options.folder, error);
+  if (error)
+    throw SetupError(options.folder + ": cannot create the folder (" + error.message() +
+                     "); give another --runs-dir");
+  const std::vector<std::string> courses =
+      options.courses.empty() ? identify::calibration_courses(robot.shape) : options.courses;
+  const std::size_t all = courses.size() * static_cast<std::size_t>(options.repeats);
+  GuidedDrives result;
+  for (const std::string& name : courses) {
+    const course::TextFile file = course::read_bundled(course::Bundled::kCourses, name);
+    const course::Course course = course::parse_course(file.text, file.path);
+    for (int repeat = 1; repeat <= options.repeats; ++repeat) {
+      std::printf("drive %zu of %zu: %s; it needs %s of its start\n", result.drives.size() + 1, all,
+                  course.name.c_str(), space_for(course).c_str());
+      std::fflush(stdout);
+      identify::DriveSink sink;
+      RunOptions run = options.run;
+      run.course = name;
+      run.ran_before = !result.drives.empty();
+      run.sinks.push_back(&sink);
+      if (run_run(run) != 0) return result;
+      identify::RecordedDrive drive = sink.drive();
+      // In the order of the folder's listing, which numbers the runs for hand measurements.
+      const std::size_t number = result.drives.size() + 1;
+      drive.name = (number < 10 ? "0" : "") + std::to_string(number) + "-" + course.name;
+      if (drive.camera.empty()) ask_for(drive.measured);
+      text::write_file(options.folder + "/" + drive.name + "-samples.csv",
+                       identify::write_drive(drive));
+      result.drives.push_back(std::move(drive));
+      const std::string measured = identify::write_measured(result.drives);
+      if (!measured.empty()) text::write_file(options.folder + "/measured.csv", measured);
+    }
+  }
+  result.completed = true;
+  return result;
+}
+
 int run_identify(const IdentifyOptions& options) {
   config::Configuration configuration;
   if (!options.config.empty()) {
@@ -74,7 +154,7 @@ int run_identify(const IdentifyOptions& options) {
 
   if (!options.drive && options.runs.empty())
     throw SetupError("identify: give recordings (RUN...), or --drive to make them");
-  std::vector<identify::Drive> drives;
+  std::vector<identify::RecordedDrive> drives;
   if (options.drive) {
     GuidedDrives guided = driven(options, base);
     if (!guided.completed) return 1;
@@ -83,15 +163,15 @@ int run_identify(const IdentifyOptions& options) {
     drives = recorded(options);
   }
 
-  const identify::Belief belief =
-      identify::belief_of(base, configuration.parameters.model.turning_threshold_radps);
-  const identify::Identification found = identify::identify(drives, belief);
+  const identify::Prior prior =
+      identify::prior_of(base, configuration.parameters.model.turning_threshold_radps);
+  const identify::Identification found = identify::identify(drives, prior);
   const std::string date = options.date.empty() ? today() : options.date;
   const course::Robot robot = identify::identified_robot(found, base, date);
   const std::string note =
       identify::identified_note(found, course::head_note(base_file.text), date);
   const std::string text = course::write_robot(robot, note);
-  // What no robot has is refused here, by name and range.
+  // Rejects impossible values here, by name and range.
   course::parse_robot(text, options.out);
   std::printf("%s", identify::identify_report(found, base).c_str());
   text::write_file(options.out, text);

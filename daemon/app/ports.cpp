@@ -1,8 +1,7 @@
-#include "app/ports.h"
-
 #include <cstdio>
 
-#include "doctor/port.h"
+#include "app/commands.h"
+#include "doctor/port_checks.h"
 #include "doctor/system.h"
 
 namespace tp100::app {

@@ -1,11 +1,10 @@
-#include "app/recover.h"
-
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <map>
 #include <tuple>
 
+#include "app/commands.h"
 #include "core/error.h"
 #include "record/mcap_reader.h"
 #include "record/mcap_writer.h"
@@ -19,7 +18,7 @@ using record::McapChannel;
 
 constexpr std::size_t kLargestChunk = std::size_t{4} << 20;
 
-/// Writes down again what it is given.
+/// Copies what it receives.
 class Copier : public record::McapHandler {
  public:
   explicit Copier(record::McapWriter& writer) : writer_(writer) {}
@@ -31,7 +30,7 @@ class Copier : public record::McapHandler {
   }
   bool message(const record::McapMessage& message) override {
     writer_.message(channels_.at(message.channel->id), message.log_ns, message.data);
-    // Others write messages without chunks around them.
+    // Other programs may write messages without chunks.
     if (writer_.open_bytes() > kLargestChunk) writer_.end_chunk();
     ++messages;
     return true;
@@ -94,7 +93,7 @@ Recovered recover(const std::string& in, const std::string& out) {
                      "); check free space, or give another --out");
   }
   recovered.messages = copier.messages;
-  recovered.damaged = end.damaged;
+  recovered.corrupted = end.corrupted;
   recovered.problem = end.problem;
   return recovered;
 }
@@ -111,9 +110,9 @@ int run_recover(const RecoverOptions& options) {
   const Recovered recovered = recover(in, options.out.empty() ? beside(in) : options.out);
   std::printf("%s: %s; %llu messages saved in %s\n", in.c_str(), recovered.problem.c_str(),
               static_cast<unsigned long long>(recovered.messages), recovered.path.c_str());
-  if (recovered.damaged > 0)
-    std::printf("%llu damaged parts are left out\n",
-                static_cast<unsigned long long>(recovered.damaged));
+  if (recovered.corrupted > 0)
+    std::printf("%llu corrupted parts are left out\n",
+                static_cast<unsigned long long>(recovered.corrupted));
   return 0;
 }
 

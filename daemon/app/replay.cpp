@@ -3,8 +3,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
-#include "app/replay_recording.h"
+#include "app/commands.h"
 #include "core/angle.h"
 #include "course/bundled_files.h"
 #include "estimation/odometry.h"
@@ -12,11 +13,54 @@
 #include "model/track_model.h"
 #include "text/atomic_file.h"
 #include "text/csv_reader.h"
-#include "text/nearest.h"
+#include "text/format.h"
 #include "text/toml_document.h"
 
 namespace tp100::app {
 namespace {
+
+using record::Recording;
+
+/// Thrown to end the reading early.
+struct Enough {};
+
+/// One row of an estimate's poses.
+struct PoseRow {
+  const Estimate& estimate;
+  double slip_left, slip_right;
+};
+
+PoseRow row_of(const Snapshot& snapshot, ReplayModel model) {
+  const auto& estimates = snapshot.estimates;
+  switch (model) {
+    case ReplayModel::kOdometry:
+      return {estimates[PoseSource::kOdometry], snapshot.slip_left, snapshot.slip_right};
+    case ReplayModel::kFused:
+      return {estimates[PoseSource::kFused], snapshot.filter.slip_left, snapshot.filter.slip_right};
+    case ReplayModel::kPaper:
+    case ReplayModel::kExtended:
+      break;
+  }
+  return {estimates[PoseSource::kModel], snapshot.slip_left, snapshot.slip_right};
+}
+
+ReplayModel steering_model(const bridge::Parameters& parameters) {
+  switch (parameters.steering) {
+    case PoseSource::kModel:
+      break;
+    case PoseSource::kOdometry:
+      return ReplayModel::kOdometry;
+    case PoseSource::kFused:
+      return ReplayModel::kFused;
+  }
+  return parameters.paper_model ? ReplayModel::kPaper : ReplayModel::kExtended;
+}
+
+std::string seconds(HostNs ns) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.3f s", to_s(ns));
+  return text.data();
+}
 
 /// One row of the input, valid until the next.
 struct Row {
@@ -26,7 +70,7 @@ struct Row {
   double gyro_z_radps = 0.0;
 };
 
-/// What one row of the output shows.
+/// Content of one output row.
 struct State {
   Pose pose{};
   Twist twist{};
@@ -38,7 +82,7 @@ class Replay {
   Replay(ReplayModel kind, const bridge::Parameters& parameters)
       : kind_(kind),
         parameters_(kind == ReplayModel::kPaper ? bridge::paper_parameters(parameters.model)
-                                                : bridge::track_parameters(parameters)),
+                                                : parameters.model),
         mode_(kind == ReplayModel::kPaper ? model::Mode::kPaper : model::Mode::kExtended),
         counts_per_metre_(parameters.drive.counts_per_metre),
         standstill_(parameters.estimation) {}
@@ -56,7 +100,7 @@ class Replay {
     return state;
   }
 
-  /// Carries the pose on by `dt_s` with the values of the row that began last.
+  /// Advances the pose by `dt_s` with the values of the latest row.
   void advance(double dt_s) {
     advanced(dt_s);
     left_m_ += row_.left_mps * dt_s;
@@ -110,7 +154,7 @@ Row row_of(const text::CsvTable& table, std::size_t i) {
       throw SetupError(table.where(i) + ": " + column + " is " + text::number_text(found) +
                        ", allowed " + text::number_text(-most) + " to " + text::number_text(most));
   };
-  // Unix time in seconds, even in milliseconds, is fine.
+  // Unix time in seconds, or even in milliseconds, is accepted.
   limit("t_s", row.t_s, 1e13);
   limit("left_mps", row.left_mps, 100.0);
   limit("right_mps", row.right_mps, 100.0);
@@ -120,6 +164,128 @@ Row row_of(const text::CsvTable& table, std::size_t i) {
 }
 
 }  // namespace
+
+config::RunFiles recorded_files(const Recording& recording) {
+  const auto file = [&](const char* name, const std::string& fallback) {
+    return course::TextFile{recording.path() + "/" + fallback, recording.file(name)};
+  };
+  config::RunFiles files;
+  files.configuration = file(config::kConfigurationFile, config::kConfigurationFile);
+  files.robot = file(config::kRobotFile, recording.fact("robot") + ".toml");
+  if (files.robot.text.empty())
+    throw SetupError(recording.path() + ": the robot file is not in it; it cannot be replayed");
+  files.course = file(config::kCourseFile, recording.fact("course") + ".toml");
+  const auto setup = bridge::setup_named(recording.fact("setup"));
+  if (!setup) throw SetupError(recording.path() + ": the set-up is not in it");
+  files.setup = *setup;
+  // Recordings without this fact had the only kind of that time.
+  files.world = bridge::world_kind_named(recording.fact("world")).value_or(files.world);
+  return files;
+}
+
+Replayed replay_steps(const Recording& recording, const bridge::Parameters& parameters,
+                      std::shared_ptr<const course::Course> course, bool verify,
+                      const std::function<void(const StepRecord&)>& each) {
+  Replayed result;
+  bridge::Step step(parameters, std::move(course));
+  const auto computed = std::make_unique<StepRecord>();
+  const auto once_more = [&](const StepRecord& recorded) -> const bridge::Outputs& {
+    if (result.steps == 0 && !recorded.inputs.restart.empty()) result.first = recorded.step;
+    if (recorded.step != result.first + result.steps) {
+      result.gap_before = recorded.step;
+      throw Enough{};
+    }
+    result.last_ns = recorded.now_ns;
+    if (verify || recorded.inputs.restart.empty()) return step(recorded.inputs, recorded.now_ns);
+    // With other parameters only the beginning is as recorded, and the parameters are not.
+    StepInputs inputs = recorded.inputs;
+    inputs.restart[0].parameters.clear();
+    if (result.steps > 0) inputs.restart.clear();
+    return step(inputs, recorded.now_ns);
+  };
+  const auto before = [&](const StepRecord& recorded) {
+    once_more(recorded);
+    ++result.steps;
+    ++result.before;
+  };
+  const auto take = [&](const StepRecord& recorded) {
+    const bridge::Outputs& out = once_more(recorded);
+    *computed = recorded;
+    computed->command_valid = out.command_valid;
+    computed->request = out.request;
+    computed->snapshot = out.snapshot;
+    if (verify) {
+      if (auto difference = record::first_difference(recorded, *computed)) {
+        result.differs_at = recorded.step;
+        result.difference = std::move(*difference);
+        throw Enough{};
+      }
+    }
+    ++result.steps;
+    each(*computed);
+  };
+  try {
+    recording.visit({.before = before, .step = take});
+  } catch (const Enough&) {
+  }
+  return result;
+}
+
+int run_replay_recording(const ReplayOptions& options) {
+  const Recording recording(options.in);
+  config::RunFiles files = recorded_files(recording);
+  bool verify = true;
+  if (!options.config.empty()) {
+    files.configuration = course::read_text_file(options.config);
+    verify = false;
+  }
+  config::RunSetup run = config::parse_run(files);
+  ReplayModel model = steering_model(run.parameters);
+  if (!options.model.empty()) {
+    model = replay_model(options.model);
+    const bool paper = model == ReplayModel::kPaper;
+    if ((paper || model == ReplayModel::kExtended) && paper != run.parameters.paper_model) {
+      run.parameters.paper_model = paper;
+      verify = false;
+    }
+  }
+
+  text::FileReplacement out(options.out);
+  out.write(kReplayHeader);
+  const HostNs start = recording.start_ns();
+  const Replayed result =
+      replay_steps(recording, run.parameters, run.course, verify, [&](const StepRecord& record) {
+        if (record.inputs.samples.empty()) return;
+        const PoseRow row = row_of(record.snapshot, model);
+        out.write(replay_row(to_s(record.snapshot.sample.measured_ns - start), row.estimate.pose,
+                             row.estimate.twist, {row.slip_left, row.slip_right}));
+      });
+
+  const std::string& path = recording.path();
+  if (!recording.whole())
+    std::printf("%s: cut off at %s\n", path.c_str(), seconds(result.last_ns - start).c_str());
+  if (result.gap_before) {
+    std::fprintf(stderr,
+                 "tp100d: %s: steps %s to %s are missing; what follows cannot be replayed\n",
+                 path.c_str(), std::to_string(result.first + result.steps).c_str(),
+                 std::to_string(*result.gap_before - 1).c_str());
+    return 1;
+  }
+  if (result.differs_at) {
+    std::fprintf(stderr, "tp100d: %s: step %llu after %s: %s is %s, recorded %s (version %s)\n",
+                 path.c_str(), static_cast<unsigned long long>(*result.differs_at),
+                 seconds(result.last_ns - start).c_str(), result.difference.field.c_str(),
+                 result.difference.computed.c_str(), result.difference.recorded.c_str(),
+                 text::one_line(recording.fact("version"), 20).c_str());
+    return 1;
+  }
+  out.commit();
+  std::printf("%s: %llu steps replayed, %s\n", path.c_str(),
+              static_cast<unsigned long long>(result.steps - result.before),
+              verify ? "every pose and command as recorded, bit for bit"
+                     : "with other parameters than recorded");
+  return 0;
+}
 
 const char* const kReplayHeader =
     "t_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,vx_mps,vy_mps,yaw_rate_radps,slip_left,slip_"

@@ -1,47 +1,45 @@
 #pragma once
-// `tp100d replay`: belt speeds of a CSV file through the model, or a recording through the step, to
-// a CSV file of poses.
+// `tp100d replay` of a recording: runs its inputs through the step again and checks whether every
+// pose and command is reproduced bit for bit.
 
+#include <functional>
+#include <optional>
 #include <string>
 
-#include "config/configuration.h"
-#include "core/pose.h"
-#include "model/track_model.h"
+#include "app/commands.h"
+#include "bridge/step.h"
+#include "config/run_setup.h"
+#include "record/recording.h"
+#include "record/step_codec.h"
 
 namespace tp100::app {
 
-/// Which estimate is replayed.
-enum class ReplayModel {
-  kPaper,     ///< eqs 1-5 with the paper's constants
-  kExtended,  ///< the robot's values, turning centre and slope
-  kOdometry,  ///< belts and gyro
-  kFused,     ///< these and the overhead camera; of recordings only
+/// The files of a recorded run. Throws SetupError: they are missing or invalid.
+config::RunFiles recorded_files(const record::Recording& recording);
+
+/// Result of a replay.
+struct Replayed {
+  std::uint64_t first = 1;   ///< number of the first step: 1, or where the step began anew
+  std::uint64_t steps = 0;   ///< replayed
+  std::uint64_t before = 0;  ///< of them before the recording, to reach its initial state
+  HostNs last_ns = 0;        ///< time of the last step that was compared
+  /// First step after missing ones; they end the replay, since the state after them is unknown.
+  std::optional<std::uint64_t> gap_before;
+  std::optional<std::uint64_t> differs_at;  ///< number of the first step with another result
+  record::StepDifference difference{};
 };
 
-/// The model that a name on the command line means. Throws SetupError for any other.
-ReplayModel replay_model(const std::string& name);
+/// Feeds the recorded inputs to a step with these parameters and course. `each` receives the
+/// recorded inputs with the results of the replay. `verify`: compares the results and stops at the
+/// first difference.
+Replayed replay_steps(const record::Recording& recording, const bridge::Parameters& parameters,
+                      std::shared_ptr<const course::Course> course, bool verify,
+                      const std::function<void(const StepRecord&)>& each);
 
-/// First line of a file of poses, and one row of it: full double precision.
-extern const char* const kReplayHeader;
-std::string replay_row(double t_s, const Pose& pose, const Twist& twist, const model::Slip& slip);
-
-/// Poses for the text of a speeds file, one row per input row: row i's values hold until row i+1
-/// and the pose starts at 0. `gyro_z_radps` is the calibrated rate about z; a constant part of it
-/// is removed as bias once the belts have stood still. `file` is only used in messages. Throws
-/// SetupError (file:line). Pure.
-std::string replay_csv(const std::string& text, const std::string& file, ReplayModel model,
-                       const bridge::Parameters& parameters);
-
-/// Options of the command.
-struct ReplayOptions {
-  std::string in;
-  std::string out;
-  std::string config;  ///< empty: defaults
-  std::string model;   ///< empty: as configured
-};
-
-/// The command, for a CSV file or a recording (replay_recording.h). Exit status; throws SetupError.
-/// Writes nothing unless all went well.
-int run_replay(const ReplayOptions& options);
+/// The command for a recording. 0: every result was reproduced (or other parameters were
+/// requested); 1: not, or steps are missing, and nothing is written. Throws SetupError. The poses
+/// are those of `options.model`, else the steering pose, with one row per step that received a
+/// sample.
+int run_replay_recording(const ReplayOptions& options);
 
 }  // namespace tp100::app

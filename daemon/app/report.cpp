@@ -1,12 +1,11 @@
-#include "app/report.h"
-
 #include <cstdio>
 #include <filesystem>
 #include <set>
 #include <system_error>
 #include <utility>
 
-#include "app/replay_recording.h"
+#include "app/commands.h"
+#include "app/replay.h"
 #include "config/run_setup.h"
 #include "report/recorded_run.h"
 #include "report/report_page.h"
@@ -18,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostRuns = 20;
+constexpr std::size_t kMaxRuns = 20;
 
 report::RecordedRun read(const std::string& path) {
   const record::Recording recording(path);
@@ -43,7 +42,7 @@ void write(const fs::path& folder, const std::vector<report::Figure>& figures) {
   for (const report::Figure& figure : figures) write(folder, figure.name + ".svg", figure.svg);
 }
 
-/// The folder of a run, or the name of a file; told apart by a number where several are the same.
+/// The folder of a run, or the name of a file, with a number appended where several are equal.
 std::string name_of(const std::string& path, std::set<std::string>& taken) {
   const fs::path file(record::recording_file(path));
   std::string stem = file.stem().string();
@@ -73,8 +72,8 @@ int run_report(const ReportOptions& options) {
 }
 
 int run_compare(const CompareOptions& options) {
-  if (options.runs.size() < 2 || options.runs.size() > kMostRuns)
-    throw SetupError("compare: give two to " + std::to_string(kMostRuns) + " recordings");
+  if (options.runs.size() < 2 || options.runs.size() > kMaxRuns)
+    throw SetupError("compare: give two to " + std::to_string(kMaxRuns) + " recordings");
   std::vector<report::ComparedRun> runs;
   std::vector<std::optional<report::RunFigures>> judged;
   std::string metrics = "{\"runs\": [\n";

@@ -1,42 +1,39 @@
-#include "app/run.h"
-
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <memory>
 #include <thread>
 
+#include "app/commands.h"
 #include "config/configuration.h"
 #include "config/run_setup.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/course.h"
-#include "live/black_box.h"
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
-#include "live/live_server.h"
+#include "live/recording_policies.h"
 #include "live/service_notice.h"
 #include "live/supervisor.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
+#include "server/server.h"
 #include "terrain/climbable.h"
 #include "text/toml_document.h"
+#include "web/bundle.h"
 
 namespace tp100::app {
 namespace {
 
-// Each holds up to record.black_box_s of steps.
-constexpr std::size_t kWaitingBoxes = 4;
-
 bridge::Setup setup_of(const std::string& name) {
   if (const auto setup = bridge::setup_named(name)) return *setup;
   throw SetupError("--setup " + text::one_line(name) +
-                   ": not a set-up; use bench, flat or terrain");
+                   ": not a set-up; use stand, flat or terrain");
 }
 
-/// The files of the run and what the command line says otherwise.
+/// The files of the run, with the command line's overrides.
 config::RunFiles files_of(const RunOptions& options) {
   config::RunFiles files;
   if (!options.config.empty()) files.configuration = course::read_text_file(options.config);
@@ -59,21 +56,21 @@ config::RunSetup setup_run(const config::RunFiles& files, const RunOptions& opti
   if (!options.listen.empty()) run.configuration.server.listen = options.listen;
   if (!options.record.empty()) run.configuration.record.directory = options.record;
   if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
-  if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kBench) {
-    throw SetupError("--camera: on a bench it sees a robot that stands still; leave it out");
+  if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kStand) {
+    throw SetupError("--camera: on a stand it sees a robot that stands still; leave it out");
   }
   return run;
 }
 
 HostNs ns_of_ms(double ms) { return from_s(ms * 1e-3); }
 
-loop::LoopSettings loop_settings(const config::LoopSettings& settings) {
+loop::LoopSettings loop_settings(const config::LoopConfiguration& settings) {
   loop::LoopSettings out;
   out.period_ns = static_cast<HostNs>(std::llround(1e9 / settings.rate_hz));
   out.robot_paced = settings.pacing == config::Pacing::kRobot;
   out.overrun = settings.overrun == config::Overrun::kSkip ? loop::OverrunPolicy::kSkipMissed
                                                            : loop::OverrunPolicy::kShiftPhase;
-  // Whoever the loop waits for needs the only processor.
+  // On a single processor, other threads that the loop waits for need it.
   const bool alone = std::thread::hardware_concurrency() == 1;
   out.spin_ns = alone ? 0 : settings.spin_us * kNsPerUs;
   out.thread = {.priority = settings.priority, .cpu = settings.cpu};
@@ -85,6 +82,31 @@ messages::PublishClock read_clocks() {
   std::timespec_get(&wall, TIME_UTC);
   return {.start_ns = monotonic_now(),
           .start_unix_ns = std::int64_t{wall.tv_sec} * kNsPerS + wall.tv_nsec};
+}
+
+std::optional<server::PageFile> page_file(std::string_view path) {
+  const web::File* file = web::find(path);
+  if (file == nullptr) return std::nullopt;
+  return server::PageFile{file->mime, file->bytes, file->etag, file->encoding};
+}
+
+// Connects the page and the viewers' requests to the live loop.
+std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
+                                            const messages::PublishClock& clock,
+                                            live::LiveControls& controls,
+                                            server::Listener listener) {
+  const config::ServerConfiguration& settings = run.configuration.server;
+  server::ServerSettings out;
+  out.listen = settings.listen;
+  out.access = {server::words(settings.hosts), server::words(settings.origins)};
+  out.commands = settings.commands;
+  out.max_clients = static_cast<std::size_t>(settings.max_clients);
+  out.runs_folder = run.configuration.record.directory;
+  out.page = page_file;
+  out.listener = std::move(listener);
+  return std::make_unique<server::Server>(
+      std::move(out), messages::Messages(config::run_context_of(run), clock),
+      live::parameter_list(run.configuration, run.robot), controls);
 }
 
 }  // namespace
@@ -127,18 +149,14 @@ int run_run(const RunOptions& options) {
   const messages::PublishClock clock = read_clocks();
   live::LiveRecording recording(files, run, clock);
   settings.recording = &recording;
-  record::Worker disk(kWaitingBoxes);
+  record::Worker disk;
   settings.disk = &disk;
-  live::BlackBox black_box(files, run, clock, disk,
-                           [&recording] { return recording.figures().active; });
+  live::BlackBox black_box(configuration.record, recording);
   settings.black_box = &black_box;
   live::LiveControls controls(cycle, loop, recording);
   const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
-                            std::string_view json) {
-    recording.hear(channel, unix_ns, json);
-    black_box.hear(channel, unix_ns, json);
-  };
-  const std::unique_ptr<server::Server> server = live::make_server(run, clock, controls, listener);
+                            std::string_view json) { recording.hear(channel, unix_ns, json); };
+  const std::unique_ptr<server::Server> server = make_server(run, clock, controls, listener);
   // With --stay each run gets a recording of its own.
   if (!configuration.record.directory.empty() && !options.stay) recording.begin();
   settings.server = server.get();
@@ -150,7 +168,7 @@ int run_run(const RunOptions& options) {
   try {
     return supervisor.run();
   } catch (const SetupError&) {
-    // It never began: there is nothing to look at.
+    // The run never began: the recording holds nothing of use.
     recording.discard();
     throw;
   }

@@ -1,6 +1,5 @@
 #include "bridge/cycle.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -23,7 +22,7 @@ std::uint16_t rounded(double value) { return static_cast<std::uint16_t>(std::lro
 
 std::uint8_t flags(const bridge::Parameters& parameters) {
   const course::DriveValues& drive = parameters.drive;
-  const bool gyro = parameters.setup != bridge::Setup::kBench;
+  const bool gyro = parameters.setup != bridge::Setup::kStand;
   return static_cast<std::uint8_t>((gyro ? wire::kUseGyro : 0) |
                                    (drive.invert_left_encoder ? wire::kInvertLeftEncoder : 0) |
                                    (drive.invert_right_encoder ? wire::kInvertRightEncoder : 0) |
@@ -36,7 +35,7 @@ std::uint8_t flags(const bridge::Parameters& parameters) {
 
 link::SessionSettings session_settings(const bridge::Parameters& parameters) {
   const course::DriveValues& drive = parameters.drive;
-  const course::ModelValues& model = parameters.model;
+  const model::TrackParameters& model = parameters.model;
   link::SessionSettings settings;
   wire::Parameters& out = settings.parameters;
   out.counts_per_metre = static_cast<float>(drive.counts_per_metre);
@@ -69,62 +68,45 @@ const char* parameter_name(unsigned index) {
   return namer.found;
 }
 
+static_assert(StepInputs::Samples::kCapacity >= link::Session::kMaxSamples);
+
 Cycle::Cycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
              std::shared_ptr<const course::Course> course)
     : session_(settings), step_(parameters, std::move(course)) {}
 
-void Cycle::open(HostNs now) { session_.open(now); }
-void Cycle::close(HostNs now) { session_.close(now); }
-
-void Cycle::receive(std::span<const std::uint8_t> bytes, HostNs now) {
-  session_.receive(bytes, now);
-}
-
 void Cycle::request(OperatorRequest request) {
-  if (request_count_ < kMaxRequests) {
-    requests_[request_count_++] = request;
-  } else if (request == OperatorRequest::kStop) {
-    requests_[kMaxRequests - 1] = request;
-  }
+  if (!next_.requests.push(request) && request == OperatorRequest::kStop)
+    next_.requests.back() = request;
 }
 
-void Cycle::change(const ParameterChange& change) {
-  if (change_count_ < kMaxChanges) changes_[change_count_++] = change;
-}
+void Cycle::change(const ParameterChange& change) { next_.changes.push(change); }
 
-void Cycle::camera(const CameraSample& seen) {
-  if (camera_count_ < kMaxCamera) camera_[camera_count_++] = seen;
-}
+void Cycle::camera(const CameraSample& seen) { next_.camera.push(seen); }
 
-void Cycle::world(const WorldSample& said) {
-  if (world_count_ < kMaxWorld) {
-    world_[world_count_++] = said;
-    return;
-  }
-  const bool stop = world_.back().stop || said.stop;
-  world_.back() = said;
-  world_.back().stop = stop;
+void Cycle::world(const WorldSample& received) {
+  if (next_.world.push(received)) return;
+  const bool stop = next_.world.back().stop || received.stop;
+  next_.world.back() = received;
+  next_.world.back().stop = stop;
 }
 
 const bridge::Outputs& Cycle::step(HostNs now) {
-  samples_ = session_.take_samples();
-  inputs_ = {.samples = samples_,
-             .requests = std::span(requests_.data(), request_count_),
-             .camera = std::span(camera_.data(), camera_count_),
-             .world = std::span(world_.data(), world_count_),
-             .changes = std::span(changes_.data(), change_count_),
-             .session = session_.state(),
-             .clock = session_.clock(),
-             .session_number = session_.session_number(),
-             .robot_rebooted = session_.take_rebooted(),
-             .answer = session_.take_answer()};
+  next_.samples.assign(session_.take_samples());
+  next_.session = session_.state();
+  next_.clock = session_.clock();
+  next_.session_number = session_.session_number();
+  next_.robot_rebooted = session_.take_rebooted();
+  next_.answer = session_.take_answer();
+  restart_at_rest(now);
+  inputs_ = next_;
+  next_.restart.clear();
+  next_.requests.clear();
+  next_.changes.clear();
+  next_.camera.clear();
+  next_.world.clear();
   outputs_ = &step_(inputs_, now);
   now_ns_ = now;
   ++steps_;
-  request_count_ = 0;
-  camera_count_ = 0;
-  world_count_ = 0;
-  change_count_ = 0;
   const bool disarming = stopping_ && outputs_->request != RobotRequest::kStop;
   if (outputs_->request != RobotRequest::kNone && !disarming)
     session_.request(outputs_->request, now);
@@ -133,32 +115,17 @@ const bridge::Outputs& Cycle::step(HostNs now) {
   return *outputs_;
 }
 
+void Cycle::restart_at_rest(HostNs now) {
+  if (steps_ == 0) restarted_ns_ = now;
+  if (now - restarted_ns_ < kRestartPeriodNs || !step_.at_rest()) return;
+  next_.restart.push(step_.carried());
+  restarted_ns_ = now;
+}
+
 void Cycle::record(StepRecord& out) const {
-  static_assert(StepRecord::kMaxSamples >= link::Session::kMaxSamples);
-  static_assert(StepRecord::kMaxRequests >= kMaxRequests);
-  static_assert(StepRecord::kMaxCamera >= kMaxCamera);
-  static_assert(StepRecord::kMaxWorld >= kMaxWorld);
-  static_assert(StepRecord::kMaxChanges >= kMaxChanges);
-  // An input that is not recorded cannot be replayed: a new one does not compile before it is here.
-  const auto& [samples, requests, camera, world, changes, session, clock, session_number, rebooted,
-               answer] = inputs_;
   out.now_ns = now_ns_;
   out.step = steps_;
-  std::copy(samples.begin(), samples.end(), out.samples.begin());
-  out.sample_count = static_cast<std::uint32_t>(samples.size());
-  std::copy(requests.begin(), requests.end(), out.requests.begin());
-  out.request_count = static_cast<std::uint32_t>(requests.size());
-  std::copy(camera.begin(), camera.end(), out.camera.begin());
-  out.camera_count = static_cast<std::uint32_t>(camera.size());
-  std::copy(world.begin(), world.end(), out.world.begin());
-  out.world_count = static_cast<std::uint32_t>(world.size());
-  std::copy(changes.begin(), changes.end(), out.changes.begin());
-  out.change_count = static_cast<std::uint32_t>(changes.size());
-  out.session = session;
-  out.clock = clock;
-  out.session_number = session_number;
-  out.robot_rebooted = rebooted;
-  out.answer = answer;
+  out.inputs = inputs_;
   out.link = session_.counters();
   out.command_valid = outputs_->command_valid;
   out.request = outputs_->request;

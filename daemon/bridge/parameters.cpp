@@ -1,65 +1,59 @@
 #include "bridge/parameters.h"
 
+#include <cmath>
+
 namespace tp100::bridge {
+namespace {
 
-const char* to_string(Setup setup) {
-  switch (setup) {
-    case Setup::kBench:
-      return "bench";
-    case Setup::kFlat:
-      return "flat";
-    case Setup::kTerrain:
-      return "terrain";
+double* field(LiveParameter parameter, control::Parameters& control) {
+  switch (parameter) {
+    case LiveParameter::kPreview:
+      return &control.preview_s;
+    case LiveParameter::kCrossTrackGain:
+      return &control.cross_track_gain_1ps;
+    case LiveParameter::kMaxApproach:
+      return &control.max_approach_rad;
+    case LiveParameter::kAcceleration:
+      return &control.acceleration_mps2;
+    case LiveParameter::kMinSpeed:
+      return &control.min_speed_mps;
+    case LiveParameter::kPivotRate:
+      return &control.pivot_rate_radps;
+    case LiveParameter::kPivotAcceleration:
+      return &control.pivot_acceleration_radps2;
+    case LiveParameter::kSteering:
+      break;
   }
-  return "unknown";
+  return nullptr;
 }
 
-const char* to_string(WorldKind kind) {
-  switch (kind) {
-    case WorldKind::kInternal:
-      return "internal";
-    case WorldKind::kUdp:
-      return "udp";
-    case WorldKind::kFiles:
-      return "files";
+}  // namespace
+
+bool apply(const ParameterChange& change, bool under_way, Parameters& parameters) {
+  if (!std::isfinite(change.value) || change.value < 0.0) return false;
+  if (change.parameter == LiveParameter::kSteering) {
+    for (const PoseSource steering : kPoseSources) {
+      if (under_way || change.value != static_cast<double>(steering)) continue;
+      parameters.steering = steering;
+      return true;
+    }
+    return false;
   }
-  return "unknown";
+  double* const value = field(change.parameter, parameters.control);
+  if (value == nullptr) return false;
+  *value = change.value;
+  return true;
 }
 
-std::optional<WorldKind> world_kind_named(std::string_view name) {
-  for (const WorldKind kind : {WorldKind::kInternal, WorldKind::kUdp, WorldKind::kFiles}) {
-    if (name == to_string(kind)) return kind;
+StepInputs::Changes live_values(const Parameters& parameters) {
+  control::Parameters control = parameters.control;
+  StepInputs::Changes values;
+  for (std::size_t i = 0; i < kLiveParameters; ++i) {
+    const auto parameter = static_cast<LiveParameter>(i);
+    const double* const value = field(parameter, control);
+    values.push({parameter, value == nullptr ? static_cast<double>(parameters.steering) : *value});
   }
-  return std::nullopt;
-}
-
-std::optional<Setup> setup_named(std::string_view name) {
-  for (const Setup setup : {Setup::kBench, Setup::kFlat, Setup::kTerrain}) {
-    if (name == to_string(setup)) return setup;
-  }
-  return std::nullopt;
-}
-
-model::TrackParameters track_parameters(const Parameters& parameters) {
-  const course::ModelValues& values = parameters.model;
-  return {.slip_left = values.slip_left,
-          .slip_right = values.slip_right,
-          .slip_angle_straight_rad = values.slip_angle_straight_rad,
-          .slip_angle_turning_rad = values.slip_angle_turning_rad,
-          .turning_threshold_radps = values.turning_threshold_radps,
-          .wheelbase_m = values.wheelbase_m,
-          .x_icr_m = values.x_icr_m,
-          .wheelbase_tight_m = values.wheelbase_tight_m,
-          .x_icr_tight_shift_m = values.x_icr_tight_shift_m,
-          .wheelbase_spin_m = values.wheelbase_spin_m,
-          .x_icr_spin_shift_m = values.x_icr_spin_shift_m,
-          .turn_slip = values.turn_slip,
-          .turn_slip_tight = values.turn_slip_tight,
-          .slip_curve = parameters.slip_curve};
-}
-
-model::TrackParameters paper_parameters(const course::ModelValues& values) {
-  return {.turning_threshold_radps = values.turning_threshold_radps};
+  return values;
 }
 
 }  // namespace tp100::bridge

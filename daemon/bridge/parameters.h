@@ -1,44 +1,59 @@
 #pragma once
 // Everything that tunes a step. Filled from the configuration and the robot file by app.
 
+#include <array>
 #include <optional>
 #include <string_view>
 
 #include "control/parameters.h"
-#include "core/steering.h"
+#include "core/enum_names.h"
+#include "core/estimates.h"
+#include "core/step_record.h"
 #include "course/robot.h"
 #include "estimation/parameters.h"
-#include "model/track_model.h"
+#include "model/track_parameters.h"
 
 namespace tp100::bridge {
 
 /// One setting that fixes pitch source, yaw source and the firmware's use of its gyro together.
 enum class Setup {
-  kBench,    ///< tracks spin free on a stand: the gyro must not steer
+  kStand,    ///< tracks spin free on a stand: the gyro must not steer
   kFlat,     ///< flat floor, obstacles only in the virtual world: yaw from the gyro
   kTerrain,  ///< the floor has the obstacles too: pitch from the IMU
 };
 
-/// Name of a set-up, as in options, files and results.
-const char* to_string(Setup setup);
+/// Names as in options, files and results.
+inline constexpr std::array<EnumName<Setup>, 3> kSetupNames = {{
+    {Setup::kStand, "stand"},
+    {Setup::kFlat, "flat"},
+    {Setup::kTerrain, "terrain"},
+}};
+constexpr const char* to_string(Setup setup) { return name_in(kSetupNames, setup); }
 /// The set-up of that name, or nothing.
-std::optional<Setup> setup_named(std::string_view name);
+constexpr std::optional<Setup> setup_named(std::string_view name) {
+  return value_in(kSetupNames, name);
+}
 
-using tp100::Steering;
-
-/// Who says what the robot stands on.
+/// Source of the terrain under the robot.
 enum class WorldKind {
   kInternal,  ///< the course's ramps and blocks
   kUdp,       ///< an external world, world/1
   kFiles,     ///< an external world, two text files
 };
 
-/// Name of a kind of world, as in files.
-const char* to_string(WorldKind kind);
+/// Names as in files.
+inline constexpr std::array<EnumName<WorldKind>, 3> kWorldKindNames = {{
+    {WorldKind::kInternal, "internal"},
+    {WorldKind::kUdp, "udp"},
+    {WorldKind::kFiles, "files"},
+}};
+constexpr const char* to_string(WorldKind kind) { return name_in(kWorldKindNames, kind); }
 /// The kind of that name, or nothing.
-std::optional<WorldKind> world_kind_named(std::string_view name);
+constexpr std::optional<WorldKind> world_kind_named(std::string_view name) {
+  return value_in(kWorldKindNames, name);
+}
 
-/// What of an external world matters to the step.
+/// Settings of an external world that matter to the step.
 struct WorldParameters {
   WorldKind kind = WorldKind::kInternal;
   bool owns_pose = false;  ///< the controller steers by the world's pose
@@ -47,10 +62,9 @@ struct WorldParameters {
 
 struct Parameters {
   Setup setup = Setup::kFlat;
-  Steering steering = Steering::kOdometry;
-  bool paper_model = false;  ///< `model` runs eqs 1-5 with the paper's constants
-  model::SlipCurve slip_curve = model::SlipCurve::kTableDownhill;
-  course::ModelValues model{};
+  PoseSource steering = PoseSource::kOdometry;
+  bool paper_model = false;        ///< `model` runs eqs 1-5 with the paper's constants
+  model::TrackParameters model{};  ///< of this robot, for the extended model
   course::ShapeValues shape{};
   course::DriveValues drive{};
   estimation::Parameters estimation{};
@@ -62,9 +76,19 @@ struct Parameters {
   double sample_timeout_s = 0.2;    ///< no newer sample ends a run: link_lost or samples_stale
 };
 
-/// The extended model with this robot's values.
-model::TrackParameters track_parameters(const Parameters& parameters);
-/// Eqs 1-5 with the paper's constants; only the turning threshold is `values`'.
-model::TrackParameters paper_parameters(const course::ModelValues& values);
+/// Eqs 1-5 with the paper's constants; only the turning threshold is taken from `values`.
+inline model::TrackParameters paper_parameters(const model::TrackParameters& values) {
+  return {.turning_threshold_radps = values.turning_threshold_radps};
+}
+
+// Changes while the step runs.
+
+/// Applies `change`. False, and nothing is changed, if the value is invalid: not finite, negative,
+/// an unknown pose, or steering while `under_way`. Other limits are the caller's duty. No
+/// allocation; safe in the real-time thread.
+bool apply(const ParameterChange& change, bool under_way, Parameters& parameters);
+
+/// The values in force, as changes that would bring them about.
+StepInputs::Changes live_values(const Parameters& parameters);
 
 }  // namespace tp100::bridge

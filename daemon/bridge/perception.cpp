@@ -12,12 +12,12 @@ constexpr double kCameraNowS = 0.15;
 
 // Noise of the gyro at rest: of one sample, and of the mean over the first still window with what
 // the warm-up adds.
-constexpr double kRestSampleSdRadps = 0.003;
-constexpr double kRestWindowSdRadps = 0.0005;
+constexpr double kStandstillSampleSdRadps = 0.003;
+constexpr double kStandstillWindowSdRadps = 0.0005;
 
 model::TrackModel make_model(const Parameters& parameters) {
   if (parameters.paper_model) return {paper_parameters(parameters.model), model::Mode::kPaper};
-  return {track_parameters(parameters), model::Mode::kExtended};
+  return {parameters.model, model::Mode::kExtended};
 }
 
 /// The camera hangs near the middle of the fence.
@@ -39,12 +39,12 @@ Perception::Perception(const Parameters& parameters, const course::Course* cours
       standstill_(parameters.estimation),
       attitude_(parameters.estimation.attitude),
       slope_(parameters.estimation.attitude),
-      leans_on_(parameters.shape.axle_spacing_m),
-      grounds_(parameters, course),
+      obstacle_class_(parameters.shape.axle_spacing_m),
+      terrain_contacts_(parameters, course),
       track_model_(make_model(parameters)),
-      odometry_(track_parameters(parameters)),
-      filter_(track_parameters(parameters), parameters.estimation.filter,
-              parameters.estimation.camera, camera_place(parameters, course)) {}
+      odometry_(parameters.model),
+      filter_(parameters.model, parameters.estimation.filter, parameters.estimation.camera,
+              camera_place(parameters, course)) {}
 
 void Perception::restart() {
   tracks_.restart();
@@ -56,8 +56,51 @@ void Perception::begin(const Pose& start, HostNs now) {
   track_model_.reset(start);
   odometry_.reset(start);
   filter_.begin(start, now);
-  grounds_.restart();
-  grip_.restart();
+  terrain_contacts_.restart();
+  traction_estimator_.restart();
+}
+
+bool Perception::at_rest() const {
+  return (standstill_.still() || !has_sample_) && slope_.state() == Slope::kFlat &&
+         obstacle_class_.state() == Obstacle::kNone && terrain_contacts_.level();
+}
+
+void Perception::carry(CarriedState& state) const {
+  state.sample = sample_;
+  state.has_sample = has_sample_;
+  state.continues = tracks_.has_last();
+  state.model = track_model_.pose();
+  state.odometry = odometry_.pose();
+  const Transform2d& transform = terrain_contacts_.transform();
+  state.virtual_x_m = transform.x_m;
+  state.virtual_y_m = transform.y_m;
+  state.virtual_turn_rad = transform.turn_rad;
+  state.filter = filter_.carried();
+  state.attitude = attitude_.carried();
+  state.gyro_bias_radps = standstill_.bias_radps();
+  state.gyro_bias_known = standstill_.bias_known();
+  state.filter_has_bias = bias_taken_;
+}
+
+void Perception::resume(const CarriedState& state) {
+  tracks_.restart();
+  if (state.continues) tracks_.resume(state.sample);
+  standstill_.resume(state.gyro_bias_radps, state.gyro_bias_known);
+  attitude_.resume(state.attitude);
+  slope_ = estimation::SlopeState(parameters_.estimation.attitude);
+  obstacle_class_.restart();
+  terrain_contacts_.resume({state.virtual_x_m, state.virtual_y_m, state.virtual_turn_rad});
+  traction_estimator_.restart();
+  track_model_ = make_model(parameters_);
+  track_model_.reset(state.model);
+  odometry_ = estimation::Odometry(parameters_.model);
+  odometry_.reset(state.odometry);
+  filter_.resume(state.filter);
+  sample_ = state.sample;
+  has_sample_ = state.has_sample;
+  bias_taken_ = state.filter_has_bias;
+  interval_ = {};
+  speeds_ = {};
 }
 
 void Perception::take(const Sample& next, bool running) {
@@ -68,52 +111,49 @@ void Perception::take(const Sample& next, bool running) {
   if (!step) return;
   interval_ = *step;
   update_attitude(running);
-  update_grounds();
+  update_terrain_contacts();
   const double dt_s = interval_.dt_s;
-  track_model_.advance(interval_.belts.left_mps, interval_.belts.right_mps, dt_s, grounds_.model());
+  track_model_.advance(interval_.tracks.left_mps, interval_.tracks.right_mps, dt_s,
+                       terrain_contacts_.incline(PoseSource::kModel));
   const double rate = heading_rate_radps();
   if (gyro_steers() && interval_.gyro_fresh) {
-    odometry_.advance(interval_.belts, rate, dt_s, grounds_.odometry());
+    odometry_.advance(interval_.tracks, rate, dt_s,
+                      terrain_contacts_.incline(PoseSource::kOdometry));
   } else {
-    odometry_.advance_without_gyro(interval_.belts, dt_s, grounds_.odometry());
+    odometry_.advance_without_gyro(interval_.tracks, dt_s,
+                                   terrain_contacts_.incline(PoseSource::kOdometry));
   }
   update_filter(rate);
-  update_grip(running);
+  update_traction(running);
   update_speeds(rate);
 }
 
 void Perception::take(const CameraSample& seen) {
-  if (parameters_.setup != Setup::kBench) filter_.camera(seen);
+  if (parameters_.setup != Setup::kStand) filter_.camera(seen);
 }
 
-Pose Perception::steering_pose() const {
-  switch (parameters_.steering) {
-    case Steering::kModel:
-      return track_model_.pose();
-    case Steering::kOdometry:
-      return odometry_.pose();
-    case Steering::kFused:
-      return filter_.pose();
-  }
-  return {};
-}
-
-const Twist& Perception::steering_twist() const {
-  switch (parameters_.steering) {
-    case Steering::kModel:
-      return track_model_.twist();
-    case Steering::kOdometry:
-      return odometry_.twist();
-    case Steering::kFused:
+Estimate Perception::estimate(PoseSource source) const {
+  switch (source) {
+    case PoseSource::kModel:
+      return {track_model_.pose(), track_model_.twist()};
+    case PoseSource::kOdometry:
+      return {odometry_.pose(), odometry_.twist()};
+    case PoseSource::kFused:
       break;
   }
-  return filter_.twist();
+  return {filter_.pose(), filter_.twist()};
 }
 
-/// By the belts, their usual slip taken off.
-double Perception::way_m() const {
-  return (interval_.belts.left_mps * (1.0 - parameters_.model.slip_left) +
-          interval_.belts.right_mps * (1.0 - parameters_.model.slip_right)) /
+PerSource<Estimate> Perception::estimates() const {
+  PerSource<Estimate> all;
+  for (const PoseSource source : kPoseSources) all[source] = estimate(source);
+  return all;
+}
+
+/// By the tracks, their usual slip taken off.
+double Perception::distance_m() const {
+  return (interval_.tracks.left_mps * (1.0 - parameters_.model.slip_left) +
+          interval_.tracks.right_mps * (1.0 - parameters_.model.slip_right)) /
          2.0 * interval_.dt_s;
 }
 
@@ -124,80 +164,77 @@ double Perception::heading_rate_radps() const {
   return leans ? attitude_.yaw_rate_radps(body_z_radps) : body_z_radps;
 }
 
-// Steered by the paper's constants, a robot still turns by its own.
+// A robot steered with the paper's constants still turns according to its own.
 double Perception::encoder_yaw_rate_radps() const {
   if (!parameters_.paper_model) return track_model_.twist().yaw_rate_radps;
-  return model::body_twist(track_parameters(parameters_), model::Mode::kExtended,
-                           interval_.belts.left_mps, interval_.belts.right_mps)
+  return model::body_twist(parameters_.model, model::Mode::kExtended, interval_.tracks.left_mps,
+                           interval_.tracks.right_mps)
       .yaw_rate_radps;
 }
 
 bool Perception::on_obstacle() const {
   if (parameters_.setup != Setup::kTerrain) return false;
-  const Underfoot under = grounds_.underfoot();
+  const TerrainContact under = terrain_contacts_.terrain_contact();
   return under.climbing || under.obstacle != Obstacle::kNone;
 }
 
 void Perception::update_attitude(bool running) {
   if (sample_.imu_age != 0) return;
   const double dt_s = interval_.dt_s;
-  // A robot is put on a level start; later rest may be on a ramp.
+  // A robot is placed on a level start; a later standstill may be on a ramp.
   if (standstill_.still() && !running)
     attitude_.level(sample_.gyro_radps, sample_.accel_mps2, dt_s);
   attitude_.update(sample_.gyro_radps, sample_.accel_mps2, dt_s);
   slope_.update(attitude_.pitch_rad(), dt_s);
-  leans_on_.update(attitude_.pitch_rad(), slope_.state(), way_m());
+  obstacle_class_.update(attitude_.pitch_rad(), slope_.state(), distance_m());
 }
 
-void Perception::update_grounds() {
-  grounds_.advance({.model = track_model_.pose(),
-                    .odometry = odometry_.pose(),
-                    .fused = filter_.pose(),
-                    .steering = steering_pose(),
-                    .belts = interval_.belts,
-                    .dt_s = interval_.dt_s,
-                    .imu = {attitude_.roll_rad(), attitude_.pitch_rad()}});
+void Perception::update_terrain_contacts() {
+  terrain_contacts_.advance({.estimates = estimates(),
+                             .tracks = interval_.tracks,
+                             .dt_s = interval_.dt_s,
+                             .imu = {attitude_.roll_rad(), attitude_.pitch_rad()}});
 }
 
 void Perception::update_filter(double rate_radps) {
   filter_.advance({.end_ns = sample_.measured_ns,
                    .dt_s = interval_.dt_s,
-                   .belts = interval_.belts,
+                   .tracks = interval_.tracks,
                    .gyro_z_radps = rate_radps + standstill_.bias_radps(),
                    .gyro = gyro_steers() && interval_.gyro_fresh,
-                   .ground = grounds_.fused()});
+                   .ground = terrain_contacts_.ground()});
   if (!standstill_.still()) return;
   if (bias_taken_) {
-    filter_.rest(tracks_.gyro_z_radps(sample_), kRestSampleSdRadps);
+    filter_.standstill(tracks_.gyro_z_radps(sample_), kStandstillSampleSdRadps);
   } else {
     bias_taken_ = true;
-    filter_.rest(standstill_.bias_radps(), kRestWindowSdRadps);
+    filter_.standstill(standstill_.bias_radps(), kStandstillWindowSdRadps);
   }
 }
 
-void Perception::update_grip(bool running) {
+void Perception::update_traction(bool running) {
   if (!running) {
-    grip_.restart();
+    traction_estimator_.restart();
     return;
   }
-  grip_.update({.dt_s = interval_.dt_s,
-                .way_m = way_m(),
-                .fused = filter_.pose(),
-                .camera = filter_.camera_age_s(sample_.measured_ns) < kCameraNowS,
-                .climbing = grounds_.underfoot().climbing,
-                .mapped_pitch_rad = grounds_.mapped_pitch_rad(),
-                .measured_pitch_rad = attitude_.pitch_rad()});
+  traction_estimator_.update({.dt_s = interval_.dt_s,
+                              .distance_m = distance_m(),
+                              .fused = filter_.pose(),
+                              .camera = filter_.camera_age_s(sample_.measured_ns) < kCameraNowS,
+                              .climbing = terrain_contacts_.terrain_contact().climbing,
+                              .mapped_pitch_rad = terrain_contacts_.mapped_pitch_rad(),
+                              .measured_pitch_rad = attitude_.pitch_rad()});
 }
 
 void Perception::update_speeds(double rate_radps) {
   const double share = std::min(1.0, interval_.dt_s / kSpeedLagS);
   const auto follow = [share](double& value, double target) { value += (target - value) * share; };
-  const Twist& steering = steering_twist();
+  const Twist steering = estimate(parameters_.steering).twist;
   follow(speeds_.steering.vx_mps, steering.vx_mps);
   follow(speeds_.steering.vy_mps, steering.vy_mps);
   follow(speeds_.steering.yaw_rate_radps, steering.yaw_rate_radps);
-  follow(speeds_.belts.left_mps, interval_.belts.left_mps);
-  follow(speeds_.belts.right_mps, interval_.belts.right_mps);
+  follow(speeds_.tracks.left_mps, interval_.tracks.left_mps);
+  follow(speeds_.tracks.right_mps, interval_.tracks.right_mps);
   follow(speeds_.encoder_yaw_rate_radps, encoder_yaw_rate_radps());
   follow(speeds_.gyro_yaw_rate_radps, rate_radps);
 }
@@ -206,24 +243,21 @@ void Perception::write(Snapshot& snapshot, HostNs now) const {
   snapshot.sample = sample_;
   snapshot.has_sample = has_sample_;
   snapshot.age_us = (now - sample_.measured_ns) / kNsPerUs;
-  snapshot.model = track_model_.pose();
-  snapshot.model_twist = track_model_.twist();
-  snapshot.odometry = odometry_.pose();
-  snapshot.odometry_twist = odometry_.twist();
-  snapshot.fused = filter_.fused(now);
-  grounds_.stand(snapshot.model, snapshot.odometry, snapshot.fused.pose);
+  snapshot.estimates = estimates();
+  snapshot.filter = filter_.figures(now);
+  terrain_contacts_.stand(snapshot.estimates);
   snapshot.world = world_pose();
-  snapshot.underfoot = grounds_.underfoot();
-  snapshot.underfoot.traction = grip_.state();
-  snapshot.left_mps = interval_.belts.left_mps;
-  snapshot.right_mps = interval_.belts.right_mps;
+  snapshot.terrain_contact = terrain_contacts_.terrain_contact();
+  snapshot.terrain_contact.traction = traction_estimator_.state();
+  snapshot.left_mps = interval_.tracks.left_mps;
+  snapshot.right_mps = interval_.tracks.right_mps;
   snapshot.slip_left = track_model_.slip().left;
   snapshot.slip_right = track_model_.slip().right;
   snapshot.gyro_bias_radps = standstill_.bias_radps();
   snapshot.imu_roll_rad = attitude_.roll_rad();
   snapshot.imu_pitch_rad = attitude_.pitch_rad();
   snapshot.imu_slope = slope_.state();
-  snapshot.imu_obstacle = leans_on_.state();
+  snapshot.imu_obstacle = obstacle_class_.state();
 }
 
 }  // namespace tp100::bridge

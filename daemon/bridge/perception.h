@@ -1,69 +1,77 @@
 #pragma once
-// What the robot does by all that is measured: belts, gyro, attitude, three poses, ground and grip.
+// The robot's state from all measurements: tracks, gyro, attitude, three poses, terrain and
+// traction.
 
 #include <cstdint>
 
-#include "bridge/grip.h"
-#include "bridge/grounds.h"
 #include "bridge/parameters.h"
+#include "bridge/terrain_contacts.h"
 #include "bridge/tracks.h"
-#include "core/camera_sample.h"
+#include "bridge/traction_estimator.h"
+#include "core/sample.h"
 #include "core/snapshot.h"
 #include "course/course.h"
 #include "estimation/attitude_filter.h"
 #include "estimation/obstacle_state.h"
 #include "estimation/odometry.h"
 #include "estimation/pose_filter.h"
-#include "estimation/slope_state.h"
 #include "estimation/standstill.h"
 #include "model/track_model.h"
 
 namespace tp100::bridge {
 
-/// Speeds for control. Those over one sample interval are a few edges of an encoder: these follow
-/// them with a lag of 40 ms.
+/// Speeds for control. Speeds over one sample interval are only a few encoder edges: these are
+/// low-pass filtered with a lag of 40 ms.
 struct Speeds {
   Twist steering{};  ///< of the steering pose
-  estimation::BeltSpeeds belts{};
+  estimation::TrackSpeeds tracks{};
   double encoder_yaw_rate_radps = 0.0;  ///< of eqs 1-5, by this robot's values
   double gyro_yaw_rate_radps = 0.0;     ///< about the world's vertical, bias taken off
 };
 
-/// Takes samples and camera poses, and says where the robot is by the model alone, by odometry and
-/// by the filter. Knows nothing of paths, operators and commands. No allocation after construction;
-/// safe in the real-time thread.
+/// Takes samples and camera poses and computes the pose by the model alone, by odometry and by the
+/// filter. It knows no paths, operators or commands. No allocation after construction; safe in the
+/// real-time thread.
 class Perception {
  public:
   /// `parameters` must outlive this, and may change in what live parameters change. `course` may be
   /// null: a plane without end.
   Perception(const Parameters& parameters, const course::Course* course);
 
-  /// A new session or boot: what comes next does not continue what was.
+  /// A new session or boot: the following samples do not continue the previous ones.
   void restart();
-  /// There is no session: the newest sample says nothing any more.
+  /// There is no session: the newest sample is no longer valid.
   void lose_sample() { has_sample_ = false; }
-  /// A run begins, at host time `now`, where the robot is known to stand.
+  /// A run begins at host time `now` with the robot at a known pose.
   void begin(const Pose& start, HostNs now);
+  /// At standstill on level ground, or there is no session: resume() loses nothing of use.
+  bool at_rest() const;
+  /// Writes what resume() takes.
+  void carry(CarriedState& state) const;
+  /// As after construction, with this state.
+  void resume(const CarriedState& state);
   /// The steering pose in `parameters` has changed.
-  void steering_changed() { grounds_.steer_by(parameters_.steering); }
-  /// What an external world says; before the samples.
-  void tell(const GroundTold& told) { grounds_.tell(told); }
-  /// Samples in their order. At rest outside a run the robot stands on a level start; grip is
-  /// watched in runs only.
+  void steering_changed() { terrain_contacts_.steer_by(parameters_.steering); }
+  /// Terrain of an external world; call before the samples.
+  void set_external_terrain(const ExternalTerrain& external) {
+    terrain_contacts_.set_external_terrain(external);
+  }
+  /// Takes samples in order. At standstill outside a run the robot is assumed to be level at the
+  /// start; traction is monitored in runs only.
   void take(const Sample& next, bool running);
-  /// On a bench, where the robot that the camera sees stays where it is, this is left out.
+  /// Ignored on a stand, where the robot that the camera sees does not move.
   void take(const CameraSample& seen);
 
   /// The newest sample of all, and whether it is of this session.
   const Sample& sample() const { return sample_; }
   bool has_sample() const { return has_sample_; }
 
-  Pose steering_pose() const;
+  Pose steering_pose() const { return estimate(parameters_.steering).pose; }
   /// The steering pose in the course's world, which differs where ramps and blocks are virtual.
-  Pose world_pose() const { return grounds_.world(steering_pose()); }
+  Pose world_pose() const { return terrain_contacts_.world(steering_pose()); }
   const Speeds& speeds() const { return speeds_; }
-  /// False on a bench, where the body does not turn.
-  bool gyro_steers() const { return parameters_.setup != Setup::kBench; }
+  /// False on a stand, where the body does not turn.
+  bool gyro_steers() const { return parameters_.setup != Setup::kStand; }
   /// Of the gyro's z axis; 0 until it is known.
   double gyro_bias_radps() const { return standstill_.bias_radps(); }
   bool gyro_bias_known() const { return standstill_.bias_known(); }
@@ -71,23 +79,24 @@ class Perception {
   double pitch_rad() const { return attitude_.pitch_rad(); }
   /// On a ramp or block that is really there, by the map.
   bool on_obstacle() const;
-  /// The belts run and the robot stays.
-  bool immobilised() const { return grip_.state() == Traction::kImmobilised; }
-  /// How often the camera contradicted the filter so much that it began anew.
+  /// The tracks run and the robot stays.
+  bool immobilised() const { return traction_estimator_.state() == Traction::kImmobilised; }
+  /// How often the camera contradicted the filter so much that the filter was reset.
   std::uint32_t contradictions() const { return filter_.recoveries(); }
 
-  /// All that a snapshot says of samples, poses, ground and attitude at host time `now`.
+  /// Writes samples, poses, terrain and attitude at host time `now`.
   void write(Snapshot& snapshot, HostNs now) const;
 
  private:
-  const Twist& steering_twist() const;
-  double way_m() const;
+  Estimate estimate(PoseSource source) const;
+  PerSource<Estimate> estimates() const;
+  double distance_m() const;
   double heading_rate_radps() const;
   double encoder_yaw_rate_radps() const;
   void update_attitude(bool running);
-  void update_grounds();
+  void update_terrain_contacts();
   void update_filter(double rate_radps);
-  void update_grip(bool running);
+  void update_traction(bool running);
   void update_speeds(double rate_radps);
 
   const Parameters& parameters_;
@@ -95,9 +104,9 @@ class Perception {
   estimation::Standstill standstill_;
   estimation::AttitudeFilter attitude_;
   estimation::SlopeState slope_;
-  estimation::ObstacleState leans_on_;
-  Grounds grounds_;
-  Grip grip_;
+  estimation::ObstacleState obstacle_class_;
+  TerrainContacts terrain_contacts_;
+  TractionEstimator traction_estimator_;
   model::TrackModel track_model_;
   estimation::Odometry odometry_;
   estimation::PoseFilter filter_;

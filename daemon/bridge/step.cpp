@@ -4,33 +4,32 @@
 #include <optional>
 #include <utility>
 
-#include "bridge/live_parameters.h"
-#include "bridge/outer_world.h"
+#include "bridge/external_world.h"
+#include "bridge/parameters.h"
 #include "bridge/perception.h"
 #include "control/arming.h"
-#include "control/belt_limits.h"
 #include "control/monitor.h"
-#include "control/recovery.h"
+#include "control/track_limits.h"
 #include "control/tracker.h"
-#include "core/belt_speed.h"
 #include "core/error.h"
+#include "core/sample.h"
 
 namespace tp100::bridge {
 namespace {
 
-// Nobody saw what happened in a longer gap between two steps: it does not count as having lasted.
+// In a longer gap between two steps nothing was observed: it does not count towards durations.
 constexpr double kLongestSeenS = 0.05;
 // The robot itself gives up after 200 ms without a valid command.
 constexpr double kNoneTakenS = 0.3;
 // The firmware's own limit is 10 samples.
 constexpr std::uint8_t kOldestImu = 20;
 
-control::Drive drive_of(const Parameters& parameters, double speed_mps) {
-  // A pose that knows of no turning centre is not steered by it.
-  const bool by_paper = parameters.paper_model && parameters.steering == Steering::kModel;
+control::DriveModel drive_of(const Parameters& parameters, double speed_mps) {
+  // A pose computed without a turning centre is not steered about one.
+  const bool by_paper = parameters.paper_model && parameters.steering == PoseSource::kModel;
   return {.speed_mps = speed_mps,
           .slip_angle_rad = parameters.model.slip_angle_straight_rad,
-          .tracks = by_paper ? paper_parameters(parameters.model) : track_parameters(parameters),
+          .tracks = by_paper ? paper_parameters(parameters.model) : parameters.model,
           .limits = {.wheelbase_m = parameters.model.wheelbase_m,
                      .slip_left = parameters.model.slip_left,
                      .slip_right = parameters.model.slip_right,
@@ -46,7 +45,7 @@ struct Step::State {
       : parameters(p),
         course(std::move(c)),
         seen(parameters, course.get()),
-        outer(p.world, p.setup),
+        external(p.world, p.setup),
         disturbance(p.control) {
     if (course == nullptr) return;
     path.emplace(*course);
@@ -57,20 +56,21 @@ struct Step::State {
             .motor = {p.drive.dead_band, p.drive.feed_forward},
             .wheelbase_m = p.model.wheelbase_m,
             .identified = !course->identifies,
-            .max_counts_per_s = kFastestBelt * p.drive.max_track_mps * p.drive.counts_per_metre});
+            .max_counts_per_s = kFastestTrack * p.drive.max_track_mps * p.drive.counts_per_metre});
   }
 
+  void resume(const CarriedState& carried);
   void take_changes(std::span<const ParameterChange> changes);
   void take_requests(std::span<const OperatorRequest> requests);
-  void take_world(std::span<const WorldSample> said, double dt_s);
+  void take_world(std::span<const WorldSample> received, double dt_s);
   void heed_stop();
   bool fresh_sample(HostNs now) const;
   bool takes_commands(double dt_s);
-  FaultMask aborts(const Inputs& in, HostNs now, double dt_s);
-  StartRefusal refusal(const Inputs& in, HostNs now) const;
+  FaultMask aborts(const StepInputs& in, HostNs now, double dt_s);
+  StartRefusal refusal(const StepInputs& in, HostNs now) const;
   void begin_run(HostNs now);
   void steer(double dt_s);
-  void command(const Inputs& in, HostNs now);
+  void command(const StepInputs& in, HostNs now);
   control::Observation observe(HostNs now, double dt_s) const;
   void publish(StartRefusal refusal, HostNs now);
 
@@ -78,7 +78,7 @@ struct Step::State {
   std::shared_ptr<const course::Course> course;
   std::optional<course::Path> path;
   Perception seen;
-  OuterWorld outer;
+  ExternalWorld external;
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
   control::Disturbance disturbance;
@@ -103,12 +103,44 @@ Step::Step(const Parameters& parameters, std::shared_ptr<const course::Course> c
       parameters.setup == Setup::kTerrain) {
     throw SetupError(
         "world.authority = \"world\": on set-up terrain the robot is where it really is; use flat "
-        "or bench, or authority = \"bridge\"");
+        "or stand, or authority = \"bridge\"");
   }
   state_ = std::make_unique<State>(parameters, std::move(course));
 }
 Step::~Step() = default;
 Step::Step(Step&&) noexcept = default;
+
+bool Step::at_rest() const {
+  const State& s = *state_;
+  return s.parameters.world.kind == WorldKind::kInternal && s.arming.at_rest() && s.seen.at_rest();
+}
+
+CarriedState Step::carried() const {
+  const State& s = *state_;
+  CarriedState carried;
+  carried.session_number = s.session_number;
+  carried.run_state = s.arming.state();
+  carried.faults = s.arming.faults();
+  carried.parameters = live_values(s.parameters);
+  carried.cross_track_m = s.target.cross_track_m;
+  carried.progress_m = s.target.progress_m;
+  s.seen.carry(carried);
+  return carried;
+}
+
+// Tracker, monitor and disturbance restart with each run.
+void Step::State::resume(const CarriedState& carried) {
+  last_step_ns = run_began_ns = 0;
+  last_taken = 0;
+  none_taken_s = 0.0;
+  session_number = carried.session_number;
+  arming.resume(carried.run_state, carried.faults);
+  target = {};
+  target.cross_track_m = carried.cross_track_m;
+  target.progress_m = carried.progress_m;
+  seen.resume(carried);
+  take_changes({carried.parameters.begin(), carried.parameters.end()});
+}
 
 void Step::State::take_changes(std::span<const ParameterChange> changes) {
   const RunState run = arming.state();
@@ -135,16 +167,16 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
   }
 }
 
-void Step::State::take_world(std::span<const WorldSample> said, double dt_s) {
-  for (const WorldSample& one : said) outer.take(one);
-  outer.wait(std::min(dt_s, kLongestSeenS));
-  seen.tell({outer.ground(), outer.shift()});
+void Step::State::take_world(std::span<const WorldSample> received, double dt_s) {
+  for (const WorldSample& one : received) external.take(one);
+  external.wait(std::min(dt_s, kLongestSeenS));
+  seen.set_external_terrain({external.ground(), external.transform()});
 }
 
-// After the operator: a start does not get past a world that says stop.
+// After the operator: a start does not override a world that requests a stop.
 void Step::State::heed_stop() {
   const RunState state = arming.state();
-  if (outer.take_stop(state == RunState::kArming || state == RunState::kRunning)) arming.stop();
+  if (external.take_stop(state == RunState::kArming || state == RunState::kRunning)) arming.stop();
 }
 
 bool Step::State::fresh_sample(HostNs now) const {
@@ -158,7 +190,7 @@ bool Step::State::takes_commands(double dt_s) {
   return none_taken_s < kNoneTakenS;
 }
 
-FaultMask Step::State::aborts(const Inputs& in, HostNs now, double dt_s) {
+FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
   FaultMask faults = 0;
   const bool running = arming.state() == RunState::kRunning;
   if (running && seen.has_sample()) {
@@ -169,11 +201,11 @@ FaultMask Step::State::aborts(const Inputs& in, HostNs now, double dt_s) {
     if (seen.gyro_steers() && seen.sample().imu_age > kOldestImu)
       faults |= fault_bit(Fault::imu_stale);
   }
-  if (running ? outer.lost(now) : !outer.fresh(now)) faults |= fault_bit(Fault::world_lost);
+  if (running ? external.lost(now) : !external.fresh(now)) faults |= fault_bit(Fault::world_lost);
   return faults;
 }
 
-StartRefusal Step::State::refusal(const Inputs& in, HostNs now) const {
+StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
   if (course == nullptr) return StartRefusal::kNoCourse;
   if (in.session != SessionState::kReady) return StartRefusal::kNoSession;
   if (!fresh_sample(now)) return StartRefusal::kNoSample;
@@ -183,13 +215,13 @@ StartRefusal Step::State::refusal(const Inputs& in, HostNs now) const {
   if (control::tilted(sample, parameters.control)) return StartRefusal::kTilted;
   if (seen.gyro_steers() && sample.imu_age > kOldestImu) return StartRefusal::kNoImu;
   if (seen.gyro_steers() && !seen.gyro_bias_known()) return StartRefusal::kNotStill;
-  if (!outer.fresh(now)) return StartRefusal::kNoWorld;
+  if (!external.fresh(now)) return StartRefusal::kNoWorld;
   return StartRefusal::kNone;
 }
 
 void Step::State::begin_run(HostNs now) {
   seen.begin(course->start, now);
-  outer.restart(now);
+  external.restart(now);
   tracker->restart();
   disturbance.restart(seen.contradictions());
   monitor->restart();
@@ -201,14 +233,14 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
   const Speeds& speeds = seen.speeds();
   return {.sample = &seen.sample(),
           .pose = seen.world_pose(),
-          .left_mps = speeds.belts.left_mps,
-          .right_mps = speeds.belts.right_mps,
+          .left_mps = speeds.tracks.left_mps,
+          .right_mps = speeds.tracks.right_mps,
           .encoder_yaw_rate_radps = speeds.encoder_yaw_rate_radps,
           .gyro_yaw_rate_radps = speeds.gyro_yaw_rate_radps,
           .gyro_in_use = seen.gyro_steers(),
           .pitch_rad = seen.pitch_rad(),
           .on_obstacle = seen.on_obstacle(),
-          .immobilised = seen.immobilised() || outer.blocked(),
+          .immobilised = seen.immobilised() || external.blocked(),
           .target = target,
           .commanded_left_mps = out.snapshot.commanded_left_mps,
           .commanded_right_mps = out.snapshot.commanded_right_mps,
@@ -223,8 +255,8 @@ void Step::State::steer(double dt_s) {
     const bool gyro = seen.gyro_steers();
     const bool disturbed = disturbance.update(
         {.gyro_radps = gyro ? speeds.gyro_yaw_rate_radps : 0.0,
-         .belts_radps = gyro ? speeds.encoder_yaw_rate_radps : 0.0,
-         .contradictions = parameters.steering == Steering::kFused ? seen.contradictions() : 0},
+         .tracks_radps = gyro ? speeds.encoder_yaw_rate_radps : 0.0,
+         .contradictions = parameters.steering == PoseSource::kFused ? seen.contradictions() : 0},
         dt_s);
     target = tracker->update(pose, speeds.steering, dt_s, disturbed);
     return;
@@ -236,7 +268,7 @@ void Step::State::steer(double dt_s) {
   target.recovering = false;
 }
 
-void Step::State::command(const Inputs& in, HostNs now) {
+void Step::State::command(const StepInputs& in, HostNs now) {
   const Sample& sample = seen.sample();
   const std::int64_t age_ns = now - sample.measured_ns;
   out.command_valid = in.session == SessionState::kReady && in.clock.valid && seen.has_sample() &&
@@ -245,7 +277,7 @@ void Step::State::command(const Inputs& in, HostNs now) {
   command.answers = sample.sequence;
   command.answered_us = sample.device_us;
   command.pose = seen.steering_pose();
-  // The desired yaw is one of the course's world, and so must be the yaw that the robot compares.
+  // The desired yaw is in the course's world, so the yaw that the robot compares must be, too.
   command.pose.yaw_rad = seen.world_pose().yaw_rad;
   command.desired_yaw_rad = target.desired_yaw_rad;
   command.yaw_rate_radps = target.yaw_rate_radps;
@@ -261,8 +293,8 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
   snapshot.now_ns = now;
   seen.write(snapshot, now);
   snapshot.command = out.command;
-  const control::BeltLimits limits = drive_of(parameters, 0.0).limits;
-  const control::Belts commanded = control::belts_for(
+  const control::TrackLimits limits = drive_of(parameters, 0.0).limits;
+  const control::Tracks commanded = control::tracks_for(
       target.speed_mps,
       control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits), limits);
   snapshot.commanded_left_mps = commanded.left_mps;
@@ -279,8 +311,9 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
   snapshot.faults = (seen.has_sample() ? seen.sample().faults : 0) | arming.faults();
 }
 
-const Outputs& Step::operator()(const Inputs& in, HostNs now) {
+const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   State& s = *state_;
+  for (const CarriedState& carried : in.restart) s.resume(carried);
   const double dt_s = s.last_step_ns == 0 ? 0.0 : to_s(now - s.last_step_ns);
   s.last_step_ns = now;
 
@@ -318,7 +351,7 @@ const Outputs& Step::operator()(const Inputs& in, HostNs now) {
   s.steer(dt_s);
   s.command(in, now);
   s.publish(refusal, now);
-  s.outer.remember(now, s.seen.steering_pose());
+  s.external.remember(now, s.seen.steering_pose());
   return s.out;
 }
 

@@ -2,35 +2,15 @@
 // The step: samples in, pose and command out. The same object runs live, in lockstep and in replay.
 // Pure: no clock, no port, no file; no allocation after construction; safe in the real-time thread.
 
-#include <cstdint>
 #include <memory>
-#include <span>
 
 #include "bridge/parameters.h"
-#include "core/camera_sample.h"
-#include "core/link_state.h"
-#include "core/parameter_change.h"
-#include "core/snapshot.h"
-#include "core/world_sample.h"
-#include "course/path.h"
+#include "core/step_record.h"
+#include "course/course.h"
 
 namespace tp100::bridge {
 
-/// What happened since the last step.
-struct Inputs {
-  std::span<const Sample> samples{};            ///< oldest first; may be empty
-  std::span<const OperatorRequest> requests{};  ///< oldest first
-  std::span<const CameraSample> camera{};       ///< as they arrived; empty without a camera
-  std::span<const WorldSample> world{};         ///< oldest first; empty without an external world
-  std::span<const ParameterChange> changes{};   ///< oldest first; before the requests
-  SessionState session = SessionState::kClosed;
-  ClockState clock{};
-  std::uint32_t session_number = 0;             ///< +1 each time a session becomes ready
-  bool robot_rebooted = false;                  ///< a new boot nonce since the last step
-  RequestAnswer answer = RequestAnswer::kNone;  ///< to the last arm or disarm
-};
-
-/// What to do now.
+/// Results of the step.
 struct Outputs {
   bool command_valid = false;  ///< false: send nothing (no session, no sample yet)
   Command command{};
@@ -48,8 +28,14 @@ class Step {
   ~Step();
   Step(Step&&) noexcept;
 
+  /// The step may begin anew (StepInputs::restart) and goes on all the same: no run, the robot at
+  /// standstill on level ground or not there, no external world.
+  bool at_rest() const;
+  /// What it would have to begin anew with.
+  CarriedState carried() const;
+
   /// One step at host time `now`. The reference stays valid until the next call.
-  const Outputs& operator()(const Inputs& inputs, HostNs now);
+  const Outputs& operator()(const StepInputs& inputs, HostNs now);
 
  private:
   struct State;

@@ -14,8 +14,8 @@ std::optional<Interval> Tracks::update(const Sample& sample) {
   const auto speed = [&](std::int64_t counts) {
     return static_cast<double>(counts) * metres_per_count_ / interval.dt_s;
   };
-  interval.belts.left_mps = speed(sample.left_counts - last_.left_counts);
-  interval.belts.right_mps = speed(sample.right_counts - last_.right_counts);
+  interval.tracks.left_mps = speed(sample.left_counts - last_.left_counts);
+  interval.tracks.right_mps = speed(sample.right_counts - last_.right_counts);
   interval.gyro_z_radps = (gyro_z_radps(sample) + gyro_z_radps(last_)) / 2.0;
   interval.gyro_fresh = sample.imu_age == 0 && last_.imu_age == 0;
   last_ = sample;

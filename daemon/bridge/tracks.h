@@ -1,5 +1,5 @@
 #pragma once
-// From counts to belt speeds: what one sample interval says.
+// Track speeds from counts, one sample interval at a time.
 
 #include <optional>
 
@@ -11,7 +11,7 @@ namespace tp100::bridge {
 /// One sample interval in device time.
 struct Interval {
   double dt_s = 0.0;
-  estimation::BeltSpeeds belts{};
+  estimation::TrackSpeeds tracks{};
   double gyro_z_radps = 0.0;  ///< mean over the interval, calibrated scale, bias included
   bool gyro_fresh = false;    ///< both ends had a new IMU value
 };
@@ -24,6 +24,13 @@ class Tracks {
 
   /// Forgets the last sample (a new session or boot).
   void restart() { has_last_ = false; }
+  /// The next interval begins with `last`.
+  void resume(const Sample& last) {
+    has_last_ = true;
+    last_ = last;
+  }
+  /// The next sample ends an interval.
+  bool has_last() const { return has_last_; }
   /// The interval that ends with `sample`; nothing for the first sample or one that is not newer.
   std::optional<Interval> update(const Sample& sample);
 

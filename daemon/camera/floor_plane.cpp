@@ -9,10 +9,10 @@
 namespace tp100::camera {
 namespace {
 
-// A ray must meet the plane this steeply: sine of 6 degrees.
+// A ray must meet the plane at least this steeply: sine of 6 degrees.
 constexpr double kShallowest = 0.1;
 constexpr double kLowestLensM = 0.1;
-// Smaller axis of the points against the larger one: less is a line.
+// Least ratio of the points' smaller to their larger axis; below it they are on a line.
 constexpr double kThinnest = 0.03;
 
 bool on_a_line(std::span<const FloorPoint> points) {
@@ -67,7 +67,7 @@ FloorFit fit_floor(const Lens& lens, std::span<const FloorPoint> points) {
   cv::Vec3d turn;
   try {
     // From a homography first, then refined: with points metres apart there is no second solution
-    // near, as there is for one small marker.
+    // nearby, as there is for one small marker.
     if (!cv::solvePnP(world, rays, cv::Matx33d::eye(), cv::noArray(), turn, plane.shift_, false,
                       cv::SOLVEPNP_ITERATIVE)) {
       return {{}, "the points on the floor fit no camera"};

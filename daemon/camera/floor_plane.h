@@ -1,9 +1,9 @@
 #pragma once
-// Where the camera hangs, found from points on the floor, and from it the place of anything whose
-// height is known.
+// The camera's pose, from points on the floor, and with it the position of anything whose height is
+// known.
 //
 // World frame: z up from the floor, x and y as the floor points give them (the course's). Looking
-// straight down a picture shows the floor with counterclockwise turns counterclockwise.
+// straight down an image shows the floor with counterclockwise turns counterclockwise.
 
 #include <opencv2/core.hpp>
 #include <optional>
@@ -24,15 +24,15 @@ struct FloorFit;
 
 class FloorPlane {
  public:
-  /// World place at `height_m` over the floor of what a pixel shows: the plane's homography, lifted
-  /// from the floor through the place of the lens. Nothing where the pixel does not look down on
-  /// that plane.
+  /// World position, at `height_m` above the floor, of what a pixel shows: the plane's homography,
+  /// projected from the floor towards the lens. Nothing where the pixel does not look down on that
+  /// plane.
   std::optional<cv::Point2d> lift(const cv::Point2d& pixel, double height_m) const;
   /// Pixel that shows a point of the world.
   cv::Point2d pixel(const cv::Point3d& world_m) const;
-  /// The lens in the world.
+  /// Position of the lens in the world.
   const cv::Point3d& lens_m() const { return lens_m_; }
-  /// Distance between the floor points' pixels and where they should be, root mean square.
+  /// Distance between the floor points' measured and predicted pixels, root mean square.
   double rms_px() const { return rms_px_; }
 
  private:
@@ -50,8 +50,8 @@ struct FloorFit {
   std::string problem;
 };
 
-/// Fits the camera's place and direction to at least four points, no three of which need to be on a
-/// line. Refuses points that leave more than kMaxFloorRmsPx, lie on one line, or are mirrored.
+/// Fits the camera's position and direction to at least four points, not all on one line. Rejects
+/// points that leave more than kMaxFloorRmsPx, lie on one line, or are mirrored.
 FloorFit fit_floor(const Lens& lens, std::span<const FloorPoint> points);
 
 inline constexpr double kMaxFloorRmsPx = 5.0;

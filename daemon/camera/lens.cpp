@@ -17,7 +17,7 @@ using text::Key;
 std::span<const Key<Lens>> keys() {
   using T = Lens;
   static const std::array<Key<T>, 12> kKeys = {{
-      {"width_px", &T::width_px, {16, 16384}, "Pictures for which these values hold"},
+      {"width_px", &T::width_px, {16, 16384}, "Images for which these values hold"},
       {"height_px", &T::height_px, {16, 16384}, "Same"},
       {"fx_px", &T::fx_px, {10, 100000}, "Focal length, along the rows"},
       {"fy_px", &T::fy_px, {10, 100000}, "Same, along the columns"},
@@ -78,7 +78,7 @@ Lens parse_toml(const std::string& text, const std::string& path) {
   const text::TomlDocument document(text, path);
   text::TomlTable root = document.root();
   Lens lens;
-  // A lens without its focal length is no lens: nothing here has a sensible default.
+  // A focal length has no sensible default, nor has any of these.
   for (const char* key : {"width_px", "height_px", "fx_px", "fy_px", "cx_px", "cy_px"})
     if (!root.has(key)) fail(path, std::string("no ") + key);
   text::read_keys(root, keys(), lens);
@@ -86,7 +86,7 @@ Lens parse_toml(const std::string& text, const std::string& path) {
   return lens;
 }
 
-/// Out to the corners of the picture every pixel has one ray.
+/// Whether every pixel has a unique ray, out to the corners of the image.
 bool sound(const Lens& lens) {
   constexpr int kSteps = 8;
   for (int i = 0; i <= kSteps; ++i) {
@@ -113,8 +113,8 @@ cv::Point2d Lens::pixel(const cv::Point2d& ray) const {
 cv::Point2d Lens::ray(const cv::Point2d& pixel) const {
   const cv::Point2d target((pixel.x - cx_px) / fx_px, (pixel.y - cy_px) / fy_px);
   cv::Point2d ray = target;
-  // Newton's method with the distortion's slopes: the usual fixed-point iteration diverges towards
-  // the corners of wide lenses.
+  // Newton's method with the distortion's derivatives: the usual fixed-point iteration diverges
+  // towards the corners of wide lenses.
   for (int i = 0; i < 20; ++i) {
     const double x = ray.x, y = ray.y, r2 = x * x + y * y;
     const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
@@ -137,10 +137,10 @@ Lens read_lens(const std::string& path) {
   const course::TextFile file = course::read_text_file(path);
   const bool opencv = is_opencv_file(path, file.text);
   if (opencv && file.text.size() > text::kMaxTomlSize) fail(path, "too large for a lens file");
-  // The same ranges for both kinds.
+  // Checks the same ranges for both formats.
   const Lens lens = opencv ? parse_toml(write_lens(parse_opencv(file.text, path)), path)
                            : parse_toml(file.text, path);
-  if (!sound(lens)) fail(path, "the distortion has no inverse within the picture");
+  if (!sound(lens)) fail(path, "the distortion has no inverse within the image");
   return lens;
 }
 

@@ -1,22 +1,33 @@
 #include "camera/lens_calibration.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <opencv2/aruco.hpp>
 #include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "camera/marker_detector.h"
 #include "core/error.h"
 #include "text/atomic_file.h"
+#include "text/toml_document.h"
 
 namespace tp100::camera {
 namespace {
+
+constexpr const char* kDictionary = "4x4_50";
+constexpr int kMaxSquares = 40;
+
+bool size_in_range(double m) { return m >= 0.002 && m <= 1.0; }
 
 constexpr double kLargestRmsPx = 3.0;
 constexpr double kGoodRmsPx = 1.0;
 constexpr double kGoodCover = 0.5;
 constexpr double kGoodFocalSd = 0.01;
-// A board that is held still is one view.
+// A board that is held still counts as one view.
 constexpr double kMovedPx = 12.0;
 constexpr int kFields = 8;
 
@@ -37,7 +48,7 @@ double cover(const std::vector<BoardCorners>& views, cv::Size size) {
   return static_cast<double>(fields.size()) / (kFields * kFields);
 }
 
-/// Every second one goes: what is left is spread over the whole recording.
+/// Drops every second view; the others still cover the whole recording.
 void thin_out(std::vector<BoardCorners>& views) {
   std::vector<BoardCorners> kept;
   for (std::size_t i = 0; i < views.size(); i += 2) kept.push_back(std::move(views[i]));
@@ -46,11 +57,128 @@ void thin_out(std::vector<BoardCorners>& views) {
 
 }  // namespace
 
+CalibrationBoard CalibrationBoard::parse(const std::string& text) {
+  CalibrationBoard board;
+  int columns = 0, rows = 0, used = -1;
+  double square_m = 0.0, marker_m = 0.0;
+  const auto whole = [&] { return used == static_cast<int>(text.size()); };
+  const bool chess =
+      std::sscanf(text.c_str(), "chessboard:%dx%d:%lf%n", &columns, &rows, &square_m, &used) == 3 &&
+      whole();
+  used = -1;
+  const bool charuco = !chess &&
+                       std::sscanf(text.c_str(), "charuco:%dx%d:%lf:%lf%n", &columns, &rows,
+                                   &square_m, &marker_m, &used) == 4 &&
+                       whole();
+  const bool sizes = columns >= 3 && rows >= 3 && columns <= kMaxSquares && rows <= kMaxSquares &&
+                     size_in_range(square_m);
+  const bool markers =
+      !charuco || (size_in_range(marker_m) && marker_m < square_m && columns * rows / 2 <= 50);
+  if (!(chess || charuco) || !sizes || !markers) {
+    throw SetupError("--board " + text::one_line(text) +
+                     ": not a board; use chessboard:9x6:0.025 (inner corners, square in m) or "
+                     "charuco:7x5:0.04:0.03 (squares, square and marker in m; at most 50 markers)");
+  }
+  board.inner_ = chess ? cv::Size(columns, rows) : cv::Size(columns - 1, rows - 1);
+  board.square_m_ = square_m;
+  board.enough_ = chess ? static_cast<std::size_t>(columns * rows) : 8;
+  if (charuco) {
+    board.charuco_ = cv::aruco::CharucoBoard::create(columns, rows, static_cast<float>(square_m),
+                                                     static_cast<float>(marker_m),
+                                                     dictionary_named(kDictionary));
+  }
+  return board;
+}
+
+BoardCorners CalibrationBoard::find(const cv::Mat& grey) const {
+  BoardCorners found = charuco_ ? find_charuco(grey) : find_chessboard(grey);
+  return found.pixels.size() < enough_ ? BoardCorners{} : found;
+}
+
+BoardCorners CalibrationBoard::find_chessboard(const cv::Mat& grey) const {
+  BoardCorners found;
+  constexpr int kFlags =
+      cv::CALIB_CB_ADAPTIVE_THRESH + cv::CALIB_CB_NORMALIZE_IMAGE + cv::CALIB_CB_FAST_CHECK;
+  if (!cv::findChessboardCorners(grey, inner_, found.pixels, kFlags)) return {};
+  // The window must stay within the squares that meet at the corner.
+  double shortest = 1e9;
+  for (std::size_t i = 1; i < found.pixels.size(); ++i)
+    shortest = std::min(shortest, cv::norm(found.pixels[i] - found.pixels[i - 1]));
+  const int window = std::clamp(static_cast<int>(shortest * 0.4), 2, 11);
+  cv::cornerSubPix(grey, found.pixels, {window, window}, {-1, -1},
+                   {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 40, 0.005});
+  for (int row = 0; row < inner_.height; ++row)
+    for (int column = 0; column < inner_.width; ++column)
+      found.board_m.emplace_back(static_cast<float>(column * square_m_),
+                                 static_cast<float>(row * square_m_), 0.0F);
+  return found;
+}
+
+BoardCorners CalibrationBoard::find_charuco(const cv::Mat& grey) const {
+  std::vector<std::vector<cv::Point2f>> corners;
+  std::vector<int> ids, corner_ids;
+  cv::aruco::detectMarkers(grey, charuco_->dictionary, corners, ids);
+  BoardCorners found;
+  if (ids.empty()) return found;
+  cv::aruco::interpolateCornersCharuco(corners, ids, grey, charuco_, found.pixels, corner_ids);
+  for (const int id : corner_ids)
+    found.board_m.push_back(charuco_->chessboardCorners[static_cast<std::size_t>(id)]);
+  return found;
+}
+
+cv::Mat CalibrationBoard::draw(double pixels_per_m) const {
+  const int square = std::max(8, static_cast<int>(std::lround(square_m_ * pixels_per_m)));
+  const int margin = square / 2;
+  const int columns = inner_.width + 1, rows = inner_.height + 1;
+  const cv::Size size(columns * square + 2 * margin, rows * square + 2 * margin);
+  cv::Mat image(size, CV_8U, cv::Scalar(255));
+  if (charuco_) {
+    charuco_->draw(size, image, margin);
+    return image;
+  }
+  for (int row = 0; row < rows; ++row)
+    for (int column = row % 2; column < columns; column += 2)
+      image(cv::Rect(margin + column * square, margin + row * square, square, square)) = 0;
+  return image;
+}
+
+std::string marker_svg(const View& view, int id) {
+  const cv::Ptr<cv::aruco::Dictionary> dictionary = dictionary_named(view.dictionary);
+  if (id < 0 || id >= dictionary->bytesList.rows)
+    throw SetupError("marker " + std::to_string(id) + ": dictionary " + view.dictionary +
+                     " ends at " + std::to_string(dictionary->bytesList.rows - 1));
+  const int modules = dictionary->markerSize + 2;
+  cv::Mat bits;
+  cv::aruco::drawMarker(dictionary, id, modules, bits);
+  const double module_mm = view.marker_size_m * 1e3 / modules;
+  // The detector needs one and a half modules of white around the black square.
+  const double rim_mm = 1.5 * module_mm;
+  const double side_mm = view.marker_size_m * 1e3 + 2.0 * rim_mm;
+  const auto mm = [](double value) { return text::number_text(value); };
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + mm(side_mm) +
+                    "mm\" height=\"" + mm(side_mm) + "mm\" viewBox=\"0 0 " + mm(side_mm) + " " +
+                    mm(side_mm) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  for (int row = 0; row < modules; ++row) {
+    for (int column = 0; column < modules; ++column) {
+      if (bits.at<unsigned char>(row, column) != 0) continue;
+      svg += "<rect x=\"" + mm(rim_mm + column * module_mm) + "\" y=\"" +
+             mm(rim_mm + row * module_mm) + "\" width=\"" + mm(module_mm) + "\" height=\"" +
+             mm(module_mm) + "\" fill=\"black\"/>\n";
+    }
+  }
+  svg += "<path d=\"M " + mm(side_mm / 2) + " " + mm(rim_mm * 0.1) + " l " + mm(rim_mm * 0.3) +
+         " " + mm(rim_mm * 0.4) + " h " + mm(-rim_mm * 0.6) + " z\" fill=\"#bbb\"/>\n<text x=\"" +
+         mm(rim_mm) + "\" y=\"" + mm(side_mm - rim_mm * 0.3) + "\" font-size=\"" +
+         mm(rim_mm * 0.3) + "\" fill=\"#888\">" + view.dictionary + " " + std::to_string(id) +
+         ", " + mm(view.marker_size_m * 1e3) + " mm</text>\n</svg>\n";
+  return svg;
+}
+
 LensFit fit_lens(const std::vector<BoardCorners>& views, cv::Size size) {
   if (views.size() < kFewestViews) {
-    throw SetupError("the board is seen in " + std::to_string(views.size()) + " pictures, " +
+    throw SetupError("the board is seen in " + std::to_string(views.size()) + " images, " +
                      std::to_string(kFewestViews) +
-                     " are needed; show it tilted, near and far, in every corner of the picture, "
+                     " are needed; show it tilted, near and far, in every corner of the image, "
                      "and check --board");
   }
   std::vector<std::vector<cv::Point3f>> board;
@@ -65,7 +193,7 @@ LensFit fit_lens(const std::vector<BoardCorners>& views, cv::Size size) {
     fit.lens.rms_px = cv::calibrateCamera(board, pixels, size, matrix, distortion, cv::noArray(),
                                           cv::noArray(), deviations, cv::noArray(), cv::noArray());
   } catch (const cv::Exception&) {
-    throw SetupError("the pictures of the board fit no lens; take more, from other angles");
+    throw SetupError("the images of the board fit no lens; take more, from other angles");
   }
   fit.lens.width_px = size.width;
   fit.lens.height_px = size.height;
@@ -83,41 +211,41 @@ LensFit fit_lens(const std::vector<BoardCorners>& views, cv::Size size) {
   fit.focal_sd_px = deviations.at<double>(0);
   if (!(fit.lens.rms_px <= kLargestRmsPx)) {
     throw SetupError("the corners miss the lens by " + std::to_string(fit.lens.rms_px) +
-                     " px; check --board, keep the board flat and the pictures sharp");
+                     " px; check --board, keep the board flat and the images sharp");
   }
   return fit;
 }
 
 int calibrate_lens(const std::string& source, const SourceOptions& options,
                    const std::string& board, const std::string& out) {
-  const Board pattern = Board::parse(board);
+  const CalibrationBoard pattern = CalibrationBoard::parse(board);
   SourceOptions any_time = options;
   // Times do not matter here.
   if (!any_time.fps) any_time.fps = 1.0;
-  const auto pictures = open_source(source, any_time);
-  if (pictures->live())
+  const auto images = open_source(source, any_time);
+  if (images->live())
     throw SetupError(source +
                      ": record the board first; --calibrate-lens takes a folder or a video");
   std::vector<BoardCorners> views;
   BoardCorners last;
   cv::Size size;
-  Picture picture;
-  while (pictures->next(picture)) {
-    if (size.empty()) size = picture.grey.size();
-    if (picture.grey.size() != size)
-      throw SetupError(source + ": pictures of several sizes; keep those of one");
-    BoardCorners found = pattern.find(picture.grey);
+  Image image;
+  while (images->next(image)) {
+    if (size.empty()) size = image.grey.size();
+    if (image.grey.size() != size)
+      throw SetupError(source + ": images of several sizes; keep those of one");
+    BoardCorners found = pattern.find(image.grey);
     if (found.pixels.empty() || !moved(found, last)) continue;
     last = found;
     views.push_back(std::move(found));
-    if (views.size() == 2 * kMostViews) thin_out(views);
+    if (views.size() == 2 * kMaxViews) thin_out(views);
   }
-  if (views.size() > kMostViews) thin_out(views);
+  if (views.size() > kMaxViews) thin_out(views);
   const LensFit fit = fit_lens(views, size);
   text::write_file(out, write_lens(fit.lens));
   read_lens(out);
   std::printf(
-      "%s: %zu pictures, %.2f px rms, focal length %.1f +- %.1f px, %.0f %% of the picture "
+      "%s: %zu images, %.2f px rms, focal length %.1f +- %.1f px, %.0f %% of the image "
       "covered\n",
       out.c_str(), fit.views, fit.lens.rms_px, fit.lens.fx_px, fit.focal_sd_px,
       fit.covered * 100.0);

@@ -7,9 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
-#include "camera/board.h"
 #include "camera/lens_calibration.h"
-#include "camera/print.h"
 #include "camera/view.h"
 #include "camera/watch.h"
 #include "core/error.h"
@@ -34,7 +32,7 @@ struct Options {
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("SOURCE", options.watch.source,
-                 "Video file, folder of pictures, or device (/dev/video0, or 0 for short)")
+                 "Video file, folder of images, or device (/dev/video0, or 0 for short)")
       ->type_name("");
   app.add_option("--view", options.watch.view,
                  "View file: lens, marker, points on the floor (as config/view.toml)")
@@ -44,14 +42,14 @@ void add_options(CLI::App& app, Options& options) {
       ->type_name("ADDRESS");
   app.add_option("--tum", options.watch.tum, "Also write the poses to a TUM file")
       ->type_name("FILE");
-  app.add_option("--fps", options.watch.pictures.fps,
-                 "Pictures per second: of a folder without times.csv, or asked of a device")
+  app.add_option("--fps", options.watch.images.fps,
+                 "Images per second: of a folder without times.csv, or requested from a device")
       ->check(CLI::Range(0.01, 10000.0))
       ->type_name("HZ");
-  app.add_option("--size", options.size, "Picture size asked of a device, as 1920x1080")
+  app.add_option("--size", options.size, "Image size requested from a device, as 1920x1080")
       ->type_name("WxH");
   app.add_option("--calibrate-lens", options.lens_out,
-                 "Find the lens from pictures of --board and write it to this file")
+                 "Find the lens from images of --board and write it to this file")
       ->type_name("FILE");
   app.add_option("--board", options.board,
                  "chessboard:9x6:0.025 (inner corners, square in m) or charuco:7x5:0.04:0.03 "
@@ -75,32 +73,32 @@ int print_marker(const Options& options) {
 }
 
 int print_board(const Options& options) {
-  const cv::Mat picture = Board::parse(options.board).draw(kBoardPixelsPerM);
+  const cv::Mat image = CalibrationBoard::parse(options.board).draw(kBoardPixelsPerM);
   std::vector<unsigned char> png;
-  cv::imencode(".png", picture, png);
+  cv::imencode(".png", image, png);
   text::write_file(options.print_board, {reinterpret_cast<const char*>(png.data()), png.size()});
   return 0;
 }
 
-int run_watch(Options& options) {
+int run_monitor(Options& options) {
   WatchOptions& watch_options = options.watch;
   if (watch_options.view.empty())
     throw SetupError("no --view; copy config/view.toml, fill it in and pass it");
   if (watch_options.send.empty() && watch_options.tum.empty())
     watch_options.send = "udp:" + std::to_string(link::kCameraPort);
-  SourceOptions& pictures = watch_options.pictures;
+  SourceOptions& images = watch_options.images;
   int used = -1;
   if (!options.size.empty() &&
-      (std::sscanf(options.size.c_str(), "%dx%d%n", &pictures.width_px, &pictures.height_px,
-                   &used) != 2 ||
-       used != static_cast<int>(options.size.size()) || pictures.width_px < 16 ||
-       pictures.height_px < 16 || pictures.width_px > 16384 || pictures.height_px > 16384))
+      (std::sscanf(options.size.c_str(), "%dx%d%n", &images.width_px, &images.height_px, &used) !=
+           2 ||
+       used != static_cast<int>(options.size.size()) || images.width_px < 16 ||
+       images.height_px < 16 || images.width_px > 16384 || images.height_px > 16384))
     throw SetupError("--size " + text::one_line(options.size) + ": not a size; use 1920x1080");
   return watch(watch_options);
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Overhead camera: the pose of a marked robot from pictures", "tp100-camera");
+  CLI::App app("Overhead camera: the pose of a marked robot from images", "tp100-camera");
   app.set_version_flag("--version", TP100_VERSION);
   Options options;
   add_options(app, options);
@@ -115,8 +113,8 @@ int run(int argc, char** argv) {
   if (!options.print_board.empty()) return print_board(options);
   if (options.watch.source.empty())
     return text::report_usage_error("tp100-camera", "SOURCE is required");
-  if (options.lens_out.empty()) return run_watch(options);
-  return calibrate_lens(options.watch.source, options.watch.pictures, options.board,
+  if (options.lens_out.empty()) return run_monitor(options);
+  return calibrate_lens(options.watch.source, options.watch.images, options.board,
                         options.lens_out);
 }
 
@@ -124,7 +122,7 @@ int run(int argc, char** argv) {
 }  // namespace tp100::camera
 
 int main(int argc, char** argv) {
-  // One line of ours says what is wrong; and the processors belong to the bridge.
+  // Errors are reported in one line of our own; and the processors are left to the bridge.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::setNumThreads(1);
   return tp100::text::run_program("tp100-camera", [&] { return tp100::camera::run(argc, argv); });

@@ -21,7 +21,7 @@ constexpr std::array<std::pair<std::string_view, cv::aruco::PREDEFINED_DICTIONAR
                {"apriltag_25h9", cv::aruco::DICT_APRILTAG_25h9},
                {"apriltag_36h11", cv::aruco::DICT_APRILTAG_36h11}}};
 
-// The window around a corner must not reach the next module, whose edges would pull it.
+// The window around a corner must not reach the next module, whose edges would bias it.
 constexpr double kWindowShare = 0.6;
 constexpr int kLargestWindow = 12;
 

@@ -1,6 +1,6 @@
 #pragma once
-// ArUco markers in a picture, their corners to a fraction of a pixel. OpenCV 4.6's interface: the
-// free function of the contrib module.
+// Detects ArUco markers in an image, with subpixel corners. Uses OpenCV 4.6's interface: the free
+// function of the contrib module.
 
 #include <array>
 #include <opencv2/aruco.hpp>
@@ -29,7 +29,7 @@ class MarkerDetector {
  public:
   explicit MarkerDetector(std::string_view dictionary);
 
-  /// Markers in a grey picture of 8 bits, or in the part of it given.
+  /// Finds markers in a grey image of 8 bits, or in the given part of it.
   std::vector<Marker> find(const cv::Mat& grey, const std::optional<cv::Rect>& part = {}) const;
 
  private:

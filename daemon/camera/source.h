@@ -1,17 +1,25 @@
 #pragma once
-// Where pictures come from: a folder, a video file, a device.
+// Sources of images: a folder, a video file, a device.
 
 #include <memory>
+#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "camera/picture.h"
+#include "core/time.h"
 
 namespace tp100::camera {
 
+/// One image and the time it was taken.
+struct Image {
+  cv::Mat grey;         ///< 8 bits
+  HostNs taken_ns = 0;  ///< recordings: since their beginning; devices: monotonic clock
+};
+
 struct SourceOptions {
-  std::optional<double> fps;  ///< folders without times: pictures per second; devices: ask for it
-  int width_px = 0;           ///< devices: ask for it; 0: their own choice
+  std::optional<double> fps;  ///< folders without times: images per second; devices: requested rate
+  int width_px = 0;           ///< devices: requested width; 0: their default
   int height_px = 0;
   double delay_s = 0.0;  ///< devices: from the exposure to the driver's stamp
 };
@@ -23,14 +31,31 @@ class Source {
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
-  /// The next picture; false at the end. Throws SetupError for what cannot be read.
-  virtual bool next(Picture& picture) = 0;
-  /// Pictures come when they are taken, not when they are asked for.
+  /// Gets the next image; false at the end. Throws SetupError for unreadable input.
+  virtual bool next(Image& image) = 0;
+  /// Whether images arrive as they are taken, not on request.
   virtual bool live() const { return false; }
 };
 
-/// Opens `name`: a folder of pictures (folder_source.h), a device (/dev/video0, or 0 for short), or
+/// Opens `name`: a folder of images (list_images()), a device (/dev/video0, or 0 for short), or
 /// else a video file. Throws SetupError.
 std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions& options);
+
+/// An image file and its time.
+struct ImageFile {
+  std::string path;
+  HostNs taken_ns = 0;
+};
+
+/// Lists a folder. Numbers in names are compared by value: 2 comes before 10. times.csv has lines
+/// FILE,SECONDS (optionally after a header file,t_s), strictly later from line to line; images that
+/// it does not name are an error, and so is anything in the folder that is neither image, times.csv
+/// nor hidden. Without it `fps` gives the times. Throws SetupError.
+std::vector<ImageFile> list_images(const std::string& folder, std::optional<double> fps);
+
+/// Time of an image, monotonic clock: the driver's stamp if it is valid (a monotonic time within
+/// the last second before `grabbed_ns`), else the time at which it was grabbed; minus the
+/// configured delay. Pure.
+HostNs image_time(double driver_ms, HostNs grabbed_ns, HostNs delay_ns);
 
 }  // namespace tp100::camera

@@ -17,7 +17,7 @@ namespace {
 using text::Choice;
 using text::Key;
 
-constexpr std::size_t kMostPoints = 256;
+constexpr std::size_t kMaxPoints = 256;
 constexpr text::Range kIds{0, 1023};
 constexpr text::Range kPlaces{-100, 100};
 constexpr text::Range kPixels{0, 16384};
@@ -71,7 +71,7 @@ std::vector<FloorMarker> read_markers(text::TomlTable& root, const View& view) {
       table.fail("id", "floor marker " + std::to_string(marker.id) + " is the robot's own");
     for (const FloorMarker& other : markers)
       if (other.id == marker.id)
-        table.fail("id", "floor marker " + std::to_string(marker.id) + " is there twice");
+        table.fail("id", "floor marker " + std::to_string(marker.id) + " is listed twice");
     marker.world_m = to_point(table.required_numbers({"x_m", "y_m"}, kPlaces));
     markers.push_back(marker);
   }
@@ -102,8 +102,8 @@ View parse_view(const std::string& text, const std::string& file) {
   view.floor_points = read_points(root);
   root.finish();
   if (view.lens.empty()) root.fail("lens", "no lens file; make one with --calibrate-lens");
-  if (view.floor_markers.size() > kMostPoints || view.floor_points.size() > kMostPoints)
-    root.fail("floor_point", "more than " + std::to_string(kMostPoints) + " points on the floor");
+  if (view.floor_markers.size() > kMaxPoints || view.floor_points.size() > kMaxPoints)
+    root.fail("floor_point", "more than " + std::to_string(kMaxPoints) + " points on the floor");
   if (!view.floor_markers.empty() && !view.floor_points.empty())
     root.fail("floor_point", "give floor_marker or floor_point, not both");
   if (view.floor_markers.size() < 4 && view.floor_points.size() < 4)
@@ -119,7 +119,7 @@ std::string write_view(const View& view) {
   text += "\n[marker]\n" + text::write_keys(marker_keys(), view);
   text += "\n" + text::toml_comment(
                      "Four or more markers that lie on the floor, with the place of their middles. "
-                     "Or [[floor_point]] with u_px, v_px (a pixel of the picture, 0 is the middle "
+                     "Or [[floor_point]] with u_px, v_px (a pixel of the image, 0 is the middle "
                      "of the first) and x_m, y_m.");
   const auto place = [](const cv::Point2d& world_m) {
     return "x_m = " + text::toml_number(world_m.x) + "\ny_m = " + text::toml_number(world_m.y) +

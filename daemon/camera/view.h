@@ -1,6 +1,6 @@
 #pragma once
-// A view file as data: which marker an overhead camera looks for, and the points on the floor that
-// make its pictures places in the world. config/view.toml is the commented example.
+// A view file as data: the marker that an overhead camera looks for, and the floor points that map
+// its images to world positions. config/view.toml is the commented example.
 
 #include <opencv2/core.hpp>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace tp100::camera {
 
-/// A marker that lies on the floor with its middle at a known place.
+/// A marker on the floor with its centre at a known position.
 struct FloorMarker {
   int id = 0;
   cv::Point2d world_m;
@@ -26,7 +26,7 @@ struct View {
   double marker_turned_rad =
       0.0;  ///< its top edge points this far to the left of the robot's front
   std::vector<FloorMarker> floor_markers;
-  std::vector<FloorPoint> floor_points;  ///< instead of markers: pixels read off a picture
+  std::vector<FloorPoint> floor_points;  ///< instead of markers: pixels measured in an image
 };
 
 /// Parses a view file. `file` is only used in messages; `lens` is returned as written. Throws

@@ -1,26 +1,117 @@
 #include "camera/watch.h"
 
 #include <time.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <optional>
+#include <random>
+#include <string>
 
-#include "camera/device_source.h"
 #include "camera/observer.h"
-#include "camera/picture_gaps.h"
-#include "camera/pose_stream.h"
-#include "camera/tum_file.h"
+#include "camera/source.h"
 #include "core/clock.h"
 #include "core/error.h"
+#include "core/time.h"
+#include "link/camera_message.h"
+#include "link/udp.h"
 
 namespace tp100::camera {
 namespace {
 
-// A played recording that falls behind by this leaves pictures out, as a slow camera would.
+/// Detections as datagrams (link/camera_message.h).
+class PoseStream {
+ public:
+  /// Throws SetupError.
+  PoseStream(const link::UdpAddress& to, int marker_id);
+
+  /// Sends the pose of image `number`, taken at `taken_ns`, now: both monotonic clock.
+  void send(const MarkerPose& pose, std::uint32_t number, HostNs taken_ns, HostNs now);
+
+ private:
+  link::UdpSender sender_;
+  link::CameraMessage message_{};
+};
+
+PoseStream::PoseStream(const link::UdpAddress& to, int marker_id) : sender_(to) {
+  message_.stream = std::random_device{}();
+  message_.clock = link::monotonic_clock_name();
+  message_.marker = static_cast<std::uint32_t>(marker_id);
+}
+
+void PoseStream::send(const MarkerPose& pose, std::uint32_t number, HostNs taken_ns, HostNs now) {
+  message_.sequence = number;
+  message_.stamp_us = std::max<HostNs>(0, taken_ns / kNsPerUs);
+  message_.age_us = std::max<HostNs>(0, (now - taken_ns) / kNsPerUs);
+  message_.x_m = pose.x_m;
+  message_.y_m = pose.y_m;
+  message_.yaw_rad = pose.yaw_rad;
+  sender_.send(link::encode(message_));
+}
+
+/// Poses as a TUM file: one line each, "t x y z qx qy qz qw", seconds and metres, for evo and
+/// others. Written under a temporary name beside `path`, and renamed by finish().
+class TumFile {
+ public:
+  /// Throws SetupError.
+  explicit TumFile(const std::string& path);
+  ~TumFile();
+  TumFile(const TumFile&) = delete;
+  TumFile& operator=(const TumFile&) = delete;
+
+  /// z is 0: the reference point is on the floor.
+  void add(const MarkerPose& pose, HostNs taken_ns);
+  /// Throws SetupError if it could not be written completely.
+  void finish();
+
+ private:
+  std::string path_, temporary_;
+  std::FILE* file_ = nullptr;
+};
+
+TumFile::TumFile(const std::string& path)
+    : path_(path), temporary_(path + "." + std::to_string(::getpid()) + ".tmp") {
+  file_ = std::fopen(temporary_.c_str(), "we");
+  if (file_ == nullptr)
+    throw SetupError(path + ": cannot be written (" + std::strerror(errno) +
+                     "); choose another file for --tum");
+  std::fprintf(file_, "# t_s x_m y_m z_m qx qy qz qw\n");
+}
+
+TumFile::~TumFile() {
+  if (file_ == nullptr) return;
+  std::fclose(file_);
+  std::remove(temporary_.c_str());
+}
+
+void TumFile::add(const MarkerPose& pose, HostNs taken_ns) {
+  const double half = pose.yaw_rad / 2.0;
+  std::fprintf(file_, "%.6f %.6f %.6f 0 0 0 %.9f %.9f\n", to_s(taken_ns), pose.x_m, pose.y_m,
+               std::sin(half), std::cos(half));
+}
+
+void TumFile::finish() {
+  const bool good = std::ferror(file_) == 0;
+  const bool closed = std::fclose(file_) == 0;
+  file_ = nullptr;
+  if (good && closed && std::rename(temporary_.c_str(), path_.c_str()) == 0) return;
+  const int error = errno;
+  std::remove(temporary_.c_str());
+  throw SetupError(path_ + ": cannot be written (" + std::strerror(error) +
+                   "); choose another file for --tum");
+}
+
+// Limits a long pause, so that the number stays far from overflow.
+constexpr double kMaxAtOnce = 1e5;
+
+// If a played recording falls behind by this, images are skipped, as by a slow camera.
 constexpr HostNs kBehindNs = 200 * kNsPerMs;
-constexpr HostNs kTellNs = 10 * kNsPerS;
+constexpr HostNs kReportNs = 10 * kNsPerS;
 
 volatile std::sig_atomic_t g_stop = 0;
 void on_signal(int) { g_stop = 1; }
@@ -36,7 +127,7 @@ class Watch {
   explicit Watch(const WatchOptions& options)
       : view_(read_view(options.view)),
         observer_(read_lens(view_.lens), view_),
-        source_(open_source(options.source, with_delay(options.pictures))) {
+        source_(open_source(options.source, with_delay(options.images))) {
     if (!options.send.empty())
       stream_.emplace(link::parse_udp(options.send, "--send"), view_.marker_id);
     if (!options.tum.empty()) tum_.emplace(options.tum);
@@ -49,10 +140,10 @@ class Watch {
     options.delay_s = view_.delay_s;
     return options;
   }
-  void take(const Picture& picture);
+  void take(const Image& image);
   bool in_time(HostNs taken_ns) const;
   void tell(HostNs now);
-  void tell_floor();
+  void report_floor();
   int finish(bool gone);
 
   View view_;
@@ -60,13 +151,13 @@ class Watch {
   std::unique_ptr<Source> source_;
   std::optional<PoseStream> stream_;
   std::optional<TumFile> tum_;
-  PictureGaps gaps_;
-  HostNs begin_ns_ = 0;  ///< what a recording's times are added to
-  HostNs next_tell_ns_ = 0;
-  std::uint64_t pictures_ = 0, found_ = 0, left_out_ = 0;
+  ImageGaps gaps_;
+  HostNs begin_ns_ = 0;  ///< offset added to a recording's times
+  HostNs next_report_ns_ = 0;
+  std::uint64_t images_ = 0, found_ = 0, left_out_ = 0;
 };
 
-void Watch::tell_floor() {
+void Watch::report_floor() {
   if (!observer_.take_floor_news()) return;
   if (!observer_.floor().plane()) {
     std::fprintf(stderr, "floor: %s\n",
@@ -80,18 +171,18 @@ void Watch::tell_floor() {
 }
 
 void Watch::tell(HostNs now) {
-  tell_floor();
-  if (!source_->live() || now < next_tell_ns_) return;
-  next_tell_ns_ = now + kTellNs;
-  std::fprintf(stderr, "pictures %llu, dropped %llu, marker %d seen in %llu%s%s\n",
-               static_cast<unsigned long long>(pictures_),
+  report_floor();
+  if (!source_->live() || now < next_report_ns_) return;
+  next_report_ns_ = now + kReportNs;
+  std::fprintf(stderr, "images %llu, dropped %llu, marker %d seen in %llu%s%s\n",
+               static_cast<unsigned long long>(images_),
                static_cast<unsigned long long>(gaps_.missing()), view_.marker_id,
                static_cast<unsigned long long>(found_),
                observer_.floor().plane() ? "" : "; floor: ",
                observer_.floor().plane() ? "" : observer_.floor().problem().c_str());
 }
 
-/// Waits for the instant of a recorded picture. False: too late for it.
+/// Waits for the time of a recorded image. False: it has already passed.
 bool Watch::in_time(HostNs taken_ns) const {
   if (source_->live() || !stream_) return true;
   const HostNs due_ns = begin_ns_ + taken_ns;
@@ -100,47 +191,47 @@ bool Watch::in_time(HostNs taken_ns) const {
   return true;
 }
 
-void Watch::take(const Picture& picture) {
-  ++pictures_;
-  const std::optional<std::uint32_t> number = gaps_.number(picture.taken_ns);
-  if (!number || !in_time(picture.taken_ns)) {
+void Watch::take(const Image& image) {
+  ++images_;
+  const std::optional<std::uint32_t> number = gaps_.number(image.taken_ns);
+  if (!number || !in_time(image.taken_ns)) {
     ++left_out_;
     return;
   }
-  const std::optional<MarkerPose> pose = observer_.look(picture.grey);
+  const std::optional<MarkerPose> pose = observer_.look(image.grey);
   tell(monotonic_now());
   if (!pose) return;
   ++found_;
-  if (tum_) tum_->add(*pose, picture.taken_ns);
-  if (stream_) stream_->send(*pose, *number, begin_ns_ + picture.taken_ns, monotonic_now());
+  if (tum_) tum_->add(*pose, image.taken_ns);
+  if (stream_) stream_->send(*pose, *number, begin_ns_ + image.taken_ns, monotonic_now());
 }
 
 int Watch::finish(bool gone) {
   if (tum_) tum_->finish();
-  std::printf("pictures %llu, dropped %llu, left out %llu, marker %d seen in %llu\n",
-              static_cast<unsigned long long>(pictures_),
+  std::printf("images %llu, dropped %llu, left out %llu, marker %d seen in %llu\n",
+              static_cast<unsigned long long>(images_),
               static_cast<unsigned long long>(gaps_.missing()),
               static_cast<unsigned long long>(left_out_), view_.marker_id,
               static_cast<unsigned long long>(found_));
   std::fflush(stdout);
   if (gone) {
-    std::fprintf(stderr, "tp100-camera: the device gives no more pictures; check its cable\n");
+    std::fprintf(stderr, "tp100-camera: the device gives no more images; check its cable\n");
     return 1;
   }
   if (found_ > 0 || source_->live()) return 0;
   const std::string& problem = observer_.floor().problem();
-  std::fprintf(stderr, "tp100-camera: no picture shows marker %d%s%s\n", view_.marker_id,
+  std::fprintf(stderr, "tp100-camera: no image shows marker %d%s%s\n", view_.marker_id,
                observer_.floor().plane() ? "" : " over a known floor: ",
                observer_.floor().plane() ? "" : problem.c_str());
   return 1;
 }
 
 int Watch::run() {
-  Picture picture;
+  Image image;
   begin_ns_ = source_->live() || !stream_ ? 0 : monotonic_now();
   bool more = true;
   try {
-    while (g_stop == 0 && (more = source_->next(picture))) take(picture);
+    while (g_stop == 0 && (more = source_->next(image))) take(image);
   } catch (const SetupError&) {
     if (tum_) tum_->finish();
     throw;
@@ -149,6 +240,35 @@ int Watch::run() {
 }
 
 }  // namespace
+
+HostNs ImageGaps::usual_ns() const {
+  if (count_ < kKnown) return 0;
+  std::array<HostNs, kRemembered> sorted = intervals_;
+  const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(std::min(count_, kRemembered));
+  const auto half = sorted.begin() + (end - sorted.begin()) / 2;
+  std::nth_element(sorted.begin(), half, end);
+  return *half;
+}
+
+std::optional<std::uint32_t> ImageGaps::number(HostNs taken_ns) {
+  if (number_ == 0) {
+    last_ns_ = taken_ns;
+    return ++number_;
+  }
+  const HostNs interval_ns = taken_ns - last_ns_;
+  if (interval_ns <= 0) return {};
+  const HostNs usual = usual_ns();
+  if (usual > 0) {
+    const double periods = static_cast<double>(interval_ns) / static_cast<double>(usual);
+    const double dropped = std::clamp(std::round(periods) - 1.0, 0.0, kMaxAtOnce);
+    number_ += static_cast<std::uint32_t>(dropped);
+    missing_ += static_cast<std::uint64_t>(dropped);
+  }
+  intervals_[count_ % kRemembered] = interval_ns;
+  ++count_;
+  last_ns_ = taken_ns;
+  return ++number_;
+}
 
 int watch(const WatchOptions& options) {
   Watch watch(options);

@@ -40,23 +40,23 @@ bridge::WorldKind world_option(const std::string& option, bridge::WorldKind conf
                    ": not a world; use internal, files or udp:[HOST:]PORT, as in udp:9760");
 }
 
-messages::Subject subject_of(const RunSetup& run) {
+messages::RunContext run_context_of(const RunSetup& run) {
   return {.version = TP100_VERSION,
           .course = run.course,
           .robot = run.robot,
           .setup = bridge::to_string(run.parameters.setup),
           .world = bridge::to_string(run.parameters.world.kind),
-          .pacing = run.configuration.loop.pacing == Pacing::kHost ? "host" : "robot",
+          .pacing = name_in(kPacingNames, run.configuration.loop.pacing),
           .rate_hz = run.configuration.loop.rate_hz};
 }
 
 record::RunFacts run_facts(const RunFiles& files, const RunSetup& run,
                            const record::McapMap& more) {
   record::RunFacts facts;
-  facts.subject = subject_of(run);
+  facts.run_context = run_context_of(run);
   facts.facts = {{"course", run.course == nullptr ? "" : run.course->name},
                  {"robot", run.robot.name},
-                 {"setup", facts.subject.setup},
+                 {"setup", facts.run_context.setup},
                  {"world", bridge::to_string(files.world)}};
   facts.facts.insert(facts.facts.end(), more.begin(), more.end());
   const auto attach = [&facts](const char* name, const course::TextFile& file) {

@@ -1,19 +1,19 @@
 #pragma once
-// What a run is set up from: files as they were loaded and what was chosen besides. A recording
-// keeps it, and replay gets the same parameters back from there.
+// Inputs of a run: the files as they were loaded and the other choices. A recording contains them,
+// so that replay gets the same parameters back.
 
 #include <memory>
 #include <string>
 
 #include "config/configuration.h"
-#include "config/world_run.h"
+#include "config/world_settings.h"
 #include "course/bundled_files.h"
 #include "course/course.h"
 #include "record/recording_writer.h"
 
 namespace tp100::config {
 
-/// The files of a run, and the set-up and kind of world in force.
+/// The files of a run, and the set-up and kind of world in use.
 struct RunFiles {
   course::TextFile configuration;  ///< empty: all defaults
   course::TextFile robot;
@@ -33,16 +33,17 @@ struct RunSetup {
 /// Parses the files. Throws SetupError.
 RunSetup parse_run(const RunFiles& files);
 
-/// The run as those who talk to an external world see it.
+/// The run's data for the interfaces to an external world.
 WorldRun world_run(const RunSetup& run);
 
-/// What --world says: internal, files or udp:[HOST:]PORT; empty: as configured. Throws SetupError.
+/// The value of --world: internal, files or udp:[HOST:]PORT; empty: as configured. Throws
+/// SetupError.
 bridge::WorldKind world_option(const std::string& option, bridge::WorldKind configured);
 
-/// The run as every message speaks of it.
-messages::Subject subject_of(const RunSetup& run);
+/// The context of the run's messages.
+messages::RunContext run_context_of(const RunSetup& run);
 
-/// What a recording of that run says of it. `more`: further names and values.
+/// A recording's facts about the run. `more`: further names and values.
 record::RunFacts run_facts(const RunFiles& files, const RunSetup& run, const record::McapMap& more);
 
 // Names of the attachments.

@@ -1,11 +1,19 @@
 #pragma once
-// How an external world is reached. Whether there is one, and who owns the pose, is in
+// Connection to an external world. Whether there is one, and which side owns the pose, is in
 // bridge::WorldParameters.
 
+#include <functional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "bridge/parameters.h"
+#include "core/sample.h"
+#include "text/key.h"
 #include "worlds/frame.h"
-#include "worlds/live_link.h"
+#include "worlds/message.h"
+#include "worlds/peer.h"
 
 namespace tp100::config {
 
@@ -22,5 +30,27 @@ struct WorldSettings {
   worlds::LiveLinkDialect live_link_dialect = worlds::LiveLinkDialect::kBones;
   std::string live_link_subject = "TP100";
 };
+
+// Data of a run for the interfaces to an external world.
+
+struct WorldRun {
+  bridge::WorldParameters parameters{};
+  WorldSettings settings{};
+  std::string version;  ///< of this program
+  std::string course;
+  std::string setup;
+  std::vector<std::pair<std::string, double>> surfaces;  ///< of the course, with their slip
+};
+
+/// Settings of the protocol. `session`: an unguessable number. Pure.
+worlds::PeerSettings peer_settings(const WorldRun& run, std::uint32_t session, bool lockstep);
+
+/// Passes a world's sample to the step; false if its queue is full.
+using GiveWorld = std::function<bool(const WorldSample&)>;
+
+// The keys of the configuration's [world].
+
+std::span<const text::Key<bridge::WorldParameters>> world_keys();
+std::span<const text::Key<WorldSettings>> world_stream_keys();
 
 }  // namespace tp100::config

@@ -6,9 +6,9 @@
 namespace tp100::control {
 namespace {
 
-// The robot refuses to arm until a fresh command is there; let a few arrive first.
+// The robot refuses to arm before it has a fresh command; let a few arrive first.
 constexpr double kCommandsFirstS = 0.05;
-// Nobody looks at the robot any more when a later start begins.
+// After this time the operator may no longer be watching the robot.
 constexpr double kBeginS = 3.0;
 constexpr double kConfirmS = 1.0;
 // The link repeats a request for 0.2 s.
@@ -59,10 +59,21 @@ void Arming::begin_disarm() {
   off_due_s_ = kRequestS;
 }
 
+bool Arming::at_rest() const {
+  return state_ != RunState::kArming && state_ != RunState::kRunning && !disarming_ &&
+         !moves_unasked_ && !on_since_ && pending_ == RobotRequest::kNone && off_due_s_ == 0.0;
+}
+
+void Arming::resume(RunState state, FaultMask faults) {
+  *this = Arming{};
+  state_ = state;
+  faults_ = faults;
+}
+
 RobotRequest Arming::end(RunState state, const ArmingInputs& in) {
   state_ = state;
   begin_disarm();
-  if (lost(in) || in.rebooted) disarming_ = false;  // nobody is there to confirm it
+  if (lost(in) || in.rebooted) disarming_ = false;  // there is no robot left to confirm it
   return RobotRequest::kDisarm;
 }
 
@@ -95,7 +106,7 @@ RobotRequest Arming::update(const ArmingInputs& in, double dt_s) {
 
 RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
   if (!arm_sent_) {
-    // Nothing moves after a reconnect that was asked for before it.
+    // A request made before a reconnect must not start motion after it.
     const bool ready = in.session == SessionState::kReady;
     if (begin_session_ && (in.rebooted || in.new_session || !ready)) {
       faults_ |= fault_bit(in.rebooted ? Fault::robot_rebooted : Fault::link_lost);
@@ -128,7 +139,7 @@ RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
   }
   if (faults_ != 0) return end(RunState::kAborted, in);
   acknowledged_ = acknowledged_ || in.answer == RequestAnswer::kAcknowledged;
-  // Armed by its samples alone, it may be armed by somebody else, or answer with a refusal.
+  // Armed by its samples alone, the robot may have been armed by another host, or may still refuse.
   if (acknowledged_ && enabled(*in.sample)) {
     state_ = RunState::kRunning;
     just_began_ = true;
@@ -141,7 +152,7 @@ RobotRequest Arming::run(const ArmingInputs& in) {
   if (in.rebooted) {
     faults_ |= fault_bit(Fault::robot_rebooted);
   } else if (lost(in)) {
-    // Samples that come, but too late, are another cause, and told by `aborts`.
+    // Samples that arrive too late are another cause, reported by `aborts`.
     if (in.aborts == 0) faults_ |= fault_bit(Fault::link_lost);
   } else if (in.sample->faults != 0) {
     faults_ |= in.sample->faults;
@@ -161,7 +172,7 @@ void Arming::confirm_off(const ArmingInputs& in, double dt_s) {
     return abort(fault_bit(in.rebooted ? Fault::robot_rebooted : Fault::link_lost));
   }
   acknowledged_ = acknowledged_ || in.answer == RequestAnswer::kAcknowledged;
-  // From here on motors that are on are not meant to be.
+  // From here on, motors that are on are unintended.
   if (acknowledged_) off_due_s_ = 0.0;
   if (acknowledged_ && !motors_on(*in.sample)) {
     disarming_ = false;
@@ -171,7 +182,7 @@ void Arming::confirm_off(const ArmingInputs& in, double dt_s) {
   }
 }
 
-// By the samples' own times: where none comes, nothing is known.
+// Judged by the samples' own times: without a sample nothing is known.
 bool Arming::unasked(const ArmingInputs& in, double dt_s) {
   off_due_s_ = std::max(0.0, off_due_s_ - dt_s);
   const bool asked = state_ == RunState::kRunning || (state_ == RunState::kArming && arm_sent_) ||

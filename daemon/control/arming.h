@@ -1,5 +1,6 @@
 #pragma once
-// The run's state machine: operator's wish and robot's state to requests and run state.
+// The run's state machine: turns operator requests and the robot's state into robot requests and a
+// run state.
 
 #include <optional>
 
@@ -11,40 +12,46 @@
 
 namespace tp100::control {
 
-/// What arming needs to know in one step.
+/// Inputs of arming in one step.
 struct ArmingInputs {
   SessionState session = SessionState::kClosed;
-  const Sample* sample = nullptr;  ///< newest sample of this session; null: none that is fresh
-  StartRefusal refusal = StartRefusal::kNone;  ///< what stands against a start now
+  const Sample* sample = nullptr;  ///< newest sample of this session; null: none is fresh
+  StartRefusal refusal = StartRefusal::kNone;  ///< reason that refuses a start now
   bool new_session = false;                    ///< another session became ready since the last step
   bool rebooted = false;
   RequestAnswer answer = RequestAnswer::kNone;  ///< to the last arm or disarm
-  FaultMask aborts = 0;                         ///< what ends a run, or one that is about to begin
+  FaultMask aborts = 0;                         ///< faults that end a run, or one that is about to
+                                                ///< begin
   bool path_done = false;
 };
 
-/// Nothing moves before start(); nothing moves again after an abort, a stop or a lost session until
-/// the next start(). A start that cannot begin within 3 s is refused. Motors that are on without
-/// being asked for are stopped, in every state. No allocation; safe in the real-time thread.
+/// Nothing moves before start(); after an abort, a stop or a lost session nothing moves until the
+/// next start(). A start that cannot begin within 3 s is refused. Motors that are on without a
+/// request are stopped in every state. No allocation; safe in the real-time thread.
 class Arming {
  public:
-  /// The operator's start: arms as soon as nothing stands against it.
+  /// The operator's start: arms as soon as no reason refuses it.
   void start();
   /// The operator's hold: ends the run, disarms.
   void hold();
   /// The operator's stop: ends the run and latches STOP on the robot.
   void stop();
 
-  /// One step of `dt_s`. Returns the request to hand to the link, if any.
+  /// One step of `dt_s`. Returns the request to send to the robot, if any.
   RobotRequest update(const ArmingInputs& in, double dt_s);
 
+  /// No run, and nothing is under way with the robot.
+  bool at_rest() const;
+  /// As after construction, in this state with these faults.
+  void resume(RunState state, FaultMask faults);
+
   RunState state() const { return state_; }
-  /// True in the step in which the run began: estimators and tracker start anew.
+  /// True in the step in which the run began: estimators and tracker restart.
   bool just_began() const { return just_began_; }
   /// Why a start was refused in this step.
   StartRefusal refused() const { return refused_; }
-  /// A run has ended, and the robot has not confirmed yet that its motors are off (for at most
-  /// 0.25 s), or they are on without being asked.
+  /// True if a run has ended and the robot has not confirmed yet that its motors are off (for at
+  /// most 0.25 s), or if they are on without a request.
   bool disarming() const { return disarming_ || moves_unasked_; }
   /// Daemon's faults, latched until the next start().
   FaultMask faults() const { return faults_; }
@@ -66,13 +73,13 @@ class Arming {
   bool just_began_ = false;
   bool disarming_ = false;
   bool moves_unasked_ = false;
-  bool acknowledged_ = false;   // the arm or disarm that was asked last
+  bool acknowledged_ = false;   // the last arm or disarm request
   double begin_s_ = 0.0;        // since the start
   bool begin_session_ = false;  // a session was ready since the start
   double waited_s_ = 0.0;
   double off_s_ = 0.0;              // since the disarm
-  double off_due_s_ = 0.0;          // motors may be on for so long
-  std::optional<HostNs> on_since_;  // motors that nobody asked for
+  double off_due_s_ = 0.0;          // how long motors may have been on
+  std::optional<HostNs> on_since_;  // when motors came on without a request
   double stop_again_s_ = 0.0;
 };
 

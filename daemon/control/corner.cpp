@@ -6,16 +6,38 @@
 #include "core/angle.h"
 
 namespace tp100::control {
+
+void PivotProfile::begin(const course::Piece& piece, double most_radps) {
+  most_radps_ = most_radps;
+  yaw_rad_ = piece.begin.yaw_rad;
+  end_rad_ = piece.end.yaw_rad;
+  rate_radps_ = 0.0;
+  arrived_ = false;
+}
+
+void PivotProfile::update(const Parameters& parameters, double dt_s) {
+  const double left = end_rad_ - yaw_rad_;
+  const double sign = left < 0.0 ? -1.0 : 1.0;
+  const double braking = std::sqrt(2.0 * parameters.pivot_acceleration_radps2 * std::abs(left));
+  const double rate =
+      std::min({parameters.pivot_rate_radps, most_radps_, braking,
+                std::abs(rate_radps_) + parameters.pivot_acceleration_radps2 * dt_s});
+  yaw_rad_ += sign * std::min(rate * dt_s, std::abs(left));
+  arrived_ = std::abs(end_rad_ - yaw_rad_) < 1e-4;
+  if (arrived_) yaw_rad_ = end_rad_;
+  rate_radps_ = arrived_ ? 0.0 : sign * rate;
+}
+
 namespace {
 
-// The reference point may leave the path by this much for a short turn's sake.
+// The reference point may leave the path by this much to keep the turn short.
 constexpr double kOffM = 0.005;
-// Lines that run on, or back beside each other, have no corner to be led around.
+// Lines that continue nearly straight, or return beside each other, form no corner.
 constexpr double kBluntestRad = 15.0 * kRadPerDeg, kSharpestRad = 165.0 * kRadPerDeg;
-// What is searched: radii in parts of the turning centre's distance, arcs in parts of the turn.
+// Search grid: radii as fractions of the turning centre's distance, arcs as fractions of the turn.
 constexpr int kRadii = 60, kArcs = 16, kSamples = 48;
 constexpr double kWidest = 6.0;
-// A robot in a corner is drawn to its way, gently.
+// Gain of the gentle pull towards the path in a corner.
 constexpr double kDrawnPs = 6.0;
 constexpr double kDrawnMps = 0.04;
 
@@ -93,7 +115,7 @@ double Corner::speed_mps(const Pose& pose, double rate_radps) const {
   const double c = std::cos(corner_.yaw_rad), s = std::sin(corner_.yaw_rad);
   const double dx = pose.x_m - corner_.x_m, dy = pose.y_m - corner_.y_m;
   const Spot should = reference(turned);
-  // Only the way to the next line counts: where on it is set right by driving on.
+  // Only the distance to the next line counts: the position along it is corrected by driving on.
   const double nx = -std::sin(angle_rad_), ny = std::cos(angle_rad_);
   const double aside =
       nx * (should.x_m - (c * dx + s * dy)) + ny * (should.y_m - side_ * (c * dy - s * dx));

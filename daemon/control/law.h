@@ -1,23 +1,24 @@
 #pragma once
-// A steering law: where the robot is against the path, to the yaw and the turn rate that it should
-// have. Pieces, progress, turns on the spot and speed are the tracker's, the same for every law.
+// A steering law: from the robot's errors against the path to the desired yaw and turn rate.
+// Pieces, progress, turns on the spot and speed are the tracker's and the same for every law.
 
 #include <memory>
 
-#include "control/belt_limits.h"
 #include "control/parameters.h"
+#include "control/track_limits.h"
 
 namespace tp100::control {
 
 /// The robot against the path. Everything is in the frame of the path's nearest point: x along the
 /// tangent, y left. SI units.
 struct PathErrors {
-  double cross_track_m = 0.0;   ///< left positive; of the robot if it turned back to the tangent
-  double heading_rad = 0.0;     ///< robot's yaw less the tangent's, within +-pi
+  double cross_track_m = 0.0;   ///< left positive; after a rotation of the robot back to the
+                                ///< tangent
+  double heading_rad = 0.0;     ///< robot's yaw minus the tangent's, within +-pi
   double yaw_rate_radps = 0.0;  ///< measured
   double speed_mps = 0.0;       ///< along the path, as it will be commanded; not negative
   double curvature_1pm = 0.0;   ///< at the nearest point, left positive
-  double crab_rad = 0.0;  ///< slip angle: the robot moves this much to the left of where it looks
+  double crab_rad = 0.0;        ///< slip angle: the robot moves this far to the left of its heading
   struct {
     double along_m = 0.0;
     double left_m = 0.0;
@@ -26,8 +27,8 @@ struct PathErrors {
   } ahead{};  ///< the point of the path that lies look_ahead_m() further on
 };
 
-/// What to do: the robot's yaw loop turns with yaw_rate_radps plus its gain times the yaw error.
-struct Steering {
+/// Output of a law: the robot's yaw loop turns at yaw_rate_radps plus its gain times the yaw error.
+struct LawOutput {
   double yaw_rad = 0.0;         ///< desired, against the tangent of the nearest point
   double yaw_rate_radps = 0.0;  ///< feed-forward
 };
@@ -38,14 +39,14 @@ struct Steering {
 class Law {
  public:
   virtual ~Law() = default;
-  /// Where `PathErrors::ahead` lies for this speed. [m]
+  /// Distance of `PathErrors::ahead` at this speed. [m]
   virtual double look_ahead_m(double speed_mps) const = 0;
-  virtual Steering steer(const PathErrors& errors) const = 0;
-  /// Takes over what needs no solving; the name of the law stays.
+  virtual LawOutput steer(const PathErrors& errors) const = 0;
+  /// Applies the parameters that need no solving; the law itself stays the same.
   virtual void retune(const Parameters& parameters) = 0;
 };
 
-/// The law that `parameters` name. Allocates, and solves what is to be solved: set-up only.
-std::unique_ptr<Law> make_law(const Parameters& parameters, const BeltLimits& limits);
+/// Creates the law that `parameters` name. Allocates and solves: set-up only.
+std::unique_ptr<Law> make_law(const Parameters& parameters, const TrackLimits& limits);
 
 }  // namespace tp100::control

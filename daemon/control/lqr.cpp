@@ -43,7 +43,7 @@ Lqr::Gains solve(const Parameters& parameters, double speed_mps) {
   a(1, 2) = kStepS;
   a(2, 2) = std::exp(-kStepS / lag_s);
   const Vector b(0.0, 0.0, 1.0 - a(2, 2));
-  // Bryson's rule: each weight is the inverse square of what its error may be.
+  // Bryson's rule: each weight is the inverse square of the acceptable error.
   const auto weight = [](double allowed) { return 1.0 / (allowed * allowed); };
   Matrix q = Matrix::Zero();
   q(0, 0) = weight(parameters.lqr_cross_track_m);
@@ -56,7 +56,7 @@ Lqr::Gains solve(const Parameters& parameters, double speed_mps) {
 
 }  // namespace
 
-Lqr::Lqr(const Parameters& parameters, const BeltLimits& limits)
+Lqr::Lqr(const Parameters& parameters, const TrackLimits& limits)
     : parameters_(parameters), yaw_kp_(limits.yaw_kp) {
   for (std::size_t i = 0; i < kSpeeds; ++i) gains_[i] = solve(parameters, speed_of(i));
 }
@@ -75,19 +75,20 @@ Lqr::Gains Lqr::gains(double speed_mps) const {
 
 double Lqr::look_ahead_m(double speed_mps) const { return speed_mps * parameters_.preview_s; }
 
-Steering Lqr::steer(const PathErrors& errors) const {
+LawOutput Lqr::steer(const PathErrors& errors) const {
   const Gains k = gains(errors.speed_mps);
-  Steering steering;
+  LawOutput steering;
   steering.yaw_rate_radps = errors.ahead.curvature_1pm * errors.speed_mps;
-  // Far off, the cross-track error may ask for the steepest approach and no more.
+  // Far from the path, the cross-track error may request the steepest approach and no more.
   const double steepest = k.heading * parameters_.max_approach_rad;
   const double approach = std::clamp(k.cross_track * errors.cross_track_m, -steepest, steepest);
-  const double course_rad = errors.heading_rad + errors.crab_rad - errors.ahead.yaw_rad;
-  const double rest_radps = -(approach + k.heading * course_rad +
-                              k.rate * (errors.yaw_rate_radps - steering.yaw_rate_radps));
-  const double lean = course_rad + rest_radps / yaw_kp_;
-  steering.yaw_rad = errors.ahead.yaw_rad - errors.crab_rad +
-                     std::clamp(lean, -parameters_.max_approach_rad, parameters_.max_approach_rad);
+  const double course_over_ground_rad = errors.heading_rad + errors.crab_rad - errors.ahead.yaw_rad;
+  const double remaining_radps = -(approach + k.heading * course_over_ground_rad +
+                                   k.rate * (errors.yaw_rate_radps - steering.yaw_rate_radps));
+  const double approach_rad = course_over_ground_rad + remaining_radps / yaw_kp_;
+  steering.yaw_rad =
+      errors.ahead.yaw_rad - errors.crab_rad +
+      std::clamp(approach_rad, -parameters_.max_approach_rad, parameters_.max_approach_rad);
   return steering;
 }
 

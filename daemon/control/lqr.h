@@ -11,7 +11,7 @@ namespace tp100::control {
 
 class Lqr final : public Law {
  public:
-  Lqr(const Parameters& parameters, const BeltLimits& limits);
+  Lqr(const Parameters& parameters, const TrackLimits& limits);
 
   /// u = -(cross_track e + heading psi + rate w), w being the turn rate beyond the path's own.
   struct Gains {
@@ -19,11 +19,11 @@ class Lqr final : public Law {
     double heading = 0.0;      ///< [1/s]
     double rate = 0.0;         ///< [1]
   };
-  /// Between the solved speeds linear, outside them that of the nearest one.
+  /// Gains at a speed: linear between the solved speeds, outside them those of the nearest.
   Gains gains(double speed_mps) const;
 
   double look_ahead_m(double speed_mps) const override;
-  Steering steer(const PathErrors& errors) const override;
+  LawOutput steer(const PathErrors& errors) const override;
   /// The gains stay as they were solved.
   void retune(const Parameters& parameters) override { parameters_ = parameters; }
 

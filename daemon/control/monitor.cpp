@@ -3,14 +3,53 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sample.h"
+
 namespace tp100::control {
 namespace {
+
+// Duty that a track may take beyond its usual one: always; in a turn, where it scrubs over the
+// floor; on a slope; and with all the load that traction can put on it.
+constexpr double kMarginDuty = 0.02;
+constexpr double kMarginShare = 0.1;
+constexpr double kTurningDuty = 0.4;
+constexpr double kFullTurning = 0.4;
+constexpr double kDutyPerSlopeRad = 0.8;
+constexpr double kObstacleDuty = 0.4;
+constexpr double kObstacleS = 1.0;
+// A load decays more slowly than it rises.
+constexpr double kTurningFallPerS = 0.5;
+
+// A gain is learnt from a track that runs evenly and freely, not from one that brakes; quickly
+// downwards, but upwards only as fast as a battery sags, or a fault would be learnt.
+constexpr double kMinGain = 0.7;
+constexpr double kGainDownS = 0.3;
+constexpr double kGainUpPerS = 0.005;
+// Friction takes a smaller share of the duty at higher speed: beyond this factor the gain differs.
+constexpr double kBeyond = 1.25;
+constexpr double kSlowS = 0.2;
+constexpr double kSlowest = 0.95, kFastest = 1.1;
+// At very low speed, duty and speed are mostly noise and the correction of lag.
+constexpr double kMinMps = 0.028;
+constexpr double kStraight = 0.05;
+constexpr double kLevelRad = 0.03;
+
+// Slip also takes part of one track's distance, as a fraction of what it may take of a turn.
+constexpr double kDistanceShare = 0.8;
+// One track may stand on a block while the other slips.
+constexpr double kObstacleShare = 0.25;
+// A disturbance is faster.
+constexpr double kSlowRadps = 10.0 * kRadPerDeg;
+
+double drained(double balance_rad, double by_rad) {
+  return std::copysign(std::max(0.0, std::abs(balance_rad) - by_rad), balance_rad);
+}
 
 constexpr double kHeadingS = 0.5;
 constexpr double kTiltS = 0.3;
 constexpr double kBatteryS = 2.0;
 constexpr double kAgainstDutyS = 0.5;
-// Below these a belt may well stand still or creep for good reasons.
+// Below these a track may stand still or creep for good reasons.
 constexpr double kDrivenMps = 0.03;
 constexpr double kStandingMps = 0.003;
 constexpr double kFullyDriven = 0.3;
@@ -18,14 +57,15 @@ constexpr double kBackwardsMps = 0.02;
 constexpr double kOpposedRad = 6.0 * kRadPerDeg;
 constexpr double kAskedRadps = 0.3;
 constexpr double kTurningRadps = 0.15;
-// A robot that stands turns by its tracks alone.
+// A robot at standstill turns by its tracks alone.
 constexpr double kSlowestMps = 0.02;
 
-bool against(double duty, double belt_mps) {
-  return std::abs(duty) > kFullyDriven && std::abs(belt_mps) > kBackwardsMps && duty * belt_mps < 0;
+bool against(double duty, double track_mps) {
+  return std::abs(duty) > kFullyDriven && std::abs(track_mps) > kBackwardsMps &&
+         duty * track_mps < 0;
 }
 
-// Tracks that are swapped with their encoders: only the turn shows it.
+// Tracks swapped together with their encoders: only the turn shows it.
 bool opposed(const Observation& seen, double wheelbase_m) {
   const double asked = (seen.commanded_right_mps - seen.commanded_left_mps) / wheelbase_m;
   return std::abs(asked) > kAskedRadps && std::abs(seen.encoder_yaw_rate_radps) > kTurningRadps &&
@@ -36,11 +76,81 @@ double mean_mps(const Observation& seen) {
   return (std::abs(seen.left_mps) + std::abs(seen.right_mps)) / 2.0;
 }
 
-bool stands(double commanded_mps, double belt_mps) {
-  return std::abs(commanded_mps) > kDrivenMps && std::abs(belt_mps) < kStandingMps;
+bool stands(double commanded_mps, double track_mps) {
+  return std::abs(commanded_mps) > kDrivenMps && std::abs(track_mps) < kStandingMps;
 }
 
 }  // namespace
+
+bool DutyMonitor::update(double duty, double track_mps, const Load& load, double dt_s) {
+  constexpr double kMaxMps = kMissingM / kSoonestS;
+  const double size = std::abs(duty);
+  const double mps = std::max(0.0, duty < 0.0 ? -track_mps : track_mps);
+  turning_ = std::max(std::min(load.turning, kFullTurning), turning_ - kTurningFallPerS * dt_s);
+  obstacle_s_ = load.on_obstacle ? kObstacleS : std::max(0.0, obstacle_s_ - dt_s);
+  slow_mps_ += (mps - slow_mps_) * std::min(1.0, dt_s / kSlowS);
+  if (size <= motor_.dead_band || motor_.feed_forward <= 0.0) {
+    missing_m_ = std::max(0.0, missing_m_ - kMaxMps * dt_s);
+    return false;
+  }
+  const double above = size - motor_.dead_band;
+  const double beyond_mps = std::max(0.0, mps - kBeyond * learnt_mps_);
+  const double usual = motor_.feed_forward * (gain_ * (mps - beyond_mps) + kMaxGain * beyond_mps);
+  const double margin =
+      kMarginDuty + kMarginShare * usual + kTurningDuty * turning_ / kFullTurning +
+      kDutyPerSlopeRad * std::abs(load.pitch_rad) + (obstacle_s_ > 0.0 ? kObstacleDuty : 0.0);
+  const double unexplained = above - usual - margin;
+  missing_m_ =
+      std::max(0.0, missing_m_ + std::min(unexplained / motor_.feed_forward, kMaxMps) * dt_s);
+  learn(above, mps, load, dt_s);
+  return missing_m_ > kMissingM;
+}
+
+void DutyMonitor::learn(double above_dead_band, double track_mps, const Load& load, double dt_s) {
+  const bool free =
+      turning_ < kStraight && std::abs(load.pitch_rad) < kLevelRad && obstacle_s_ <= 0.0;
+  const bool even =
+      track_mps > kMinMps && track_mps > kSlowest * slow_mps_ && track_mps < kFastest * slow_mps_;
+  if (!free || !even) return;
+  const double gain =
+      std::clamp(above_dead_band / (motor_.feed_forward * track_mps), kMinGain, kMaxGain);
+  const double towards = std::min(1.0, dt_s / kGainDownS);
+  if (gain < gain_) {
+    gain_ += (gain - gain_) * towards;
+    learnt_mps_ += (track_mps - learnt_mps_) * towards;
+  } else if (track_mps > kBeyond * learnt_mps_) {
+    const double before_mps = learnt_mps_;
+    learnt_mps_ += (track_mps - learnt_mps_) * towards;
+    gain_ = gain + (gain_ - gain) * before_mps / learnt_mps_;
+  } else {
+    gain_ += std::min(gain - gain_, kGainUpPerS * dt_s);
+  }
+}
+
+bool TurnBalance::update(double gyro_radps, double encoder_radps, double track_mps,
+                         bool on_obstacle, double dt_s) {
+  const double share = slip_share_ + (on_obstacle ? kObstacleShare : 0.0);
+  const double difference = gyro_radps - encoder_radps;
+  const double slip_rad =
+      share * (std::abs(gyro_radps) + kDistanceShare * track_mps / wheelbase_m_) * dt_s;
+  all_rad_ = drained(all_rad_ + difference * dt_s, slip_rad);
+  slow_rad_ = drained(slow_rad_ + std::clamp(difference, -kSlowRadps, kSlowRadps) * dt_s, slip_rad);
+  return std::abs(all_rad_) > kMaxRad || std::abs(slow_rad_) > kMaxSlowRad;
+}
+
+bool JumpMonitor::update(const Sample& sample) {
+  const double dt_s = static_cast<double>(sample.device_us - device_us_) * 1e-6;
+  const auto possible = [&](std::int64_t counts) {
+    return counts_possible(static_cast<double>(counts), max_per_s_, dt_s);
+  };
+  const bool jumped = known_ && !(possible(sample.left_counts - left_counts_) &&
+                                  possible(sample.right_counts - right_counts_));
+  known_ = true;
+  device_us_ = sample.device_us;
+  left_counts_ = sample.left_counts;
+  right_counts_ = sample.right_counts;
+  return jumped;
+}
 
 bool tilted(const Sample& sample, const Parameters& parameters) {
   const double horizontal = std::hypot(sample.accel_mps2[0], sample.accel_mps2[1]);
@@ -97,7 +207,7 @@ FaultMask Monitor::update(const Observation& seen) {
         Fault::fence);
   raise(seen.elapsed_s > parameters_.time_limit_factor * nominal_duration_s_, Fault::time_limit);
   raise(battery_.update(sample.battery_v < parameters_.min_battery_v, dt, kBatteryS),
-        Fault::low_cell_voltage);
+        Fault::battery_below_minimum);
   raise(stalled_.update(stands(seen.commanded_left_mps, seen.left_mps) ||
                             stands(seen.commanded_right_mps, seen.right_mps),
                         dt, parameters_.stall_s),

@@ -1,34 +1,131 @@
 #pragma once
-// The aborts: conditions under which a run ends, each with its own fault.
+// Conditions that end a run, each with its own fault.
 
-#include "control/encoder_watch.h"
 #include "control/parameters.h"
 #include "control/tracker.h"
+#include "core/angle.h"
 #include "core/faults.h"
 #include "core/sample.h"
 
 namespace tp100::control {
 
-/// What one step looks like to the monitor. SI units.
+// Three monitors check the encoders: against each track's duty and against the gyro, which both
+// integrate what cannot be explained, so that a small share shows over a distance but a short
+// moment never does; and for counts that are impossible for a track.
+
+/// Relation of duty and speed, by the robot's file.
+struct MotorModel {
+  double dead_band = 0.15;    ///< duty at which a track just moves
+  double feed_forward = 4.0;  ///< duty per m/s above it; 0: no relation known
+};
+
+/// Loads that take duty without speed. A track that spins free has none.
+struct Load {
+  double turning = 0.0;      ///< track speed due to the turn alone, as a fraction of the mean speed
+  double pitch_rad = 0.0;    ///< of the floor under the robot
+  bool on_obstacle = false;  ///< a real ramp or block
+};
+
+/// Checks that one track moves according to its duty. The robot's file is trusted to within a
+/// factor only; the duty that this track takes is learnt while it runs straight, so that a change
+/// shows. No allocation; safe in the real-time thread.
+class DutyMonitor {
+ public:
+  /// Distance that the duty implies beyond what was counted. [m]
+  static constexpr double kMissingM = 0.04;
+  /// Shortest time until a blocked track is reported, whatever its duty. [s]
+  static constexpr double kSoonestS = 0.7;
+
+  explicit DutyMonitor(const MotorModel& motor) : motor_(motor) {}
+
+  /// A run begins.
+  void restart() { *this = DutyMonitor(motor_); }
+  /// Takes duty (-1..1) and measured speed, forward positive, over `dt_s`. True: too much is
+  /// missing.
+  bool update(double duty, double track_mps, const Load& load, double dt_s);
+  double missing_m() const { return missing_m_; }
+
+ private:
+  void learn(double above_dead_band, double track_mps, const Load& load, double dt_s);
+
+  // Greatest factor over the robot's file that is learnt; a run begins with it.
+  static constexpr double kMaxGain = 1.4;
+
+  MotorModel motor_;
+  double gain_ = kMaxGain;   ///< duty that the track takes, relative to the file
+  double learnt_mps_ = 0.0;  ///< speed at which gain_ was learnt
+  double slow_mps_ = 0.0;
+  double turning_ = 0.0;     ///< maximum of the last moments
+  double obstacle_s_ = 0.0;  ///< until the last obstacle is forgotten
+  double missing_m_ = 0.0;
+};
+
+/// Rotation by the gyro minus rotation by the tracks, except what slip explains. No allocation;
+/// safe in the real-time thread.
+class TurnBalance {
+ public:
+  /// Limit of all differences: more than a disturbance from which the robot recovers. [rad]
+  static constexpr double kMaxRad = 17.0 * kRadPerDeg;
+  /// Limit of slow differences, without sudden ones such as a disturbance. [rad]
+  static constexpr double kMaxSlowRad = 6.0 * kRadPerDeg;
+
+  /// `slip_share`: part of the turn that slip may take; see Parameters.
+  TurnBalance(double wheelbase_m, double slip_share)
+      : wheelbase_m_(wheelbase_m), slip_share_(slip_share) {}
+
+  /// A run begins.
+  void restart() { all_rad_ = slow_rad_ = 0.0; }
+  /// Yaw rates by gyro and by encoders, and the mean of both tracks' speeds without sign, over
+  /// `dt_s`. True: they disagree.
+  bool update(double gyro_radps, double encoder_radps, double track_mps, bool on_obstacle,
+              double dt_s);
+
+ private:
+  double wheelbase_m_;
+  double slip_share_;
+  double all_rad_ = 0.0;
+  double slow_rad_ = 0.0;  ///< of rates up to a limit
+};
+
+/// Finds jumps of both tracks' counts. An isolated jump never reaches the samples. No allocation;
+/// safe in the real-time thread.
+class JumpMonitor {
+ public:
+  /// Greatest counts per second of a track; 0: unlimited.
+  explicit JumpMonitor(double max_per_s) : max_per_s_(max_per_s) {}
+
+  /// A run begins.
+  void restart() { known_ = false; }
+  /// Takes the newest sample, new or not. True: it cannot follow the one before.
+  bool update(const Sample& sample);
+
+ private:
+  double max_per_s_;
+  bool known_ = false;
+  DeviceUs device_us_ = 0;
+  std::int64_t left_counts_ = 0, right_counts_ = 0;
+};
+
+/// Inputs of the monitor in one step. SI units.
 struct Observation {
   const Sample* sample = nullptr;  ///< newest sample; never null while a run is on
   Pose pose{};                     ///< steering pose
-  double left_mps = 0.0;           ///< measured belt speeds
+  double left_mps = 0.0;           ///< measured track speeds
   double right_mps = 0.0;
   double encoder_yaw_rate_radps = 0.0;  ///< eq 5, by this robot's values
   double gyro_yaw_rate_radps = 0.0;     ///< bias removed
-  bool gyro_in_use = false;  ///< the body turns as the gyro says; else the tracks spin free
+  bool gyro_in_use = false;  ///< the body turns as the gyro measures; else the tracks spin free
   double pitch_rad = 0.0;    ///< of the real body
-  bool on_obstacle = false;  ///< a ramp or block that is really there
-  bool immobilised = false;  ///< the belts run, the robot does not
+  bool on_obstacle = false;  ///< a real ramp or block
+  bool immobilised = false;  ///< the tracks run but the robot does not move
   Target target{};
-  double commanded_left_mps = 0.0;  ///< belt speeds that the command means
+  double commanded_left_mps = 0.0;  ///< track speeds according to the command
   double commanded_right_mps = 0.0;
   double elapsed_s = 0.0;  ///< since the run began
   double dt_s = 0.0;       ///< since the last observation
 };
 
-/// The IMU's newest value says that the robot leans by more than control.max_tilt_deg.
+/// True if the IMU's newest value shows a tilt of more than control.max_tilt_deg.
 bool tilted(const Sample& sample, const Parameters& parameters);
 
 /// A condition that must last before it counts.
@@ -44,7 +141,7 @@ class Lasting {
   double held_s_ = 0.0;
 };
 
-/// What the monitor knows of the robot.
+/// The robot's values that the monitor uses.
 struct MonitoredRobot {
   MotorModel motor{};
   double wheelbase_m = 0.2742;    ///< equivalent, eq 5
@@ -52,7 +149,7 @@ struct MonitoredRobot {
   double max_counts_per_s = 0.0;  ///< of a track, see counts_possible(); 0: any
 };
 
-/// Watches one run. No allocation; safe in the real-time thread.
+/// Monitors one run. No allocation; safe in the real-time thread.
 class Monitor {
  public:
   Monitor(const Parameters& parameters, const course::Fence& fence, double nominal_duration_s,
@@ -66,7 +163,7 @@ class Monitor {
         turn_(robot.wheelbase_m, robot.identified ? parameters.turn_slip_share : 1.0),
         jumps_(robot.max_counts_per_s) {}
 
-  /// Forgets what has lasted; call when a run begins.
+  /// Forgets all durations; call when a run begins.
   void restart();
   /// The faults that end the run now; 0 to go on.
   FaultMask update(const Observation& seen);
@@ -79,10 +176,10 @@ class Monitor {
   course::Fence fence_;
   double nominal_duration_s_;
   double wheelbase_m_;
-  DutyWatch left_duty_, right_duty_;
+  DutyMonitor left_duty_, right_duty_;
   TurnBalance turn_;
-  JumpWatch jumps_;
-  double opposed_rad_ = 0.0;  ///< turned against what was asked for
+  JumpMonitor jumps_;
+  double opposed_rad_ = 0.0;  ///< rotation against the command
   Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_;
 };
 

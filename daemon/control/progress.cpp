@@ -7,7 +7,7 @@
 namespace tp100::control {
 namespace {
 
-// More than a robot drives in a step, less than lies between two parts of a path.
+// More than a robot drives in a step, less than the distance between two parts of a path.
 constexpr double kWindowM = 0.05;
 
 bool is_pivot(const course::Piece& piece) { return piece.kind == course::Piece::Kind::kPivot; }

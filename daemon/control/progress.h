@@ -7,8 +7,8 @@
 
 namespace tp100::control {
 
-/// Grows only, but for reproject(). Looks for the nearest point inside a window, so that a path
-/// that comes back beside itself is not cut short. No allocation; safe in the real-time thread.
+/// Never decreases, except by reproject(). Searches the nearest point within a window, so that a
+/// path that returns close to itself is not cut short. No allocation; safe in the real-time thread.
 class Progress {
  public:
   /// `path` must outlive this.
@@ -20,17 +20,17 @@ class Progress {
   bool next();
   /// To the nearest point from here on; over joints, not over a turn on the spot.
   void advance(double x_m, double y_m);
-  /// To the nearest point at most `window_m` before or after; not over a turn on the spot.
+  /// Moves to the nearest point at most `window_m` before or after; not across a turn on the spot.
   void reproject(double x_m, double y_m, double window_m);
 
   /// Where the robot is, on a line or arc.
   course::PathPoint here() const { return path_.at(index_, offset_m_); }
-  /// The point `distance_m` on. Behind the next stop the path is thought to go straight on.
+  /// The point `distance_m` further on. Beyond the next stop the path is extended straight.
   course::PathPoint ahead(double distance_m) const;
-  /// The piece that is a turn on the spot and comes next, or is being done; the number of pieces if
-  /// there is none.
+  /// Index of the turn on the spot that is next or under way; the number of pieces if there is
+  /// none.
   std::size_t next_turn() const;
-  /// Way to the next turn on the spot or the end.
+  /// Distance to the next turn on the spot or to the end.
   double left_m() const;
 
  private:

@@ -8,25 +8,28 @@
 namespace tp100::control {
 namespace {
 
+// The tracks' speed is quantised to a few edges: a shorter sign is noise.
+constexpr double kDisturbedS = 0.015;
+
 using Kind = course::Piece::Kind;
 
-constexpr double kRestMps = 0.005;
-constexpr double kRestRadps = 0.05;
-// A yaw loop that cannot close the last fraction of a degree must not hold up the run for ever.
+constexpr double kStandstillMps = 0.005;
+constexpr double kStandstillRadps = 0.05;
+// A yaw loop that cannot close the last fraction of a degree must not block the run for ever.
 constexpr double kPatienceS = 2.0;
 // A large heading error slows the robot down, but never to a stop.
 constexpr double kSlowestShare = 0.25;
-// A turn may take this share of what the belts can do: the rest is the yaw loop's.
+// A turn may take this share of the tracks' limit: the rest is for the yaw loop.
 constexpr double kTurnShare = 0.85;
-// After a push the robot goes slowly until it looks to where it should go.
+// After a disturbance the robot drives slowly until it heads towards its target.
 constexpr double kLooksBackRad = 20.0 * kRadPerDeg;
 
-/// Of a turn in which the slower belt makes `ratio` of the faster one's speed. [m]
+/// ICR offset in a turn in which the slower track has `ratio` times the faster one's speed. [m]
 double x_icr_m(const model::TrackParameters& tracks, double ratio) {
   return model::turn_of(tracks, model::Mode::kExtended, model::turn_shape(ratio, 1.0)).x_icr_m;
 }
 
-// Slower belt over faster one on the spot, and while an error is steered away.
+// Ratio of slower to faster track on the spot, and while an error is corrected.
 constexpr double kSpot = -1.0, kSteering = 0.4;
 
 std::vector<Corner> corners(const course::Path& path, double x_icr_m) {
@@ -42,7 +45,34 @@ std::vector<Corner> corners(const course::Path& path, double x_icr_m) {
 
 }  // namespace
 
-Tracker::Tracker(const Parameters& parameters, const course::Path& path, const Drive& drive)
+void Disturbance::restart(std::uint32_t contradictions) {
+  contradictions_ = contradictions;
+  lasted_s_ = 0.0;
+}
+
+bool Disturbance::update(const DisturbanceSigns& signs, double dt_s) {
+  const bool turned =
+      std::abs(signs.gyro_radps - signs.tracks_radps) > parameters_.disturbance_radps;
+  lasted_s_ = turned ? lasted_s_ + dt_s : 0.0;
+  const bool moved = signs.contradictions != contradictions_;
+  contradictions_ = signs.contradictions;
+  return moved || lasted_s_ >= kDisturbedS;
+}
+
+void Recovery::begin() {
+  active_ = true;
+  inside_s_ = 0.0;
+}
+
+void Recovery::update(double cross_track_m, double heading_rad, double dt_s) {
+  if (!active_) return;
+  const bool inside =
+      std::abs(cross_track_m) < kRecoveredM && std::abs(heading_rad) < kRecoveredRad;
+  inside_s_ = inside ? inside_s_ + dt_s : 0.0;
+  active_ = inside_s_ < kRecoveredForS;
+}
+
+Tracker::Tracker(const Parameters& parameters, const course::Path& path, const DriveModel& drive)
     : parameters_(parameters),
       path_(path),
       drive_(drive),
@@ -91,11 +121,11 @@ void Tracker::next_piece() {
 }
 
 bool Tracker::settled(const Twist& twist, bool in_tolerance, double dt_s) {
-  const bool at_rest =
-      std::abs(twist.vx_mps) < kRestMps && std::abs(twist.yaw_rate_radps) < kRestRadps;
-  settled_s_ = at_rest && in_tolerance ? settled_s_ + dt_s : 0.0;
+  const bool standstill =
+      std::abs(twist.vx_mps) < kStandstillMps && std::abs(twist.yaw_rate_radps) < kStandstillRadps;
+  settled_s_ = standstill && in_tolerance ? settled_s_ + dt_s : 0.0;
   waited_s_ += dt_s;
-  return settled_s_ >= parameters_.settle_s || (at_rest && waited_s_ >= kPatienceS);
+  return settled_s_ >= parameters_.settle_s || (standstill && waited_s_ >= kPatienceS);
 }
 
 void Tracker::stand(double yaw_rad) {
@@ -114,7 +144,7 @@ const Target& Tracker::update(const Pose& pose, const Twist& twist, double dt_s,
   if (progress_.piece().kind == Kind::kPivot) {
     turn(pose, twist, dt_s);
   } else {
-    // Where the robot is now may lie behind where it was.
+    // After a disturbance the robot may be behind its earlier position.
     if (disturbed && !stopping_)
       progress_.reproject(pose.x_m, pose.y_m, parameters_.recovery_window_m);
     follow(pose, twist, dt_s);
@@ -155,7 +185,7 @@ double Tracker::speed_cap(double left_m) const {
   if (recovery_.active() && std::abs(target_.heading_error_rad) > kLooksBackRad)
     cap *= parameters_.recovery_speed_share;
   cap = std::min(cap, std::sqrt(2.0 * parameters_.acceleration_mps2 * std::max(left_m, 0.0)));
-  // Slow enough for a curve where it begins.
+  // Slow enough for a curve by the time it begins.
   const double braking_m = commanded_mps_ * commanded_mps_ / (2.0 * parameters_.acceleration_mps2);
   const double curvature = std::max(std::abs(progress_.here().curvature_1pm),
                                     std::abs(progress_.ahead(braking_m).curvature_1pm));
@@ -163,7 +193,7 @@ double Tracker::speed_cap(double left_m) const {
   return std::max(cap, std::min(parameters_.min_speed_mps, drive_.speed_mps));
 }
 
-/// How much farther left than it looks the reference point moves on a part of the path.
+/// Angle to the left of the heading at which the reference point moves on a part of the path.
 double Tracker::crab_rad(double curvature_1pm) const {
   if (curvature_1pm == 0.0) return drive_.slip_angle_rad;
   const double half = std::abs(curvature_1pm) * drive_.limits.wheelbase_m / 2.0;
@@ -180,9 +210,9 @@ void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoin
   const double dx = ahead.x_m - here.x_m, dy = ahead.y_m - here.y_m;
   const double heading_rad = wrap_angle(pose.yaw_rad - here.yaw_rad);
   const double crab_rad = this->crab_rad(ahead.curvature_1pm);
-  // Turning moves the reference point sideways, the turning centre not: that one is steered.
+  // Turning moves the reference point sideways but not the turning centre: the latter is steered.
   const double swing_m = x_icr_m(drive_.tracks, kSteering) * std::sin(heading_rad + crab_rad);
-  const Steering steering = law_->steer({
+  const LawOutput steering = law_->steer({
       .cross_track_m = target_.cross_track_m + swing_m,
       .heading_rad = heading_rad,
       .yaw_rate_radps = twist.yaw_rate_radps,
@@ -198,7 +228,7 @@ void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoin
   const double error = wrap_angle(target_.desired_yaw_rad - pose.yaw_rad);
 
   const double share = std::max(kSlowestShare, 1.0 - std::abs(error));
-  // What the law wants to turn belongs to the way: a slower robot turns it slower.
+  // The law's turn rate is proportional to speed: a slower robot turns more slowly.
   const double curvature = speed_mps > 0.0 ? steering.yaw_rate_radps / speed_mps : 0.0;
   const double slowed =
       speed_along(std::min(speed_mps, share * cap_mps), error, curvature, drive_.limits);
@@ -213,7 +243,7 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
   target_.speed_mps = 0.0;
   target_.cross_track_m = 0.0;
   target_.progress_m = piece.begin.s_m;
-  // A corner may be taken beside its point.
+  // A corner may be passed beside its point.
   const double reach_m = corner().reach_m();
   target_.off_path_m = path_.distance(pose.x_m, pose.y_m, target_.progress_m - reach_m,
                                       target_.progress_m + reach_m);

@@ -1,51 +1,97 @@
 #pragma once
 // Trajectory tracking along the pieces of a path: progress, speed, stops, turns on the spot and the
-// way back after a disturbance are here; how lines and arcs are steered is a law's (law.h).
+// return after a disturbance. Lines and arcs are steered by a law (law.h).
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "control/belt_limits.h"
 #include "control/corner.h"
 #include "control/law.h"
 #include "control/parameters.h"
-#include "control/pivot.h"
 #include "control/progress.h"
-#include "control/recovery.h"
+#include "control/track_limits.h"
 #include "core/pose.h"
 #include "course/path.h"
 #include "model/track_model.h"
 
 namespace tp100::control {
 
-/// What the tracker asks for, and where the robot is against the path.
+// Recovery: from the detection of a disturbance until the robot is back on the path.
+
+/// Signs of a disturbance in one step.
+struct DisturbanceSigns {
+  double gyro_radps = 0.0;  ///< yaw rates, bias removed; equal ones mean no disturbance
+  double tracks_radps = 0.0;
+  std::uint32_t contradictions = 0;  ///< number so far: the camera was accepted against the
+                                     ///< estimate
+};
+
+/// Detects that the robot is pushed or turned: the gyro measures a turn that the tracks do not
+/// make, or the camera finds the robot elsewhere. No allocation; safe in the real-time thread.
+class Disturbance {
+ public:
+  explicit Disturbance(const Parameters& parameters) : parameters_(parameters) {}
+
+  /// A run begins: earlier signs do not count.
+  void restart(std::uint32_t contradictions);
+  /// True in every step in which a disturbance is detected.
+  bool update(const DisturbanceSigns& signs, double dt_s);
+
+ private:
+  Parameters parameters_;
+  std::uint32_t contradictions_ = 0;
+  double lasted_s_ = 0.0;
+};
+
+/// Over once the robot has been within kRecoveredM and kRecoveredRad of the path for
+/// kRecoveredForS. No allocation; safe in the real-time thread.
+class Recovery {
+ public:
+  static constexpr double kRecoveredM = 0.01;
+  static constexpr double kRecoveredRad = 3.0 * kRadPerDeg;
+  static constexpr double kRecoveredForS = 0.5;
+
+  /// A disturbance was detected.
+  void begin();
+  void restart() { active_ = false; }
+  /// One step on a line or arc; the heading error is the robot's yaw against the tangent.
+  void update(double cross_track_m, double heading_rad, double dt_s);
+  bool active() const { return active_; }
+
+ private:
+  bool active_ = false;
+  double inside_s_ = 0.0;
+};
+
+/// Output of the tracker: its command, and the robot's errors against the path.
 struct Target {
   double desired_yaw_rad = 0.0;  ///< unwrapped, same branch as the path's yaw
   double yaw_rate_radps = 0.0;   ///< feed-forward
-  double speed_mps = 0.0;        ///< what the belts can do beside the turn, turns have priority
+  double speed_mps = 0.0;        ///< what the tracks can do beside the turn, which has priority
   double cross_track_m = 0.0;    ///< left positive, across the path's tangent at progress_m
   double off_path_m = 0.0;  ///< distance from the path at progress_m, along it too; not negative
   double heading_error_rad = 0.0;  ///< desired - actual
-  double progress_m = 0.0;  ///< along the path; goes back only when a disturbance was noticed
-  bool recovering = false;  ///< a disturbance was noticed and the robot is not back yet
-  bool done = false;        ///< path completed and at rest
+  double progress_m = 0.0;         ///< along the path; decreases only after a disturbance
+  bool recovering = false;         ///< a disturbance was detected and the robot is not back yet
+  bool done = false;               ///< path completed and at standstill
 };
 
 /// One robot on one path. SI units.
-struct Drive {
+struct DriveModel {
   double speed_mps = 0.1;           ///< of the course
   double slip_angle_rad = 0.0;      ///< crab angle to steer against on straights
-  model::TrackParameters tracks{};  ///< says where the turning centre lies
-  BeltLimits limits{};
+  model::TrackParameters tracks{};  ///< gives the turning centre
+  TrackLimits limits{};
 };
 
 /// Follows one path once. No allocation after construction; safe in the real-time thread.
 class Tracker {
  public:
   /// `path` must outlive the tracker.
-  Tracker(const Parameters& parameters, const course::Path& path, const Drive& drive);
+  Tracker(const Parameters& parameters, const course::Path& path, const DriveModel& drive);
 
-  /// Other gains from now on; the path and what is done of it stay.
+  /// Applies other gains; the path and the progress on it stay.
   void retune(const Parameters& parameters) {
     parameters_ = parameters;
     law_->retune(parameters);
@@ -53,11 +99,11 @@ class Tracker {
   /// Back to the start of the path.
   void restart();
   /// One step of `dt_s` with the steering pose and twist. Whole turns of the pose's yaw change
-  /// nothing, except that the desired yaw of a robot that stops is on the pose's branch.
-  /// `disturbed`: someone pushes the robot, see Disturbance.
+  /// nothing, except that the desired yaw of a stopping robot is on the pose's branch. `disturbed`:
+  /// the robot is being pushed, see Disturbance.
   const Target& update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed = false);
 
-  /// Duration of the path at the speeds that are meant, pivots included. [s]
+  /// Duration of the path at the intended speeds, pivots included. [s]
   double nominal_duration_s() const { return nominal_duration_s_; }
 
  private:
@@ -77,12 +123,12 @@ class Tracker {
 
   Parameters parameters_;
   const course::Path& path_;
-  Drive drive_;
-  std::vector<Corner> corners_;  ///< one a piece, of its turn on the spot, and one for none
+  DriveModel drive_;
+  std::vector<Corner> corners_;  ///< one for each piece's turn on the spot, and one for none
   std::unique_ptr<Law> law_;
   double nominal_duration_s_ = 0.0;
   Progress progress_;
-  Pivot pivot_;
+  PivotProfile pivot_;
   Recovery recovery_;
   double commanded_mps_ = 0.0;
   double settled_s_ = 0.0;

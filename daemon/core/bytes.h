@@ -36,7 +36,7 @@ class ByteWriter {
     out_.insert(out_.end(), content.begin(), content.end());
   }
   std::size_t size() const { return out_.size(); }
-  /// Overwrites what was written at `at`.
+  /// Overwrites the value written at `at`.
   template <class T>
   void patch(std::size_t at, T value) {
     std::memcpy(out_.data() + at, &value, sizeof value);
@@ -46,7 +46,7 @@ class ByteWriter {
   Bytes& out_;
 };
 
-/// Takes from `in`. Beyond its end everything is zero and ok() is false.
+/// Reads from `in`. Beyond its end every value is zero and ok() is false.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> in) : in_(in) {}

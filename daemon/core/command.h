@@ -23,7 +23,7 @@ struct Command {
 /// One-shot requests to the robot; the link repeats them until they are acknowledged.
 enum class RobotRequest : std::uint8_t { kNone, kArm, kDisarm, kStop };
 
-/// What became of the last arm or disarm that was asked of the robot.
+/// Outcome of the last arm or disarm request.
 enum class RequestAnswer : std::uint8_t {
   kNone,          ///< nothing yet, or nothing was asked
   kAcknowledged,  ///< the robot accepted it
@@ -32,9 +32,30 @@ enum class RequestAnswer : std::uint8_t {
 
 /// What an operator (keyboard, page, --go, signal) asks of the bridge.
 enum class OperatorRequest : std::uint8_t {
-  kStart,  ///< arm and begin the course from where the robot stands
+  kStart,  ///< arm and begin the course at the robot's position
   kHold,   ///< disarm, keep the session
   kStop,   ///< latch STOP on the robot; only kStart ends it
+};
+
+// A parameter that changes while the bridge runs: an input of the step like any other, so that a
+// recording replays it.
+
+/// What can change. The values stay as they are: recordings hold them.
+enum class LiveParameter : std::uint8_t {
+  kSteering = 0,  ///< a Steering; ignored during a run
+  kPreview = 1,
+  kCrossTrackGain = 2,
+  kMaxApproach = 3,
+  kAcceleration = 4,
+  kMinSpeed = 5,
+  kPivotRate = 6,
+  kPivotAcceleration = 7,
+};
+inline constexpr std::size_t kLiveParameters = 8;
+
+struct ParameterChange {
+  LiveParameter parameter = LiveParameter::kSteering;
+  double value = 0.0;  ///< SI
 };
 
 }  // namespace tp100

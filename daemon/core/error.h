@@ -1,6 +1,6 @@
 #pragma once
-// The exception for what a user, a file or a viewer got wrong. Nothing throws it in the real-time
-// loop, which returns results instead.
+// The exception for mistakes of a user, a file or a viewer. The real-time loop never throws it and
+// returns results instead.
 
 #include <stdexcept>
 #include <string>

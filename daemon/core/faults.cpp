@@ -4,10 +4,11 @@
 #include <bit>
 
 namespace tp100 {
+
 namespace {
 
 constexpr auto kTexts = std::to_array<FaultText>({
-#define TP100_TEXT(bit, name, cause, remedy) {Fault::name, #name, cause, remedy},
+#define TP100_TEXT(bit, name, cause, fix) {Fault::name, #name, cause, fix},
     TP100_ROBOT_FAULTS(TP100_TEXT) TP100_DAEMON_FAULTS(TP100_TEXT)
 #undef TP100_TEXT
 });

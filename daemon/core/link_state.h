@@ -1,5 +1,5 @@
 #pragma once
-// What the bridge knows of the link: the session's state, counters and the clock relation.
+// State of the link: the session's state, counters and the clock relation.
 
 #include <algorithm>
 #include <array>
@@ -7,23 +7,36 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/enum_names.h"
 #include "core/time.h"
 
 namespace tp100 {
 
 /// States of a session, in the order in which a connection passes them.
 enum class SessionState : std::uint8_t {
-  kClosed,     ///< no port
-  kListening,  ///< port open, silent until the robot's first frame (a bootloader must hear nothing)
-  kHello,      ///< hello asked for
+  kClosed,      ///< no port
+  kListening,   ///< port open, silent until the robot's first frame (a bootloader must not receive
+                ///< anything)
+  kHello,       ///< hello asked for
   kParameters,  ///< parameters sent, acknowledgement awaited
   kSyncing,     ///< samples flow, the clock relation is being found
   kReady,       ///< samples and commands flow
-  kRefused,     ///< the robot speaks another version
+  kRefused,     ///< the robot uses another version
 };
 
-/// Name as printed in `state: A -> B`.
-std::string_view to_string(SessionState state);
+/// Names as printed in `state: A -> B`.
+inline constexpr std::array<EnumName<SessionState>, 7> kSessionStateNames = {{
+    {SessionState::kClosed, "closed"},
+    {SessionState::kListening, "listening"},
+    {SessionState::kHello, "hello"},
+    {SessionState::kParameters, "parameters"},
+    {SessionState::kSyncing, "syncing"},
+    {SessionState::kReady, "ready"},
+    {SessionState::kRefused, "refused"},
+}};
+constexpr std::string_view to_string(SessionState state) {
+  return name_in(kSessionStateNames, state);
+}
 
 /// Counters since the start; every lost byte or frame is in exactly one of them.
 struct LinkCounters {
@@ -40,7 +53,7 @@ struct LinkCounters {
   std::uint64_t undersize = 0;
   std::uint64_t unknown_type = 0;  ///< good frames of a type that a robot never sends
   std::uint64_t wrong_size = 0;    ///< good frames whose payload has another size than its type
-  std::uint64_t implausible = 0;   ///< good frames whose values cannot be (time going back, ...)
+  std::uint64_t implausible = 0;   ///< good frames with impossible values (time going back, ...)
   std::uint64_t foreign_bytes =
       0;                        ///< bytes before the first good frame (boot banner, modem probe)
   std::uint64_t unwritten = 0;  ///< frames dropped because the port did not take them
@@ -52,12 +65,12 @@ struct LinkCounters {
   std::uint64_t refused = 0;        ///< unknown hellos, parameters out of range
   std::uint64_t unknown_board = 0;  ///< hellos of a board that this version does not know
   std::uint64_t robot_faults = 0;   ///< faults that the robot reported
-  /// Frames that came spoilt at the robot, by its own count.
-  std::uint64_t robot_damaged = 0;
+  /// Frames that the robot received corrupted, by its own count.
+  std::uint64_t robot_corrupted = 0;
   std::uint64_t missed_edges = 0;  ///< of the encoders, by the robot's own count
 
   /// Frames that did not arrive as they were sent.
-  std::uint64_t damaged() const { return crc_errors + cobs_errors + oversize + undersize; }
+  std::uint64_t corrupted() const { return crc_errors + cobs_errors + oversize + undersize; }
 };
 
 /// Calls visit(name, counter) for each of `link`, in their order: a LinkCounters, constant or not.
@@ -66,7 +79,7 @@ void each_counter(Counters& link, Visit&& visit) {
   auto& [bytes_in, bytes_out, frames_in, frames_out, samples, early, lost, duplicated, reordered,
          crc_errors, cobs_errors, oversize, undersize, unknown_type, wrong_size, implausible,
          foreign_bytes, unwritten, sync_replies, sync_rejected, reconnects, reboots, silences,
-         unanswered, refused, unknown_board, robot_faults, robot_damaged, missed_edges] = link;
+         unanswered, refused, unknown_board, robot_faults, robot_corrupted, missed_edges] = link;
   visit("bytes_in", bytes_in);
   visit("bytes_out", bytes_out);
   visit("frames_in", frames_in);
@@ -94,11 +107,11 @@ void each_counter(Counters& link, Visit&& visit) {
   visit("refused", refused);
   visit("unknown_board", unknown_board);
   visit("robot_faults", robot_faults);
-  visit("robot_damaged", robot_damaged);
+  visit("robot_corrupted", robot_corrupted);
   visit("missed_edges", missed_edges);
 }
 
-/// What was counted since `before`, an earlier state of the same counters.
+/// Counts since `before`, an earlier state of the same counters.
 inline LinkCounters operator-(LinkCounters now, LinkCounters before) {
   std::array<std::uint64_t, sizeof(LinkCounters) / sizeof(std::uint64_t)> earlier{};
   std::size_t i = 0;
@@ -115,8 +128,10 @@ struct ClockState {
   HostNs reference_host_ns = 0;
   DeviceUs reference_us = 0;
   double drift = 0.0;           ///< how much faster host time runs, e.g. 40e-6 for a slow crystal
-  double uncertainty_us = 0.0;  ///< half of what the fastest messages each way leave open, aged
-  /// Values that no clock has (a recording may hold any) end at +-kMostTime instead of overflowing.
+  double uncertainty_us = 0.0;  ///< half the distance between the bounds of the fastest messages
+                                ///< each way, aged
+  /// Impossible clock values (a recording may hold any) are limited to +-kMaxTime instead of
+  /// overflowing.
   HostNs to_host(DeviceUs device_us) const {
     return moved(reference_host_ns, difference(device_us, reference_us) * 1e3 * (1.0 + drift));
   }
@@ -130,8 +145,7 @@ struct ClockState {
         static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b)));
   }
   static std::int64_t moved(std::int64_t from, double by) {
-    return std::clamp(std::clamp(from, -kMostTime, kMostTime) + whole_time(by), -kMostTime,
-                      kMostTime);
+    return std::clamp(std::clamp(from, -kMaxTime, kMaxTime) + whole_time(by), -kMaxTime, kMaxTime);
   }
 };
 

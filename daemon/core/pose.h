@@ -1,6 +1,9 @@
 #pragma once
-// Pose and twist of the reference point: the centre of the belts' footprint.
+// Pose and twist of the reference point: the centre of the tracks' footprint.
 // Right-handed, x forward, y left, z up (REP-103); nose-up is negative pitch; yaw is unwrapped.
+// Their planar transforms, and their orientation as a quaternion.
+
+#include <cmath>
 
 namespace tp100 {
 
@@ -20,5 +23,32 @@ struct Twist {
   double vy_mps = 0.0;
   double yaw_rate_radps = 0.0;
 };
+
+/// A rotation about the origin, then a translation.
+struct Transform2d {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double turn_rad = 0.0;
+  /// `pose` after the transform; height, pitch and roll stay.
+  Pose of(const Pose& pose) const;
+  /// The transform that takes `from` to `to`; its rotation is the shorter one.
+  static Transform2d between(const Pose& from, const Pose& to);
+};
+
+/// A rotation, w last. Of length 1.
+struct Quaternion {
+  double x = 0.0, y = 0.0, z = 0.0, w = 1.0;
+};
+
+/// Of z-y-x Euler angles: first roll, then pitch, then yaw.
+inline Quaternion quaternion(const Pose& pose) {
+  const double cr = std::cos(pose.roll_rad / 2.0), sr = std::sin(pose.roll_rad / 2.0);
+  const double cp = std::cos(pose.pitch_rad / 2.0), sp = std::sin(pose.pitch_rad / 2.0);
+  const double cy = std::cos(pose.yaw_rad / 2.0), sy = std::sin(pose.yaw_rad / 2.0);
+  return {.x = sr * cp * cy - cr * sp * sy,
+          .y = cr * sp * cy + sr * cp * sy,
+          .z = cr * cp * sy - sr * sp * cy,
+          .w = cr * cp * cy + sr * sp * sy};
+}
 
 }  // namespace tp100

@@ -37,7 +37,7 @@ std::string_view to_string(StartRefusal refusal) {
     case StartRefusal::kTilted:
       return "the robot is tilted by more than control.max_tilt_deg; set it upright";
     case StartRefusal::kNoImu:
-      return "the MPU6050 delivers no values; check its wiring, or use set-up bench";
+      return "the MPU6050 delivers no values; check its wiring, or use set-up stand";
     case StartRefusal::kNotStill:
       return "the gyro is not still; leave the robot at rest for a second";
     case StartRefusal::kNoWorld:

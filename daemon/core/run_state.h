@@ -1,5 +1,6 @@
 #pragma once
-// States of a run, as printed in `state: A -> B` and in snapshots, and what stands against a start.
+// States of a run, as printed in `state: A -> B` and in snapshots, and the reasons that refuse a
+// start.
 
 #include <cstdint>
 #include <string_view>
@@ -7,7 +8,7 @@
 namespace tp100 {
 
 enum class RunState : std::uint8_t {
-  kIdle,      ///< no run; commands say "stand still"
+  kIdle,      ///< no run; commands ask for a standstill
   kArming,    ///< operator started; robot not armed yet
   kRunning,   ///< following the course
   kFinished,  ///< path completed, robot disarmed
@@ -17,7 +18,7 @@ enum class RunState : std::uint8_t {
 /// Name as printed in `state: A -> B`.
 std::string_view to_string(RunState state);
 
-/// What stands against a start of the course, the first one that holds.
+/// The first reason that refuses a start of the course.
 enum class StartRefusal : std::uint8_t {
   kNone,
   kNoCourse,
@@ -32,7 +33,7 @@ enum class StartRefusal : std::uint8_t {
   kNoWorld,       ///< the external world has not answered in time
 };
 
-/// Why, and what to do, in one line; empty for kNone.
+/// The reason and what to do, in one line; empty for kNone.
 std::string_view to_string(StartRefusal refusal);
 
 }  // namespace tp100

@@ -1,10 +1,13 @@
 #pragma once
-// What the robot measured, in SI units: one decoded sample frame.
+// Measurements that reach the step, in SI units: of the robot, an overhead camera, an external
+// world.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "core/faults.h"
+#include "core/pose.h"
 #include "core/time.h"
 
 namespace tp100 {
@@ -40,6 +43,52 @@ inline bool enabled(const Sample& sample) {
 /// It is enabled or has a duty. Tracks that turn without either are turned by somebody's hand.
 inline bool motors_on(const Sample& sample) {
   return enabled(sample) || sample.left_duty != 0.0 || sample.right_duty != 0.0;
+}
+
+// One detection of the robot's marker by an overhead camera.
+
+/// Place and direction of the marker in the world frame, found through a plane homography at the
+/// marker's height over a flat floor. Where the robot climbs or tilts, the marker leaves that
+/// plane: the sample shows the shift, whoever uses it takes it out. Arrives late; `measured_ns` is
+/// when the image was taken.
+struct CameraSample {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double yaw_rad = 0.0;  ///< any branch
+  HostNs measured_ns = 0;
+  std::uint32_t sequence = 0;  ///< of the frame; grows
+};
+
+// One message of an external world (a game engine, a simulator).
+
+/// In the frame of the course, REP-103, already checked: finite and in range.
+struct WorldSample {
+  std::uint32_t session = 0;  ///< +1 each time a world connects; a change means a new world
+  /// The `now` of the step whose pose it answers; a file answers none: when it was read.
+  HostNs answered_ns = 0;
+  bool stop = false;  ///< the world requests a standstill, like an operator's stop
+  bool has_ground = false;
+  double height_m = 0.0;  ///< of the reference point above the floor
+  double roll_rad = 0.0;
+  double pitch_rad = 0.0;      ///< nose-up negative
+  double slip_offset = 0.0;    ///< of the surface, added to both slip ratios
+  double step_height_m = 0.0;  ///< of the block that the tracks touch; 0: none
+  bool blocked = false;        ///< the robot cannot move on, whatever its tracks do
+  bool has_pose = false;       ///< only if the world owns the pose
+  Pose pose{};
+};
+
+// Greatest distance that a track can travel between two samples.
+
+/// Limit of a track's speed, whether driven, pushed or rolling down a ramp, as a multiple of the
+/// drive's limit.
+inline constexpr double kFastestTrack = 3.0;
+
+/// True if a track can have made so many counts in `dt_s`; always true if `max_per_s` is 0.
+inline bool counts_possible(double counts, double max_per_s, double dt_s) {
+  // Edges that an interrupt moved from one sample to the next.
+  constexpr double kSlackCounts = 4.0;
+  return max_per_s <= 0.0 || dt_s <= 0.0 || std::abs(counts) <= max_per_s * dt_s + kSlackCounts;
 }
 
 }  // namespace tp100

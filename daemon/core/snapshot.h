@@ -2,14 +2,11 @@
 // Everything that one step produced, for publishing, logging and scoring. Plain data, fixed size.
 
 #include "core/command.h"
+#include "core/estimates.h"
 #include "core/faults.h"
-#include "core/fused.h"
 #include "core/pose.h"
 #include "core/run_state.h"
 #include "core/sample.h"
-#include "core/slope.h"
-#include "core/steering.h"
-#include "core/underfoot.h"
 
 namespace tp100 {
 
@@ -19,36 +16,34 @@ struct Snapshot {
   Sample sample{};  ///< newest sample; sample.sequence is valid only if has_sample
   bool has_sample = false;
   std::int64_t age_us = 0;  ///< now - when the newest sample was measured
-  Pose model{};             ///< the model (model/track_model.h) on encoder counts alone
-  Twist model_twist{};
-  Pose odometry{};  ///< encoders + gyro
-  Twist odometry_twist{};
-  Fused fused{};  ///< encoders + gyro + overhead camera
+  PerSource<Estimate> estimates{};
+  FilterFigures filter{};  ///< of the fused estimate
   /// The steering pose in the course's world. Where ramps and blocks are virtual, the robot on them
-  /// is slower than the one on the floor: x and y run behind. Elsewhere the same as the steering
+  /// is slower than the one on the floor: x and y lag behind. Elsewhere it equals the steering
   /// pose.
   Pose world{};
-  Underfoot underfoot{};
-  double left_mps = 0.0;  ///< belt speeds over the last sample interval
+  TerrainContact terrain_contact{};
+  double left_mps = 0.0;  ///< track speeds over the last sample interval
   double right_mps = 0.0;
   double slip_left = 0.0;  ///< slip ratios in use
   double slip_right = 0.0;
   double gyro_bias_radps = 0.0;
-  double imu_roll_rad = 0.0;  ///< of the real body, whatever the virtual world does
+  double imu_roll_rad = 0.0;  ///< of the real body, independent of the virtual world
   double imu_pitch_rad = 0.0;
   Slope imu_slope = Slope::kFlat;
-  Obstacle imu_obstacle = Obstacle::kNone;  ///< what leans the body, without a map
+  Obstacle imu_obstacle = Obstacle::kNone;  ///< obstacle that tilts the body, found without a map
   Command command{};
-  /// Track speeds that the command makes the firmware's yaw loop ask for, within the track's limit.
+  /// Track speeds that the firmware's yaw loop will request for the command, within the track's
+  /// limit.
   double commanded_left_mps = 0.0;
   double commanded_right_mps = 0.0;
   double cross_track_m = 0.0;      ///< steering pose against the path, left positive
   double heading_error_rad = 0.0;  ///< desired - actual
   double progress_m = 0.0;         ///< along the path
   bool recovering = false;         ///< a disturbance was noticed; not back on the path yet
-  Steering steering = Steering::kOdometry;
+  PoseSource steering = PoseSource::kOdometry;
   RunState run_state = RunState::kIdle;
-  StartRefusal start_refusal = StartRefusal::kNone;  ///< what stands against a start now
+  StartRefusal start_refusal = StartRefusal::kNone;  ///< reason that refuses a start now
   FaultMask faults = 0;                              ///< robot's and daemon's
 };
 

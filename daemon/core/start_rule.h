@@ -1,5 +1,5 @@
 #pragma once
-// Who may start a run, and how: the one rule that program, terminal and page obey. Pure.
+// Who may start a run, and how: the one rule for program, terminal and page. Pure.
 
 #include <cstdint>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace tp100 {
 
-/// Typed at the terminal, it starts a run again. Enter alone, which stops, never does.
+/// Starts a run again when typed at the terminal. Enter alone, which stops, never does.
 inline constexpr std::string_view kStartWord = "go";
 
 /// A port is physical unless this proves otherwise: a pseudo-terminal alone may be a serial server
@@ -17,7 +17,7 @@ constexpr bool is_emulator(bool pseudo_terminal, std::uint8_t board) {
   return pseudo_terminal && board == static_cast<std::uint8_t>(wire::Board::kNative);
 }
 
-/// What is known when a start is asked for.
+/// Facts known when a start is requested.
 struct StartFacts {
   bool emulator = false;    ///< is_emulator()
   bool go = false;          ///< somebody gave --go
@@ -26,7 +26,7 @@ struct StartFacts {
   bool ran_before = false;  ///< the program drove other runs before it looked for this robot
 };
 
-/// What a start takes.
+/// Consent that a start needs.
 enum class StartConsent : std::uint8_t {
   kNone,   ///< the program starts by itself
   kEnter,  ///< at the terminal Enter; on the page a confirmed press
@@ -39,16 +39,16 @@ constexpr StartConsent start_consent(const StartFacts& facts) {
   return facts.ran_before ? StartConsent::kWord : StartConsent::kEnter;
 }
 
-/// What a line typed at the terminal asks for.
+/// Meaning of a line typed at the terminal.
 enum class LineMeaning : std::uint8_t {
   kNothing,
   kStart,
   kStop,
 };
 
-/// `line`: without white space around it. Once something has run, whatever is no kStartWord is a
-/// STOP, even if nothing seems to run: the run that it is meant for may have ended just now, and
-/// the robot may not know yet.
+/// `line`: without surrounding white space. Once a run has begun, any line but kStartWord is a
+/// STOP, even if nothing seems to run: the run that it is meant for may have ended just now, before
+/// the robot knows.
 constexpr LineMeaning meaning_of(std::string_view line, StartConsent consent, bool under_way) {
   if (under_way) return LineMeaning::kStop;
   if (line == kStartWord) return LineMeaning::kStart;

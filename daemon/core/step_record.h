@@ -2,48 +2,43 @@
 // One step with everything that went in and came out, as plain data of fixed size: what the
 // real-time thread hands to recorders and viewers.
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
-#include "core/camera_sample.h"
+#include "core/bounded_list.h"
+#include "core/carried_state.h"
 #include "core/command.h"
 #include "core/link_state.h"
-#include "core/parameter_change.h"
 #include "core/sample.h"
 #include "core/snapshot.h"
-#include "core/world_sample.h"
 
 namespace tp100 {
 
-/// Inputs and results of one step. Replaying the inputs in order through a step with the same
-/// parameters and course gives the same results bit for bit (same build). Only the first
-/// `*_count` entries of each array are meaningful.
-struct StepRecord {
-  static constexpr std::size_t kMaxSamples = 64;
-  static constexpr std::size_t kMaxRequests = 16;
-  static constexpr std::size_t kMaxCamera = 8;
-  static constexpr std::size_t kMaxWorld = 8;
-  static constexpr std::size_t kMaxChanges = 8;
+/// What happened since the last step. It is filled by the cycle, taken by the step, recorded and
+/// replayed as it is.
+struct StepInputs {
+  using Samples = BoundedList<Sample, 64>;
+  using Camera = BoundedList<CameraSample, 8>;
+  using Changes = BoundedList<ParameterChange, 8>;
 
-  HostNs now_ns = 0;
-  std::uint64_t step = 0;  ///< counts the steps since the start; a gap is a dropped record
-
-  std::array<Sample, kMaxSamples> samples{};  ///< oldest first
-  std::uint32_t sample_count = 0;
-  std::array<OperatorRequest, kMaxRequests> requests{};
-  std::uint32_t request_count = 0;
-  std::array<CameraSample, kMaxCamera> camera{};
-  std::uint32_t camera_count = 0;
-  std::array<WorldSample, kMaxWorld> world{};
-  std::uint32_t world_count = 0;
-  std::array<ParameterChange, kMaxChanges> changes{};
-  std::uint32_t change_count = 0;
+  BoundedList<CarriedState, 1> restart{};  ///< before anything else, the step begins anew with this
+  Samples samples{};                       ///< oldest first; may be empty
+  BoundedList<OperatorRequest, 16> requests{};  ///< oldest first
+  Camera camera{};                              ///< as they arrived; empty without a camera
+  BoundedList<WorldSample, 8> world{};          ///< oldest first; empty without an external world
+  Changes changes{};                            ///< oldest first; applied before the requests
   SessionState session = SessionState::kClosed;
   ClockState clock{};
-  std::uint32_t session_number = 0;
-  bool robot_rebooted = false;
-  RequestAnswer answer = RequestAnswer::kNone;
+  std::uint32_t session_number = 0;             ///< +1 each time a session becomes ready
+  bool robot_rebooted = false;                  ///< a new boot nonce since the last step
+  RequestAnswer answer = RequestAnswer::kNone;  ///< to the last arm or disarm
+};
+
+/// Inputs and results of one step. Replaying the inputs in order through a step with the same
+/// parameters and course gives the same results bit for bit (same build).
+struct StepRecord {
+  HostNs now_ns = 0;
+  std::uint64_t step = 0;  ///< counts the steps since the start; a gap is a dropped record
+  StepInputs inputs{};
 
   LinkCounters link{};         ///< counters after the step
   bool command_valid = false;  ///< snapshot.command was sent

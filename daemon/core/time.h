@@ -18,15 +18,15 @@ inline constexpr HostNs kNsPerS = 1'000'000'000;
 
 /// Nanoseconds as seconds.
 inline constexpr double to_s(HostNs ns) { return static_cast<double>(ns) * 1e-9; }
-/// What no clock has (a recording may hold any number) ends here: sums and differences of two such
-/// times still fit.
-inline constexpr std::int64_t kMostTime = std::int64_t{1} << 61;
+/// Limit of times: impossible clock values (a recording may hold any number) are limited to it, so
+/// that sums and differences of two of them do not overflow.
+inline constexpr std::int64_t kMaxTime = std::int64_t{1} << 61;
 
-/// A time or a way between two, rounded towards zero, within +-kMostTime.
+/// A time or a difference of two, rounded towards zero, within +-kMaxTime.
 inline constexpr std::int64_t whole_time(double value) {
-  constexpr double kMost = static_cast<double>(kMostTime);
-  if (!(value > -kMost)) return -kMostTime;
-  return value < kMost ? static_cast<std::int64_t>(value) : kMostTime;
+  constexpr double kMax = static_cast<double>(kMaxTime);
+  if (!(value > -kMax)) return -kMaxTime;
+  return value < kMax ? static_cast<std::int64_t>(value) : kMaxTime;
 }
 
 /// Seconds as nanoseconds.

@@ -1,6 +1,6 @@
 #pragma once
 // A camera file (config/cameras) as data: one emulated overhead camera. The daemon never reads it;
-// what it believes of its camera is in the configuration's [camera].
+// what it assumes of its camera is in the configuration's [camera].
 
 #include <string>
 
@@ -11,14 +11,14 @@ namespace tp100::course {
 /// One camera. Its lens looks straight down on the floor.
 struct EmulatedCamera {
   double rate_hz = 33.0;
-  double delay_s = 0.060;         ///< from the picture to the sample's arrival
+  double delay_s = 0.060;         ///< from the image to the sample's arrival
   double delay_jitter_s = 0.008;  ///< standard deviation of that
   double stamp_error_s = 0.001;   ///< standard deviation of the time stamp
   double noise_m = 0.0015;        ///< standard deviation per axis
   double noise_rad = 0.4 * kRadPerDeg;
-  double bias_m = 0.0015;     ///< error of the place that stays, its direction drawn by the seed
+  double bias_m = 0.0015;     ///< constant error of the position, its direction by the seed
   double dropped = 0.03;      ///< share of the frames without a detection
-  double blind_from_s = 0.0;  ///< nothing is seen from here, since the first picture ...
+  double blind_from_s = 0.0;  ///< no detections from here, counted from the first image ...
   double blind_s = 0.0;       ///< ... for this long
   double outliers = 0.0;      ///< share of the frames with a false one
   double outlier_m = 0.3;     ///< a false detection lies this far away at most, in each axis

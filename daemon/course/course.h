@@ -26,9 +26,9 @@ struct Pivot {
 };
 using Segment = std::variant<Line, Arc, Pivot>;
 
-/// Someone pushes the robot: sideways (left positive) and in yaw, once it has driven `at_m` of the
-/// path.
-struct Shove {
+/// A disturbance: the robot is pushed sideways (left positive) and in yaw, once it has driven
+/// `at_m` of the path.
+struct Disturbance {
   double at_m;        ///< path length at which it happens
   double sideways_m;  ///< in the robot's own y direction
   double yaw_rad;
@@ -45,10 +45,10 @@ struct Course {
   std::string name;  ///< file stem, e.g. "1-curve"
   std::string description;
   double speed_mps = 0.10;
-  bool identifies = false;    ///< driven to find the robot's values: nobody knows how it turns yet
+  bool identifies = false;    ///< driven to find the robot's values: its turns are not known yet
   Pose start{};               ///< x, y, yaw
   std::vector<Segment> path;  ///< never empty
-  std::vector<Shove> shoves;  ///< ascending at_m
+  std::vector<Disturbance> disturbances;  ///< ascending at_m
   Terrain terrain{};
   Fence fence{};
 };
@@ -56,5 +56,9 @@ struct Course {
 /// Parses a course file. `file` is only used in messages. Throws SetupError (file:line:column).
 /// Pure: reads no file itself.
 Course parse_course(const std::string& text, const std::string& file);
+
+/// The course mirrored along its x axis: left is right, everything else is the same. Its name gets
+/// "-mirrored". Pure.
+Course mirrored(const Course& course);
 
 }  // namespace tp100::course

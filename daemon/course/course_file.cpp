@@ -4,18 +4,80 @@
 #include "core/angle.h"
 #include "course/course.h"
 #include "course/path.h"
-#include "course/terrain_file.h"
 #include "text/toml_document.h"
 
 namespace tp100::course {
 namespace {
 
 constexpr std::size_t kMaxSegments = 1000;
-constexpr std::size_t kMaxShoves = 100;
+constexpr std::size_t kMaxDisturbances = 100;
 constexpr text::Range kPlace{-100.0, 100.0};
 constexpr text::Range kAngle{-3600.0, 3600.0};
 constexpr text::Range kLength{0.001, 100.0};
 constexpr double kSmallestAngleDeg = 0.1;
+
+constexpr std::size_t kMaxPieces = 50;
+constexpr text::Range kHeading{-3600.0, 3600.0};
+constexpr text::Range kHeight{0.001, 0.5};
+constexpr text::Range kSize{0.01, 20.0};
+constexpr text::Range kSlope{1.0, 60.0};
+
+Place place_of(text::TomlTable& table) {
+  const auto [x_m, y_m] = table.required_numbers({"x_m", "y_m"}, kPlace);
+  return {x_m, y_m, table.number("heading_deg", 0.0, kHeading) * kRadPerDeg};
+}
+
+Ramp ramp_of(text::TomlTable table) {
+  Ramp ramp{};
+  ramp.place = place_of(table);
+  ramp.height_m = table.required_number("height_m", kHeight);
+  ramp.up_rad = table.required_number("up_deg", kSlope) * kRadPerDeg;
+  ramp.top_m = table.required_number("top_m", {0.0, 20.0});
+  ramp.down_rad = table.required_number("down_deg", kSlope) * kRadPerDeg;
+  ramp.width_m = table.required_number("width_m", kSize);
+  return ramp;
+}
+
+Block block_of(text::TomlTable table) {
+  Block block{};
+  block.place = place_of(table);
+  block.height_m = table.required_number("height_m", kHeight);
+  block.depth_m = table.required_number("depth_m", kSize);
+  block.width_m = table.required_number("width_m", kSize);
+  return block;
+}
+
+Surface surface_of(text::TomlTable table) {
+  Surface surface{};
+  surface.name = table.text("name", "");
+  if (surface.name.empty()) table.fail("name", "a [[surface]] needs a 'name'");
+  surface.place = place_of(table);
+  surface.length_m = table.required_number("length_m", kSize);
+  surface.width_m = table.required_number("width_m", kSize);
+  surface.friction_factor = table.number("friction_factor", 1.0, {0.05, 3.0});
+  surface.slip_offset = table.number("slip_offset", 0.0, {-0.3, 0.5});
+  return surface;
+}
+
+template <class Piece>
+std::vector<Piece> read(text::TomlTable& root, const char* name,
+                        Piece (*piece_of)(text::TomlTable)) {
+  const std::vector<text::TomlTable> tables = root.tables(name);
+  if (tables.size() > kMaxPieces) root.fail(name, std::string("more than 50 [[") + name + "]]");
+  std::vector<Piece> pieces;
+  pieces.reserve(tables.size());
+  for (const text::TomlTable& table : tables) pieces.push_back(piece_of(table));
+  return pieces;
+}
+
+// [[ramp]], [[block]] and [[surface]].
+Terrain terrain_of(text::TomlTable& root) {
+  Terrain terrain;
+  terrain.ramps = read<Ramp>(root, "ramp", ramp_of);
+  terrain.blocks = read<Block>(root, "block", block_of);
+  terrain.surfaces = read<Surface>(root, "surface", surface_of);
+  return terrain;
+}
 
 double turn_rad(text::TomlTable& table) {
   const double angle_deg = table.required_number("angle_deg", kAngle);
@@ -51,17 +113,18 @@ Fence fence_of(text::TomlTable table) {
   return fence;
 }
 
-Shove shove_of(text::TomlTable table, double length_m, double after_m) {
-  Shove shove{};
-  shove.at_m = table.required_number("at_m", {0.0, 1e5});
-  shove.sideways_m = table.number("sideways_m", 0.0, {-0.3, 0.3});
-  shove.yaw_rad = table.number("yaw_deg", 0.0, {-90.0, 90.0}) * kRadPerDeg;
-  shove.duration_s = table.number("duration_s", 0.3, {0.05, 5.0});
-  if (shove.at_m > length_m)
-    table.fail("at_m", "'at_m' is " + text::number_text(shove.at_m) + ", but the path is only " +
-                           text::number_text(length_m) + " m long");
-  if (shove.at_m < after_m) table.fail("at_m", "shoves must be listed in the order of 'at_m'");
-  return shove;
+Disturbance disturbance_of(text::TomlTable table, double length_m, double after_m) {
+  Disturbance disturbance{};
+  disturbance.at_m = table.required_number("at_m", {0.0, 1e5});
+  disturbance.sideways_m = table.number("sideways_m", 0.0, {-0.3, 0.3});
+  disturbance.yaw_rad = table.number("yaw_deg", 0.0, {-90.0, 90.0}) * kRadPerDeg;
+  disturbance.duration_s = table.number("duration_s", 0.3, {0.05, 5.0});
+  if (disturbance.at_m > length_m)
+    table.fail("at_m", "'at_m' is " + text::number_text(disturbance.at_m) +
+                           ", but the path is only " + text::number_text(length_m) + " m long");
+  if (disturbance.at_m < after_m)
+    table.fail("at_m", "disturbances must be listed in the order of 'at_m'");
+  return disturbance;
 }
 
 void require_inside(const Path& path, const Fence& fence, const text::TomlTable& table) {
@@ -92,22 +155,24 @@ Course parse_course(const std::string& text, const std::string& file) {
   course.start = start_of(root.table("start"));
 
   const std::vector<text::TomlTable> segments = root.tables("segment");
-  const std::vector<text::TomlTable> shoves = root.tables("shove");
+  const std::vector<text::TomlTable> disturbances = root.tables("disturbance");
   course.terrain = terrain_of(root);
   course.fence = fence_of(root.table("fence"));
-  // A mistyped table name is better named than its absence.
+  // A mistyped table name is reported before the missing table.
   if (segments.empty()) {
     root.finish();
     root.fail("segment", "a course needs at least one [[segment]]");
   }
   if (segments.size() > kMaxSegments) root.fail("segment", "more than 1000 segments");
-  if (shoves.size() > kMaxShoves) root.fail("shove", "more than 100 shoves");
+  if (disturbances.size() > kMaxDisturbances)
+    root.fail("disturbance", "more than 100 disturbances");
   for (const text::TomlTable& segment : segments) course.path.push_back(segment_of(segment));
 
   const Path path(course);
-  for (const text::TomlTable& shove : shoves)
-    course.shoves.push_back(
-        shove_of(shove, path.length_m(), course.shoves.empty() ? 0.0 : course.shoves.back().at_m));
+  for (const text::TomlTable& disturbance : disturbances)
+    course.disturbances.push_back(
+        disturbance_of(disturbance, path.length_m(),
+                       course.disturbances.empty() ? 0.0 : course.disturbances.back().at_m));
   root.finish();
   require_inside(path, course.fence, root);
   return course;

@@ -25,7 +25,7 @@ PathPoint along(const PathPoint& begin, double offset_m) {
 }
 
 /// Offset in [0, length] of the point nearest to (x, y) on the line or arc that starts at `begin`;
-/// of an arc only what lies within half a turn of `about_m`.
+/// on an arc only within half a turn of `about_m`.
 double nearest_offset(const PathPoint& begin, double length_m, double x_m, double y_m,
                       double about_m) {
   const double dx = x_m - begin.x_m, dy = y_m - begin.y_m;

@@ -1,5 +1,5 @@
 #pragma once
-// The geometry of a course's path: where the reference is, and which point of it is nearest.
+// The geometry of a course's path: the reference pose, and the nearest point of the path.
 
 #include <cstddef>
 #include <vector>
@@ -41,8 +41,7 @@ class Path {
   /// Offset in [0, length] of the point of piece `index` nearest to (x, y). An arc of more than a
   /// turn has several; this is the one nearest to its middle.
   double project(std::size_t index, double x_m, double y_m) const;
-  /// The same for who is known to be near the offset `about_m`: an arc counts only within half a
-  /// turn of that.
+  /// The same near the known offset `about_m`: an arc counts only within half a turn of it.
   double project(std::size_t index, double x_m, double y_m, double about_m) const;
 
   /// Smallest distance from (x, y) to the part of the path between lengths s_from and s_to.

@@ -1,54 +1,40 @@
 #pragma once
-// A robot file as data. `model`, `shape` and `drive` are what the daemon believes and tells the
+// A robot file as data. `model`, `shape` and `drive` are what the daemon assumes and sends to the
 // firmware; they come from driving the robot (identify) and from measuring it. `emulated` is the
 // physics of an emulated robot of that kind; the daemon never reads it, and `model` is never copied
 // from it.
 
 #include <map>
 #include <string>
+#include <vector>
 
-#include "core/angle.h"
+#include "model/track_parameters.h"
+
+namespace tp100::text {
+struct KeyText;
+}
 
 namespace tp100::course {
 
-/// Parameters of the `extended` mode: of eqs 1-5 and 7, and ours.
-struct ModelValues {
-  double slip_left = 0.1;
-  double slip_right = 0.1188;
-  double slip_angle_straight_rad = 0.404 * kRadPerDeg;
-  double slip_angle_turning_rad = 0.0;
-  double turning_threshold_radps = 0.05;  ///< |yaw rate| above it counts as turning; not in robot
-                                          ///< files: it comes from the configuration
-  double wheelbase_m = 0.2742;            ///< equivalent wheelbase L
-  double x_icr_m = 0.0;                   ///< Vy gets -x_icr * yaw rate
-  double wheelbase_tight_m = 0.0;         ///< L in tight arcs; 0: as on the spot
-  double x_icr_tight_shift_m = 0.0;       ///< added to x_icr in tight arcs
-  double wheelbase_spin_m = 0.0;          ///< L on the spot; 0: as wheelbase_m
-  double x_icr_spin_shift_m = 0.0;        ///< added to x_icr on the spot
-  double turn_slip = 0.0;                 ///< slip that a left turn adds and a right one takes off
-  double turn_slip_tight = 0.0;           ///< the same in tight turns
-  double gyro_scale = 1.0;                ///< true rate / nominal rate, z axis
-};
-
-/// What a ruler and a balance find: how the robot stands on ramps and steps. `emulated.body` has
-/// its own values; a robot file may be wrong about its robot.
+/// Values from a ruler and a balance: they determine the robot's attitude on ramps and steps.
+/// `emulated.body` has its own values; a robot file may be wrong about its robot.
 struct ShapeValues {
   double length_m = 0.185;
   double height_m = 0.060;
   double axle_spacing_m = 0.133;
-  double belt_radius_m = 0.026;  ///< outer radius of wheel and belt
-  double gauge_m = 0.155;        ///< distance between belt centre lines
-  double com_height_m = 0.022;   ///< above the belts' underside
-  double com_forward_m = 0.0;    ///< from the middle of the axles
+  double wheel_radius_m = 0.026;  ///< outer radius of wheel and track
+  double gauge_m = 0.155;         ///< distance between track centre lines
+  double com_height_m = 0.022;    ///< above the tracks' underside
+  double com_forward_m = 0.0;     ///< from the middle of the axles
 };
 
 /// How the robot is wired and driven; sent to the firmware at connect.
 struct DriveValues {
-  double counts_per_metre = 11140.0;  ///< encoder edges per metre of belt
+  double counts_per_metre = 11140.0;  ///< encoder edges per metre of track
   double max_track_mps = 0.20;
   double max_track_mps2 = 0.6;
   double feed_forward = 4.0;  ///< duty per (m/s) above the dead band
-  double dead_band = 0.15;    ///< duty at which a belt just moves
+  double dead_band = 0.15;    ///< duty at which a track just moves
   double speed_kp = 4.0;      ///< duty per (m/s)
   double speed_ki = 30.0;     ///< duty per m
   double yaw_kp = 4.0;        ///< (rad/s) per rad
@@ -61,42 +47,42 @@ struct DriveValues {
   bool swap_tracks = false;
 };
 
-/// Rigid body and belts (sim/body).
+/// Rigid body and tracks (sim/body).
 struct EmulatedBody {
   double mass_kg = 0.922;
   double length_m = 0.185, width_m = 0.205, height_m = 0.060;  ///< inertia box
   double axle_spacing_m = 0.133;
-  double belt_radius_m = 0.026;  ///< outer radius of wheel and belt
-  double gauge_m = 0.155;        ///< distance between belt centre lines
-  double belt_width_m = 0.045;
+  double wheel_radius_m = 0.026;  ///< outer radius of wheel and track
+  double gauge_m = 0.155;         ///< distance between track centre lines
+  double shoe_width_m = 0.045;
   double com_height_m = 0.022;  ///< above the ground
   double com_forward_m = 0.0;   ///< from the middle of the axles
   double com_left_m = 0.0;
   double mid_lift_m = 0.0003;  ///< mid stations above the end stations: 0.3 mm loads the ends only
   double friction = 0.9;
-  double slick_m = 0.0;       ///< stretch of each belt that is worn smooth; it comes round again
+  double slick_m = 0.0;       ///< stretch of each track that is worn smooth; it comes round again
   double slick_factor = 0.5;  ///< on the friction of that stretch
   double creep_left = 0.148;  ///< contact creep, slip per unit of traction / weight
   double creep_right = 0.148;
-  double belt_deficit_left = 0.160;  ///< surface speed lost against the encoder's belt speed
-  double belt_deficit_right = 0.160;
+  double track_deficit_left = 0.160;  ///< surface speed lost against the encoder's track speed
+  double track_deficit_right = 0.160;
 };
 
 /// DC motor behind an L293D (sim/sensors).
 struct EmulatedMotor {
-  double no_load_mps_per_v = 0.052;  ///< belt speed per motor volt without load
-  double stall_n_per_v = 2.0;        ///< belt force per motor volt at rest
-  double friction_n = 1.0;     ///< Coulomb friction of motor and gears at the belt: the dead band
+  double no_load_mps_per_v = 0.052;  ///< track speed per motor volt without load
+  double stall_n_per_v = 2.0;        ///< track force per motor volt at rest
+  double friction_n = 1.0;     ///< Coulomb friction of motor and gears at the track: the dead band
   double lag_s = 0.080;        ///< speed time constant without load
   double bridge_drop_v = 2.0;  ///< L293D, both transistors
-  double current_limit_n = 12.0;  ///< belt force at the driver's current limit
+  double current_limit_n = 12.0;  ///< track force at the driver's current limit
   double left_gain = 1.0;         ///< asymmetry of the two motors
   double right_gain = 1.0;
 };
 
 /// Quadrature encoders.
 struct EmulatedEncoder {
-  double counts_per_metre = 11140.0;  ///< true edges per metre of belt
+  double counts_per_metre = 11140.0;  ///< true edges per metre of track
   double phase_error = 0.05;          ///< edge position error, parts of one edge
 };
 
@@ -119,7 +105,7 @@ struct EmulatedBattery {
   double full_v = 8.2;
   double internal_ohm = 0.12;
   double capacity_as = 7200.0;
-  double amps_per_n = 0.10;  ///< motor current per belt force
+  double amps_per_n = 0.10;  ///< motor current per track force
   double idle_a = 0.15;
 };
 
@@ -136,7 +122,7 @@ struct Emulated {
 struct Robot {
   std::string name;  ///< file stem, e.g. "end-loaded"
   std::string description;
-  ModelValues model{};
+  model::TrackParameters model{};
   /// Where values of `model` came from, by key: a comment "# From ..." in the file.
   std::map<std::string, std::string, std::less<>> origins;
   ShapeValues shape{};
@@ -155,5 +141,10 @@ std::string head_note(const std::string& text);
 /// The robot as a commented file that parse_robot reads back: every key with meaning, unit,
 /// default, range, and where a value of `model` came from. `note` becomes the comment at its head.
 std::string write_robot(const Robot& robot, const std::string& note);
+
+// The keys of a robot file as a list, for programs that display them.
+
+/// Those that the daemon uses (model, shape, drive), named "robot.model.slip_left".
+std::vector<text::KeyText> robot_keys(const Robot& robot);
 
 }  // namespace tp100::course

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -5,85 +6,40 @@
 #include <sstream>
 
 #include "course/robot.h"
-#include "course/robot_keys.h"
 #include "text/key.h"
 
 namespace tp100::course {
 namespace {
 
-constexpr double kDeg = kRadPerDeg;
-
-std::span<const text::Key<ModelValues>> model_keys() {
-  using T = ModelValues;
-  static const std::array<text::Key<T>, 13> kKeys = {{
-      {"slip_left", &T::slip_left, {-0.5, 0.9}, "Slip ratio of the left belt on flat ground"},
-      {"slip_right", &T::slip_right, {-0.5, 0.9}, "Slip ratio of the right belt on flat ground"},
-      {"slip_angle_straight_deg",
-       &T::slip_angle_straight_rad,
-       {-20, 20},
-       "Slip angle (beta of eq 2) while driving straight",
-       kDeg},
-      {"slip_angle_turning_deg",
-       &T::slip_angle_turning_rad,
-       {-20, 20},
-       "Slip angle while turning; the yaw rate that counts as turning is in the configuration",
-       kDeg},
-      {"wheelbase_m",
-       &T::wheelbase_m,
-       {0.05, 2},
-       "Equivalent wheelbase L of eq 5, turning slip included"},
-      {"x_icr_m",
-       &T::x_icr_m,
-       {-0.2, 0.2},
-       "Turning centre ahead of the reference point: sideways speed is less by this times the yaw "
-       "rate"},
-      {"wheelbase_tight_m",
-       &T::wheelbase_tight_m,
-       {0, 2},
-       "Equivalent wheelbase in arcs so tight that the slower belt makes 0.4 of the faster one's "
-       "speed; wheelbase_m holds from 0.65 on. 0: as on the spot"},
-      {"x_icr_tight_shift_m",
-       &T::x_icr_tight_shift_m,
-       {-0.2, 0.2},
-       "How much farther ahead the turning centre lies in tight arcs than in wide turns"},
-      {"wheelbase_spin_m",
-       &T::wheelbase_spin_m,
-       {0, 2},
-       "Equivalent wheelbase on the spot, where it differs from the one of wide turns; 0 nowhere"},
-      {"x_icr_spin_shift_m",
-       &T::x_icr_spin_shift_m,
-       {-0.2, 0.2},
-       "How much farther ahead the turning centre lies on the spot than in wide turns"},
-      {"turn_slip",
-       &T::turn_slip,
-       {-0.5, 0.5},
-       "Slip of both belts that a left turn adds and a right turn takes off, where belts creep "
-       "unevenly; in turns until the slower belt makes 0.55 of the faster one's speed"},
-      {"turn_slip_tight", &T::turn_slip_tight, {-0.5, 0.5}, "The same in tight turns"},
-      {"gyro_scale",
-       &T::gyro_scale,
-       {0.8, 1.25},
-       "True over nominal rate of the gyro's z axis, from turning on the spot by a known angle"},
-  }};
+std::span<const text::Key<model::TrackParameters>> model_keys() {
+  static const auto kKeys = [] {
+    std::array<text::Key<model::TrackParameters>, model::kTrackParameters.size()> keys;
+    std::ranges::transform(model::kTrackParameters, keys.begin(), [](const auto& row) {
+      return text::Key<model::TrackParameters>{
+          row.key, row.value, {row.least, row.most}, row.meaning, row.si};
+    });
+    return keys;
+  }();
   return kKeys;
 }
 
 std::span<const text::Key<ShapeValues>> shape_keys() {
   using T = ShapeValues;
   static const std::array<text::Key<T>, 7> kKeys = {{
-      {"length_m", &T::length_m, {0.05, 1}, "Length over the belts"},
+      {"length_m", &T::length_m, {0.05, 1}, "Length over the tracks"},
       {"height_m", &T::height_m, {0.02, 0.5}, "Height"},
       {"axle_spacing_m", &T::axle_spacing_m, {0.03, 1}, "Distance between the two axles"},
-      {"belt_radius_m", &T::belt_radius_m, {0.005, 0.2}, "Outer radius of wheel and belt"},
-      {"gauge_m", &T::gauge_m, {0.03, 1}, "Distance between the belts' centre lines"},
+      {"wheel_radius_m", &T::wheel_radius_m, {0.005, 0.2}, "Outer radius of wheel and track"},
+      {"gauge_m", &T::gauge_m, {0.03, 1}, "Distance between the tracks' centre lines"},
       {"com_height_m",
        &T::com_height_m,
        {0.005, 0.2},
-       "Centre of mass above the belts' underside; decides which step can be climbed"},
+       "Height of the centre of mass above the tracks' underside; it limits the steps that can be "
+       "climbed"},
       {"com_forward_m",
        &T::com_forward_m,
        {-0.2, 0.2},
-       "Centre of mass ahead of the middle of the axles"},
+       "Distance of the centre of mass ahead of the middle between the axles"},
   }};
   return kKeys;
 }
@@ -91,32 +47,35 @@ std::span<const text::Key<ShapeValues>> shape_keys() {
 std::span<const text::Key<DriveValues>> drive_keys() {
   using T = DriveValues;
   static const std::array<text::Key<T>, 17> kKeys = {{
-      {"counts_per_metre", &T::counts_per_metre, {100, 1e6}, "Encoder edges per metre of belt"},
-      {"max_track_mps", &T::max_track_mps, {0.01, 2}, "Highest belt speed that is asked for"},
-      {"max_track_mps2", &T::max_track_mps2, {0.05, 20}, "Highest belt acceleration"},
+      {"counts_per_metre", &T::counts_per_metre, {100, 1e6}, "Encoder edges per metre of track"},
+      {"max_track_mps", &T::max_track_mps, {0.01, 2}, "Highest commanded track speed"},
+      {"max_track_mps2", &T::max_track_mps2, {0.05, 20}, "Highest track acceleration"},
       {"feed_forward",
        &T::feed_forward,
        {0, 100},
-       "Duty per m/s of belt speed above the dead band"},
-      {"dead_band", &T::dead_band, {0, 0.9}, "Duty at which a belt just moves"},
-      {"speed_kp", &T::speed_kp, {0, 100}, "Duty per m/s of belt speed error"},
-      {"speed_ki", &T::speed_ki, {0, 1000}, "Duty per m that the belt lags behind"},
+       "Duty per m/s of track speed above the dead band"},
+      {"dead_band", &T::dead_band, {0, 0.9}, "Duty at which a track just moves"},
+      {"speed_kp", &T::speed_kp, {0, 100}, "Duty per m/s of track speed error"},
+      {"speed_ki", &T::speed_ki, {0, 1000}, "Duty per m that the track lags behind"},
       {"yaw_kp", &T::yaw_kp, {0, 50}, "Yaw rate in rad/s per rad of yaw error, in the firmware"},
-      {"max_yaw_radps", &T::max_yaw_radps, {0.05, 10}, "Highest yaw rate that is asked for"},
+      {"max_yaw_radps", &T::max_yaw_radps, {0.05, 10}, "Highest commanded yaw rate"},
       {"battery_cutoff_v",
        &T::battery_cutoff_v,
        {0, 20},
-       "The robot stops below this voltage of both cells; 0 never"},
+       "The robot stops below this voltage of both cells; 0: never"},
       {"stall_duty",
        &T::stall_duty,
        {0, 1},
-       "A belt at rest above this duty counts as stalled; 0 never"},
-      {"stall_s", &T::stall_s, {0.05, 10}, "Time after which a stalled belt stops the robot"},
+       "A track at standstill above this duty counts as stalled; 0: never"},
+      {"stall_s", &T::stall_s, {0.05, 10}, "Time after which a stalled track stops the robot"},
       {"invert_left_motor", &T::invert_left_motor, {}, "Left motor leads are swapped"},
       {"invert_right_motor", &T::invert_right_motor, {}, "Right motor leads are swapped"},
       {"invert_left_encoder", &T::invert_left_encoder, {}, "Left encoder counts backwards"},
       {"invert_right_encoder", &T::invert_right_encoder, {}, "Right encoder counts backwards"},
-      {"swap_tracks", &T::swap_tracks, {}, "Left and right are plugged the wrong way round"},
+      {"swap_tracks",
+       &T::swap_tracks,
+       {},
+       "Left and right track are connected the wrong way round"},
   }};
   return kKeys;
 }
@@ -125,42 +84,53 @@ std::span<const text::Key<EmulatedBody>> body_keys() {
   using T = EmulatedBody;
   static const std::array<text::Key<T>, 19> kKeys = {{
       {"mass_kg", &T::mass_kg, {0.1, 10}, "Mass with electronics"},
-      {"length_m", &T::length_m, {0.05, 1}, "Length of the box that gives the inertia"},
+      {"length_m",
+       &T::length_m,
+       {0.05, 1},
+       "Length of the box from which the inertia is calculated"},
       {"width_m", &T::width_m, {0.05, 1}, "Width of that box"},
       {"height_m", &T::height_m, {0.02, 0.5}, "Height of that box"},
       {"axle_spacing_m", &T::axle_spacing_m, {0.03, 1}, "Distance between the two axles"},
-      {"belt_radius_m", &T::belt_radius_m, {0.005, 0.2}, "Outer radius of wheel and belt"},
-      {"gauge_m", &T::gauge_m, {0.03, 1}, "Distance between the belts' centre lines"},
-      {"belt_width_m", &T::belt_width_m, {0.005, 0.3}, "Width of a belt"},
+      {"wheel_radius_m", &T::wheel_radius_m, {0.005, 0.2}, "Outer radius of wheel and track"},
+      {"gauge_m", &T::gauge_m, {0.03, 1}, "Distance between the tracks' centre lines"},
+      {"shoe_width_m", &T::shoe_width_m, {0.005, 0.3}, "Width of a track"},
       {"com_height_m",
        &T::com_height_m,
        {0.005, 0.2},
-       "Centre of mass above the ground; decides which step can be climbed"},
+       "Height of the centre of mass above the ground; it limits the steps that can be climbed"},
       {"com_forward_m",
        &T::com_forward_m,
        {-0.2, 0.2},
-       "Centre of mass ahead of the middle of the axles"},
-      {"com_left_m", &T::com_left_m, {-0.1, 0.1}, "Centre of mass to the left of the middle"},
+       "Distance of the centre of mass ahead of the middle between the axles"},
+      {"com_left_m",
+       &T::com_left_m,
+       {-0.1, 0.1},
+       "Distance of the centre of mass to the left of the middle"},
       {"mid_lift_m",
        &T::mid_lift_m,
        {0, 0.005},
-       "Middle of the belts above their ends: 0.3 mm loads the ends only, 0 loads the belt evenly"},
-      {"friction", &T::friction, {0.05, 2}, "Friction coefficient between belt and ground"},
+       "Height of the middle of the tracks above their ends: with 0.3 mm only the ends carry load, "
+       "with 0 the load is even"},
+      {"friction", &T::friction, {0.05, 2}, "Friction coefficient between track and ground"},
       {"slick_m",
        &T::slick_m,
        {0, 5},
-       "Stretch of each belt that is worn smooth and comes round again and again"},
-      {"slick_factor", &T::slick_factor, {0.05, 1}, "Friction there, in parts of the rest's"},
+       "Length of the worn, smooth part of each track, which reaches the ground in every "
+       "revolution"},
+      {"slick_factor",
+       &T::slick_factor,
+       {0.05, 1},
+       "Friction of that part, relative to the rest of the track"},
       {"creep_left",
        &T::creep_left,
        {0, 2},
-       "Contact creep of the left belt: slip per traction / weight"},
-      {"creep_right", &T::creep_right, {0, 2}, "Contact creep of the right belt"},
-      {"belt_deficit_left",
-       &T::belt_deficit_left,
+       "Contact creep of the left track: slip per traction / weight"},
+      {"creep_right", &T::creep_right, {0, 2}, "Contact creep of the right track"},
+      {"track_deficit_left",
+       &T::track_deficit_left,
        {-0.5, 0.5},
-       "Part of the left encoder's belt speed that its surface does not have"},
-      {"belt_deficit_right", &T::belt_deficit_right, {-0.5, 0.5}, "Same of the right belt"},
+       "Share by which the left track's surface is slower than its encoder indicates"},
+      {"track_deficit_right", &T::track_deficit_right, {-0.5, 0.5}, "Same for the right track"},
   }};
   return kKeys;
 }
@@ -171,16 +141,19 @@ std::span<const text::Key<EmulatedMotor>> motor_keys() {
       {"no_load_mps_per_v",
        &T::no_load_mps_per_v,
        {0.001, 1},
-       "Belt speed per motor volt without load"},
-      {"stall_n_per_v", &T::stall_n_per_v, {0.05, 50}, "Belt force per motor volt at rest"},
-      {"friction_n", &T::friction_n, {0, 20}, "Coulomb friction of motor and gears at the belt"},
+       "Track speed per motor volt without load"},
+      {"stall_n_per_v", &T::stall_n_per_v, {0.05, 50}, "Track force per motor volt at standstill"},
+      {"friction_n", &T::friction_n, {0, 20}, "Coulomb friction of motor and gears at the track"},
       {"lag_s", &T::lag_s, {0.005, 2}, "Time constant of the speed without load"},
       {"bridge_drop_v", &T::bridge_drop_v, {0, 5}, "Voltage lost in both transistors of the L293D"},
       {"current_limit_n",
        &T::current_limit_n,
        {0.5, 100},
-       "Belt force at the driver's current limit"},
-      {"left_gain", &T::left_gain, {0.2, 2}, "Strength of the left motor against the nominal one"},
+       "Track force at the driver's current limit"},
+      {"left_gain",
+       &T::left_gain,
+       {0.2, 2},
+       "Strength of the left motor, relative to the nominal motor"},
       {"right_gain", &T::right_gain, {0.2, 2}, "Strength of the right motor"},
   }};
   return kKeys;
@@ -189,11 +162,11 @@ std::span<const text::Key<EmulatedMotor>> motor_keys() {
 std::span<const text::Key<EmulatedEncoder>> encoder_keys() {
   using T = EmulatedEncoder;
   static const std::array<text::Key<T>, 2> kKeys = {{
-      {"counts_per_metre", &T::counts_per_metre, {100, 1e6}, "True edges per metre of belt"},
+      {"counts_per_metre", &T::counts_per_metre, {100, 1e6}, "True edges per metre of track"},
       {"phase_error",
        &T::phase_error,
        {0, 0.45},
-       "Error of an edge's position in parts of one edge"},
+       "Error of an edge's position, relative to the distance between edges"},
   }};
   return kKeys;
 }
@@ -210,10 +183,7 @@ std::span<const text::Key<EmulatedImu>> imu_keys() {
        &T::gyro_bias_walk_radps_rts,
        {0, 0.01},
        "Random walk of the bias"},
-      {"gyro_scale_error",
-       &T::gyro_scale_error,
-       {-0.2, 0.2},
-       "Scale error of the z axis, of this robot"},
+      {"gyro_scale_error", &T::gyro_scale_error, {-0.2, 0.2}, "Scale error of this robot's z axis"},
       {"gyro_bias_per_degc",
        &T::gyro_bias_per_degc,
        {-0.1, 0.1},
@@ -235,8 +205,8 @@ std::span<const text::Key<EmulatedBattery>> battery_keys() {
   static const std::array<text::Key<T>, 5> kKeys = {{
       {"full_v", &T::full_v, {3, 20}, "Voltage of both cells at the start"},
       {"internal_ohm", &T::internal_ohm, {0, 5}, "Internal resistance of both cells"},
-      {"capacity_as", &T::capacity_as, {10, 1e6}, "Charge of the cells"},
-      {"amps_per_n", &T::amps_per_n, {0, 5}, "Motor current per belt force"},
+      {"capacity_as", &T::capacity_as, {10, 1e6}, "Charge of the battery"},
+      {"amps_per_n", &T::amps_per_n, {0, 5}, "Motor current per track force"},
       {"idle_a", &T::idle_a, {0, 5}, "Current of the electronics"},
   }};
   return kKeys;
@@ -283,8 +253,8 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   text::read_keys(imu, imu_keys(), robot.emulated.imu);
   text::read_keys(battery, battery_keys(), robot.emulated.battery);
   root.finish();
-  if (robot.emulated.body.belt_width_m >= robot.emulated.body.gauge_m)
-    body.fail("belt_width_m", "'emulated.body.belt_width_m' must be below 'emulated.body.gauge_m'");
+  if (robot.emulated.body.shoe_width_m >= robot.emulated.body.gauge_m)
+    body.fail("shoe_width_m", "'emulated.body.shoe_width_m' must be below 'emulated.body.gauge_m'");
   if (std::abs(robot.shape.com_forward_m) >= robot.shape.axle_spacing_m / 2.0)
     shape.fail("com_forward_m", "'shape.com_forward_m' must lie between the axles");
   if (robot.model.wheelbase_spin_m != 0.0 && robot.model.wheelbase_spin_m < 0.05)
@@ -317,16 +287,16 @@ std::string write_robot(const Robot& robot, const std::string& note) {
   const Emulated& emulated = robot.emulated;
   return text::toml_comment(note) + "\ndescription = " + text::toml_string(robot.description) +
          "\n" +
-         "\n# What the daemon believes of this robot. Found by driving it, never copied from "
+         "\n# The daemon's model of this robot. It is identified by driving, never copied from "
          "[emulated].\n" +
          section("model", model_keys(), robot.model, robot.origins).substr(1) +
-         "\n# What a ruler and a balance find: how it stands on ramps and steps.\n" +
+         "\n# Values from a ruler and a balance: they determine its attitude on ramps and "
+         "steps.\n" +
          section("shape", shape_keys(), robot.shape).substr(1) +
-         "\n# How it is wired and driven; sent to the firmware at connect.\n" +
+         "\n# Wiring and motor control; sent to the firmware when the daemon connects.\n" +
          section("drive", drive_keys(), robot.drive).substr(1) +
-         "\n# Physics of an emulated robot of this kind; a real robot ignores all of it, and so "
-         "does the "
-         "daemon.\n" +
+         "\n# Physics of an emulated robot of this kind; real robots and the daemon ignore this "
+         "section.\n" +
          section("emulated", emulated_keys(), emulated).substr(1) +
          section("emulated.body", body_keys(), emulated.body) +
          section("emulated.motor", motor_keys(), emulated.motor) +

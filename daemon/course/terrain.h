@@ -1,6 +1,6 @@
 #pragma once
-// What stands and lies on the floor, as data. Both the daemon's virtual world and the emulated
-// robot's physical one are built from it; neither shares anything else.
+// Obstacles and surfaces on the floor, as data. Both the daemon's virtual world and the emulated
+// robot's physical one are built from it; they share nothing else.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct Place {
   double heading_rad = 0.0;
 };
 
-/// Up, flat top, down. Who drives along its heading meets the up side first.
+/// Up, flat top, down. A robot driving along its heading meets the up side first.
 struct Ramp {
   Place place{};
   double height_m;
@@ -36,14 +36,14 @@ struct Block {
   double width_m;
 };
 
-/// A rectangle of other ground; it covers whatever stands on it, ramps and blocks included.
+/// A rectangle of another surface; it also covers ramps and blocks on it.
 struct Surface {
   std::string name;
   Place place{};
   double length_m;  ///< along its heading
   double width_m;
-  double friction_factor = 1.0;  ///< on the friction coefficient that belt and floor have elsewhere
-  double slip_offset = 0.0;      ///< added to the slip ratio of both belts
+  double friction_factor = 1.0;  ///< relative to the usual friction coefficient of track and floor
+  double slip_offset = 0.0;      ///< added to the slip ratio of both tracks
 
   bool covers(double x_m, double y_m) const;
 };

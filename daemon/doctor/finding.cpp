@@ -2,9 +2,48 @@
 
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "doctor/robot.h"
+
 namespace tp100::doctor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string padded(std::string_view text, std::size_t width) {
+  std::string out(text);
+  out.resize(std::max(width, out.size()), ' ');
+  return out;
+}
+
+std::string counted(std::size_t number, const char* noun) {
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+Json json_of(const Percentiles& times) {
+  return {
+      {"p50", times.p50_us}, {"p90", times.p90_us}, {"p99", times.p99_us}, {"max", times.max_us}};
+}
+
+Json json_of(const LinkTest& link) {
+  const LinkCounters& counters = link.counters;
+  return {{"duration_s", link.duration_s},
+          {"samples", link.samples},
+          {"lost", counters.lost},
+          {"crc_errors", counters.crc_errors},
+          {"cobs_errors", counters.cobs_errors},
+          {"duplicated", counters.duplicated},
+          {"implausible", counters.implausible},
+          {"commands_confirmed", link.confirmed},
+          {"age_us", json_of(link.age)},
+          {"round_trip_us", json_of(link.round_trip)},
+          {"clock_uncertainty_us", link.clock_uncertainty_us},
+          {"clock_drift_ppm", link.clock_drift_ppm}};
+}
+
+}  // namespace
 
 std::string_view to_string(Severity severity) {
   switch (severity) {
@@ -32,6 +71,39 @@ std::size_t count(const Findings& findings, Severity severity) {
 
 void append(Findings& findings, Findings more) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
+
+std::string table(const Findings& findings) {
+  std::size_t name_width = 0;
+  for (const Finding& finding : findings) name_width = std::max(name_width, finding.name.size());
+  const std::size_t severity_width = to_string(Severity::kWarning).size();
+  std::string text;
+  for (const Finding& finding : findings) {
+    text += padded(to_string(finding.severity), severity_width) + "  " +
+            padded(finding.name, name_width) + "  " + finding.seen + "\n";
+    if (!finding.fix.empty())
+      text += std::string(severity_width + 2 + name_width, ' ') + "  fix: " + finding.fix + "\n";
+  }
+  return text + counted(count(findings, Severity::kError), "error") + ", " +
+         counted(count(findings, Severity::kWarning), "warning") + ", " +
+         counted(count(findings, Severity::kNote), "note") + "\n";
+}
+
+std::string json(const Findings& findings, const std::string& port,
+                 const std::optional<LinkTest>& link) {
+  Json rows = Json::array();
+  for (const Finding& finding : findings)
+    rows.push_back({{"severity", to_string(finding.severity)},
+                    {"name", finding.name},
+                    {"seen", finding.seen},
+                    {"fix", finding.fix}});
+  const Json all = {{"port", port},
+                    {"errors", count(findings, Severity::kError)},
+                    {"warnings", count(findings, Severity::kWarning)},
+                    {"notes", count(findings, Severity::kNote)},
+                    {"findings", rows},
+                    {"link", link ? json_of(*link) : Json(nullptr)}};
+  return all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace tp100::doctor

@@ -1,18 +1,21 @@
 #pragma once
-// What an examination found.
+// Findings of an examination, and how they are printed. Pure.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace tp100::doctor {
 
+struct LinkTest;
+
 enum class Severity {
-  kOk,       ///< looked at, nothing to do
+  kOk,       ///< checked, nothing to do
   kNote,     ///< worth knowing
   kWarning,  ///< the robot drives, but not as well as it could
-  kError,    ///< keeps the robot from driving
+  kError,    ///< prevents the robot from driving
 };
 
 /// "ok", "note", "warning" or "error".
@@ -29,10 +32,19 @@ using Findings = std::vector<Finding>;
 
 Finding ok(std::string name, std::string seen);
 
-/// How many have that severity.
+/// Number of findings of that severity.
 std::size_t count(const Findings& findings, Severity severity);
 
 /// Adds `more` at the end of `findings`.
 void append(Findings& findings, Findings more);
+
+/// As text: one line per finding and one for its fix; the count of each severity at the end.
+std::string table(const Findings& findings);
+
+/// As JSON, one object on one line: {"port", "errors", "warnings", "notes", "findings":
+/// [{"severity", "name", "seen", "fix"}], "link": null or {"samples", "lost", "crc_errors",
+/// "age_us", "round_trip_us": {"p50", "p90", "p99", "max"}, ...}}
+std::string json(const Findings& findings, const std::string& port,
+                 const std::optional<LinkTest>& link);
 
 }  // namespace tp100::doctor

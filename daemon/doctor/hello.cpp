@@ -7,14 +7,19 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <string_view>
 
-#include "core/flash_command.h"
+#include "core/clock.h"
+#include "core/faults.h"
+#include "core/time.h"
 #include "link/transport.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
 
 namespace tp100::doctor {
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -31,7 +36,7 @@ const char* board_name(std::uint8_t board) {
   return "unknown";
 }
 
-/// The first hello before `deadline`; an empty text if there is none.
+/// The first hello before `deadline`; an empty text if none arrives.
 Greeting listen(const link::Port& port, Clock::time_point deadline) {
   wire::FrameDecoder decoder;
   std::array<std::uint8_t, 256> buffer{};
@@ -55,7 +60,7 @@ Greeting listen(const link::Port& port, Clock::time_point deadline) {
 }  // namespace
 
 Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
-  // Every version's hello opens with protocol, firmware and schema.
+  // The hello of every version begins with protocol, firmware and schema.
   constexpr std::size_t kPrefix = 9;
   if (size < kPrefix) return {};
   wire::Hello hello{};
@@ -73,7 +78,7 @@ Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
   } else {
     std::snprintf(
         text.data(), text.size(),
-        "firmware %u.%u.%u, protocol %u schema %08x, but tp100d speaks protocol %u schema %08x; "
+        "firmware %u.%u.%u, protocol %u schema %08x, but tp100d uses protocol %u schema %08x; "
         "flash the board with %s",
         hello.firmware[0], hello.firmware[1], hello.firmware[2], hello.protocol, hello.schema,
         wire::kProtocolVersion, wire::kSchemaHash, flash_command().c_str());
@@ -95,6 +100,38 @@ int run_hello(const HelloOptions& options) {
   std::fprintf(stderr, "%s: %s\n", options.port.c_str(),
                (greeting.text.empty() ? none : greeting.text).c_str());
   return 1;
+}
+
+namespace {
+
+constexpr int kBootloaderBaud = 115200;
+constexpr HostNs kAskEveryNs = 200 * kNsPerMs;
+
+// Start, sequence, size (high, low), token, CMD_SIGN_ON, exclusive or of all before.
+constexpr std::array<std::uint8_t, 7> kSignOn = {0x1B, 0x01, 0x00, 0x01, 0x0E, 0x01, 0x14};
+constexpr std::string_view kSignature = "AVRISP_2";
+
+}  // namespace
+
+bool bootloader_answers(const std::string& path, double limit_s) {
+  const link::Port port = link::open_port(path, {.baud = kBootloaderBaud});
+  const HostNs end = monotonic_now() + from_s(limit_s);
+  HostNs next_ns = 0;
+  std::string received;
+  for (HostNs now = monotonic_now(); now < end; now = monotonic_now()) {
+    if (now >= next_ns) {
+      next_ns = now + kAskEveryNs;
+      if (::write(port.fd(), kSignOn.data(), kSignOn.size()) < 0) continue;
+    }
+    pollfd descriptor{port.fd(), POLLIN, 0};
+    ::poll(&descriptor, 1, 20);
+    std::array<char, 256> buffer;
+    const ssize_t n = ::read(port.fd(), buffer.data(), buffer.size());
+    if (n > 0) received.append(buffer.data(), static_cast<std::size_t>(n));
+    if (received.find(kSignature) != std::string::npos) return true;
+    if (n == 0) return false;
+  }
+  return false;
 }
 
 }  // namespace tp100::doctor

@@ -1,35 +1,25 @@
 #include "doctor/robot.h"
 
-#include <array>
-#include <cstdarg>
-#include <cstdio>
-
-#include "core/flash_command.h"
+#include "core/faults.h"
+#include "text/format.h"
 
 namespace tp100::doctor {
 namespace {
 
-constexpr double kFewSamples = 0.5;  // of what should have come
-// A command lives 200 ms, and the step takes samples for stale long before.
+using text::format;
+
+constexpr double kFewSamples = 0.5;  // fraction of the expected samples
+// A command lives 200 ms, and the step treats samples as stale long before that.
 constexpr double kOldUs = 20'000.0;
 constexpr double kLooseClockUs = 2'000.0;
-// Of 9.81 m/s^2: a board lying within 60 degrees of level.
+// Vertical part of 9.81 m/s^2 for a board within 60 degrees of level.
 constexpr double kUprightMps2 = 4.9;
-// No cell is that empty: what is left comes through the board's own supply.
+// No battery is that empty: the board's own supply feeds what is measured.
 constexpr double kOffV = 4.0;
 
-[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...) {
-  std::array<char, 240> out{};
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(out.data(), out.size(), format, arguments);
-  va_end(arguments);
-  return out.data();
-}
-
 std::string text_of(const Percentiles& times) {
-  return text("%.2f/%.2f/%.2f/%.2f ms", times.p50_us * 1e-3, times.p90_us * 1e-3,
-              times.p99_us * 1e-3, times.max_us * 1e-3);
+  return format("%.2f/%.2f/%.2f/%.2f ms", times.p50_us * 1e-3, times.p90_us * 1e-3,
+                times.p99_us * 1e-3, times.max_us * 1e-3);
 }
 
 Finding error(std::string name, std::string seen, std::string fix) {
@@ -40,17 +30,17 @@ Finding warning(std::string name, std::string seen, std::string fix) {
   return {Severity::kWarning, std::move(name), std::move(seen), std::move(fix)};
 }
 
-/// Why there was no hello.
+/// Explains the missing hello.
 Finding silent(const Visit& visit) {
   const std::string flash = flash_command(visit.port);
   if (visit.bootloader)
     return error("bootloader", visit.port + ": only the bootloader answers", flash);
   if (visit.frames_in > 0)
-    return error("firmware", visit.port + ": speaks the wire's frames but says no hello",
+    return error("firmware", visit.port + ": sends frames of the protocol but no hello",
                  "press the board's reset button; if that does not help: " + flash);
   if (visit.bytes_in > 0)
     return error("firmware",
-                 visit.port + text(": %zu bytes, but no frame of a TP100", visit.bytes_in),
+                 visit.port + format(": %zu bytes, but no frame of a TP100", visit.bytes_in),
                  "if this is the robot: " + flash + "; else choose its port with --port");
   return error("firmware", visit.port + ": silent",
                "press the board's reset button and see whether its light blinks; if this is the "
@@ -58,7 +48,7 @@ Finding silent(const Visit& visit) {
                    flash + "; else choose its port with --port");
 }
 
-/// What is latched is cleared by the next start, unless its cause is still there.
+/// A latched fault is cleared by the next start, unless its cause persists.
 void add_fault(Fault fault, Findings& findings) {
   const FaultText& words = describe(fault);
   const std::string seen = std::string(words.name) + ": " + std::string(words.cause);
@@ -69,33 +59,33 @@ void add_fault(Fault fault, Findings& findings) {
       return;
     case Fault::imu_missing:
     case Fault::imu_stale:
-      findings.push_back(error("fault", seen, std::string(words.remedy)));
+      findings.push_back(error("fault", seen, std::string(words.fix)));
       return;
     default:
-      findings.push_back(warning("fault", seen, std::string(words.remedy)));
+      findings.push_back(warning("fault", seen, std::string(words.fix)));
   }
 }
 
 void add_battery(const Visit& visit, Findings& findings) {
   if (visit.battery_v >= visit.battery_cutoff_v) {
-    findings.push_back(ok("battery", text("%.1f V", visit.battery_v)));
+    findings.push_back(ok("battery", format("%.1f V", visit.battery_v)));
     return;
   }
   findings.push_back(
       error("battery",
-            text("%.1f V, the robot stops below %.1f V", visit.battery_v, visit.battery_cutoff_v),
-            visit.battery_v < kOffV ? "switch the motors' cells on" : "charge the cells"));
+            format("%.1f V, the robot stops below %.1f V", visit.battery_v, visit.battery_cutoff_v),
+            visit.battery_v < kOffV ? "switch the motors' battery on" : "charge the battery"));
 }
 
 void add_state(const Visit& visit, Findings& findings) {
   if (visit.reboots > 0)
     findings.push_back(error("reboots",
-                             text("the board restarted %llu times while it was watched",
-                                  static_cast<unsigned long long>(visit.reboots)),
-                             "charge the cells and check the power wiring"));
+                             format("the board restarted %llu times while it was watched",
+                                    static_cast<unsigned long long>(visit.reboots)),
+                             "charge the battery and check the power wiring"));
   if (visit.moved_unasked) {
     const FaultText& words = describe(Fault::moves_unasked);
-    findings.push_back(error("motors", std::string(words.cause), std::string(words.remedy)));
+    findings.push_back(error("motors", std::string(words.cause), std::string(words.fix)));
   }
   for (FaultMask left = visit.faults; left != 0; left &= left - 1)
     add_fault(*first_fault(left), findings);
@@ -104,27 +94,27 @@ void add_state(const Visit& visit, Findings& findings) {
   if (!visit.imu_fresh) return;
   if (visit.up_mps2 < kUprightMps2) {
     findings.push_back(error(
-        "imu", text("at rest its z axis shows %.1f m/s^2, upright would be 9.8", visit.up_mps2),
+        "imu", format("at rest its z axis shows %.1f m/s^2, upright would be 9.8", visit.up_mps2),
         "set the robot upright; if it is: mount the MPU6050 level, chip side up, x forward"));
   } else {
-    findings.push_back(ok("imu", text("upright, z %.1f m/s^2", visit.up_mps2)));
+    findings.push_back(ok("imu", format("upright, z %.1f m/s^2", visit.up_mps2)));
   }
 }
 
 void add_link(const LinkTest& link, Findings& findings) {
   const std::string figures =
-      text("%zu samples in %.1f s, %llu lost, %llu frames damaged", link.samples, link.duration_s,
-           static_cast<unsigned long long>(link.counters.lost),
-           static_cast<unsigned long long>(link.counters.damaged()));
+      format("%zu samples in %.1f s, %llu lost, %llu frames corrupted", link.samples,
+             link.duration_s, static_cast<unsigned long long>(link.counters.lost),
+             static_cast<unsigned long long>(link.counters.corrupted()));
   const std::string times =
       "; p50/p90/p99/max of age " + text_of(link.age) + ", round trip " + text_of(link.round_trip);
   const char* const cable = "use a short cable without a hub, away from the motors' leads";
   if (static_cast<double>(link.samples) < kFewSamples * link.expected_samples) {
     findings.push_back(
-        error("link", figures + text(", %.0f were due", link.expected_samples), cable));
+        error("link", figures + format(", %.0f were due", link.expected_samples), cable));
   } else if (link.confirmed == 0) {
     findings.push_back(error("link", figures + ", and the robot confirmed no command", cable));
-  } else if (link.counters.lost > 0 || link.counters.damaged() > 0) {
+  } else if (link.counters.lost > 0 || link.counters.corrupted() > 0) {
     findings.push_back(warning("link", figures + times, cable));
   } else if (link.age.p99_us > kOldUs || link.round_trip.p99_us > 2.0 * kOldUs) {
     findings.push_back(warning("link", figures + times,
@@ -133,8 +123,8 @@ void add_link(const LinkTest& link, Findings& findings) {
     findings.push_back(ok("link", figures + times));
   }
   if (!link.clock_known) return;
-  const std::string clock =
-      text("known within %.0f us, drift %.0f ppm", link.clock_uncertainty_us, link.clock_drift_ppm);
+  const std::string clock = format("known within %.0f us, drift %.0f ppm",
+                                   link.clock_uncertainty_us, link.clock_drift_ppm);
   if (link.clock_uncertainty_us > kLooseClockUs) {
     findings.push_back(warning("clock", "the robot's clock is only " + clock,
                                "plug the robot in without a hub and end what loads this machine"));
@@ -167,7 +157,7 @@ Findings robot_findings(const Visit& visit) {
   }
   if (!visit.ready && visit.reboots == 0)
     findings.push_back(error(
-        "session", "the robot says hello, but its clock could not be read",
+        "session", "the robot sends hello, but its clock could not be read",
         "use a short cable without a hub; if that does not help: " + flash_command(visit.port)));
   add_state(visit, findings);
   if (visit.link) add_link(*visit.link, findings);

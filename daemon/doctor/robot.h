@@ -1,5 +1,5 @@
 #pragma once
-// What the robot said when it was asked, and how good its link is.
+// The robot's reported state and the quality of its link.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,15 +20,15 @@ struct Percentiles {
   double max_us = 0.0;
 };
 
-/// Figures of a while of samples and of commands that ask for nothing.
+/// Statistics over an interval of samples and of zero commands.
 struct LinkTest {
   double duration_s = 0.0;
   std::size_t samples = 0;
   double expected_samples = 0.0;  ///< at the robot's rate
-  LinkCounters counters{};        ///< of that while alone
-  Percentiles age{};              ///< now - when it was measured, as a sample is read
-  /// From writing a command to reading the first sample that confirms it; up to a sample's period
-  /// of it is the robot's.
+  LinkCounters counters{};        ///< of that interval only
+  Percentiles age{};              ///< from measuring to reading a sample
+  /// From writing a command to reading the first sample that confirms it; includes up to one sample
+  /// period of the robot.
   Percentiles round_trip{};
   std::size_t confirmed = 0;  ///< commands
   bool clock_known = false;   ///< at its end
@@ -36,25 +36,25 @@ struct LinkTest {
   double clock_drift_ppm = 0.0;
 };
 
-/// How far the handshake came.
+/// How far the handshake got.
 struct Visit {
   std::string port{};
-  std::string open_error{};   ///< why the port could not be opened; empty: it was
-  std::size_t bytes_in = 0;   ///< that the port brought
-  std::size_t frames_in = 0;  ///< of them frames of this wire
-  bool bootloader = false;    ///< a silent board's bootloader answered
-  std::string greeting{};     ///< what the hello said; empty: there was none
+  std::string open_error{};   ///< why the port could not be opened; empty: it could
+  std::size_t bytes_in = 0;   ///< received from the port
+  std::size_t frames_in = 0;  ///< valid frames of this protocol among them
+  bool bootloader = false;    ///< the bootloader of a silent board answered
+  std::string greeting{};     ///< text of the hello; empty: none
   bool ours = false;          ///< firmware for this program
   bool emulator = false;      ///< see core/start_rule.h
   std::string refused{};      ///< the parameter that the firmware refused; empty: none
-  bool ready = false;         ///< samples flowed and the clocks were related
+  bool ready = false;         ///< samples arrived and the clocks are synchronized
   std::uint64_t reboots = 0;
   FaultMask faults = 0;           ///< latched by the robot
-  bool moved_unasked = false;     ///< armed or driving, though nobody had asked for it
+  bool moved_unasked = false;     ///< armed or driving without a request
   double battery_v = 0.0;         ///< both cells together
-  double battery_cutoff_v = 0.0;  ///< the robot stops below; 0: never
+  double battery_cutoff_v = 0.0;  ///< the robot stops below this voltage; 0: never
   bool imu_fresh = false;
-  double up_mps2 = 0.0;  ///< specific force along the IMU's z axis, at rest
+  double up_mps2 = 0.0;  ///< specific force along the IMU's z axis, at standstill
   std::optional<LinkTest> link{};
 };
 

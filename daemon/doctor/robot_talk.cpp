@@ -7,19 +7,103 @@
 #include <cerrno>
 #include <utility>
 
+#include "bridge/cycle.h"
 #include "core/clock.h"
+#include "core/error.h"
 #include "core/faults.h"
+#include "core/histogram.h"
+#include "core/start_rule.h"
+#include "doctor/hello.h"
 
 namespace tp100::doctor {
 namespace {
 
-// As often as a run does at its default rate, and as long-lived.
+// Same period and life of a command as a run at its default rate.
 constexpr HostNs kCommandPeriodNs = 5 * kNsPerMs;
 constexpr DeviceUs kCommandLifeUs = 150'000;
 constexpr double kArmLimitS = 1.0;
 constexpr double kDisarmLimitS = 0.5;
 constexpr HostNs kUnaskedNs = 100 * kNsPerMs;
 constexpr HostNs kStopAgainNs = 200 * kNsPerMs;
+
+constexpr double kFirstFrameS = 5.0;
+constexpr double kHandshakeS = 4.0;
+constexpr double kBootloaderS = 2.0;
+// Enough time to detect a bad sensor or a low battery.
+constexpr double kLookS = 0.2;
+constexpr std::uint8_t kFreshSamples = 10;
+
+doctor::Percentiles percentiles(const Histogram& times) {
+  const auto us = [&times](double fraction) {
+    return static_cast<double>(times.percentile(fraction)) * 1e-3;
+  };
+  return {us(0.5), us(0.9), us(0.99), static_cast<double>(times.max()) * 1e-3};
+}
+
+doctor::LinkTest test_link(RobotTalk& talk, double duration_s) {
+  Histogram age;
+  Histogram round_trip;
+  std::size_t samples = 0;
+  talk.on_sample = [&](const Sample& sample, HostNs now) {
+    ++samples;
+    age.add(now - sample.measured_ns);
+  };
+  talk.on_confirmed = [&](HostNs took) { round_trip.add(took); };
+  const LinkCounters before = talk.session().counters();
+  const HostNs begun = monotonic_now();
+  talk.turn(duration_s, [] { return false; });
+  doctor::LinkTest test;
+  test.duration_s = to_s(monotonic_now() - begun);
+  talk.on_sample = [](const Sample&, HostNs) {};
+  talk.on_confirmed = [](HostNs) {};
+  test.samples = samples;
+  test.expected_samples = test.duration_s * 1e6 / wire::kSamplePeriodUs;
+  test.counters = talk.session().counters() - before;
+  test.age = percentiles(age);
+  test.round_trip = percentiles(round_trip);
+  test.confirmed = static_cast<std::size_t>(round_trip.count());
+  test.clock_known = talk.session().clock().valid;
+  test.clock_uncertainty_us = talk.session().clock().uncertainty_us;
+  test.clock_drift_ppm = talk.session().clock().drift * 1e6;
+  return test;
+}
+
+void read_hello(wire::Hello hello, doctor::Visit& visit) {
+  std::array<std::uint8_t, wire::Hello::kSize> payload{};
+  wire::write_payload(hello, payload.data());
+  const Greeting greeting = read_greeting(payload.data(), payload.size());
+  visit.greeting = greeting.text;
+  visit.ours = greeting.ours;
+}
+
+void listen(RobotTalk& talk, const VisitOptions& options, doctor::Visit& visit) {
+  const link::Session& session = talk.session();
+  const auto in_state = [&session](SessionState state) { return session.state() == state; };
+  talk.turn(kFirstFrameS, [&] { return session.counters().frames_in > 0; });
+  const bool answered = session.counters().frames_in > 0;
+  if (answered)
+    visit.ready = talk.turn(kHandshakeS, [&] {
+      return in_state(SessionState::kReady) || in_state(SessionState::kRefused);
+    });
+  visit.ready = in_state(SessionState::kReady);
+  // Foreign bytes never end a frame and may not have been counted as corrupted yet: count them all.
+  visit.bytes_in = session.counters().bytes_in;
+  visit.frames_in = session.counters().frames_in;
+  if (talk.greeted()) read_hello(session.hello(), visit);
+  if (talk.refused_parameter() >= 0)
+    visit.refused = bridge::parameter_name(static_cast<unsigned>(talk.refused_parameter()));
+  if (visit.ready) {
+    talk.turn(kLookS, [] { return false; });
+    if (options.link_test_s > 0.0) visit.link = test_link(talk, options.link_test_s);
+    const Sample& newest = talk.newest();
+    visit.faults = newest.faults;
+    visit.battery_v = newest.battery_v;
+    visit.moved_unasked = talk.moved_unasked();
+    visit.imu_fresh = newest.imu_age < kFreshSamples;
+    visit.up_mps2 = newest.accel_mps2[2];
+  }
+  visit.reboots = session.counters().reboots;
+}
 
 }  // namespace
 
@@ -47,7 +131,7 @@ bool RobotTalk::arm() {
   acknowledged_ = false;
   asked_ = true;
   why_ = "not acknowledged";
-  remedy_ = "check the cable and run it again";
+  fix_ = "check the cable and run it again";
   session_.request(RobotRequest::kArm, monotonic_now());
   turn(kArmLimitS, [this] { return !session_.request_pending(); });
   return acknowledged_ && !stop_;
@@ -87,7 +171,7 @@ void RobotTalk::take(HostNs now) {
   for (const Sample& sample : session_.take_samples()) {
     newest_ = sample;
     if (session_.session_number() != session_number_) {
-      // Nothing was sent in this session yet, and the session goes on counting from here.
+      // Nothing was sent in this session yet; sequence numbers continue from here.
       session_number_ = session_.session_number();
       sequence_ = sample.last_command;
       awaiting_ = false;
@@ -115,23 +199,22 @@ void RobotTalk::watch(const Sample& sample, HostNs now) {
 }
 
 void RobotTalk::note(const link::SessionEvent& event) {
-  using Kind = link::SessionEvent::Kind;
-  if (event.kind == Kind::kHello || event.kind == Kind::kVersionMismatch) greeted_ = true;
-  if (event.kind != Kind::kAcknowledged) return;
-  const bool accepted = event.b == static_cast<std::int32_t>(wire::Result::kAccepted);
-  if (event.a == static_cast<std::int32_t>(wire::Type::kParameters)) {
-    if (event.b == static_cast<std::int32_t>(wire::Result::kOutOfRange))
-      refused_parameter_ = static_cast<int>(event.detail);
+  if (link::as<link::HelloReceived>(event) || link::as<link::VersionMismatch>(event))
+    greeted_ = true;
+  const link::Acknowledged* answer = link::as<link::Acknowledged>(event);
+  if (answer == nullptr) return;
+  if (answer->request == wire::Type::kParameters) {
+    if (answer->result == wire::Result::kOutOfRange) refused_parameter_ = answer->detail;
     return;
   }
-  if (event.a != static_cast<std::int32_t>(wire::Type::kArm)) return;
-  acknowledged_ = accepted;
-  if (accepted) return;
+  if (answer->request != wire::Type::kArm) return;
+  acknowledged_ = answer->result == wire::Result::kAccepted;
+  if (acknowledged_) return;
   why_ = "refused";
-  if (event.b == static_cast<std::int32_t>(wire::Result::kFaultPersists)) {
-    if (const auto fault = first_fault(event.detail)) {
+  if (answer->result == wire::Result::kFaultPersists) {
+    if (const auto fault = first_fault(answer->detail)) {
       why_ = describe(*fault).cause;
-      remedy_ = describe(*fault).remedy;
+      fix_ = describe(*fault).fix;
     }
   }
 }
@@ -164,6 +247,26 @@ void RobotTalk::write() {
     }
     session_.written(static_cast<std::size_t>(n));
   }
+}
+
+doctor::Visit probe_robot(const VisitOptions& options, const std::atomic<bool>& stop) {
+  doctor::Visit visit;
+  visit.port = options.port;
+  visit.battery_cutoff_v = options.battery_cutoff_v;
+  try {
+    {
+      link::Port port = link::open_port(options.port, options.serial);
+      const bool pseudo_terminal = port.pseudo_terminal();
+      RobotTalk talk(std::move(port), options.session, stop);
+      listen(talk, options, visit);
+      visit.emulator = talk.greeted() && is_emulator(pseudo_terminal, talk.session().hello().board);
+    }
+    if (visit.bytes_in == 0 && !stop)
+      visit.bootloader = bootloader_answers(options.port, kBootloaderS);
+  } catch (const SetupError& error) {
+    if (visit.bytes_in == 0) visit.open_error = error.what();
+  }
+  return visit;
 }
 
 }  // namespace tp100::doctor

@@ -1,6 +1,7 @@
 #pragma once
-// The session with the robot on a port, turned by hand: for commands of the program that look at a
-// robot or try its tracks without the loop, the step and the server of a run. One thread.
+// A session with the robot on a port, run by the calling thread: for commands of the program that
+// examine a robot or test its tracks without the loop, the step and the server of a run. One
+// thread.
 
 #include <atomic>
 #include <functional>
@@ -9,6 +10,7 @@
 
 #include "core/sample.h"
 #include "core/time.h"
+#include "doctor/robot.h"
 #include "link/session.h"
 #include "link/transport.h"
 
@@ -16,20 +18,21 @@ namespace tp100::doctor {
 
 class RobotTalk {
  public:
-  /// `stop` ends every turning; it outlives the talk.
+  /// `stop` ends every call of turn(); it must outlive the talk.
   RobotTalk(link::Port port, const link::SessionSettings& settings, const std::atomic<bool>& stop);
   RobotTalk(const RobotTalk&) = delete;
   RobotTalk& operator=(const RobotTalk&) = delete;
 
-  /// Reads, answers and commands until `enough`, or `limit_s` has passed, the port is gone or
-  /// somebody stops. Returns whether it was enough.
+  /// Reads, replies and sends commands until `enough` holds, `limit_s` has passed, the port is gone
+  /// or `stop` is set. Returns whether `enough` held.
   bool turn(double limit_s, const std::function<bool()>& enough);
 
-  /// What is commanded from now on; at first nothing. An armed robot moves by it.
+  /// Sets the command from now on, initially zero. An armed robot moves by it.
   void command(double speed_mps, double yaw_rate_radps);
-  /// Arms and waits. False: refused, or not acknowledged; why() and remedy() say it.
+  /// Arms and waits. False: refused, or not acknowledged; see why() and fix().
   bool arm();
-  /// Motors off; waits until that is acknowledged or given up. Works when somebody stops, too.
+  /// Switches the motors off and waits for the acknowledgement or a timeout. Works after `stop`,
+  /// too.
   void disarm();
 
   /// Called with each sample and the time at which it was read.
@@ -39,13 +42,13 @@ class RobotTalk {
 
   const link::Session& session() const { return session_; }
   const Sample& newest() const { return newest_; }
-  bool greeted() const { return greeted_; }  ///< a hello came, of whatever version
+  bool greeted() const { return greeted_; }  ///< a hello of any version arrived
   bool gone() const { return gone_; }
-  /// Its motors were on for 100 ms although arm() had not asked for it. It is told to stop as long
-  /// as they are.
+  /// Whether its motors were on for 100 ms without a request of arm(). Sends STOP as long as they
+  /// are.
   bool moved_unasked() const { return moved_unasked_; }
   const std::string& why() const { return why_; }
-  const std::string& remedy() const { return remedy_; }
+  const std::string& fix() const { return fix_; }
   /// Index of the parameter that the firmware refused; -1: none.
   int refused_parameter() const { return refused_parameter_; }
 
@@ -65,10 +68,10 @@ class RobotTalk {
   bool greeted_ = false;
   bool gone_ = false;
   std::string why_;
-  std::string remedy_;
+  std::string fix_;
   int refused_parameter_ = -1;
   bool acknowledged_ = false;
-  bool asked_ = false;  // armed by arm()
+  bool asked_ = false;  // arm() was called
   std::optional<HostNs> on_since_ns_;
   HostNs next_stop_ns_ = 0;
   bool moved_unasked_ = false;
@@ -76,11 +79,24 @@ class RobotTalk {
   double speed_mps_ = 0.0;
   double yaw_rate_radps_ = 0.0;
   std::uint32_t session_number_ = 0;
-  std::uint16_t sequence_ = 0;  // of the last command that was written
-  std::uint16_t awaited_ = 0;   // a command whose confirmation is awaited
+  std::uint16_t sequence_ = 0;  // of the last command written
+  std::uint16_t awaited_ = 0;   // command waiting for its confirmation
   HostNs awaited_since_ns_ = 0;
   bool awaiting_ = false;
   HostNs next_command_ns_ = 0;
 };
+
+struct VisitOptions {
+  std::string port;
+  link::PortOptions serial{};
+  link::SessionSettings session{};
+  double battery_cutoff_v = 0.0;
+  double link_test_s = 1.0;  ///< 0: no link test
+};
+
+/// Examines the robot on a port: identity, state, quality of the link. Nothing moves. Opening the
+/// port resets a Mega; a silent one is given up after 5 s. Throws nothing: errors are
+/// in the visit.
+Visit probe_robot(const VisitOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace tp100::doctor

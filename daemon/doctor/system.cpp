@@ -40,7 +40,7 @@ std::optional<std::string> System::text(const std::string& path) const {
   std::ostringstream all;
   all << in.rdbuf();
   std::string text = all.str();
-  // Not even white space came: a folder, or an attribute that refuses to be read.
+  // Nothing was read, not even white space: a folder, or an attribute that refuses to be read.
   if (text.empty() && !in) return std::nullopt;
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
   return text;

@@ -1,6 +1,6 @@
 #pragma once
-// The files in which a Linux system says what it is: /sys, /proc, /etc, /run/udev and /dev, below a
-// root that a test may choose. Nothing throws; what cannot be read is missing.
+// Reads the files that describe a Linux system: /sys, /proc, /etc, /run/udev and /dev, below a root
+// that a test may choose. Throws nothing; unreadable files count as missing.
 
 #include <sys/types.h>
 
@@ -23,10 +23,10 @@ class System {
  public:
   explicit System(const std::filesystem::path& root = "/");
 
-  /// Where `path` ("/sys/...") really lies, for those who open it themselves.
+  /// Real location of `path` ("/sys/..."), for callers that open it themselves.
   std::filesystem::path file(const std::string& path) const;
   bool exists(const std::string& path) const;
-  /// The whole text without white space at its end.
+  /// The whole text without trailing white space.
   std::optional<std::string> text(const std::string& path) const;
   /// The names in a folder, sorted.
   std::vector<std::string> names(const std::string& folder) const;
@@ -34,7 +34,7 @@ class System {
   /// file.
   std::string real(const std::string& path) const;
   std::optional<DeviceFile> device(const std::string& path) const;
-  /// May this process read and write `path`? The kernel's word, which knows of access lists.
+  /// Whether this process may read and write `path`: asks the kernel, which respects access lists.
   bool usable(const std::string& path) const;
 
  private:
@@ -43,7 +43,7 @@ class System {
 
 /// The lines of a text.
 std::vector<std::string> lines(const std::string& text);
-/// The parts of `line` between `separator`s, empty ones included.
+/// The parts of `line` between `separator`s, including empty ones.
 std::vector<std::string> split(const std::string& line, char separator);
 
 }  // namespace tp100::doctor

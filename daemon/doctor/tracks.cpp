@@ -12,9 +12,9 @@
 namespace tp100::doctor {
 namespace {
 
-// A tenth of what a track makes in a second of that test.
+// A tenth of a track's distance in a second of that test.
 constexpr double kMovedM = 0.01;
-// On the floor the other track is dragged along, and the body turns by some degrees only.
+// On the floor the other track is dragged along, and the body turns only by a few degrees.
 constexpr double kBodyTurnedRad = 1.0 * kRadPerDeg;
 constexpr double kSpunRad = 5.0 * kRadPerDeg;
 constexpr double kHandTurnedRad = 20.0 * kRadPerDeg;
@@ -30,7 +30,7 @@ std::string figures(const TrackDrive& drive) {
   return text.data();
 }
 
-/// How to turn the key over.
+/// The instruction to invert the key.
 std::string turned_over(const std::string& key, bool now) {
   return "set drive." + key + " = " + (now ? "false" : "true") + " in the robot file";
 }
@@ -53,7 +53,7 @@ Seen seen_of(Side side, const TrackDrive& drive) {
   return (drive.turned_rad < 0.0) == (side == Side::kLeft) ? Seen::kAsAsked : Seen::kBackwards;
 }
 
-/// What one drive showed.
+/// Result of one drive.
 struct Shown {
   Side side;
   double own_m;    // by the encoder of the driven track
@@ -88,7 +88,7 @@ Finding judge_unseen(const Shown& drive, const Wiring& wiring) {
     return error(drive, "driving the " + side + " track, the other encoder counts",
                  "swap the plugs of the two encoders, or of the two motors" + std::string(kAgain));
   return error(drive, side + " track driven, but no encoder counts",
-               "check the plugs of its motor and its encoder, and the motors' cells");
+               "check the plugs of its motor and its encoder, and the motors' battery");
 }
 
 Finding judge_as_asked(const Shown& drive, const Wiring& wiring) {
@@ -133,7 +133,7 @@ Finding judge(const Shown& drive, const Wiring& wiring) {
       return judge_other(drive, wiring);
     case Seen::kNothing:
       return error(drive, "the " + name_of(drive.side) + " track does not run",
-                   "check the plug of its motor and that the motors' cells are switched on");
+                   "check the plug of its motor and that the motors' battery is switched on");
     case Seen::kUnknown:
       break;
   }
@@ -147,8 +147,8 @@ bool on_floor(double spin_rad) { return std::abs(spin_rad) > kSpunRad; }
 Findings track_findings(const TrackDrive& left, const TrackDrive& right, const Wiring& wiring) {
   const Shown first = shown(Side::kLeft, left);
   const Shown second = shown(Side::kRight, right);
-  // The body alone cannot tell one track running back from the other running forward; encoders that
-  // agree with both drives can.
+  // The body alone cannot distinguish one track running back from the other running forward;
+  // encoders that agree with both drives can.
   const bool nobody_looked = left.seen == Seen::kUnknown && right.seen == Seen::kUnknown;
   const bool mirrored = first.seen == Seen::kBackwards && second.seen == Seen::kBackwards;
   if (nobody_looked && mirrored && first.forward() && second.forward())
@@ -161,21 +161,21 @@ Findings track_findings(const TrackDrive& left, const TrackDrive& right, const W
 Findings gyro_findings(std::optional<double> hand_rad, double spin_rad, bool tracks_well) {
   std::array<char, 96> text{};
   if (!hand_rad) {
-    std::snprintf(text.data(), text.size(), "tracks turning left, it says %+.0f deg",
+    std::snprintf(text.data(), text.size(), "tracks turning left, it reads %+.0f deg",
                   spin_rad * kDegPerRad);
     if (on_floor(spin_rad) && tracks_well) return {ok("gyro", text.data())};
-    return {{Severity::kWarning, "gyro", "its sign was not tried",
+    return {{Severity::kWarning, "gyro", "its sign was not tested",
              tracks_well ? "run this test in a terminal, and turn the robot when it asks for it"
-                         : "mend the tracks, then run this test again"}};
+                         : "fix the tracks, then run this test again"}};
   }
-  std::snprintf(text.data(), text.size(), "turned left by hand, the gyro says %+.0f deg",
+  std::snprintf(text.data(), text.size(), "turned left by hand, the gyro reads %+.0f deg",
                 *hand_rad * kDegPerRad);
   if (*hand_rad > kHandTurnedRad) return {ok("gyro", text.data())};
   if (*hand_rad < -kHandTurnedRad)
     return {{Severity::kError, "gyro", text.data(),
              "mount the MPU6050 level, chip side up (firmware/WIRING.md)"}};
   return {{Severity::kError, "gyro", text.data(),
-           "run this test again and turn the robot by a quarter to the left; if it says the same, "
+           "run this test again and turn the robot by a quarter to the left; if it reads the same, "
            "check that the MPU6050 lies level"}};
 }
 

@@ -1,44 +1,82 @@
 #include "doctor/wheels_up.h"
 
 #include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstdio>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/faults.h"
-#include "doctor/answers.h"
 #include "doctor/robot_talk.h"
 #include "doctor/tracks.h"
 
 namespace tp100::doctor {
 namespace {
 
-using doctor::Findings;
-using doctor::Seen;
-using doctor::Severity;
-using doctor::Side;
-using doctor::TrackDrive;
+/// Lines typed on standard input, read without blocking.
+class Answers {
+ public:
+  /// The next line, if there is one; reads all available input. Never waits.
+  std::optional<std::string> take();
+  /// Discards what was typed on a terminal before the question; a pipe keeps its lines.
+  void drop_typed_ahead();
+  /// End of input: there will be no more lines.
+  bool ended() const { return ended_ && pending_.empty(); }
+
+ private:
+  std::string pending_;
+  bool ended_ = false;
+};
+
+std::optional<std::string> Answers::take() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  if (!ended_ && ::poll(&input, 1, 0) > 0) {
+    std::array<char, 256> buffer;
+    const ssize_t n = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (n > 0) pending_.append(buffer.data(), static_cast<std::size_t>(n));
+    if (n == 0 || (n < 0 && errno != EINTR && errno != EAGAIN)) ended_ = true;
+  }
+  const std::size_t end = pending_.find('\n');
+  if (end == std::string::npos) {
+    if (ended_) pending_.clear();
+    return std::nullopt;
+  }
+  std::string line = pending_.substr(0, end);
+  pending_.erase(0, end + 1);
+  line.erase(line.find_last_not_of(" \t\r") + 1);
+  return line;
+}
+
+void Answers::drop_typed_ahead() {
+  if (::isatty(STDIN_FILENO) == 0) return;
+  ::tcflush(STDIN_FILENO, TCIFLUSH);
+  pending_.clear();
+}
 
 constexpr double kHelloLimitS = 8.0;
 constexpr double kSettleS = 0.3;
-constexpr double kWayS = 1.0;
-constexpr double kRestS = 0.6;
+constexpr double kDistanceS = 1.0;
+constexpr double kStandstillS = 0.6;
 constexpr double kAnswerLimitS = 600.0;
 constexpr double kTrackMps = 0.1;
-// With this one, half of it and no slip, the other track's speed is exactly 0.
+// With this wheelbase, half of it as turning radius and no slip, the other track's speed is exactly
+// 0.
 constexpr float kUnitWheelbaseM = 1.0F;
 
-/// Parameters under which a command is a duty: neither counts nor gyro act on the motors.
+/// Parameters that turn a command into a duty: neither counts nor gyro act on the motors.
 link::SessionSettings open_loop(link::SessionSettings settings) {
   wire::Parameters& out = settings.parameters;
   out.wheelbase_m = kUnitWheelbaseM;
   out.slip_left = out.slip_right = 0.0F;
   out.speed_kp = out.speed_ki = out.yaw_kp = 0.0F;
   out.max_yaw_radps = 1.0F;
-  // So that a belt which counts backwards is driven to the end and judged, not stopped as a fault.
+  // So that a track that counts backwards is driven to the end and judged, not stopped as a fault.
   out.max_track_mps = 1.0F;
   out.stall_duty = 0;
   out.flags = static_cast<std::uint8_t>(out.flags & ~wire::kUseGyro);
@@ -55,7 +93,7 @@ Findings nobody() {
   return broken_off("nobody pressed Enter, nothing moved", "run it in a terminal");
 }
 
-/// Waits for a line without a robot.
+/// Waits for a line, without a robot session.
 bool entered(Answers& answers, const std::atomic<bool>& stop) {
   while (!stop && !answers.ended()) {
     if (answers.take()) return true;
@@ -74,7 +112,7 @@ class WheelsUp {
         talk_(link::open_port(options.port, options.serial), open_loop(options.session), stop) {
     talk_.on_sample = [this](const Sample& sample, HostNs) { add(sample); };
   }
-  // Whatever happens, no motor is left on.
+  // The motors are switched off in any case.
   ~WheelsUp() { talk_.disarm(); }
   WheelsUp(const WheelsUp&) = delete;
   WheelsUp& operator=(const WheelsUp&) = delete;
@@ -101,12 +139,12 @@ class WheelsUp {
   }
 
  private:
-  /// What encoders and gyro have summed up so far.
+  /// Accumulated encoder and gyro values.
   struct Sums {
     double left_m = 0.0, right_m = 0.0, yaw_rad = 0.0;
   };
 
-  /// A command, as long as the wheelbase is 1 m.
+  /// A command, valid with a wheelbase of 1 m.
   struct Motion {
     double speed_mps = 0.0;
     double yaw_rate_radps = 0.0;
@@ -124,13 +162,13 @@ class WheelsUp {
   }
 
   Findings stopped() const {
-    if (refused_) return broken_off("the robot cannot be armed: " + talk_.why(), talk_.remedy());
+    if (refused_) return broken_off("the robot cannot be armed: " + talk_.why(), talk_.fix());
     if (talk_.session().counters().reboots > 0)
       return broken_off("the board restarted as a track ran",
-                        "charge the cells and check the power wiring");
+                        "charge the battery and check the power wiring");
     if (const auto fault = first_fault(talk_.newest().faults))
       return broken_off("the robot stopped by itself: " + std::string(describe(*fault).cause),
-                        std::string(describe(*fault).remedy));
+                        std::string(describe(*fault).fix));
     if (talk_.gone())
       return broken_off(options_.port + ": port is gone", "check the plug and run it again");
     if (stop_) return broken_off("stopped before its end", "run it again");
@@ -142,21 +180,21 @@ class WheelsUp {
     talk_.turn(seconds, [] { return false; });
   }
 
-  /// One way and its rest.
+  /// One motion and the standstill after it.
   Sums way(const Motion& motion) {
     const Sums before = sums_;
     const DeviceUs begun_us = last_.device_us;
     talk_.command(motion.speed_mps, motion.yaw_rate_radps);
-    wait(kWayS);
+    wait(kDistanceS);
     talk_.command(0.0, 0.0);
-    wait(kRestS);
+    wait(kStandstillS);
     watched_s_ += static_cast<double>(last_.device_us - begun_us) * 1e-6;
     watched_rad_ += sums_.yaw_rad - before.yaw_rad;
     return {sums_.left_m - before.left_m, sums_.right_m - before.right_m,
             sums_.yaw_rad - before.yaw_rad};
   }
 
-  /// Armed for one motion and its reverse. Nothing: it did not come to its end.
+  /// Arms for one motion and its reverse. Nothing: it was not completed.
   std::optional<TrackDrive> drive(const Motion& motion) {
     wait(kSettleS);
     if (!talk_.arm()) {
@@ -200,12 +238,12 @@ class WheelsUp {
     while (true) {
       say("What ran? Enter: the " + track + " track, forward first; b: the " + track +
           " track, back first; o: the other one; n: none");
-      const std::optional<std::string> said = answer();
-      if (!said) return Seen::kUnknown;
-      if (said->empty()) return Seen::kAsAsked;
-      if (*said == "b") return Seen::kBackwards;
-      if (*said == "o") return Seen::kOtherTrack;
-      if (*said == "n") return Seen::kNothing;
+      const std::optional<std::string> reply = answer();
+      if (!reply) return Seen::kUnknown;
+      if (reply->empty()) return Seen::kAsAsked;
+      if (*reply == "b") return Seen::kBackwards;
+      if (*reply == "o") return Seen::kOtherTrack;
+      if (*reply == "n") return Seen::kNothing;
     }
   }
 
@@ -216,7 +254,7 @@ class WheelsUp {
     const double before_rad = sums_.yaw_rad;
     const DeviceUs begun_us = last_.device_us;
     if (!answer()) return std::nullopt;
-    // On the stand nothing turned: all that the gyro said there was its bias.
+    // On the stand nothing turned: all that the gyro measured there was its bias.
     const double bias_radps = watched_s_ > 0.0 ? watched_rad_ / watched_s_ : 0.0;
     const double took_s = static_cast<double>(last_.device_us - begun_us) * 1e-6;
     return sums_.yaw_rad - before_rad - bias_radps * took_s;
@@ -235,7 +273,7 @@ class WheelsUp {
   const double track_mps_ = std::min(kTrackMps, options_.drive.max_track_mps);
   Sample last_{};
   Sums sums_{};
-  double watched_s_ = 0.0;  // on all ways
+  double watched_s_ = 0.0;  // over all motions
   double watched_rad_ = 0.0;
   bool refused_ = false;
 };

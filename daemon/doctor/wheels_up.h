@@ -1,6 +1,6 @@
 #pragma once
-// The guided test of `tp100d doctor --wheels-up`: each track on its own, forward and back, with the
-// speed loops off, so that a track that is wired backwards cannot run away.
+// The guided test of `tp100d doctor --wheels-up`: drives each track on its own, forward and back,
+// with the speed loops off, so that a track that is wired backwards cannot run away.
 
 #include <atomic>
 #include <string>
@@ -19,9 +19,9 @@ struct WheelsUpOptions {
   course::DriveValues drive{};
 };
 
-/// Asks on standard error, listens on standard input. Nothing moves before Enter; the motors are
-/// off whenever it returns. Names besides those of doctor/tracks.h: wheels-up. Throws SetupError if
-/// the port cannot be opened.
+/// Asks on standard error and reads standard input. Nothing moves before Enter; the motors are off
+/// when it returns. Names besides those of doctor/tracks.h: wheels-up. Throws SetupError if the
+/// port cannot be opened.
 doctor::Findings try_wheels_up(const WheelsUpOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace tp100::doctor

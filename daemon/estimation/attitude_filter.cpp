@@ -12,13 +12,13 @@ double roll_of(const AttitudeFilter::Vector& a) { return std::atan2(a[1], a[2]);
 double pitch_of(const AttitudeFilter::Vector& a) {
   return std::atan2(-a[0], std::hypot(a[1], a[2]));
 }
-// 80 mg, the worst of the MPU6050's data sheet; a steeper rest is a slope.
+// 80 mg, the worst case of the MPU6050's data sheet; a steeper standstill is a slope.
 constexpr double kWorstOffsetRad = 4.6 * kRadPerDeg;
-// Somebody tilts the robot.
+// Faster than this, the robot is being tilted.
 constexpr double kTiltingRadps = 0.05;
 constexpr double kFirstS = 0.2;
-// Near the vertical there is no heading.
-constexpr double kLeastCosPitch = 0.2;
+// Near the vertical the heading is undefined.
+constexpr double kMinCosPitch = 0.2;
 
 constexpr double kGravityMps2 = 9.80665;
 constexpr AttitudeFilter::Vector kUpright{0.0, 0.0, kGravityMps2};
@@ -47,6 +47,15 @@ void AttitudeFilter::level(const Vector& gyro_radps, const Vector& accel_mps2, d
   }
 }
 
+void AttitudeFilter::resume(const CarriedAttitude& state) {
+  *this = AttitudeFilter(parameters_);
+  levelled_s_ = state.levelled_s;
+  gyro_offset_ = state.gyro_offset_radps;
+  accel_offset_ = state.accel_offset_mps2;
+  roll_rad_ = state.roll_rad;
+  pitch_rad_ = state.pitch_rad;
+}
+
 void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s) {
   const double wx = gyro_radps[0] - gyro_offset_[0];
   const double wy = gyro_radps[1] - gyro_offset_[1];
@@ -68,7 +77,7 @@ void AttitudeFilter::update(const Vector& gyro_radps, const Vector& accel_mps2, 
 
 double AttitudeFilter::yaw_rate_radps(double body_z_radps) const {
   return (std::sin(roll_rad_) * body_y_radps_ + std::cos(roll_rad_) * body_z_radps) /
-         std::max(std::cos(pitch_rad_), kLeastCosPitch);
+         std::max(std::cos(pitch_rad_), kMinCosPitch);
 }
 
 }  // namespace tp100::estimation

@@ -3,24 +3,31 @@
 
 #include <array>
 
+#include "core/carried_state.h"
 #include "estimation/parameters.h"
 
 namespace tp100::estimation {
 
-/// Complementary filter, z-y-x angles, nose-up pitch negative. The rest on the start counts as
-/// level, and what an axis shows more or less there than gravity as its offset: an accelerometer
-/// may be off by 3 deg. No allocation; safe in the real-time thread.
+/// Complementary filter, z-y-x angles, nose-up pitch negative. The standstill at the start counts
+/// as level, and any deviation from gravity there as an axis's offset: an accelerometer may be off
+/// by 3 deg. No allocation; safe in the real-time thread.
 class AttitudeFilter {
  public:
   using Vector = std::array<double, 3>;
 
   explicit AttitudeFilter(const AttitudeParameters& parameters) : parameters_(parameters) {}
 
-  /// The belts rest for `dt_s`: learns both sensors' offsets, unless the robot is being tilted or
-  /// stands steeper than any offset.
+  /// The tracks stand still for `dt_s`: learns both sensors' offsets, unless the robot is being
+  /// tilted or is steeper than any offset.
   void level(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s);
   /// One interval; body axes, specific force.
   void update(const Vector& gyro_radps, const Vector& accel_mps2, double dt_s);
+
+  CarriedAttitude carried() const {
+    return {levelled_s_, gyro_offset_, accel_offset_, roll_rad_, pitch_rad_};
+  }
+  /// As after construction, with this state.
+  void resume(const CarriedAttitude& state);
 
   double roll_rad() const { return roll_rad_; }
   double pitch_rad() const { return pitch_rad_; }

@@ -9,14 +9,14 @@ namespace {
 
 double square(double value) { return value * value; }
 
-// Two outliers in a row hardly tell the same story; a robot that was moved does.
+// Two outliers in a row hardly agree; two images of a robot that was moved do.
 constexpr double kSameStoryM = 0.03;
 constexpr double kSameStoryRad = 10.0 * kRadPerDeg;
-// So many in a row between gate and trigger are no accident either.
+// So many in a row between gate and trigger are no coincidence.
 constexpr int kRejectionsInARow = 10;
 // Of the pitch while climbing a block and falling off it; the raised marker moves with it.
 constexpr double kClimbingSdRad = 3.0 * kRadPerDeg;
-// A ground's attitude is that of one end of its interval.
+// A ground's attitude is that at one end of its interval.
 constexpr double kAttitudeLateS = 0.005;
 
 }  // namespace
@@ -34,7 +34,7 @@ Eigen::Vector3d expected_marker(const Eigen::Vector3d& pose, const Ground& groun
   const double plane = camera.height_m - camera.marker_height_m;
   const double depth = camera.height_m - z;
   const double scale = plane / depth;
-  // A step along the marker's own axis, as it moves in the picture: its far end is at another
+  // A step along the marker's own axis, as it moves in the image: its far end is at another
   // height.
   const double level = std::cos(ground.pitch_rad) * scale;
   const double rise = -std::sin(ground.pitch_rad) * scale / depth;

@@ -1,12 +1,11 @@
 #pragma once
-// The overhead camera as a measurement: what it should see, its noise, its gate.
+// The overhead camera as a measurement: expected marker pose, noise, gate.
 
 #include <Eigen/Core>
 
-#include "core/camera_sample.h"
-#include "estimation/kalman_update.h"
+#include "core/sample.h"
+#include "estimation/kalman.h"
 #include "estimation/motion.h"
-#include "estimation/nis.h"
 #include "estimation/parameters.h"
 
 namespace tp100::estimation {
@@ -16,30 +15,35 @@ struct CameraPlace {
   double x_m = 0.0, y_m = 0.0;  ///< below the lens, world frame
 };
 
-/// What the camera should show of a robot at (x, y, yaw) on this ground: the marker is raised,
-/// tilted with the body, and shifted away from the camera's foot by what it rises over the plane of
-/// the homography. Its direction is that of its two ends as seen. Pure.
+/// Expected marker of a robot at (x, y, yaw) on this ground. The marker is raised, tilted with the
+/// body, and displaced from the camera's foot in proportion to its height over the plane of the
+/// homography. Its direction is that of its two ends as seen. Pure.
 Eigen::Vector3d expected_marker(const Eigen::Vector3d& pose, const Ground& ground,
                                 const CameraParameters& camera, const CameraPlace& place);
 
-/// What became of a sample.
+/// Outcome of a sample.
 enum class CameraVerdict {
   kUsed,
   kRejected,   ///< beyond the gate
-  kRecovered,  ///< the second contradiction in a row: the estimate gave way
+  kRecovered,  ///< the second contradiction in a row: the estimate was reset
 };
 
-/// Judges samples and applies them. Remembers only the contradictions in a row. No allocation.
+/// Judges samples and applies them. It keeps only the number of contradictions in a row. No
+/// allocation.
 class CameraUpdate {
  public:
   CameraUpdate(const CameraParameters& camera, const CameraPlace& place)
       : camera_(camera), place_(place) {}
 
-  /// Applies `seen` to the state of the instant at which it was measured. `twist` is the motion
-  /// then.
+  /// Applies `seen` to the state at its time of measurement. `twist` is the motion then.
   CameraVerdict apply(FilterState& state, const CameraSample& seen, const Ground& ground,
                       const Twist& twist, const MotionModel& motion);
-  /// Of the last sample, before any recovery.
+  /// As after construction, with the NIS of the last sample.
+  void resume(double nis) {
+    *this = CameraUpdate(camera_, place_);
+    nis_ = nis;
+  }
+  /// NIS of the last sample, before any recovery.
   double nis() const { return nis_; }
 
  private:

@@ -3,44 +3,39 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/kalman_update.h"
+#include "estimation/kalman.h"
 
 namespace tp100::estimation {
 namespace {
 
 double square(double value) { return value * value; }
 
-// Belts whose yaw rate is off by more than this many standard deviations say nothing.
+// A yaw rate of the tracks that is off by more than this many standard deviations is ignored.
 constexpr double kResidualGate = 10.8;
-// Without a gyro the belts' error counts as constant for this long.
-constexpr double kBeltErrorS = 0.1;
+// Without a gyro the tracks' error counts as constant for this long.
+constexpr double kTrackErrorS = 0.1;
 constexpr double kMovingMps = 0.002;
-// A body that tips over an edge moves beside its belts. Slower than this is noise of the pitch.
+// A body that tips over an edge moves sideways to its tracks. Slower rates are noise of the pitch.
 constexpr double kTiltSdMRtrad = 0.01;
 constexpr double kTippingRadps = 0.1;
 
 }  // namespace
-
-double MotionModel::slip_angle_rad(double yaw_rate_radps) const {
-  return std::abs(yaw_rate_radps) > tracks_.turning_threshold_radps
-             ? tracks_.slip_angle_turning_rad
-             : tracks_.slip_angle_straight_rad;
-}
 
 model::Turn MotionModel::turn_of(const Motion& motion) const {
   return model::turn_of(tracks_, model::Mode::kExtended, motion.shape);
 }
 
 Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
-  const double left = motion.belts.left_mps * (1.0 - mean[kSlipLeft]);
-  const double right = motion.belts.right_mps * (1.0 - mean[kSlipRight]);
+  const double left = motion.tracks.left_mps * (1.0 - mean[kSlipLeft]);
+  const double right = motion.tracks.right_mps * (1.0 - mean[kSlipRight]);
   const model::Turn turn = turn_of(motion);
   Twist twist;
   twist.vx_mps = (right + left) / 2.0 * (1.0 - turn.slip);
   twist.yaw_rate_radps =
       motion.gyro ? motion.gyro_z_radps - mean[kBias] : (right - left) / turn.wheelbase_m;
-  twist.vy_mps = twist.vx_mps * std::tan(slip_angle_rad(twist.yaw_rate_radps)) -
-                 turn.x_icr_m * twist.yaw_rate_radps;
+  twist.vy_mps =
+      twist.vx_mps * std::tan(model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps)) -
+      turn.x_icr_m * twist.yaw_rate_radps;
   return twist;
 }
 
@@ -48,24 +43,24 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const double dt = motion.dt_s;
   const Twist twist = this->twist(state.mean, motion);
   Pose pose{.x_m = state.mean[kX], .y_m = state.mean[kY], .yaw_rad = state.mean[kYaw]};
-  model::advance(pose, twist, dt, {.planar = motion.ground.planar});
+  model::advance(pose, twist, dt, {.horizontal_fraction = motion.ground.horizontal_fraction});
   const double dx = pose.x_m - state.mean[kX];
   const double dy = pose.y_m - state.mean[kY];
   const double turn = twist.yaw_rate_radps * dt;
   const double middle = state.mean[kYaw] + turn / 2.0;
   const double c = std::cos(middle), s = std::sin(middle);
 
-  // What a change of speed and of yaw rate does to the place.
+  // Effect of a change of speed and of yaw rate on the position.
   const model::Turn shape = turn_of(motion);
-  const double planar = motion.ground.planar;
-  const double sideways = std::tan(slip_angle_rad(twist.yaw_rate_radps));
-  const double x_by_speed = dt * (1.0 - shape.slip) * (planar * c - sideways * s);
-  const double y_by_speed = dt * (1.0 - shape.slip) * (planar * s + sideways * c);
+  const double horizontal_fraction = motion.ground.horizontal_fraction;
+  const double sideways = std::tan(model::slip_angle_rad(tracks_, shape, twist.yaw_rate_radps));
+  const double x_by_speed = dt * (1.0 - shape.slip) * (horizontal_fraction * c - sideways * s);
+  const double y_by_speed = dt * (1.0 - shape.slip) * (horizontal_fraction * s + sideways * c);
   const double x_by_rate = dt * (-dy / 2.0 + shape.x_icr_m * s);
   const double y_by_rate = dt * (dx / 2.0 - shape.x_icr_m * c);
 
-  const bool moves =
-      std::abs(motion.belts.left_mps) > kMovingMps || std::abs(motion.belts.right_mps) > kMovingMps;
+  const bool moves = std::abs(motion.tracks.left_mps) > kMovingMps ||
+                     std::abs(motion.tracks.right_mps) > kMovingMps;
   const bool held = motion.ground.hold_slip || !moves;
   const double kept = held ? 1.0 : std::exp(-dt / noise_.slip_s);
 
@@ -77,15 +72,15 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
     f(kY, of) += y_by_rate * rate;
     f(kYaw, of) += dt * rate;
   };
-  const auto by_slip = [&](Eigen::Index of, double belt_mps, double rate) {
-    f(kX, of) = -x_by_speed * belt_mps / 2.0;
-    f(kY, of) = -y_by_speed * belt_mps / 2.0;
+  const auto by_slip = [&](Eigen::Index of, double track_mps, double rate) {
+    f(kX, of) = -x_by_speed * track_mps / 2.0;
+    f(kY, of) = -y_by_speed * track_mps / 2.0;
     f(of, of) = kept;
     if (!motion.gyro) by_rate(of, rate);
   };
   if (motion.gyro) by_rate(kBias, -1.0);
-  by_slip(kSlipLeft, motion.belts.left_mps, motion.belts.left_mps / shape.wheelbase_m);
-  by_slip(kSlipRight, motion.belts.right_mps, -motion.belts.right_mps / shape.wheelbase_m);
+  by_slip(kSlipLeft, motion.tracks.left_mps, motion.tracks.left_mps / shape.wheelbase_m);
+  by_slip(kSlipRight, motion.tracks.right_mps, -motion.tracks.right_mps / shape.wheelbase_m);
 
   const double way = std::abs(twist.vx_mps) * dt;
   const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
@@ -100,7 +95,7 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
                      square(noise_.gyro_scale_sd * rate) * noise_.gyro_scale_s) *
                         dt
                   : (moves ? square(noise_.residual_sd_radps + noise_.residual_share * rate) *
-                                 kBeltErrorS * dt
+                                 kTrackErrorS * dt
                            : 0.0);
 
   state.mean[kX] = pose.x_m;
@@ -124,23 +119,23 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
 }
 
 void MotionModel::measure(FilterState& state, const Motion& motion) const {
-  if (motion.rest_sd_radps > 0.0) {
+  if (motion.standstill_sd_radps > 0.0) {
     Measurement<1> rest;
-    rest.innovation << motion.rest_radps - state.mean[kBias];
+    rest.innovation << motion.standstill_radps - state.mean[kBias];
     rest.jacobian.setZero();
     rest.jacobian(0, kBias) = 1.0;
-    rest.noise << square(motion.rest_sd_radps);
+    rest.noise << square(motion.standstill_sd_radps);
     update(state, rest);
   }
   if (!motion.has_residual || motion.ground.hold_slip) return;
   const Residual& seen = motion.residual;
-  const double left = seen.belts.left_mps, right = seen.belts.right_mps;
+  const double left = seen.tracks.left_mps, right = seen.tracks.right_mps;
   const double base = turn_of(motion).wheelbase_m;
-  const double by_belts =
+  const double by_tracks =
       (right * (1.0 - state.mean[kSlipRight]) - left * (1.0 - state.mean[kSlipLeft])) / base;
   Measurement<1> residual;
-  residual.innovation << seen.gyro_z_radps - by_belts - state.mean[kBias];
-  if (std::abs(residual.innovation[0]) > noise_.push_radps) {
+  residual.innovation << seen.gyro_z_radps - by_tracks - state.mean[kBias];
+  if (std::abs(residual.innovation[0]) > noise_.disturbance_radps) {
     disturb(state);
     return;
   }

@@ -7,22 +7,44 @@
 #include "core/angle.h"
 
 namespace tp100::estimation {
+
+Slope SlopeState::update(double pitch_rad, double dt_s) {
+  const double steep = std::abs(pitch_rad);
+  const Slope side = pitch_rad < 0.0 ? Slope::kUp : Slope::kDown;
+  Slope seen = Slope::kFlat;
+  if (steep > parameters_.enter_slope_rad ||
+      (side == state_ && steep > parameters_.leave_slope_rad))
+    seen = side;
+  if (seen == state_) {
+    lasted_s_ = 0.0;
+    candidate_ = seen;
+    return state_;
+  }
+  lasted_s_ = seen == candidate_ ? lasted_s_ + dt_s : dt_s;
+  candidate_ = seen;
+  if (lasted_s_ >= parameters_.slope_lasts_s) {
+    state_ = seen;
+    lasted_s_ = 0.0;
+  }
+  return state_;
+}
+
 namespace {
 
-// A body that leans by less counts as level: noise and offset of the pitch.
+// A body tilted by less counts as level: noise and offset of the pitch.
 constexpr double kLevelRad = 2.0 * kRadPerDeg;
 // Steeper than a ramp of 34 deg, less steep than any riser and edge climbed so far.
 constexpr double kStepSine = 0.56;
-// After this way uphill a ramp is one.
+// After this distance uphill a ramp is certain.
 constexpr double kJudgedM = 0.04;
-// Way over the top of an obstacle, from leaving its up side to its down side.
+// Distance over the top of an obstacle, from leaving its up side to its down side.
 constexpr double kTopM = 0.6;
 constexpr double kMarkM = 0.001;
 
 }  // namespace
 
-void ObstacleState::climb(double nose_up_rad, double way_m) {
-  since_mark_m_ += way_m;
+void ObstacleState::climb(double nose_up_rad, double distance_m) {
+  since_mark_m_ += distance_m;
   if (since_mark_m_ < kMarkM) return;
   since_mark_m_ = std::fmod(since_mark_m_, kMarkM);
   const double sine = std::sin(nose_up_rad);
@@ -33,12 +55,12 @@ void ObstacleState::climb(double nose_up_rad, double way_m) {
   ++marks_;
 }
 
-Obstacle ObstacleState::update(double pitch_rad, Slope slope, double way_m) {
+Obstacle ObstacleState::update(double pitch_rad, Slope slope, double distance_m) {
   const double nose_up = -pitch_rad;
-  level_m_ += std::abs(way_m);
-  up_m_ += std::abs(way_m);
+  level_m_ += std::abs(distance_m);
+  up_m_ += std::abs(distance_m);
   if (slope == Slope::kFlat && nose_up < kLevelRad) steepest_ = 0.0;
-  climb(nose_up, std::abs(way_m));
+  climb(nose_up, std::abs(distance_m));
   const Slope before = std::exchange(slope_, slope);
   if (slope == Slope::kFlat) {
     if (before != Slope::kFlat) level_m_ = 0.0;

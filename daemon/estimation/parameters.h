@@ -5,34 +5,37 @@
 
 namespace tp100::estimation {
 
-/// Noise that the pose filter assumes. Densities are per root of what they grow with: time, way or
-/// turned angle.
+/// Noise that the pose filter assumes. Densities are per root of the quantity with which they grow:
+/// time, distance or turned angle.
 struct FilterParameters {
-  double start_sd_m = 0.005;  ///< how well a robot is put on the start
+  double start_sd_m = 0.005;  ///< how accurately a robot is placed on the start
   double start_sd_rad = 1.0 * kRadPerDeg;
   double gyro_sd_rad_rts = 4e-4;  ///< gyro noise, discretization included
   double gyro_scale_sd = 0.004;   ///< scale error left after calibration
   double gyro_scale_s = 1.0;      ///< ... which counts as constant for this long
   double bias_sd_radps = 0.05;    ///< turn-on bias
   double bias_walk_radps_rts = 5e-5;
-  double along_sd_m_rtm = 0.002;  ///< way, per root metre
+  double along_sd_m_rtm = 0.002;  ///< distance, per root metre
   double across_sd_m_rtm = 0.002;
-  double obstacle_sd_m_rtm = 0.03;  ///< way while climbing a block, where belts slip at one end
+  double obstacle_sd_m_rtm = 0.03;  ///< distance while climbing a block, where tracks slip at one
+                                    ///< end
   double turn_sd_m_rtrad = 0.002;   ///< shift of the reference point by turning, per root radian
   double slip_sd = 0.03;            ///< slip ratio around its prior
   double slip_s = 2.0;              ///< time constant of its return to the prior
-  double residual_window_s = 0.05;  ///< belts and gyro are compared over this long
-  double residual_sd_radps = 0.03;  ///< of yaw rate by belts against gyro, driving straight
-  double residual_share = 0.15;     ///< ... and per yaw rate: the wheelbase's error lives in turns
-  double push_radps = 0.5;          ///< belts against gyro above this: someone turns the robot
-  double disturbed_sd_m = 0.05;     ///< added to the pose after a push or a contradiction
+  double residual_window_s = 0.05;  ///< tracks and gyro are compared over this long
+  double residual_sd_radps = 0.03;  ///< of yaw rate by tracks against gyro, driving straight
+  double residual_share = 0.15;     ///< ... and per yaw rate: the wheelbase's error appears in
+                                    ///< turns
+  double disturbance_radps = 0.5;   ///< tracks against gyro above this: the robot is turned from
+                                    ///< outside
+  double disturbed_sd_m = 0.05;     ///< added to the pose after a disturbance or a contradiction
   double disturbed_sd_rad = 15.0 * kRadPerDeg;
 };
 
-/// What the filter believes of the overhead camera. It looks straight down.
+/// What the filter assumes of the overhead camera. It looks straight down.
 struct CameraParameters {
-  double position_sd_m = 0.0015;  ///< from picture to picture
-  double constant_sd_m = 0.0015;  ///< of the place, the same in every picture: no mean removes it
+  double position_sd_m = 0.0015;  ///< from image to image
+  double constant_sd_m = 0.0015;  ///< common to all images of a run: averaging does not remove it
   double yaw_sd_rad = 0.4 * kRadPerDeg;
   double time_sd_s = 0.001;  ///< of the time stamps
   double height_m = 2.5;     ///< of the lens above the floor
@@ -44,7 +47,7 @@ struct CameraParameters {
 /// Roll, pitch and slope from the IMU.
 struct AttitudeParameters {
   double gravity_s = 0.7;     ///< gravity counts over longer times, the gyro over shorter ones
-  double steady_share = 0.1;  ///< of gravity: more than this off is no gravity
+  double steady_share = 0.1;  ///< a deviation beyond this share of gravity is not gravity
   double level_s = 5.0;       ///< offsets are learned over this long
   double enter_slope_rad = 4.0 * kRadPerDeg;
   double leave_slope_rad = 2.5 * kRadPerDeg;
@@ -52,9 +55,9 @@ struct AttitudeParameters {
 };
 
 struct Parameters {
-  double still_s = 0.5;  ///< both belts at rest for this long before the gyro bias is taken
-  double still_gyro_sd_radps = 0.01;  ///< gyro noise above this is not rest
-  double bias_time_s = 2.0;           ///< time constant of the bias while at rest
+  double still_s = 0.5;  ///< both tracks at standstill for this long before the gyro bias is taken
+  double still_gyro_sd_radps = 0.01;  ///< gyro noise above this is no standstill
+  double bias_time_s = 2.0;           ///< time constant of the bias at standstill
   FilterParameters filter{};
   CameraParameters camera{};
   AttitudeParameters attitude{};

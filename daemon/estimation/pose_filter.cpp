@@ -11,8 +11,7 @@ namespace {
 
 double square(double value) { return value * value; }
 
-// A camera that was used this recently knows the place of the start better than whoever put the
-// robot there.
+// A camera used this recently knows the start position better than the person who placed the robot.
 constexpr HostNs kFreshNs = 500 * kNsPerMs;
 
 /// The part of `motion` before `at_ns`; the rest keeps the measurements of the end.
@@ -23,7 +22,7 @@ Motion split(Motion& motion, HostNs begin_ns, HostNs at_ns) {
   first.end_ns = at_ns;
   first.dt_s = motion.dt_s * share;
   first.has_residual = false;
-  first.rest_sd_radps = 0.0;
+  first.standstill_sd_radps = 0.0;
   motion.dt_s -= first.dt_s;
   return first;
 }
@@ -76,20 +75,55 @@ void PoseFilter::interrupt() {
   camera_known_ = false;
 }
 
+CarriedFilter PoseFilter::carried() const {
+  CarriedFilter state{.branch_rad = branch_rad_,
+                      .camera_ns = camera_ns_,
+                      .last_seen_ns = last_seen_ns_,
+                      .camera_known = camera_known_,
+                      .nis = camera_.nis(),
+                      .nis_sum = nis_.sum(),
+                      .nis_count = nis_.count(),
+                      .camera_used = used_,
+                      .camera_rejected = rejected_,
+                      .recoveries = recoveries_};
+  Eigen::Map<StateVector>(state.mean.data()) = state_.mean;
+  // It is symmetric: the order does not matter.
+  Eigen::Map<StateMatrix>(state.covariance.data()) = state_.covariance;
+  return state;
+}
+
+void PoseFilter::resume(const CarriedFilter& state) {
+  restart_from({Eigen::Map<const StateVector>(state.mean.data()),
+                Eigen::Map<const StateMatrix>(state.covariance.data())});
+  twist_ = Twist{};
+  ground_ = Ground{};
+  turn_monitor_.restart();
+  waiting_count_ = 0;
+  branch_rad_ = state.branch_rad;
+  camera_ns_ = state.camera_ns;
+  last_seen_ns_ = state.last_seen_ns;
+  camera_known_ = state.camera_known;
+  camera_.resume(state.nis);
+  nis_ = NisMean(state.nis_count, state.nis_sum);
+  used_ = state.camera_used;
+  rejected_ = state.camera_rejected;
+  recoveries_ = state.recoveries;
+}
+
 void PoseFilter::add_to_window(Motion& motion) {
   if (!motion.gyro) {
     window_ = Residual{};
     window_s_ = 0.0;
     return;
   }
-  window_.belts.left_mps += motion.belts.left_mps * motion.dt_s;
-  window_.belts.right_mps += motion.belts.right_mps * motion.dt_s;
+  window_.tracks.left_mps += motion.tracks.left_mps * motion.dt_s;
+  window_.tracks.right_mps += motion.tracks.right_mps * motion.dt_s;
   window_.gyro_z_radps += motion.gyro_z_radps * motion.dt_s;
   window_s_ += motion.dt_s;
   if (window_s_ < noise_.residual_window_s) return;
   motion.has_residual = true;
   motion.residual = {
-      .belts = {window_.belts.left_mps / window_s_, window_.belts.right_mps / window_s_},
+      .tracks = {window_.tracks.left_mps / window_s_, window_.tracks.right_mps / window_s_},
       .gyro_z_radps = window_.gyro_z_radps / window_s_};
   window_ = Residual{};
   window_s_ = 0.0;
@@ -98,19 +132,19 @@ void PoseFilter::add_to_window(Motion& motion) {
 void PoseFilter::advance(const FilterInput& in) {
   if (past_.empty()) {
     // Where the first interval begins: what a camera sample within it goes back to.
-    Step base;
+    RewindEntry base;
     base.motion.end_ns = in.end_ns - from_s(in.dt_s);
     base.after = state_;
     past_.push(base);
   }
-  Step step;
-  // The clock relation may be set back a little; a motion still ends after the one before.
+  RewindEntry step;
+  // The clock relation may jump back a little; a motion must still end after the one before.
   step.motion = {
       .end_ns = std::max(in.end_ns, past_.back().motion.end_ns + 1),
       .dt_s = in.dt_s,
-      .belts = in.belts,
-      .shape = turn_watch_.update(in.belts.left_mps * (1.0 - state_.mean[kSlipLeft]),
-                                  in.belts.right_mps * (1.0 - state_.mean[kSlipRight]), in.dt_s),
+      .tracks = in.tracks,
+      .shape = turn_monitor_.update(in.tracks.left_mps * (1.0 - state_.mean[kSlipLeft]),
+                                    in.tracks.right_mps * (1.0 - state_.mean[kSlipRight]), in.dt_s),
       .gyro_z_radps = in.gyro_z_radps,
       .gyro = in.gyro,
       .ground = in.ground};
@@ -126,14 +160,14 @@ void PoseFilter::advance(const FilterInput& in) {
   apply_waiting();
 }
 
-void PoseFilter::rest(double gyro_z_radps, double sd_radps) {
+void PoseFilter::standstill(double gyro_z_radps, double sd_radps) {
   if (past_.empty()) return;
   Motion& motion = past_.back().motion;
-  motion.rest_radps = gyro_z_radps;
-  motion.rest_sd_radps = sd_radps;
-  Motion only_rest = motion;
-  only_rest.has_residual = false;
-  motion_.measure(state_, only_rest);
+  motion.standstill_radps = gyro_z_radps;
+  motion.standstill_sd_radps = sd_radps;
+  Motion only_standstill = motion;
+  only_standstill.has_residual = false;
+  motion_.measure(state_, only_standstill);
   past_.back().after = state_;
 }
 
@@ -169,7 +203,7 @@ bool PoseFilter::apply(const CameraSample& seen) {
   motion_.predict(state, before);
   const Twist twist = motion_.twist(state.mean, before);
   const CameraVerdict verdict = camera_.apply(state, seen, before.ground, twist, motion_);
-  // Leaving out what the gate refuses would make every noise look smaller.
+  // Omitting samples that the gate rejects would make every noise look smaller.
   if (camera_.nis() <= kNisTrigger) nis_.add(camera_.nis());
   if (verdict == CameraVerdict::kRejected) return false;
   if (verdict == CameraVerdict::kRecovered) ++recoveries_;
@@ -202,11 +236,9 @@ double PoseFilter::camera_age_s(HostNs now) const {
   return camera_known_ ? to_s(now - camera_ns_) : std::numeric_limits<double>::infinity();
 }
 
-Fused PoseFilter::fused(HostNs now) const {
+FilterFigures PoseFilter::figures(HostNs now) const {
   const double shared_m2 = camera_known_ ? square(shared_sd_m_) : 0.0;
-  return {.pose = pose(),
-          .twist = twist_,
-          .variance_x_m2 = state_.covariance(kX, kX) + shared_m2,
+  return {.variance_x_m2 = state_.covariance(kX, kX) + shared_m2,
           .variance_y_m2 = state_.covariance(kY, kY) + shared_m2,
           .variance_yaw_rad2 = state_.covariance(kYaw, kYaw),
           .slip_left = state_.mean[kSlipLeft],

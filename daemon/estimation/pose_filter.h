@@ -1,24 +1,79 @@
 #pragma once
 // Pose, gyro bias and slip from encoders, gyro and, where there is one, an overhead camera that
-// answers late: an extended Kalman filter over filter_state.h.
+// answers late: an extended Kalman filter over the state in kalman.h.
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
-#include "core/fused.h"
+#include "core/carried_state.h"
+#include "core/estimates.h"
 #include "estimation/camera_update.h"
+#include "estimation/kalman.h"
 #include "estimation/motion.h"
-#include "estimation/nis.h"
-#include "estimation/rewind_buffer.h"
 
 namespace tp100::estimation {
+
+/// A motion and the state at its end.
+struct RewindEntry {
+  Motion motion{};
+  FilterState after{};
+};
+
+/// The last motions with the state after each, so that a late measurement is applied at its own
+/// time. Ring of fixed size, oldest first. When full, it drops the oldest. No allocation.
+class RewindBuffer {
+ public:
+  /// 0.8 s of samples at 200 Hz.
+  static constexpr std::size_t kCapacity = 160;
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
+  RewindEntry& operator[](std::size_t index) { return steps_[(first_ + index) % kCapacity]; }
+  const RewindEntry& operator[](std::size_t index) const {
+    return steps_[(first_ + index) % kCapacity];
+  }
+  RewindEntry& back() { return (*this)[size_ - 1]; }
+  const RewindEntry& back() const { return (*this)[size_ - 1]; }
+
+  void push(const RewindEntry& step) {
+    if (size_ == kCapacity) {
+      first_ = (first_ + 1) % kCapacity;
+      --size_;
+    }
+    ++size_;
+    back() = step;
+  }
+  /// Puts `step` before the one at `index`, which must not be 0. Returns its index; that is one
+  /// less if the buffer was full.
+  std::size_t insert(std::size_t index, const RewindEntry& step) {
+    if (size_ == kCapacity) --index;
+    push(RewindEntry{});
+    for (std::size_t i = size_ - 1; i > index; --i) (*this)[i] = (*this)[i - 1];
+    (*this)[index] = step;
+    return index;
+  }
+  /// Index of the first step that ends at or after `at_ns`; size() if there is none.
+  std::size_t find(HostNs at_ns) const {
+    std::size_t index = size_;
+    while (index > 0 && (*this)[index - 1].motion.end_ns >= at_ns) --index;
+    return index;
+  }
+
+ private:
+  std::array<RewindEntry, kCapacity> steps_{};
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+};
 
 /// One sample interval, as bridge::Tracks finds it.
 struct FilterInput {
   HostNs end_ns = 0;  ///< when its last sample was measured, host's clock
   double dt_s = 0.0;  ///< device time
-  BeltSpeeds belts{};
+  TrackSpeeds tracks{};
   double gyro_z_radps = 0.0;  ///< mean, calibrated scale, bias included
-  bool gyro = false;          ///< may be used: fresh, and not on a bench
+  bool gyro = false;          ///< may be used: fresh, and not on a stand
   Ground ground{};
 };
 
@@ -29,29 +84,33 @@ class PoseFilter {
   PoseFilter(const model::TrackParameters& tracks, const FilterParameters& noise,
              const CameraParameters& camera, const CameraPlace& place);
 
-  /// A run begins at `start`. With a fresh camera the place is known better than that: then only
-  /// the branch of yaw is taken from it. Bias and slip are kept.
+  /// A run begins at `start`. With a fresh camera the position is known better than that, and only
+  /// the branch of yaw is taken from `start`. Bias and slip are kept.
   void begin(const Pose& start, HostNs now);
-  /// The samples broke off (a new session, a new boot): nothing is known of the time between.
+  /// The samples were interrupted (a new session, a new boot): the time between is unknown.
   void interrupt();
+
+  CarriedFilter carried() const;
+  /// As after construction, with this state. Camera samples from before it will be rejected.
+  void resume(const CarriedFilter& state);
 
   /// One interval.
   void advance(const FilterInput& in);
   /// The robot stands still: its gyro shows its bias. Applied at the end of the last interval.
-  void rest(double gyro_z_radps, double sd_radps);
-  /// A camera sample of any age. One that is newer than the newest interval waits for it.
+  void standstill(double gyro_z_radps, double sd_radps);
+  /// A camera sample of any age. A sample newer than the newest interval waits for it.
   void camera(const CameraSample& seen);
 
   /// State at the end of the newest interval. z, roll and pitch are the ground's.
   Pose pose() const;
   const Twist& twist() const { return twist_; }
-  /// Since the last camera sample that was used was taken; infinite before the first. [s]
+  /// Age of the last camera sample used; infinite before the first. [s]
   double camera_age_s(HostNs now) const;
   const FilterState& state() const { return state_; }
-  /// How often since the run began the camera contradicted the estimate and was believed.
+  /// How often the camera contradicted the estimate and was accepted since the run began.
   std::uint32_t recoveries() const { return recoveries_; }
   /// Everything to publish at host time `now`.
-  Fused fused(HostNs now) const;
+  FilterFigures figures(HostNs now) const;
 
  private:
   static constexpr std::size_t kWaiting = 4;
@@ -71,7 +130,7 @@ class PoseFilter {
   Ground ground_{};
   double branch_rad_ = 0.0;  ///< full turns between the filter's yaw and the course's
   RewindBuffer past_{};
-  model::TurnWatch turn_watch_{};
+  model::TurnMonitor turn_monitor_{};
   Residual window_{};
   double window_s_ = 0.0;
   std::array<CameraSample, kWaiting> waiting_{};

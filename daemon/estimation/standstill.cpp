@@ -7,11 +7,11 @@
 namespace tp100::estimation {
 namespace {
 
-// One edge may flicker under a resting wheel.
-constexpr std::int64_t kRestCounts = 1;
+// One edge may flicker while a wheel stands still.
+constexpr std::int64_t kStandstillCounts = 1;
 // The sensor's zero-rate offset is at most 20 deg/s (MPU6050 data sheet rev 3.4, 6.1), with some
 // room for temperature: anything faster is a turn.
-constexpr double kMostBiasRadps = 0.45;
+constexpr double kMaxBiasRadps = 0.45;
 
 }  // namespace
 
@@ -29,8 +29,8 @@ void Standstill::begin_window(const Sample& sample, double gyro_z_radps) {
 void Standstill::update(const Sample& sample, double gyro_z_radps) {
   const double dt_s = static_cast<double>(sample.device_us - last_us_) * 1e-6;
   last_us_ = sample.device_us;
-  const bool moved = std::abs(sample.left_counts - left_counts_) > kRestCounts ||
-                     std::abs(sample.right_counts - right_counts_) > kRestCounts;
+  const bool moved = std::abs(sample.left_counts - left_counts_) > kStandstillCounts ||
+                     std::abs(sample.right_counts - right_counts_) > kStandstillCounts;
   if (!started_ || moved || sample.imu_age != 0) {
     begin_window(sample, gyro_z_radps);
     return;
@@ -41,7 +41,7 @@ void Standstill::update(const Sample& sample, double gyro_z_radps) {
   window_mean_ += difference / static_cast<double>(window_size_);
   window_squares_ += difference * (gyro_z_radps - window_mean_);
   const double sd = std::sqrt(window_squares_ / static_cast<double>(window_size_));
-  const bool quiet = std::abs(window_mean_) <= kMostBiasRadps &&
+  const bool quiet = std::abs(window_mean_) <= kMaxBiasRadps &&
                      sd < parameters_.still_gyro_sd_radps &&
                      std::abs(difference) < 6.0 * parameters_.still_gyro_sd_radps;
   if (!quiet) {

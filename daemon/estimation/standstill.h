@@ -8,8 +8,8 @@
 
 namespace tp100::estimation {
 
-/// Both conditions must hold for `still_s`: belts at rest and a quiet gyro. Encoders alone would
-/// take a robot that is being turned by hand, the gyro alone one that turns slowly and evenly. No
+/// Both conditions must hold for `still_s`: tracks at standstill and a quiet gyro. Encoders alone
+/// would accept a robot turned by hand, the gyro alone a robot that turns slowly and evenly. No
 /// allocation; safe in the real-time thread.
 class Standstill {
  public:
@@ -17,8 +17,14 @@ class Standstill {
 
   /// One more sample; `gyro_z_radps` is its calibrated z rate.
   void update(const Sample& sample, double gyro_z_radps);
-  /// A new boot: counts start anew; the bias is kept.
+  /// A new boot: counts restart; the bias is kept.
   void restart() { started_ = false; }
+  /// As after construction, with this bias.
+  void resume(double bias_radps, bool known) {
+    *this = Standstill(parameters_);
+    bias_radps_ = bias_radps;
+    bias_known_ = known;
+  }
 
   bool still() const { return still_; }
   /// True once a bias has been measured.

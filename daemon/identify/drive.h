@@ -1,6 +1,5 @@
 #pragma once
-// One recorded drive of a robot, as plain data: what identify learns from. Any recording can fill
-// it.
+// One recorded drive of a robot, as plain data: the input of identify. Any recording can fill it.
 
 #include <cstdint>
 #include <optional>
@@ -17,25 +16,25 @@ struct DriveSample {
   double gyro_z_radps = 0.0;  ///< nominal scale, bias included
 };
 
-/// Where a camera saw the robot's marker, on the plane at the marker's height over a flat floor.
+/// Pose of the robot's marker by a camera, on the plane at the marker's height over a flat floor.
 struct SeenPose {
-  double t_s = 0.0;  ///< when the picture was taken, same clock as the samples
+  double t_s = 0.0;  ///< when the image was taken, same clock as the samples
   double x_m = 0.0;
   double y_m = 0.0;
   double yaw_rad = 0.0;  ///< any branch
 };
 
-/// What a tape and a protractor say of the whole drive; only what was measured.
+/// Measurements of the whole drive by tape and protractor; only what was measured.
 struct HandMeasured {
-  std::optional<double> distance_m;  ///< from start to end, straight through the air
+  std::optional<double> distance_m;  ///< straight line from start to end
   std::optional<double> ahead_m;     ///< end from start, along the heading at the start
   std::optional<double> left_m;      ///< end from start, to the left of that heading
   std::optional<double> turned_rad;  ///< end heading - start heading, whole turns counted
 };
 
-/// One drive on flat ground, from standing still to standing still, nobody pushing. Samples and
-/// pictures ascend in time.
-struct Drive {
+/// One drive on flat ground, from standstill to standstill, without disturbances. Samples and
+/// images ascend in time.
+struct RecordedDrive {
   std::string name;  ///< for messages and reports
   std::vector<DriveSample> samples;
   std::vector<SeenPose> camera;  ///< empty without a camera

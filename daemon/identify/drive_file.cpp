@@ -4,8 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 #include "core/angle.h"
+#include "core/error.h"
 #include "text/csv_reader.h"
 #include "text/toml_document.h"
 
@@ -18,13 +20,13 @@ constexpr std::array<std::string_view, 3> kSampleColumns = {"left_count", "right
                                                             "gyro_z_radps"};
 constexpr std::array<std::string_view, 3> kCameraColumns = {"camera_x_m", "camera_y_m",
                                                             "camera_yaw_rad"};
-// Above it a double does not hold every whole number.
-constexpr double kMostCounts = 9e15;
-constexpr double kMostMetres = 1e4;
-constexpr double kMostRadps = 1e3;
-constexpr double kMostRad = 1e6;
+// Above it a double does not represent every whole number.
+constexpr double kMaxCounts = 9e15;
+constexpr double kMaxMetres = 1e4;
+constexpr double kMaxRadps = 1e3;
+constexpr double kMaxRad = 1e6;
 // Unix time in seconds, even in milliseconds, is fine.
-constexpr double kMostSeconds = 1e13;
+constexpr double kMaxSeconds = 1e13;
 
 /// One row of a table that must lie within limits.
 class Row {
@@ -39,12 +41,12 @@ class Row {
     return value;
   }
   std::int64_t counts(std::string_view column) const {
-    const double value = number(column, kMostCounts);
+    const double value = number(column, kMaxCounts);
     if (value != std::floor(value))
       fail(std::string(column) + " is " + number_text(value) + ", expected a whole number");
     return static_cast<std::int64_t>(value);
   }
-  /// True if all of `columns` have a value, false if none; one of three is an error.
+  /// True if all of `columns` have a value, false if none; a mixture is an error.
   bool holds(const std::array<std::string_view, 3>& columns) const {
     std::size_t there = 0;
     for (const std::string_view column : columns)
@@ -83,9 +85,13 @@ void append(std::string& text, const SeenPose& seen) {
   }
 }
 
+constexpr double kSecondsPerUs = 1e-6;
+// Eleven hours at 200 Hz.
+constexpr std::size_t kMaxSamples = 8'000'000;
+
 }  // namespace
 
-Drive parse_drive(std::string_view text, const std::string& file) {
+RecordedDrive parse_drive(std::string_view text, const std::string& file) {
   const std::vector<std::string_view> camera(kCameraColumns.begin(), kCameraColumns.end());
   std::vector<std::string_view> required = {"t_s"};
   required.insert(required.end(), kSampleColumns.begin(), kSampleColumns.end());
@@ -100,29 +106,29 @@ Drive parse_drive(std::string_view text, const std::string& file) {
       throw SetupError(file + ":1: column '" + std::string(column) +
                        "' is missing; a camera pose needs all three");
 
-  Drive drive;
+  RecordedDrive drive;
   drive.name = std::filesystem::path(file).stem().string();
   if (drive.name.ends_with("-samples")) drive.name.resize(drive.name.size() - 8);
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const Row row(table, i);
-    const double t_s = row.number("t_s", kMostSeconds);
+    const double t_s = row.number("t_s", kMaxSeconds);
     const bool sampled = row.holds(kSampleColumns);
     const bool seen = has_camera && row.holds(kCameraColumns);
     if (!sampled && !seen) row.fail("neither a sample nor a camera pose in this row");
     if (sampled)
       drive.samples.push_back({t_s, row.counts("left_count"), row.counts("right_count"),
-                               row.number("gyro_z_radps", kMostRadps)});
+                               row.number("gyro_z_radps", kMaxRadps)});
     if (seen)
-      drive.camera.push_back({t_s, row.number("camera_x_m", kMostMetres),
-                              row.number("camera_y_m", kMostMetres),
-                              row.number("camera_yaw_rad", kMostRad)});
+      drive.camera.push_back({t_s, row.number("camera_x_m", kMaxMetres),
+                              row.number("camera_y_m", kMaxMetres),
+                              row.number("camera_yaw_rad", kMaxRad)});
   }
   if (drive.samples.size() < 2)
     throw SetupError(file + ": fewer than two samples; give a recording of a whole drive");
   return drive;
 }
 
-std::string write_drive(const Drive& drive) {
+std::string write_drive(const RecordedDrive& drive) {
   const bool has_camera = !drive.camera.empty();
   std::string text = "t_s,left_count,right_count,gyro_z_radps";
   text += has_camera ? ",camera_x_m,camera_y_m,camera_yaw_rad\n" : "\n";
@@ -147,12 +153,13 @@ std::string write_drive(const Drive& drive) {
   return text;
 }
 
-void add_measured(std::string_view text, const std::string& file, std::vector<Drive>& drives) {
+void add_measured(std::string_view text, const std::string& file,
+                  std::vector<RecordedDrive>& drives) {
   const std::vector<std::string_view> columns = {"distance_m", "ahead_m", "left_m", "turned_deg"};
   const text::CsvTable table = text::parse_csv(text, file, {{"run"}, columns, columns});
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const Row row(table, i);
-    const double run = row.number("run", kMostCounts);
+    const double run = row.number("run", kMaxCounts);
     if (run < 1.0 || run != std::floor(run) || run > static_cast<double>(drives.size()))
       row.fail("run is " + number_text(run) + ", but there are runs 1 to " +
                std::to_string(drives.size()));
@@ -161,15 +168,15 @@ void add_measured(std::string_view text, const std::string& file, std::vector<Dr
                           std::optional<double>& into) {
       if (table.has(column) && !std::isnan(table[column][i])) into = row.number(column, most) * si;
     };
-    take("distance_m", kMostMetres, 1.0, measured.distance_m);
-    take("ahead_m", kMostMetres, 1.0, measured.ahead_m);
-    take("left_m", kMostMetres, 1.0, measured.left_m);
-    take("turned_deg", kMostRad, kRadPerDeg, measured.turned_rad);
+    take("distance_m", kMaxMetres, 1.0, measured.distance_m);
+    take("ahead_m", kMaxMetres, 1.0, measured.ahead_m);
+    take("left_m", kMaxMetres, 1.0, measured.left_m);
+    take("turned_deg", kMaxRad, kRadPerDeg, measured.turned_rad);
     if (measured.distance_m && *measured.distance_m < 0.0) row.fail("distance_m is below 0");
   }
 }
 
-std::string write_measured(const std::vector<Drive>& drives) {
+std::string write_measured(const std::vector<RecordedDrive>& drives) {
   std::string rows;
   for (std::size_t i = 0; i < drives.size(); ++i) {
     const HandMeasured& m = drives[i].measured;
@@ -186,6 +193,46 @@ std::string write_measured(const std::vector<Drive>& drives) {
     rows += '\n';
   }
   return rows.empty() ? rows : "run,distance_m,ahead_m,left_m,turned_deg\n" + rows;
+}
+
+RecordedDrive recorded_drive(const record::Recording& recording) {
+  DriveSink sink;
+  recording.visit({.step = [&](const StepRecord& record) {
+    sink.take(record);
+    if (sink.drive().samples.size() + sink.drive().camera.size() > kMaxSamples)
+      throw SetupError(recording.path() + ": more than " + std::to_string(kMaxSamples) +
+                       " samples are too many for one drive; record shorter ones");
+  }});
+  return sink.drive();
+}
+
+void DriveSink::take(const StepRecord& record) {
+  if (record.inputs.robot_rebooted) {
+    drive_ = {};
+    measured_ns_.clear();
+    truth_.clear();
+  }
+  for (std::size_t i = 0; i < record.inputs.samples.size(); ++i) {
+    const Sample& sample = record.inputs.samples[i];
+    const double t_s = static_cast<double>(sample.device_us) * kSecondsPerUs;
+    if (!drive_.samples.empty() && t_s <= drive_.samples.back().t_s) continue;
+    drive_.samples.push_back({t_s, sample.left_counts, sample.right_counts, sample.gyro_radps[2]});
+    measured_ns_.push_back(sample.measured_ns);
+    truth_.emplace_back();
+  }
+  if (!record.inputs.clock.valid) return;
+  for (std::size_t i = 0; i < record.inputs.camera.size(); ++i) {
+    const CameraSample& seen = record.inputs.camera[i];
+    const double t_s =
+        static_cast<double>(record.inputs.clock.to_device(seen.measured_ns)) * kSecondsPerUs;
+    if (!drive_.camera.empty() && t_s <= drive_.camera.back().t_s) continue;
+    drive_.camera.push_back({t_s, seen.x_m, seen.y_m, seen.yaw_rad});
+  }
+}
+
+void DriveSink::take_truth(HostNs at, const Pose& truth) {
+  for (std::size_t i = measured_ns_.size(); i-- > 0 && measured_ns_[i] >= at;)
+    if (measured_ns_[i] == at) truth_[i] = truth;
 }
 
 }  // namespace tp100::identify

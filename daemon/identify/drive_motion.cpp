@@ -7,22 +7,22 @@
 namespace tp100::identify {
 namespace {
 
-// One edge may flicker under a resting wheel.
-constexpr std::int64_t kRestCounts = 1;
-// A shorter rest gives no bias worth having.
-constexpr double kRestS = 0.3;
-// The robot turns a little before an edge says so.
+// One edge may flicker while a wheel stands still.
+constexpr std::int64_t kStandstillCounts = 1;
+// A shorter standstill gives no useful bias.
+constexpr double kStandstillS = 0.3;
+// The robot turns a little before the first edge shows it.
 constexpr double kBeforeEdgeS = 0.15;
 
 }  // namespace
 
-DriveMotion::DriveMotion(const Drive& drive, double counts_per_metre) {
+DriveMotion::DriveMotion(const RecordedDrive& drive, double counts_per_metre) {
   const std::vector<DriveSample>& samples = drive.samples;
   const DriveSample& first = samples.front();
   std::size_t resting = 0;
   while (resting < samples.size() &&
-         std::abs(samples[resting].left_counts - first.left_counts) <= kRestCounts &&
-         std::abs(samples[resting].right_counts - first.right_counts) <= kRestCounts) {
+         std::abs(samples[resting].left_counts - first.left_counts) <= kStandstillCounts &&
+         std::abs(samples[resting].right_counts - first.right_counts) <= kStandstillCounts) {
     ++resting;
   }
   moves_s_ = samples[std::min(resting, samples.size() - 1)].t_s;
@@ -30,7 +30,7 @@ DriveMotion::DriveMotion(const Drive& drive, double counts_per_metre) {
   std::size_t quiet = 0;
   while (quiet < resting && samples[quiet].t_s < moves_s_ - kBeforeEdgeS)
     sum += samples[quiet++].gyro_z_radps;
-  has_bias_ = moves_s_ - kBeforeEdgeS - first.t_s >= kRestS;
+  has_bias_ = moves_s_ - kBeforeEdgeS - first.t_s >= kStandstillS;
   const double bias = has_bias_ ? sum / static_cast<double>(quiet) : 0.0;
 
   times_s_.push_back(first.t_s);

@@ -1,5 +1,5 @@
 #pragma once
-// A recorded drive as the model sees it: belt speeds in, poses out.
+// A recorded drive as input of the model: track speeds in, poses out.
 
 #include <vector>
 
@@ -11,23 +11,23 @@ namespace tp100::identify {
 
 class DriveMotion {
  public:
-  /// `counts_per_metre` of the belts; it is known, never fitted. At least two samples.
-  DriveMotion(const Drive& drive, double counts_per_metre);
+  /// `counts_per_metre` of the tracks; it is known, never fitted. At least two samples.
+  DriveMotion(const RecordedDrive& drive, double counts_per_metre);
 
   /// Poses of the extended model at the samples, from the origin heading +x.
   std::vector<Pose> poses(const model::TrackParameters& parameters) const;
   /// Between two of `poses`, linear; the first and the last one hold outside.
   Pose at(const std::vector<Pose>& poses, double t_s) const;
-  /// Integral of the gyro less its bias up to `t_s`, nominal scale. [rad]
+  /// Integral of the gyro minus its bias up to `t_s`, nominal scale. [rad]
   double gyro_rad(double t_s) const;
 
   double begin_s() const { return times_s_.front(); }
   double end_s() const { return times_s_.back(); }
-  /// The belts' first motion.
+  /// Time of the tracks' first motion.
   double moves_s() const { return moves_s_; }
-  /// The bias is known: the belts rested long enough before it.
+  /// True if the bias is known: the tracks stood still long enough before it.
   bool has_bias() const { return has_bias_; }
-  double left_m() const { return left_m_; }  ///< travel of the left belt, forward less backward
+  double left_m() const { return left_m_; }  ///< travel of the left track, forward minus backward
   double right_m() const { return right_m_; }
 
  private:

@@ -4,23 +4,23 @@
 #include <cmath>
 
 #include "core/angle.h"
-#include "core/median.h"
+#include "core/statistics.h"
 
 namespace tp100::identify {
 namespace {
 
-// A camera that saw nothing of the rest: its first pictures.
-constexpr std::size_t kFirstPictures = 5;
+// Images used if the camera saw nothing of the standstill.
+constexpr std::size_t kFirstImages = 5;
 
 }  // namespace
 
-FittedRun::FittedRun(const Drive& drive, double counts_per_metre, double gyro_scale)
+FittedRun::FittedRun(const RecordedDrive& drive, double counts_per_metre, double gyro_scale)
     : name(drive.name), motion(drive, counts_per_metre), measured(drive.measured) {
   const std::vector<SeenPose>& seen = drive.camera;
   std::size_t resting = 0;
   while (resting < seen.size() && seen[resting].t_s < motion.moves_s()) ++resting;
   std::vector<double> x, y, sine, cosine;
-  for (std::size_t i = 0; i < std::max(resting, std::min(seen.size(), kFirstPictures)); ++i) {
+  for (std::size_t i = 0; i < std::max(resting, std::min(seen.size(), kFirstImages)); ++i) {
     x.push_back(seen[i].x_m);
     y.push_back(seen[i].y_m);
     sine.push_back(std::sin(seen[i].yaw_rad));
@@ -28,13 +28,13 @@ FittedRun::FittedRun(const Drive& drive, double counts_per_metre, double gyro_sc
   }
   const double yaw = std::atan2(median(sine), median(cosine));
   own = {median(x), median(y), yaw, yaw};
-  for (SeenPose picture : seen) {
-    if (picture.t_s < motion.begin_s() || picture.t_s > motion.end_s()) continue;
-    const double near = yaw + gyro_scale * motion.gyro_rad(picture.t_s);
-    picture.yaw_rad = near + wrap_angle(picture.yaw_rad - near);
-    pictures.push_back(picture);
+  for (SeenPose image : seen) {
+    if (image.t_s < motion.begin_s() || image.t_s > motion.end_s()) continue;
+    const double near = yaw + gyro_scale * motion.gyro_rad(image.t_s);
+    image.yaw_rad = near + wrap_angle(image.yaw_rad - near);
+    images.push_back(image);
   }
-  pictures_per_s = static_cast<double>(pictures.size()) / (motion.end_s() - motion.begin_s());
+  images_per_s = static_cast<double>(images.size()) / (motion.end_s() - motion.begin_s());
 }
 
 Pose FittedRun::predicted(const std::vector<Pose>& poses, double t_s) const {

@@ -1,5 +1,5 @@
 #pragma once
-// One run that takes part in a fit: its motion, its pictures, and what is the run's own.
+// One run in a fit: its motion, its images, and its own unknowns.
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace tp100::identify {
 
-/// A picture less the predicted pose, in the world.
+/// An image minus the predicted pose, in the world.
 struct Residual {
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
   double off_m() const { return std::hypot(x_m, y_m); }
@@ -22,27 +22,27 @@ struct FittedRun {
   static constexpr std::size_t kOwn = 4;
   using Own = std::array<double, kOwn>;
 
-  /// The start as the camera saw it at rest, outliers notwithstanding; the pictures' yaw on the
-  /// branch that the gyro says.
-  FittedRun(const Drive& drive, double counts_per_metre, double gyro_scale);
+  /// Takes the start from the camera's images at standstill, robust against outliers; the images'
+  /// yaw is on the branch given by the gyro.
+  FittedRun(const RecordedDrive& drive, double counts_per_metre, double gyro_scale);
 
   std::string name;
   DriveMotion motion;
-  std::vector<SeenPose> pictures;  ///< between first and last sample
-  double pictures_per_s = 0.0;
+  std::vector<SeenPose> images;  ///< between first and last sample
+  double images_per_s = 0.0;
   HandMeasured measured;
   Own own{};
-  /// How far pictures usually are from what the fit predicts of this run: a false detection is far
-  /// beyond, a model that does not fit is not.
+  /// Usual distance between images and the fit's prediction of this run: a false detection is far
+  /// beyond it, a model that does not fit is not.
   double usual_m = 0.0, usual_rad = 0.0;
 
   /// World pose at `t_s` from the poses since the start.
   Pose predicted(const std::vector<Pose>& poses, double t_s) const;
-  /// Of a picture against the pose that is predicted for it.
+  /// Residual of an image against the pose predicted for it.
   static Residual residual(const SeenPose& seen, const Pose& here) {
     return {seen.x_m - here.x_m, seen.y_m - here.y_m, seen.yaw_rad - here.yaw_rad};
   }
-  /// Of a picture that is `late_s` older than its time says.
+  /// Residual of an image that is `late_s` older than its time stamp.
   Residual residual(const std::vector<Pose>& poses, const SeenPose& seen, double late_s) const;
 };
 

@@ -9,24 +9,39 @@
 // time stamps are. A marker that is not above the reference point cannot be told from a turning
 // centre that is not below it.
 
+#include <string>
 #include <vector>
 
+#include "course/robot.h"
 #include "identify/drive.h"
 #include "identify/model_fit.h"
-#include "identify/parameter.h"
+#include "model/track_parameters.h"
 
 namespace tp100::identify {
 
-/// What the runs say.
-struct Identification {
-  Belief belief;   ///< the values of `extended`, for use
-  Fit extended{};  ///< eqs 1-5 with turning centre and tight turns (model/turn.h)
-  Fit plain{};     ///< eqs 1-5 as they stand: those switched off
+/// Assumed values of a robot, before and after.
+struct Prior {
+  model::TrackParameters tracks{};
+  double counts_per_metre = 11140.0;  ///< never fitted: it is not separable from slip
 };
 
-/// Finds what it can, starting from `base`. At least one run, each with camera poses or hand
-/// measurements; throws SetupError that names the run otherwise. Deterministic; pure.
-Identification identify(const std::vector<Drive>& drives, const Belief& base,
+/// Result of identify.
+struct Identification {
+  Prior prior;     ///< the values of `extended`, to be used
+  Fit extended{};  ///< eqs 1-5 with turning centre and tight turns (model/turn.h)
+  Fit plain{};     ///< eqs 1-5 alone, with those switched off
+};
+
+/// Estimates as many parameters as possible, starting from `base`. At least one run, each with
+/// camera poses or hand measurements; otherwise throws SetupError that names the run.
+/// Deterministic; pure.
+Identification identify(const std::vector<RecordedDrive>& drives, const Prior& base,
                         const IdentifySettings& settings = {});
+
+// Which courses calibrate a robot.
+
+/// Bundled courses in driving order: straight, arcs and turns on the spot, both directions. The
+/// arcs are wide turns for a robot of this size. Pure.
+std::vector<std::string> calibration_courses(const course::ShapeValues& shape);
 
 }  // namespace tp100::identify

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/distributions.h"
+#include "core/statistics.h"
 
 namespace tp100::identify {
 namespace {
@@ -36,7 +36,7 @@ void RunSums::add(const Eigen::VectorXd& by_shared, const Eigen::VectorXd& by_ow
 }
 
 void RunSums::eliminate() {
-  // An own parameter that nothing was said of stays where it is.
+  // An own parameter without any information stays where it is.
   for (Eigen::Index i = 0; i < own_information_.rows(); ++i)
     if (own_information_(i, i) == 0.0) own_information_(i, i) = 1.0;
   own_inverse_ = own_information_.inverse();

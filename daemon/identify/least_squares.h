@@ -1,7 +1,7 @@
 #pragma once
-// Least squares over several runs: parameters that all runs share, and some that belong to one run
-// and do not matter (where it began). Residuals within a run hang together, so the runs' scatter,
-// not the number of residuals, says how well a parameter is known.
+// Least squares over several runs: parameters shared by all runs, and nuisance parameters of one
+// run (where it began). Residuals within a run are correlated, so the scatter between runs, not the
+// number of residuals, determines how well a parameter is known.
 
 #include <Eigen/Core>
 #include <vector>
@@ -15,12 +15,12 @@ class RunSums {
   /// One residual (measured - predicted) with the derivatives of the prediction.
   void add(const Eigen::VectorXd& by_shared, const Eigen::VectorXd& by_own, double residual,
            double weight);
-  /// After the last residual.
+  /// Call after the last residual.
   void eliminate();
 
   const Eigen::MatrixXd& information() const { return information_; }  ///< of the shared ones
   const Eigen::VectorXd& score() const { return score_; }
-  /// Step of the own ones that belongs to a step of the shared ones.
+  /// Step of the run's own parameters for a step of the shared ones.
   Eigen::VectorXd own_step(const Eigen::VectorXd& shared_step) const;
 
  private:
@@ -28,7 +28,7 @@ class RunSums {
   Eigen::VectorXd score_, own_score_;
 };
 
-/// What all runs say together of the shared parameters, with the prior's information.
+/// All runs combined: the shared parameters, with the prior's information.
 class Summed {
  public:
   /// `prior_information` and `prior_score` of the same size as the runs'.
@@ -36,13 +36,13 @@ class Summed {
          const Eigen::VectorXd& prior_score);
 
   Eigen::VectorXd step(double damping) const;
-  /// If every weight were the inverse of an independent variance.
+  /// Covariance if every weight were the inverse of an independent variance.
   const Eigen::MatrixXd& covariance() const { return covariance_; }
-  /// Half widths of 95 % intervals, the wider of two: from the weights, and from how much the runs
-  /// contradict each other (clustered by run, each run's score scaled up as if it had been left
-  /// out; Student's t with as many degrees of freedom as runs really inform the parameter).
+  /// Half widths of 95 % intervals, the wider of two: from the weights, and from the contradictions
+  /// between runs (clustered by run, each run's score scaled up as if it had been left out;
+  /// Student's t with as many degrees of freedom as runs that really inform the parameter).
   Eigen::VectorXd half_intervals() const;
-  /// Of the information scaled to a diagonal of ones.
+  /// Condition of the information scaled to a unit diagonal.
   double condition() const;
 
  private:

@@ -5,31 +5,23 @@
 #include <cmath>
 
 #include "core/angle.h"
-#include "core/median.h"
+#include "core/statistics.h"
 
 namespace tp100::identify {
 namespace {
 
+using model::kTrackParameters;
+using model::TrackParameters;
+
 struct Scale {
-  double prior_sd;  // about what was believed: wider than any robot
-  double useful;    // an error that hurts nobody
+  double prior_sd;  // around the assumed value: wider than for any robot
+  double useful;    // a harmless error
 };
-constexpr std::array<Scale, kShared> kScales = {{
-    {0.3, 0.01},                        // slip_left
-    {0.3, 0.01},                        // slip_right
-    {10 * kRadPerDeg, 1 * kRadPerDeg},  // slip angle, straight
-    {10 * kRadPerDeg, 2 * kRadPerDeg},  // slip angle, turning
-    {0.5, 0.02},                        // wheelbase, parts of itself
-    {0.1, 0.01},                        // x_icr
-    {0.25, 0.03},                       // wheelbase in tight arcs, parts of the wheelbase
-    {0.1, 0.01},                        // shift of x_icr in tight arcs
-    {0.25, 0.03},                       // wheelbase on the spot, parts of the wheelbase
-    {0.1, 0.01},                        // shift of x_icr on the spot
-    {0.1, 0.01},                        // turn slip
-    {0.1, 0.01},                        // turn slip, tight
-    {0.2, 0.01},                        // gyro scale
-    {0.02, 0.02},                       // delay
-}};
+constexpr Scale kDelayScale = {0.02, 0.02};
+Scale scale_of(std::size_t i) {
+  if (i == kDelay) return kDelayScale;
+  return {kTrackParameters[i].prior_sd, kTrackParameters[i].useful};
+}
 // Step of the derivatives, in the unit of each.
 constexpr double kDifference = 1e-4;
 
@@ -39,10 +31,10 @@ constexpr int kAttempts = 12;
 constexpr double kConverged = 1e-5;  // of a useful accuracy
 constexpr double kHuber = 2.0;       // standard deviations
 constexpr double kReject = 6.0;
-constexpr double kNoDirectionM = 0.05;  // a shorter way through the air says nothing
+constexpr double kNoDirectionM = 0.05;  // a shorter distance between start and end has no direction
 // Medians of a normal distribution's absolute value in two dimensions and in one.
 constexpr double kMedianOfTwo = 1.1774, kMedianOfOne = 0.6745;
-// Of the largest part of a confused direction: smaller ones are not named.
+// Relative to the largest component of a confused direction: smaller ones are not named.
 constexpr double kPart = 0.25;
 
 double huber_weight(double deviations) { return deviations <= kHuber ? 1.0 : kHuber / deviations; }
@@ -50,7 +42,7 @@ double huber_cost(double deviations) {
   return deviations <= kHuber ? deviations * deviations : kHuber * (2.0 * deviations - kHuber);
 }
 
-/// How many residuals in a row are worth one: their correlation, summed up to where it ends.
+/// How many consecutive residuals are worth one: their correlation, summed up to its end.
 double samples_together(const std::vector<double>& residuals) {
   const std::size_t n = residuals.size();
   double squares = 0.0;
@@ -65,8 +57,12 @@ double samples_together(const std::vector<double>& residuals) {
   return together;
 }
 
-bool of_tighter_turns(std::size_t i) {
-  return i == index(Parameter::kWheelbaseTight) || i == index(Parameter::kWheelbaseSpin);
+constexpr std::size_t kGyroScale = model::row_of(&TrackParameters::gyro_scale);
+
+/// The parameter near which this one is expected, if it is not itself.
+model::TrackParameter neighbour(std::size_t i) {
+  if (i == kDelay || kTrackParameters[i].relative_to == kTrackParameters[i].value) return nullptr;
+  return kTrackParameters[i].relative_to;
 }
 
 bool false_detection(const FittedRun& run, const Residual& off) {
@@ -75,13 +71,11 @@ bool false_detection(const FittedRun& run, const Residual& off) {
 
 }  // namespace
 
-ModelFit::ModelFit(std::vector<FittedRun> runs, const Values& start, const Values& believed,
-                   const Free& free, double turning_threshold_radps,
-                   const IdentifySettings& settings)
+ModelFit::ModelFit(std::vector<FittedRun> runs, const Values& start, const Values& prior,
+                   const Free& free, const IdentifySettings& settings)
     : runs_(std::move(runs)),
       values_(start),
-      believed_(believed),
-      threshold_radps_(turning_threshold_radps),
+      prior_(prior),
       settings_(settings),
       correlated_s_(settings.correlated_s) {
   for (std::size_t i = 0; i < kShared; ++i)
@@ -89,25 +83,8 @@ ModelFit::ModelFit(std::vector<FittedRun> runs, const Values& start, const Value
 }
 
 double ModelFit::prior_sd(std::size_t i) const {
-  const bool relative = i == index(Parameter::kWheelbase) || of_tighter_turns(i);
-  return kScales[i].prior_sd * (relative ? believed_[index(Parameter::kWheelbase)] : 1.0);
-}
-
-model::TrackParameters ModelFit::tracks(const Values& v) const {
-  const auto value = [&v](Parameter parameter) { return v[index(parameter)]; };
-  return {.slip_left = value(Parameter::kSlipLeft),
-          .slip_right = value(Parameter::kSlipRight),
-          .slip_angle_straight_rad = value(Parameter::kSlipAngleStraight),
-          .slip_angle_turning_rad = value(Parameter::kSlipAngleTurning),
-          .turning_threshold_radps = threshold_radps_,
-          .wheelbase_m = value(Parameter::kWheelbase),
-          .x_icr_m = value(Parameter::kXIcr),
-          .wheelbase_tight_m = value(Parameter::kWheelbaseTight),
-          .x_icr_tight_shift_m = value(Parameter::kXIcrTightShift),
-          .wheelbase_spin_m = value(Parameter::kWheelbaseSpin),
-          .x_icr_spin_shift_m = value(Parameter::kXIcrSpinShift),
-          .turn_slip = value(Parameter::kTurnSlip),
-          .turn_slip_tight = value(Parameter::kTurnSlipTight)};
+  const model::TrackParameter unit = i == kDelay ? nullptr : kTrackParameters[i].relative_to;
+  return scale_of(i).prior_sd * (unit == nullptr ? 1.0 : prior_.tracks.*unit);
 }
 
 double ModelFit::prior(Eigen::MatrixXd& information, Eigen::VectorXd& score) const {
@@ -117,15 +94,13 @@ double ModelFit::prior(Eigen::MatrixXd& information, Eigen::VectorXd& score) con
   for (Eigen::Index k = 0; k < size(); ++k) {
     const std::size_t i = shared_index(k);
     const double weight = 1.0 / (prior_sd(i) * prior_sd(i));
-    // Those of tighter turns are expected near the other one, whatever that turns out to be.
-    const bool tighter = of_tighter_turns(i);
-    const double off =
-        (tighter ? values_[index(Parameter::kWheelbase)] : believed_[i]) - values_[i];
+    const model::TrackParameter near = neighbour(i);
+    const double off = (near == nullptr ? prior_[i] : values_.tracks.*near) - values_[i];
     information(k, k) += weight;
     score[k] += weight * off;
     cost += weight * off * off;
-    for (Eigen::Index j = 0; tighter && j < size(); ++j) {
-      if (shared_index(j) != index(Parameter::kWheelbase)) continue;
+    for (Eigen::Index j = 0; near != nullptr && j < size(); ++j) {
+      if (shared_index(j) != model::row_of(near)) continue;
       information(j, j) += weight;
       information(j, k) -= weight;
       information(k, j) -= weight;
@@ -149,13 +124,13 @@ double ModelFit::cost() const {
 }
 
 // poses[0] belongs to the present values, poses[k + 1] to a change of the k-th free one.
-double ModelFit::take_pictures(const FittedRun& run, const Poses& poses, RunSums* sums) const {
-  const double together = std::max(1.0, run.pictures_per_s * correlated_s_);
-  const double gyro_scale = values_[index(Parameter::kGyroScale)];
+double ModelFit::take_images(const FittedRun& run, const Poses& poses, RunSums* sums) const {
+  const double together = std::max(1.0, run.images_per_s * correlated_s_);
+  const double gyro_scale = values_.tracks.gyro_scale;
   double cost = 0.0;
   Eigen::VectorXd by_x(size()), by_y(size()), by_yaw(size()), by_gyro(size());
-  for (const SeenPose& seen : run.pictures) {
-    const double t_s = seen.t_s - values_[kDelay];
+  for (const SeenPose& seen : run.images) {
+    const double t_s = seen.t_s - values_.delay_s;
     const Pose here = run.predicted(poses[0], t_s);
     const Residual off = FittedRun::residual(seen, here);
     const double turned = run.motion.gyro_rad(t_s);
@@ -177,7 +152,7 @@ double ModelFit::take_pictures(const FittedRun& run, const Poses& poses, RunSums
       by_x[k] = (there.x_m - here.x_m) / kDifference;
       by_y[k] = (there.y_m - here.y_m) / kDifference;
       by_yaw[k] = (there.yaw_rad - here.yaw_rad) / kDifference;
-      if (i == index(Parameter::kGyroScale)) by_gyro[k] = turned;
+      if (i == kGyroScale) by_gyro[k] = turned;
       if (delay)
         by_gyro[k] = gyro_scale * (run.motion.gyro_rad(t_s - kDifference) - turned) / kDifference;
     }
@@ -215,11 +190,10 @@ double ModelFit::take_measured(const FittedRun& run, const Poses& poses, RunSums
   take(*m.turned_rad, protractor, [](const Pose& end) { return end.yaw_rad; });
   if (!run.motion.has_bias()) return cost;
   const double turned = run.motion.gyro_rad(run.motion.end_s());
-  const double off = *m.turned_rad - values_[index(Parameter::kGyroScale)] * turned;
+  const double off = *m.turned_rad - values_.tracks.gyro_scale * turned;
   cost += off * off / (protractor * protractor);
   if (sums == nullptr) return cost;
-  for (Eigen::Index k = 0; k < size(); ++k)
-    by[k] = shared_index(k) == index(Parameter::kGyroScale) ? turned : 0.0;
+  for (Eigen::Index k = 0; k < size(); ++k) by[k] = shared_index(k) == kGyroScale ? turned : 0.0;
   sums->add(by, Eigen::VectorXd::Zero(FittedRun::kOwn), off, 1.0 / (protractor * protractor));
   return cost;
 }
@@ -228,16 +202,16 @@ double ModelFit::linearise(std::vector<RunSums>* sums) const {
   double cost = 0.0;
   if (sums != nullptr) sums->clear();
   for (const FittedRun& run : runs_) {
-    Poses poses = {run.motion.poses(tracks(values_))};
+    Poses poses = {run.motion.poses(values_.tracks)};
     for (std::size_t k = 0; sums != nullptr && k < free_.size(); ++k) {
       Values changed = values_;
       changed[free_[k]] += kDifference;
-      const bool moves = free_[k] != kDelay && free_[k] != index(Parameter::kGyroScale);
-      poses.push_back(moves ? run.motion.poses(tracks(changed)) : poses[0]);
+      const bool moves = free_[k] != kDelay && free_[k] != kGyroScale;
+      poses.push_back(moves ? run.motion.poses(changed.tracks) : poses[0]);
     }
     RunSums* const of_run =
         sums == nullptr ? nullptr : &sums->emplace_back(size(), FittedRun::kOwn);
-    cost += take_pictures(run, poses, of_run);
+    cost += take_images(run, poses, of_run);
     cost += take_measured(run, poses, of_run);
     if (of_run != nullptr) of_run->eliminate();
   }
@@ -248,14 +222,14 @@ void ModelFit::rescale() {
   std::vector<double> off_m, off_rad, off_gyro;
   for (FittedRun& run : runs_) {
     std::vector<double> run_m, run_rad;
-    const std::vector<Pose> poses = run.motion.poses(tracks(values_));
-    for (const SeenPose& seen : run.pictures) {
-      const Residual off = run.residual(poses, seen, values_[kDelay]);
+    const std::vector<Pose> poses = run.motion.poses(values_.tracks);
+    for (const SeenPose& seen : run.images) {
+      const Residual off = run.residual(poses, seen, values_.delay_s);
       run_m.push_back(off.off_m());
       run_rad.push_back(off.off_rad());
-      off_gyro.push_back(std::abs(seen.yaw_rad - run.own[3] -
-                                  values_[index(Parameter::kGyroScale)] *
-                                      run.motion.gyro_rad(seen.t_s - values_[kDelay])));
+      off_gyro.push_back(
+          std::abs(seen.yaw_rad - run.own[3] -
+                   values_.tracks.gyro_scale * run.motion.gyro_rad(seen.t_s - values_.delay_s)));
     }
     off_m.insert(off_m.end(), run_m.begin(), run_m.end());
     off_rad.insert(off_rad.end(), run_rad.begin(), run_rad.end());
@@ -267,21 +241,21 @@ void ModelFit::rescale() {
   sd_gyro_rad_ = std::max(settings_.camera_sd_rad, median(std::move(off_gyro)) / kMedianOfOne);
 }
 
-// What no model knows, as a worn stretch of a belt that comes round, shifts all pictures of some
-// seconds together.
+// Effects outside the model, such as a worn stretch of a track, shift all images of some seconds
+// together.
 void ModelFit::correlate() {
   for (const FittedRun& run : runs_) {
-    const std::vector<Pose> poses = run.motion.poses(tracks(values_));
+    const std::vector<Pose> poses = run.motion.poses(values_.tracks);
     std::vector<double> x, y, yaw;
-    for (const SeenPose& seen : run.pictures) {
-      const Residual off = run.residual(poses, seen, values_[kDelay]);
+    for (const SeenPose& seen : run.images) {
+      const Residual off = run.residual(poses, seen, values_.delay_s);
       if (false_detection(run, off)) continue;
       x.push_back(off.x_m);
       y.push_back(off.y_m);
       yaw.push_back(off.yaw_rad);
     }
     for (const std::vector<double>* residuals : {&x, &y, &yaw})
-      correlated_s_ = std::max(correlated_s_, samples_together(*residuals) / run.pictures_per_s);
+      correlated_s_ = std::max(correlated_s_, samples_together(*residuals) / run.images_per_s);
   }
 }
 
@@ -301,16 +275,16 @@ bool ModelFit::improve(double& damping, double& moved) {
     for (Eigen::Index k = 0; k < size(); ++k) {
       const std::size_t i = shared_index(k);
       values_[i] = values[i] + step[k];
-      moved = std::max(moved, std::abs(step[k]) / kScales[i].useful);
+      moved = std::max(moved, std::abs(step[k]) / scale_of(i).useful);
     }
     for (std::size_t r = 0; r < runs_.size(); ++r) {
       const Eigen::VectorXd own_step = sums_[r].own_step(step);
       for (std::size_t j = 0; j < FittedRun::kOwn; ++j)
         runs_[r].own[j] = own[r][j] + own_step[static_cast<Eigen::Index>(j)];
     }
-    const bool possible = values_[index(Parameter::kWheelbase)] > 0.01 &&
-                          values_[index(Parameter::kWheelbaseTight)] >= 0.0 &&
-                          values_[index(Parameter::kWheelbaseSpin)] >= 0.0;
+    const bool possible = values_.tracks.wheelbase_m > 0.01 &&
+                          values_.tracks.wheelbase_tight_m >= 0.0 &&
+                          values_.tracks.wheelbase_spin_m >= 0.0;
     if (possible && cost() <= before) {
       damping = std::max(damping / 10.0, 1e-9);
       return true;
@@ -348,14 +322,14 @@ std::array<double, kShared> ModelFit::uncertainty_left() const {
 void ModelFit::find_confused(Fit& fit, const Summed& sums) const {
   Eigen::VectorXd useful(size());
   for (Eigen::Index k = 0; k < size(); ++k) {
-    const Scale& scale = kScales[shared_index(k)];
+    const Scale scale = scale_of(shared_index(k));
     useful[k] = scale.useful * prior_sd(shared_index(k)) / scale.prior_sd;
   }
   const Eigen::VectorXd inverse = useful.cwiseInverse();
   const Eigen::MatrixXd scaled = inverse.asDiagonal() * sums.covariance() * inverse.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
   for (Eigen::Index e = 0; e < size(); ++e) {
-    // Along this direction the runs leave useful accuracy behind.
+    // In this direction the runs do not reach useful accuracy.
     if (solver.eigenvalues()[e] < 1.0) continue;
     std::vector<std::pair<double, std::size_t>> parts;
     for (Eigen::Index k = 0; k < size(); ++k) {
@@ -365,38 +339,38 @@ void ModelFit::find_confused(Fit& fit, const Summed& sums) const {
     std::sort(parts.rbegin(), parts.rend());
     if (parts.size() < 2 || parts[1].first < kPart * parts[0].first) continue;
     const auto [a, b] = std::minmax(parts[0].second, parts[1].second);
-    fit.confused.emplace_back(static_cast<Parameter>(a), static_cast<Parameter>(b));
+    fit.confused.emplace_back(a, b);
   }
 }
 
 void ModelFit::describe_runs(Fit& fit) const {
   double squares = 0.0, squares_rad = 0.0;
-  std::size_t pictures = 0;
+  std::size_t images = 0;
   for (const FittedRun& run : runs_) {
     RunFit& of = fit.runs.emplace_back();
     of.name = run.name;
-    const std::vector<Pose> poses = run.motion.poses(tracks(values_));
+    const std::vector<Pose> poses = run.motion.poses(values_.tracks);
     double run_squares = 0.0, run_squares_rad = 0.0;
-    for (const SeenPose& seen : run.pictures) {
-      const Residual off = run.residual(poses, seen, values_[kDelay]);
+    for (const SeenPose& seen : run.images) {
+      const Residual off = run.residual(poses, seen, values_.delay_s);
       if (false_detection(run, off)) {
         ++of.rejected;
         continue;
       }
-      ++of.pictures;
+      ++of.images;
       run_squares += off.off_m() * off.off_m();
       run_squares_rad += off.yaw_rad * off.yaw_rad;
       of.max_m = std::max(of.max_m, off.off_m());
     }
-    const auto count = static_cast<double>(std::max<std::size_t>(of.pictures, 1));
+    const auto count = static_cast<double>(std::max<std::size_t>(of.images, 1));
     of.rms_m = std::sqrt(run_squares / count);
     of.rms_rad = std::sqrt(run_squares_rad / count);
     squares += run_squares;
     squares_rad += run_squares_rad;
-    pictures += of.pictures;
+    images += of.images;
     fit.max_m = std::max(fit.max_m, of.max_m);
   }
-  const auto count = static_cast<double>(std::max<std::size_t>(pictures, 1));
+  const auto count = static_cast<double>(std::max<std::size_t>(images, 1));
   fit.rms_m = std::sqrt(squares / count);
   fit.rms_rad = std::sqrt(squares_rad / count);
 }
@@ -405,12 +379,12 @@ Fit ModelFit::fit() const {
   Fit fit;
   const Summed sums = sum();
   fit.condition = sums.condition();
-  fit.camera_late_s = values_[kDelay];
-  for (std::size_t i = 0; i < kParameters; ++i) fit.estimates[i].value = values_[i];
+  fit.camera_late_s = values_.delay_s;
+  for (std::size_t i = 0; i < kTrackParameters.size(); ++i) fit.estimates[i].value = values_[i];
   const Eigen::VectorXd half = sums.half_intervals();
   for (Eigen::Index k = 0; k < size(); ++k) {
     const std::size_t i = shared_index(k);
-    if (i < kParameters) fit.estimates[i] = {values_[i], half[k], true};
+    if (i < kTrackParameters.size()) fit.estimates[i] = {values_[i], half[k], true};
   }
   find_confused(fit, sums);
   describe_runs(fit);

@@ -5,9 +5,9 @@
 namespace tp100::link {
 namespace {
 
-// A sender that gave nothing useful for this long has ended, or makes room for another.
+// A sender without a useful datagram for this long has ended, or makes room for another.
 constexpr HostNs kSilenceNs = kNsPerS;
-// Stamps and offsets are not exact; more than this ahead is another clock.
+// Stamps and offsets are inexact; a stamp further ahead than this is of another clock.
 constexpr HostNs kAheadNs = 10 * kNsPerMs;
 
 }  // namespace
@@ -15,8 +15,8 @@ constexpr HostNs kAheadNs = 10 * kNsPerMs;
 CameraIntake::CameraIntake(std::string own_clock, HostNs max_age_ns)
     : own_clock_(std::move(own_clock)), max_age_ns_(max_age_ns) {}
 
-/// False: another stream speaks. A stream that gave nothing useful for a while makes room, also for
-/// a new beginning of its own.
+/// False: another stream is active. A stream without a useful datagram for a while makes room, also
+/// for its own restart.
 bool CameraIntake::follow(const CameraMessage& message, HostNs now) {
   const bool silent = counters_.streams == 0 || now - useful_ns_ >= kSilenceNs;
   const bool same = message.stream == stream_ && message.clock == clock_;

@@ -1,43 +1,82 @@
 #pragma once
-// Datagrams of an overhead camera to camera samples in host time. Fed bytes and time; it opens no
-// socket. Input is hostile. Allocates while decoding: not for the real-time thread.
+// Turns the datagrams of an overhead camera into camera samples in host time. It receives bytes and
+// times and opens no socket. Input is hostile. Allocates while decoding: not for the real-time
+// thread.
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "core/camera_sample.h"
+#include "core/sample.h"
 #include "link/camera_message.h"
-#include "link/clock_offset.h"
 
 namespace tp100::link {
 
-/// What became of the datagrams, since the start.
+/// Counts of the datagrams since the start, by outcome.
 struct CameraCounters {
   std::uint64_t received = 0;
   std::uint64_t accepted = 0;
-  std::uint64_t malformed = 0;  ///< not of the format, or out of its ranges
+  std::uint64_t malformed = 0;  ///< malformed, or out of range
   std::uint64_t late = 0;       ///< too old, or not newer than the one before
   std::uint64_t early = 0;      ///< stamped in the future: wrong clock
-  std::uint64_t foreign = 0;    ///< of a second stream while the first one speaks
-  std::uint64_t missing = 0;    ///< pictures that did not come: gaps in the sequence
-  std::uint64_t dropped = 0;    ///< accepted, but the step had no room (counted by the caller)
+  std::uint64_t foreign = 0;    ///< of a second stream while the first one is active
+  std::uint64_t missing = 0;    ///< images not received: gaps in the sequence
+  std::uint64_t dropped = 0;    ///< accepted, but the step had no room for it (counted by the
+                                ///< caller)
   std::uint32_t streams = 0;    ///< senders so far, restarts included
+};
+
+/// Difference between two monotonic clocks: receiver's minus sender's. Every datagram shows that
+/// difference plus its transit time; the smallest value of the last seconds is from the datagram
+/// that was hardly delayed. It stays too large by the shortest transit time (local network: well
+/// below a millisecond). Old values expire, so that drifting clocks are followed. No allocation.
+class ClockOffset {
+ public:
+  /// A datagram left at `sent_ns`, sender's clock, and arrived at `received_ns`, ours.
+  void add(HostNs sent_ns, HostNs received_ns) {
+    const HostNs seen = received_ns - sent_ns;
+    if (!current_ || received_ns - began_ns_ >= kWindowNs) {
+      // After a long silence older values no longer count.
+      if (current_ && received_ns - began_ns_ < 2 * kWindowNs) {
+        previous_ = current_;
+      } else {
+        previous_.reset();
+      }
+      current_ = seen;
+      began_ns_ = received_ns;
+    }
+    if (seen < *current_) current_ = seen;
+  }
+  void reset() {
+    current_.reset();
+    previous_.reset();
+  }
+  /// Offset to add to a time of the sender. 0 before the first datagram.
+  HostNs offset_ns() const {
+    if (!current_) return 0;
+    return previous_ && *previous_ < *current_ ? *previous_ : *current_;
+  }
+
+ private:
+  static constexpr HostNs kWindowNs = 5 * kNsPerS;
+  std::optional<HostNs> current_, previous_;
+  HostNs began_ns_ = 0;
 };
 
 class CameraIntake {
  public:
   /// `own_clock` is the name of our monotonic clock (see camera_message.h): stamps of that clock
-  /// are taken as they are, others through an estimated offset. Older than `max_age_ns` is late.
+  /// are used as they are, others with an estimated offset. A sample older than `max_age_ns` is
+  /// late.
   CameraIntake(std::string own_clock, HostNs max_age_ns);
 
-  /// A datagram that arrived at `now`. Returns its sample if it may be used: in range, from the
-  /// stream that speaks, newer than the one before, and taken between now - max_age and now.
+  /// Takes a datagram received at `now`. Returns its sample if it may be used: in range, from the
+  /// active stream, newer than the one before, and measured between now - max_age and now.
   std::optional<CameraSample> receive(std::string_view datagram, HostNs now);
 
   const CameraCounters& counters() const { return counters_; }
-  /// The step had no room for the last sample.
+  /// Counts the last sample as dropped: the step had no room for it.
   void count_dropped() { ++counters_.dropped; }
 
  private:
@@ -50,7 +89,7 @@ class CameraIntake {
   ClockOffset offset_{};
   std::string clock_;
   std::uint32_t stream_ = 0;
-  HostNs useful_ns_ = 0;  ///< when the stream was taken up, or last gave a sample
+  HostNs useful_ns_ = 0;  ///< when the stream became active, or last gave a sample
   std::optional<std::uint32_t> sequence_;
   HostNs measured_ns_ = 0;
 };

@@ -22,7 +22,7 @@ template <class Integer>
 bool read(const Json& json, const char* key, std::int64_t max, Integer& out) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_number_integer()) return false;
-  // Above the signed range the parser keeps the value unsigned.
+  // Above the signed range the parser keeps the value as unsigned.
   if (found->is_number_unsigned() &&
       found->get<std::uint64_t>() > static_cast<std::uint64_t>(max)) {
     return false;

@@ -10,16 +10,16 @@
 //    "yaw_rad":0.310552}
 //
 //   format    text     kCameraFormat; another number is another format
-//   stream    integer  0 to 2^32-1, drawn when the sender starts: a restart is seen
+//   stream    integer  0 to 2^32-1, random, chosen when the sender starts: a restart is seen
 //   clock     text     1 to 64 characters; names the clock of stamp_us. Clocks of one name are the
 //                      same clock. On Linux: CLOCK_MONOTONIC of the boot with this
 //                      /proc/sys/kernel/random/boot_id
-//   sequence  integer  0 to 2^32-1, number of the picture; grows. A gap is pictures that were
+//   sequence  integer  0 to 2^32-1, number of the image; grows. A gap is images that were
 //                      dropped or that do not show the marker
-//   stamp_us  integer  0 to 2^53, when the picture was taken (the middle of its exposure) on that
+//   stamp_us  integer  0 to 2^53, when the image was taken (the middle of its exposure) on that
 //                      clock. Microseconds, so that readers with doubles lose nothing
 //   age_us    integer  0 to 10^7, from that instant to the sending, on the same clock. A receiver
-//                      on another machine knows from it when the picture was taken but for the time
+//                      on another machine knows from it when the image was taken but for the time
 //                      on the way
 //   marker    integer  0 to 10^6, id of the marker
 //   x_m, y_m  number   -1000 to 1000, middle of the marker in the world frame (REP-103: z up), seen
@@ -39,7 +39,7 @@ namespace tp100::link {
 
 inline constexpr std::string_view kCameraFormat = "tp100-camera/1";
 inline constexpr std::size_t kMaxCameraDatagram = 1024;
-/// Where a camera is sent and listened for if nobody says otherwise.
+/// Default port to which a camera sends and on which the daemon listens.
 inline constexpr std::uint16_t kCameraPort = 47100;
 
 /// A decoded datagram. Values as above, in range.
@@ -55,11 +55,11 @@ struct CameraMessage {
   double yaw_rad = 0.0;
 };
 
-/// The datagram. Places are rounded to a micrometre and angles to a microradian.
+/// Encodes a datagram. Positions are rounded to a micrometre and angles to a microradian.
 std::string encode(const CameraMessage& message);
 
-/// What a datagram says; nothing if it is not one: too long, no such JSON, a key missing, of
-/// another type or out of range. Hostile input is welcome. Allocates: not for the real-time thread.
+/// Decodes a datagram. Nothing if it is invalid: too long, not such JSON, or with a key missing, of
+/// another type or out of range. Accepts any bytes. Allocates: not for the real-time thread.
 std::optional<CameraMessage> decode_camera(std::string_view datagram);
 
 }  // namespace tp100::link

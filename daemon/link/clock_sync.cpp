@@ -126,8 +126,8 @@ void ClockSync::store(const Exchange& exchange) {
   count_ = std::min(count_ + 1, kWindow);
 }
 
-// A message can be late but not early: of each direction the earliest ones say where the relation
-// is, whatever the other half of their exchange was like.
+// A message can be late but not early: in each direction the earliest messages bound the relation,
+// however late the other half of their exchange was.
 ClockSync::Bounds ClockSync::bounds(HostNs now, double drift) const {
   const Exchange& newest = window_[(next_ + kWindow - 1) % kWindow];
   Bounds open{-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};

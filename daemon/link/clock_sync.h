@@ -21,30 +21,30 @@ namespace tp100::link {
 class ClockSync {
  public:
   static constexpr HostNs kQuickPeriodNs = 50 * kNsPerMs;
-  /// No multiple of any other period here, so that exchanges do not keep meeting the same
+  /// Not a multiple of any other period here, so that exchanges do not keep meeting the same
   /// disturbance.
   static constexpr HostNs kPeriodNs = 246'900'000;
   static constexpr int kQuickExchanges = 8;
   static constexpr std::size_t kValidAfter = 4;  ///< accepted exchanges
 
-  /// What became of a reply.
+  /// Outcome of a reply.
   enum class Verdict : std::uint8_t {
     kAccepted,
-    kUnmatched,  ///< late, duplicated or never asked for
+    kUnmatched,  ///< late, duplicated or never requested
     kOutlier,    ///< a round trip far above the usual one, or impossible times
-    kRestarted,  ///< the relation jumped: the fit starts anew from this exchange
+    kRestarted,  ///< the relation jumped: the fit starts again with this exchange
   };
 
   /// Forgets everything (a new session).
   void reset(HostNs now);
 
-  /// The id to ask with if an exchange is due at `now`.
+  /// The id of the request to send if an exchange is due at `now`.
   std::optional<std::uint16_t> due(HostNs now) const;
-  /// True while a reply may come at any moment; its time of arrival matters.
+  /// True while a reply may arrive at any moment; its time of arrival matters.
   bool expects_reply(HostNs now) const { return outstanding_ && now - asked_ns_ < 30 * kNsPerMs; }
   /// When the next exchange is due.
   HostNs next_ns() const { return next_ask_ns_; }
-  /// The request `id` was handed to the port at `now`; its last byte is on the wire `wire_ns`
+  /// The request `id` was passed to the port at `now`; its last byte is on the wire `wire_ns`
   /// later.
   void asked(std::uint16_t id, HostNs now, HostNs wire_ns);
   /// A reply was read at `now`; it took `wire_ns` on the wire. Device times are unwrapped.
@@ -52,23 +52,23 @@ class ClockSync {
                    HostNs wire_ns);
 
   const ClockState& state() const { return state_; }
-  /// The relation with its uncertainty as of `now`.
+  /// The relation and its uncertainty at `now`.
   ClockState state_at(HostNs now) const;
 
  private:
   struct Exchange {
-    DeviceUs device_us;   // middle, whole us
+    DeviceUs device_us;   // middle of the exchange, whole us
     double host_ns;       // host time of device_us, minus origin_ns_
-    double half_trip_ns;  // half of what remains of the round trip
-    // Half of all of it, where the bytes took less than their nominal times; else 0.
+    double half_trip_ns;  // half of the round trip without wire times
+    // Half of the whole round trip if the bytes took less than their nominal times; else 0.
     double unknown_wire_ns;
-    /// Off a line of that drift through `other`.
+    /// Distance from a line of this drift through `other`.
     double off_ns(const Exchange& other, double drift) const {
       return host_ns - other.host_ns -
              static_cast<double>(device_us - other.device_us) * 1e3 * (1.0 + drift);
     }
   };
-  /// Where the exchanges leave room for the relation, off a line through the newest.
+  /// Bounds that the exchanges put on the relation, relative to a line through the newest.
   struct Bounds {
     double lowest_ns, highest_ns;
   };
@@ -77,9 +77,9 @@ class ClockSync {
   void store(const Exchange& exchange);
   void fit(HostNs now);
   Bounds bounds(HostNs now, double drift) const;
-  /// Half of the room that is left.
+  /// Half of the distance between the bounds.
   double open_ns(HostNs now) const;
-  /// The same, or what nominal wire times that cannot be right leave open.
+  /// The same, or the uncertainty left by nominal wire times that cannot be right.
   double uncertainty_us(HostNs now) const;
 
   std::array<Exchange, kWindow> window_{};

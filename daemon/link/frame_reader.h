@@ -1,5 +1,5 @@
 #pragma once
-// Bytes of the robot → good frames; what is not one is counted by its cause. No allocation.
+// Decodes the robot's bytes into good frames and counts all others by cause. No allocation.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,16 +10,16 @@
 namespace tp100::link {
 
 /// Receiver of one port. Before the first good frame of a port every byte is foreign (a bootloader,
-/// a modem probe, the tail of a frame); afterwards a damaged frame is one count of its cause.
+/// a modem probe, the tail of a frame); after it, each corrupted frame counts once under its cause.
 class FrameReader {
  public:
   /// `counters` must outlive the reader.
   explicit FrameReader(LinkCounters& counters) : counters_(counters) {}
 
-  /// A port was opened or closed: what is half received is lost.
+  /// A port was opened or closed: discards a half-received frame.
   void reset();
 
-  /// Takes one byte. True: a good frame is in type(), payload(), size() until the next push.
+  /// Takes one byte. True: type(), payload() and size() hold a good frame until the next push.
   bool push(std::uint8_t byte);
 
   std::uint8_t type() const { return decoder_.type(); }
@@ -33,7 +33,7 @@ class FrameReader {
 
   LinkCounters& counters_;
   wire::FrameDecoder decoder_;
-  std::uint64_t pending_ = 0;  // bytes since the last delimiter, it included
+  std::uint64_t pending_ = 0;  // bytes since the last delimiter, including it
   std::size_t frame_bytes_ = 0;
   bool in_step_ = false;
   bool skipping_ = false;

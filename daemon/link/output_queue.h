@@ -13,6 +13,9 @@
 
 namespace tp100::link {
 
+/// Bytes of a session that may wait for the port.
+inline constexpr std::size_t kMaxOut = 1024;
+
 template <std::size_t kCapacity>
 class OutputQueue {
  public:
@@ -20,7 +23,7 @@ class OutputQueue {
   explicit OutputQueue(LinkCounters& counters) : counters_(counters) {}
 
   /// Forgets everything without counting it (a new port). The next frame starts with a delimiter,
-  /// so that it cannot be glued to half a frame of an earlier writer.
+  /// so that it cannot be joined to half a frame of an earlier writer.
   void reset() {
     begin_ = end_ = 0;
     mid_frame_ = true;
@@ -52,8 +55,8 @@ class OutputQueue {
     return size;
   }
 
-  /// Queues up to `n` spare delimiters, which a receiver passes over: what follows leaves later.
-  /// Returns how many found room.
+  /// Queues up to `n` spare delimiters, which a receiver ignores: later frames leave later. Returns
+  /// how many had room.
   std::size_t pad(std::size_t n) {
     if (kCapacity - end_ < n) compact();
     n = std::min(n, kCapacity - end_);
@@ -76,7 +79,7 @@ class OutputQueue {
     if (begin_ == end_) begin_ = end_ = 0;
   }
 
-  /// Drops what the port did not take and counts its frames.
+  /// Drops what the port did not accept and counts its frames.
   void drop() {
     counters_.unwritten += frame_ends(end_ - begin_);
     mid_frame_ = cut_ || lead_;
@@ -86,7 +89,7 @@ class OutputQueue {
   }
 
  private:
-  // Frames that end within the first `n` bytes. A delimiter after another ends nothing.
+  // Counts the frames that end within the first `n` bytes. A delimiter after another ends none.
   std::size_t frame_ends(std::size_t n) const {
     std::size_t count = 0;
     bool in_frame = cut_;
@@ -107,9 +110,9 @@ class OutputQueue {
   std::array<std::uint8_t, kCapacity> bytes_{};
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
-  bool mid_frame_ = true;  // what the robot has may end inside a frame
+  bool mid_frame_ = true;  // the bytes sent so far may end inside a frame
   bool lead_ = false;      // the first byte is a delimiter that ends no frame of ours
-  bool cut_ = false;       // the port's last byte was not the end of a frame
+  bool cut_ = false;       // the port's last byte did not end a frame
 };
 
 }  // namespace tp100::link

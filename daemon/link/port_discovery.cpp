@@ -19,7 +19,7 @@ struct Known {
   const char* name;
 };
 
-// As the rules in config/udev have them.
+// The same ids as in the rules of config/udev.
 constexpr auto kKnown = std::to_array<Known>({
     {0x2341, 0x0042, PortKind::kMega, "Arduino Mega 2560"},
     {0x2341, 0x0010, PortKind::kMega, "Arduino Mega 2560"},

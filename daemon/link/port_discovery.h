@@ -1,5 +1,5 @@
 #pragma once
-// Which serial ports there are, and which of them may be a TP100. Set-up only.
+// Lists the serial ports and finds those that may be a TP100. Set-up only.
 
 #include <compare>
 #include <functional>
@@ -20,14 +20,14 @@ struct PortInfo {
   std::string product;
 };
 
-/// What the USB ids say about a port.
+/// Kind of a port, by its USB ids.
 enum class PortKind {
   kMega,    ///< an Arduino Mega 2560
   kBridge,  ///< some USB serial bridge, as on Mega clones
   kOther,   ///< anything else
 };
 
-/// What a USB device says it is.
+/// Identification of a USB device.
 struct UsbId {
   int vendor_id;
   int product_id;
@@ -38,7 +38,7 @@ struct UsbId {
 std::vector<UsbId> known_ids();
 
 PortKind classify(const PortInfo& port);
-/// One word or two for people: "Arduino Mega 2560", "CH340 bridge", ...
+/// A short description for people: "Arduino Mega 2560", "CH340 bridge", ...
 std::string describe(const PortInfo& port);
 
 /// Ports that may be a TP100, most likely first, stable by path; others are left out. The handshake
@@ -51,7 +51,7 @@ struct PassedOver {
   std::string why;  ///< without the port's name
 };
 
-/// What `auto` may open: whatever else is there may be somebody else's machine, which an opening
+/// The ports that `auto` may open. Any other port may be somebody else's machine, which opening
 /// would reset and set to our speed.
 struct AutoChoice {
   std::vector<PortInfo> open;  ///< in turn
@@ -60,8 +60,9 @@ struct AutoChoice {
 
 using HolderOf = std::function<PortHolder(const std::string& path)>;
 
-/// A Mega that nobody is seen to have open; or a bridge, if it is the only candidate and surely
-/// nobody has it open. `attended`: somebody is there who sees which one is taken of several.
+/// Chooses a Mega that no visible process has open; or a bridge, if it is the only candidate and
+/// certainly nobody has it open. `attended`: a person is present and sees which of several is
+/// taken.
 AutoChoice choose_for_auto(const std::vector<PortInfo>& ports, bool attended,
                            const HolderOf& holder_of);
 /// Why nothing was chosen and what to do, in one line.

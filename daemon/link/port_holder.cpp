@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the process namespace that all others lie in; PROC_PID_INIT_INO of the kernel.
+// The initial process namespace, in which all others lie; PROC_PID_INIT_INO of the kernel.
 constexpr const char* kWholeMachine = "pid:[4026531836]";
 
-/// Whether /proc has all processes: not in a container, nor where others are hidden from us.
+/// True if /proc shows all processes: not in a container, nor where other accounts are hidden.
 bool lists_all(const fs::path& proc) {
   std::error_code error;
   return fs::read_symlink(proc / "self/ns/pid", error) == kWholeMachine &&
@@ -31,7 +31,7 @@ std::optional<dev_t> device_of(const fs::path& path) {
   return status.st_rdev;
 }
 
-/// Whether the process has it open; nothing if that cannot be seen.
+/// Whether the process has the device open; nothing if that cannot be determined.
 std::optional<bool> holds(const fs::path& process, const std::string& real_path,
                           std::optional<dev_t> device) {
   std::error_code error;
@@ -41,7 +41,7 @@ std::optional<bool> holds(const fs::path& process, const std::string& real_path,
     std::error_code unreadable;
     const std::string target = fs::read_symlink(fd->path(), unreadable);
     if (target == real_path) return true;
-    // Another node of the same device. Only in /dev: elsewhere a look may wait for a disk.
+    // Another node of the same device. Only in /dev: elsewhere the look-up may wait for a disk.
     if (device && target.starts_with("/dev/") && device_of(fd->path()) == device) return true;
   }
   return false;

@@ -1,5 +1,5 @@
 #pragma once
-// Who holds a device open. Set-up only.
+// Finds the process that holds a device open. Set-up only.
 
 #include <filesystem>
 #include <string>
@@ -7,13 +7,13 @@
 namespace tp100::link {
 
 struct PortHolder {
-  std::string name{};          ///< "name (pid N)"; empty: none was seen
-  bool others_hidden = false;  ///< not every process of the machine could be looked at
+  std::string name{};          ///< "name (pid N)"; empty: none found
+  bool others_hidden = false;  ///< some processes of the machine could not be inspected
 };
 
-/// The first other process that has the device `real_path` open, under whatever name in /dev. What
-/// programs of other accounts have open, only root sees; from within a container nobody sees those
-/// outside. `proc` is where processes are looked up.
+/// The first other process that has the device `real_path` open, under any name in /dev. Only root
+/// sees what programs of other accounts have open; from within a container, those outside are
+/// invisible. `proc` is the proc file system to search.
 PortHolder port_holder(const std::string& real_path, const std::filesystem::path& proc = "/proc");
 
 }  // namespace tp100::link

@@ -1,6 +1,7 @@
 #include "link/sample_intake.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "core/angle.h"
@@ -11,9 +12,15 @@ namespace {
 constexpr double kStandardGravity = 9.80665;
 const double kGyroRadpsPerLsb = kRadPerDeg / static_cast<double>(wire::kGyroLsbPerDegps);
 const double kAccelMps2PerLsb = kStandardGravity / static_cast<double>(wire::kAccelLsbPerG);
-// A sample cannot have been measured after it was read; this much is left to the clock relation.
+// A sample cannot have been measured after it was read; this tolerance allows for the clock
+// relation.
 constexpr HostNs kFutureNs = 50 * kNsPerMs;
 constexpr std::uint64_t kNewest = 1;
+
+// After a longer gap it is unknown whether the track continued.
+constexpr double kLongestHoldS = 0.1;
+// A glitch and its return are one jump.
+constexpr double kOneJumpS = 0.1;
 
 bool values_plausible(const wire::Sample& sample) {
   return sample.state <= static_cast<std::uint8_t>(wire::State::kFaulted) &&
@@ -23,22 +30,31 @@ bool values_plausible(const wire::Sample& sample) {
 
 }  // namespace
 
-DeviceUs DeviceClock::extend(std::uint32_t device_us, HostNs now) {
+bool EncoderCount::update(std::int32_t value, double dt_s) {
   if (!known_) {
     known_ = true;
-    newest_us_ = device_us;
-    newest_ns_ = now;
-    return newest_us_;
+    counts_ = last_ = value;
+    per_s_ = 0.0;
+    held_in_row_ = 0;
+    since_jump_s_ = kForgottenS;
+    return true;
   }
-  // The host's clock tells how many wraps went by, so that a long silence does not matter.
-  const DeviceUs expected = newest_us_ + (now - newest_ns_) / kNsPerUs;
-  const DeviceUs result =
-      expected + wrapped_difference(device_us, static_cast<std::uint32_t>(expected));
-  if (result > newest_us_) {
-    newest_us_ = result;
-    newest_ns_ = now;
+  const std::int32_t step =
+      wrapped_difference(static_cast<std::uint32_t>(value), static_cast<std::uint32_t>(last_));
+  last_ = value;
+  const bool possible = counts_possible(step, max_per_s_, dt_s);
+  since_jump_s_ += std::max(dt_s, 0.0);
+  if (possible) held_in_row_ = 0;
+  const bool again = since_jump_s_ >= kOneJumpS && since_jump_s_ < kForgottenS;
+  if (!possible && !again && held_in_row_ < kHeldInRow) {
+    if (since_jump_s_ >= kForgottenS) since_jump_s_ = 0.0;
+    ++held_in_row_;
+    if (dt_s <= kLongestHoldS) counts_ += std::llround(per_s_ * dt_s);
+    return false;
   }
-  return result;
+  counts_ += step;
+  if (dt_s > 0.0) per_s_ = static_cast<double>(step) / dt_s;
+  return true;
 }
 
 void SampleIntake::begin(bool new_boot) {

@@ -1,6 +1,6 @@
 #pragma once
-// Sample frames → samples: units, unwrapped time and counts, host time, and a check of order and
-// plausibility. Fixed size, no allocation.
+// Converts sample frames to samples: units, unwrapped time and counts, host time, and a check of
+// order and plausibility. Fixed size, no allocation.
 
 #include <array>
 #include <cstddef>
@@ -9,39 +9,54 @@
 
 #include "core/link_state.h"
 #include "core/sample.h"
-#include "link/belt_count.h"
 #include "wire/messages.h"
 
 namespace tp100::link {
 
-/// Device time extended to 64 bit within one boot, across sessions.
-class DeviceClock {
+/// One encoder's count: unwrapped to 64 bit, without single jumps that are impossible for a track.
+class EncoderCount {
  public:
-  /// A new boot: no relation to earlier times.
+  /// After this many impossible steps in a row the counts are accepted: the counts per metre may be
+  /// wrong, say.
+  static constexpr int kHeldInRow = 10;
+
+  /// Greatest counts per second of a track; 0: unlimited.
+  explicit EncoderCount(double max_per_s) : max_per_s_(max_per_s) {}
+
+  /// A new boot: the count begins with the next value.
   void forget() { known_ = false; }
-  /// The extended time of a value read at host time `now`.
-  DeviceUs extend(std::uint32_t device_us, HostNs now);
+  /// Takes the board's count, `dt_s` after the last one. False: it jumped (a glitch on the
+  /// encoder's wires), and the track is taken to continue at its last rate, for 0.1 s at most. A
+  /// jump that follows another within 0.1 s to 1 s is accepted, so that the track monitors see it.
+  bool update(std::int32_t value, double dt_s);
+  std::int64_t counts() const { return counts_; }
 
  private:
-  DeviceUs newest_us_ = 0;
-  HostNs newest_ns_ = 0;
+  static constexpr double kForgottenS = 1.0;
+
+  double max_per_s_;
   bool known_ = false;
+  std::int32_t last_ = 0;
+  std::int64_t counts_ = 0;
+  double per_s_ = 0.0;
+  int held_in_row_ = 0;
+  double since_jump_s_ = kForgottenS;
 };
 
 class SampleIntake {
  public:
   static constexpr std::size_t kCapacity = 64;  ///< kept between two takes
-  /// This many refused samples in a row: the stream makes no sense, ask for a new session.
+  /// After this many refused samples in a row the stream makes no sense: a new session is needed.
   static constexpr int kNonsense = 40;
 
-  /// `counters` must outlive the intake. `max_counts_per_s`: a belt's limit, 0: none.
+  /// `counters` must outlive the intake. `max_counts_per_s`: limit of a track; 0: none.
   SampleIntake(LinkCounters& counters, double max_counts_per_s)
       : counters_(counters), left_(max_counts_per_s), right_(max_counts_per_s) {}
 
-  /// A new session: the next sample is the first one. Counts continue unless it is a new boot.
+  /// A new session: the next sample is the first one. Counts continue unless the boot is new.
   void begin(bool new_boot);
-  /// Takes one sample with its extended device time, unless it is out of order or not plausible:
-  /// false. Kept only if `clock` is valid.
+  /// Takes one sample with its extended device time. False if it is out of order or not plausible.
+  /// It is kept only if `clock` is valid.
   bool push(const wire::Sample& wire, DeviceUs device_us, const ClockState& clock, HostNs now);
   /// Samples since the last take, oldest first; valid until the next push.
   std::span<const Sample> take();
@@ -62,7 +77,7 @@ class SampleIntake {
   std::uint16_t last_sequence_ = 0;
   std::uint64_t seen_ = 0;  // bit i: sequence last - i was taken
   DeviceUs last_device_us_ = 0;
-  BeltCount left_, right_;
+  EncoderCount left_, right_;
   int refused_in_row_ = 0;
 };
 

@@ -29,7 +29,7 @@ int open_serial_port(const std::string& real_path, int baud, int& error) {
     sp_close(port.get());
     return -1;
   }
-  // The library closes its own descriptor; ours is a duplicate, so that DTR stays up.
+  // The library closes its own descriptor; the duplicate keeps DTR up.
   const int own = ::fcntl(fd, F_DUPFD_CLOEXEC, 3);
   error = errno;
   sp_close(port.get());

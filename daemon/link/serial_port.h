@@ -1,5 +1,5 @@
 #pragma once
-// Real serial ports by libserialport, which knows any baud rate. Set-up only.
+// Real serial ports through libserialport, which supports any baud rate. Set-up only.
 
 #include <string>
 

@@ -1,9 +1,8 @@
 #include "link/session.h"
 
 #include <algorithm>
-#include <utility>
 
-#include "core/belt_speed.h"
+#include "core/sample.h"
 
 namespace tp100::link {
 namespace {
@@ -11,20 +10,19 @@ namespace {
 using wire::Result;
 using wire::Type;
 
-// Tokens of an earlier daemon in the same boot of the robot lie below: 10 ms a step, wraps after
-// 497 days.
-constexpr HostNs kTokenTickNs = 10 * kNsPerMs;
-constexpr std::uint32_t kTokenLeap = 1U << 24U;
 // Protocol, firmware version and schema open every hello, whatever its version.
 constexpr std::size_t kHelloPrefix = 9;
 
-// After so many samples, a second, a session has lasted.
+// A session has lasted after this many samples, one second.
 constexpr std::uint32_t kLasted = 200;
 constexpr HostNs kFirstRetryNs = 200 * kNsPerMs;
 constexpr HostNs kLongestRetryNs = 5 * kNsPerS;
 
-std::int32_t number(SessionState state) { return static_cast<std::int32_t>(state); }
-std::int32_t number(Type type) { return static_cast<std::int32_t>(type); }
+constexpr HostNs kHelloRequestPeriodNs = 200 * kNsPerMs;
+constexpr HostNs kParametersPeriodNs = 100 * kNsPerMs;
+// After kHostSilenceMs of silence the robot considers the host lost.
+constexpr HostNs kKeepAliveNs = 400 * kNsPerMs;
+constexpr HostNs kArmLifeNs = OneShotRequest::kLimitNs;
 
 /// Whether this version knows the kind of board. An unknown one may drive if it speaks the
 /// protocol, after a warning.
@@ -34,14 +32,16 @@ bool known(std::uint8_t board) {
 }
 
 double max_counts_per_s(const wire::Parameters& parameters) {
-  return kFastestBelt * static_cast<double>(parameters.max_track_mps) *
+  return kFastestTrack * static_cast<double>(parameters.max_track_mps) *
          static_cast<double>(parameters.counts_per_metre);
 }
 
 }  // namespace
 
 Session::Session(const SessionSettings& settings)
-    : settings_(settings), intake_(counters_, max_counts_per_s(settings.parameters)) {}
+    : settings_(settings),
+      intake_(counters_, max_counts_per_s(settings.parameters)),
+      clock_(settings.baud, output_, counters_) {}
 
 void Session::open(HostNs now) {
   end_session(now);
@@ -75,11 +75,11 @@ bool Session::read(Message& message) {
 }
 
 void Session::on_frame(HostNs now) {
-  // In a session it is samples that are waited for, whatever else the robot sends.
+  // Within a session only samples count as a sign of life, whatever else the robot sends.
   if (!in_session()) last_good_ns_ = now;
   const Type type{reader_.type()};
   if (state_ == SessionState::kListening) {
-    if (stop_.pending()) stop_.start(next_token(now), now);
+    requests_.restart_stop(now);
     if (type != Type::kHello) ask_hello(now);
   }
   switch (type) {
@@ -124,7 +124,7 @@ void Session::on_hello(HostNs now) {
   if (hello.boot_nonce == 0 || hello.state > static_cast<std::uint8_t>(wire::State::kFaulted))
     return on_bad_hello(hello, now);
   const bool same_boot = known_boot_ && hello.boot_nonce == hello_.boot_nonce;
-  // A hello that was under way when the parameters were sent, or of a boot that refused them.
+  // A hello that was in transit when the parameters were sent, or of a boot that refused them.
   if (same_boot && (state_ == SessionState::kParameters || state_ == SessionState::kRefused))
     return;
   if (known_boot_ && !same_boot) {
@@ -136,18 +136,18 @@ void Session::on_hello(HostNs now) {
   known_boot_ = true;
   if (!same_boot) {
     new_boot_ = true;
-    device_clock_.forget();
+    clock_.forget_boot();
   }
-  if (reboot) note(SessionEvent::Kind::kReboot, now, 0, 0, hello.boot_nonce);
-  note(SessionEvent::Kind::kHello, now);
+  if (reboot) events_.note(Rebooted{}, now);
+  events_.note(HelloReceived{}, now);
   if (!known(hello.board)) {
     ++counters_.unknown_board;
-    note(SessionEvent::Kind::kUnknownBoard, now, hello.board);
+    events_.note(UnknownBoard{hello.board}, now);
   }
   if (same_boot) back_off(now);
   end_session(now);
   settings_.parameters.boot_nonce = hello.boot_nonce;
-  settings_.parameters.token = next_token(now);
+  settings_.parameters.token = tokens_.next(now);
   next_parameters_ns_ = now;
   enter(SessionState::kParameters, now);
 }
@@ -169,27 +169,26 @@ void Session::on_other_hello(HostNs now) {
   const bool repeated = state_ == SessionState::kRefused && hello.protocol == hello_.protocol &&
                         hello.schema == hello_.schema;
   if (repeated) return;
-  end_session(now);
-  hello_ = hello;
-  known_boot_ = false;
-  ++counters_.refused;
-  enter(SessionState::kRefused, now);
-  note(SessionEvent::Kind::kVersionMismatch, now, hello.protocol, wire::kProtocolVersion,
-       hello.schema);
+  refuse(hello, now);
+  events_.note(VersionMismatch{}, now);
 }
 
-// Its nonce guards nothing, or its state is not one of ours: it is not spoken to.
+// The hello's nonce is 0 or its state unknown.
 void Session::on_bad_hello(const wire::Hello& hello, HostNs now) {
   if (state_ == SessionState::kRefused && hello.boot_nonce == hello_.boot_nonce &&
       hello.state == hello_.state)
     return;
+  refuse(hello, now);
+  events_.note(BadHello{hello.boot_nonce, hello.state}, now);
+}
+
+// Nothing is sent to a board with such a hello.
+void Session::refuse(const wire::Hello& hello, HostNs now) {
   end_session(now);
   hello_ = hello;
   known_boot_ = false;
   ++counters_.refused;
   enter(SessionState::kRefused, now);
-  note(SessionEvent::Kind::kBadHello, now, static_cast<std::int32_t>(hello.boot_nonce),
-       hello.state);
 }
 
 void Session::on_sample(const wire::Sample& sample, HostNs now) {
@@ -201,8 +200,8 @@ void Session::on_sample(const wire::Sample& sample, HostNs now) {
     command_sequence_ = sample.last_command;
     sequence_known_ = true;
   }
-  const DeviceUs device_us = device_clock_.extend(sample.device_us, now);
-  const ClockState clock = state_ == SessionState::kReady ? sync_.state() : ClockState{};
+  const DeviceUs device_us = clock_.extend(sample.device_us, now);
+  const ClockState clock = state_ == SessionState::kReady ? clock_.fitted() : ClockState{};
   if (intake_.push(sample, device_us, clock, now)) {
     last_good_ns_ = now;
     ++taken_;
@@ -211,37 +210,21 @@ void Session::on_sample(const wire::Sample& sample, HostNs now) {
 }
 
 void Session::on_acknowledge(const wire::Acknowledge& acknowledge, HostNs now) {
-  const auto result = static_cast<std::int32_t>(acknowledge.result);
-  const bool accepted = acknowledge.result == static_cast<std::uint8_t>(Result::kAccepted);
-  const Type type{acknowledge.request};
-  if (type == Type::kParameters) return on_parameters_answer(acknowledge, now);
-  if (type == Type::kStop) {
-    if (!stop_.acknowledge(acknowledge.token)) return;
-  } else if (type == motion_type_ && motion_.acknowledge(acknowledge.token)) {
-    answer_ = accepted ? RequestAnswer::kAcknowledged : RequestAnswer::kFailed;
-    if (acknowledge.result == static_cast<std::uint8_t>(Result::kStaleToken)) token_ += kTokenLeap;
-  } else if (type == Type::kArm && accepted && acknowledge.token == overdue_arm_token_) {
-    // Armed after all, but nobody waits for it any more.
-    overdue_arm_token_ = 0;
-    if (!motion_.pending()) request(RobotRequest::kDisarm, now);
-    return;
-  } else {
-    return;
-  }
-  note(SessionEvent::Kind::kAcknowledged, now, number(type), result, acknowledge.detail);
+  if (Type{acknowledge.request} == Type::kParameters) return on_parameters_answer(acknowledge, now);
+  if (requests_.on_acknowledge(acknowledge, now)) request(RobotRequest::kDisarm, now);
 }
 
 void Session::on_parameters_answer(const wire::Acknowledge& acknowledge, HostNs now) {
   if (state_ != SessionState::kParameters || acknowledge.token != settings_.parameters.token)
     return;
-  note(SessionEvent::Kind::kAcknowledged, now, number(Type::kParameters), acknowledge.result,
-       acknowledge.detail);
-  switch (Result{acknowledge.result}) {
+  const Result result{acknowledge.result};
+  events_.note(Acknowledged{Type::kParameters, result, acknowledge.detail}, now);
+  switch (result) {
     case Result::kAccepted:
       return begin_session(now);
     case Result::kStaleToken:
-      token_ += kTokenLeap;
-      settings_.parameters.token = next_token(now);
+      tokens_.leap();
+      settings_.parameters.token = tokens_.next(now);
       return;
     case Result::kOutOfRange:
       ++counters_.refused;
@@ -256,52 +239,105 @@ void Session::on_sync_reply(const wire::SyncReply& reply, HostNs now) {
     ++counters_.sync_rejected;
     return;
   }
-  count_robots_own(reply);
-  const DeviceUs received_us = device_clock_.extend(reply.received_us, now);
-  const DeviceUs sent_us = device_clock_.extend(reply.sent_us, now);
-  const auto verdict =
-      sync_.answered(reply.id, received_us, sent_us, now, wire_ns(reader_.frame_bytes()));
-  if (verdict == ClockSync::Verdict::kAccepted || verdict == ClockSync::Verdict::kRestarted) {
-    ++counters_.sync_replies;
-  } else {
-    ++counters_.sync_rejected;
-  }
-  clock_ = sync_.state_at(now);
-  if (state_ == SessionState::kSyncing && clock_.valid) {
+  clock_.on_reply(reply, reader_.frame_bytes(), now);
+  if (state_ == SessionState::kSyncing && clock_.state().valid) {
     if (++session_number_ > 1) ++counters_.reconnects;
     enter(SessionState::kReady, now);
   }
 }
 
-// What the robot counted before the session is another's, or the bootloader's; an old reply may
-// come late.
-void Session::count_robots_own(const wire::SyncReply& reply) {
-  const wire::SyncReply before = last_reply_.value_or(reply);
-  const auto damaged = wrapped_difference(reply.damaged, before.damaged);
-  const auto missed = wrapped_difference(reply.missed_edges, before.missed_edges);
-  if (damaged < 0 || missed < 0) return;
-  counters_.robot_damaged += static_cast<std::uint64_t>(damaged);
-  counters_.missed_edges += static_cast<std::uint64_t>(missed);
-  last_reply_ = reply;
-}
-
 void Session::on_fault(const wire::FaultReport& report, HostNs now) {
   ++counters_.robot_faults;
-  if (SessionEvent* event = new_event(SessionEvent::Kind::kRobotFault, now, kMaxEvents / 2)) {
-    event->a = report.fault;
-    event->b = report.detail;
-    event->detail = report.device_us;
-  }
+  events_.note_said(RobotFault{report.fault, report.detail}, now);
 }
 
 void Session::on_log(const wire::Log& log, HostNs now) {
-  SessionEvent* event = new_event(SessionEvent::Kind::kRobotLog, now, kMaxEvents / 2);
-  if (event == nullptr) return;
-  event->a = log.level;
-  event->detail = log.device_us;
+  RobotLog clean{log.device_us, {}};
   for (std::size_t i = 0; i < wire::Log::kTextSize && log.text[i] != 0; ++i) {
     const auto character = static_cast<char>(log.text[i]);
-    event->text[i] = character >= ' ' && character <= '~' ? character : '?';
+    clean.text[i] = character >= ' ' && character <= '~' ? character : '?';
+  }
+  events_.note_said(clean, now);
+}
+
+void Session::poll(HostNs now) {
+  poll_timeout(now);
+  poll_unanswered(now);
+  if (requests_.poll(connected(), now)) last_sent_ns_ = now;
+  poll_handshake(now);
+  if (in_session() && clock_.request(now - last_sent_ns_ >= kKeepAliveNs, now)) last_sent_ns_ = now;
+  clock_.age(now);
+}
+
+void Session::poll_timeout(HostNs now) {
+  if (state_ == SessionState::kClosed) return;
+  const bool listening = state_ == SessionState::kListening;
+  const HostNs limit = listening ? settings_.first_frame_timeout_ns : settings_.timeout_ns;
+  if (now - last_good_ns_ < limit) return;
+  ++counters_.silences;
+  events_.note(Silence{state_}, now);
+  last_good_ns_ = now;
+  if (listening) return;
+  back_off(now);
+  end_session(now);
+  output_.reset();
+  enter(SessionState::kListening, now);
+}
+
+// If nothing of ours arrives, the robot's own frames still do.
+void Session::poll_unanswered(HostNs now) {
+  const HostNs since = std::max(handshake_ns_, not_before_ns_);
+  if (!in_handshake() || now - since < settings_.first_frame_timeout_ns) return;
+  ++counters_.unanswered;
+  events_.note(Unanswered{state_}, now);
+  handshake_ns_ = now;
+}
+
+void Session::poll_handshake(HostNs now) {
+  if (now < not_before_ns_) return;
+  if (state_ == SessionState::kHello && now >= next_hello_ns_) {
+    output_.push(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+    next_hello_ns_ = now + kHelloRequestPeriodNs;
+    last_sent_ns_ = now;
+  }
+  if (state_ == SessionState::kParameters && now >= next_parameters_ns_) {
+    output_.push(settings_.parameters);
+    next_parameters_ns_ = now + kParametersPeriodNs;
+    last_sent_ns_ = now;
+  }
+}
+
+void Session::send(const Command& command, HostNs now) {
+  if (!in_session()) return;
+  wire::Command out{};
+  out.boot_nonce = hello_.boot_nonce;
+  out.sequence = ++command_sequence_;
+  out.answers = command.answers;
+  out.x_m = static_cast<float>(command.pose.x_m);
+  out.y_m = static_cast<float>(command.pose.y_m);
+  out.yaw_rad = static_cast<float>(command.pose.yaw_rad);
+  out.desired_yaw_rad = static_cast<float>(command.desired_yaw_rad);
+  out.yaw_rate_radps = static_cast<float>(command.yaw_rate_radps);
+  out.speed_mps = static_cast<float>(command.speed_mps);
+  out.expiry_us = static_cast<std::uint32_t>(command.expiry_us);
+  out.gyro_bias_radps = static_cast<float>(command.gyro_bias_radps);
+  if (output_.push(out) > 0) last_sent_ns_ = now;
+}
+
+void Session::request(RobotRequest request, HostNs now) {
+  switch (request) {
+    case RobotRequest::kNone:
+      return;
+    case RobotRequest::kStop:
+      return requests_.stop(now);
+    case RobotRequest::kDisarm:
+      if (!connected()) return requests_.refuse(Type::kDisarm, now);
+      return requests_.disarm(now);
+    case RobotRequest::kArm: {
+      if (state_ != SessionState::kReady) return requests_.refuse(Type::kArm, now);
+      const DeviceUs expiry_us = clock_.state().to_device(now + kArmLifeNs);
+      return requests_.arm(hello_.boot_nonce, static_cast<std::uint32_t>(expiry_us), now);
+    }
   }
 }
 
@@ -315,17 +351,14 @@ void Session::begin_session(HostNs now) {
   intake_.begin(new_boot_);
   new_boot_ = false;
   sequence_known_ = false;
-  last_reply_.reset();
   taken_ = 0;
-  sync_.reset(now);
-  clock_ = {};
+  clock_.begin_session(now);
   enter(SessionState::kSyncing, now);
 }
 
 void Session::end_session(HostNs now) {
-  fail_arm(now);
-  motion_.cancel();
-  clock_ = {};
+  requests_.end_session(now);
+  clock_.end_session();
 }
 
 void Session::back_off(HostNs now) {
@@ -338,38 +371,9 @@ void Session::back_off(HostNs now) {
   not_before_ns_ = now + retry_ns_;
 }
 
-void Session::fail_arm(HostNs now) {
-  if (!motion_.pending() || motion_type_ != Type::kArm) return;
-  overdue_arm_token_ = motion_.token();
-  motion_.cancel();
-  answer_ = RequestAnswer::kFailed;
-  note(SessionEvent::Kind::kNotAcknowledged, now, number(Type::kArm));
-}
-
-std::span<const Sample> Session::take_samples() { return intake_.take(); }
-
-std::span<const SessionEvent> Session::take_events() {
-  const std::span<const SessionEvent> result(events_.data(), event_count_);
-  event_count_ = 0;
-  return result;
-}
-
-std::span<const std::uint8_t> Session::output() const { return output_.bytes(); }
-void Session::written(std::size_t n) { output_.written(n); }
-void Session::drop_output() { output_.drop(); }
-
-SessionState Session::state() const { return state_; }
-const LinkCounters& Session::counters() const { return counters_; }
-const ClockState& Session::clock() const { return clock_; }
-const wire::Hello& Session::hello() const { return hello_; }
-std::uint32_t Session::session_number() const { return session_number_; }
-
-bool Session::take_rebooted() { return std::exchange(rebooted_, false); }
-RequestAnswer Session::take_answer() { return std::exchange(answer_, RequestAnswer::kNone); }
-
 void Session::enter(SessionState state, HostNs now) {
   if (state == state_) return;
-  note(SessionEvent::Kind::kState, now, number(state_), number(state));
+  events_.note(StateChanged{state_, state}, now);
   if (!in_handshake()) handshake_ns_ = now;
   state_ = state;
 }
@@ -382,36 +386,6 @@ bool Session::in_handshake() const { return connected() && state_ != SessionStat
 
 bool Session::in_session() const {
   return state_ == SessionState::kSyncing || state_ == SessionState::kReady;
-}
-
-std::uint32_t Session::next_token(HostNs now) {
-  const auto tick = static_cast<std::uint32_t>(now / kTokenTickNs);
-  token_ = std::max(token_, tick) + 1;
-  return token_;
-}
-
-HostNs Session::wire_ns(std::size_t bytes) const {
-  constexpr HostNs kBitsPerByte = 10;
-  if (settings_.baud == 0) return 0;
-  return static_cast<HostNs>(bytes) * kBitsPerByte * kNsPerS / settings_.baud;
-}
-
-void Session::note(SessionEvent::Kind kind, HostNs now, std::int32_t a, std::int32_t b,
-                   std::uint32_t detail) {
-  if (SessionEvent* event = new_event(kind, now, kMaxEvents)) {
-    event->a = a;
-    event->b = b;
-    event->detail = detail;
-  }
-}
-
-SessionEvent* Session::new_event(SessionEvent::Kind kind, HostNs now, std::size_t room) {
-  if (event_count_ >= room) return nullptr;
-  SessionEvent& event = events_[event_count_++];
-  event = {};
-  event.kind = kind;
-  event.at_ns = now;
-  return &event;
 }
 
 }  // namespace tp100::link

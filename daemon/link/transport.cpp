@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// UNIX98_PTY_SLAVE_MAJOR of the kernel, and as many as it has.
+// UNIX98_PTY_SLAVE_MAJOR of the kernel, and the number of its majors.
 constexpr unsigned kFirstPtyMajor = 136;
 constexpr unsigned kPtyMajors = 8;
 
@@ -74,7 +74,7 @@ std::string owner_group(const std::string& path) {
   }
 }
 
-// Closes the descriptor unless it is released: set-up fails at many points.
+// Closes the descriptor unless it is released: set-up may fail at many points.
 class Guard {
  public:
   explicit Guard(int fd) : fd_(fd) {}
@@ -90,7 +90,7 @@ class Guard {
   int fd_;
 };
 
-/// B0: it has no name.
+/// The standard speed of that baud rate; B0: there is none.
 speed_t standard_speed(int baud) {
   switch (baud) {
     case 9600:
@@ -126,14 +126,14 @@ int open_raw(const std::string& real, int& error) {
   return fd;
 }
 
-/// The library opens what has a name in /dev that /sys has, too: not a node of another name, as in
-/// a container.
+/// True if the library can open it: it needs a name in /dev that /sys has too, unlike a node of
+/// another name as in a container.
 bool known_by_name(const fs::path& real) {
   std::error_code error;
   return real.parent_path() == "/dev" && fs::exists("/sys/class/tty" / real.filename(), error);
 }
 
-/// `speed`: B0 leaves it as it is.
+/// `speed`: B0 leaves the current speed.
 void set_raw(int fd, const std::string& path, speed_t speed, const PortOptions& options) {
   termios settings{};
   if (::tcgetattr(fd, &settings) != 0) {
@@ -197,15 +197,16 @@ bool is_pseudo_terminal(mode_t mode, dev_t number) {
 
 Port open_port(const std::string& path, const PortOptions& options) {
   const std::string real = resolved(path);
-  // A named pipe or a disk file must not be touched.
+  // A named pipe or a disk file must not be opened.
   struct stat status {};
   if (::stat(real.c_str(), &status) != 0) fail_open(path, errno);
   if (!S_ISCHR(status.st_mode)) {
     throw SetupError(path + ": is not a serial port; see `tp100d ports`");
   }
   int error = 0;
-  // Who may open it in spite of TIOCEXCL (root) must not change the settings of its holder: the
-  // lock is asked for before libserialport sets it up. Closed last, so that DTR stays up.
+  // A process that may open the port in spite of TIOCEXCL (root) must not change the settings of
+  // its holder: the lock is taken before libserialport configures the port. It is closed last, so
+  // that DTR stays up.
   const Guard first(open_raw(real, error));
   if (first.fd() < 0) fail_open(path, error);
   if (::flock(first.fd(), LOCK_EX | LOCK_NB) != 0) fail_busy(path);
@@ -220,7 +221,7 @@ Port open_port(const std::string& path, const PortOptions& options) {
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) fail_busy(path);
   ::ioctl(fd, TIOCEXCL);
   const speed_t speed = by_library ? B0 : standard_speed(options.baud);
-  // A pty moves bytes at once whatever its speed says; an emulator may look at it.
+  // A pty moves bytes at once whatever its speed is; an emulator may read that speed.
   if (speed == B0 && !by_library && !pseudo_terminal)
     throw SetupError(path + ": cannot be set to " + std::to_string(options.baud) +
                      " baud under this name; use the name that `tp100d ports` prints");

@@ -1,7 +1,7 @@
 #pragma once
-// Opening and closing a port: a real one through libserialport, a pty and what that library does
-// not know by its name directly. All give a raw, exclusive, non-blocking descriptor. Set-up thread
-// only: closing a port may block.
+// Opening and closing a port: a real one through libserialport; a pty, or a port whose name that
+// library does not know, directly. Every port is a raw, exclusive, non-blocking descriptor. Set-up
+// thread only: closing a port may block.
 
 #include <sys/stat.h>
 
@@ -29,10 +29,10 @@ class Port {
   bool is_open() const { return fd_ >= 0; }
   int fd() const { return fd_; }
   const std::string& path() const { return path_; }
-  /// As the kernel says of the open device, whatever its name. It may be an emulator's, or have a
-  /// robot behind it: see core/start_rule.h.
+  /// By the kernel's device number, whatever the port's name. It may belong to an emulator, or have
+  /// a robot behind it: see core/start_rule.h.
   bool pseudo_terminal() const { return pseudo_terminal_; }
-  /// Discards what is not sent yet, so that closing does not wait for a peer that reads nothing.
+  /// Discards unsent bytes, so that closing does not wait for a peer that does not read.
   void close();
 
  private:
@@ -41,12 +41,12 @@ class Port {
   bool pseudo_terminal_ = false;
 };
 
-/// Opens `path` raw, exclusive, non-blocking and close-on-exec. Throws SetupError that
-/// says whether it is missing, busy (and who holds it), forbidden or no serial port, and what to
-/// do.
+/// Opens `path` raw, exclusive, non-blocking and close-on-exec. Throws a SetupError that says
+/// whether the port is missing, busy (and which process holds it), forbidden or no serial port, and
+/// what to do.
 Port open_port(const std::string& path, const PortOptions& options);
 
-/// Is it the near end of a pseudo-terminal? By its device number: a name proves nothing.
+/// True for the near end of a pseudo-terminal. Decided by the device number: a name proves nothing.
 bool is_pseudo_terminal(mode_t mode, dev_t number);
 
 }  // namespace tp100::link

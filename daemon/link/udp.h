@@ -1,5 +1,5 @@
 #pragma once
-// UDP addresses as options and files give them, and the sending end of a one-way stream.
+// UDP addresses as written in options and files, and the sending end of a one-way stream.
 
 #include <netinet/in.h>
 
@@ -9,20 +9,20 @@
 
 namespace tp100::link {
 
-/// Where datagrams go to or come in. IPv4.
+/// Address that datagrams are sent to or received on. IPv4.
 struct UdpAddress {
   std::string host = "127.0.0.1";  ///< a number or a name
   std::uint16_t port = 0;
 };
 
-/// Reads "udp:[HOST:]PORT"; without a host: loopback. `where` opens the message of a SetupError.
+/// Reads "udp:[HOST:]PORT"; without a host: loopback. `where` begins the message of a SetupError.
 UdpAddress parse_udp(std::string_view text, const std::string& where);
-/// "127.0.0.1:47100".
+/// Formats an address: "127.0.0.1:47100".
 std::string to_string(const UdpAddress& address);
 /// Looks the host up. Throws SetupError; may block.
 sockaddr_in resolve(const UdpAddress& address);
 
-/// Sends datagrams and never waits: nobody may be listening.
+/// Sends datagrams and never waits: there may be no receiver.
 class UdpSender {
  public:
   /// Throws SetupError.
@@ -31,15 +31,15 @@ class UdpSender {
   UdpSender(const UdpSender&) = delete;
   UdpSender& operator=(const UdpSender&) = delete;
 
-  /// False: the datagram was not taken by the system.
+  /// False: the system did not accept the datagram.
   bool send(std::string_view datagram);
 
  private:
   int socket_ = -1;
 };
 
-/// Name of this machine's monotonic clock (camera_message.h): its boot id. "unknown-clock" and the
-/// process id if the system does not tell.
+/// Name of this machine's monotonic clock (camera_message.h): its boot id. If that is unknown:
+/// "unknown-clock" and the process id.
 std::string monotonic_clock_name();
 
 }  // namespace tp100::link

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/flash_command.h"
+#include "core/faults.h"
 
 namespace tp100::live {
 namespace {
 
-/// Tells a port from the one of the same name before it was unplugged.
+/// Distinguishes a port from the one that had the same name before replugging.
 std::string device_file(const std::string& path) {
   struct stat status {};
   const bool there = ::stat(path.c_str(), &status) == 0;
@@ -45,10 +45,10 @@ void Connector::take_back(const loop::LostPort& lost, HostNs now) {
   std::string line = path_ + ": ";
   if (silent) {
     line += found_ ? "the robot fell silent"
-                   : "nothing that speaks like a TP100; flash the board with " + flash_command() +
+                   : "no answer from a TP100; flash the board with " + flash_command() +
                          ", or choose another port with --port";
     if (!found_ && settings_.port == "auto")
-      line += "; auto leaves it alone until it is plugged in again";
+      line += "; auto ignores it until it is plugged in again";
   } else {
     line += std::string("port is gone (") +
             (lost.error == 0 ? "end of file" : std::strerror(lost.error)) +
@@ -93,8 +93,8 @@ link::AutoChoice Connector::choose() const {
   return choice;
 }
 
-// One that is forbidden or locked is somebody else's: the next is tried, and the first one's error
-// is told if none can be opened.
+// A port without permission or with a lock belongs to somebody else: try the next one. If none can
+// be opened, report the first port's error.
 link::Port Connector::open_next() {
   if (settings_.port != "auto") return link::open_port(settings_.port, settings_.options);
   const link::AutoChoice choice = choose();
@@ -105,7 +105,7 @@ link::Port Connector::open_next() {
     throw SetupError(link::why_none(choice));
   }
   const std::size_t all = choice.open.size() + choice.passed_over.size();
-  if (all > 1 && !std::exchange(several_said_, true))
+  if (all > 1 && !std::exchange(several_reported_, true))
     say_(std::to_string(all) +
          " ports may be a TP100 (see `tp100d ports`), the likeliest first; name the robot's with "
          "--port or link.port");

@@ -16,11 +16,11 @@
 namespace tp100::live {
 
 struct ConnectorSettings {
-  std::string port = "auto";  ///< path, or auto: link::choose_for_auto(), and after a robot was
-                              ///< found that one only
+  /// Path, or auto: link::choose_for_auto(); once a robot was found, only its port.
+  std::string port = "auto";
   link::PortOptions options{};
-  bool wait = false;     ///< do not give up before the first hello
-  bool attended = true;  ///< no service: see link::choose_for_auto()
+  bool wait = false;     ///< keep trying before the first hello, too
+  bool attended = true;  ///< false: runs as a service, see link::choose_for_auto()
 };
 
 class Connector {
@@ -28,22 +28,22 @@ class Connector {
   static constexpr HostNs kFirstRetryNs = 50 * kNsPerMs;
   static constexpr HostNs kLongestRetryNs = 2 * kNsPerS;
 
-  /// `say` gets one line for each thing worth a log line; `loop` must outlive the connector's
-  /// ticks.
+  /// `say` receives one line per event for the log; `loop` must outlive the connector's ticks.
   Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
             std::function<void(const std::string&)> say);
 
-  /// Takes lost ports back and opens again when it is time. Throws SetupError if there is no port
-  /// to be had and nobody asked to wait.
+  /// Takes lost ports back and reopens when due. Throws SetupError if no port can be opened and
+  /// `wait` is off.
   void tick(HostNs now);
-  /// The robot said hello: from now on the connector waits whatever happens.
+  /// The robot sent its hello: from now on the connector never gives up.
   void robot_found() {
     found_ = true;
     robot_ = opened_;
   }
-  /// A session is ready: the next retry is quick again.
+  /// A session is ready: the next retry comes early again.
   void session_ready() { retry_ns_ = kFirstRetryNs; }
-  /// The program ends: no more opening. The port closes with the connector, after the loop.
+  /// The program is ending: opens no more ports. The port closes with the connector, after the
+  /// loop.
   void stop() { stopped_ = true; }
 
   /// Port in use, or the last one.
@@ -63,8 +63,8 @@ class Connector {
   link::Port port_;
   std::string path_;
   std::string last_line_;
-  // By auto: which one is open; the robot's, once it said hello; and those on which nothing spoke
-  // like a TP100, by device file, which is another one after they were plugged in again.
+  // For "auto": the open port; the robot's port, once it sent hello; and the ports where no TP100
+  // replied, by device file, which changes when they are replugged.
   std::optional<link::PortInfo> opened_, robot_;
   std::set<std::string> silent_;
   std::size_t candidates_ = 1;
@@ -74,7 +74,7 @@ class Connector {
   bool pseudo_terminal_ = false;
   bool found_ = false;
   bool stopped_ = false;
-  bool several_said_ = false;
+  bool several_reported_ = false;
 };
 
 }  // namespace tp100::live

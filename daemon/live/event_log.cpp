@@ -13,13 +13,12 @@
 namespace tp100::live {
 namespace {
 
-using Kind = link::SessionEvent::Kind;
 using namespace std::chrono_literals;
 
-// More lines than this within a second are noise.
+// More lines per second than this are folded.
 constexpr int kBurst = 50;
 constexpr HostNs kStatusPeriodNs = 10 * kNsPerS;
-// A gyro at rest is known after half a second, a world answers soon.
+// The gyro's standstill is detected within half a second, and a world replies soon.
 constexpr HostNs kRefusalNs = kNsPerS;
 constexpr std::size_t kWaiting = 1024;
 constexpr auto kPatience = 1000ms, kLook = 5ms;
@@ -29,7 +28,7 @@ constexpr auto kPatience = 1000ms, kLook = 5ms;
 struct EventLog::Writer {
   std::shared_ptr<spdlog::details::thread_pool> pool =
       std::make_shared<spdlog::details::thread_pool>(kWaiting, 1);
-  // An asynchronous logger wants to be shared.
+  // spdlog's asynchronous logger must be owned by a shared_ptr.
   std::shared_ptr<spdlog::async_logger> logger = std::make_shared<spdlog::async_logger>(
       "tp100d", std::make_shared<spdlog::sinks::stderr_color_sink_mt>(), pool,
       spdlog::async_overflow_policy::overrun_oldest);
@@ -44,18 +43,18 @@ bool EventLog::flush() {
   for (std::chrono::milliseconds waited{0}; writer_->pool->queue_size() > 0 && waited < kPatience;
        waited += kLook)
     std::this_thread::sleep_for(kLook);
-  // The last line may be on its way still.
+  // The last line may still be on its way.
   std::this_thread::sleep_for(kLook);
   return writer_->pool->queue_size() == 0;
 }
 
 EventLog::~EventLog() {
-  // Its thread hangs in a write that may never end: it goes with the process.
+  // The thread hangs in a write that may never end: leave it to the end of the process.
   if (!flush()) {
     static_cast<void>(writer_.release());
     return;
   }
-  // Its thread ends before the logger does: a last line may still hold that.
+  // The pool's thread ends before the logger: a last line may still hold a reference to it.
   writer_->pool.reset();
 }
 
@@ -78,9 +77,9 @@ bool EventLog::allow() {
 
 void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>& all_words) {
   if (event.kind == LiveEvent::Kind::kSession) {
-    // A port on which nothing is heard says so once.
-    const bool silent = event.session.kind == Kind::kTimeout;
-    const bool told = std::exchange(silence_told_, silent);
+    // A silent port is logged once.
+    const bool silent = link::as<link::Silence>(event.session) != nullptr;
+    const bool told = std::exchange(silence_reported_, silent);
     tick(event.session.at_ns);
     if ((silent && told) || !allow()) return;
   }
@@ -90,7 +89,7 @@ void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>&
 void EventLog::words(const std::vector<messages::Event>& all) {
   for (const messages::Event& words : all) {
     const std::string line = words.text + (words.cause.empty() ? "" : ": " + words.cause) +
-                             (words.remedy.empty() ? "" : "; " + words.remedy);
+                             (words.fix.empty() ? "" : "; " + words.fix);
     switch (words.level) {
       case messages::Event::Level::kInfo:
         writer_->logger->info("{}", line);
@@ -105,26 +104,34 @@ void EventLog::words(const std::vector<messages::Event>& all) {
   }
 }
 
+void EventLog::recording(const messages::RecordingFigures& before,
+                         const messages::RecordingFigures& now) {
+  if (now.file != before.file) info("recording to " + now.file);
+  if (!now.warning.empty() && now.warning != before.warning) warn(now.warning);
+  if (now.dropped > 0 && before.dropped == 0)
+    warn(now.file + ": the disk is too slow, steps are missing in the recording");
+}
+
 void EventLog::grants(const std::vector<loop::Grant>& grants) {
   for (const loop::Grant& grant : grants) {
     if (grant.granted) {
       writer_->logger->info("real time: {}", grant.what);
     } else {
-      writer_->logger->info("real time: no {}; {}", grant.what, grant.remedy);
+      writer_->logger->info("real time: no {}; {}", grant.what, grant.fix);
     }
   }
 }
 
-// Without a course, or during a run, nobody thinks of a start; that there is no robot is said.
+// Without a course or during a run nobody expects a start, and a missing robot is logged elsewhere.
 void EventLog::refusal(StartRefusal refusal, HostNs now) {
   if (refusal != refusal_) {
     refusal_ = refusal;
     refusal_since_ns_ = now;
-    refusal_told_ = false;
+    refusal_reported_ = false;
   }
   const bool known = refusal <= StartRefusal::kNoSession;
-  if (known || refusal_told_ || now - refusal_since_ns_ < kRefusalNs) return;
-  refusal_told_ = true;
+  if (known || refusal_reported_ || now - refusal_since_ns_ < kRefusalNs) return;
+  refusal_reported_ = true;
   warn("a start would be refused: " + std::string(to_string(refusal)));
 }
 
@@ -133,11 +140,11 @@ void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs n
   if (status.session != SessionState::kReady || now < next_status_ns_) return;
   next_status_ns_ = now + kStatusPeriodNs;
   const LinkCounters& link = status.counters;
-  const Pose& pose = status.snapshot.odometry;
+  const Pose& pose = status.snapshot.estimates[PoseSource::kOdometry].pose;
   writer_->logger->info(
       "x {:.3f} m, y {:.3f} m, yaw {:.1f} deg; samples {}, lost {}, bad frames {}, overruns {}; "
       "clock drift {:.1f} ppm, +-{:.0f} us; battery {:.2f} V",
-      pose.x_m, pose.y_m, pose.yaw_rad * kDegPerRad, link.samples, link.lost, link.damaged(),
+      pose.x_m, pose.y_m, pose.yaw_rad * kDegPerRad, link.samples, link.lost, link.corrupted(),
       overruns, status.clock.drift * 1e6, status.clock.uncertainty_us,
       status.snapshot.sample.battery_v);
 }

@@ -1,7 +1,7 @@
 #pragma once
-// The log: one line per event on standard error. spdlog stays in the source file; never used by the
-// real-time thread. Lines are written by a thread of its own: who does not read them (a pager, a
-// stopped terminal) holds up nobody, and loses the oldest.
+// The log: one line per event on standard error. spdlog stays in the source file. Never used by the
+// real-time thread. A thread of its own writes the lines: a reader that stalls (a pager, a stopped
+// terminal) blocks nothing and loses the oldest lines.
 
 #include <memory>
 #include <string>
@@ -17,25 +17,27 @@ namespace tp100::live {
 class EventLog {
  public:
   EventLog();
-  /// Writes what waits; gives up on a reader who takes nothing for a second.
+  /// Writes the waiting lines; gives up if the reader takes nothing for a second.
   ~EventLog();
 
-  /// Waits until all is written; false: the reader took nothing for a second.
+  /// Waits until everything is written; false: the reader took nothing for a second.
   bool flush();
 
   void info(const std::string& line);
   void warn(const std::string& line);
-  /// `all_words`: of the event, one line each. Bursts of the same kind are folded.
+  /// `all_words`: the event in words, one line each. Bursts of the same kind are folded.
   void event(const LiveEvent& event, const std::vector<messages::Event>& all_words);
-  /// One line each.
+  /// Logs one line each.
   void words(const std::vector<messages::Event>& all);
-  /// What the real-time thread asked for and got.
+  /// Logs a recording that began, and what it lost.
+  void recording(const messages::RecordingFigures& before, const messages::RecordingFigures& now);
+  /// Logs which privileges the real-time thread requested and got.
   void grants(const std::vector<loop::Grant>& grants);
-  /// The line of figures, every ten seconds, and what stands against a start for over a second.
+  /// Logs the line of figures every ten seconds, and what has blocked a start for over a second.
   void status(const LiveStatus& status, std::uint64_t overruns, HostNs now);
-  /// Time passes: what was folded is summed up.
+  /// Call it regularly: logs the sum of folded lines.
   void tick(HostNs now);
-  /// The loop's times since its start in one line.
+  /// Logs the loop's timing since its start in one line.
   void times(const messages::LoopFigures& loop);
 
  private:
@@ -48,10 +50,10 @@ class EventLog {
   HostNs next_status_ns_ = 0;
   HostNs burst_began_ns_ = 0;
   int burst_ = 0;
-  bool silence_told_ = false;
+  bool silence_reported_ = false;
   StartRefusal refusal_ = StartRefusal::kNone;
   HostNs refusal_since_ns_ = 0;
-  bool refusal_told_ = false;
+  bool refusal_reported_ = false;
   std::uint64_t folded_ = 0;
 };
 

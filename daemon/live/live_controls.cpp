@@ -1,17 +1,47 @@
 #include "live/live_controls.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
-#include "live/parameter_list.h"
+#include "core/angle.h"
+#include "course/robot.h"
+#include "text/key.h"
 
 namespace tp100::live {
 namespace {
 
+using messages::ParameterText;
+
 constexpr const char* kBusy = "too many requests wait; try again";
+
+struct LiveKey {
+  std::string_view name;
+  LiveParameter parameter;
+  double si = 1.0;
+};
+// Safety limits cannot be changed live.
+constexpr std::array<LiveKey, 8> kLiveKeys = {{
+    {"estimation.steering", LiveParameter::kSteering},
+    {"control.preview_s", LiveParameter::kPreview},
+    {"control.cross_track_gain_1ps", LiveParameter::kCrossTrackGain},
+    {"control.max_approach_deg", LiveParameter::kMaxApproach, kRadPerDeg},
+    {"control.acceleration_mps2", LiveParameter::kAcceleration},
+    {"control.min_speed_mps", LiveParameter::kMinSpeed},
+    {"control.pivot_rate_radps", LiveParameter::kPivotRate},
+    {"control.pivot_acceleration_radps2", LiveParameter::kPivotAcceleration},
+}};
+
+const LiveKey* live_key(std::string_view name) {
+  for (const LiveKey& key : kLiveKeys)
+    if (key.name == name) return &key;
+  return nullptr;
+}
 
 }  // namespace
 
-messages::Durations durations(const loop::Histogram& histogram) {
+messages::Durations durations(const Histogram& histogram) {
   const auto us = [&](double fraction) {
     return static_cast<double>(histogram.percentile(fraction)) * 1e-3;
   };
@@ -42,7 +72,7 @@ std::string LiveControls::set(const messages::ParameterText& parameter,
   return cycle_.change(*change) ? std::string() : kBusy;
 }
 
-// Viewers need not know where the runs lie.
+// Viewers get no path of this machine.
 messages::RecordingFigures LiveControls::recording() {
   messages::RecordingFigures figures = recording_.figures();
   const std::size_t folder = figures.file.rfind(figures.run + '/');
@@ -53,7 +83,7 @@ messages::RecordingFigures LiveControls::recording() {
   return figures;
 }
 
-// The answers may come when these controls are gone, but never after the recording.
+// The reply may come after these controls are gone, but never after the recording is.
 void LiveControls::record_start(const std::string& name, RecordAnswer answer) {
   recording_.start(name, [&recording = recording_, answer](const std::string& why) {
     answer(why, recording.figures());
@@ -69,17 +99,17 @@ void LiveControls::record_stop(RecordAnswer answer) {
 messages::LoopFigures LiveControls::loop() {
   const loop::LoopStatistics& statistics = loop_.statistics();
   messages::LoopFigures out;
-  out.turns = statistics.turns.load();
+  out.cycles = statistics.cycles.load();
   out.overruns = statistics.overruns.load();
   out.missed = statistics.missed.load();
-  out.without_frame = statistics.without_frame.load();
+  out.frame_timeouts = statistics.frame_timeouts.load();
   out.lateness = durations(statistics.lateness);
   out.work = durations(statistics.work);
   out.compute = durations(statistics.compute);
   out.write = durations(statistics.write);
-  out.sample_wire = durations(cycle_.sample_times().wire);
-  out.sample_wait = durations(cycle_.sample_times().wait);
-  out.sample_age = durations(cycle_.sample_times().age);
+  out.sample_wire = durations(cycle_.sample_latency().wire);
+  out.sample_wait = durations(cycle_.sample_latency().wait);
+  out.sample_age = durations(cycle_.sample_latency().age);
   out.lost_records = cycle_.lost_records();
   out.lost_events = cycle_.lost_events();
   std::uint64_t below = 0;
@@ -125,6 +155,33 @@ void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
 void LiveControls::end() {
   const std::lock_guard lock(mutex_);
   ending_ = true;
+}
+
+std::optional<ParameterChange> change_for(const ParameterText& parameter,
+                                          const messages::ParameterValue& value) {
+  const LiveKey* key = live_key(parameter.name);
+  if (key == nullptr) return std::nullopt;
+  if (const double* number = std::get_if<double>(&value))
+    return ParameterChange{key->parameter, *number * key->si};
+  const std::string* name = std::get_if<std::string>(&value);
+  const auto choice = name == nullptr
+                          ? parameter.choices.end()
+                          : std::find(parameter.choices.begin(), parameter.choices.end(), *name);
+  if (choice == parameter.choices.end()) return std::nullopt;
+  return ParameterChange{key->parameter, static_cast<double>(choice - parameter.choices.begin())};
+}
+
+std::vector<ParameterText> parameter_list(const config::Configuration& configuration,
+                                          const course::Robot& robot) {
+  std::vector<text::KeyText> keys = config::configuration_keys(configuration);
+  for (text::KeyText& key : course::robot_keys(robot)) keys.push_back(std::move(key));
+  std::vector<ParameterText> out;
+  for (text::KeyText& key : keys) {
+    const LiveKey* live = live_key(key.name);
+    const bool only_at_standstill = live != nullptr && live->parameter == LiveParameter::kSteering;
+    out.push_back({std::move(key), live != nullptr, only_at_standstill});
+  }
+  return out;
 }
 
 }  // namespace tp100::live

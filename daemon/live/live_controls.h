@@ -1,13 +1,18 @@
 #pragma once
-// What viewers ask, handed to the real-time loop; and what only the loop and the ports know.
+// Passes viewers' requests to the real-time loop, and provides what only the loop and the ports
+// know.
 
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "config/configuration.h"
+#include "core/command.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
 #include "loop/fixed_rate_loop.h"
+#include "messages/parameter_text.h"
 #include "server/controls.h"
 
 namespace tp100::live {
@@ -18,7 +23,7 @@ class LiveControls : public server::Controls {
   LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording)
       : cycle_(cycle), loop_(loop), recording_(recording) {}
 
-  // The server's thread.
+  // The server's thread:
   std::string start() override;
   std::string hold() override;
   void stop() override;
@@ -31,12 +36,12 @@ class LiveControls : public server::Controls {
   messages::RecordingFigures recording() override;
   StartConsent start_consent() override;  // any thread
 
-  // The supervisor's thread.
+  // The supervisor's thread:
   void set_port(messages::PortFigures port);
-  /// What the supervisor knows; whether something has run, the cycle says.
+  /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
   void set_grants(const std::vector<loop::Grant>& grants);
-  /// The program ends: nothing is started any more.
+  /// The program is ending: refuses further starts.
   void end();
 
  private:
@@ -51,6 +56,14 @@ class LiveControls : public server::Controls {
 };
 
 /// Figures of a histogram of nanoseconds.
-messages::Durations durations(const loop::Histogram& histogram);
+messages::Durations durations(const Histogram& histogram);
+
+/// Every key of configuration and robot as published to viewers.
+std::vector<messages::ParameterText> parameter_list(const config::Configuration& configuration,
+                                                    const course::Robot& robot);
+
+/// The parameter change that gives a live parameter this value; nothing if it is not live.
+std::optional<ParameterChange> change_for(const messages::ParameterText& parameter,
+                                          const messages::ParameterValue& value);
 
 }  // namespace tp100::live

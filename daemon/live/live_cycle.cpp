@@ -39,7 +39,7 @@ bool LiveCycle::take_status(LiveStatus& status) {
 }
 
 bool LiveCycle::received(std::span<const std::uint8_t> bytes, HostNs now) {
-  cycle_.receive(bytes, now);
+  cycle_.session().receive(bytes, now);
   received_ns_ = now;
   return cycle_.session().has_samples();
 }
@@ -49,7 +49,7 @@ void LiveCycle::step(HostNs now) {
   cycle_.step(now);
 }
 
-void LiveCycle::settle(HostNs now) {
+void LiveCycle::after_write(HostNs now) {
   time_sample(now);
   record();
   pass_events();
@@ -75,11 +75,11 @@ void LiveCycle::pass_run_state(HostNs now) {
 }
 
 void LiveCycle::time_sample(HostNs now) {
-  if (cycle_.samples().empty()) return;
-  const HostNs measured_ns = cycle_.samples().back().measured_ns;
-  sample_times_.wire.add(received_ns_ - measured_ns);
-  sample_times_.wait.add(now - received_ns_);
-  sample_times_.age.add(now - measured_ns);
+  if (cycle_.inputs().samples.empty()) return;
+  const HostNs measured_ns = cycle_.inputs().samples.back().measured_ns;
+  sample_latency_.wire.add(received_ns_ - measured_ns);
+  sample_latency_.wait.add(now - received_ns_);
+  sample_latency_.age.add(now - measured_ns);
 }
 
 void LiveCycle::record() {
@@ -94,32 +94,33 @@ void LiveCycle::record() {
 void LiveCycle::take_inputs() {
   Asked asked;
   while (requests_.pop(asked)) {
-    if (winding_up_ || (asked.only_first && has_run())) continue;
+    if (shutting_down_ || (asked.only_first && has_run())) continue;
     cycle_.request(asked.request);
   }
   ParameterChange change;
-  for (std::size_t i = 0; i < bridge::Cycle::kMaxChanges && changes_.pop(change); ++i)
+  for (std::size_t i = 0; i < StepInputs::Changes::kCapacity && changes_.pop(change); ++i)
     cycle_.change(change);
   CameraSample seen;
-  for (std::size_t i = 0; i < bridge::Cycle::kMaxCamera && camera_.pop(seen); ++i)
+  for (std::size_t i = 0; i < StepInputs::Camera::kCapacity && camera_.pop(seen); ++i)
     cycle_.camera(seen);
-  WorldSample said;
-  for (std::size_t i = 0; i < kWaitingWorld && world_.pop(said); ++i) cycle_.world(said);
-  // Last: nothing that was asked in the same step may undo it.
+  WorldSample received;
+  for (std::size_t i = 0; i < kWaitingWorld && world_.pop(received); ++i) cycle_.world(received);
+  // Last, so that no other request of the same step can undo it.
   if (stop_asked_.exchange(false, std::memory_order_acq_rel))
     cycle_.request(OperatorRequest::kStop);
 }
 
 void LiveCycle::pass_events() {
-  for (const link::SessionEvent& session : cycle_.take_events()) {
+  for (const link::SessionEvent& session : cycle_.session().take_events()) {
     LiveEvent event;
     event.at_ns = session.at_ns;
     event.session = session;
     event.hello = cycle_.session().hello();
     push(event);
-    if (session.kind != link::SessionEvent::Kind::kTimeout) continue;
-    const bool spoke = session.a != static_cast<std::int32_t>(SessionState::kListening);
-    hang_up_ = hang_up_ || spoke || leave_silent_port_;
+    const link::Silence* silence = link::as<link::Silence>(session);
+    if (silence == nullptr) continue;
+    const bool answered = silence->state != SessionState::kListening;
+    drop_port_ = drop_port_ || answered || leave_silent_port_;
   }
 }
 
@@ -128,17 +129,17 @@ void LiveCycle::push(const LiveEvent& event) {
 }
 
 void LiveCycle::publish(HostNs now) {
-  if (now < next_status_ns_ && !winding_up_) return;
+  if (now < next_status_ns_ && !shutting_down_) return;
   next_status_ns_ = now + kStatusPeriodNs;
   const link::Session& session = cycle_.session();
   statuses_.push({session.state(), session.counters(), session.clock(), session.hello(),
                   cycle_.outputs().snapshot});
 }
 
-bool LiveCycle::take_hang_up() { return std::exchange(hang_up_, false); }
+bool LiveCycle::take_port_drop() { return std::exchange(drop_port_, false); }
 
-bool LiveCycle::wind_up(HostNs now) {
-  if (!std::exchange(winding_up_, true)) cycle_.disarm(now);
+bool LiveCycle::shut_down(HostNs now) {
+  if (!std::exchange(shutting_down_, true)) cycle_.disarm(now);
   return !cycle_.request_pending();
 }
 

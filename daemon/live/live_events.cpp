@@ -2,18 +2,18 @@
 
 #include <cstdio>
 #include <utility>
+#include <variant>
 
-#include "core/flash_command.h"
+#include "core/faults.h"
 
 namespace tp100::live {
 namespace {
 
-using Kind = link::SessionEvent::Kind;
 using messages::Event;
 using Level = messages::Event::Level;
 
-const char* request_name(std::int32_t type) {
-  switch (static_cast<wire::Type>(type)) {
+const char* request_name(wire::Type type) {
+  switch (type) {
     case wire::Type::kParameters:
       return "parameters";
     case wire::Type::kArm:
@@ -45,18 +45,18 @@ std::string hex(std::uint32_t value) {
 }
 
 /// Why the robot refused the request.
-std::string refusal(const link::SessionEvent& event) {
-  switch (static_cast<wire::Result>(event.b)) {
+std::string refusal(const link::Acknowledged& answer) {
+  switch (answer.result) {
     case wire::Result::kWrongBoot:
       return "it has restarted";
     case wire::Result::kStaleToken:
       return "stale token";
     case wire::Result::kFaultPersists:
-      return "a fault persists: " + fault_names(event.detail);
+      return "a fault persists: " + fault_names(answer.detail);
     case wire::Result::kOutOfRange:
-      if (event.a != static_cast<std::int32_t>(wire::Type::kParameters))
+      if (answer.request != wire::Type::kParameters)
         return "its expiry is out of range, the clock relation is wrong; start again";
-      return std::string("value out of range: ") + bridge::parameter_name(event.detail) +
+      return std::string("value out of range: ") + bridge::parameter_name(answer.detail) +
              "; correct it in the robot file";
     case wire::Result::kWrongState:
       return "not in this state";
@@ -71,19 +71,19 @@ std::string versions(const wire::Hello& hello) {
          std::to_string(wire::kProtocolVersion) + " schema " + hex(wire::kSchemaHash);
 }
 
-/// Why the handshake hangs, and what helps.
+/// Why the handshake gets no reply, and what to do.
 void explain_unanswered(SessionState state, Event& out) {
-  out.remedy = "check cable, adapter and hub";
+  out.fix = "check cable, adapter and hub";
   switch (state) {
     case SessionState::kHello:
-      out.cause = "the board speaks the protocol's frames but says no hello";
-      out.remedy = "reset the board, or flash it with " + flash_command();
+      out.cause = "the board sends frames of the protocol but no hello";
+      out.fix = "reset the board, or flash it with " + flash_command();
       break;
     case SessionState::kParameters:
-      out.cause = "the robot says hello but hears nothing of what is sent to it";
+      out.cause = "the robot sends hello but receives nothing";
       break;
     default:
-      out.cause = "the robot sends samples but answers no clock request";
+      out.cause = "the robot sends samples but no reply to clock requests";
   }
 }
 
@@ -111,95 +111,99 @@ std::vector<Event> run_words(const LiveEvent& event) {
                    .level = Level::kError,
                    .text = std::string(text.name),
                    .cause = std::string(text.cause),
-                   .remedy = std::string(text.remedy)});
+                   .fix = std::string(text.fix)});
     faults &= ~fault_bit(*fault);
   }
   return out;
 }
 
-Event session_words(const LiveEvent& live) {
-  const link::SessionEvent& event = live.session;
-  Event out;
-  out.at_ns = event.at_ns;
-  out.kind = "session";
-  switch (event.kind) {
-    case Kind::kState:
-      out.text = change(static_cast<SessionState>(event.a), static_cast<SessionState>(event.b));
-      break;
-    case Kind::kHello:
-      out.text = std::string("hello from ") + board_name(live.hello.board) + ", firmware " +
-                 firmware_text(live.hello) + ", boot " + hex(live.hello.boot_nonce);
-      break;
-    case Kind::kVersionMismatch:
-      out.level = Level::kError;
-      out.text = "wrong version";
-      out.cause = versions(live.hello);
-      out.remedy = "flash the board with " + flash_command();
-      break;
-    case Kind::kUnknownBoard:
-      out.level = Level::kWarning;
-      out.text = "unknown board";
-      out.cause = "hello names board " + std::to_string(event.a) +
-                  ", which this version does not know; it speaks the same messages and may drive";
-      out.remedy = "check that it is the right port (tp100d ports), update the daemon";
-      break;
-    case Kind::kReboot:
-      out.level = Level::kWarning;
-      out.text = "the robot restarted";
-      out.cause = "its hello has another boot number";
-      out.remedy = "check its supply if nobody reset it or pulled its plug";
-      break;
-    case Kind::kBadHello:
-      out.level = Level::kError;
-      out.text = "a hello that no TP100 sends";
-      out.cause =
-          event.a == 0 ? "its boot number is 0" : "it names state " + std::to_string(event.b);
-      out.remedy = "flash the board with " + flash_command();
-      break;
-    case Kind::kRobotFault: {
-      // Beyond the robot's sixteen bits the numbers are the daemon's own.
-      const FaultText& text = describe(static_cast<Fault>(event.a < 16 ? event.a : 255));
-      out.kind = "fault";
-      out.level = Level::kWarning;
-      out.text = "robot fault " + std::string(text.name);
-      if (text.name == "unknown") out.text += " (" + std::to_string(event.a) + ")";
-      out.cause = text.cause;
-      out.remedy = text.remedy;
-      break;
-    }
-    case Kind::kRobotLog:
-      out.kind = "robot";
-      out.text = std::string("robot: ") + event.text.data();
-      break;
-    case Kind::kAcknowledged:
-      out.kind = "acknowledge";
-      out.text = request_name(event.a);
-      if (event.b == 0) {
-        out.text += " acknowledged";
-      } else {
-        out.level = Level::kWarning;
-        out.text += " refused by the robot: " + refusal(event);
-      }
-      break;
-    case Kind::kNotAcknowledged:
-      out.kind = "acknowledge";
-      out.level = Level::kWarning;
-      out.text = std::string(request_name(event.a)) + " not acknowledged";
-      break;
-    case Kind::kTimeout:
-      out.level = Level::kWarning;
-      out.text = "no good frame from the robot in time (state " +
-                 std::string(to_string(static_cast<SessionState>(event.a))) + ")";
-      out.cause = "it is silent, or what comes is damaged";
-      out.remedy = "check its cable and supply; the daemon goes on listening";
-      break;
-    case Kind::kUnanswered:
-      out.level = Level::kWarning;
-      out.text = "no answer from the robot (state " +
-                 std::string(to_string(static_cast<SessionState>(event.a))) + ")";
-      explain_unanswered(static_cast<SessionState>(event.a), out);
-      break;
+/// Says each event of a session in `out`, whose time is set.
+struct SessionWords {
+  const wire::Hello& hello;
+  Event& out;
+
+  void operator()(const link::StateChanged& changed) const {
+    out.text = change(changed.from, changed.to);
   }
+  void operator()(const link::HelloReceived&) const {
+    out.text = std::string("hello from ") + board_name(hello.board) + ", firmware " +
+               firmware_text(hello) + ", boot " + hex(hello.boot_nonce);
+  }
+  void operator()(const link::VersionMismatch&) const {
+    out.level = Level::kError;
+    out.text = "wrong version";
+    out.cause = versions(hello);
+    out.fix = "flash the board with " + flash_command();
+  }
+  void operator()(const link::BadHello& bad) const {
+    out.level = Level::kError;
+    out.text = "invalid hello";
+    out.cause = bad.boot_nonce == 0 ? "its boot number is 0"
+                                    : "it names state " + std::to_string(bad.state);
+    out.fix = "flash the board with " + flash_command();
+  }
+  void operator()(const link::UnknownBoard& unknown) const {
+    out.level = Level::kWarning;
+    out.text = "unknown board";
+    out.cause = "hello names board " + std::to_string(unknown.board) +
+                ", which this version does not know; it uses the same messages and may drive";
+    out.fix = "check that it is the right port (tp100d ports), update the daemon";
+  }
+  void operator()(const link::Rebooted&) const {
+    out.level = Level::kWarning;
+    out.text = "the robot restarted";
+    out.cause = "its hello has another boot number";
+    out.fix = "check its supply unless it was reset or unplugged on purpose";
+  }
+  void operator()(const link::RobotFault& reported) const {
+    // Numbers beyond the robot's sixteen bits are the daemon's own.
+    const FaultText& text =
+        describe(reported.fault < 16 ? static_cast<Fault>(reported.fault) : Fault{255});
+    out.kind = "fault";
+    out.level = Level::kWarning;
+    out.text = "robot fault " + std::string(text.name);
+    if (text.name == "unknown") out.text += " (" + std::to_string(reported.fault) + ")";
+    out.cause = text.cause;
+    out.fix = text.fix;
+  }
+  void operator()(const link::RobotLog& log) const {
+    out.kind = "robot";
+    out.text = std::string("robot: ") + log.text.data();
+  }
+  void operator()(const link::Acknowledged& answer) const {
+    out.kind = "acknowledge";
+    out.text = request_name(answer.request);
+    if (answer.result == wire::Result::kAccepted) {
+      out.text += " acknowledged";
+    } else {
+      out.level = Level::kWarning;
+      out.text += " refused by the robot: " + refusal(answer);
+    }
+  }
+  void operator()(const link::NotAcknowledged& request) const {
+    out.kind = "acknowledge";
+    out.level = Level::kWarning;
+    out.text = std::string(request_name(request.request)) + " not acknowledged";
+  }
+  void operator()(const link::Silence& silence) const {
+    out.level = Level::kWarning;
+    out.text = "no good frame from the robot in time (state " +
+               std::string(to_string(silence.state)) + ")";
+    out.cause = "it is silent, or what comes is corrupted";
+    out.fix = "check its cable and supply; the daemon keeps listening";
+  }
+  void operator()(const link::Unanswered& unanswered) const {
+    out.level = Level::kWarning;
+    out.text = "no answer from the robot (state " + std::string(to_string(unanswered.state)) + ")";
+    explain_unanswered(unanswered.state, out);
+  }
+};
+
+Event session_words(const LiveEvent& live) {
+  Event out;
+  out.at_ns = live.session.at_ns;
+  out.kind = "session";
+  std::visit(SessionWords{live.hello, out}, live.session.what);
   return out;
 }
 
@@ -211,8 +215,11 @@ std::vector<Event> words_for(const LiveEvent& event) {
 }
 
 bool acknowledges_stop(const LiveEvent& event) {
-  return event.kind == LiveEvent::Kind::kSession && event.session.kind == Kind::kAcknowledged &&
-         event.session.a == static_cast<std::int32_t>(wire::Type::kStop) && event.session.b == 0;
+  const link::Acknowledged* answer = event.kind == LiveEvent::Kind::kSession
+                                         ? link::as<link::Acknowledged>(event.session)
+                                         : nullptr;
+  return answer != nullptr && answer->request == wire::Type::kStop &&
+         answer->result == wire::Result::kAccepted;
 }
 
 std::string firmware_text(const wire::Hello& hello) {

@@ -1,5 +1,5 @@
 #pragma once
-// Events of the loop in words, for the log and for viewers. Pure.
+// The loop's events in words, for the log and for viewers. Pure.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace tp100::live {
 
-/// What there is to say about `event`: one thing, and for an abort one more per fault.
+/// Describes `event`: one message, and for an abort one more per fault.
 std::vector<messages::Event> words_for(const LiveEvent& event);
 
 /// The robot acknowledged a STOP.
@@ -18,7 +18,7 @@ bool acknowledges_stop(const LiveEvent& event);
 /// "0.1.0".
 std::string firmware_text(const wire::Hello& hello);
 
-/// Robot's and daemon's versions side by side and what to do, for a hello of another version.
+/// The robot's and the daemon's versions and what to do, for a hello of another version.
 std::string version_mismatch(const wire::Hello& hello);
 
 /// Names of the faults in a mask, separated by commas; "none" if it is empty.

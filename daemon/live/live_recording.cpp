@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <future>
@@ -18,9 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using messages::Channel;
 
-// Every recording that begins later holds all of it: two hours at 200 Hz.
-constexpr std::uint64_t kMostBefore = 300'000'000;
-
 std::string date_and_time(std::int64_t unix_ns) {
   const auto seconds = static_cast<std::time_t>(unix_ns / kNsPerS);
   std::tm local{};
@@ -29,7 +27,12 @@ std::string date_and_time(std::int64_t unix_ns) {
   return {text.data(), std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &local)};
 }
 
-/// Things that happen; the other channels say how something is.
+std::string of_environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string() : value;
+}
+
+/// Channels of events; the other channels hold a state.
 bool happens(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLog; }
 
 [[noreturn]] void fail(const std::string& folder, const std::error_code& error) {
@@ -37,9 +40,34 @@ bool happens(Channel channel) { return channel == Channel::kEvent || channel == 
                    "); give another --record");
 }
 
+record::RecorderSettings recorder_settings(const config::Configuration& configuration) {
+  const config::RecordSettings& settings = configuration.record;
+  std::error_code error;
+  if (!settings.directory.empty()) fs::create_directories(settings.directory, error);
+  if (error) fail(settings.directory, error);
+  if (settings.directory.empty() && settings.black_box_s == 0.0) return {};
+  const std::uint64_t half = std::uint64_t{500'000} * static_cast<std::uint64_t>(settings.max_mb);
+  record::HistorySettings history{.folder = black_box_directory(settings)};
+  if (!settings.directory.empty()) {
+    history.folder = settings.directory;
+    history.max_bytes = std::min(history.max_bytes, half);
+  }
+  return {.history = history,
+          .look_back_ns = std::max<HostNs>(from_s(settings.black_box_s) - kTailNs, 0)};
+}
+
 }  // namespace
 
-bool is_told(Channel channel) {
+std::string black_box_directory(const config::RecordSettings& settings) {
+  if (!settings.black_box_directory.empty()) return settings.black_box_directory;
+  if (!settings.directory.empty()) return settings.directory;
+  if (const std::string state = of_environment("XDG_STATE_HOME"); !state.empty())
+    return state + "/tp100";
+  const std::string home = of_environment("HOME");
+  return home.empty() ? home : home + "/.local/state/tp100";
+}
+
+bool is_latched_or_event(Channel channel) {
   return happens(channel) || channel == Channel::kLink || channel == Channel::kLoop ||
          channel == Channel::kState || channel == Channel::kParameter;
 }
@@ -60,54 +88,55 @@ std::string make_run_folder(const std::string& directory, const std::string& nam
 
 LiveRecording::LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
                              const messages::PublishClock& clock)
-    : files_(files), run_(run), clock_(clock) {
-  const config::RecordSettings& settings = run.configuration.record;
-  if (settings.directory.empty()) return;
-  std::error_code error;
-  fs::create_directories(settings.directory, error);
-  if (error) fail(settings.directory, error);
-  recorder_ = std::make_unique<record::Recorder>(
-      record::RecorderSettings{.journal_folder = settings.directory,
-                               .journal_bytes = std::min(max_bytes() / 2, kMostBefore)});
-}
+    : files_(files), run_(run), clock_(clock), recorder_(recorder_settings(run.configuration)) {}
 
-std::uint64_t LiveRecording::max_bytes() const {
-  return std::uint64_t{1'000'000} * static_cast<std::uint64_t>(run_.configuration.record.max_mb);
-}
-
-record::Recorder::Make LiveRecording::make(const std::string& name) const {
-  const std::string& course = run_.course == nullptr ? std::string("poses") : run_.course->name;
-  const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(monotonic_now()));
-  return [this, name = name.empty() ? course : name, unix_ns] {
-    const std::string folder = make_run_folder(run_.configuration.record.directory, name, unix_ns);
+record::Recorder::Make LiveRecording::make(const std::string& directory, const std::string& name,
+                                           HostNs now, const record::McapMap& facts) const {
+  const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(now));
+  return [this, directory, name, facts, unix_ns] {
+    const auto max_mb = static_cast<std::uint64_t>(run_.configuration.record.max_mb);
     return std::make_unique<record::RecordingWriter>(
-        record::RecordingSettings{
-            .path = folder + "/run.mcap", .max_bytes = max_bytes(), .clock = clock_},
-        config::run_facts(files_, run_, {{"program", "tp100d run"}}));
+        record::RecordingSettings{.path = make_run_folder(directory, name, unix_ns) + "/run.mcap",
+                                  .max_bytes = max_mb * 1'000'000,
+                                  .clock = clock_},
+        config::run_facts(files_, run_, facts));
   };
 }
 
 std::uint64_t LiveRecording::start(const std::string& name, Answer answer) {
-  if (recorder_ == nullptr) {
+  const std::string& directory = run_.configuration.record.directory;
+  if (directory.empty()) {
     answer("nothing can be recorded: give --record or set record.directory");
     return 0;
   }
-  const std::lock_guard lock(mutex_);
-  const std::uint64_t number = recorder_->ask_begin(make(name), std::move(answer));
-  if (number == 0) return 0;
+  const std::string& course = run_.course == nullptr ? std::string("poses") : run_.course->name;
   const HostNs now = monotonic_now();
-  for (const auto& [channel, json] : in_force_) recorder_->message(channel, now, json);
+  const std::lock_guard lock(mutex_);
+  const std::uint64_t number = recorder_.ask_begin(
+      make(directory, name.empty() ? course : name, now, {{"program", "tp100d run"}}),
+      std::move(answer));
+  if (number == 0) return 0;
+  for (const auto& [channel, json] : in_force_) recorder_.message(channel, now, json);
   return number;
 }
 
-void LiveRecording::stop(std::uint64_t number, Answer answer) {
-  if (recorder_ == nullptr) return answer("nothing is recorded");
-  recorder_->ask_end(number, std::move(answer));
+std::uint64_t LiveRecording::start_black_box(const std::string& fault, HostNs now,
+                                             record::Recorder::Ended ended) {
+  const std::string directory = black_box_directory(run_.configuration.record);
+  if (directory.empty()) {
+    ended({.warning = "no folder for it: set record.black_box_directory, or 0 for black_box_s"});
+    return 0;
+  }
+  return recorder_.ask_look_back(
+      make(directory, "black-box-" + fault, now, {{"program", "tp100d run"}, {"black_box", fault}}),
+      std::move(ended));
 }
 
-std::uint64_t LiveRecording::number() const {
-  return recorder_ == nullptr ? 0 : recorder_->number();
+void LiveRecording::stop(std::uint64_t number, Answer answer) {
+  recorder_.ask_end(number, std::move(answer));
 }
+
+std::uint64_t LiveRecording::number() const { return recorder_.number(); }
 
 void LiveRecording::begin() {
   const auto answered = std::make_shared<std::promise<std::string>>();
@@ -116,47 +145,38 @@ void LiveRecording::begin() {
 }
 
 bool LiveRecording::finish(std::chrono::steady_clock::time_point deadline) {
-  return recorder_ == nullptr || recorder_->end(deadline);
+  return recorder_.end(deadline);
 }
 
 void LiveRecording::discard() {
-  if (recorder_ == nullptr) return;
-  recorder_->end();
-  record::remove_recording(recorder_->status().path);
+  recorder_.end();
+  if (const std::string path = recorder_.status().path; !path.empty())
+    record::remove_recording(path);
 }
 
 messages::RecordingFigures LiveRecording::figures() const {
-  messages::RecordingFigures figures;
-  figures.available = recorder_ != nullptr;
-  if (recorder_ == nullptr) return figures;
-  const record::RecordingStatus status = recorder_->status();
-  figures.active = status.active;
-  figures.run = fs::path(status.path).parent_path().filename();
-  figures.file = status.path;
-  figures.elapsed_s = to_s(status.last_ns - status.first_ns);
-  figures.bytes = status.bytes;
-  figures.dropped = status.dropped;
-  figures.warning = status.warning;
-  return figures;
+  const record::RecordingStatus status = recorder_.status();
+  return {.available = !run_.configuration.record.directory.empty(),
+          .active = status.active,
+          .run = fs::path(status.path).parent_path().filename(),
+          .file = status.path,
+          .elapsed_s = to_s(status.last_ns - status.first_ns),
+          .bytes = status.bytes,
+          .dropped = status.dropped,
+          .warning = status.warning};
 }
 
-double LiveRecording::cpu_s() const {
-  return recorder_ == nullptr ? 0.0 : recorder_->status().cpu_s;
-}
+double LiveRecording::cpu_s() const { return recorder_.status().cpu_s; }
 
-void LiveRecording::take(const StepRecord& record) {
-  if (recorder_ != nullptr) recorder_->take(record);
-}
+void LiveRecording::take(const StepRecord& record) { recorder_.take(record); }
 
-void LiveRecording::take_truth(HostNs at, const Pose& truth) {
-  if (recorder_ != nullptr) recorder_->take_truth(at, truth);
-}
+void LiveRecording::take_truth(HostNs at, const Pose& truth) { recorder_.take_truth(at, truth); }
 
 void LiveRecording::hear(messages::Channel channel, std::uint64_t unix_ns, std::string_view json) {
-  if (!is_told(channel)) return;
+  if (!is_latched_or_event(channel)) return;
   const std::lock_guard lock(mutex_);
   if (!happens(channel)) in_force_[channel] = json;
-  if (recorder_ != nullptr) recorder_->message(channel, clock_.host_ns(unix_ns), json);
+  recorder_.message(channel, clock_.host_ns(unix_ns), json);
 }
 
 }  // namespace tp100::live

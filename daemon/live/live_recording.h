@@ -1,10 +1,9 @@
 #pragma once
-// The recordings of a running bridge: one at a time, from the start of the program or when somebody
-// asks. Each can be replayed, whenever it began (record/recorder.h).
+// The recordings of a running bridge, one at a time: from the start of the program, on request, or
+// around a fault. Each can be replayed, whenever it began (record/recorder.h).
 
 #include <chrono>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -16,60 +15,71 @@
 
 namespace tp100::live {
 
+/// Folder for black boxes: record.black_box_directory, else record.directory, else
+/// $XDG_STATE_HOME/tp100 or ~/.local/state/tp100; empty if there is no home directory.
+std::string black_box_directory(const config::RecordSettings& settings);
+
+/// How long a recording of a run or a black box goes on after the run or the fault.
+inline constexpr HostNs kTailNs = kNsPerS;
+
 class LiveRecording : public messages::Sink {
  public:
-  /// Records nothing yet. `run` and its configuration must outlive this. Throws SetupError: nothing
-  /// can be written to record.directory.
+  /// Records nothing yet. `run` and its configuration must outlive this. Throws SetupError:
+  /// record.directory cannot be created.
   LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
                 const messages::PublishClock& clock);
 
   using Answer = record::Recorder::Answer;
 
   // Any thread; none of these waits for the disk.
-  /// A recording begins here, in a new folder of record.directory; an empty `name` is the course's.
-  /// Returns its number; 0: refused, as the answer says.
+  /// Begins a recording in a new folder of record.directory; an empty `name` means the course's.
+  /// Returns its number; 0: refused, and the answer tells why.
   std::uint64_t start(const std::string& name, Answer answer);
-  /// Recording `number`, or whichever there is if that is 0, ends here.
+  /// Ends recording `number`, or the current one if that is 0.
   void stop(std::uint64_t number, Answer answer);
-  /// Of the recording that is running or asked for; 0: none.
+  /// Begins a recording in black_box_directory() that is record.black_box_s long kTailNs later. It
+  /// makes way for any other. `ended`: see record::Recorder. 0: refused.
+  std::uint64_t start_black_box(const std::string& fault, HostNs now,
+                                record::Recorder::Ended ended);
+  /// Number of the recording that is running or requested, except of black boxes; 0: none.
   std::uint64_t number() const;
   messages::RecordingFigures figures() const;
-  /// CPU time that recordings have taken [s].
+  /// CPU time used by recordings [s].
   double cpu_s() const;
-  /// Takes a message of a channel (server::Listener) and records it if it does not follow from the
-  /// steps.
+  /// Takes a message of a channel (server::Listener) and records it if it cannot be derived from
+  /// the steps.
   void hear(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
 
-  // The thread that drains the steps.
+  // Called by the thread that drains the steps.
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
 
-  // These wait for the disk.
-  /// As start(). Throws SetupError.
+  // These wait for the disk:
+  /// Like start(). Throws SetupError.
   void begin();
-  /// Ends the recording and waits until all of it is written; false: not before `deadline`.
+  /// Ends the recording and waits until it is written; false: `deadline` passed first.
   bool finish(std::chrono::steady_clock::time_point deadline);
-  /// Removes the recording: the run never began.
+  /// Removes the recording of a run that never began.
   void discard();
 
  private:
-  std::uint64_t max_bytes() const;
-  record::Recorder::Make make(const std::string& name) const;
+  record::Recorder::Make make(const std::string& directory, const std::string& name, HostNs now,
+                              const record::McapMap& facts) const;
 
   const config::RunFiles& files_;
   const config::RunSetup& run_;
   messages::PublishClock clock_;
-  std::mutex mutex_;                                   // of what follows
-  std::map<messages::Channel, std::string> in_force_;  // the last message of channels that have one
-  std::unique_ptr<record::Recorder> recorder_;         // null: no folder is set
+  std::mutex mutex_;                                   // guards what follows
+  std::map<messages::Channel, std::string> in_force_;  // the last message of each latched channel
+  record::Recorder recorder_;
 };
 
-/// Whether a message of that channel does not follow from the steps: only who is told can record
-/// it.
-bool is_told(messages::Channel channel);
+/// Whether messages of that channel cannot be derived from the steps, so that they must be recorded
+/// when they are published.
+bool is_latched_or_event(messages::Channel channel);
 
-/// DIRECTORY/YYYYMMDD-HHMMSS-NAME in local time, with -2, -3, ... behind NAME if that folder is
-/// there already. Makes the folder. Throws SetupError.
+/// Makes DIRECTORY/YYYYMMDD-HHMMSS-NAME in local time, with -2, -3, ... after NAME if that folder
+/// already exists. Throws SetupError.
 std::string make_run_folder(const std::string& directory, const std::string& name,
                             std::int64_t unix_ns);
 

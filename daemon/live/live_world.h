@@ -1,20 +1,20 @@
 #pragma once
-// Everything of a run that talks to an external world: world/1, text files, Live Link.
+// All interfaces of a run to an external world: world/1, text files, Live Link.
 
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "config/world_run.h"
+#include "config/world_settings.h"
+#include "live/udp_ports.h"
 #include "live/world_files.h"
-#include "live/world_port.h"
 #include "messages/sink.h"
 
 namespace tp100::live {
 
-/// For the figures of a run; what is not in use is absent.
+/// Figures of a run; unused interfaces are absent.
 struct WorldFigures {
-  std::string name;  ///< of the kind
+  std::string name;  ///< name of the kind
   std::optional<worlds::PeerCounters> udp;
   std::uint64_t strangers = 0;
   std::optional<WorldFileCounters> files;
@@ -22,16 +22,16 @@ struct WorldFigures {
 
 class LiveWorld : public messages::Sink {
  public:
-  /// Opens what the run asks for, which may be nothing. Throws SetupError.
+  /// Opens the configured interfaces, if any. Throws SetupError.
   LiveWorld(boost::asio::io_context& context, const config::WorldRun& run,
             const config::GiveWorld& give);
   ~LiveWorld() override;
 
   void take(const StepRecord& record) override;
   void stop();
-  /// Waits until no file is written any more; false: not before `deadline`.
+  /// Waits until no file is being written; false: `deadline` passed first.
   bool ended_by(std::chrono::steady_clock::time_point deadline);
-  /// Something to log since the last call, or empty.
+  /// A line to log since the last call, or empty.
   std::string take_note();
   WorldFigures figures() const;
 

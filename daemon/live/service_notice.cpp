@@ -22,7 +22,7 @@ std::string_view variable(const char* name) {
   return value == nullptr ? std::string_view() : std::string_view(value);
 }
 
-/// 0 if it is no whole number above 0.
+/// 0 unless it is a whole number above 0.
 std::int64_t number(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -37,7 +37,7 @@ ServiceSettings service_settings() {
   settings.socket = variable("NOTIFY_SOCKET");
   const std::string_view guarded = variable("WATCHDOG_PID");
   const std::int64_t us = number(variable("WATCHDOG_USEC"));
-  // Inherited from a parent that is watched itself, it is not meant for us.
+  // Inherited from a parent that is itself watched, it does not apply to us.
   const bool ours = guarded.empty() || number(guarded) == ::getpid();
   if (ours && us < std::numeric_limits<HostNs>::max() / kNsPerUs)
     settings.watchdog_ns = us * kNsPerUs;
@@ -56,7 +56,7 @@ std::string ServiceNotice::ready() {
   if (settings_.socket.empty()) return {};
   const int error = send("READY=1");
   if (error == 0) return {};
-  return "NOTIFY_SOCKET=" + settings_.socket + ": the service manager cannot be told (" +
+  return "NOTIFY_SOCKET=" + settings_.socket + ": the service manager cannot be notified (" +
          std::strerror(error) + "); start the program by systemctl, or without that variable";
 }
 
@@ -66,16 +66,16 @@ void ServiceNotice::status(const std::string& line) {
   send("STATUS=" + line);
 }
 
-void ServiceNotice::alive(std::uint64_t turns, HostNs now) {
-  if (settings_.watchdog_ns == 0 || now < next_ns_ || turns == turns_) return;
-  turns_ = turns;
+void ServiceNotice::alive(std::uint64_t cycles, HostNs now) {
+  if (settings_.watchdog_ns == 0 || now < next_ns_ || cycles == cycles_) return;
+  cycles_ = cycles;
   next_ns_ = now + settings_.watchdog_ns / 4;
   send("WATCHDOG=1");
 }
 
 void ServiceNotice::stopping() { send("STOPPING=1"); }
 
-// The errno of what went wrong, or 0.
+// The errno of a failure, or 0.
 int ServiceNotice::send(const std::string& text) const {
   sockaddr_un address{};
   const std::string& name = settings_.socket;

@@ -1,6 +1,6 @@
 #pragma once
-// What a service manager hears of `tp100d run` over $NOTIFY_SOCKET (systemd: Type=notify,
-// WatchdogSec). Never used by the real-time thread; never waits.
+// Notifies a service manager of the state of `tp100d run` over $NOTIFY_SOCKET (systemd:
+// Type=notify, WatchdogSec). Never used by the real-time thread; never waits.
 
 #include <cstdint>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace tp100::live {
 
-/// What a service manager says to the programs that it starts.
+/// What a service manager passes to the programs that it starts.
 struct ServiceSettings {
-  std::string socket;      ///< path, or @name of an abstract socket; empty: nobody listens
-  HostNs watchdog_ns = 0;  ///< without a sign of life for this long the program is killed; 0: never
+  std::string socket;      ///< path, or @name of an abstract socket; empty: no service manager
+  HostNs watchdog_ns = 0;  ///< longest time between two watchdog messages; 0: no limit
 };
 
 /// From NOTIFY_SOCKET, WATCHDOG_USEC and WATCHDOG_PID of the environment.
@@ -25,13 +25,13 @@ class ServiceNotice {
   ServiceNotice(const ServiceNotice&) = delete;
   ServiceNotice& operator=(const ServiceNotice&) = delete;
 
-  /// The program has begun. Returns why nobody can be told so, or nothing.
+  /// Reports that the program has started. Returns why this failed, or nothing.
   std::string ready();
-  /// One line for who asks how it is; the same line again is not sent.
+  /// Reports the state in one line; an unchanged line is not sent again.
   void status(const std::string& line);
-  /// Four times a watchdog's period says that the program lives, but only if `turns`, the real-time
-  /// loop's so far, has grown since: who hangs there is killed.
-  void alive(std::uint64_t turns, HostNs now);
+  /// Feeds the watchdog four times per period, but only if `cycles`, the real-time loop's count,
+  /// has grown since: a hung loop gets the program killed.
+  void alive(std::uint64_t cycles, HostNs now);
   void stopping();
 
  private:
@@ -39,7 +39,7 @@ class ServiceNotice {
 
   ServiceSettings settings_;
   std::string status_;
-  std::uint64_t turns_ = 0;
+  std::uint64_t cycles_ = 0;
   HostNs next_ns_ = 0;
   int socket_ = -1;
 };

@@ -1,9 +1,12 @@
 #include "live/stats_file.h"
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/angle.h"
 #include "core/error.h"
+#include "live/live_events.h"
 #include "text/atomic_file.h"
 
 namespace tp100::live {
@@ -12,10 +15,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json loop_figures(const messages::LoopFigures& loop) {
-  Json json = {{"turns", loop.turns},
+  Json json = {{"cycles", loop.cycles},
                {"overruns", loop.overruns},
                {"missed", loop.missed},
-               {"without_frame", loop.without_frame},
+               {"frame_timeouts", loop.frame_timeouts},
                {"lost_records", loop.lost_records},
                {"lost_events", loop.lost_events}};
   loop.each_time([&](const char* name, const messages::Durations& of) { json[name] = of; });
@@ -35,7 +38,7 @@ Json link_figures(const LinkCounters& link) {
   return json;
 }
 
-Json camera_figures(const link::CameraCounters& camera, const Fused& fused) {
+Json camera_figures(const link::CameraCounters& camera, const FilterFigures& fused) {
   return {{"received", camera.received},
           {"accepted", camera.accepted},
           {"malformed", camera.malformed},
@@ -104,7 +107,7 @@ Json fault_list(FaultMask faults) {
 
 }  // namespace
 
-std::string stats_json(const RunFigures& figures) {
+std::string stats_json(const DaemonFigures& figures) {
   const LiveStatus& status = figures.status;
   const Snapshot& snapshot = status.snapshot;
   Json json = {
@@ -122,9 +125,9 @@ std::string stats_json(const RunFigures& figures) {
       {"firmware", std::to_string(status.hello.firmware[0]) + "." +
                        std::to_string(status.hello.firmware[1]) + "." +
                        std::to_string(status.hello.firmware[2])},
-      {"odometry", pose(snapshot.odometry)},
-      {"model", pose(snapshot.model)},
-      {"fused", pose(snapshot.fused.pose)},
+      {"odometry", pose(snapshot.estimates[PoseSource::kOdometry].pose)},
+      {"model", pose(snapshot.estimates[PoseSource::kModel].pose)},
+      {"fused", pose(snapshot.estimates[PoseSource::kFused].pose)},
       {"progress_m", snapshot.progress_m},
       {"battery_v", snapshot.sample.battery_v},
       {"link", link_figures(status.counters)},
@@ -134,7 +137,7 @@ std::string stats_json(const RunFigures& figures) {
         {"uncertainty_us", status.clock.uncertainty_us}}},
       {"loop", loop_figures(figures.loop)},
   };
-  if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.fused);
+  if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.filter);
   if (figures.world.udp || figures.world.files) json["world"] = world_figures(figures.world);
   if (!figures.recording.file.empty())
     json["recording"] = recording_figures(figures.recording, figures.recording_cpu_s);
@@ -144,7 +147,7 @@ std::string stats_json(const RunFigures& figures) {
 StatsFile::StatsFile(std::string path, record::Worker& disk)
     : path_(std::move(path)), disk_(disk) {}
 
-void StatsFile::write(const RunFigures& figures) {
+void StatsFile::write(const DaemonFigures& figures) {
   if (path_.empty()) return;
   std::string text = stats_json(figures);
   if (!std::exchange(begun_, true)) return text::write_file(path_, text, text::Flush::kNo);
@@ -161,7 +164,7 @@ void StatsFile::write(const RunFigures& figures) {
       try {
         text::write_file(path, *next, text::Flush::kNo);
       } catch (const SetupError& error) {
-        // A disk that fills up during a run does not end it.
+        // A disk that fills up during a run does not end the run.
         lock_inside.lock();
         if (!std::exchange(state->failed, true)) state->note = error.what();
       }
@@ -172,6 +175,24 @@ void StatsFile::write(const RunFigures& figures) {
 std::string StatsFile::take_note() {
   const std::lock_guard lock(state_->mutex);
   return std::exchange(state_->note, {});
+}
+
+void print_summary(const DaemonFigures& figures) {
+  const Snapshot& snapshot = figures.status.snapshot;
+  const LinkCounters& link = figures.status.counters;
+  std::printf("%s: %s after %.1f s at x %.3f m, y %.3f m, yaw %.1f deg; %llu samples, %llu lost\n",
+              figures.course.empty() ? "no course" : figures.course.c_str(), figures.result.c_str(),
+              figures.duration_s, snapshot.estimates[PoseSource::kOdometry].pose.x_m,
+              snapshot.estimates[PoseSource::kOdometry].pose.y_m,
+              snapshot.estimates[PoseSource::kOdometry].pose.yaw_rad * kDegPerRad,
+              static_cast<unsigned long long>(link.samples),
+              static_cast<unsigned long long>(link.lost));
+  if (!figures.recording.file.empty()) {
+    std::printf("recording: %s, %.1f MB\n", figures.recording.file.c_str(),
+                static_cast<double>(figures.recording.bytes) * 1e-6);
+  }
+  if (figures.faults != 0) std::printf("faults: %s\n", fault_names(figures.faults).c_str());
+  std::fflush(stdout);
 }
 
 }  // namespace tp100::live

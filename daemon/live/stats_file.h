@@ -15,8 +15,8 @@
 
 namespace tp100::live {
 
-/// What a run came to.
-struct RunFigures {
+/// Result and figures of a run.
+struct DaemonFigures {
   std::string result;  ///< "running", "completed", "aborted", "interrupted", "duration"
   std::string port;
   std::string page;    ///< address of the page; empty: no server
@@ -26,32 +26,34 @@ struct RunFigures {
   double duration_s = 0.0;
   FaultMask faults = 0;  ///< of the last abort
   LiveStatus status{};
-  std::optional<link::CameraCounters> camera;  ///< nothing: no camera was asked for
+  std::optional<link::CameraCounters> camera;  ///< nothing: no camera is configured
   WorldFigures world{};
   messages::RecordingFigures recording{};
   double recording_cpu_s = 0.0;
   messages::LoopFigures loop{};
 };
 
-/// One JSON object.
-std::string stats_json(const RunFigures& figures);
+/// Prints the last lines of the program on standard output.
+void print_summary(const DaemonFigures& figures);
 
-/// The file of --stats, which is replaced again and again. One thread.
+/// One JSON object.
+std::string stats_json(const DaemonFigures& figures);
+
+/// The file of --stats, rewritten periodically. One thread.
 class StatsFile {
  public:
-  /// An empty `path` is none. `disk` writes it and must outlive this.
+  /// An empty `path` means no file. `disk` writes it and must outlive this.
   StatsFile(std::string path, record::Worker& disk);
-  /// Has `figures` written. The first time, before anything moves, it waits for the disk and throws
-  /// SetupError if they cannot be; later it never waits, and figures that the disk has not taken
-  /// yet give way.
-  void write(const RunFigures& figures);
-  /// Why the file is not written any more, in one line, the first time that it was not; or nothing.
+  /// Writes `figures`. The first time, before anything moves, it waits for the disk and throws
+  /// SetupError on failure. Later it never waits, and newer figures replace those not written yet.
+  void write(const DaemonFigures& figures);
+  /// Why the file is no longer written, in one line, once after the first failure; or nothing.
   std::string take_note();
 
  private:
   struct State {
     std::mutex mutex;
-    std::optional<std::string> text;  ///< that waits for the disk
+    std::optional<std::string> text;  ///< waiting for the disk
     bool writing = false;
     bool failed = false;
     std::string note;

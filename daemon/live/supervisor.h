@@ -1,8 +1,8 @@
 #pragma once
-// The second thread of `tp100d run`: ports, log, operator, signals, figures. Talks to the real-time
-// thread through its rings only. It takes STOP from the operator and feeds the watchdog: it waits
-// for no disk, nor for a lock that somebody holds while waiting for one, before the robot is
-// disarmed.
+// The second thread of `tp100d run`: ports, log, operator, signals, figures. Exchanges data with
+// the real-time thread through its rings only. It takes STOP from the operator and feeds the
+// watchdog: until the robot is disarmed it never waits for a disk, nor for a lock that is held by a
+// thread waiting for one.
 
 #include <memory>
 #include <optional>
@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "config/configuration.h"
-#include "config/world_run.h"
-#include "live/black_box.h"
+#include "config/world_settings.h"
 #include "live/connector.h"
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
+#include "live/recording_policies.h"
 #include "loop/fixed_rate_loop.h"
 #include "messages/sink.h"
 #include "record/worker.h"
@@ -28,19 +28,19 @@ struct SupervisorSettings {
   config::CameraSettings camera{};
   config::WorldRun world{};
   bool go = false;
-  bool ran_before = false;  ///< as StartFacts
+  bool ran_before = false;  ///< as in StartFacts
   std::optional<double> duration_s;
   std::string stats_path;
   std::string course;  ///< names for log and figures; an empty course is none
   std::string robot;
   std::string setup;
   std::vector<loop::Grant> process_grants;
-  bool verbose = false;  ///< the loop's times in the log once a second
-  bool stay = false;     ///< a run that is over does not end the program
+  bool verbose = false;  ///< log the loop's timing once a second
+  bool stay = false;     ///< stay on after the end of a run
   // Never null; they must outlive the supervisor.
   LiveRecording* recording = nullptr;  ///< gets every step
-  BlackBox* black_box = nullptr;       ///< the same
-  record::Worker* disk = nullptr;      ///< writes --stats and black boxes
+  BlackBox* black_box = nullptr;       ///< gets every step
+  record::Worker* disk = nullptr;      ///< writes --stats
   server::Server* server = nullptr;    ///< started and fed here
   LiveControls* controls = nullptr;    ///< of the server
 };
@@ -51,12 +51,12 @@ class Supervisor {
   Supervisor(const SupervisorSettings& settings, LiveCycle& cycle, loop::FixedRateLoop& loop);
   ~Supervisor();
 
-  /// `sink` gets every step from now on, from the thread of run(), and must outlive it.
+  /// `sink` gets every step from now on, in the thread of run(), and must outlive it.
   void add_sink(messages::Sink& sink);
 
-  /// Runs until the course is completed, the run fails, the time is over or a signal comes; the
-  /// robot is disarmed first. Returns the exit status; throws SetupError for what is wrong before
-  /// the first session. Ends the process where a disk stands still.
+  /// Runs until the course is completed, the run fails, the time is over or a signal arrives;
+  /// disarms the robot first. Returns the exit status; throws SetupError for errors before the
+  /// first session. Ends the process if a disk hangs.
   int run();
 
  private:

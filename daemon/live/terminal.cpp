@@ -1,22 +1,154 @@
 #include "live/terminal.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+// Asio 1.74 uses std::exchange without including it.
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <cerrno>
+#include <functional>
 #include <utility>
 
 #include "core/start_rule.h"
 
 namespace tp100::live {
+namespace {
+
+// Longest line kept; a longer one is no valid input.
+constexpr std::size_t kMaxKept = 4096;
+
+bool worth_reading() {
+  struct stat status {};
+  if (::fstat(STDIN_FILENO, &status) != 0) return false;
+  // Reading the terminal from the background would stop the process.
+  if (::isatty(STDIN_FILENO) != 0) return ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
+  return S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
+}
+
+std::string trimmed(const std::string& text) {
+  constexpr const char* kSpace = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kSpace);
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) + 1 - first);
+}
+
+}  // namespace
+
+/// Lines typed on standard input.
+class Terminal::Input {
+ public:
+  /// Calls `line` in the context's thread for each line on standard input, without surrounding
+  /// white space. Lines that arrive together, typed ahead, come as one call. Does nothing unless
+  /// standard input is our own terminal or a pipe (not a file, /dev/null or a background job).
+  Input(boost::asio::io_context& context, std::function<void(const std::string& line)> line);
+  ~Input();
+  /// Discards what was typed before now, including an unfinished line. True if it contained a whole
+  /// line.
+  bool drop_typed_ahead();
+  /// Stops reading.
+  void stop();
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+struct Terminal::Input::State : std::enable_shared_from_this<State> {
+  State(boost::asio::io_context& context, std::function<void(const std::string&)> action)
+      : input(context), line(std::move(action)) {}
+
+  void wait() {
+    input.async_wait(boost::asio::posix::stream_descriptor::wait_read,
+                     [self = shared_from_this()](const boost::system::error_code& error) {
+                       if (!error && self->input.is_open()) self->take();
+                     });
+  }
+  /// Reads everything available. False: end of input.
+  bool read() {
+    std::array<char, 256> buffer;
+    pollfd ready{input.native_handle(), POLLIN, 0};
+    while (::poll(&ready, 1, 0) > 0) {
+      const ssize_t n = ::read(ready.fd, buffer.data(), buffer.size());
+      if (n <= 0) return n < 0 && (errno == EAGAIN || errno == EINTR);
+      if (pending.size() > kMaxKept) pending = "...";
+      pending.append(buffer.data(), static_cast<std::size_t>(n));
+    }
+    return true;
+  }
+  void take() {
+    const bool more = read();
+    const std::size_t end = pending.rfind('\n');
+    if (end != std::string::npos) {
+      const std::string lines = pending.substr(0, end);
+      pending.erase(0, end + 1);
+      // Several lines are never an answer: trimmed, two Enters would look like one.
+      line(lines.find('\n') == std::string::npos ? trimmed(lines) : lines);
+    }
+    if (more && input.is_open()) wait();
+  }
+  bool drop() {
+    if (!input.is_open()) return false;
+    read();
+    const bool any = pending.find('\n') != std::string::npos;
+    pending.clear();
+    // An unfinished line, which the terminal still buffers.
+    if (::isatty(input.native_handle()) != 0) ::tcflush(input.native_handle(), TCIFLUSH);
+    return any;
+  }
+
+  boost::asio::posix::stream_descriptor input;
+  std::function<void(const std::string&)> line;
+  std::string pending;
+  int flags = -1;  // of standard input, before
+};
+
+Terminal::Input::Input(boost::asio::io_context& context,
+                       std::function<void(const std::string&)> line)
+    : state_(std::make_shared<State>(context, std::move(line))) {
+  if (!worth_reading()) return;
+  state_->flags = ::fcntl(STDIN_FILENO, F_GETFL);
+  const int copy = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
+  boost::system::error_code error;
+  state_->input.assign(copy, error);
+  if (error) {
+    ::close(copy);
+  } else {
+    state_->wait();
+  }
+}
+
+Terminal::Input::~Input() { stop(); }
+
+bool Terminal::Input::drop_typed_ahead() { return state_->drop(); }
+
+void Terminal::Input::stop() {
+  if (!state_->input.is_open()) return;
+  boost::system::error_code ignored;
+  state_->input.close(ignored);
+  // Asio made the copy non-blocking, and with it the original, which other processes read.
+  if (state_->flags >= 0) ::fcntl(STDIN_FILENO, F_SETFL, state_->flags);
+}
 
 Terminal::Terminal(boost::asio::io_context& context, Reach reach)
-    : reach_(std::move(reach)), input_(context, [this](const std::string& line) { take(line); }) {}
+    : reach_(std::move(reach)),
+      input_(std::make_unique<Input>(context, [this](const std::string& line) { take(line); })) {}
+
+Terminal::~Terminal() = default;
+void Terminal::stop() { input_->stop(); }
 
 void Terminal::ask() {
   if (session_ != SessionState::kReady || under_way() || reach_.course.empty()) return;
   const bool word = reach_.controls.start_consent() == StartConsent::kWord;
-  const bool typed_ahead = input_.drop_typed_ahead();
+  const bool typed_ahead = input_->drop_typed_ahead();
   const std::string what = "to start course " + reach_.course;
   reach_.log.info(word ? "ready; type go and press Enter " + what + "; Enter alone is STOP"
                        : "ready; press Enter " + what);
-  if (typed_ahead && word) press_stop("Enter, before that was asked: STOP");
+  if (typed_ahead && word) press_stop("Enter before the question: STOP");
 }
 
 void Terminal::take(const std::string& line) {
@@ -40,8 +172,8 @@ void Terminal::take(const std::string& line) {
   }
 }
 
-void Terminal::press_stop(const std::string& told) {
-  reach_.log.warn(told);
+void Terminal::press_stop(const std::string& message) {
+  reach_.log.warn(message);
   reach_.cycle.request(OperatorRequest::kStop);
   reach_.server.stop_pressed("keyboard");
 }

@@ -1,20 +1,25 @@
 #pragma once
-// Whoever sits at the terminal: is asked for a start, gives it, or stops. By core/start_rule.h.
+// The operator at the terminal: is asked for a start, starts, or stops (core/start_rule.h). Asio
+// stays in the source file.
 
+#include <memory>
 #include <string>
 
 #include "live/event_log.h"
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
-#include "live/operator_input.h"
 #include "server/server.h"
+
+namespace boost::asio {
+class io_context;
+}
 
 namespace tp100::live {
 
-/// One thread, the supervisor's.
+/// Used by the supervisor's thread only.
 class Terminal {
  public:
-  /// All but `course`, whose empty name is none, must outlive the terminal.
+  /// All but `course`, whose name is empty if there is none, must outlive the terminal.
   struct Reach {
     LiveCycle& cycle;
     LiveControls& controls;
@@ -23,23 +28,25 @@ class Terminal {
     std::string course;
   };
   Terminal(boost::asio::io_context& context, Reach reach);
+  ~Terminal();
 
   void follow(SessionState session) { session_ = session; }
   void follow(RunState run) { run_ = run; }
-  /// Asks for a start, if one is possible; only what is typed from now on is an answer.
+  /// Asks for a start, if one is possible; only input typed from now on counts.
   void ask();
-  /// Nothing is read any more.
-  void stop() { input_.stop(); }
+  /// Stops reading input.
+  void stop();
 
  private:
+  class Input;
   void take(const std::string& line);
-  void press_stop(const std::string& told);
+  void press_stop(const std::string& message);
   bool under_way() const { return run_ == RunState::kArming || run_ == RunState::kRunning; }
 
   Reach reach_;
   SessionState session_ = SessionState::kClosed;
   RunState run_ = RunState::kIdle;
-  OperatorInput input_;
+  std::unique_ptr<Input> input_;
 };
 
 }  // namespace tp100::live

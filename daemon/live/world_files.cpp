@@ -15,18 +15,17 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "text/atomic_file.h"
-#include "worlds/encoder_text.h"
-#include "worlds/orientation_text.h"
+#include "worlds/text_files.h"
 
 namespace tp100::live {
 namespace {
 
 using namespace std::chrono_literals;
 
-// The file is looked at this often: a game engine's tick is 8 ms or more.
+// Polling period of the file: a game engine's tick is 8 ms or more.
 constexpr auto kLook = 4ms;
 
-/// Replaces `path`: a reader sees the old text or the new one. Why that failed, or nothing.
+/// Replaces `path`: a reader sees either the old text or the new one. Why it failed, or nothing.
 std::string replace_file(const std::string& path, std::string_view text) {
   try {
     text::write_file(path, text, text::Flush::kNo);
@@ -36,7 +35,7 @@ std::string replace_file(const std::string& path, std::string_view text) {
   }
 }
 
-/// A file as it was seen: another one has another stamp.
+/// Identifies one version of a file: a changed file has another stamp.
 struct Stamp {
   ino_t file = 0;
   off_t size = 0;
@@ -44,15 +43,15 @@ struct Stamp {
   bool operator==(const Stamp&) const = default;
 };
 
-/// Watches one small file of another program.
+/// Watches one small file written by another program.
 class Watched {
  public:
   explicit Watched(std::string path) : path_(std::move(path)) {}
 
-  /// The text, if the file was written since it was last accepted; nothing if it was not, or it
+  /// The text, if the file has changed since it was last accepted; nothing if it has not, or if it
   /// may be half written.
   std::optional<std::string> look() {
-    // Nothing but a plain file: opening a pipe would wait for its other end.
+    // Regular files only: opening a pipe would wait for its other end.
     const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (file < 0) return std::nullopt;
     struct stat status {};
@@ -72,7 +71,7 @@ class Watched {
     const ssize_t n = ::read(file, buffer.data(), buffer.size());
     if (n <= 0) return std::nullopt;
     std::string text(buffer.data(), static_cast<std::size_t>(n));
-    // Without a line's end it may go on: only what is there twice is believed.
+    // Without a final newline it may be incomplete: accept it only when read twice in a row.
     const bool whole = text.ends_with('\n') || text == before_;
     before_ = text;
     if (!whole) return std::nullopt;
@@ -111,40 +110,40 @@ struct WorldFiles::State {
       if (next) ++(error.empty() ? counters.written : counters.write_errors);
       if (seen) ++(orientation_seen ? counters.read : counters.rejected);
       if (orientation_seen && !given) ++counters.dropped;
-      if (!error.empty() && !std::exchange(told_write, true)) note = error;
-      if (seen && !orientation_seen && !std::exchange(told_read, true))
-        note = run.settings.orientation_file + ": not understood; see world.orientation_template";
+      if (!error.empty() && !std::exchange(reported_write, true)) note = error;
+      if (seen && !orientation_seen && !std::exchange(reported_read, true))
+        note = run.settings.orientation_file + ": cannot be parsed; see world.orientation_template";
     }
     ended = true;
     wake.notify_all();
   }
 
-  WorldSample sample_of(const worlds::Orientation& said, HostNs now) const {
+  WorldSample sample_of(const worlds::Orientation& received, HostNs now) const {
     WorldSample sample;
     sample.session = 1;
     sample.answered_ns = now;
     sample.has_ground = true;
-    sample.height_m = said.pose.z_m;
-    sample.roll_rad = said.pose.roll_rad;
-    sample.pitch_rad = said.pose.pitch_rad;
-    if (run.parameters.owns_pose && said.has_turn && said.has_place) {
+    sample.height_m = received.pose.z_m;
+    sample.roll_rad = received.pose.roll_rad;
+    sample.pitch_rad = received.pose.pitch_rad;
+    if (run.parameters.owns_pose && received.has_turn && received.has_place) {
       sample.has_pose = true;
-      sample.pose = said.pose;
+      sample.pose = received.pose;
     }
     return sample;
   }
 
   const config::WorldRun run;
   const config::GiveWorld give;
-  Watched orientation;  // the thread's alone
-  HostNs next_ns = 0;   // of take() alone
+  Watched orientation;  // used by the thread only
+  HostNs next_ns = 0;   // used by take() only
 
   mutable std::mutex mutex;
   std::condition_variable wake;
   std::optional<std::string> text;
   WorldFileCounters counters;
   std::string note;
-  bool told_write = false, told_read = false;
+  bool reported_write = false, reported_read = false;
   bool ending = false, ended = false;
   std::thread thread;
 };

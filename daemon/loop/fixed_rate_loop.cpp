@@ -14,10 +14,10 @@
 namespace tp100::loop {
 namespace {
 
-// Output older than this is stale for a robot; better none.
+// Unwritten output older than this is stale and dropped.
 constexpr HostNs kStuckNs = 50 * kNsPerMs;
-constexpr HostNs kWindUpLimitNs = 300 * kNsPerMs;
-// Between two reads while waiting: bounds what a flooding peer can make the loop do.
+constexpr HostNs kShutDownLimitNs = 300 * kNsPerMs;
+// Shortest time between two reads while waiting: limits the load that a flooding peer can cause.
 constexpr HostNs kPromptSpacingNs = 50 * kNsPerUs;
 constexpr HostNs kRobotSpacingNs = 200 * kNsPerUs;
 
@@ -29,8 +29,8 @@ bool temporary(int error) { return error == EAGAIN || error == EWOULDBLOCK || er
 
 }  // namespace
 
-FixedRateLoop::FixedRateLoop(const LoopSettings& settings, Driven& driven)
-    : settings_(settings), driven_(driven), port_wait_(settings.period_ns / 2) {}
+FixedRateLoop::FixedRateLoop(const LoopSettings& settings, LoopClient& loop_client)
+    : settings_(settings), client_(loop_client), port_wait_(settings.period_ns / 2) {}
 
 FixedRateLoop::~FixedRateLoop() {
   request_stop();
@@ -62,33 +62,33 @@ void FixedRateLoop::run() {
   for (;;) {
     adopt();
     const bool fresh = wait(schedule);
-    settle();
+    after_write();
     HostNs now = monotonic_now();
     const HostNs began = now;
-    last_turn_ns_ = began;
+    last_cycle_ns_ = began;
     if (!fresh) statistics_.lateness.add(now - schedule.deadline());
-    if (settings_.robot_paced && !fresh) add(statistics_.without_frame, 1);
+    if (settings_.robot_paced && !fresh) add(statistics_.frame_timeouts, 1);
 
     if (stop_.load(std::memory_order_relaxed)) {
       if (stopping_since == 0) stopping_since = now;
-      if (driven_.wind_up(now) || now - stopping_since > kWindUpLimitNs) break;
+      if (client_.shut_down(now) || now - stopping_since > kShutDownLimitNs) break;
     }
-    // Not after a sample: a tty's read that finds nothing waits for the kernel's worker that
-    // brought it, and that one runs at ordinary priority.
+    // Not right after a sample: an empty read of a tty waits for the kernel's worker that delivered
+    // the sample, and that worker runs at ordinary priority.
     if (port_.fd >= 0 && !fresh) read(now);
-    driven_.step(now);
+    client_.step(now);
     const HostNs stepped = monotonic_now();
     statistics_.compute.add(stepped - now);
     if (port_.fd >= 0) write(stepped);
-    unsettled_ns_ = now;
-    turn_ns_ = monotonic_now() - began;
-    // What carries the answer on is the kernel's worker, which may need this processor.
-    if (!settings_.robot_paced || port_.fd < 0 || driven_.expects_reply(now)) settle();
+    pending_ns_ = now;
+    cycle_ns_ = monotonic_now() - began;
+    // The kernel's worker that transmits the answer may need this processor.
+    if (!settings_.robot_paced || port_.fd < 0 || client_.expects_reply(now)) after_write();
 
-    add(statistics_.turns, 1);
+    add(statistics_.cycles, 1);
     std::uint64_t missed = 0;
     if (settings_.robot_paced) {
-      missed = static_cast<std::uint64_t>(turn_ns_ / settings_.period_ns);
+      missed = static_cast<std::uint64_t>(cycle_ns_ / settings_.period_ns);
       schedule.restart(began, settings_.period_ns + settings_.period_ns / 2);
     } else {
       missed = schedule.advance(monotonic_now());
@@ -98,40 +98,40 @@ void FixedRateLoop::run() {
       add(statistics_.missed, missed);
     }
   }
-  if (port_.fd >= 0) driven_.closed(monotonic_now());
+  if (port_.fd >= 0) client_.closed(monotonic_now());
 }
 
-// Ends the turn, at the latest before anything of the next one.
-void FixedRateLoop::settle() {
-  if (unsettled_ns_ == 0) return;
+// Ends the cycle, at the latest before the next one begins.
+void FixedRateLoop::after_write() {
+  if (pending_ns_ == 0) return;
   const HostNs began = monotonic_now();
-  driven_.settle(unsettled_ns_);
-  if (driven_.take_hang_up() && port_.fd >= 0) lose(PortEnd::kSilent, 0, unsettled_ns_);
-  unsettled_ns_ = 0;
-  statistics_.work.add(turn_ns_ + monotonic_now() - began);
+  client_.after_write(pending_ns_);
+  if (client_.take_port_drop() && port_.fd >= 0) lose(PortEnd::kSilent, 0, pending_ns_);
+  pending_ns_ = 0;
+  statistics_.work.add(cycle_ns_ + monotonic_now() - began);
 }
 
 void FixedRateLoop::adopt() {
   if (port_.fd >= 0 || !offered_.pop(port_)) return;
   stuck_since_ns_ = 0;
-  driven_.opened(monotonic_now());
+  client_.opened(monotonic_now());
 }
 
-// True if a sample of the robot began the turn. However many samples come, turns are half a period
-// apart.
+// True if a sample of the robot began the cycle. However many samples arrive, cycles are at least
+// half a period apart.
 bool FixedRateLoop::wait(Schedule& schedule) {
   const HostNs wake = schedule.deadline() - (settings_.robot_paced ? 0 : settings_.spin_ns);
-  const HostNs earliest = last_turn_ns_ + settings_.period_ns / 2;
+  const HostNs earliest = last_cycle_ns_ + settings_.period_ns / 2;
   bool sample = false;
   for (HostNs now = monotonic_now(); now < wake; now = monotonic_now()) {
     if (sample && now >= earliest) return true;
-    const bool prompt = driven_.expects_reply(now);
+    const bool prompt = client_.expects_reply(now);
     if (port_.fd < 0 || !(settings_.robot_paced || prompt)) {
       sleep_until(wake);
       break;
     }
     const bool readable = sample || port_wait_.readable(port_.fd, wake);
-    settle();
+    after_write();
     if (!readable || port_.fd < 0) continue;
     sample = (read(now) || sample) && settings_.robot_paced;
     if (sample && now >= earliest) return true;
@@ -141,13 +141,13 @@ bool FixedRateLoop::wait(Schedule& schedule) {
   return sample;
 }
 
-// One bounded read. True if it brought a sample; `now` becomes the time right after it.
+// One bounded read. True if it contained a sample; `now` becomes the time right after it.
 bool FixedRateLoop::read(HostNs& now) {
   std::array<std::uint8_t, kReadSize> buffer;
   const ssize_t n = ::read(port_.fd, buffer.data(), buffer.size());
   const int error = errno;
   now = monotonic_now();
-  if (n > 0) return driven_.received({buffer.data(), static_cast<std::size_t>(n)}, now);
+  if (n > 0) return client_.received({buffer.data(), static_cast<std::size_t>(n)}, now);
   if (n == 0) {
     lose(PortEnd::kHungUp, 0, now);
   } else if (!temporary(error)) {
@@ -157,23 +157,23 @@ bool FixedRateLoop::read(HostNs& now) {
 }
 
 void FixedRateLoop::write(HostNs now) {
-  const auto bytes = driven_.output();
+  const auto bytes = client_.output();
   if (!bytes.empty()) {
     const ssize_t n = ::write(port_.fd, bytes.data(), bytes.size());
     const int error = errno;
     statistics_.write.add(monotonic_now() - now);
     if (n > 0) {
-      driven_.written(static_cast<std::size_t>(n));
+      client_.written(static_cast<std::size_t>(n));
     } else if (n < 0 && !temporary(error)) {
       return lose(PortEnd::kHungUp, error, now);
     }
   }
-  if (driven_.output().empty()) {
+  if (client_.output().empty()) {
     stuck_since_ns_ = 0;
   } else if (stuck_since_ns_ == 0) {
     stuck_since_ns_ = now;
   } else if (now - stuck_since_ns_ > kStuckNs) {
-    driven_.drop_output();
+    client_.drop_output();
     stuck_since_ns_ = 0;
   }
 }
@@ -181,7 +181,7 @@ void FixedRateLoop::write(HostNs now) {
 void FixedRateLoop::lose(PortEnd end, int error, HostNs now) {
   lost_.push({port_.id, end, error});
   port_ = {};
-  driven_.closed(now);
+  client_.closed(now);
 }
 
 }  // namespace tp100::loop

@@ -1,32 +1,33 @@
 #pragma once
-// The real-time thread: owns the descriptor while it works and makes one turn per period:
-// read → received → step → write → settle, the last of it after a pause if a robot paces it. Ports
-// come and go through lock-free queues; nothing here wakes another thread.
+// The real-time thread: owns the descriptor while it works and makes one cycle per period: read →
+// received → step → write → deferred work; the latter after a pause if the robot paces the loop.
+// Ports are passed through lock-free queues; nothing here wakes another thread.
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <thread>
 #include <vector>
 
-#include "loop/driven.h"
-#include "loop/histogram.h"
+#include "core/histogram.h"
 #include "loop/pacing.h"
-#include "loop/port_wait.h"
 #include "loop/real_time.h"
-#include "loop/spsc_queue.h"
+#include "loop/rings.h"
 
 namespace tp100::loop {
 
 struct LoopSettings {
   HostNs period_ns = 5 * kNsPerMs;
   bool robot_paced =
-      false;  ///< a turn begins with the robot's sample; the period is then the deadline's base
-  HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; not for a robot's sample
-  OverrunPolicy overrun = OverrunPolicy::kSkipMissed;  ///< a robot's samples keep no grid
+      false;  ///< a cycle begins with the robot's sample; the period is then the deadline's base
+  HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; not when waiting for a robot's sample
+  OverrunPolicy overrun = OverrunPolicy::kSkipMissed;  ///< a robot's samples follow no grid
   ThreadRequest thread{};
 };
 
-/// A descriptor that the loop may use until it reports it as lost. It stays the giver's property.
+/// A descriptor that the loop may use until it reports it as lost. Its owner remains responsible
+/// for it.
 struct OfferedPort {
   int fd = -1;
   std::uint32_t id = 0;
@@ -35,7 +36,7 @@ struct OfferedPort {
 /// Why a port was given back.
 enum class PortEnd : std::uint8_t {
   kHungUp,  ///< end of file or an input/output error: unplugged, or the emulator is gone
-  kSilent,  ///< the session gave it up
+  kSilent,  ///< the session gave up on it
 };
 
 struct LostPort {
@@ -46,30 +47,63 @@ struct LostPort {
 
 /// One writer (the loop), any reader.
 struct LoopStatistics {
-  Histogram lateness;  ///< start of a turn after its deadline [ns]
-  Histogram work;      ///< duration of a turn [ns]
-  Histogram compute;   ///< Driven::step, up to the bytes to write [ns]
-  Histogram write;     ///< the port's write, in turns that had something to write [ns]
-  std::atomic<std::uint64_t> turns{0};
-  std::atomic<std::uint64_t> overruns{0};  ///< turns that ended after the next one's deadline
-  std::atomic<std::uint64_t> missed{0};    ///< turns left out because of that
-  std::atomic<std::uint64_t> without_frame{
-      0};  ///< turns paced by the robot that began without a sample
+  Histogram lateness;  ///< delay of a cycle's start after its deadline [ns]
+  Histogram work;      ///< duration of a cycle [ns]
+  Histogram compute;   ///< LoopClient::step, up to the bytes to write [ns]
+  Histogram write;     ///< the port's write, in cycles that had something to write [ns]
+  std::atomic<std::uint64_t> cycles{0};
+  std::atomic<std::uint64_t> overruns{0};  ///< cycles that ended after the next one's deadline
+  std::atomic<std::uint64_t> missed{0};    ///< cycles skipped because of that
+  std::atomic<std::uint64_t> frame_timeouts{
+      0};  ///< cycles paced by the robot that began without a sample
+};
+
+/// What the loop drives. Every call comes from the real-time thread: no allocation, lock, log or
+/// blocking call.
+class LoopClient {
+ public:
+  virtual ~LoopClient() = default;
+
+  /// The port was opened, or is gone.
+  virtual void opened(HostNs now) = 0;
+  virtual void closed(HostNs now) = 0;
+  /// Bytes were read; `now` is right after the read. True: they contain a sample, so that a cycle
+  /// paced by the robot may begin.
+  virtual bool received(std::span<const std::uint8_t> bytes, HostNs now) = 0;
+  /// One cycle, up to the bytes to write.
+  virtual void step(HostNs now) = 0;
+  /// The rest of the cycle, after the write: work that the robot does not wait for. If the robot
+  /// paces the loop, up to half a period later, but before the next read or step. `now` as in
+  /// step().
+  virtual void after_write(HostNs now) = 0;
+
+  /// Bytes to write, in order.
+  virtual std::span<const std::uint8_t> output() = 0;
+  virtual void written(std::size_t n) = 0;
+  /// The port did not accept the bytes in time.
+  virtual void drop_output() = 0;
+
+  /// True while bytes should be read as soon as they arrive, because their time of arrival matters.
+  virtual bool expects_reply(HostNs now) = 0;
+  /// True once if the port should be closed and reopened: its peer is silent.
+  virtual bool take_port_drop() = 0;
+  /// The program is ending: called every cycle from then on; true when finished.
+  virtual bool shut_down(HostNs now) = 0;
 };
 
 class FixedRateLoop {
  public:
-  /// Bytes taken from the port in one read; a flooding peer costs no more per turn.
+  /// Most bytes read from the port at once; a flooding peer costs no more per cycle.
   static constexpr std::size_t kReadSize = 4096;
 
-  /// `driven` must outlive the loop. Throws SetupError if the system gives no timer.
-  FixedRateLoop(const LoopSettings& settings, Driven& driven);
+  /// `client` must outlive the loop. Throws SetupError if the system provides no timer.
+  FixedRateLoop(const LoopSettings& settings, LoopClient& loop_client);
   ~FixedRateLoop();
 
-  /// Starts the thread; returns once it has asked for its privileges. Throws SetupError if the
-  /// system gives no thread.
+  /// Starts the thread; returns once it has requested its privileges. Throws SetupError if the
+  /// system provides no thread.
   void start();
-  /// Winds up (see Driven::wind_up, at most 300 ms) and ends the thread. Any thread.
+  /// Shuts down (see LoopClient::shut_down, at most 300 ms) and ends the thread. Any thread.
   void request_stop() { stop_.store(true, std::memory_order_relaxed); }
   bool ended() const { return ended_.load(std::memory_order_acquire); }
   void join();
@@ -79,20 +113,20 @@ class FixedRateLoop {
   bool take_lost(LostPort& port) { return lost_.pop(port); }
 
   const LoopStatistics& statistics() const { return statistics_; }
-  /// What the thread asked for and got; after start().
+  /// The privileges that the thread requested; after start().
   const std::vector<Grant>& grants() const { return grants_; }
 
  private:
   void run();
   void adopt();
-  void settle();
+  void after_write();
   bool wait(Schedule& schedule);
   bool read(HostNs& now);
   void write(HostNs now);
   void lose(PortEnd end, int error, HostNs now);
 
   LoopSettings settings_;
-  Driven& driven_;
+  LoopClient& client_;
   PortWait port_wait_;
   LoopStatistics statistics_;
   SpscQueue<OfferedPort, 8> offered_;
@@ -105,9 +139,9 @@ class FixedRateLoop {
 
   OfferedPort port_{};
   HostNs stuck_since_ns_ = 0;
-  HostNs last_turn_ns_ = 0;
-  HostNs turn_ns_ = 0;       // what the last turn took without settling
-  HostNs unsettled_ns_ = 0;  // its time, until it has been settled
+  HostNs last_cycle_ns_ = 0;
+  HostNs cycle_ns_ = 0;    // duration of the last cycle without deferred work
+  HostNs pending_ns_ = 0;  // time of the cycle whose deferred work is pending
 };
 
 }  // namespace tp100::loop

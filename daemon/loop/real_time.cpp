@@ -16,11 +16,11 @@
 namespace tp100::loop {
 namespace {
 
-// With less, locking succeeds at first and later threads and buffers cannot be had.
+// With less, locking succeeds at first, and later threads and buffers fail.
 constexpr rlim_t kEnoughLockable = 256U << 20U;
 constexpr std::size_t kStackTouched = 64U << 10U;
 
-// Root may do it anyway, unless the right was taken from it.
+// Root is permitted anyway, unless the capability was removed.
 std::string by_limit(const std::string& limit, const std::string& capability) {
   if (::geteuid() == 0) return "start the container with --cap-add " + capability;
   return "echo \"$USER - " + limit +
@@ -69,7 +69,7 @@ void touch_stack() {
 }
 
 void settle(Grant& grant) {
-  if (grant.granted) grant.remedy.clear();
+  if (grant.granted) grant.fix.clear();
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ RealTimeProcess::~RealTimeProcess() {
 
 std::vector<Grant> apply_to_this_thread(const ThreadRequest& request) {
   std::vector<Grant> grants;
-  // Ordinary threads are woken up to 50 us late by default.
+  // By default, ordinary threads are woken up to 50 us late.
   ::prctl(PR_SET_TIMERSLACK, 1UL);
   if (request.cpu >= 0) grants.push_back(affinity(request.cpu));
   if (request.priority > 0) grants.push_back(fifo(request.priority));

@@ -1,16 +1,16 @@
 #pragma once
-// Privileges of the real-time thread: each is asked for, checked and reported; none is required.
+// Privileges of the real-time thread: each is requested, checked and reported; none is required.
 
 #include <string>
 #include <vector>
 
 namespace tp100::loop {
 
-/// One privilege that was asked for.
+/// One requested privilege.
 struct Grant {
   std::string what;  ///< e.g. "SCHED_FIFO 80"
   bool granted = false;
-  std::string remedy;  ///< how to get it; empty if granted
+  std::string fix;  ///< how to get it; empty if granted
 };
 
 /// For the whole process.
@@ -25,7 +25,7 @@ struct ThreadRequest {
   int cpu = -1;       ///< -1: any
 };
 
-/// Asks on construction, gives the processor latency back on destruction.
+/// Requests on construction; releases the processor latency on destruction.
 class RealTimeProcess {
  public:
   explicit RealTimeProcess(const ProcessRequest& request);

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Takes over what `more` knows and `schema` does not: the elements of a list need not all be full.
+/// Adds what `more` has and `schema` lacks: some elements of a list may have fewer fields.
 void merge(Json& schema, const Json& more) {
   if (schema["type"] != more["type"]) return;
   if (schema["type"] == "array") merge(schema["items"], more["items"]);
@@ -43,17 +43,17 @@ Json schema_of_value(const Json& value) {
     case Json::value_t::string:
       return {{"type", "string"}};
     default:
-      // 0.0 is written as 0, so that an example cannot tell integers apart.
+      // 0.0 is written as 0, so that an example cannot distinguish integers from doubles.
       return {{"type", "number"}};
   }
 }
 
-/// A course with one of everything.
+/// A course with one element of each kind.
 std::shared_ptr<const course::Course> full_course() {
   course::Course course;
   course.name = "example";
   course.path = {course::Line{0.1}};
-  course.shoves = {{.at_m = 0.1, .sideways_m = 0.01, .yaw_rad = 0.1, .duration_s = 0.1}};
+  course.disturbances = {{.at_m = 0.1, .sideways_m = 0.01, .yaw_rad = 0.1, .duration_s = 0.1}};
   course.terrain.ramps = {
       {.place = {}, .height_m = 0.1, .up_rad = 0.5, .top_m = 0.1, .down_rad = 0.5, .width_m = 0.4}};
   course.terrain.blocks = {{.place = {}, .height_m = 0.1, .depth_m = 0.1, .width_m = 0.4}};
@@ -62,14 +62,14 @@ std::shared_ptr<const course::Course> full_course() {
   return std::make_shared<const course::Course>(std::move(course));
 }
 
-/// Everything known, nothing null.
+/// A record with every value known and none null.
 StepRecord full_record() {
   StepRecord record;
   record.command_valid = true;
-  record.clock.valid = true;
+  record.inputs.clock.valid = true;
   record.snapshot.has_sample = true;
   record.snapshot.sample.faults = fault_bit(Fault::stop_requested);
-  record.snapshot.fused.camera_age_us = 1;
+  record.snapshot.filter.camera_age_us = 1;
   return record;
 }
 
@@ -85,7 +85,7 @@ StateFigures full_state() {
   return state;
 }
 
-/// A parameter's value is a number, a text or a truth value: no type that viewers' readers know.
+/// Drops values that may be number, string or boolean: viewers' schema readers have no such type.
 std::string without_values(const std::string& text) {
   Json schema = Json::parse(text);
   Json& parameter = schema["properties"]["parameters"]["items"]["properties"];
@@ -102,9 +102,9 @@ std::string schema_of(const std::string& title, const std::string& example) {
 }
 
 std::vector<ChannelText> channel_texts() {
-  Subject subject;
-  subject.course = full_course();
-  const Messages messages(subject, {});
+  RunContext run_context;
+  run_context.course = full_course();
+  const Messages messages(run_context, {});
   const StepRecord record = full_record();
   const std::optional<Truth> truth = Truth{};
   const Sample& sample = record.snapshot.sample;
@@ -125,15 +125,15 @@ std::vector<ChannelText> channel_texts() {
     add(topic, "foxglove.PoseInFrame", pose, 0);
   add("/path", "foxglove.PosesInFrame", messages.path_poses(0), 1);
   add("/scene", "foxglove.SceneUpdate", scene, 1);
-  add("/trail", "foxglove.SceneUpdate", scene, 0);
+  add("/path_history", "foxglove.SceneUpdate", scene, 0);
   add("/log", "foxglove.Log", messages.log({}), 100);
   add("/estimate", "tp100.Estimate", messages.estimate(record, truth), 0);
   add("/sample", "tp100.Sample", messages.sample(sample, 0), 0);
   add("/command", "tp100.Command", messages.command(record), 0);
   add("/slip", "tp100.Slip", messages.slip(record), 1);
   add("/link", "tp100.Link", link_message(0.5, link), 1);
-  add("/loop", "tp100.Loop", loop_message(0.5, {}, subject), 1);
-  add("/state", "tp100.State", state_message(0, {}, full_state(), subject), 1);
+  add("/loop", "tp100.Loop", loop_message(0.5, {}, run_context), 1);
+  add("/state", "tp100.State", state_message(0, {}, full_state(), run_context), 1);
   add("/course", "tp100.Course", messages.course(), 1);
   add("/event", "tp100.Event", messages.event({}), 100);
   add("/parameter", "tp100.ParameterList", parameters_message({{{.name = "a", .choices = {"b"}}}}),

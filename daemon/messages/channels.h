@@ -1,9 +1,11 @@
 #pragma once
-// The channels that viewers and recordings see: topic, schema, what a new subscriber gets.
+// The channels of viewers and recordings: topic, schema, number of messages for a new subscriber.
 
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "core/estimates.h"
 
 namespace tp100::messages {
 
@@ -16,7 +18,7 @@ enum class Channel : std::uint32_t {
   kPoseTruth,
   kPath,
   kScene,
-  kTrail,
+  kPathHistory,
   kLog,
   kEstimate,
   kSample,
@@ -31,6 +33,11 @@ enum class Channel : std::uint32_t {
   kRecording,
   kClient,
 };
+
+/// The channel of each estimate's pose.
+inline constexpr PerSource<Channel> kPoseChannels = {
+    {Channel::kPoseModel, Channel::kPoseOdometry, Channel::kPoseFused}};
+static_assert(kPoseChannels.values.back() != Channel{}, "a source without a channel");
 inline constexpr std::uint32_t kChannelCount = 21;
 
 struct ChannelText {
@@ -38,15 +45,15 @@ struct ChannelText {
   std::string topic;
   std::string schema_name;
   std::string schema;    ///< JSON schema
-  std::size_t kept = 0;  ///< how many of the last messages a new subscriber gets
+  std::size_t kept = 0;  ///< how many of the latest messages a new subscriber receives
 };
 
-/// All of them, ascending by id. The schemas come from example messages, so that they cannot drift
-/// from what is sent.
+/// All channels, ascending by id. The schemas are derived from example messages, so that they
+/// cannot differ from the messages sent.
 std::vector<ChannelText> channel_texts();
 
-/// JSON schema of messages like `example`: an object, none of whose fields is null. An empty array
-/// is taken for one of objects.
+/// JSON schema of messages like `example`: an object without null fields. An empty array is taken
+/// for an array of objects.
 std::string schema_of(const std::string& title, const std::string& example);
 
 }  // namespace tp100::messages

@@ -1,5 +1,5 @@
 #pragma once
-// What the slow channels show, as plain data.
+// Content of the slow channels as plain data.
 
 #include <array>
 #include <cstdint>
@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/estimates.h"
 #include "core/faults.h"
 #include "core/link_state.h"
 #include "core/run_state.h"
 #include "core/sample.h"
-#include "core/steering.h"
 #include "core/time.h"
 
 namespace tp100::messages {
@@ -22,7 +22,7 @@ struct Durations {
   std::uint64_t count = 0;
   double mean_us = 0.0, p50_us = 0.0, p99_us = 0.0, p999_us = 0.0, max_us = 0.0;
 
-  /// Calls visit(name, value) for each of them, as JSON has them.
+  /// Calls visit(name, value) for each field, by its JSON name.
   template <class Visit>
   void each(Visit&& visit) const {
     visit("count", count);
@@ -34,24 +34,24 @@ struct Durations {
   }
 };
 
-/// What nlohmann's JSON makes of it.
+/// Serializes it as JSON (nlohmann).
 template <class Json>
 void to_json(Json& json, const Durations& durations) {
   durations.each([&](const char* name, auto value) { json[name] = value; });
 }
 
-/// Upper edges of the lateness histogram [us]; one more count lies above the last.
+/// Upper edges of the lateness histogram [us]; an additional last bin counts everything above.
 inline constexpr std::array<int, 13> kLatenessEdgesUs{1,   2,   5,    10,   20,   50,   100,
                                                       200, 500, 1000, 2000, 5000, 10000};
 
 /// The real-time loop since its start.
 struct LoopFigures {
-  std::uint64_t turns = 0, overruns = 0, missed = 0, without_frame = 0;
-  Durations lateness{}, work{}, compute{}, write{};      ///< of turns, see loop::LoopStatistics
-  Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see live::SampleTimes
+  std::uint64_t cycles = 0, overruns = 0, missed = 0, frame_timeouts = 0;
+  Durations lateness{}, work{}, compute{}, write{};      ///< of cycles, see loop::LoopStatistics
+  Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see live::SampleLatency
   std::array<std::uint64_t, kLatenessEdgesUs.size() + 1> lateness_counts{};
   std::vector<std::pair<std::string, bool>> privileges;
-  /// Steps and events that found no room on their way out of the loop.
+  /// Steps and events dropped because a ring out of the loop was full.
   std::uint64_t lost_records = 0, lost_events = 0;
 
   /// Calls visit(name, durations) for each of them.
@@ -90,25 +90,25 @@ struct StopFigures {
   std::uint64_t count = 0;
   bool latched = false;
   std::string by;
-  HostNs requested_ns = 0;  ///< of the oldest press that is not acknowledged, else of the last
+  HostNs requested_ns = 0;  ///< of the oldest unacknowledged press, else of the last one
   Status status = Status::kNone;
   double acknowledged_ms = 0.0;
 };
 
-/// Run, session and what may be done now.
+/// Run, session and the operations possible now.
 struct StateFigures {
   RunState run = RunState::kIdle;
-  Steering steering = Steering::kOdometry;
+  PoseSource steering = PoseSource::kOdometry;
   SessionState session = SessionState::kClosed;
   std::optional<RobotState> robot;
-  bool motors_on = false;  ///< it is armed or has a duty, asked or not
+  bool motors_on = false;  ///< armed or driven with a duty, requested or not
   std::optional<double> run_s;
   double progress_m = 0.0;
   std::optional<double> length_m;
   std::optional<double> battery_v;
   bool can_start = false, can_record = false;
   std::string why_not_start;
-  bool confirm_start = true;  ///< a start has to be confirmed by whoever asks for it
+  bool confirm_start = true;  ///< a start needs the viewer's confirmation
   FaultMask faults = 0;
   StopFigures stop{};
 };

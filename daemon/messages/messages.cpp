@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/faults.h"
-#include "messages/state_names.h"
+#include "messages/status_messages.h"
 #include "text/json_writer.h"
 
 namespace tp100::messages {
@@ -22,16 +22,16 @@ void write_pose(text::JsonWriter& json, const Pose& pose) {
       .field("yaw_rad", pose.yaw_rad);
 }
 
-void write_motion(text::JsonWriter& json, const Pose& pose, const Twist& twist) {
-  write_pose(json, pose);
-  json.field("vx_mps", twist.vx_mps)
-      .field("vy_mps", twist.vy_mps)
-      .field("yaw_rate_radps", twist.yaw_rate_radps);
+void write_motion(text::JsonWriter& json, const Estimate& estimate) {
+  write_pose(json, estimate.pose);
+  json.field("vx_mps", estimate.twist.vx_mps)
+      .field("vy_mps", estimate.twist.vy_mps)
+      .field("yaw_rate_radps", estimate.twist.yaw_rate_radps);
 }
 
-void write_fused(text::JsonWriter& json, const Fused& fused) {
+void write_fused(text::JsonWriter& json, const Estimate& estimate, const FilterFigures& fused) {
   json.key("fused").begin_object();
-  write_motion(json, fused.pose, fused.twist);
+  write_motion(json, estimate);
   json.field("sd_x_m", std::sqrt(fused.variance_x_m2))
       .field("sd_y_m", std::sqrt(fused.variance_y_m2))
       .field("sd_yaw_rad", std::sqrt(fused.variance_yaw_rad2));
@@ -177,24 +177,12 @@ void write_robot(text::JsonWriter& json, const course::Robot& robot) {
       .field("height_m", robot.shape.height_m)
       .field("gauge_m", robot.shape.gauge_m)
       .field("axle_spacing_m", robot.shape.axle_spacing_m)
-      .field("belt_radius_m", robot.shape.belt_radius_m)
-      .field("belt_width_m", robot.emulated.body.belt_width_m)
+      .field("wheel_radius_m", robot.shape.wheel_radius_m)
+      .field("shoe_width_m", robot.emulated.body.shoe_width_m)
       .end_object();
 }
 
 }  // namespace
-
-const Pose& pose_of(const Snapshot& snapshot, Steering estimate) {
-  switch (estimate) {
-    case Steering::kModel:
-      return snapshot.model;
-    case Steering::kOdometry:
-      return snapshot.odometry;
-    case Steering::kFused:
-      break;
-  }
-  return snapshot.fused.pose;
-}
 
 std::vector<course::PathPoint> path_points(const course::Path& path, double spacing_m) {
   std::vector<course::PathPoint> points;
@@ -210,9 +198,9 @@ std::vector<course::PathPoint> path_points(const course::Path& path, double spac
   return points;
 }
 
-Messages::Messages(Subject subject, PublishClock clock)
-    : subject_(std::move(subject)), clock_(clock) {
-  if (subject_.course != nullptr) path_.emplace(*subject_.course);
+Messages::Messages(RunContext run_context, PublishClock clock)
+    : run_context_(std::move(run_context)), clock_(clock) {
+  if (run_context_.course != nullptr) path_.emplace(*run_context_.course);
 }
 
 std::string Messages::estimate(const StepRecord& record, const std::optional<Truth>& truth) const {
@@ -227,11 +215,11 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
     json.null_field("age_us");
   }
   json.field("steering", to_string(snapshot.steering)).key("model").begin_object();
-  write_motion(json, snapshot.model, snapshot.model_twist);
+  write_motion(json, snapshot.estimates[PoseSource::kModel]);
   json.end_object().key("odometry").begin_object();
-  write_motion(json, snapshot.odometry, snapshot.odometry_twist);
+  write_motion(json, snapshot.estimates[PoseSource::kOdometry]);
   json.end_object();
-  write_fused(json, snapshot.fused);
+  write_fused(json, snapshot.estimates[PoseSource::kFused], snapshot.filter);
   json.key("world").begin_object();
   write_pose(json, snapshot.world);
   json.end_object();
@@ -242,15 +230,15 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
       .field("roll_rad", snapshot.imu_roll_rad)
       .field("pitch_rad", snapshot.imu_pitch_rad)
       .field("slope", name_of(snapshot.imu_slope))
-      .field("leans_on", name_of(snapshot.imu_obstacle))
+      .field("obstacle_class", name_of(snapshot.imu_obstacle))
       .end_object()
-      .field("pitch_source", name_of(snapshot.underfoot.pitch_source));
-  json.key("underfoot")
+      .field("pitch_source", name_of(snapshot.terrain_contact.pitch_source));
+  json.key("terrain_contact")
       .begin_object()
-      .field("obstacle", name_of(snapshot.underfoot.obstacle))
-      .field("climbing", snapshot.underfoot.climbing)
-      .field("slope_rad", snapshot.underfoot.slope_rad)
-      .field("traction", name_of(snapshot.underfoot.traction))
+      .field("obstacle", name_of(snapshot.terrain_contact.obstacle))
+      .field("climbing", snapshot.terrain_contact.climbing)
+      .field("slope_rad", snapshot.terrain_contact.slope_rad)
+      .field("traction", name_of(snapshot.terrain_contact.traction))
       .end_object();
   write_tracks(json, record);
   json.field("cross_track_m", snapshot.cross_track_m)
@@ -310,8 +298,8 @@ std::string Messages::command(const StepRecord& record) const {
       .field("yaw_rate_radps", command.yaw_rate_radps)
       .field("speed_mps", command.speed_mps)
       .field("gyro_bias_radps", command.gyro_bias_radps);
-  if (record.clock.valid) {
-    const HostNs left_ns = record.clock.to_host(command.expiry_us) - record.now_ns;
+  if (record.inputs.clock.valid) {
+    const HostNs left_ns = record.inputs.clock.to_host(command.expiry_us) - record.now_ns;
     json.field("expires_in_ms", to_s(left_ns) * 1e3);
   } else {
     json.null_field("expires_in_ms");
@@ -328,11 +316,11 @@ std::string Messages::slip(const StepRecord& record) const {
       .field("t_s", clock_.t_s(record.now_ns))
       .field("left", snapshot.slip_left)
       .field("right", snapshot.slip_right)
-      .field("fused_left", snapshot.fused.slip_left)
-      .field("fused_right", snapshot.fused.slip_right)
+      .field("fused_left", snapshot.filter.slip_left)
+      .field("fused_right", snapshot.filter.slip_right)
       .field("gyro_bias_radps", snapshot.gyro_bias_radps)
-      .field("fused_gyro_bias_radps", snapshot.fused.gyro_bias_radps)
-      .field("slope_rad", snapshot.underfoot.slope_rad)
+      .field("fused_gyro_bias_radps", snapshot.filter.gyro_bias_radps)
+      .field("slope_rad", snapshot.terrain_contact.slope_rad)
       .end_object();
   return text;
 }
@@ -341,7 +329,7 @@ std::string Messages::course() const {
   std::string text;
   text::JsonWriter json(text);
   static const course::Course kNone{};
-  const course::Course& course = subject_.course == nullptr ? kNone : *subject_.course;
+  const course::Course& course = run_context_.course == nullptr ? kNone : *run_context_.course;
   json.begin_object()
       .field("name", course.name)
       .field("description", course.description)
@@ -355,17 +343,17 @@ std::string Messages::course() const {
       .end_object();
   write_path(json, path());
   write_terrain(json, course.terrain);
-  json.key("shoves").begin_array();
-  for (const course::Shove& shove : course.shoves) {
+  json.key("disturbances").begin_array();
+  for (const course::Disturbance& disturbance : course.disturbances) {
     json.begin_object()
-        .field("at_m", shove.at_m)
-        .field("sideways_m", shove.sideways_m)
-        .field("yaw_rad", shove.yaw_rad)
-        .field("duration_s", shove.duration_s)
+        .field("at_m", disturbance.at_m)
+        .field("sideways_m", disturbance.sideways_m)
+        .field("yaw_rad", disturbance.yaw_rad)
+        .field("duration_s", disturbance.duration_s)
         .end_object();
   }
   json.end_array().key("fence");
-  if (subject_.course == nullptr) {
+  if (run_context_.course == nullptr) {
     json.null();
   } else {
     json.begin_object()
@@ -375,7 +363,7 @@ std::string Messages::course() const {
         .field("max_y_m", course.fence.max_y_m)
         .end_object();
   }
-  write_robot(json, subject_.robot);
+  write_robot(json, run_context_.robot);
   json.end_object();
   return text;
 }
@@ -389,7 +377,7 @@ std::string Messages::event(const Event& event) const {
       .field("level", level_name(event.level))
       .field("text", event.text)
       .field("cause", event.cause)
-      .field("remedy", event.remedy)
+      .field("fix", event.fix)
       .end_object();
   return text;
 }

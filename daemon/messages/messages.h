@@ -6,15 +6,45 @@
 #include <optional>
 #include <string>
 
-#include "core/steering.h"
+#include "core/estimates.h"
 #include "core/step_record.h"
+#include "core/time.h"
+#include "course/course.h"
 #include "course/path.h"
-#include "messages/publish_clock.h"
-#include "messages/subject.h"
+#include "course/robot.h"
 
 namespace tp100::messages {
 
-/// Where the robot truly was, as somebody outside measured it.
+/// Robot and course of a bridge, fixed from start to end: the context of every message.
+struct RunContext {
+  std::string version;
+  std::shared_ptr<const course::Course> course;  ///< null: none
+  course::Robot robot{};
+  std::string setup = "flat";
+  std::string world = "internal";
+  std::string pacing = "host";
+  double rate_hz = 200.0;
+};
+
+/// Converts host time for viewers and recordings: to Unix time that never jumps, and to seconds
+/// since the start. The wall clock is read once, at the start; afterwards only monotonic time
+/// counts.
+struct PublishClock {
+  HostNs start_ns = 0;             ///< monotonic
+  std::int64_t start_unix_ns = 0;  ///< the same instant, by the wall clock
+
+  double t_s(HostNs at) const { return to_s(at - start_ns); }
+  /// Never negative.
+  std::uint64_t unix_ns(HostNs at) const {
+    const std::int64_t unix = start_unix_ns + (at - start_ns);
+    return unix < 0 ? 0 : static_cast<std::uint64_t>(unix);
+  }
+  HostNs host_ns(std::uint64_t unix_ns) const {
+    return start_ns + (static_cast<std::int64_t>(unix_ns) - start_unix_ns);
+  }
+};
+
+/// True pose of the robot, measured from outside.
 struct Truth {
   HostNs at_ns = 0;
   Pose pose{};
@@ -27,20 +57,16 @@ struct Event {
   std::string kind = "daemon";  ///< as listed in CHANNELS.md
   Level level = Level::kInfo;
   std::string text{};
-  std::string cause{};   ///< empty unless there is something to do
-  std::string remedy{};  ///< what
+  std::string cause{};  ///< empty unless the operator has to act
+  std::string fix{};    ///< how
 };
 
-/// The three estimates, each named by what it is to steer by it.
-inline constexpr Steering kEstimates[] = {Steering::kModel, Steering::kOdometry, Steering::kFused};
-const Pose& pose_of(const Snapshot& snapshot, Steering estimate);
-
-/// Writes messages about one subject. Each function returns the whole text of one message.
+/// Writes messages about one run context. Each function returns the whole text of one message.
 class Messages {
  public:
-  Messages(Subject subject, PublishClock clock);
+  Messages(RunContext run_context, PublishClock clock);
 
-  const Subject& subject() const { return subject_; }
+  const RunContext& run_context() const { return run_context_; }
   const PublishClock& clock() const { return clock_; }
   /// Null without a course.
   const course::Path* path() const { return path_ ? &*path_ : nullptr; }
@@ -62,7 +88,7 @@ class Messages {
   std::string log(const Event& event) const;
 
  private:
-  Subject subject_;
+  RunContext run_context_;
   PublishClock clock_;
   std::optional<course::Path> path_;
 };

@@ -48,7 +48,7 @@ std::string why_not(const ParameterText& parameter, const ParameterValue& value)
     if (parameter.type == Type::kInteger && *number != std::floor(*number))
       return parameter.name + " takes a whole number";
     if (*number < parameter.range.min || *number > parameter.range.max)
-      return parameter.name + " goes from " + number_text(parameter.range.min) + " to " +
+      return parameter.name + " ranges from " + number_text(parameter.range.min) + " to " +
              number_text(parameter.range.max) +
              (parameter.unit.empty() ? "" : " " + parameter.unit);
     return {};
@@ -87,7 +87,7 @@ std::string parameters_message(const std::vector<ParameterText>& parameters) {
     json.end_array()
         .field("meaning", parameter.meaning)
         .field("live", parameter.live)
-        .field("when", parameter.only_at_rest ? "not running" : "always")
+        .field("when", parameter.only_at_standstill ? "not running" : "always")
         .end_object();
   }
   json.end_array().end_object();

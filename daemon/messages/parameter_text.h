@@ -1,5 +1,5 @@
 #pragma once
-// A parameter as viewers see it.
+// A parameter as published to viewers.
 
 #include <string>
 #include <vector>
@@ -13,11 +13,11 @@ using ParameterValue = text::KeyText::Value;
 
 /// One parameter: a key of a file.
 struct ParameterText : text::KeyText {
-  bool live = false;          ///< can be set while the daemon runs
-  bool only_at_rest = false;  ///< ... but not during a run
+  bool live = false;                ///< can be set while the daemon runs
+  bool only_at_standstill = false;  ///< ... but not during a run
 };
 
-/// Why `value` cannot be that parameter's value; empty if it can: right type, finite, in range.
+/// Why `value` is not allowed for that parameter; empty if it is: right type, finite, in range.
 std::string why_not(const ParameterText& parameter, const ParameterValue& value);
 
 /// The /parameter message.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "messages/foxglove_json.h"
+#include "messages/foxglove.h"
 #include "messages/messages.h"
 
 namespace tp100::messages {
@@ -16,7 +16,7 @@ constexpr Colour kRampColour{0.72, 0.60, 0.42, 1.0};
 constexpr Colour kBlockColour{0.55, 0.45, 0.35, 1.0};
 constexpr Colour kSurfaceColour{0.35, 0.55, 0.60, 0.6};
 constexpr Colour kBodyColour{0.20, 0.72, 0.35, 1.0};
-constexpr Colour kBeltColour{0.12, 0.12, 0.12, 1.0};
+constexpr Colour kTrackColour{0.12, 0.12, 0.12, 1.0};
 
 Pose pose_of(const course::Place& place, double z_m) {
   return {.x_m = place.x_m, .y_m = place.y_m, .z_m = z_m, .yaw_rad = place.heading_rad};
@@ -44,17 +44,7 @@ class Triangles {
     text::JsonWriter json(text);
     json.begin_object();
     write_foxglove_pose(json, pose);
-    json.key("points").begin_array();
-    for (const Point& point : points_) {
-      json.begin_object()
-          .field("x", point.x_m)
-          .field("y", point.y_m)
-          .field("z", point.z_m)
-          .end_object();
-    }
-    json.end_array();
-    write_colour(json, colour);
-    json.key("colors").begin_array().end_array().key("indices").begin_array().end_array();
+    write_vertices(json, points_, colour);
     json.end_object();
     return text;
   }
@@ -80,7 +70,7 @@ void write_course(text::JsonWriter& json, const Messages& messages, std::uint64_
     points.push_back({point.x_m, point.y_m, kPathLiftM});
   write_entity(json, {.id = "course/path", .lines = line_strip(points, 0.006, kPathColour)}, at);
 
-  const course::Course& course = *messages.subject().course;
+  const course::Course& course = *messages.run_context().course;
   const course::Fence& fence = course.fence;
   const std::vector<Point> corners = {{fence.min_x_m, fence.min_y_m, 0},
                                       {fence.max_x_m, fence.min_y_m, 0},
@@ -112,24 +102,24 @@ void write_course(text::JsonWriter& json, const Messages& messages, std::uint64_
 
 void write_robot(text::JsonWriter& json, const course::Robot& robot, std::uint64_t at) {
   const course::ShapeValues& shape = robot.shape;
-  const double belt_m = robot.emulated.body.belt_width_m;
-  const double belt_height_m = 2.0 * shape.belt_radius_m;
-  const double body_height_m = std::max(0.01, shape.height_m - shape.belt_radius_m);
-  const Pose body{.z_m = shape.belt_radius_m + body_height_m / 2.0};
+  const double track_m = robot.emulated.body.shoe_width_m;
+  const double track_height_m = 2.0 * shape.wheel_radius_m;
+  const double body_height_m = std::max(0.01, shape.height_m - shape.wheel_radius_m);
+  const Pose body{.z_m = shape.wheel_radius_m + body_height_m / 2.0};
   write_entity(
       json,
       {.id = "robot/body",
        .frame = "robot",
-       .cubes =
-           cube(body, {shape.length_m * 0.9, std::max(0.01, shape.gauge_m - belt_m), body_height_m},
-                kBodyColour)},
+       .cubes = cube(body,
+                     {shape.length_m * 0.9, std::max(0.01, shape.gauge_m - track_m), body_height_m},
+                     kBodyColour)},
       at);
   for (const bool left : {true, false}) {
-    const Pose belt{.y_m = (left ? 0.5 : -0.5) * shape.gauge_m, .z_m = shape.belt_radius_m};
+    const Pose track{.y_m = (left ? 0.5 : -0.5) * shape.gauge_m, .z_m = shape.wheel_radius_m};
     write_entity(json,
                  {.id = left ? "robot/left" : "robot/right",
                   .frame = "robot",
-                  .cubes = cube(belt, {shape.length_m, belt_m, belt_height_m}, kBeltColour)},
+                  .cubes = cube(track, {shape.length_m, track_m, track_height_m}, kTrackColour)},
                  at);
   }
 }
@@ -140,6 +130,31 @@ void write_elements(text::JsonWriter& json, std::string_view name, const std::st
 }
 
 }  // namespace
+
+void write_vertices(text::JsonWriter& json, std::span<const Point> points, const Colour& colour) {
+  json.key("points").begin_array();
+  for (const Point& point : points) {
+    json.begin_object()
+        .field("x", point.x_m)
+        .field("y", point.y_m)
+        .field("z", point.z_m)
+        .end_object();
+  }
+  json.end_array();
+  write_colour(json, colour);
+  json.key("colors").begin_array().end_array().key("indices").begin_array().end_array();
+}
+
+std::string line_strip(std::span<const Point> points, double thickness_m, const Colour& colour) {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object().field("type", 0);
+  write_foxglove_pose(json, Pose{});
+  json.field("thickness", thickness_m).field("scale_invariant", false);
+  write_vertices(json, points, colour);
+  json.end_object();
+  return text;
+}
 
 void write_entity(text::JsonWriter& json, const Entity& entity, std::uint64_t unix_ns) {
   json.begin_object();
@@ -163,7 +178,7 @@ std::string Messages::scene(HostNs at) const {
   write_deletion_of_all(json, unix_ns);
   json.end_array().key("entities").begin_array();
   if (path() != nullptr) write_course(json, *this, unix_ns);
-  write_robot(json, subject_.robot, unix_ns);
+  write_robot(json, run_context_.robot, unix_ns);
   json.end_array().end_object();
   return text;
 }

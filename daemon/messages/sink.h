@@ -1,5 +1,5 @@
 #pragma once
-// Whoever takes what the steps produced: recorder, server, worlds.
+// Interface of everything that takes the results of steps: recorder, server, worlds.
 
 #include <vector>
 
@@ -9,23 +9,22 @@
 namespace tp100::messages {
 
 /// Called from one thread, never the real-time one, in the order of the steps. A sink must not
-/// block: it holds up every other sink and the operator. What takes time belongs to a thread of its
+/// block: it would delay every other sink and the operator. Slow work belongs in a thread of its
 /// own.
 class Sink {
  public:
   virtual ~Sink() = default;
 
-  /// One step. `record` is only valid during the call. A gap in record.step is a record that found
-  /// no room.
+  /// One step. `record` is only valid during the call. A gap in record.step means dropped records.
   virtual void take(const StepRecord& record) = 0;
-  /// Where the robot truly was at host time `at`; only where somebody outside knows, and after the
-  /// step that took the sample of that time.
+  /// The robot's true pose at host time `at`, if it is measured from outside; called after the step
+  /// that used the sample of that time.
   virtual void take_truth(HostNs at, const Pose& truth) {
     (void)at;
     (void)truth;
   }
-  /// Somebody pushed the robot from `at` on; only where somebody outside knows.
-  virtual void take_push(HostNs at) { (void)at; }
+  /// A disturbance of the robot began at `at`, if that is known from outside.
+  virtual void take_disturbance(HostNs at) { (void)at; }
 };
 
 /// Several sinks as one; they must outlive it.
@@ -39,8 +38,8 @@ class SinkList : public Sink {
   void take_truth(HostNs at, const Pose& truth) override {
     for (Sink* sink : sinks_) sink->take_truth(at, truth);
   }
-  void take_push(HostNs at) override {
-    for (Sink* sink : sinks_) sink->take_push(at);
+  void take_disturbance(HostNs at) override {
+    for (Sink* sink : sinks_) sink->take_disturbance(at);
   }
 
  private:

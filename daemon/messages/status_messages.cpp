@@ -1,12 +1,11 @@
 #include "messages/status_messages.h"
 
-#include "messages/state_names.h"
 #include "text/json_writer.h"
 
 namespace tp100::messages {
 namespace {
 
-// More than this part of a second's samples bad or lost is a poor link.
+// Above this fraction of bad or lost samples in a second, the link is poor.
 constexpr double kPoorShare = 0.01;
 
 void write_durations(text::JsonWriter& json, std::string_view name, const Durations& durations) {
@@ -38,7 +37,7 @@ void write_faults(text::JsonWriter& json, FaultMask faults) {
     json.begin_object()
         .field("name", text.name)
         .field("cause", text.cause)
-        .field("remedy", text.remedy)
+        .field("fix", text.fix)
         .field("from", (fault_bit(*fault) & kRobotFaults) != 0 ? "robot" : "daemon")
         .end_object();
     faults &= ~fault_bit(*fault);
@@ -67,6 +66,72 @@ void write_stop(text::JsonWriter& json, const StopFigures& stop, const PublishCl
 }
 
 }  // namespace
+
+const char* name_of(RobotState state) {
+  switch (state) {
+    case RobotState::kHello:
+      return "hello";
+    case RobotState::kParameters:
+      return "parameters";
+    case RobotState::kDisarmed:
+      return "disarmed";
+    case RobotState::kArmed:
+      return "armed";
+    case RobotState::kRunning:
+      return "running";
+    case RobotState::kFaulted:
+      return "faulted";
+  }
+  return "unknown";
+}
+
+const char* name_of(Slope slope) {
+  switch (slope) {
+    case Slope::kFlat:
+      return "flat";
+    case Slope::kUp:
+      return "up";
+    case Slope::kDown:
+      return "down";
+  }
+  return "unknown";
+}
+
+const char* name_of(PitchSource source) {
+  switch (source) {
+    case PitchSource::kVirtual:
+      return "virtual";
+    case PitchSource::kImu:
+      return "imu";
+    case PitchSource::kExternal:
+      return "external";
+  }
+  return "unknown";
+}
+
+const char* name_of(Obstacle obstacle) {
+  switch (obstacle) {
+    case Obstacle::kNone:
+      return "none";
+    case Obstacle::kRamp:
+      return "ramp";
+    case Obstacle::kBlock:
+      return "block";
+  }
+  return "unknown";
+}
+
+const char* name_of(Traction traction) {
+  switch (traction) {
+    case Traction::kHolding:
+      return "holding";
+    case Traction::kSlipping:
+      return "slipping";
+    case Traction::kImmobilised:
+      return "immobilised";
+  }
+  return "unknown";
+}
 
 const char* to_string(StopFigures::Status status) {
   switch (status) {
@@ -124,17 +189,17 @@ std::string link_message(double t_s, const LinkFigures& link) {
   return text;
 }
 
-std::string loop_message(double t_s, const LoopFigures& loop, const Subject& subject) {
+std::string loop_message(double t_s, const LoopFigures& loop, const RunContext& run_context) {
   std::string text;
   text::JsonWriter json(text);
   json.begin_object()
       .field("t_s", t_s)
-      .field("rate_hz", subject.rate_hz)
-      .field("pacing", subject.pacing)
-      .field("turns", loop.turns)
+      .field("rate_hz", run_context.rate_hz)
+      .field("pacing", run_context.pacing)
+      .field("cycles", loop.cycles)
       .field("overruns", loop.overruns)
       .field("missed", loop.missed)
-      .field("without_frame", loop.without_frame);
+      .field("frame_timeouts", loop.frame_timeouts);
   loop.each_time([&](const char* name, const Durations& durations) {
     write_durations(json, name, durations);
   });
@@ -152,7 +217,7 @@ std::string loop_message(double t_s, const LoopFigures& loop, const Subject& sub
 }
 
 std::string state_message(HostNs now, const PublishClock& clock, const StateFigures& state,
-                          const Subject& subject) {
+                          const RunContext& run_context) {
   std::string text;
   text.reserve(1024);
   text::JsonWriter json(text);
@@ -169,11 +234,11 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
   write_optional(json, "run_s", state.run_s);
   json.field("progress_m", state.progress_m);
   write_optional(json, "length_m", state.length_m);
-  json.field("course", subject.course == nullptr ? "" : subject.course->name)
-      .field("robot", subject.robot.name)
-      .field("setup", subject.setup)
+  json.field("course", run_context.course == nullptr ? "" : run_context.course->name)
+      .field("robot", run_context.robot.name)
+      .field("setup", run_context.setup)
       .field("steering", to_string(state.steering))
-      .field("world", subject.world);
+      .field("world", run_context.world);
   write_optional(json, "battery_v", state.battery_v);
   json.key("can")
       .begin_object()

@@ -3,18 +3,26 @@
 
 #include <string>
 
+#include "core/estimates.h"
+#include "core/sample.h"
 #include "messages/figures.h"
-#include "messages/publish_clock.h"
-#include "messages/subject.h"
+#include "messages/messages.h"
 
 namespace tp100::messages {
 
 std::string link_message(double t_s, const LinkFigures& link);
-std::string loop_message(double t_s, const LoopFigures& loop, const Subject& subject);
+std::string loop_message(double t_s, const LoopFigures& loop, const RunContext& run_context);
 std::string state_message(HostNs now, const PublishClock& clock, const StateFigures& state,
-                          const Subject& subject);
+                          const RunContext& run_context);
 std::string recording_message(const RecordingFigures& recording);
 std::string clients_message(const ClientsFigures& clients);
+
+// Names as in the messages.
+const char* name_of(RobotState state);
+const char* name_of(Slope slope);
+const char* name_of(PitchSource source);
+const char* name_of(Obstacle obstacle);
+const char* name_of(Traction traction);
 
 /// Name as in /state.stop.status.
 const char* to_string(StopFigures::Status status);

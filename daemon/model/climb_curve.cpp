@@ -2,21 +2,106 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "core/angle.h"
+#include "core/error.h"
 
 namespace tp100::model {
+
 namespace {
 
 constexpr int kHalvings = 60;
+
+// Height of the step over whose edge the centre of mass passes at this angle.
+double height_at_tip(const ClimbGeometry& g, double angle) {
+  const double s = std::sin(angle), c = std::cos(angle);
+  return g.wheel_radius_m * (1.0 - c) + g.com_forward_m * s - g.com_height_m * s * s / c;
+}
+
+// height_at_tip rises up to here and falls beyond; beyond it the edge has also left the flat track.
+double steepest_tip(const ClimbGeometry& g) {
+  double low = 0.0, high = std::atan2(g.com_forward_m, g.com_height_m);
+  const auto rising = [&g](double angle) {
+    const double s = std::sin(angle), c = std::cos(angle);
+    return g.wheel_radius_m * s + g.com_forward_m * c > g.com_height_m * s * (1.0 + 1.0 / (c * c));
+  };
+  if (rising(high)) return high;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2.0;
+    (rising(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+void require_length(double value, const char* what) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw SetupError(std::string("step climb: ") + what + " must be a positive length in metres");
+}
+
+std::string millimetres(double metres) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f mm", metres * 1e3);
+  return text;
+}
+
+}  // namespace
+
+double climb_limit_m(const ClimbGeometry& geometry) {
+  return height_at_tip(geometry, steepest_tip(geometry));
+}
+
+std::optional<double> tip_angle_rad(const ClimbGeometry& geometry, double height_m) {
+  double low = 0.0, high = steepest_tip(geometry);
+  if (!(height_m <= height_at_tip(geometry, high))) return std::nullopt;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2.0;
+    (height_at_tip(geometry, middle) < height_m ? low : high) = middle;
+  }
+  return (low + high) / 2.0;
+}
+
+double gyration_squared_m2(const ClimbGeometry& geometry) {
+  return (geometry.body_length_m * geometry.body_length_m +
+          geometry.body_height_m * geometry.body_height_m) /
+         12.0;
+}
+
+void check_climb(const ClimbGeometry& g, const BlockShape& block) {
+  require_length(g.axle_spacing_m, "axle spacing");
+  require_length(g.wheel_radius_m, "track radius");
+  require_length(g.com_forward_m, "centre of mass ahead of the rear axle");
+  require_length(g.axle_spacing_m - g.com_forward_m, "centre of mass behind the front axle");
+  require_length(g.com_height_m, "centre of mass height");
+  require_length(g.body_length_m, "body length");
+  require_length(g.body_height_m, "body height");
+  require_length(block.height_m, "block height");
+  if (!(block.depth_m > 0.0)) throw SetupError("step climb: block depth must be positive");
+  const double limit = climb_limit_m(g);
+  if (block.height_m > limit) {
+    throw SetupError("step climb: this robot cannot climb " + millimetres(block.height_m) +
+                     "; its limit is " + millimetres(limit) +
+                     ": lower the block or the robot's centre of mass");
+  }
+  const double nose = std::hypot(g.axle_spacing_m - g.com_forward_m, g.wheel_radius_m);
+  if (block.height_m - g.wheel_radius_m >= nose) {
+    throw SetupError("step climb: behind a block of " + millimetres(block.height_m) +
+                     " this robot falls on its nose; below " +
+                     millimetres(nose + g.wheel_radius_m) + " it comes down");
+  }
+}
+
+namespace {
+
 constexpr int kNewtonSteps = 12;
 
 }  // namespace
 
-ClimbCurve::ClimbCurve(const ClimbGeometry& geometry, const Block& block, RiserForm form)
+ClimbCurve::ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block, RiserForm form)
     : geometry_(geometry), block_(block), form_(form) {
   check_climb(geometry, block);
-  const double spacing = geometry.axle_spacing_m, radius = geometry.belt_radius_m;
+  const double spacing = geometry.axle_spacing_m, radius = geometry.wheel_radius_m;
   const double over = block.height_m - radius;
   const bool has_riser = over > 0.0;
   first_elevation_ = has_riser ? 0.0 : std::asin(-over / radius);
@@ -44,39 +129,39 @@ ClimbCurve::ClimbCurve(const ClimbGeometry& geometry, const Block& block, RiserF
   marks_.slide_end = marks_.nose_end + slide_travel({0.0, first_elevation_}) - slide_travel(begin);
 }
 
-// Angle of a body with one axle at ground level and an edge under the belt's flat, `flat_m` from
+// Angle of a body with one axle at ground level and an edge under the track's flat, `flat_m` from
 // that axle.
 double ClimbCurve::edge_angle(double flat_m) const {
-  const double radius = geometry_.belt_radius_m;
+  const double radius = geometry_.wheel_radius_m;
   const double sine = (block_.height_m - radius) / std::hypot(flat_m, radius);
   return std::asin(std::min(sine, 1.0)) + std::atan2(radius, flat_m);
 }
 
 // Angle of a body with one axle at ground level and the other seen from the edge at `elevation`.
 double ClimbCurve::angle_at_elevation(double elevation) const {
-  const double radius = geometry_.belt_radius_m;
+  const double radius = geometry_.wheel_radius_m;
   return std::asin((block_.height_m - radius + radius * std::sin(elevation)) /
                    geometry_.axle_spacing_m);
 }
 
 Lean ClimbCurve::approach(double travel_m) const {
   Lean lean;
-  const double front = travel_m - geometry_.belt_radius_m * std::cos(first_elevation_);
-  lean.rear_axle = {front - geometry_.axle_spacing_m, geometry_.belt_radius_m};
+  const double front = travel_m - geometry_.wheel_radius_m * std::cos(first_elevation_);
+  lean.rear_axle = {front - geometry_.axle_spacing_m, geometry_.wheel_radius_m};
   lean.held_point = {lean.rear_axle.x, 0.0};
-  lean.belt_direction = {1.0, 0.0};
+  lean.track_direction = {1.0, 0.0};
   return lean;
 }
 
 Lean ClimbCurve::riser(double travel_m) const {
-  const double spacing = geometry_.axle_spacing_m, radius = geometry_.belt_radius_m;
+  const double spacing = geometry_.axle_spacing_m, radius = geometry_.wheel_radius_m;
   Lean lean;
   double angle = 0.0;
   if (form_ == RiserForm::kPaper) {
     angle = std::asin(travel_m / spacing);
     lean.rate_radpm = 1.0 / (spacing * std::cos(angle));
   } else {
-    // From below on a concave curve Newton's steps never overshoot.
+    // From below on a concave curve, Newton steps never overshoot.
     angle = travel_m / (spacing + radius);
     for (int i = 0; i < kNewtonSteps; ++i) {
       angle -= (spacing * std::sin(angle) + radius * angle - travel_m) /
@@ -86,15 +171,15 @@ Lean ClimbCurve::riser(double travel_m) const {
   }
   lean.angle_rad = angle;
   lean.rear_axle = {-radius - spacing * std::cos(angle), radius};
-  // Eq 6 lifts the axle, not the belt's contact, by the belt travel.
+  // Eq 6 lifts the axle, not the track's contact, by the track travel.
   lean.held_point = {form_ == RiserForm::kPaper ? -radius : 0.0,
                      radius + spacing * std::sin(angle)};
-  lean.belt_direction = {0.0, 1.0};
+  lean.track_direction = {0.0, 1.0};
   return lean;
 }
 
 Lean ClimbCurve::wrap(double travel_m) const {
-  const double spacing = geometry_.axle_spacing_m, radius = geometry_.belt_radius_m;
+  const double spacing = geometry_.axle_spacing_m, radius = geometry_.wheel_radius_m;
   const double over = block_.height_m - radius;
   const double wrapped = kPi / 2.0 - (marks_.wrap_end - travel_m) / radius;
   const double along = spacing + radius * std::cos(wrapped), up = radius * std::sin(wrapped);
@@ -105,18 +190,18 @@ Lean ClimbCurve::wrap(double travel_m) const {
       std::cos(elevation) / (spacing * std::cos(lean.angle_rad) + radius * std::cos(elevation));
   lean.rear_axle = {-radius * std::cos(elevation) - spacing * std::cos(lean.angle_rad), radius};
   lean.held_point = {0.0, block_.height_m};
-  lean.belt_direction = {std::sin(elevation), std::cos(elevation)};
+  lean.track_direction = {std::sin(elevation), std::cos(elevation)};
   return lean;
 }
 
 Lean ClimbCurve::about_edge(double edge_x, double flat_m, double angle_rad) const {
   const double s = std::sin(angle_rad), c = std::cos(angle_rad);
-  const double radius = geometry_.belt_radius_m;
+  const double radius = geometry_.wheel_radius_m;
   Lean lean;
   lean.angle_rad = angle_rad;
   lean.rear_axle = {edge_x - flat_m * c - radius * s, block_.height_m - flat_m * s + radius * c};
   lean.held_point = {edge_x, block_.height_m};
-  lean.belt_direction = {c, s};
+  lean.track_direction = {c, s};
   return lean;
 }
 
@@ -132,12 +217,12 @@ Lean ClimbCurve::cross(double travel_m) const {
   const double flat = geometry_.com_forward_m - past_near_edge_m(travel_m);
   Lean lean = about_edge(0.0, flat, edge_angle(flat));
   const double s = std::sin(lean.angle_rad), c = std::cos(lean.angle_rad);
-  lean.rate_radpm = s / (flat * c + geometry_.belt_radius_m * s);
+  lean.rate_radpm = s / (flat * c + geometry_.wheel_radius_m * s);
   return lean;
 }
 
 double ClimbCurve::cross_bend(double travel_m) const {
-  const double radius = geometry_.belt_radius_m;
+  const double radius = geometry_.wheel_radius_m;
   const double flat = geometry_.com_forward_m - past_near_edge_m(travel_m);
   const double angle = edge_angle(flat), s = std::sin(angle), c = std::cos(angle);
   const double lever = flat * c + radius * s, rate = s / lever;
@@ -151,14 +236,14 @@ Lean ClimbCurve::nose(double travel_m) const {
   const double down = edge_angle(ahead);
   Lean lean = about_edge(block_.depth_m, behind, -down);
   const double s = std::sin(down), c = std::cos(down);
-  lean.rate_radpm = s / (ahead * c + geometry_.belt_radius_m * s);
+  lean.rate_radpm = s / (ahead * c + geometry_.wheel_radius_m * s);
   return lean;
 }
 
 // Travel of a front contact that holds, up to a constant, while the rear comes off the edge.
 double ClimbCurve::slide_travel(const Roll& roll) const {
   return geometry_.axle_spacing_m * std::cos(roll.angle) +
-         geometry_.belt_radius_m * (std::cos(roll.elevation) - roll.angle);
+         geometry_.wheel_radius_m * (std::cos(roll.elevation) - roll.angle);
 }
 
 // Rear end around the edge, then down the far face (elevation 0); travel grows on both.
@@ -179,14 +264,14 @@ ClimbCurve::Roll ClimbCurve::roll_at(double travel_m) const {
 }
 
 Lean ClimbCurve::slide(double travel_m) const {
-  const double spacing = geometry_.axle_spacing_m, radius = geometry_.belt_radius_m;
+  const double spacing = geometry_.axle_spacing_m, radius = geometry_.wheel_radius_m;
   const Roll roll = roll_at(travel_m);
   const double s = std::sin(roll.angle), c = std::cos(roll.angle);
   Lean lean;
   lean.angle_rad = -roll.angle;
   lean.rear_axle = {block_.depth_m + radius * std::cos(roll.elevation), radius + spacing * s};
   lean.held_point = {lean.rear_axle.x + spacing * c, 0.0};
-  lean.belt_direction = {1.0, 0.0};
+  lean.track_direction = {1.0, 0.0};
   // On the face the elevation stays 0 and its tangent with it: the same expression serves both.
   const double along_edge = spacing * c * std::tan(roll.elevation);
   lean.rate_radpm = 1.0 / (spacing * s + radius + along_edge);
@@ -195,11 +280,11 @@ Lean ClimbCurve::slide(double travel_m) const {
 
 Lean ClimbCurve::down(double travel_m) const {
   Lean lean;
-  lean.rear_axle = {block_.depth_m + geometry_.belt_radius_m * std::cos(first_elevation_) +
+  lean.rear_axle = {block_.depth_m + geometry_.wheel_radius_m * std::cos(first_elevation_) +
                         travel_m - marks_.slide_end,
-                    geometry_.belt_radius_m};
+                    geometry_.wheel_radius_m};
   lean.held_point = {lean.rear_axle.x, 0.0};
-  lean.belt_direction = {1.0, 0.0};
+  lean.track_direction = {1.0, 0.0};
   return lean;
 }
 

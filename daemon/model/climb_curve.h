@@ -1,14 +1,49 @@
 #pragma once
-// The parts of a step climb that follow belt travel alone: the body leans on two points of the
-// world and geometry fixes its angle. Angles here are nose-up positive, as in the formulas.
+// The parts of a step climb that depend on track travel alone: the body is supported at two points
+// and geometry determines its angle. Angles here are nose-up positive, as in the formulas.
 
-#include "model/climb_geometry.h"
+#include <optional>
 
 namespace tp100::model {
 
-/// How belt travel turns into angle while the front belt rolls up the riser. `kBeltHolds`: the belt
-/// holds on the riser, L_a sin phi + r phi = s. `kPaper`: eq 6 to the letter, phi = asin(s / L_a).
-enum class RiserForm { kBeltHolds, kPaper };
+// Geometry of robot and block in a step climb, and the static test that precedes it.
+
+/// The robot in the plane of the step. The track is a stadium around two axles. [m]
+struct ClimbGeometry {
+  double axle_spacing_m = 0.133;  ///< L_a
+  double wheel_radius_m = 0.026;  ///< r, outer radius of the track at both axles
+  double com_forward_m = 0.0665;  ///< l_c, centre of mass ahead of the rear axle; 0..L_a
+  double com_height_m = 0.022;    ///< z_c, above the tracks' underside; > 0
+  double body_length_m = 0.185;   ///< l, for the moment of inertia
+  double body_height_m = 0.060;   ///< H, for the moment of inertia
+};
+
+/// A block across the robot's path. An infinite depth is a step up onto a plateau.
+struct BlockShape {
+  double height_m = 0.037;  ///< h
+  double depth_m = 0.100;   ///< in the driving direction
+};
+
+/// Highest step that the centre of mass still passes, quasi-static and with enough
+/// traction: max over phi of r (1 - cos phi) + l_c sin phi - z_c sin^2 phi / cos phi. [m]
+/// Pure.
+double climb_limit_m(const ClimbGeometry& geometry);
+
+/// Nose-up angle at which the centre of mass passes the edge of a step of `height_m`; none if the
+/// step cannot be climbed. [rad] Pure.
+std::optional<double> tip_angle_rad(const ClimbGeometry& geometry, double height_m);
+
+/// Square of the body's radius of gyration about its lateral axis, (l^2 + H^2) / 12. [m^2]
+double gyration_squared_m2(const ClimbGeometry& geometry);
+
+/// Throws SetupError if a length is not positive and finite, the centre of mass lies outside the
+/// axles, the block is higher than climb_limit_m, or the nose cannot reach the ground behind it.
+void check_climb(const ClimbGeometry& geometry, const BlockShape& block);
+
+/// Relation of track travel and angle while the front track rolls up the riser. `kTrackHolds`: the
+/// track holds on the riser, L_a sin phi + r phi = s. `kPaper`: eq 6 to the letter, phi = asin(s /
+/// L_a).
+enum class RiserForm { kTrackHolds, kPaper };
 
 /// Point or vector in the vertical plane of the climb: x ahead of the near edge, z above ground.
 struct PlaneVector {
@@ -16,35 +51,35 @@ struct PlaneVector {
   double z = 0.0;
 };
 
-/// The body on its curve at some belt travel.
+/// The body on its curve at a given track travel.
 struct Lean {
-  double angle_rad = 0.0;        ///< nose-up positive
-  double rate_radpm = 0.0;       ///< change of the angle per metre of belt travel
-  PlaneVector rear_axle{};       ///< [m]
-  PlaneVector held_point{};      ///< point that belt motion moves: the contact that does not slip
-  PlaneVector belt_direction{};  ///< unit vector in which the body moves at that point
+  double angle_rad = 0.0;         ///< nose-up positive
+  double rate_radpm = 0.0;        ///< change of the angle per metre of track travel
+  PlaneVector rear_axle{};        ///< [m]
+  PlaneVector held_point{};       ///< the contact that does not slip, which track motion moves
+  PlaneVector track_direction{};  ///< unit vector in which the body moves at that point
 };
 
-/// Belt travel at which the parts meet, from first touch of the riser. [m]
+/// Track travel at the boundaries of the phases, from first touch of the riser. [m]
 struct ClimbMarks {
   double riser_end;   ///< s1: the front axle is level with the edge; 0 if h <= r
-  double wrap_end;    ///< s2: the edge reaches the flat of the belt
+  double wrap_end;    ///< s2: the edge reaches the flat of the track
   double cross_end;   ///< the centre of mass passes the near edge
   double flat_begin;  ///< flat on the block with the centre of mass over the near edge
   double flat_end;    ///< the same over the far edge
   double nose_begin;  ///< leaning on far edge and nose with the centre of mass over that edge
-  double nose_end;    ///< the rear end of the flat of the belt reaches the far edge
+  double nose_end;    ///< the rear end of the flat of the track reaches the far edge
   double slide_end;   ///< flat behind the block
 };
 
-/// Pure functions of belt travel. No allocation after construction; safe in the real-time thread.
+/// Pure functions of track travel. No allocation after construction; safe in the real-time thread.
 class ClimbCurve {
  public:
   /// Throws SetupError as check_climb does.
-  ClimbCurve(const ClimbGeometry& geometry, const Block& block, RiserForm form);
+  ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block, RiserForm form);
 
   const ClimbGeometry& geometry() const { return geometry_; }
-  const Block& block() const { return block_; }
+  const BlockShape& block() const { return block_; }
   const ClimbMarks& marks() const { return marks_; }
 
   Lean approach(double travel_m) const;  ///< flat in front of the block, travel <= 0
@@ -55,14 +90,15 @@ class ClimbCurve {
   Lean slide(double travel_m) const;     ///< rear end on the far edge; the front contact holds
   Lean down(double travel_m) const;      ///< flat behind the block
 
-  /// How the rate of `cross` changes with travel. [rad/m^2]
+  /// Change of the rate of `cross` with travel. [rad/m^2]
   double cross_bend(double travel_m) const;
 
-  /// Body turned by `angle_rad` about the near (phases 4 and 5) or the far edge. Rate 0.
+  /// The body rotated by `angle_rad` about the near (phases 4 and 5) or the far edge. Rate 0.
   Lean about_near_edge(double travel_m, double angle_rad) const;
   Lean about_far_edge(double travel_m, double angle_rad) const;
 
-  /// Edge to centre of mass along the belt's flat, positive once it is past the edge. [m]
+  /// Distance from the edge to the centre of mass along the track's flat, positive past the edge.
+  /// [m]
   double past_near_edge_m(double travel_m) const { return travel_m - marks_.flat_begin; }
   double past_far_edge_m(double travel_m) const { return travel_m - marks_.flat_end; }
 
@@ -77,10 +113,10 @@ class ClimbCurve {
   Roll roll_at(double travel_m) const;
 
   ClimbGeometry geometry_;
-  Block block_;
+  BlockShape block_;
   RiserForm form_;
-  double first_elevation_;  ///< of the axle seen from the edge, at first touch
-  double last_elevation_;   ///< the same where the flat of the belt begins
+  double first_elevation_;  ///< elevation of the axle from the edge, at first touch
+  double last_elevation_;   ///< the same where the flat of the track begins
   ClimbMarks marks_{};
 };
 

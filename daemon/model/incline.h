@@ -1,5 +1,5 @@
 #pragma once
-// What the ground does to the way that the belts make.
+// Effect of the ground on the distance that the tracks drive.
 
 #include <cmath>
 
@@ -9,13 +9,14 @@ namespace tp100::model {
 struct Incline {
   double slope_rad = 0.0;    ///< climb angle along the robot; shifts the slip ratios
   double slip_offset = 0.0;  ///< of the surface, added to both slip ratios
-  double planar = 1.0;       ///< planar way per way along the ground: cos(slope) on a ramp; while
-                             ///< the body turns about an edge anything
+  double horizontal_fraction =
+      1.0;  ///< horizontal distance per distance along the slope, cos(slope) on a ramp; any value
+            ///< while the body rotates about an edge
 };
 
 /// A plane at a climb angle.
 inline Incline inclined(double slope_rad) {
-  return {.slope_rad = slope_rad, .planar = std::cos(slope_rad)};
+  return {.slope_rad = slope_rad, .horizontal_fraction = std::cos(slope_rad)};
 }
 
 }  // namespace tp100::model

@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kGravityMps2 = 9.80665;
 constexpr double kFallStepS = 2.5e-4;
-constexpr double kMostFallSteps = 2000.0;
+constexpr double kMaxFallSteps = 2000.0;
 constexpr int kHalvings = 40;
 constexpr double kTouchRad = 1e-9;
-constexpr int kMostPhases = 24;
+constexpr int kMaxPhases = 24;
 constexpr double kEver = std::numeric_limits<double>::infinity();
 
 PlaneVector along(const PlaneVector& from, double forward, double up, double angle) {
@@ -22,7 +22,7 @@ PlaneVector along(const PlaneVector& from, double forward, double up, double ang
 
 }  // namespace
 
-StepClimb::StepClimb(const ClimbGeometry& geometry, const Block& block, RiserForm form,
+StepClimb::StepClimb(const ClimbGeometry& geometry, const BlockShape& block, RiserForm form,
                      TipStart tip_start)
     : curve_(geometry, block, form),
       tip_start_(tip_start),
@@ -34,7 +34,7 @@ void StepClimb::reset(double distance_m) {
   phase_ = ClimbPhase::kApproach;
   travel_m_ = -distance_m;
   fall_ = {0.0, 0.0};
-  belt_stalled_ = false;
+  track_stalled_ = false;
   publish(0.0);
 }
 
@@ -47,15 +47,15 @@ const ClimbState& StepClimb::advance(double travel_m, double dt_s) {
   const double speed = travel_m / dt_s;
   if (!std::isfinite(speed)) return state_;
   double time = dt_s;
-  for (int i = 0; i < kMostPhases && time > 0.0; ++i) {
-    belt_stalled_ = false;
+  for (int i = 0; i < kMaxPhases && time > 0.0; ++i) {
+    track_stalled_ = false;
     time = run(speed, time);
   }
   publish(speed);
   return state_;
 }
 
-// Runs the present phase for up to `time`; returns what is left when the next one has begun.
+// Runs the present phase for up to `time`; returns the time left when the next phase has begun.
 double StepClimb::run(double speed, double time) {
   const ClimbMarks& marks = curve_.marks();
   using enum ClimbPhase;
@@ -98,20 +98,20 @@ double StepClimb::follow(double speed, double time, double begin, double end, Cl
   const double mark = past_end ? end : begin;
   if (next == phase_) {
     travel_m_ = mark;
-    belt_stalled_ = true;
+    track_stalled_ = true;
     return 0.0;
   }
   const double left = time - (mark - travel_m_) / speed;
   travel_m_ = mark;
   const Lean here = lean();
-  // The fall begins at the angle and the rate that the curve ends with.
+  // The fall begins with the angle and the rate at the end of the curve.
   fall_ = {here.angle_rad, here.rate_radpm * speed};
   phase_ = next;
   return std::clamp(left, 0.0, time);
 }
 
-// Whether the rear contact would have to pull to keep the moving body on the curve. It lets go a
-// little before the centre of mass has passed the edge, at rest exactly there.
+// True if the rear contact would have to pull to keep the moving body on the curve. It releases a
+// little before the centre of mass has passed the edge, at standstill exactly there.
 bool StepClimb::lifts_off(double travel_m, double speed) const {
   const double height = curve_.geometry().com_height_m;
   const Lean at = curve_.cross(travel_m);
@@ -141,7 +141,8 @@ double StepClimb::arm_m(Edge edge) const {
                              : curve_.past_far_edge_m(travel_m_);
 }
 
-// One step of the body about an edge over which its flat moves: fourth-order Runge-Kutta.
+// One step of the body's rotation about an edge over which its flat moves: fourth-order
+// Runge-Kutta.
 StepClimb::Fall StepClimb::fallen(const Fall& from, double arm, double speed, double time) const {
   const double height = curve_.geometry().com_height_m;
   const auto slope = [&](const Fall& y, double at) {
@@ -161,7 +162,8 @@ StepClimb::Fall StepClimb::fallen(const Fall& from, double arm, double speed, do
           from.rate + time / 6.0 * (a.rate + 2.0 * (b.rate + c.rate) + d.rate)};
 }
 
-// What the falling body has come to lie on; the phase of the fall itself while it is in the air.
+// The phase in which the falling body has landed; the phase of the fall itself while it is in the
+// air.
 ClimbPhase StepClimb::landed(const Fall& fall, double travel_m, Edge edge) const {
   const ClimbMarks& marks = curve_.marks();
   if (edge == Edge::kNear) {
@@ -175,8 +177,8 @@ ClimbPhase StepClimb::landed(const Fall& fall, double travel_m, Edge edge) const
   return ahead ? ClimbPhase::kNose : ClimbPhase::kTipOff;
 }
 
-// The body may lift off the ground contact, it may not sink in: where the centre of mass has passed
-// the edge but the body still turns the other way, it stays on its curve until it lifts off.
+// The body may lift off the ground contact but not sink in: where the centre of mass has passed the
+// edge but the body still rotates the other way, it stays on its curve until it lifts off.
 StepClimb::Fall StepClimb::held_up(const Fall& fall, double travel_m, double speed,
                                    Edge edge) const {
   const bool near = edge == Edge::kNear;
@@ -187,17 +189,17 @@ StepClimb::Fall StepClimb::held_up(const Fall& fall, double travel_m, double spe
 
 double StepClimb::fall(double speed, double time, Edge edge) {
   const ClimbMarks& marks = curve_.marks();
-  // Belts that would carry the edge off the flat spin instead. Forward over the near edge it may
-  // leave the flat: the body is about to lie on the block.
+  // Tracks that would carry the edge off the flat spin instead. Forward over the near edge, the
+  // edge may leave the flat: the body is about to land on the block.
   const double first =
       edge == Edge::kNear ? marks.wrap_end : marks.wrap_end + curve_.block().depth_m;
   const double last = edge == Edge::kNear ? kEver : marks.nose_end;
-  const double step = std::max(kFallStepS, time / kMostFallSteps);
+  const double step = std::max(kFallStepS, time / kMaxFallSteps);
   while (time > 0.0) {
     const double h = std::min(step, time);
     const double to = travel_m_ + speed * h;
-    belt_stalled_ = to < first || to > last;
-    const double carried = belt_stalled_ ? 0.0 : speed;
+    track_stalled_ = to < first || to > last;
+    const double carried = track_stalled_ ? 0.0 : speed;
     const double arm = arm_m(edge);
     const Fall next = fallen(fall_, arm, carried, h);
     if (landed(next, travel_m_ + carried * h, edge) == phase_) {
@@ -272,20 +274,20 @@ void StepClimb::publish(double speed) {
   const ClimbGeometry& geometry = curve_.geometry();
   const Lean at = lean();
   const bool falling = phase_ == ClimbPhase::kTip || phase_ == ClimbPhase::kTipOff;
-  const double body_mps = belt_stalled_ ? 0.0 : speed;
+  const double body_mps = track_stalled_ ? 0.0 : speed;
   const double rate = falling ? fall_.rate : at.rate_radpm * body_mps;
   const auto velocity = [&](const PlaneVector& point) {
-    return PlaneVector{at.belt_direction.x * body_mps - rate * (point.z - at.held_point.z),
-                       at.belt_direction.z * body_mps + rate * (point.x - at.held_point.x)};
+    return PlaneVector{at.track_direction.x * body_mps - rate * (point.z - at.held_point.z),
+                       at.track_direction.z * body_mps + rate * (point.x - at.held_point.x)};
   };
   state_.phase = phase_;
   state_.travel_m = travel_m_;
   state_.pitch_rad = at.angle_rad == 0.0 ? 0.0 : -at.angle_rad;
   state_.pitch_rate_radps = rate == 0.0 ? 0.0 : -rate;
   state_.com_m = along(at.rear_axle, geometry.com_forward_m,
-                       geometry.com_height_m - geometry.belt_radius_m, at.angle_rad);
+                       geometry.com_height_m - geometry.wheel_radius_m, at.angle_rad);
   state_.reference_m =
-      along(at.rear_axle, geometry.axle_spacing_m / 2.0, -geometry.belt_radius_m, at.angle_rad);
+      along(at.rear_axle, geometry.axle_spacing_m / 2.0, -geometry.wheel_radius_m, at.angle_rad);
   state_.com_mps = velocity(state_.com_m);
   state_.reference_mps = velocity(state_.reference_m);
 }

@@ -1,21 +1,21 @@
 #pragma once
 // Climbing a block and coming down behind it, eq 6 and its missing continuation: a state machine
-// over belt travel, and over time where the body falls.
+// over track travel, and over time where the body falls.
 
 #include "model/climb_curve.h"
 
 namespace tp100::model {
 
-/// Where the climb stands. The paper's phases are kRiser to kFlat; the rest leaves the block.
+/// Phase of the climb. The paper's phases are kRiser to kFlat; the rest leaves the block.
 enum class ClimbPhase {
   kApproach,  ///< flat, the riser not yet touched
-  kRiser,     ///< 1: the front belt rolls up the riser; skipped if the step is below the radius
-  kWrap,      ///< 2: the edge passes around the front of the belt (alpha to 90 degrees)
-  kCross,     ///< 3: the flat of the belt slides over the edge, the rear on the ground (L_D)
+  kRiser,     ///< 1: the front track rolls up the riser; skipped if the step is below the radius
+  kWrap,      ///< 2: the edge passes around the front of the track (alpha to 90 degrees)
+  kCross,     ///< 3: the flat of the track slides over the edge, the rear on the ground (L_D)
   kTip,       ///< 4: the body falls forward about the near edge
   kFlat,      ///< 5: flat on the block
   kTipOff,    ///< the body falls forward about the far edge
-  kNose,      ///< the nose has touched the ground, the belt still runs over the far edge
+  kNose,      ///< the nose has touched the ground, the track still runs over the far edge
   kSlideOff,  ///< the rear end comes around the far edge and down the far face
   kDown,      ///< flat behind the block; further travel goes ahead, the block is behind
 };
@@ -23,37 +23,37 @@ enum class ClimbPhase {
 /// The climb as seen from its plane: x ahead of the near edge, z above the ground, both in m.
 struct ClimbState {
   ClimbPhase phase = ClimbPhase::kApproach;
-  double travel_m = 0.0;          ///< belt travel since first touch; negative before it
+  double travel_m = 0.0;          ///< track travel since first touch; negative before it
   double pitch_rad = 0.0;         ///< REP-103: nose-up is negative
   double pitch_rate_radps = 0.0;  ///< of pitch_rad
   PlaneVector com_m{};            ///< centre of mass
   PlaneVector com_mps{};
-  PlaneVector reference_m{};  ///< centre of the belts' footprint plane, the pose's point
+  PlaneVector reference_m{};  ///< centre of the tracks' footprint plane, the pose's point
   PlaneVector reference_mps{};
 };
 
-/// When the rear leaves the ground and phase 4 begins. `kBalance`: the centre of mass is over the
-/// edge, as published (40.1 deg at 136.9 mm for the TP100 on 37 mm). `kLiftOff`: the load on the
-/// rear contact has gone, which the turning body's inertia makes earlier by some millimetres.
+/// Condition for the rear to leave the ground and phase 4 to begin. `kBalance`: the centre of mass
+/// is over the edge, as published (40.1 deg at 136.9 mm for the TP100 on 37 mm). `kLiftOff`: the
+/// rear contact carries no load, which the rotating body's inertia makes some millimetres earlier.
 enum class TipStart { kBalance, kLiftOff };
 
-/// One robot, one block, driven straight at it. Quasi-static but for the two falls. The belt holds
-/// at one contact and slips at the other: it holds on the riser, then on the edge, and on the
-/// ground in front while sliding off. Landings do not bounce. Belts that drive back undo a phase,
-/// except that the robot behind the block does not climb it again. Meant for speeds up to about 0.2
-/// m/s at the TP100's size: above, the edge leaves the flat of the belt before the body has landed
-/// (taken as a longer flat), and gravity is too slow for kSlideOff. Real-time safe: no allocation
-/// after construction; bounded time whatever is passed.
+/// One robot, one block, driven straight at it. Quasi-static except for the two falls. The track
+/// holds at one contact and slips at the other: it holds on the riser, then on the edge, and on the
+/// ground in front while sliding off. Landings do not bounce. Driving back undoes a phase, except
+/// that a robot behind the block does not climb it again. Meant for speeds up to about 0.2 m/s at
+/// the TP100's size: above, the edge leaves the flat of the track before the body has landed
+/// (modelled as a longer flat), and gravity is too slow for kSlideOff. Real-time safe: no
+/// allocation after construction; bounded time for any input.
 class StepClimb {
  public:
   /// Throws SetupError as check_climb does; starts at first touch.
-  StepClimb(const ClimbGeometry& geometry, const Block& block,
-            RiserForm form = RiserForm::kBeltHolds, TipStart tip_start = TipStart::kBalance);
+  StepClimb(const ClimbGeometry& geometry, const BlockShape& block,
+            RiserForm form = RiserForm::kTrackHolds, TipStart tip_start = TipStart::kBalance);
 
   /// Flat on the ground, `distance_m` >= 0 of travel in front of first touch.
   void reset(double distance_m);
-  /// Belt travel `travel_m` at constant speed over `dt_s`. Travel is ground travel: the caller has
-  /// taken the slip off. dt_s <= 0 and values that are not finite change nothing.
+  /// Advances by track travel `travel_m` at constant speed over `dt_s`. Travel is ground travel:
+  /// the caller has subtracted the slip. dt_s <= 0 and values that are not finite change nothing.
   const ClimbState& advance(double travel_m, double dt_s);
 
   const ClimbState& state() const { return state_; }
@@ -86,7 +86,7 @@ class StepClimb {
   ClimbPhase phase_ = ClimbPhase::kApproach;
   double travel_m_ = 0.0;
   Fall fall_{0.0, 0.0};
-  bool belt_stalled_ = false;  ///< the belt turns but the body does not move along it
+  bool track_stalled_ = false;  ///< the track turns but the body does not move along it
   ClimbState state_{};
 };
 

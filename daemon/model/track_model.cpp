@@ -10,18 +10,24 @@ Slip slip_on(const TrackParameters& parameters, Mode mode, const Incline& inclin
   if (mode == Mode::kPaper || (incline.slope_rad == 0.0 && incline.slip_offset == 0.0)) return slip;
   const SlipPair level = slip_at_slope(0.0, parameters.slip_curve);
   const SlipPair here = slip_at_slope(incline.slope_rad, parameters.slip_curve);
-  return {std::min(slip.left + (here.left - level.left) + incline.slip_offset, kMostSlip),
-          std::min(slip.right + (here.right - level.right) + incline.slip_offset, kMostSlip)};
+  return {std::min(slip.left + (here.left - level.left) + incline.slip_offset, kMaxSlip),
+          std::min(slip.right + (here.right - level.right) + incline.slip_offset, kMaxSlip)};
 }
 
 Turn turn_of(const TrackParameters& p, Mode mode, const TurnShape& shape) {
-  if (mode == Mode::kPaper) return {p.wheelbase_m, 0.0, 0.0};
+  if (mode == Mode::kPaper) return {p.wheelbase_m, 0.0, 0.0, p.slip_angle_turning_rad};
   const double spin_m = p.wheelbase_spin_m == 0.0 ? p.wheelbase_m : p.wheelbase_spin_m;
   const double tight_m = p.wheelbase_tight_m == 0.0 ? spin_m : p.wheelbase_tight_m;
   return {
       std::lerp(std::lerp(p.wheelbase_m, tight_m, shape.arc), spin_m, shape.spin),
       p.x_icr_m + std::lerp(p.x_icr_tight_shift_m * shape.arc, p.x_icr_spin_shift_m, shape.spin),
-      shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight)};
+      shape.wide * std::lerp(p.turn_slip, p.turn_slip_tight, shape.tight),
+      p.slip_angle_turning_rad};
+}
+
+double slip_angle_rad(const TrackParameters& parameters, const Turn& turn, double yaw_rate_radps) {
+  const bool turning = std::abs(yaw_rate_radps) > parameters.turning_threshold_radps;
+  return turning ? turn.slip_angle_rad : parameters.slip_angle_straight_rad;
 }
 
 Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, double right_mps,
@@ -40,9 +46,7 @@ Twist body_twist(const TrackParameters& parameters, Mode mode, double left_mps, 
   Twist twist;
   twist.vx_mps = (right + left) / 2.0 * (1.0 - turn.slip);
   twist.yaw_rate_radps = (right - left) / turn.wheelbase_m;
-  const bool turning = std::abs(twist.yaw_rate_radps) > parameters.turning_threshold_radps;
-  const double slip_angle =
-      turning ? parameters.slip_angle_turning_rad : parameters.slip_angle_straight_rad;
+  const double slip_angle = slip_angle_rad(parameters, turn, twist.yaw_rate_radps);
   twist.vy_mps = twist.vx_mps * std::tan(slip_angle) - turn.x_icr_m * twist.yaw_rate_radps;
   return twist;
 }
@@ -58,7 +62,7 @@ void advance(Pose& pose, const Twist& twist, double dt_s, const Incline& incline
     along = std::sin(turn) / turn;
     across = (1.0 - std::cos(turn)) / turn;
   }
-  const double forward = twist.vx_mps * incline.planar;
+  const double forward = twist.vx_mps * incline.horizontal_fraction;
   const double dx = (forward * along - twist.vy_mps * across) * dt_s;
   const double dy = (forward * across + twist.vy_mps * along) * dt_s;
   const double c = std::cos(pose.yaw_rad);
@@ -75,7 +79,7 @@ const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s,
   const Incline under = mode_ == Mode::kPaper ? Incline{} : incline;
   slip_ = slip_on(parameters_, mode_, under);
   const TurnShape shape =
-      turn_watch_.update(left_mps * (1.0 - slip_.left), right_mps * (1.0 - slip_.right), dt_s);
+      turn_monitor_.update(left_mps * (1.0 - slip_.left), right_mps * (1.0 - slip_.right), dt_s);
   twist_ = body_twist(parameters_, mode_, left_mps, right_mps, under, shape);
   model::advance(pose_, twist_, dt_s, under);
   return twist_;

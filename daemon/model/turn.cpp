@@ -4,11 +4,19 @@
 #include <cmath>
 
 namespace tp100::model {
+
+double equivalent_wheelbase_m(const WheelbaseGeometry& geometry) {
+  const double lateral = geometry.width_m / 2.0 - geometry.gamma * geometry.offset_y_m;
+  const double longitudinal = geometry.length_m / 2.0 - geometry.offset_x_m;
+  return 2.0 * (lateral * lateral + longitudinal * longitudinal) / lateral;
+}
+
 namespace {
 
-// Difference of the belts' speeds in parts of the faster one: friction begins to saturate, and has.
+// Difference of the tracks' speeds relative to the faster one, where friction begins to saturate
+// and where it is saturated.
 constexpr double kWideTurn = 0.45, kTightTurn = 0.65;
-// The same where wheelbase and turning centre begin to drift, half-way, and where they end.
+// The same where wheelbase and turning centre begin to drift, half-way, and where the drift ends.
 constexpr double kWideArc = 0.35, kTightArc = 0.6, kSpin = 1.1;
 constexpr double kLagS = 0.1;
 
@@ -27,7 +35,7 @@ TurnShape turn_shape(double left_mps, double right_mps) {
           between(turn, kWideArc, kTightArc), between(turn, kTightArc, kSpin)};
 }
 
-TurnShape TurnWatch::update(double left_mps, double right_mps, double dt_s) {
+TurnShape TurnMonitor::update(double left_mps, double right_mps, double dt_s) {
   const double share = started_ ? 1.0 - std::exp(-dt_s / kLagS) : 1.0;
   started_ = true;
   left_mps_ += (left_mps - left_mps_) * share;

@@ -7,6 +7,9 @@
 #include <boost/crc.hpp>
 #include <cstdint>
 #include <span>
+#include <string>
+
+#include "core/bytes.h"
 
 namespace tp100::record {
 
@@ -35,7 +38,7 @@ enum class McapOp : std::uint8_t {
 inline constexpr std::size_t kMcapRecordHead = 9;  ///< type and length
 inline constexpr std::size_t kMcapFooterSize = 20;
 
-/// CRC-32 as of zlib, over bytes as they come.
+/// CRC-32 as in zlib, computed incrementally.
 class Crc32 {
  public:
   void add(std::span<const std::uint8_t> bytes) { crc_.process_bytes(bytes.data(), bytes.size()); }
@@ -50,5 +53,29 @@ inline std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
   crc.add(bytes);
   return crc.value();
 }
+
+/// An error in a record; the catcher adds its position.
+struct CorruptFile {
+  std::string what;
+};
+
+/// The records of an unpacked chunk, or of a part of the file.
+class RecordList {
+ public:
+  explicit RecordList(std::span<const std::uint8_t> bytes) : in_(bytes) {}
+  /// Next record; false at the end. Throws CorruptFile.
+  bool next() {
+    if (in_.left() == 0) return false;
+    op = static_cast<McapOp>(in_.number<std::uint8_t>());
+    content = in_.bytes(in_.number<std::uint64_t>());
+    if (!in_.ok()) throw CorruptFile{"a record is longer than what it lies in"};
+    return true;
+  }
+  McapOp op{};
+  std::span<const std::uint8_t> content;
+
+ private:
+  ByteReader in_;
+};
 
 }  // namespace tp100::record

@@ -18,18 +18,13 @@ namespace {
 
 using Span = std::span<const std::uint8_t>;
 
-/// What is wrong with a record; whoever knows the place adds it.
-struct Damage {
-  std::string what;
-};
-
 std::string text_of(Span bytes) { return {bytes.begin(), bytes.end()}; }
 
-// Ours are a thousandth of these.
-constexpr std::uint64_t kMostDirectory = std::uint64_t{64} << 20;
-constexpr std::uint64_t kMostMetadata = std::uint64_t{1} << 20;
+// Our own files' are a thousandth of these.
+constexpr std::uint64_t kMaxDirectory = std::uint64_t{64} << 20;
+constexpr std::uint64_t kMaxMetadata = std::uint64_t{1} << 20;
 
-/// Channels as they come up in a file.
+/// Channels collected while reading a file.
 class Directory {
  public:
   void add_schema(ByteReader in) {
@@ -40,10 +35,10 @@ class Directory {
     schema.name = in.text();
     schema.encoding = in.text();
     schema.text = text_of(in.bytes(in.number<std::uint32_t>()));
-    if (!in.ok() || id == 0) throw Damage{"a schema makes no sense"};
+    if (!in.ok() || id == 0) throw CorruptFile{"a schema is invalid"};
     schemas_[id] = std::move(schema);
   }
-  /// The channel, if it is a new one.
+  /// Returns the channel if it is new.
   const McapChannel* add_channel(ByteReader in) {
     McapChannel channel;
     channel.id = in.number<std::uint16_t>();
@@ -53,10 +48,10 @@ class Directory {
     channel.topic = in.text();
     channel.encoding = in.text();
     in.bytes(in.number<std::uint32_t>());
-    if (!in.ok()) throw Damage{"a channel makes no sense"};
+    if (!in.ok()) throw CorruptFile{"a channel is invalid"};
     if (schema != 0) {
       const auto found = schemas_.find(schema);
-      if (found == schemas_.end()) throw Damage{"a channel has no schema"};
+      if (found == schemas_.end()) throw CorruptFile{"a channel has no schema"};
       take(found->second.text.size());
       channel.schema_name = found->second.name;
       channel.schema_encoding = found->second.encoding;
@@ -75,16 +70,16 @@ class Directory {
     std::string name, encoding, text;
   };
   void take(std::uint64_t bytes) {
-    if (bytes > left_) throw Damage{"too many schemas and channels"};
+    if (bytes > left_) throw CorruptFile{"too many schemas and channels"};
     left_ -= bytes;
   }
 
   std::map<std::uint16_t, Schema> schemas_;
   std::map<std::uint16_t, McapChannel> channels_;
-  std::uint64_t left_ = kMostDirectory;
+  std::uint64_t left_ = kMaxDirectory;
 };
 
-/// Content of a chunk record, unpacked and with its CRC checked. Throws Damage.
+/// Content of a chunk record, unpacked and with its CRC checked. Throws CorruptFile.
 void unpack(Span content, Bytes& out) {
   ByteReader in(content);
   in.number<std::uint64_t>();
@@ -93,40 +88,21 @@ void unpack(Span content, Bytes& out) {
   const auto crc = in.number<std::uint32_t>();
   const std::string_view compression = in.text();
   const Span packed = in.bytes(in.number<std::uint64_t>());
-  if (!in.ok() || in.left() > 0) throw Damage{"a chunk makes no sense"};
+  if (!in.ok() || in.left() > 0) throw CorruptFile{"a chunk is invalid"};
   if (size > McapReader::kMaxSize)
-    throw Damage{"a chunk claims to hold " + std::to_string(size) + " bytes"};
+    throw CorruptFile{"a chunk claims to hold " + std::to_string(size) + " bytes"};
   if (compression.empty()) {
-    if (packed.size() != size) throw Damage{"the size of a chunk is wrong"};
+    if (packed.size() != size) throw CorruptFile{"the size of a chunk is wrong"};
     out.assign(packed.begin(), packed.end());
   } else if (compression == "zstd") {
     out.resize(static_cast<std::size_t>(size));
     const std::size_t got = ZSTD_decompress(out.data(), out.size(), packed.data(), packed.size());
-    if (ZSTD_isError(got) != 0 || got != size) throw Damage{"a chunk cannot be unpacked"};
+    if (ZSTD_isError(got) != 0 || got != size) throw CorruptFile{"a chunk cannot be unpacked"};
   } else {
-    throw Damage{"a chunk is packed with something else than zstd"};
+    throw CorruptFile{"a chunk is packed with something else than zstd"};
   }
-  if (crc != 0 && crc != crc32(out)) throw Damage{"the CRC of a chunk is wrong"};
+  if (crc != 0 && crc != crc32(out)) throw CorruptFile{"the CRC of a chunk is wrong"};
 }
-
-/// The records of an unpacked chunk, or of a part of the file.
-class RecordList {
- public:
-  explicit RecordList(Span bytes) : in_(bytes) {}
-  /// Next record; false at the end. Throws Damage.
-  bool next() {
-    if (in_.left() == 0) return false;
-    op = static_cast<McapOp>(in_.number<std::uint8_t>());
-    content = in_.bytes(in_.number<std::uint64_t>());
-    if (!in_.ok()) throw Damage{"a record is longer than what it lies in"};
-    return true;
-  }
-  McapOp op{};
-  Span content;
-
- private:
-  ByteReader in_;
-};
 
 McapMessage message_of(Span content, const Directory& directory) {
   ByteReader in(content);
@@ -135,8 +111,8 @@ McapMessage message_of(Span content, const Directory& directory) {
   message.sequence = in.number<std::uint32_t>();
   message.log_ns = in.number<std::uint64_t>();
   in.number<std::uint64_t>();
-  if (!in.ok()) throw Damage{"a message makes no sense"};
-  if (message.channel == nullptr) throw Damage{"a message has no channel"};
+  if (!in.ok()) throw CorruptFile{"a message is invalid"};
+  if (message.channel == nullptr) throw CorruptFile{"a message has no channel"};
   message.data = in.bytes(in.left());
   return message;
 }
@@ -163,7 +139,7 @@ struct McapReader::State {
   bool hand_on(McapOp op, Span content, Directory& known, McapHandler& handler,
                Bytes& unpacked) const;
   [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const {
-    throw SetupError(path + ": damaged at byte " + std::to_string(offset) + " (" + what +
+    throw SetupError(path + ": corrupted at byte " + std::to_string(offset) + " (" + what +
                      "); tp100d recover saves what is whole");
   }
 
@@ -230,7 +206,7 @@ void McapReader::State::read_summary() {
     RecordList records(bytes.first(static_cast<std::size_t>(footer_at - summary_at)));
     while (records.next()) take_summary_record(records.op, records.content);
     has_summary = true;
-  } catch (const Damage&) {
+  } catch (const CorruptFile&) {
     chunks.clear();
   }
 }
@@ -256,12 +232,12 @@ void McapReader::State::take_summary_record(McapOp op, Span content) {
     }
     if (!in.ok() || !offsets.ok() || chunk.length > size || chunk.offset > size - chunk.length ||
         chunk.length < kMcapRecordHead || chunk.length > kMaxSize)
-      throw Damage{"the index makes no sense"};
+      throw CorruptFile{"the index is invalid"};
     chunks.push_back(std::move(chunk));
   }
 }
 
-// One record of the data section to the handler. False: enough. Throws Damage.
+// Passes one record of the data section to the handler. False: stop reading. Throws CorruptFile.
 bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapHandler& handler,
                                 Bytes& unpacked) const {
   ByteReader in(content);
@@ -282,7 +258,7 @@ bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapH
       while (records.next()) {
         if (records.op == McapOp::kChunk || records.op == McapOp::kAttachment ||
             records.op == McapOp::kMetadata)
-          throw Damage{"a chunk holds what does not belong there"};
+          throw CorruptFile{"a chunk holds what does not belong there"};
         if (!hand_on(records.op, records.content, known, handler, none)) return false;
       }
       return handler.chunk_end();
@@ -294,13 +270,13 @@ bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapH
       const std::string media_type(in.text());
       const Span data = in.bytes(in.number<std::uint64_t>());
       const auto crc = in.number<std::uint32_t>();
-      if (!in.ok() || in.left() > 0) throw Damage{"an attachment makes no sense"};
+      if (!in.ok() || in.left() > 0) throw CorruptFile{"an attachment is invalid"};
       if (crc != 0 && crc != crc32(content.first(content.size() - 4)))
-        throw Damage{"the CRC of an attachment is wrong"};
+        throw CorruptFile{"the CRC of an attachment is wrong"};
       return handler.attachment(name, media_type, log_ns, text_of(data));
     }
     case McapOp::kMetadata: {
-      if (content.size() > kMostMetadata) throw Damage{"metadata of too many bytes"};
+      if (content.size() > kMaxMetadata) throw CorruptFile{"metadata of too many bytes"};
       const std::string name(in.text());
       ByteReader entries(in.bytes(in.number<std::uint32_t>()));
       std::map<std::string, std::string> map;
@@ -308,7 +284,7 @@ bool McapReader::State::hand_on(McapOp op, Span content, Directory& known, McapH
         const std::string key(entries.text());
         map[key] = entries.text();
       }
-      if (!in.ok() || !entries.ok()) throw Damage{"metadata make no sense"};
+      if (!in.ok() || !entries.ok()) throw CorruptFile{"metadata make no sense"};
       return handler.metadata(name, map);
     }
     default:
@@ -348,7 +324,7 @@ McapEnd McapReader::stream(McapHandler& handler) const {
     if (op == McapOp::kFooter) {
       const std::uint64_t tail = at + kMcapRecordHead + length;
       end.whole = state_->has_summary && size - tail == kMcapMagic.size() && end.problem.empty();
-      if (!end.whole) problem("the end of the file makes no sense");
+      if (!end.whole) problem("the end of the file is invalid");
       return end;
     }
     if (length > kMaxSize) {
@@ -358,9 +334,9 @@ McapEnd McapReader::stream(McapHandler& handler) const {
     try {
       const Span bytes = state_->read(at + kMcapRecordHead, length, content);
       if (!state_->hand_on(op, bytes, known, handler, unpacked)) return end;
-    } catch (const Damage& damage) {
-      ++end.damaged;
-      problem(damage.what);
+    } catch (const CorruptFile& corruption) {
+      ++end.corrupted;
+      problem(corruption.what);
     }
     at += kMcapRecordHead + length;
   }
@@ -385,7 +361,7 @@ void McapReader::read(const std::set<std::string>& topics, std::uint64_t from_ns
     try {
       RecordList chunk_record(state_->read(chunk.offset, chunk.length, content));
       if (!chunk_record.next() || chunk_record.op != McapOp::kChunk)
-        throw Damage{"no chunk where the index says"};
+        throw CorruptFile{"no chunk where the index says"};
       unpack(chunk_record.content, unpacked);
       RecordList records(unpacked);
       while (records.next()) {
@@ -395,8 +371,8 @@ void McapReader::read(const std::set<std::string>& topics, std::uint64_t from_ns
           continue;
         if (!handler.message(message)) return;
       }
-    } catch (const Damage& damage) {
-      state_->fail(chunk.offset, damage.what);
+    } catch (const CorruptFile& corruption) {
+      state_->fail(chunk.offset, corruption.what);
     }
   }
 }

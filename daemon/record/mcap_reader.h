@@ -1,6 +1,6 @@
 #pragma once
-// Reads MCAP files, whole or cut off, ours or others'. A file is hostile input: sizes are checked
-// before anything is allocated, memory stays bounded, CRCs are validated.
+// Reads MCAP files, complete or truncated, ours or other programs'. A file is hostile input: sizes
+// are checked before anything is allocated, memory stays bounded, CRCs are validated.
 
 #include <cstdint>
 #include <functional>
@@ -25,7 +25,7 @@ struct McapChannel {
   std::string schema_name, schema_encoding, schema;
 };
 
-/// One message, valid during the call that hands it over.
+/// One message, valid during the call that passes it.
 struct McapMessage {
   const McapChannel* channel = nullptr;
   std::uint32_t sequence = 0;
@@ -37,7 +37,7 @@ struct McapMessage {
   }
 };
 
-/// Takes what a file holds, in its order. Each call says whether to go on.
+/// Receives the content of a file in order. Each call returns whether to continue.
 class McapHandler {
  public:
   virtual ~McapHandler() = default;
@@ -55,31 +55,31 @@ class McapHandler {
   }
 };
 
-/// What stream() met.
+/// Result of stream().
 struct McapEnd {
-  bool whole = false;            ///< the file ends as it should
-  std::uint64_t good_bytes = 0;  ///< up to here every record was whole
-  std::uint64_t damaged = 0;     ///< chunks and attachments left out
-  std::string problem;           ///< the first thing that was wrong, with its place
+  bool whole = false;            ///< the file has a proper end
+  std::uint64_t good_bytes = 0;  ///< up to here every record was intact
+  std::uint64_t corrupted = 0;   ///< chunks and attachments left out
+  std::string problem;           ///< the first error, with its position
 };
 
 class McapReader {
  public:
-  /// No record, and no unpacked chunk, may be larger: ours have one MiB.
+  /// Limit of a record and of an unpacked chunk; our own have one MiB.
   static constexpr std::uint64_t kMaxSize = std::uint64_t{64} << 20;
 
-  /// Opens the file. Throws SetupError: not there, not readable, or no MCAP file.
+  /// Opens the file. Throws SetupError: missing, not readable, or not an MCAP file.
   explicit McapReader(const std::string& path);
   ~McapReader();
 
-  /// Everything, from beginning to end. A chunk or attachment with a wrong CRC or content that
-  /// makes no sense is left out and counted; where not even the next record can be found, it ends.
+  /// Reads everything from beginning to end. Skips and counts chunks and attachments with a wrong
+  /// CRC or invalid content; stops where the next record cannot be found.
   McapEnd stream(McapHandler& handler) const;
 
-  /// The summary at the end is there and makes sense: read() works.
+  /// Whether the file has a valid summary, so that read() works.
   bool indexed() const;
   /// Messages of these topics (all, if empty) with log time in [from, to], chunk by chunk, found
-  /// through the index; within a chunk in file order. Throws SetupError: no index, or damage.
+  /// through the index; within a chunk in file order. Throws SetupError: no index, or corruption.
   void read(const std::set<std::string>& topics, std::uint64_t from_ns, std::uint64_t to_ns,
             McapHandler& handler) const;
   /// Messages in the file by its statistics; needs indexed().

@@ -33,10 +33,10 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// Speed matters more than the last tenth; the frame carries its size.
+// Speed matters more than the last tenth of compression; the frame contains its size.
 constexpr int kLevel = 1;
 
-// Of the chunks' index in memory: some minutes.
+// Part of the chunks' index that is kept in memory: some minutes.
 constexpr std::size_t kIndexBytes = std::size_t{64} << 10;
 
 }  // namespace
@@ -65,7 +65,7 @@ McapWriter::McapWriter(RecordingFile& file, std::string_view library, McapCompre
 
 McapWriter::~McapWriter() = default;
 
-// Only what is in the file counts in its CRC.
+// The CRC covers only what is in the file.
 void McapWriter::write(const Bytes& bytes) {
   file_.append(bytes);
   if (file_.error() == 0) data_crc_.add(bytes);
@@ -170,7 +170,7 @@ void McapWriter::message(std::uint16_t channel, std::uint64_t log_ns,
   record->bytes(data);
 }
 
-// Compresses the open chunk into packed_; the name of the compression.
+// Compresses the open chunk into packed_; returns the name of the compression.
 std::string_view McapWriter::pack() {
   if (zstd_ != nullptr) {
     packed_.resize(ZSTD_compressBound(chunk_.size()));
@@ -219,7 +219,7 @@ void McapWriter::write_chunk() {
   set_index_aside();
 }
 
-// The message indexes behind the chunk in record_, and its entry in the summary.
+// Writes the message indexes after the chunk in record_, and its entry in the summary.
 void McapWriter::index_messages(std::uint64_t chunk_offset, std::uint64_t chunk_length,
                                 std::string_view compression) {
   Record index(chunk_group_.records, McapOp::kChunkIndex);
@@ -254,20 +254,20 @@ bool McapWriter::open_index() {
   if (index_ != nullptr) return true;
   try {
     const std::filesystem::path folder = std::filesystem::path(file_.path()).parent_path();
-    index_ = std::make_unique<NamelessFile>(folder.empty() ? "." : folder.string());
+    index_ = std::make_unique<AnonymousFile>(folder.empty() ? "." : folder.string());
     return true;
   } catch (const SetupError&) {
     return false;
   }
 }
 
-// A disk that refuses it leaves it in memory.
+// If the disk refuses it, it stays in memory.
 void McapWriter::set_index_aside() {
   if (chunk_group_.records.size() < kIndexBytes || !open_index()) return;
   if (index_->append(chunk_group_.records) == 0) chunk_group_.records.clear();
 }
 
-// Without its older part if that cannot be read: a reader finds chunks without an index too.
+// Omits the older part if that cannot be read: readers find chunks without an index, too.
 Bytes McapWriter::chunk_index() const {
   Bytes index;
   if (index_ != nullptr) {
@@ -341,7 +341,7 @@ void McapWriter::finish() {
     footer->number(file_offset + offsets_at);
     footer->number<std::uint32_t>(0);
   }
-  // The CRC covers the footer's own length too, which is known only now.
+  // The CRC also covers the footer's length, which is known only now.
   const auto covered = std::span(record_).subspan(summary_at, record_.size() - summary_at - 4);
   ByteWriter(record_).patch(record_.size() - 4, crc32(covered));
   ByteWriter(record_).bytes(kMcapMagic);

@@ -1,8 +1,7 @@
 #pragma once
-// Writes one MCAP file: messages are gathered in chunks, and what a reader of a whole file wants
-// (statistics, indexes, CRCs) is written at the end. What was written is of use without that end.
-// Memory does not grow with the file: what of the index is long waits in a file without a name.
-// One thread at a time.
+// Writes one MCAP file: collects messages in chunks, and writes statistics, indexes and CRCs at the
+// end; a file without that end is still readable. Memory does not grow with the file: the long part
+// of the index is kept in a nameless file. One thread at a time.
 
 #include <cstdint>
 #include <memory>
@@ -13,8 +12,8 @@
 #include <vector>
 
 #include "core/bytes.h"
+#include "record/anonymous_file.h"
 #include "record/mcap_format.h"
-#include "record/nameless_file.h"
 #include "record/recording_file.h"
 
 namespace tp100::record {
@@ -38,8 +37,8 @@ enum class McapCompression { kNone, kZstd };
 
 class McapWriter {
  public:
-  /// Begins `file`, which must be empty and outlive the writer. Errors are the file's; after one,
-  /// nothing more is written.
+  /// Begins `file`, which must be empty and outlive the writer. Errors are reported by the file;
+  /// after one, nothing more is written.
   McapWriter(RecordingFile& file, std::string_view library, McapCompression compression);
   ~McapWriter();
 
@@ -49,19 +48,19 @@ class McapWriter {
   void attach(const McapAttachment& attachment);
   void add_metadata(std::string_view name, const McapMap& entries);
 
-  /// Into the open chunk. Times may go back a little.
+  /// Adds to the open chunk. Times may be slightly out of order.
   void message(std::uint16_t channel, std::uint64_t log_ns, std::span<const std::uint8_t> data);
-  /// Messages that wait for the end of their chunk: bytes, and the time of the first.
+  /// Size of the open chunk in bytes.
   std::size_t open_bytes() const { return chunk_.size(); }
   std::uint64_t open_since_ns() const { return open_since_ns_; }
-  /// Writes the open chunk, if there is anything in it.
+  /// Writes the open chunk, unless it is empty.
   void end_chunk();
-  /// Forgets the open chunk.
+  /// Discards the open chunk.
   void drop_chunk();
 
-  /// The end of the file. The file is whole if it has no error then.
+  /// Writes the end of the file. The file is complete if it has no error afterwards.
   void finish();
-  /// No more than this is needed for the open chunk and the end.
+  /// Upper bound of the bytes needed for the open chunk and the end.
   std::uint64_t needed() const;
 
  private:
@@ -97,13 +96,13 @@ class McapWriter {
   std::vector<Channel> channels_;
   Bytes chunk_;   // records of the open chunk
   Bytes packed_;  // the same, compressed
-  Bytes record_;  // what is written next
+  Bytes record_;  // the record to be written next
   std::uint64_t open_since_ns_ = 0;
   std::uint64_t first_ns_ = 0, last_ns_ = 0;  // earliest and latest of the open chunk
 
   Group schema_group_, channel_group_, attachment_group_, metadata_group_;
-  Group chunk_group_;  // the newest; those before are in index_
-  std::unique_ptr<NamelessFile> index_;
+  Group chunk_group_;  // the newest; earlier ones are in index_
+  std::unique_ptr<AnonymousFile> index_;
   std::uint64_t begin_ns_ = 0, end_ns_ = 0;
   std::uint64_t message_count_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "record/recorder.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <ctime>
@@ -13,24 +14,24 @@
 #include "core/error.h"
 #include "record/record_queue.h"
 #include "record/step_codec.h"
-#include "record/step_journal.h"
 
 namespace tp100::record {
 namespace {
 
 constexpr std::size_t kQueueBytes = std::size_t{16} << 20;
 constexpr auto kPatience = std::chrono::milliseconds(50);
-constexpr std::size_t kMostRequests = 16;
+constexpr std::size_t kMaxRequests = 16;
+// A recording that looks back holds at most so many inputs of the steps before it: twenty minutes.
+constexpr std::uint64_t kMaxBeforeLookBack = 50'000'000;
 constexpr const char* kSlow = "the disk has not served earlier requests; try again later";
 
-enum class Kind : std::uint8_t { kRequest, kStep, kTruth, kMessage };
-
-/// To begin a recording, or without `make` to end it.
+/// Request to begin a recording or, without `make`, to end it.
 struct Request {
-  std::uint64_t number;
-  Recorder::Make make;
-  Recorder::Answer answer;
-  std::uint64_t dropped;  // before it
+  std::uint64_t number = 0;
+  Recorder::Make make{};
+  Recorder::Answer answer = [](const std::string&) {};
+  std::uint64_t dropped = 0;  // before it
+  Recorder::Ended ended{};    // of a recording that looks back
 };
 
 constexpr double Pose::*kPose[] = {&Pose::x_m,      &Pose::y_m,       &Pose::z_m,
@@ -45,15 +46,15 @@ double thread_cpu_s() {
 }  // namespace
 
 struct Recorder::State {
-  explicit State(const RecorderSettings& settings) : queue(kQueueBytes, settings.patient) {
-    if (!settings.journal_folder.empty())
-      journal = std::make_unique<StepJournal>(settings.journal_folder, settings.journal_bytes);
+  explicit State(const RecorderSettings& settings)
+      : queue(kQueueBytes, settings.blocking), recent(settings.look_back_ns) {
+    if (settings.history) history.emplace(*settings.history);
     thread = std::thread([this] { run(); });
   }
 
   /// An entry of the queue; `fill` appends its content.
   template <class Fill>
-  void put(Kind kind, Fill fill) {
+  void put(EntryKind kind, Fill fill) {
     thread_local Bytes entry;
     entry.clear();
     ByteWriter out(entry);
@@ -66,15 +67,32 @@ struct Recorder::State {
     ++dropped;
   }
 
-  /// Where a recording begins or ends: between what was put before and after. With the mutex held.
+  /// Marks where a recording begins or ends in the queue. Call with the mutex held.
   void request(Request request) {
     requests.push_back(std::move(request));
     Bytes entry;
     ByteWriter out(entry);
-    out.number(static_cast<std::uint8_t>(Kind::kRequest));
+    out.number(static_cast<std::uint8_t>(EntryKind::kRequest));
     out.number<std::uint32_t>(0);
     queue.mark(entry);
   }
+
+  /// Takes a request to begin a recording, unless it is refused. Returns why. Call with the mutex
+  /// held.
+  std::string admit(Request begin) {
+    const bool looks_back = begin.ended != nullptr;
+    if (number != 0 && (looks_back || !makes_way))
+      return "a recording is running already" + (status.active ? ": " + status.path : "");
+    if (requests.size() >= kMaxRequests) return kSlow;
+    if (number != 0) request({.number = number});
+    makes_way = looks_back;
+    number = begin.number = ++last_number;
+    begin.dropped = dropped;
+    request(std::move(begin));
+    return {};
+  }
+  /// Number of the recording that others see. Call with the mutex held.
+  std::uint64_t shown() const { return makes_way ? 0 : number; }
 
   void run() {
     Bytes taken;
@@ -82,25 +100,38 @@ struct Recorder::State {
       more = queue.take(taken, kPatience);
       ByteReader in(taken);
       while (in.left() > 0) {
-        const auto kind = static_cast<Kind>(in.number<std::uint8_t>());
+        const auto kind = static_cast<EntryKind>(in.number<std::uint8_t>());
         const auto payload = in.bytes(in.number<std::uint32_t>());
         try {
-          write(kind, payload);
+          take(kind, payload);
         } catch (const std::exception& error) {
           fail(error);
         }
       }
-      report();
+      try {
+        report();
+      } catch (const std::exception& error) {
+        fail(error);
+      }
     }
   }
-  // Out of memory, for instance: the robot must not stop for it.
+  // For instance out of memory: the robot must not stop because of it.
   void fail(const std::exception& error) {
+    const std::string path = writer == nullptr ? std::string() : writer->path();
     writer.reset();
-    journal.reset();
-    const std::lock_guard lock(mutex);
-    status.active = false;
-    status.warning = status.path + ": recording stopped (" + error.what() + ")";
-    if (number == writing) number = 0;
+    history.reset();
+    recent.take();
+    const Recorder::Ended looked_back = std::exchange(ended, {});
+    const std::string warning = path + ": recording stopped (" + error.what() + ")";
+    {
+      const std::lock_guard lock(mutex);
+      if (!looked_back && !path.empty()) {
+        status.active = false;
+        status.warning = warning;
+      }
+      if (number == writing) number = 0;
+    }
+    if (looked_back) looked_back({.path = path, .warning = warning});
   }
   void serve() {
     Request request;
@@ -112,6 +143,7 @@ struct Recorder::State {
     const std::string why = request.make ? begin(request) : finish();
     request.answer(why);
     if (request.make && why.empty()) write_before();
+    if (!why.empty() && request.ended) request.ended({.warning = why});
   }
   std::string begin(const Request& request) {
     try {
@@ -122,7 +154,9 @@ struct Recorder::State {
       return error.what();
     }
     writing = request.number;
+    ended = request.ended;
     late.clear();
+    if (ended) return {};
     const std::lock_guard lock(mutex);
     status = {
         .active = true, .path = writer->path(), .bytes = writer->bytes(), .cpu_s = status.cpu_s};
@@ -141,29 +175,48 @@ struct Recorder::State {
   }
   void write_before() {
     if (steps == 0) return;
-    std::string lost = journal == nullptr ? std::string("nobody kept them") : journal->problem();
-    if (lost.empty()) {
-      journal->read(
-          [this](std::span<const std::uint8_t> block) { writer->before(record->now_ns, block); });
-      lost = journal->problem();
+    const std::deque<Entry> again = ended ? recent.take() : std::deque<Entry>{};
+    const auto oldest = std::ranges::find(again, EntryKind::kStep, &Entry::kind);
+    std::uint64_t first = last_step + 1;
+    HostNs at_ns = last_ns;
+    if (oldest != again.end()) {
+      decode_step(oldest->payload, *record);
+      first = record->step;
+      at_ns = record->now_ns;
     }
+    const std::string lost = history
+                                 ? history->read(first, ended ? kMaxBeforeLookBack : UINT64_MAX,
+                                                 [&](auto block) { writer->before(at_ns, block); })
+                                 : "no history is kept";
     if (!lost.empty()) late = "it cannot be replayed, the steps before it are lost (" + lost + ")";
+    for (const Entry& entry : again) write(entry.kind, entry.payload);
   }
-  void write(Kind kind, std::span<const std::uint8_t> payload) {
+  void take(EntryKind kind, std::span<const std::uint8_t> payload) {
+    if (kind == EntryKind::kRequest) return serve();
+    if (kind == EntryKind::kStep) {
+      decode_step(payload, *record);
+      ++steps;
+      last_step = record->step;
+      last_ns = record->now_ns;
+      if (history) history->add(*record);
+    }
+    recent.add(last_ns, kind, payload);
+    if (writer == nullptr) return;
+    if (kind == EntryKind::kStep) return writer->step(*record, payload);
+    write(kind, payload);
+  }
+  void write(EntryKind kind, std::span<const std::uint8_t> payload) {
     switch (kind) {
-      case Kind::kRequest:
-        serve();
+      case EntryKind::kRequest:
         break;
-      case Kind::kStep:
+      case EntryKind::kStep:
         decode_step(payload, *record);
-        ++steps;
-        if (journal != nullptr) journal->add(*record);
-        if (writer != nullptr) writer->step(*record, payload);
+        writer->step(*record, payload);
         break;
-      case Kind::kTruth:
+      case EntryKind::kTruth:
         write_truth(ByteReader(payload));
         break;
-      case Kind::kMessage:
+      case EntryKind::kMessage:
         write_message(ByteReader(payload));
         break;
     }
@@ -172,43 +225,59 @@ struct Recorder::State {
     messages::Truth truth;
     truth.at_ns = in.number<HostNs>();
     for (double Pose::*value : kPose) truth.pose.*value = in.number<double>();
-    if (writer != nullptr) writer->truth(truth);
+    writer->truth(truth);
   }
   void write_message(ByteReader in) {
     const auto channel = static_cast<messages::Channel>(in.number<std::uint32_t>());
     const auto at = in.number<HostNs>();
-    if (writer != nullptr) writer->message(channel, at, in.text());
+    writer->message(channel, at, in.text());
   }
   void report() {
-    std::unique_ptr<RecordingWriter> ended;  // its file is closed without the lock
-    const std::lock_guard lock(mutex);
-    status.cpu_s = thread_cpu_s();
-    if (writer == nullptr) return;
-    status.active = writer->active();
-    status.bytes = writer->bytes();
-    status.warning = writer->warning();
-    if (status.warning.empty() && !late.empty()) status.warning = status.path + ": " + late;
-    status.first_ns = writer->first_ns();
-    if (status.first_ns != 0) status.last_ns = record->now_ns;
-    if (status.active) return;
-    ended = std::move(writer);
-    if (number == writing) number = 0;
+    RecordingStatus now;
+    if (writer != nullptr) {
+      now = {.active = writer->active(),
+             .path = writer->path(),
+             .bytes = writer->bytes(),
+             .first_ns = writer->first_ns(),
+             .warning = writer->warning()};
+      if (now.warning.empty() && !late.empty()) now.warning = now.path + ": " + late;
+      if (now.first_ns != 0) now.last_ns = last_ns;
+    }
+    now.cpu_s = thread_cpu_s();
+    const bool over = writer != nullptr && !now.active;
+    if (over) writer.reset();
+    {
+      const std::lock_guard lock(mutex);
+      if (now.path.empty() || ended) {
+        status.cpu_s = now.cpu_s;
+      } else {
+        status = now;
+      }
+      if (over && number == writing) number = 0;
+    }
+    if (!over || !ended) return;
+    recent.take();  // two recordings that look back share no step
+    std::exchange(ended, {})(now);
   }
 
   static constexpr std::size_t kHead = 5;
 
   RecordQueue queue;
-  // Of the thread.
-  std::unique_ptr<StepJournal> journal;
+  // Used by the thread only:
+  std::optional<StepHistory> history;
+  RecentEntries recent;
   std::unique_ptr<RecordingWriter> writer;
+  Recorder::Ended ended;  // of the writer's recording, if that looks back
   std::unique_ptr<StepRecord> record = std::make_unique<StepRecord>();
-  std::uint64_t steps = 0;
+  std::uint64_t steps = 0, last_step = 0;
+  HostNs last_ns = 0;
   std::string late;
   std::uint64_t writing = 0;  // number of the writer's recording
 
-  mutable std::mutex mutex;  // of what follows; never held while the disk is waited for
+  mutable std::mutex mutex;  // guards what follows; never held while waiting for the disk
   std::deque<Request> requests;
   std::uint64_t number = 0, last_number = 0;
+  bool makes_way = false;  // recording `number` looks back
   std::uint64_t dropped = 0, dropped_before = 0;
   RecordingStatus status;
   std::thread thread;
@@ -226,18 +295,21 @@ std::uint64_t Recorder::ask_begin(Make make, Answer answer) {
   std::string why;
   {
     const std::lock_guard lock(state_->mutex);
-    if (state_->number != 0) {
-      why = "a recording is running already";
-      if (state_->status.active) why += ": " + state_->status.path;
-    } else if (state_->requests.size() >= kMostRequests) {
-      why = kSlow;
-    } else {
-      state_->number = ++state_->last_number;
-      state_->request({state_->number, std::move(make), std::move(answer), state_->dropped});
-      return state_->number;
-    }
+    why = state_->admit({.make = std::move(make), .answer = answer});
+    if (why.empty()) return state_->number;
   }
   answer(why);
+  return 0;
+}
+
+std::uint64_t Recorder::ask_look_back(Make make, Ended ended) {
+  std::string why;
+  {
+    const std::lock_guard lock(state_->mutex);
+    why = state_->admit({.make = std::move(make), .ended = ended});
+    if (why.empty()) return state_->number;
+  }
+  ended({.warning = why});
   return 0;
 }
 
@@ -245,12 +317,11 @@ void Recorder::ask_end(std::uint64_t number, Answer answer) {
   std::string why;
   {
     const std::lock_guard lock(state_->mutex);
-    if (state_->number == 0 || (number != 0 && number != state_->number)) {
+    if (number == 0 ? state_->shown() == 0 : number != state_->number) {
       why = "nothing is recorded";
-    } else if (state_->requests.size() >= kMostRequests) {
-      why = kSlow;
     } else {
-      state_->request({std::exchange(state_->number, 0), {}, std::move(answer), 0});
+      // Never refused: each end belongs to a begin that was not.
+      state_->request({.number = std::exchange(state_->number, 0), .answer = std::move(answer)});
       return;
     }
   }
@@ -272,20 +343,18 @@ bool Recorder::end(Clock::time_point deadline) {
   const auto answered = std::make_shared<std::promise<void>>();
   {
     const std::lock_guard lock(state_->mutex);
-    state_->request({std::exchange(state_->number, 0),
-                     {},
-                     [answered](const std::string&) { answered->set_value(); },
-                     0});
+    state_->request({.number = std::exchange(state_->number, 0),
+                     .answer = [answered](const std::string&) { answered->set_value(); }});
   }
   return answered->get_future().wait_until(deadline) == std::future_status::ready;
 }
 
 void Recorder::take(const StepRecord& record) {
-  state_->put(Kind::kStep, [&](Bytes& entry) { encode_step(record, entry); });
+  state_->put(EntryKind::kStep, [&](Bytes& entry) { encode_step(record, entry); });
 }
 
 void Recorder::take_truth(HostNs at, const Pose& truth) {
-  state_->put(Kind::kTruth, [&](Bytes& entry) {
+  state_->put(EntryKind::kTruth, [&](Bytes& entry) {
     ByteWriter out(entry);
     out.number(at);
     for (double Pose::*value : kPose) out.number(truth.*value);
@@ -293,7 +362,7 @@ void Recorder::take_truth(HostNs at, const Pose& truth) {
 }
 
 void Recorder::message(messages::Channel channel, HostNs at, std::string_view json) {
-  state_->put(Kind::kMessage, [&](Bytes& entry) {
+  state_->put(EntryKind::kMessage, [&](Bytes& entry) {
     ByteWriter out(entry);
     out.number(static_cast<std::uint32_t>(channel));
     out.number(at);
@@ -304,13 +373,13 @@ void Recorder::message(messages::Channel channel, HostNs at, std::string_view js
 RecordingStatus Recorder::status() const {
   const std::lock_guard lock(state_->mutex);
   RecordingStatus status = state_->status;
-  status.dropped = state_->dropped - state_->dropped_before;
+  status.dropped = status.path.empty() ? 0 : state_->dropped - state_->dropped_before;
   return status;
 }
 
 std::uint64_t Recorder::number() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->number;
+  return state_->shown();
 }
 
 }  // namespace tp100::record

@@ -3,50 +3,54 @@
 // of every step, what viewers see, and what is needed to replay it. A chunk reaches the file every
 // half second, so that a kill loses less than the last second.
 //
-// A recording may begin at any step and is replayable all the same: the inputs of every step before
-// it, which a journal keeps, come first in it.
+// A recording may begin at any step, even one that is over, and is replayable all the same: the
+// inputs that led there, which a history keeps (step_history.h), come first in it.
 
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "messages/sink.h"
 #include "record/recording_writer.h"
+#include "record/step_history.h"
 
 namespace tp100::record {
 
 struct RecorderSettings {
-  /// Where the journal (step_journal.h) is; empty: none, a recording that does not begin with the
-  /// first step cannot be replayed.
-  std::string journal_folder{};
-  std::uint64_t journal_bytes = 2'000'000'000;  ///< it gives up there
-  bool patient = false;  ///< a full queue is waited for: for who runs in virtual time
+  /// None: a recording that does not begin with the first step cannot be replayed.
+  std::optional<HistorySettings> history{};
+  HostNs look_back_ns = 0;  ///< how long steps and messages are kept for ask_look_back()
+  bool blocking = false;    ///< wait for a full queue: for programs in virtual time
 };
 
-/// The recording so far; when it has ended, the last one.
+/// The current recording, or the last one.
 struct RecordingStatus {
   bool active = false;  ///< false once it has ended, for whatever reason
   std::string path{};   ///< empty: there was none yet
   std::uint64_t bytes = 0;
-  std::uint64_t dropped = 0;  ///< records that found no room in the queue
+  std::uint64_t dropped = 0;  ///< records dropped because the queue was full
   HostNs first_ns = 0;        ///< time of the first step in it; 0: none yet
   HostNs last_ns = 0;         ///< time of the newest step in it
-  double cpu_s = 0.0;         ///< that the recorder's thread has used
-  std::string warning{};      ///< why it ended early or cannot be replayed; one line, empty: well
+  double cpu_s = 0.0;         ///< used by the recorder's thread
+  std::string warning{};      ///< why it ended early or cannot be replayed; one line, or empty
 };
 
 class Recorder : public messages::Sink {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Makes folder and file of a recording. Called on the recorder's thread, so that nobody else
-  /// waits for the disk. Throws SetupError.
+  /// Creates folder and file of a recording. Called on the recorder's thread, so that no other
+  /// thread waits for the disk. Throws SetupError.
   using Make = std::function<std::unique_ptr<RecordingWriter>()>;
-  /// What became of a request: why it failed, in one line, or nothing. Called once, on the
-  /// recorder's thread, or on the caller's if the request is refused at once. Must not block.
+  /// Receives why a request failed, in one line, or nothing. Called once, on the recorder's thread,
+  /// or on the caller's if the request is refused at once. Must not block.
   using Answer = std::function<void(const std::string& why)>;
+  /// Receives the status of a recording that has ended, or one without a path and with the reason
+  /// as its warning if it could not begin. Called once, as Answer is.
+  using Ended = std::function<void(const RecordingStatus&)>;
 
-  /// Records nothing yet. Throws SetupError: the journal cannot be written.
+  /// Records nothing yet.
   explicit Recorder(const RecorderSettings& settings = {});
   /// Ends the recording, however long the disk takes.
   ~Recorder() override;
@@ -56,15 +60,18 @@ class Recorder : public messages::Sink {
   /// refused, since another is running or asked for, or the disk has not served the requests
   /// before.
   std::uint64_t ask_begin(Make make, Answer answer);
+  /// As ask_begin(), for a recording that begins look_back_ns ago and makes way for any other. It
+  /// is not in number() and status(), and two of them share no step.
+  std::uint64_t ask_look_back(Make make, Ended ended);
   /// Recording `number`, or whichever there is if that is 0, ends here.
   void ask_end(std::uint64_t number, Answer answer);
-  /// Of the recording that is running or asked for; 0: none.
+  /// Number of the recording that is running or requested; 0: none.
   std::uint64_t number() const;
   RecordingStatus status() const;
-  /// A message of a channel that does not follow from the steps.
+  /// Records a channel message that cannot be derived from the steps.
   void message(messages::Channel channel, HostNs at, std::string_view json);
 
-  // Any thread; these wait for the disk.
+  // Any thread; these wait for the disk:
   /// As ask_begin(). Throws SetupError if there is another, or the file cannot be created.
   void begin(Make make);
   void begin(const RecordingSettings& recording, const RunFacts& facts);

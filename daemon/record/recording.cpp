@@ -18,14 +18,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What stands before the first message.
+/// Everything before the first message.
 class Beginning : public McapHandler {
  public:
   bool message(const McapMessage&) override { return false; }
   bool attachment(const std::string& name, const std::string&, std::uint64_t,
                   std::string_view data) override {
     held_ += data.size();
-    if (held_ > McapReader::kMaxSize || files.size() >= kMostFiles) return false;
+    if (held_ > McapReader::kMaxSize || files.size() >= kMaxFiles) return false;
     files[name] = data;
     return true;
   }
@@ -37,7 +37,7 @@ class Beginning : public McapHandler {
   std::map<std::string, std::string> files, facts;
 
  private:
-  static constexpr std::size_t kMostFiles = 100;
+  static constexpr std::size_t kMaxFiles = 100;
   std::uint64_t held_ = 0;
 };
 
@@ -71,14 +71,14 @@ class Distributor : public McapHandler {
   void require_layout(const McapMessage& message, const std::string& layout) const {
     if (message.channel->schema != layout)
       fail("its steps were recorded by version " + text::one_line(version_, 20) +
-           ", whose layout is another; use that version of tp100d");
+           ", which uses another layout; use that version of tp100d");
   }
 
   void before(const McapMessage& message) {
     require_layout(message, inputs_schema());
     for (std::span<const std::uint8_t> block = message.data; !block.empty();) {
       if (const auto problem = decode_inputs(block, *record_))
-        fail("a step before it makes no sense (" + *problem + ")");
+        fail("a step before it is invalid (" + *problem + ")");
       visitor_.before(*record_);
     }
   }
@@ -86,21 +86,19 @@ class Distributor : public McapHandler {
   void step(const McapMessage& message) {
     require_layout(message, step_schema());
     if (const auto problem = decode_step(message.data, *record_))
-      fail("step " + std::to_string(message.sequence) + " makes no sense (" + *problem + ")");
+      fail("step " + std::to_string(message.sequence) + " is invalid (" + *problem + ")");
     visitor_.step(*record_);
   }
 
   void truth(const McapMessage& message) {
-    const auto refuse = [&] {
-      fail("truth " + std::to_string(message.sequence) + " makes no sense");
-    };
+    const auto refuse = [&] { fail("truth " + std::to_string(message.sequence) + " is invalid"); };
     if (message.data.size() > kLongestTruth) refuse();
     const Json json = Json::parse(message.text(), nullptr, false);
     const auto number = [&](const char* name) {
       const auto found = json.find(name);
       if (!json.is_object() || found == json.end() || !found->is_number()) refuse();
       const auto value = found->get<double>();
-      if (!(std::abs(value) <= kMostInput)) refuse();
+      if (!(std::abs(value) <= kMaxInput)) refuse();
       return value;
     };
     const Pose pose{number("x_m"),      number("y_m"),       number("z_m"),
@@ -172,8 +170,9 @@ void Recording::visit(const RecordingVisitor& visitor) const {
   const std::string version = fact("version");
   Distributor distributor(visitor, path(), version);
   const McapEnd end = state_->reader.stream(distributor);
-  if (end.damaged > 0)
-    throw SetupError(path() + ": damaged, " + end.problem + "; tp100d recover saves what is whole");
+  if (end.corrupted > 0)
+    throw SetupError(path() + ": corrupted, " + end.problem +
+                     "; tp100d recover saves what is whole");
 }
 
 }  // namespace tp100::record

@@ -1,6 +1,6 @@
 #pragma once
-// A recording of a run: what it was, every step bit for bit, the truth where it was known, and the
-// messages that viewers saw.
+// A recorded run: its facts, every step bit for bit, the truth where it was known, and the viewers'
+// messages.
 
 #include <cstdint>
 #include <functional>
@@ -15,9 +15,9 @@
 
 namespace tp100::record {
 
-/// Takes what a recording holds, in the order of the file; what is empty is not looked for. What it
-/// is given is valid during the call only. Times are within 2^60 ns of zero, inputs and truth
-/// finite; results of the steps may be any numbers.
+/// Receives the content of a recording in file order; unset functions are skipped. Arguments are
+/// valid during the call only. Times are within 2^60 ns of zero, inputs and truth finite; results
+/// of steps may be any numbers.
 struct RecordingVisitor {
   /// A step before the recording: its inputs, nothing else.
   std::function<void(const StepRecord&)> before{};
@@ -36,23 +36,23 @@ std::string recording_file(const std::string& path);
 
 class Recording {
  public:
-  /// `path`: a file, or the folder of a run. Throws SetupError: not there, no recording of a run,
-  /// or damaged.
+  /// `path`: a file, or the folder of a run. Throws SetupError: missing, not a recording of a run,
+  /// or corrupted.
   explicit Recording(const std::string& path);
   ~Recording();
 
   const std::string& path() const;
-  /// False: it was cut off, by a kill or a full disk; everything up to there is still given.
+  /// False: truncated by a kill or a full disk; everything before is still read.
   bool whole() const;
   /// Value of `name` ("course", "robot", "setup", "seed", "version", ...); empty: not known.
   std::string fact(const std::string& name) const;
   const std::map<std::string, std::string>& facts() const;
-  /// Host time of t_s = 0; 0 if the file does not say.
+  /// Host time of t_s = 0; 0 if the file does not contain it.
   HostNs start_ns() const;
   /// Text of a file as it was loaded ("course.toml", "robot.toml", "tp100.toml"); empty: none.
   std::string file(const std::string& name) const;
 
-  /// All of it. Throws SetupError where the file is damaged, or if its steps were recorded by a
+  /// All of it. Throws SetupError where the file is corrupted, or if its steps were recorded by a
   /// version with another layout.
   void visit(const RecordingVisitor& visitor) const;
 

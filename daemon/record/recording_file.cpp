@@ -41,7 +41,7 @@ void RecordingFile::append(std::span<const std::uint8_t> bytes) {
     size_ += bytes.size();
   } else if (written > 0 && (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0 ||
                              ::lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) < 0)) {
-    // The half record stays; readers stop there.
+    // The partial record stays; readers stop there.
     size_ += written;
   }
 }

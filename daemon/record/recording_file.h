@@ -1,5 +1,5 @@
 #pragma once
-// The file that a recording grows in. Whole records or nothing: what does not fit is taken back.
+// The file of a growing recording. Appends whole records or nothing: a partial one is removed.
 
 #include <cstdint>
 #include <span>
@@ -9,19 +9,20 @@ namespace tp100::record {
 
 class RecordingFile {
  public:
-  /// Creates the file, or empties the one that is there. Throws SetupError.
+  /// Creates the file, or truncates an existing one. Throws SetupError.
   explicit RecordingFile(std::string path);
   ~RecordingFile();
   RecordingFile(const RecordingFile&) = delete;
   RecordingFile& operator=(const RecordingFile&) = delete;
 
-  /// All of `bytes`, or nothing and error() tells why. After an error nothing is written any more.
+  /// Appends all of `bytes`, or nothing, with the cause in error(). After an error nothing more is
+  /// written.
   void append(std::span<const std::uint8_t> bytes);
   /// 0 or an errno.
   int error() const { return error_; }
   std::uint64_t size() const { return size_; }
-  /// Bytes that the file may still grow by: free space of its disk, and the process's limit. May
-  /// be wrong by what others write meanwhile.
+  /// Bytes by which the file may still grow: free space of its disk, and the process's limit. Other
+  /// programs may take some of it.
   std::uint64_t room() const;
   const std::string& path() const { return path_; }
 
@@ -32,7 +33,7 @@ class RecordingFile {
   std::uint64_t size_ = 0;
 };
 
-/// Removes a recording, and its folder if nothing else is in it; what is gone already is no error.
+/// Removes a recording, and its folder if that is empty then; a missing one is no error.
 void remove_recording(const std::string& path);
 
 }  // namespace tp100::record

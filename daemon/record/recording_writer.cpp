@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
 constexpr std::uint64_t kChunkNs = 500'000'000;
-// Every step is on /estimate; what only moves pictures comes as often as pictures do.
+// Every step is on /estimate; channels for 3-D display only need a display's rate.
 constexpr HostNs kPosePeriodNs = 20 * kNsPerMs;
 constexpr HostNs kSlipPeriodNs = 50 * kNsPerMs;
 constexpr HostNs kTruthHoldsNs = 200 * kNsPerMs;
 
-/// `path`, with its folder made.
+/// Creates the folder of `path`, and returns `path`.
 const std::string& with_folder(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code error;
@@ -51,9 +51,9 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Not what only makes sense live, or follows from the rest.
+/// False for channels that only make sense live, or follow from the others.
 bool recorded(messages::Channel channel) {
-  return channel != messages::Channel::kTrail && channel != messages::Channel::kClient &&
+  return channel != messages::Channel::kPathHistory && channel != messages::Channel::kClient &&
          channel != messages::Channel::kRecording;
 }
 
@@ -61,9 +61,9 @@ bool recorded(messages::Channel channel) {
 
 RecordingWriter::RecordingWriter(const RecordingSettings& settings, const RunFacts& facts)
     : settings_(settings),
-      messages_(facts.subject, settings.clock),
+      messages_(facts.run_context, settings.clock),
       file_(with_folder(settings.path)),
-      writer_(file_, "tp100 " + facts.subject.version,
+      writer_(file_, "tp100 " + facts.run_context.version,
               settings.compress ? McapCompression::kZstd : McapCompression::kNone) {
   add_channels();
   add_files(facts);
@@ -100,7 +100,7 @@ void RecordingWriter::add_channels() {
 
 void RecordingWriter::add_files(const RunFacts& facts) {
   McapMap entries = facts.facts;
-  entries.emplace_back("version", facts.subject.version);
+  entries.emplace_back("version", facts.run_context.version);
   entries.emplace_back("start_ns", std::to_string(settings_.clock.start_ns));
   entries.emplace_back("start_unix_ns", std::to_string(settings_.clock.start_unix_ns));
   writer_.add_metadata(kFactsName, entries);
@@ -120,8 +120,8 @@ void RecordingWriter::step(const StepRecord& record, std::span<const std::uint8_
   write(step_channel_, now, bytes);
   if (truth_ && now - truth_->at_ns > kTruthHoldsNs) truth_.reset();
   message(messages::Channel::kEstimate, now, messages_.estimate(record, truth_));
-  for (std::uint32_t i = 0; i < record.sample_count; ++i)
-    message(messages::Channel::kSample, now, messages_.sample(record.samples[i], now));
+  for (std::uint32_t i = 0; i < record.inputs.samples.size(); ++i)
+    message(messages::Channel::kSample, now, messages_.sample(record.inputs.samples[i], now));
   if (record.command_valid) message(messages::Channel::kCommand, now, messages_.command(record));
   if (now >= next_slip_ns_) {
     next_slip_ns_ = now + kSlipPeriodNs;
@@ -136,9 +136,9 @@ void RecordingWriter::step(const StepRecord& record, std::span<const std::uint8_
 void RecordingWriter::poses(const StepRecord& record) {
   const HostNs now = record.now_ns;
   message(messages::Channel::kTransforms, now, messages_.transforms(record, truth_));
-  message(messages::Channel::kPoseModel, now, messages_.pose(now, record.snapshot.model));
-  message(messages::Channel::kPoseOdometry, now, messages_.pose(now, record.snapshot.odometry));
-  message(messages::Channel::kPoseFused, now, messages_.pose(now, record.snapshot.fused.pose));
+  for (const PoseSource source : kPoseSources)
+    message(messages::kPoseChannels[source], now,
+            messages_.pose(now, record.snapshot.estimates[source].pose));
   if (truth_)
     message(messages::Channel::kPoseTruth, now, messages_.pose(truth_->at_ns, truth_->pose));
 }
@@ -161,7 +161,7 @@ void RecordingWriter::write(std::uint16_t channel, HostNs at, std::span<const st
   if (active_) writer_.message(channel, log_ns, data);
 }
 
-// While there is room, there is room for the end of the file too.
+// As long as there is room, it includes room for the end of the file.
 void RecordingWriter::end_chunk() {
   const std::uint64_t room = file_.room();
   if (writer_.needed() > room) return end_early("the disk is full");
@@ -173,14 +173,14 @@ void RecordingWriter::end_chunk() {
                "); the file has no end, tp100d recover makes it whole";
     return;
   }
-  // The next chunk is hardly twice as large as this one.
+  // The next chunk is unlikely to be more than twice as large as this one.
   const std::uint64_t next = 2 * (file_.size() - before) + writer_.needed();
   if (file_.size() + next > settings_.max_bytes)
     end_early("record.max_mb, " + std::to_string(settings_.max_bytes / 1'000'000) +
               " MB, is reached");
 }
 
-// Without the open chunk, which would not fit.
+// Omits the open chunk, which would not fit.
 void RecordingWriter::end_early(const std::string& why) {
   writer_.drop_chunk();
   finish();

@@ -1,5 +1,6 @@
 #pragma once
-// What a recording holds, written into an MCAP file: steps, truth and what viewers see. One thread.
+// Writes the content of a recording into an MCAP file: steps, truth and viewers' messages. One
+// thread.
 
 #include <cstdint>
 #include <map>
@@ -14,11 +15,11 @@
 
 namespace tp100::record {
 
-// What only recordings have.
+// Topics of recordings only.
 inline constexpr const char* kStepTopic = "/step";  ///< step_codec.h
 inline constexpr const char* kStepSchemaName = "tp100.Step";
 inline constexpr const char* kStepEncoding = "tp100";
-/// Inputs of all steps before the first /step, where there were any.
+/// Inputs of all steps before the first /step, if any.
 inline constexpr const char* kBeforeTopic = "/before";
 inline constexpr const char* kInputsSchemaName = "tp100.Inputs";
 inline constexpr const char* kTruthTopic = "/truth";  ///< all digits, unlike /pose/truth
@@ -26,42 +27,42 @@ inline constexpr const char* kTruthSchemaName = "tp100.Truth";
 inline constexpr const char* kFactsName = "tp100";  ///< of the metadata record
 
 struct RecordingSettings {
-  std::string path;                         ///< of the file; its folder is made if need be
+  std::string path;                         ///< of the file; its folder is created if absent
   std::uint64_t max_bytes = 2'000'000'000;  ///< the recording ends there
   bool compress = true;
   messages::PublishClock clock{};
 };
 
-/// What a recording says of its run besides the steps.
+/// What a recording contains about its run besides the steps.
 struct RunFacts {
-  messages::Subject subject{};
+  messages::RunContext run_context{};
   McapMap facts;                      ///< names and values: course, robot, set-up, seed, ...
   std::vector<McapAttachment> files;  ///< as they were loaded
 };
 
 class RecordingWriter {
  public:
-  /// Creates the file. Throws SetupError if it cannot be.
+  /// Creates the file. Throws SetupError on failure.
   RecordingWriter(const RecordingSettings& settings, const RunFacts& facts);
 
-  /// Inputs of steps that came before, a block of them (step_codec.h); first of all.
+  /// Writes a block of inputs of earlier steps (step_codec.h), before anything else.
   void before(HostNs at, std::span<const std::uint8_t> block);
-  /// One step, and the messages that viewers get of it. `bytes` is `record` as encode_step writes
-  /// it.
+  /// Writes one step and the viewers' messages for it. `bytes` is `record` as encoded by
+  /// encode_step.
   void step(const StepRecord& record, std::span<const std::uint8_t> bytes);
   void truth(const messages::Truth& truth);
-  /// A message of any other channel.
+  /// Writes a message of any other channel.
   void message(messages::Channel channel, HostNs at, std::string_view json);
-  /// The end of the file. Nothing is written afterwards.
+  /// Writes the end of the file. Nothing is written afterwards.
   void finish();
 
-  /// False once it has ended: finished, or no more room.
+  /// False once it has ended: finished, or disk full.
   bool active() const { return active_; }
-  /// Why it ended early, and what to do: one line. Empty: it did not.
+  /// Why it ended early, and what to do: one line, or empty.
   const std::string& warning() const { return warning_; }
   std::uint64_t bytes() const { return file_.size(); }
   const std::string& path() const { return settings_.path; }
-  /// Time of the first step in it; 0: none yet.
+  /// Time of its first step; 0: none yet.
   HostNs first_ns() const { return first_ns_; }
 
  private:

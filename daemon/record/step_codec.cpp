@@ -31,7 +31,8 @@ class Encoder {
       visit_fields(*this, value);
     }
   }
-  void operator()(const char* name, const std::array<double, 3>& values) {
+  template <std::size_t N>
+  void operator()(const char* name, const std::array<double, N>& values) {
     for (const double value : values) (*this)(name, value);
   }
   template <class T>
@@ -39,9 +40,9 @@ class Encoder {
     out_.number(static_cast<std::uint8_t>(value));
   }
   template <class T, std::size_t N, class... Last>
-  void list(const char* name, const std::array<T, N>& entries, std::uint32_t count, Last... last) {
-    out_.number(count);
-    for (std::uint32_t i = 0; i < count; ++i) (*this)(name, entries[i], last...);
+  void list(const char* name, const BoundedList<T, N>& entries, Last... last) {
+    out_.number(static_cast<std::uint32_t>(entries.size()));
+    for (const T& entry : entries) (*this)(name, entry, last...);
   }
 
  private:
@@ -66,7 +67,8 @@ class Decoder {
       visit_fields(*this, value);
     }
   }
-  void operator()(const char* name, std::array<double, 3>& values) {
+  template <std::size_t N>
+  void operator()(const char* name, std::array<double, N>& values) {
     for (double& value : values) (*this)(name, value);
   }
   template <class T>
@@ -76,13 +78,11 @@ class Decoder {
     value = static_cast<T>(byte);
   }
   template <class T, std::size_t N, class... Last>
-  void list(const char* name, std::array<T, N>& entries, std::uint32_t& count, Last... last) {
-    count = in_.number<std::uint32_t>();
-    if (count > N) {
-      count = 0;
-      return refuse(name);
-    }
-    for (std::uint32_t i = 0; i < count; ++i) (*this)(name, entries[i], last...);
+  void list(const char* name, BoundedList<T, N>& entries, Last... last) {
+    const auto count = in_.number<std::uint32_t>();
+    entries.resize(count > N ? 0 : count);
+    if (count > N) return refuse(name);
+    for (T& entry : entries) (*this)(name, entry, last...);
   }
 
   std::optional<std::string> problem() const {
@@ -99,7 +99,7 @@ class Decoder {
   template <class T>
   bool plausible(T value) const {
     if constexpr (std::same_as<T, double>) {
-      return !inputs_ || std::abs(value) <= kMostInput;
+      return !inputs_ || std::abs(value) <= kMaxInput;
     } else if constexpr (std::same_as<T, std::int64_t>) {
       return value >= -kLongestTime && value <= kLongestTime;
     }
@@ -134,16 +134,19 @@ class SchemaWriter {
       text += "]]";
     }
   }
-  void operator()(const char* name, const std::array<double, 3>&) { entry(name, "f64[3]"); }
+  template <std::size_t N>
+  void operator()(const char* name, const std::array<double, N>&) {
+    entry(name, "f64[" + std::to_string(N) + "]");
+  }
   template <class T>
   void operator()(const char* name, T, T last) {
     entry(name, "enum 0.." + std::to_string(static_cast<unsigned>(last)));
   }
   template <class T, std::size_t N, class... Last>
-  void list(const char* name, const std::array<T, N>& entries, std::uint32_t, Last... last) {
+  void list(const char* name, const BoundedList<T, N>&, Last... last) {
     open(name);
     entry("count", "u32");
-    (*this)("entry", entries[0], last...);
+    (*this)("entry", T{}, last...);
     text += "]]";
   }
 
@@ -176,7 +179,7 @@ std::string shown(T value) {
   return {digits.data(), end};
 }
 
-/// Names and texts of all results in order. Slow; only for a record that is known to differ.
+/// Lists names and texts of all results in order. Slow: only for records known to differ.
 class Lister {
  public:
   template <class T>
@@ -190,7 +193,8 @@ class Lister {
       prefix_ = outer;
     }
   }
-  void operator()(const char* name, const std::array<double, 3>& values) {
+  template <std::size_t N>
+  void operator()(const char* name, const std::array<double, N>& values) {
     for (const double value : values) (*this)(name, value);
   }
   template <class T>
@@ -214,8 +218,8 @@ class Lister {
   std::string prefix_;
 };
 
-/// Any drift can come of the first exchanges on a crowded machine, but device time is host time
-/// divided by 1 + drift.
+/// The first exchanges on a busy machine may yield any drift, but device time is host time divided
+/// by 1 + drift.
 bool has_device_time(const ClockState& clock, HostNs at) {
   const auto since_ns = static_cast<double>(at - clock.reference_host_ns);
   return std::abs(since_ns * 1e-3 / (1.0 + clock.drift)) <= static_cast<double>(kLongestTime);
@@ -223,11 +227,15 @@ bool has_device_time(const ClockState& clock, HostNs at) {
 
 std::optional<std::string> problem_of(const Decoder& decoder, const StepRecord& record) {
   if (auto problem = decoder.problem()) return problem;
-  if (!record.clock.valid) return std::nullopt;
-  const auto camera = std::span(record.camera).first(record.camera_count);
-  if (!has_device_time(record.clock, record.now_ns) ||
+  for (const CarriedState& carried : record.inputs.restart) {
+    if (carried.run_state == RunState::kArming || carried.run_state == RunState::kRunning)
+      return "run_state is out of range";
+  }
+  if (!record.inputs.clock.valid) return std::nullopt;
+  const auto& camera = record.inputs.camera;
+  if (!has_device_time(record.inputs.clock, record.now_ns) ||
       !std::ranges::all_of(camera, [&](const CameraSample& seen) {
-        return has_device_time(record.clock, seen.measured_ns);
+        return has_device_time(record.inputs.clock, seen.measured_ns);
       }))
     return "drift is out of range";
   return std::nullopt;

@@ -14,24 +14,24 @@
 
 namespace tp100::record {
 
-/// What a robot measures is far below these; above them sums would lose their meaning.
-inline constexpr double kMostInput = 1e9;
+/// Far above anything that a robot measures; larger values would make sums meaningless.
+inline constexpr double kMaxInput = 1e9;
 inline constexpr std::int64_t kLongestTime = std::int64_t{1} << 60;
 
 /// Appends `record` to `out`.
 void encode_step(const StepRecord& record, std::vector<std::uint8_t>& out);
 
-/// Reads all of `bytes` into `record`; entries beyond the counts stay as they are. Returns nothing
-/// if all is well, else what is wrong: too few or too many bytes, a count, an enumeration or a
-/// truth value out of range, a time beyond kLongestTime, inputs that no robot can have measured
-/// (not finite, beyond kMostInput). Numbers among the results may be anything.
+/// Decodes all of `bytes` into `record`; entries beyond the counts stay unchanged. Returns nothing
+/// on success, else the error: too few or too many bytes, a count, enumeration or boolean out of
+/// range, a time beyond kLongestTime, impossible inputs (not finite, beyond kMaxInput). Numbers
+/// among the results may have any value.
 std::optional<std::string> decode_step(std::span<const std::uint8_t> bytes, StepRecord& record);
 
 /// Appends the inputs of `record`, with their size, to a block.
 void encode_inputs(const StepRecord& record, std::vector<std::uint8_t>& block);
 
-/// Reads the first step of `block` into the inputs of `record`, and takes it from `block`. Returns
-/// what is wrong, as decode_step.
+/// Decodes the first step of `block` into the inputs of `record`, and removes it from `block`.
+/// Returns an error like decode_step.
 std::optional<std::string> decode_inputs(std::span<const std::uint8_t>& block, StepRecord& record);
 
 /// The layout as JSON: {"encoding": ..., "fields": [[name, type], ...]}. Two programs understand
@@ -39,7 +39,7 @@ std::optional<std::string> decode_inputs(std::span<const std::uint8_t>& block, S
 const std::string& step_schema();
 const std::string& inputs_schema();
 
-/// One result that is not as it was recorded.
+/// One result that differs from the recorded one.
 struct StepDifference {
   std::string field;     ///< dotted name
   std::string recorded;  ///< as text; doubles with all digits

@@ -1,7 +1,7 @@
 #pragma once
-// Every field of a StepRecord by name, once: encoding, decoding, the schema in a recording and the
-// search for a difference all walk this list. A type that grows does not compile until its new
-// field is named here.
+// Lists every field of a StepRecord by name, once: encoding, decoding, the schema in a recording
+// and the search for a difference all use this list. A type that grows does not compile until its
+// new field is listed here.
 
 #include <concepts>
 #include <type_traits>
@@ -117,12 +117,10 @@ void visit_fields(Visitor& v, T& command) {
   v("expiry_us", expiry);
 }
 
-template <class Visitor, MaybeConst<Fused> T>
-void visit_fields(Visitor& v, T& fused) {
-  auto& [pose, twist, variance_x, variance_y, variance_yaw, slip_left, slip_right, gyro_bias, nis,
-         nis_mean, nis_count, camera_age, camera_used, camera_rejected, recoveries] = fused;
-  v("pose", pose);
-  v("twist", twist);
+template <class Visitor, MaybeConst<FilterFigures> T>
+void visit_fields(Visitor& v, T& filter) {
+  auto& [variance_x, variance_y, variance_yaw, slip_left, slip_right, gyro_bias, nis, nis_mean,
+         nis_count, camera_age, camera_used, camera_rejected, recoveries] = filter;
   v("variance_x_m2", variance_x);
   v("variance_y_m2", variance_y);
   v("variance_yaw_rad2", variance_yaw);
@@ -138,9 +136,9 @@ void visit_fields(Visitor& v, T& fused) {
   v("recoveries", recoveries);
 }
 
-template <class Visitor, MaybeConst<Underfoot> T>
-void visit_fields(Visitor& v, T& underfoot) {
-  auto& [pitch_source, obstacle, climbing, slope, slip_offset, traction] = underfoot;
+template <class Visitor, MaybeConst<TerrainContact> T>
+void visit_fields(Visitor& v, T& terrain_contact) {
+  auto& [pitch_source, obstacle, climbing, slope, slip_offset, traction] = terrain_contact;
   v("pitch_source", pitch_source, PitchSource::kExternal);
   v("obstacle", obstacle, Obstacle::kBlock);
   v("climbing", climbing);
@@ -151,21 +149,22 @@ void visit_fields(Visitor& v, T& underfoot) {
 
 template <class Visitor, MaybeConst<Snapshot> T>
 void visit_fields(Visitor& v, T& snapshot) {
-  auto& [now, sample, has_sample, age, model, model_twist, odometry, odometry_twist, fused, world,
-         underfoot, left, right, slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope,
-         imu_obstacle, command, commanded_left, commanded_right, cross_track, heading_error,
-         progress, recovering, steering, run_state, start_refusal, faults] = snapshot;
+  auto& [now, sample, has_sample, age, estimates, filter, world, terrain_contact, left, right,
+         slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope, imu_obstacle, command,
+         commanded_left, commanded_right, cross_track, heading_error, progress, recovering,
+         steering, run_state, start_refusal, faults] = snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
   v("age_us", age);
-  v("model", model);
-  v("model_twist", model_twist);
-  v("odometry", odometry);
-  v("odometry_twist", odometry_twist);
-  v("fused", fused);
+  for (const PoseSource source : kPoseSources) {
+    const char* const name = to_string(source).data();
+    v(name, estimates[source].pose);
+    v(name, estimates[source].twist);
+  }
+  v("filter", filter);
   v("world", world);
-  v("underfoot", underfoot);
+  v("terrain_contact", terrain_contact);
   v("left_mps", left);
   v("right_mps", right);
   v("slip_left", slip_left);
@@ -182,36 +181,96 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("heading_error_rad", heading_error);
   v("progress_m", progress);
   v("recovering", recovering);
-  v("steering", steering, Steering::kFused);
+  v("steering", steering, kPoseSources.back());
   v("run_state", run_state, RunState::kAborted);
   v("start_refusal", start_refusal, StartRefusal::kNoWorld);
   v("faults", faults);
 }
 
-/// What went into the step, its time and number included.
+template <class Visitor, MaybeConst<CarriedFilter> T>
+void visit_fields(Visitor& v, T& filter) {
+  auto& [mean, covariance, branch, camera, last_seen, camera_known, nis, nis_sum, nis_count, used,
+         rejected, recoveries] = filter;
+  v("mean", mean);
+  v("covariance", covariance);
+  v("branch_rad", branch);
+  v("camera_ns", camera);
+  v("last_seen_ns", last_seen);
+  v("camera_known", camera_known);
+  v("nis", nis);
+  v("nis_sum", nis_sum);
+  v("nis_count", nis_count);
+  v("camera_used", used);
+  v("camera_rejected", rejected);
+  v("recoveries", recoveries);
+}
+
+template <class Visitor, MaybeConst<CarriedAttitude> T>
+void visit_fields(Visitor& v, T& attitude) {
+  auto& [levelled, gyro_offset, accel_offset, roll, pitch] = attitude;
+  v("levelled_s", levelled);
+  v("gyro_offset_radps", gyro_offset);
+  v("accel_offset_mps2", accel_offset);
+  v("roll_rad", roll);
+  v("pitch_rad", pitch);
+}
+
+template <class Visitor, MaybeConst<CarriedState> T>
+void visit_fields(Visitor& v, T& carried) {
+  auto& [session_number, run_state, faults, parameters, cross_track, progress, sample, has_sample,
+         continues, model, odometry, virtual_x, virtual_y, virtual_turn, filter, attitude,
+         gyro_bias, gyro_bias_known, filter_has_bias] = carried;
+  v("session_number", session_number);
+  v("run_state", run_state, RunState::kAborted);
+  v("faults", faults);
+  v.list("parameters", parameters);
+  v("cross_track_m", cross_track);
+  v("progress_m", progress);
+  v("sample", sample);
+  v("has_sample", has_sample);
+  v("continues", continues);
+  v("model", model);
+  v("odometry", odometry);
+  v("virtual_x_m", virtual_x);
+  v("virtual_y_m", virtual_y);
+  v("virtual_turn_rad", virtual_turn);
+  v("filter", filter);
+  v("attitude", attitude);
+  v("gyro_bias_radps", gyro_bias);
+  v("gyro_bias_known", gyro_bias_known);
+  v("filter_has_bias", filter_has_bias);
+}
+
+template <class Visitor, MaybeConst<StepInputs> T>
+void visit_fields(Visitor& v, T& inputs) {
+  auto& [restart, samples, requests, camera, world, changes, session, clock, session_number,
+         rebooted, answer] = inputs;
+  v.list("restart", restart);
+  v.list("samples", samples);
+  v.list("requests", requests, OperatorRequest::kStop);
+  v.list("camera", camera);
+  v.list("world", world);
+  v.list("changes", changes);
+  v("session", session, SessionState::kRefused);
+  v("clock", clock);
+  v("session_number", session_number);
+  v("robot_rebooted", rebooted);
+  v("answer", answer, RequestAnswer::kFailed);
+}
+
+/// The step's inputs, including its time and number.
 template <class Visitor, MaybeConst<StepRecord> T>
 void visit_inputs(Visitor& v, T& record) {
   v("now_ns", record.now_ns);
   v("step", record.step);
-  v.list("samples", record.samples, record.sample_count);
-  v.list("requests", record.requests, record.request_count, OperatorRequest::kStop);
-  v.list("camera", record.camera, record.camera_count);
-  v.list("world", record.world, record.world_count);
-  v.list("changes", record.changes, record.change_count);
-  v("session", record.session, SessionState::kRefused);
-  v("clock", record.clock);
-  v("session_number", record.session_number);
-  v("robot_rebooted", record.robot_rebooted);
-  v("answer", record.answer, RequestAnswer::kFailed);
+  visit_fields(v, record.inputs);
 }
 
 /// Inputs first, then the link's counters, then the results of the step.
 template <class Visitor, MaybeConst<StepRecord> T>
 void visit_fields(Visitor& v, T& record) {
-  // One more here is one more for visit_inputs, or below.
-  auto& [now, step, samples, sample_count, requests, request_count, camera, camera_count, world,
-         world_count, changes, change_count, session, clock, session_number, rebooted, answer, link,
-         command_valid, request, snapshot] = record;
+  // A new field here belongs in visit_inputs or below, too.
+  auto& [now, step, inputs, link, command_valid, request, snapshot] = record;
   visit_inputs(v, record);
   v("link", link);
   v("command_valid", command_valid);

@@ -40,7 +40,7 @@ void Worker::run() {
     busy_ = true;
     lock.unlock();
     job();
-    job = nullptr;  // what it holds goes without the lock
+    job = nullptr;  // frees its captures without the lock
     lock.lock();
     busy_ = false;
     if (jobs_.empty()) idle_.notify_all();

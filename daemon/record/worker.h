@@ -1,6 +1,6 @@
 #pragma once
-// A thread that waits for disks so that nobody else has to. A thread that serves STOP, the operator
-// or the service manager touches no file itself: it posts a job here.
+// A thread that waits for disks, so that no other thread has to. A thread that serves STOP, the
+// operator or the service manager never touches a file itself: it posts a job here.
 
 #include <chrono>
 #include <condition_variable>
@@ -15,18 +15,18 @@ class Worker {
  public:
   using Job = std::function<void()>;
 
-  /// At most `most` jobs wait for the one that runs.
+  /// At most `most` jobs may wait besides the running one.
   explicit Worker(std::size_t most = 64);
-  /// Runs the jobs that wait, however long the disk takes.
+  /// Runs the waiting jobs, however long the disk takes.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
   // Any thread.
   /// Runs `job` on the worker's thread, in the order of posting; it must not throw. Never waits for
-  /// a disk; false: too many jobs wait, this one is not taken.
+  /// a disk; false: too many jobs are waiting, and this one is rejected.
   bool post(Job job);
-  /// Waits until no job waits or runs; false: not before `deadline`.
+  /// Waits until no job is waiting or running; false: `deadline` passed first.
   bool idle_by(std::chrono::steady_clock::time_point deadline);
 
  private:

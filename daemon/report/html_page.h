@@ -1,5 +1,6 @@
 #pragma once
-// One offline HTML page: headings, paragraphs, tables and figures, no outside reference.
+// One offline HTML page: headings, paragraphs, tables and figures, no external references. And line
+// charts as SVG for it.
 
 #include <concepts>
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace tp100::report {
 
-/// Text with the five characters that HTML and SVG give a meaning.
+/// `text` with HTML's and SVG's five special characters escaped.
 std::string escaped(const std::string& text);
 
 /// One cell of a table.
@@ -19,7 +20,7 @@ struct Cell {
       : text(std::forward<Text>(content)), missed(is_missed) {}
 
   std::string text;
-  bool missed = false;  ///< its limit was not held: shown in red
+  bool missed = false;  ///< limit broken: shown in red
 };
 /// The first row is the head.
 using Rows = std::vector<std::vector<Cell>>;
@@ -34,9 +35,9 @@ class HtmlPage {
   /// Figures side by side; each is an SVG.
   void figures(const std::vector<std::string>& svgs, const std::string& caption);
 
-  /// A text as it is, folded away under its name.
+  /// A verbatim text, collapsed under its name.
   void folded(const std::string& name, const std::string& text);
-  /// HTML as it is, for what is made elsewhere.
+  /// Inserts HTML that was made elsewhere.
   void insert(const std::string& html) { body_ += html; }
 
   std::string text() const;
@@ -45,5 +46,25 @@ class HtmlPage {
   std::string title_;
   std::string body_;
 };
+
+/// Line charts as SVG: one string, no script, no external references; for pages and papers.
+struct ChartSeries {
+  std::string name = {};    ///< in the legend; empty: none
+  std::string colour = {};  ///< SVG syntax, e.g. "#c0392b"
+  std::vector<std::pair<double, double>> points = {};
+  bool dashed = false;
+  bool marks = false;  ///< a dot at every point, no line
+};
+
+struct Chart {
+  std::string title = {}, x_label = {}, y_label = {};
+  std::vector<ChartSeries> series = {};
+  bool equal_scale = false;  ///< a map: one metre has the same length in both directions
+  int width_px = 460, height_px = 300;
+};
+
+/// Draws the chart; points that are not finite interrupt their line. Long series are thinned to
+/// what the image can show.
+std::string svg(const Chart& chart);
 
 }  // namespace tp100::report

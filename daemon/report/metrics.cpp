@@ -2,33 +2,153 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "core/angle.h"
+#include "core/pose.h"
 
 namespace tp100::report {
+
 namespace {
 
-/// A planar motion that carries one pose onto another.
-struct Shift {
-  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
+constexpr double kRecoveredM = 0.01;
+constexpr double kRecoveredRad = 3.0 * kRadPerDeg;
+constexpr double kRecoveredForS = 0.5;
+// A disturbance is detected at the latest when a camera has seen it twice.
+constexpr double kNoticedWithinS = 0.5;
 
-  static Shift from_to(const Pose& from, const Pose& to) {
-    Shift shift;
-    shift.yaw_rad = to.yaw_rad - from.yaw_rad;
-    const double c = std::cos(shift.yaw_rad), s = std::sin(shift.yaw_rad);
-    shift.x_m = to.x_m - (c * from.x_m - s * from.y_m);
-    shift.y_m = to.y_m - (s * from.x_m + c * from.y_m);
-    return shift;
-  }
-  Pose operator()(const Pose& pose) const {
-    const double c = std::cos(yaw_rad), s = std::sin(yaw_rad);
-    Pose moved = pose;
-    moved.x_m = c * pose.x_m - s * pose.y_m + x_m;
-    moved.y_m = s * pose.x_m + c * pose.y_m + y_m;
-    moved.yaw_rad = pose.yaw_rad + yaw_rad;
-    return moved;
-  }
+/// Points of one disturbance: from its beginning to the next one's.
+struct Window {
+  std::size_t begin = 0, end = 0;
 };
+
+Window window_of(const std::vector<TrajectoryPoint>& points, double begin_s, double end_s) {
+  const auto before = [](const TrajectoryPoint& point, double t_s) { return point.t_s < t_s; };
+  const auto first = std::lower_bound(points.begin(), points.end(), begin_s, before);
+  const auto last = std::lower_bound(first, points.end(), end_s, before);
+  return {static_cast<std::size_t>(first - points.begin()),
+          static_cast<std::size_t>(last - points.begin())};
+}
+
+/// First and last point of the half second inside the limits; `window.end` twice if there is none.
+Window settled(const std::vector<TrajectoryPoint>& points, const std::vector<Deviation>& deviations,
+               const Window& window, double disturbed_until_s) {
+  std::size_t since = window.end;
+  for (std::size_t i = window.begin; i < window.end; ++i) {
+    if (points[i].t_s < disturbed_until_s) continue;
+    if (deviations[i].cross_track_m > kRecoveredM || deviations[i].yaw_rad > kRecoveredRad) {
+      since = window.end;
+      continue;
+    }
+    if (since == window.end) since = i;
+    if (points[i].t_s - points[since].t_s >= kRecoveredForS) return {since, i};
+  }
+  return {window.end, window.end};
+}
+
+DisturbanceResponse recovery(const std::vector<TrajectoryPoint>& points,
+                             const std::vector<Deviation>& deviations,
+                             const DisturbanceWindow& disturbance, const Window& window) {
+  DisturbanceResponse result;
+  result.begin_s = disturbance.begin_s;
+  const Window back = settled(points, deviations, window, disturbance.end_s);
+  if (back.begin != window.end) result.settling_s = points[back.begin].t_s - disturbance.end_s;
+
+  bool disturbed_left = false;
+  for (std::size_t i = window.begin; i < back.begin; ++i) {
+    if (points[i].recovering && !result.detection_s)
+      result.detection_s = points[i].t_s - disturbance.begin_s;
+    if (deviations[i].cross_track_m > result.peak_cross_track_m)
+      disturbed_left = deviations[i].left;
+    result.peak_cross_track_m = std::max(result.peak_cross_track_m, deviations[i].cross_track_m);
+    result.peak_yaw_error_rad = std::max(result.peak_yaw_error_rad, deviations[i].yaw_rad);
+  }
+  const std::size_t last = std::min(back.end, window.end - 1);
+  double driven_m = 0.0;
+  for (std::size_t i = window.begin; i <= last; ++i) {
+    if (points[i].t_s > disturbance.end_s && deviations[i].left != disturbed_left)
+      result.overshoot_m = std::max(result.overshoot_m, deviations[i].cross_track_m);
+    if (i > window.begin)
+      driven_m += std::hypot(points[i].world.x_m - points[i - 1].world.x_m,
+                             points[i].world.y_m - points[i - 1].world.y_m);
+  }
+  const double gained_m = points[last].progress_m - points[window.begin].progress_m;
+  result.shortcut_m = std::max(0.0, gained_m - driven_m);
+  return result;
+}
+
+}  // namespace
+
+std::vector<DisturbanceResponse> recoveries(const std::vector<TrajectoryPoint>& points,
+                                            const std::vector<Deviation>& deviations,
+                                            const std::vector<DisturbanceWindow>& disturbances) {
+  std::vector<DisturbanceResponse> result;
+  for (std::size_t i = 0; i < disturbances.size(); ++i) {
+    const double until_s = i + 1 < disturbances.size() ? disturbances[i + 1].begin_s : HUGE_VAL;
+    const Window window = window_of(points, disturbances[i].begin_s, until_s);
+    result.push_back(window.begin == window.end
+                         ? DisturbanceResponse{.begin_s = disturbances[i].begin_s}
+                         : recovery(points, deviations, disturbances[i], window));
+  }
+  return result;
+}
+
+int false_alarms(const std::vector<TrajectoryPoint>& points,
+                 const std::vector<DisturbanceWindow>& disturbances) {
+  int count = 0;
+  bool before = false;
+  for (const TrajectoryPoint& point : points) {
+    const bool pushed = std::any_of(disturbances.begin(), disturbances.end(),
+                                    [&](const DisturbanceWindow& disturbance) {
+                                      return point.t_s >= disturbance.begin_s &&
+                                             point.t_s <= disturbance.end_s + kNoticedWithinS;
+                                    });
+    if (point.recovering && !before && !pushed) ++count;
+    before = point.recovering;
+  }
+  return count;
+}
+
+namespace {
+
+// Part of the path around the controller's progress that a pose is compared with.
+constexpr double kWindowM = 0.3;
+// At a corner, neighbouring pieces are equally near, apart from the few millimetres by which the
+// robot stops beside it.
+constexpr double kCornerM = 0.01;
+
+double yaw_error(const course::Piece& piece, const course::PathPoint& nearest, double yaw_rad) {
+  if (piece.kind != course::Piece::Kind::kPivot)
+    return std::abs(wrap_angle(yaw_rad - nearest.yaw_rad));
+  const double half = std::abs(piece.end.yaw_rad - piece.begin.yaw_rad) / 2.0;
+  const double middle = (piece.end.yaw_rad + piece.begin.yaw_rad) / 2.0;
+  return std::max(0.0, std::abs(wrap_angle(yaw_rad - middle)) - half);
+}
+
+}  // namespace
+
+Deviation deviation(const course::Path& path, const TrajectoryPoint& point) {
+  const double from = point.progress_m - kWindowM, to = point.progress_m + kWindowM;
+  Deviation result;
+  result.cross_track_m = path.distance(point.world.x_m, point.world.y_m, from, to);
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
+    const course::Piece& piece = path.pieces()[i];
+    if (piece.end.s_m < from || piece.begin.s_m > to) continue;
+    const course::PathPoint near = path.at(i, path.project(i, point.world.x_m, point.world.y_m));
+    const double dx = point.world.x_m - near.x_m, dy = point.world.y_m - near.y_m;
+    const double distance = std::hypot(dx, dy);
+    if (distance > result.cross_track_m + kCornerM) continue;
+    result.yaw_rad = std::min(result.yaw_rad, yaw_error(piece, near, point.world.yaw_rad));
+    if (piece.kind == course::Piece::Kind::kPivot || distance >= nearest_m) continue;
+    nearest_m = distance;
+    result.left = dy * std::cos(near.yaw_rad) - dx * std::sin(near.yaw_rad) > 0.0;
+  }
+  if (!std::isfinite(result.yaw_rad)) result.yaw_rad = 0.0;
+  return result;
+}
+
+namespace {
 
 /// Sums up errors point by point.
 class Tally {
@@ -67,38 +187,40 @@ class Tally {
 
 }  // namespace
 
-PoseErrors pose_errors(const std::vector<TrackPoint>& points, const PoseOf& estimate) {
+PoseErrors pose_errors(const std::vector<TrajectoryPoint>& points, const PoseOf& estimate) {
   return pose_errors_between(points, {}, estimate);
 }
 
-PoseErrors pose_errors_between(const std::vector<TrackPoint>& points,
-                               const std::vector<ShoveWindow>& shoves, const PoseOf& estimate) {
+PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
+                               const std::vector<DisturbanceWindow>& disturbances,
+                               const PoseOf& estimate) {
   Tally tally;
-  Shift shift;
+  Transform2d transform;
   std::size_t next = 0;
-  for (const TrackPoint& point : points) {
-    if (next < shoves.size() && point.t_s > shoves[next].begin_s &&
-        point.t_s < shoves[next].end_s) {
+  for (const TrajectoryPoint& point : points) {
+    if (next < disturbances.size() && point.t_s > disturbances[next].begin_s &&
+        point.t_s < disturbances[next].end_s) {
       continue;
     }
-    // Also right for a shove shorter than the time between two points.
-    if (next < shoves.size() && point.t_s >= shoves[next].end_s) {
-      while (next < shoves.size() && point.t_s >= shoves[next].end_s) ++next;
-      shift = Shift::from_to(estimate(point), point.truth);
+    // Also correct for a disturbance shorter than the time between two points.
+    if (next < disturbances.size() && point.t_s >= disturbances[next].end_s) {
+      while (next < disturbances.size() && point.t_s >= disturbances[next].end_s) ++next;
+      transform = Transform2d::between(estimate(point), point.truth);
     }
-    tally.add(point.truth, shift(estimate(point)));
+    tally.add(point.truth, transform.of(estimate(point)));
   }
   return tally.result();
 }
 
-TrackingErrors tracking_errors(const std::vector<TrackPoint>& points,
-                               const std::vector<ShoveWindow>& shoves, const course::Path& path) {
+TrackingErrors tracking_errors(const std::vector<TrajectoryPoint>& points,
+                               const std::vector<DisturbanceWindow>& disturbances,
+                               const course::Path& path) {
   TrackingErrors result;
   if (points.empty()) return result;
   std::vector<Deviation> deviations;
   deviations.reserve(points.size());
   double squares = 0.0;
-  for (const TrackPoint& point : points) {
+  for (const TrajectoryPoint& point : points) {
     deviations.push_back(deviation(path, point));
     const Deviation& now = deviations.back();
     squares += now.cross_track_m * now.cross_track_m;
@@ -106,25 +228,27 @@ TrackingErrors tracking_errors(const std::vector<TrackPoint>& points,
     result.max_yaw_error_rad = std::max(result.max_yaw_error_rad, now.yaw_rad);
   }
   result.rms_cross_track_m = std::sqrt(squares / static_cast<double>(points.size()));
-  result.recovery = recoveries(points, deviations, shoves);
-  for (const Recovery& one : result.recovery) result.recovery_s.push_back(one.settling_s);
-  result.false_alarms = false_alarms(points, shoves);
+  result.recovery = recoveries(points, deviations, disturbances);
+  for (const DisturbanceResponse& one : result.recovery)
+    result.recovery_s.push_back(one.settling_s);
+  result.false_alarms = false_alarms(points, disturbances);
   return result;
 }
 
 RunFigures figures(const RunResult& run, const course::Course& course) {
   const course::Path path(course);
   RunFigures result;
-  result.model = pose_errors_between(run.points, run.shoves,
-                                     [](const TrackPoint& p) -> const Pose& { return p.model; });
+  result.model =
+      pose_errors_between(run.points, run.disturbances,
+                          [](const TrajectoryPoint& p) -> const Pose& { return p.model; });
   result.odometry =
-      pose_errors(run.points, [](const TrackPoint& p) -> const Pose& { return p.odometry; });
+      pose_errors(run.points, [](const TrajectoryPoint& p) -> const Pose& { return p.odometry; });
   if (run.has_camera) {
     result.fused =
-        pose_errors(run.points, [](const TrackPoint& p) -> const Pose& { return p.fused; });
+        pose_errors(run.points, [](const TrajectoryPoint& p) -> const Pose& { return p.fused; });
   }
-  result.tracking = tracking_errors(run.points, run.shoves, path);
-  // Elsewhere the obstacles are not on the floor.
+  result.tracking = tracking_errors(run.points, run.disturbances, path);
+  // In other set-ups the obstacles are not on the floor.
   result.slope =
       slope_figures(run.points, run.setup == "terrain" ? course.terrain : course::Terrain{});
   return result;

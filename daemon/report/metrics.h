@@ -1,18 +1,57 @@
 #pragma once
-// Figures of a run. Three things that are never mixed: how far the model was from the truth, how
-// far the estimate was from the truth, and how far the truth was from the path.
+// Metrics of a run. Three errors that are kept apart: the model against the truth, the estimate
+// against the truth, and the truth against the path.
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "course/course.h"
 #include "course/path.h"
-#include "report/recovery.h"
 #include "report/run_result.h"
 #include "report/slope_figures.h"
 
 namespace tp100::report {
+
+// Deviation of one true pose from the path.
+
+struct Deviation {
+  double cross_track_m = std::numeric_limits<double>::infinity();  ///< distance; not negative
+  bool left = false;                                         ///< side of the path, looking along it
+  double yaw_rad = std::numeric_limits<double>::infinity();  ///< from the tangent; not negative
+};
+
+/// Compares the true pose of `point` with the part of the path around the controller's progress.
+/// While turning on the spot, yaw is compared with the commanded turn.
+Deviation deviation(const course::Path& path, const TrajectoryPoint& point);
+
+// Response to a disturbance: when it was detected, how large it became, how the robot recovered.
+
+/// One disturbance. All values are true ones, except the controller's time of detection.
+struct DisturbanceResponse {
+  double begin_s = 0.0;  ///< of the disturbance, from the start of the run
+  std::optional<double>
+      detection_s{};                ///< from there until the controller detected it; nothing: never
+  double peak_cross_track_m = 0.0;  ///< until settled, including the disturbance
+  double peak_yaw_error_rad = 0.0;
+  /// From the end of the disturbance until the robot stayed within 1 cm and 3 deg for 0.5 s;
+  /// nothing: never.
+  std::optional<double> settling_s{};
+  double overshoot_m =
+      0.0;  ///< overshoot to the other side of the path, until that half second ended
+  double shortcut_m = 0.0;  ///< length of path that was skipped; 0: none
+};
+
+/// One entry per disturbance. `deviations` belong to `points`; disturbances ascending, not
+/// overlapping.
+std::vector<DisturbanceResponse> recoveries(const std::vector<TrajectoryPoint>& points,
+                                            const std::vector<Deviation>& deviations,
+                                            const std::vector<DisturbanceWindow>& disturbances);
+
+/// How often the controller detected a disturbance that did not occur.
+int false_alarms(const std::vector<TrajectoryPoint>& points,
+                 const std::vector<DisturbanceWindow>& disturbances);
 
 /// A pose against the truth: eq 8 point by point, and mean squared errors per axis.
 struct PoseErrors {
@@ -31,37 +70,40 @@ struct TrackingErrors {
   double max_cross_track_m = 0.0;
   double rms_cross_track_m = 0.0;
   double max_yaw_error_rad =
-      0.0;  ///< against the tangent; while turning on the spot, against the turn
-  std::vector<std::optional<double>> recovery_s;  ///< per shove; nothing: never recovered
-  std::vector<Recovery> recovery;                 ///< the same shoves in full
-  int false_alarms = 0;  ///< disturbances that the controller noticed and nobody made
+      0.0;  ///< from the tangent; while turning on the spot, from the commanded turn
+  std::vector<std::optional<double>> recovery_s;  ///< per disturbance; nothing: never recovered
+  std::vector<DisturbanceResponse> recovery;      ///< the same disturbances in full
+  int false_alarms = 0;  ///< disturbances that the controller detected although there was none
 };
 
 /// All figures of one run.
 struct RunFigures {
-  PoseErrors model{};                 ///< piece by piece between shoves, which encoders cannot see
-  PoseErrors odometry{};              ///< from start to end
-  std::optional<PoseErrors> fused{};  ///< from start to end, shoves included; only with a camera
+  PoseErrors model{};     ///< piece by piece between disturbances, which encoders cannot see
+  PoseErrors odometry{};  ///< from start to end
+  std::optional<PoseErrors>
+      fused{};  ///< from start to end, disturbances included; only with a camera
   TrackingErrors tracking{};
   SlopeFigures slope{};
 };
 
-/// Which pose of a point is judged.
-using PoseOf = std::function<const Pose&(const TrackPoint&)>;
+/// Selects the pose of a point to evaluate.
+using PoseOf = std::function<const Pose&(const TrajectoryPoint&)>;
 
 /// Errors of one pose over the whole run.
-PoseErrors pose_errors(const std::vector<TrackPoint>& points, const PoseOf& estimate);
+PoseErrors pose_errors(const std::vector<TrajectoryPoint>& points, const PoseOf& estimate);
 
-/// Same, but set onto the truth again at the end of each shove; points within a shove do not count.
-/// Shoves in ascending order, not overlapping.
-PoseErrors pose_errors_between(const std::vector<TrackPoint>& points,
-                               const std::vector<ShoveWindow>& shoves, const PoseOf& estimate);
+/// Same, but reset to the truth at the end of each disturbance; points within a disturbance do not
+/// count. Disturbances in ascending order, not overlapping.
+PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
+                               const std::vector<DisturbanceWindow>& disturbances,
+                               const PoseOf& estimate);
 
 /// True path against the reference.
-TrackingErrors tracking_errors(const std::vector<TrackPoint>& points,
-                               const std::vector<ShoveWindow>& shoves, const course::Path& path);
+TrackingErrors tracking_errors(const std::vector<TrajectoryPoint>& points,
+                               const std::vector<DisturbanceWindow>& disturbances,
+                               const course::Path& path);
 
-/// Everything.
+/// All metrics.
 RunFigures figures(const RunResult& run, const course::Course& course);
 
 }  // namespace tp100::report

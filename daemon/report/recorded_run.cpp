@@ -8,16 +8,15 @@
 #include <utility>
 
 #include "course/path.h"
-#include "report/duration_tally.h"
-#include "report/run_watch.h"
+#include "report/run_monitor.h"
 
 namespace tp100::report {
 namespace {
 
 using Json = nlohmann::json;
 
-// Twenty minutes at 200 Hz; beyond it every second point goes.
-constexpr std::size_t kMostPoints = std::size_t{1} << 18;
+// Twenty minutes at 200 Hz; beyond it every second point is dropped.
+constexpr std::size_t kMaxPoints = std::size_t{1} << 18;
 // No robot gets farther.
 constexpr double kFarthest = 1e6;
 constexpr double kEndToleranceM = 0.15;
@@ -37,7 +36,7 @@ bool plausible(const Pose& pose) {
 class Reader {
  public:
   Reader(RecordedRun& run, const record::Recording& recording)
-      : run_(run), period_us_(1e6 / run.subject.rate_hz), start_ns_(recording.start_ns()) {
+      : run_(run), period_us_(1e6 / run.run_context.rate_hz), start_ns_(recording.start_ns()) {
     const std::string text = recording.fact("start_unix_ns");
     std::from_chars(text.data(), text.data() + text.size(), start_unix_ns_);
   }
@@ -50,10 +49,10 @@ class Reader {
  private:
   void begin(HostNs now);
   void time(const StepRecord& record);
-  void believe(const Snapshot& snapshot);
+  void estimate(const Snapshot& snapshot);
   void point(const StepRecord& record);
   void thin();
-  void shoves();
+  void disturbances();
   void judge();
   double t_s(HostNs at) const { return to_s(at - begin_ns_); }
 
@@ -62,17 +61,17 @@ class Reader {
   HostNs start_ns_;
   std::uint64_t start_unix_ns_ = 0;
 
-  RunWatch watch_;
+  RunMonitor watch_;
   DurationTally jitter_, sample_age_;
-  std::vector<HostNs> pushes_ns_;
+  std::vector<HostNs> disturbances_ns_;
   RunState state_ = RunState::kIdle;
   FaultMask faults_ = 0;
   std::uint64_t step_ = 0;
   HostNs begin_ns_ = 0, now_ns_ = 0, end_ns_ = 0;
   double step_jitter_us_ = 0.0;
   double cross_track_squares_ = 0.0;
-  std::uint64_t believed_steps_ = 0;
-  // Of the newest sample that was looked at, and of the last point.
+  std::uint64_t estimated_steps_ = 0;
+  // Of the newest sample seen, and of the last point.
   DeviceUs device_us_ = -1;
   HostNs point_ns_ = std::numeric_limits<HostNs>::min();
   double behind_x_m_ = 0.0, behind_y_m_ = 0.0;
@@ -89,7 +88,7 @@ void Reader::step(const StepRecord& record) {
   }
   if (run_.runs == 0 || state == RunState::kRunning) {
     time(record);
-    believe(record.snapshot);
+    estimate(record.snapshot);
     point(record);
     end_ns_ = record.now_ns;
   } else if (state_ == RunState::kRunning) {
@@ -104,20 +103,20 @@ void Reader::step(const StepRecord& record) {
   now_ns_ = record.now_ns;
 }
 
-// A run that came before is forgotten.
+// Discards an earlier run.
 void Reader::begin(HostNs now) {
   begin_ns_ = end_ns_ = now;
   run_.result.points.clear();
   run_.moments.clear();
   run_.every = 1;
   run_.implausible = 0;
-  run_.believed = {};
+  run_.estimated = {};
   jitter_ = {};
   sample_age_ = {};
-  pushes_ns_.clear();
+  disturbances_ns_.clear();
   faults_ = 0;
   cross_track_squares_ = 0.0;
-  believed_steps_ = 0;
+  estimated_steps_ = 0;
   samples_ = 0;
 }
 
@@ -130,17 +129,17 @@ void Reader::time(const StepRecord& record) {
   if (record.snapshot.has_sample) sample_age_.add(static_cast<double>(record.snapshot.age_us));
 }
 
-void Reader::believe(const Snapshot& snapshot) {
+void Reader::estimate(const Snapshot& snapshot) {
   const double cross = std::abs(known(snapshot.cross_track_m));
   const double heading = std::abs(known(snapshot.heading_error_rad));
   if (std::isnan(cross) || std::isnan(heading)) return;
-  ++believed_steps_;
+  ++estimated_steps_;
   cross_track_squares_ += cross * cross;
-  BelievedErrors& believed = run_.believed;
-  believed.max_cross_track_m = std::max(believed.max_cross_track_m, cross);
-  believed.max_heading_error_rad = std::max(believed.max_heading_error_rad, heading);
-  believed.rms_cross_track_m =
-      std::sqrt(cross_track_squares_ / static_cast<double>(believed_steps_));
+  EstimatedErrors& estimated = run_.estimated;
+  estimated.max_cross_track_m = std::max(estimated.max_cross_track_m, cross);
+  estimated.max_heading_error_rad = std::max(estimated.max_heading_error_rad, heading);
+  estimated.rms_cross_track_m =
+      std::sqrt(cross_track_squares_ / static_cast<double>(estimated_steps_));
 }
 
 void Reader::point(const StepRecord& record) {
@@ -151,12 +150,12 @@ void Reader::point(const StepRecord& record) {
   device_us_ = sample.device_us;
   point_ns_ = std::numeric_limits<HostNs>::min();
   if (samples_++ % run_.every != 0) return;
-  TrackPoint point{.t_s = t_s(sample.measured_ns),
-                   .model = snapshot.model,
-                   .odometry = snapshot.odometry,
-                   .fused = snapshot.fused.pose,
-                   .progress_m = snapshot.progress_m,
-                   .recovering = snapshot.recovering};
+  TrajectoryPoint point{.t_s = t_s(sample.measured_ns),
+                        .model = snapshot.estimates[PoseSource::kModel].pose,
+                        .odometry = snapshot.estimates[PoseSource::kOdometry].pose,
+                        .fused = snapshot.estimates[PoseSource::kFused].pose,
+                        .progress_m = snapshot.progress_m,
+                        .recovering = snapshot.recovering};
   for (const Pose* pose : std::initializer_list<const Pose*>{&point.model, &point.odometry,
                                                              &point.fused, &snapshot.world}) {
     if (plausible(*pose)) continue;
@@ -182,7 +181,7 @@ void Reader::point(const StepRecord& record) {
                           .jitter_us = step_jitter_us_,
                           .steering_world = snapshot.world});
   point_ns_ = sample.measured_ns;
-  if (run_.result.points.size() >= kMostPoints) thin();
+  if (run_.result.points.size() >= kMaxPoints) thin();
 }
 
 void Reader::thin() {
@@ -196,10 +195,10 @@ void Reader::thin() {
   samples_ = 0;
 }
 
-// It comes after the step that took the sample of that time.
+// It follows the step that used the sample of that time.
 void Reader::truth(HostNs at, const Pose& pose) {
   if (at != point_ns_ || !plausible(pose)) return;
-  TrackPoint& point = run_.result.points.back();
+  TrajectoryPoint& point = run_.result.points.back();
   point.truth = pose;
   point.world = pose;
   point.world.x_m += behind_x_m_;
@@ -207,9 +206,9 @@ void Reader::truth(HostNs at, const Pose& pose) {
   run_.moments.back().truth_known = true;
 }
 
-// Only what does not follow from the steps.
+// Only events that cannot be derived from the steps.
 void Reader::event(std::uint64_t unix_ns, std::string_view text) {
-  // Till 2116, and no sum overflows.
+  // Valid until 2116, and no sum overflows.
   if (text.size() > kLongestEvent || unix_ns >> 62 != 0 || start_unix_ns_ >> 62 != 0) return;
   const Json json = Json::parse(text, nullptr, false);
   const auto field = [&](const char* name) -> std::string {
@@ -222,20 +221,20 @@ void Reader::event(std::uint64_t unix_ns, std::string_view text) {
     return;
   const HostNs at =
       start_ns_ + (static_cast<HostNs>(unix_ns) - static_cast<HostNs>(start_unix_ns_));
-  if (kind == "push" && pushes_ns_.size() < RunWatch::kMost) pushes_ns_.push_back(at);
+  if (kind == "push" && disturbances_ns_.size() < RunMonitor::kMax) disturbances_ns_.push_back(at);
   watch_.add({.at_ns = at,
               .text = words.substr(0, 300),
-              .remedy = field("remedy").substr(0, 300),
+              .fix = field("fix").substr(0, 300),
               .bad = field("level") == "error"});
 }
 
-// When each began is recorded, how long it took is in the course.
-void Reader::shoves() {
-  if (run_.subject.course == nullptr) return;
-  const std::vector<course::Shove>& planned = run_.subject.course->shoves;
-  for (std::size_t i = 0; i < std::min(pushes_ns_.size(), planned.size()); ++i) {
-    const double begin_s = t_s(pushes_ns_[i]);
-    run_.result.shoves.push_back({begin_s, begin_s + planned[i].duration_s});
+// The start of each is recorded; its duration is in the course.
+void Reader::disturbances() {
+  if (run_.run_context.course == nullptr) return;
+  const std::vector<course::Disturbance>& planned = run_.run_context.course->disturbances;
+  for (std::size_t i = 0; i < std::min(disturbances_ns_.size(), planned.size()); ++i) {
+    const double begin_s = t_s(disturbances_ns_[i]);
+    run_.result.disturbances.push_back({begin_s, begin_s + planned[i].duration_s});
   }
 }
 
@@ -247,11 +246,11 @@ void Reader::judge() {
     result.cause = "the recording ends before the run does";
   } else if (const auto fault = first_fault(faults_)) {
     result.cause = describe(*fault).name;
-  } else if (run_.subject.course == nullptr || result.points.empty()) {
+  } else if (run_.run_context.course == nullptr || result.points.empty()) {
     result.cause = "unknown";
   } else {
     result.finished = true;
-    const course::Path path(*run_.subject.course);
+    const course::Path path(*run_.run_context.course);
     const course::PathPoint goal = path.at(path.pieces().size() - 1, path.length_m());
     const Pose& end = result.points.back().world;
     if (std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m) > kEndToleranceM)
@@ -275,36 +274,36 @@ void Reader::finish() {
     run_.moments.resize(kept);
   }
   result.duration_s = t_s(end_ns_);
-  shoves();
+  disturbances();
   judge();
   run_.jitter = jitter_.result();
   run_.jitter_counts = jitter_.counts();
   run_.sample_age = sample_age_.result();
   for (const Happening& one : watch_.happenings())
-    run_.events.push_back({t_s(one.at_ns), one.text, one.remedy, one.bad});
+    run_.events.push_back({t_s(one.at_ns), one.text, one.fix, one.bad});
   std::ranges::stable_sort(run_.events, {}, &RunEvent::t_s);
   run_.more_events = watch_.more();
 }
 
 }  // namespace
 
-const Pose& steering_pose(const RecordedRun& run, const TrackPoint& point) {
-  switch (run.subject.steering) {
-    case Steering::kModel:
+const Pose& steering_pose(const RecordedRun& run, const TrajectoryPoint& point) {
+  switch (run.run_context.steering) {
+    case PoseSource::kModel:
       return point.model;
-    case Steering::kFused:
+    case PoseSource::kFused:
       return point.fused;
-    case Steering::kOdometry:
+    case PoseSource::kOdometry:
       break;
   }
   return point.odometry;
 }
 
-RecordedRun read_run(const record::Recording& recording, const RunSubject& subject) {
+RecordedRun read_run(const record::Recording& recording, const RecordedContext& run_context) {
   RecordedRun run;
   run.path = recording.path();
   run.facts = recording.facts();
-  run.subject = subject;
+  run.run_context = run_context;
   run.whole = recording.whole();
   for (const char* name : {"tp100.toml", "robot.toml", "course.toml"})
     run.files.emplace_back(name, recording.file(name));
@@ -319,7 +318,7 @@ RecordedRun read_run(const record::Recording& recording, const RunSubject& subje
   recording.visit({.step =
                        [&](const StepRecord& record) {
                          reader->step(record);
-                         if (record.camera_count > 0) run.result.has_camera = true;
+                         if (!record.inputs.camera.empty()) run.result.has_camera = true;
                        },
                    .truth = [&](HostNs at, const Pose& pose) { reader->truth(at, pose); },
                    .message = [&](const std::string&, std::uint64_t unix_ns,

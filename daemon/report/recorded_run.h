@@ -1,15 +1,17 @@
 #pragma once
-// A recorded run as plain data, for reports: what was estimated, what was true where that is known,
-// how the loop and the link did, what happened. Memory is bounded whatever the recording holds.
+// A recorded run as plain data, for reports: estimates, truth where it is known, performance of
+// loop and link, events. Memory is bounded whatever the recording contains.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/steering.h"
+#include "core/estimates.h"
 #include "course/course.h"
 #include "course/robot.h"
 #include "messages/figures.h"
@@ -18,18 +20,70 @@
 
 namespace tp100::report {
 
-/// What was driven; from the files in the recording.
-struct RunSubject {
+/// Statistics of any number of durations in fixed memory: mean and maximum exact, percentiles to 5
+/// %.
+class DurationTally {
+ public:
+  void add(double us) {
+    if (!(us >= 0.0 && us <= 1e15)) return;
+    ++buckets_[bucket(us)];
+    const auto* const edges = messages::kLatenessEdgesUs.data();
+    std::size_t above = 0;
+    while (above < messages::kLatenessEdgesUs.size() && us >= edges[above]) ++above;
+    ++counts_[above];
+    ++count_;
+    sum_ += us;
+    max_ = std::max(max_, us);
+  }
+  messages::Durations result() const {
+    return {.count = count_,
+            .mean_us = count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_),
+            .p50_us = percentile(0.5),
+            .p99_us = percentile(0.99),
+            .p999_us = percentile(0.999),
+            .max_us = max_};
+  }
+  /// Bins of messages::kLatenessEdgesUs.
+  const auto& counts() const { return counts_; }
+
+ private:
+  static constexpr double kPerOctave = 16.0;
+
+  // The first bucket counts everything below a nanosecond.
+  static std::size_t bucket(double us) {
+    if (us < 1e-3) return 0;
+    return std::min(kSize - 1, 1 + static_cast<std::size_t>(kPerOctave * std::log2(us * 1e3)));
+  }
+  double percentile(double share) const {
+    const double wanted = share * static_cast<double>(count_);
+    std::uint64_t seen = 0;
+    for (std::size_t i = 0; i < kSize; ++i) {
+      seen += buckets_[i];
+      if (count_ > 0 && static_cast<double>(seen) >= wanted)
+        return i == 0 ? 0.0 : std::min(max_, 1e-3 * std::exp2(static_cast<double>(i) / kPerOctave));
+    }
+    return 0.0;
+  }
+
+  static constexpr std::size_t kSize = 1024;
+  std::array<std::uint64_t, kSize> buckets_{};
+  std::array<std::uint64_t, messages::kLatenessEdgesUs.size() + 1> counts_{};
+  std::uint64_t count_ = 0;
+  double sum_ = 0.0, max_ = 0.0;
+};
+
+/// What was driven, from the files in the recording.
+struct RecordedContext {
   std::shared_ptr<const course::Course> course;  ///< null: none
   course::Robot robot{};
-  Steering steering = Steering::kOdometry;
+  PoseSource steering = PoseSource::kOdometry;
   double rate_hz = 200.0;
 };
 
-/// What belongs to a track point besides its poses. Not-a-number: not known, or nonsense.
+/// Data of a trajectory point besides its poses. Not-a-number: unknown or invalid.
 struct RunMoment {
   double slip_left = 0.0, slip_right = 0.0;  ///< in use by the model
-  double left_mps = 0.0, right_mps = 0.0;    ///< belts
+  double left_mps = 0.0, right_mps = 0.0;    ///< tracks
   double cross_track_m = 0.0;                ///< steering pose against the path, left positive
   double heading_error_rad = 0.0;            ///< desired - steering
   double jitter_us = 0.0;                    ///< this step against the period
@@ -37,45 +91,45 @@ struct RunMoment {
   bool truth_known = false;
 };
 
-/// Steering pose against the path: what the controller believed, not what was true.
-struct BelievedErrors {
+/// Steering pose against the path: the controller's own estimate, not the truth.
+struct EstimatedErrors {
   double max_cross_track_m = 0.0, rms_cross_track_m = 0.0, max_heading_error_rad = 0.0;
 };
 
 struct RunEvent {
-  double t_s = 0.0;  ///< as the points; negative before the run
-  std::string text = {}, remedy = {};
+  double t_s = 0.0;  ///< as in the points; negative before the run
+  std::string text = {}, fix = {};
   bool bad = false;
 };
 
-/// The last run of a recording; all of the recording, if nothing ran.
+/// The last run of a recording; the whole recording, if nothing ran.
 struct RecordedRun {
   std::string path;                                        ///< of the file
   std::map<std::string, std::string> facts;                ///< program, version, ...
   std::vector<std::pair<std::string, std::string>> files;  ///< name and text, as they were loaded
-  RunSubject subject{};
+  RecordedContext run_context{};
   bool whole = true;  ///< false: the file was cut off
 
   RunResult result{};              ///< `truth` of a point is only set if has_truth
-  bool has_truth = false;          ///< then every point has it
+  bool has_truth = false;          ///< every point has it
   std::vector<RunMoment> moments;  ///< one for each point
-  std::uint64_t every = 1;         ///< a point is here of every so many; 1: all
-  BelievedErrors believed{};       ///< of all steps
+  std::uint64_t every = 1;         ///< one of this many points is kept; 1: all
+  EstimatedErrors estimated{};     ///< over all steps
 
   std::uint64_t runs = 0;  ///< in the recording
   std::uint64_t steps = 0, missing_steps = 0;
-  std::uint64_t implausible = 0;     ///< points left out because of their numbers
+  std::uint64_t implausible = 0;     ///< points left out because of impossible values
   messages::Durations jitter{};      ///< |time between two steps - period|
   messages::Durations sample_age{};  ///< of the newest sample at each step
   std::array<std::uint64_t, messages::kLatenessEdgesUs.size() + 1> jitter_counts{};
   std::vector<RunEvent> events;
-  std::uint64_t more_events = 0;  ///< that are not listed
+  std::uint64_t more_events = 0;  ///< not listed
 };
 
 /// Reads all of `recording`. Throws SetupError.
-RecordedRun read_run(const record::Recording& recording, const RunSubject& subject);
+RecordedRun read_run(const record::Recording& recording, const RecordedContext& run_context);
 
-/// Pose that steered, of a point.
-const Pose& steering_pose(const RecordedRun& run, const TrackPoint& point);
+/// The steering pose of a point.
+const Pose& steering_pose(const RecordedRun& run, const TrajectoryPoint& point);
 
 }  // namespace tp100::report

@@ -116,15 +116,15 @@ function tp100Replay(box, run) {
     return faces;
   }
   function robot(frame) {
-    const { length, gauge, belt, height, radius } = run.robot;
-    const half = length / 2, inner = gauge / 2 - belt / 2, outer = gauge / 2 + belt / 2;
+    const { length, gauge, track, height, radius } = run.robot;
+    const half = length / 2, inner = gauge / 2 - track / 2, outer = gauge / 2 + track / 2;
     const faces = boxFaces(frame.robot, [-half * 0.85, half * 0.85, -inner, inner, radius * 0.6, height], '#57b96b');
     for (const side of [-1, 1]) {
       const from = side < 0 ? -outer : inner, to = side < 0 ? -inner : outer;
       faces.push(...boxFaces(frame.robot, [-half, half, from, to, 0, 2 * radius], '#3a3a3a'));
     }
     fill(faces);
-    // Treads on top of the belts move as far as the belts have run.
+    // Treads on top of the tracks move as far as the tracks have run.
     for (const [side, travel] of [[1, frame.left], [-1, frame.right]]) {
       const gap = 0.02;
       for (let x = -half + ((travel % gap) + gap) % gap; x < half; x += gap)
@@ -133,8 +133,8 @@ function tp100Replay(box, run) {
     line([placed(frame.robot, [0, 0, height]), placed(frame.robot, [half * 1.3, 0, height])], '#c0392b', 2);
   }
   function footprint(pose, colour) {
-    const { length, gauge, belt } = run.robot;
-    const i = length / 2, j = (gauge + belt) / 2;
+    const { length, gauge, track } = run.robot;
+    const i = length / 2, j = (gauge + track) / 2;
     line([[i, j], [i, -j], [-i, -j], [-i, j], [i, j]].map(([u, v]) => placed(pose, [u, v, 0.003])), colour, 2);
   }
   function frameAt(t) {
@@ -155,10 +155,10 @@ function tp100Replay(box, run) {
     ground();
     fill(obstacles());
     line(run.path.map(([x, y]) => [x, y, 0.002]), colours.path, 3, [8, 6]);
-    for (const name of run.trails)
+    for (const name of run.path_histories)
       line(frames[name].slice(0, i + 1).map((p) => p && [p[0], p[1], p[2] + 0.004]), colours[name], 2);
     robot(frame);
-    if (run.trails.includes('truth') && frames.truth[i]) footprint(frames.truth[i], colours.truth);
+    if (run.path_histories.includes('truth') && frames.truth[i]) footprint(frames.truth[i], colours.truth);
     clock.value = now.toFixed(1) + ' s';
     slider.value = String(now);
   }

@@ -6,16 +6,16 @@
 
 #include "core/angle.h"
 #include "course/path.h"
-#include "report/svg_chart.h"
+#include "report/html_page.h"
 
 namespace tp100::report {
 namespace {
 
-constexpr std::size_t kMostPoints = 2000;
+constexpr std::size_t kMaxPoints = 2000;
 constexpr int kPathPoints = 600;
 constexpr double kCmPerM = 100.0;
 
-using Value = std::function<double(const TrackPoint&, const RunMoment&)>;
+using Value = std::function<double(const TrajectoryPoint&, const RunMoment&)>;
 
 ChartSeries empty_series(const std::string& name, const char* colour, bool dashed = false) {
   return {.name = name, .colour = colour, .points = {}, .dashed = dashed};
@@ -30,8 +30,8 @@ ChartSeries over_time(const RecordedRun& run, ChartSeries series, const Value& v
 }
 
 ChartSeries map_of(const RecordedRun& run, ChartSeries series,
-                   const std::function<const Pose&(const TrackPoint&)>& pose) {
-  for (const TrackPoint& point : run.result.points)
+                   const std::function<const Pose&(const TrajectoryPoint&)>& pose) {
+  for (const TrajectoryPoint& point : run.result.points)
     series.points.emplace_back(pose(point).x_m, pose(point).y_m);
   return series;
 }
@@ -53,25 +53,26 @@ double distance_cm(const Pose& a, const Pose& b) {
 struct Estimate {
   const char* name;
   const char* colour;
-  Pose TrackPoint::*pose;
+  Pose TrajectoryPoint::*pose;
 };
 
 std::vector<Estimate> estimates_of(const RecordedRun& run) {
-  std::vector<Estimate> estimates = {{"model", kModelColour, &TrackPoint::model},
-                                     {"odometry", kOdometryColour, &TrackPoint::odometry}};
-  if (run.result.has_camera) estimates.push_back({"fused", kFusedColour, &TrackPoint::fused});
+  std::vector<Estimate> estimates = {{"model", kModelColour, &TrajectoryPoint::model},
+                                     {"odometry", kOdometryColour, &TrajectoryPoint::odometry}};
+  if (run.result.has_camera) estimates.push_back({"fused", kFusedColour, &TrajectoryPoint::fused});
   return estimates;
 }
 
 Figure path_figure(const RecordedRun& run) {
   Chart chart{.title = "Path", .x_label = "x [m]", .y_label = "y [m]", .equal_scale = true};
-  if (run.subject.course != nullptr) chart.series.push_back(planned(*run.subject.course));
+  if (run.run_context.course != nullptr) chart.series.push_back(planned(*run.run_context.course));
   if (run.has_truth)
     chart.series.push_back(map_of(run, empty_series("truth", kTruthColour),
-                                  [](const TrackPoint& p) -> const Pose& { return p.truth; }));
+                                  [](const TrajectoryPoint& p) -> const Pose& { return p.truth; }));
   for (const Estimate& one : estimates_of(run))
-    chart.series.push_back(map_of(run, empty_series(one.name, one.colour),
-                                  [&](const TrackPoint& p) -> const Pose& { return p.*one.pose; }));
+    chart.series.push_back(
+        map_of(run, empty_series(one.name, one.colour),
+               [&](const TrajectoryPoint& p) -> const Pose& { return p.*one.pose; }));
   return {"path", svg(chart), "Where the robot was, as the path, the truth and the estimates say."};
 }
 
@@ -80,11 +81,12 @@ Figure yaw_figure(const RecordedRun& run) {
   if (run.has_truth)
     chart.series.push_back(over_time(
         run, empty_series("truth", kTruthColour),
-        [](const TrackPoint& p, const RunMoment&) { return p.truth.yaw_rad * kDegPerRad; }));
+        [](const TrajectoryPoint& p, const RunMoment&) { return p.truth.yaw_rad * kDegPerRad; }));
   for (const Estimate& one : estimates_of(run))
-    chart.series.push_back(over_time(
-        run, empty_series(one.name, one.colour),
-        [&](const TrackPoint& p, const RunMoment&) { return (p.*one.pose).yaw_rad * kDegPerRad; }));
+    chart.series.push_back(over_time(run, empty_series(one.name, one.colour),
+                                     [&](const TrajectoryPoint& p, const RunMoment&) {
+                                       return (p.*one.pose).yaw_rad * kDegPerRad;
+                                     }));
   return {"yaw", svg(chart), "Yaw."};
 }
 
@@ -93,37 +95,39 @@ Figure error_figure(const RecordedRun& run) {
               .x_label = "time [s]",
               .y_label = "distance [cm]"};
   for (const Estimate& one : estimates_of(run)) {
-    const auto to = run.has_truth ? &TrackPoint::truth : &TrackPoint::odometry;
+    const auto to = run.has_truth ? &TrajectoryPoint::truth : &TrajectoryPoint::odometry;
     if (one.pose == to) continue;
-    chart.series.push_back(over_time(
-        run, empty_series(one.name, one.colour),
-        [&](const TrackPoint& p, const RunMoment&) { return distance_cm(p.*one.pose, p.*to); }));
+    chart.series.push_back(over_time(run, empty_series(one.name, one.colour),
+                                     [&](const TrajectoryPoint& p, const RunMoment&) {
+                                       return distance_cm(p.*one.pose, p.*to);
+                                     }));
   }
-  return {"error", svg(chart),
-          run.has_truth
-              ? "How far each estimate was from the truth, from start to end, shoves included."
-              : "The truth is not known: how far the estimates were from each other, which is no "
-                "error."};
+  return {
+      "error", svg(chart),
+      run.has_truth
+          ? "How far each estimate was from the truth, from start to end, disturbances included."
+          : "The truth is not known: how far the estimates were from each other, which is no "
+            "error."};
 }
 
 Figure tracking_figure(const RecordedRun& run) {
   Chart chart{.title = "Cross-track, as the controller saw it",
               .x_label = "time [s]",
               .y_label = "left of the path [cm]"};
-  chart.series.push_back(
-      over_time(run, empty_series("", kOdometryColour),
-                [](const TrackPoint&, const RunMoment& m) { return m.cross_track_m * kCmPerM; }));
-  return {"tracking", svg(chart), "The pose that steered against the path."};
+  chart.series.push_back(over_time(
+      run, empty_series("", kOdometryColour),
+      [](const TrajectoryPoint&, const RunMoment& m) { return m.cross_track_m * kCmPerM; }));
+  return {"tracking", svg(chart), "The steering pose against the path."};
 }
 
 Figure slip_figure(const RecordedRun& run) {
   Chart chart{.title = "Slip in use", .x_label = "time [s]", .y_label = "slip ratio"};
   chart.series.push_back(
       over_time(run, empty_series("left", kModelColour),
-                [](const TrackPoint&, const RunMoment& m) { return m.slip_left; }));
+                [](const TrajectoryPoint&, const RunMoment& m) { return m.slip_left; }));
   chart.series.push_back(
       over_time(run, empty_series("right", kOdometryColour),
-                [](const TrackPoint&, const RunMoment& m) { return m.slip_right; }));
+                [](const TrajectoryPoint&, const RunMoment& m) { return m.slip_right; }));
   return {"slip", svg(chart), "Slip ratios that the model used."};
 }
 
@@ -131,18 +135,19 @@ Figure jitter_figure(const RecordedRun& run) {
   Chart chart{.title = "Jitter", .x_label = "time [s]", .y_label = "|step - period| [us]"};
   chart.series.push_back(
       over_time(run, empty_series("", kOdometryColour),
-                [](const TrackPoint&, const RunMoment& m) { return m.jitter_us; }));
+                [](const TrajectoryPoint&, const RunMoment& m) { return m.jitter_us; }));
   return {"jitter", svg(chart), "Time between two steps against the loop's period."};
 }
 
 Figure climb_figure(const RecordedRun& run) {
   Chart chart{.title = "Climb angle", .x_label = "time [s]", .y_label = "nose up [deg]"};
   if (run.has_truth)
-    chart.series.push_back(over_time(
-        run, empty_series("truth", kTruthColour),
-        [](const TrackPoint& p, const RunMoment&) { return -p.truth.pitch_rad * kDegPerRad; }));
+    chart.series.push_back(over_time(run, empty_series("truth", kTruthColour),
+                                     [](const TrajectoryPoint& p, const RunMoment&) {
+                                       return -p.truth.pitch_rad * kDegPerRad;
+                                     }));
   chart.series.push_back(over_time(run, empty_series("robot in the course's world", kModelColour),
-                                   [](const TrackPoint&, const RunMoment& m) {
+                                   [](const TrajectoryPoint&, const RunMoment& m) {
                                      return -m.steering_world.pitch_rad * kDegPerRad;
                                    }));
   return {"climb", svg(chart),
@@ -156,17 +161,17 @@ ChartSeries series_of(const ComparedRun& run, std::size_t i) {
   return empty_series(run.name, kColours[i % kColours.size()], i >= kColours.size());
 }
 
-const Pose& shown_pose(const RecordedRun& run, const TrackPoint& point) {
+const Pose& shown_pose(const RecordedRun& run, const TrajectoryPoint& point) {
   return run.has_truth ? point.truth : steering_pose(run, point);
 }
 
-Figure compared(
-    const std::vector<ComparedRun>& runs, Figure figure, Chart chart,
-    const std::function<double(const RecordedRun&, const TrackPoint&, const RunMoment&)>& value) {
+Figure compared(const std::vector<ComparedRun>& runs, Figure figure, Chart chart,
+                const std::function<double(const RecordedRun&, const TrajectoryPoint&,
+                                           const RunMoment&)>& value) {
   for (std::size_t i = 0; i < runs.size(); ++i)
     chart.series.push_back(over_time(
         runs[i].run, series_of(runs[i], i),
-        [&](const TrackPoint& p, const RunMoment& m) { return value(runs[i].run, p, m); }));
+        [&](const TrajectoryPoint& p, const RunMoment& m) { return value(runs[i].run, p, m); }));
   figure.svg = svg(chart);
   return figure;
 }
@@ -176,9 +181,9 @@ Figure compared(
 std::vector<Figure> figures_of(const RecordedRun& run) {
   std::vector<Figure> figures = {path_figure(run),     yaw_figure(run),  error_figure(run),
                                  tracking_figure(run), slip_figure(run), jitter_figure(run)};
-  if (run.subject.course == nullptr)
+  if (run.run_context.course == nullptr)
     std::erase_if(figures, [](const Figure& figure) { return figure.name == "tracking"; });
-  else if (!run.subject.course->terrain.flat())
+  else if (!run.run_context.course->terrain.flat())
     figures.push_back(climb_figure(run));
   return figures;
 }
@@ -186,50 +191,51 @@ std::vector<Figure> figures_of(const RecordedRun& run) {
 std::vector<Figure> figures_of(const std::vector<ComparedRun>& runs) {
   std::vector<Figure> figures;
   Chart map{.title = "Paths", .x_label = "x [m]", .y_label = "y [m]", .equal_scale = true};
-  if (!runs.empty() && runs[0].run.subject.course != nullptr)
-    map.series.push_back(planned(*runs[0].run.subject.course));
+  if (!runs.empty() && runs[0].run.run_context.course != nullptr)
+    map.series.push_back(planned(*runs[0].run.run_context.course));
   for (std::size_t i = 0; i < runs.size(); ++i)
-    map.series.push_back(
-        map_of(runs[i].run, series_of(runs[i], i),
-               [&](const TrackPoint& p) -> const Pose& { return shown_pose(runs[i].run, p); }));
+    map.series.push_back(map_of(
+        runs[i].run, series_of(runs[i], i),
+        [&](const TrajectoryPoint& p) -> const Pose& { return shown_pose(runs[i].run, p); }));
   figures.push_back({"paths", svg(map),
-                     "The truth where it is known, else the pose that steered. The path is that of "
+                     "The truth where it is known, else the steering pose. The path is that of "
                      "the first run."});
-  figures.push_back(compared(runs, {"yaws", {}, "Yaw, of the same poses."},
-                             {.title = "Yaw", .x_label = "time [s]", .y_label = "yaw [deg]"},
-                             [](const RecordedRun& run, const TrackPoint& p, const RunMoment&) {
-                               return shown_pose(run, p).yaw_rad * kDegPerRad;
-                             }));
+  figures.push_back(
+      compared(runs, {"yaws", {}, "Yaw, of the same poses."},
+               {.title = "Yaw", .x_label = "time [s]", .y_label = "yaw [deg]"},
+               [](const RecordedRun& run, const TrajectoryPoint& p, const RunMoment&) {
+                 return shown_pose(run, p).yaw_rad * kDegPerRad;
+               }));
   const struct {
     const char *name, *title, *caption;
-    Pose TrackPoint::*pose;
+    Pose TrajectoryPoint::*pose;
   } errors[] = {{"model-errors", "Model: distance from the truth",
-                 "The model, only of runs whose truth is known.", &TrackPoint::model},
+                 "The model, only of runs whose truth is known.", &TrajectoryPoint::model},
                 {"odometry-errors", "Odometry: distance from the truth",
-                 "Odometry, of the same runs.", &TrackPoint::odometry}};
+                 "Odometry, of the same runs.", &TrajectoryPoint::odometry}};
   for (const auto& one : errors)
     figures.push_back(
         compared(runs, {one.name, {}, one.caption},
                  {.title = one.title, .x_label = "time [s]", .y_label = "distance [cm]"},
-                 [&](const RecordedRun& run, const TrackPoint& p, const RunMoment&) {
+                 [&](const RecordedRun& run, const TrajectoryPoint& p, const RunMoment&) {
                    return run.has_truth ? distance_cm(p.*one.pose, p.truth) : std::nan("");
                  }));
-  figures.push_back(compared(runs, {"trackings", {}, "The pose that steered against the path."},
+  figures.push_back(compared(runs, {"trackings", {}, "The steering pose against the path."},
                              {.title = "Cross-track, as the controller saw it",
                               .x_label = "time [s]",
                               .y_label = "left of the path [cm]"},
-                             [](const RecordedRun&, const TrackPoint&, const RunMoment& m) {
+                             [](const RecordedRun&, const TrajectoryPoint&, const RunMoment& m) {
                                return m.cross_track_m * kCmPerM;
                              }));
   figures.push_back(compared(
       runs, {"jitters", {}, "Time between two steps against the loop's period."},
       {.title = "Jitter", .x_label = "time [s]", .y_label = "|step - period| [us]"},
-      [](const RecordedRun&, const TrackPoint&, const RunMoment& m) { return m.jitter_us; }));
+      [](const RecordedRun&, const TrajectoryPoint&, const RunMoment& m) { return m.jitter_us; }));
   return figures;
 }
 
 void thin_for_figures(RecordedRun& run) {
-  const std::size_t every = run.moments.size() / kMostPoints + 1;
+  const std::size_t every = run.moments.size() / kMaxPoints + 1;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < run.moments.size(); i += every) {
     run.result.points[kept] = run.result.points[i];

@@ -1,5 +1,5 @@
 #pragma once
-// The figures of recorded runs, of one or several over each other, as SVG.
+// The figures of recorded runs as SVG, for one run or several overlaid.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tp100::report {
 
-// One colour for one pose, in every figure.
+// One colour per pose, in every figure.
 inline constexpr const char* kPathColour = "#8a8a8a";
 inline constexpr const char* kTruthColour = "#2e8b3d";
 inline constexpr const char* kModelColour = "#c0392b";
@@ -16,25 +16,25 @@ inline constexpr const char* kOdometryColour = "#1f5fbf";
 inline constexpr const char* kFusedColour = "#8e44ad";
 
 struct Figure {
-  std::string name;  ///< of its file, without .svg
+  std::string name;  ///< file name without .svg
   std::string svg;
   std::string caption;
 };
 
-/// Path, yaw, errors of the estimates, tracking, slip, jitter; climb angle where the course has
-/// obstacles. What needs the truth is left out where it is not known.
+/// Path, yaw, errors of the estimates, tracking, slip, jitter; climb angle if the course has
+/// obstacles. Figures that need the truth are omitted if it is not known.
 std::vector<Figure> figures_of(const RecordedRun& run);
 
-/// A run among others: its name in legends, and its points thinned to what a figure can show.
+/// A run in a comparison: its name in legends, and its points thinned to what a figure can show.
 struct ComparedRun {
   std::string name;
   RecordedRun run;
 };
 
-/// The same, run over run.
+/// The same figures with all runs overlaid.
 std::vector<Figure> figures_of(const std::vector<ComparedRun>& runs);
 
-/// Leaves at most two thousand points.
+/// Thins the run to at most two thousand points.
 void thin_for_figures(RecordedRun& run);
 
 }  // namespace tp100::report

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "core/angle.h"
+#include "course/path.h"
 #include "report/html_page.h"
-#include "report/replay_view.h"
+#include "report/report_figures.h"
 #include "report/run_metrics.h"
 #include "text/toml_document.h"
 
@@ -44,7 +46,7 @@ Rows summary(const RecordedRun& run) {
   Rows rows = {{"", ""},
                {"outcome", outcome(run)},
                {"duration", number(run.result.duration_s, 2) + " s"},
-               {"steered by", std::string(to_string(run.subject.steering))},
+               {"steered by", std::string(to_string(run.run_context.steering))},
                {"truth", run.has_truth ? "known" : "not known"},
                {"recording", plain(run.path)},
                {"steps", count(run.steps) + ", " + count(run.missing_steps) + " missing"}};
@@ -74,7 +76,7 @@ void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunF
   if (judged) {
     page.table({kPoseHead, pose_row("model", judged->model)},
                "Model: on encoder counts (extended: eqs 1-5 and seven constants of ours; or as "
-               "model.mode says) against the truth, piece by piece between shoves");
+               "model.mode says) against the truth, piece by piece between disturbances");
     Rows estimates = {kPoseHead, pose_row("odometry", judged->odometry)};
     if (judged->fused) estimates.push_back(pose_row("fused", *judged->fused));
     page.table(estimates, "Estimates against the truth, from start to end");
@@ -86,25 +88,26 @@ void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunF
     std::string recovery;
     for (const auto& time : judged->tracking.recovery_s)
       recovery += (recovery.empty() ? "" : ", ") + (time ? number(*time, 2) + " s" : "never");
-    if (!recovery.empty()) page.paragraph("Recovered from the shoves after " + recovery + ".");
+    if (!recovery.empty())
+      page.paragraph("Recovered from the disturbances after " + recovery + ".");
   } else {
     page.paragraph(run.has_truth
                        ? "There was no course to judge the run by."
                        : "Nobody measured where the robot truly was: neither the model, nor the "
                          "estimates, nor the tracking can be judged. What follows are differences "
-                         "between estimates and what the controller believed.");
+                         "between estimates and what the controller estimated.");
     const Difference difference = model_from_odometry(run);
     page.table({{"", "max [cm]", "at the end [cm]"},
                 {"model from odometry", number(difference.max_m * kCmPerM, 2),
                  number(difference.final_m * kCmPerM, 2)}},
                "Difference of two estimates; no error of either");
   }
-  if (run.subject.course == nullptr) return;
+  if (run.run_context.course == nullptr) return;
   page.table({{"", "max [cm]", "rms [cm]", "heading max [deg]"},
-              {"believed", number(run.believed.max_cross_track_m * kCmPerM, 2),
-               number(run.believed.rms_cross_track_m * kCmPerM, 2),
-               number(run.believed.max_heading_error_rad * kDegPerRad, 2)}},
-             "The pose that steered against the path: what the controller saw, not what was true");
+              {"estimated", number(run.estimated.max_cross_track_m * kCmPerM, 2),
+               number(run.estimated.rms_cross_track_m * kCmPerM, 2),
+               number(run.estimated.max_heading_error_rad * kDegPerRad, 2)}},
+             "The steering pose against the path: what the controller saw, not what was true");
 }
 
 Row duration_row(const std::string& name, const messages::Durations& d) {
@@ -124,7 +127,7 @@ void add_timing(HtmlPage& page, const RecordedRun& run) {
   page.table({kDurationHead, duration_row("jitter", run.jitter),
               duration_row("age of the newest sample", run.sample_age)},
              "Jitter: time between two steps against the period of " +
-                 number(1e6 / run.subject.rate_hz, 0) + " us; percentiles to 5 %");
+                 number(1e6 / run.run_context.rate_hz, 0) + " us; percentiles to 5 %");
   Rows rows = {{"jitter", "steps"}};
   for (std::size_t i = 0; i < run.jitter_counts.size(); ++i) {
     const bool last = i == messages::kLatenessEdgesUs.size();
@@ -147,7 +150,7 @@ void add_events(HtmlPage& page, const RecordedRun& run) {
   page.heading("Events");
   Rows rows = {{"time [s]", "what", "what to do"}};
   for (const RunEvent& event : run.events)
-    rows.push_back({number(event.t_s, 3), {plain(event.text), event.bad}, plain(event.remedy)});
+    rows.push_back({number(event.t_s, 3), {plain(event.text), event.bad}, plain(event.fix)});
   page.table(rows, "Time counts from the beginning of the run");
   if (run.more_events > 0) page.paragraph(count(run.more_events) + " more are not listed.");
 }
@@ -175,6 +178,127 @@ void add_figures(HtmlPage& page, const std::vector<Figure>& figures) {
   }
 }
 
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMaxFrames = 2000;
+constexpr int kPathPoints = 600;
+
+double rounded(double value) { return std::round(value * 1e5) / 1e5; }
+
+Json place(double x_m, double y_m, double z_m) {
+  return Json::array({rounded(x_m), rounded(y_m), rounded(z_m)});
+}
+
+Json json_of(const Pose& pose) {
+  return Json::array({rounded(pose.x_m), rounded(pose.y_m), rounded(pose.z_m),
+                      rounded(pose.roll_rad), rounded(pose.pitch_rad), rounded(pose.yaw_rad)});
+}
+
+Json robot_of(const course::Robot& robot) {
+  return {{"length", robot.shape.length_m},
+          {"gauge", robot.shape.gauge_m},
+          {"track", robot.emulated.body.shoe_width_m},
+          {"height", robot.shape.height_m},
+          {"radius", robot.shape.wheel_radius_m}};
+}
+
+Json frames_of(const RecordedRun& run) {
+  Json frames = {{"t", Json::array()},        {"robot", Json::array()}, {"left", Json::array()},
+                 {"right", Json::array()},    {"truth", Json::array()}, {"model", Json::array()},
+                 {"odometry", Json::array()}, {"fused", Json::array()}};
+  const std::vector<TrajectoryPoint>& points = run.result.points;
+  const std::size_t every = points.size() / kMaxFrames + 1;
+  double left_m = 0.0, right_m = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const TrajectoryPoint& point = points[i];
+    const RunMoment& moment = run.moments[i];
+    const double dt_s = i > 0 ? point.t_s - points[i - 1].t_s : 0.0;
+    if (std::isfinite(moment.left_mps)) left_m += moment.left_mps * dt_s;
+    if (std::isfinite(moment.right_mps)) right_m += moment.right_mps * dt_s;
+    if (i % every != 0 && i + 1 != points.size()) continue;
+    // Estimates do not contain the floor's height; the world does.
+    const double z_m = moment.steering_world.z_m;
+    frames["t"].push_back(rounded(point.t_s));
+    frames["robot"].push_back(json_of(moment.steering_world));
+    frames["left"].push_back(rounded(left_m));
+    frames["right"].push_back(rounded(right_m));
+    frames["truth"].push_back(run.has_truth ? json_of(point.world) : Json());
+    frames["model"].push_back(place(point.model.x_m, point.model.y_m, z_m));
+    frames["odometry"].push_back(place(point.odometry.x_m, point.odometry.y_m, z_m));
+    frames["fused"].push_back(place(point.fused.x_m, point.fused.y_m, z_m));
+  }
+  return frames;
+}
+
+void add_course(const course::Course& course, Json& view) {
+  const course::Path path(course);
+  for (int i = 0; i <= kPathPoints; ++i) {
+    const course::PathPoint at = path.at(path.length_m() * i / kPathPoints);
+    view["path"].push_back(Json::array({rounded(at.x_m), rounded(at.y_m)}));
+  }
+  for (const course::Ramp& r : course.terrain.ramps)
+    view["ramps"].push_back({r.place.x_m, r.place.y_m, r.place.heading_rad, r.height_m,
+                             r.up_length_m(), r.top_m, r.down_length_m(), r.width_m});
+  for (const course::Block& b : course.terrain.blocks)
+    view["blocks"].push_back(
+        {b.place.x_m, b.place.y_m, b.place.heading_rad, b.height_m, b.depth_m, b.width_m});
+  for (const course::Surface& s : course.terrain.surfaces)
+    view["surfaces"].push_back(
+        {s.place.x_m, s.place.y_m, s.place.heading_rad, s.length_m, s.width_m});
+}
+
+/// Adds the centre and the extent of the view.
+void add_extent(const RecordedRun& run, Json& view) {
+  double low_x = 0.0, high_x = 0.0, low_y = 0.0, high_y = 0.0;
+  bool any = false;
+  const auto widen = [&](double x_m, double y_m) {
+    low_x = any ? std::min(low_x, x_m) : x_m;
+    high_x = any ? std::max(high_x, x_m) : x_m;
+    low_y = any ? std::min(low_y, y_m) : y_m;
+    high_y = any ? std::max(high_y, y_m) : y_m;
+    any = true;
+  };
+  for (const Json& point : view["path"]) widen(point[0], point[1]);
+  for (const RunMoment& moment : run.moments)
+    widen(moment.steering_world.x_m, moment.steering_world.y_m);
+  view["middle"] = {rounded((low_x + high_x) / 2.0), rounded((low_y + high_y) / 2.0)};
+  view["size"] = rounded(std::max({high_x - low_x, high_y - low_y, 0.5}));
+}
+
+/// A 3-D view of a run, as a part of an HTML page: canvas, controls, script and data; no external
+/// references. Shows the robot at the steering pose in the course's world, and its outline at the
+/// true pose, if known. At most two thousand instants.
+std::string replay_view(const RecordedRun& run) {
+  Json view = {{"frames", frames_of(run)},
+               {"path", Json::array()},
+               {"ramps", Json::array()},
+               {"blocks", Json::array()},
+               {"surfaces", Json::array()},
+               {"robot", robot_of(run.run_context.robot)},
+               {"path_histories", Json::array({"model", "odometry"})}};
+  if (run.result.has_camera) view["path_histories"].push_back("fused");
+  if (run.has_truth) view["path_histories"].push_back("truth");
+  view["colours"] = {{"path", kPathColour},
+                     {"truth", kTruthColour},
+                     {"model", kModelColour},
+                     {"odometry", kOdometryColour},
+                     {"fused", kFusedColour}};
+  if (run.run_context.course != nullptr) add_course(*run.run_context.course, view);
+  add_extent(run, view);
+  return "<figure id='replay'><canvas width='1000' height='520' tabindex='0' "
+         "style='width:100%;touch-action:none;border:1px solid #999'></canvas>"
+         "<div style='display:flex;gap:.8em;align-items:center'><button type='button'>Play</button>"
+         "<input type='range' min='0' step='0.01' value='0' aria-label='time' style='flex:1'>"
+         "<output></output><select aria-label='speed'><option value='1'>1 x</option>"
+         "<option value='5'>5 x</option><option value='20'>20 x</option></select>"
+         "<label><input type='checkbox'>follow</label></div>"
+         "<figcaption>Drag to turn, wheel to zoom. The robot is drawn at the steering pose; its "
+         "outline on the floor at the true pose, where that is known."
+         "</figcaption></figure>\n<script>\n" +
+         std::string(kReplayScript) + "tp100Replay(document.getElementById('replay'), " +
+         view.dump(-1, ' ', true, Json::error_handler_t::replace) + ");\n</script>\n";
+}
+
 }  // namespace
 
 std::string report_page(const RecordedRun& run, const std::optional<RunFigures>& judged,
@@ -198,7 +322,7 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
   HtmlPage page("Runs compared");
   Rows outcomes = {{"run", "course, robot, set-up", "outcome", "duration [s]", "lost", "version"}};
   Rows model = {kPoseHead}, odometry = {kPoseHead}, fused = {kPoseHead};
-  Rows tracking = {{"", "max [cm]", "rms [cm]", "yaw max [deg]"}}, believed = tracking;
+  Rows tracking = {{"", "max [cm]", "rms [cm]", "yaw max [deg]"}}, estimated = tracking;
   Rows jitter = {kDurationHead};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RecordedRun& run = runs[i].run;
@@ -207,9 +331,9 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
     outcomes.push_back({name, title_of(run), outcome(run), number(run.result.duration_s, 2),
                         count(run.result.link.lost),
                         version == run.facts.end() ? "" : plain(version->second)});
-    believed.push_back({name, number(run.believed.max_cross_track_m * kCmPerM, 2),
-                        number(run.believed.rms_cross_track_m * kCmPerM, 2),
-                        number(run.believed.max_heading_error_rad * kDegPerRad, 2)});
+    estimated.push_back({name, number(run.estimated.max_cross_track_m * kCmPerM, 2),
+                         number(run.estimated.rms_cross_track_m * kCmPerM, 2),
+                         number(run.estimated.max_heading_error_rad * kDegPerRad, 2)});
     jitter.push_back(duration_row(name, run.jitter));
     if (!judged[i]) continue;
     model.push_back(pose_row(name, judged[i]->model));
@@ -222,11 +346,11 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
   page.table(outcomes, "The runs");
   page.heading("Errors");
   page.paragraph("Runs whose truth is not known are only in the last table.");
-  page.table(model, "Model against the truth, piece by piece between shoves");
+  page.table(model, "Model against the truth, piece by piece between disturbances");
   page.table(odometry, "Odometry (estimate) against the truth");
   if (fused.size() > 1) page.table(fused, "Fused (estimate) against the truth");
   page.table(tracking, "Tracking: the truth against the path");
-  page.table(believed, "The pose that steered against the path: what the controller saw");
+  page.table(estimated, "The steering pose against the path: what the controller saw");
   add_figures(page, figures);
   page.heading("Loop");
   page.table(jitter, "Jitter: time between two steps against the period");

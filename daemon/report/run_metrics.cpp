@@ -5,14 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "record/step_fields.h"
-#include "report/result_json.h"
+#include "report/result_text.h"
+#include "report/run_result.h"
 
 namespace tp100::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Collects the counters by the names that recordings give them.
+/// Collects the counters by their names in recordings.
 struct CounterList {
   std::vector<std::pair<std::string, std::uint64_t>> list;
   void operator()(const char* name, const std::uint64_t& value) { list.emplace_back(name, value); }
@@ -21,13 +22,13 @@ struct CounterList {
 }  // namespace
 
 std::optional<RunFigures> judged(const RecordedRun& run) {
-  if (!run.has_truth || run.subject.course == nullptr) return std::nullopt;
-  return figures(run.result, *run.subject.course);
+  if (!run.has_truth || run.run_context.course == nullptr) return std::nullopt;
+  return figures(run.result, *run.run_context.course);
 }
 
 Difference model_from_odometry(const RecordedRun& run) {
   Difference difference;
-  for (const TrackPoint& point : run.result.points) {
+  for (const TrajectoryPoint& point : run.result.points) {
     difference.final_m =
         std::hypot(point.model.x_m - point.odometry.x_m, point.model.y_m - point.odometry.y_m);
     difference.max_m = std::max(difference.max_m, difference.final_m);
@@ -50,14 +51,14 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
       if (json.contains(name)) json[name] = nullptr;
   }
   json["truth"] = run.has_truth;
-  json["steering"] = to_string(run.subject.steering);
-  json["believed"] = {{"max_cross_track_m", run.believed.max_cross_track_m},
-                      {"rms_cross_track_m", run.believed.rms_cross_track_m},
-                      {"max_heading_error_rad", run.believed.max_heading_error_rad}};
+  json["steering"] = to_string(run.run_context.steering);
+  json["estimated"] = {{"max_cross_track_m", run.estimated.max_cross_track_m},
+                       {"rms_cross_track_m", run.estimated.rms_cross_track_m},
+                       {"max_heading_error_rad", run.estimated.max_heading_error_rad}};
   const Difference difference = model_from_odometry(run);
   json["differences"] = {
       {"model_from_odometry", {{"max_m", difference.max_m}, {"final_m", difference.final_m}}}};
-  json["timing"] = {{"rate_hz", run.subject.rate_hz},
+  json["timing"] = {{"rate_hz", run.run_context.rate_hz},
                     {"jitter_us", run.jitter},
                     {"sample_age_us", run.sample_age}};
   json["link"] = Json::object();

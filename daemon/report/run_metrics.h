@@ -1,7 +1,7 @@
 #pragma once
-// The figures of a recorded run: metrics.json and tables. Errors of the model, of the estimates and
-// of the tracking are judged against the truth and exist only where it is known; what the
-// controller believed of itself stands apart.
+// The metrics of a recorded run: metrics.json and tables. Errors of the model, of the estimates and
+// of the tracking are relative to the truth and exist only where it is known; the controller's own
+// estimates are separate.
 
 #include <optional>
 #include <string>
@@ -15,8 +15,8 @@ namespace tp100::report {
 /// Nothing if the truth or the course is not known.
 std::optional<RunFigures> judged(const RecordedRun& run);
 
-/// One JSON object with line breaks: what `tp100-sim course --json` prints of a run (`model`,
-/// `odometry`, `fused`, `tracking`: null where the truth is not known), and `believed`,
+/// One JSON object with line breaks: the fields that `tp100-sim course --json` prints (`model`,
+/// `odometry`, `fused`, `tracking`: null where the truth is not known), and `estimated`,
 /// `differences`, `timing`, `recording`, `versions`.
 std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>& figures);
 

@@ -1,5 +1,6 @@
 #pragma once
-// What a run was and what happened in it, as plain data: the input of metrics, table and JSON.
+// A run and its events as plain data, the input of metrics, table and JSON; and its poses as files:
+// CSV of all poses, TUM lines for evo.
 
 #include <cmath>
 #include <cstdint>
@@ -7,45 +8,44 @@
 #include <utility>
 #include <vector>
 
+#include "core/estimates.h"
 #include "core/link_state.h"
 #include "core/pose.h"
-#include "core/slope.h"
-#include "core/underfoot.h"
 
 namespace tp100::report {
 
-/// One instant of a run; all poses belong to the same time. World frame; yaw of any branch.
-struct TrackPoint {
+/// One instant of a run; all poses belong to the same time. World frame; yaw may exceed [-pi, pi].
+struct TrajectoryPoint {
   double t_s = 0.0;  ///< from the start of the run
-  Pose truth{};      ///< exact pose of the reference point; on a bench the steering pose
-  Pose world{};     ///< the same in the course's world: behind `truth` where a virtual obstacle has
-                    ///< cost the virtual robot way; judged against the reference path
-  Pose model{};     ///< the model (model/track_model.h) on encoder counts alone
-  Pose odometry{};  ///< encoders + gyro
-  Pose fused{};     ///< with the overhead camera, if the run had one
+  Pose truth{};      ///< exact pose of the reference point; on a stand the steering pose
+  Pose world{};      ///< in the course's world, judged against the path; behind `truth` by the
+                     ///< distance that virtual obstacles cost
+  Pose model{};      ///< the model (model/track_model.h) on encoder counts alone
+  Pose odometry{};   ///< encoders + gyro
+  Pose fused{};      ///< with the overhead camera, if the run had one
   double progress_m =
-      0.0;  ///< along the path, as the controller sees it; tells crossing pieces apart
-  bool recovering = false;     ///< the controller noticed a disturbance and is not back yet
+      0.0;  ///< along the path, as estimated by the controller; distinguishes crossing pieces
+  bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet
   double imu_pitch_rad = 0.0;  ///< by the IMU, of the real body
-  Slope slope = Slope::kFlat;  ///< state told from it
-  Obstacle leans_on = Obstacle::kNone;  ///< ... and from how it rose
+  Slope slope = Slope::kFlat;  ///< state derived from it
+  Obstacle obstacle_class = Obstacle::kNone;  ///< ... and from its rise
 };
 
-/// Time during which someone pushed the robot.
-struct ShoveWindow {
+/// Time window of a disturbance.
+struct DisturbanceWindow {
   double begin_s = 0.0;
   double end_s = 0.0;
 };
 
-/// What the pose filter did with the overhead camera's samples.
+/// How the pose filter used the overhead camera's samples.
 struct CameraFigures {
   std::uint32_t used = 0, rejected = 0, recoveries = 0;
   std::uint32_t judged = 0;  ///< samples that count for the mean
   double nis_mean = 0.0;     ///< kNisDegrees if noise is as assumed
 
   static constexpr double kNisDegrees = 3.0;
-  /// Half width of the band around kNisDegrees in which the mean of independent samples lies 95
-  /// times of a hundred.
+  /// Half width of the band around kNisDegrees that contains the mean of independent samples with a
+  /// probability of 95 %.
   double nis_half_band() const { return 1.96 * std::sqrt(2.0 * kNisDegrees / judged); }
 };
 
@@ -53,17 +53,26 @@ struct CameraFigures {
 struct RunResult {
   std::string course, board, robot, setup;
   std::uint64_t seed = 0;
-  bool finished = false;    ///< the controller came to the end of the course
+  bool finished = false;    ///< the controller reached the end of the course
   bool completed = false;   ///< ... and the true end lies within 15 cm of the path's
   std::string cause;        ///< why it was not completed; empty otherwise
   double duration_s = 0.0;  ///< virtual time of the run
   double realtime_factor = 0.0;
-  bool has_camera = false;  ///< an overhead camera looked on; else `fused` is not judged
-  std::vector<TrackPoint> points;
-  std::vector<ShoveWindow> shoves;
+  bool has_camera = false;  ///< an overhead camera was in use; else `fused` is not judged
+  std::vector<TrajectoryPoint> points;
+  std::vector<DisturbanceWindow> disturbances;
   LinkCounters link{};
   CameraFigures camera{};
   std::vector<std::pair<std::string, double>> loop;  ///< figures of the loop by name
 };
+
+/// Every pose of a run, with the truth, as CSV. Header t_s, then x_m, y_m, z_m, pitch_rad and
+/// yaw_rad with the prefixes truth_, model_, odometry_ and, with a camera, fused_. One row per
+/// instant, full double precision.
+std::string poses_csv(const RunResult& result);
+
+/// A line of the TUM format, which evo and rpg_trajectory_evaluation read: one per pose, `time x y
+/// z qx qy qz qw`, seconds and metres, with its line feed. Keeps microseconds and micrometres.
+std::string tum_line(double t_s, const Pose& pose);
 
 }  // namespace tp100::report

@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kLeansRad = 4.0 * kRadPerDeg;
 constexpr double kLastsS = 0.2;
-// A state may follow the body this late and still belong to its change.
+// Longest delay of a state behind the body that still belongs to the same change.
 constexpr double kBelongsS = 1.0;
-// Both ends of the belts stand on a slope that differs from its ramp's by less than this.
+// Both ends of the tracks stand on a slope that differs from their ramp's by less than this.
 constexpr double kOnRampRad = 0.5 * kRadPerDeg;
 constexpr double kRobotM = 0.15;
-// What leans the body is to be known this long after it leans.
+// The obstacle class has to be known this long after the body begins to lean.
 constexpr double kToldS = 0.5;
 
 Slope slope_of(const Pose& pose) {
@@ -24,7 +24,7 @@ Slope slope_of(const Pose& pose) {
   return pose.pitch_rad < 0.0 ? Slope::kUp : Slope::kDown;
 }
 
-/// What a robot at `pose` leans on, going by where it is.
+/// Whether a robot at `pose` leans on that obstacle, going by its position.
 bool near(const course::Place& place, double length_m, double width_m, const Pose& pose) {
   const double c = std::cos(place.heading_rad), s = std::sin(place.heading_rad);
   const double dx = pose.x_m - place.x_m, dy = pose.y_m - place.y_m;
@@ -38,7 +38,7 @@ const course::Ramp* ramp_at(const course::Terrain& terrain, const Pose& pose) {
   return nullptr;
 }
 
-std::vector<SlopeChange> changes_of(const std::vector<TrackPoint>& points) {
+std::vector<SlopeChange> changes_of(const std::vector<TrajectoryPoint>& points) {
   std::vector<SlopeChange> changes;
   Slope is = Slope::kFlat;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -54,11 +54,11 @@ std::vector<SlopeChange> changes_of(const std::vector<TrackPoint>& points) {
   return changes;
 }
 
-/// Gives every change the first state of its kind from it on; counts the others.
-int match(std::vector<SlopeChange>& changes, const std::vector<TrackPoint>& points) {
+/// Assigns to every change the first matching state after it; counts the other states.
+int match(std::vector<SlopeChange>& changes, const std::vector<TrajectoryPoint>& points) {
   int others = 0;
   Slope was = Slope::kFlat;
-  for (const TrackPoint& point : points) {
+  for (const TrajectoryPoint& point : points) {
     if (point.slope == was) continue;
     was = point.slope;
     const auto mine = std::find_if(changes.begin(), changes.end(), [&](const SlopeChange& change) {
@@ -73,11 +73,11 @@ int match(std::vector<SlopeChange>& changes, const std::vector<TrackPoint>& poin
   return others;
 }
 
-void judge_pitch(SlopeFigures& figures, const std::vector<TrackPoint>& points,
+void judge_pitch(SlopeFigures& figures, const std::vector<TrajectoryPoint>& points,
                  const course::Terrain& terrain) {
   double squares = 0.0;
   std::size_t count = 0;
-  for (const TrackPoint& point : points) {
+  for (const TrajectoryPoint& point : points) {
     const course::Ramp* ramp = ramp_at(terrain, point.truth);
     const double climb = -point.truth.pitch_rad;
     if (ramp == nullptr || (std::abs(climb - ramp->up_rad) > kOnRampRad &&
@@ -91,24 +91,25 @@ void judge_pitch(SlopeFigures& figures, const std::vector<TrackPoint>& points,
   if (count > 0) figures.ramp_pitch_rms_error_rad = std::sqrt(squares / static_cast<double>(count));
 }
 
-void judge_kinds(SlopeFigures& figures, const std::vector<TrackPoint>& points,
+void judge_kinds(SlopeFigures& figures, const std::vector<TrajectoryPoint>& points,
                  const course::Terrain& terrain) {
   for (const SlopeChange& change : figures.changes) {
     if (change.to != Slope::kUp || !change.found_s) continue;
-    const auto told = std::find_if(points.begin(), points.end(), [&](const TrackPoint& point) {
-      return point.t_s >= change.at_s + kToldS;
-    });
-    if (told == points.end()) continue;
+    const auto detected = std::find_if(
+        points.begin(), points.end(),
+        [&](const TrajectoryPoint& point) { return point.t_s >= change.at_s + kToldS; });
+    if (detected == points.end()) continue;
     ++figures.obstacles;
     const Obstacle real =
-        ramp_at(terrain, told->truth) != nullptr ? Obstacle::kRamp : Obstacle::kBlock;
-    if (told->leans_on != real) ++figures.mistaken;
+        ramp_at(terrain, detected->truth) != nullptr ? Obstacle::kRamp : Obstacle::kBlock;
+    if (detected->obstacle_class != real) ++figures.mistaken;
   }
 }
 
 }  // namespace
 
-SlopeFigures slope_figures(const std::vector<TrackPoint>& points, const course::Terrain& terrain) {
+SlopeFigures slope_figures(const std::vector<TrajectoryPoint>& points,
+                           const course::Terrain& terrain) {
   SlopeFigures figures;
   figures.changes = changes_of(points);
   figures.false_changes = match(figures.changes, points);

@@ -68,8 +68,8 @@ bool host_allowed(std::string_view host, const AccessRules& rules) {
 }
 
 bool fetch_site_allowed(std::string_view site) {
-  const std::string said = lower(site);
-  return said != "cross-site" && said != "same-site";
+  const std::string value = lower(site);
+  return value != "cross-site" && value != "same-site";
 }
 
 bool origin_allowed(std::string_view origin, std::string_view host, const AccessRules& rules) {

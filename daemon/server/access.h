@@ -1,5 +1,5 @@
 #pragma once
-// Who may look and who may command: Host and Origin of a request against the settings. Pure.
+// Who may view and who may command: checks Host and Origin of a request against the settings. Pure.
 
 #include <string>
 #include <string_view>
@@ -19,12 +19,12 @@ std::vector<std::string> words(std::string_view text);
 /// without a port.
 bool host_allowed(std::string_view host, const AccessRules& rules);
 
-/// Of a request without Origin: what a browser says in Sec-Fetch-Site of the page that caused it is
-/// not another site. Absent, it is no browser's.
+/// For a request without Origin: whether Sec-Fetch-Site shows that it does not come from another
+/// site's page. A request without that header does not come from a browser.
 bool fetch_site_allowed(std::string_view site);
 
-/// `origin` is the page's own ("http://" + host) or one of the rules. An absent origin is no
-/// browser's and is allowed: browsers always send it with WebSockets.
+/// `origin` is the page's own ("http://" + host) or one of the rules. An absent origin is allowed:
+/// browsers always send it with WebSockets, so it is no browser's.
 bool origin_allowed(std::string_view origin, std::string_view host, const AccessRules& rules);
 
 }  // namespace tp100::server

@@ -35,9 +35,9 @@ std::string_view view(beast::string_view text) { return {text.data(), text.size(
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(boost::asio::ip::tcp::socket socket, ServerRoom& room)
-      : stream_(std::move(socket)), room_(room) {
-    ++room_.connections;
+  Connection(boost::asio::ip::tcp::socket socket, SharedState& shared)
+      : stream_(std::move(socket)), shared_(shared) {
+    ++shared_.connections;
   }
   ~Connection() { leave(); }
 
@@ -62,7 +62,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::string_view header(http::field name) const { return view(parser_->get()[name]); }
 
   beast::tcp_stream stream_;
-  ServerRoom& room_;
+  SharedState& shared_;
   beast::flat_buffer buffer_{kMaxHeader};
   std::optional<http::request_parser<http::empty_body>> parser_;
   Head head_;
@@ -70,9 +70,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   HttpAnswer answer_;
   std::array<char, kPart> part_{};
   bool last_ = false;
-  bool counted_ = true;  // among the room's connections
+  bool counted_ = true;  // counted among the server's connections
   boost::asio::steady_timer patience_{stream_.get_executor()};
-  std::uint64_t question_ = 0;  // of the newest job for the disk
+  std::uint64_t question_ = 0;  // number of the newest job for the disk
 };
 
 /// A request that outlives its connection's buffer.
@@ -89,7 +89,7 @@ void Connection::read() {
       stream_, buffer_, *parser_,
       [self = shared_from_this()](beast::error_code error, std::size_t) {
         if (!error) return self->on_request();
-        // Who sends a body, or what is no HTTP, gets no second request.
+        // A request with a body or invalid HTTP ends the connection.
         if (error != http::error::end_of_stream &&
             error.category() == http::make_error_code(http::error::end_of_stream).category()) {
           self->last_ = true;
@@ -102,25 +102,25 @@ void Connection::on_request() {
   const Request& request = parser_->get();
   last_ = !request.keep_alive();
   const std::string_view host = header(http::field::host);
-  const AccessRules& access = room_.settings.access;
+  const AccessRules& access = shared_.settings.access;
   if (!host_allowed(host, access)) {
-    ++room_.refused;
+    ++shared_.refused;
     return answer(http_text(403,
                             "this Host is not served; use an address, or add the name to "
                             "server.hosts"));
   }
   if (!origin_allowed(header(http::field::origin), host, access)) {
-    ++room_.refused;
+    ++shared_.refused;
     return answer(http_text(403, "this Origin is not permitted; add it to server.origins"));
   }
   if (!may_ask()) {
-    ++room_.refused;
+    ++shared_.refused;
     return answer(http_text(403,
                             "another site's page asks for this; open the address in the browser "
                             "itself, or add that site to server.origins"));
   }
   if (beast::websocket::is_upgrade(request)) {
-    if (!upgrade()) ++room_.refused;
+    if (!upgrade()) ++shared_.refused;
     return;
   }
   if (needs_disk(view(request.target()))) return ask_disk();
@@ -128,11 +128,11 @@ void Connection::on_request() {
                       .target = view(request.target()),
                       .range = header(http::field::range),
                       .none_match = header(http::field::if_none_match)},
-                     room_.sources));
+                     shared_.sources));
 }
 
-// Browsers send no Origin where a page only shows what it asks for, as <img> does. Following a link
-// to the page is no misuse; its frame-ancestors keep it out of frames.
+// Browsers send no Origin where a page only displays a resource, as with <img>. Following a link to
+// the page is harmless; its frame-ancestors keep it out of frames.
 bool Connection::may_ask() const {
   if (!header(http::field::origin).empty()) return true;  // which has been looked at
   const Request& request = parser_->get();
@@ -148,14 +148,14 @@ void Connection::ask_disk() {
                    std::string(header(http::field::range)),
                    std::string(header(http::field::if_none_match))};
   HttpSources sources{.page = {},
-                      .runs_folder = room_.sources.runs_folder,
-                      .runs = room_.sources.runs,
-                      .active_run = [run = room_.sources.active_run()] { return run; },
+                      .runs_folder = shared_.sources.runs_folder,
+                      .runs = shared_.sources.runs,
+                      .active_run = [run = shared_.sources.active_run()] { return run; },
                       .health = {}};
   const auto found = std::make_shared<HttpAnswer>();
   const bool asked =
-      room_.disk.post([self = shared_from_this(), question = ++question_, found,
-                       kept = std::move(kept), sources = std::move(sources)]() mutable {
+      shared_.disk.post([self = shared_from_this(), question = ++question_, found,
+                         kept = std::move(kept), sources = std::move(sources)]() mutable {
         *found = http_answer({kept.method, kept.target, kept.range, kept.none_match}, sources);
         auto* connection = self.get();
         boost::asio::post(connection->stream_.get_executor(),
@@ -168,7 +168,7 @@ void Connection::ask_disk() {
   await_disk(busy);
 }
 
-// Answers of the disk that come too late are dropped.
+// Drops answers of the disk that come too late.
 void Connection::on_disk(std::uint64_t question, const std::function<void()>& then) {
   if (question != question_) return;
   ++question_;
@@ -188,7 +188,7 @@ void Connection::await_disk(std::function<void()> late) {
 }
 
 void Connection::leave() {
-  if (std::exchange(counted_, false)) --room_.connections;
+  if (std::exchange(counted_, false)) --shared_.connections;
 }
 
 bool Connection::upgrade() {
@@ -199,14 +199,14 @@ bool Connection::upgrade() {
                               std::string(kOldSubProtocol)));
     return false;
   }
-  const std::size_t most = room_.settings.max_clients;
+  const std::size_t most = shared_.settings.max_clients;
   const std::size_t kept = is_local(stream_.socket()) ? 0 : std::min(kKeptForLocal, most / 2);
-  if (room_.sockets >= most - kept) {
+  if (shared_.sockets >= most - kept) {
     answer(http_text(503, "too many viewers (server.max_clients)"));
     return false;
   }
   stream_.expires_never();
-  std::make_shared<ViewerSocket>(stream_.release_socket(), room_)->accept(parser_->get(), chosen);
+  std::make_shared<ViewerSocket>(stream_.release_socket(), shared_)->accept(parser_->get(), chosen);
   return true;
 }
 
@@ -244,16 +244,18 @@ void Connection::write_body() {
 
 void Connection::write_file() {
   if (answer_.length == 0) return end();
-  const bool asked = room_.disk.post([self = shared_from_this(), question = ++question_]() mutable {
-    Connection& it = *self;
-    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(kPart, it.answer_.length));
-    const ssize_t got = ::pread(it.answer_.file.get(), it.part_.data(), wanted,
-                                static_cast<off_t>(it.answer_.offset));
-    boost::asio::post(it.stream_.get_executor(), [self = std::move(self), question, got] {
-      self->on_disk(question, [&] { self->write_part(got); });
-    });
-  });
-  // Cut short: the connection ends, which tells the reader.
+  const bool asked =
+      shared_.disk.post([self = shared_from_this(), question = ++question_]() mutable {
+        Connection& it = *self;
+        const auto wanted =
+            static_cast<std::size_t>(std::min<std::uint64_t>(kPart, it.answer_.length));
+        const ssize_t got = ::pread(it.answer_.file.get(), it.part_.data(), wanted,
+                                    static_cast<off_t>(it.answer_.offset));
+        boost::asio::post(it.stream_.get_executor(), [self = std::move(self), question, got] {
+          self->on_disk(question, [&] { self->write_part(got); });
+        });
+      });
+  // Cut short: closing the connection reports it to the reader.
   if (asked)
     await_disk([this] {
       beast::error_code ignored;
@@ -297,12 +299,12 @@ bool is_local(const boost::asio::ip::tcp::socket& socket) {
   return !error && plain(end.address()).is_loopback();
 }
 
-void serve_connection(boost::asio::ip::tcp::socket socket, ServerRoom& room) {
-  if (room.connections >= kMaxConnections - (is_local(socket) ? 0 : kKeptForLocal)) {
-    ++room.refused;
+void serve_connection(boost::asio::ip::tcp::socket socket, SharedState& shared) {
+  if (shared.connections >= kMaxConnections - (is_local(socket) ? 0 : kKeptForLocal)) {
+    ++shared.refused;
     return;
   }
-  std::make_shared<Connection>(std::move(socket), room)->read();
+  std::make_shared<Connection>(std::move(socket), shared)->read();
 }
 
 }  // namespace tp100::server

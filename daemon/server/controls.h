@@ -1,7 +1,7 @@
 #pragma once
-// What a viewer may ask of the daemon. The server has checked the arguments and the state; whoever
-// implements this passes them on. Every call comes from the thread that serves STOP and must not
-// block: not for a disk, nor for a lock that somebody holds while waiting for one.
+// Requests that a viewer may make of the daemon. The server has checked arguments and state; an
+// implementation passes them on. Every call comes from the thread that serves STOP and must not
+// block: neither on a disk nor on a lock that is held by a thread waiting for one.
 
 #include <functional>
 #include <string>
@@ -17,7 +17,7 @@ class Controls {
  public:
   virtual ~Controls() = default;
 
-  // Each returns why it cannot be done, in one line; empty: accepted.
+  // Each returns why it is impossible, in one line; empty: accepted.
   virtual std::string start() = 0;
   virtual std::string hold() = 0;
   /// Cannot be refused.
@@ -26,18 +26,18 @@ class Controls {
   virtual std::string set(const messages::ParameterText& parameter,
                           const messages::ParameterValue& value) = 0;
 
-  /// Why it failed, in one line, or nothing; and the recording, which has begun or ended. Called
-  /// once, from any thread, when the disk has done its part.
+  /// Receives why the request failed, in one line, or nothing; and the recording that has begun or
+  /// ended. Called once, from any thread, when the disk has finished.
   using RecordAnswer =
       std::function<void(const std::string& why, const messages::RecordingFigures& recorded)>;
   virtual void record_start(const std::string& name, RecordAnswer answer) = 0;
   virtual void record_stop(RecordAnswer answer) = 0;
 
-  // What only others know; cheap enough to ask often.
+  // Figures known outside the server; cheap enough to be polled.
   virtual messages::LoopFigures loop() = 0;
   virtual messages::PortFigures port() = 0;
   virtual messages::RecordingFigures recording() = 0;
-  /// What a start takes now.
+  /// What a start requires now.
   virtual StartConsent start_consent() = 0;
 };
 

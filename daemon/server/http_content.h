@@ -1,6 +1,8 @@
 #pragma once
-// What an HTTP request gets: from method and target to an answer. No socket.
+// Answers an HTTP request, from method and target: the page, the list of runs and their files. No
+// socket.
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,18 +13,41 @@
 #include <utility>
 #include <vector>
 
-#include "server/run_files.h"
-
 namespace tp100::server {
 
-/// One file of the page; lasts as long as the program.
+/// Most runs listed; older ones are left out.
+inline constexpr std::size_t kMaxListedRuns = 500;
+
+/// The answer to GET /api/runs, read from the disk at most once a second per query. One thread,
+/// which may wait for the disk.
+class RunList {
+ public:
+  /// `active`: the run being recorded; empty: none. An absent folder counts as empty. Contains
+  /// folder names only, no paths.
+  const std::string& json(const std::string& folder, const std::string& active);
+
+ private:
+  std::string folder_, active_, json_;
+  std::chrono::steady_clock::time_point read_{};
+};
+
+/// Opens a regular file of a run for reading; -1: no such file may be read. Names consist of
+/// letters, digits, '-', '_' and '.', do not begin with '.', and no link is followed. The caller
+/// closes it.
+int open_run_file(const std::string& folder, std::string_view run, std::string_view file,
+                  std::uint64_t& size);
+
+/// Content type by the file name's extension.
+std::string_view content_type(std::string_view file);
+
+/// One file of the page; lives as long as the program.
 struct PageFile {
   std::string_view mime;
   std::span<const unsigned char> bytes;
   std::string_view etag;      ///< quotes included
   std::string_view encoding;  ///< for Content-Encoding; empty: bytes as they are
 };
-/// The file that a browser asks for by `path`, or nothing.
+/// Returns the file for the `path` that a browser requests, or nothing.
 using Page = std::function<std::optional<PageFile>(std::string_view path)>;
 
 /// An open file that closes itself.
@@ -56,26 +81,26 @@ struct HttpAnswer {
   std::string body;                        ///< or
   std::span<const unsigned char> bytes{};  ///< or
   OpenFile file{};
-  std::uint64_t offset = 0;  ///< of the file's part
-  std::uint64_t length = 0;  ///< of the body, whichever it is
+  std::uint64_t offset = 0;  ///< of the part in the file
+  std::uint64_t length = 0;  ///< of the body, wherever it is
 };
 
-/// What the content is made of.
+/// Sources of the content.
 struct HttpSources {
   Page page;
   std::string runs_folder;  ///< empty: none
   std::shared_ptr<RunList> runs = std::make_shared<RunList>();
-  std::function<std::string()> active_run;  ///< the run that is being recorded; "": none
+  std::function<std::string()> active_run;  ///< the run being recorded; empty: none
   std::function<std::string()> health;      ///< JSON
 };
 
-/// Whether the answer to `target` comes from the disk: then http_answer() may wait for that.
+/// Whether the answer to `target` is read from the disk, so that http_answer() may block.
 bool needs_disk(std::string_view target);
 HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources);
-/// An answer of plain text.
+/// A plain-text answer.
 HttpAnswer http_text(unsigned status, std::string text);
 
-/// The part of a file of `size` bytes that a Range header asks for: first byte and length; nothing
+/// The part of a file of `size` bytes that a Range header requests: first byte and length; nothing
 /// if there is no header that can be served as one range, or it lies outside (`outside`).
 std::optional<std::pair<std::uint64_t, std::uint64_t>> byte_range(std::string_view header,
                                                                   std::uint64_t size,

@@ -21,7 +21,7 @@ struct Refused {
   std::string why;
 };
 
-/// Depth of brackets outside of strings.
+/// Whether brackets outside of strings are nested too deeply.
 bool too_deep(std::string_view text) {
   std::size_t depth = 0;
   bool in_string = false;
@@ -248,7 +248,7 @@ std::string advertise_services(std::span<const ServiceText> services) {
         .field("id", service.id)
         .field("name", service.name)
         .field("type", service.type)
-        // Both spellings that clients know.
+        // Both spellings that clients use.
         .field("requestSchema", service.request_schema)
         .field("responseSchema", service.response_schema);
     write_service_side(json, "request", service.type + "Request", service.request_schema);
@@ -278,7 +278,7 @@ std::string parameter_values(std::span<const messages::ParameterText* const> par
   for (const messages::ParameterText* parameter : parameters) {
     json.begin_object().field("name", parameter->name).key("value");
     std::visit([&](const auto& content) { json.value(content); }, parameter->value);
-    // Tells viewers that 16 may become 16.5.
+    // Declares that 16 may become 16.5.
     if (std::holds_alternative<double>(parameter->value)) json.field("type", "float64");
     json.end_object();
   }

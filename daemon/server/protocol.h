@@ -1,6 +1,6 @@
 #pragma once
-// The Foxglove WebSocket protocol, server's side: text and bytes from and to plain data. Pure; what
-// a client sends is hostile until it has passed here. Little-endian, as the protocol.
+// The server's side of the Foxglove WebSocket protocol: converts text and bytes from and to plain
+// data. Pure. Treats everything that a client sends as hostile. Little-endian, as the protocol.
 
 #include <array>
 #include <cstdint>
@@ -18,10 +18,11 @@ namespace tp100::server {
 
 inline constexpr std::string_view kNewSubProtocol = "foxglove.sdk.v1";
 inline constexpr std::string_view kOldSubProtocol = "foxglove.websocket.v1";
-/// The sub-protocol to answer a Sec-WebSocket-Protocol header with; empty: none of ours is offered.
+/// The sub-protocol for the reply to a Sec-WebSocket-Protocol header; empty: none of ours is
+/// offered.
 std::string_view choose_sub_protocol(std::string_view offered);
 
-// What a client says.
+// Messages from a client.
 struct Subscribe {
   struct One {
     std::uint32_t subscription, channel;
@@ -33,26 +34,26 @@ struct Unsubscribe {
 };
 struct GetParameters {
   std::vector<std::string> names;  ///< empty: all
-  std::string id;                  ///< comes back with the answer; empty: none
+  std::string id;                  ///< returned with the answer; empty: none
 };
 struct SetParameters {
   struct One {
     std::string name;
-    std::optional<messages::ParameterValue> value;  ///< nothing: of a type that no parameter has
+    std::optional<messages::ParameterValue> value;  ///< nothing: a type that no parameter has
   };
   std::vector<One> parameters;
   std::string id;
 };
 struct WatchParameters {
   std::vector<std::string> names;  ///< empty: all
-  bool watch = true;               ///< false: no more
+  bool watch = true;               ///< false: unsubscribe
 };
 struct ServiceCall {
   std::uint32_t service = 0, call = 0;
   std::string encoding;
   std::string payload;
 };
-/// A message of the protocol that this server does not serve.
+/// A valid message that this server does not support.
 struct Unserved {
   std::string what;
 };
@@ -74,7 +75,7 @@ struct RequestField {
 };
 std::optional<std::vector<RequestField>> parse_request(std::string_view text);
 
-// What the server says.
+// Messages from the server.
 enum class StatusLevel : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };
 
 struct ServiceText {

@@ -70,7 +70,7 @@ std::string random_name() {
   return out;
 }
 
-/// Steps on their way to the server's thread: a ring of whole records, the oldest goes first.
+/// Steps on their way to the server's thread: a ring of whole records that drops the oldest.
 class Inbox {
  public:
   static constexpr std::size_t kCapacity = 64;
@@ -111,17 +111,21 @@ struct Server::State {
   State(ServerSettings s, const messages::Messages& messages,
         std::vector<messages::ParameterText> parameters, Controls& c)
       : controls(c),
-        hub(messages::channel_texts(), std::move(s.listener)),
-        feed(hub, messages, c),
-        desk(hub, feed, c, std::move(parameters), random_name()),
-        room{.settings = std::move(s), .hub = hub, .feed = feed, .desk = desk, .disk = disk} {
-    room.sources.page = room.settings.page;
-    room.sources.runs_folder = room.settings.runs_folder;
-    room.sources.active_run = [this] {
+        broker(messages::channel_texts(), std::move(s.listener)),
+        publisher(broker, messages, c),
+        handler(broker, publisher, c, std::move(parameters), random_name()),
+        shared{.settings = std::move(s),
+               .broker = broker,
+               .publisher = publisher,
+               .handler = handler,
+               .disk = disk} {
+    shared.sources.page = shared.settings.page;
+    shared.sources.runs_folder = shared.settings.runs_folder;
+    shared.sources.active_run = [this] {
       const messages::RecordingFigures recording = controls.recording();
       return recording.active ? recording.run : std::string();
     };
-    room.sources.health = [this] { return health(); };
+    shared.sources.health = [this] { return health(); };
     listen();
   }
 
@@ -138,10 +142,10 @@ struct Server::State {
   messages::ClientsFigures clients(HostNs now) const;
 
   Controls& controls;
-  Hub hub;
-  Feed feed;
-  Desk desk;
-  ServerRoom room;
+  Broker broker;
+  Publisher publisher;
+  RequestHandler handler;
+  SharedState shared;
   Inbox inbox;
   StepRecord record{};
   std::atomic<bool> woken{false};
@@ -150,7 +154,7 @@ struct Server::State {
   HostNs next_second_ns = 0;
   HostNs stop_by_ns = 0;
   bool stopping = false;
-  // After what the sockets in its handlers refer to.
+  // Declared after the objects that its handlers' sockets refer to.
   asio::io_context context{1};
   tcp::acceptor acceptor{context};
   asio::steady_timer timer{context};
@@ -172,10 +176,10 @@ bool Server::State::try_listen(const Address& address, boost::system::error_code
 }
 
 void Server::State::listen() {
-  if (room.settings.listen == "off") return;
-  const bool automatic = room.settings.listen == "auto";
+  if (shared.settings.listen == "off") return;
+  const bool automatic = shared.settings.listen == "auto";
   const Address address = automatic ? Address{asio::ip::address_v4::loopback(), kUsualPort}
-                                    : parse_address(room.settings.listen);
+                                    : parse_address(shared.settings.listen);
   boost::system::error_code error;
   bool listening = try_listen(address, error);
   if (!listening && automatic) {
@@ -184,7 +188,7 @@ void Server::State::listen() {
     listening = try_listen({address.ip, 0}, error);
   }
   if (!listening) {
-    throw SetupError("--listen " + room.settings.listen + ": " + error.message() +
+    throw SetupError("--listen " + shared.settings.listen + ": " + error.message() +
                      "; choose another address, port 0 or auto");
   }
   const tcp::endpoint end = acceptor.local_endpoint();
@@ -199,10 +203,10 @@ void Server::State::accept() {
   acceptor.async_accept([this](boost::system::error_code error, tcp::socket socket) {
     if (stopping || error == asio::error::operation_aborted) return;
     if (!error) {
-      serve_connection(std::move(socket), room);
+      serve_connection(std::move(socket), shared);
       return accept();
     }
-    // Out of descriptors: not again at once.
+    // Out of descriptors: do not retry at once.
     pause.expires_after(kAcceptPause);
     pause.async_wait([this](boost::system::error_code cancelled) {
       if (!cancelled) accept();
@@ -212,17 +216,17 @@ void Server::State::accept() {
 
 void Server::State::take_records() {
   woken = false;
-  while (inbox.pop(record)) feed.take(record);
-  desk.tick(monotonic_now());
+  while (inbox.pop(record)) publisher.take(record);
+  handler.tick(monotonic_now());
 }
 
 messages::ClientsFigures Server::State::clients(HostNs now) const {
   messages::ClientsFigures out;
   out.queue_limit = Outbox::kMaxData;
-  out.refused_total = room.refused;
-  out.closed_total = room.closed;
-  out.dropped_total = room.dropped_by_closed;
-  for (const auto& [id, weak] : room.viewers) {
+  out.refused_total = shared.refused;
+  out.closed_total = shared.closed;
+  out.dropped_total = shared.dropped_by_closed;
+  for (const auto& [id, weak] : shared.viewers) {
     const auto viewer = weak.lock();
     if (viewer == nullptr) continue;
     out.clients.push_back(viewer->figures(now));
@@ -232,17 +236,17 @@ messages::ClientsFigures Server::State::clients(HostNs now) const {
 }
 
 void Server::State::every_second(HostNs now) {
-  hub.publish(messages::Channel::kClient, feed.clock().unix_ns(now),
-              messages::clients_message(clients(now)));
-  const auto viewers = room.viewers;
+  broker.publish(messages::Channel::kClient, publisher.clock().unix_ns(now),
+                 messages::clients_message(clients(now)));
+  const auto viewers = shared.viewers;
   for (const auto& [id, weak] : viewers)
     if (const auto viewer = weak.lock()) viewer->tick(now);
 }
 
 void Server::State::tick() {
   const HostNs now = monotonic_now();
-  feed.tick(now);
-  desk.tick(now);
+  publisher.tick(now);
+  handler.tick(now);
   if (now >= next_second_ns) {
     next_second_ns = now + kNsPerS;
     every_second(now);
@@ -258,12 +262,12 @@ std::string Server::State::health() const {
   std::string text;
   text::JsonWriter(text)
       .begin_object()
-      .field("ok", now - feed.last_step_ns() < kStandsStillNs)
-      .field("version", feed.subject().version)
-      .field("uptime_s", feed.clock().t_s(now))
-      .field("run", to_string(feed.state().run))
-      .field("session", to_string(feed.state().session))
-      .field("clients", room.viewers.size())
+      .field("ok", now - publisher.last_step_ns() < kStandsStillNs)
+      .field("version", publisher.run_context().version)
+      .field("uptime_s", publisher.clock().t_s(now))
+      .field("run", to_string(publisher.state().run))
+      .field("session", to_string(publisher.state().session))
+      .field("clients", shared.viewers.size())
       .end_object();
   return text;
 }
@@ -280,16 +284,16 @@ void Server::State::stop() {
   acceptor.close(ignored);
   timer.cancel();
   pause.cancel();
-  const auto viewers = room.viewers;
+  const auto viewers = shared.viewers;
   for (const auto& [id, weak] : viewers)
     if (const auto viewer = weak.lock()) viewer->go_away();
   stop_by_ns = monotonic_now() + kGoodbyeNs;
   await_goodbyes();
 }
 
-// Who does not answer in time is left.
+// Clients that do not answer in time are dropped.
 void Server::State::await_goodbyes() {
-  if (room.sockets == 0 || monotonic_now() > stop_by_ns) return context.stop();
+  if (shared.sockets == 0 || monotonic_now() > stop_by_ns) return context.stop();
   timer.expires_after(kGoodbyeTick);
   timer.async_wait([this](boost::system::error_code) { await_goodbyes(); });
 }
@@ -319,31 +323,31 @@ void Server::take(const StepRecord& record) {
 }
 
 void Server::take_truth(HostNs at, const Pose& truth) {
-  asio::post(state_->context, [this, at, truth] { state_->feed.take_truth({at, truth}); });
+  asio::post(state_->context, [this, at, truth] { state_->publisher.take_truth({at, truth}); });
 }
 
 void Server::take(const messages::Event& event) {
-  asio::post(state_->context, [this, event] { state_->feed.take(event); });
+  asio::post(state_->context, [this, event] { state_->publisher.take(event); });
 }
 
 void Server::stop_pressed(const std::string& by) {
   const HostNs now = monotonic_now();
-  asio::post(state_->context, [this, by, now] { state_->feed.stop_pressed(by, now); });
+  asio::post(state_->context, [this, by, now] { state_->publisher.stop_pressed(by, now); });
 }
 
 void Server::stop_answered(HostNs at) {
   asio::post(state_->context, [this, at] {
     const HostNs now = monotonic_now();
-    state_->feed.stop_answered(at, now);
-    state_->desk.tick(now);
+    state_->publisher.stop_answered(at, now);
+    state_->handler.tick(now);
   });
 }
 
 void Server::flush() {
   if (!state_->thread.joinable()) return;
-  const auto said = std::make_shared<std::promise<void>>();
-  asio::post(state_->context, [said] { said->set_value(); });
-  said->get_future().wait_for(kFlush);
+  const auto flushed = std::make_shared<std::promise<void>>();
+  asio::post(state_->context, [flushed] { flushed->set_value(); });
+  flushed->get_future().wait_for(kFlush);
 }
 
 bool Server::waits_for_disk() { return !state_->disk.idle_by(std::chrono::steady_clock::now()); }

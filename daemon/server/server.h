@@ -7,20 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "config/commands_from.h"
+#include "config/configuration.h"
 #include "messages/messages.h"
 #include "messages/parameter_text.h"
 #include "messages/sink.h"
 #include "server/access.h"
+#include "server/broker.h"
 #include "server/controls.h"
 #include "server/http_content.h"
-#include "server/hub.h"
 
 namespace tp100::server {
 
 struct ServerSettings {
   /// HOST:PORT, with port 0 for any free one; "auto": 127.0.0.1:8765, or any free port of that
-  /// address if another program has that one; "off": nobody is served, only `listener`.
+  /// address if that one is in use; "off": serves only `listener`.
   std::string listen = "auto";
   AccessRules access{};
   config::CommandsFrom commands = config::CommandsFrom::kLocal;
@@ -32,33 +32,33 @@ struct ServerSettings {
 
 class Server : public messages::Sink {
  public:
-  /// Listens; nothing is served before start(). Throws SetupError if the address cannot be had.
+  /// Listens; serves nothing before start(). Throws SetupError if the address is not available.
   /// `controls` must outlive the server.
   Server(ServerSettings settings, const messages::Messages& messages,
          std::vector<messages::ParameterText> parameters, Controls& controls);
-  /// Says goodbye to every client, at most for a second.
+  /// Closes every client's connection, waiting a second at most.
   ~Server() override;
 
   /// "http://127.0.0.1:8765/"; empty: off.
   const std::string& url() const;
-  /// Why it is not the usual port, in one line; empty: it is, or another one was asked for.
+  /// Why it is not the usual port, in one line; empty: it is, or another one was configured.
   const std::string& note() const;
   /// Starts the thread.
   void start();
 
-  // From any one thread, never the real-time one; they never wait for a client.
+  // Call these from any one thread, never the real-time one; they never wait for a client.
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
   void take(const messages::Event& event);
-  /// STOP came from elsewhere (a key); it is on its way to the robot.
+  /// STOP was pressed elsewhere (a key) and is on its way to the robot.
   void stop_pressed(const std::string& by);
   /// The robot acknowledged a STOP at host time `at`.
   void stop_answered(HostNs at);
-  /// Waits until all of that has been said on the channels; a second at most.
+  /// Waits until all of that is published on the channels; a second at most.
   void flush();
-  /// A request of a client still waits for the disk; so will the destructor.
+  /// Whether a client's request still waits for the disk; the destructor would wait, too.
   bool waits_for_disk();
-  /// Records that the server's thread was too slow for.
+  /// Records dropped because the server's thread was too slow.
   std::uint64_t lost_records() const;
 
  private:

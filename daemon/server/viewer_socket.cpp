@@ -16,11 +16,11 @@ namespace websocket = beast::websocket;
 constexpr std::size_t kMaxMessage = 65'536;
 constexpr double kMessagesPerS = 500.0;
 constexpr double kBytesPerToken = 1024.0;
-constexpr std::size_t kReadLimit = 524'288;  // bytes a second
+constexpr std::size_t kReadLimit = 524'288;  // bytes per second
 constexpr int kMaxMalformed = 20;
 constexpr int kMaxSecondsNotOpen = 2;
 constexpr HostNs kWriteLimitNs = 10 * kNsPerS;
-constexpr int kSendBuffer = 256 * 1024;  // of the kernel: what lies there is stale
+constexpr int kSendBuffer = 256 * 1024;  // the kernel's send buffer: data waiting there goes stale
 constexpr std::size_t kMaxAgent = 120;
 
 std::string address_of(const boost::asio::ip::tcp::socket& socket) {
@@ -32,18 +32,18 @@ std::string address_of(const boost::asio::ip::tcp::socket& socket) {
 
 }  // namespace
 
-ViewerSocket::ViewerSocket(Stream::socket_type socket, ServerRoom& room)
-    : socket_(std::move(socket)), room_(room), buffer_(kMaxMessage), tokens_(kMessagesPerS) {
-  ++room_.sockets;
+ViewerSocket::ViewerSocket(Stream::socket_type socket, SharedState& shared)
+    : socket_(std::move(socket)), shared_(shared), buffer_(kMaxMessage), tokens_(kMessagesPerS) {
+  ++shared_.sockets;
 }
 
-ViewerSocket::~ViewerSocket() { --room_.sockets; }
+ViewerSocket::~ViewerSocket() { --shared_.sockets; }
 
 void ViewerSocket::accept(const Request& request, std::string_view sub_protocol) {
   address_ = address_of(socket_.next_layer().socket());
   const bool local = is_local(socket_.next_layer().socket());
   agent_ = std::string(request[beast::http::field::user_agent]).substr(0, kMaxAgent);
-  const config::CommandsFrom from = room_.settings.commands;
+  const config::CommandsFrom from = shared_.settings.commands;
   const bool may_command =
       from == config::CommandsFrom::kAll || (from == config::CommandsFrom::kLocal && local);
   permission_ = may_command ? Permission::kCommand : Permission::kStopOnly;
@@ -76,16 +76,16 @@ void ViewerSocket::opened() {
   open_ = true;
   const auto weak = weak_from_this();
   viewer_ = std::make_shared<Viewer>(
-      ++room_.last_id,
+      ++shared_.last_id,
       [weak] {
         if (const auto self = weak.lock()) self->flush();
       },
       [weak] {
         if (const auto self = weak.lock()) self->fail();
       });
-  room_.viewers.emplace(viewer_->id(), weak);
-  room_.hub.add(viewer_);
-  room_.desk.greet(*viewer_, permission_);
+  shared_.viewers.emplace(viewer_->id(), weak);
+  shared_.broker.add(viewer_);
+  shared_.handler.greet(*viewer_, permission_);
   read();
 }
 
@@ -116,7 +116,7 @@ void ViewerSocket::take(std::size_t bytes) {
       socket_.got_text() ? parse_text({static_cast<const char*>(data.data()), data.size()})
                          : parse_binary({begin, data.size()});
   buffer_.consume(buffer_.size());
-  if (!room_.desk.handle(viewer_, message, permission_, now) && ++malformed_ >= kMaxMalformed)
+  if (!shared_.handler.handle(viewer_, message, permission_, now) && ++malformed_ >= kMaxMalformed)
     return close(Code::policy_error, "not the Foxglove protocol");
   if (failed_) return gone();
   if (!closing_) read();
@@ -141,13 +141,13 @@ void ViewerSocket::flush() {
 
 void ViewerSocket::tick(HostNs now) {
   if (!open_) return;
-  // Beast waits for the peer of a broken connection; a hostile one goes on sending.
+  // Beast waits for the peer of a broken connection, and a hostile peer keeps sending.
   if (!socket_.is_open() && ++seconds_not_open_ >= kMaxSecondsNotOpen) return fail();
   if (closing_) return;
   if (busy_ && now - write_began_ns_ > kWriteLimitNs) return fail();
   const std::uint64_t dropped = viewer_->outbox().dropped();
-  if (dropped == told_dropped_) return;
-  const std::uint64_t fresh = dropped - std::exchange(told_dropped_, dropped);
+  if (dropped == reported_dropped_) return;
+  const std::uint64_t fresh = dropped - std::exchange(reported_dropped_, dropped);
   viewer_->say(StatusLevel::kWarning,
                std::to_string(fresh) + " messages dropped, this client reads too slowly");
 }
@@ -168,7 +168,7 @@ messages::ClientFigures ViewerSocket::figures(HostNs now) const {
 
 void ViewerSocket::close(Code code, const char* reason) {
   if (std::exchange(closing_, true)) return;
-  // The closing handshake ends with gone(), at the latest by the time-out of the stream.
+  // The closing handshake ends in gone(), at the latest by the stream's timeout.
   socket_.async_close({code, reason},
                       [self = shared_from_this()](beast::error_code) { self->gone(); });
 }
@@ -186,11 +186,11 @@ void ViewerSocket::gone() {
   if (!std::exchange(open_, false)) return;
   boost::system::error_code ignored;
   socket_.next_layer().socket().close(ignored);
-  ++room_.closed;
-  room_.dropped_by_closed += viewer_->outbox().dropped();
-  room_.hub.remove(viewer_);
-  room_.desk.leave(*viewer_);
-  room_.viewers.erase(viewer_->id());
+  ++shared_.closed;
+  shared_.dropped_by_closed += viewer_->outbox().dropped();
+  shared_.broker.remove(viewer_);
+  shared_.handler.leave(*viewer_);
+  shared_.viewers.erase(viewer_->id());
 }
 
 }  // namespace tp100::server

@@ -1,6 +1,6 @@
 #pragma once
-// One WebSocket client on the wire: reads its messages for the desk, writes what waits in its
-// outbox, and is rid of it when it misbehaves.
+// One WebSocket client: reads its messages for the handler, writes the frames of its outbox, and
+// disconnects it when it misbehaves.
 
 #include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -17,20 +17,20 @@ namespace tp100::server {
 
 class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
  public:
-  /// What a client may send is limited, whatever its frames hold.
+  /// Limits a client's receive rate, whatever its frames contain.
   using Stream = boost::beast::basic_stream<boost::asio::ip::tcp, boost::asio::any_io_executor,
                                             boost::beast::simple_rate_policy>;
   using Request = boost::beast::http::request<boost::beast::http::empty_body>;
 
-  ViewerSocket(Stream::socket_type socket, ServerRoom& room);
+  ViewerSocket(Stream::socket_type socket, SharedState& shared);
   ~ViewerSocket();
   /// Accepts the upgrade with this sub-protocol and lives until the client is gone.
   void accept(const Request& request, std::string_view sub_protocol);
 
-  /// Once a second: what the client should know; ends those who do not read.
+  /// Call it once a second: sends the status that is due, and disconnects clients that do not read.
   void tick(HostNs now);
   messages::ClientFigures figures(HostNs now) const;
-  /// The server ends.
+  /// The server is ending.
   void go_away();
 
  private:
@@ -41,13 +41,13 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   void take(std::size_t bytes);
   bool within_rate(std::size_t bytes, HostNs now);
   void flush();
-  /// Ends it without ceremony. Only touches the socket: the rest follows in gone().
+  /// Disconnects without a closing handshake. Only touches the socket: the rest follows in gone().
   void fail();
   void close(Code code, const char* reason);
   void gone();
 
   boost::beast::websocket::stream<Stream> socket_;
-  ServerRoom& room_;
+  SharedState& shared_;
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<Viewer> viewer_;
   Permission permission_ = Permission::kStopOnly;
@@ -61,7 +61,7 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
   HostNs connected_ns_ = 0;
   HostNs write_began_ns_ = 0;
   std::uint64_t sent_ = 0;
-  std::uint64_t told_dropped_ = 0;
+  std::uint64_t reported_dropped_ = 0;
   int malformed_ = 0;
   double tokens_;
   HostNs tokens_ns_ = 0;

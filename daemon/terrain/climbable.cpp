@@ -6,7 +6,8 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "course/path.h"
-#include "terrain/slice.h"
+#include "terrain/profile.h"
+#include "terrain/terrain_follower.h"
 #include "text/toml_document.h"
 
 namespace tp100::terrain {
@@ -24,8 +25,8 @@ bool meets(const course::Path& path, const Outline& outline, double half_width_m
     const double c = std::cos(point.yaw_rad);
     const double sn = std::sin(point.yaw_rad);
     for (const double side : {-half_width_m, half_width_m}) {
-      const Slice slice(outline, point.x_m - side * sn, point.y_m + side * c, c, sn);
-      if (!slice.empty() && slice.begin_m() <= 0.0 && slice.end_m() >= 0.0) return true;
+      const Profile profile(outline, point.x_m - side * sn, point.y_m + side * c, c, sn);
+      if (!profile.empty() && profile.begin_m() <= 0.0 && profile.end_m() >= 0.0) return true;
     }
   }
   return false;
@@ -38,15 +39,6 @@ bool meets(const course::Path& path, const Outline& outline, double half_width_m
 }
 
 }  // namespace
-
-model::ClimbGeometry climb_geometry(const course::ShapeValues& shape) {
-  return {.axle_spacing_m = shape.axle_spacing_m,
-          .belt_radius_m = shape.belt_radius_m,
-          .com_forward_m = shape.axle_spacing_m / 2.0 + shape.com_forward_m,
-          .com_height_m = shape.com_height_m,
-          .body_length_m = shape.length_m,
-          .body_height_m = shape.height_m};
-}
 
 void require_climbable(const course::Course& course, const course::Robot& robot) {
   if (course.terrain.flat()) return;

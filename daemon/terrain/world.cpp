@@ -4,23 +4,58 @@
 #include <array>
 #include <cmath>
 
-#include "terrain/carrying_line.h"
-
 namespace tp100::terrain {
 namespace {
 
-// The tilt moves the centre of mass and shortens the belt, which change the tilt.
+constexpr std::size_t kPlaces = SupportLine::kPlaces;
+// Exactly at a position all lines through it are equally high; slightly beside it they differ.
+constexpr double kBeside = 1e-9;
+
+constexpr std::array<double, kPlaces> kOneOver = [] {
+  std::array<double, kPlaces> share{};
+  for (std::size_t i = 1; i < kPlaces; ++i) share[i] = 1.0 / static_cast<double>(i);
+  return share;
+}();
+
+SupportLine through(const WheelHeights& wheel, std::size_t before, std::size_t after, double com) {
+  const double rise = (wheel[after] - wheel[before]) * kOneOver[after - before];
+  return {before, after, rise, wheel[before] + rise * (com - static_cast<double>(before))};
+}
+
+void raise(SupportLine& line, const SupportLine& other) {
+  if (other.height > line.height) line = other;
+}
+
+// The tilt moves the centre of mass and shortens the track, which in turn changes the tilt.
 constexpr int kRounds = 12;
 constexpr double kSettledRad = 1e-5;
-// Tilts that close in at least so fast are followed to where they lead (Aitken's delta squared),
+// Tilts that converge at least this fast are extrapolated to their limit (Aitken's delta squared),
 // which is then no farther than the last change.
 constexpr double kClosesIn = 0.5;
-// Beside walls that no belt climbs.
+// Reached only beside walls that no track climbs.
 constexpr double kSteepestRad = 1.2;
 // More pieces than this never lie under one robot.
-constexpr std::size_t kMostSlices = 8;
+constexpr std::size_t kMaxProfiles = 8;
 
 }  // namespace
+
+SupportLine support_line(const WheelHeights& wheel, double com) {
+  const double last = std::clamp(std::floor(com), 0.0, static_cast<double>(kPlaces - 2));
+  const auto before = static_cast<std::size_t>(last);
+  if (com >= last && com <= last + 1.0) com = std::clamp(com, last + kBeside, last + 1.0 - kBeside);
+  SupportLine line = through(wheel, 0, before + 1, com);
+  for (bool higher = true; higher;) {
+    // Best from one end, then from the other: when neither improves it, the line is the highest of
+    // all.
+    const double until_now = line.height;
+    for (std::size_t j = before + 1, i = line.before; j < kPlaces; ++j)
+      raise(line, through(wheel, i, j, com));
+    for (std::size_t i = 0, j = line.after; i <= before; ++i)
+      raise(line, through(wheel, i, j, com));
+    higher = line.height > until_now;
+  }
+  return line;
+}
 
 World::World(const course::Terrain& terrain, const course::ShapeValues& shape)
     : terrain_(terrain), shape_(shape) {
@@ -31,47 +66,47 @@ World::World(const course::Terrain& terrain, const course::ShapeValues& shape)
 }
 
 bool World::near(const Outline& outline, double x_m, double y_m) const {
-  const double reach = outline.radius_m + shape_.axle_spacing_m + shape_.belt_radius_m;
+  const double reach = outline.radius_m + shape_.axle_spacing_m + shape_.wheel_radius_m;
   const double dx = x_m - outline.place.x_m;
   const double dy = y_m - outline.place.y_m;
   return dx * dx + dy * dy < reach * reach;
 }
 
-World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
-                        double slope_rad) const {
-  const double radius = shape_.belt_radius_m;
+World::Support World::support(double x_m, double y_m, double cos_yaw, double sin_yaw,
+                              double slope_rad) const {
+  const double radius = shape_.wheel_radius_m;
   struct Under {
-    Slice slice;
+    Profile profile;
     Obstacle ground;
   };
-  std::array<std::optional<Under>, kMostSlices> under;
+  std::array<std::optional<Under>, kMaxProfiles> under;
   std::size_t count = 0;
   for (const Piece& piece : pieces_) {
-    if (count == kMostSlices || !near(piece.outline, x_m, y_m)) continue;
-    const Slice slice(piece.outline, x_m, y_m, cos_yaw, sin_yaw);
-    if (!slice.empty()) under[count++].emplace(Under{slice, piece.obstacle});
+    if (count == kMaxProfiles || !near(piece.outline, x_m, y_m)) continue;
+    const Profile profile(piece.outline, x_m, y_m, cos_yaw, sin_yaw);
+    if (!profile.empty()) under[count++].emplace(Under{profile, piece.obstacle});
   }
-  Rest result{0.0, 0.0, Obstacle::kNone};
+  Support result{0.0, 0.0, Obstacle::kNone};
   if (count == 0) return result;
   result.slope_rad = std::clamp(slope_rad, -kSteepestRad, kSteepestRad);
 
   double tried_rad = result.slope_rad, tried_before_rad = 0.0;
   WheelHeights wheel{};
-  std::array<Obstacle, CarryingLine::kPlaces> ground{};
+  std::array<Obstacle, SupportLine::kPlaces> ground{};
   for (int round = 0; round < kRounds; ++round) {
     tried_rad = std::clamp(tried_rad, -kSteepestRad, kSteepestRad);
     const double c = std::cos(tried_rad);
     const double s = std::sin(tried_rad);
     const double middle = -radius * s;
     const double half = shape_.axle_spacing_m / 2.0 * c;
-    const double step = 2.0 * half / (CarryingLine::kPlaces - 1);
+    const double step = 2.0 * half / (SupportLine::kPlaces - 1);
     wheel.fill(radius);
     ground.fill(Obstacle::kNone);
     for (std::size_t n = 0; n < count; ++n)
-      under[n]->slice.lift({middle - half, step, radius}, under[n]->ground, wheel, ground);
-    // Places are those of the wheels' centres; the belt touches the ground radius * s further on.
+      under[n]->profile.lift({middle - half, step, radius}, under[n]->ground, wheel, ground);
+    // Places are those of the wheels' centres; the track touches the ground radius * s further on.
     const double com = shape_.com_forward_m * c - shape_.com_height_m * s + half;
-    const CarryingLine line = carrying_line(wheel, com / step);
+    const SupportLine line = support_line(wheel, com / step);
     const double slope = line.rise / step;
     result.obstacle = std::max(ground[line.before], ground[line.after]);
     const double tilt = std::clamp(std::atan(slope), -kSteepestRad, kSteepestRad);
@@ -82,54 +117,54 @@ World::Rest World::rest(double x_m, double y_m, double cos_yaw, double sin_yaw,
     const double change_before = tried_rad - tried_before_rad;
     tried_before_rad = tried_rad;
     tried_rad = tilt;
-    // Every other round: the one after a leap belongs to no sequence.
+    // Only every other round: a value after an extrapolation belongs to no sequence.
     if (round % 2 == 1 && std::abs(change) < kClosesIn * std::abs(change_before))
       tried_rad += change * change / (change_before - change);
   }
   return result;
 }
 
-Footing World::at(const Pose& pose) const {
-  Footing footing;
-  if (!std::isfinite(pose.x_m + pose.y_m + pose.yaw_rad + pose.pitch_rad)) return footing;
-  footing.surface = terrain_.surface_at(pose.x_m, pose.y_m);
+ContactPose World::at(const Pose& pose) const {
+  ContactPose contact_pose;
+  if (!std::isfinite(pose.x_m + pose.y_m + pose.yaw_rad + pose.pitch_rad)) return contact_pose;
+  contact_pose.surface = terrain_.surface_at(pose.x_m, pose.y_m);
   if (std::none_of(pieces_.begin(), pieces_.end(),
                    [&](const Piece& piece) { return near(piece.outline, pose.x_m, pose.y_m); }))
-    return footing;
+    return contact_pose;
   const double c = std::cos(pose.yaw_rad);
   const double s = std::sin(pose.yaw_rad);
   const double half = shape_.gauge_m / 2.0;
-  const Rest left = rest(pose.x_m - half * s, pose.y_m + half * c, c, s, -pose.pitch_rad);
-  const Rest right = rest(pose.x_m + half * s, pose.y_m - half * c, c, s, -pose.pitch_rad);
-  footing.height_m = (left.height_m + right.height_m) / 2.0;
-  footing.slope_rad = (left.slope_rad + right.slope_rad) / 2.0;
-  footing.pitch_rad = -footing.slope_rad;
-  footing.roll_rad = std::atan2(left.height_m - right.height_m, shape_.gauge_m);
-  footing.obstacle = std::max(left.obstacle, right.obstacle);
-  return footing;
+  const Support left = support(pose.x_m - half * s, pose.y_m + half * c, c, s, -pose.pitch_rad);
+  const Support right = support(pose.x_m + half * s, pose.y_m - half * c, c, s, -pose.pitch_rad);
+  contact_pose.height_m = (left.height_m + right.height_m) / 2.0;
+  contact_pose.slope_rad = (left.slope_rad + right.slope_rad) / 2.0;
+  contact_pose.pitch_rad = -contact_pose.slope_rad;
+  contact_pose.roll_rad = std::atan2(left.height_m - right.height_m, shape_.gauge_m);
+  contact_pose.obstacle = std::max(left.obstacle, right.obstacle);
+  return contact_pose;
 }
 
 double World::height_m(double x_m, double y_m) const {
   double height = 0.0;
   for (const Piece& piece : pieces_) {
     const course::Place& place = piece.outline.place;
-    const Slice slice(piece.outline, x_m, y_m, std::cos(place.heading_rad),
-                      std::sin(place.heading_rad));
-    if (!slice.empty()) height = std::max(height, slice.height_m(0.0));
+    const Profile profile(piece.outline, x_m, y_m, std::cos(place.heading_rad),
+                          std::sin(place.heading_rad));
+    if (!profile.empty()) height = std::max(height, profile.height_m(0.0));
   }
   return height;
 }
 
 std::optional<BlockAhead> World::next_block(const Pose& pose, double within_m) const {
   std::optional<BlockAhead> next;
-  const double rear = -shape_.axle_spacing_m / 2.0 - shape_.belt_radius_m;
+  const double rear = -shape_.axle_spacing_m / 2.0 - shape_.wheel_radius_m;
   const double c = std::cos(pose.yaw_rad);
   const double s = std::sin(pose.yaw_rad);
   for (std::size_t i = 0; i < terrain_.blocks.size(); ++i) {
-    const Slice slice(pieces_[terrain_.ramps.size() + i].outline, pose.x_m, pose.y_m, c, s);
-    if (slice.empty() || slice.end_m() < rear || slice.begin_m() > within_m) continue;
-    if (!next || slice.begin_m() < next->distance_m)
-      next = {&terrain_.blocks[i], slice.begin_m(), slice.end_m() - slice.begin_m()};
+    const Profile profile(pieces_[terrain_.ramps.size() + i].outline, pose.x_m, pose.y_m, c, s);
+    if (profile.empty() || profile.end_m() < rear || profile.begin_m() > within_m) continue;
+    if (!next || profile.begin_m() < next->distance_m)
+      next = {&terrain_.blocks[i], profile.begin_m(), profile.end_m() - profile.begin_m()};
   }
   return next;
 }

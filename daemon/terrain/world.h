@@ -1,20 +1,40 @@
 #pragma once
-// The virtual world: how the robot would stand on the course's ramps and blocks. Statics only: how
-// it gets onto a block and falls off it is the step climb model's.
+// The virtual world: attitude and height of the robot on the course's ramps and blocks. Statics
+// only: getting onto a block and falling off it is left to the step climb model.
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "core/estimates.h"
 #include "core/pose.h"
-#include "core/underfoot.h"
 #include "course/robot.h"
 #include "course/terrain.h"
-#include "terrain/slice.h"
+#include "terrain/profile.h"
 
 namespace tp100::terrain {
 
-/// How the robot stands.
-struct Footing {
+/// A line between two wheels of a track, on which the track rests.
+struct SupportLine {
+  /// Number of positions at which the track's underside is sampled.
+  static constexpr std::size_t kPlaces = 41;
+
+  std::size_t before = 0, after = 0;
+  double rise = 0.0;    ///< from place to place
+  double height = 0.0;  ///< at the centre of mass
+};
+
+/// Heights of a wheel's centre at evenly spaced positions, rear end first.
+using WheelHeights = std::array<double, SupportLine::kPlaces>;
+
+/// The line through one position up to `com` and one beyond it that is highest at `com`, which is
+/// given in positions and may lie beyond the ends: it touches the wheels and cuts none. Bounded
+/// time, no allocation.
+SupportLine support_line(const WheelHeights& wheel, double com);
+
+/// Attitude and height of the robot.
+struct ContactPose {
   double height_m = 0.0;   ///< of the reference point above the floor
   double slope_rad = 0.0;  ///< climb angle along the heading, nose-up positive
   double pitch_rad = 0.0;  ///< the same as REP-103 has it: nose-up negative
@@ -35,13 +55,13 @@ class World {
  public:
   World(const course::Terrain& terrain, const course::ShapeValues& shape);
 
-  /// How the robot stands at x, y and yaw of `pose`. Each belt is a straight line between two
-  /// wheels of the belt's radius that rests on what lies under it: on the two contacts between
-  /// which the centre of mass lies, which may be the wheels or an edge between them. Pitch is the
-  /// mean of both belts, roll their difference in height. Near an edge it can stand in two ways:
-  /// the one next to `pose.pitch_rad`, its pitch until now, is taken. Tipping over takes no time
-  /// here. A pose that is not finite stands on the level floor.
-  Footing at(const Pose& pose) const;
+  /// Contact of a robot at x, y and yaw of `pose`. Each track is a straight line between two wheels
+  /// of the track's radius that rests on the ground below it: on the two contacts between which the
+  /// centre of mass lies, which may be the wheels or an edge between them. Pitch is the mean of
+  /// both tracks, roll their difference in height. Near an edge there are two solutions: the one
+  /// nearer to `pose.pitch_rad`, the pitch until now, is taken. Tipping over takes no time here. A
+  /// pose that is not finite is on the level floor.
+  ContactPose at(const Pose& pose) const;
 
   /// Height of floor, ramp or block at a place.
   double height_m(double x_m, double y_m) const;
@@ -60,13 +80,13 @@ class World {
     Outline outline;
     Obstacle obstacle;
   };
-  struct Rest {
+  struct Support {
     double slope_rad;
     double height_m;  // of the reference point
     Obstacle obstacle;
   };
   bool near(const Outline& outline, double x_m, double y_m) const;
-  Rest rest(double x_m, double y_m, double cos_yaw, double sin_yaw, double slope_rad) const;
+  Support support(double x_m, double y_m, double cos_yaw, double sin_yaw, double slope_rad) const;
 
   course::Terrain terrain_;
   course::ShapeValues shape_;

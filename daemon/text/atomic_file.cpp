@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-// Read once, before there is a second thread: reading means changing it for a moment.
+// Read once, before there is a second thread: reading the mask changes it for a moment.
 const mode_t kMask = [] {
   const mode_t mask = ::umask(0);
   ::umask(mask);
@@ -28,7 +28,7 @@ const mode_t kMask = [] {
                    "); check folder, permission and free space");
 }
 
-/// An open file that goes away, if it is temporary, unless it was kept.
+/// An open file; a temporary one is removed unless it was kept.
 class Output {
  public:
   Output(int descriptor, std::string temporary)
@@ -61,7 +61,7 @@ class Output {
     return result == 0 ? 0 : errno;
   }
 
-  /// The permissions of a file that was made in the ordinary way.
+  /// Gives the file the permissions of an ordinarily created one.
   int open_to_all() { return ::fchmod(descriptor_, 0666 & ~kMask) == 0 ? 0 : errno; }
 
   int rename_to(const std::string& path) {
@@ -75,10 +75,10 @@ class Output {
   std::string temporary_;
 };
 
-/// Where the content really goes.
+/// Where the content is written.
 struct Target {
-  std::string path;     // of what is replaced, links followed
-  bool direct = false;  // no ordinary file
+  std::string path;     // of the file to replace, links followed
+  bool direct = false;  // not a regular file
 };
 
 Target target_of(const std::string& path) {
@@ -87,7 +87,7 @@ Target target_of(const std::string& path) {
   if (fs::is_directory(status)) fail(path, EISDIR);
   if (!fs::exists(status)) return {path, false};
   if (!fs::is_regular_file(status)) return {path, true};
-  // A link keeps its place; the file that it points to is replaced.
+  // A link stays in place; the file that it points to is replaced.
   return {fs::canonical(path, error).string(), false};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A result file that is there completely or not at all.
+// Writes a result file completely or not at all.
 
 #include <memory>
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace tp100::text {
 
-/// Whether the content is on the disk when the call returns, or follows in the kernel's own time:
-/// for files that are replaced again and again.
+/// Whether the content is on the disk when the call returns; kNo leaves the time to the kernel, for
+/// files that are replaced frequently.
 enum class Flush : bool { kNo, kYes };
 
 /// Replaces `path` with `content`: written under a temporary name beside it, then renamed. On
 /// failure (no such folder, no permission, disk full) the old file stays and nothing else is left
-/// behind. What is no ordinary file (a pipe, /dev/stdout) is written directly. Throws SetupError.
+/// behind. Anything but a regular file (a pipe, /dev/stdout) is written directly. Throws
+/// SetupError.
 void write_file(const std::string& path, std::string_view content, Flush flush = Flush::kYes);
 
 /// The same for content that comes in pieces. Without commit() nothing happens.
@@ -34,8 +35,8 @@ class FileReplacement {
   std::unique_ptr<State> state_;
 };
 
-/// Makes the folder for results, and those above it, if need be; empty is the working folder.
-/// Throws SetupError.
+/// Creates the folder for results and its parents if absent; empty is the working folder. Throws
+/// SetupError.
 void make_folder(const std::string& path);
 
 }  // namespace tp100::text

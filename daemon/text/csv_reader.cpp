@@ -17,7 +17,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// A number in the C locale whatever the user's is.
+/// A number in the C locale, whatever the user's locale is.
 std::optional<double> number_of(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -26,7 +26,8 @@ std::optional<double> number_of(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (stop != end || text.empty()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // Too small is zero; too large is no number of ours. Only the exponent's sign can tell.
+    // Underflow is zero; overflow is no valid number. Only the sign of the exponent distinguishes
+    // them.
     const std::size_t e = text.find_first_of("eE");
     const bool small =
         e != std::string_view::npos && text.substr(e).find('-') != std::string_view::npos;
@@ -95,7 +96,7 @@ class CsvReader {
     return true;
   }
 
-  /// Stops on the separator, with a carriage return before a line feed passed over.
+  /// Stops at the separator, after skipping a carriage return before a line feed.
   std::string next_cell() {
     std::string cell;
     if (at_ < text_.size() && text_[at_] == '"') {
@@ -182,7 +183,7 @@ class CsvReader {
   std::size_t at_ = 0;
   std::size_t line_ = 1, next_line_ = 1;
   std::vector<std::string> cells_;
-  std::vector<std::vector<double>*> targets_;  // null: a column that nobody asked for
+  std::vector<std::vector<double>*> targets_;  // null: an unused column
   std::vector<bool> gap_allowed_;
   std::vector<std::string> names_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// CSV of numbers, read strictly: one header line, then rows of one time each.
+// Strict reader for CSV files of numbers: one header line, then rows with increasing time.
 
 #include <cstddef>
 #include <map>
@@ -28,18 +28,18 @@ class CsvTable {
   std::map<std::string, std::vector<double>, std::less<>> columns_;
 };
 
-/// What a file must and may hold. Its first required column is the time and must increase.
+/// Required and optional columns. The first required column is the time and must increase.
 struct CsvColumns {
   std::vector<std::string_view> required;
   std::vector<std::string_view> optional;
-  std::vector<std::string_view> gaps{};  ///< of these: an empty cell reads as not-a-number
+  std::vector<std::string_view> gaps{};  ///< columns in which an empty cell reads as not-a-number
 };
 
-/// Parses the text of a CSV file (RFC 4180: commas, optional quotes). CRLF, a byte-order mark,
-/// columns of other names, blank lines at the end and a missing final line break are accepted; a
-/// missing or repeated column, a row of another width, a value that is no finite number, time that
-/// does not increase, an open quote and a file without rows are not. Throws SetupError "file:line:
-/// what"; the header is line 1. Pure.
+/// Parses the text of a CSV file (RFC 4180: commas, optional quotes). Accepts CRLF, a byte-order
+/// mark, other columns, blank lines at the end and a missing final line break; rejects a missing or
+/// repeated column, a row of another width, a value that is not a finite number, time that does not
+/// increase, an open quote and a file without rows. Throws SetupError "file:line: what"; the header
+/// is line 1. Pure.
 CsvTable parse_csv(std::string_view text, const std::string& file, const CsvColumns& columns);
 
 }  // namespace tp100::text

@@ -1,6 +1,6 @@
 #pragma once
-// JSON text, written straight into a string: what the step channels need 200 times a second. Never
-// writes NaN or infinity (they become null), nor anything but valid UTF-8.
+// Writes JSON text straight into a string, for the step channels at 200 messages a second. Writes
+// null for NaN and infinity, and valid UTF-8 only.
 
 #include <charconv>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace tp100::text {
 
-/// Appends to `out`. Who calls keeps objects and arrays balanced.
+/// Appends to `out`. The caller keeps objects and arrays balanced.
 class JsonWriter {
  public:
   explicit JsonWriter(std::string& out) : out_(out) {}
@@ -63,7 +63,7 @@ class JsonWriter {
     return done();
   }
 
-  /// One value that is JSON already.
+  /// One value that is already JSON.
   JsonWriter& raw(std::string_view json) {
     separate();
     out_ += json;
@@ -101,7 +101,7 @@ class JsonWriter {
   bool comma_ = false;
 };
 
-/// Bytes of the UTF-8 character that `text` begins with; 0 if it begins with none.
+/// Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none.
 std::size_t utf8_length(std::string_view text);
 
 }  // namespace tp100::text

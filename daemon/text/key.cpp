@@ -65,7 +65,8 @@ Origins read_origins(std::string_view text, std::string_view table) {
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.starts_with('[')) inside = line == "[" + std::string(table) + "]";
-    // A line that goes on may begin with "From", too, and a long word leaves it alone on the first.
+    // A continuation line may begin with "From", too, and a long word leaves it alone on the first
+    // line.
     if (within && line.starts_with("# ")) {
       origin += line.substr(1);
     } else if (line == kFirst || line.starts_with(std::string(kFirst) + " ")) {

@@ -1,6 +1,6 @@
 #pragma once
-// Keys of a file as a table: name, field, range and prose in one place. The same table reads a file
-// and writes the commented file, so that neither can drift from the other.
+// Keys of a file as a table: name, field, range and documentation in one place. The same table
+// reads the file and writes it with comments, so that the two cannot differ.
 
 #include <cstddef>
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace tp100::text {
 
-/// A key whose values are a few names. Index into `names` on both ways.
+/// A key whose values are a few names, converted to and from an index into `names`.
 template <class T>
 struct Choice {
   std::vector<std::string_view> names;
@@ -22,23 +22,37 @@ struct Choice {
   void (*set)(T&, std::size_t);
 };
 
+/// The choice of the enum `Member` of T by the table of its names, beside the enum.
+template <class T, auto Member, const auto& Names>
+Choice<T> enum_choice() {
+  Choice<T> choice{{},
+                   [](const T& from) {
+                     std::size_t i = 0;
+                     while (i + 1 < Names.size() && Names[i].value != from.*Member) ++i;
+                     return i;
+                   },
+                   [](T& to, std::size_t i) { to.*Member = Names[i].value; }};
+  for (const auto& one : Names) choice.names.emplace_back(one.name);
+  return choice;
+}
+
 /// One key that fills a field of T.
 template <class T>
 struct Key {
-  std::string_view name;  ///< its end tells the unit, see unit_of
+  std::string_view name;  ///< its suffix gives the unit, see unit_of
   std::variant<double T::*, int T::*, bool T::*, std::string T::*, Choice<T>> field;
   Range range{0.0, 0.0};     ///< of numbers, in the file's unit
   std::string_view meaning;  ///< one sentence, no unit and no range
   double si = 1.0;           ///< SI value of one file unit (kRadPerDeg for _deg)
 };
 
-/// A number as a file shows it: ten significant digits, always read back as written.
+/// A number as written in a file: ten significant digits, read back as written.
 std::string toml_number(double value);
 /// A quoted TOML string.
 std::string toml_string(std::string_view value);
 /// `text` as comment lines of at most 100 columns.
 std::string toml_comment(std::string_view text);
-/// "0.1 to 0.3 m/s"; the unit alone stands in brackets where there is one.
+/// "0.1 to 0.3 m/s"; only the unit, if there is one, is in brackets.
 std::string range_and_unit(std::string_view key, Range range);
 
 /// Reads every key of `keys`; absent ones keep their value. Throws SetupError.
@@ -66,7 +80,7 @@ void read_keys(TomlTable& table, std::span<const Key<T>> keys, T& values) {
   }
 }
 
-/// Value of one key as a file shows it.
+/// Value of one key as written in a file.
 template <class T>
 std::string show_key(const Key<T>& key, const T& values) {
   if (const auto* field = std::get_if<double T::*>(&key.field))
@@ -81,7 +95,7 @@ std::string show_key(const Key<T>& key, const T& values) {
   return toml_string(choice.names[choice.get(values)]);
 }
 
-/// A key with its value and everything that is known about it, for those who show it.
+/// A key with its value and documentation, for display.
 struct KeyText {
   enum class Type { kNumber, kInteger, kBoolean, kText, kChoice };
   using Value = std::variant<double, bool, std::string>;
@@ -130,10 +144,10 @@ void describe_keys(const std::string& prefix, std::span<const Key<T>> keys, cons
   }
 }
 
-/// Where values came from, by key: one sentence each, without its first word "From" and its stop.
+/// Origin of values, by key: one sentence each, without its first word "From" and its full stop.
 using Origins = std::map<std::string, std::string, std::less<>>;
 
-/// Reads the origins of the keys of `[table]` back from a file that write_keys wrote.
+/// Reads the origins of the keys of `[table]` from a file written by write_keys.
 Origins read_origins(std::string_view text, std::string_view table);
 
 /// The keys with meaning, unit, default, range and origin as comments: the body of one table of a

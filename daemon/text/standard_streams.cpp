@@ -11,7 +11,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "text/nearest.h"
+#include "text/format.h"
 #include "text/toml_document.h"
 
 namespace tp100::text {
@@ -48,7 +48,7 @@ int run_program(const char* program, const std::function<int()>& run) {
 }
 
 void claim_standard_streams() {
-  // The lowest free number is given out first.
+  // The system assigns the lowest free number first.
   int fd = 0;
   while (fd >= 0 && fd <= STDERR_FILENO) fd = ::open("/dev/null", O_RDWR);
   if (fd > STDERR_FILENO) ::close(fd);

@@ -1,6 +1,6 @@
 #pragma once
-// Standard input, output and error of a program, whatever state it was started in, and the one form
-// in which its errors are reported.
+// Standard input, output and error of a program, whatever state it was started in, and the uniform
+// format of its error messages.
 
 #include <functional>
 #include <string>
@@ -12,23 +12,23 @@ namespace tp100::text {
 /// Writes "PROGRAM: message" on standard error. `message` is one line. Returns `status`.
 int report_error(const char* program, std::string_view message, int status = 2);
 
-/// Same for a command line that is wrong, with where to look; `what` may be anything. Returns 2.
+/// Same for a wrong command line, with a pointer to --help; `what` may be any text. Returns 2.
 int report_usage_error(const char* program, std::string_view what);
 
-/// What is wrong with a first argument that is neither an option nor one of `subcommands`, and
-/// which of them was probably meant; empty if nothing is.
+/// The error for a first argument that is neither an option nor one of `subcommands`, with the one
+/// that was probably meant; empty if there is no error.
 std::string unknown_subcommand(int argc, char** argv, const std::vector<std::string>& subcommands);
 
-/// What main() of a program does: claims the standard streams, calls `run` and returns its exit
-/// status. A SetupError is the user's: status 2. Any other exception is a defect: status 3.
+/// Body of a program's main(): claims the standard streams, calls `run` and returns its exit
+/// status. A SetupError is a user error: status 2. Any other exception is a defect: status 3.
 int run_program(const char* program, const std::function<int()>& run);
 
-/// Opens /dev/null in place of each standard stream that is closed, so that no port or file of the
-/// program gets its number and then its log lines.
+/// Opens /dev/null in place of each closed standard stream, so that no port or file of the program
+/// gets its number and then receives log lines.
 void claim_standard_streams();
 
-/// Flushes standard output. What could not be written is one line on standard error, and status 2
-/// in place of 0.
+/// Flushes standard output. On failure prints one line on standard error, and returns status 2
+/// instead of 0.
 int finish_standard_output(const char* program, int status);
 
 }  // namespace tp100::text

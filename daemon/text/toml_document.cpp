@@ -4,11 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <sstream>
 #include <utility>
 
-#include "text/nearest.h"
 #include "toml++/toml.h"
 
 namespace tp100::text {
@@ -106,29 +104,16 @@ std::string_view unit_of(std::string_view key) {
   return {};
 }
 
-std::string number_text(double value) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.10g", value);
-  return buffer.data();
-}
-
-std::string one_line(std::string_view text, std::size_t most) {
-  std::string line(text.substr(0, most));
-  for (char& c : line)
-    if (c < 0x20 || c > 0x7e) c = '?';
-  return text.size() > most ? line + "..." : line;
-}
-
 struct TomlTable::State {
   std::shared_ptr<const toml::table> document;
   std::string file;
-  std::string path;                    // "drive.", empty for the root
+  std::string path;                    // with a trailing dot, "drive."; empty for the root
   const toml::table* table = nullptr;  // null: absent
   toml::source_position where{1, 1};
   std::vector<std::string> asked;
   std::vector<std::shared_ptr<State>> children;
   std::weak_ptr<State> parent;
-  std::string own_name;  // in the parent
+  std::string own_name;  // name within the parent
 
   std::string full(std::string_view key) const { return quoted(path + std::string(key)); }
 
@@ -166,7 +151,7 @@ struct TomlTable::State {
   }
 
   [[noreturn]] void missing(std::string_view key) const {
-    // A required key that was mistyped is better named as what was typed.
+    // If a required key is missing, a misspelled key is the better error to report.
     for (const std::string_view other : unasked())
       if (nearest_name(other, {key}) == key) unknown(other, key);
     if (const auto above = parent.lock(); above && !table)
@@ -259,7 +244,7 @@ toml::table parse(const std::string& text, const std::string& file) {
   }
 }
 
-/// The table that holds the last part of `name`; made where there is none.
+/// The table that contains the last part of `name`; created if absent.
 toml::table& holder_of(toml::table& root, std::string_view& name, const std::string& file) {
   toml::table* table = &root;
   for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.')) {

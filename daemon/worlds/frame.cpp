@@ -9,10 +9,10 @@ namespace tp100::worlds {
 namespace {
 
 constexpr double kCmPerM = 100.0;
-// Beyond this sine of the pitch, roll and yaw cannot be told apart.
+// Beyond this sine of the pitch, roll and yaw cannot be distinguished.
 constexpr double kVertical = 1.0 - 1e-9;
 
-/// Axis of a turn, ours to the frame's.
+/// Converts a rotation axis from our frame to `frame`.
 Vector to_axis(Frame frame, const Vector& axis) {
   switch (frame) {
     case Frame::kUnreal:
@@ -38,18 +38,6 @@ Vector from_axis(Frame frame, const Vector& axis) {
 }
 
 }  // namespace
-
-std::string_view to_string(Frame frame) {
-  switch (frame) {
-    case Frame::kRos:
-      return "ros";
-    case Frame::kUnreal:
-      return "unreal";
-    case Frame::kUnity:
-      return "unity";
-  }
-  return "unknown";
-}
 
 double to_length(Frame frame, double m) { return frame == Frame::kUnreal ? m * kCmPerM : m; }
 double from_length(Frame frame, double length) {

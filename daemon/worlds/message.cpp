@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/angle.h"
+#include "worlds/frame.h"
 
 namespace tp100::worlds {
 namespace {
@@ -43,7 +44,7 @@ std::string datagram(const Json& json) {
 
 std::string_view mode_name(RunState state) { return to_string(state); }
 
-/// The entry, or null where it is absent or says null.
+/// The entry, or null if it is absent or null.
 const Json* find(const Json& json, const char* key) {
   const auto found = json.find(key);
   return found == json.end() || found->is_null() ? nullptr : &*found;
@@ -93,7 +94,7 @@ bool plausible(double roll_rad, double pitch_rad) {
   return std::abs(roll_rad) <= kMaxLeanRad && std::abs(pitch_rad) <= kMaxLeanRad;
 }
 
-bool read_ground(const Json& json, Frame frame, SaidGround& out) {
+bool read_ground(const Json& json, Frame frame, ReceivedGround& out) {
   Vector rpy{};
   double height = 0.0;
   const Json* z = find(json, "z");
@@ -246,6 +247,26 @@ Decoded decode_world(std::string_view text, Frame frame) {
                                       : type == "world" && read_world(json, frame, out.message);
   if (good) out.verdict = Decoded::Verdict::kGood;
   return out;
+}
+
+std::string encode_live_link(std::string_view subject, const Pose& pose, LiveLinkDialect dialect) {
+  const Vector place = to_place(Frame::kUnreal, {pose.x_m, pose.y_m, pose.z_m});
+  const Quaternion turn = to_quaternion(Frame::kUnreal, pose);
+  Json transform = Json::object();
+  if (dialect == LiveLinkDialect::kBones) {
+    transform["Name"] = "root";
+    transform["Parent"] = -1;
+  }
+  transform["Location"] = {rounded(place[0]), rounded(place[1]), rounded(place[2])};
+  transform["Rotation"] = {rounded(turn.x), rounded(turn.y), rounded(turn.z), rounded(turn.w)};
+  transform["Scale"] = {1, 1, 1};
+  Json out = Json::object();
+  if (dialect == LiveLinkDialect::kBones) {
+    out[std::string(subject)] = Json::array({transform});
+  } else {
+    out[std::string(subject)] = transform;
+  }
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace tp100::worlds

@@ -20,7 +20,7 @@ std::optional<std::string> Peer::step(const StepRecord& record, HostNs now) {
   const RunState state = record.snapshot.run_state;
   if (state == RunState::kRunning && run_state_ != RunState::kRunning) ++run_;
   run_state_ = state;
-  if (welcomed_ && now - heard_ns_ > from_s(settings_.hello.timeout_s)) {
+  if (welcomed_ && now - received_ns_ > from_s(settings_.hello.timeout_s)) {
     welcomed_ = false;
     ++counters_.losses;
     ++session_;
@@ -29,7 +29,7 @@ std::optional<std::string> Peer::step(const StepRecord& record, HostNs now) {
   }
   if (began_ && now < next_ns_) return std::nullopt;
   const HostNs period_ns = welcomed_ ? from_s(1.0 / settings_.hello.rate_hz) : kHelloEveryNs;
-  // Steps are not exactly on time: the mean rate is kept unless much was missed.
+  // Steps are not exactly on time: keep the mean rate unless much was missed.
   next_ns_ = began_ && now - next_ns_ < period_ns ? next_ns_ + period_ns : now + period_ns;
   began_ = true;
   if (welcomed_) return pose(record, now);
@@ -51,15 +51,8 @@ std::string Peer::pose(const StepRecord& record, HostNs now) {
   report.run = run_;
   report.source = to_string(snapshot.steering);
   report.pose = snapshot.world;
-  report.floor = snapshot.odometry;
-  report.twist = snapshot.odometry_twist;
-  if (snapshot.steering == Steering::kModel) {
-    report.floor = snapshot.model;
-    report.twist = snapshot.model_twist;
-  } else if (snapshot.steering == Steering::kFused) {
-    report.floor = snapshot.fused.pose;
-    report.twist = snapshot.fused.twist;
-  }
+  report.floor = snapshot.estimates[snapshot.steering].pose;
+  report.twist = snapshot.estimates[snapshot.steering].twist;
   report.left_mps = snapshot.left_mps;
   report.right_mps = snapshot.right_mps;
   report.slip_left = snapshot.slip_left;
@@ -104,7 +97,7 @@ std::optional<WorldSample> Peer::receive(std::string_view datagram, std::uint16_
 
 void Peer::welcome(const WorldMessage& message, std::uint16_t port, HostNs now) {
   if (welcomed_) {
-    // The second of two hellos was answered too.
+    // The world replied to the second of two hellos, too.
     ++(port == port_ ? counters_.accepted : counters_.foreign);
     return;
   }
@@ -125,7 +118,7 @@ void Peer::welcome(const WorldMessage& message, std::uint16_t port, HostNs now) 
   began_ = false;
   port_ = port;
   name_ = message.name.empty() ? "the world" : message.name;
-  heard_ns_ = now;
+  received_ns_ = now;
   world_sequence_ = 0;
   answers_ = 0;
   stamp_s_.reset();
@@ -160,7 +153,7 @@ std::optional<WorldSample> Peer::world(const WorldMessage& message, HostNs now) 
   world_sequence_ = message.sequence;
   answers_ = message.answers;
   if (message.stamp_s) stamp_s_ = message.stamp_s;
-  heard_ns_ = now;
+  received_ns_ = now;
   return sample_of(message, sent->step_ns);
 }
 
@@ -200,7 +193,7 @@ void Peer::take_round_trip(HostNs round_trip_ns) {
   mean = counters_.answered == 1 ? round_trip_ms : mean + kSmoothing * (round_trip_ms - mean);
 }
 
-// Said once: whoever speaks another version would be told at every datagram.
+// Sent once: a world of another version would trigger it with every datagram.
 void Peer::refuse(const std::string& text) {
   if (std::exchange(refused_, true)) return;
   note_ = "world: refused: " + text;

@@ -1,6 +1,7 @@
 #pragma once
-// The bridge's side of a world/1 conversation: hello until welcomed, poses out, answers in. Fed
-// bytes and time; it opens no socket. Input is hostile. Allocates: not for the real-time thread.
+// The bridge's side of the world/1 protocol: sends hello until welcomed, then poses, and receives
+// replies. Bytes and time are passed in; it opens no socket. Input is hostile. Allocates: not for
+// the real-time thread.
 
 #include <array>
 #include <cstdint>
@@ -10,38 +11,38 @@
 #include <utility>
 #include <vector>
 
+#include "core/sample.h"
 #include "core/step_record.h"
-#include "core/world_sample.h"
 #include "worlds/message.h"
 
 namespace tp100::worlds {
 
 struct PeerSettings {
-  Hello hello{};  ///< its session is where the numbers of the sessions begin
-  /// Names of the course's surfaces and what each adds to both slip ratios.
+  Hello hello{};  ///< its session is the first session number
+  /// Names of the course's surfaces, and the slip that each adds to both slip ratios.
   std::vector<std::pair<std::string, double>> surfaces;
 };
 
-/// What became of the datagrams, since the start.
+/// Counts of datagrams by outcome, since the start.
 struct PeerCounters {
   std::uint64_t hellos = 0;     ///< sent
   std::uint64_t poses = 0;      ///< sent
-  std::uint64_t answered = 0;   ///< poses that an accepted message answered first
-  std::uint64_t received = 0;   ///< from the world's machine; each is in one of the next rows
+  std::uint64_t answered = 0;   ///< poses acknowledged for the first time by an accepted message
+  std::uint64_t received = 0;   ///< from the world's machine; counted in one of the next rows, too
   std::uint64_t accepted = 0;   ///< welcomes and world messages that were used
-  std::uint64_t malformed = 0;  ///< too long, no such JSON, a value out of range
+  std::uint64_t malformed = 0;  ///< too long, invalid JSON, a value out of range
   std::uint64_t wrong_version = 0;
   std::uint64_t foreign = 0;          ///< another session, another port, or not welcomed yet
   std::uint64_t reordered = 0;        ///< `seq` or `ack` not above the last one
   std::uint64_t back_in_time = 0;     ///< `timestamp` below the last one
-  std::uint64_t unknown_ack = 0;      ///< answers a pose that was not sent, or long ago
-  std::uint64_t missing = 0;          ///< messages of the world that never came, by `seq`
+  std::uint64_t unknown_ack = 0;      ///< acknowledges a pose that was not sent, or long ago
+  std::uint64_t missing = 0;          ///< messages of the world that never arrived, by `seq`
   std::uint64_t unknown_surface = 0;  ///< in accepted messages; the floor's slip is used
-  std::uint64_t dropped = 0;          ///< accepted, but the step had no room
+  std::uint64_t dropped = 0;          ///< accepted, but the step's queue was full
   std::uint64_t sessions = 0;         ///< welcomes
-  std::uint64_t losses = 0;           ///< sessions that ended in silence
-  double round_trip_ms = 0.0;         ///< of the last answer
-  double mean_round_trip_ms = 0.0;    ///< smoothed over about a hundred answers
+  std::uint64_t losses = 0;           ///< sessions that ended by timeout
+  double round_trip_ms = 0.0;         ///< of the last reply
+  double mean_round_trip_ms = 0.0;    ///< smoothed over about a hundred replies
   double max_round_trip_ms = 0.0;
 };
 
@@ -49,15 +50,15 @@ class Peer {
  public:
   explicit Peer(PeerSettings settings);
 
-  /// A step was made; `now` is the time of sending. The datagram to send, if one is due: hello
-  /// every quarter second until welcomed, then poses at their rate. A welcomed world that was
-  /// silent for the time-out is greeted anew.
+  /// Takes a step; `now` is the time of sending. Returns the datagram to send, if one is due: hello
+  /// every quarter second until welcomed, then poses at their rate. After a timeout, a world is
+  /// sent hello again.
   std::optional<std::string> step(const StepRecord& record, HostNs now);
 
-  /// A datagram from the world's machine, sent from its `port`.
+  /// Takes a datagram from the world's machine, sent from its `port`.
   std::optional<WorldSample> receive(std::string_view datagram, std::uint16_t port, HostNs now);
 
-  /// What to answer the sender of the last datagram: an error, said once.
+  /// Reply to the sender of the last datagram: an error, sent once.
   std::optional<std::string> take_reply() { return std::exchange(reply_, std::nullopt); }
   /// Something to log since the last take, or empty.
   std::string take_note() { return std::exchange(note_, {}); }
@@ -66,7 +67,7 @@ class Peer {
   const std::string& name() const { return name_; }
   /// Sequence of the last pose that was sent; 0: none.
   std::uint64_t sent() const { return sequence_; }
-  /// Highest pose that was answered in this session.
+  /// Highest pose acknowledged in this session.
   std::uint64_t answered() const { return answers_; }
   void count_dropped() { ++counters_.dropped; }
   const PeerCounters& counters() const { return counters_; }
@@ -99,7 +100,7 @@ class Peer {
   bool welcomed_ = false;
   std::uint16_t port_ = 0;
   std::string name_;
-  HostNs heard_ns_ = 0;
+  HostNs received_ns_ = 0;
   std::uint64_t world_sequence_ = 0;
   std::uint64_t answers_ = 0;
   std::optional<double> stamp_s_;

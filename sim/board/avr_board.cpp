@@ -10,12 +10,9 @@
 #include <utility>
 
 #include "core/error.h"
-#include "sim/board/avr_adc.h"
 #include "sim/board/avr_core.h"
-#include "sim/board/avr_encoder_pins.h"
-#include "sim/board/avr_motor_pins.h"
+#include "sim/board/avr_pins.h"
 #include "sim/board/avr_uart.h"
-#include "sim/board/mix.h"
 
 namespace tp100::sim {
 namespace {
@@ -106,7 +103,7 @@ struct AvrBoard::Machine {
     begin_cycle = core.cycle();
   }
 
-  // What the SRAM holds when the supply comes up.
+  // Contents of the SRAM at power-on.
   void scramble() {
     std::uint64_t random = mix(settings.seed + 0x5CAB1EU + ++power_ups);
     std::uint8_t* data = core.data();
@@ -239,7 +236,9 @@ std::vector<TimedByte> AvrBoard::take_sent() {
   return std::exchange(machine_->stamped, {});
 }
 
-Drive AvrBoard::drive() const { return machine_->powered ? motor_drive(machine_->core) : Drive{}; }
+MotorDuty AvrBoard::drive() const {
+  return machine_->powered ? motor_drive(machine_->core) : MotorDuty{};
+}
 
 void AvrBoard::set_battery(double volts) { machine_->adc.set_battery(volts); }
 void AvrBoard::set_supply(double volts) { machine_->adc.set_supply(volts); }

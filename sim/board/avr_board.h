@@ -16,20 +16,20 @@ namespace tp100::sim {
 /// One board.
 struct AvrBoardSettings {
   std::string image{};             ///< ELF or HEX; empty: the one built with this program
-  bool bootloader = false;         ///< Arduino's bootloader runs first and listens for a second
+  bool bootloader = false;         ///< Arduino's bootloader runs first and waits for a second
   bool blank = false;              ///< no firmware yet: `image` is not read
-  std::uint64_t seed = 1;          ///< of EEPROM, SRAM at power-on and the ADC's noise
+  std::uint64_t seed = 1;          ///< seed of EEPROM, SRAM at power-on and the ADC's noise
   double clock_ppm = 0.0;          ///< error of the resonator; positive runs fast
   std::uint32_t start_us = 0;      ///< device clock at each boot, in steps of 1024; needs an ELF
   std::int64_t reset_hold_ns = 0;  ///< from reset() to the first instruction
   std::uint32_t run_cycle_limit = 16000;  ///< of simavr; changes nothing but speed
 };
 
-/// What happened since construction.
+/// Counts since construction.
 struct AvrBoardCounters {
   std::uint64_t rx_overruns = 0;      ///< bytes that found the receiver full
-  std::uint64_t rx_unheard = 0;       ///< bytes that came while the receiver was off
-  std::uint64_t watchdog_resets = 0;  ///< of the chip by itself
+  std::uint64_t rx_unheard = 0;       ///< bytes that arrived while the receiver was off
+  std::uint64_t watchdog_resets = 0;  ///< resets by the chip's own watchdog
   std::uint64_t cycles = 0;
   std::uint64_t slept_cycles = 0;
   std::uint64_t i2c_bytes = 0;
@@ -37,8 +37,8 @@ struct AvrBoardCounters {
 
 class AvrBoard final : public Board {
  public:
-  /// `imu` answers at I2C address 0x68; null: nobody does. It must outlive the board. The board is
-  /// without power until the first reset(). Throws SetupError.
+  /// `imu` answers at I2C address 0x68; null: no device answers. It must outlive the board. The
+  /// board has no power until the first reset(). Throws SetupError.
   AvrBoard(const AvrBoardSettings& settings, I2cSlave* imu);
   ~AvrBoard() override;
   AvrBoard(AvrBoard&&) noexcept;
@@ -48,15 +48,15 @@ class AvrBoard final : public Board {
   void advance(std::int64_t until_ns, std::span<const Edge> edges,
                std::span<const TimedByte> received) override;
   std::vector<TimedByte> take_sent() override;
-  Drive drive() const override;
+  MotorDuty drive() const override;
   void set_battery(double volts) override;
   void set_supply(double volts) override;
 
   void set_i2c_fault(I2cFault fault);
-  /// The main loop turns in one place from its next sleep on, interrupts go on; until a reset.
+  /// From its next sleep on the main loop loops in one place while interrupts go on; until a reset.
   void hang_main_loop();
   AvrBoardCounters counters() const;
-  /// From START to STOP.
+  /// Duration from START to STOP.
   Cycle longest_i2c_transfer() const;
   /// For measurements and tests.
   AvrCore& core();

@@ -39,7 +39,7 @@ AvrCore::AvrCore(const AvrImage& image, std::uint32_t run_cycle_limit)
   avr_->sleep = on_sleep;
   chip_reset_ = avr_->reset;
   avr_->reset = on_chip_reset;
-  mend_timers();
+  repair_timers();
   program(image);
 }
 
@@ -71,7 +71,7 @@ void AvrCore::set_reset_address(std::uint32_t address) { avr_->reset_pc = addres
 
 // Phase-correct PWM of 8 to 10 bits, Arduino's default, is missing for the 16-bit timers, and of
 // 8 bits for timer 2: they would overflow every few cycles.
-void AvrCore::mend_timers() {
+void AvrCore::repair_timers() {
   for (avr_io_t* io = avr_->io_port; io != nullptr; io = io->next) {
     if (std::strcmp(io->kind, "timer") != 0) continue;
     auto* timer = reinterpret_cast<avr_timer_t*>(io);
@@ -145,7 +145,7 @@ void AvrCore::run_until(Cycle until) {
       wake();
     }
     if (avr_->state == cpu_Done || avr_->state == cpu_Crashed) {
-      // Dead until somebody resets it: time passes.
+      // The core is dead until a reset: only time passes.
       const Cycle now = cycle();
       if (now < until_) offset_ += until_ - now;
       reached_ = true;

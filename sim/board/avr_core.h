@@ -1,6 +1,6 @@
 #pragma once
-// An emulated ATmega2560 at 16 MHz without anything around it: simavr, with its defects mended from
-// outside. The rest of the board hangs on its pins and registers.
+// A bare emulated ATmega2560 at 16 MHz: simavr, with its defects fixed from outside. The rest of
+// the board is connected to its pins and registers.
 
 #include <cstdint>
 #include <functional>
@@ -12,7 +12,16 @@ struct avr_t;
 
 namespace tp100::sim {
 
-/// Cycles since the core was made; runs on over resets.
+/// Numbers that look random but follow from a seed.
+/// SplitMix64 (Steele, Lea, Flood 2014).
+constexpr std::uint64_t mix(std::uint64_t x) {
+  x += 0x9E3779B97F4A7C15U;
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
+  return x ^ (x >> 31U);
+}
+
+/// Cycles since the core was created; continues over resets.
 using Cycle = std::uint64_t;
 
 class AvrCore {
@@ -20,20 +29,20 @@ class AvrCore {
   static constexpr std::uint32_t kHz = 16'000'000;
   static constexpr Cycle kNever = ~Cycle{0};
 
-  /// `run_cycle_limit` is simavr's: the most cycles between two looks at its timers. Results do not
-  /// depend on it. Throws SetupError.
+  /// `run_cycle_limit` is simavr's: the most cycles between two checks of its timers. Results do
+  /// not depend on it. Throws SetupError.
   AvrCore(const AvrImage& image, std::uint32_t run_cycle_limit);
   ~AvrCore();
   AvrCore(const AvrCore&) = delete;
   AvrCore& operator=(const AvrCore&) = delete;
 
-  /// Called at the cycle that the last call gave (kNever: at the next run_until()), between two
-  /// instructions; does what is due and gives the cycle of its next call.
+  /// Called between two instructions at the cycle that the last call returned (kNever: at the next
+  /// run_until()); does what is due and returns the cycle of its next call.
   std::function<Cycle(Cycle now)> on_event;
-  /// After each reset, the chip's own too: put back what hangs on the pins.
+  /// Called after each reset, the chip's own included: restores the state of the pins.
   std::function<void()> on_reset;
 
-  /// Puts another program into the flash, for instance a bootloader.
+  /// Writes another program into the flash, for instance a bootloader.
   void program(const AvrImage& image);
   /// First instruction after a reset.
   void set_reset_address(std::uint32_t address);
@@ -45,7 +54,7 @@ class AvrCore {
   Cycle cycle() const;
   /// Cycles that the CPU spent asleep.
   Cycle slept() const { return slept_; }
-  /// Resets by the chip's own watchdog.
+  /// Number of resets by the chip's own watchdog.
   std::uint64_t own_resets() const { return own_resets_; }
   /// Registers, I/O and SRAM by data address.
   std::uint8_t* data() const;
@@ -59,7 +68,7 @@ class AvrCore {
   static void on_chip_reset(avr_t* avr);
   static Cycle on_timer(avr_t* avr, Cycle when, void* core);
   static void on_sleep(avr_t* avr, Cycle cycles);
-  void mend_timers();
+  void repair_timers();
   void free_what_terminate_leaves();
   void arm();
 

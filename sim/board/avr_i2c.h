@@ -1,38 +1,38 @@
 #pragma once
 // The two-wire interface of the emulated Mega as a master (ATmega2560 datasheet, 24.7), with one
-// sensor on the bus. Takes the place of simavr's own, which knows one speed and no faults.
+// sensor on the bus. It replaces simavr's own, which supports one speed and no faults.
 
 #include <cstdint>
 #include <vector>
 
 #include "sim/board/avr_core.h"
-#include "sim/sensors/i2c_slave.h"
+#include "sim/sensors/mpu6050.h"
 
 struct avr_irq_t;
 struct avr_twi_t;
 
 namespace tp100::sim {
 
-/// What may be wrong with the bus.
+/// Faults of the bus.
 enum class I2cFault {
   kNone,
-  kSilent,  ///< nobody acknowledges
+  kSilent,  ///< no device acknowledges
   kHeld,    ///< the sensor holds SDA low until it has seen nine clocks
-  kStuck,   ///< SDA low for good
+  kStuck,   ///< SDA permanently low
 };
 
 class AvrI2c {
  public:
-  /// `slave` answers at `address`; null: nobody does.
+  /// `slave` answers at `address`; null: no device answers.
   AvrI2c(AvrCore& core, I2cSlave* slave, std::uint8_t address);
 
   void set_fault(I2cFault fault);
   I2cFault fault() const { return fault_; }
-  /// After a reset of the chip.
+  /// Call after a reset of the chip.
   void restore();
-  /// Bytes, addresses included, since the core was made.
+  /// Number of bytes, addresses included, since the core was created.
   std::uint64_t bytes() const { return bytes_; }
-  /// From the first START to STOP.
+  /// Duration from the first START to STOP.
   Cycle longest_transfer() const { return longest_transfer_; }
 
  private:

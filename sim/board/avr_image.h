@@ -8,14 +8,14 @@
 
 namespace tp100::sim {
 
-/// Contents of the flash and, from an ELF file, the addresses behind the names.
+/// Contents of the flash and, from an ELF file, the addresses of its symbols.
 struct AvrImage {
   static constexpr std::uint32_t kFlashSize = 256 * 1024;
 
   std::string path;
   std::uint32_t begin = 0;          ///< address of the first byte in the flash
   std::vector<std::uint8_t> flash;  ///< gaps are 0xFF
-  /// Byte addresses; data lies from 0x800000 on. Empty for a HEX file.
+  /// Byte addresses; data starts at 0x800000. Empty for a HEX file.
   std::map<std::string, std::uint32_t> symbols;
 };
 

@@ -89,7 +89,7 @@ std::uint8_t AvrUart::on_read(avr_t* avr, std::uint16_t address, void* self) {
 
 void AvrUart::restore() {
   received_.clear();
-  // What has not left completely never arrives.
+  // Bytes not completely sent never arrive.
   const Cycle now = core_.cycle();
   while (!sent_.empty() && sent_.back().at > now) sent_.pop_back();
   transmitter_free_ = now;

@@ -26,13 +26,13 @@ class AvrUart {
 
   /// The stop bit of a byte for the chip ends now.
   void receive(std::uint8_t value);
-  /// Bytes sent since the last take, also those still on their way.
+  /// Bytes sent since the last take, including those still in transmission.
   std::vector<SentByte>& sent() { return sent_; }
-  /// After a reset of the chip.
+  /// Call after a reset of the chip.
   void restore();
 
   std::uint64_t overruns() const { return overruns_; }
-  /// Bytes that came while the receiver was off.
+  /// Number of bytes that arrived while the receiver was off.
   std::uint64_t unheard() const { return unheard_; }
   std::size_t waiting() const { return received_.size(); }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/sensors/edge.h"
+#include "sim/sensors/quadrature_encoder.h"
 
 namespace tp100::sim {
 
@@ -18,7 +18,7 @@ struct TimedByte {
 enum class PowerUp { kPowerOn, kExternal, kBrownOut, kWatchdog };
 
 /// Signed duties at the motor driver, -1..1.
-struct Drive {
+struct MotorDuty {
   double left = 0.0;
   double right = 0.0;
 };
@@ -34,10 +34,10 @@ class Board {
   /// Bytes sent since the last take, with the end of their stop bits.
   virtual std::vector<TimedByte> take_sent() = 0;
   /// Outputs in effect at the end of the quantum.
-  virtual Drive drive() const = 0;
+  virtual MotorDuty drive() const = 0;
   /// Voltage at the battery divider, set before each quantum.
   virtual void set_battery(double volts) = 0;
-  /// Supply of the board, which is the converter's reference; USB's 5 V without a call.
+  /// Supply of the board, which is the converter's reference; USB's 5 V by default.
   virtual void set_supply(double volts) = 0;
 };
 

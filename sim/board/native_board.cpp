@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
+#include "firmware/battery.h"
 #include "firmware/firmware.h"
 #include "firmware/quadrature.h"
-#include "firmware/supply.h"
 
 namespace tp100::sim {
 namespace {
@@ -108,7 +108,7 @@ struct NativeBoard::Machine final : firmware::Hal {
     next_loop_ns = boot_ns;
     next_tick_ns = boot_ns + tick_ns;
     received.clear();
-    // What has not left completely never arrives.
+    // Bytes not completely sent never arrive.
     while (!sent.empty() && sent.back().at_ns > at_ns) sent.pop_back();
     transmitter_free_ns = at_ns;
     duties = {};
@@ -235,7 +235,7 @@ struct NativeBoard::Machine final : firmware::Hal {
   std::uint16_t battery_mv() override {
     if (readings++ % kReadingsBetweenBandgaps == 0)
       supply.update(converted(firmware::kBandgapMv * 1e-3));
-    return supply.cells_mv(converted(cells_v / firmware::kDivider));
+    return supply.battery_mv(converted(battery_v / firmware::kDivider));
   }
   std::uint16_t converted(double volts) const {
     const double steps = std::floor(volts / supply_v * kAdcSteps);
@@ -269,8 +269,8 @@ struct NativeBoard::Machine final : firmware::Hal {
   std::array<EncoderPins, 2> encoders{};
   ReceiveBuffer received;
   std::vector<TimedByte> sent;
-  Drive duties{};
-  double cells_v = 0.0;
+  MotorDuty duties{};
+  double battery_v = 0.0;
   double supply_v = 5.0;
   firmware::Supply supply;
   int readings = 0;
@@ -300,9 +300,9 @@ std::vector<TimedByte> NativeBoard::take_sent() {
   return taken;
 }
 
-Drive NativeBoard::drive() const { return machine_->duties; }
+MotorDuty NativeBoard::drive() const { return machine_->duties; }
 
-void NativeBoard::set_battery(double volts) { machine_->cells_v = volts; }
+void NativeBoard::set_battery(double volts) { machine_->battery_v = volts; }
 void NativeBoard::set_supply(double volts) { machine_->supply_v = volts; }
 
 NativeBoardCounters NativeBoard::counters() const { return machine_->counters; }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/board/board.h"
-#include "sim/sensors/i2c_slave.h"
+#include "sim/sensors/mpu6050.h"
 
 namespace tp100::sim {
 
@@ -20,7 +20,7 @@ struct NativeBoardSettings {
   std::int64_t boot_delay_ns = 4'000'000;  ///< from reset to setup(); bytes are lost meanwhile
 };
 
-/// What the pins went through since construction.
+/// Counts since construction.
 struct NativeBoardCounters {
   std::uint64_t rx_overruns = 0;  ///< bytes that found the receive buffer full
   std::uint64_t rx_lost_in_boot = 0;
@@ -30,8 +30,8 @@ struct NativeBoardCounters {
 
 class NativeBoard final : public Board {
  public:
-  /// `imu` answers at I2C address 0x68; null: nobody does. It must outlive the board. The board is
-  /// without power until the first reset().
+  /// `imu` answers at I2C address 0x68; null: no device answers. It must outlive the board. The
+  /// board has no power until the first reset().
   NativeBoard(const NativeBoardSettings& settings, I2cSlave* imu);
   ~NativeBoard() override;
   NativeBoard(NativeBoard&&) noexcept;
@@ -41,7 +41,7 @@ class NativeBoard final : public Board {
   void advance(std::int64_t until_ns, std::span<const Edge> edges,
                std::span<const TimedByte> received) override;
   std::vector<TimedByte> take_sent() override;
-  Drive drive() const override;
+  MotorDuty drive() const override;
   void set_battery(double volts) override;
   void set_supply(double volts) override;
 

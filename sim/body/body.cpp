@@ -1,16 +1,104 @@
 #include "sim/body/body.h"
 
+#include <ode/ode.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
 #include <vector>
 
 #include "core/angle.h"
-#include "sim/body/belts.h"
-#include "sim/body/ode_world.h"
+#include "sim/body/tracks.h"
 
 namespace tp100::sim {
 namespace {
+
+/// One world with its contact joints.
+class OdeWorld {
+ public:
+  OdeWorld();
+  ~OdeWorld();
+  OdeWorld(const OdeWorld&) = delete;
+  OdeWorld& operator=(const OdeWorld&) = delete;
+
+  dWorldID id() const { return world_; }
+  dJointGroupID contacts() const { return contacts_; }
+  /// One step of `dt_s`; empties the contact group afterwards. ODE's solver shuffles its rows with
+  /// a process-wide random generator: it is seeded with this world's own step number, under a lock,
+  /// so that worlds in one process or in several threads never influence each other.
+  void step(double dt_s);
+
+  /// Messages that ODE's solver has printed in this process; 0 in a sound run.
+  static std::uint64_t solver_messages();
+
+ private:
+  dWorldID world_;
+  dJointGroupID contacts_;
+  std::uint64_t steps_ = 0;
+};
+
+std::atomic<std::uint64_t> g_messages{0};
+
+std::mutex& ode_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+[[gnu::format(printf, 2, 0)]] void count_message(int, const char* format, va_list arguments) {
+  if (g_messages.fetch_add(1) == 0) {
+    std::fputs("ODE: ", stderr);
+    std::vfprintf(stderr, format, arguments);
+    std::fputc('\n', stderr);
+  }
+}
+
+[[noreturn, gnu::format(printf, 2, 0)]] void give_up(int number, const char* format,
+                                                     va_list arguments) {
+  count_message(number, format, arguments);
+  std::abort();
+}
+
+void initialise_once() {
+  static const bool done = [] {
+    dInitODE2(0);
+    dSetMessageHandler(count_message);
+    dSetErrorHandler(give_up);
+    dSetDebugHandler(give_up);
+    return true;
+  }();
+  (void)done;
+}
+
+OdeWorld::OdeWorld() {
+  const std::lock_guard lock(ode_mutex());
+  initialise_once();
+  world_ = dWorldCreate();
+  contacts_ = dJointGroupCreate(0);
+  dWorldSetGravity(world_, 0.0, 0.0, -9.81);
+}
+
+OdeWorld::~OdeWorld() {
+  const std::lock_guard lock(ode_mutex());
+  dJointGroupDestroy(contacts_);
+  dWorldDestroy(world_);
+}
+
+void OdeWorld::step(double dt_s) {
+  const std::lock_guard lock(ode_mutex());
+  thread_local const int allocated = dAllocateODEDataForThread(dAllocateFlagBasicData);
+  static_cast<void>(allocated);
+  dRandSetSeed(static_cast<unsigned long>(steps_++));
+  dWorldQuickStep(world_, dt_s);
+  dJointGroupEmpty(contacts_);
+}
+
+std::uint64_t OdeWorld::solver_messages() { return g_messages.load(); }
 
 // Contact stiffness and damping, friction compliance: sweeps with these keep slip and turning
 // resistance unchanged to four digits between 0.25 and 2 ms.
@@ -26,7 +114,7 @@ constexpr double kGravity = 9.81;
 // Slower than this the direction of slip is noise.
 constexpr double kSlipDirectionMps = 1e-3;
 constexpr int kSettleSteps = 500;
-constexpr std::size_t kMostContacts = 256;
+constexpr std::size_t kMaxContacts = 256;
 
 Eigen::Vector3d to_vector(const dReal* v) { return {v[0], v[1], v[2]}; }
 
@@ -36,7 +124,7 @@ Eigen::Matrix3d to_matrix(const dReal* r) {
   return m;
 }
 
-/// Along which the belt's surface moves where it touches the ground.
+/// Along which the track's surface moves where it touches the ground.
 Eigen::Vector3d forward_at(const Eigen::Vector3d& normal, const Eigen::Matrix3d& rotation) {
   Eigen::Vector3d forward = rotation.col(1).cross(normal);
   // A flank that rubs along a wall moves as the underside does.
@@ -54,7 +142,7 @@ void copy(const Eigen::Vector3d& from, std::array<double, 3>& to) {
 
 struct Body::World {
   World(const course::EmulatedBody& v, bool stand, const course::Terrain& t)
-      : values(v), on_stand(stand), terrain(t), belts(v, t), feedback(kMostContacts) {}
+      : values(v), on_stand(stand), terrain(t), tracks(v, t), feedback(kMaxContacts) {}
 
   /// From the reference point to the centre of mass, body frame.
   Eigen::Vector3d arm_m() const {
@@ -62,28 +150,28 @@ struct Body::World {
   }
   void create(const Pose& start);
   void touch(double left_mps, double right_mps);
-  /// Whether a belt is worn smooth where it touches the ground this far ahead of the middle.
+  /// Whether a track is worn smooth where it touches the ground this far ahead of the middle.
   bool slick(bool left, double ahead_m) const;
-  void apply_shove();
+  void apply_disturbance();
   void observe();
 
   course::EmulatedBody values;
   bool on_stand;
   course::Terrain terrain;
-  Belts belts;
+  Tracks tracks;
   OdeWorld ode;
   dBodyID body = nullptr;
   std::vector<dJointFeedback> feedback;
   struct Traction {
-    Eigen::Vector3d forward;  // in which the belt pushes the ground back
+    Eigen::Vector3d forward;  // in which the track pushes the ground back
     bool left;
   };
   std::vector<Traction> tractions;  // one per contact, in the order of `feedback`
   double left_travel_m = 0.0, right_travel_m = 0.0;
   Eigen::Vector3d last_velocity = Eigen::Vector3d::Zero();
-  double shove_per_step_m = 0.0, shove_yaw_per_step = 0.0;
-  int shove_steps = 0;  // to come
-  bool shoved = false;  // in the last step
+  double disturbance_per_step_m = 0.0, disturbance_yaw_per_step = 0.0;
+  int disturbance_steps = 0;  // to come
+  bool disturbed = false;     // in the last step
   BodyState state{};
 };
 
@@ -95,7 +183,7 @@ Body::Body(const course::EmulatedBody& values, const Pose& start, bool on_stand,
 Body::~Body() = default;
 Body::Body(Body&&) noexcept = default;
 
-bool Body::shoving() const { return world_->shove_steps > 0; }
+bool Body::disturbed() const { return world_->disturbance_steps > 0; }
 const BodyState& Body::state() const { return world_->state; }
 std::uint64_t Body::solver_messages() { return OdeWorld::solver_messages(); }
 
@@ -143,7 +231,7 @@ void Body::World::create(const Pose& start) {
 
 bool Body::World::slick(bool left, double ahead_m) const {
   if (values.slick_m <= 0.0) return false;
-  const double length_m = 2.0 * (values.axle_spacing_m + kPi * values.belt_radius_m);
+  const double length_m = 2.0 * (values.axle_spacing_m + kPi * values.wheel_radius_m);
   // The worn stretches do not come round at the same time.
   const double along_m = ahead_m + (left ? left_travel_m : right_travel_m + length_m / 2.0);
   return along_m - length_m * std::floor(along_m / length_m) < values.slick_m;
@@ -154,21 +242,21 @@ void Body::World::touch(double left_mps, double right_mps) {
   const Eigen::Matrix3d rotation = to_matrix(dBodyGetRotation(body));
   const Eigen::Vector3d velocity = to_vector(dBodyGetLinearVel(body));
   const Eigen::Vector3d rate = to_vector(dBodyGetAngularVel(body));
-  const std::vector<BeltContact>& contacts = belts.touch(position, rotation);
+  const std::vector<TrackContact>& contacts = tracks.touch(position, rotation);
 
   const double faster = std::max(std::abs(left_mps), std::abs(right_mps));
   const double per_creep =
       faster * static_cast<double>(contacts.size()) / (values.mass_kg * kGravity);
   const double lighter = kTheirMassKg / values.mass_kg;
   tractions.clear();
-  for (std::size_t i = 0; i < std::min(contacts.size(), kMostContacts); ++i) {
-    const BeltContact& at = contacts[i];
+  for (std::size_t i = 0; i < std::min(contacts.size(), kMaxContacts); ++i) {
+    const TrackContact& at = contacts[i];
     const course::Surface* surface = terrain.surface_at(at.point_m.x(), at.point_m.y());
     const Eigen::Vector3d forward = forward_at(at.normal, rotation);
-    const double deficit = (at.left ? values.belt_deficit_left : values.belt_deficit_right) +
+    const double deficit = (at.left ? values.track_deficit_left : values.track_deficit_right) +
                            (surface == nullptr ? 0.0 : surface->slip_offset);
-    const Eigen::Vector3d belt = forward * ((at.left ? left_mps : right_mps) * (1.0 - deficit));
-    Eigen::Vector3d slip = velocity + rate.cross(at.point_m - position) - belt;
+    const Eigen::Vector3d track = forward * ((at.left ? left_mps : right_mps) * (1.0 - deficit));
+    Eigen::Vector3d slip = velocity + rate.cross(at.point_m - position) - track;
     slip -= at.normal * at.normal.dot(slip);
     const Eigen::Vector3d along =
         slip.norm() > kSlipDirectionMps ? slip.normalized().eval() : forward;
@@ -183,8 +271,8 @@ void Body::World::touch(double left_mps, double right_mps) {
         (slick(at.left, rotation.col(0).dot(at.point_m - position)) ? values.slick_factor : 1.0);
     contact.surface.soft_erp = kErp;
     contact.surface.soft_cfm = kCfm * lighter;
-    contact.surface.motion1 = belt.dot(along);
-    contact.surface.motion2 = belt.dot(across);
+    contact.surface.motion1 = track.dot(along);
+    contact.surface.motion2 = track.dot(across);
     contact.surface.slip1 = contact.surface.slip2 =
         (at.left ? values.creep_left : values.creep_right) * per_creep + kCreepFloor * lighter;
     for (int k = 0; k < 3; ++k) {
@@ -200,15 +288,16 @@ void Body::World::touch(double left_mps, double right_mps) {
   }
 }
 
-void Body::World::apply_shove() {
-  shoved = shove_steps > 0;
-  if (!shoved) return;
-  --shove_steps;
+void Body::World::apply_disturbance() {
+  disturbed = disturbance_steps > 0;
+  if (!disturbed) return;
+  --disturbance_steps;
   const Eigen::Matrix3d rotation = to_matrix(dBodyGetRotation(body));
   const Eigen::Vector3d position = to_vector(dBodyGetPosition(body));
   const Eigen::Vector3d arm = rotation * arm_m();
-  const Eigen::AngleAxisd turn(shove_yaw_per_step, Eigen::Vector3d::UnitZ());
-  const Eigen::Vector3d moved = position - arm + rotation.col(1) * shove_per_step_m + turn * arm;
+  const Eigen::AngleAxisd turn(disturbance_yaw_per_step, Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d moved =
+      position - arm + rotation.col(1) * disturbance_per_step_m + turn * arm;
   const Eigen::Quaterniond q(turn.toRotationMatrix() * rotation);
   const dQuaternion quaternion = {q.w(), q.x(), q.y(), q.z()};
   dBodySetPosition(body, moved.x(), moved.y(), moved.z());
@@ -226,9 +315,9 @@ void Body::World::observe() {
            ((velocity - last_velocity) / kStepS + Eigen::Vector3d(0.0, 0.0, kGravity)),
        state.specific_force_mps2);
   last_velocity = velocity;
-  if (shoved) {
-    rate.z() += shove_yaw_per_step / kStepS;
-    velocity += rotation.col(1) * shove_per_step_m / kStepS;
+  if (disturbed) {
+    rate.z() += disturbance_yaw_per_step / kStepS;
+    velocity += rotation.col(1) * disturbance_per_step_m / kStepS;
   }
   copy(velocity - rate.cross(arm), state.velocity_mps);
   copy(rotation.transpose() * rate, state.rate_radps);
@@ -243,33 +332,33 @@ void Body::World::observe() {
   pose.yaw_rad += wrap_angle(heading - pose.yaw_rad);
 }
 
-void Body::step(double left_belt_mps, double right_belt_mps) {
+void Body::step(double left_track_mps, double right_track_mps) {
   World& w = *world_;
   if (w.on_stand) return;
-  w.touch(left_belt_mps, right_belt_mps);
+  w.touch(left_track_mps, right_track_mps);
   w.ode.step(kStepS);
-  w.left_travel_m += left_belt_mps * kStepS;
-  w.right_travel_m += right_belt_mps * kStepS;
+  w.left_travel_m += left_track_mps * kStepS;
+  w.right_travel_m += right_track_mps * kStepS;
   w.state.left_load_n = w.state.right_load_n = 0.0;
   for (std::size_t i = 0; i < w.tractions.size(); ++i) {
     const double traction = to_vector(w.feedback[i].f1).dot(w.tractions[i].forward);
     (w.tractions[i].left ? w.state.left_load_n : w.state.right_load_n) += traction;
   }
-  w.apply_shove();
+  w.apply_disturbance();
   w.observe();
 }
 
-void Body::turn_belts(double left_m, double right_m) {
+void Body::turn_tracks(double left_m, double right_m) {
   world_->left_travel_m += left_m;
   world_->right_travel_m += right_m;
 }
 
-void Body::shove(double sideways_m, double yaw_rad, double duration_s) {
+void Body::disturbance(double sideways_m, double yaw_rad, double duration_s) {
   World& w = *world_;
   if (w.on_stand) return;
-  w.shove_steps = std::max(1, static_cast<int>(std::lround(duration_s / kStepS)));
-  w.shove_per_step_m = sideways_m / w.shove_steps;
-  w.shove_yaw_per_step = yaw_rad / w.shove_steps;
+  w.disturbance_steps = std::max(1, static_cast<int>(std::lround(duration_s / kStepS)));
+  w.disturbance_per_step_m = sideways_m / w.disturbance_steps;
+  w.disturbance_yaw_per_step = yaw_rad / w.disturbance_steps;
 }
 
 }  // namespace tp100::sim

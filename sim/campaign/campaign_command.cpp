@@ -3,21 +3,75 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
 #include "course/bundled_files.h"
+#include "report/metrics.h"
+#include "report/result_text.h"
+#include "report/run_result.h"
 #include "sim/campaign/campaign_folder.h"
-#include "sim/campaign/campaign_run.h"
+#include "sim/campaign/campaign_spec.h"
 #include "sim/campaign/merge.h"
-#include "sim/campaign/merge_page.h"
+#include "sim/robot/lockstep.h"
+#include "sim/robot/lockstep_recorder.h"
 #include "text/atomic_file.h"
 
 namespace tp100::sim {
 namespace {
+
+/// Result of a run, as the text of its file: index, seed, sampled values, and either the figures
+/// that `course --json` prints or "refused" with the reason (a sampled value that no robot can
+/// have). The same run gives the same text except for figures that depend on the machine.
+struct CampaignRun {
+  std::string json;
+  bool refused = false;
+};
+using Json = nlohmann::ordered_json;
+
+Json figures_of(const PlannedRun& run, const std::string& record) {
+  Loaded loaded = load(run.options);
+  loaded.files.course = course::read_bundled(course::Bundled::kCourses, run.course);
+  const course::Course course =
+      course::parse_course(loaded.files.course.text, loaded.files.course.path);
+  std::optional<LockstepRecorder> recorder;
+  if (!record.empty()) recorder.emplace(record, loaded, run.options.seed);
+  const report::RunResult result = run_lockstep(
+      {.course = course,
+       .robot = loaded.robot,
+       .configuration = loaded.configuration,
+       .setup = loaded.setup,
+       .board = loaded.board,
+       .camera = run.camera.empty() ? std::nullopt : std::optional(load_camera(run.camera)),
+       .seed = run.options.seed,
+       .faults = parse_faults(run.faults),
+       .sink = recorder ? &*recorder : nullptr});
+  if (recorder) recorder->finish();
+  return Json::parse(report::result_json(result, report::figures(result, course)));
+}
+
+/// Drives one run in virtual time. `record`: folder for its recording; empty: none. Throws only
+/// exceptions other than SetupError.
+CampaignRun drive(const PlannedRun& run, const std::string& record) {
+  CampaignRun done;
+  Json json = {{"index", run.index}, {"seed", run.options.seed}};
+  Json& sampled = json["sampled"] = Json::object();
+  for (const auto& [name, value] : run.sampled)
+    std::visit([&sampled, &key = name](const auto& one) { sampled[key] = one; }, value);
+  try {
+    json["result"] = figures_of(run, record);
+  } catch (const SetupError& error) {
+    done.refused = true;
+    json["refused"] = error.what();
+  }
+  done.json = json.dump() + "\n";
+  return done;
+}
 
 constexpr std::size_t kNamedMissing = 5;
 

@@ -1,28 +1,52 @@
 #pragma once
-// The folder of a campaign: its spec, what its results come from, and one file for each run that is
-// done. Several programs may work in it at once, and any of them may be killed: a file is there
-// whole or not at all.
+// The folder of a campaign, and the origin of the results in it.
 
 #include <cstdint>
+#include <map>
 #include <string>
 
-#include "sim/campaign/origin.h"
+#include "sim/campaign/campaign_spec.h"
 
 namespace tp100::sim {
 
+/// Origin of a campaign's results besides its spec. Two programs may put runs into one folder, or
+/// one may continue it later, only if the origin is the same for both:
+/// "course 3", "robot mine.toml", "program", ... with an identification of the content: 16
+/// hexadecimal digits of a file, version and build of the program, "not there" for a file that is
+/// missing.
+using Origin = std::map<std::string, std::string>;
+
+/// This program, the libraries used for its computations, and every file that a run of the campaign
+/// may read: configuration, courses, robots, cameras and, for the avr board, the firmware's image.
+Origin origin_of(const CampaignSpec& spec);
+
+/// One line for each, in alphabetical order, and back; invalid lines are left out. Pure.
+std::string origin_text(const Origin& origin);
+Origin read_origin(const std::string& text);
+
+/// The differences in words; empty: none. Pure.
+std::string difference(const Origin& before, const Origin& now);
+
+/// Build ids (hexadecimal, as written by the linker) of the modules loaded into this process, by
+/// file name without folder; the program itself is "". Modules without an id are left out.
+std::map<std::string, std::string> build_ids();
+
+/// A campaign's spec, the origin of its results, and one file for each run that is done. Several
+/// programs may work in it at once, and any of them may be killed: a file exists whole or not at
+/// all.
 class CampaignFolder {
  public:
-  /// Makes the folder, or takes up the one that is there. Throws SetupError: it cannot be written,
-  /// belongs to a campaign with another spec, or its runs have another origin.
+  /// Creates the folder, or opens an existing one. Throws SetupError if it cannot be written,
+  /// belongs to a campaign with another spec, or has runs of another origin.
   CampaignFolder(std::string path, std::string spec_text, Origin origin);
-  /// One that is there. Throws SetupError: it holds no campaign.
+  /// Opens an existing folder. Throws SetupError if it holds no campaign.
   static CampaignFolder existing(const std::string& path);
 
   const std::string& path() const { return path_; }
   const std::string& spec_text() const { return spec_text_; }
   /// For messages.
   std::string spec_path() const { return path_ + "/spec.toml"; }
-  /// Throws SetupError that says what differs from where the runs of this folder come from.
+  /// Throws SetupError that names the differences from the origin of this folder's runs.
   void require(const Origin& origin) const;
   bool has(std::uint64_t index) const;
   /// Throws SetupError.

@@ -1,24 +1,58 @@
 #pragma once
-// A campaign as its file says it: how many runs, and what differs between them.
+// A campaign as its file defines it: the number of runs, and the differences between them.
 
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "sim/campaign/variable.h"
 #include "sim/robot/options.h"
+#include "text/toml_document.h"
 
 namespace tp100::sim {
 
-/// One run, everything decided.
+struct Uniform {
+  double low, high;
+};
+struct Normal {
+  double mean, sd;
+};
+using List = std::vector<text::TomlValue>;
+
+/// One quantity that a campaign varies from run to run.
+struct Variable {
+  std::string name;
+  std::variant<text::TomlValue, Uniform, Normal, List> source;
+
+  bool varies() const { return source.index() != 0; }
+  /// Number of values of a list, else 1: the runs needed to see all of them.
+  std::uint64_t choices() const;
+};
+
+/// Selects a run's value: from lists the one at `turn` (modulo their length); from uniform and
+/// normal one determined by `seed`, `index` and the name, whatever else is sampled. Pure.
+struct SampleKey {
+  std::uint64_t seed, index, turn;
+};
+text::TomlValue draw(const Variable& variable, const SampleKey& by);
+
+/// A value, or one of { uniform = [LOW, HIGH] }, { normal = [MEAN, SD] }, { list = [...] }. Throws
+/// SetupError.
+Variable read_variable(text::TomlTable& table, const std::string& key, const std::string& name);
+
+/// The variables in `table` and in the tables within, by full name, in alphabetical order. Throws
+/// SetupError.
+std::vector<Variable> read_variables(text::TomlTable table, const std::string& prefix = "");
+
+/// One run, fully determined.
 struct PlannedRun {
   std::uint64_t index = 0;
   Options options{};
   std::string course;
-  std::string camera;               ///< empty: nobody looks on
+  std::string camera;               ///< empty: no camera
   std::vector<std::string> faults;  ///< as --fault has them
-  text::NamedValues drawn;          ///< what differs from run to run
+  text::NamedValues sampled;        ///< what differs from run to run
 };
 
 /// The file: config/campaigns/course-3.toml is one, with every key explained.
@@ -35,7 +69,7 @@ struct CampaignSpec {
 CampaignSpec parse_campaign(const std::string& text, const std::string& file);
 
 /// Run `index` of the campaign. Lists are crossed: the first in alphabetical order changes with
-/// every run, the next when it has been through, and so on. Pure.
+/// every run, the next after each pass through the first, and so on. Pure.
 PlannedRun plan(const CampaignSpec& spec, std::uint64_t index);
 
 }  // namespace tp100::sim

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kWorst = 5;
 
-// What a run says of the machine that drove it.
+// True for figures about the machine that drove the run.
 bool of_the_machine(const std::string& key) {
   return key == "loop" || key.find("time") != std::string::npos;
 }
@@ -38,7 +38,7 @@ void flatten(const Json& json, const std::string& name, std::map<std::string, do
 }
 
 /// As parse_run_file keeps it.
-std::string drawn_text(const text::TomlValue& value) {
+std::string sampled_text(const text::TomlValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return std::visit([](const auto& one) { return Json(one).dump(); }, value);
 }
@@ -67,18 +67,18 @@ MergedFigure figure_of(const std::vector<MergedRun>& runs, const std::string& na
     const double value = run->figures.at(name);
     values.push_back(value);
     figure.worst.emplace_back(run->index, value);
-    for (const auto& [drawn, number] : run->drawn_numbers) {
-      pairs[drawn].first.push_back(number);
-      pairs[drawn].second.push_back(value);
+    for (const auto& [sampled, number] : run->sampled_numbers) {
+      pairs[sampled].first.push_back(number);
+      pairs[sampled].second.push_back(value);
     }
   }
   figure.summary = summarise(std::move(values));
   std::stable_sort(figure.worst.begin(), figure.worst.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   figure.worst.resize(std::min(figure.worst.size(), kWorst));
-  for (const auto& [drawn, both] : pairs)
+  for (const auto& [sampled, both] : pairs)
     if (const auto rank = rank_correlation(both.first, both.second))
-      figure.correlations.emplace_back(drawn, *rank);
+      figure.correlations.emplace_back(sampled, *rank);
   return figure;
 }
 
@@ -86,8 +86,8 @@ MergedGroup group_of(const std::vector<MergedRun>& runs, const std::string& vari
                      const std::string& value) {
   std::vector<MergedRun> members;
   for (const MergedRun& run : runs) {
-    const auto drawn = run.drawn.find(variable);
-    if (drawn != run.drawn.end() && drawn->second == value && run.refused.empty())
+    const auto sampled = run.sampled.find(variable);
+    if (sampled != run.sampled.end() && sampled->second == value && run.refused.empty())
       members.push_back(run);
   }
   MergedGroup group{.variable = variable, .value = value, .driven = members.size()};
@@ -116,18 +116,19 @@ Json json_of(const Summary& summary) {
   return json;
 }
 
-Json json_of_drawn(const MergedRun& run) {
+Json json_of_sampled(const MergedRun& run) {
   Json json = Json::object();
-  for (const auto& [name, text] : run.drawn) {
-    const auto number = run.drawn_numbers.find(name);
-    json[name] = number == run.drawn_numbers.end() ? Json(text) : Json(number->second);
+  for (const auto& [name, text] : run.sampled) {
+    const auto number = run.sampled_numbers.find(name);
+    json[name] = number == run.sampled_numbers.end() ? Json(text) : Json(number->second);
   }
   return json;
 }
 
-/// The run, `what` it came to, and what was drawn.
+/// The run, `what` it came to, and what was sampled.
 Json json_of(const MergedRun& run, const char* what, const std::string& text) {
-  return {{"index", run.index}, {"seed", run.seed}, {what, text}, {"drawn", json_of_drawn(run)}};
+  return {
+      {"index", run.index}, {"seed", run.seed}, {what, text}, {"sampled", json_of_sampled(run)}};
 }
 
 Json json_of(const MergedFigure& figure, const Merged& merged) {
@@ -177,9 +178,9 @@ MergedRun parse_run_file(const std::string& text, const std::string& file) {
     const Json json = Json::parse(text);
     run.index = json.at("index").get<std::uint64_t>();
     run.seed = json.at("seed").get<std::uint64_t>();
-    for (const auto& [name, value] : json.at("drawn").items()) {
-      run.drawn[name] = value.is_string() ? value.get<std::string>() : value.dump();
-      if (value.is_number()) run.drawn_numbers[name] = value.get<double>();
+    for (const auto& [name, value] : json.at("sampled").items()) {
+      run.sampled[name] = value.is_string() ? value.get<std::string>() : value.dump();
+      if (value.is_number()) run.sampled_numbers[name] = value.get<double>();
     }
     if (json.contains("refused")) {
       run.refused = json.at("refused").get<std::string>();
@@ -212,7 +213,8 @@ Merged merge(const CampaignSpec& spec, std::vector<MergedRun> runs) {
     for (const Variable& variable : variables)
       if (const auto* list = std::get_if<List>(&variable.source))
         for (const text::TomlValue& value : *list)
-          merged.groups.push_back(group_of(merged.runs, prefix + variable.name, drawn_text(value)));
+          merged.groups.push_back(
+              group_of(merged.runs, prefix + variable.name, sampled_text(value)));
   };
   add_groups(spec.choices, "");
   add_groups(spec.configuration, "");
@@ -251,20 +253,20 @@ std::string merged_json(const Merged& merged) {
 }
 
 std::string merged_csv(const Merged& merged) {
-  std::set<std::string> drawn, figures;
+  std::set<std::string> sampled, figures;
   for (const MergedRun& run : merged.runs) {
-    for (const auto& [name, value] : run.drawn) drawn.insert(name);
+    for (const auto& [name, value] : run.sampled) sampled.insert(name);
     for (const auto& [name, value] : run.figures) figures.insert(name);
   }
   std::string text = "index,seed,completed,cause,refused";
-  for (const std::set<std::string>* names : {&drawn, &figures})
+  for (const std::set<std::string>* names : {&sampled, &figures})
     for (const std::string& name : *names) text += "," + csv_cell(name);
   for (const MergedRun& run : merged.runs) {
     text += "\n" + std::to_string(run.index) + "," + std::to_string(run.seed) + "," +
             (run.completed ? "1" : "0") + "," + csv_cell(run.cause) + "," + csv_cell(run.refused);
-    for (const std::string& name : drawn) {
-      const auto value = run.drawn.find(name);
-      text += "," + (value == run.drawn.end() ? "" : csv_cell(value->second));
+    for (const std::string& name : sampled) {
+      const auto value = run.sampled.find(name);
+      text += "," + (value == run.sampled.end() ? "" : csv_cell(value->second));
     }
     for (const std::string& name : figures) {
       const auto value = run.figures.find(name);

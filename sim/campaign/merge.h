@@ -1,6 +1,6 @@
 #pragma once
-// The runs of a campaign taken together. The same runs give the same result, whoever drove them
-// and in whatever order.
+// The runs of a campaign combined. The same runs give the same result, in whatever order and on
+// whatever machine they were driven.
 
 #include <cstdint>
 #include <map>
@@ -14,25 +14,26 @@
 
 namespace tp100::sim {
 
-/// One run as its file says it.
+/// One run as read from its file.
 struct MergedRun {
   std::uint64_t index = 0, seed = 0;
-  std::map<std::string, std::string> drawn;     ///< as text
-  std::map<std::string, double> drawn_numbers;  ///< those of them that are numbers
-  std::string refused;                          ///< why it could not be driven; empty: it was
+  std::map<std::string, std::string> sampled;     ///< as text
+  std::map<std::string, double> sampled_numbers;  ///< those of them that are numbers
+  std::string refused;                            ///< why it could not be driven; empty: it was
+                                                  ///< driven
   bool completed = false;
   std::string cause;  ///< why it was driven but not completed, as `course --json` has it
   /// Every number of its figures by full name, of arrays the largest; infinite: there is none, as
-  /// for a shove that was never recovered from. Nothing that depends on the machine.
+  /// for a disturbance without recovery. Nothing that depends on the machine.
   std::map<std::string, double> figures;
 };
 
-/// Of the runs that were completed.
+/// One figure over the completed runs.
 struct MergedFigure {
   std::string name;
   Summary summary{};
   std::vector<std::pair<std::uint64_t, double>> worst{};  ///< index and value, the worst first
-  /// With each number that was drawn: rank correlation, if there is one.
+  /// Rank correlation with each sampled number, if there is one.
   std::vector<std::pair<std::string, double>> correlations{};
 };
 
@@ -52,20 +53,25 @@ struct Merged {
 
   /// The run of this index, which must be there.
   const MergedRun& run(std::uint64_t index) const;
-  /// Driven but not completed, by index: no figure counts them.
+  /// Runs driven but not completed, by index: no figure counts them.
   std::vector<const MergedRun*> failed() const;
-  /// How many failed of each cause, the most frequent first.
+  /// Number of failures by cause, the most frequent first.
   std::vector<std::pair<std::string, std::size_t>> causes() const;
 };
 
-/// A run's file. Throws SetupError naming `file`: it is none of ours.
+/// Parses a run's file. Throws SetupError naming `file` if it is not one.
 MergedRun parse_run_file(const std::string& text, const std::string& file);
 
 /// `runs` by index, no more than the spec has. Pure.
 Merged merge(const CampaignSpec& spec, std::vector<MergedRun> runs);
 
 std::string merged_json(const Merged& merged);
-/// One row a run: index, seed, completed, cause, refused, what was drawn, every figure.
+/// One row per run: index, seed, completed, cause, refused, sampled values, every figure.
 std::string merged_csv(const Merged& merged);
+
+// The merged campaign as one offline page.
+
+/// `spec_text` is shown as it is. Pure.
+std::string merge_page(const Merged& merged, const std::string& spec_text);
 
 }  // namespace tp100::sim

@@ -1,12 +1,10 @@
-#include "sim/campaign/merge_page.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "report/html_page.h"
-#include "report/svg_chart.h"
+#include "sim/campaign/merge.h"
 
 namespace tp100::sim {
 namespace {
@@ -17,7 +15,7 @@ using report::Rows;
 constexpr std::size_t kListed = 500;
 
 constexpr const char* kColour = "#1f5fbf";
-// What people look at first; the rest is in merged.json and runs.csv.
+// The figures shown first; the rest is in merged.json and runs.csv.
 constexpr std::array<const char*, 8> kMain = {"model.max_position_error_m",
                                               "odometry.max_position_error_m",
                                               "fused.max_position_error_m",
@@ -72,11 +70,11 @@ Rows figure_rows(const std::vector<const MergedFigure*>& figures) {
   return rows;
 }
 
-std::string drawn_text(const MergedRun& run) {
-  std::string drawn;
-  for (const auto& [name, text] : run.drawn)
-    drawn += (drawn.empty() ? "" : ", ") + name + " " + text;
-  return drawn;
+std::string sampled_text(const MergedRun& run) {
+  std::string sampled;
+  for (const auto& [name, text] : run.sampled)
+    sampled += (sampled.empty() ? "" : ", ") + name + " " + text;
+  return sampled;
 }
 
 Rows cause_rows(const Merged& merged) {
@@ -86,12 +84,12 @@ Rows cause_rows(const Merged& merged) {
 }
 
 Rows failed_rows(const std::vector<const MergedRun*>& failed) {
-  Rows rows = {{"run", "seed", "cause", "drawn"}};
+  Rows rows = {{"run", "seed", "cause", "sampled"}};
   for (std::size_t i = 0; i < std::min(failed.size(), kListed); ++i)
     rows.push_back({std::to_string(failed[i]->index),
                     std::to_string(failed[i]->seed),
                     {failed[i]->cause, true},
-                    drawn_text(*failed[i])});
+                    sampled_text(*failed[i])});
   return rows;
 }
 
@@ -108,12 +106,12 @@ void add_failed(report::HtmlPage& page, const Merged& merged) {
 }
 
 Rows worst_rows(const std::vector<const MergedFigure*>& figures, const Merged& merged) {
-  Rows rows = {{"figure", "value", "run", "seed", "drawn"}};
+  Rows rows = {{"figure", "value", "run", "seed", "sampled"}};
   for (const MergedFigure* figure : figures)
     for (const auto& [index, value] : figure->worst) {
       const MergedRun& run = merged.run(index);
       rows.push_back({figure->name, number(value), std::to_string(index), std::to_string(run.seed),
-                      drawn_text(run)});
+                      sampled_text(run)});
     }
   return rows;
 }
@@ -138,7 +136,7 @@ Rows group_rows(const Merged& merged, const std::vector<const MergedFigure*>& fi
 }
 
 Rows correlation_rows(const std::vector<const MergedFigure*>& figures) {
-  Rows rows = {{"drawn", "figure", "rank correlation"}};
+  Rows rows = {{"sampled", "figure", "rank correlation"}};
   for (const MergedFigure* figure : figures)
     for (const auto& [name, value] : figure->correlations)
       rows.push_back({name, figure->name, number(value)});
@@ -146,13 +144,13 @@ Rows correlation_rows(const std::vector<const MergedFigure*>& figures) {
 }
 
 Rows refused_rows(const Merged& merged) {
-  Rows rows = {{"run", "seed", "why", "drawn"}};
+  Rows rows = {{"run", "seed", "why", "sampled"}};
   for (const MergedRun& run : merged.runs)
     if (!run.refused.empty() && rows.size() <= kListed)
       rows.push_back({std::to_string(run.index),
                       std::to_string(run.seed),
                       {run.refused, true},
-                      drawn_text(run)});
+                      sampled_text(run)});
   return rows;
 }
 
@@ -197,7 +195,7 @@ std::string merge_page(const Merged& merged, const std::string& spec_text) {
   }
   if (const Rows rows = correlation_rows(figures); rows.size() > 1) {
     page.heading("What goes with what");
-    page.table(rows, "Spearman's rank correlation of drawn numbers and figures");
+    page.table(rows, "Spearman's rank correlation of sampled numbers and figures");
   }
   page.heading("Worst completed runs");
   page.table(
@@ -207,7 +205,7 @@ std::string merge_page(const Merged& merged, const std::string& spec_text) {
           : "The largest values of each figure; worse than these are the failed runs, above");
   if (const Rows rows = refused_rows(merged); rows.size() > 1) {
     page.heading("Refused");
-    page.table(rows, "Runs whose drawn values no robot or configuration can have");
+    page.table(rows, "Runs whose sampled values no robot or configuration can have");
   }
   page.folded("spec.toml", spec_text);
   return page.text();

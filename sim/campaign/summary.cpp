@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/distributions.h"
-#include "core/spread.h"
+#include "core/statistics.h"
 
 namespace tp100::sim {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-// What many runs say of one figure.
+// Statistics of one figure over many runs.
 
 #include <cstddef>
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace tp100::sim {
 
-/// Bounds within which the true value lies in 95 of 100 campaigns; none: too few runs to say.
+/// Bounds that contain the true value in 95 of 100 campaigns; none: too few runs.
 using Interval = std::optional<std::pair<double, double>>;
 
 struct Percentile {
@@ -31,7 +31,7 @@ Summary summarise(std::vector<double> values);
 /// Share of successes, `of` at least 1; Clopper and Pearson.
 std::pair<double, double> share_interval(std::size_t successes, std::size_t of);
 
-/// Spearman's rank correlation; none: fewer than three pairs, or one of both never changes.
+/// Spearman's rank correlation; none: fewer than three pairs, or one of the two never changes.
 std::optional<double> rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace tp100::sim

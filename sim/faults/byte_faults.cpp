@@ -10,7 +10,7 @@
 namespace tp100::sim {
 namespace {
 
-// What is left of a truncated frame.
+// Bytes left of a truncated frame.
 constexpr std::size_t kStump = 8;
 constexpr std::string_view kChatterText = "AT\r\nATE0Q0V1\r\n~~ Mega 2560 ready ~~\r\n";
 
@@ -53,7 +53,7 @@ void ByteFaults::carry(TimedByte byte) {
     const FaultKind kind = planned.fault.kind;
     at_ns = late(planned, at_ns);
     if (!planned.fault.active(byte.at_ns)) continue;
-    lost = !damage(planned, byte) || lost;
+    lost = !corruption(planned, byte) || lost;
     if (kind == FaultKind::kDuplicate && random_share() < planned.fault.number) ++copies;
     if (kind == FaultKind::kInsert && random_share() < planned.fault.number)
       put({at_ns, random_byte()});
@@ -62,7 +62,7 @@ void ByteFaults::carry(TimedByte byte) {
   if (ends) in_frame_ = 0;
 }
 
-bool ByteFaults::damage(Planned& planned, TimedByte& byte) {
+bool ByteFaults::corruption(Planned& planned, TimedByte& byte) {
   switch (planned.fault.kind) {
     case FaultKind::kFlip:
       if (random_share() < planned.fault.number)

@@ -1,5 +1,5 @@
 #pragma once
-// One direction of a cable that damages, delays and loses bytes.
+// One direction of a cable that corrupts, delays and loses bytes.
 
 #include <cstdint>
 #include <deque>
@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "sim/board/board.h"
-#include "sim/faults/planned_fault.h"
+#include "sim/faults/fault.h"
 
 namespace tp100::sim {
 
 class ByteFaults {
  public:
-  /// `spacing_ns`: bytes reach the far end no closer than this; 0: in heaps. Same seed, same
+  /// `spacing_ns`: least interval between bytes at the far end; 0: in bursts. Same seed, same
   /// faults.
   ByteFaults(const std::vector<PlannedFault>& faults, std::int64_t spacing_ns, std::uint64_t seed);
 
@@ -26,14 +26,14 @@ class ByteFaults {
  private:
   struct Planned {
     PlannedFault fault;
-    std::int64_t next_ns;  ///< when it says something by itself
+    std::int64_t next_ns;  ///< when it next sends something by itself
     bool hits_frame = false;
   };
 
   void carry(TimedByte byte);
   void speak(std::int64_t until_ns);
   /// False: the byte is lost.
-  bool damage(Planned& planned, TimedByte& byte);
+  bool corruption(Planned& planned, TimedByte& byte);
   std::int64_t late(const Planned& planned, std::int64_t at_ns) const;
   void put(TimedByte byte);
   double random_share();

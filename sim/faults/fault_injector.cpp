@@ -48,11 +48,11 @@ void FaultInjector::begin(std::int64_t now_ns) {
 }
 
 std::vector<TimedByte> FaultInjector::pass(std::span<const TimedByte> bytes, std::int64_t until_ns,
-                                           FrameFaults& frames, ByteFaults& damage) const {
+                                           FrameFaults& frames, ByteFaults& corruption) const {
   std::vector<TimedByte> moved(bytes.begin(), bytes.end());
   if (!begin_ns_) return moved;
   for (TimedByte& byte : moved) byte.at_ns -= *begin_ns_;
-  moved = damage.pass(frames.pass(moved, until_ns - *begin_ns_), until_ns - *begin_ns_);
+  moved = corruption.pass(frames.pass(moved, until_ns - *begin_ns_), until_ns - *begin_ns_);
   for (TimedByte& byte : moved) byte.at_ns += *begin_ns_;
   return moved;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// All the faults of one emulated robot: what lies between its board and cable, encoders, IMU and
-// battery, and what happens to the board as a whole.
+// All faults of one emulated robot: those between its board and cable, encoders, IMU and battery,
+// and those of the board as a whole.
 
 #include <cstdint>
 #include <optional>
@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "sim/faults/byte_faults.h"
+#include "sim/faults/fault.h"
 #include "sim/faults/frame_faults.h"
-#include "sim/faults/planned_fault.h"
 #include "sim/faults/sensor_faults.h"
 
 namespace tp100::sim {
 
 class FaultInjector {
  public:
-  /// Same faults and seed, same damage. `byte_ns`: of the cable.
+  /// Same faults and seed, same corruption. `byte_ns`: of the cable.
   FaultInjector(const std::vector<PlannedFault>& faults, std::int64_t byte_ns, std::uint64_t seed);
 
-  /// The port is open: the faults' times count from here. Once only.
+  /// The port is open: the faults' times count from here. Call once only.
   void begin(std::int64_t now_ns);
 
   /// Bytes that reach the far end by `until_ns`.
@@ -27,11 +27,11 @@ class FaultInjector {
   std::vector<TimedByte> to_host(std::span<const TimedByte> bytes, std::int64_t until_ns);
   /// Edges that reach the pins in the quantum from `from_ns`.
   void edges(std::vector<Edge>& edges, std::int64_t from_ns);
-  /// What the divider shows instead of `volts`.
+  /// Voltage at the divider instead of `volts`.
   double battery(double volts, std::int64_t now_ns) const;
-  /// Whether a fault that lasts is there now.
+  /// True if a lasting fault is active now.
   bool active(FaultKind kind, std::int64_t now_ns) const;
-  /// The number of a fault of this kind that happens now; once for each time it happens.
+  /// The number of a fault of this kind that occurs now; once per occurrence.
   std::optional<double> take(FaultKind kind, std::int64_t now_ns);
 
  private:
@@ -41,7 +41,7 @@ class FaultInjector {
   };
   /// `bytes` through `faults`, in times since the beginning.
   std::vector<TimedByte> pass(std::span<const TimedByte> bytes, std::int64_t until_ns,
-                              FrameFaults& frames, ByteFaults& damage) const;
+                              FrameFaults& frames, ByteFaults& corruption) const;
 
   std::vector<Planned> faults_;
   FrameFaults frames_to_robot_, frames_to_host_;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/board/board.h"
-#include "sim/faults/planned_fault.h"
+#include "sim/faults/fault.h"
 #include "wire/frame.h"
 
 namespace tp100::sim {
@@ -17,9 +17,9 @@ class FrameFaults {
  public:
   explicit FrameFaults(const std::vector<PlannedFault>& faults);
 
-  /// `bytes`, ascending, leave the near end; times of all are since the port was opened. Returns
-  /// what goes on to the far end by `until_ns`: whole frames, each when its end has passed, and
-  /// what was no frame as it was. Without faults nothing is held back.
+  /// `bytes`, ascending, leave the near end; all times are since the port was opened. Returns the
+  /// bytes that reach the far end by `until_ns`: whole frames, each when its end has passed, and
+  /// bytes outside frames unchanged. Without faults nothing is held back.
   std::vector<TimedByte> pass(std::span<const TimedByte> bytes, std::int64_t until_ns);
 
  private:
@@ -34,7 +34,7 @@ class FrameFaults {
   };
 
   void finish(wire::Received received, std::vector<TimedByte>& out);
-  /// The payload as it is from now on.
+  /// Changes the payload of the current frame.
   void edit(Planned& planned, std::uint8_t type, std::vector<std::uint8_t>& payload);
   static std::vector<TimedByte> coded(std::uint8_t type, std::span<const std::uint8_t> payload,
                                       std::int64_t at_ns);

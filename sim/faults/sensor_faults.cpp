@@ -88,7 +88,7 @@ void EncoderFaults::lose(std::vector<Edge>& edges, std::int64_t shift_ns, Planne
 
 void EncoderFaults::jump(std::vector<Edge>& edges, std::int64_t from_ns, std::uint8_t first_channel,
                          int& cycles) {
-  // Before the first edge of the belt itself; whole cycles leave the phases as they were.
+  // Before the first edge of the track itself; whole cycles leave the phases as they were.
   const auto first = std::find_if(edges.begin(), edges.end(), [&](const Edge& edge) {
     return edge.channel / 2 == first_channel / 2;
   });

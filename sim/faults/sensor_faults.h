@@ -1,14 +1,14 @@
 #pragma once
-// Encoders and IMU that do not tell what happens.
+// Faults of encoders and IMU.
 
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "sim/faults/planned_fault.h"
-#include "sim/sensors/edge.h"
-#include "sim/sensors/i2c_slave.h"
+#include "sim/faults/fault.h"
+#include "sim/sensors/mpu6050.h"
+#include "sim/sensors/quadrature_encoder.h"
 
 namespace tp100::sim {
 
@@ -24,15 +24,15 @@ class EncoderFaults {
   void jump(std::vector<Edge>& edges, std::int64_t from_ns, std::uint8_t first_channel,
             int& cycles);
 
-  /// What the counter of one side gets instead of its encoder's phases, once edges were lost.
+  /// Replaces the phases of one side's encoder at the counter, once edges were lost.
   struct Slipping {
     bool began = false;
-    double kept = 0.0;  ///< of an edge that is still to be passed on, signed
+    double kept = 0.0;  ///< part of an edge that is still to be passed on, signed
     std::array<bool, 2> levels{};
   };
   struct Planned {
     PlannedFault fault;
-    std::array<int, 2> cycles;  ///< of the two phases that are still to be made up, signed
+    std::array<int, 2> cycles;  ///< phases still to be generated, signed
     std::array<Slipping, 2> slipping{};
   };
   void lose(std::vector<Edge>& edges, std::int64_t shift_ns, Planned& planned) const;

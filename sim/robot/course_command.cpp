@@ -1,24 +1,21 @@
-#include "sim/robot/course_command.h"
-
 #include <cstdio>
 #include <optional>
 
 #include "core/error.h"
 #include "identify/drive_file.h"
-#include "identify/drive_sink.h"
 #include "report/metrics.h"
-#include "report/poses_csv.h"
-#include "report/result_json.h"
-#include "report/result_table.h"
+#include "report/result_text.h"
+#include "report/run_result.h"
+#include "sim/robot/commands.h"
 #include "sim/robot/lockstep.h"
-#include "sim/robot/run_recorder.h"
+#include "sim/robot/lockstep_recorder.h"
 #include "text/atomic_file.h"
 
 namespace tp100::sim {
 namespace {
 
 void write_results(const std::string& folder, const report::RunResult& result,
-                   const std::string& json, const identify::Drive& drive) {
+                   const std::string& json, const identify::RecordedDrive& drive) {
   text::make_folder(folder);
   const std::string stem =
       folder + "/" + result.course + "-" + result.robot + "-" + std::to_string(result.seed);
@@ -44,7 +41,7 @@ int run_course(const CourseCommand& command) {
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);
-    std::optional<RunRecorder> recorder;
+    std::optional<LockstepRecorder> recorder;
     if (!command.record.empty()) recorder.emplace(command.record, loaded, seed);
     identify::DriveSink drive;
     messages::SinkList sinks;

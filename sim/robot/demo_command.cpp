@@ -1,11 +1,16 @@
-#include "sim/robot/demo_command.h"
-
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/types.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -15,18 +20,84 @@
 
 #include "core/error.h"
 #include "core/faults.h"
-#include "sim/robot/child.h"
-#include "sim/robot/course_command.h"
+#include "sim/robot/commands.h"
 
 namespace tp100::sim {
 namespace {
+
+/// A program that runs beside this one. Terminated and waited for when it goes out of scope.
+class Child {
+ public:
+  /// Starts arguments[0]. `quiet`: its standard output goes nowhere. Throws SetupError.
+  Child(const std::vector<std::string>& arguments, bool quiet);
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Waits for the end; returns the exit status, 128 + signal if it was killed.
+  int wait();
+  /// Asks it to end (SIGTERM), and waits.
+  void stop();
+  /// True while it runs.
+  bool running();
+
+ private:
+  pid_t pid_ = -1;
+  int status_ = 0;
+};
+
+int exit_status(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+Child::Child(const std::vector<std::string>& arguments, bool quiet) {
+  std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (quiet) {
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  }
+  const int error = posix_spawn(&pid_, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    pid_ = -1;
+    throw SetupError(arguments[0] + ": cannot start: " + std::strerror(error));
+  }
+}
+
+Child::~Child() { stop(); }
+
+void Child::stop() {
+  if (!running()) return;
+  kill(pid_, SIGTERM);
+  wait();
+}
+
+bool Child::running() {
+  if (pid_ < 0) return false;
+  if (waitpid(pid_, &status_, WNOHANG) == 0) return true;
+  pid_ = -1;
+  return false;
+}
+
+int Child::wait() {
+  if (pid_ >= 0) {
+    while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = -1;
+  }
+  return exit_status(status_);
+}
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 /// Programs with a processor of their own do not wait for it this long.
 constexpr double kPauseMs = 20.0;
-constexpr int kMostAgain = 3;
+constexpr int kMaxAgain = 3;
 
 /// A folder of its own, removed at the end.
 class TemporaryFolder {
@@ -58,7 +129,7 @@ void wait_for(const fs::path& link, Child& robot) {
   throw SetupError("tp100-sim robot did not come up within 5 s; run it by hand to see why");
 }
 
-/// What a program wrote about its run; no object if nothing is there yet.
+/// Figures that a program wrote about its run; no object if there is no file yet.
 nlohmann::json figures_of(const fs::path& stats) {
   std::ifstream file(stats);
   return nlohmann::json::parse(file, nullptr, false);
@@ -77,7 +148,7 @@ std::string page_of(const fs::path& stats, Child& daemon) {
 struct LiveRun {
   int status = 0;         ///< the daemon's
   double pause_ms = 0.0;  ///< longest time for which a program of it waited for a processor
-  bool in_time = true;    ///< no fault says that samples or commands came late
+  bool in_time = true;    ///< no fault about late samples or commands
 };
 
 /// A machine that stood still ended it: nothing else does with an emulated robot.
@@ -93,7 +164,7 @@ LiveRun judged(int status, const nlohmann::json& daemon, const nlohmann::json& r
   run.pause_ms = std::max(run.pause_ms, late_us * 1e-3);
   const auto faults = daemon.value("faults", std::vector<std::string>());
   for (const std::string& fault : faults) {
-    // Whoever stops a robot does not want it to drive on.
+    // After a stop by the user the robot must not drive on.
     if (fault == describe(Fault::stop_requested).name) return {.status = status};
     for (const Fault late : {Fault::command_timeout, Fault::samples_stale, Fault::link_lost})
       run.in_time = run.in_time && fault != describe(late).name;
@@ -110,7 +181,7 @@ LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::s
                std::to_string(command.options.seed), "--stats", robot_stats.string()},
               command.headless);
   wait_for(link, robot);
-  // Without --go the daemon waits for somebody after a broken link.
+  // Without --go the daemon waits for the user after a broken link.
   Child bridge({(programs / "tp100d").string(), "run", "--port", link, "--course", command.course,
                 "--robot", robot_name, "--stats", stats.string(), "--go"},
                command.headless);
@@ -137,7 +208,7 @@ int run_demo(const DemoCommand& command) {
               loaded.robot.name.c_str(), course.name.c_str());
   std::fflush(stdout);
   LiveRun live = drive(command, programs, robot_name);
-  for (int again = 0; paused(live) && again < kMostAgain; ++again) {
+  for (int again = 0; paused(live) && again < kMaxAgain; ++again) {
     std::printf("demo: the machine stood still for %.0f ms, which ended the run; drives again\n",
                 live.pause_ms);
     std::fflush(stdout);
@@ -155,7 +226,7 @@ int run_demo(const DemoCommand& command) {
     std::printf(
         "demo: the live run failed %d times because the machine stood still, at last for "
         "%.0f ms; end other programs and start it again\n",
-        kMostAgain + 1, live.pause_ms);
+        kMaxAgain + 1, live.pause_ms);
   }
   return live.status == 0 && scored_status == 0 ? 0 : 1;
 }

@@ -28,9 +28,9 @@ constexpr std::uint32_t kTickUs = 1024;
 constexpr std::uint64_t kLeftEncoder = 11;
 constexpr std::uint64_t kRightEncoder = 12;
 
-// Where the belts came to rest after the last run.
-double belt_rest_m(const course::EmulatedBody& body, std::uint64_t random) {
-  const double length_m = 2.0 * (body.axle_spacing_m + kPi * body.belt_radius_m);
+// Position of the tracks after the last run.
+double track_phase_m(const course::EmulatedBody& body, std::uint64_t random) {
+  const double length_m = 2.0 * (body.axle_spacing_m + kPi * body.wheel_radius_m);
   return length_m * static_cast<double>(random >> 11) * 0x1p-53;
 }
 
@@ -82,6 +82,22 @@ std::unique_ptr<Board> make_board(const EmulatedRobotSettings& settings, I2cSlav
 
 }  // namespace
 
+void UartLine::send(std::span<const std::uint8_t> bytes, std::int64_t now_ns) {
+  for (const std::uint8_t value : bytes) {
+    free_ns_ = std::max(free_ns_, now_ns) + byte_ns_;
+    bytes_.push_back({free_ns_, value});
+  }
+}
+
+const std::vector<TimedByte>& UartLine::take(std::int64_t until_ns) {
+  taken_.clear();
+  while (!bytes_.empty() && bytes_.front().at_ns <= until_ns) {
+    taken_.push_back(bytes_.front());
+    bytes_.pop_front();
+  }
+  return taken_;
+}
+
 const char* to_string(BoardKind board) {
   switch (board) {
     case BoardKind::kNative:
@@ -104,8 +120,8 @@ EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
       bus_(imu_),
       board_(make_board(settings, bus_)),
       to_board_(settings.baud) {
-  body_.turn_belts(belt_rest_m(settings.values.body, stream(settings.seed, 4)),
-                   belt_rest_m(settings.values.body, stream(settings.seed, 5)));
+  body_.turn_tracks(track_phase_m(settings.values.body, stream(settings.seed, 4)),
+                    track_phase_m(settings.values.body, stream(settings.seed, 5)));
 }
 
 EmulatedRobot::~EmulatedRobot() = default;
@@ -119,8 +135,8 @@ void EmulatedRobot::receive(std::span<const std::uint8_t> bytes, std::int64_t no
   to_board_.send(bytes, now_ns);
 }
 
-void EmulatedRobot::shove(double sideways_m, double yaw_rad, double duration_s) {
-  body_.shove(sideways_m, yaw_rad, duration_s);
+void EmulatedRobot::disturbance(double sideways_m, double yaw_rad, double duration_s) {
+  body_.disturbance(sideways_m, yaw_rad, duration_s);
 }
 
 void EmulatedRobot::inject() {
@@ -135,21 +151,21 @@ void EmulatedRobot::inject() {
 std::vector<TimedByte> EmulatedRobot::advance() {
   constexpr double kStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
   const std::int64_t until_ns = now_ns_ + kPhysicsStepNs;
-  const Drive drive = board_->drive();
+  const MotorDuty drive = board_->drive();
   const double volts = battery_.volts();
   const Clock::time_point physics = Clock::now();
   left_motor_.step(drive.left, volts, body_.state().left_load_n);
   right_motor_.step(drive.right, volts, body_.state().right_load_n);
   battery_.step(std::abs(left_motor_.force_n()) + std::abs(right_motor_.force_n()));
-  body_.step(left_motor_.belt_mps(), right_motor_.belt_mps());
+  body_.step(left_motor_.track_mps(), right_motor_.track_mps());
   spent_.physics += Clock::now() - physics;
   inject();
   imu_.measure(body_.state(), now_ns_);
 
   edges_.clear();
-  left_encoder_.move(left_motor_.belt_mps() * kStepS, now_ns_, until_ns, edges_);
+  left_encoder_.move(left_motor_.track_mps() * kStepS, now_ns_, until_ns, edges_);
   const auto left_edges = static_cast<std::ptrdiff_t>(edges_.size());
-  right_encoder_.move(right_motor_.belt_mps() * kStepS, now_ns_, until_ns, edges_);
+  right_encoder_.move(right_motor_.track_mps() * kStepS, now_ns_, until_ns, edges_);
   std::inplace_merge(edges_.begin(), edges_.begin() + left_edges, edges_.end(),
                      [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
 
@@ -162,6 +178,20 @@ std::vector<TimedByte> EmulatedRobot::advance() {
   spent_.board += Clock::now() - board;
   now_ns_ = until_ns;
   return faults_.to_host(board_->take_sent(), until_ns);
+}
+
+const course::Disturbance* DisturbanceInjector::update(EmulatedRobot& robot) {
+  if (next_ >= disturbances_.size()) return nullptr;
+  const Pose& pose = robot.truth().pose;
+  // The disturbance's own motion is not part of the distance.
+  if (started_ && !robot.disturbed()) driven_m_ += std::hypot(pose.x_m - x_m_, pose.y_m - y_m_);
+  started_ = true;
+  x_m_ = pose.x_m;
+  y_m_ = pose.y_m;
+  if (driven_m_ < disturbances_[next_].at_m || robot.disturbed()) return nullptr;
+  const course::Disturbance& disturbance = disturbances_[next_++];
+  robot.disturbance(disturbance.sideways_m, disturbance.yaw_rad, disturbance.duration_s);
+  return &disturbance;
 }
 
 }  // namespace tp100::sim

@@ -2,47 +2,72 @@
 // The whole emulated TP100 in virtual time: body, motors, encoders, IMU, battery and board.
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "course/course.h"
 #include "course/robot.h"
 #include "course/terrain.h"
 #include "sim/board/board.h"
 #include "sim/body/body.h"
 #include "sim/faults/fault_injector.h"
-#include "sim/sensors/battery.h"
-#include "sim/sensors/motor.h"
+#include "sim/sensors/drive_train.h"
 #include "sim/sensors/mpu6050.h"
 #include "sim/sensors/quadrature_encoder.h"
-#include "sim/wire/uart_line.h"
 
 namespace tp100::sim {
 
-/// What runs the firmware.
+/// One direction of a serial cable: bytes leave one after the other, each taking a byte time, at
+/// 8N1 ten bit times.
+class UartLine {
+ public:
+  explicit UartLine(std::uint32_t baud) : byte_ns_(10'000'000'000LL / baud) {}
+
+  /// `bytes` are handed to the sending UART at `now_ns`.
+  void send(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
+  /// The bytes whose stop bits end at or before `until_ns`, in order.
+  const std::vector<TimedByte>& take(std::int64_t until_ns);
+  /// Number of bytes in transmission.
+  std::size_t pending() const { return bytes_.size(); }
+  /// The cable is cut: bytes in transmission are lost.
+  void clear() { bytes_.clear(); }
+
+ private:
+  std::int64_t byte_ns_;
+  std::int64_t free_ns_ = 0;
+  std::deque<TimedByte> bytes_;
+  std::vector<TimedByte> taken_;
+};
+
+/// Where the firmware runs.
 enum class BoardKind { kNative, kAvr };
 
 /// As on the command line and in results.
 const char* to_string(BoardKind board);
 
-/// One emulated robot. A seed is the noise of one robot; another robot is another `values`.
+/// Settings of one emulated robot. A seed is the noise of one robot; another robot has other
+/// `values`.
 struct EmulatedRobotSettings {
   course::Emulated values{};
   Pose start{};
-  bool on_stand = false;      ///< belts spin free
-  course::Terrain terrain{};  ///< what really stands and lies on its floor
+  bool on_stand = false;      ///< tracks spin free
+  course::Terrain terrain{};  ///< obstacles and surfaces really on its floor
   std::uint64_t seed = 1;
   BoardKind board = BoardKind::kNative;
-  bool bootloader = false;  ///< the avr board starts as on a desk, silent for a second
+  bool bootloader = false;  ///< the avr board starts with its bootloader, silent for a second
   bool blank = false;       ///< the avr board waits for its first firmware
   std::uint32_t baud = 500000;
   std::uint32_t start_us = 0;          ///< device clock at each boot, in steps of 1024
-  std::vector<PlannedFault> faults{};  ///< of the list in sim/faults/fault_kind.h
+  std::vector<PlannedFault> faults{};  ///< of the list in sim/faults/fault.h
 };
 
-/// What the parts that somebody else wrote took of this machine's time.
+/// Time of this machine spent in third-party parts.
 struct SpentTime {
   std::chrono::nanoseconds physics{0};  ///< motors and body
   std::chrono::nanoseconds board{0};    ///< firmware, or the chip that runs it
@@ -58,25 +83,25 @@ class EmulatedRobot {
   void reset(PowerUp cause);
   /// The host opens the port for the first time: times of faults count from here.
   void opened() { faults_.begin(now_ns_); }
-  /// What whoever holds the cable has to do itself: the number of a fault of this kind that happens
-  /// now, once for each time it happens.
+  /// Faults that the holder of the cable must apply: the number of a fault of this kind that occurs
+  /// now; once per occurrence.
   std::optional<double> take_fault(FaultKind kind) { return faults_.take(kind, now_ns_); }
   /// Bytes that the host's UART takes at `now_ns`; they arrive at byte times.
   void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
   /// Advances one physics step and returns the bytes that the robot sent in it.
   std::vector<TimedByte> advance();
-  /// Someone pushes the robot.
-  void shove(double sideways_m, double yaw_rad, double duration_s);
-  bool shoving() const { return body_.shoving(); }
+  /// Pushes the robot.
+  void disturbance(double sideways_m, double yaw_rad, double duration_s);
+  bool disturbed() const { return body_.disturbed(); }
 
   std::int64_t now_ns() const { return now_ns_; }
   const BodyState& truth() const { return body_.state(); }
-  Drive drive() const { return board_->drive(); }
+  MotorDuty drive() const { return board_->drive(); }
   double battery_v() const { return battery_.volts(); }
   const SpentTime& spent() const { return spent_; }
 
  private:
-  /// What happens to sensors and board as a whole now.
+  /// Applies the faults of sensors and board that are due now.
   void inject();
 
   Body body_;
@@ -91,6 +116,24 @@ class EmulatedRobot {
   std::vector<Edge> edges_;
   std::int64_t now_ns_ = 0;
   SpentTime spent_;
+};
+
+/// Applies a course's disturbances to the robot, at their positions along the path.
+/// Measures the distance really driven and pushes the robot where the course requires it.
+class DisturbanceInjector {
+ public:
+  explicit DisturbanceInjector(std::vector<course::Disturbance> disturbances)
+      : disturbances_(std::move(disturbances)) {}
+
+  /// Call after each physics step. Returns the disturbance that begins now, or null.
+  const course::Disturbance* update(EmulatedRobot& robot);
+
+ private:
+  std::vector<course::Disturbance> disturbances_;
+  std::size_t next_ = 0;
+  bool started_ = false;
+  double x_m_ = 0.0, y_m_ = 0.0;
+  double driven_m_ = 0.0;
 };
 
 }  // namespace tp100::sim

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "bridge/cycle.h"
-#include "bridge/grounds.h"
-#include "bridge/outer_world.h"
+#include "bridge/external_world.h"
+#include "bridge/terrain_contacts.h"
 #include "core/error.h"
 #include "core/faults.h"
+#include "sim/robot/emulated_robot.h"
 #include "sim/robot/options.h"
-#include "sim/robot/pusher.h"
 #include "sim/robot/world_client.h"
 #include "sim/sensors/overhead_camera.h"
 #include "terrain/climbable.h"
@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kEndToleranceM = 0.15;
 // The robot stands still this long before the host opens the port.
 constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
-constexpr double kRestS = 0.5;
+constexpr double kStandstillS = 0.5;
 constexpr std::int64_t kOldestTruthNs = 200 * kNsPerMs;
 
 /// Truth of the last steps, to pair an estimate with the instant that it belongs to.
@@ -67,7 +67,7 @@ class Lockstep {
   /// One run, from its start to half a second after its end.
   report::RunResult run();
   /// Held until `from_opening_s` have passed since open(), and then taken back to the start.
-  void rest_until(double from_opening_s);
+  void stand_still_until(double from_opening_s);
 
  private:
   void turn();
@@ -84,9 +84,9 @@ class Lockstep {
   Pose truth_at(std::int64_t at_ns) const { return put_back_.of(truth_.find(at_ns)); }
   Pose truth_now() const { return put_back_.of(robot_.truth().pose); }
   /// Of the virtual robot against the real one.
-  Pose in_world(const Pose& real) const;
+  Pose in_world(const Pose& real) const { return behind_.of(real); }
   bool plugged() const { return robot_.now_ns() >= plugged_ns_; }
-  bool bench() const { return settings_.setup == bridge::Setup::kBench; }
+  bool stand() const { return settings_.setup == bridge::Setup::kStand; }
 
   LockstepSettings settings_;
   bridge::Parameters parameters_;
@@ -99,16 +99,16 @@ class Lockstep {
   StepRecord record_{};
   std::vector<std::uint8_t> arriving_;
   std::int64_t plugged_ns_ = 0;     ///< until then the port is away
-  std::int64_t host_awake_ns_ = 0;  ///< until then the host stands still
+  std::int64_t host_awake_ns_ = 0;  ///< the host is stalled until then
   report::RunResult result_{};
   std::int64_t period_ns_;
-  bridge::Shift behind_{};
-  bridge::Shift put_back_{};  ///< from where the robot stands to the start of the course
+  Transform2d behind_{};
+  Transform2d put_back_{};  ///< from where the robot stands to the start of the course
   std::int64_t opened_ns_ = 0;
   std::int64_t next_step_ns_ = 0;
   std::int64_t begin_ns_ = -1;
   std::int64_t last_recorded_us_ = -1;
-  Pusher pusher_;
+  DisturbanceInjector disturbance_injector_;
   std::uint64_t steps_ = 0;
   std::chrono::nanoseconds step_time_{0};
   std::chrono::nanoseconds longest_step_{0};
@@ -136,7 +136,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
              std::make_shared<const course::Course>(settings.course)),
       robot_({.values = settings.robot.emulated,
               .start = settings.course.start,
-              .on_stand = settings.setup == bridge::Setup::kBench,
+              .on_stand = settings.setup == bridge::Setup::kStand,
               .terrain = bridge::floor_of(settings.course.terrain, settings.setup),
               .seed = settings.seed,
               .board = settings.board,
@@ -144,12 +144,12 @@ Lockstep::Lockstep(const LockstepSettings& settings)
               .faults = settings.faults}),
       period_ns_(static_cast<std::int64_t>(std::lround(1e3 / settings.configuration.loop.rate_hz)) *
                  kNsPerMs),
-      pusher_(settings.course.shoves) {
+      disturbance_injector_(settings.course.disturbances) {
   terrain::require_climbable(settings.course, settings.robot);
   if (period_ns_ < kPhysicsStepNs) period_ns_ = kPhysicsStepNs;
   if (settings.camera) {
-    if (bench())
-      throw SetupError("--camera: on a bench it would see a robot that stands still; leave it out");
+    if (stand())
+      throw SetupError("--camera: on a stand it would see a robot that stands still; leave it out");
     const course::Fence& fence = settings.course.fence;
     camera_.emplace(*settings.camera, (fence.min_x_m + fence.max_x_m) / 2.0,
                     (fence.min_y_m + fence.max_y_m) / 2.0, settings.seed);
@@ -175,7 +175,7 @@ void Lockstep::advance_robot() {
     arriving_.push_back(byte.value);
     // The live loop wakes up for bytes; a frame's end is what its time stamp belongs to.
     if (byte.value == wire::kDelimiter) {
-      cycle_.receive(arriving_, byte.at_ns);
+      cycle_.session().receive(arriving_, byte.at_ns);
       arriving_.clear();
     }
   }
@@ -193,48 +193,44 @@ void Lockstep::cable() {
   if (plugged_ns_ > 0 && plugged()) {
     plugged_ns_ = 0;
     robot_.reset(PowerUp::kExternal);
-    cycle_.open(robot_.now_ns());
+    cycle_.session().open(robot_.now_ns());
   }
   if (const std::optional<double> away_s = robot_.take_fault(FaultKind::kUnplug)) {
     plugged_ns_ = robot_.now_ns() + from_s(*away_s);
     arriving_.clear();
-    cycle_.close(robot_.now_ns());
+    cycle_.session().close(robot_.now_ns());
   }
   if (const std::optional<double> stall_ms = robot_.take_fault(FaultKind::kHostStall))
     host_awake_ns_ = robot_.now_ns() + from_s(*stall_ms * 1e-3);
 }
 
 void Lockstep::push() {
-  const course::Shove* shove = pusher_.update(robot_);
-  if (shove == nullptr) return;
+  const course::Disturbance* disturbance = disturbance_injector_.update(robot_);
+  if (disturbance == nullptr) return;
   const double now_s = to_s(robot_.now_ns() - begin_ns_);
-  result_.shoves.push_back({now_s, now_s + shove->duration_s});
-  if (settings_.sink != nullptr) settings_.sink->take_push(robot_.now_ns());
+  result_.disturbances.push_back({now_s, now_s + disturbance->duration_s});
+  if (settings_.sink != nullptr) settings_.sink->take_disturbance(robot_.now_ns());
 }
-
-Pose Lockstep::in_world(const Pose& real) const { return behind_.of(real); }
 
 void Lockstep::record(const Snapshot& snapshot) {
   if (!snapshot.has_sample || snapshot.sample.device_us == last_recorded_us_) return;
   const std::int64_t measured_ns = snapshot.sample.measured_ns;
   if (measured_ns < begin_ns_ || measured_ns > robot_.now_ns()) return;
   last_recorded_us_ = snapshot.sample.device_us;
-  const Pose steering = parameters_.steering == bridge::Steering::kModel   ? snapshot.model
-                        : parameters_.steering == bridge::Steering::kFused ? snapshot.fused.pose
-                                                                           : snapshot.odometry;
-  const Pose truth = bench() ? steering : truth_at(measured_ns);
-  behind_ = bridge::Shift::between(steering, snapshot.world);
+  const Pose& steering = snapshot.estimates[parameters_.steering].pose;
+  const Pose truth = stand() ? steering : truth_at(measured_ns);
+  behind_ = Transform2d::between(steering, snapshot.world);
   result_.points.push_back({.t_s = to_s(measured_ns - begin_ns_),
                             .truth = truth,
                             .world = in_world(truth),
-                            .model = snapshot.model,
-                            .odometry = snapshot.odometry,
-                            .fused = snapshot.fused.pose,
+                            .model = snapshot.estimates[PoseSource::kModel].pose,
+                            .odometry = snapshot.estimates[PoseSource::kOdometry].pose,
+                            .fused = snapshot.estimates[PoseSource::kFused].pose,
                             .progress_m = snapshot.progress_m,
                             .recovering = snapshot.recovering,
                             .imu_pitch_rad = snapshot.imu_pitch_rad,
                             .slope = snapshot.imu_slope,
-                            .leans_on = snapshot.imu_obstacle});
+                            .obstacle_class = snapshot.imu_obstacle});
 }
 
 void Lockstep::publish() {
@@ -242,12 +238,12 @@ void Lockstep::publish() {
   cycle_.record(record_);
   if (world_) {
     world_->exchange(record_, robot_.now_ns(),
-                     [this](const WorldSample& said) { cycle_.world(said); });
+                     [this](const WorldSample& received) { cycle_.world(received); });
   }
   if (settings_.sink == nullptr) return;
   settings_.sink->take(record_);
-  if (bench()) return;
-  for (const Sample& sample : cycle_.samples()) {
+  if (stand()) return;
+  for (const Sample& sample : cycle_.inputs().samples) {
     const std::int64_t age_ns = robot_.now_ns() - sample.measured_ns;
     if (age_ns >= 0 && age_ns < kOldestTruthNs)
       settings_.sink->take_truth(sample.measured_ns, truth_at(sample.measured_ns));
@@ -257,7 +253,7 @@ void Lockstep::publish() {
 void Lockstep::step_host() {
   const std::int64_t now = robot_.now_ns();
   if (!arriving_.empty()) {
-    cycle_.receive(arriving_, now);
+    cycle_.session().receive(arriving_, now);
     arriving_.clear();
   }
   const Clock::time_point before = Clock::now();
@@ -267,10 +263,10 @@ void Lockstep::step_host() {
   longest_step_ = std::max(longest_step_, took);
   ++steps_;
   publish();
-  for (const link::SessionEvent& event : cycle_.take_events())
-    if (settings_.heard) settings_.heard(event, cycle_.session().hello());
-  if (plugged()) robot_.receive(cycle_.output(), now);
-  cycle_.written(cycle_.output().size());
+  for (const link::SessionEvent& event : cycle_.session().take_events())
+    if (settings_.on_session_event) settings_.on_session_event(event, cycle_.session().hello());
+  if (plugged()) robot_.receive(cycle_.session().output(), now);
+  cycle_.session().written(cycle_.session().output().size());
   if (out.snapshot.run_state == RunState::kRunning) {
     if (begin_ns_ < 0) begin_ns_ = now;
     record(out.snapshot);
@@ -282,7 +278,7 @@ void Lockstep::open() {
   while (robot_.now_ns() < kOpenNs) robot_.advance();
   robot_.opened();
   opened_ns_ = next_step_ns_ = robot_.now_ns();
-  cycle_.open(opened_ns_);
+  cycle_.session().open(opened_ns_);
 }
 
 void Lockstep::turn() {
@@ -295,12 +291,12 @@ void Lockstep::turn() {
   step_host();
 }
 
-void Lockstep::rest_until(double from_opening_s) {
+void Lockstep::stand_still_until(double from_opening_s) {
   cycle_.request(OperatorRequest::kHold);
   const std::int64_t until_ns =
       std::max(opened_ns_ + from_s(from_opening_s), robot_.now_ns() + period_ns_);
   while (robot_.now_ns() < until_ns) turn();
-  put_back_ = bridge::Shift::between(robot_.truth().pose, settings_.course.start);
+  put_back_ = Transform2d::between(robot_.truth().pose, settings_.course.start);
 }
 
 report::RunResult Lockstep::run() {
@@ -308,7 +304,7 @@ report::RunResult Lockstep::run() {
   const std::int64_t started_ns = robot_.now_ns();
   begin_ns_ = -1;
   result_.points.clear();
-  result_.shoves.clear();
+  result_.disturbances.clear();
   bool started = false;
   std::int64_t end_ns = 0;
   RunState state = RunState::kIdle;
@@ -325,7 +321,7 @@ report::RunResult Lockstep::run() {
     const bool over = state == RunState::kFinished || state == RunState::kAborted;
     const bool never_begins =
         begin_ns_ < 0 && to_s(robot_.now_ns() - started_ns) > settings_.begin_within_s;
-    if (end_ns == 0 && (over || never_begins)) end_ns = robot_.now_ns() + from_s(kRestS);
+    if (end_ns == 0 && (over || never_begins)) end_ns = robot_.now_ns() + from_s(kStandstillS);
   }
   judge(state, end_ns);
   count(Clock::now() - wall_begin);
@@ -333,10 +329,10 @@ report::RunResult Lockstep::run() {
 }
 
 void Lockstep::judge(RunState state, std::int64_t end_ns) {
-  result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kRestS) - begin_ns_);
+  result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kStandstillS) - begin_ns_);
   const course::PathPoint goal = path_.at(path_.pieces().size() - 1, path_.length_m());
-  const Pose end = begin_ns_ < 0 || (bench() && result_.points.empty()) ? settings_.course.start
-                   : bench() ? result_.points.back().world
+  const Pose end = begin_ns_ < 0 || (stand() && result_.points.empty()) ? settings_.course.start
+                   : stand() ? result_.points.back().world
                              : in_world(truth_now());
   const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
   result_.finished = state == RunState::kFinished;
@@ -367,7 +363,7 @@ void Lockstep::count(std::chrono::duration<double> wall) {
                                        static_cast<double>(std::max<std::uint64_t>(steps_, 1))},
                   {"max_step_us", static_cast<double>(longest_step_.count()) * 1e-3}};
   if (camera_) {
-    const Fused& fused = cycle_.outputs().snapshot.fused;
+    const FilterFigures& fused = cycle_.outputs().snapshot.filter;
     result_.camera = {.used = fused.camera_used,
                       .rejected = fused.camera_rejected,
                       .recoveries = fused.recoveries,
@@ -395,7 +391,7 @@ TwoRuns run_lockstep_twice(const LockstepSettings& settings, double again_s) {
   Lockstep lockstep(settings);
   lockstep.open();
   TwoRuns out{.first = lockstep.run()};
-  lockstep.rest_until(again_s);
+  lockstep.stand_still_until(again_s);
   out.again = lockstep.run();
   return out;
 }

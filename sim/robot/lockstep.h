@@ -24,23 +24,24 @@ struct LockstepSettings {
   config::Configuration configuration{};
   bridge::Setup setup = bridge::Setup::kFlat;
   BoardKind board = BoardKind::kNative;
-  std::optional<course::EmulatedCamera> camera{};  ///< none: nobody looks on
-  /// World at the configuration's address; else the course's own, whatever the configuration says.
+  std::optional<course::EmulatedCamera> camera{};  ///< none: no camera
+  /// World at the configuration's address; else the course's own, whatever the configuration is.
   bool external_world = false;
   std::uint64_t seed = 1;
   std::uint32_t start_us = 0;          ///< device clock at boot; near 2^32 it wraps in the run
   std::vector<PlannedFault> faults{};  ///< of the robot, its cable and the host
   std::function<void(const EmulatedRobot&)> watch{};  ///< sees the robot after every physics step
-  messages::Sink* sink = nullptr;  ///< gets every step, and the truth of each new sample's instant
-  /// Hears what the session has to tell, with the robot's hello as far as it is known.
-  std::function<void(const link::SessionEvent&, const wire::Hello&)> heard{};
-  bool host_knows_motors = true;  ///< false: a duty means nothing to the host
+  messages::Sink* sink = nullptr;  ///< receives every step, and the truth at each new sample's
+                                   ///< instant
+  /// Receives the session's events, with the robot's hello as far as it is known.
+  std::function<void(const link::SessionEvent&, const wire::Hello&)> on_session_event{};
+  bool host_knows_motors = true;  ///< false: the host does not know how duty relates to speed
   double begin_within_s = 10.0;   ///< of its start; a run that never begins is a failure
 };
 
-/// Drives the course once. A bench is no place for a camera: the robot that it sees stands still.
-/// Deterministic but for `realtime_factor` and `loop`. Throws SetupError if course and robot do not
-/// fit together.
+/// Drives the course once. On a stand no camera is used: the robot that it sees does not move.
+/// Deterministic except for `realtime_factor` and `loop`. Throws SetupError if course and robot do
+/// not fit together.
 report::RunResult run_lockstep(const LockstepSettings& settings);
 
 /// The same, and once more without restarting anything: half a second after the first run ended,

@@ -15,10 +15,10 @@ BoardKind board_kind(const std::string& name) {
 bridge::Setup setup_kind(const std::string& name) {
   if (const auto setup = bridge::setup_named(name)) return *setup;
   throw SetupError("--setup " + text::one_line(name) +
-                   ": not a set-up; use bench, flat or terrain");
+                   ": not a set-up; use stand, flat or terrain");
 }
 
-// What is said of the changed text names no line of the file.
+// Errors in the changed text name no line of the file.
 void change(course::TextFile& file, const text::NamedValues& values) {
   if (values.empty()) return;
   file.text = text::with_values(file.text, file.path, values);

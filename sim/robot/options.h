@@ -31,7 +31,8 @@ struct Loaded {
   BoardKind board = BoardKind::kNative;
   config::Configuration configuration{};
   course::Robot robot{};
-  config::RunFiles files{};  ///< what it was loaded from; the course is left to who has one
+  config::RunFiles files{};  ///< the files it was loaded from; the course is added by commands that
+                             ///< have one
   bridge::Setup setup = bridge::Setup::kFlat;
 };
 Loaded load(const Options& options);

@@ -1,34 +1,79 @@
-#include "sim/robot/robot_command.h"
-
 #include <sched.h>
 #include <sys/resource.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "bridge/grounds.h"
+#include "bridge/terrain_contacts.h"
 #include "core/angle.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/time.h"
+#include "link/camera_message.h"
+#include "link/udp.h"
 #include "loop/pacing.h"
 #include "loop/real_time.h"
-#include "sim/robot/camera_stream.h"
-#include "sim/robot/pusher.h"
-#include "sim/wire/pty.h"
+#include "sim/robot/commands.h"
+#include "sim/robot/emulated_robot.h"
+#include "sim/robot/pty.h"
+#include "sim/sensors/overhead_camera.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
 
 namespace tp100::sim {
 namespace {
+
+/// The emulated overhead camera on the network: the datagrams that tp100-camera would send.
+class CameraStream {
+ public:
+  /// Throws SetupError.
+  CameraStream(const OverheadCamera& camera, const link::UdpAddress& to, std::uint64_t seed);
+
+  /// Call once per physics step with the body's exact pose. `virtual_ns` is the camera's time,
+  /// which began at `begin_ns` of the monotonic clock. Never waits.
+  void look(const Pose& truth, std::int64_t virtual_ns, std::int64_t begin_ns,
+            std::int64_t monotonic_ns);
+
+ private:
+  OverheadCamera camera_;
+  link::UdpSender sender_;
+  link::CameraMessage message_{};
+};
+
+CameraStream::CameraStream(const OverheadCamera& camera, const link::UdpAddress& to,
+                           std::uint64_t seed)
+    : camera_(camera), sender_(to) {
+  // Two robots of one seed are two streams.
+  message_.stream =
+      static_cast<std::uint32_t>(seed * 0x9E3779B1U) ^ static_cast<std::uint32_t>(::getpid());
+  message_.clock = link::monotonic_clock_name();
+}
+
+void CameraStream::look(const Pose& truth, std::int64_t virtual_ns, std::int64_t begin_ns,
+                        std::int64_t monotonic_ns) {
+  camera_.look(truth, virtual_ns);
+  while (const auto seen = camera_.take(virtual_ns)) {
+    const std::int64_t stamp_ns = begin_ns + seen->measured_ns;
+    message_.sequence = seen->sequence;
+    message_.stamp_us = stamp_ns / kNsPerUs;
+    message_.age_us = std::max<std::int64_t>(0, (monotonic_ns - stamp_ns) / kNsPerUs);
+    message_.x_m = seen->x_m;
+    message_.y_m = seen->y_m;
+    message_.yaw_rad = seen->yaw_rad;
+    sender_.send(link::encode(message_));
+  }
+}
 
 // Behind real time by more than this (a suspended machine): go on from here instead of catching up.
 constexpr std::int64_t kGiveUpNs = 500 * kNsPerMs;
@@ -82,7 +127,7 @@ class Overloaded {
   std::int64_t used_ns_ = thread_time_ns();
 };
 
-/// Prints what the firmware says about itself, and counts its samples.
+/// Prints the firmware's log messages and counts its samples.
 class FirmwareLog {
  public:
   /// Samples that it sent since it was restarted.
@@ -114,7 +159,7 @@ class Cable {
   /// Samples that the robot sent since the port was opened.
   std::uint64_t samples() const { return log_.samples(); }
 
-  /// Takes the port away and brings it back where the robot's faults say so.
+  /// Removes and restores the port as the robot's faults require.
   void plug() {
     if (const std::optional<double> away_s = robot_.take_fault(FaultKind::kUnplug)) {
       std::printf("robot: %.6f s: unplugged for %g s\n", to_s(robot_.now_ns() - reset_ns_),
@@ -165,11 +210,11 @@ class Cable {
     const std::size_t n = pty_->write(waiting_);
     waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(n));
     // A client that does not read loses bytes, as it would on a real port.
-    if (waiting_.size() > kMostWaiting) waiting_.clear();
+    if (waiting_.size() > kMaxWaiting) waiting_.clear();
   }
 
  private:
-  static constexpr std::size_t kMostWaiting = 8192;
+  static constexpr std::size_t kMaxWaiting = 8192;
   EmulatedRobot& robot_;
   std::string link_;
   std::optional<Pty> pty_;
@@ -184,8 +229,8 @@ class Cable {
 std::optional<CameraStream> camera_stream(const RobotCommand& command, const Loaded& loaded,
                                           const course::Fence& fence) {
   if (command.camera.empty() && command.camera_to.empty()) return std::nullopt;
-  if (loaded.setup == bridge::Setup::kBench)
-    throw SetupError("--camera: on a bench it would see a robot that stands still; leave it out");
+  if (loaded.setup == bridge::Setup::kStand)
+    throw SetupError("--camera: on a stand it would see a robot that stands still; leave it out");
   const link::UdpAddress to = command.camera_to.empty()
                                   ? link::UdpAddress{.port = link::kCameraPort}
                                   : link::parse_udp(command.camera_to, "--camera-to");
@@ -217,7 +262,7 @@ int run_robot(const RobotCommand& command) {
   if (!command.course.empty()) course = load_course(command.course);
   EmulatedRobot robot({.values = loaded.robot.emulated,
                        .start = course.start,
-                       .on_stand = loaded.setup == bridge::Setup::kBench,
+                       .on_stand = loaded.setup == bridge::Setup::kStand,
                        .terrain = bridge::floor_of(course.terrain, loaded.setup),
                        .seed = command.options.seed,
                        .board = loaded.board,
@@ -226,14 +271,14 @@ int run_robot(const RobotCommand& command) {
                        .faults = faults});
   std::optional<CameraStream> camera = camera_stream(command, loaded, course.fence);
   Cable cable(robot, command.link);
-  Pusher pusher(course.shoves);
+  DisturbanceInjector disturbance_injector(course.disturbances);
   const loop::RealTimeProcess process({});
   go_before_others();
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   // Under nohup it stays ignored.
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
-  // The robot lives on when nobody reads its log any more.
+  // The robot keeps running when its log is no longer read.
   std::signal(SIGPIPE, SIG_IGN);
   std::printf("robot: %s, seed %llu, on %s%s%s\n", loaded.robot.name.c_str(),
               static_cast<unsigned long long>(command.options.seed), cable.device().c_str(),
@@ -262,8 +307,8 @@ int run_robot(const RobotCommand& command) {
     cable.from_host();
     cable.to_host(robot.advance());
     if (camera) camera->look(robot.truth().pose, robot.now_ns(), begin_ns, monotonic_now());
-    if (pusher.update(robot) != nullptr) {
-      std::printf("robot: somebody pushes the robot\n");
+    if (disturbance_injector.update(robot) != nullptr) {
+      std::printf("robot: a disturbance pushes the robot\n");
       std::fflush(stdout);
     }
   }

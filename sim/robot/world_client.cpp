@@ -68,7 +68,7 @@ void WorldClient::greet() {
 }
 
 void WorldClient::send(const std::string& datagram) {
-  // Nobody there shows as silence.
+  // A missing receiver shows as silence.
   (void)::sendto(socket_, datagram.data(), datagram.size(), MSG_NOSIGNAL, generic(&world_),
                  sizeof world_);
 }

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "config/world_run.h"
+#include "config/world_settings.h"
 #include "core/step_record.h"
 #include "worlds/peer.h"
 
@@ -19,8 +19,8 @@ class WorldClient {
  public:
   using Take = std::function<void(const WorldSample&)>;
 
-  /// Finds the world at run.settings.address and waits until it says welcome, five seconds at
-  /// most. `session` begins the numbers of the conversation. Throws SetupError.
+  /// Finds the world at run.settings.address and waits for its welcome, five seconds at most.
+  /// `session` is the first session number. Throws SetupError.
   WorldClient(const config::WorldRun& run, std::uint32_t session);
   ~WorldClient();
   WorldClient(const WorldClient&) = delete;
@@ -30,7 +30,7 @@ class WorldClient {
   /// answer. A world that takes more than five seconds of real time is not waited for again.
   void exchange(const StepRecord& record, HostNs now, const Take& take);
 
-  /// It did not answer in time once; the others were not waited for.
+  /// True if the world once failed to answer in time; later answers were not waited for.
   bool silent() const { return !waits_; }
   const worlds::PeerCounters& counters() const { return peer_.counters(); }
 
@@ -46,7 +46,7 @@ class WorldClient {
   sockaddr_in world_{};
   int socket_ = -1;
   bool waits_ = true;
-  // One more than a datagram may have: a longer one is seen to be too long.
+  // One byte more than a datagram may have, so that a longer one is detected.
   std::array<char, worlds::kMaxWorldDatagram + 1> buffer_{};
 };
 

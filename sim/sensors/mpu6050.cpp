@@ -6,6 +6,7 @@
 #include "core/angle.h"
 
 namespace tp100::sim {
+
 namespace {
 
 constexpr std::uint8_t kSampleDivider = 0x19;

@@ -1,6 +1,5 @@
 #pragma once
-// MPU6050 behind its register map (MPU-6000/6050 register map rev 4.2): what a firmware sees over
-// I2C.
+// MPU6050 behind its register map (MPU-6000/6050 register map rev 4.2), as seen over I2C.
 
 #include <array>
 #include <cstdint>
@@ -9,9 +8,19 @@
 
 #include "course/robot.h"
 #include "sim/body/body.h"
-#include "sim/sensors/i2c_slave.h"
 
 namespace tp100::sim {
+
+// A device on the I2C bus, seen from the bus.
+
+class I2cSlave {
+ public:
+  virtual ~I2cSlave() = default;
+  /// A write transfer; the first byte sets the register pointer. False: NACK.
+  virtual bool write(std::span<const std::uint8_t> bytes) = 0;
+  /// A read transfer from the register pointer on. False: NACK.
+  virtual bool read(std::span<std::uint8_t> bytes) = 0;
+};
 
 /// One sensor: noise, bias, scale error and temperature of one robot and one seed.
 class Mpu6050 : public I2cSlave {

@@ -25,8 +25,7 @@ OverheadCamera::OverheadCamera(const course::EmulatedCamera& values, double midd
   first_frame_s_ = uniform() / values_.rate_hz;
 }
 
-OverheadCamera::Picture OverheadCamera::picture(const Pose& body, double forward_m,
-                                                double up_m) const {
+OverheadCamera::Image OverheadCamera::image(const Pose& body, double forward_m, double up_m) const {
   const double cr = std::cos(body.roll_rad), sr = std::sin(body.roll_rad);
   const double cp = std::cos(body.pitch_rad), sp = std::sin(body.pitch_rad);
   const double cy = std::cos(body.yaw_rad), sy = std::sin(body.yaw_rad);
@@ -47,9 +46,9 @@ void OverheadCamera::look(const Pose& truth, std::int64_t now_ns) {
   const bool dropped = uniform() < values_.dropped;
   const bool outlier = uniform() < values_.outliers;
   const double half = values_.marker_size_m / 2.0;
-  const Picture middle = picture(truth, 0.0, values_.marker_height_m);
-  const Picture front = picture(truth, half, values_.marker_height_m);
-  const Picture back = picture(truth, -half, values_.marker_height_m);
+  const Image middle = image(truth, 0.0, values_.marker_height_m);
+  const Image front = image(truth, half, values_.marker_height_m);
+  const Image back = image(truth, -half, values_.marker_height_m);
   CameraSample sample;
   sample.x_m = middle.x_m + bias_x_m_ + values_.noise_m * normal();
   sample.y_m = middle.y_m + bias_y_m_ + values_.noise_m * normal();

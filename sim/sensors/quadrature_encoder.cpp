@@ -3,6 +3,7 @@
 #include <cmath>
 
 namespace tp100::sim {
+
 namespace {
 
 // Levels of A (bit 1) and B (bit 0) by count modulo 4.

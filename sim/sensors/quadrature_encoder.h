@@ -1,5 +1,5 @@
 #pragma once
-// A two-phase encoder on a belt.
+// A two-phase encoder on a track.
 
 #include <array>
 #include <cstdint>
@@ -7,23 +7,31 @@
 #include <vector>
 
 #include "course/robot.h"
-#include "sim/sensors/edge.h"
 
 namespace tp100::sim {
 
-/// Turns belt travel into edges of phases A and B with their times; A leads when the belt moves
+// Edges of an encoder at a pin.
+
+/// One encoder edge. Channels: 0 left A, 1 left B, 2 right A, 3 right B.
+struct Edge {
+  std::int64_t at_ns;
+  std::uint8_t channel;
+  bool level;
+};
+
+/// Turns track travel into edges of phases A and B with their times; A leads when the track moves
 /// forward.
 class QuadratureEncoder {
  public:
-  /// `first_channel`: 0 for the left belt, 2 for the right one (sim/sensors/edge.h).
+  /// `first_channel`: 0 for the left track, 2 for the right one (sim/sensors/edge.h).
   QuadratureEncoder(const course::EmulatedEncoder& values, std::uint8_t first_channel,
                     std::uint64_t seed);
 
-  /// The belt moves `travel_m` evenly between `from_ns` and `to_ns`; edges are appended in time
+  /// The track moves `travel_m` evenly between `from_ns` and `to_ns`; edges are appended in time
   /// order.
   void move(double travel_m, std::int64_t from_ns, std::int64_t to_ns, std::vector<Edge>& edges);
 
-  /// Edges forward less edges backward.
+  /// Edges forward minus edges backward.
   std::int64_t counts() const { return counts_; }
 
  private:

@@ -1,5 +1,3 @@
-#include "sim/study/calibrate_command.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,18 +5,20 @@
 #include <vector>
 
 #include "core/error.h"
-#include "identify/calibration.h"
 #include "identify/drive_file.h"
-#include "identify/drive_sink.h"
+#include "identify/identify.h"
 #include "identify/identify_report.h"
 #include "sim/robot/lockstep.h"
+#include "sim/study/commands.h"
 #include "text/atomic_file.h"
 
 namespace tp100::sim {
 namespace {
 
-using identify::kParameters;
-using identify::Parameter;
+using model::kTrackParameters;
+using model::TrackParameters;
+
+constexpr std::size_t kCount = kTrackParameters.size();
 
 // Stated accuracy: of slip, and of the wheelbase in parts of itself.
 constexpr double kSlipWithin = 0.01;
@@ -56,7 +56,7 @@ std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint
       if (!result.finished)
         throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
                          "); there is nothing to learn from");
-      identify::Drive drive = sink.drive();
+      identify::RecordedDrive drive = sink.drive();
       drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
                    std::to_string(repeat);
       drives.push_back({kKinds[i], std::move(drive), sink.truth()});
@@ -72,49 +72,33 @@ void write_drives(const std::string& folder, const std::vector<CalibrationDrive>
                      identify::write_drive(drive.drive));
 }
 
-std::array<double, kParameters> values_of(const EffectiveMotion& m) {
-  return {m.slip_left,
-          m.slip_right,
-          m.slip_angle_straight_rad,
-          m.slip_angle_turning_rad,
-          m.wheelbase_m,
-          m.x_icr_m,
-          m.wheelbase_tight_m,
-          m.x_icr_tight_m - m.x_icr_m,
-          m.wheelbase_spin_m,
-          m.x_icr_spin_m - m.x_icr_m,
-          m.turn_slip,
-          m.turn_slip_tight,
-          m.gyro_scale};
-}
-
 /// How one parameter fared over several calibrations.
 struct Tally {
   double worst = 0.0, errors = 0.0, halves = 0.0;
   int inside = 0, count = 0;
 };
 
-void print_tallies(const std::string& robot, const std::array<Tally, kParameters>& tallies) {
+void print_tallies(const std::string& robot, const std::array<Tally, kCount>& tallies) {
   std::printf("robot %s, %d calibrations: found - true, and how often the 95 %% interval held it\n",
               robot.c_str(), tallies[0].count);
   std::printf("                             mean error   largest error   mean interval   held\n");
-  for (std::size_t i = 0; i < kParameters; ++i) {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const model::ParameterRow& row = kTrackParameters[i];
     const Tally& t = tallies[i];
-    const double n = t.count * identify::kParameterKeys[i].si;
-    std::printf("  %-24s   %+10.5f      %+10.5f     +- %8.5f   %3.0f %%\n",
-                identify::kParameterKeys[i].key, t.errors / n,
-                t.worst / identify::kParameterKeys[i].si, t.halves / n, 100.0 * t.inside / t.count);
+    const double n = t.count * row.si;
+    std::printf("  %-24s   %+10.5f      %+10.5f     +- %8.5f   %3.0f %%\n", row.key, t.errors / n,
+                t.worst / row.si, t.halves / n, 100.0 * t.inside / t.count);
   }
 }
 
 void print_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
-                const std::array<double, kParameters>& truth) {
+                const TrackParameters& truth) {
   std::printf(R"({"robot":"%s","seed":%llu)", robot.c_str(), static_cast<unsigned long long>(seed));
-  for (std::size_t i = 0; i < kParameters; ++i) {
-    const double si = identify::kParameterKeys[i].si;
-    std::printf(R"(,"%s":{"found":%.6g,"half_interval":%.6g,"true":%.6g})",
-                identify::kParameterKeys[i].key, fit.estimates[i].value / si,
-                fit.estimates[i].half_interval / si, truth[i] / si);
+  for (const model::ParameterRow& row : kTrackParameters) {
+    const identify::Estimate& estimate = fit[row.value];
+    std::printf(R"(,"%s":{"found":%.6g,"half_interval":%.6g,"true":%.6g})", row.key,
+                estimate.value / row.si, estimate.half_interval / row.si,
+                truth.*row.value / row.si);
   }
   std::printf("}\n");
 }
@@ -124,53 +108,54 @@ void print_json(const std::string& robot, std::uint64_t seed, const identify::Fi
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed) {
   Calibration calibration;
   calibration.drives = drive(loaded, repeats, seed);
-  std::vector<identify::Drive> drives;
+  std::vector<identify::RecordedDrive> drives;
   for (const CalibrationDrive& d : calibration.drives) drives.push_back(d.drive);
   calibration.found = identify::identify(
-      drives, identify::belief_of(without_model(loaded.robot),
-                                  loaded.configuration.parameters.model.turning_threshold_radps));
-  calibration.truth = values_of(effective_motion(calibration.drives, loaded.robot.emulated));
+      drives, identify::prior_of(without_model(loaded.robot),
+                                 loaded.configuration.parameters.model.turning_threshold_radps));
+  calibration.truth = effective_motion(calibration.drives, loaded.robot.emulated);
   return calibration;
 }
 
-bool Calibration::holds(Parameter parameter) const {
+bool Calibration::holds(model::TrackParameter parameter) const {
   const identify::Estimate& estimate = found.extended[parameter];
-  return estimate.found &&
-         std::abs(estimate.value - truth[index(parameter)]) <= estimate.half_interval;
+  return estimate.found && std::abs(estimate.value - truth.*parameter) <= estimate.half_interval;
 }
 
 bool Calibration::accurate() const {
-  const auto within = [this](Parameter parameter, double most) {
+  const auto within = [this](model::TrackParameter parameter, double most) {
     const identify::Estimate& estimate = found.extended[parameter];
-    return estimate.found && std::abs(estimate.value - truth[index(parameter)]) <= most;
+    return estimate.found && std::abs(estimate.value - truth.*parameter) <= most;
   };
-  const auto share = [this](Parameter parameter) {
-    return kWheelbaseWithin * truth[index(parameter)];
+  const auto share = [this](model::TrackParameter parameter) {
+    return kWheelbaseWithin * truth.*parameter;
   };
-  return within(Parameter::kSlipLeft, kSlipWithin) && within(Parameter::kSlipRight, kSlipWithin) &&
-         within(Parameter::kWheelbase, share(Parameter::kWheelbase)) &&
-         within(Parameter::kWheelbaseTight, share(Parameter::kWheelbaseTight)) &&
-         within(Parameter::kWheelbaseSpin, share(Parameter::kWheelbaseSpin));
+  return within(&TrackParameters::slip_left, kSlipWithin) &&
+         within(&TrackParameters::slip_right, kSlipWithin) &&
+         within(&TrackParameters::wheelbase_m, share(&TrackParameters::wheelbase_m)) &&
+         within(&TrackParameters::wheelbase_tight_m, share(&TrackParameters::wheelbase_tight_m)) &&
+         within(&TrackParameters::wheelbase_spin_m, share(&TrackParameters::wheelbase_spin_m));
 }
 
 int run_calibrate(const CalibrateCommand& command) {
   const Loaded loaded = load(command.options);
-  std::array<Tally, kParameters> tallies{};
+  std::array<Tally, kCount> tallies{};
   bool all_accurate = true;
   for (int run = 0; run < command.runs; ++run) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(run);
     const Calibration calibration = calibrate(loaded, command.repeats, seed);
     if (!command.out.empty()) write_drives(command.out, calibration.drives);
     all_accurate = all_accurate && calibration.accurate();
-    for (std::size_t i = 0; i < kParameters; ++i) {
-      const identify::Estimate& estimate = calibration.found.extended.estimates[i];
-      const double error = estimate.value - calibration.truth[i];
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const model::TrackParameter parameter = kTrackParameters[i].value;
+      const identify::Estimate& estimate = calibration.found.extended[parameter];
+      const double error = estimate.value - calibration.truth.*parameter;
       Tally& tally = tallies[i];
       ++tally.count;
       tally.errors += error;
       tally.halves += estimate.half_interval;
       if (std::abs(error) > std::abs(tally.worst)) tally.worst = error;
-      if (calibration.holds(static_cast<Parameter>(i))) ++tally.inside;
+      if (calibration.holds(parameter)) ++tally.inside;
     }
     if (command.json) {
       print_json(loaded.robot.name, seed, calibration.found.extended, calibration.truth);

@@ -14,10 +14,10 @@ struct Way {
   double ahead_m = 0.0, left_m = 0.0;  // along and across the heading of the moment
   double turned_rad = 0.0;
   double sideways_by_turn = 0.0, turn_by_turn = 0.0;  // for the turning centre
-  double left_belt_m = 0.0, right_belt_m = 0.0;
+  double left_track_m = 0.0, right_track_m = 0.0;
 };
 
-Way way_of(const CalibrationDrive& drive, double counts_per_metre) {
+Way travel_of(const CalibrationDrive& drive, double counts_per_metre) {
   Way way;
   const std::vector<Pose>& truth = drive.truth;
   const std::vector<identify::DriveSample>& samples = drive.drive.samples;
@@ -38,8 +38,8 @@ Way way_of(const CalibrationDrive& drive, double counts_per_metre) {
   const auto metres = [counts_per_metre](std::int64_t counts) {
     return static_cast<double>(counts) / counts_per_metre;
   };
-  way.left_belt_m = metres(samples.back().left_counts - samples.front().left_counts);
-  way.right_belt_m = metres(samples.back().right_counts - samples.front().right_counts);
+  way.left_track_m = metres(samples.back().left_counts - samples.front().left_counts);
+  way.right_track_m = metres(samples.back().right_counts - samples.front().right_counts);
   return way;
 }
 
@@ -63,7 +63,8 @@ struct Turns {
     lost.below += (left_m + right_m) / 2.0;
     shape = model::turn_shape(left_m, right_m);
   }
-  /// What arcs to both sides lose and gain; the parameter is that of the widest turn that is full.
+  /// Loss and gain of arcs to both sides; the parameter is that of the widest turn at which `wide`
+  /// is 1.
   double lost_of_full_turn() const { return lost.value() / std::abs(shape.wide); }
 };
 
@@ -80,22 +81,22 @@ std::array<double, 3> apart(const std::array<double, 3>& measured, const model::
 
 }  // namespace
 
-EffectiveMotion effective_motion(const std::vector<CalibrationDrive>& drives,
-                                 const course::Emulated& robot) {
-  EffectiveMotion motion;
+model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& drives,
+                                        const course::Emulated& robot) {
+  model::TrackParameters motion;
   Ratio left, right, straight_angle, turning_angle;
   for (const CalibrationDrive& drive : drives) {
     if (drive.kind == DriveKind::kTight || drive.kind == DriveKind::kSpin) continue;
-    const Way way = way_of(drive, robot.encoder.counts_per_metre);
+    const Way way = travel_of(drive, robot.encoder.counts_per_metre);
     Ratio& angle = drive.kind == DriveKind::kStraight ? straight_angle : turning_angle;
     angle.above += way.left_m;
     angle.below += way.ahead_m;
     if (drive.kind != DriveKind::kStraight) continue;
     const double half = way.turned_rad * robot.body.gauge_m / 2.0;
     left.above += way.ahead_m - half;
-    left.below += way.left_belt_m;
+    left.below += way.left_track_m;
     right.above += way.ahead_m + half;
-    right.below += way.right_belt_m;
+    right.below += way.right_track_m;
   }
   motion.slip_left = 1.0 - left.value();
   motion.slip_right = 1.0 - right.value();
@@ -105,9 +106,9 @@ EffectiveMotion effective_motion(const std::vector<CalibrationDrive>& drives,
   Turns wide, tight, spin;
   for (const CalibrationDrive& drive : drives) {
     if (drive.kind == DriveKind::kStraight) continue;
-    const Way way = way_of(drive, robot.encoder.counts_per_metre);
-    const double left_m = way.left_belt_m * (1.0 - motion.slip_left);
-    const double right_m = way.right_belt_m * (1.0 - motion.slip_right);
+    const Way way = travel_of(drive, robot.encoder.counts_per_metre);
+    const double left_m = way.left_track_m * (1.0 - motion.slip_left);
+    const double right_m = way.right_track_m * (1.0 - motion.slip_right);
     (drive.kind == DriveKind::kWide    ? wide
      : drive.kind == DriveKind::kTight ? tight
                                        : spin)
@@ -122,8 +123,8 @@ EffectiveMotion effective_motion(const std::vector<CalibrationDrive>& drives,
   const auto [centre, centre_tight, centre_spin] = apart(
       {wide.centre.value(), tight.centre.value(), spin.centre.value()}, wide.shape, tight.shape);
   motion.x_icr_m = centre;
-  motion.x_icr_tight_m = centre_tight;
-  motion.x_icr_spin_m = centre_spin;
+  motion.x_icr_tight_shift_m = centre_tight - centre;
+  motion.x_icr_spin_shift_m = centre_spin - centre;
   motion.turn_slip = wide.lost_of_full_turn();
   const double share = tight.shape.tight;
   motion.turn_slip_tight = (tight.lost_of_full_turn() - (1.0 - share) * motion.turn_slip) / share;

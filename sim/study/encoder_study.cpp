@@ -72,16 +72,16 @@ void look_away(LockstepSettings& settings) {
 }
 
 /// When a healthy robot is where encoders fail.
-class PlaceWatch : public messages::Sink {
+class PlaceMonitor : public messages::Sink {
  public:
-  explicit PlaceWatch(std::int64_t opened_ns) : opened_ns_(opened_ns) {}
+  explicit PlaceMonitor(std::int64_t opened_ns) : opened_ns_(opened_ns) {}
   void take(const StepRecord& record) override {
     const Snapshot& snapshot = record.snapshot;
     if (snapshot.run_state != RunState::kRunning) return;
     const auto mark = [&](Onset onset, bool there) {
       if (there) onset_s.try_emplace(onset, to_s(record.now_ns - opened_ns_));
     };
-    const double turned = snapshot.odometry.yaw_rad;
+    const double turned = snapshot.estimates[PoseSource::kOdometry].pose.yaw_rad;
     const bool stands = snapshot.left_mps == 0.0 && snapshot.right_mps == 0.0;
     mark(Onset::kStraight, snapshot.progress_m > kInLineM);
     mark(Onset::kArc, snapshot.progress_m > kInArcM);
@@ -92,6 +92,45 @@ class PlaceWatch : public messages::Sink {
 
  private:
   std::int64_t opened_ns_;
+};
+
+/// Greatest deviation from where a healthy robot has been so far. A robot that is late does not
+/// deviate: the nearest of the healthy robot's poses counts, and none before the last one that did.
+class DeviationFromHealthy {
+ public:
+  explicit DeviationFromHealthy(const std::vector<Pose>& healthy) : healthy_(healthy) {}
+  /// Call once per step of the physics.
+  void update(const Pose& is) {
+    const std::size_t now = std::min(step_++, healthy_.size() - 1);
+    if (step_ % kEverySteps != 0) return;
+    double least = share(is, nearest_);
+    for (std::size_t i = nearest_ + 1; i <= now; ++i) {
+      const double one = share(is, i);
+      if (one > least) continue;
+      least = one;
+      nearest_ = i;
+    }
+    distance_m = std::max(distance_m, distance(is, nearest_));
+    yaw_rad = std::max(yaw_rad, turned(is, nearest_));
+  }
+  double distance_m = 0.0, yaw_rad = 0.0;
+
+ private:
+  static constexpr std::size_t kEverySteps = 10;
+
+  double distance(const Pose& is, std::size_t i) const {
+    return std::hypot(is.x_m - healthy_[i].x_m, is.y_m - healthy_[i].y_m);
+  }
+  double turned(const Pose& is, std::size_t i) const {
+    return std::abs(wrap_angle(is.yaw_rad - healthy_[i].yaw_rad));
+  }
+  double share(const Pose& is, std::size_t i) const {
+    return std::max(distance(is, i) / EncoderOutcome::kMaxM,
+                    turned(is, i) / EncoderOutcome::kMaxRad);
+  }
+
+  const std::vector<Pose>& healthy_;
+  std::size_t step_ = 0, nearest_ = 0;
 };
 
 // As in lockstep.cpp: the robot stands before the host opens the port.
@@ -141,7 +180,7 @@ const EncoderStudy::Healthy& EncoderStudy::healthy(const EncoderTrial& trial) {
   Healthy& healthy = found->second;
   if (!is_new) return healthy;
   const Loaded loaded = load_robot(trial.robot);
-  PlaceWatch places(kOpenNs);
+  PlaceMonitor places(kOpenNs);
   run_lockstep({.course = course_at(trial.speed_mps),
                 .robot = loaded.robot,
                 .configuration = loaded.configuration,
@@ -160,25 +199,20 @@ EncoderOutcome EncoderStudy::drive(const EncoderTrial& trial) {
   const double at_s = healthy.onset_s.at(trial.onset);
   const Loaded loaded = load_robot(trial.robot);
   EncoderOutcome outcome;
-  std::size_t step = 0;
-  double beyond_m = 0.0, beyond_rad = 0.0;
-  LockstepSettings settings{
-      .course = course_at(trial.speed_mps),
-      .robot = loaded.robot,
-      .configuration = loaded.configuration,
-      .board = trial.board,
-      .faults = planned(trial.failure, at_s),
-      .watch = [&](const EmulatedRobot& robot) {
-        if (robot.now_ns() <= kOpenNs) return;
-        const Pose& should = healthy.truth[std::min(step++, healthy.truth.size() - 1)];
-        const Pose& is = robot.truth().pose;
-        beyond_m = std::max(beyond_m, std::hypot(is.x_m - should.x_m, is.y_m - should.y_m));
-        beyond_rad = std::max(beyond_rad, std::abs(wrap_angle(is.yaw_rad - should.yaw_rad)));
-        if (robot.drive().left == 0.0 && robot.drive().right == 0.0) return;
-        outcome.off_after_s = to_s(robot.now_ns() - kOpenNs) - at_s;
-        outcome.beyond_m = beyond_m;
-        outcome.beyond_rad = beyond_rad;
-      }};
+  DeviationFromHealthy deviation(healthy.truth);
+  LockstepSettings settings{.course = course_at(trial.speed_mps),
+                            .robot = loaded.robot,
+                            .configuration = loaded.configuration,
+                            .board = trial.board,
+                            .faults = planned(trial.failure, at_s)};
+  settings.watch = [&](const EmulatedRobot& robot) {
+    if (robot.now_ns() <= kOpenNs) return;
+    deviation.update(robot.truth().pose);
+    if (robot.drive().left == 0.0 && robot.drive().right == 0.0) return;
+    outcome.off_after_s = to_s(robot.now_ns() - kOpenNs) - at_s;
+    outcome.beyond_m = deviation.distance_m;
+    outcome.beyond_rad = deviation.yaw_rad;
+  };
   if (!host_watches_) look_away(settings);
   const report::RunResult result = run_lockstep(settings);
   outcome.end = result.finished ? "completed" : result.cause;

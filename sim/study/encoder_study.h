@@ -1,6 +1,6 @@
 #pragma once
-// Encoders that fail while the robot drives: what it does beyond what it should until its motors
-// are off, over kinds of failure, speeds, places and robots.
+// Encoders that fail while the robot drives: how far the robot deviates until its motors are off,
+// over kinds of failure, speeds, positions and robots.
 
 #include <cstdint>
 #include <map>
@@ -18,11 +18,11 @@ namespace tp100::sim {
 /// One way to fail.
 struct EncoderFailure {
   std::string_view fault;  ///< as for --fault, without its time
-  double again_s = 0.0;    ///< happens again after each of these; 0: lasts
+  double again_s = 0.0;    ///< repeats at this interval; 0: lasts
   bool on_page = false;    ///< a row of sim/faults/FAULTS.md, driven by the tests
 };
 
-/// Where the robot is when it begins.
+/// The robot's motion when the failure begins.
 enum class Onset : std::uint8_t { kStraight, kArc, kStandstill, kSpin };
 
 std::span<const EncoderFailure> encoder_failures();
@@ -43,23 +43,23 @@ struct EncoderTrial {
 struct EncoderOutcome {
   std::string end;           ///< "completed" or the fault that ended the run
   double off_after_s = 0.0;  ///< from the fault's beginning
-  /// The most that it was elsewhere, and looked elsewhere, than the same robot without the fault at
-  /// the same time, by the truth.
+  /// Greatest deviation in place and yaw from where the same robot without the fault had been by
+  /// then, by the truth. A robot that is late does not deviate.
   double beyond_m = 0.0;
   double beyond_rad = 0.0;
 
-  static constexpr double kMostM = 0.15;
-  static constexpr double kMostRad = 20.0 * kRadPerDeg;
-  bool good() const { return end != "completed" && beyond_m < kMostM && beyond_rad < kMostRad; }
-  /// Of several outcomes the worst of each figure; `completed` if one was.
+  static constexpr double kMaxM = 0.15;
+  static constexpr double kMaxRad = 20.0 * kRadPerDeg;
+  bool good() const { return end != "completed" && beyond_m < kMaxM && beyond_rad < kMaxRad; }
+  /// Takes the worst of each figure of several outcomes; `completed` if one was.
   void merge(const EncoderOutcome& other);
 };
 
-/// Drives a line, an arc, a line, a turn on the spot and a line; keeps what healthy robots did.
-/// Deterministic.
+/// Drives a line, an arc, a line, a turn on the spot and a line; keeps the results of healthy
+/// robots. Deterministic.
 class EncoderStudy {
  public:
-  /// `host_watches` false: the daemon's own checks are off, the firmware is on its own.
+  /// `host_watches` false: the daemon's own checks are off, and only the firmware's remain.
   explicit EncoderStudy(bool host_watches = true) : host_watches_(host_watches) {}
   /// Throws SetupError.
   EncoderOutcome drive(const EncoderTrial& trial);

@@ -19,27 +19,27 @@ constexpr double kCourseM = 0.6;
 constexpr double kBeginWithinS = 3.0;
 // A robot drives on for the life of a command, and the physics looks once a millisecond.
 constexpr double kOffS = 0.21;
-// What the robot has to find out by itself takes it longer; the times are its own.
+// Faults that only the robot can detect take longer; the times are the robot's.
 constexpr double kOnlyItsBytesS = 0.30;  // the samples get too old to steer by, a command's life
 constexpr double kDutyS = 0.85;          // the duty means more than is counted
 constexpr double kTurnS = 1.00;          // gyro and encoders turn apart
 constexpr double kBackwardsS = 0.35;     // against its duty
 constexpr double kImuS = 0.10;           // the same values again and again
-constexpr double kCellsS = 1.15;         // a second below the cut-off
+constexpr double kBatteryS = 1.15;       // a second below the cut-off
 
 constexpr std::array kTrials = std::to_array<FaultTrial>({
-    {"flip:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"flip:0.002:to-robot", kCompleted, "robot_damaged", 1, 0, 0,
-     "frames damaged on their way to the robot"},
-    {"drop:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"duplicate:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"insert:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"noise:64@3", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"delimiter:0.0005", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"truncate:0.02", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"fuse:0.02", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"chatter:333", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
-    {"chatter:150", kCompleted, "damaged", 1, 0, 0, "damaged frames"},
+    {"flip:0.0005", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"flip:0.002:to-robot", kCompleted, "robot_corrupted", 1, 0, 0,
+     "frames corrupted on their way to the robot"},
+    {"drop:0.0005", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"duplicate:0.0005", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"insert:0.0005", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"noise:64@3", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"delimiter:0.0005", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"truncate:0.02", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"fuse:0.02", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"chatter:333", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
+    {"chatter:150", kCompleted, "corrupted", 1, 0, 0, "corrupted frames"},
     {"delay:20", kCompleted, "sample_age_ms", 20, 0, 0, "steps without a fresh sample"},
     {"jitter:5", kCompleted, "sample_age_ms", 8},
     {"batch:16:to-host", kCompleted, "sample_age_ms", 16, 0, 0, "steps without a fresh sample"},
@@ -51,7 +51,7 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"wrap@4", kCompleted, "device_wraps", 1},
     {"clock-step:500@3+2", "link_lost", "implausible", 1, kOffS, 6},
     {"sync-late:30", kCompleted, "clock_uncertainty_us", 10e3},
-    {"sync-twice", kCompleted, "sync_rejected", 1, 0, 0, "answers to clock requests"},
+    {"sync-twice", kCompleted, "sync_rejected", 1, 0, 0, "replies to clock requests"},
     {"cut@3+2", "link_lost", "silences", 1, kOffS, 6},
     {"cut:to-robot@3+2", "command_timeout", "robot_faults", 1, kOffS, 6},
     {"cut:to-robot@0+7", kNeverBegan, "unanswered", 1, 0, 8, "no answer from the robot"},
@@ -64,8 +64,8 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"version:2@0+3", kNeverBegan, "refused", 1, 0, 4, "wrong version"},
     {"schema@0+3", kNeverBegan, "refused", 1, 0, 4, "wrong version"},
     {"board:77", kCompleted, "unknown_board", 1, 0, 0, "unknown board"},
-    {"unknown-message", kCompleted, "unknown_type", 1, 0, 0, "frames that no robot sends"},
-    {"replay:20", kCompleted, "duplicated", 1, 0, 0, "samples that come again"},
+    {"unknown-message", kCompleted, "unknown_type", 1, 0, 0, "frames of an unknown type"},
+    {"replay:20", kCompleted, "duplicated", 1, 0, 0, "samples repeated"},
     {"sequence@3+2", "link_lost", "reordered", 1, kOffS, 6},
     {"encoder-stuck:left@3+2", "gyro_against_encoders", "daemon_faults", 1, kTurnS, 6},
     {"encoder-stuck@3+2", "encoders_against_duty", "daemon_faults", 1, kDutyS, 6},
@@ -73,22 +73,22 @@ constexpr std::array kTrials = std::to_array<FaultTrial>({
     {"encoder-lose:0.5:right@3+2", "gyro_against_encoders", "daemon_faults", 1, kTurnS, 6},
     {"encoder-lose:0.5@3+2", "encoders_against_duty", "daemon_faults", 1, kDutyS, 6},
     {"encoder-flip@3+2", "reversed_left", "robot_faults", 1, kBackwardsS, 6},
-    {"encoder-jump:500:left@3", kCompleted, "implausible", 1, 0, 0, "values that cannot be"},
+    {"encoder-jump:500:left@3", kCompleted, "implausible", 1, 0, 0, "impossible values"},
     {"imu-missing@3+2", "imu_stale", "robot_faults", 1, kImuS, 6},
     {"imu-frozen@3+2", "imu_stale", "robot_faults", 1, kImuS, 6},
     {"imu-saturated@3+2", "imu_stale", "robot_faults", 1, kImuS, 6},
-    {"battery:5.5@3+3", "battery_low", "robot_faults", 1, kCellsS, 7},
-    {"host-stall:100@3", kCompleted, "lateness_ms", 90, 0, 0, "turns of the loop"},
-    {"host-stall:300@3", "command_timeout", "robot_faults", 1, kOffS, 4, "turns of the loop"},
+    {"battery:5.5@3+3", "battery_low", "robot_faults", 1, kBatteryS, 7},
+    {"host-stall:100@3", kCompleted, "lateness_ms", 90, 0, 0, "cycles of the loop"},
+    {"host-stall:300@3", "command_timeout", "robot_faults", 1, kOffS, 4, "cycles of the loop"},
 });
 
 // A robot's own are the lower bits.
 constexpr unsigned kRobotFaults = 16;
 
 /// Looks at every step, and at every command that goes out.
-class StepWatch : public messages::Sink {
+class StepMonitor : public messages::Sink {
  public:
-  explicit StepWatch(messages::Sink* also) : also_(also) {}
+  explicit StepMonitor(messages::Sink* also) : also_(also) {}
 
   void take(const StepRecord& record) override {
     if (also_ != nullptr) also_->take(record);
@@ -116,8 +116,8 @@ class StepWatch : public messages::Sink {
     if (snapshot.run_state == RunState::kAborted && faults == 0) faults = snapshot.faults;
     if (snapshot.run_state != RunState::kRunning) return;
     age_ms_ = std::max(age_ms_, static_cast<double>(snapshot.age_us) * 1e-3);
-    drift_ppm_ = std::abs(record.clock.drift) * 1e6;
-    uncertainty_us_ = std::max(uncertainty_us_, record.clock.uncertainty_us);
+    drift_ppm_ = std::abs(record.inputs.clock.drift) * 1e6;
+    uncertainty_us_ = std::max(uncertainty_us_, record.inputs.clock.uncertainty_us);
     wraps_ = static_cast<double>(snapshot.sample.device_us >> 32);
   }
   void look_at_command(const StepRecord& record) {
@@ -128,7 +128,7 @@ class StepWatch : public messages::Sink {
                       within(command.pose.yaw_rad, 1e3) && within(command.desired_yaw_rad, 1e3) &&
                       within(command.yaw_rate_radps, 10.0) && within(command.speed_mps, 2.0) &&
                       within(command.gyro_bias_radps, 1.0);
-    const bool fresh = record.clock.to_host(command.expiry_us) > record.now_ns;
+    const bool fresh = record.inputs.clock.to_host(command.expiry_us) > record.now_ns;
     if (!tame || !fresh) ++wild;
   }
 
@@ -137,12 +137,12 @@ class StepWatch : public messages::Sink {
   double age_ms_ = 0.0, lateness_ms_ = 0.0, drift_ppm_ = 0.0, uncertainty_us_ = 0.0, wraps_ = 0.0;
 };
 
-std::vector<Figure> figures_of(const LinkCounters& link, const StepWatch& steps) {
+std::vector<Figure> figures_of(const LinkCounters& link, const StepMonitor& steps) {
   std::vector<Figure> all = steps.figures();
   const auto add = [&](std::string_view name, std::uint64_t count) {
     all.push_back({name, static_cast<double>(count)});
   };
-  add("damaged", link.damaged());
+  add("corrupted", link.corrupted());
   each_counter(link, add);
   return all;
 }
@@ -175,7 +175,7 @@ FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink*
   std::vector<PlannedFault> faults;
   if (!trial.fault.empty()) faults.push_back(parse_fault(trial.fault));
   const std::int64_t begin_ns = faults.empty() ? 0 : faults[0].begin_ns;
-  StepWatch steps(sink);
+  StepMonitor steps(sink);
   FaultOutcome outcome;
   std::int64_t opened_ns = -1, driven_ns = -1;
   const LockstepSettings settings{
@@ -188,15 +188,15 @@ FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink*
       .watch =
           [&](const EmulatedRobot& robot) {
             if (opened_ns < 0) opened_ns = robot.now_ns();
-            const Drive drive = robot.drive();
+            const MotorDuty drive = robot.drive();
             const bool second =
                 trial.again_s > 0.0 && to_s(robot.now_ns() - opened_ns) > trial.again_s;
             if (!second && (drive.left != 0.0 || drive.right != 0.0)) driven_ns = robot.now_ns();
           },
       .sink = &steps,
-      .heard =
+      .on_session_event =
           [&](const link::SessionEvent& event, const wire::Hello& hello) {
-            outcome.said.push_back({event, hello});
+            outcome.session_messages.push_back({event, hello});
           },
       .begin_within_s = kBeginWithinS};
   report::RunResult last;

@@ -1,5 +1,6 @@
 #pragma once
-// What each fault does to a run, and to the next one: driven in virtual time, expected beside seen.
+// The effect of each fault on a run and on the next one: driven in virtual time, expected beside
+// observed.
 
 #include <cstdint>
 #include <span>
@@ -14,25 +15,24 @@
 
 namespace tp100::sim {
 
-/// One fault and what must come of it.
+/// One fault and its expected effect.
 struct FaultTrial {
   std::string_view fault;  ///< as for --fault; empty: none
   std::string_view end;  ///< "completed", "never began" or the name of the fault that ends the run
-  /// What the daemon publishes of it, and how much at least: a counter of the link (damaged: all
-  /// four of spoilt frames), or the most of a figure during the run, named with its unit.
+  /// What the daemon publishes of it, and how much at least: a counter of the link (corrupted: all
+  /// four of corrupted frames), or the most of a figure during the run, named with its unit.
   std::string_view counter;
   double at_least = 1.0;
   double off_within_s = 0.0;  ///< motors are off so long after the fault begins; 0: run completes
   double again_s = 0.0;       ///< the next start, from the port's opening: it completes; 0: none
-  std::string_view
-      log{};  ///< begin of the line that the log has, with cause and remedy; else `end`
-  bool chip_only = false;  ///< wants board avr
+  std::string_view log{};  ///< beginning of the expected log line, with cause and fix; else `end`
+  bool chip_only = false;  ///< needs board avr
 };
 
 std::span<const FaultTrial> fault_trials();
 
-/// What the session told, and the hello that it knew.
-struct Said {
+/// An event of the session, and the hello known then.
+struct SessionMessage {
   link::SessionEvent event;
   wire::Hello hello;
 };
@@ -43,7 +43,7 @@ struct Figure {
   double value;
 };
 
-/// What was seen.
+/// The observed effect.
 struct FaultOutcome {
   std::string end;
   std::string again;     ///< the end of the second run; empty: there was none
@@ -53,16 +53,16 @@ struct FaultOutcome {
   std::uint64_t commands = 0;  ///< that the daemon sent
   std::uint64_t wild = 0;      ///< of these not finite, out of range or expired when sent
   FaultMask faults = 0;        ///< that ended the first run
-  std::vector<Said> said{};
+  std::vector<SessionMessage> session_messages{};
   bool as_expected = false;
 };
 
 /// Drives the first 0.6 m of course 1-straight with the reference robot, and once more if the trial
-/// says so. `sink` sees every step. Deterministic. Throws SetupError.
+/// requires it. `sink` receives every step. Deterministic. Throws SetupError.
 FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink* sink = nullptr,
                        std::uint64_t seed = 1);
 
-/// The row of a Markdown table: fault, expected, seen.
+/// The row of a Markdown table: fault, expected, observed.
 std::string fault_row(const FaultTrial& trial, BoardKind board, const FaultOutcome& outcome);
 /// Its head.
 std::string fault_table_head();

@@ -1,12 +1,11 @@
-#include "sim/study/faults_command.h"
-
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "sim/faults/fault_kind.h"
+#include "sim/faults/fault.h"
 #include "sim/robot/options.h"
+#include "sim/study/commands.h"
 #include "sim/study/encoder_study.h"
 #include "sim/study/fault_study.h"
 

@@ -9,13 +9,10 @@
 #include "course/bundled_files.h"
 #include "course/path.h"
 #include "identify/identify_report.h"
-#include "report/poses_csv.h"
-#include "report/tum.h"
+#include "report/run_result.h"
 #include "sim/robot/options.h"
-#include "sim/study/calibrate_command.h"
-#include "sim/study/drawn_robot.h"
-#include "sim/study/held_out.h"
-#include "sim/study/reproduce_page.h"
+#include "sim/study/commands.h"
+#include "sim/study/sampled.h"
 #include "sim/study/state_study.h"
 #include "terrain/climbable.h"
 #include "text/atomic_file.h"
@@ -24,13 +21,13 @@ namespace tp100::sim {
 namespace {
 
 constexpr const char* kKinds[] = {"1-straight", "1-curve", "1-sharp", "2", "3"};
-constexpr double kBeltMps = 0.10;
+constexpr double kTrackMps = 0.10;
 // Apart from every seed that parameters were found with.
 constexpr std::uint64_t kHeldOutSeed = 5001;
 // Over the step, over the ramp, and in the curve of course 3.
 constexpr double kBlindFromS[] = {15.0, 28.0, 33.0};
 constexpr double kBlindS = 3.0;
-constexpr std::uint64_t kDrawnNumber = 7000;
+constexpr std::uint64_t kSampledNumber = 7000;
 constexpr int kCalibrationRepeats = 2;
 // The image is slower, and differs from the host's build by less than seeds do.
 constexpr int kImageRuns = 5;
@@ -57,25 +54,25 @@ bridge::Setup floor_for(const course::Course& course) {
   return course.terrain.flat() ? bridge::Setup::kFlat : bridge::Setup::kTerrain;
 }
 
-/// A long robot meets the step while it is still in the curve, belts askew, which is not what
+/// A long robot meets the step while it is still in the curve, tracks askew, which is not what
 /// course 3 is about and what no model of ours describes.
 bool straight_before(const course::Course& course, const course::Robot& robot) {
   const course::ShapeValues& shape = robot.shape;
   const course::Path path(course);
   const std::size_t last = path.pieces().size() - 1;
-  return std::all_of(course.terrain.blocks.begin(), course.terrain.blocks.end(),
-                     [&](const course::Block& block) {
-                       const double below_m = std::max(shape.belt_radius_m - block.height_m, 0.0);
-                       const double reach_m =
-                           shape.axle_spacing_m / 2.0 +
-                           std::sqrt(shape.belt_radius_m * shape.belt_radius_m - below_m * below_m);
-                       const double line_m = path.project(last, block.place.x_m, block.place.y_m);
-                       return line_m - block.depth_m / 2.0 > reach_m;
-                     });
+  return std::all_of(
+      course.terrain.blocks.begin(), course.terrain.blocks.end(), [&](const course::Block& block) {
+        const double below_m = std::max(shape.wheel_radius_m - block.height_m, 0.0);
+        const double reach_m =
+            shape.axle_spacing_m / 2.0 +
+            std::sqrt(shape.wheel_radius_m * shape.wheel_radius_m - below_m * below_m);
+        const double line_m = path.project(last, block.place.x_m, block.place.y_m);
+        return line_m - block.depth_m / 2.0 > reach_m;
+      });
 }
 
-/// The same for a robot that nobody made for this course: its obstacles are real only where the
-/// robot can hold itself on them and meets them straight.
+/// The same for a robot not designed for this course: obstacles are real only where the robot has
+/// enough traction on them and meets them straight.
 bridge::Setup floor_for(const course::Course& course, const course::Robot& robot) {
   const bool fit = robot.emulated.body.friction >= kGripOfCourse3 && straight_before(course, robot);
   return fit ? floor_for(course) : bridge::Setup::kFlat;
@@ -94,14 +91,14 @@ bool climbs(const course::Course& course, const course::Robot& robot) {
 void drive_paper(const ReproduceCommand& command, Reproduction& what) {
   for (const SlopeRow& row : slope_rows())
     what.slopes.push_back(
-        measure_slope(what.reference.emulated.body, row.slope_deg * kRadPerDeg, kBeltMps));
+        measure_slope(what.reference.emulated.body, row.slope_deg * kRadPerDeg, kTrackMps));
   for (const char* kind : kKinds) {
     const course::Course course = load_course(kind);
     what.studies.push_back(
         study(trial_of(command, course, what.reference, floor_for(course)), kind, true));
   }
   const course::Course course_3 = load_course("3");
-  for (const bridge::Setup setup : {bridge::Setup::kFlat, bridge::Setup::kBench})
+  for (const bridge::Setup setup : {bridge::Setup::kFlat, bridge::Setup::kStand})
     what.studies.push_back(study(trial_of(command, course_3, what.reference, setup), "3", true));
   for (const double from_s : kBlindFromS) {
     Trial blind = trial_of(command, course_3, what.reference, bridge::Setup::kTerrain);
@@ -124,18 +121,18 @@ void drive_robots(const ReproduceCommand& command, Reproduction& what) {
   }
 }
 
-void drive_drawn(const ReproduceCommand& command, Reproduction& what) {
-  for (int i = 0; i < command.drawn; ++i) {
-    const std::uint64_t number = kDrawnNumber + command.seed + static_cast<std::uint64_t>(i);
+void drive_sampled(const ReproduceCommand& command, Reproduction& what) {
+  for (int i = 0; i < command.sampled; ++i) {
+    const std::uint64_t number = kSampledNumber + command.seed + static_cast<std::uint64_t>(i);
     Loaded loaded = load({});
-    loaded.robot = drawn_robot(what.reference, number);
+    loaded.robot = sampled_robot(what.reference, number);
     const Calibration calibration = calibrate(loaded, kCalibrationRepeats, number);
     const std::string path = command.out + "/" + loaded.robot.name + ".toml";
     const std::string text =
         course::write_robot(identify::identified_robot(calibration.found, loaded.robot, {}),
                             identify::identified_note(calibration.found, {}, {}));
     text::write_file(path, text);
-    // Whoever takes the file drives the same robot.
+    // A reader of the file gets the same robot.
     const course::Robot robot = course::parse_robot(text, path);
     for (const char* kind : kKinds) {
       const course::Course course = load_course(kind);
@@ -161,7 +158,7 @@ void drive_held_out(const ReproduceCommand& command, Reproduction& what) {
 void drive_image(const ReproduceCommand& command, Reproduction& what) {
   const course::Course course_3 = load_course("3");
   for (const bridge::Setup setup :
-       {bridge::Setup::kTerrain, bridge::Setup::kFlat, bridge::Setup::kBench}) {
+       {bridge::Setup::kTerrain, bridge::Setup::kFlat, bridge::Setup::kStand}) {
     Trial trial = trial_of(command, course_3, what.reference, setup);
     trial.board = BoardKind::kAvr;
     trial.runs = std::min(command.runs, kImageRuns);
@@ -175,7 +172,7 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
   const std::string stem = folder + "/" + run.course + "-" + run.robot + "-" + run.setup;
   text::write_file(stem + ".csv", report::poses_csv(run));
   std::string truth, model, odometry, fused;
-  for (const report::TrackPoint& point : run.points) {
+  for (const report::TrajectoryPoint& point : run.points) {
     truth += report::tum_line(point.t_s, point.truth);
     model += report::tum_line(point.t_s, point.model);
     odometry += report::tum_line(point.t_s, point.odometry);
@@ -193,9 +190,9 @@ int run_reproduce(const ReproduceCommand& command) {
   const bool all = command.part == "all";
   const auto wanted = [&](const char* part) { return all || command.part == part; };
   if (!all && command.part != "paper" && command.part != "state" && command.part != "robots" &&
-      command.part != "drawn" && command.part != "held-out" && command.part != "avr")
+      command.part != "sampled" && command.part != "held-out" && command.part != "avr")
     throw SetupError("--part " + command.part +
-                     ": unknown; give paper, state, robots, drawn, held-out, avr or all");
+                     ": unknown; give paper, state, robots, sampled, held-out, avr or all");
   text::make_folder(command.out);
   Reproduction what;
   what.reference = robot_named({});
@@ -207,7 +204,7 @@ int run_reproduce(const ReproduceCommand& command) {
       what.studies.push_back(study);
   }
   if (wanted("robots")) drive_robots(command, what);
-  if (wanted("drawn")) drive_drawn(command, what);
+  if (wanted("sampled")) drive_sampled(command, what);
   if (wanted("held-out")) drive_held_out(command, what);
   if (wanted("avr")) drive_image(command, what);
   for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);

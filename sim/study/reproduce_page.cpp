@@ -1,20 +1,19 @@
-#include "sim/study/reproduce_page.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "core/angle.h"
 #include "report/html_page.h"
-#include "report/published.h"
-#include "report/svg_chart.h"
-#include "sim/study/drawn_robot.h"
+#include "report/result_text.h"
+#include "sim/study/reproduce.h"
+#include "sim/study/sampled.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
+
+using text::format;
 
 using report::ChartSeries;
 using report::Rows;
@@ -24,15 +23,6 @@ constexpr const char* kTruthColour = "#2e8b3d";
 constexpr const char* kModelColour = "#c0392b";
 constexpr const char* kFusedColour = "#1f5fbf";
 constexpr double kSlopeLimit = 0.02;
-
-__attribute__((format(printf, 1, 2))) std::string format(const char* text, ...) {
-  std::array<char, 256> buffer{};
-  va_list arguments;
-  va_start(arguments, text);
-  std::vsnprintf(buffer.data(), buffer.size(), text, arguments);
-  va_end(arguments);
-  return buffer.data();
-}
 
 std::string number(double value, int decimals = 2) {
   return std::isfinite(value) ? format("%.*f", decimals, value) : "never";
@@ -80,7 +70,7 @@ std::vector<std::string> path_and_yaw(const TrialRun& run, const std::string& ti
   ChartSeries truth = series("truth", kTruthColour), model = series("model", kModelColour),
               fused = series("fused", kFusedColour, true);
   ChartSeries truth_yaw = truth, model_yaw = model, fused_yaw = fused;
-  for (const report::TrackPoint& point : run.result.points) {
+  for (const report::TrajectoryPoint& point : run.result.points) {
     truth.points.emplace_back(point.truth.x_m, point.truth.y_m);
     model.points.emplace_back(point.model.x_m, point.model.y_m);
     fused.points.emplace_back(point.fused.x_m, point.fused.y_m);
@@ -105,8 +95,8 @@ std::vector<std::string> path_and_yaw(const TrialRun& run, const std::string& ti
 }
 
 std::string pitch_chart(const TrialRun& run, const std::string& title) {
-  ChartSeries truth = series("truth", kTruthColour), model = series("model's ride", kModelColour);
-  for (const report::TrackPoint& point : run.result.points) {
+  ChartSeries truth = series("truth", kTruthColour), model = series("model's slope", kModelColour);
+  for (const report::TrajectoryPoint& point : run.result.points) {
     truth.points.emplace_back(point.t_s, -point.truth.pitch_rad * kDegPerRad);
     model.points.emplace_back(point.t_s, -point.model.pitch_rad * kDegPerRad);
   }
@@ -149,7 +139,7 @@ std::vector<std::string> slope_charts(const Reproduction& what) {
 }
 
 Rows parameter_table(const Reproduction& what) {
-  const course::ModelValues& model = what.reference.model;
+  const model::TrackParameters& model = what.reference.model;
   return {
       {"parameter", "ours, identified", "paper, printed"},
       {"equivalent wheelbase [m]", number(model.wheelbase_m, 4),
@@ -170,7 +160,7 @@ Rows squared_table(const Reproduction& what) {
       {"course", "ours: x [m^2]", "y [m^2]", "yaw [rad^2]", "paper, as printed: x", "y", "yaw"}};
   for (const CourseStudy& study : what.studies) {
     const auto paper = report::published_errors(study.course);
-    if (!paper || paper->mse_x < 0 || !is_paper_course(study, what) || study.setup == "bench")
+    if (!paper || paper->mse_x < 0 || !is_paper_course(study, what) || study.setup == "stand")
       continue;
     rows.push_back({study.course + " (" + study.setup + ")", scientific(study.mse_x_m2.median),
                     scientific(study.mse_y_m2.median), scientific(study.mse_yaw_rad2.median),
@@ -179,9 +169,9 @@ Rows squared_table(const Reproduction& what) {
   return rows;
 }
 
-Rows drawn_table() {
+Rows sampled_table() {
   Rows rows = {{"in which they differ", "from", "to", "unit"}};
-  for (const DrawnRange& range : kDrawnRanges)
+  for (const SampledRange& range : kSampledRanges)
     rows.push_back({range.what, format("%g", range.low), format("%g", range.high), range.unit});
   return rows;
 }
@@ -201,7 +191,7 @@ void write_courses(report::HtmlPage& page, const Reproduction& what) {
                     find("fused"), find("tracking"), std::to_string(study.runs)});
   }
   page.table(rows,
-             "Medians. Course 2: root mean squares between the shoves. Model, estimate and "
+             "Medians. Course 2: root mean squares between the disturbances. Model, estimate and "
              "tracking are three different things and never mixed.");
   for (const CourseStudy& study : what.studies) {
     if (!is_paper_course(study, what) || study.shown.result.points.empty()) continue;
@@ -239,13 +229,14 @@ std::string reproduction_page(const Reproduction& what) {
   report::HtmlPage page("The paper's experiment on the emulated TP100");
   page.paragraph(format(
       "Seeds %llu and following, %d a course, each driven both ways round. The truth is the exact "
-      "pose of a rigid body on belts (ODE) that shares no code with the model; the robot drives by "
+      "pose of a rigid body on tracks (ODE) that shares no code with the model; the robot drives "
+      "by "
       "the fused pose. Model means the extended one: eqs 1-5 and seven constants of ours, which "
       "the paper's equations alone have not.",
       static_cast<unsigned long long>(what.seed), what.runs));
   page.paragraph(
       "The reference robot's slip table is fitted through its contact creep, its slip on the level "
-      "is a belt speed deficit that no physics explains, and its end-loaded belts make eqs 1-5 "
+      "is a track speed deficit that no physics explains, and its end-loaded tracks make eqs 1-5 "
       "nearly exact. What a real TP100 does on a real floor only a real TP100 can show.");
   if (!what.slopes.empty()) {
     page.heading("Slip against slope (table 4, figure 11)");
@@ -264,10 +255,10 @@ std::string reproduction_page(const Reproduction& what) {
              "The paper prints m and rad for squares, and its values contradict its own maxima: "
              "they are shown, nothing is claimed from them.");
   if (std::any_of(what.studies.begin(), what.studies.end(),
-                  [](const CourseStudy& study) { return study.robot.starts_with("drawn-"); })) {
-    page.heading("Robots drawn from ranges");
+                  [](const CourseStudy& study) { return study.robot.starts_with("sampled-"); })) {
+    page.heading("Robots sampled from ranges");
     page.table(
-        drawn_table(),
+        sampled_table(),
         "Each was identified from its own calibration drives first; its file lies beside this "
         "page. One seed, both ways round. Where friction is below 0.85, or the robot is so long "
         "that it meets the step in the curve, course 3 is driven on a flat floor; so it is with "
@@ -327,9 +318,9 @@ std::string reproduction_json(const Reproduction& what) {
 std::string reproduction_table(const Reproduction& what) {
   std::string out;
   for (const std::vector<report::Cell>& row : judged_rows(what)) {
-    constexpr std::array kWidths = {24, 14, 26, 42, -8, -8, -8, 8};
+    constexpr std::array kWidths = {-24, -14, -26, -42, 8, 8, 8, -8};
     for (std::size_t i = 0; i < row.size(); ++i)
-      out += format("%s%*s", i == 0 ? "" : " ", -kWidths[i], row[i].text.c_str());
+      out += format("%s%*s", i == 0 ? "" : " ", kWidths[i], row[i].text.c_str());
     const bool missed =
         std::any_of(row.begin(), row.end(), [](const report::Cell& cell) { return cell.missed; });
     out += missed ? " DOES NOT HOLD\n" : "\n";

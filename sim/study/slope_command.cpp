@@ -1,5 +1,3 @@
-#include "sim/study/slope_command.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,12 +7,13 @@
 #include "core/angle.h"
 #include "sim/body/body.h"
 #include "sim/robot/options.h"
+#include "sim/study/commands.h"
 #include "text/key.h"
 
 namespace tp100::sim {
 namespace {
 
-constexpr double kBeltMps = 0.10;
+constexpr double kTrackMps = 0.10;
 constexpr double kRunInS = 0.5;
 constexpr double kMeasureS = 2.0;
 
@@ -40,7 +39,7 @@ course::Terrain slope_of(double slope_rad, double length_m) {
   return terrain;
 }
 
-/// How fast the body is over either belt, along its own x axis.
+/// How fast the body is over either track, along its own x axis.
 double forward_mps(const BodyState& state) {
   const double cos_pitch = std::cos(state.pose.pitch_rad);
   return state.velocity_mps[0] * std::cos(state.pose.yaw_rad) * cos_pitch +
@@ -53,7 +52,7 @@ double signed_deviation(double measured, const std::optional<double>& paper) {
 }
 
 void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.size()>& measured) {
-  std::printf("Slip against slope at %.2f m/s of belt, robot %s\n\n", kBeltMps, robot.c_str());
+  std::printf("Slip against slope at %.2f m/s of track, robot %s\n\n", kTrackMps, robot.c_str());
   std::printf(
       "  slope        ours, measured     paper, as printed       ours - paper     ours, turn\n");
   std::printf(
@@ -83,7 +82,7 @@ void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.siz
       "\nlargest difference %.3f\n\n"
       "The reference robot's table is fitted through its contact creep, not predicted, and the "
       "slip\n"
-      "on the level is a belt speed deficit that no physics explains: see its file. The paper has "
+      "on the level is a track speed deficit that no physics explains: see its file. The paper has "
       "no\n"
       "row for 4 deg.\n",
       worst);
@@ -107,19 +106,19 @@ void print_json(const std::string& robot, const std::array<SlopeSlip, kRows.size
   std::string rows;
   for (std::size_t i = 0; i < kRows.size(); ++i)
     rows += (i == 0 ? "" : ",") + json_of(kRows[i], measured[i]);
-  std::printf(R"({"robot":%s,"belt_mps":%s,"slopes":[%s]})"
+  std::printf(R"({"robot":%s,"track_mps":%s,"slopes":[%s]})"
               "\n",
-              text::toml_string(robot).c_str(), text::number_text(kBeltMps).c_str(), rows.c_str());
+              text::toml_string(robot).c_str(), text::number_text(kTrackMps).c_str(), rows.c_str());
 }
 
 }  // namespace
 
 std::span<const SlopeRow> slope_rows() { return kRows; }
 
-SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double belt_mps) {
+SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double track_mps) {
   const double start_m = 2.0 * values.length_m;
-  const double way_m = std::abs(belt_mps) * (kRunInS + kMeasureS);
-  const course::Terrain terrain = slope_of(slope_rad, 2.0 * start_m + 4.0 * way_m);
+  const double distance_m = std::abs(track_mps) * (kRunInS + kMeasureS);
+  const course::Terrain terrain = slope_of(slope_rad, 2.0 * start_m + 4.0 * distance_m);
   Body body(values,
             {.x_m = start_m * std::cos(slope_rad),
              .z_m = start_m * std::sin(slope_rad),
@@ -127,17 +126,17 @@ SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, do
             false, terrain);
   const int run_in = static_cast<int>(std::lround(kRunInS * 1e9 / kPhysicsStepNs));
   const int measured = static_cast<int>(std::lround(kMeasureS * 1e9 / kPhysicsStepNs));
-  for (int i = 0; i < run_in; ++i) body.step(belt_mps, belt_mps);
+  for (int i = 0; i < run_in; ++i) body.step(track_mps, track_mps);
   double way = 0.0, turned = 0.0;
   for (int i = 0; i < measured; ++i) {
-    body.step(belt_mps, belt_mps);
+    body.step(track_mps, track_mps);
     way += forward_mps(body.state());
     turned += body.state().rate_radps[2];
   }
   way /= measured;
   turned /= measured;
   const double half = turned * values.gauge_m / 2.0;
-  SlopeSlip slip{slope_rad, 1.0 - (way - half) / belt_mps, 1.0 - (way + half) / belt_mps, turned};
+  SlopeSlip slip{slope_rad, 1.0 - (way - half) / track_mps, 1.0 - (way + half) / track_mps, turned};
   // Up the slope with the nose in front, and not merely grinding.
   slip.climbed = std::max(slip.left, slip.right) < 0.9 &&
                  std::abs(-body.state().pose.pitch_rad - slope_rad) < 5.0 * kRadPerDeg;
@@ -151,7 +150,7 @@ int run_slope(const SlopeCommand& command) {
   std::array<SlopeSlip, kRows.size()> measured{};
   bool all_climbed = true;
   for (std::size_t i = 0; i < kRows.size(); ++i) {
-    measured[i] = measure_slope(robot.emulated.body, kRows[i].slope_deg * kRadPerDeg, kBeltMps);
+    measured[i] = measure_slope(robot.emulated.body, kRows[i].slope_deg * kRadPerDeg, kTrackMps);
     all_climbed = all_climbed && measured[i].climbed;
   }
   command.json ? print_json(robot.name, measured) : print_table(robot.name, measured);

@@ -7,14 +7,29 @@
 #include <string>
 
 #include "core/angle.h"
+#include "model/step_climb.h"
+#include "sim/body/body.h"
 #include "sim/robot/options.h"
-#include "sim/study/climb_check.h"
+#include "terrain/climbable.h"
+#include "terrain/terrain_follower.h"
 
 namespace tp100::sim {
 namespace {
 
+constexpr double kRunUpM = 0.05;
+constexpr double kBehindM = 0.10;
+constexpr double kLittleCreep = 0.005;
+constexpr double kGrip = 1.2;
+
+course::EmulatedBody gripping(course::EmulatedBody body) {
+  body.track_deficit_left = body.track_deficit_right = 0.0;
+  body.creep_left = body.creep_right = kLittleCreep;
+  body.friction = kGrip;
+  return body;
+}
+
 constexpr const char* kKinds[] = {"1-straight", "1-curve", "1-sharp", "2", "3"};
-constexpr double kBeltMps = 0.10;
+constexpr double kTrackMps = 0.10;
 constexpr double kBlockHeightsM[] = {0.020, 0.025, 0.030, 0.037};
 constexpr double kBlockDepthsM[] = {0.10, 0.20};
 
@@ -100,7 +115,7 @@ CourseStudy study_climb(const course::Robot& robot) {
   double rms_rad = 0.0, max_rad = 0.0;
   for (const double height_m : kBlockHeightsM) {
     for (const double depth_m : kBlockDepthsM) {
-      const ClimbCheck check = check_climb_pitch(robot, height_m, depth_m, kBeltMps);
+      const ClimbCheck check = check_climb_pitch(robot, height_m, depth_m, kTrackMps);
       ++study.runs;
       if (check.crossed) ++study.completed;
       rms_rad = std::max(rms_rad, check.pitch_rms_rad);
@@ -122,6 +137,45 @@ CourseStudy study_climb(const course::Robot& robot) {
 }
 
 }  // namespace
+
+ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double depth_m,
+                             double track_mps) {
+  const course::EmulatedBody values = gripping(robot.emulated.body);
+  model::StepClimb climb(terrain::climb_geometry(robot.shape),
+                         {.height_m = height_m, .depth_m = depth_m}, model::RiserForm::kTrackHolds,
+                         model::TipStart::kLiftOff);
+  climb.reset(kRunUpM);
+  course::Block block{};
+  block.place.x_m = kRunUpM - climb.touch_x_m() + depth_m / 2.0;
+  block.height_m = height_m;
+  block.depth_m = depth_m;
+  block.width_m = 4.0 * values.gauge_m;
+  course::Terrain terrain;
+  terrain.blocks.push_back(block);
+  Body body(values, {}, false, terrain);
+
+  const double distance_m = kRunUpM + depth_m + 2.0 * values.length_m + kBehindM;
+  const double dt_s = 1e-9 * static_cast<double>(kPhysicsStepNs);
+  const auto steps = static_cast<std::size_t>(distance_m / track_mps / dt_s);
+  ClimbCheck check;
+  check.height_m = height_m;
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < steps; ++i) {
+    body.step(track_mps, track_mps);
+    const model::ClimbState& state = climb.advance(track_mps * dt_s, dt_s);
+    const double off = state.pitch_rad - body.state().pose.pitch_rad;
+    const bool level = state.phase == model::ClimbPhase::kApproach ||
+                       (state.phase == model::ClimbPhase::kDown && std::abs(off) < 1e-3);
+    if (level) continue;
+    check.pitch_max_rad = std::max(check.pitch_max_rad, std::abs(off));
+    squares += off * off;
+    ++count;
+  }
+  if (count > 0) check.pitch_rms_rad = std::sqrt(squares / static_cast<double>(count));
+  check.crossed = body.state().pose.x_m > block.place.x_m + depth_m / 2.0;
+  return check;
+}
 
 std::vector<CourseStudy> study_state(const course::Robot& robot, std::uint64_t first_seed,
                                      int runs) {

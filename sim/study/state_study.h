@@ -1,14 +1,30 @@
 #pragma once
-// What the daemon says of slope, obstacle and camera noise, judged: the lines of `tp100-sim
-// reproduce` that are about state and not about place.
+// Judges the daemon's slope, obstacle and camera noise: the lines of `tp100-sim reproduce` about
+// state rather than position.
 
 #include <cstdint>
 #include <vector>
 
 #include "course/robot.h"
-#include "sim/study/reproduce.h"
+#include "sim/study/study.h"
 
 namespace tp100::sim {
+
+/// Compares the step climb model with the emulated body under equal conditions, tracks that lose no
+/// speed and hardly creep: one drive straight over a block, from first touch until the body is
+/// level behind it.
+struct ClimbCheck {
+  double pitch_rms_rad = 0.0;  ///< model's pitch minus the body's
+  double pitch_max_rad = 0.0;
+  double height_m = 0.0;  ///< of the block
+  bool crossed = false;   ///< the body got over it
+};
+
+/// The body of `robot` without track deficit and with little creep, and the model as
+/// terrain::TerrainFollower uses it, both with tracks at `track_mps` over a block of `height_m` by
+/// `depth_m`. Pure. Throws SetupError if the model cannot climb it.
+ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double depth_m,
+                             double track_mps);
 
 /// Three studies: the five courses on a flat floor (5 x `runs` drives; the slope's state must never
 /// change), course 3 with its obstacles on the floor, and the step climb model against the body

@@ -1,15 +1,70 @@
+#include "sim/study/study.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "core/angle.h"
 #include "core/error.h"
+#include "course/course.h"
 #include "course/path.h"
-#include "sim/study/reproduce.h"
+#include "sim/study/study.h"
 
 namespace tp100::sim {
 namespace {
+
+// A body that leans by more, or did so until a moment ago, is on an obstacle; the camera's sample
+// of the landing arrives a little later.
+constexpr double kLeansRad = 1.0 * kRadPerDeg;
+constexpr double kLiftedM = 0.002;
+constexpr double kAfterwardsS = 0.1;
+// The effect of a disturbance on an estimate ends once the camera has shown it.
+constexpr double kSeenAfterS = 0.3;
+
+bool disturbed(const report::RunResult& run, double t_s) {
+  return std::any_of(run.disturbances.begin(), run.disturbances.end(),
+                     [t_s](const auto& disturbance) {
+                       return t_s >= disturbance.begin_s && t_s <= disturbance.end_s + kSeenAfterS;
+                     });
+}
+
+void judge_fused(TrialRun& run) {
+  double leaning_until_s = -1.0;
+  double squares_m2 = 0.0, squares_rad2 = 0.0;
+  std::size_t count = 0;
+  for (const report::TrajectoryPoint& point : run.result.points) {
+    const double error_m =
+        std::hypot(point.fused.x_m - point.truth.x_m, point.fused.y_m - point.truth.y_m);
+    if (std::abs(point.truth.pitch_rad) > kLeansRad || point.truth.z_m > kLiftedM)
+      leaning_until_s = point.t_s + kAfterwardsS;
+    double& largest =
+        point.t_s <= leaning_until_s ? run.fused_max_obstacle_m : run.fused_max_flat_m;
+    if (disturbed(run.result, point.t_s)) continue;
+    largest = std::max(largest, error_m);
+    const double yaw_rad = wrap_angle(point.fused.yaw_rad - point.truth.yaw_rad);
+    squares_m2 += error_m * error_m;
+    squares_rad2 += yaw_rad * yaw_rad;
+    ++count;
+  }
+  const auto n = static_cast<double>(std::max<std::size_t>(count, 1));
+  run.fused_rms_m = std::sqrt(squares_m2 / n);
+  run.fused_rms_yaw_rad = std::sqrt(squares_rad2 / n);
+}
+
+TrialRun judged(report::RunResult result, const course::Course& course) {
+  TrialRun run;
+  run.result = std::move(result);
+  run.figures = report::figures(run.result, course);
+  if (run.result.has_camera) judge_fused(run);
+  run.model_rms_m = run.figures.model.rms_position_error_m;
+  run.model_rms_yaw_rad = std::sqrt(run.figures.model.mse_yaw_rad2);
+  for (const std::optional<double>& time_s : run.figures.tracking.recovery_s)
+    run.slowest_recovery_s =
+        std::max(run.slowest_recovery_s, time_s.value_or(std::numeric_limits<double>::infinity()));
+  return run;
+}
 
 constexpr double kShare = 0.03;           // of the distance, for robots but the reference
 constexpr double kOdometryShare = 0.025;  // of the distance
@@ -46,13 +101,13 @@ class Judge {
 void judge_model(Judge& judge, const Limits& limits, double distance_m, bool reference) {
   const auto max_cm = [](const TrialRun& r) { return cm(r.figures.model.max_position_error_m); };
   if (limits.kind == "2" && reference) {
-    judge.add("model rms between shoves", "cm", limits.model_cm,
+    judge.add("model rms between disturbances", "cm", limits.model_cm,
               [](const TrialRun& r) { return cm(r.model_rms_m); });
-    judge.add("model yaw rms between shoves", "deg", 3.0,
+    judge.add("model yaw rms between disturbances", "deg", 3.0,
               [](const TrialRun& r) { return r.model_rms_yaw_rad * kDegPerRad; });
     return;
   }
-  judge.add(limits.kind == "2" ? "model max between shoves" : "model max", "cm",
+  judge.add(limits.kind == "2" ? "model max between disturbances" : "model max", "cm",
             reference ? limits.model_cm : cm(kShare * distance_m), max_cm);
 }
 
@@ -90,7 +145,7 @@ void judge_fused(Judge& judge, const Limits& limits, bool blind) {
 
 void judge_tracking(Judge& judge, const Limits& limits) {
   if (limits.kind == "2") {
-    judge.add("tracking: slowest recovery from a shove", "s", 2.5,
+    judge.add("tracking: slowest recovery from a disturbance", "s", 2.5,
               [](const TrialRun& r) { return r.slowest_recovery_s; });
     return;
   }
@@ -99,6 +154,41 @@ void judge_tracking(Judge& judge, const Limits& limits) {
 }
 
 }  // namespace
+
+std::vector<TrialRun> run_trial(const Trial& trial) {
+  LockstepSettings settings;
+  settings.robot = trial.robot;
+  settings.setup = trial.setup;
+  settings.board = trial.board;
+  if (trial.setup != bridge::Setup::kStand) {
+    settings.camera = course::EmulatedCamera{};
+    settings.camera->blind_from_s = trial.blind_from_s;
+    settings.camera->blind_s = trial.blind_s;
+    settings.configuration.parameters.steering = PoseSource::kFused;
+  }
+  std::vector<TrialRun> runs;
+  for (int i = 0; i < trial.runs; ++i) {
+    settings.seed = trial.first_seed + static_cast<std::uint64_t>(i);
+    for (const bool mirror : {false, true}) {
+      if (mirror && !trial.both_directions) continue;
+      settings.course = mirror ? course::mirrored(trial.course) : trial.course;
+      runs.push_back(judged(run_lockstep(settings), settings.course));
+    }
+  }
+  return runs;
+}
+
+Spread spread_of(const std::vector<TrialRun>& runs, double (*figure)(const TrialRun&)) {
+  std::vector<double> values;
+  values.reserve(runs.size());
+  for (const TrialRun& run : runs) values.push_back(figure(run));
+  return spread(values);
+}
+
+int completed(const std::vector<TrialRun>& runs) {
+  return static_cast<int>(std::count_if(runs.begin(), runs.end(),
+                                        [](const TrialRun& run) { return run.result.completed; }));
+}
 
 CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
   const std::vector<TrialRun> runs = run_trial(trial);
@@ -119,13 +209,13 @@ CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
   const Limits limits = limits_of(kind, result.distance_m);
   Judge judge(result, runs);
   const bool blind = trial.blind_s > 0.0;
-  const bool bench = trial.setup == bridge::Setup::kBench;
-  // On a bench there is no truth but the virtual pose itself.
-  if (!blind && !bench) {
+  const bool stand = trial.setup == bridge::Setup::kStand;
+  // On a stand there is no truth but the virtual pose itself.
+  if (!blind && !stand) {
     judge_model(judge, limits, result.distance_m, reference);
     judge_odometry(judge, limits, result.distance_m);
   }
-  if (!bench) judge_fused(judge, limits, blind);
+  if (!stand) judge_fused(judge, limits, blind);
   if (!blind) judge_tracking(judge, limits);
   result.mse_x_m2 = spread_of(runs, [](const TrialRun& r) { return r.figures.model.mse_x_m2; });
   result.mse_y_m2 = spread_of(runs, [](const TrialRun& r) { return r.figures.model.mse_y_m2; });

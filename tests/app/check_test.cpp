@@ -1,5 +1,3 @@
-#include "app/check.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <fstream>
 
 #include "../support/temporary_folder.h"
+#include "app/commands.h"
 #include "core/error.h"
 #include "support/paths.h"
 
@@ -33,7 +32,7 @@ TEST(Check, EveryBundledFileIsRight) {
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(config)) {
     const std::string folder = entry.path().parent_path().filename().string();
-    // Those are other programs' to check.
+    // Other programs check the view file and the campaigns.
     if (entry.path().extension() != ".toml" || entry.path().filename() == "view.toml" ||
         folder == "campaigns")
       continue;
@@ -50,7 +49,7 @@ TEST(Check, EveryBundledFileIsRight) {
 TEST(Check, AViewFileIsSentToTheProgramThatReadsIt) {
   try {
     check_file(TP100_SOURCE_DIR "/config/view.toml");
-    FAIL() << "taken";
+    FAIL() << "the view file was accepted";
   } catch (const SetupError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("tp100-camera SOURCE --view"));
   }
@@ -64,7 +63,7 @@ TEST(Check, ACampaignIsSentToTheProgramThatReadsIt) {
        {std::string(TP100_SOURCE_DIR "/config/campaigns/course-3.toml"), least})
     try {
       check_file(path);
-      ADD_FAILURE() << path << " taken";
+      ADD_FAILURE() << path << " was accepted";
     } catch (const SetupError& error) {
       EXPECT_THAT(error.what(), HasSubstr("run tp100-sim campaign " + path));
     }

@@ -1,5 +1,3 @@
-#include "app/export.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <sstream>
 
 #include "../record/random_record.h"
+#include "app/commands.h"
 #include "record/recording.h"
 #include "recorded_run.h"
 #include "support/temporary_folder.h"
@@ -19,26 +18,29 @@ namespace {
 using text::CsvTable;
 using text::parse_csv;
 
-/// A recording in which every value that is exported is another one.
+/// A recording whose exported values all differ from each other.
 class Export : public testing::Test {
  protected:
   Export() {
     record_run(folder_.file("run.mcap"), [this](StepRecord& record) {
       record::RandomFiller fill(record.step + 1);
       Snapshot& s = record.snapshot;
-      for (Pose* pose : {&s.model, &s.odometry, &s.fused.pose}) fill("", *pose);
+      for (Pose* pose :
+           {&s.estimates[PoseSource::kModel].pose, &s.estimates[PoseSource::kOdometry].pose,
+            &s.estimates[PoseSource::kFused].pose})
+        fill("", *pose);
       for (double* value :
            {&s.left_mps, &s.right_mps, &s.slip_left, &s.slip_right, &s.cross_track_m,
             &s.heading_error_rad, &s.progress_m, &s.command.desired_yaw_rad, &s.command.speed_mps})
         fill("", *value);
-      for (std::size_t i = 0; i < record.sample_count; ++i) {
-        Sample& sample = record.samples[i];
+      for (std::size_t i = 0; i < record.inputs.samples.size(); ++i) {
+        Sample& sample = record.inputs.samples[i];
         fill("", sample.gyro_radps);
         sample.left_counts = static_cast<std::int64_t>(3 * record.step);
         sample.right_counts = -static_cast<std::int64_t>(5 * record.step);
         samples_.push_back(sample);
       }
-      if (record.sample_count > 0) snapshots_.push_back(s);
+      if (!record.inputs.samples.empty()) snapshots_.push_back(s);
       return true;
     });
     const std::string out = folder_.path().string();
@@ -47,7 +49,7 @@ class Export : public testing::Test {
   }
 
   std::string text(const char* name) const { return test::read_bytes(folder_.file(name)); }
-  /// The step that a row with this time is of.
+  /// The step of the row with this time.
   const Snapshot& at(double t_s) const {
     for (const Snapshot& snapshot : snapshots_)
       if (std::abs(to_s(snapshot.sample.measured_ns - start_ns_) - t_s) < 1e-6) return snapshot;
@@ -55,7 +57,7 @@ class Export : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::vector<Snapshot> snapshots_;  // of the steps that got a sample
+  std::vector<Snapshot> snapshots_;  // of the steps that received a sample
   std::vector<Sample> samples_;
   HostNs start_ns_ = 0;
 };
@@ -65,9 +67,9 @@ using Value = std::function<double(const Snapshot&)>;
 std::map<std::string, Value> columns_of_poses() {
   std::map<std::string, Value> columns;
   const std::map<std::string, std::function<Pose(const Snapshot&)>> poses = {
-      {"model", [](const Snapshot& s) { return s.model; }},
-      {"odometry", [](const Snapshot& s) { return s.odometry; }},
-      {"fused", [](const Snapshot& s) { return s.fused.pose; }}};
+      {"model", [](const Snapshot& s) { return s.estimates[PoseSource::kModel].pose; }},
+      {"odometry", [](const Snapshot& s) { return s.estimates[PoseSource::kOdometry].pose; }},
+      {"fused", [](const Snapshot& s) { return s.estimates[PoseSource::kFused].pose; }}};
   const std::map<std::string, double Pose::*> values = {{"x_m", &Pose::x_m},
                                                         {"y_m", &Pose::y_m},
                                                         {"z_m", &Pose::z_m},
@@ -76,7 +78,9 @@ std::map<std::string, Value> columns_of_poses() {
                                                         {"yaw_rad", &Pose::yaw_rad}};
   for (const auto& [name, pose] : poses)
     for (const auto& [key, value] : values)
-      columns[name + "_" + key] = [pose, value](const Snapshot& s) { return pose(s).*value; };
+      columns[name + "_" + key] = [of = pose, member = value](const Snapshot& s) {
+        return of(s).*member;
+      };
   columns["left_mps"] = [](const Snapshot& s) { return s.left_mps; };
   columns["right_mps"] = [](const Snapshot& s) { return s.right_mps; };
   columns["slip_left"] = [](const Snapshot& s) { return s.slip_left; };
@@ -116,12 +120,12 @@ TEST_F(Export, EveryColumnOfSamplesHoldsWhatItsNameSays) {
   }
 }
 
-// `time x y z qx qy qz qw`.
+// Each line is `time x y z qx qy qz qw`.
 TEST_F(Export, EveryTrajectoryHoldsThePoseOfItsName) {
   const std::map<std::string, std::function<Pose(const Snapshot&)>> files = {
-      {"model.tum", [](const Snapshot& s) { return s.model; }},
-      {"odometry.tum", [](const Snapshot& s) { return s.odometry; }},
-      {"fused.tum", [](const Snapshot& s) { return s.fused.pose; }}};
+      {"model.tum", [](const Snapshot& s) { return s.estimates[PoseSource::kModel].pose; }},
+      {"odometry.tum", [](const Snapshot& s) { return s.estimates[PoseSource::kOdometry].pose; }},
+      {"fused.tum", [](const Snapshot& s) { return s.estimates[PoseSource::kFused].pose; }}};
   for (const auto& [name, pose_of] : files) {
     std::istringstream lines(text(name.c_str()));
     double t_s, x, y, z, qx, qy, qz, qw;

@@ -1,5 +1,5 @@
-// The recordings that the fuzzer begins with have to be of the present layout: others are refused
-// before anything of them is read. TP100_REWRITE_SEEDS=1 writes them anew.
+// The seed recordings of the fuzzer must have the present layout: the reader refuses any other
+// layout before it reads the content. TP100_REWRITE_SEEDS=1 rewrites them.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(FuzzSeeds, AreRecordingsOfThePresentLayout) {
       const record::Recording recording(kSeeds + name + ".mcap");
       const std::uint64_t steps = steps_of(recording);
       EXPECT_EQ(recording.whole(), name != "cut");
-      // Its only chunk is lost with its end.
+      // The only chunk of the cut recording is lost because its end is missing.
       EXPECT_EQ(steps, name == "cut" ? 0 : kSteps);
     } catch (const SetupError& error) {
       ADD_FAILURE() << error.what();

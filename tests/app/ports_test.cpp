@@ -1,7 +1,7 @@
-#include "app/ports.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "app/commands.h"
 
 namespace tp100::app {
 namespace {

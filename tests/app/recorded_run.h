@@ -1,5 +1,5 @@
 #pragma once
-// A short recording: the daemon's cycle with a scripted robot, which stands still.
+// A short recording: the daemon's cycle with a scripted robot at standstill.
 
 #include <filesystem>
 #include <functional>
@@ -14,9 +14,9 @@
 
 namespace tp100::app {
 
-/// Two seconds of course 1-curve, 200 steps a second; after one a parameter changes. `edit` may
-/// change a record on its way, or leave it out by returning false. The recording begins when
-/// `begin_at` steps are done.
+/// Records two seconds of course 1-curve at 200 steps per second; a parameter changes after one
+/// second. `edit` may change a record before it is recorded, or drop it by returning false. The
+/// recording begins after `begin_at` steps.
 inline void record_run(
     const std::string& path,
     const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },
@@ -25,8 +25,7 @@ inline void record_run(
   files.robot = course::read_bundled(course::Bundled::kRobots, "end-loaded");
   files.course = course::read_bundled(course::Bundled::kCourses, "1-curve");
   const config::RunSetup run = config::parse_run(files);
-  record::Recorder recorder(
-      {.journal_folder = std::filesystem::path(path).parent_path().string(), .patient = true});
+  record::Recorder recorder({.history = record::HistorySettings{}, .blocking = true});
   const auto begin = [&] {
     recorder.begin({.path = path, .compress = compress, .clock = {kNsPerS, 0}},
                    config::run_facts(files, run, facts));
@@ -34,21 +33,21 @@ inline void record_run(
   ScriptedRobot robot;
   bridge::Cycle cycle(bridge::session_settings(run.parameters), run.parameters, run.course);
   HostNs now = kNsPerS;
-  cycle.open(now);
+  cycle.session().open(now);
   cycle.request(OperatorRequest::kStart);
   const auto record = std::make_unique<StepRecord>();
   for (int i = 0; i < 400; ++i) {
     if (i == begin_at) begin();
     now += 5 * kNsPerMs;
     robot.tick(now);
-    cycle.receive(robot.take(), now);
+    cycle.session().receive(robot.take(), now);
     if (i == 200) cycle.change({LiveParameter::kAcceleration, 0.05});
     cycle.step(now);
     cycle.record(*record);
     if (edit(*record)) recorder.take(*record);
-    cycle.take_events();
-    robot.hear(cycle.output(), now);
-    cycle.written(cycle.output().size());
+    cycle.session().take_events();
+    robot.hear(cycle.session().output(), now);
+    cycle.session().written(cycle.session().output().size());
   }
 }
 

@@ -1,11 +1,10 @@
-#include "app/replay_recording.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "../record/random_record.h"
+#include "app/commands.h"
 #include "app/replay.h"
 #include "core/error.h"
 #include "recorded_run.h"
@@ -56,10 +55,11 @@ TEST_F(ReplayRecording, WhatBeganLaterIsReplayedFromTheStart) {
 
 TEST_F(ReplayRecording, AParameterThatChangedOnTheWayIsAnInputLikeAnyOther) {
   record_run(file(), [](StepRecord& record) {
-    record.change_count = 0;
+    record.inputs.changes.clear();
     return true;
   });
-  EXPECT_TRUE(replayed().differs_at.has_value()) << "the recording without it is another run";
+  EXPECT_TRUE(replayed().differs_at.has_value())
+      << "the replay matches although the parameter change is missing";
 }
 
 TEST_F(ReplayRecording, WritesAPoseForEachStepThatGotASample) {
@@ -68,7 +68,7 @@ TEST_F(ReplayRecording, WritesAPoseForEachStepThatGotASample) {
   const std::string text = test::read_bytes(poses());
   EXPECT_THAT(text, StartsWith(kReplayHeader));
   EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 300);
-  // The folder of the run means the recording in it.
+  // The folder of a run is accepted in place of its recording.
   ReplayOptions folder = options();
   folder.in = folder_.path().string();
   EXPECT_EQ(run_replay(folder), 0);
@@ -78,7 +78,8 @@ TEST_F(ReplayRecording, WritesAPoseForEachStepThatGotASample) {
 TEST_F(ReplayRecording, OneWrongBitOfOnePoseIsFoundAndNothingIsWritten) {
   record_run(file(), [](StepRecord& record) {
     if (record.step == 250)
-      record.snapshot.odometry.y_m = std::nextafter(record.snapshot.odometry.y_m, 1.0);
+      record.snapshot.estimates[PoseSource::kOdometry].pose.y_m =
+          std::nextafter(record.snapshot.estimates[PoseSource::kOdometry].pose.y_m, 1.0);
     return true;
   });
   const Replayed result = replayed();
@@ -124,16 +125,16 @@ TEST_F(ReplayRecording, OtherParametersAreReplayedAndNotJudged) {
   EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("other parameters"));
 }
 
-// Run under the address and undefined sanitizers this is the proof.
+// The address and undefined-behaviour sanitizers detect any harm that these inputs do.
 TEST_F(ReplayRecording, InputsThatNoRobotSentDoNoHarm) {
   record_run(file(), [](StepRecord& record) {
     const std::uint64_t step = record.step;
     const HostNs now = record.now_ns;
-    // Between them the robot's own, so that it gets somewhere.
+    // The robot's own inputs come in between, so that the run makes progress.
     if (step % 50 < 25) return true;
     record = *record::random_record(step);
     record.step = step;
-    record.now_ns = step % 3 == 0 ? record.clock.reference_host_ns : now;
+    record.now_ns = step % 3 == 0 ? record.inputs.clock.reference_host_ns : now;
     return true;
   });
   const Replayed result = replayed(false);

@@ -1,5 +1,3 @@
-#include "app/replay.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,6 +11,7 @@
 #include <sstream>
 
 #include "../support/temporary_folder.h"
+#include "app/commands.h"
 #include "core/angle.h"
 #include "core/error.h"
 #include "text/csv_reader.h"
@@ -51,7 +50,8 @@ std::string constant(double left_mps, double right_mps, double dt_s, int rows) {
   return text;
 }
 
-/// Eqs 1-5 of the paper with its constants, written down anew: pose after `t_s` of constant speeds.
+/// Pose after `t_s` of constant speeds by eqs 1-5 of the paper with its constants, implemented
+/// independently of the product.
 struct Expected {
   double x, y, yaw, vx, vy, rate;
 };
@@ -62,7 +62,7 @@ Expected paper(double left, double right, double t_s) {
   const double vy = vx * std::tan(beta);
   const double a = rate * t_s;
   if (rate == 0.0) return {vx * t_s, vy * t_s, 0.0, vx, vy, rate};
-  // Circle about the instantaneous centre.
+  // The robot moves on a circle about the instantaneous centre.
   return {(vx * std::sin(a) - vy * (1 - std::cos(a))) / rate,
           (vx * (1 - std::cos(a)) + vy * std::sin(a)) / rate,
           a,
@@ -96,7 +96,7 @@ TEST(Replay, TimesMayBeUnixTime) {
     return std::array{poses["x_m"][1], poses["y_m"][1], poses["yaw_rad"][1]};
   };
   EXPECT_EQ(end(1.8e9), end(0.0));
-  EXPECT_EQ(end(1.8e12), end(0.0)) << "in milliseconds the speeds are the user's affair";
+  EXPECT_EQ(end(1.8e12), end(0.0)) << "times as large as Unix milliseconds must work too";
 }
 
 TEST(Replay, PaperModeIsEquations1To5WhateverTheConfiguration) {
@@ -126,7 +126,7 @@ TEST(Replay, PaperModeIsEquations1To5WhateverTheConfiguration) {
 TEST(Replay, TheStepSizeDoesNotMatter) {
   const text::CsvTable coarse = replayed(constant(-0.05, 0.2, 30.0, 2), ReplayModel::kPaper);
   const text::CsvTable fine = replayed(constant(-0.05, 0.2, 0.001, 30001), ReplayModel::kPaper);
-  EXPECT_GT(std::abs(coarse["yaw_rad"][1]), 2 * kPi);  // unwrapped
+  EXPECT_GT(std::abs(coarse["yaw_rad"][1]), 2 * kPi);  // the yaw is unwrapped
   EXPECT_NEAR(coarse["x_m"][1], fine["x_m"].back(), 1e-9);
   EXPECT_NEAR(coarse["y_m"][1], fine["y_m"].back(), 1e-9);
   EXPECT_NEAR(coarse["yaw_rad"][1], fine["yaw_rad"].back(), 1e-9);

@@ -1,5 +1,3 @@
-#include "app/report.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <random>
 
 #include "../record/random_record.h"
+#include "app/commands.h"
 #include "core/error.h"
 #include "recorded_run.h"
 #include "support/temporary_folder.h"
@@ -26,7 +25,7 @@ class Report : public testing::Test {
   std::string file() const { return folder_.file("run.mcap"); }
   std::string text(const std::string& name) const { return test::read_bytes(folder_.file(name)); }
   Json metrics() const { return Json::parse(text("metrics.json")); }
-  /// Makes the report; what was wrong, if anything.
+  /// Makes the report; returns the error message, or an empty string.
   std::string report() const {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
@@ -43,7 +42,7 @@ class Report : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-/// Every address in the page is the name of SVG's language, which nobody fetches.
+/// The page contains no address except SVG's XML namespace, which no browser fetches.
 void expect_offline(std::string page) {
   const std::string svg = "http://www.w3.org/2000/svg";
   for (std::size_t at = 0; (at = page.find(svg)) != std::string::npos;) page.erase(at, svg.size());
@@ -106,7 +105,7 @@ TEST_F(Report, ResultsThatNoStepGivesDoNoHarm) {
     snapshot.run_state = step > 20 ? RunState::kRunning : RunState::kIdle;
     const auto pick = [&] { return nonsense[random() % std::size(nonsense)]; };
     if (step % 2 == 0) snapshot.cross_track_m = snapshot.slip_left = snapshot.left_mps = pick();
-    if (step % 5 == 0) snapshot.model.x_m = pick();
+    if (step % 5 == 0) snapshot.estimates[PoseSource::kModel].pose.x_m = pick();
     if (step % 11 == 0) snapshot.world.yaw_rad = pick();
     if (step % 13 == 0) snapshot.progress_m = pick();
     snapshot.has_sample = true;

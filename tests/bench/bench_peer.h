@@ -12,7 +12,8 @@
 
 namespace tp100::test {
 
-/// Starts a program with `port` for every argument "PORT", in a group of its own; ends the group.
+/// Starts a program in its own process group, with `port` in place of every argument "PORT"; the
+/// destructor terminates the group.
 class BenchPeer {
  public:
   BenchPeer(const std::vector<std::string>& command, const std::string& port) {
@@ -24,7 +25,7 @@ class BenchPeer {
     pid_ = ::fork();
     if (pid_ != 0) return;
     ::setpgid(0, 0);
-    // Only the robot's times are printed here.
+    // Standard output is reserved for the measured times.
     ::dup2(STDERR_FILENO, STDOUT_FILENO);
     ::execvp(arguments[0], arguments.data());
     ::_exit(127);

@@ -1,5 +1,5 @@
-// Error of the clock sync against the emulated board's own clock, in virtual time, with the real
-// session on a loop of 200 Hz. clock_bench SECONDS SEEDS: rows of JSON.
+// clock_bench SECONDS SEEDS: measures the error of the clock sync against the emulated board's
+// clock, in virtual time, with the real session in a 200 Hz loop. Prints rows of JSON.
 
 #include <algorithm>
 #include <cmath>
@@ -10,32 +10,30 @@
 #include <vector>
 
 #include "bridge/cycle.h"
+#include "core/statistics.h"
 #include "course/robot.h"
 #include "link/session.h"
-#include "percentile.h"
 #include "sim/board/native_board.h"
+#include "sim/robot/emulated_robot.h"
 #include "sim/sensors/mpu6050.h"
-#include "sim/wire/uart_line.h"
 
 namespace tp100::sim {
 namespace {
 
-using test::percentile;
-
 constexpr std::int64_t kPeriodNs = 5 * kNsPerMs;
-// The live loop looks this often for bytes whose time matters.
+// The live loop polls with this period for bytes whose arrival time matters.
 constexpr std::int64_t kLookNs = 50 * kNsPerUs;
-// The line is full of exchanges after this.
+// The window of the clock sync is full of exchanges after this time.
 constexpr double kSettledS = 35.0;
 
 struct Case {
   double ppm;
-  std::int64_t to_host_ns;   ///< bytes arrive in batches, so far apart; 0: as they come
-  std::int64_t to_robot_ns;  ///< same, of what the host writes
+  std::int64_t to_host_ns;   ///< period of the batches in which bytes arrive; 0: each by itself
+  std::int64_t to_robot_ns;  ///< the same for bytes that the host writes
 };
 
-/// Hands bytes on at whole multiples of a period that drifts against the host's clock, as two
-/// crystals do.
+/// Releases bytes at whole multiples of a period that drifts against the host's clock, as one
+/// crystal oscillator drifts against another.
 class Batches {
  public:
   Batches(std::int64_t period_ns, std::mt19937_64& random)
@@ -85,10 +83,11 @@ class Line {
   }
 
  private:
-  /// The board counts from 0 and wraps later than any run here.
+  /// The board's clock starts at 0 and does not wrap within any run here.
   DeviceUs true_us() const { return static_cast<DeviceUs>(board_.device_us()); }
 
-  // As long as the host's finest look: what it writes must not arrive in the board's past.
+  // Advances by the host's shortest polling period, so that bytes from the host never arrive in the
+  // board's past.
   void quantum() {
     const std::int64_t until_ns = now_ns_ + kLookNs;
     if (now_ns_ % kNsPerMs == 0) imu_.measure({}, now_ns_);

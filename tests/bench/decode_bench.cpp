@@ -1,4 +1,4 @@
-// What a received frame costs. decode_bench ROUNDS: rows of JSON.
+// decode_bench ROUNDS: measures the time to decode a received frame. Prints rows of JSON.
 
 #include <algorithm>
 #include <chrono>
@@ -24,7 +24,7 @@ struct Stream {
   int frames = 0;
 };
 
-/// Samples as of a moving robot: most of their bytes differ from frame to frame.
+/// Samples of a moving robot: most of their bytes differ from frame to frame.
 Stream samples() {
   std::mt19937 random(1);
   const auto noise = [&](int range) {
@@ -50,7 +50,7 @@ Stream samples() {
   return stream;
 }
 
-/// Bytes of chance with a delimiter now and then: what a wrong baud rate gives.
+/// Random bytes with regular delimiters, as received at a wrong baud rate.
 Stream garbage() {
   std::mt19937 random(2);
   Stream stream;
@@ -90,7 +90,7 @@ void measure(const char* what, const Stream& stream, int rounds, Receive receive
     const Clock::time_point began = Clock::now();
     g_kept = g_kept + receive(stream);
     const std::chrono::duration<double, std::nano> took = Clock::now() - began;
-    // The first one warms up.
+    // The first round is a warm-up.
     if (i > 0) ns.push_back(took.count() / stream.frames);
   }
   std::sort(ns.begin(), ns.end());

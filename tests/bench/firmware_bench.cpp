@@ -1,4 +1,4 @@
-// What the firmware takes of an ATmega2560, measured on the emulated chip.
+// Measures how much of an ATmega2560 the firmware uses, on the emulated chip.
 
 #include <algorithm>
 #include <chrono>
@@ -7,8 +7,8 @@
 
 #include "avr_rig.h"
 #include "core/error.h"
-#include "isr_watch.h"
-#include "loop_watch.h"
+#include "isr_monitor.h"
+#include "loop_monitor.h"
 
 namespace tp100::sim {
 namespace {
@@ -31,8 +31,8 @@ std::uint32_t symbol(const AvrImage& image, const char* name) {
   return found->second & 0xFFFFU;
 }
 
-/// Busy share and speed of one way of running.
-void share(AvrRig& rig, LoopWatch& loop, const IsrWatch& interrupts, const char* what, int ms) {
+/// Measures the processor load and the emulation speed in one mode of operation.
+void share(AvrRig& rig, LoopMonitor& loop, const IsrMonitor& interrupts, const char* what, int ms) {
   using Clock = std::chrono::steady_clock;
   const AvrBoardCounters before = rig.board.counters();
   const std::uint64_t runs = interrupts.runs();
@@ -42,7 +42,7 @@ void share(AvrRig& rig, LoopWatch& loop, const IsrWatch& interrupts, const char*
   const std::chrono::duration<double> wall = Clock::now() - begin;
   const AvrBoardCounters after = rig.board.counters();
   const auto cycles = static_cast<double>(after.cycles - before.cycles);
-  // simavr enters an interrupt in no time.
+  // simavr does not count the cycles of an interrupt's entry.
   const auto entries = static_cast<double>(interrupts.runs() - runs) * kEntryCycles;
   const double busy =
       1.0 - (static_cast<double>(after.slept_cycles - before.slept_cycles) - entries) / cycles;
@@ -86,13 +86,13 @@ void bench() {
   const AvrImage& image = rig.board.image();
   AvrCore& core = rig.board.core();
   const std::uint32_t ram_used = symbol(image, "_end");
-  LoopWatch loop(core);
-  IsrWatch left_encoder(core, 5);
-  IsrWatch right_encoder(core, 4);
-  const IsrWatch interrupts(core, IsrWatch::kAny);
-  IsrWatch tick(core, 32);
-  IsrWatch receive(core, 25);
-  IsrWatch send(core, 26);
+  LoopMonitor loop(core);
+  IsrMonitor left_encoder(core, 5);
+  IsrMonitor right_encoder(core, 4);
+  const IsrMonitor interrupts(core, IsrMonitor::kAny);
+  IsrMonitor tick(core, 32);
+  IsrMonitor receive(core, 25);
+  IsrMonitor send(core, 26);
 
   rig.imu.power_on();
   rig.board.reset(PowerUp::kPowerOn, 0);

@@ -1,5 +1,6 @@
 #pragma once
-// Course 3 with everything on, driven by the emulated robot, to be fed to a fresh step.
+// A run of course 3 by the emulated robot with all features enabled, kept as the input of a new
+// step.
 
 #include <memory>
 #include <utility>
@@ -20,10 +21,10 @@ struct KeptRun {
   bool completed = false;
 };
 
-/// Filter, overhead camera and control; terrain as the set-up says.
+/// Runs with filter, overhead camera and control; `setup` determines the terrain.
 inline KeptRun keep_course_3(bridge::Setup setup) {
   sim::Loaded loaded = sim::load({});
-  loaded.configuration.parameters.steering = bridge::Steering::kFused;
+  loaded.configuration.parameters.steering = PoseSource::kFused;
   KeptRun run;
   run.course = std::make_shared<const course::Course>(sim::load_course("3"));
   run.parameters = config::bridge_parameters(loaded.configuration, loaded.robot);

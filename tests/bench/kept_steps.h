@@ -1,5 +1,5 @@
 #pragma once
-// The steps of a run, kept to be fed to something else.
+// The steps of a run, kept for replay.
 
 #include <vector>
 

@@ -1,5 +1,5 @@
-// lateness_bench RATE_HZ SPIN_US SECONDS [CPU]: the daemon's loop with its usual privileges and
-// nothing to do. Prints one JSON object: how often it began how late.
+// lateness_bench RATE_HZ SPIN_US SECONDS [CPU]: runs the daemon's loop with its usual privileges
+// and no work. Prints one JSON object with a histogram of the lateness of its cycles.
 
 #include <cmath>
 #include <cstdio>
@@ -12,29 +12,29 @@
 namespace tp100 {
 namespace {
 
-class Idle : public loop::Driven {
+class Idle : public loop::LoopClient {
  public:
   void opened(HostNs) override {}
   void closed(HostNs) override {}
   bool received(std::span<const std::uint8_t>, HostNs) override { return false; }
   void step(HostNs) override {}
-  void settle(HostNs) override {}
+  void after_write(HostNs) override {}
   std::span<const std::uint8_t> output() override { return {}; }
   void written(std::size_t) override {}
   void drop_output() override {}
   bool expects_reply(HostNs) override { return false; }
-  bool take_hang_up() override { return false; }
-  bool wind_up(HostNs) override { return true; }
+  bool take_port_drop() override { return false; }
+  bool shut_down(HostNs) override { return true; }
 };
 
 constexpr std::uint64_t kGrainNs = 100;
 
-void print_buckets(const loop::Histogram& lateness) {
+void print_buckets(const Histogram& lateness) {
   std::printf("\"buckets\":[");
   const char* comma = "";
   std::uint64_t below = 0;
   for (std::uint64_t ns = kGrainNs; below < lateness.count(); ns += kGrainNs) {
-    // The largest value is not below itself.
+    // count_below() may leave out the largest value, so the total is used beyond it.
     const std::uint64_t now = ns > lateness.max() ? lateness.count() : lateness.count_below(ns);
     if (now == below) continue;
     std::printf("%s[%.1f,%llu]", comma, static_cast<double>(ns) * 1e-3,

@@ -1,5 +1,6 @@
-// What recording costs: the steps of an emulated run, handed to a recorder 200 times a second in
-// real time, against the same without a recorder. recording_bench [SECONDS]: a row of JSON.
+// recording_bench [SECONDS]: measures the cost of recording. It passes the steps of an emulated run
+// to a recorder 200 times per second in real time, and compares this with the same run without a
+// recorder. Prints a row of JSON.
 
 #include <sys/resource.h>
 
@@ -80,7 +81,7 @@ int run(double seconds) {
   const Cost without = feed(keeper.records, steps, nullptr);
 
   const test::TemporaryFolder folder;
-  record::Recorder recorder({.journal_folder = folder.path().string()});
+  record::Recorder recorder({.history = record::HistorySettings{.folder = folder.path().string()}});
   recorder.begin({.path = folder.file("run.mcap")}, config::run_facts(loaded.files, setup, {}));
   const int warm_up = std::min(steps, 400);
   feed(keeper.records, warm_up, &recorder);

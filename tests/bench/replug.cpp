@@ -1,7 +1,8 @@
-// replug [CYCLES]: the emulated robot is unplugged again and again while it drives, and somebody at
-// the page starts it anew each time. Rows of JSON: how soon that was noticed and mended, whether
-// anything grew, and a verdict; exits with 1 if a cycle failed, the robot moved unasked, commands
-// jumped, or memory, descriptors or threads grew. Times are told and not judged: machines are busy.
+// replug [CYCLES]: unplugs the emulated robot again and again while it drives; a client of the page
+// starts it again each time. Prints rows of JSON: how soon the loss was detected and the link was
+// restored, whether anything grew, and a verdict. Exits with 1 if a cycle failed, the robot moved
+// unasked, commands jumped, or memory, descriptors or threads grew. Times are printed but not
+// judged, because the machine may be busy.
 
 #include <sched.h>
 
@@ -19,36 +20,35 @@
 #include "../server/web_client.h"
 #include "../support/temporary_folder.h"
 #include "../support/weight.h"
-#include "percentile.h"
+#include "core/statistics.h"
 
 namespace tp100 {
 namespace {
 
 using namespace std::chrono_literals;
 using messages::Channel;
-using test::percentile;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kStart = 1;
-// Not a multiple of the loop's period, so that every phase of it occurs.
+// The interval is not a multiple of the loop's period, so that every phase of the loop occurs.
 constexpr double kFirstS = 4.0, kEveryS = 2.0013, kAwayS = 0.05;
-// Of the robot's drive and of its turns on the spot; what a command asks beyond the one before it
-// and that is a jump.
+// The accelerations of the robot's drive and of its turns on the spot. A command that exceeds the
+// one before it by more than this acceleration allows, plus kJump, counts as a jump.
 constexpr double kMaxMps2 = 0.6, kJumpMps = 0.01;
 constexpr double kMaxRadps2 = 1.5, kJumpRadps = 0.05;
-// The heading asked against the estimated one: at most as fast as it may turn.
+// The desired yaw may move away from the estimated yaw at most at the highest yaw rate.
 constexpr double kMaxRadps = 1.5, kJumpRad = 0.02;
-// Turns may come late; after a longer time it is another start, from standstill.
+// A cycle may be late by up to kLatestS; a longer gap means a new start from standstill.
 constexpr double kPeriodS = 0.005, kLatestS = 0.15;
 constexpr int kSettled = 10;
-// The allocator's own noise, as in scripts/soak.
+// Tolerance for the allocator's own variation, as in scripts/soak.
 constexpr long kGrowthKib = 8192;
 
 double unix_s() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// When a message was published, and its text.
+/// Publication time and text of a message.
 struct Message {
   double unix_s = 0.0;
   std::string json;
@@ -61,26 +61,26 @@ Message parse(const std::string& frame) {
   return {static_cast<double>(ns) * 1e-9, frame.substr(13)};
 }
 
-/// The number behind `"key":` in a message; 0 if there is none.
+/// The number after `"key":` in a message; 0 if there is none.
 double number(const std::string& json, const std::string& key) {
   const std::string before = '"' + key + "\":";
   const std::size_t at = json.find(before);
   return at == std::string::npos ? 0.0 : std::strtod(json.c_str() + at + before.size(), nullptr);
 }
 
-/// How far `now` is from zero beyond `before`; from the other side of zero all of it counts.
+/// How much further from zero `now` is than `before`; if the sign changed, all of `now` counts.
 double step_up(double now, double before) {
   return std::abs(now) - (now * before > 0.0 ? std::abs(before) : 0.0);
 }
 
-/// What a command asks of the robot.
+/// The motion that a command requests from the robot.
 struct Asked {
   double speed_mps = 0.0, yaw_rate_radps = 0.0;
-  double turn_rad = 0.0;  ///< desired yaw less the estimated one
+  double turn_rad = 0.0;  ///< desired yaw minus estimated yaw
 };
 
-/// Largest steps up between two commands that were sent one after the other, beyond what the
-/// drive's limits make of the time between them.
+/// Largest increases between two consecutive commands, beyond what the drive's limits allow in the
+/// time between them.
 class CommandWatch {
  public:
   explicit CommandWatch(const std::string& port) : viewer_(port) {
@@ -126,8 +126,8 @@ class CommandWatch {
 };
 
 std::string tail(const std::string& text) {
-  constexpr std::size_t kMost = 4000;
-  return text.size() < kMost ? text : text.substr(text.size() - kMost);
+  constexpr std::size_t kMax = 4000;
+  return text.size() < kMax ? text : text.substr(text.size() - kMax);
 }
 
 void print(const char* what, std::vector<double>& values_ms) {
@@ -166,7 +166,7 @@ class Replug {
                      tail(robot_.output()).c_str(), tail(daemon_.output()).c_str());
         return 1;
       }
-      // A pipe that nobody reads is a test of its own.
+      // The output is drained here; another test covers a pipe that nobody reads.
       static_cast<void>(daemon_.output());
       if (i == kSettled) settled_ = weigh();
     }
@@ -177,7 +177,8 @@ class Replug {
   std::vector<std::string> robot_arguments() const {
     std::vector<std::string> arguments = {"tp100-sim", "robot", "--link", link_};
     char text[64];
-    // On a busy machine a start may take longer than until the next one.
+    // Extra faults are planned, because on a busy machine a start may take longer than the time to
+    // the next fault.
     for (int i = 0; i < cycles_ + cycles_ / 20 + 5; ++i) {
       std::snprintf(text, sizeof text, "unplug:%g@%g", kAwayS, kFirstS + kEveryS * i);
       arguments.insert(arguments.end(), {"--fault", text});
@@ -194,10 +195,10 @@ class Replug {
     return said.substr(at, said.find('/', at) - at);
   }
 
-  /// The next event with `text`.
+  /// The next event that contains `text`.
   Message event(const std::string& text) { return parse(events_.read_until(text)); }
 
-  /// Presses start until it drives.
+  /// Requests a start until the robot drives.
   void started() {
     for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up;) {
       events_.call(kStart);
@@ -205,7 +206,8 @@ class Replug {
         std::this_thread::sleep_for(10ms);
         for (const std::string& message : events_.take()) {
           if (message.find("-> running") != std::string::npos) return;
-          // On a busy machine it is unplugged again before it drives: not one of the cycles.
+          // On a busy machine the robot may be unplugged again before it drives; this does not
+          // count as a cycle.
           if (message.find("-> closed") != std::string::npos) robot_.wait_for("unplugged for");
         }
       }
@@ -218,7 +220,7 @@ class Replug {
     const double unplugged_s = unix_s();
     noticed_ms_.push_back(1e3 * (event("ready -> closed").unix_s - unplugged_s));
     ready_ms_.push_back(1e3 * (event("-> ready").unix_s - unplugged_s));
-    // Long enough to see that nobody starts it but us.
+    // This is long enough to detect a start that this program did not request.
     std::this_thread::sleep_for(200ms);
     for (const std::string& message : events_.take()) {
       if (message.find("-> arming") != std::string::npos) return fail("it armed by itself");
@@ -291,7 +293,7 @@ class Replug {
 }  // namespace tp100
 
 int main(int argc, char** argv) try {
-  // A stop watch that comes late measures itself.
+  // A thread that is scheduled late would measure its own delay.
   const sched_param fifo{.sched_priority = 5};
   ::sched_setscheduler(0, SCHED_FIFO, &fifo);
   return tp100::Replug(argc > 1 ? std::atoi(argv[1]) : 1000).run();

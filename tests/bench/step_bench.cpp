@@ -1,5 +1,5 @@
-// What the pure step costs on course 3 with the overhead camera: the recorded inputs of an emulated
-// run, fed to a fresh step. Rows of JSON.
+// Measures the cost of the pure step on course 3 with the overhead camera: feeds the recorded
+// inputs of an emulated run to a new step. Prints rows of JSON.
 
 #include <algorithm>
 #include <array>
@@ -8,25 +8,23 @@
 #include <string>
 #include <vector>
 
-#include "app/replay_recording.h"
+#include "app/replay.h"
 #include "bridge/step.h"
+#include "core/statistics.h"
 #include "kept_run.h"
-#include "percentile.h"
 
 namespace tp100 {
 namespace {
 
-using test::percentile;
 using Clock = std::chrono::steady_clock;
 
-// More than the caches that a processor has for itself.
+// This is more than the private caches of a processor core.
 constexpr std::size_t kOthersBytes = 4U << 20U;
 constexpr std::size_t kLine = 64;
-// As often, each step once more; the median of a step's times is its time: what the machine did
-// meanwhile is not the step's.
+// Each step is measured this often. The median excludes interruptions by the rest of the machine.
 constexpr std::size_t kPasses = 5;
 
-/// What the rest of the machine does to the caches between two steps.
+/// Replaces the content of the caches, as the rest of the machine does between two steps.
 class Others {
  public:
   void use() {
@@ -50,7 +48,7 @@ std::vector<Passes> times(const test::KeptRun& run, bool cold) {
       const StepRecord& record = run.records[i];
       if (cold) others.use();
       const Clock::time_point began = Clock::now();
-      step(app::inputs_of(record), record.now_ns);
+      step(record.inputs, record.now_ns);
       all[i][pass] = std::chrono::duration<double, std::micro>(Clock::now() - began).count();
     }
   }
@@ -82,7 +80,7 @@ void bench(bridge::Setup setup) {
       if (record.snapshot.run_state != RunState::kRunning) continue;
       running.push_back(median(us[i]));
       every.insert(every.end(), us[i].begin(), us[i].end());
-      if (record.camera_count > 0) with_camera.push_back(running.back());
+      if (!record.inputs.camera.empty()) with_camera.push_back(running.back());
     }
     const char* name = bridge::to_string(setup);
     print(name, "all while it drives", cold, running);

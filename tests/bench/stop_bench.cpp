@@ -1,6 +1,7 @@
-// stop_bench [ROUNDS [RUNS]]: how soon STOP is on the wire while the disk of the recordings stands
-// still, and while 40 clients read a folder of RUNS runs in a loop; and how long the service
-// manager hears nothing meanwhile. Rows of JSON [ms]. Needs root and a loop device for the disk.
+// stop_bench [ROUNDS [RUNS]]: measures how soon STOP is on the wire while the disk of the
+// recordings is frozen, and while 40 clients read a folder of RUNS runs in a loop; and the longest
+// time in which the service manager receives no watchdog message. Prints rows of JSON [ms]. Needs
+// root and a loop device for the disk.
 
 #include <fcntl.h>
 #include <sys/socket.h>
@@ -28,13 +29,12 @@
 #include "../server/web_client.h"
 #include "../support/frozen_disk.h"
 #include "../support/temporary_folder.h"
-#include "percentile.h"
+#include "core/statistics.h"
 
 namespace tp100 {
 namespace {
 
 using namespace std::chrono_literals;
-using test::percentile;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kStart = 1, kStop = 3, kRecordStop = 5;
@@ -50,7 +50,7 @@ void print(const std::string& what, std::vector<double> values_ms) {
   std::fflush(stdout);
 }
 
-/// A service manager: the longest time without WATCHDOG=1.
+/// A service manager that measures the longest time without WATCHDOG=1.
 class Manager {
  public:
   Manager() : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
@@ -68,7 +68,7 @@ class Manager {
   Manager(const Manager&) = delete;
   Manager& operator=(const Manager&) = delete;
 
-  /// During `time`.
+  /// The longest time without WATCHDOG=1 during `time`.
   double longest_silence_ms(std::chrono::milliseconds time) const {
     char text[4096];
     while (::recv(socket_, text, sizeof text, MSG_DONTWAIT) > 0) {
@@ -115,28 +115,28 @@ class Drive {
   server::WebClient& viewer() { return *viewer_; }
   test::Process& daemon() { return *daemon_; }
 
-  /// Starts until it drives, and for as long as a recording needs to begin.
+  /// Requests a start until the robot drives, then waits until a recording has begun.
   void start() {
-    robot_.with([](ScriptedRobot& robot) { robot.heard = {}; });
+    robot_.with([](ScriptedRobot& robot) { robot.received = {}; });
     for (int i = 0; i < 600 && !drives(); ++i) {
       if (i % 10 == 0) viewer_->call(kStart);
       std::this_thread::sleep_for(20ms);
     }
     if (!drives()) throw std::runtime_error("it does not drive: " + last_line());
     std::this_thread::sleep_for(200ms);
-    robot_.with([](ScriptedRobot& robot) { robot.heard = {}; });
+    robot_.with([](ScriptedRobot& robot) { robot.received = {}; });
     viewer_->drain();
     static_cast<void>(daemon_->output());
   }
-  /// Time from `press` until the robot has received it: a STOP, or the disarm of an end.
+  /// Time from `press` until the robot has received a STOP, or the disarm at the end of a run.
   double pressed(const std::function<void()>& press) {
     const auto begin = Clock::now();
     press();
     for (;;) {
-      const bool heard = robot_.with([](ScriptedRobot& robot) {
-        return !robot.heard.stops.empty() || !robot.heard.disarms.empty();
+      const bool received = robot_.with([](ScriptedRobot& robot) {
+        return !robot.received.stops.empty() || !robot.received.disarms.empty();
       });
-      if (heard || ms_since(begin) > 20'000) return ms_since(begin);
+      if (received || ms_since(begin) > 20'000) return ms_since(begin);
       std::this_thread::sleep_for(200us);
     }
   }
@@ -149,7 +149,7 @@ class Drive {
   }
   bool drives() {
     return robot_.with([](ScriptedRobot& robot) {
-      return !robot.heard.commands.empty() && robot.heard.commands.back().speed_mps > 0.0F;
+      return !robot.received.commands.empty() && robot.received.commands.back().speed_mps > 0.0F;
     });
   }
 
@@ -183,8 +183,7 @@ void beside_a_frozen_disk(int rounds) {
         drive.start();
         disk.freeze();
         std::this_thread::sleep_for(100ms);
-        // Somebody ends the recording, which waits for the disk, and then there is a reason to
-        // stop.
+        // A client ends the recording, which blocks on the disk, and then STOP is pressed.
         if (page) drive.viewer().call(kRecordStop);
         took.push_back(drive.pressed([&] { page ? drive.viewer().call(kStop) : enter(); }));
         silence.push_back(manager.longest_silence_ms(3s));
@@ -216,7 +215,7 @@ void give_up() {
   const test::TemporaryFolder folder;
   const std::string pipe = folder.file("stats");
   if (::mkfifo(pipe.c_str(), 0600) != 0) return;
-  // Its first figures are read; the next ones wait for ever.
+  // Only the first figures are read; writing the next ones blocks forever.
   std::thread first([&] { std::ifstream(pipe).ignore(1 << 20); });
   Drive drive({}, -1, {"--stats", pipe});
   first.join();

@@ -1,7 +1,7 @@
 // turnaround_bench daemon|echo SECONDS PROGRAM [ARGUMENT...]: plays the robot on a pty whose other
-// end PROGRAM opens; the argument PORT stands for its name. Writes a sample frame every 5 ms and
-// waits for the answer: the command that names the sample, or as many bytes. Prints one JSON object
-// with the times between [us].
+// end PROGRAM opens; the argument PORT stands for the name of the pty. Writes a sample frame every
+// 5 ms and waits for the response: the command that answers the sample, or as many bytes as were
+// sent. Prints one JSON object with the response times [us].
 
 #include <sched.h>
 
@@ -23,9 +23,9 @@ namespace {
 constexpr HostNs kSampleNs = wire::kSamplePeriodUs * kNsPerUs;
 constexpr HostNs kPatienceNs = kNsPerS;
 constexpr HostNs kConnectNs = 30 * kNsPerS;
-// Clock sync and first turns.
+// This covers the clock sync and the first cycles.
 constexpr HostNs kWarmUpNs = kNsPerS;
-// Before whatever answers: a robot does not wait for its host's processor.
+// The priority is above that of the peer: a real robot does not wait for the host's processor.
 constexpr int kPriority = 90;
 
 int milliseconds_until(HostNs at) {
@@ -38,11 +38,11 @@ class Robot {
 
   const std::string& port() const { return pty_.near(); }
 
-  /// False: nobody answers.
+  /// False if the peer does not respond.
   bool connect(test::BenchPeer& peer) {
     const HostNs give_up = monotonic_now() + kConnectNs;
     while (monotonic_now() < give_up && !peer.ended()) {
-      // A pty swallows nothing: what is written before the peer is ready waits there.
+      // A pty loses nothing: it buffers what is written before the peer is ready.
       if (daemon_ ? greet() : exchange() >= 0) return true;
     }
     return false;
@@ -52,7 +52,7 @@ class Robot {
   HostNs exchange() {
     const HostNs began = monotonic_now();
     const auto frame = frame_of(robot_.sample(began));
-    robot_.heard.commands.clear();
+    robot_.received.commands.clear();
     pty_.write(frame);
     std::size_t echoed = 0;
     while (pty_.wait(milliseconds_until(began + kPatienceNs))) {
@@ -76,14 +76,14 @@ class Robot {
     hear(pty_.read(), now);
     robot_.tick(now);
     pty_.write(robot_.take());
-    return robot_.state >= wire::State::kDisarmed && robot_.heard.sync_requests > 4;
+    return robot_.state >= wire::State::kDisarmed && robot_.received.sync_requests > 4;
   }
   void hear(const std::vector<std::uint8_t>& bytes, HostNs now) {
     robot_.hear(bytes, now);
     pty_.write(robot_.take());
   }
   bool answered() const {
-    const auto& commands = robot_.heard.commands;
+    const auto& commands = robot_.received.commands;
     return !commands.empty() && commands.back().answers == robot_.sequence;
   }
 
@@ -95,7 +95,7 @@ class Robot {
 int run(bool daemon, double seconds, const std::vector<std::string>& command) {
   Robot robot(daemon);
   test::BenchPeer peer(command, robot.port());
-  // After the fork: the peer asks for its own priority.
+  // The priority is set after the fork: the peer requests its own.
   const sched_param fifo{.sched_priority = kPriority};
   const bool before_others = ::sched_setscheduler(0, SCHED_FIFO, &fifo) == 0;
   if (!robot.connect(peer)) {
@@ -115,7 +115,7 @@ int run(bool daemon, double seconds, const std::vector<std::string>& command) {
       comma = ",";
     }
     unanswered += took < 0 ? 1 : 0;
-    // An answer that takes longer leaves samples out.
+    // A late answer skips the samples that were due meanwhile.
     while (due <= monotonic_now()) due += kSampleNs;
   }
   std::printf("],\"unanswered\":%d,\"before_others\":%s}\n", unanswered,

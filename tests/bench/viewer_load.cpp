@@ -1,7 +1,7 @@
-// viewer_load PORT SECONDS: 50 viewers at once, one of which never reads, one sends garbage and one
-// sends frames of 100 MB. viewer_load PORT SECONDS VIEWERS: that many, all of which behave; the
-// first starts the robot again whenever its run is over, and records all of it. Prints one JSON
-// object with what the server says of them.
+// viewer_load PORT SECONDS: connects 50 viewers at once, of which one never reads, one sends
+// garbage and one sends frames of 100 MB. viewer_load PORT SECONDS VIEWERS: connects that many
+// viewers, all of which behave; a further client starts the robot again whenever its run is over,
+// and records everything. Prints one JSON object with what the viewers received and lost.
 
 #include <algorithm>
 #include <atomic>
@@ -22,14 +22,14 @@ using tp100::server::WebClient;
 using namespace std::chrono_literals;
 
 constexpr int kGood = 47;
-// Of the services that the server offers.
+// Ids of services that the server offers.
 constexpr std::uint32_t kStart = 1, kRecord = 4, kEndRecording = 5;
 constexpr auto kLookEvery = 500ms;
 
 using Clock = std::chrono::steady_clock;
 
 std::vector<WebClient> polite(const std::string& port, int count) {
-  // What the page asks for.
+  // The channels to which the page subscribes.
   const Channel page[] = {Channel::kEstimate, Channel::kSlip,  Channel::kLink,
                           Channel::kLoop,     Channel::kState, Channel::kTransforms};
   std::vector<WebClient> viewers;
@@ -64,7 +64,7 @@ std::thread hostile(const std::string& port, const std::atomic<bool>& over, Once
   });
 }
 
-/// 47 that behave and 3 that do not.
+/// Connects 47 viewers that behave and 3 that do not.
 void load(const std::string& port, Clock::time_point end) {
   std::vector<WebClient> good = polite(port, kGood);
   WebClient deaf(port);
@@ -94,7 +94,8 @@ void load(const std::string& port, Clock::time_point end) {
               closed(good), dropped);
 }
 
-/// Looks on, and keeps the robot driving; all of it is one recording, if there is a folder for any.
+/// Watches, and keeps the robot driving; everything is one recording if there is a recording
+/// folder.
 void look_on(const std::string& port, Clock::time_point end, int count) {
   std::vector<WebClient> viewers = polite(port, count);
   WebClient watcher(port);
@@ -108,7 +109,7 @@ void look_on(const std::string& port, Clock::time_point end, int count) {
     if (Clock::now() >= next) {
       next = Clock::now() + kLookEvery;
       dropped = std::max<unsigned long long>(dropped, watcher.number_after("\"dropped_total\":"));
-      // Refused while it drives.
+      // The server refuses this while the robot drives.
       watcher.call(kStart);
     }
     std::this_thread::sleep_for(5ms);

@@ -68,7 +68,7 @@ TEST(AvrBoot, TheStockBootloaderIsSilentForASecondAndThenStartsTheFirmware) {
   EXPECT_TRUE(rig.bytes.empty());
   rig.run(700);
   ASSERT_FALSE(rig.hellos.empty());
-  // The bootloader clears what the chip knew about the reset.
+  // The bootloader clears the chip's record of the reset cause.
   EXPECT_EQ(rig.hellos.back().reset_cause, static_cast<std::uint8_t>(wire::ResetCause::kUnknown));
 }
 
@@ -96,7 +96,7 @@ TEST(AvrBoot, RefusesWhatIsNoImage) {
     settings.image = path;
     try {
       AvrBoard board(settings, nullptr);
-      ADD_FAILURE() << path << " was taken";
+      ADD_FAILURE() << path << " was accepted";
     } catch (const SetupError& error) {
       EXPECT_THAT(error.what(), ::testing::HasSubstr(path));
     }

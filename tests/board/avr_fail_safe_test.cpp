@@ -1,4 +1,5 @@
-// The fail-safe of the image that users flash, in every state and for every way a host can fail.
+// Tests the fail-safe of the image that users flash, in every state and for every failure of a
+// host.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ void reach(AvrRig& rig, wire::State state) {
   ASSERT_EQ(rig.moves(), state == wire::State::kRunning);
 }
 
-/// One millisecond of a host that fails in this way.
+/// Simulates one millisecond of a host that fails in this way.
 void fail(AvrRig& rig, Failure failure, const std::vector<std::uint8_t>& stale, int ms) {
   switch (failure) {
     case Failure::kSilent:
@@ -48,7 +49,7 @@ void fail(AvrRig& rig, Failure failure, const std::vector<std::uint8_t>& stale, 
         rig.send_bytes(bytes);
       }
       break;
-    case Failure::kFlood: {  // line rate, never the end of a frame
+    case Failure::kFlood: {  // bytes at line rate without the end of a frame
       rig.send_bytes(std::vector<std::uint8_t>(50, 0xA5));
       break;
     }
@@ -78,7 +79,7 @@ TEST_P(AvrFailSafe, MotorsAreOffInTimeAndStayOffUntilAFreshArm) {
       ASSERT_FALSE(rig.moves()) << ms << " ms after the host failed";
     }
   }
-  // The host is back with good commands, but has not armed.
+  // The host sends good commands again, but has not armed the robot.
   rig.run(30);
   rig.streams = true;
   rig.speed_mps = 0.15f;
@@ -114,7 +115,7 @@ TEST(AvrHang, AHungMainLoopStopsTheMotorsInTimeAndTheWatchdogRecovers) {
   rig.board.hang_main_loop();
   const int off_ms = rig.ms_until_off(kLimitMs);
   EXPECT_GE(off_ms, 0);
-  // By the timer, before the watchdog is due.
+  // The timer switches the motors off before the watchdog is due.
   EXPECT_EQ(rig.board.counters().watchdog_resets, 0U);
   for (int ms = 0; ms < 500; ++ms) {
     rig.run(1);

@@ -18,7 +18,7 @@ TEST_P(AvrI2cFault, ABadBusStopsNeitherEncodersNorFramesNorTheFailSafe) {
   const std::size_t before = rig.samples.size();
   rig.forced_mps = 0.2;
   rig.run(1000);
-  // A burst that times out holds up its own sample, so a few come late and none is lost.
+  // A burst that times out delays its own sample, so a few samples are late and none is lost.
   EXPECT_GT(rig.samples.size() - before, 150U);
   for (std::size_t i = before; i < rig.samples.size(); ++i) {
     ASSERT_EQ(static_cast<std::uint16_t>(rig.samples[i - 1].sequence + 1), rig.samples[i].sequence);

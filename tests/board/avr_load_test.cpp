@@ -33,7 +33,8 @@ TEST(AvrLoad, NoByteIsLostAtLineRate) {
   const std::size_t before = rig.sync_replies.size();
   std::uint16_t asked = 0;
   for (int ms = 0; ms < 500; ++ms) {
-    // Seven bytes each; with the commands close to the 50 that fit a millisecond.
+    // Each request has seven bytes; with the commands this is close to the 50 bytes that fit into a
+    // millisecond.
     for (int i = 0; i < 6; ++i) rig.send(wire::SyncRequest{asked++});
     rig.run(1);
   }

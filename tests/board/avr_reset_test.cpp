@@ -1,4 +1,4 @@
-// The daemon and the image when the board restarts in the middle of a run.
+// Tests the daemon and the image when the board restarts in the middle of a run.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ Options avr_options() {
   return options;
 }
 
-/// Daemon and robot on one desk, in virtual time.
+/// The daemon and the emulated robot, connected in virtual time.
 class Desk {
  public:
   explicit Desk(bool bootloader)
@@ -34,19 +34,19 @@ class Desk {
                 .board = BoardKind::kAvr,
                 .bootloader = bootloader}) {
     robot_.reset(PowerUp::kPowerOn);
-    cycle_.open(0);
+    cycle_.session().open(0);
   }
 
   void run(int ms) {
     for (int i = 0; i < ms; ++i) {
       for (const TimedByte& byte : robot_.advance()) {
-        cycle_.receive(std::span(&byte.value, 1), byte.at_ns);
+        cycle_.session().receive(std::span(&byte.value, 1), byte.at_ns);
       }
       if (robot_.now_ns() % kHostPeriodNs != 0) continue;
       cycle_.step(robot_.now_ns());
-      cycle_.take_events();
-      robot_.receive(cycle_.output(), robot_.now_ns());
-      cycle_.written(cycle_.output().size());
+      cycle_.session().take_events();
+      robot_.receive(cycle_.session().output(), robot_.now_ns());
+      cycle_.session().written(cycle_.session().output().size());
     }
   }
   bool run_until(RunState state, int limit_ms) {
@@ -83,7 +83,7 @@ TEST_P(AvrReset, EndsTheRunAndANewOneCanBegin) {
     ASSERT_FALSE(desk.moves()) << ms << " ms after the reset";
   }
   EXPECT_EQ(desk.state(), RunState::kAborted);
-  // Behind the bootloader's silence the link is lost first and a new one begins.
+  // The silence of the bootloader ends the link, and a new link begins without a detected reboot.
   EXPECT_EQ(desk.reboots(), bootloader ? 0U : 1U);
 
   desk.start();

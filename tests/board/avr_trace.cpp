@@ -25,7 +25,7 @@ struct Signal {
   char port;  // of a pin
   int bit;
 };
-// firmware/WIRING.md has the pins.
+// firmware/WIRING.md lists the pins.
 constexpr std::array<Signal, 12> kSignals = {{{"encoder_left_a", 1, 'E', 4},
                                               {"encoder_left_b", 1, 'E', 5},
                                               {"encoder_right_a", 1, 'D', 3},
@@ -127,7 +127,7 @@ void AvrTrace::write(const std::string& folder, const std::string& name) const {
     frames << std::dec << std::fixed << std::setprecision(3) << 1e-6 * double(change.at_ns)
            << " ms " << (to_board ? "to board" : "to host ");
     if (received != wire::Received::kFrame) {
-      frames << " damaged\n";
+      frames << " corrupted\n";
       continue;
     }
     frames << " type " << int{decoder.type()} << ':' << std::hex << std::setfill('0');

@@ -1,6 +1,6 @@
 #pragma once
-// The last seconds of a chip's pins and of its wire, for whoever looks into a failed test: a VCD
-// file (IEEE 1364, as GTKWave and sigrok read it) and a list of frames.
+// Records the last seconds of a chip's pins and of its wire, for the analysis of a failed test: a
+// VCD file (IEEE 1364, as GTKWave and sigrok read it) and a list of frames.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,9 +13,9 @@ struct avr_irq_t;
 
 namespace tp100::sim {
 
-/// Follows a board from construction on and keeps the last kKept changes. Changes nothing of the
-/// chip. If the test that runs has failed, the destructor writes TEST.vcd and TEST.frames into the
-/// build folder's tested/failed and names them.
+/// Follows a board from its construction and keeps the last kKept changes, without an effect on the
+/// chip. If the running test has failed, the destructor writes TEST.vcd and TEST.frames to the
+/// folder tested/failed of the build and prints their names.
 class AvrTrace {
  public:
   static constexpr std::size_t kKept = 200'000;
@@ -27,7 +27,7 @@ class AvrTrace {
 
   /// A byte on the wire, from or to the board.
   void byte(bool to_board, std::int64_t at_ns, std::uint8_t value);
-  /// `folder`/`name`.vcd and .frames; the folder is made. Throws std::runtime_error.
+  /// Writes `folder`/`name`.vcd and .frames, and creates the folder. Throws std::runtime_error.
   void write(const std::string& folder, const std::string& name) const;
 
  private:

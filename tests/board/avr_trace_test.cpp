@@ -21,7 +21,7 @@ TEST(AvrTrace, HasThePinsAndTheFramesOfADrive) {
 
   const std::string vcd = test::read_bytes(folder.file("drive.vcd"));
   EXPECT_THAT(vcd, HasSubstr("$var wire 1 i motor_left_enable $end"));
-  // The left motor is enabled, forward, and its encoder turns.
+  // The left motor is enabled and runs forward, and its encoder turns.
   for (const char* change : {"\n1i\n", "\n1e\n", "\n1a\n", "\n0a\n", "\n1b\n", "\n0b\n"}) {
     EXPECT_THAT(vcd, HasSubstr(change)) << change;
   }

@@ -7,9 +7,9 @@ namespace tp100::sim {
 namespace {
 
 constexpr std::int64_t kByteNs = 20'000;
-constexpr double kTopMps = 0.25;  // belt speed at full duty
+constexpr double kTopMps = 0.25;  // track speed at full duty
 
-BodyState at_rest() {
+BodyState standstill() {
   BodyState body{};
   body.specific_force_mps2 = {0.0, 0.0, 9.80665};
   return body;
@@ -39,7 +39,7 @@ void BoardRig::run(int ms) {
 
 void BoardRig::step() {
   const std::int64_t until = now_ns + kStepNs;
-  const Drive duty = hardware().drive();
+  const MotorDuty duty = hardware().drive();
   const auto travel = [&](double share) {
     return (forced_mps != 0.0 ? forced_mps : share * kTopMps) * 1e-3;
   };
@@ -56,7 +56,7 @@ void BoardRig::step() {
       edges_.push_back({until, channel, levels_[channel]});
     }
   }
-  imu.measure(at_rest(), now_ns);
+  imu.measure(standstill(), now_ns);
   hardware().set_battery(battery_v);
   const auto due = std::find_if(to_board_.begin(), to_board_.end(),
                                 [&](const TimedByte& byte) { return byte.at_ns > until; });
@@ -113,7 +113,7 @@ void BoardRig::collect() {
 }
 
 bool BoardRig::moves() {
-  const Drive duty = hardware().drive();
+  const MotorDuty duty = hardware().drive();
   return duty.left != 0.0 || duty.right != 0.0;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// A board with the firmware, a host that keeps the protocol, a sensor at rest and two tracks that
-// follow their motors.
+// A board with the firmware, a host that follows the protocol, a sensor at standstill and two
+// tracks that follow their motors.
 
 #include <array>
 #include <cstdint>
@@ -25,7 +25,7 @@ class BoardRig {
   BoardRig& operator=(const BoardRig&) = delete;
   virtual ~BoardRig();
   virtual Board& hardware() = 0;
-  /// Each byte that the board sent or was sent.
+  /// Called for each byte that the board sends or receives.
   virtual void on_byte(bool /*to_board*/, const TimedByte&) {}
 
   template <class Message>
@@ -37,33 +37,33 @@ class BoardRig {
                                     Message::kSize, frame.data()));
     return frame;
   }
-  /// On the wire from now on, a byte each 20 us.
+  /// Puts the bytes on the wire from now on, one every 20 us.
   void send_bytes(const std::vector<std::uint8_t>& bytes);
   template <class Message>
   void send(const Message& message) {
     send_bytes(frame_of(message));
   }
-  /// Lets time pass; commands go out each 10 ms if `streams`.
+  /// Advances time; a command is sent every 10 ms if `streams`.
   void run(int ms);
-  /// Until the hello of a boot; false if none comes within a second and a half.
+  /// Runs until the hello of a boot; false if none arrives within 1.5 s.
   bool boot(PowerUp cause = PowerUp::kPowerOn);
 
   wire::Parameters parameters() const;
   wire::Command command();
   wire::Arm arm_message();
-  /// Parameters accepted, samples flow.
+  /// Begins a session: parameters are accepted and samples arrive.
   void connect();
   wire::Acknowledge arm();
-  /// Connected, armed, moving at `speed`.
+  /// Connects, arms and drives at `speed`.
   void drive(float speed = 0.15f);
   bool moves();
   const wire::Sample& last() const { return samples.back(); }
   wire::State state() const { return static_cast<wire::State>(last().state); }
-  /// Both phases of an encoder change at once, next: `channel` 0 left, 2 right.
+  /// Schedules a simultaneous change of both phases of an encoder: `channel` 0 left, 2 right.
   void glitch(std::uint8_t channel) { glitches_.push_back(channel); }
-  /// Milliseconds until the motors are off; -1 if they are not within `limit_ms`.
+  /// Milliseconds until the motors are off; -1 if they are still on after `limit_ms`.
   int ms_until_off(int limit_ms);
-  /// Device clock now, from the last sample. [us]
+  /// Present time of the device clock, extrapolated from the last sample. [us]
   std::uint32_t device_us() const;
 
   Mpu6050 imu;
@@ -76,14 +76,14 @@ class BoardRig {
   std::uint32_t token = 10;
   std::uint32_t nonce = 0;
 
-  // The belts; `forced_mps` is not 0: they run at this speed whatever the motors do.
+  // The tracks. If `forced_mps` is not 0, they run at this speed regardless of the motors.
   double forced_mps = 0.0;
   QuadratureEncoder left;
   QuadratureEncoder right;
 
   double battery_v = 8.0;
 
-  // What came back.
+  // Data received from the board.
   std::vector<TimedByte> bytes;
   std::vector<wire::Hello> hellos;
   std::vector<wire::Sample> samples;

@@ -1,4 +1,4 @@
-// What firmware/PROTOCOL.md promises of a robot, on both boards.
+// Tests on both boards what firmware/PROTOCOL.md guarantees of a robot.
 
 #include <gtest/gtest.h>
 
@@ -39,14 +39,14 @@ class Conformance : public ::testing::TestWithParam<const char*> {
     EXPECT_TRUE(rig().boot());
   }
   BoardRig& rig() { return *rig_; }
-  /// Disarmed, with a fresh command.
+  /// Brings the robot to the disarmed state with a fresh command.
   void be_ready() {
     rig().connect();
     rig().streams = true;
     rig().run(50);
     ASSERT_EQ(rig().state(), State::kDisarmed);
   }
-  /// The answer to a message that is acknowledged.
+  /// Sends a message and returns its acknowledgement.
   template <class Message>
   wire::Acknowledge ask(const Message& message) {
     rig().acknowledges.clear();
@@ -56,7 +56,7 @@ class Conformance : public ::testing::TestWithParam<const char*> {
     return rig().acknowledges.empty() ? wire::Acknowledge{} : rig().acknowledges.back();
   }
   Result arm(const wire::Arm& message) { return static_cast<Result>(ask(message).result); }
-  /// Before there are samples: the board has just booted.
+  /// An arm message for a board that has just booted and sends no samples yet.
   wire::Arm fresh_arm(std::uint32_t token) {
     rig().sync_replies.clear();
     rig().send(wire::SyncRequest{9});
@@ -69,7 +69,7 @@ class Conformance : public ::testing::TestWithParam<const char*> {
     bytes.resize(wire::encode_frame(type, payload.data(), payload.size(), bytes.data()));
     return bytes;
   }
-  /// A new session with the flags of the test.
+  /// Begins a new session with the flags of the test.
   void connect_with_flags() {
     wire::Parameters parameters = rig().parameters();
     parameters.token = ++rig().token;
@@ -125,14 +125,14 @@ TEST_P(Conformance, AnArmOfAnotherBootOrWithAStaleTokenUsesNone) {
   EXPECT_EQ(arm(other), Result::kWrongBoot);
   EXPECT_EQ(arm(arm_with(50, 600)), Result::kOutOfRange);
   EXPECT_EQ(arm(arm_with(40)), Result::kStaleToken);
-  EXPECT_EQ(arm(arm_with(50)), Result::kOutOfRange) << "a stale token has become the last one";
+  EXPECT_EQ(arm(arm_with(50)), Result::kOutOfRange) << "the stale token replaced the last one";
   EXPECT_EQ(arm(arm_with(51)), Result::kAccepted);
 }
 
 TEST_P(Conformance, AnArmIsJudgedInTheOrderOfTheDocument) {
   rig().send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
   rig().run(5);
-  // Wrong in every respect, and one after the other no longer.
+  // The message is wrong in every respect; its errors are corrected one after the other.
   wire::Arm message{rig().nonce ^ 1U, 40, 0};
   EXPECT_EQ(arm(message), Result::kWrongBoot);
   message.boot_nonce = rig().nonce;
@@ -154,7 +154,7 @@ TEST_P(Conformance, AfterTheHighestTokenABootArmsNoMore) {
   EXPECT_EQ(arm(arm_with(0xFFFFFFFFU, 600)), Result::kOutOfRange);
   EXPECT_EQ(arm(arm_with(0)), Result::kStaleToken);
   rig().connect();
-  EXPECT_EQ(arm(arm_with(1000)), Result::kStaleToken) << "tokens are counted over sessions";
+  EXPECT_EQ(arm(arm_with(1000)), Result::kStaleToken) << "the last token must outlive a session";
   EXPECT_EQ(arm(arm_with(0xFFFFFFFFU)), Result::kOutOfRange);
 }
 
@@ -167,7 +167,7 @@ TEST_P(Conformance, AnArmWhileRunningChangesNothing) {
   EXPECT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
   rig().run(10);
   EXPECT_EQ(rig().state(), State::kRunning);
-  EXPECT_NEAR(rig().last().left_duty, duty, 30) << "the loops began anew";
+  EXPECT_NEAR(rig().last().left_duty, duty, 30) << "the control loops were reset";
   EXPECT_EQ(arm(arm_with(rig().token + 1, 600)), Result::kOutOfRange);
   EXPECT_EQ(rig().state(), State::kRunning);
   EXPECT_TRUE(rig().moves());
@@ -207,7 +207,8 @@ TEST_P(Conformance, ADisarmedRobotWaits700MsForTheFirstCommand) {
 TEST_P(Conformance, ParametersAreJudgedInTheOrderOfTheDocument) {
   be_ready();
   const wire::Parameters open = rig().parameters();
-  EXPECT_EQ(static_cast<Result>(ask(open).result), Result::kAccepted) << "the open session's";
+  EXPECT_EQ(static_cast<Result>(ask(open).result), Result::kAccepted)
+      << "the parameters of the open session";
   ASSERT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
   wire::Parameters message = open;
   EXPECT_EQ(static_cast<Result>(ask(message).result), Result::kWrongState);
@@ -240,7 +241,7 @@ TEST_P(Conformance, ANewSessionGoesOnWithSamplesAndCountsButNotWithCommands) {
   EXPECT_LT(static_cast<std::uint16_t>(after.sequence - before.sequence), 12);
   EXPECT_EQ(after.left_counts, -before.left_counts);
   EXPECT_EQ(after.right_counts, before.right_counts);
-  EXPECT_EQ(after.last_command, 0) << "of another session";
+  EXPECT_EQ(after.last_command, 0) << "the command belongs to another session";
   rig().sequence = 0;
   rig().send(rig().command());
   rig().run(15);
@@ -266,7 +267,7 @@ TEST_P(Conformance, SwappedTracksAreSwappedBeforeTheyAreInverted) {
   ASSERT_EQ(static_cast<Result>(rig().arm().result), Result::kAccepted);
   rig().run(60);
   ASSERT_GT(rig().last().right_duty, 0);
-  // The right track's motor hangs on the left channel.
+  // The motor of the right track is connected to the left channel.
   EXPECT_LT(rig().hardware().drive().left, 0.0);
   EXPECT_GT(rig().hardware().drive().right, 0.0);
 }
@@ -285,11 +286,11 @@ TEST_P(Conformance, OnlyAHelloRequestAndParametersEndTheHellos) {
   EXPECT_GE(hellos_in_500_ms(), 2U);
   EXPECT_EQ(rig().acknowledges.size(), 3U);
   rig().send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-  EXPECT_EQ(hellos_in_500_ms(), 1U) << "the answer";
+  EXPECT_EQ(hellos_in_500_ms(), 1U) << "only the answer to the request";
 }
 
 TEST_P(Conformance, FramesOfASecondHostDoNotKeepTheSession) {
-  // Another nonce, an unknown type, a wrong size.
+  // The frames have another nonce, an unknown type or a wrong size.
   const auto send_invalid = [&] {
     wire::Command command = rig().command();
     command.boot_nonce ^= 1U;
@@ -307,7 +308,7 @@ TEST_P(Conformance, FramesOfASecondHostDoNotKeepTheSession) {
   for (int i = 0; i < 12; ++i) send_invalid();
   EXPECT_FALSE(rig().hellos.empty());
 
-  // A refused frame of this boot is one of its host.
+  // A refused frame with the nonce of this boot still comes from the host of the session.
   rig().connect();
   rig().hellos.clear();
   for (int i = 0; i < 12; ++i) {
@@ -317,18 +318,18 @@ TEST_P(Conformance, FramesOfASecondHostDoNotKeepTheSession) {
   EXPECT_TRUE(rig().hellos.empty());
 }
 
-TEST_P(Conformance, DamagedCountsWhatTheFramingDropsAndNothingElse) {
+TEST_P(Conformance, CorruptedCountsWhatTheFramingDropsAndNothingElse) {
   be_ready();
-  const auto damaged = [&] {
+  const auto corrupted = [&] {
     rig().send(wire::SyncRequest{1});
     rig().run(10);
-    return rig().sync_replies.back().damaged;
+    return rig().sync_replies.back().corrupted;
   };
-  const std::uint16_t before = damaged();
+  const std::uint16_t before = corrupted();
   rig().send_bytes(frame(0x7E, {1, 2}));
   rig().send_bytes(frame(static_cast<std::uint8_t>(Type::kStop), {1, 2, 3}));
   rig().run(10);
-  EXPECT_EQ(damaged(), before) << "an unknown type or a wrong size";
+  EXPECT_EQ(corrupted(), before) << "an unknown type or a wrong size was counted";
   std::vector<std::uint8_t> flipped = BoardRig::frame_of(wire::Disarm{1});
   flipped[2] ^= 0x40U;
   rig().send_bytes(flipped);
@@ -337,7 +338,7 @@ TEST_P(Conformance, DamagedCountsWhatTheFramingDropsAndNothingElse) {
   rig().send_bytes(std::vector<std::uint8_t>(120, 1));  // oversize
   rig().send_bytes({0});
   rig().run(20);
-  EXPECT_EQ(damaged() - before, 4);
+  EXPECT_EQ(corrupted() - before, 4);
 }
 
 TEST_P(Conformance, ATrackThatRunsAgainstItsDutyIsReversedAfterTheDistanceOfTheDocument) {
@@ -355,9 +356,9 @@ TEST_P(Conformance, ATrackThatRunsAgainstItsDutyIsReversedAfterTheDistanceOfTheD
   EXPECT_NEAR((from - rig().last().left_counts) / 11140.0, most_m, 0.012);
 }
 
-TEST_P(Conformance, CellsBelowTheCutOffAreFoundAtALowUsbVoltage) {
+TEST_P(Conformance, BatteryBelowTheCutOffAreFoundAtALowUsbVoltage) {
   rig().hardware().set_supply(4.5);
-  rig().battery_v = 5.5;  // 6.1 V if the supply were 5 V, above the cut-off
+  rig().battery_v = 5.5;  // it would read 6.1 V, above the cut-off, at a supply of 5 V
   ASSERT_TRUE(rig().boot());
   be_ready();
   EXPECT_NEAR(rig().last().battery_mv, 5500, 55);
@@ -390,7 +391,7 @@ TEST_P(Conformance, EdgesThatWereMissedAreCountedInTheClockAnswer) {
     return rig().sync_replies.back().missed_edges;
   };
   const std::uint16_t before = missed();
-  // Both phases at once, on either encoder.
+  // Both phases change at once, first on the left and then on the right encoder.
   for (const std::uint8_t a : std::to_array<std::uint8_t>({0, 2})) {
     rig().glitch(a);
     rig().run(5);
@@ -398,14 +399,15 @@ TEST_P(Conformance, EdgesThatWereMissedAreCountedInTheClockAnswer) {
   EXPECT_EQ(missed() - before, 2);
 }
 
-/// A byte that says nothing, and the time that it takes.
+/// Transmission time of a byte that carries no information.
 constexpr std::int64_t kSpareNs = 20'000;
 
-// The expiry is a time of the board's clock, so that it does not matter when the board comes to
-// read the command.
+// The expiry is a time of the board's clock, so it does not matter when the board reads the
+// command.
 TEST_P(Conformance, AnExpiredCommandSwitchesOffInTheTickBeforeItsExpiry) {
   be_ready();
-  // Virtual time at which the board's clock was 0, earlier by the least delay of its answers.
+  // Virtual time at which the board's clock was 0, too early by the shortest delay between the
+  // arrival of a request and the time of receipt in its answer.
   std::int64_t zero_ns = INT64_MIN;
   for (std::size_t spare = 0; spare < 40; ++spare) {
     rig().sync_replies.clear();
@@ -429,7 +431,7 @@ TEST_P(Conformance, AnExpiredCommandSwitchesOffInTheTickBeforeItsExpiry) {
     rig().send(last);
     const std::int64_t expiry_ns = zero_ns + std::int64_t{last.expiry_us} * 1000;
     while (rig().now_ns < expiry_ns - 2 * BoardRig::kStepNs) rig().run(1);
-    // The tracks' edges are not watched for so short a time.
+    // The edges of the tracks can be ignored for so short a time.
     while (rig().moves() && rig().now_ns < expiry_ns + 5 * BoardRig::kStepNs) {
       rig().now_ns += 10'000;
       rig().hardware().advance(rig().now_ns, {}, {});

@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kByteNs = 20'000;
 
-// An MPU6050 that stands still, with a little noise.
+// An MPU6050 at standstill, with a little noise.
 class StillImu final : public I2cSlave {
  public:
   bool write(std::span<const std::uint8_t> bytes) override {
@@ -199,7 +199,7 @@ TEST(NativeBoard, EveryBytesTakesItsTimeOnTheWire) {
   const std::int64_t delay_ns =
       rig.sample_at_ns.back() - rig.sample_at_ns[rig.sample_at_ns.size() - 2];
   EXPECT_NEAR(static_cast<double>(delay_ns), 5.0 * kMs, 0.6 * kMs);
-  // The burst of the IMU and the frame lie between the measurement and its arrival.
+  // The IMU burst and the transmission of the frame take place between measurement and arrival.
   const double measured_ns = rig.samples.back().device_us * 1e3 + 4.0 * kMs;
   const double arrival_ns = static_cast<double>(rig.sample_at_ns.back());
   EXPECT_GE(arrival_ns - measured_ns, 471e3 + static_cast<double>(frame) * kByteNs - 2e3);
@@ -209,7 +209,8 @@ TEST(NativeBoard, EveryBytesTakesItsTimeOnTheWire) {
 TEST(NativeBoard, CountsBytesThatFindTheBufferFull) {
   Rig rig;
   rig.run(20);
-  // 200 bytes in one instant: no wire does that, but the ring holds 63 whatever comes.
+  // 200 bytes arrive at one instant, which is impossible on a wire; the ring buffer holds 63 in any
+  // case.
   std::vector<TimedByte> burst(200, TimedByte{rig.now_ns + 1, 0x55});
   rig.board.advance(rig.now_ns + kMs, {}, burst);
   EXPECT_EQ(rig.board.counters().rx_overruns, 200U - 63U);
@@ -226,7 +227,7 @@ TEST(NativeBoard, ALineAtFullRateDoesNotOverrun) {
 TEST(NativeBoard, CountsEveryEdgeExactly) {
   Rig rig;
   rig.connect();
-  // A leads B forward; the right encoder turns back half as fast.
+  // A leads B in forward direction; the right encoder turns backward at half the speed.
   constexpr std::array<std::pair<std::uint8_t, bool>, 4> kCycle = {
       {{0, true}, {1, true}, {0, false}, {1, false}}};
   for (int i = 0; i < 4001; ++i) {
@@ -275,7 +276,7 @@ TEST(NativeBoard, SameInputsGiveTheSameBytes) {
     return bytes;
   };
   EXPECT_EQ(run(3), run(3));
-  EXPECT_NE(run(3), run(4)) << "the boot nonce comes from the seed";
+  EXPECT_NE(run(3), run(4)) << "another seed must give another boot nonce";
 }
 
 TEST(NativeBoard, TheQuantumDoesNotChangeWhatItDoes) {
@@ -310,8 +311,8 @@ TEST(NativeBoard, ItsClockIsOffByItsPpmAndStartsWhereItIsTold) {
   const double true_us = static_cast<double>(rig.sample_at_ns.back() - first_ns) * 1e-3;
   EXPECT_NEAR(device_us / true_us, 1.0005, 1e-4);
   EXPECT_GT(first.device_us, 0xFFFFFFFFU - 1'000'000U);
-  EXPECT_LT(rig.samples.back().device_us, 20'000'000U) << "wrapped";
-  // Timer and clock hang on one resonator: no drift between samples and device time.
+  EXPECT_LT(rig.samples.back().device_us, 20'000'000U) << "the device clock has not wrapped";
+  // Timer and clock use the same resonator, so the samples do not drift against device time.
   const auto samples = static_cast<double>(rig.samples.size() - 1);
   EXPECT_NEAR(device_us / samples, 5000.0, 0.3);
 }

@@ -1,4 +1,4 @@
-// The daemon's side of the wire against the firmware itself.
+// Tests the daemon's side of the link against the firmware itself.
 
 #include "link/session.h"
 
@@ -54,7 +54,7 @@ link::SessionSettings settings() {
   return result;
 }
 
-// Session and board on one wire with real byte times; 1 ms a step.
+// A session and a board on one wire with real byte times; a step is 1 ms.
 class Pair {
  public:
   explicit Pair(const NativeBoardSettings& board_settings)

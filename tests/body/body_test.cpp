@@ -26,14 +26,14 @@ BodyState drive(Body& body, double left_mps, double right_mps, double duration_s
   return body.state();
 }
 
-/// L of eq 5 for a spin, slip ratios taken out.
+/// Wheelbase L of eq 5, measured in a spin and corrected for the slip ratios.
 double wheelbase_in_a_spin(const course::EmulatedBody& values) {
   Body body(values, {}, false);
-  const double belt = 0.08;
-  const double begin = drive(body, -belt, belt, 0.5).pose.yaw_rad;
+  const double track = 0.08;
+  const double begin = drive(body, -track, track, 0.5).pose.yaw_rad;
   const double duration_s = 2.0;
-  const double yaw = drive(body, -belt, belt, duration_s).pose.yaw_rad - begin;
-  const double surface = belt * (1.0 - values.belt_deficit_left);
+  const double yaw = drive(body, -track, track, duration_s).pose.yaw_rad - begin;
+  const double surface = track * (1.0 - values.track_deficit_left);
   return 2.0 * surface * duration_s / yaw;
 }
 
@@ -54,7 +54,7 @@ TEST(Body, AnEndLoadedRobotTurnsWithTheSameWheelbaseAtEveryRadius) {
     Body body(values, {}, false);
     const double begin = drive(body, inner, 0.1, 0.5).pose.yaw_rad;
     const double yaw = drive(body, inner, 0.1, 1.0).pose.yaw_rad - begin;
-    const double surface = (0.1 - inner) * (1.0 - values.belt_deficit_left);
+    const double surface = (0.1 - inner) * (1.0 - values.track_deficit_left);
     EXPECT_NEAR(surface / yaw, 0.274, 0.02 * 0.274) << inner;
   }
 }
@@ -63,7 +63,7 @@ TEST(Body, AUniformlyLoadedRobotTurnsMuchMoreEasily) {
   EXPECT_NEAR(wheelbase_in_a_spin(uniform()), 0.194, 0.004);
 }
 
-TEST(Body, ABeltWornSmoothAllAroundIsASlipperyBelt) {
+TEST(Body, ATrackWornSmoothAllAroundIsASlipperyTrack) {
   course::EmulatedBody worn = end_loaded(), slippery = end_loaded();
   worn.slick_m = 5.0;
   worn.slick_factor = 0.4;
@@ -71,11 +71,11 @@ TEST(Body, ABeltWornSmoothAllAroundIsASlipperyBelt) {
   EXPECT_EQ(wheelbase_in_a_spin(worn), wheelbase_in_a_spin(slippery));
 }
 
-TEST(Body, AWornStretchComesRoundOncePerBeltLength) {
+TEST(Body, AWornStretchComesRoundOncePerTrackLength) {
   course::EmulatedBody worn = uniform();
   worn.slick_m = 0.12;
   worn.slick_factor = 0.3;
-  const double length_m = 2.0 * (worn.axle_spacing_m + kPi * worn.belt_radius_m);
+  const double length_m = 2.0 * (worn.axle_spacing_m + kPi * worn.wheel_radius_m);
   Body body(worn, {}, false);
   const double round_s = length_m / 0.1;
   double slowest = 1e9, fastest = 0.0, last = drive(body, -0.1, 0.1, 0.5).pose.yaw_rad;
@@ -91,14 +91,14 @@ TEST(Body, AWornStretchComesRoundOncePerBeltLength) {
     fastest = std::max(fastest, turns[i]);
   }
   EXPECT_GT(fastest, 1.01 * slowest);
-  // Belts that came to rest half a round further slip elsewhere.
+  // Tracks that start half a revolution further on slip at other positions.
   Body other(worn, {}, false);
-  other.turn_belts(length_m / 2.0, length_m / 2.0);
+  other.turn_tracks(length_m / 2.0, length_m / 2.0);
   drive(other, -0.1, 0.1, 0.5);
   const double from = other.state().pose.yaw_rad;
   EXPECT_GT(std::abs(drive(other, -0.1, 0.1, round_s / 10.0).pose.yaw_rad - from - turns[0]),
             1e-4 * turns[0]);
-  // Straight ahead nothing pulls on it.
+  // At standstill nothing turns the body.
   EXPECT_NEAR(drive(body, 0.0, 0.0, 1.0).pose.yaw_rad, last, 0.05);
 }
 
@@ -187,17 +187,17 @@ TEST(Body, LeftAndRightAreMirrorImages) {
   EXPECT_GT(a.yaw_rad, 0.1);
 }
 
-TEST(Body, AShoveMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
+TEST(Body, ADisturbanceMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
   Body body(end_loaded(), {}, false);
   drive(body, 0.1, 0.1, 1.0);
   const Pose before = body.state().pose;
-  body.shove(0.04, 15 * kRadPerDeg, 0.3);
+  body.disturbance(0.04, 15 * kRadPerDeg, 0.3);
   double turned = 0.0;
   for (int i = 0; i < 300; ++i) {
     body.step(0.1, 0.1);
     turned += body.state().rate_radps[2] * 1e-3;
   }
-  EXPECT_FALSE(body.shoving());
+  EXPECT_FALSE(body.disturbed());
   const Pose& after = body.state().pose;
   EXPECT_NEAR(after.yaw_rad - before.yaw_rad, 15 * kRadPerDeg, 0.01);
   EXPECT_NEAR(turned, after.yaw_rad - before.yaw_rad, 1e-4);
@@ -214,7 +214,7 @@ TEST(Body, OnAStandNothingMoves) {
   EXPECT_EQ(state.left_load_n, 0.0);
 }
 
-TEST(Body, SpinningBeltsFeelTheGround) {
+TEST(Body, SpinningTracksFeelTheGround) {
   Body body(end_loaded(), {}, false);
   const BodyState state = drive(body, -0.08, 0.08, 1.0);
   EXPECT_GT(state.right_load_n, 0.5);
@@ -226,7 +226,7 @@ TEST(Body, TheSolverHasNothingToSay) {
     Body body(values, {}, false);
     drive(body, 0.2, 0.2, 0.2);
     drive(body, -0.2, 0.2, 0.2);
-    body.shove(0.04, 0.26, 0.1);
+    body.disturbance(0.04, 0.26, 0.1);
     drive(body, 0.0, 0.1, 0.2);
     drive(body, 0.0, 0.0, 0.2);
   }

@@ -10,7 +10,7 @@
 namespace tp100::sim {
 namespace {
 
-constexpr double kBeltMps = 0.1;
+constexpr double kTrackMps = 0.1;
 constexpr double kFrontM = 0.25;  // where an obstacle begins
 
 course::Terrain block(double height_m, double depth_m = 0.1) {
@@ -52,7 +52,7 @@ Drive drive(Body& body, double duration_s) {
   Drive result;
   const int steps = static_cast<int>(std::lround(duration_s * 1000));
   for (int i = 0; i < steps; ++i) {
-    body.step(kBeltMps, kBeltMps);
+    body.step(kTrackMps, kTrackMps);
     const Pose& pose = body.state().pose;
     result.nose_up_rad = std::max(result.nose_up_rad, -pose.pitch_rad);
     result.nose_down_rad = std::max(result.nose_down_rad, pose.pitch_rad);
@@ -75,7 +75,7 @@ TEST(BodyOnARamp, ClimbsTheSteepestOfThePaperWithEnoughGrip) {
 }
 
 TEST(BodyOnARamp, SlidesWithTooLittleGrip) {
-  // tan 28 deg is 0.532.
+  // The friction of 0.50 is below tan 28 deg = 0.532.
   EXPECT_LT(over(ramp(28 * kRadPerDeg, 0.15), robot(0.022, 0.50), 8.0).height_m, 0.08);
 }
 
@@ -109,8 +109,8 @@ TEST_P(BodyOnASlope, SlipsAsInThePapersTable) {
   const Pose to = drive(body, duration_s).end.pose;
   const double way = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m, to.z_m - from.z_m);
   const double half_turn = (to.yaw_rad - from.yaw_rad) * values.gauge_m / 2.0;
-  EXPECT_NEAR(1.0 - (way - half_turn) / (kBeltMps * duration_s), expected.left, 0.02);
-  EXPECT_NEAR(1.0 - (way + half_turn) / (kBeltMps * duration_s), expected.right, 0.02);
+  EXPECT_NEAR(1.0 - (way - half_turn) / (kTrackMps * duration_s), expected.left, 0.02);
+  EXPECT_NEAR(1.0 - (way + half_turn) / (kTrackMps * duration_s), expected.right, 0.02);
 }
 
 INSTANTIATE_TEST_SUITE_P(PaperTable, BodyOnASlope,
@@ -191,7 +191,7 @@ TEST(BodyOnTerrain, GivesTheSameBitsAndTheSolverHasNothingToSay) {
 TEST(BodyOnTerrain, AWallIsNotEnteredSideways) {
   course::Terrain terrain = block(0.037, 1.0);
   terrain.blocks[0].place = {0.4, 0.3, 0.0};
-  terrain.blocks[0].width_m = 0.36;  // its side runs along y = 0.12, the belt's flank at y = 0.10
+  terrain.blocks[0].width_m = 0.36;  // its side runs along y = 0.12, the track's flank at y = 0.10
   const Drive along = over(terrain, robot(0.022, 0.9), 4.0, {.yaw_rad = 15 * kRadPerDeg});
   EXPECT_LT(along.end.pose.y_m, 0.04);
   EXPECT_GT(along.end.pose.x_m, 0.2);

@@ -14,17 +14,17 @@ class CycleBench {
  public:
   explicit CycleBench(const bridge::Parameters& parameters = {})
       : cycle(session_settings(parameters), parameters, nullptr) {
-    cycle.open(now);
+    cycle.session().open(now);
   }
   void run(int ms) {
     for (int i = 0; i < ms; ++i) {
       now += kNsPerMs;
       robot.tick(now);
-      cycle.receive(robot.take(), now);
+      cycle.session().receive(robot.take(), now);
       if (i % 5 == 0) cycle.step(now);
-      robot.hear(cycle.output(), now);
-      cycle.written(cycle.output().size());
-      cycle.take_events();
+      robot.hear(cycle.session().output(), now);
+      cycle.session().written(cycle.session().output().size());
+      cycle.session().take_events();
     }
   }
   HostNs now = kNsPerS;
@@ -36,8 +36,8 @@ TEST(Cycle, ConnectsAndAnswersSamplesWithCommands) {
   CycleBench bench;
   bench.run(1000);
   EXPECT_EQ(bench.cycle.session().state(), SessionState::kReady);
-  ASSERT_GT(bench.robot.heard.commands.size(), 50u);
-  const wire::Command& command = bench.robot.heard.commands.back();
+  ASSERT_GT(bench.robot.received.commands.size(), 50u);
+  const wire::Command& command = bench.robot.received.commands.back();
   EXPECT_EQ(command.speed_mps, 0.0F);
   const auto behind = static_cast<std::uint16_t>(bench.robot.sequence - command.answers);
   EXPECT_LE(behind, 4u);
@@ -52,8 +52,8 @@ TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
   parameters.drive.swap_tracks = true;
   CycleBench bench(parameters);
   bench.run(100);
-  ASSERT_EQ(bench.robot.heard.parameters.size(), 1u);
-  const wire::Parameters& sent = bench.robot.heard.parameters[0];
+  ASSERT_EQ(bench.robot.received.parameters.size(), 1u);
+  const wire::Parameters& sent = bench.robot.received.parameters[0];
   EXPECT_FLOAT_EQ(sent.wheelbase_m, 0.31F);
   EXPECT_FLOAT_EQ(sent.gyro_z_radps_per_lsb,
                   static_cast<float>(1.02 * 0.017453292519943295 / 32.8));
@@ -64,7 +64,7 @@ TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
 
 TEST(Cycle, TheGyroDoesNotSteerOnABench) {
   bridge::Parameters parameters;
-  parameters.setup = bridge::Setup::kBench;
+  parameters.setup = bridge::Setup::kStand;
   EXPECT_EQ(session_settings(parameters).parameters.flags & wire::kUseGyro, 0);
 }
 
@@ -75,7 +75,7 @@ TEST(Cycle, DisarmIsAcknowledgedAndThenNothingIsPending) {
   EXPECT_TRUE(bench.cycle.request_pending());
   bench.run(50);
   EXPECT_FALSE(bench.cycle.request_pending());
-  EXPECT_EQ(bench.robot.heard.disarms.size(), 1u);
+  EXPECT_EQ(bench.robot.received.disarms.size(), 1u);
 }
 
 TEST(Cycle, AStopIsNeverCrowdedOut) {
@@ -84,7 +84,7 @@ TEST(Cycle, AStopIsNeverCrowdedOut) {
   for (int i = 0; i < 40; ++i) bench.cycle.request(OperatorRequest::kHold);
   bench.cycle.request(OperatorRequest::kStop);
   bench.run(50);
-  EXPECT_EQ(bench.robot.heard.stops.size(), 1u);
+  EXPECT_EQ(bench.robot.received.stops.size(), 1u);
 }
 
 TEST(Cycle, TheRecordOfAStepHoldsItsInputsAndResults) {
@@ -97,24 +97,24 @@ TEST(Cycle, TheRecordOfAStepHoldsItsInputsAndResults) {
   bench.cycle.record(*record);
   EXPECT_EQ(record->step, 121u);
   EXPECT_EQ(record->now_ns, bench.now);
-  ASSERT_EQ(record->sample_count, bench.cycle.inputs().samples.size());
-  ASSERT_GT(record->sample_count, 0u);
-  EXPECT_EQ(record->samples[0].device_us, bench.cycle.inputs().samples[0].device_us);
-  ASSERT_EQ(record->request_count, 1u);
-  EXPECT_EQ(record->requests[0], OperatorRequest::kHold);
-  ASSERT_EQ(record->camera_count, 1u);
-  EXPECT_EQ(record->camera[0].y_m, 0.2);
-  EXPECT_EQ(record->session, SessionState::kReady);
+  ASSERT_EQ(record->inputs.samples.size(), bench.cycle.inputs().samples.size());
+  ASSERT_GT(record->inputs.samples.size(), 0u);
+  EXPECT_EQ(record->inputs.samples[0].device_us, bench.cycle.inputs().samples[0].device_us);
+  ASSERT_EQ(record->inputs.requests.size(), 1u);
+  EXPECT_EQ(record->inputs.requests[0], OperatorRequest::kHold);
+  ASSERT_EQ(record->inputs.camera.size(), 1u);
+  EXPECT_EQ(record->inputs.camera[0].y_m, 0.2);
+  EXPECT_EQ(record->inputs.session, SessionState::kReady);
   EXPECT_EQ(record->link.samples, bench.cycle.session().counters().samples);
   EXPECT_TRUE(record->command_valid);
-  EXPECT_EQ(record->snapshot.sample.device_us, record->samples[0].device_us);
+  EXPECT_EQ(record->snapshot.sample.device_us, record->inputs.samples[0].device_us);
 }
 
 TEST(Cycle, AWholeTurnNeverTouchesTheHeap) {
   HostNs now = kNsPerS;
   ScriptedRobot robot;
   Cycle cycle(session_settings({}), {}, nullptr);
-  cycle.open(now);
+  cycle.session().open(now);
   const auto record = std::make_unique<StepRecord>();
   std::uint64_t calls = 0;
   for (int turn = 0; turn < 1000; ++turn) {
@@ -123,14 +123,14 @@ TEST(Cycle, AWholeTurnNeverTouchesTheHeap) {
     const std::vector<std::uint8_t> bytes = robot.take();
     {
       const test::AllocCount heap;
-      cycle.receive(bytes, now);
+      cycle.session().receive(bytes, now);
       cycle.step(now);
       cycle.record(*record);
-      cycle.take_events();
+      cycle.session().take_events();
       calls += heap.calls();
     }
-    robot.hear(cycle.output(), now);
-    cycle.written(cycle.output().size());
+    robot.hear(cycle.session().output(), now);
+    cycle.session().written(cycle.session().output().size());
   }
   EXPECT_EQ(calls, 0u);
   EXPECT_EQ(cycle.session().state(), SessionState::kReady);

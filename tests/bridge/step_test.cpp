@@ -87,7 +87,7 @@ class StepTest : public testing::Test {
     parameters_.model.slip_angle_straight_rad = 0.0;
   }
 
-  /// One period: sample, step, robot.
+  /// Runs one period: sample, step, robot.
   const Outputs& tick(Step& step, KinematicRobot& robot,
                       std::span<const OperatorRequest> requests = {}) {
     now_ += kPeriod;
@@ -106,7 +106,7 @@ class StepTest : public testing::Test {
     robot.obey(out);
     return out;
   }
-  /// Starts, and drives for a while.
+  /// Starts the robot and drives for two seconds.
   void begin(Step& step, KinematicRobot& robot) {
     start(step, robot);
     ASSERT_EQ(run(step, robot, 2.0), RunState::kRunning);
@@ -148,7 +148,7 @@ TEST_F(StepTest, CommandedTrackSpeedsAreThoseThatTheRobotMakesOfTheCommand) {
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
   start(step, robot);
-  const course::ModelValues& model = parameters_.model;
+  const model::TrackParameters& model = parameters_.model;
   int moving = 0, limited = 0;
   RunState state = RunState::kIdle;
   while (state != RunState::kFinished && state != RunState::kAborted) {
@@ -160,7 +160,7 @@ TEST_F(StepTest, CommandedTrackSpeedsAreThoseThatTheRobotMakesOfTheCommand) {
     const double turn_radps =
         (right_mps * (1.0 - model.slip_right) - left_mps * (1.0 - model.slip_left)) /
         model.wheelbase_m;
-    // The turn that was asked for has priority over the speed.
+    // The requested turn has priority over the speed.
     ASSERT_NEAR(turn_radps, robot.rate_radps(), 1e-9) << to_s(now_);
     const double speed_mps =
         (right_mps * (1.0 - model.slip_right) + left_mps * (1.0 - model.slip_left)) / 2.0;
@@ -169,7 +169,7 @@ TEST_F(StepTest, CommandedTrackSpeedsAreThoseThatTheRobotMakesOfTheCommand) {
   }
   EXPECT_EQ(state, RunState::kFinished);
   EXPECT_GT(moving, 500);
-  EXPECT_EQ(limited, 0) << "the tracker asks for nothing that the tracks cannot do";
+  EXPECT_EQ(limited, 0) << "the tracker commands more than the tracks can do";
 }
 
 TEST_F(StepTest, AChangedGainCountsFromTheNextStep) {
@@ -200,12 +200,12 @@ TEST_F(StepTest, TheSteeringPoseChangesOnlyAtRest) {
   while (tick(step, robot).snapshot.run_state != RunState::kRunning) {
   }
   changes_ = {&model, 1};
-  EXPECT_EQ(tick(step, robot).snapshot.steering, Steering::kOdometry);
+  EXPECT_EQ(tick(step, robot).snapshot.steering, PoseSource::kOdometry);
   EXPECT_EQ(run(step, robot, 60.0), RunState::kFinished);
   changes_ = {&model, 1};
   const Outputs& out = tick(step, robot);
-  EXPECT_EQ(out.snapshot.steering, Steering::kModel);
-  EXPECT_EQ(out.command.pose.x_m, out.snapshot.model.x_m);
+  EXPECT_EQ(out.snapshot.steering, PoseSource::kModel);
+  EXPECT_EQ(out.command.pose.x_m, out.snapshot.estimates[PoseSource::kModel].pose.x_m);
 }
 
 TEST_F(StepTest, NothingMovesWithoutAStartAndWhoIsArmedIsStopped) {
@@ -288,18 +288,19 @@ TEST_F(StepTest, ARobotThatIsUpsideDownIsNotArmed) {
   }
   EXPECT_EQ(refused, StartRefusal::kTilted);
   robot.upside_down = false;
-  EXPECT_EQ(run(step, robot, 10.0), RunState::kIdle) << "minutes later nothing moves";
+  EXPECT_EQ(run(step, robot, 10.0), RunState::kIdle)
+      << "a refused start must not take effect later";
 }
 
 TEST_F(StepTest, AnImuThatSaysItIsSilentEndsTheRunUnlessTheGyroDoesNotSteer) {
-  for (const bool bench : {false, true}) {
-    parameters_.setup = bench ? Setup::kBench : Setup::kFlat;
+  for (const bool stand : {false, true}) {
+    parameters_.setup = stand ? Setup::kStand : Setup::kFlat;
     Step step(parameters_, course_);
     KinematicRobot robot(parameters_);
     begin(step, robot);
     robot.imu_age = 255;
-    EXPECT_EQ(run(step, robot, 0.1), bench ? RunState::kRunning : RunState::kAborted);
-    EXPECT_EQ(tick(step, robot).snapshot.faults, bench ? 0u : fault_bit(Fault::imu_stale));
+    EXPECT_EQ(run(step, robot, 0.1), stand ? RunState::kRunning : RunState::kAborted);
+    EXPECT_EQ(tick(step, robot).snapshot.faults, stand ? 0u : fault_bit(Fault::imu_stale));
   }
 }
 
@@ -321,7 +322,7 @@ TEST_F(StepTest, WaitsForTheGyroBiasBeforeItArms) {
 }
 
 TEST_F(StepTest, OnABenchTheGyroNeitherSteersNorHoldsUpTheStart) {
-  parameters_.setup = Setup::kBench;
+  parameters_.setup = Setup::kStand;
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
   start(step, robot);
@@ -370,7 +371,7 @@ TEST_F(StepTest, SamplesThatComeTooLateOrNotAtAllEndTheRunAfter200Ms) {
     FaultMask faults = 0;
     while (faults == 0 && now_ - begun < kNsPerS) {
       now_ += kPeriod;
-      // Some are on their way for ever longer.
+      // The same late sample arrives in every step.
       samples_.assign(1, late);
       faults =
           step({.samples = silent ? std::span<const Sample>() : std::span<const Sample>(samples_),
@@ -383,18 +384,19 @@ TEST_F(StepTest, SamplesThatComeTooLateOrNotAtAllEndTheRunAfter200Ms) {
     EXPECT_EQ(faults, fault_bit(silent ? Fault::link_lost : Fault::samples_stale));
     EXPECT_EQ((now_ - begun) / kNsPerMs, 205);
     const double x_m = robot.x_m;
-    EXPECT_EQ(run(step, robot, 2.0), RunState::kAborted) << "samples that return do not go on";
+    EXPECT_EQ(run(step, robot, 2.0), RunState::kAborted)
+        << "the run continued when samples returned";
     robot.armed = false;
     EXPECT_LT(std::abs(robot.x_m - x_m), 0.01);
   }
 }
 
-TEST_F(StepTest, AHostThatPausedDoesNotBlameTheBelts) {
+TEST_F(StepTest, AHostThatPausedDoesNotBlameTheTracks) {
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
   start(step, robot);
   ASSERT_EQ(run(step, robot, 2.0), RunState::kRunning);
-  // Both belts rest for one sample, then the host is away for longer than stall_s.
+  // Both tracks are at standstill for one sample, then the host pauses for longer than stall_s.
   ClockState clock;
   clock.valid = true;
   Sample sample = robot.sample(now_);
@@ -423,7 +425,10 @@ TEST_F(StepTest, TheSameInputsGiveTheSameBits) {
     std::vector<double> poses;
     for (int i = 0; i < 2000; ++i) {
       const Snapshot& s = tick(step, robot).snapshot;
-      poses.insert(poses.end(), {s.model.x_m, s.model.y_m, s.odometry.x_m, s.odometry.yaw_rad,
+      poses.insert(poses.end(), {s.estimates[PoseSource::kModel].pose.x_m,
+                                 s.estimates[PoseSource::kModel].pose.y_m,
+                                 s.estimates[PoseSource::kOdometry].pose.x_m,
+                                 s.estimates[PoseSource::kOdometry].pose.yaw_rad,
                                  s.command.desired_yaw_rad, s.command.speed_mps});
     }
     return poses;
@@ -460,8 +465,8 @@ TEST_F(StepTest, AllocatesNothing) {
 
 class CameraStepTest : public StepTest {
  protected:
-  /// One period with a camera that sees the robot shifted by `aside_m`, 60 ms late, each sixth
-  /// step. Returns the heap calls of the step.
+  /// Runs one period with a camera that sees the robot shifted by `aside_m`, 60 ms late, in every
+  /// sixth step. Returns the number of heap calls of the step.
   std::uint64_t tick_seen(Step& step, KinematicRobot& robot, double aside_m,
                           std::span<const OperatorRequest> requests = {}) {
     now_ += kPeriod;
@@ -498,7 +503,7 @@ class CameraStepTest : public StepTest {
 };
 
 TEST_F(CameraStepTest, TheFusedPoseFollowsTheCameraAndAllocatesNothing) {
-  parameters_.steering = Steering::kFused;
+  parameters_.steering = PoseSource::kFused;
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
   const OperatorRequest request = OperatorRequest::kStart;
@@ -508,12 +513,12 @@ TEST_F(CameraStepTest, TheFusedPoseFollowsTheCameraAndAllocatesNothing) {
   }
   EXPECT_EQ(snapshot().run_state, RunState::kFinished);
   EXPECT_EQ(calls, 0u);
-  EXPECT_NEAR(snapshot().fused.pose.x_m, robot.x_m, 0.002);
-  EXPECT_NEAR(snapshot().fused.pose.y_m, robot.y_m, 0.002);
-  EXPECT_GT(snapshot().fused.camera_used, 300u);
-  EXPECT_EQ(snapshot().fused.camera_rejected, 0u);
-  EXPECT_LT(snapshot().fused.camera_age_us, 120'000);
-  EXPECT_LT(snapshot().fused.variance_x_m2, 4e-6);
+  EXPECT_NEAR(snapshot().estimates[PoseSource::kFused].pose.x_m, robot.x_m, 0.002);
+  EXPECT_NEAR(snapshot().estimates[PoseSource::kFused].pose.y_m, robot.y_m, 0.002);
+  EXPECT_GT(snapshot().filter.camera_used, 300u);
+  EXPECT_EQ(snapshot().filter.camera_rejected, 0u);
+  EXPECT_LT(snapshot().filter.camera_age_us, 120'000);
+  EXPECT_LT(snapshot().filter.variance_x_m2, 4e-6);
 }
 
 TEST_F(CameraStepTest, WhoIsMovedIsFoundByTheCameraAndByNobodyElse) {
@@ -521,19 +526,19 @@ TEST_F(CameraStepTest, WhoIsMovedIsFoundByTheCameraAndByNobodyElse) {
   KinematicRobot robot(parameters_);
   for (int i = 0; i < 300; ++i) tick_seen(step, robot, 0.0);
   for (int i = 0; i < 60; ++i) tick_seen(step, robot, 0.04);
-  EXPECT_NEAR(snapshot().fused.pose.y_m, 0.04, 0.003);
-  EXPECT_EQ(snapshot().odometry.y_m, 0.0);
-  EXPECT_EQ(snapshot().model.y_m, 0.0);
-  EXPECT_EQ(snapshot().fused.recoveries, 1u);
+  EXPECT_NEAR(snapshot().estimates[PoseSource::kFused].pose.y_m, 0.04, 0.003);
+  EXPECT_EQ(snapshot().estimates[PoseSource::kOdometry].pose.y_m, 0.0);
+  EXPECT_EQ(snapshot().estimates[PoseSource::kModel].pose.y_m, 0.0);
+  EXPECT_EQ(snapshot().filter.recoveries, 1u);
 }
 
 TEST_F(CameraStepTest, OnABenchTheCameraIsNotLookedAt) {
-  parameters_.setup = Setup::kBench;
+  parameters_.setup = Setup::kStand;
   Step step(parameters_, course_);
   KinematicRobot robot(parameters_);
   for (int i = 0; i < 300; ++i) tick_seen(step, robot, 0.04);
-  EXPECT_EQ(snapshot().fused.camera_age_us, -1);
-  EXPECT_NEAR(snapshot().fused.pose.y_m, 0.0, 1e-9);
+  EXPECT_EQ(snapshot().filter.camera_age_us, -1);
+  EXPECT_NEAR(snapshot().estimates[PoseSource::kFused].pose.y_m, 0.0, 1e-9);
 }
 
 TEST_F(StepTest, TheImuTellsTheSlopeOfTheRealBody) {

@@ -25,8 +25,8 @@ TEST(Tracks, SpeedsAreCountsOverDeviceTimeAlsoAcrossLostSamples) {
   const auto interval = tracks.update(at(20'000, 20, -10));
   ASSERT_TRUE(interval.has_value());
   EXPECT_DOUBLE_EQ(interval->dt_s, 0.02);
-  EXPECT_DOUBLE_EQ(interval->belts.left_mps, 0.1);
-  EXPECT_DOUBLE_EQ(interval->belts.right_mps, -0.05);
+  EXPECT_DOUBLE_EQ(interval->tracks.left_mps, 0.1);
+  EXPECT_DOUBLE_EQ(interval->tracks.right_mps, -0.05);
 }
 
 TEST(Tracks, ASampleThatIsNotNewerChangesNothing) {
@@ -34,7 +34,7 @@ TEST(Tracks, ASampleThatIsNotNewerChangesNothing) {
   tracks.update(at(10'000, 0, 0));
   EXPECT_FALSE(tracks.update(at(10'000, 50, 50)).has_value());
   EXPECT_FALSE(tracks.update(at(5'000, 50, 50)).has_value());
-  EXPECT_DOUBLE_EQ(tracks.update(at(15'000, 5, 5))->belts.left_mps, 0.1);
+  EXPECT_DOUBLE_EQ(tracks.update(at(15'000, 5, 5))->tracks.left_mps, 0.1);
 }
 
 TEST(Tracks, TheGyroIsTheScaledMeanAndFreshOnlyIfBothEndsAre) {

@@ -1,5 +1,5 @@
-// camera_film board|drive FOLDER: drawn pictures in place of a camera's. "board": the board
-// charuco:7x5:0.04:0.03, held in all parts of the picture. "drive": a robot among the floor markers
+// camera_film board|drive FOLDER: draws images in place of a camera's. "board": the board
+// charuco:7x5:0.04:0.03, held in all parts of the image. "drive": a robot among the floor markers
 // of config/view.toml, with the times in times.csv.
 
 #include <array>
@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "camera/board.h"
+#include "camera/lens_calibration.h"
 #include "held_board.h"
 #include "marker_scene.h"
 
@@ -19,7 +19,7 @@ namespace tp100::test {
 namespace {
 
 constexpr double kFps = 10.0, kPixelsPerM = 4000.0;
-constexpr int kDrivePictures = 30;
+constexpr int kDriveImages = 30;
 
 SceneCamera film_camera(const Vec3& place_m) {
   SceneCamera camera = small_camera(place_m);
@@ -34,10 +34,10 @@ class Film {
     std::filesystem::create_directories(folder);
     times_.open(folder + "/times.csv");
   }
-  void add(const cv::Mat& picture) {
+  void add(const cv::Mat& image) {
     std::array<char, 16> name{};
     std::snprintf(name.data(), name.size(), "%03d.png", count_);
-    cv::imwrite(folder_ + "/" + name.data(), picture, {cv::IMWRITE_PNG_COMPRESSION, 1});
+    cv::imwrite(folder_ + "/" + name.data(), image, {cv::IMWRITE_PNG_COMPRESSION, 1});
     times_ << name.data() << ',' << count_++ / kFps << '\n';
   }
 
@@ -48,7 +48,7 @@ class Film {
 };
 
 void film_board(Film film) {
-  const cv::Mat bits = camera::Board::parse("charuco:7x5:0.04:0.03").draw(kPixelsPerM);
+  const cv::Mat bits = camera::CalibrationBoard::parse("charuco:7x5:0.04:0.03").draw(kPixelsPerM);
   int i = 0;
   for (const double x : {-0.28, -0.1, 0.1, 0.28}) {
     for (const double y : {-0.12, -0.06, 0.0, 0.06, 0.12}) {
@@ -67,9 +67,9 @@ void film_drive(Film film) {
   for (const auto& [x_m, y_m] : {std::pair{-0.2, -0.5}, {2.1, -0.5}, {2.1, 0.9}, {-0.2, 0.9}})
     scene.lay(marker_bits(id++), 0.12, x_m, y_m, 0.4);
   scene.carry(marker_bits(0), 0.10, 0.06);
-  for (int i = 0; i < kDrivePictures; ++i) {
+  for (int i = 0; i < kDriveImages; ++i) {
     const double t_s = i / kFps;
-    film.add(scene.picture({.x_m = 0.2 + 0.2 * t_s, .y_m = 0.05 * t_s, .yaw_rad = 0.3 * t_s}));
+    film.add(scene.image({.x_m = 0.2 + 0.2 * t_s, .y_m = 0.05 * t_s, .yaw_rad = 0.3 * t_s}));
   }
 }
 

@@ -83,8 +83,8 @@ TEST(FloorPlane, WhatDoesNotLookDownHasNoPlace) {
   const auto fit = camera::fit_floor(
       lens_of(scene), points_of(scene, {{-0.5, -0.8}, {0.5, -0.8}, {0.5, 0.2}, {-0.5, 0.2}}));
   ASSERT_TRUE(fit.plane.has_value()) << fit.problem;
-  EXPECT_FALSE(fit.plane->lift({960, 0}, 0.0).has_value()) << "the sky";
-  EXPECT_FALSE(fit.plane->lift({960, 1079}, 1.2).has_value()) << "above the lens";
+  EXPECT_FALSE(fit.plane->lift({960, 0}, 0.0).has_value()) << "the ray points to the sky";
+  EXPECT_FALSE(fit.plane->lift({960, 1079}, 1.2).has_value()) << "the height is above the lens";
   EXPECT_TRUE(fit.plane->lift({960, 1079}, 0.0).has_value());
 }
 

@@ -1,5 +1,5 @@
-// Three answers to one question, where does an overhead camera see a robot that tilts: the drawn
-// picture through tp100-camera, the emulated camera, and the estimator's expectation.
+// Compares three computations of the place where an overhead camera sees a tilted robot:
+// tp100-camera on a drawn image, the emulated camera, and the estimator's expectation.
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ struct Seen {
 
 constexpr double kHeightM = 2.5;
 
-/// Hangs where the emulated camera does. The tilt of a real one changes nothing: only the place of
-/// the lens counts.
+/// A camera at the place of the emulated camera. Its tilt has no effect: only the place of the lens
+/// matters.
 SceneCamera hanging() {
   SceneCamera camera = tilted_camera();
   camera.place_m = {0.2, -0.1, kHeightM};
@@ -30,7 +30,7 @@ SceneCamera hanging() {
 
 Seen drawn(Scene& scene, const Pose& pose) {
   camera::Observer observer(lens_of(scene.camera()), corner_view());
-  const auto found = observer.look(scene.picture(pose));
+  const auto found = observer.look(scene.image(pose));
   EXPECT_TRUE(found.has_value());
   return found ? Seen{found->x_m, found->y_m, found->yaw_rad} : Seen{};
 }
@@ -62,16 +62,16 @@ Seen expected(const Pose& pose) {
 }
 
 void expect_agreement(Scene& scene, const Pose& pose) {
-  const Seen picture = drawn(scene, pose), sensor = emulated(pose), estimate = expected(pose);
-  EXPECT_LT(std::hypot(picture.x_m - sensor.x_m, picture.y_m - sensor.y_m), 0.001);
-  EXPECT_LT(std::hypot(picture.x_m - estimate.x_m, picture.y_m - estimate.y_m), 0.001);
-  EXPECT_NEAR(wrap_angle(picture.yaw_rad - sensor.yaw_rad), 0.0, 0.7 * kRadPerDeg);
-  EXPECT_NEAR(wrap_angle(picture.yaw_rad - estimate.yaw_rad), 0.0, 0.7 * kRadPerDeg);
+  const Seen image = drawn(scene, pose), sensor = emulated(pose), estimate = expected(pose);
+  EXPECT_LT(std::hypot(image.x_m - sensor.x_m, image.y_m - sensor.y_m), 0.001);
+  EXPECT_LT(std::hypot(image.x_m - estimate.x_m, image.y_m - estimate.y_m), 0.001);
+  EXPECT_NEAR(wrap_angle(image.yaw_rad - sensor.yaw_rad), 0.0, 0.7 * kRadPerDeg);
+  EXPECT_NEAR(wrap_angle(image.yaw_rad - estimate.yaw_rad), 0.0, 0.7 * kRadPerDeg);
 }
 
 TEST(TiltedRobot, AMarkerSixtyMillimetresUpFallsBackBy28AtTwentyEightDegrees) {
   Scene scene = corner_scene(hanging(), 1);
-  // Below the lens, so that nothing but the tilt moves it.
+  // The robot is below the lens, so that only the tilt shifts the marker.
   const Pose pose{.x_m = 0.2, .y_m = -0.1, .pitch_rad = -28.0 * kRadPerDeg};
   EXPECT_NEAR(drawn(scene, pose).x_m - pose.x_m, -0.06 * std::sin(28.0 * kRadPerDeg), 0.001);
   expect_agreement(scene, pose);

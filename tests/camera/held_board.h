@@ -1,5 +1,5 @@
 #pragma once
-// A calibration board that somebody holds before a small camera.
+// A calibration board held by hand in front of a small camera.
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 namespace tp100::test {
 
-/// Small, so that many pictures of it are drawn quickly. Its lens is straight until it is bent.
+/// A small camera, for which many images are drawn quickly. Its lens has no distortion by default.
 inline SceneCamera small_camera(const Vec3& place_m) {
   SceneCamera camera;
   camera.width_px = 960;
@@ -19,7 +19,8 @@ inline SceneCamera small_camera(const Vec3& place_m) {
   return camera;
 }
 
-/// `bits`, `width_m` wide, with its middle at `middle`, tilted about two axes and turned. [rad]
+/// A decal of `bits`, `width_m` wide and centred at `middle`, tilted about two axes and turned.
+/// [rad]
 inline Decal held(const cv::Mat& bits, double width_m, const Vec3& middle, double tilt_x,
                   double tilt_y, double turn = 0.0) {
   const double height_m = width_m * bits.rows / bits.cols;

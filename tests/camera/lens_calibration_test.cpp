@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Bends more than most.
+/// A camera with more distortion than most.
 SceneCamera bent_camera() {
   SceneCamera camera = small_camera({0.0, 0.0, 0.6});
   camera.k1 = -0.14;
@@ -24,8 +24,8 @@ SceneCamera bent_camera() {
   return camera;
 }
 
-/// Pictures of the board all over the view.
-std::vector<camera::BoardCorners> views_of(const camera::Board& board, double width_m) {
+/// Images of the board all over the view.
+std::vector<camera::BoardCorners> views_of(const camera::CalibrationBoard& board, double width_m) {
   const cv::Mat bits = board.draw(4000.0);
   std::vector<camera::BoardCorners> views;
   int i = 0;
@@ -50,7 +50,7 @@ void expect_the_lens(const camera::LensFit& fit) {
   EXPECT_NEAR(fit.lens.cx_px, truth.centre_x_px, 2.0);
   EXPECT_NEAR(fit.lens.cy_px, truth.centre_y_px, 2.0);
   EXPECT_LT(fit.lens.rms_px, 0.3);
-  // What counts: where its rays go, in the part of the picture that a robot is seen in.
+  // The directions of the rays matter, in the part of the image in which a robot is seen.
   const camera::Lens lens = lens_of(truth);
   double worst_px = 0.0;
   for (double u = 80; u <= 880; u += 80)
@@ -62,38 +62,38 @@ void expect_the_lens(const camera::LensFit& fit) {
 }
 
 TEST(LensCalibration, AChessboardGivesTheLensBack) {
-  const camera::Board board = camera::Board::parse("chessboard:8x5:0.025");
+  const camera::CalibrationBoard board = camera::CalibrationBoard::parse("chessboard:8x5:0.025");
   const auto views = views_of(board, 0.025 * 10);
   ASSERT_GE(views.size(), camera::kFewestViews);
   expect_the_lens(camera::fit_lens(views, {960, 540}));
 }
 
 TEST(LensCalibration, ACharucoBoardGivesTheLensBack) {
-  const camera::Board board = camera::Board::parse("charuco:8x5:0.032:0.024");
+  const camera::CalibrationBoard board = camera::CalibrationBoard::parse("charuco:8x5:0.032:0.024");
   const auto views = views_of(board, 0.032 * 9);
   ASSERT_GE(views.size(), camera::kFewestViews);
   expect_the_lens(camera::fit_lens(views, {960, 540}));
 }
 
-TEST(LensCalibration, TooFewPicturesAreRefused) {
+TEST(LensCalibration, TooFewImagesAreRefused) {
   EXPECT_THROW(camera::fit_lens({}, {960, 540}), SetupError);
 }
 
-TEST(Board, IsReadAsDocumentedAndNotOtherwise) {
-  EXPECT_NO_THROW(camera::Board::parse("chessboard:9x6:0.025"));
-  EXPECT_NO_THROW(camera::Board::parse("charuco:7x5:0.04:0.03"));
+TEST(CalibrationBoard, IsReadAsDocumentedAndNotOtherwise) {
+  EXPECT_NO_THROW(camera::CalibrationBoard::parse("chessboard:9x6:0.025"));
+  EXPECT_NO_THROW(camera::CalibrationBoard::parse("charuco:7x5:0.04:0.03"));
   for (const char* text :
        {"", "chessboard", "chessboard:9x6", "chessboard:1x6:0.025", "chessboard:9x6:0.025:1",
         "chessboard:9x6:nan", "chessboard:999999x6:0.02", "charuco:7x5:0.04:0.05",
         "charuco:20x20:0.04:0.03", "charuco:7x5:0.04:0.03x"})
-    EXPECT_THROW(camera::Board::parse(text), SetupError) << text;
+    EXPECT_THROW(camera::CalibrationBoard::parse(text), SetupError) << text;
 }
 
-TEST(Board, APictureWithoutItHasNoCorners) {
+TEST(CalibrationBoard, AnImageWithoutItHasNoCorners) {
   Scene scene(bent_camera(), 1);
   const cv::Mat floor = scene.empty_floor({});
-  EXPECT_TRUE(camera::Board::parse("chessboard:9x6:0.025").find(floor).pixels.empty());
-  EXPECT_TRUE(camera::Board::parse("charuco:7x5:0.04:0.03").find(floor).pixels.empty());
+  EXPECT_TRUE(camera::CalibrationBoard::parse("chessboard:9x6:0.025").find(floor).pixels.empty());
+  EXPECT_TRUE(camera::CalibrationBoard::parse("charuco:7x5:0.04:0.03").find(floor).pixels.empty());
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class LensFile : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// The scene has its own formulas: both must bend alike.
+// The scene implements the distortion independently; both must agree.
 TEST(Lens, BendsRaysAsTheSceneDoes) {
   const SceneCamera scene = tilted_camera();
   const camera::Lens lens = lens_of(scene);
@@ -92,7 +92,7 @@ TEST_F(LensFile, WhatIsNoLensIsAnErrorOfOneLineThatNamesTheFile) {
   EXPECT_THROW(camera::read_lens(folder_.file("nothing.toml")), SetupError);
 }
 
-TEST_F(LensFile, ADistortionThatFoldsThePictureIsRefused) {
+TEST_F(LensFile, ADistortionThatFoldsTheImageIsRefused) {
   camera::Lens lens = lens_of(tilted_camera());
   lens.k1 = -0.9;
   EXPECT_THAT(problem("lens.toml", camera::write_lens(lens)), HasSubstr("no inverse"));

@@ -1,6 +1,6 @@
 #pragma once
-// The scene of most tests: a camera 2.5 m above a floor with a marker in each corner, and what
-// tp100-camera would have to know of it.
+// The scene of most tests: a camera 2.5 m above a floor with a marker in each corner, and the
+// configuration of tp100-camera for it.
 
 #include <opencv2/aruco.hpp>
 
@@ -17,7 +17,7 @@ inline cv::Mat marker_bits(int id, int pixels = 240) {
   return bits;
 }
 
-/// Hangs off the middle, tilted, and its lens bends straight lines.
+/// A camera that is off-centre and tilted, and whose lens has distortion.
 inline SceneCamera tilted_camera() {
   SceneCamera camera;
   camera.k1 = -0.09;

@@ -22,17 +22,17 @@ double place_error(const camera::MarkerPose& found, const Pose& truth) {
   return std::hypot(found.x_m - truth.x_m, found.y_m - truth.y_m);
 }
 
-/// The robot in places all over the floor, in every direction.
-Errors errors_over_the_floor(Scene& scene, const camera::View& view, int pictures,
+/// Errors for a robot at places all over the floor, in every direction.
+Errors errors_over_the_floor(Scene& scene, const camera::View& view, int images,
                              const Twist& twist = {}, const SceneNoise& noise = {}) {
   Observer observer(lens_of(scene.camera()), view);
   Errors errors;
-  for (int i = 0; i < pictures; ++i) {
-    // Low-discrepancy: no two places alike.
+  for (int i = 0; i < images; ++i) {
+    // A low-discrepancy sequence makes all places different.
     const double a = std::fmod(0.5 + i * 0.7548776662, 1.0);
     const double b = std::fmod(0.5 + i * 0.5698402910, 1.0);
     const Pose truth{.x_m = -1.2 + 2.4 * a, .y_m = -0.55 + 1.1 * b, .yaw_rad = 2.4 * i};
-    const auto found = observer.look(scene.picture(truth, twist, noise));
+    const auto found = observer.look(scene.image(truth, twist, noise));
     if (!found) continue;
     ++errors.found;
     const double place = place_error(*found, truth);
@@ -45,7 +45,7 @@ Errors errors_over_the_floor(Scene& scene, const camera::View& view, int picture
   errors.place_rms_m = std::sqrt(errors.place_rms_m / errors.found);
   errors.yaw_rms_rad = std::sqrt(errors.yaw_rms_rad / errors.found);
   std::printf("%d of %d found; place %.2f mm rms, %.2f mm max; direction %.2f deg rms, %.2f max\n",
-              errors.found, pictures, errors.place_rms_m * 1e3, errors.place_max_m * 1e3,
+              errors.found, images, errors.place_rms_m * 1e3, errors.place_max_m * 1e3,
               errors.yaw_rms_rad * kDegPerRad, errors.yaw_max_rad * kDegPerRad);
   return errors;
 }
@@ -67,12 +67,12 @@ TEST(Observer, StraightDownTheRobotIsFoundAsWell) {
   EXPECT_LT(errors.place_max_m, 0.002);
 }
 
-TEST(Observer, PixelsReadOffAPictureServeAsFloorPoints) {
+TEST(Observer, PixelsReadOffAnImageServeAsFloorPoints) {
   Scene scene = corner_scene();
   camera::View view = corner_view();
   for (const camera::FloorMarker& marker : view.floor_markers) {
     const auto pixel = scene.camera().pixel({marker.world_m.x, marker.world_m.y, 0.0});
-    // As a person reads them.
+    // The pixels are rounded, as a person reads them.
     view.floor_points.push_back({{std::round(pixel[0]), std::round(pixel[1])}, marker.world_m});
   }
   view.floor_markers.clear();
@@ -92,18 +92,18 @@ TEST(Observer, BlurNoiseAndMotionCostLessThanTwoMillimetres) {
   EXPECT_LT(errors.yaw_rms_rad, 0.4 * kRadPerDeg);
 }
 
-// The largest single error of an overhead camera, and what the lift is for.
+// The marker's height causes the largest single error of an overhead camera; the lift corrects it.
 TEST(Observer, WithoutItsHeightAMarkerFarOutWouldBeThirtyMillimetresOff) {
   Scene scene = corner_scene(SceneCamera{}, 4);
   const Pose truth{.x_m = 1.2, .y_m = 0.0, .yaw_rad = 0.7};
-  const cv::Mat picture = scene.picture(truth);
+  const cv::Mat image = scene.image(truth);
   camera::View view = corner_view();
-  const auto lifted = Observer(lens_of(scene.camera()), view).look(picture);
+  const auto lifted = Observer(lens_of(scene.camera()), view).look(image);
   ASSERT_TRUE(lifted.has_value());
   EXPECT_LT(place_error(*lifted, truth), 0.0015);
   EXPECT_NEAR(lifted->side_m, 0.10, 0.0015);
   view.marker_height_m = 0.0;
-  const auto flat = Observer(lens_of(scene.camera()), view).look(picture);
+  const auto flat = Observer(lens_of(scene.camera()), view).look(image);
   ASSERT_TRUE(flat.has_value());
   EXPECT_NEAR(flat->x_m - truth.x_m, 1.2 * 0.06 / 2.44, 0.002);
 }
@@ -113,7 +113,7 @@ TEST(Observer, TheMountedAngleOfTheMarkerIsTakenOut) {
   camera::View view = corner_view();
   view.marker_turned_rad = kPi / 2;
   const Pose truth{.x_m = 0.3, .y_m = 0.2, .yaw_rad = 0.5};
-  const auto found = Observer(lens_of(scene.camera()), view).look(scene.picture(truth));
+  const auto found = Observer(lens_of(scene.camera()), view).look(scene.image(truth));
   ASSERT_TRUE(found.has_value());
   EXPECT_NEAR(wrap_angle(found->yaw_rad - (0.5 - kPi / 2)), 0.0, 0.01);
 }
@@ -125,7 +125,7 @@ TEST(Observer, FollowsADriveAndLosesNothing) {
   for (int i = 0; i < 40; ++i) {
     truth.x_m += 0.03;
     truth.yaw_rad += 0.05;
-    const auto found = observer.look(scene.picture(truth));
+    const auto found = observer.look(scene.image(truth));
     ASSERT_TRUE(found.has_value()) << i;
     EXPECT_LT(place_error(*found, truth), 0.002) << i;
   }
@@ -137,8 +137,8 @@ TEST(Observer, SaysNothingWithoutTheMarker) {
   EXPECT_FALSE(observer.look(scene.empty_floor({})).has_value());
   EXPECT_TRUE(observer.take_floor_news());
   EXPECT_TRUE(observer.floor().plane().has_value());
-  // Seen before, then covered: the last place is no answer.
-  EXPECT_TRUE(observer.look(scene.picture({.x_m = 0.1})).has_value());
+  // The marker was seen before and is now covered: the last place must not be reported.
+  EXPECT_TRUE(observer.look(scene.image({.x_m = 0.1})).has_value());
   EXPECT_FALSE(observer.look(scene.empty_floor({})).has_value());
 }
 
@@ -146,27 +146,26 @@ TEST(Observer, SaysNothingWithoutAFloor) {
   Scene scene(tilted_camera(), 1);
   scene.carry(marker_bits(0), 0.10, 0.06);
   Observer observer(lens_of(scene.camera()), corner_view());
-  EXPECT_FALSE(observer.look(scene.picture({})).has_value());
+  EXPECT_FALSE(observer.look(scene.image({})).has_value());
   EXPECT_NE(observer.floor().problem(), "");
 }
 
 TEST(Observer, AMarkerOfAnotherSizeIsNotOurs) {
   Scene scene = corner_scene();
   scene.carry(marker_bits(0), 0.16, 0.06);
-  EXPECT_FALSE(
-      Observer(lens_of(scene.camera()), corner_view()).look(scene.picture({})).has_value());
+  EXPECT_FALSE(Observer(lens_of(scene.camera()), corner_view()).look(scene.image({})).has_value());
 }
 
 TEST(Observer, OfTwoWithItsIdTheOneOfTheRightSizeCounts) {
   Scene scene = corner_scene();
   scene.lay(marker_bits(0), 0.12, -0.6, 0.3, 1.0);
   const Pose truth{.x_m = 0.5, .y_m = 0.1};
-  const auto found = Observer(lens_of(scene.camera()), corner_view()).look(scene.picture(truth));
+  const auto found = Observer(lens_of(scene.camera()), corner_view()).look(scene.image(truth));
   ASSERT_TRUE(found.has_value());
   EXPECT_LT(place_error(*found, truth), 0.002);
 }
 
-TEST(Observer, AnotherPictureSizeIsAnError) {
+TEST(Observer, AnotherImageSizeIsAnError) {
   const SceneCamera camera;
   Observer observer(lens_of(camera), corner_view());
   EXPECT_THROW(observer.look(cv::Mat(720, 1280, CV_8U, cv::Scalar(0))), SetupError);
@@ -179,7 +178,7 @@ TEST(Observer, ABumpedCameraIsNoticedAndTheFloorFoundAgain) {
   Scene after = corner_scene(bumped, 6);
   Observer observer(lens_of(bumped), corner_view());
   const Pose truth{.x_m = -0.4, .y_m = 0.3, .yaw_rad = 1.0};
-  const cv::Mat first = before.picture(truth), second = after.picture(truth);
+  const cv::Mat first = before.image(truth), second = after.image(truth);
   for (int i = 0; i < 25; ++i) observer.look(first);
   ASSERT_FALSE(observer.floor().hungry());
   std::optional<camera::MarkerPose> found;

@@ -1,4 +1,4 @@
-// The program tp100-camera on recordings of drawn pictures.
+// Tests the program tp100-camera on recordings of drawn images.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,22 +32,22 @@ class CameraProgram : public testing::Test {
   CameraProgram() {
     std::ofstream(folder_.file("lens.toml")) << camera::write_lens(lens_of(tilted_camera()));
     std::ofstream(view()) << camera::write_view(corner_view());
-    fs::create_directory(pictures());
+    fs::create_directory(images());
   }
   std::string view() const { return folder_.file("view.toml"); }
-  std::string pictures() const { return folder_.file("pictures"); }
+  std::string images() const { return folder_.file("images"); }
   std::string program() const { return TP100_BINARY_DIR "/bin/tp100-camera"; }
   static Pose drive(double t_s) {
     return {.x_m = -0.4 + 0.2 * t_s, .y_m = 0.1 + 0.05 * t_s, .yaw_rad = 0.3 + 0.5 * t_s};
   }
-  /// Pictures of a drive; those in `dropped` are left out.
+  /// Records images of a drive without those in `dropped`.
   void record(int count, const std::vector<int>& dropped = {}) {
     Scene scene = corner_scene();
-    std::ofstream times(folder_.file("pictures/times.csv"));
+    std::ofstream times(folder_.file("images/times.csv"));
     for (int i = 0; i < count; ++i) {
       if (std::find(dropped.begin(), dropped.end(), i) != dropped.end()) continue;
       const std::string name = "p" + std::to_string(i) + ".png";
-      cv::imwrite(pictures() + "/" + name, scene.picture(drive(i / kFps)),
+      cv::imwrite(images() + "/" + name, scene.image(drive(i / kFps)),
                   {cv::IMWRITE_PNG_COMPRESSION, 1});
       times << name << ',' << i / kFps << '\n';
     }
@@ -69,9 +69,9 @@ class CameraProgram : public testing::Test {
 TEST_F(CameraProgram, WritesTheDriveAsATumFile) {
   record(12, {6, 7});
   const std::string tum = folder_.file("drive.tum");
-  const Finished finished = watch(pictures(), {"--tum", tum});
+  const Finished finished = watch(images(), {"--tum", tum});
   EXPECT_EQ(finished.status, 0) << finished.output;
-  EXPECT_THAT(finished.output, HasSubstr("pictures 10, dropped 2"));
+  EXPECT_THAT(finished.output, HasSubstr("images 10, dropped 2"));
   EXPECT_THAT(finished.output, HasSubstr("seen in 10"));
   std::ifstream file(tum);
   std::string row;
@@ -94,11 +94,11 @@ TEST_F(CameraProgram, SendsTheDriveInRealTimeWithTheTimesAtWhichItWasTaken) {
   record(12, {6, 7});
   UdpReceiver receiver;
   const std::string to = "udp:" + std::to_string(receiver.port());
-  Process sender({program(), pictures(), "--view", view(), "--send", to});
+  Process sender({program(), images(), "--view", view(), "--send", to});
   std::optional<link::CameraMessage> first;
   std::uint32_t last = 0;
   int received = 0;
-  // On a busy machine it leaves pictures out, and says so in the numbers.
+  // On a busy machine the program skips images, which shows in the sequence numbers.
   for (std::string datagram; !(datagram = receiver.wait(3000)).empty() || received == 0;) {
     const auto message = link::decode_camera(datagram);
     ASSERT_TRUE(message.has_value()) << datagram;
@@ -127,7 +127,7 @@ TEST_F(CameraProgram, AVideoGivesTheSamePoses) {
                            kFps, {1920, 1080});
     ASSERT_TRUE(writer.isOpened());
     for (int i = 0; i < 10; ++i) {
-      const cv::Mat grey = scene.picture(drive(i / kFps));
+      const cv::Mat grey = scene.image(drive(i / kFps));
       cv::Mat colour;
       cv::merge(std::vector<cv::Mat>{grey, grey, grey}, colour);
       writer.write(colour);
@@ -146,7 +146,7 @@ TEST_F(CameraProgram, AVideoGivesTheSamePoses) {
   }
   EXPECT_EQ(rows, 10);
 
-  // Cut in the middle: an error, but what was there is kept.
+  // A video that is cut in the middle is an error.
   fs::resize_file(path, fs::file_size(path) / 2);
   const Finished cut = watch(path, {"--tum", tum});
   EXPECT_EQ(cut.status, 2) << cut.output;
@@ -156,35 +156,36 @@ TEST_F(CameraProgram, AVideoGivesTheSamePoses) {
 TEST_F(CameraProgram, WhatIsWrongAtTheStartIsAnErrorOfOneLine) {
   record(1);
   expect_error(run({program()}), "SOURCE");
-  expect_error(run({program(), pictures()}), "--view");
+  expect_error(run({program(), images()}), "--view");
   expect_error(watch("/nowhere"), "no such video");
-  expect_error(watch(pictures(), {"--send", "47100"}), "--send");
-  expect_error(watch(pictures(), {"--tum", "/nowhere/drive.tum"}), "cannot be written");
-  expect_error(watch(pictures(), {"--size", "big"}), "--size");
-  expect_error(run({program(), pictures(), "--view", folder_.file("none.toml")}), "none.toml");
-  expect_error(run({program(), pictures(), "--calibrate-lens", folder_.file("l.toml")}), "--board");
+  expect_error(watch(images(), {"--send", "47100"}), "--send");
+  expect_error(watch(images(), {"--tum", "/nowhere/drive.tum"}), "cannot be written");
+  expect_error(watch(images(), {"--size", "big"}), "--size");
+  expect_error(run({program(), images(), "--view", folder_.file("none.toml")}), "none.toml");
+  expect_error(run({program(), images(), "--calibrate-lens", folder_.file("l.toml")}), "--board");
   fs::remove(folder_.file("lens.toml"));
-  expect_error(watch(pictures(), {"--tum", folder_.file("t")}), "lens.toml");
+  expect_error(watch(images(), {"--tum", folder_.file("t")}), "lens.toml");
 }
 
 TEST_F(CameraProgram, HostileFilesInTheFolderAreErrorsOfOneLine) {
   record(2);
-  std::ofstream(folder_.file("pictures/q.png")) << "\x89PNG\r\n\x1a\n and no more";
-  std::ofstream(folder_.file("pictures/times.csv"), std::ios::app) << "q.png,9\n";
-  const Finished finished = watch(pictures(), {"--tum", folder_.file("t")});
+  std::ofstream(folder_.file("images/q.png")) << "\x89PNG\r\n\x1a\n and no more";
+  std::ofstream(folder_.file("images/times.csv"), std::ios::app) << "q.png,9\n";
+  const Finished finished = watch(images(), {"--tum", folder_.file("t")});
   EXPECT_EQ(finished.status, 2) << finished.output;
   EXPECT_THAT(finished.output, HasSubstr("q.png: cannot be read"));
-  EXPECT_EQ(lines(finished.output), 2U) << "the floor, and what is wrong: " << finished.output;
-  std::ofstream(folder_.file("pictures/notes.txt")) << "no picture";
-  expect_error(watch(pictures(), {"--tum", folder_.file("t")}), "notes.txt");
+  EXPECT_EQ(lines(finished.output), 2U)
+      << "one line about the floor and one error: " << finished.output;
+  std::ofstream(folder_.file("images/notes.txt")) << "no image";
+  expect_error(watch(images(), {"--tum", folder_.file("t")}), "notes.txt");
 }
 
 TEST_F(CameraProgram, ARecordingWithoutTheMarkerFails) {
   Scene scene = corner_scene();
-  cv::imwrite(pictures() + "/p.png", scene.empty_floor({}));
-  const Finished finished = watch(pictures(), {"--fps", "30", "--tum", folder_.file("t")});
+  cv::imwrite(images() + "/p.png", scene.empty_floor({}));
+  const Finished finished = watch(images(), {"--fps", "30", "--tum", folder_.file("t")});
   EXPECT_EQ(finished.status, 1) << finished.output;
-  EXPECT_THAT(finished.output, HasSubstr("no picture shows marker 0"));
+  EXPECT_THAT(finished.output, HasSubstr("no image shows marker 0"));
 }
 
 TEST_F(CameraProgram, PrintsMarkersAndBoards) {

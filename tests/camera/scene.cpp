@@ -8,9 +8,10 @@
 namespace tp100::test {
 namespace {
 
-constexpr int kGrid = 4;  // rays per pixel, each way
+constexpr int kGrid = 4;  // rays per pixel in each direction
 constexpr int kRays = kGrid * kGrid;
-// White around the black square, in modules of a 4x4 marker.
+// Width of the white rim around the black square, as a share of the square: 1.5 of the 6 modules of
+// a 4x4 marker.
 constexpr double kRim = 1.5 / 6.0;
 
 double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -22,7 +23,7 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 }
 Vec3 scaled(const Vec3& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
 
-/// Grey of the decal where the ray from `eye` meets it; below 0 where it does not.
+/// Grey value of the decal where the ray from `eye` meets it; negative if it does not.
 double seen(const Decal& decal, const Vec3& eye, const Vec3& direction) {
   const Vec3 normal = cross(decal.across_m, decal.down_m);
   const double towards = dot(normal, direction);
@@ -54,7 +55,7 @@ Decal square(const cv::Mat& bits, const Vec3& middle, const Vec3& ahead, const V
           scaled(ahead, -size_m)};
 }
 
-/// The marker's bits with their white rim; `size_m` grows with it.
+/// The marker's bits with their white rim; `size_m` is enlarged accordingly.
 cv::Mat with_rim(const cv::Mat& bits, double& size_m) {
   const int rim = static_cast<int>(std::lround(bits.cols * kRim));
   cv::Mat out(bits.rows + 2 * rim, bits.cols + 2 * rim, CV_8U, cv::Scalar(225));
@@ -109,7 +110,8 @@ cv::Mat blurred(const cv::Mat& grey, double sd) {
 }  // namespace
 
 std::array<Vec3, 3> SceneCamera::axes() const {
-  // Straight down, the picture's right along the world's x; then tilted, then turned.
+  // The camera looks straight down, with the image's right along the world's x; then it is tilted
+  // and turned.
   const double cx = std::cos(tilt_x_rad), sx = std::sin(tilt_x_rad);
   const double cy = std::cos(tilt_y_rad), sy = std::sin(tilt_y_rad);
   const double ct = std::cos(turned_rad), st = std::sin(turned_rad);
@@ -168,7 +170,7 @@ void Scene::carry(const cv::Mat& bits, double size_m, double height_m) {
 std::vector<Decal> Scene::robot_at(const Pose& pose) const {
   const std::array<Vec3, 3> axes = body_axes(pose);
   const Vec3 top = plus({pose.x_m, pose.y_m, pose.z_m}, axes[2], marker_height_m_);
-  // The robot itself, dark, a little below its marker.
+  // The robot itself is a dark square slightly below its marker.
   const Vec3 deck = plus(top, axes[2], -0.002);
   const cv::Mat dark(1, 1, CV_8U, cv::Scalar(55));
   return {square(dark, deck, axes[0], axes[1], std::max(0.19, marker_size_m_ * 1.05)),
@@ -184,7 +186,7 @@ cv::Mat Scene::background() const {
     float* row = grey.ptr<float>(v);
     for (int u = 0; u < grey.cols; ++u) {
       const double x = static_cast<double>(u) / grey.cols, y = static_cast<double>(v) / grey.rows;
-      // Uneven light, and boards with joints.
+      // The light is uneven, and the floor has boards with joints.
       const double light = 0.85 + 0.25 * std::sin(2.0 * x + a) * std::cos(1.7 * y + b);
       const bool joint = std::fmod(x * 19.0 + a, 1.0) < 0.01;
       row[u] = static_cast<float>(light * (joint ? 110.0 : 165.0));
@@ -200,7 +202,8 @@ cv::Mat Scene::background() const {
   return grey;
 }
 
-/// Decals over each other at the instants of the exposure; each of a pixel's rays has an instant.
+/// Draws the decals over each other at the instants of the exposure; each ray of a pixel belongs to
+/// one instant.
 void Scene::draw(cv::Mat& grey, const std::vector<std::vector<Decal>>& instants) const {
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
   for (const auto& decals : instants) {
@@ -215,7 +218,7 @@ void Scene::draw(cv::Mat& grey, const std::vector<std::vector<Decal>>& instants)
       }
     }
   }
-  // Distortion bends edges a little beyond their ends.
+  // Distortion bends edges slightly beyond their ends.
   const int u0 = std::max(0, static_cast<int>(left) - 6);
   const int u1 = std::min(grey.cols - 1, static_cast<int>(right) + 6);
   const int v0 = std::max(0, static_cast<int>(top) - 6);
@@ -229,7 +232,7 @@ void Scene::draw(cv::Mat& grey, const std::vector<std::vector<Decal>>& instants)
         const double du = (ray % kGrid + 0.5) / kGrid - 0.5;
         const double dv = (static_cast<double>(ray / kGrid) + 0.5) / kGrid - 0.5;
         const Vec3 direction = camera_.direction(u + du, v + dv, frame);
-        // Seven shares no factor with the grid: instants and places mix.
+        // Seven has no common factor with the number of rays, so that instants and places mix.
         const auto& decals = instants[static_cast<std::size_t>(ray * 7 % kRays) % instants.size()];
         double value = row[u];
         for (const Decal& decal : decals)
@@ -258,7 +261,8 @@ const cv::Mat& Scene::still() {
 cv::Mat Scene::finish(cv::Mat grey, const SceneNoise& noise) {
   grey = blurred(grey, noise.blur_px);
   cv::Mat out(grey.size(), CV_8U);
-  // A table that every row enters elsewhere: drawing two million numbers a picture takes longer.
+  // Every row reads this table from another offset: drawing two million random numbers per image
+  // would take longer.
   constexpr std::size_t kErrors = 1 << 14;
   std::vector<float> errors(kErrors);
   std::normal_distribution<float> error(0.0F, static_cast<float>(noise.grey_sd));
@@ -277,7 +281,7 @@ cv::Mat Scene::finish(cv::Mat grey, const SceneNoise& noise) {
 
 cv::Mat Scene::empty_floor(const SceneNoise& noise) { return finish(still().clone(), noise); }
 
-cv::Mat Scene::picture(const Pose& pose, const Twist& twist, const SceneNoise& noise) {
+cv::Mat Scene::image(const Pose& pose, const Twist& twist, const SceneNoise& noise) {
   cv::Mat grey = still().clone();
   std::vector<std::vector<Decal>> instants;
   const int count = noise.exposure_s > 0.0 ? kRays : 1;

@@ -1,7 +1,7 @@
 #pragma once
-// Pictures of a robot on a floor under a camera, drawn from the laws of optics. It shares no code
-// with daemon/camera: rays, projection, distortion, blur and noise are its own; OpenCV only holds
-// the pictures and draws the markers' bits.
+// Draws images of a robot on a floor under a camera from the laws of optics. It shares no code with
+// daemon/camera: rays, projection, distortion, blur and noise are implemented here; OpenCV only
+// holds the images and draws the markers' bits.
 //
 // World: z up. Camera frame: x right, y down, z along the view. Body: REP-103.
 
@@ -17,57 +17,57 @@ namespace tp100::test {
 
 using Vec3 = std::array<double, 3>;
 
-/// A camera that hangs over the floor.
+/// A camera above the floor.
 struct SceneCamera {
   int width_px = 1920, height_px = 1080;
-  double focal_px = 1030.0;  ///< about 86 degrees across
+  double focal_px = 1030.0;  ///< horizontal field of view of about 86 degrees
   double centre_x_px = 953.0, centre_y_px = 544.5;
   double k1 = 0.0, k2 = 0.0, p1 = 0.0, p2 = 0.0;
   Vec3 place_m{0.0, 0.0, 2.5};
-  double tilt_x_rad = 0.0, tilt_y_rad = 0.0;  ///< away from straight down
-  double turned_rad = 0.0;                    ///< about its own view
+  double tilt_x_rad = 0.0, tilt_y_rad = 0.0;  ///< tilt away from straight down
+  double turned_rad = 0.0;                    ///< rotation about the view axis
 
-  /// Pixel of a point of the world; pixel (0, 0) is the middle of the first.
+  /// Pixel of a point of the world; pixel (0, 0) is the centre of the first pixel.
   std::array<double, 2> pixel(const Vec3& world_m) const;
-  /// Direction in the world in which a pixel looks.
+  /// Direction of a pixel's ray in the world.
   Vec3 direction(double u_px, double v_px) const;
-  /// The same; `frame` is axes().
+  /// The same with `frame` = axes().
   Vec3 direction(double u_px, double v_px, const std::array<Vec3, 3>& frame) const;
-  /// In the world: x, y and z of the camera frame.
+  /// The x, y and z axes of the camera frame in the world.
   std::array<Vec3, 3> axes() const;
 };
 
-/// A flat picture in space: `bits` from its top left corner along its columns and rows.
+/// A flat image in space: `bits` from its top left corner along its columns and rows.
 struct Decal {
   cv::Mat bits;
   Vec3 corner_m{};
-  Vec3 across_m{};  ///< whole width
-  Vec3 down_m{};    ///< whole height
+  Vec3 across_m{};  ///< over the whole width
+  Vec3 down_m{};    ///< over the whole height
 };
 
 struct SceneNoise {
   double blur_px = 0.7;     ///< standard deviation of the lens's blur
-  double grey_sd = 2.5;     ///< of the sensor
-  double exposure_s = 0.0;  ///< of a moving robot
+  double grey_sd = 2.5;     ///< standard deviation of the sensor's noise
+  double exposure_s = 0.0;  ///< a moving robot is blurred by it
 };
 
-/// A floor with markers on it and a robot with one on its back.
+/// A floor with markers, and a robot that carries one.
 class Scene {
  public:
   Scene(const SceneCamera& camera, std::uint64_t seed);
 
-  /// A marker that lies on the floor, turned by `yaw_rad`.
+  /// Adds a marker on the floor, turned by `yaw_rad`.
   void lay(const cv::Mat& bits, double size_m, double x_m, double y_m, double yaw_rad);
-  /// The marker on the robot's back: `size_m` of black square, `height_m` above the footprint.
+  /// Puts a marker on the robot's back: `size_m` of black square, `height_m` above the footprint.
   void carry(const cv::Mat& bits, double size_m, double height_m);
-  /// A board anywhere.
+  /// Adds a board at any place.
   void show(const Decal& decal);
 
-  /// The picture of the robot at `pose`, which moves with `twist` (body frame) while the shutter is
-  /// open; `pose` is that of the middle of the exposure.
-  cv::Mat picture(const Pose& pose, const Twist& twist, const SceneNoise& noise);
-  cv::Mat picture(const Pose& pose) { return picture(pose, {}, {}); }
-  /// Without a robot.
+  /// The image of the robot at `pose`, which is its pose in the middle of the exposure; the robot
+  /// moves with `twist` (body frame) during the exposure.
+  cv::Mat image(const Pose& pose, const Twist& twist, const SceneNoise& noise);
+  cv::Mat image(const Pose& pose) { return image(pose, {}, {}); }
+  /// The image without a robot.
   cv::Mat empty_floor(const SceneNoise& noise);
 
   const SceneCamera& camera() const { return camera_; }
@@ -82,7 +82,7 @@ class Scene {
   SceneCamera camera_;
   std::mt19937_64 random_;
   std::vector<Decal> decals_;
-  cv::Mat still_;  ///< all that does not move, once drawn
+  cv::Mat still_;  ///< everything static, drawn once
   cv::Mat marker_;
   double marker_size_m_ = 0.0, marker_height_m_ = 0.0;
   std::uint64_t clutter_;

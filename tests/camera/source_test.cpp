@@ -10,8 +10,7 @@
 #include <sstream>
 
 #include "../programs/process.h"
-#include "camera/folder_source.h"
-#include "camera/picture_gaps.h"
+#include "camera/watch.h"
 #include "core/error.h"
 
 namespace tp100::test {
@@ -31,8 +30,8 @@ class Sources : public testing::Test {
   std::string problem(const std::string& source, std::optional<double> fps = {}) const {
     try {
       const auto opened = camera::open_source(source, {.fps = fps});
-      camera::Picture picture;
-      while (opened->next(picture)) {
+      camera::Image image;
+      while (opened->next(image)) {
       }
       return "none";
     } catch (const SetupError& error) {
@@ -40,12 +39,12 @@ class Sources : public testing::Test {
       return error.what();
     }
   }
-  /// Motion JPEG, which every OpenCV writes; each picture has its own grey.
-  std::string video(int pictures, double fps) const {
+  /// A Motion JPEG video, which every OpenCV can write; each image has a different grey.
+  std::string video(int images, double fps) const {
     const std::string path = folder_.file("video.avi");
     cv::VideoWriter writer(path, cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
                            fps, {64, 48});
-    for (int i = 0; i < pictures; ++i)
+    for (int i = 0; i < images; ++i)
       writer.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(20 + 2 * i)));
     return path;
   }
@@ -59,21 +58,21 @@ TEST_F(Sources, AFolderIsReadInTheOrderOfItsNumbers) {
   draw("f011.png", 110);
   write(".hidden", "x");
   const auto source = camera::open_source(folder_.path().string(), {.fps = 20.0});
-  camera::Picture picture;
+  camera::Image image;
   for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(source->next(picture));
-    EXPECT_EQ(picture.taken_ns, i * 50 * kNsPerMs);
-    EXPECT_EQ(picture.grey.at<unsigned char>(0, 0), 90 + 10 * i);
+    ASSERT_TRUE(source->next(image));
+    EXPECT_EQ(image.taken_ns, i * 50 * kNsPerMs);
+    EXPECT_EQ(image.grey.at<unsigned char>(0, 0), 90 + 10 * i);
   }
-  EXPECT_FALSE(source->next(picture));
+  EXPECT_FALSE(source->next(image));
   EXPECT_FALSE(source->live());
 }
 
-TEST_F(Sources, TimesComeFromTheFileBesideThePictures) {
+TEST_F(Sources, TimesComeFromTheFileBesideTheImages) {
   draw("a.png", 10);
   draw("b.jpg", 20);
   write("times.csv", "file,t_s\r\nb.jpg,1.25\r\na.png,2.5\r\n");
-  const auto files = camera::list_pictures(folder_.path().string(), {});
+  const auto files = camera::list_images(folder_.path().string(), {});
   ASSERT_EQ(files.size(), 2U);
   EXPECT_THAT(files[0].path, HasSubstr("b.jpg"));
   EXPECT_EQ(files[0].taken_ns, 1'250 * kNsPerMs);
@@ -95,38 +94,39 @@ TEST_F(Sources, BadTimesAreNamedByLine) {
   EXPECT_THAT(said("a.png,1\nb.png,2\nc.png,3\n"), HasSubstr("c.png is not in the folder"));
 }
 
-TEST_F(Sources, WhatIsNoPictureInAFolderIsAnError) {
-  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("no pictures"));
+TEST_F(Sources, WhatIsNoImageInAFolderIsAnError) {
+  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("no images"));
   draw("a.png", 10);
   EXPECT_THAT(problem(folder_.path().string()), HasSubstr("--fps"));
   EXPECT_EQ(problem(folder_.path().string(), 30.0), "none");
   write("notes.txt", "hello");
-  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("notes.txt: no picture"));
+  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("notes.txt: no image"));
   fs::remove(folder_.file("notes.txt"));
-  write("b.png", "this is no picture");
+  write("b.png", "this is no image");
   EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("b.png: cannot be read"));
   draw("b.png", 10);
   fs::resize_file(folder_.file("b.png"), 60);
   EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("b.png: cannot be read"));
   fs::remove(folder_.file("b.png"));
   fs::create_directory(folder_.file("c.png"));
-  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("c.png: no picture"));
+  EXPECT_THAT(problem(folder_.path().string(), 30.0), HasSubstr("c.png: no image"));
 }
 
 TEST_F(Sources, AVideoHasItsOwnTimes) {
   const auto source = camera::open_source(video(50, 25.0), {});
-  camera::Picture picture;
+  camera::Image image;
   for (int i = 0; i < 50; ++i) {
-    ASSERT_TRUE(source->next(picture)) << i;
-    EXPECT_NEAR(to_s(picture.taken_ns), i * 0.04, 1e-4) << i;
-    EXPECT_NEAR(picture.grey.at<unsigned char>(20, 20), 20 + 2 * i, 3) << i;
+    ASSERT_TRUE(source->next(image)) << i;
+    EXPECT_NEAR(to_s(image.taken_ns), i * 0.04, 1e-4) << i;
+    EXPECT_NEAR(image.grey.at<unsigned char>(20, 20), 20 + 2 * i, 3) << i;
   }
-  EXPECT_FALSE(source->next(picture));
+  EXPECT_FALSE(source->next(image));
 }
 
-// As phones record, and as a camera that drops two pictures. The writer knows fixed rates only: the
-// table of durations is changed in its file, from n to 5 of n, one of 3 n, and the rest.
-TEST_F(Sources, PicturesOfAVideoThatWereDroppedLeaveAGapInItsTimes) {
+// A phone, or a camera that drops two images, records such a video. The writer supports only fixed
+// rates, so the test changes the table of durations in the file from n equal durations to 5 of
+// them, one of three times the duration, and 6 more.
+TEST_F(Sources, ImagesOfAVideoThatWereDroppedLeaveAGapInItsTimes) {
   const std::string path = folder_.file("gap.mp4");
   {
     cv::VideoWriter writer(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 20.0,
@@ -150,11 +150,11 @@ TEST_F(Sources, PicturesOfAVideoThatWereDroppedLeaveAGapInItsTimes) {
     return out;
   };
   const std::size_t durations = text.find("stts") - 4;
-  ASSERT_EQ(number(durations + 12), 1U) << "one row: all last equally long";
+  ASSERT_EQ(number(durations + 12), 1U) << "the table must have one row, for equal durations";
   const std::uint32_t size = number(durations), one = number(durations + 20);
   const std::string changed = bytes(40) + "stts" + bytes(0) + bytes(3) + bytes(5) + bytes(one) +
                               bytes(1) + bytes(3 * one) + bytes(6) + bytes(one);
-  ASSERT_LT(text.find("mdat"), durations) << "else the pictures would move";
+  ASSERT_LT(text.find("mdat"), durations) << "the images must precede the table, which grows";
   text.replace(durations, size, changed);
   for (const char* outer : {"moov", "trak", "mdia", "minf", "stbl"}) {
     const std::size_t at = text.find(outer) - 4;
@@ -163,13 +163,13 @@ TEST_F(Sources, PicturesOfAVideoThatWereDroppedLeaveAGapInItsTimes) {
   std::ofstream(path, std::ios::binary) << text;
 
   const auto source = camera::open_source(path, {});
-  camera::PictureGaps gaps;
-  camera::Picture picture;
-  // The last ones lie beyond the duration that the file still names.
+  camera::ImageGaps gaps;
+  camera::Image image;
+  // The last images lie beyond the duration that the file still states.
   for (int i = 0; i < 9; ++i) {
-    ASSERT_TRUE(source->next(picture)) << i;
-    EXPECT_NEAR(to_s(picture.taken_ns), (i < 6 ? i : i + 2) * 0.05, 1e-3) << i;
-    EXPECT_EQ(gaps.number(picture.taken_ns), static_cast<std::uint32_t>(i < 6 ? i + 1 : i + 3));
+    ASSERT_TRUE(source->next(image)) << i;
+    EXPECT_NEAR(to_s(image.taken_ns), (i < 6 ? i : i + 2) * 0.05, 1e-3) << i;
+    EXPECT_EQ(gaps.number(image.taken_ns), static_cast<std::uint32_t>(i < 6 ? i + 1 : i + 3));
   }
   EXPECT_EQ(gaps.missing(), 2U);
 }
@@ -194,7 +194,7 @@ TEST_F(Sources, WhatIsNeitherIsAnErrorOfOneLine) {
   write("text.mp4", "this is no video\n");
   EXPECT_THAT(problem(folder_.file("text.mp4")), HasSubstr("cannot be read as a video"));
   EXPECT_THAT(problem("/dev/null"), HasSubstr("cannot be opened as a camera"));
-  // A list of other files is no video of ours.
+  // A list of other files is not accepted as a video.
   write("list.m3u8", "#EXTM3U\n#EXTINF:1,\nhttp://127.0.0.1:9/a.ts\n#EXT-X-ENDLIST\n");
   EXPECT_THAT(problem(folder_.file("list.m3u8")), HasSubstr("cannot be read as a video"));
 }

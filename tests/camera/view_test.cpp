@@ -31,7 +31,7 @@ std::string problem(const std::string& text) {
   }
 }
 
-// TP100_REWRITE_CONFIG=1 writes the example anew from the key table.
+// TP100_REWRITE_CONFIG=1 rewrites the example from the key table.
 TEST(ViewFile, TheExampleIsWhatTheKeyTableSays) {
   const std::string path = TP100_SOURCE_DIR "/config/view.toml";
   if (std::getenv("TP100_REWRITE_CONFIG") != nullptr) {

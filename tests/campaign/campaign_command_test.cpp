@@ -1,4 +1,4 @@
-// The real program in real folders.
+// Runs the real program in real folders.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Over soon.
+// The course is short, so that the runs end soon.
 constexpr const char* kCourse =
     "[[segment]]\ntype = \"arc\"\nradius_m = 0.3\nangle_deg = 30.0\n"
     "[fence]\nmin_x_m = -0.5\nmax_x_m = 0.8\nmin_y_m = -0.5\nmax_y_m = 0.5\n";
@@ -95,7 +95,7 @@ TEST_F(Campaign, KilledInTheMiddleIsTakenUpWhereItWas) {
   while (done("a") < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   killed.signal(SIGKILL);
   killed.wait();
-  // As if the kill had come between writing and renaming.
+  // This simulates a kill between writing and renaming.
   write("a/runs/.000005.json.XXXX", "{\"index\":5,");
   const std::size_t before = done("a");
   ASSERT_LT(before, 6u);
@@ -124,14 +124,14 @@ TEST_F(Campaign, GapsCostNoLineOfWhatIsLeftToDo) {
     std::snprintf(name.data(), name.size(), "a/runs/%06d.json", index);
     write(name.data(), "{}");
   }
-  // Two thousand gaps of one run.
+  // There are two thousand gaps of one run each.
   EXPECT_EQ(lines(drive("a", {"--todo", "1"}).output), 2000u);
   EXPECT_EQ(lines(drive("a", {"--todo", "20"}).output), 100u);
   std::string all;
   for (int index = 1; index < kRuns; index += 2)
     all += (index > 1 ? "," : "") + std::to_string(index);
   EXPECT_EQ(drive("a", {"--todo", "2000"}).output, all + "\n");
-  // A line is one that --index takes.
+  // --index accepts a line of the output.
   EXPECT_EQ(drive("a", {"--todo", "2000", "--index", all}).output, all + "\n");
 }
 

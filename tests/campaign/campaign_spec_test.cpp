@@ -29,7 +29,7 @@ TEST(CampaignSpec, WithoutAnythingElseRunsDifferByTheirSeedOnly) {
   EXPECT_EQ(run.course, "1-curve");
   EXPECT_EQ(run.options.board, "native");
   EXPECT_TRUE(run.camera.empty());
-  EXPECT_TRUE(run.drawn.empty());
+  EXPECT_TRUE(run.sampled.empty());
 }
 
 TEST(CampaignSpec, ListsAreCrossed) {
@@ -40,12 +40,12 @@ TEST(CampaignSpec, ListsAreCrossed) {
   std::set<std::string> seen;
   for (std::uint64_t index = 0; index < of.runs; ++index) {
     const PlannedRun run = plan(of, index);
-    ASSERT_EQ(run.drawn.size(), 3u);
+    ASSERT_EQ(run.sampled.size(), 3u);
     seen.insert(run.course + run.options.robot +
                 std::get<std::string>(run.options.configuration_values.at(0).second));
   }
   EXPECT_EQ(seen.size(), 12u);
-  EXPECT_EQ(plan(of, 1).course, "2") << "the first in the alphabet changes first";
+  EXPECT_EQ(plan(of, 1).course, "2") << "the first list in alphabetical order changes first";
   EXPECT_EQ(plan(of, 1).options.robot, "uniform");
 }
 
@@ -59,8 +59,8 @@ TEST(CampaignSpec, ValuesReachConfigurationAndRobot) {
   const Loaded loaded = load(run.options);
   EXPECT_EQ(loaded.configuration.loop.rate_hz, 100.0);
   EXPECT_EQ(loaded.robot.name, "end-loaded");
-  const double friction = std::get<double>(run.drawn.at(0).second);
-  EXPECT_EQ(run.drawn.at(0).first, "robot_values.emulated.body.friction");
+  const double friction = std::get<double>(run.sampled.at(0).second);
+  EXPECT_EQ(run.sampled.at(0).first, "robot_values.emulated.body.friction");
   EXPECT_EQ(loaded.robot.emulated.body.friction, friction);
   EXPECT_NE(loaded.robot.emulated.body.friction,
             load(plan(of, 0).options).robot.emulated.body.friction);

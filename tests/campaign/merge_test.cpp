@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/campaign/merge_page.h"
-
 namespace tp100::sim {
 namespace {
 
@@ -21,11 +19,11 @@ CampaignSpec spec() {
       "spec.toml");
 }
 
-/// Run `index` with an error that grows with it.
+/// The file of run `index`, whose error grows with the index.
 std::string file_of(int index, const char* more = "") {
   const std::string i = std::to_string(index);
-  return R"({"index":)" + i + R"(,"seed":)" + std::to_string(index + 1) + R"(,"drawn":{"robot":")" +
-         (index % 2 == 0 ? "a" : "b") + R"(","control.gain":0.)" + i +
+  return R"({"index":)" + i + R"(,"seed":)" + std::to_string(index + 1) +
+         R"(,"sampled":{"robot":")" + (index % 2 == 0 ? "a" : "b") + R"(","control.gain":0.)" + i +
          R"(},"result":{"completed":true,"duration_s":)" + i +
          R"(.5,"realtime_factor":3,"model":{"max_position_error_m":0.0)" + i +
          R"(},"tracking":{"recovery_s":[1,null]},"loop":{"p50":1})" + more + "}}";
@@ -56,8 +54,8 @@ TEST(Merge, TakesEveryFigureButThoseOfTheMachine) {
   EXPECT_EQ(run.seed, 5u);
   EXPECT_EQ(run.figures.size(), 3u);
   EXPECT_EQ(run.figures.at("duration_s"), 4.5);
-  EXPECT_FALSE(std::isfinite(run.figures.at("tracking.recovery_s"))) << "never recovered";
-  EXPECT_EQ(run.drawn_numbers.at("control.gain"), 0.4);
+  EXPECT_FALSE(std::isfinite(run.figures.at("tracking.recovery_s"))) << "the robot never recovered";
+  EXPECT_EQ(run.sampled_numbers.at("control.gain"), 0.4);
 }
 
 TEST(Merge, CountsWhatIsMissing) {
@@ -88,7 +86,7 @@ TEST(Merge, GroupsByWhatWasListed) {
 TEST(Merge, ARefusedRunIsNoRunThatFailed) {
   std::vector<MergedRun> runs = runs_of({0, 1});
   runs.push_back(parse_run_file(
-      R"({"index":2,"seed":3,"drawn":{"robot":"a"},"refused":"robot.toml: too heavy"})", "file"));
+      R"({"index":2,"seed":3,"sampled":{"robot":"a"},"refused":"robot.toml: too heavy"})", "file"));
   const Merged merged = merge(spec(), std::move(runs));
   EXPECT_EQ(merged.driven, 2u);
   const Json json = Json::parse(merged_json(merged));
@@ -98,7 +96,7 @@ TEST(Merge, ARefusedRunIsNoRunThatFailed) {
   EXPECT_THAT(merge_page(merged, "x"), HasSubstr("too heavy"));
 }
 
-TEST(Merge, NamesEveryFailedRunItsCauseAndWhatWasDrawn) {
+TEST(Merge, NamesEveryFailedRunItsCauseAndWhatWasSampled) {
   std::vector<MergedRun> runs = runs_of({0, 1});
   for (const int index : {2, 3, 4})
     runs.push_back(parse_run_file(failed_file_of(index, index == 3 ? "tilt" : "cross_track"), ""));
@@ -107,12 +105,13 @@ TEST(Merge, NamesEveryFailedRunItsCauseAndWhatWasDrawn) {
   EXPECT_EQ(merged.completed, 2u);
   EXPECT_THAT(merged.causes(),
               testing::ElementsAre(testing::Pair("cross_track", 2u), testing::Pair("tilt", 1u)));
-  EXPECT_EQ(figure(merged, "duration_s").summary.count, 2u) << "figures are of completed runs";
+  EXPECT_EQ(figure(merged, "duration_s").summary.count, 2u)
+      << "only completed runs count in figures";
   const Json json = Json::parse(merged_json(merged));
   EXPECT_EQ(json["causes"], Json::parse(R"({"cross_track":2,"tilt":1})"));
   ASSERT_EQ(json["failed"].size(), 3u);
   EXPECT_EQ(json["failed"][1], Json::parse(R"({"index":3,"seed":4,"cause":"tilt",
-                                               "drawn":{"robot":"b","control.gain":0.3}})"));
+                                               "sampled":{"robot":"b","control.gain":0.3}})"));
   EXPECT_THAT(merged_csv(merged), HasSubstr("\n3,4,0,tilt,,0.3,b,3.5,"));
 }
 
@@ -147,7 +146,7 @@ TEST(Merge, WritesOneRowARun) {
 
 TEST(Merge, WhatIsNoRunsFileIsAnErrorThatNamesIt) {
   for (const char* text :
-       {"", "{}", "[1]", R"({"index":"x"})", R"({"index":1,"seed":1,"drawn":[]})"})
+       {"", "{}", "[1]", R"({"index":"x"})", R"({"index":1,"seed":1,"sampled":[]})"})
     try {
       parse_run_file(text, "runs/000001.json");
       ADD_FAILURE() << text;

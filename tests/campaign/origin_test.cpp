@@ -1,11 +1,10 @@
-#include "sim/campaign/origin.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "../support/temporary_folder.h"
+#include "sim/campaign/campaign_folder.h"
 
 namespace tp100::sim {
 namespace {
@@ -64,7 +63,7 @@ TEST(Origin, ChangesWithAFileAndSaysWhich) {
   EXPECT_EQ(none.at("course " + course), "not there");
   write(course, "a");
   const Origin first = origin(spec);
-  // The published value of FNV-1a.
+  // This is the published FNV-1a hash of "a".
   EXPECT_EQ(first.at("course " + course), "af63dc4c8601ec8c");
   EXPECT_EQ(difference(none, first), "course " + course + " was not there, is af63dc4c8601ec8c");
   EXPECT_EQ(difference(first, origin(spec)), "");

@@ -20,13 +20,13 @@ TEST(Summary, OfHundredNumbersIsWhatTablesSay) {
   EXPECT_EQ(of.most, 100.0);
   ASSERT_EQ(of.percentiles.size(), 4u);
   EXPECT_DOUBLE_EQ(of.percentiles[1].value, 50.5);
-  // Order statistics 40 and 61: the classic interval of a median of 100.
+  // Order statistics 40 and 61 are the textbook interval of the median of 100 values.
   ASSERT_TRUE(of.percentiles[1].interval.has_value());
   EXPECT_EQ(*of.percentiles[1].interval, std::pair(40.0, 61.0));
   // t(99) = 1.984.
   ASSERT_TRUE(of.mean_interval.has_value());
   EXPECT_NEAR(of.mean_interval->first, 50.5 - 1.984 * 2.90115, 1e-3);
-  // Of a hundred runs nobody knows where 99 of 100 end.
+  // A hundred runs are too few for an interval of the 99th percentile.
   EXPECT_FALSE(of.percentiles[3].interval.has_value());
 }
 

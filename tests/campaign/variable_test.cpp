@@ -1,10 +1,10 @@
-#include "sim/campaign/variable.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "sim/campaign/campaign_spec.h"
 
 namespace tp100::sim {
 namespace {
@@ -71,7 +71,7 @@ TEST(Variable, NormalValuesHaveTheirMeanAndDeviation) {
   EXPECT_NEAR(within / 4000.0, 0.683, 0.025);
 }
 
-TEST(Variable, WhatIsDrawnDependsOnSeedIndexAndName) {
+TEST(Variable, WhatIsSampledDependsOnSeedIndexAndName) {
   const std::vector<Variable> two = read("a = { uniform = [0, 1] }\nb = { uniform = [0, 1] }");
   std::set<double> values;
   for (const Variable& variable : two)

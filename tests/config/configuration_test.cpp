@@ -25,7 +25,7 @@ std::string told(const std::string& text) {
   return {};
 }
 
-// TP100_REWRITE_CONFIG=1 writes the bundled file anew from the key table.
+// TP100_REWRITE_CONFIG=1 rewrites the bundled file from the key table.
 TEST(Configuration, TheBundledFileIsWhatTheKeyTableSays) {
   const std::string path = TP100_SOURCE_DIR "/config/tp100.toml";
   const std::string text = write_configuration(Configuration{});
@@ -36,7 +36,7 @@ TEST(Configuration, TheBundledFileIsWhatTheKeyTableSays) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bundled;
   bundled << file.rdbuf();
-  EXPECT_EQ(bundled.str(), text) << "config/tp100.toml has drifted from the key table";
+  EXPECT_EQ(bundled.str(), text) << "config/tp100.toml differs from the key table";
 }
 
 TEST(Configuration, AnEmptyFileIsTheDefaults) {
@@ -52,15 +52,15 @@ TEST(Configuration, AWrittenFileReadsBackTheSame) {
   changed.link.hang_up = true;
   changed.loop.pacing = Pacing::kRobot;
   changed.loop.cpu = 1;
-  changed.parameters.setup = bridge::Setup::kBench;
-  changed.parameters.steering = bridge::Steering::kModel;
+  changed.parameters.setup = bridge::Setup::kStand;
+  changed.parameters.steering = PoseSource::kModel;
   changed.parameters.paper_model = true;
   changed.parameters.command_life_s = 0.15;
   changed.parameters.control.max_tilt_rad = 33 * kRadPerDeg;
   const Configuration read = parse_configuration(write_configuration(changed), "f");
   EXPECT_EQ(write_configuration(read), write_configuration(changed));
   EXPECT_EQ(read.course, changed.course);
-  EXPECT_EQ(read.parameters.steering, bridge::Steering::kModel);
+  EXPECT_EQ(read.parameters.steering, PoseSource::kModel);
   EXPECT_NEAR(read.parameters.control.max_tilt_rad, changed.parameters.control.max_tilt_rad, 1e-12);
   EXPECT_DOUBLE_EQ(read.parameters.command_life_s, 0.15);
 }
@@ -90,6 +90,8 @@ TEST(Configuration, RefusesUnknownKeysAndValuesOutOfRangeInOneLine) {
   EXPECT_EQ(told("[control]\ncommand_life_ms = 500\n"),
             "tp100.toml:2:19: 'control.command_life_ms' is 500, allowed 20 to 190 ms");
   EXPECT_THAT(told("setup = 'flatt'\n"), HasSubstr("did you mean 'flat'?"));
+  EXPECT_THAT(told("setup = 'bench'\n"), HasSubstr("did you mean 'stand'?"));
+  EXPECT_THAT(told("[control]\npush_radps = 0.4\n"), HasSubstr("did you mean"));
   EXPECT_THAT(told("[lopp]\n"), HasSubstr("unknown key 'lopp'; did you mean 'loop'?"));
 }
 

@@ -40,7 +40,7 @@ class ArmingTest : public testing::Test {
     ASSERT_EQ(arming_.state(), RunState::kRunning);
   }
 
-  /// The robot obeyed the disarm, and says so.
+  /// The robot has obeyed the disarm and confirms it.
   void confirm_off() {
     sample_.state = RobotState::kDisarmed;
     in_.answer = RequestAnswer::kAcknowledged;
@@ -66,7 +66,7 @@ TEST_F(ArmingTest, AStartThatCannotBeginWithin3SIsRefusedWithItsReason) {
   EXPECT_EQ(run(5), RobotRequest::kNone);
   EXPECT_EQ(arming_.state(), RunState::kIdle);
   in_.refusal = StartRefusal::kNone;
-  EXPECT_EQ(run(20000), RobotRequest::kNone) << "nobody is there any more";
+  EXPECT_EQ(run(20000), RobotRequest::kNone) << "a refused start must not take effect later";
   EXPECT_EQ(arming_.faults(), 0u);
   arming_.start();
   EXPECT_EQ(run(100), RobotRequest::kArm);
@@ -148,7 +148,7 @@ TEST_F(ArmingTest, ALostSessionEndsTheRunAndItsReturnDoesNotRestartIt) {
   in_.sample = nullptr;
   EXPECT_EQ(run(1), RobotRequest::kDisarm);
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::link_lost));
-  EXPECT_FALSE(arming_.disarming()) << "there is nobody to confirm it";
+  EXPECT_FALSE(arming_.disarming()) << "no robot is connected that could confirm it";
   connect();
   in_.new_session = true;
   EXPECT_EQ(run(1000), RobotRequest::kNone);
@@ -232,7 +232,8 @@ TEST_F(ArmingTest, CompletionDisarms) {
 }
 
 TEST_F(ArmingTest, ACompletionThatIsNotConfirmedIsNone) {
-  // Not acknowledged; acknowledged, but the motors stay on; the link breaks.
+  // In turn: the disarm is not acknowledged; it is acknowledged, but the motors stay on; the link
+  // breaks.
   for (int i = 0; i < 3; ++i) {
     begin();
     in_.path_done = true;
@@ -252,7 +253,7 @@ TEST_F(ArmingTest, ACompletionThatIsNotConfirmedIsNone) {
     EXPECT_EQ(arming_.state(), RunState::kAborted) << i;
     constexpr std::array kCauses{Fault::not_acknowledged, Fault::moves_unasked, Fault::link_lost};
     EXPECT_EQ(arming_.faults(), fault_bit(kCauses.at(static_cast<std::size_t>(i)))) << i;
-    EXPECT_EQ(arming_.disarming(), i == 1) << "it is told to stop as long as it goes on";
+    EXPECT_EQ(arming_.disarming(), i == 1) << "disarming lasts as long as the motors are on";
   }
 }
 
@@ -266,7 +267,7 @@ TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAgainAndAgain) {
     connect();
     ASSERT_EQ(run(100), RobotRequest::kNone);
     oddity(sample_);
-    EXPECT_EQ(run(10), RobotRequest::kNone) << "one sample may be an old one";
+    EXPECT_EQ(run(10), RobotRequest::kNone) << "a single sample may be an old one";
     EXPECT_EQ(run(2), RobotRequest::kStop);
     EXPECT_EQ(arming_.state(), RunState::kAborted);
     EXPECT_EQ(arming_.faults(), fault_bit(Fault::moves_unasked));

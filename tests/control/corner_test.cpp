@@ -19,7 +19,7 @@ Corner corner_of(double angle_deg, double x_icr_m, double room_m = kRoomM) {
 }
 
 /// Largest distance from the path of a robot that turns about a point ahead of its reference point,
-/// around sharp corners to both sides. `told`: the tracker knows of it.
+/// around sharp corners to both sides. `told`: the tracker knows this point.
 double largest_distance_m(double x_icr_m, bool told) {
   const course::Course course = make_course(
       {course::Line{0.5}, course::Pivot{kPi / 2}, course::Line{0.4}, course::Pivot{-kPi / 2},
@@ -58,7 +58,7 @@ TEST(Corner, ARobotThatIsCarriedOffIsBroughtToTheNextLine) {
       EXPECT_GT(right.speed_mps({.x_m = 0.49, .y_m = aside, .yaw_rad = -yaw}, 0.6), 0.01);
     }
   }
-  EXPECT_GE(left.speed_mps({.x_m = 0.7}, 0.6), -0.05) << "gently";
+  EXPECT_GE(left.speed_mps({.x_m = 0.7}, 0.6), -0.05) << "the speed back must be low";
 }
 
 TEST(Corner, ARobotThatLooksAlongTheNextLineCannotBeBroughtToIt) {

@@ -1,6 +1,6 @@
 #pragma once
-// What the control tests drive: a robot that follows yaw and speed with first-order lags and within
-// its belts' limits, as the firmware's loops do. Nothing of the code under test but its types.
+// The robot of the control tests: it follows yaw and speed with first-order lags and within its
+// tracks' limits, as the firmware's loops do. It shares only types with the code under test.
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ inline course::Course make_course(std::vector<course::Segment> path) {
 }
 
 struct LaggingRobot {
-  BeltLimits limits{};
-  double x_icr_m = 0.0;  ///< turns about a point that lies so far ahead
+  TrackLimits limits{};
+  double x_icr_m = 0.0;  ///< distance ahead of the point about which the robot turns
   Pose pose{};
   Twist twist{};
 

@@ -36,7 +36,7 @@ std::string name_of(const testing::TestParamInfo<LawName>& param) {
 
 TEST_P(EveryLaw, OnAStraightPathAsksForNothingWhenThereIsNoError) {
   const auto law = make_law(parameters(), {});
-  const Steering steering =
+  const LawOutput steering =
       law->steer({.speed_mps = 0.1, .ahead = {.along_m = law->look_ahead_m(0.1)}});
   EXPECT_NEAR(steering.yaw_rad, 0.0, 1e-12);
   EXPECT_NEAR(steering.yaw_rate_radps, 0.0, 1e-12);
@@ -68,9 +68,9 @@ TEST(Stanley, ItsDesiredYawTurnsAsFastAsItsAngleOfApproachFalls) {
   const auto law = make_law(parameters, {});
   PathErrors errors{.cross_track_m = 0.01, .heading_rad = -0.2, .speed_mps = 0.1};
   constexpr double kDt = 1e-6;
-  const Steering before = law->steer(errors);
+  const LawOutput before = law->steer(errors);
   errors.cross_track_m += errors.speed_mps * std::sin(errors.heading_rad) * kDt;
-  const Steering after = law->steer(errors);
+  const LawOutput after = law->steer(errors);
   EXPECT_GT(before.yaw_rate_radps, 0.1);
   EXPECT_NEAR(before.yaw_rate_radps, (after.yaw_rad - before.yaw_rad) / kDt, 1e-4);
 }
@@ -79,7 +79,7 @@ TEST(Lqr, SteersByTheTurnThatIsNotThePathsOwn) {
   Parameters parameters;
   parameters.law = LawName::kLqr;
   const auto law = make_law(parameters, {});
-  // On an arc of the path, driven as it is: nothing is left to correct.
+  // The robot follows an arc of the path exactly, so there is nothing to correct.
   const PathErrors errors{.yaw_rate_radps = 0.2,
                           .speed_mps = 0.1,
                           .curvature_1pm = 2.0,
@@ -98,7 +98,7 @@ TEST_P(EveryLaw, StaysBoundedForAnyErrors) {
             const double along = law->look_ahead_m(speed);
             ASSERT_TRUE(std::isfinite(along));
             ASSERT_GE(along, 0.0);
-            const Steering steering =
+            const LawOutput steering =
                 law->steer({.cross_track_m = e,
                             .heading_rad = heading,
                             .yaw_rate_radps = rate,
@@ -117,7 +117,7 @@ TEST_P(EveryLaw, StaysBoundedForAnyErrors) {
 
 struct Driven {
   bool done = false;
-  double late_m = 0.0;  ///< largest distance from the path beyond a given way
+  double late_m = 0.0;  ///< largest distance from the path after `settle_m` of progress
   double overshoot_m = 0.0;
   double max_m = 0.0;
 };
@@ -172,7 +172,7 @@ TEST_P(EveryLaw, ConvergesOnArcsToo) {
   }
 }
 
-// Curves begin and end without a transition: the jump of curvature is the whole corner that these
+// Curves begin and end without a transition; the jump of curvature is the only corner that these
 // courses have.
 TEST_P(EveryLaw, CutsCornersByLessThanFourMillimetres) {
   for (const double radius : {0.35, 0.2}) {
@@ -190,11 +190,11 @@ INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw,
                          testing::Values(LawName::kStanley, LawName::kPurePursuit, LawName::kLqr),
                          name_of);
 
-// Without lag and in continuous time the equation has this solution: k_e = sqrt(q_e / r),
-// k_psi = sqrt((q_psi + 2 v sqrt(q_e r)) / r).
+// In continuous time without lag the equation has this solution: k_e = sqrt(q_e / r), k_psi =
+// sqrt((q_psi + 2 v sqrt(q_e r)) / r).
 TEST(Lqr, SolvesTheRiccatiEquation) {
   Parameters parameters;
-  parameters.preview_s = 0.0;  // the shortest lag that the solver takes, 10 ms
+  parameters.preview_s = 0.0;  // the shortest lag that the solver accepts, 10 ms
   const double v = 0.1, r = 1.0 / std::pow(parameters.lqr_turn_radps, 2);
   const double q_e = 1.0 / std::pow(parameters.lqr_cross_track_m, 2);
   const double q_psi = 1.0 / std::pow(parameters.lqr_heading_rad, 2);

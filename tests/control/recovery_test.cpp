@@ -1,25 +1,24 @@
-#include "control/recovery.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "control/tracker.h"
 #include "lagging_robot.h"
 
 namespace tp100::control {
 namespace {
 
-TEST(Disturbance, ATurnThatTheBeltsDoNotMakeIsNoticedWithinFourSteps) {
+TEST(Disturbance, ATurnThatTheTracksDoNotMakeIsNoticedWithinFourSteps) {
   Disturbance disturbance{Parameters{}};
   disturbance.restart(0);
   int steps = 0;
-  while (!disturbance.update({.gyro_radps = 0.9, .belts_radps = 0.1}, kDt)) ASSERT_LT(++steps, 4);
+  while (!disturbance.update({.gyro_radps = 0.9, .tracks_radps = 0.1}, kDt)) ASSERT_LT(++steps, 4);
 }
 
-TEST(Disturbance, WhatTheBeltsMakeThemselvesIsNone) {
+TEST(Disturbance, WhatTheTracksMakeThemselvesIsNone) {
   Disturbance disturbance{Parameters{}};
   for (int i = 0; i < 200; ++i)
-    EXPECT_FALSE(disturbance.update({.gyro_radps = 1.2, .belts_radps = 1.5}, kDt));
+    EXPECT_FALSE(disturbance.update({.gyro_radps = 1.2, .tracks_radps = 1.5}, kDt));
 }
 
 TEST(Disturbance, OneNoisySampleIsNone) {
@@ -59,20 +58,21 @@ TEST(Recovery, LeavingTheBandStartsTheTimeAnew) {
   EXPECT_TRUE(recovery.active());
 }
 
-struct Shove {
+struct Disturbance {
   double along_m = 0.0, left_m = 0.0, yaw_rad = 0.0;
 };
 
-/// Where a robot turns about, and where the tracker is told that it does, both ahead of it.
+/// The point about which a robot turns, as a distance ahead of it: the true one, and the one that
+/// the tracker uses.
 struct TurningCentre {
   double ahead_m = 0.0, told_m = 0.0;
 };
 
-/// Drives `course`; at 6 s the robot is moved, and the tracker told. Returns the time that it took
-/// to be back.
-double recovered_after_s(const course::Course& course, const Shove& shove, double speed_share,
-                         double* fastest_mps = nullptr, double* furthest_jump_m = nullptr,
-                         const TurningCentre& centre = {}) {
+/// Drives `course`; at 6 s the robot is displaced, and the tracker is notified. Returns the
+/// duration of the recovery, -1 if there is none.
+double recovered_after_s(const course::Course& course, const Disturbance& disturbance,
+                         double speed_share, double* fastest_mps = nullptr,
+                         double* furthest_jump_m = nullptr, const TurningCentre& centre = {}) {
   Parameters parameters;
   parameters.recovery_speed_share = speed_share;
   const course::Path path(course);
@@ -85,9 +85,9 @@ double recovered_after_s(const course::Course& course, const Shove& shove, doubl
     const bool now = i == 1200;
     if (now) {
       const double c = std::cos(robot.pose.yaw_rad), s = std::sin(robot.pose.yaw_rad);
-      robot.pose.x_m += c * shove.along_m - s * shove.left_m;
-      robot.pose.y_m += s * shove.along_m + c * shove.left_m;
-      robot.pose.yaw_rad += shove.yaw_rad;
+      robot.pose.x_m += c * disturbance.along_m - s * disturbance.left_m;
+      robot.pose.y_m += s * disturbance.along_m + c * disturbance.left_m;
+      robot.pose.yaw_rad += disturbance.yaw_rad;
     }
     const Target& target = tracker.update(robot.pose, robot.twist, kDt, now);
     if (target.done) break;
@@ -117,12 +117,13 @@ TEST(RecoveryDrive, BringsTheRobotBackFromEitherSide) {
   }
 }
 
-// Turning back moves such a robot sideways: it is the turning centre that must be brought back.
+// Turning back moves such a robot sideways, so the turning centre must be brought back.
 TEST(RecoveryDrive, BringsARobotBackSoonThatTurnsAboutAPointAheadOfIt) {
   const course::Course course = make_course({course::Line{1.8}});
-  const Shove shove{.left_m = 0.04, .yaw_rad = 15.0 * kRadPerDeg};
-  const double told_s = recovered_after_s(course, shove, 0.5, nullptr, nullptr, {0.03, 0.03});
-  const double untold_s = recovered_after_s(course, shove, 0.5, nullptr, nullptr, {0.03, 0.0});
+  const Disturbance disturbance{.left_m = 0.04, .yaw_rad = 15.0 * kRadPerDeg};
+  const double told_s = recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.03});
+  const double untold_s =
+      recovered_after_s(course, disturbance, 0.5, nullptr, nullptr, {0.03, 0.0});
   EXPECT_GT(told_s, 0.5);
   EXPECT_LT(told_s, 2.5 + Recovery::kRecoveredForS);
   EXPECT_GT(untold_s, told_s + 0.3);
@@ -147,8 +148,8 @@ TEST(RecoveryDrive, PushedBackItDrivesThatPartAgain) {
   EXPECT_NEAR(tracker.update(robot.pose, robot.twist, kDt, true).progress_m, before_m - 0.06, 1e-6);
 }
 
-// The two lines run back beside each other, 6 cm apart: the nearest point of the path is on the
-// wrong one.
+// The two lines run side by side in opposite directions, 6 cm apart: the nearest point of the path
+// is on the wrong one.
 TEST(RecoveryDrive, DoesNotJumpToAPartOfThePathThatLiesBeside) {
   const course::Course course =
       make_course({course::Line{0.8}, course::Arc{0.03, kPi}, course::Line{0.8}});

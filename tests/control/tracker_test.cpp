@@ -73,7 +73,7 @@ TEST(Tracker, APivotTurnsOnTheSpotBothWays) {
   EXPECT_NEAR(outcome.end.yaw_rad, 0.0, 0.02);
 }
 
-/// Runs onto an arc of so many degrees and off it again.
+/// A line, an arc of `angle_deg` and another line.
 course::Course circling(double angle_deg) {
   return make_course(
       {course::Line{0.2}, course::Arc{0.3, angle_deg * kRadPerDeg}, course::Line{0.2}});
@@ -112,7 +112,8 @@ TEST(Tracker, CrossesItsOwnPathWithoutACut) {
   }
 }
 
-/// Drives on as it looks, whatever it is told, from where the tracker's progress stands still.
+/// From a progress of `after_progress_m` the robot ignores its commands and drives straight ahead
+/// for `for_m`. Returns the distance off the path.
 double off_path_of_a_runaway_m(const course::Course& course, double speed_mps,
                                double after_progress_m, double for_m) {
   const course::Path path(course);
@@ -125,7 +126,7 @@ double off_path_of_a_runaway_m(const course::Course& course, double speed_mps,
   }
   robot.twist = {.vx_mps = speed_mps};
   double off_path_m = 0.0;
-  for (double way_m = 0.0; way_m < for_m; way_m += std::abs(speed_mps) * kDt) {
+  for (double distance_m = 0.0; distance_m < for_m; distance_m += std::abs(speed_mps) * kDt) {
     robot.pose.x_m += speed_mps * kDt * std::cos(robot.pose.yaw_rad);
     robot.pose.y_m += speed_mps * kDt * std::sin(robot.pose.yaw_rad);
     off_path_m = tracker.update(robot.pose, robot.twist, kDt).off_path_m;
@@ -135,8 +136,9 @@ double off_path_of_a_runaway_m(const course::Course& course, double speed_mps,
 
 TEST(Tracker, SeesThatTheRobotLeavesThePathAlongIt) {
   const course::Course line = make_course({course::Line{0.5}});
-  EXPECT_NEAR(off_path_of_a_runaway_m(line, 0.1, 0.4, 0.4), 0.3, 0.01) << "past its end";
-  EXPECT_NEAR(off_path_of_a_runaway_m(line, -0.1, 0.4, 0.3), 0.3, 0.01) << "back to its start";
+  EXPECT_NEAR(off_path_of_a_runaway_m(line, 0.1, 0.4, 0.4), 0.3, 0.01)
+      << "past the end of the path";
+  EXPECT_NEAR(off_path_of_a_runaway_m(line, -0.1, 0.4, 0.3), 0.3, 0.01) << "back towards its start";
 }
 
 TEST(Tracker, SeesThatTheRobotLeavesATurnOnTheSpot) {
@@ -155,14 +157,15 @@ TEST(Tracker, OffThePathIsAsFarAsAcrossItWhereProgressIsRight) {
   for (int i = 0; i < 10000; ++i) {
     const Target& target = tracker.update(robot.pose, robot.twist, kDt);
     if (target.done) return;
-    // Stopping, it may run over the end by a hair.
+    // The robot may overrun the end slightly when it stops.
     ASSERT_NEAR(target.off_path_m, std::abs(target.cross_track_m), 1e-3) << target.progress_m;
     robot.obey(target);
   }
   FAIL() << "the course was not finished";
 }
 
-// An estimate counts whole turns as it likes. Two of the laws are linear in the heading error.
+// The yaw of an estimate may contain any number of whole turns. Two of the laws are linear in the
+// heading error.
 TEST(Tracker, AWholeTurnMoreOfThePosesYawChangesNothing) {
   const course::Course course = make_course(
       {course::Line{0.3}, course::Arc{0.3, 4.0}, course::Pivot{-2.0}, course::Line{0.3}});
@@ -196,15 +199,15 @@ TEST(Tracker, AWholeTurnMoreOfThePosesYawChangesNothing) {
   }
 }
 
-TEST(Tracker, ReturnsToThePathAfterAShove) {
-  bool shoved = false;
+TEST(Tracker, ReturnsToThePathAfterADisturbance) {
+  bool disturbed = false;
   double worst_late_m = 0.0;
   const Outcome outcome =
       drive(make_course({course::Line{1.5}}), [&](LaggingRobot& robot, double time_s) {
-        if (!shoved && robot.pose.x_m > 0.5) {
+        if (!disturbed && robot.pose.x_m > 0.5) {
           robot.pose.y_m += 0.04;
           robot.pose.yaw_rad += 15 * kRadPerDeg;
-          shoved = true;
+          disturbed = true;
         }
         if (robot.pose.x_m > 0.9) worst_late_m = std::max(worst_late_m, std::abs(robot.pose.y_m));
         (void)time_s;

@@ -5,9 +5,9 @@
 namespace tp100 {
 namespace {
 
-TEST(Faults, EveryFaultHasNameCauseAndRemedy) {
+TEST(Faults, EveryFaultHasNameCauseAndFix) {
   FaultMask all = 0;
-#define TP100_ALL(bit, name, cause, remedy) all |= fault_bit(Fault::name);
+#define TP100_ALL(bit, name, cause, fix) all |= fault_bit(Fault::name);
   TP100_ROBOT_FAULTS(TP100_ALL)
   TP100_DAEMON_FAULTS(TP100_ALL)
 #undef TP100_ALL
@@ -15,15 +15,15 @@ TEST(Faults, EveryFaultHasNameCauseAndRemedy) {
     const FaultText& text = describe(*first_fault(rest));
     EXPECT_NE(text.name, "unknown");
     EXPECT_FALSE(text.cause.empty());
-    EXPECT_FALSE(text.remedy.empty());
+    EXPECT_FALSE(text.fix.empty());
   }
 }
 
 TEST(Faults, TheRobotsFaultsFitItsSixteenBits) {
-#define TP100_LOW(bit, name, cause, remedy) static_assert(bit < 16);
+#define TP100_LOW(bit, name, cause, fix) static_assert(bit < 16);
   TP100_ROBOT_FAULTS(TP100_LOW)
 #undef TP100_LOW
-#define TP100_HIGH(bit, name, cause, remedy) static_assert(bit >= 16 && bit < 32);
+#define TP100_HIGH(bit, name, cause, fix) static_assert(bit >= 16 && bit < 32);
   TP100_DAEMON_FAULTS(TP100_HIGH)
 #undef TP100_HIGH
 }

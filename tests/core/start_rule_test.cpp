@@ -11,7 +11,7 @@ constexpr auto kUnknown = static_cast<std::uint8_t>(wire::Board::kUnknown);
 
 TEST(StartRule, APortIsPhysicalUnlessPtyAndHelloProveAnEmulator) {
   EXPECT_TRUE(is_emulator(true, kNative));
-  // A serial server with a robot behind it; a robot of one's own.
+  // A pty may be a serial server with a real robot behind it, or the robot may be a user's own.
   EXPECT_FALSE(is_emulator(true, kMega));
   EXPECT_FALSE(is_emulator(true, kUnknown));
   EXPECT_FALSE(is_emulator(true, 77));
@@ -40,7 +40,7 @@ TEST(StartRule, OnceSomethingHasRunNothingButTheWordStarts) {
     for (const char* line : {"", "g", "o", "GO", "go go", "\n", "\ngo", "go\n", "yes", "..."})
       EXPECT_EQ(meaning_of(line, consent, false), LineMeaning::kStop) << line;
   }
-  // The next drive of a calibration: by itself only where the first one did so.
+  // The next drive of a calibration starts by itself only if the first one did so.
   EXPECT_EQ(start_consent({.ran_before = true}), StartConsent::kWord);
   EXPECT_EQ(start_consent({.go = true, .ran_before = true}), StartConsent::kNone);
 }
@@ -56,7 +56,7 @@ TEST(StartRule, WhateverIsTypedDuringARunIsStop) {
 TEST(StartRule, TheFirstStartIsOneEnterOrTheWord) {
   EXPECT_EQ(meaning_of("", StartConsent::kEnter, false), LineMeaning::kStart);
   EXPECT_EQ(meaning_of("go", StartConsent::kEnter, false), LineMeaning::kStart);
-  // Several lines at once were typed without looking.
+  // Several lines at once are not a deliberate answer.
   EXPECT_EQ(meaning_of("\n", StartConsent::kEnter, false), LineMeaning::kNothing);
   EXPECT_EQ(meaning_of("yes", StartConsent::kEnter, false), LineMeaning::kNothing);
 }

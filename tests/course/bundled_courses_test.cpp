@@ -50,7 +50,7 @@ TEST(BundledCourses, HaveTheDocumentedLengthsAndEnds) {
   }
 }
 
-TEST(BundledCourses, LieInThePapersArenaWithRoomForAShove) {
+TEST(BundledCourses, LieInThePapersArenaWithRoomForADisturbance) {
   for (const char* name : {"1-straight", "1-curve", "1-sharp", "2"}) {
     SCOPED_TRACE(name);
     const Course course = bundled_course(name);
@@ -87,19 +87,19 @@ TEST(BundledCourses, Course3HasThePapersStepAndRampOnItsWayBack) {
   EXPECT_NEAR(ramp.length_m(), 0.2 + 2 * 0.08 / std::tan(28 * kRadPerDeg), 1e-12);
 }
 
-TEST(BundledCourses, Course2IsShovedAt80CmAnd50CmBeforeItsEnd) {
+TEST(BundledCourses, Course2IsDisturbedAt80CmAnd50CmBeforeItsEnd) {
   const Course course = bundled_course("2");
-  ASSERT_EQ(course.shoves.size(), 2u);
-  EXPECT_EQ(course.shoves[0].at_m, 0.8);
-  EXPECT_NEAR(course.shoves[1].at_m, Path(course).length_m() - 0.5, 1e-3);
-  for (const Shove& shove : course.shoves) {
-    EXPECT_DOUBLE_EQ(std::abs(shove.sideways_m), 0.04);
-    EXPECT_DOUBLE_EQ(std::abs(shove.yaw_rad), 15.0 * kRadPerDeg);
+  ASSERT_EQ(course.disturbances.size(), 2u);
+  EXPECT_EQ(course.disturbances[0].at_m, 0.8);
+  EXPECT_NEAR(course.disturbances[1].at_m, Path(course).length_m() - 0.5, 1e-3);
+  for (const Disturbance& disturbance : course.disturbances) {
+    EXPECT_DOUBLE_EQ(std::abs(disturbance.sideways_m), 0.04);
+    EXPECT_DOUBLE_EQ(std::abs(disturbance.yaw_rad), 15.0 * kRadPerDeg);
   }
 }
 
-// TP100_REWRITE_CONFIG=1 writes the files anew from the values that they hold, with the key table's
-// prose.
+// TP100_REWRITE_CONFIG=1 rewrites the files from the values that they hold, with the comments of
+// the key table.
 TEST(BundledRobots, SayWhatTheKeyTableSays) {
   for (const char* name : {"end-loaded", "uniform", "front-heavy", "slippery", "large", "worn"}) {
     const auto path = kConfig / "robots" / (std::string(name) + ".toml");
@@ -109,11 +109,11 @@ TEST(BundledRobots, SayWhatTheKeyTableSays) {
     if (std::getenv("TP100_REWRITE_CONFIG"))
       std::ofstream(path, std::ios::binary) << written;
     else
-      EXPECT_EQ(text, written) << "the prose of " << path << " has drifted";
+      EXPECT_EQ(text, written) << "the comments of " << path << " differ from the key table";
   }
 }
 
-TEST(BundledRobots, DifferInHowTheBeltsCarryTheLoad) {
+TEST(BundledRobots, DifferInHowTheTracksCarryTheLoad) {
   const auto robot = [](const std::string& name) {
     const auto path = kConfig / "robots" / (name + ".toml");
     return parse_robot(read(path), path.string());

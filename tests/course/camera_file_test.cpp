@@ -12,7 +12,7 @@
 namespace tp100::course {
 namespace {
 
-// TP100_REWRITE_CONFIG=1 writes the bundled file anew from the key table.
+// TP100_REWRITE_CONFIG=1 rewrites the bundled file from the key table.
 TEST(CameraFile, TheBundledFileIsWhatTheKeyTableSays) {
   const std::string path = TP100_SOURCE_DIR "/config/cameras/overhead.toml";
   const std::string text = write_camera({});
@@ -23,7 +23,7 @@ TEST(CameraFile, TheBundledFileIsWhatTheKeyTableSays) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bundled;
   bundled << file.rdbuf();
-  EXPECT_EQ(bundled.str(), text) << "config/cameras/overhead.toml has drifted from the key table";
+  EXPECT_EQ(bundled.str(), text) << "config/cameras/overhead.toml differs from the key table";
 }
 
 TEST(CameraFile, ReadsBackWhatItWritesAndRefusesWhatItDoesNotKnow) {

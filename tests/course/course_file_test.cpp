@@ -29,8 +29,8 @@ TEST(CourseFile, ReadsEveryKey) {
       "[[segment]]\ntype = 'line'\nlength_m = 0.3\n"
       "[[segment]]\ntype = 'arc'\nradius_m = 0.25\nangle_deg = -180\n"
       "[[segment]]\ntype = 'pivot'\nangle_deg = 45\n"
-      "[[shove]]\nat_m = 0.1\nsideways_m = -0.04\nyaw_deg = -15\nduration_s = 0.5\n"
-      "[[shove]]\nat_m = 0.1\n" +
+      "[[disturbance]]\nat_m = 0.1\nsideways_m = -0.04\nyaw_deg = -15\nduration_s = 0.5\n"
+      "[[disturbance]]\nat_m = 0.1\n" +
           kFence,
       "dir/c.toml");
   EXPECT_EQ(course.name, "c");
@@ -44,11 +44,11 @@ TEST(CourseFile, ReadsEveryKey) {
   EXPECT_EQ(std::get<Arc>(course.path[1]).radius_m, 0.25);
   EXPECT_DOUBLE_EQ(std::get<Arc>(course.path[1]).angle_rad, -kPi);
   EXPECT_DOUBLE_EQ(std::get<Pivot>(course.path[2]).angle_rad, kPi / 4);
-  ASSERT_EQ(course.shoves.size(), 2u);
-  EXPECT_EQ(course.shoves[0].sideways_m, -0.04);
-  EXPECT_DOUBLE_EQ(course.shoves[0].yaw_rad, -15 * kRadPerDeg);
-  EXPECT_EQ(course.shoves[0].duration_s, 0.5);
-  EXPECT_EQ(course.shoves[1].duration_s, 0.3);
+  ASSERT_EQ(course.disturbances.size(), 2u);
+  EXPECT_EQ(course.disturbances[0].sideways_m, -0.04);
+  EXPECT_DOUBLE_EQ(course.disturbances[0].yaw_rad, -15 * kRadPerDeg);
+  EXPECT_EQ(course.disturbances[0].duration_s, 0.5);
+  EXPECT_EQ(course.disturbances[1].duration_s, 0.3);
   EXPECT_EQ(course.fence.max_x_m, 3.0);
 }
 
@@ -93,9 +93,9 @@ TEST(CourseFile, RefusesAFenceThatThePathLeaves) {
               HasSubstr("'max_x_m' must exceed 'min_x_m'"));
 }
 
-TEST(CourseFile, RefusesShovesBeyondThePathOrOutOfOrder) {
-  EXPECT_THAT(told(kLine + "[[shove]]\nat_m = 1.6\n" + kFence), HasSubstr("only 1.5 m long"));
-  EXPECT_THAT(told(kLine + "[[shove]]\nat_m = 1.0\n[[shove]]\nat_m = 0.5\n" + kFence),
+TEST(CourseFile, RefusesDisturbancesBeyondThePathOrOutOfOrder) {
+  EXPECT_THAT(told(kLine + "[[disturbance]]\nat_m = 1.6\n" + kFence), HasSubstr("only 1.5 m long"));
+  EXPECT_THAT(told(kLine + "[[disturbance]]\nat_m = 1.0\n[[disturbance]]\nat_m = 0.5\n" + kFence),
               HasSubstr("order of 'at_m'"));
 }
 
@@ -127,6 +127,8 @@ TEST(CourseFile, RefusesTerrainThatIsNone) {
   EXPECT_THAT(told(kLine + "[[ramp]]\nx_m = 1\ny_m = 0\nheight_m = 0.1\nup_deg = 90\n" + kFence),
               HasSubstr("'ramp.up_deg' is 90, allowed 1 to 60 deg"));
   EXPECT_THAT(told(kLine + "[[surface]]\nx_m = 1\n" + kFence), HasSubstr("needs a 'name'"));
+  EXPECT_THAT(told(kLine + "[[shove]]\nat_m = 0.5\n" + kFence),
+              HasSubstr("unknown key 'shove'; did you mean 'disturbance'?"));
   EXPECT_THAT(told(kLine + "[[blok]]\nx_m = 1\n" + kFence), HasSubstr("did you mean 'block'?"));
 }
 

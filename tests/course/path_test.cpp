@@ -79,7 +79,7 @@ TEST(Path, ProjectionReturnsTheOffsetOfPointsBesideThePiece) {
   }
 }
 
-// The same place is on every turn of such an arc.
+// A point of such an arc lies on each of its turns.
 TEST(Path, ProjectionOntoAnArcOfManyTurnsStaysOnTheTurnThatIsMeant) {
   for (const double turns : {359.0 / 360.0, 1.0, 400.0 / 360.0, 2.0, 10.0}) {
     for (const double sign : {-1.0, 1.0}) {

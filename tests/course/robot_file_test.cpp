@@ -22,7 +22,7 @@ std::string told(const std::string& text) {
 TEST(RobotFile, AnEmptyFileIsTheDefaultRobot) {
   const Robot robot = parse_robot("", "dir/plain.toml");
   EXPECT_EQ(robot.name, "plain");
-  EXPECT_EQ(robot.model.wheelbase_m, ModelValues{}.wheelbase_m);
+  EXPECT_EQ(robot.model.wheelbase_m, model::TrackParameters{}.wheelbase_m);
   EXPECT_EQ(robot.emulated.body.mid_lift_m, EmulatedBody{}.mid_lift_m);
 }
 
@@ -45,8 +45,10 @@ TEST(RobotFile, RefusesUnknownAndImpossibleValues) {
             "r.toml:2:1: unknown key 'model.wheelbse_m'; did you mean 'model.wheelbase_m'?");
   EXPECT_EQ(told("[emulated.body]\nmass_kg = -1\n"),
             "r.toml:2:11: 'emulated.body.mass_kg' is -1, allowed 0.1 to 10 kg");
-  EXPECT_THAT(told("[emulated.body]\nbelt_width_m = 0.2\n"), HasSubstr("must be below"));
+  EXPECT_THAT(told("[emulated.body]\nshoe_width_m = 0.2\n"), HasSubstr("must be below"));
   EXPECT_THAT(told("[emulated]\nbodi = {}\n"), HasSubstr("did you mean 'emulated.body'?"));
+  EXPECT_THAT(told("[shape]\nbelt_radius_m = 0.03\n"),
+              HasSubstr("did you mean 'shape.wheel_radius_m'?"));
 }
 
 TEST(RobotFile, AWrittenRobotReadsBackTheSame) {

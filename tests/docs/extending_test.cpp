@@ -1,5 +1,5 @@
-// The law that daemon/control/EXTENDING.md shows, taken from the page: it is a law of this tree,
-// and steers a robot onto its path.
+// Tests the law that daemon/control/EXTENDING.md shows: its code comes from the page, is a law of
+// this tree, and steers a robot onto its path.
 
 #include <gtest/gtest.h>
 
@@ -12,15 +12,15 @@
 namespace tp100::control {
 namespace {
 
-/// Where a robot ends that begins `left_m` beside a straight path and drives along it for 15 s.
+/// Final pose of a robot that starts `left_m` beside a straight path and drives along it for 15 s.
 Pose driven(const Law& law, double left_m) {
   LaggingRobot robot;
   robot.pose.y_m = left_m;
   for (int i = 0; i < 3000; ++i) {
-    const Steering steering = law.steer({.cross_track_m = robot.pose.y_m,
-                                         .heading_rad = robot.pose.yaw_rad,
-                                         .yaw_rate_radps = robot.twist.yaw_rate_radps,
-                                         .speed_mps = 0.1});
+    const LawOutput steering = law.steer({.cross_track_m = robot.pose.y_m,
+                                          .heading_rad = robot.pose.yaw_rad,
+                                          .yaw_rate_radps = robot.twist.yaw_rate_radps,
+                                          .speed_mps = 0.1});
     Target target;
     target.desired_yaw_rad = steering.yaw_rad;
     target.yaw_rate_radps = steering.yaw_rate_radps;

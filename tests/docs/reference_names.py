@@ -23,7 +23,7 @@ drive.max_track_mps = { list = [0.2, 99.0] }
 emulated.body.friction = { uniform = [0.6, 0.9] }
 """
 # Below these stand keys of files, causes and rights: no names of figures.
-NAMED = {"privileges", "causes", "drawn", "rank_correlation"}
+NAMED = {"privileges", "causes", "sampled", "rank_correlation"}
 
 
 def names(value):
@@ -64,7 +64,7 @@ def live(programs, folder):
     link, stats = os.path.join(folder, "robot"), os.path.join(folder, "stats.json")
     robot = subprocess.Popen([os.path.join(programs, "tp100-sim"), "robot", "--link", link], stdout=subprocess.DEVNULL)
     try:
-        subprocess.run([os.path.join(programs, "tp100d"), "run", "--port", link, "--wait", "--setup", "bench", "--duration",
+        subprocess.run([os.path.join(programs, "tp100d"), "run", "--port", link, "--wait", "--setup", "stand", "--duration",
                         "5", "--listen", "off", "--stats", stats, "--record", os.path.join(folder, "live")],
                        stderr=subprocess.DEVNULL)
         examined = doctor(programs, link)

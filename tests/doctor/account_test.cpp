@@ -1,5 +1,3 @@
-#include "doctor/account.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "../support/as_nobody.h"
+#include "doctor/port_checks.h"
 #include "fake_system.h"
 
 namespace tp100::doctor {
@@ -23,7 +22,7 @@ using ::testing::HasSubstr;
 
 constexpr const char* kDevice = "/dev/ttyACM0";
 
-/// A device of the group that new files get; alice is not in it.
+/// A device that belongs to the default group of new files; alice is not a member.
 class Permission : public testing::Test {
  protected:
   Permission() {
@@ -36,7 +35,7 @@ class Permission : public testing::Test {
                                   "\nusers:x:99992:alice\n");
   }
   gid_t gid() const { return fake_.system().device(kDevice)->gid; }
-  /// What is said to an account that the kernel refuses.
+  /// The finding for an account to which the kernel denies access.
   Finding look(const Account& account) const {
     const Findings findings = permission_findings(fake_.system(), kDevice, account, false);
     return findings.size() == 1 ? findings[0] : Finding{Severity::kError, "not one", "", ""};
@@ -81,8 +80,8 @@ TEST_F(Permission, ThatTheGroupSeemsToHaveIsAQuestionOfTheAccessList) {
   EXPECT_THAT(listed.fix, HasSubstr("getfacl /dev/ttyACM0"));
 }
 
-/// Lets `user`, and the owner, read and write `file`, as udev's "uaccess" does for who sits at the
-/// machine. False with errno: the file system keeps no such lists.
+/// Lets `user` and the owner read and write `file`, as udev's "uaccess" does for the user at the
+/// machine. Returns false and sets errno if the file system has no access lists.
 bool let_in(const std::string& file, uid_t user) {
   constexpr std::uint16_t kRead = 4, kWrite = 2, kBoth = kRead | kWrite;
   constexpr std::uint32_t kNobodysId = 0xFFFFFFFFU;
@@ -92,7 +91,7 @@ bool let_in(const std::string& file, uid_t user) {
   };
   struct {
     std::uint32_t version = 2;
-    // The kernel wants them in this order: owner, user, group, mask, others.
+    // The kernel requires this order: owner, user, group, mask, others.
     std::array<Entry, 5> entries;
   } list;
   list.entries = {Entry{0x01, kBoth, kNobodysId},

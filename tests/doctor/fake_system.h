@@ -1,5 +1,5 @@
 #pragma once
-// A folder that looks like the root of a Linux system with a robot on it.
+// A folder that imitates the root of a Linux system with a robot attached.
 
 #include <sys/stat.h>
 
@@ -21,7 +21,7 @@ class FakeSystem {
     make_folder(path);
     write_bytes(folder_.file(path.substr(1)), text);
   }
-  /// `target` as it stands in the link, relative or not.
+  /// Creates a link with the text `target`, relative or absolute.
   void link(const std::string& path, const std::string& target) {
     make_folder(path);
     std::filesystem::create_symlink(target, folder_.file(path.substr(1)));
@@ -57,7 +57,7 @@ class FakeSystem {
   TemporaryFolder folder_;
 };
 
-/// The first finding of that name; one named "none" if there is none.
+/// The first finding with that name; one named "none" if there is none.
 inline doctor::Finding find(const doctor::Findings& findings, const std::string& name) {
   for (const doctor::Finding& finding : findings) {
     if (finding.name == name) return finding;

@@ -40,7 +40,7 @@ TEST(Greeting, NamesBoardFirmwareAndProtocol) {
 
 TEST(Greeting, OfAnotherVersionNamesBothAndAsksForFlashing) {
   const auto other = payload(wire::kProtocolVersion + 1, 0xABCD);
-  // Only its first nine bytes are promised.
+  // Only the first nine bytes of a hello are guaranteed in every version.
   for (const std::size_t size : {std::size_t{9}, other.size()}) {
     const Greeting greeting = read_greeting(other.data(), size);
     EXPECT_FALSE(greeting.ours);

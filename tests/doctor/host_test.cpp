@@ -1,8 +1,7 @@
-#include "doctor/host.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "doctor/host_checks.h"
 #include "fake_system.h"
 
 namespace tp100::doctor {
@@ -57,7 +56,7 @@ TEST(Host, WhoseProcessorsSlowDownIsWarnedOf) {
 TEST(Host, WhosePagePortIsTakenNamesTheProgram) {
   FakeSystem fake;
   const std::string head = "  sl  local_address rem_address   st tx_queue rx_queue ...\n";
-  // 8766 listens; 8765 is only one end of a connection.
+  // Port 8766 is listening; 8765 is only one end of a connection.
   const std::string others =
       "   0: 0100007F:223E 00000000:0000 0A 00000000:00000000 00:00000000 00000000  0 0 11 1\n"
       "   1: 0100007F:223D 0100007F:9000 01 00000000:00000000 00:00000000 00000000  0 0 12 1\n";

@@ -1,12 +1,9 @@
-#include "doctor/port.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "../link/pty_pair.h"
 #include "../support/as_nobody.h"
-#include "doctor/modem_manager.h"
-#include "doctor/usb.h"
+#include "doctor/port_checks.h"
 #include "fake_system.h"
 
 namespace tp100::doctor {

@@ -1,9 +1,10 @@
-#include "doctor/report.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+
+#include "doctor/finding.h"
+#include "doctor/robot.h"
 
 namespace tp100::doctor {
 namespace {

@@ -11,7 +11,7 @@ namespace {
 using test::find;
 using ::testing::HasSubstr;
 
-/// Of a robot that has nothing wrong with it.
+/// The visit of a robot without any problem.
 Visit good_visit() {
   Visit visit;
   visit.port = "/dev/ttyACM0";
@@ -37,13 +37,13 @@ Visit good_visit() {
   return visit;
 }
 
-/// The one finding of a visit that ends with it.
+/// The only finding of a visit that ends with it.
 Finding only(const Visit& visit) {
   const Findings findings = robot_findings(visit);
   return findings.size() == 1 ? findings[0] : Finding{Severity::kOk, "not one", "", ""};
 }
 
-TEST(Robot, ThatIsWellHasNothingToMend) {
+TEST(Robot, ThatIsWellHasNothingToFix) {
   const Findings findings = robot_findings(good_visit());
   EXPECT_EQ(count(findings, Severity::kOk), findings.size());
   EXPECT_THAT(find(findings, "link").seen, HasSubstr("200 samples in 1.0 s, 0 lost"));
@@ -56,7 +56,7 @@ TEST(Robot, WhoseMotorsAreOnUnaskedIsAnError) {
   visit.moved_unasked = true;
   const Finding motors = find(robot_findings(visit), "motors");
   EXPECT_EQ(motors.severity, Severity::kError);
-  EXPECT_THAT(motors.seen, HasSubstr("without being asked"));
+  EXPECT_THAT(motors.seen, HasSubstr("without a request"));
 }
 
 TEST(Robot, WhosePortCannotBeOpenedSaysWhatToDo) {
@@ -79,7 +79,7 @@ TEST(Robot, ThatIsSilentMayNeedItsFirmware) {
   EXPECT_THAT(only(visit).seen, HasSubstr("80 bytes, but no frame of a TP100"));
   EXPECT_THAT(only(visit).fix, HasSubstr("scripts/flash --port /dev/ttyACM0"));
   visit.frames_in = 4;
-  EXPECT_THAT(only(visit).seen, HasSubstr("says no hello"));
+  EXPECT_THAT(only(visit).seen, HasSubstr("but no hello"));
 }
 
 TEST(Robot, WithNothingButABootloaderNeedsItsFirmware) {
@@ -95,10 +95,10 @@ TEST(Robot, WithNothingButABootloaderNeedsItsFirmware) {
 TEST(Robot, OfAnotherVersionNeedsFlashing) {
   Visit visit = good_visit();
   visit.ours = false;
-  visit.greeting = "firmware 3.0.0, protocol 2, but tp100d speaks 1; flash it";
+  visit.greeting = "firmware 3.0.0, protocol 2, but tp100d uses 1; flash it";
   EXPECT_EQ(only(visit).severity, Severity::kError);
   EXPECT_EQ(only(visit).name, "firmware");
-  EXPECT_EQ(only(visit).seen, "firmware 3.0.0, protocol 2, but tp100d speaks 1");
+  EXPECT_EQ(only(visit).seen, "firmware 3.0.0, protocol 2, but tp100d uses 1");
   EXPECT_EQ(only(visit).fix,
             "scripts/flash --port /dev/ttyACM0 (installed: tp100-flash --port /dev/ttyACM0)");
 }
@@ -128,14 +128,14 @@ TEST(Robot, ThatRestartsHasABadSupply) {
   EXPECT_THAT(reboots.fix, HasSubstr("power wiring"));
 }
 
-TEST(Robot, WithALatchedFaultSaysItsRemedy) {
+TEST(Robot, WithALatchedFaultSaysItsFix) {
   Visit visit = good_visit();
   visit.faults = fault_bit(Fault::imu_missing) | fault_bit(Fault::command_timeout);
   const Findings findings = robot_findings(visit);
   EXPECT_EQ(count(findings, Severity::kError), 1U);
   EXPECT_THAT(find(findings, "fault").seen, HasSubstr("imu_missing"));
   EXPECT_THAT(find(findings, "fault").fix, HasSubstr("SDA"));
-  // A start clears what has no cause any more.
+  // A start clears a fault whose cause is gone.
   visit.faults = fault_bit(Fault::watchdog_reset);
   EXPECT_EQ(find(robot_findings(visit), "fault").severity, Severity::kWarning);
 }
@@ -144,9 +144,9 @@ TEST(Robot, WithEmptyCellsOrNoneSaysWhich) {
   Visit visit = good_visit();
   visit.battery_v = 5.5;
   EXPECT_EQ(find(robot_findings(visit), "battery").severity, Severity::kError);
-  EXPECT_EQ(find(robot_findings(visit), "battery").fix, "charge the cells");
+  EXPECT_EQ(find(robot_findings(visit), "battery").fix, "charge the battery");
   visit.battery_v = 0.4;
-  EXPECT_EQ(find(robot_findings(visit), "battery").fix, "switch the motors' cells on");
+  EXPECT_EQ(find(robot_findings(visit), "battery").fix, "switch the motors' battery on");
 }
 
 TEST(Robot, WhoseImuIsNotUprightSaysHowToMountIt) {
@@ -172,11 +172,11 @@ TEST(Robot, ThatConfirmsNoCommandHasABadLink) {
   EXPECT_THAT(find(robot_findings(visit), "link").seen, HasSubstr("confirmed no command"));
 }
 
-TEST(Robot, WhoseFramesAreDamagedOrLostHasAPoorLink) {
+TEST(Robot, WhoseFramesAreCorruptedOrLostHasAPoorLink) {
   Visit visit = good_visit();
   visit.link->counters.crc_errors = 2;
   EXPECT_EQ(find(robot_findings(visit), "link").severity, Severity::kWarning);
-  EXPECT_THAT(find(robot_findings(visit), "link").seen, HasSubstr("2 frames damaged"));
+  EXPECT_THAT(find(robot_findings(visit), "link").seen, HasSubstr("2 frames corrupted"));
   EXPECT_THAT(find(robot_findings(visit), "link").fix, HasSubstr("short cable"));
   visit = good_visit();
   visit.link->counters.lost = 3;

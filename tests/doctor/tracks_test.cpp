@@ -12,13 +12,13 @@ using test::find;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-constexpr double kWay = 0.09;
+constexpr double kDistanceM = 0.09;
 constexpr double kTurn = 0.3;
 
-// On a stand, looked at.
+// A drive of the left track on a stand; `seen` is what a person observed.
 TrackDrive left(double own_m, double other_m, Seen seen) { return {own_m, other_m, 0.0, seen}; }
-// The right track is always well.
-const TrackDrive kGoodRight = {0.0, kWay, 0.0, Seen::kAsAsked};
+// The right track is always in order.
+const TrackDrive kGoodRight = {0.0, kDistanceM, 0.0, Seen::kAsAsked};
 
 Finding judged(const TrackDrive& drive, const Wiring& wiring = {}) {
   const Findings findings = track_findings(drive, kGoodRight, wiring);
@@ -27,53 +27,55 @@ Finding judged(const TrackDrive& drive, const Wiring& wiring = {}) {
 }
 
 TEST(Tracks, ThatRunAsAskedAreWell) {
-  EXPECT_EQ(judged(left(kWay, 0.0, Seen::kAsAsked)).severity, Severity::kOk);
-  EXPECT_EQ(judged(left(kWay, 0.0, Seen::kUnknown)).severity, Severity::kOk);
+  EXPECT_EQ(judged(left(kDistanceM, 0.0, Seen::kAsAsked)).severity, Severity::kOk);
+  EXPECT_EQ(judged(left(kDistanceM, 0.0, Seen::kUnknown)).severity, Severity::kOk);
 }
 
 TEST(Tracks, WithAnEncoderThatCountsBackwardsNameItsKey) {
-  const Finding finding = judged(left(-kWay, 0.0, Seen::kAsAsked));
+  const Finding finding = judged(left(-kDistanceM, 0.0, Seen::kAsAsked));
   EXPECT_EQ(finding.severity, Severity::kError);
   EXPECT_EQ(finding.fix, "set drive.invert_left_encoder = true in the robot file");
   Wiring wiring;
   wiring.invert_left_encoder = true;
-  EXPECT_EQ(judged(left(-kWay, 0.0, Seen::kAsAsked), wiring).fix,
+  EXPECT_EQ(judged(left(-kDistanceM, 0.0, Seen::kAsAsked), wiring).fix,
             "set drive.invert_left_encoder = false in the robot file");
-  const Findings mirrored =
-      track_findings(left(kWay, 0.0, Seen::kAsAsked), {0.0, -kWay, 0.0, Seen::kAsAsked}, {});
+  const Findings mirrored = track_findings(left(kDistanceM, 0.0, Seen::kAsAsked),
+                                           {0.0, -kDistanceM, 0.0, Seen::kAsAsked}, {});
   EXPECT_EQ(find(mirrored, "right-track").fix,
             "set drive.invert_right_encoder = true in the robot file");
 }
 
 TEST(Tracks, WithAMotorThatRunsBackwardsNameItsKey) {
-  const Finding finding = judged(left(-kWay, 0.0, Seen::kBackwards));
+  const Finding finding = judged(left(-kDistanceM, 0.0, Seen::kBackwards));
   EXPECT_EQ(finding.severity, Severity::kError);
   EXPECT_EQ(finding.fix, "set drive.invert_left_motor = true in the robot file");
 }
 
 TEST(Tracks, WithMotorAndEncoderBackwardsNameBothKeys) {
-  EXPECT_THAT(judged(left(kWay, 0.0, Seen::kBackwards)).fix,
+  EXPECT_THAT(judged(left(kDistanceM, 0.0, Seen::kBackwards)).fix,
               AllOf(HasSubstr("drive.invert_left_motor = true"),
                     HasSubstr("drive.invert_left_encoder = true")));
 }
 
 TEST(Tracks, ThatNobodyLookedAtNameBothPossibilities) {
-  EXPECT_THAT(judged(left(-kWay, 0.0, Seen::kUnknown)).fix,
+  EXPECT_THAT(judged(left(-kDistanceM, 0.0, Seen::kUnknown)).fix,
               AllOf(HasSubstr("drive.invert_left_motor"), HasSubstr("drive.invert_left_encoder")));
-  EXPECT_THAT(judged(left(0.0, kWay, Seen::kUnknown)).fix, HasSubstr("swap the plugs"));
+  EXPECT_THAT(judged(left(0.0, kDistanceM, Seen::kUnknown)).fix, HasSubstr("swap the plugs"));
   EXPECT_THAT(judged(left(0.0, 0.0, Seen::kUnknown)).fix, HasSubstr("check the plugs"));
 }
 
 TEST(Tracks, WithCrossedEncodersSaySo) {
-  EXPECT_EQ(judged(left(0.0, kWay, Seen::kAsAsked)).fix, "swap the plugs of the two encoders");
+  EXPECT_EQ(judged(left(0.0, kDistanceM, Seen::kAsAsked)).fix,
+            "swap the plugs of the two encoders");
 }
 
 TEST(Tracks, WithCrossedMotorsSaySo) {
-  EXPECT_EQ(judged(left(0.0, kWay, Seen::kOtherTrack)).fix, "swap the plugs of the two motors");
+  EXPECT_EQ(judged(left(0.0, kDistanceM, Seen::kOtherTrack)).fix,
+            "swap the plugs of the two motors");
 }
 
 TEST(Tracks, ThatAreSwappedWhollyNameTheKey) {
-  EXPECT_THAT(judged(left(kWay, 0.0, Seen::kOtherTrack)).fix,
+  EXPECT_THAT(judged(left(kDistanceM, 0.0, Seen::kOtherTrack)).fix,
               HasSubstr("set drive.swap_tracks = true"));
 }
 
@@ -81,30 +83,33 @@ TEST(Tracks, WithADeadEncoderOrMotorNameItsPlug) {
   EXPECT_THAT(judged(left(0.0, 0.0, Seen::kAsAsked)).fix, HasSubstr("left encoder"));
   EXPECT_THAT(judged(left(0.0, 0.0, Seen::kBackwards)).fix,
               HasSubstr("set drive.invert_left_motor = true"));
-  EXPECT_THAT(judged(left(0.0, 0.0, Seen::kNothing)).fix, HasSubstr("motors' cells"));
+  EXPECT_THAT(judged(left(0.0, 0.0, Seen::kNothing)).fix, HasSubstr("motors' battery"));
 }
 
 TEST(Tracks, OnTheFloorAreJudgedByTheBodysTurn) {
-  const TrackDrive right = {0.0, kWay, kTurn, Seen::kUnknown};
-  EXPECT_EQ(find(track_findings({-kWay, 0.0, -kTurn, Seen::kUnknown}, right, {}), "left-track").fix,
-            "set drive.invert_left_encoder = true in the robot file");
-  EXPECT_EQ(find(track_findings({-kWay, 0.0, kTurn, Seen::kUnknown}, right, {}), "left-track").fix,
-            "set drive.invert_left_motor = true in the robot file");
-  const Findings swapped =
-      track_findings({kWay, 0.0, kTurn, Seen::kUnknown}, {0.0, kWay, -kTurn, Seen::kUnknown}, {});
+  const TrackDrive right = {0.0, kDistanceM, kTurn, Seen::kUnknown};
+  EXPECT_EQ(
+      find(track_findings({-kDistanceM, 0.0, -kTurn, Seen::kUnknown}, right, {}), "left-track").fix,
+      "set drive.invert_left_encoder = true in the robot file");
+  EXPECT_EQ(
+      find(track_findings({-kDistanceM, 0.0, kTurn, Seen::kUnknown}, right, {}), "left-track").fix,
+      "set drive.invert_left_motor = true in the robot file");
+  const Findings swapped = track_findings({kDistanceM, 0.0, kTurn, Seen::kUnknown},
+                                          {0.0, kDistanceM, -kTurn, Seen::kUnknown}, {});
   ASSERT_EQ(swapped.size(), 1U);
   EXPECT_EQ(swapped[0].name, "tracks");
   EXPECT_THAT(swapped[0].fix, HasSubstr("set drive.swap_tracks = true"));
 }
 
 TEST(Tracks, OnTheFloorDragTheOtherOneAlong) {
-  const TrackDrive right = {0.8 * kWay, kWay, kTurn, Seen::kUnknown};
-  EXPECT_EQ(
-      count(track_findings({kWay, 0.8 * kWay, -kTurn, Seen::kUnknown}, right, {}), Severity::kOk),
-      2U);
-  EXPECT_EQ(
-      find(track_findings({0.8 * kWay, kWay, -kTurn, Seen::kUnknown}, right, {}), "left-track").fix,
-      "swap the plugs of the two encoders");
+  const TrackDrive right = {0.8 * kDistanceM, kDistanceM, kTurn, Seen::kUnknown};
+  EXPECT_EQ(count(track_findings({kDistanceM, 0.8 * kDistanceM, -kTurn, Seen::kUnknown}, right, {}),
+                  Severity::kOk),
+            2U);
+  EXPECT_EQ(find(track_findings({0.8 * kDistanceM, kDistanceM, -kTurn, Seen::kUnknown}, right, {}),
+                 "left-track")
+                .fix,
+            "swap the plugs of the two encoders");
 }
 
 TEST(Gyro, IsJudgedByATurnToTheLeft) {
@@ -124,7 +129,7 @@ TEST(Gyro, IsJudgedByTheBodysTurnOrNotAtAll) {
   EXPECT_EQ(gyro_findings(std::nullopt, 0.0, true)[0].severity, Severity::kWarning);
   const Finding untried = gyro_findings(std::nullopt, -0.5, false)[0];
   EXPECT_EQ(untried.severity, Severity::kWarning);
-  EXPECT_THAT(untried.fix, HasSubstr("mend the tracks"));
+  EXPECT_THAT(untried.fix, HasSubstr("fix the tracks"));
 }
 
 }  // namespace

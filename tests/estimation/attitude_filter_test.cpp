@@ -13,7 +13,7 @@ namespace {
 constexpr double kDt = 0.005;
 constexpr double kG = 9.80665;
 
-/// Gravity of a body with this roll and pitch (nose-up negative), worked out by hand.
+/// Gravity of a body with this roll and pitch (nose-up negative), derived by hand.
 AttitudeFilter::Vector gravity(double roll_rad, double pitch_rad) {
   return {-kG * std::sin(pitch_rad), kG * std::cos(pitch_rad) * std::sin(roll_rad),
           kG * std::cos(pitch_rad) * std::cos(roll_rad)};
@@ -67,7 +67,7 @@ TEST(AttitudeFilter, FollowsARampWithin1AndAHalfDegrees) {
   EXPECT_LT(worst, 1.5 * kRadPerDeg);
 }
 
-// An angle that is right on the level only is wrong by a degree on a ramp.
+// An angle that is correct only on level ground is wrong by a degree on a ramp.
 TEST(AttitudeFilter, OffsetsOfEveryAxisAreGoneOnASlopeToo) {
   const auto off = [](AttitudeFilter::Vector a) {
     return AttitudeFilter::Vector{a[0] + 0.4, a[1] - 0.3, a[2] + 0.6};
@@ -80,7 +80,7 @@ TEST(AttitudeFilter, OffsetsOfEveryAxisAreGoneOnASlopeToo) {
   }
 }
 
-// ... and one that is mounted askew is off by less than half a degree.
+// A sensor that is mounted askew is off by less than half a degree.
 TEST(AttitudeFilter, ASensorThatIsMountedAskewIsNearlyRightOnASlope) {
   constexpr double kAskew = 3.0 * kRadPerDeg;
   AttitudeFilter filter{{}};
@@ -109,7 +109,7 @@ TEST(AttitudeFilter, TurningOnASlopeTurnsPitchIntoRoll) {
   AttitudeFilter filter{{.gravity_s = 1e9}};
   filter.update({0, -0.3 / kDt, 0}, {}, kDt);
   ASSERT_NEAR(filter.pitch_rad(), -0.3, 1e-9);
-  // A quarter turn left about the slope's normal: what was ahead is now to the right.
+  // After a quarter turn left about the slope's normal, what was ahead is now to the right.
   for (int i = 0; i < 1000; ++i) filter.update({0, 0, kPi / 2 / 1000 / kDt}, {}, kDt);
   EXPECT_NEAR(filter.pitch_rad(), 0.0, 2e-3);
   EXPECT_NEAR(filter.roll_rad(), -0.3, 2e-3);

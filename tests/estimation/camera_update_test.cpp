@@ -37,7 +37,7 @@ TEST(ExpectedMarker, AnOffsetOfTheCameraMakesARaisedRobotLookFurtherAway) {
   EXPECT_NEAR(seen[0], 1.2 * (2.5 - 0.06) / (2.5 - 0.14), 1e-9);
 }
 
-// The picture of two points of the marker, worked out from their places in space.
+// The expected value comes from the images of two points of the marker in space.
 TEST(ExpectedMarker, SeenAcrossTheSlopeAPitchedMarkerLooksTurned) {
   const CameraParameters camera;
   const double y_m = 0.9;

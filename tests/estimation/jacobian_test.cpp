@@ -1,4 +1,4 @@
-// Every Jacobian of the pose filter against central differences of what it is the Jacobian of.
+// Compares every Jacobian of the pose filter with central differences of its function.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace tp100::estimation {
 namespace {
 
 constexpr double kStep = 1e-4;
-constexpr double kFastest = 0.25;  // belt [m/s]
+constexpr double kFastest = 0.25;  // track [m/s]
 
 model::TrackParameters tracks() {
   model::TrackParameters tracks;
@@ -40,17 +40,18 @@ class Jacobian : public testing::Test {
     return mean;
   }
 
-  /// An interval of one to eight samples: forward, backward, arcs, turns on the spot, at rest; on
-  /// the level, on a slope and while a body tips.
+  /// An interval of one to eight samples: forward, backward, arcs, turns on the spot, standstill;
+  /// on level ground, on a slope and while the body tips.
   Motion motion(bool gyro) {
     Motion motion;
     motion.dt_s = 0.005 * static_cast<double>(1 + random_() % 8);
-    motion.belts = {uniform(-kFastest, kFastest), uniform(-kFastest, kFastest)};
-    if (random_() % 8 == 0) motion.belts = {};
-    motion.shape = model::turn_shape(motion.belts.left_mps, motion.belts.right_mps);
+    motion.tracks = {uniform(-kFastest, kFastest), uniform(-kFastest, kFastest)};
+    if (random_() % 8 == 0) motion.tracks = {};
+    motion.shape = model::turn_shape(motion.tracks.left_mps, motion.tracks.right_mps);
     motion.gyro = gyro;
     motion.gyro_z_radps = uniform(0.2, 1.5) * (random_() % 2 == 0 ? 1.0 : -1.0);
-    motion.ground.planar = random_() % 4 == 0 ? uniform(-2.0, 2.0) : uniform(0.85, 1.0);
+    motion.ground.horizontal_fraction =
+        random_() % 4 == 0 ? uniform(-2.0, 2.0) : uniform(0.85, 1.0);
     motion.ground.hold_slip = random_() % 4 == 0;
     motion.ground.slip = {uniform(0.05, 0.3), uniform(0.05, 0.3)};
     return motion;
@@ -67,7 +68,7 @@ class Jacobian : public testing::Test {
   MotionModel model_{tracks(), noise_};
 };
 
-/// Column by column; `f` of a state.
+/// Central differences of `f`, a function of the state, column by column.
 template <class F>
 auto differences(const F& f, const StateVector& at) {
   using Value = decltype(f(at));
@@ -81,8 +82,8 @@ auto differences(const F& f, const StateVector& at) {
   return result;
 }
 
-/// What predict() does to covariances without its noise: (F p)(F p)^T tells F but for the sign of
-/// its columns, and for p of two columns that too.
+/// The effect of predict() on covariances without its noise. (F p)(F p)^T determines F except for
+/// the signs of its columns; a p of two columns determines their relative sign as well.
 class Used {
  public:
   Used(const MotionModel& model, const StateVector& mean, const Motion& motion)
@@ -108,15 +109,15 @@ TEST_F(Jacobian, OfThePredictionIsThatOfTheExactArc) {
     for (int round = 0; round < 2000; ++round) {
       const StateVector mean = state();
       const Motion motion = this->motion(gyro);
-      // At the yaw rate at which the slip angle changes there is no Jacobian.
+      // There is no Jacobian at the yaw rate at which the slip angle changes.
       if (std::abs(std::abs(model_.twist(mean, motion).yaw_rate_radps) - 0.05) < 0.02) continue;
       const StateMatrix f =
           differences([&](const StateVector& at) { return predicted(at, motion); }, mean);
       const Used used(model_, mean, motion);
-      // What is left out is how the chord is shorter than the arc: by a share of turn^2 / 24.
+      // The filter neglects that the chord is shorter than the arc, by a share of turn^2 / 24.
       const Twist twist = model_.twist(mean, motion);
       const double turn = std::abs(twist.yaw_rate_radps) * motion.dt_s;
-      const double stretch = std::max(1.0, std::abs(motion.ground.planar));
+      const double stretch = std::max(1.0, std::abs(motion.ground.horizontal_fraction));
       const double way = std::hypot(twist.vx_mps * stretch, twist.vy_mps) * motion.dt_s;
       const double tolerance =
           1e-9 + motion.dt_s * (turn * way / 10.0 + turn * turn / 20.0 * kFastest * stretch);
@@ -134,26 +135,27 @@ TEST_F(Jacobian, OfThePredictionIsThatOfTheExactArc) {
   }
 }
 
-/// What a measurement of variance `r` along `h` leaves of `p`.
+/// The covariance `p` after a measurement of variance `r` along `h`.
 template <int kRows>
 StateMatrix left_of(const StateMatrix& p, const Eigen::Matrix<double, kRows, kStates>& h,
                     const Eigen::Matrix<double, kRows, kRows>& r) {
   return p - p * h.transpose() * (h * p * h.transpose() + r).inverse() * h * p;
 }
 
-TEST_F(Jacobian, OfTheResidualIsThatOfTheBeltsYawRateAndTheBias) {
+TEST_F(Jacobian, OfTheResidualIsThatOfTheTracksYawRateAndTheBias) {
   for (int round = 0; round < 2000; ++round) {
     FilterState state{this->state(), StateMatrix::Zero()};
     Motion motion = this->motion(true);
     motion.ground.hold_slip = false;
     motion.has_residual = true;
-    motion.residual.belts = motion.belts;
+    motion.residual.tracks = motion.tracks;
     const auto expected = [&](const StateVector& mean) {
-      Motion by_belts = motion;
-      by_belts.gyro = false;
-      return Eigen::Matrix<double, 1, 1>(model_.twist(mean, by_belts).yaw_rate_radps + mean[kBias]);
+      Motion by_tracks = motion;
+      by_tracks.gyro = false;
+      return Eigen::Matrix<double, 1, 1>(model_.twist(mean, by_tracks).yaw_rate_radps +
+                                         mean[kBias]);
     };
-    // As it should be: nothing is gated.
+    // The measurement equals its expected value, so that the gate accepts it.
     motion.residual.gyro_z_radps = expected(state.mean)[0];
     const auto h = differences(expected, state.mean);
     const double rate = std::abs(motion.residual.gyro_z_radps - state.mean[kBias]);
@@ -172,8 +174,8 @@ TEST_F(Jacobian, OfTheResidualIsThatOfTheBeltsYawRateAndTheBias) {
 TEST_F(Jacobian, OfTheRobotAtRestIsTheBiasAlone) {
   FilterState state{this->state(), StateMatrix::Zero()};
   Motion motion;
-  motion.rest_radps = state.mean[kBias];
-  motion.rest_sd_radps = 0.01;
+  motion.standstill_radps = state.mean[kBias];
+  motion.standstill_sd_radps = 0.01;
   const StateMatrix root = StateMatrix::Random() * 0.05;
   state.covariance = root * root.transpose();
   Eigen::Matrix<double, 1, kStates> h = Eigen::Matrix<double, 1, kStates>::Zero();
@@ -183,8 +185,8 @@ TEST_F(Jacobian, OfTheRobotAtRestIsTheBiasAlone) {
   EXPECT_LT((state.covariance - right).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-// The update takes the identity for the camera's. On a slope the far end of the marker is nearer
-// to the lens: its direction then depends on the place, most at the arena's edge.
+// The update takes the identity for the camera's Jacobian. On a slope the far end of the marker is
+// nearer to the lens, so its direction depends on the place, most at the edge of the arena.
 TEST_F(Jacobian, OfTheCameraIsTheIdentityOnTheLevelAndNearItOnASlope) {
   const CameraParameters camera{};
   Eigen::Matrix<double, 3, kStates> identity = Eigen::Matrix<double, 3, kStates>::Zero();

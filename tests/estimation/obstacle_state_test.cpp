@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/angle.h"
-#include "estimation/slope_state.h"
 #include "model/step_climb.h"
 
 namespace tp100::estimation {
@@ -15,8 +14,8 @@ constexpr double kDt = 0.005;
 constexpr double kSpeedMps = 0.1;
 constexpr double kSpacingM = 0.133;
 
-/// Drives a pitch through both states, as the step does.
-class Ride {
+/// Feeds a pitch to both states, as the step does.
+class TerrainFollower {
  public:
   void lean(double nose_up_rad) {
     const Slope slope = slope_.update(-nose_up_rad, kDt);
@@ -26,12 +25,13 @@ class Ride {
   void level(double duration_s) {
     for (double t = 0.0; t < duration_s; t += kDt) lean(0.0);
   }
-  /// On and up a ramp: the front axle first, then the whole body; without its way down.
+  /// Drives onto and up a ramp: the front axle first, then the whole body; without the descent.
   void ramp(double slope_rad, double length_m) {
     for (double s = 0.0; s < length_m; s += kSpeedMps * kDt) lean(ramp_lean(slope_rad, s));
   }
-  static double ramp_lean(double slope_rad, double way_m) {
-    return std::min(slope_rad, std::asin(std::min(1.0, way_m * std::sin(slope_rad) / kSpacingM)));
+  static double ramp_lean(double slope_rad, double distance_m) {
+    return std::min(slope_rad,
+                    std::asin(std::min(1.0, distance_m * std::sin(slope_rad) / kSpacingM)));
   }
   Obstacle state() const { return obstacle_.state(); }
   Slope slope() const { return slope_.state(); }
@@ -45,10 +45,10 @@ class Ride {
 
 TEST(ObstacleState, RampsOfEverySlopeAreRamps) {
   for (double deg = 6.0; deg <= 33.0; deg += 2.0) {
-    Ride ride;
-    ride.level(0.5);
-    ride.ramp(deg * kRadPerDeg, 0.4);
-    EXPECT_EQ(ride.state(), Obstacle::kRamp) << deg;
+    TerrainFollower terrain_follower;
+    terrain_follower.level(0.5);
+    terrain_follower.ramp(deg * kRadPerDeg, 0.4);
+    EXPECT_EQ(terrain_follower.state(), Obstacle::kRamp) << deg;
   }
 }
 
@@ -56,43 +56,44 @@ TEST(ObstacleState, StepsOfEveryHeightAreSteps) {
   for (const double height_m : {0.020, 0.025, 0.030, 0.037}) {
     model::StepClimb climb({}, {.height_m = height_m, .depth_m = 0.1});
     climb.reset(0.05);
-    Ride ride;
+    TerrainFollower terrain_follower;
     for (int i = 0; i < 1600; ++i) {
-      ride.lean(-climb.advance(kSpeedMps * kDt, kDt).pitch_rad);
-      if (ride.state() != Obstacle::kNone) {
-        ASSERT_EQ(ride.state(), Obstacle::kBlock) << height_m << " after " << i * kDt << " s";
+      terrain_follower.lean(-climb.advance(kSpeedMps * kDt, kDt).pitch_rad);
+      if (terrain_follower.state() != Obstacle::kNone) {
+        ASSERT_EQ(terrain_follower.state(), Obstacle::kBlock)
+            << height_m << " after " << i * kDt << " s";
       }
     }
-    EXPECT_EQ(ride.seen, Obstacle::kBlock) << height_m;
-    EXPECT_EQ(ride.state(), Obstacle::kNone) << "flat behind it";
+    EXPECT_EQ(terrain_follower.seen, Obstacle::kBlock) << height_m;
+    EXPECT_EQ(terrain_follower.state(), Obstacle::kNone) << "the floor behind the step is flat";
   }
 }
 
-TEST(ObstacleState, AStepWhoseRiserMakesBeltsSlipIsOneAfterAll) {
-  Ride ride;
-  ride.level(0.5);
+TEST(ObstacleState, AStepWhoseRiserMakesTracksSlipIsOneAfterAll) {
+  TerrainFollower terrain_follower;
+  terrain_follower.level(0.5);
   double sine = 0.0;
   for (double s = 0.0; s < 0.06; s += kSpeedMps * kDt) {
     sine += (s < 0.03 ? 0.42 : 0.75) * kSpeedMps * kDt / kSpacingM;
-    ride.lean(std::asin(sine));
+    terrain_follower.lean(std::asin(sine));
   }
-  EXPECT_EQ(ride.state(), Obstacle::kBlock);
+  EXPECT_EQ(terrain_follower.state(), Obstacle::kBlock);
 }
 
 TEST(ObstacleState, TheOtherSideBelongsToTheSameObstacle) {
-  Ride ride;
-  ride.ramp(20.0 * kRadPerDeg, 0.3);
-  ride.level(2.0);
-  EXPECT_EQ(ride.state(), Obstacle::kNone);
-  for (int i = 0; i < 200; ++i) ride.lean(-20.0 * kRadPerDeg);
-  EXPECT_EQ(ride.slope(), Slope::kDown);
-  EXPECT_EQ(ride.state(), Obstacle::kRamp);
+  TerrainFollower terrain_follower;
+  terrain_follower.ramp(20.0 * kRadPerDeg, 0.3);
+  terrain_follower.level(2.0);
+  EXPECT_EQ(terrain_follower.state(), Obstacle::kNone);
+  for (int i = 0; i < 200; ++i) terrain_follower.lean(-20.0 * kRadPerDeg);
+  EXPECT_EQ(terrain_follower.slope(), Slope::kDown);
+  EXPECT_EQ(terrain_follower.state(), Obstacle::kRamp);
 }
 
 TEST(ObstacleState, NoiseOfTheLevelIsNothing) {
-  Ride ride;
-  for (int i = 0; i < 4000; ++i) ride.lean(2.5 * kRadPerDeg * std::sin(i * 0.3));
-  EXPECT_EQ(ride.seen, Obstacle::kNone);
+  TerrainFollower terrain_follower;
+  for (int i = 0; i < 4000; ++i) terrain_follower.lean(2.5 * kRadPerDeg * std::sin(i * 0.3));
+  EXPECT_EQ(terrain_follower.seen, Obstacle::kNone);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace tp100::estimation {
 namespace {
 
-TEST(Odometry, TurnsWithTheGyroAndNotWithTheBelts) {
+TEST(Odometry, TurnsWithTheGyroAndNotWithTheTracks) {
   Odometry odometry(model::TrackParameters{});
   odometry.advance({.left_mps = 0.05, .right_mps = 0.15}, 0.0, 1.0);
   EXPECT_EQ(odometry.pose().yaw_rad, 0.0);

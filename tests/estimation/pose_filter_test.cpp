@@ -24,14 +24,14 @@ class PoseFilterTest : public testing::Test {
   }
   PoseFilter filter() const { return {tracks_, noise_, camera_, {}}; }
 
-  /// Belts that drive at `speed_mps` and turn at `rate_radps` with the given slip.
+  /// Tracks that drive at `speed_mps` and turn at `rate_radps` with the given slip.
   FilterInput interval(double speed_mps, double rate_radps, model::Slip slip) {
     now_ += kPeriod;
     const double half = rate_radps * tracks_.wheelbase_m / 2.0;
     return {
         .end_ns = now_,
         .dt_s = kDt,
-        .belts = {(speed_mps - half) / (1.0 - slip.left), (speed_mps + half) / (1.0 - slip.right)},
+        .tracks = {(speed_mps - half) / (1.0 - slip.left), (speed_mps + half) / (1.0 - slip.right)},
         .gyro_z_radps = rate_radps,
         .gyro = true,
         .ground = {.slip = {tracks_.slip_left, tracks_.slip_right}}};
@@ -57,12 +57,12 @@ TEST_F(PoseFilterTest, WithoutACameraItGoesWhereOdometryGoes) {
     const double rate = 0.3 * std::sin(i * kDt);
     const FilterInput in = interval(0.1, rate);
     fused.advance(in);
-    odometry.advance(in.belts, rate, kDt);
+    odometry.advance(in.tracks, rate, kDt);
   }
   EXPECT_NEAR(fused.pose().x_m, odometry.pose().x_m, 1e-4);
   EXPECT_NEAR(fused.pose().y_m, odometry.pose().y_m, 1e-4);
   EXPECT_NEAR(fused.pose().yaw_rad, odometry.pose().yaw_rad, 1e-4);
-  EXPECT_EQ(fused.fused(now_).camera_age_us, -1);
+  EXPECT_EQ(fused.figures(now_).camera_age_us, -1);
 }
 
 TEST_F(PoseFilterTest, ItDriftsAsideByTheSlipAngleAsOdometryDoes) {
@@ -74,14 +74,14 @@ TEST_F(PoseFilterTest, ItDriftsAsideByTheSlipAngleAsOdometryDoes) {
     for (int i = 0; i < 400; ++i) {
       const FilterInput in = interval(0.1, rate);
       fused.advance(in);
-      odometry.advance(in.belts, rate, kDt);
+      odometry.advance(in.tracks, rate, kDt);
     }
     EXPECT_NEAR(fused.pose().x_m, odometry.pose().x_m, 1e-4) << rate;
     EXPECT_NEAR(fused.pose().y_m, odometry.pose().y_m, 1e-4) << rate;
   }
 }
 
-TEST_F(PoseFilterTest, WithoutAGyroTheBeltsGiveTheTurn) {
+TEST_F(PoseFilterTest, WithoutAGyroTheTracksGiveTheTurn) {
   PoseFilter fused = filter();
   Odometry odometry(tracks_);
   for (int i = 0; i < 1000; ++i) {
@@ -89,11 +89,11 @@ TEST_F(PoseFilterTest, WithoutAGyroTheBeltsGiveTheTurn) {
     in.gyro = false;
     in.gyro_z_radps = 99.0;
     fused.advance(in);
-    odometry.advance_without_gyro(in.belts, kDt);
+    odometry.advance_without_gyro(in.tracks, kDt);
   }
   EXPECT_NEAR(fused.pose().x_m, odometry.pose().x_m, 1e-9);
   EXPECT_NEAR(fused.pose().yaw_rad, odometry.pose().yaw_rad, 1e-9);
-  EXPECT_GT(fused.fused(now_).variance_yaw_rad2, 1e-4);
+  EXPECT_GT(fused.figures(now_).variance_yaw_rad2, 1e-4);
 }
 
 TEST_F(PoseFilterTest, ALateSampleDoesWhatItWouldHaveDoneInTime) {
@@ -101,7 +101,7 @@ TEST_F(PoseFilterTest, ALateSampleDoesWhatItWouldHaveDoneInTime) {
   CameraSample sample;
   for (int i = 0; i < 100; ++i) {
     FilterInput in = interval(0.1, 0.5 * std::cos(i * 0.1));
-    in.belts.left_mps *= 1.05;
+    in.tracks.left_mps *= 1.05;
     in_time.advance(in);
     late.advance(in);
     if (i == 60) {
@@ -112,7 +112,7 @@ TEST_F(PoseFilterTest, ALateSampleDoesWhatItWouldHaveDoneInTime) {
     }
     if (i == 85) late.camera(sample);
   }
-  EXPECT_EQ(late.fused(now_).camera_used, 1u);
+  EXPECT_EQ(late.figures(now_).camera_used, 1u);
   EXPECT_LT((in_time.state().mean - late.state().mean).norm(), 1e-12);
   EXPECT_LT((in_time.state().covariance - late.state().covariance).norm(), 1e-12);
 }
@@ -154,11 +154,11 @@ TEST_F(PoseFilterTest, SamplesThatMakeNoSenseAreNotUsed) {
   fused.camera(old);
   fused.camera(seen({.x_m = 0.5}));
   EXPECT_EQ(fused.state().mean, before.mean);
-  EXPECT_EQ(fused.fused(now_).camera_rejected, 5u);
+  EXPECT_EQ(fused.figures(now_).camera_rejected, 5u);
   CameraSample again = seen({});
   again.measured_ns -= kNsPerMs;  // older than the one above
   fused.camera(again);
-  EXPECT_EQ(fused.fused(now_).camera_rejected, 6u);
+  EXPECT_EQ(fused.figures(now_).camera_rejected, 6u);
 }
 
 TEST_F(PoseFilterTest, ASampleAheadOfTheEncodersWaitsForThem) {
@@ -168,9 +168,9 @@ TEST_F(PoseFilterTest, ASampleAheadOfTheEncodersWaitsForThem) {
   early.measured_ns += 12 * kNsPerMs;
   fused.camera(early);
   fused.advance(interval(0.1, 0.0));
-  EXPECT_EQ(fused.fused(now_).camera_used, 0u);
+  EXPECT_EQ(fused.figures(now_).camera_used, 0u);
   for (int i = 0; i < 3; ++i) fused.advance(interval(0.1, 0.0));
-  EXPECT_EQ(fused.fused(now_).camera_used, 1u);
+  EXPECT_EQ(fused.figures(now_).camera_used, 1u);
 }
 
 TEST_F(PoseFilterTest, OneOutlierIsRejectedAndARobotThatWasMovedIsFoundInTwoFrames) {
@@ -182,7 +182,7 @@ TEST_F(PoseFilterTest, OneOutlierIsRejectedAndARobotThatWasMovedIsFoundInTwoFram
   fused.camera(seen({.x_m = 0.3, .y_m = -0.2}));
   EXPECT_NEAR(fused.pose().x_m, 0.0, 1e-6);
   for (int i = 0; i < 6; ++i) fused.advance(interval(0.0, 0.0));
-  // Another outlier that tells another story is no confirmation.
+  // A second outlier at another pose does not confirm the first.
   fused.camera(seen({.x_m = -0.3, .y_m = 0.1}));
   EXPECT_NEAR(fused.pose().x_m, 0.0, 1e-6);
   for (int i = 0; i < 6; ++i) fused.advance(interval(0.0, 0.0));
@@ -193,7 +193,7 @@ TEST_F(PoseFilterTest, OneOutlierIsRejectedAndARobotThatWasMovedIsFoundInTwoFram
   EXPECT_NEAR(fused.pose().x_m, 0.02, 1e-3);
   EXPECT_NEAR(fused.pose().y_m, 0.04, 1e-3);
   EXPECT_NEAR(fused.pose().yaw_rad, 0.26, 5e-3);
-  EXPECT_EQ(fused.fused(now_).recoveries, 1u);
+  EXPECT_EQ(fused.figures(now_).recoveries, 1u);
   EXPECT_EQ(fused.recoveries(), 1u);
   EXPECT_NEAR(fused.state().mean[kSlipLeft], tracks_.slip_left, 1e-3);
 }
@@ -204,9 +204,9 @@ TEST_F(PoseFilterTest, RestTeachesTheGyroBias) {
     FilterInput in = interval(0.0, 0.0);
     in.gyro_z_radps = 0.03;
     fused.advance(in);
-    fused.rest(0.03, 0.003);
+    fused.standstill(0.03, 0.003);
   }
-  EXPECT_NEAR(fused.fused(now_).gyro_bias_radps, 0.03, 1e-3);
+  EXPECT_NEAR(fused.figures(now_).gyro_bias_radps, 0.03, 1e-3);
   const double yaw = fused.pose().yaw_rad;
   for (int i = 0; i < 200; ++i) {
     FilterInput in = interval(0.0, 0.0);
@@ -216,14 +216,14 @@ TEST_F(PoseFilterTest, RestTeachesTheGyroBias) {
   EXPECT_NEAR(fused.pose().yaw_rad, yaw, 1e-3);
 }
 
-TEST_F(PoseFilterTest, GyroAgainstBeltsShowsTheDifferenceOfTheSlipsButNotTheirMean) {
+TEST_F(PoseFilterTest, GyroAgainstTracksShowsTheDifferenceOfTheSlipsButNotTheirMean) {
   PoseFilter fused = filter();
   for (int i = 0; i < 200; ++i) {
     fused.advance(interval(0.0, 0.0));
-    fused.rest(0.0, 0.003);
+    fused.standstill(0.0, 0.003);
   }
   for (int i = 0; i < 4000; ++i) fused.advance(interval(0.1, 0.0, {0.18, 0.22}));
-  const Fused known = fused.fused(now_);
+  const FilterFigures known = fused.figures(now_);
   EXPECT_NEAR(known.slip_right - known.slip_left, 0.04, 0.02);
   EXPECT_NEAR((known.slip_right + known.slip_left) / 2.0, 0.16, 0.01);
 }
@@ -236,7 +236,7 @@ TEST_F(PoseFilterTest, TheCameraShowsTheMeanSlip) {
     x_m += 0.1 * kDt;
     if (i % 6 == 0) fused.camera(seen({.x_m = x_m}));
   }
-  EXPECT_NEAR((fused.fused(now_).slip_left + fused.fused(now_).slip_right) / 2.0, 0.20, 0.015);
+  EXPECT_NEAR((fused.figures(now_).slip_left + fused.figures(now_).slip_right) / 2.0, 0.20, 0.015);
   EXPECT_NEAR(fused.pose().x_m, x_m, 1e-3);
 }
 
@@ -255,12 +255,12 @@ TEST_F(PoseFilterTest, ABeginWithoutACameraTakesTheStartAndKeepsTheBias) {
   PoseFilter fused = filter();
   for (int i = 0; i < 200; ++i) {
     fused.advance(interval(0.0, 0.0));
-    fused.rest(0.02, 0.003);
+    fused.standstill(0.02, 0.003);
   }
   fused.begin({.x_m = 0.4, .y_m = -0.2, .yaw_rad = 1.0}, now_);
   EXPECT_EQ(fused.pose().x_m, 0.4);
   EXPECT_EQ(fused.pose().yaw_rad, 1.0);
-  EXPECT_NEAR(fused.fused(now_).gyro_bias_radps, 0.02, 1e-3);
+  EXPECT_NEAR(fused.figures(now_).gyro_bias_radps, 0.02, 1e-3);
 }
 
 TEST_F(PoseFilterTest, AfterAnInterruptionTheCameraOfBeforeKnowsTheStartNoBetter) {
@@ -269,9 +269,9 @@ TEST_F(PoseFilterTest, AfterAnInterruptionTheCameraOfBeforeKnowsTheStartNoBetter
     fused.advance(interval(0.0, 0.0));
     if (i % 6 == 0) fused.camera(seen({}));
   }
-  ASSERT_GE(fused.fused(now_).camera_age_us, 0);
+  ASSERT_GE(fused.figures(now_).camera_age_us, 0);
   fused.interrupt();
-  EXPECT_EQ(fused.fused(now_).camera_age_us, -1);
+  EXPECT_EQ(fused.figures(now_).camera_age_us, -1);
   fused.begin({.x_m = 0.4, .y_m = -0.2, .yaw_rad = 1.0}, now_);
   EXPECT_EQ(fused.pose().x_m, 0.4);
   EXPECT_EQ(fused.pose().y_m, -0.2);
@@ -295,7 +295,7 @@ TEST_F(PoseFilterTest, AllocatesNothing) {
   const test::AllocCount count;
   for (int i = 0; i < 500; ++i) {
     fused.advance(interval(0.1, 0.2));
-    fused.rest(0.0, 0.003);
+    fused.standstill(0.0, 0.003);
     CameraSample sample = seen(fused.pose());
     sample.measured_ns -= 60 * kNsPerMs;
     fused.camera(sample);

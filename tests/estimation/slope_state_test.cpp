@@ -1,10 +1,9 @@
-#include "estimation/slope_state.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "core/angle.h"
+#include "estimation/obstacle_state.h"
 
 namespace tp100::estimation {
 namespace {

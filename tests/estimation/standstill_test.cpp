@@ -37,12 +37,12 @@ TEST_F(StandstillTest, LearnsTheBiasAfterHalfASecondOfRest) {
   EXPECT_NEAR(standstill_.bias_radps(), 0.03, 5e-4);
 }
 
-TEST_F(StandstillTest, ASlowEvenTurnOfTheBeltsIsNotRest) {
+TEST_F(StandstillTest, ASlowEvenTurnOfTheTracksIsNotRest) {
   feed(2000, 0.05, 0.05);
   EXPECT_FALSE(standstill_.bias_known());
 }
 
-TEST_F(StandstillTest, ATurnByHandWithRestingBeltsIsNotRest) {
+TEST_F(StandstillTest, ATurnByHandWithRestingTracksIsNotRest) {
   for (int i = 0; i < 400; ++i) feed(1, 0.3 * std::sin(i * 0.05), 0.0);
   EXPECT_FALSE(standstill_.bias_known());
 }

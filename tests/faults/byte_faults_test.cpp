@@ -24,7 +24,7 @@ std::vector<TimedByte> stream(std::size_t frames = 1000) {
   return bytes;
 }
 
-// Through the cable millisecond by millisecond, until all has arrived.
+// Passes the bytes through the cable millisecond by millisecond, until all have arrived.
 std::vector<TimedByte> carried(const std::string& fault, const std::vector<TimedByte>& bytes,
                                std::int64_t spacing_ns = 0, std::uint64_t seed = 1) {
   ByteFaults cable({parse_fault(fault)}, spacing_ns, seed);
@@ -57,7 +57,7 @@ TEST(ByteFaults, WithoutAnyEveryByteArrivesInItsTime) {
   EXPECT_EQ(out.back().at_ns, bytes.back().at_ns);
 }
 
-TEST(ByteFaults, TheSameSeedDoesTheSameDamage) {
+TEST(ByteFaults, TheSameSeedDoesTheSameCorruption) {
   const std::vector<TimedByte> bytes = stream();
   EXPECT_EQ(values(carried("flip:0.1", bytes)), values(carried("flip:0.1", bytes)));
   EXPECT_NE(values(carried("flip:0.1", bytes)), values(carried("flip:0.1", bytes, 0, 2)));
@@ -124,7 +124,7 @@ TEST(ByteFaults, NoiseAndChatterComeThoughNobodySends) {
   const std::vector<std::uint8_t> said = values(carried("chatter:1000@1", {}));
   const std::string text(said.begin(), said.end());
   EXPECT_EQ(text.substr(0, 4), "AT\r\n");
-  EXPECT_EQ(text.substr(text.size() / 3, 4), "AT\r\n") << "once a second, for three";
+  EXPECT_EQ(text.substr(text.size() / 3, 4), "AT\r\n") << "three times, once a second";
 }
 
 }  // namespace

@@ -25,17 +25,17 @@ struct Heard {
   std::vector<wire::Hello> hellos;
   std::vector<wire::SyncReply> replies;
   std::vector<std::uint8_t> types;
-  int damaged = 0;
+  int corrupted = 0;
 };
 
-Heard heard(const std::vector<TimedByte>& bytes) {
+Heard received(const std::vector<TimedByte>& bytes) {
   Heard out;
   wire::FrameDecoder decoder;
   for (const TimedByte& byte : bytes) {
     const wire::Received received = decoder.push(byte.value);
     if (received == wire::Received::kNothing) continue;
     if (received != wire::Received::kFrame) {
-      ++out.damaged;
+      ++out.corrupted;
       continue;
     }
     out.types.push_back(decoder.type());
@@ -55,7 +55,7 @@ Heard heard(const std::vector<TimedByte>& bytes) {
   return out;
 }
 
-// A hello, then samples and answers to clock requests in turn, 5 ms apart.
+// Passes a hello, then samples and answers to clock requests in turn, 5 ms apart.
 Heard passed(const std::string& fault, std::int64_t* longest_ns = nullptr) {
   FrameFaults cable({parse_fault(fault)});
   std::vector<TimedByte> out;
@@ -77,10 +77,10 @@ Heard passed(const std::string& fault, std::int64_t* longest_ns = nullptr) {
     for (const TimedByte& byte : cable.pass(bytes, at_ns + 5 * kNsPerMs - 1)) out.push_back(byte);
     if (longest_ns != nullptr)
       *longest_ns = std::max<std::int64_t>(
-          *longest_ns, (i - static_cast<int>(heard(out).replies.size()) + 1) * 5 * kNsPerMs);
+          *longest_ns, (i - static_cast<int>(received(out).replies.size()) + 1) * 5 * kNsPerMs);
   }
-  const Heard all = heard(out);
-  EXPECT_EQ(all.damaged, 0) << fault;
+  const Heard all = received(out);
+  EXPECT_EQ(all.corrupted, 0) << fault;
   return all;
 }
 

@@ -1,5 +1,3 @@
-#include "sim/faults/planned_fault.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/time.h"
+#include "sim/faults/fault.h"
 
 namespace tp100::sim {
 namespace {

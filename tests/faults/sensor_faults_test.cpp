@@ -11,7 +11,7 @@
 namespace tp100::sim {
 namespace {
 
-// Counts as a board does: by the phases of one side.
+// Counts edges as a board does: by the phases of one side.
 class Counter {
  public:
   void take(const std::vector<Edge>& edges, std::uint8_t first_channel) {
@@ -20,14 +20,14 @@ class Counter {
       const unsigned before = place();
       level_[edge.channel % 2] = edge.level;
       const unsigned step = (place() - before) & 3U;
-      EXPECT_NE(step, 2u) << "both phases at once";
+      EXPECT_NE(step, 2u) << "both phases changed at once";
       count_ += step == 1 ? 1 : step == 3 ? -1 : 0;
     }
   }
   int count() const { return count_; }
 
  private:
-  // A leads forward: 00, 10, 11, 01.
+  // A leads B in forward direction: 00, 10, 11, 01.
   unsigned place() const { return level_[0] ? (level_[1] ? 2U : 1U) : (level_[1] ? 3U : 0U); }
   bool level_[2] = {false, false};
   int count_ = 0;
@@ -38,7 +38,7 @@ struct Counts {
   std::int64_t truly;
 };
 
-// Both belts at 0.1 m/s for a second.
+// Drives both tracks at 0.1 m/s for a second.
 Counts counted(const std::string& fault) {
   const course::EmulatedEncoder values{};
   QuadratureEncoder left(values, 0, 1), right(values, 2, 2);
@@ -93,7 +93,7 @@ TEST(EncoderFaults, SwappedPhasesCountBackwards) {
   EXPECT_NEAR(all.right, -static_cast<double>(all.truly), 2.0);
 }
 
-TEST(EncoderFaults, CountsThatNoBeltMade) {
+TEST(EncoderFaults, CountsThatNoTrackMade) {
   for (const int jump : {400, -400, 1000}) {
     const Counts all = counted("encoder-jump:left:" + std::to_string(jump) + "@0.3");
     EXPECT_EQ(all.left, all.truly + jump);

@@ -1,4 +1,4 @@
-// Arm, disarm and stop.
+// Tests arm, disarm and stop.
 
 #include <gtest/gtest.h>
 
@@ -92,7 +92,7 @@ TEST_F(Arming, WithoutParametersIsRefused) {
 }
 
 TEST_F(Arming, WithEmptyCellsIsRefused) {
-  bench.hal.cells_mv = 5500;
+  bench.hal.pack_mv = 5500;
   bench.run(500);
   const wire::Acknowledge answer = bench.arm();
   EXPECT_EQ(result(answer), Result::kFaultPersists);
@@ -162,7 +162,7 @@ TEST(Boot, AfterABrownOutTheFaultIsLatched) {
   EXPECT_EQ(bench.hellos[0].faults, mask(Fault::brown_out));
 }
 
-// Every state, reached by the shortest way.
+// Brings the firmware to a state by the shortest sequence.
 void bring_to(Bench& bench, State state) {
   if (state == State::kHello) return;
   if (state == State::kParameters) {

@@ -1,6 +1,6 @@
 #pragma once
-// A firmware on a scripted board with a host that keeps the protocol and two belts that follow
-// their duties. 250 us a loop, a tick each millisecond.
+// A firmware on a scripted board with a host that follows the protocol and two tracks that follow
+// their duties. A loop takes 250 us, and a tick comes every millisecond.
 
 #include <cmath>
 #include <functional>
@@ -53,7 +53,7 @@ class Bench {
 
   // The host.
   wire::Parameters parameters = good_parameters();
-  bool streams = false;  // a command each 5 ms
+  bool streams = false;  // a command every 5 ms
   float speed_mps = 0.0f;
   float yaw_rate_radps = 0.0f;
   float yaw_rad = 0.0f;  // as the host estimates it
@@ -62,20 +62,20 @@ class Bench {
   std::uint32_t token = 10;
 
   // The body.
-  bool belts_follow = false;
+  bool tracks_follow = false;
   bool left_blocked = false;
   bool right_blocked = false;
-  double load_duty = 0.0;     ///< that the floor takes of each belt's
-  double pushed_radps = 0.0;  ///< turn that the belts do not make
-  double jumped_m = 0.0;      // that the left encoder has counted from nowhere
-  double left_counted = 1.0;  ///< share of the edges that its encoder gives
+  double load_duty = 0.0;          ///< duty that each track loses to resistance
+  double disturbance_radps = 0.0;  ///< rotation that the tracks do not cause
+  double jumped_m = 0.0;           // distance that the left encoder has counted by a jump
+  double left_counted = 1.0;       ///< share of the edges that the left encoder counts
   double right_counted = 1.0;
   double left_mps = 0.0;
   double right_mps = 0.0;
   double true_yaw_rad = 0.0;
-  double true_m = 0.0;  ///< way of the middle
+  double true_m = 0.0;  ///< distance of the middle
 
-  // What came back.
+  // Received frames.
   std::vector<wire::Hello> hellos;
   std::vector<wire::Sample> samples;
   std::vector<wire::Acknowledge> acknowledges;
@@ -100,7 +100,7 @@ class Bench {
   }
 
   void tick() { program.tick_1khz(); }
-  /// Loops and ticks for `ms` milliseconds.
+  /// Runs loops and ticks for `ms` milliseconds.
   void run(int ms) {
     for (int i = 0; i < ms; ++i) {
       if (streams && ++since_command_ >= 5) {
@@ -117,7 +117,7 @@ class Bench {
       collect();
     }
   }
-  /// The main loop hangs; the timer goes on.
+  /// The main loop hangs while the timer continues.
   void hang(int ms) {
     for (int i = 0; i < ms; ++i) {
       hal.now_us += 1000;
@@ -139,7 +139,7 @@ class Bench {
   }
   wire::Arm arm_message() { return {hal.nonce, ++token, hal.now_us + 200'000}; }
 
-  /// Parameters accepted, samples flow.
+  /// Begins a session: parameters are accepted and samples arrive.
   void connect() {
     send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
     run(2);
@@ -153,7 +153,7 @@ class Bench {
     run(2);
     return acknowledges.empty() ? wire::Acknowledge{} : acknowledges.back();
   }
-  /// Connected, commands stream, armed; the commands ask for `speed`.
+  /// Connects, streams commands and arms; the commands request `speed`.
   void drive(float speed = 0.1f) {
     connect();
     streams = true;
@@ -170,7 +170,7 @@ class Bench {
     }));
   }
 
-  /// Bytes of somebody else on the host's line.
+  /// Adds foreign bytes to what the host receives.
   void overhear(const std::string& text) {
     for (const char byte : text) hear(static_cast<std::uint8_t>(byte));
   }
@@ -229,7 +229,7 @@ class Bench {
     return mps + (wanted - mps) * (1.0 / 80.0);
   }
   void move() {
-    if (!belts_follow) return;
+    if (!tracks_follow) return;
     left_mps = left_blocked ? 0.0 : follow(left_mps, hal.duties.left);
     right_mps = right_blocked ? 0.0 : follow(right_mps, hal.duties.right);
     left_m_ += left_mps * 1e-3 * left_counted;
@@ -237,7 +237,7 @@ class Bench {
     true_m += (left_mps * 0.84 + right_mps * 0.90) / 2.0 * 1e-3;
     hal.left_counts = static_cast<std::int32_t>(std::floor((left_m_ + jumped_m) * 11140.0));
     hal.right_counts = static_cast<std::int32_t>(std::floor(right_m_ * 11140.0));
-    const double rate = (right_mps * 0.90 - left_mps * 0.84) / 0.274 + pushed_radps;
+    const double rate = (right_mps * 0.90 - left_mps * 0.84) / 0.274 + disturbance_radps;
     true_yaw_rad += rate * 1e-3;
     hal.gyro_z = static_cast<std::int16_t>(std::lround(rate / static_cast<double>(kGyroScale)));
   }

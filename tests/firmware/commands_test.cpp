@@ -1,4 +1,4 @@
-// Which commands move a robot.
+// Tests which commands move a robot.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using wire::State;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-// Armed and standing; the next command decides.
+// The robot is armed and at standstill; the next command decides whether it moves.
 class Commands : public testing::Test {
  protected:
   Commands() {
@@ -34,9 +34,9 @@ class Commands : public testing::Test {
     bench.run(30);
     return bench.motors_on() || bench.program.state() == State::kRunning;
   }
-  bool spoilt_moves(const std::function<void(wire::Command&)>& spoil) {
+  bool corrupted_moves(const std::function<void(wire::Command&)>& corrupt) {
     wire::Command command = bench.command();
-    spoil(command);
+    corrupt(command);
     return moves(command);
   }
 
@@ -49,35 +49,35 @@ TEST_F(Commands, AGoodOneMoves) {
 }
 
 TEST_F(Commands, OneOfAnotherBootDoesNot) {
-  EXPECT_FALSE(spoilt_moves([](auto& c) { c.boot_nonce ^= 0x100U; }));
+  EXPECT_FALSE(corrupted_moves([](auto& c) { c.boot_nonce ^= 0x100U; }));
   EXPECT_EQ(bench.program.last_verdict(), Verdict::kWrongBoot);
 }
 
 TEST_F(Commands, ARepeatedOneDoesNot) {
   EXPECT_FALSE(
-      spoilt_moves([](auto& c) { c.sequence = static_cast<std::uint16_t>(c.sequence - 1); }));
+      corrupted_moves([](auto& c) { c.sequence = static_cast<std::uint16_t>(c.sequence - 1); }));
   EXPECT_EQ(bench.program.last_verdict(), Verdict::kRepeated);
 }
 
 TEST_F(Commands, AnOlderOneDoesNot) {
-  EXPECT_FALSE(
-      spoilt_moves([](auto& c) { c.sequence = static_cast<std::uint16_t>(c.sequence - 30000); }));
+  EXPECT_FALSE(corrupted_moves(
+      [](auto& c) { c.sequence = static_cast<std::uint16_t>(c.sequence - 30000); }));
   EXPECT_EQ(bench.program.last_verdict(), Verdict::kRepeated);
 }
 
 TEST_F(Commands, AnExpiredOneDoesNot) {
-  EXPECT_FALSE(spoilt_moves([this](auto& c) { c.expiry_us = bench.hal.now_us - 1; }));
+  EXPECT_FALSE(corrupted_moves([this](auto& c) { c.expiry_us = bench.hal.now_us - 1; }));
   EXPECT_EQ(bench.program.last_verdict(), Verdict::kExpired);
 }
 
 TEST_F(Commands, OneThatExpiresTooFarAheadDoesNot) {
-  EXPECT_FALSE(spoilt_moves([this](auto& c) { c.expiry_us = bench.hal.now_us + 202'000; }));
+  EXPECT_FALSE(corrupted_moves([this](auto& c) { c.expiry_us = bench.hal.now_us + 202'000; }));
   EXPECT_EQ(bench.program.last_verdict(), Verdict::kTooFarAhead);
 }
 
 TEST_F(Commands, OneThatAnswersAnUnknownSampleDoesNot) {
   EXPECT_FALSE(
-      spoilt_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers + 5); }));
+      corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers + 5); }));
   EXPECT_EQ(bench.program.last_verdict(), Verdict::kUnknownSample);
 }
 
@@ -87,12 +87,12 @@ TEST_F(Commands, OneThatAnswersAnOldSampleDoesNot) {
   bench.run(400);
   bench.streams = false;
   bench.speed_mps = 0.1f;
-  // 42 samples back is 210 ms: outside yaw_window_ms but still in the history.
+  // 42 samples back is 210 ms, which is outside yaw_window_ms but still in the history.
   EXPECT_FALSE(
-      spoilt_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 42); }));
+      corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 42); }));
   EXPECT_EQ(bench.program.last_verdict(), Verdict::kUnknownSample);
   EXPECT_TRUE(
-      spoilt_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 30); }));
+      corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 30); }));
 }
 
 TEST_F(Commands, NothingThatIsNotFiniteOrOutOfRangeMoves) {
@@ -106,9 +106,9 @@ TEST_F(Commands, NothingThatIsNotFiniteOrOutOfRangeMoves) {
   const float limits[] = {1e4f, 1e4f, 1e3f, 1e3f, 10.0f, 2.0f, 1.0f};
   for (std::size_t i = 0; i < std::size(fields); ++i) {
     for (const float value : {kNan, kInf, -kInf, limits[i] * 1.01f, -limits[i] * 1.01f}) {
-      EXPECT_FALSE(spoilt_moves([&](auto& c) { c.*fields[i] = value; })) << i << " " << value;
+      EXPECT_FALSE(corrupted_moves([&](auto& c) { c.*fields[i] = value; })) << i << " " << value;
       EXPECT_EQ(bench.program.last_verdict(), Verdict::kOutOfRange) << i << " " << value;
-      // Stays armed for the next one.
+      // The robot must stay armed for the next command.
       const float speed = bench.speed_mps;
       bench.speed_mps = 0.0f;
       bench.send(bench.command());

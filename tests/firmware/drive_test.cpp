@@ -1,4 +1,4 @@
-// Speed and yaw of an armed robot.
+// Tests speed and yaw of an armed robot.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(Drive, ReachesTheSpeedThatEquationsOneAndFiveAsk) {
   for (const float speed : {0.03f, 0.1f, 0.14f, -0.08f}) {
     Bench bench;
     bench.parameters.yaw_kp = 0.0f;
-    bench.belts_follow = true;
+    bench.tracks_follow = true;
     bench.drive(speed);
     bench.run(1500);
     const Mean mean = mean_over(bench, 500);
@@ -45,7 +45,7 @@ TEST(Drive, ReachesTheSpeedThatEquationsOneAndFiveAsk) {
 TEST(Drive, TurnsOnTheSpotAtTheRateAsked) {
   Bench bench;
   bench.parameters.yaw_kp = 0.0f;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.yaw_rate_radps = 0.6f;
   bench.drive(0.0f);
   bench.run(1500);
@@ -56,7 +56,7 @@ TEST(Drive, TurnsOnTheSpotAtTheRateAsked) {
 
 TEST(Drive, AccelerationIsLimited) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive(0.15f);
   double fastest = 0.0;
   double last = bench.right_mps;
@@ -70,7 +70,7 @@ TEST(Drive, AccelerationIsLimited) {
 
 TEST(Drive, AZeroTargetEndsWithNoDutyAndStays) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive(0.12f);
   bench.run(1000);
   bench.speed_mps = 0.0f;
@@ -82,11 +82,11 @@ TEST(Drive, AZeroTargetEndsWithNoDutyAndStays) {
   EXPECT_EQ(bench.program.state(), State::kRunning);
 }
 
-TEST(Drive, ABeltThatWasHeldDoesNotShootAhead) {
+TEST(Drive, ATrackThatWasHeldDoesNotShootAhead) {
   Bench bench;
   bench.parameters.stall_duty = 0;
   bench.parameters.yaw_kp = 0.0f;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.left_blocked = true;
   bench.drive(0.08f);
   bench.run(3000);
@@ -98,14 +98,14 @@ TEST(Drive, ABeltThatWasHeldDoesNotShootAhead) {
     fastest = std::max(fastest, bench.left_mps);
     ahead_m += (bench.left_mps - 0.08 / 0.84) * 1e-3;
   }
-  EXPECT_LT(fastest, 0.16) << "for a moment, as fast as a lag of 2 cm makes it";
-  EXPECT_LT(ahead_m, 0.025) << "24 cm were missed; only a little of it is made up for";
+  EXPECT_LT(fastest, 0.16) << "a lag of 2 cm may raise the speed for a moment";
+  EXPECT_LT(ahead_m, 0.025) << "only a little of the missed 24 cm may be made up";
 }
 
 TEST(Drive, IntegratorsStartClearedAfterAnArm) {
   Bench bench;
   bench.parameters.stall_duty = 0;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.left_blocked = true;
   bench.drive(0.1f);
   bench.run(1000);
@@ -124,7 +124,7 @@ TEST(Drive, IntegratorsStartClearedAfterAnArm) {
 TEST(Drive, ADutyIsNeverMoreThanFull) {
   Bench bench;
   bench.parameters.stall_duty = 0;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.left_blocked = bench.right_blocked = true;
   bench.drive(0.2f);
   int most = 0;
@@ -157,7 +157,7 @@ TEST(SpeedLoop, NorDoesItBackwards) {
   EXPECT_EQ(loop.lag_m(), 0.0f);
 }
 
-TEST(SpeedLoop, TheLagOfABeltThatDoesNotFollowIsBounded) {
+TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBounded) {
   wire::Parameters p = Bench::good_parameters();
   p.speed_kp = 0.0f;
   p.speed_ki = 10.0f;
@@ -185,8 +185,8 @@ TEST(SpeedLoop, TheDeadBandIsBlendedIn) {
   }
 }
 
-// Right less left duty, 30 ms after a command that answers a sample 50 ms old. The gyro reads
-// `rate_radps` until the command comes.
+// Right minus left duty, 30 ms after a command that answers a sample 50 ms old. The gyro reads
+// `rate_radps` until the command arrives.
 int turning_duty(float rate_radps, float desired_yaw_rad) {
   Bench bench;
   bench.parameters.max_track_mps2 = 20.0f;
@@ -212,7 +212,8 @@ int turning_duty(float rate_radps, float desired_yaw_rad) {
 
 TEST(Drive, YawIsCarriedForwardFromTheAnsweredSample) {
   const int straight = turning_duty(0.0f, 0.0f);
-  // Turned by 0.5 rad/s in 50 ms since the answered sample, and half a sample more.
+  // The robot has turned at 0.5 rad/s for 50 ms since the answered sample, and for half a sample
+  // more.
   EXPECT_NEAR(turning_duty(0.5f, 0.02625f), straight, 15);
   EXPECT_GT(turning_duty(0.0f, 0.02625f), straight + 100);
   EXPECT_LT(turning_duty(0.5f, 0.0f), straight - 100);
@@ -222,7 +223,7 @@ TEST(Drive, TheGyroBiasIsTakenOff) {
   wire::Parameters p = Bench::good_parameters();
   TurnHistory history;
   const auto raw = static_cast<std::int16_t>(0.1f / Bench::kGyroScale);
-  std::uint32_t us = 0xFFFFFFFFU - 50'000U;  // wraps on the way
+  std::uint32_t us = 0xFFFFFFFFU - 50'000U;  // the clock wraps during the test
   for (std::uint16_t i = 65'520; i != 20; ++i) {
     history.add(i, us, raw, 0, 0);
     us += 5000;
@@ -234,7 +235,7 @@ TEST(Drive, TheGyroBiasIsTakenOff) {
   EXPECT_NEAR(turned(*then, history.newest(), true, 0.1f, p), 0.0f, 1e-4f);
 }
 
-TEST(Drive, WithoutTheGyroTheBeltsCarryTheYaw) {
+TEST(Drive, WithoutTheGyroTheTracksCarryTheYaw) {
   wire::Parameters p = Bench::good_parameters();
   TurnHistory history;
   for (std::uint16_t i = 0; i < 30; ++i) {
@@ -251,7 +252,7 @@ TEST(Drive, UnknownSamplesAreNotFound) {
   EXPECT_EQ(history.find(0), nullptr);
   for (std::uint16_t i = 100; i < 300; ++i) history.add(i, i * 5000U, 0, 0, 0);
   EXPECT_NE(history.find(299), nullptr);
-  EXPECT_NE(history.find(299 - 41), nullptr) << "200 ms must fit";
+  EXPECT_NE(history.find(299 - 41), nullptr) << "the history must hold 200 ms";
   EXPECT_EQ(history.find(300), nullptr);
   EXPECT_EQ(history.find(100), nullptr);
   EXPECT_EQ(history.find(299 + 32'768), nullptr);
@@ -261,12 +262,12 @@ TEST(Drive, UnknownSamplesAreNotFound) {
 
 TEST(Drive, YawErrorIsClosedByTheGyroBetweenCommands) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.connect();
   bench.streams = true;
   bench.run(50);
   bench.arm();
-  // A host that knows the true yaw of each sample and wants 0.4 rad to the left.
+  // The host knows the true yaw of each sample and requests 0.4 rad to the left.
   bench.speed_mps = 0.08f;
   for (int i = 0; i < 500; ++i) {
     bench.yaw_rad = static_cast<float>(bench.true_yaw_rad);
@@ -286,31 +287,31 @@ TEST(Drive, TheShortWayRoundIsTaken) {
   EXPECT_FLOAT_EQ(turn_rate(0.0f, -0.3f, p), -0.3f);
 }
 
-TEST(BeltSpeeds, InvertEquationsOneAndFive) {
+TEST(TrackSpeeds, InvertEquationsOneAndFive) {
   const wire::Parameters p = Bench::good_parameters();
-  const BeltSpeeds belts = belt_speeds(0.1f, 0.2f, p);
-  const float left = belts.left * (1.0f - p.slip_left);
-  const float right = belts.right * (1.0f - p.slip_right);
+  const TrackSpeeds tracks = track_speeds(0.1f, 0.2f, p);
+  const float left = tracks.left * (1.0f - p.slip_left);
+  const float right = tracks.right * (1.0f - p.slip_right);
   EXPECT_NEAR((left + right) / 2.0f, 0.1f, 1e-6f);
   EXPECT_NEAR((right - left) / p.wheelbase_m, 0.2f, 1e-5f);
 }
 
-TEST(BeltSpeeds, SaturationKeepsTheTurnAndCutsTheSpeed) {
+TEST(TrackSpeeds, SaturationKeepsTheTurnAndCutsTheSpeed) {
   const wire::Parameters p = Bench::good_parameters();
   for (const float speed : {0.2f, 0.5f, 2.0f, -2.0f}) {
-    const BeltSpeeds belts = belt_speeds(speed, 0.5f, p);
-    EXPECT_LE(std::max(std::abs(belts.left), std::abs(belts.right)), p.max_track_mps + 1e-6f);
-    const float left = belts.left * (1.0f - p.slip_left);
-    const float right = belts.right * (1.0f - p.slip_right);
+    const TrackSpeeds tracks = track_speeds(speed, 0.5f, p);
+    EXPECT_LE(std::max(std::abs(tracks.left), std::abs(tracks.right)), p.max_track_mps + 1e-6f);
+    const float left = tracks.left * (1.0f - p.slip_left);
+    const float right = tracks.right * (1.0f - p.slip_right);
     EXPECT_NEAR((right - left) / p.wheelbase_m, 0.5f, 1e-5f) << speed;
   }
 }
 
-TEST(BeltSpeeds, ATurnBeyondTheLimitTurnsOnTheSpot) {
+TEST(TrackSpeeds, ATurnBeyondTheLimitTurnsOnTheSpot) {
   const wire::Parameters p = Bench::good_parameters();
-  const BeltSpeeds belts = belt_speeds(0.2f, 5.0f, p);
-  EXPECT_FLOAT_EQ(belts.right, p.max_track_mps);
-  EXPECT_FLOAT_EQ(belts.left, -p.max_track_mps);
+  const TrackSpeeds tracks = track_speeds(0.2f, 5.0f, p);
+  EXPECT_FLOAT_EQ(tracks.right, p.max_track_mps);
+  EXPECT_FLOAT_EQ(tracks.left, -p.max_track_mps);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Motors go off by themselves.
+// Tests that the motors switch off by themselves.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ TEST(FailSafe, SilenceOf200MsSwitchesARunningRobotOff) {
   bench.run(200);
   ASSERT_TRUE(bench.motors_on());
   bench.streams = false;
-  // The last command is at most 5 ms old and lives for 195 ms.
+  // The last command is at most 5 ms old and expires after 195 ms.
   bench.run(185);
   EXPECT_TRUE(bench.motors_on());
   bench.run(15);
@@ -76,7 +76,7 @@ TEST(FailSafe, ADisarmedRobotLatchesAfterTheGraceOfANewSession) {
   EXPECT_EQ(bench.program.state(), State::kFaulted);
   EXPECT_TRUE(bench.has(Fault::command_timeout));
   EXPECT_EQ(bench.reports.size(), 1U);
-  EXPECT_EQ(bench.count_logs("motors off"), 0) << "they were not on";
+  EXPECT_EQ(bench.count_logs("motors off"), 0) << "the motors were not on";
 }
 
 TEST(FailSafe, ADisarmedRobotWhoseCommandsEndLatches) {
@@ -120,7 +120,7 @@ TEST(FailSafe, ATickAloneCutsBetweenTwoLoops) {
   ASSERT_TRUE(bench.motors_on());
   bench.hang(100);
   EXPECT_FALSE(bench.motors_on());
-  // A loop that comes back must not switch on again.
+  // A loop that resumes must not switch the motors on again.
   bench.run(50);
   EXPECT_FALSE(bench.motors_on());
   EXPECT_TRUE(bench.has(Fault::loop_hung));
@@ -156,7 +156,7 @@ TEST(FailSafe, ClockWrapDuringADriveChangesNothing) {
   Bench bench(false);
   bench.hal.now_us = 0xFFFFFFFFU - 700'000U;
   bench.boot();
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive();
   int off = 0;
   for (int i = 0; i < 1500; ++i) {
@@ -185,12 +185,12 @@ TEST(FailSafe, AFaultIsReportedOncePerLatch) {
   EXPECT_EQ(bench.reports.size(), 2U);
 }
 
-TEST(FailSafe, LowCellsSwitchOffAfterASecond) {
+TEST(FailSafe, LowBatterySwitchOffAfterASecond) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive();
   bench.run(200);
-  bench.hal.cells_mv = 5000;
+  bench.hal.pack_mv = 5000;
   bench.run(900);
   EXPECT_EQ(bench.program.state(), State::kRunning);
   bench.run(300);
@@ -201,41 +201,82 @@ TEST(FailSafe, LowCellsSwitchOffAfterASecond) {
 
 TEST(FailSafe, AShortDipOfTheCellsIsNoFault) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive();
   for (int i = 0; i < 10; ++i) {
-    bench.hal.cells_mv = 5000;
+    bench.hal.pack_mv = 5000;
     bench.run(300);
-    bench.hal.cells_mv = 7900;
+    bench.hal.pack_mv = 7900;
     bench.run(300);
   }
   EXPECT_FALSE(bench.has(Fault::battery_low));
 }
 
-TEST(BeltWatchAlone, ABeltThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
+TEST(TrackMonitorAlone, ATrackThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
   wire::Parameters p = Bench::good_parameters();
-  p.feed_forward = 0.0f;  // the duty says nothing about the speed
+  p.feed_forward = 0.0f;  // the duty gives no estimate of the speed
   p.dead_band = 0.0f;
   for (const std::int16_t stall_duty : {std::int16_t{1}, std::int16_t{600}}) {
     p.stall_duty = static_cast<std::uint16_t>(stall_duty);
     for (const int sign : {1, -1}) {
-      BeltWatch at, below;
-      BeltWatch::Verdict verdict = BeltWatch::kGood;
+      TrackMonitor at, below;
+      TrackMonitor::Verdict verdict = TrackMonitor::kGood;
       for (int ms = 0; ms <= 1010; ms += 5) {
-        EXPECT_EQ(verdict, BeltWatch::kGood) << ms;
-        verdict = at.update(static_cast<std::int16_t>(sign * stall_duty), 0, 5, 0.0f, p);
-        EXPECT_EQ(below.update(static_cast<std::int16_t>(sign * (stall_duty - 1)), 0, 5, 0.0f, p),
-                  BeltWatch::kGood);
-        if (verdict != BeltWatch::kGood) break;
+        EXPECT_EQ(verdict, TrackMonitor::kGood) << ms;
+        verdict = at.update(static_cast<std::int16_t>(sign * stall_duty), 0, 5, 0.0f, true, p);
+        EXPECT_EQ(
+            below.update(static_cast<std::int16_t>(sign * (stall_duty - 1)), 0, 5, 0.0f, true, p),
+            TrackMonitor::kGood);
+        if (verdict != TrackMonitor::kGood) break;
       }
-      EXPECT_EQ(verdict, BeltWatch::kStalled) << stall_duty << " " << sign;
+      EXPECT_EQ(verdict, TrackMonitor::kStalled) << stall_duty << " " << sign;
     }
   }
 }
 
-TEST(FailSafe, ABlockedBeltIsStalled) {
+// In a tight arc the outer track drags the inner one along, which brakes all the time.
+TEST(TrackMonitorAlone, ATrackThatBrakesAgainstTheFloorInATurnIsNotReversed) {
+  const wire::Parameters p = Bench::good_parameters();
+  const auto duty = static_cast<std::int16_t>(-(p.dead_band + 0.1f) * wire::kFullDuty);
+  const auto reversed_after_s = [&](float load_duty) {
+    TrackMonitor monitor;
+    for (int ms = 0; ms < 60'000; ms += 5) {
+      const int counts = static_cast<int>(ms * 1e-3 * 0.008 * double{p.counts_per_metre});
+      if (monitor.update(duty, counts, 5, load_duty, false, p) != TrackMonitor::kGood)
+        return ms * 1e-3;
+    }
+    return 60.0;
+  };
+  EXPECT_EQ(reversed_after_s(0.3f), 60.0);
+  EXPECT_LT(reversed_after_s(0.0f), 10.0) << "nothing drags the track on a straight line";
+}
+
+// Stiction: at a low speed the duty is below that of the robot's file, at a higher speed it is
+// equal.
+TEST(TrackMonitorAlone, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
+  const wire::Parameters p = Bench::good_parameters();
+  for (const double slow_mps : {0.03, 0.036, 0.05}) {
+    for (const double fast_mps : {0.06, 0.1, 0.2}) {
+      TrackMonitor monitor;
+      double counts = 0.0;
+      for (int ms = 0; ms < 60'000; ms += 5) {
+        const bool slow = ms / 10'000 % 2 == 0;
+        const double mps = slow ? slow_mps : fast_mps;
+        counts += mps * 5e-3 * double{p.counts_per_metre};
+        const double duty =
+            double{p.dead_band} + double{p.feed_forward} * mps - (slow ? 0.03 : 0.0);
+        ASSERT_EQ(monitor.update(static_cast<std::int16_t>(duty * wire::kFullDuty),
+                                 static_cast<std::int32_t>(counts), 5, 0.0f, true, p),
+                  TrackMonitor::kGood)
+            << ms << " ms, " << slow_mps << " and " << fast_mps << " m/s";
+      }
+    }
+  }
+}
+
+TEST(FailSafe, ABlockedTrackIsStalled) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.left_blocked = true;
   bench.drive(0.15f);
   bench.run(3000);
@@ -244,7 +285,7 @@ TEST(FailSafe, ABlockedBeltIsStalled) {
   EXPECT_FALSE(bench.motors_on());
 }
 
-/// Drives straight on by the true yaw until a fault or `ms` are over; the way that was driven.
+/// Drives straight on by the true yaw until a fault occurs or `ms` are over; returns the distance.
 double driven_m(Bench& bench, int ms) {
   const double from_m = bench.true_m;
   for (int i = 0; i < ms / 5 && bench.program.faults() == 0; ++i) {
@@ -259,7 +300,7 @@ TEST(FailSafe, AnEncoderThatLosesCountsIsFoundThoughTheYawLoopHidesIt) {
     for (const double counted : {0.0, 0.05, 0.3, 0.5, 0.7}) {
       for (const bool left : {true, false}) {
         Bench bench;
-        bench.belts_follow = true;
+        bench.tracks_follow = true;
         bench.drive(speed);
         driven_m(bench, 2000);
         ASSERT_EQ(bench.program.faults(), 0) << speed;
@@ -269,7 +310,7 @@ TEST(FailSafe, AnEncoderThatLosesCountsIsFoundThoughTheYawLoopHidesIt) {
             wire::fault_bit(left ? Fault::stalled_left : Fault::stalled_right));
         EXPECT_EQ(bench.program.faults(), expected) << speed << " " << counted;
         EXPECT_FALSE(bench.motors_on());
-        // The middle is counted with half of what is lost.
+        // The counted distance of the middle lacks half of the lost counts.
         EXPECT_LT(m * (1.0 - counted) / 2.0, 0.12) << speed << " " << counted;
       }
     }
@@ -280,7 +321,7 @@ TEST(FailSafe, TwoEncodersThatLoseCountsAreFoundByTheirDuty) {
   for (const float speed : {0.03f, 0.06f, 0.1f, 0.15f}) {
     for (const double counted : {0.0, 0.05, 0.3, 0.5, 0.7}) {
       Bench bench;
-      bench.belts_follow = true;
+      bench.tracks_follow = true;
       bench.drive(speed);
       driven_m(bench, 2000);
       bench.left_counted = bench.right_counted = counted;
@@ -292,7 +333,7 @@ TEST(FailSafe, TwoEncodersThatLoseCountsAreFoundByTheirDuty) {
 
 TEST(FailSafe, BothTracksThatCountShortInAnArcAreFoundByTheMeanOfTheirDuties) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive(0.1f);
   driven_m(bench, 2000);
   bench.yaw_rate_radps = 0.3f;
@@ -310,8 +351,8 @@ TEST(FailSafe, BothTracksThatCountShortInAnArcAreFoundByTheMeanOfTheirDuties) {
 TEST(FailSafe, ALoadThatTheAccelerometerExplainsIsNoFaultOfAnEncoder) {
   for (const bool steep : {true, false}) {
     Bench bench;
-    bench.belts_follow = true;
-    bench.hal.accel_x = 500;  // its zero is off, or the robot began on a slope
+    bench.tracks_follow = true;
+    bench.hal.accel_x = 500;  // the sensor has an offset, or the robot began on a slope
     bench.drive(0.1f);
     driven_m(bench, 2000);
     bench.load_duty = 0.25;
@@ -320,13 +361,13 @@ TEST(FailSafe, ALoadThatTheAccelerometerExplainsIsNoFaultOfAnEncoder) {
     EXPECT_EQ(bench.program.faults() != 0, !steep);
     bench.hal.accel_x = 500;
     driven_m(bench, 10'000);
-    EXPECT_NE(bench.program.faults(), 0) << "the slope is over, the load is not";
+    EXPECT_NE(bench.program.faults(), 0) << "the load continues after the slope";
   }
 }
 
-TEST(FailSafe, CellsThatSagAreNoFaultOfAnEncoder) {
+TEST(FailSafe, BatteryThatSagAreNoFaultOfAnEncoder) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive(0.1f);
   driven_m(bench, 2000);
   for (int i = 0; i < 60; ++i) {
@@ -336,11 +377,11 @@ TEST(FailSafe, CellsThatSagAreNoFaultOfAnEncoder) {
   EXPECT_EQ(bench.program.faults(), 0);
 }
 
-TEST(FailSafe, ABeltThatIsHeldForLessThanHalfASecondGoesOn) {
+TEST(FailSafe, ATrackThatIsHeldForLessThanHalfASecondGoesOn) {
   for (const float speed : {0.03f, 0.06f, 0.1f, 0.15f}) {
     for (const bool both : {false, true}) {
       Bench bench;
-      bench.belts_follow = true;
+      bench.tracks_follow = true;
       bench.drive(speed);
       driven_m(bench, 2000);
       bench.left_blocked = true;
@@ -356,7 +397,7 @@ TEST(FailSafe, ABeltThatIsHeldForLessThanHalfASecondGoesOn) {
 TEST(FailSafe, CountsThatJumpAgainAreAnEncoderThatFailsAndOneJumpIsNot) {
   for (const bool again : {false, true}) {
     Bench bench;
-    bench.belts_follow = true;
+    bench.tracks_follow = true;
     bench.drive(0.1f);
     driven_m(bench, 2000);
     bench.jumped_m += 0.02;
@@ -371,11 +412,11 @@ TEST(FailSafe, CountsThatJumpAgainAreAnEncoderThatFailsAndOneJumpIsNot) {
 TEST(FailSafe, CountsThatGoBackAgainAreAnEncoderThatFailsAndOnceIsNot) {
   for (const bool again : {false, true}) {
     Bench bench;
-    bench.belts_follow = true;
+    bench.tracks_follow = true;
     bench.drive(0.1f);
     driven_m(bench, 2000);
     for (int ms = 0; ms < 1000; ms += 5) {
-      // No faster than a belt may be.
+      // The counts change no faster than a track can move.
       if (ms % 500 < 50 && (again || ms < 500)) bench.jumped_m -= 0.0016;
       driven_m(bench, 5);
     }
@@ -383,9 +424,9 @@ TEST(FailSafe, CountsThatGoBackAgainAreAnEncoderThatFailsAndOnceIsNot) {
   }
 }
 
-TEST(FailSafe, ABeltThatTurnsBackUnderAnotherDutyIsGood) {
+TEST(FailSafe, ATrackThatTurnsBackUnderAnotherDutyIsGood) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.connect();
   bench.streams = true;
   bench.run(20);
@@ -399,20 +440,20 @@ TEST(FailSafe, ABeltThatTurnsBackUnderAnotherDutyIsGood) {
 
 TEST(FailSafe, APushIsNoEncoderThatLosesCounts) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive(0.1f);
   driven_m(bench, 2000);
-  bench.pushed_radps = 15.0 / 57.3 / 0.3;
+  bench.disturbance_radps = 15.0 / 57.3 / 0.3;
   driven_m(bench, 300);
-  bench.pushed_radps = 0.0;
+  bench.disturbance_radps = 0.0;
   driven_m(bench, 5000);
   EXPECT_EQ(bench.program.faults(), 0);
 }
 
-TEST(FailSafe, ABeltThatRunsAgainstItsDutyIsReversed) {
+TEST(FailSafe, ATrackThatRunsAgainstItsDutyIsReversed) {
   Bench bench;
   bench.parameters.flags = wire::kInvertRightMotor;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive(0.15f);
   bench.run(1500);
   EXPECT_TRUE(bench.has(Fault::reversed_right));
@@ -440,18 +481,18 @@ TEST(FailSafeAlone, DrivesOnlyWhileEnabledAndIsEnabledOnlyWithAFreshCommand) {
   fail_safe.drive(300, 300);
   EXPECT_EQ(hal.duties, ScriptedHal::Duties{});
   fail_safe.fresh(hal.now_us, 50'000);
-  EXPECT_FALSE(fail_safe.enable()) << "the main loop has not seen the trip yet";
+  EXPECT_FALSE(fail_safe.enable()) << "the main loop has not taken the trip yet";
   EXPECT_EQ(fail_safe.take_trip().faults, wire::fault_bit(Fault::command_timeout));
   EXPECT_TRUE(fail_safe.enable());
 }
 
-// Ticks come each millisecond, a command at any time between two: the motors go off at the last
-// tick at which the command still has some life, and it never has any left that is worth a tick.
+// Ticks come every millisecond, and a command can arrive at any time between two of them. The
+// motors must switch off at the last tick before the command expires.
 TEST(FailSafeAlone, TheLastTickOfACommandsLifeSwitchesOff) {
   for (const std::uint32_t life_us : {200'000U, 199'999U, 123'456U, 50'000U, 5'001U}) {
     for (std::uint32_t phase_us = 0; phase_us < 1000; ++phase_us) {
       ScriptedHal hal;
-      hal.now_us = 0U - 100'000U;  // the clock wraps on the way
+      hal.now_us = 0U - 100'000U;  // the clock wraps during the test
       FailSafe fail_safe(hal);
       fail_safe.watch(hal.now_us);
       const std::uint32_t fresh_us = hal.now_us + phase_us;

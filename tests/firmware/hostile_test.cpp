@@ -1,4 +1,4 @@
-// Whatever arrives, a disarmed robot stays where it is.
+// Tests that no input moves a disarmed robot.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ class Hostile : public testing::TestWithParam<unsigned> {
   std::uint32_t random() { return static_cast<std::uint32_t>(source_()); }
   std::uint32_t below(std::uint32_t limit) { return random() % limit; }
 
-  // A frame with a good CRC around random fields; the nonce is right in every other one.
+  // Sends a frame with a valid CRC around random fields; half of the frames have the right nonce.
   void push_random_frame(Bench& bench) {
     const std::uint8_t types[] = {0x41, 0x42, 0x43, 0x44, 0x45, 0x46, 0x47, 0x01, 0x02, 0x99};
     const std::size_t sizes[] = {6, 71, 40, 12, 4, 4, 2, 18, 40, 3};
@@ -65,14 +65,14 @@ TEST_P(Hostile, RandomValidFramesNeverMoveADisarmedRobot) {
   EXPECT_EQ(bench.hal.nonzero_writes, 0);
 }
 
-TEST_P(Hostile, DamagedFramesOfAGoodHostNeverArm) {
+TEST_P(Hostile, CorruptedFramesOfAGoodHostNeverArm) {
   Bench bench;
   bench.connect();
   bench.streams = true;
   bench.speed_mps = 0.1f;
   for (int i = 0; i < 2000; ++i) {
     std::vector<std::uint8_t> frame = Bench::frame_of(bench.arm_message());
-    // Two flips lie within what the CRC detects for certain at this length.
+    // One bit of the encoded frame is flipped, which the CRC must detect.
     const std::size_t at = below(static_cast<std::uint32_t>(frame.size() - 1));
     frame[at] = static_cast<std::uint8_t>(frame[at] ^ (1U << below(8)));
     if (frame[at] == 0) continue;
@@ -85,7 +85,7 @@ TEST_P(Hostile, DamagedFramesOfAGoodHostNeverArm) {
 
 TEST_P(Hostile, NoiseOnTheWireDoesNotOutliveTheCommandLifeOfADrive) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive();
   bench.run(200);
   ASSERT_TRUE(bench.motors_on());

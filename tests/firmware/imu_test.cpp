@@ -1,4 +1,4 @@
-// The sensor may die; everything else goes on.
+// Tests that a failure of the sensor does not affect anything else.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(Imu, DeadFromTheStartNeverStopsFramesOrTheFailSafe) {
   EXPECT_FALSE(bench.has(Fault::imu_stale));
   ASSERT_FALSE(bench.reports.empty());
   EXPECT_EQ(bench.reports[0].fault, static_cast<std::uint8_t>(Fault::imu_missing));
-  EXPECT_GT(bench.reports[0].detail, 0) << "how often it did not answer";
+  EXPECT_GT(bench.reports[0].detail, 0) << "the detail counts the missing answers";
   EXPECT_GT(bench.samples.size(), 180U);
   EXPECT_EQ(bench.samples.back().imu_age, 255);
   bench.streams = false;
@@ -52,20 +52,20 @@ TEST(Imu, IsTriedAgainEvery100MsAndNotMoreOften) {
 
 TEST(Imu, ThatDiesWhileDrivingStopsTheRobotWithinAnInstantIfTheGyroSteers) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive();
   bench.run(100);
   ASSERT_EQ(bench.program.faults(), 0);
   bench.hal.imu_answers = false;
   bench.run(100);
   EXPECT_TRUE(bench.has(Fault::imu_stale));
-  EXPECT_FALSE(bench.has(Fault::imu_missing)) << "it had answered";
+  EXPECT_FALSE(bench.has(Fault::imu_missing)) << "the IMU had answered before";
   EXPECT_FALSE(bench.motors_on());
 }
 
 TEST(Imu, ThatDiesOnABenchStopsNothing) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.parameters.flags = 0;
   bench.drive();
   bench.hal.imu_answers = false;
@@ -77,7 +77,7 @@ TEST(Imu, ThatDiesOnABenchStopsNothing) {
 
 TEST(Imu, AFewFailedReadsAreBridged) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive();
   for (int i = 0; i < 20; ++i) {
     bench.hal.imu_answers = false;
@@ -91,7 +91,7 @@ TEST(Imu, AFewFailedReadsAreBridged) {
 
 TEST(Imu, ValuesThatDoNotChangeAnyMoreAreStale) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive();
   bench.hal.imu_frozen = true;
   bench.run(100);
@@ -101,7 +101,7 @@ TEST(Imu, ValuesThatDoNotChangeAnyMoreAreStale) {
 
 TEST(Imu, ThatComesBackDelivers) {
   Bench bench;
-  bench.belts_follow = true;
+  bench.tracks_follow = true;
   bench.drive();
   bench.hal.imu_answers = false;
   bench.run(1000);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "bench.h"
-#include "firmware/belts.h"
+#include "firmware/yaw_loop.h"
 
 namespace tp100::firmware {
 namespace {
@@ -34,7 +34,7 @@ TEST(Clamp, WhatIsNoNumberBecomesZero) {
 TEST(TrackSpeeds, WhatIsNoNumberAsksForAStandstill) {
   const wire::Parameters parameters = Bench::good_parameters();
   for (const float bad : {kNan, -kNan}) {
-    const BeltSpeeds speeds = belt_speeds(bad, 0.5f, parameters);
+    const TrackSpeeds speeds = track_speeds(bad, 0.5f, parameters);
     EXPECT_EQ(speeds.left, 0.0f);
     EXPECT_EQ(speeds.right, 0.0f);
   }

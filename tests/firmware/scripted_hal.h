@@ -1,5 +1,5 @@
 #pragma once
-// A board whose time, wires and sensors are in the test's hands.
+// A board whose time, wires and sensors are controlled by the test.
 
 #include <algorithm>
 #include <cstddef>
@@ -19,23 +19,23 @@ class ScriptedHal final : public Hal {
     bool operator==(const Duties&) const = default;
   };
 
-  // Knobs.
+  // Inputs that the test sets.
   std::uint32_t now_us = 1'000'000;
-  std::size_t room = 200;  // what the UART takes, refilled by the test
+  std::size_t room = 200;  // bytes that the UART accepts, refilled by the test
   bool imu_answers = true;
   bool imu_frozen = false;           // answers with the same values again and again
-  std::uint32_t i2c_timeout_us = 0;  // what a dead bus costs a call
+  std::uint32_t i2c_timeout_us = 0;  // duration of a call on a dead bus
   std::int16_t gyro_z = 0;
   std::int16_t accel_x = 0;
   std::int32_t left_counts = 0;
   std::int32_t right_counts = 0;
   std::uint16_t missed = 0;
-  std::uint8_t waiting = 0;  // bytes that the line has not taken yet
-  std::uint16_t cells_mv = 7900;
+  std::uint8_t waiting = 0;  // bytes that the UART has not sent yet
+  std::uint16_t pack_mv = 7900;
   wire::ResetCause cause = wire::ResetCause::kPowerOn;
   std::uint32_t nonce = 0xB007;
 
-  // What the firmware did.
+  // Output of the firmware.
   std::deque<std::uint8_t> received;
   std::vector<std::uint8_t> sent;
   Duties duties;
@@ -90,7 +90,7 @@ class ScriptedHal final : public Hal {
     duties = {left, right};
     if (left != 0 || right != 0) ++nonzero_writes;
   }
-  std::uint16_t battery_mv() override { return cells_mv; }
+  std::uint16_t battery_mv() override { return pack_mv; }
 
   void kick_watchdog() override {
     ++kicks;

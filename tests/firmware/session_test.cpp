@@ -1,4 +1,4 @@
-// Hello, parameters, acknowledgements, clock sync, silence.
+// Tests hello, parameters, acknowledgements, clock sync and silence.
 
 #include <gtest/gtest.h>
 
@@ -43,16 +43,16 @@ TEST(Session, SaysHelloEvery200MsUntilAHostSpeaks) {
 
 TEST(Session, WhatWasCutOffBeforeABootEndsBeforeTheFirstReport) {
   Bench bench(false);
-  bench.hal.cause = wire::ResetCause::kWatchdog;  // which is reported at once
+  bench.hal.cause = wire::ResetCause::kWatchdog;  // this fault is reported at once
   bench.boot();
   ASSERT_GT(bench.hal.sent.size(), 1U);
   EXPECT_EQ(bench.hal.sent[0], wire::kDelimiter);
 }
 
-TEST(Session, WhatElseWasSaidOnTheLineSpoilsNoHello) {
+TEST(Session, WhatElseWasSaidOnTheLineCorruptsNoHello) {
   Bench bench;
   for (int i = 0; i < 1010; ++i) {
-    // A modem manager, before each of them.
+    // A modem manager probes the line before each hello.
     if (i % 150 == 0) bench.overhear("AT\r");
     bench.run(1);
   }
@@ -115,7 +115,7 @@ TEST(Session, ParametersOfAnotherBootAreRefused) {
 TEST(Session, EveryParameterOutsideItsRangeIsNamed) {
   struct Case {
     std::uint16_t field;
-    std::function<void(wire::Parameters&)> spoil;
+    std::function<void(wire::Parameters&)> corrupt;
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
@@ -144,7 +144,7 @@ TEST(Session, EveryParameterOutsideItsRangeIsNamed) {
   };
   for (const Case& one : cases) {
     Bench bench;
-    one.spoil(bench.parameters);
+    one.corrupt(bench.parameters);
     bench.send(bench.parameters);
     bench.run(3);
     expect_answer(bench, Type::kParameters, 1, Result::kOutOfRange, one.field);
@@ -271,40 +271,40 @@ TEST(Session, SyncReplyLeavesAfterWhatStillWaitsForTheLine) {
   EXPECT_EQ(takes_us(10) - at_once, 10U * 20U) << "20 us a byte at 500000 baud";
 }
 
-TEST(Session, SyncReplyCarriesHowManyFramesCameSpoilt) {
+TEST(Session, SyncReplyCarriesHowManyFramesCameCorrupted) {
   Bench bench;
   bench.connect();
   const auto asked = [&] {
     bench.sync_replies.clear();
     bench.send(wire::SyncRequest{4711});
     bench.run(2);
-    return bench.sync_replies.empty() ? -1 : int{bench.sync_replies[0].damaged};
+    return bench.sync_replies.empty() ? -1 : int{bench.sync_replies[0].corrupted};
   };
   const int before = asked();
-  const std::uint8_t spoilt[] = {0x05, 'x', 'y', 'z', 'u', 0x00};
-  bench.hal.received.insert(bench.hal.received.end(), std::begin(spoilt), std::end(spoilt));
+  const std::uint8_t corrupted[] = {0x05, 'x', 'y', 'z', 'u', 0x00};
+  bench.hal.received.insert(bench.hal.received.end(), std::begin(corrupted), std::end(corrupted));
   bench.run(2);
   EXPECT_EQ(asked(), before + 1);
 }
 
-TEST(Session, SyncReplyCountsWhateverSpoiltAFrame) {
+TEST(Session, SyncReplyCountsWhateverCorruptedAFrame) {
   Bench bench;
   bench.connect();
   const auto asked = [&] {
     bench.sync_replies.clear();
     bench.send(wire::SyncRequest{4711});
     bench.run(2);
-    return bench.sync_replies.empty() ? -1 : int{bench.sync_replies[0].damaged};
+    return bench.sync_replies.empty() ? -1 : int{bench.sync_replies[0].corrupted};
   };
   const int before = asked();
   std::vector<std::uint8_t> oversize(wire::kMaxFrame + 5, 0x01);
   oversize.push_back(0x00);
   const std::vector<std::uint8_t> past_its_end{0x09, 'x', 'y', 0x00}, too_short{0x02, 'x', 0x00};
-  int spoilt = 0;
+  int corrupted = 0;
   for (const auto& bytes : {oversize, past_its_end, too_short}) {
     bench.hal.received.insert(bench.hal.received.end(), bytes.begin(), bytes.end());
     bench.run(5);
-    EXPECT_EQ(asked(), before + ++spoilt);
+    EXPECT_EQ(asked(), before + ++corrupted);
   }
 }
 
@@ -351,7 +351,7 @@ TEST(Session, WiringFlagsTurnAndSwapBothWays) {
   EXPECT_EQ(bench.samples.back().right_counts, 5);
   ASSERT_GT(bench.samples.back().left_duty, 0);
   ASSERT_GT(bench.samples.back().right_duty, 0);
-  // The right track's motor is turned and hangs on the left channel.
+  // The motor of the right track is inverted and connected to the left channel.
   EXPECT_LT(bench.hal.duties.left, 0);
   EXPECT_GT(bench.hal.duties.right, 0);
 }

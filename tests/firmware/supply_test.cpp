@@ -1,21 +1,21 @@
-#include "firmware/supply.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/battery.h"
+
 namespace tp100::firmware {
 namespace {
 
-// The converter of a board whose supply and bandgap are these.
+// The converter's reading of a voltage on a board with this supply.
 std::uint16_t steps_of(double volts, double supply_v) {
   return static_cast<std::uint16_t>(std::clamp(volts / supply_v * 1024.0, 0.0, 1023.0));
 }
-double cells_read_v(double cells_v, double supply_v, double bandgap_v) {
+double battery_read_v(double battery_v, double supply_v, double bandgap_v) {
   Supply supply;
   for (int i = 0; i < 20; ++i) supply.update(steps_of(bandgap_v, supply_v));
-  return supply.cells_mv(steps_of(cells_v / 3.0, supply_v)) * 1e-3;
+  return supply.battery_mv(steps_of(battery_v / 3.0, supply_v)) * 1e-3;
 }
 
 TEST(Supply, IsFiveVoltsUntilTheBandgapWasMeasured) {
@@ -23,13 +23,14 @@ TEST(Supply, IsFiveVoltsUntilTheBandgapWasMeasured) {
   EXPECT_EQ(supply.millivolts(), 5000);
   supply.update(0);
   EXPECT_EQ(supply.millivolts(), 5000);
-  EXPECT_EQ(supply.cells_mv(1023), 14985);
+  EXPECT_EQ(supply.battery_mv(1023), 14985);
 }
 
-TEST(Supply, CellsReadRightAtAnyUsbVoltageUpToFiveVolts) {
+TEST(Supply, BatteryReadRightAtAnyUsbVoltageUpToFiveVolts) {
   for (double supply_v = 4.4; supply_v <= 5.0; supply_v += 0.05) {
-    for (const double cells_v : {5.4, 6.0, 7.4, 8.4}) {
-      EXPECT_NEAR(cells_read_v(cells_v, supply_v, 1.1), cells_v, 0.01 * cells_v) << supply_v;
+    for (const double battery_v : {5.4, 6.0, 7.4, 8.4}) {
+      EXPECT_NEAR(battery_read_v(battery_v, supply_v, 1.1), battery_v, 0.01 * battery_v)
+          << supply_v;
     }
   }
 }
@@ -37,7 +38,7 @@ TEST(Supply, CellsReadRightAtAnyUsbVoltageUpToFiveVolts) {
 TEST(Supply, NoChipReadsCellsHigherThanIfFiveVoltsWereAssumedNorTenPercentTooHigh) {
   for (double supply_v = 4.4; supply_v <= 5.25; supply_v += 0.05) {
     for (double bandgap_v = 1.0; bandgap_v <= 1.2; bandgap_v += 0.02) {
-      const double read = cells_read_v(6.0, supply_v, bandgap_v);
+      const double read = battery_read_v(6.0, supply_v, bandgap_v);
       EXPECT_LE(read, 6.0 * 5.0 / supply_v + 1e-9) << supply_v << " " << bandgap_v;
       EXPECT_LE(read, 6.0 * 1.11) << supply_v << " " << bandgap_v;
       EXPECT_GE(read, 6.0 * 0.90) << supply_v << " " << bandgap_v;

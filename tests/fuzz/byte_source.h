@@ -26,7 +26,7 @@ class ByteSource {
     rest_ = rest_.subspan(out.size());
     return out;
   }
-  /// All that is left, as text.
+  /// All remaining bytes, as text.
   std::string text() {
     std::string out(rest_.begin(), rest_.end());
     rest_ = {};
@@ -37,14 +37,14 @@ class ByteSource {
   std::span<const std::uint8_t> rest_;
 };
 
-/// A property that every input must keep.
+/// Aborts if a property does not hold that every input must keep.
 inline void require(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "fuzz: broken: %s\n", what);
   std::abort();
 }
 
-/// What a bad file is answered with: one line that says something.
+/// Checks the error message for a bad file: it must be one non-empty line.
 inline void require_message(const std::string& message) {
   require(!message.empty() && message.size() < 2000, "a message of a sensible length");
   require(message.find('\n') == std::string::npos, "a message of one line");

@@ -1,4 +1,4 @@
-// Datagrams of an overhead camera.
+// Fuzzes the decoder for datagrams of an overhead camera.
 
 #include <cmath>
 

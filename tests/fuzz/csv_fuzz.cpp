@@ -1,6 +1,6 @@
-// Tables of people: recorded drives, measured distances, speeds to replay.
+// Fuzzes the tables that users write: recorded drives, measured distances, speeds to replay.
 
-#include "app/replay.h"
+#include "app/commands.h"
 #include "byte_source.h"
 #include "core/error.h"
 #include "identify/drive_file.h"
@@ -17,7 +17,7 @@ void read_drive(const std::string& text) {
 }
 
 void read_measured(const std::string& text) {
-  std::vector<identify::Drive> drives(3);
+  std::vector<identify::RecordedDrive> drives(3);
   identify::add_measured(text, "fuzz", drives);
 }
 

@@ -1,5 +1,5 @@
-// The TOML files of people: configuration, course, robot, emulated camera. A file is refused in one
-// line or says the same when it is written again.
+// Fuzzes the TOML files that users write: configuration, course, robot, emulated camera. A file is
+// either refused in one line or has the same content when it is written and read again.
 
 #include "byte_source.h"
 #include "config/configuration.h"

@@ -1,5 +1,5 @@
-// The firmware against a host that sends anything: it never moves unless it was armed and is asked
-// to, and stops when the host falls silent.
+// Fuzzes the firmware with a host that sends anything: the motors must be on only while the robot
+// is armed, and must go off when the host falls silent.
 
 #include "../firmware/bench.h"
 #include "frame_script.h"

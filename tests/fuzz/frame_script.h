@@ -1,6 +1,6 @@
 #pragma once
-// A fuzz input as a script of what a peer does: raw bytes, frames whose CRC is right whatever is in
-// them, and time that passes.
+// Reads a fuzz input as a script of a peer's actions: raw bytes, frames with a valid CRC and any
+// content, and passing time.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace tp100::fuzz {
 
-/// Calls on_bytes(span), on_time(ms) or on_request(code) for each act of the script. `nonce`: a
-/// frame of the input may begin with these four bytes, so that it passes for this boot's.
+/// Calls on_bytes(span), on_time(ms) or on_request(code) for each action of the script. A frame of
+/// the input may begin with the four bytes of `nonce`, so that it belongs to this boot.
 template <class OnBytes, class OnTime, class OnRequest>
 void play(ByteSource& source, std::uint32_t nonce, OnBytes on_bytes, OnTime on_time,
           OnRequest on_request) {

@@ -1,4 +1,4 @@
-// Recordings, whole, cut off or made up.
+// Fuzzes the reader of recordings: complete, cut off or made up.
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@ namespace {
 
 using fuzz::require;
 
-// A file in memory: the reader wants a path.
+// A file in memory, because the reader needs a path.
 class MemoryFile {
  public:
   MemoryFile(const std::uint8_t* data, std::size_t size)

@@ -1,5 +1,5 @@
-// Stands in for libFuzzer where the compiler has none: runs a target once over each file, or each
-// file of each folder, on the command line.
+// Replaces libFuzzer if the compiler has none: runs a target once over each file, or each file of
+// each folder, on the command line.
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,5 @@
-// The daemon's side of the link against a robot that says anything, before and within a session.
+// Fuzzes the daemon's side of the link with a robot that sends anything, before and within a
+// session.
 
 #include <cmath>
 
@@ -16,8 +17,8 @@ void check(SessionBench& bench) {
                                sample.accel_mps2[0], sample.accel_mps2[1], sample.accel_mps2[2]})
       require(std::isfinite(value), "samples are finite");
   }
-  require(bench.session.output().size() <= Session::kMaxOut, "output is bounded");
-  require(bench.session.take_events().size() <= Session::kMaxEvents, "events are bounded");
+  require(bench.session.output().size() <= kMaxOut, "output is bounded");
+  require(bench.session.take_events().size() <= SessionEvents::kCapacity, "events are bounded");
 }
 
 void play(fuzz::ByteSource& source) {

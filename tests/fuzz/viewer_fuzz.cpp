@@ -1,4 +1,5 @@
-// What viewers say: requests for files, and messages of the Foxglove protocol after a handshake.
+// Fuzzes the input from viewers: requests for files, and messages of the Foxglove protocol after a
+// handshake.
 
 #include <cmath>
 #include <memory>
@@ -7,8 +8,8 @@
 #include "../server/fake_controls.h"
 #include "byte_source.h"
 #include "server/access.h"
-#include "server/desk.h"
 #include "server/http_content.h"
+#include "server/request_handler.h"
 
 namespace tp100 {
 namespace {
@@ -41,38 +42,38 @@ void require_set(const std::string& name, const ParameterValue& value) {
   }
 }
 
-// One input is one conversation: messages of a length byte pair each, the highest bit of which says
-// whether it is binary.
+// One input is one conversation. Each message begins with a length of two bytes, whose highest bit
+// marks a binary message.
 void converse(fuzz::ByteSource source, Permission permission) {
-  // They are costly, and the same for every conversation.
+  // These objects are expensive and the same for every conversation.
   static const std::vector<ChannelText> texts = channel_texts();
   static const Messages messages(example_subject(), example_clock());
   FakeControls controls;
-  Hub hub(texts);
-  Feed feed(hub, messages, controls);
-  Desk desk(hub, feed, controls, parameters(), "session");
+  Broker broker(texts);
+  Publisher publisher(broker, messages, controls);
+  RequestHandler handler(broker, publisher, controls, parameters(), "session");
   const auto viewer = std::make_shared<Viewer>(
       3, [] {}, [] {});
-  hub.add(viewer);
+  broker.add(viewer);
   StepRecord record = example_record();
   record.snapshot.run_state = RunState::kIdle;
-  feed.take(record);
+  publisher.take(record);
   while (!source.empty()) {
     const unsigned head = source.u8();
     const auto bytes = source.bytes((head & 0x7FU) << 8U | source.u8());
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    desk.handle(viewer, head & 0x80U ? parse_binary(bytes) : parse_text(text), permission,
-                record.now_ns);
+    handler.handle(viewer, head & 0x80U ? parse_binary(bytes) : parse_text(text), permission,
+                   record.now_ns);
     record.now_ns += 10 * kNsPerMs;
-    feed.take(record);
-    desk.tick(record.now_ns);
+    publisher.take(record);
+    handler.tick(record.now_ns);
     while (!viewer->outbox().empty()) viewer->outbox().pop();
   }
   for (const auto& [name, value] : controls.sets) require_set(name, value);
   if (permission == Permission::kStopOnly)
     require(controls.starts == 0 && controls.holds == 0 && controls.sets.empty(),
             "who may only stop does nothing else");
-  hub.remove(viewer);
+  broker.remove(viewer);
 }
 
 void request(std::string_view text) {

@@ -1,4 +1,5 @@
-// Any bytes into the frame decoder of both sides; and what the encoder makes of them comes back.
+// Fuzzes the frame decoders of both sides with any bytes; frames from the encoder must decode to
+// the same content.
 
 #include <algorithm>
 
@@ -44,7 +45,8 @@ void raw(std::span<const std::uint8_t> bytes) {
   }
 }
 
-// The coded form holds no delimiter but its last byte, and every decoder is in step after it.
+// An encoded frame contains no delimiter except its last byte, after which every decoder is
+// synchronised.
 void round_trip(std::uint8_t type, std::span<const std::uint8_t> rest) {
   const std::span<const std::uint8_t> payload =
       rest.first(std::min<std::size_t>(rest.size(), wire::kMaxPayload));

@@ -1,11 +1,11 @@
-// What a world says, as datagrams and as the paper's text file.
+// Fuzzes the input from an external world, as datagrams and as the paper's text file.
 
 #include <cmath>
 #include <memory>
 
 #include "byte_source.h"
-#include "worlds/orientation_text.h"
 #include "worlds/peer.h"
+#include "worlds/text_files.h"
 
 namespace tp100 {
 namespace {
@@ -21,8 +21,8 @@ bool finite(const Pose& pose) {
 constexpr std::uint32_t kSession = 7;
 constexpr std::uint16_t kPort = 40000;
 
-// A bridge that was welcomed and has sent a pose; the input is what the world says next, one
-// datagram a line.
+// The bridge has been welcomed and has sent a pose; the input is what the world sends next, one
+// datagram per line.
 void converse(std::string_view text) {
   worlds::PeerSettings settings;
   settings.hello.session = kSession;

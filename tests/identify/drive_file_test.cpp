@@ -19,8 +19,8 @@ std::string told(std::string_view text) {
   return {};
 }
 
-TEST(DriveFile, ReadsSamplesAndPicturesFromTheirRows) {
-  const Drive drive = parse_drive(
+TEST(DriveFile, ReadsSamplesAndImagesFromTheirRows) {
+  const RecordedDrive drive = parse_drive(
       "t_s,left_count,right_count,gyro_z_radps,camera_x_m,camera_y_m,camera_yaw_rad\n"
       "0,1,-2,0.5,,,\n"
       "0.001,,,,0.1,0.2,0.3\n"
@@ -37,7 +37,7 @@ TEST(DriveFile, ReadsSamplesAndPicturesFromTheirRows) {
 }
 
 TEST(DriveFile, AWrittenDriveReadsBackBitForBit) {
-  Drive drive;
+  RecordedDrive drive;
   drive.name = "w";
   for (int i = 0; i < 20; ++i) {
     drive.samples.push_back({0.1 * i / 3.0, 9'000'000'000'000'000 - i, -7 * i, 1e-3 / (i + 3)});
@@ -45,7 +45,7 @@ TEST(DriveFile, AWrittenDriveReadsBackBitForBit) {
     if (i % 4 == 1) drive.camera.push_back({0.1 * i / 3.0 + 0.001, 0.1, 1e-17, -3.0});
   }
   const std::string text = write_drive(drive);
-  const Drive again = parse_drive(text, "w.csv");
+  const RecordedDrive again = parse_drive(text, "w.csv");
   EXPECT_EQ(write_drive(again), text);
   ASSERT_EQ(again.samples.size(), drive.samples.size());
   ASSERT_EQ(again.camera.size(), drive.camera.size());
@@ -72,18 +72,18 @@ TEST(DriveFile, RefusesABadRowAtItsLine) {
 }
 
 TEST(DriveFile, HandMeasurementsGoToTheirRun) {
-  std::vector<Drive> drives(3);
+  std::vector<RecordedDrive> drives(3);
   add_measured("run,distance_m,turned_deg\n1,1.5,\n3,,-360\n", "m.csv", drives);
   EXPECT_EQ(drives[0].measured.distance_m, 1.5);
   EXPECT_FALSE(drives[0].measured.turned_rad);
   EXPECT_FALSE(drives[1].measured.distance_m);
   ASSERT_TRUE(drives[2].measured.turned_rad);
   EXPECT_DOUBLE_EQ(*drives[2].measured.turned_rad, -2.0 * kPi);
-  std::vector<Drive> again(3);
+  std::vector<RecordedDrive> again(3);
   add_measured(write_measured(drives), "w.csv", again);
   EXPECT_EQ(again[0].measured.distance_m, drives[0].measured.distance_m);
   EXPECT_EQ(again[2].measured.turned_rad, drives[2].measured.turned_rad);
-  EXPECT_EQ(write_measured(std::vector<Drive>(2)), "");
+  EXPECT_EQ(write_measured(std::vector<RecordedDrive>(2)), "");
   try {
     add_measured("run,left_m\n4,0\n", "m.csv", drives);
     FAIL();

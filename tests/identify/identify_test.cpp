@@ -1,5 +1,5 @@
-// identify on drives of a made-up robot: eqs 1-5 integrated here, in small steps and in closed form
-// nowhere shared with the model under test; noise, outliers and delay on top.
+// Tests identify on drives of a simulated robot. Eqs 1-5 are integrated here in small steps,
+// without the closed form or any code of the model under test; noise, outliers and delay are added.
 
 #include "identify/identify.h"
 
@@ -15,6 +15,7 @@
 namespace tp100::identify {
 namespace {
 
+using model::TrackParameters;
 using testing::HasSubstr;
 
 struct Truth {
@@ -24,23 +25,23 @@ struct Truth {
   double counts_per_metre = 20000.0;
 };
 
-/// Rest, belts at constant speeds, rest.
-Drive drive(const Truth& truth, const std::string& name, double left_mps, double right_mps,
-            double duration_s, unsigned seed) {
-  constexpr double kRestS = 1.0, kStepS = 5e-4;
-  constexpr int kStepsPerSample = 20, kStepsPerPicture = 60;
+/// A drive that consists of standstill, constant track speeds and standstill again.
+RecordedDrive drive(const Truth& truth, const std::string& name, double left_mps, double right_mps,
+                    double duration_s, unsigned seed) {
+  constexpr double kStandstillS = 1.0, kStepS = 5e-4;
+  constexpr int kStepsPerSample = 20, kStepsPerImage = 60;
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const double bias = 0.02 * normal(random);
-  Drive drive;
+  RecordedDrive drive;
   drive.name = name;
   double x = 0.3 * uniform(random), y = 0.3 * uniform(random), yaw = 3.0 * uniform(random);
   double left_m = 0.0, right_m = 0.0;
-  const auto steps = static_cast<int>((2.0 * kRestS + duration_s) / kStepS);
+  const auto steps = static_cast<int>((2.0 * kStandstillS + duration_s) / kStepS);
   for (int i = 0; i < steps; ++i) {
     const double t = i * kStepS;
-    const bool moves = t > kRestS && t < kRestS + duration_s;
+    const bool moves = t > kStandstillS && t < kStandstillS + duration_s;
     const double left = moves ? left_mps : 0.0, right = moves ? right_mps : 0.0;
     const double l = left * (1.0 - truth.slip_left), r = right * (1.0 - truth.slip_right);
     const double rate = (r - l) / truth.wheelbase_m, vx = (l + r) / 2.0;
@@ -49,7 +50,7 @@ Drive drive(const Truth& truth, const std::string& name, double left_mps, double
       drive.samples.push_back({t, std::lround(left_m * truth.counts_per_metre),
                                std::lround(right_m * truth.counts_per_metre),
                                rate / truth.gyro_scale + bias + 7e-4 * normal(random)});
-    if (i % kStepsPerPicture == 0) {
+    if (i % kStepsPerImage == 0) {
       SeenPose seen{t + truth.late_s, x + truth.noise_m * normal(random),
                     y + truth.noise_m * normal(random),
                     wrap_angle(yaw + truth.noise_rad * normal(random))};
@@ -69,8 +70,8 @@ Drive drive(const Truth& truth, const std::string& name, double left_mps, double
   return drive;
 }
 
-std::vector<Drive> all_kinds(const Truth& truth, unsigned seed = 1) {
-  std::vector<Drive> drives;
+std::vector<RecordedDrive> all_kinds(const Truth& truth, unsigned seed = 1) {
+  std::vector<RecordedDrive> drives;
   for (int repeat = 0; repeat < 2; ++repeat) {
     drives.push_back(drive(truth, "straight", 0.117, 0.123, 12.0, ++seed));
     drives.push_back(drive(truth, "arc left", 0.09, 0.15, 10.0, ++seed));
@@ -83,10 +84,10 @@ std::vector<Drive> all_kinds(const Truth& truth, unsigned seed = 1) {
   return drives;
 }
 
-Belief unknown() { return {.counts_per_metre = Truth{}.counts_per_metre}; }
+Prior unknown() { return {.counts_per_metre = Truth{}.counts_per_metre}; }
 
-void expect_found(const Fit& fit, Parameter parameter, double truth, double within) {
-  SCOPED_TRACE(kParameterKeys[index(parameter)].key);
+void expect_found(const Fit& fit, model::TrackParameter parameter, double truth, double within) {
+  SCOPED_TRACE(model::kTrackParameters[model::row_of(parameter)].key);
   EXPECT_TRUE(fit[parameter].found);
   EXPECT_NEAR(fit[parameter].value, truth, within);
   EXPECT_NEAR(fit[parameter].value, truth, 1.5 * fit[parameter].half_interval);
@@ -94,15 +95,19 @@ void expect_found(const Fit& fit, Parameter parameter, double truth, double with
 
 void expect_all_found(const Identification& found, const Truth& truth) {
   const Fit& fit = found.extended;
-  expect_found(fit, Parameter::kSlipLeft, truth.slip_left, 0.003);
-  expect_found(fit, Parameter::kSlipRight, truth.slip_right, 0.003);
-  expect_found(fit, Parameter::kWheelbase, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
-  expect_found(fit, Parameter::kWheelbaseTight, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
-  expect_found(fit, Parameter::kWheelbaseSpin, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
-  expect_found(fit, Parameter::kXIcr, truth.x_icr_m, 0.002);
-  expect_found(fit, Parameter::kGyroScale, truth.gyro_scale, 0.004);
-  expect_found(fit, Parameter::kSlipAngleStraight, truth.slip_angle_rad, 0.3 * kRadPerDeg);
-  expect_found(fit, Parameter::kSlipAngleTurning, truth.slip_angle_rad, 0.3 * kRadPerDeg);
+  expect_found(fit, &TrackParameters::slip_left, truth.slip_left, 0.003);
+  expect_found(fit, &TrackParameters::slip_right, truth.slip_right, 0.003);
+  expect_found(fit, &TrackParameters::wheelbase_m, truth.wheelbase_m, 0.01 * truth.wheelbase_m);
+  expect_found(fit, &TrackParameters::wheelbase_tight_m, truth.wheelbase_m,
+               0.01 * truth.wheelbase_m);
+  expect_found(fit, &TrackParameters::wheelbase_spin_m, truth.wheelbase_m,
+               0.01 * truth.wheelbase_m);
+  expect_found(fit, &TrackParameters::x_icr_m, truth.x_icr_m, 0.002);
+  expect_found(fit, &TrackParameters::gyro_scale, truth.gyro_scale, 0.004);
+  expect_found(fit, &TrackParameters::slip_angle_straight_rad, truth.slip_angle_rad,
+               0.3 * kRadPerDeg);
+  expect_found(fit, &TrackParameters::slip_angle_turning_rad, truth.slip_angle_rad,
+               0.3 * kRadPerDeg);
   EXPECT_TRUE(fit.confused.empty());
 }
 
@@ -113,19 +118,19 @@ TEST(Identify, FindsARobotOfWhichNothingIsKnown) {
   EXPECT_LT(found.extended.rms_m, 0.003);
   EXPECT_GT(found.plain.rms_m, found.extended.rms_m);
   EXPECT_LT(found.extended.condition, 10.0);
-  EXPECT_EQ(found.belief.tracks.slip_left, found.extended[Parameter::kSlipLeft].value);
-  EXPECT_EQ(found.belief.counts_per_metre, truth.counts_per_metre);
+  EXPECT_EQ(found.prior.tracks.slip_left, found.extended[&TrackParameters::slip_left].value);
+  EXPECT_EQ(found.prior.counts_per_metre, truth.counts_per_metre);
 }
 
-TEST(Identify, PicturesThatAreOffTogetherSayLess) {
-  // What no model knows, and comes round.
+TEST(Identify, ImagesThatAreOffTogetherSayLess) {
+  // A periodic yaw error is added, which no model explains.
   const auto with_waves = [](double duration_s) {
-    std::vector<Drive> drives = all_kinds(Truth{});
-    for (Drive& drive : drives) {
+    std::vector<RecordedDrive> drives = all_kinds(Truth{});
+    for (RecordedDrive& drive : drives) {
       for (SeenPose& seen : drive.camera)
         seen.yaw_rad += 0.02 * std::sin(2.0 * kPi * seen.t_s / duration_s);
     }
-    return identify(drives, unknown()).extended[Parameter::kWheelbaseTight].half_interval;
+    return identify(drives, unknown()).extended[&TrackParameters::wheelbase_tight_m].half_interval;
   };
   EXPECT_GT(with_waves(8.0), 1.25 * with_waves(0.13));
 }
@@ -148,10 +153,9 @@ TEST(Identify, ALargerRobotConvergesFromTheSameStart) {
 
 TEST(Identify, TapeAndProtractorAreEnough) {
   const Truth truth;
-  std::vector<Drive> drives = all_kinds(truth);
-  for (Drive& d : drives) {
-    // What a careful hand would write down: the drive's noiseless ends to a millimetre and a
-    // degree.
+  std::vector<RecordedDrive> drives = all_kinds(truth);
+  for (RecordedDrive& d : drives) {
+    // The measured values come from the first and the last camera pose of the drive.
     Truth exact = truth;
     exact.noise_m = exact.noise_rad = 0.0;
     const SeenPose a = d.camera.front(), b = d.camera.back();
@@ -165,21 +169,21 @@ TEST(Identify, TapeAndProtractorAreEnough) {
     d.camera.clear();
   }
   const Fit fit = identify(drives, unknown()).extended;
-  expect_found(fit, Parameter::kSlipLeft, truth.slip_left, 0.01);
-  expect_found(fit, Parameter::kSlipRight, truth.slip_right, 0.01);
-  expect_found(fit, Parameter::kWheelbase, truth.wheelbase_m, 0.02 * truth.wheelbase_m);
-  expect_found(fit, Parameter::kGyroScale, truth.gyro_scale, 0.01);
+  expect_found(fit, &TrackParameters::slip_left, truth.slip_left, 0.01);
+  expect_found(fit, &TrackParameters::slip_right, truth.slip_right, 0.01);
+  expect_found(fit, &TrackParameters::wheelbase_m, truth.wheelbase_m, 0.02 * truth.wheelbase_m);
+  expect_found(fit, &TrackParameters::gyro_scale, truth.gyro_scale, 0.01);
 }
 
 TEST(Identify, SaysWhatStraightRunsDoNotShow) {
   const Truth truth;
-  const Belief before = unknown();
+  const Prior before = unknown();
   const Identification found = identify(
       {drive(truth, "a", 0.117, 0.123, 12.0, 1), drive(truth, "b", 0.117, 0.123, 12.0, 2)}, before);
-  EXPECT_FALSE(found.extended[Parameter::kXIcr].found);
-  EXPECT_FALSE(found.extended[Parameter::kWheelbaseSpin].found);
-  EXPECT_EQ(found.belief.tracks.wheelbase_spin_m, before.tracks.wheelbase_spin_m);
-  EXPECT_EQ(found.belief.tracks.x_icr_m, before.tracks.x_icr_m);
+  EXPECT_FALSE(found.extended[&TrackParameters::x_icr_m].found);
+  EXPECT_FALSE(found.extended[&TrackParameters::wheelbase_spin_m].found);
+  EXPECT_EQ(found.prior.tracks.wheelbase_spin_m, before.tracks.wheelbase_spin_m);
+  EXPECT_EQ(found.prior.tracks.x_icr_m, before.tracks.x_icr_m);
 }
 
 TEST(Identify, NamesThePairThatTurnsToOneSideMix) {
@@ -190,12 +194,12 @@ TEST(Identify, NamesThePairThatTurnsToOneSideMix) {
                unknown())
           .extended;
   EXPECT_FALSE(fit.confused.empty());
-  // Below 10 with drives of all kinds.
+  // The condition is below 10 with drives of all kinds.
   EXPECT_GT(fit.condition, 20.0);
 }
 
 TEST(Identify, RefusesARunWithoutAnythingToCompare) {
-  Drive blind = drive(Truth{}, "blind", 0.1, 0.1, 2.0, 1);
+  RecordedDrive blind = drive(Truth{}, "blind", 0.1, 0.1, 2.0, 1);
   blind.camera.clear();
   try {
     identify({blind}, unknown());
@@ -207,19 +211,20 @@ TEST(Identify, RefusesARunWithoutAnythingToCompare) {
   EXPECT_THROW(identify({}, unknown()), SetupError);
 }
 
-// Intervals of 95 %, on noise that is given: nothing here is left to chance.
+// The intervals cover 95 %. The noise has fixed seeds, so that the result is deterministic.
 TEST(Identify, IntervalsHoldTheTruth) {
   const Truth truth;
   int inside = 0, all = 0;
   for (unsigned seed = 0; seed < 4; ++seed) {
     const Fit fit = identify(all_kinds(truth, 100 * seed), unknown()).extended;
-    for (const auto& [parameter, value] : {std::pair{Parameter::kSlipLeft, truth.slip_left},
-                                           std::pair{Parameter::kSlipRight, truth.slip_right},
-                                           std::pair{Parameter::kWheelbase, truth.wheelbase_m},
-                                           std::pair{Parameter::kWheelbaseTight, truth.wheelbase_m},
-                                           std::pair{Parameter::kWheelbaseSpin, truth.wheelbase_m},
-                                           std::pair{Parameter::kXIcr, truth.x_icr_m},
-                                           std::pair{Parameter::kGyroScale, truth.gyro_scale}}) {
+    for (const auto& [parameter, value] :
+         {std::pair{&TrackParameters::slip_left, truth.slip_left},
+          std::pair{&TrackParameters::slip_right, truth.slip_right},
+          std::pair{&TrackParameters::wheelbase_m, truth.wheelbase_m},
+          std::pair{&TrackParameters::wheelbase_tight_m, truth.wheelbase_m},
+          std::pair{&TrackParameters::wheelbase_spin_m, truth.wheelbase_m},
+          std::pair{&TrackParameters::x_icr_m, truth.x_icr_m},
+          std::pair{&TrackParameters::gyro_scale, truth.gyro_scale}}) {
       ++all;
       if (std::abs(fit[parameter].value - value) <= fit[parameter].half_interval) ++inside;
     }

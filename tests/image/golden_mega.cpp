@@ -1,5 +1,5 @@
-// Runs on the ATmega2560: decodes every golden frame, checks some values, codes it anew and sends
-// it.
+// Runs on the ATmega2560: decodes every golden frame, checks some values, encodes it again and
+// sends it.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/pgmspace.h>
@@ -34,7 +34,7 @@ bool plausible(const FaultReport& m) { return m.detail == -412; }
 
 template <class Message>
 void recode(const FrameDecoder& decoder) {
-  // Nothing is padded on this processor, so that the tables' sizes are those of the structures.
+  // This processor needs no padding, so the structures have the sizes in the tables.
   static_assert(sizeof(Message) == Message::kSize, "another size than stated");
   Message message;
   if (!read_payload(decoder.payload(), decoder.size(), message) || !plausible(message)) return;

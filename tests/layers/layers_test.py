@@ -17,7 +17,7 @@ LAYERS = [
     'terrain control sim/body',
     'bridge messages sim/sensors',
     'record sim/board',
-    'config sim/wire sim/faults',
+    'config sim/faults',
     'server identify report doctor camera',
     'live',
     'app sim/robot',

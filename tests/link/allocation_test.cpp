@@ -9,7 +9,7 @@
 namespace tp100::link {
 namespace {
 
-// Handshake, samples, noise, requests, a reboot and a time-out: the whole life of a session.
+// The test covers a whole session: handshake, samples, noise, requests, a reboot and a time-out.
 TEST(Allocation, ASessionNeverTouchesTheHeap) {
   SessionSettings settings;
   Session session(settings);

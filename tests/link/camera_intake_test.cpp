@@ -9,14 +9,14 @@ namespace {
 
 constexpr HostNs kAge = 60 * kNsPerMs;
 
-/// A sender with a clock of its own and the way to us.
+/// A sender with its own clock.
 struct Sender {
   std::string clock = "here";
-  HostNs ahead_ns = 0;  ///< its clock minus ours
+  HostNs ahead_ns = 0;  ///< its clock minus the receiver's
   std::uint32_t stream = 1;
   std::uint32_t sequence = 0;
 
-  /// A picture taken at `taken_ns`, our clock, that left after `age_ns`.
+  /// A message about an image taken at `taken_ns` of the receiver's clock and sent `age_ns` later.
   std::string datagram(HostNs taken_ns, HostNs age_ns = kAge) {
     CameraMessage message;
     message.stream = stream;
@@ -50,7 +50,7 @@ TEST(CameraIntake, TheClockOfAnotherMachineIsFoundToTheShortestWay) {
   HostNs now = 100 * kNsPerS;
   for (int i = 0; i < 3000; ++i) {
     now += 30 * kNsPerMs;
-    // 30 ppm of drift.
+    // The sender's clock drifts by 30 ppm.
     sender.ahead_ns += 900;
     const HostNs way_ns = 200 * kNsPerUs + from_s(way_ms(random) * 1e-3);
     const auto sample = intake.receive(sender.datagram(now - kAge), now + way_ns);
@@ -58,7 +58,7 @@ TEST(CameraIntake, TheClockOfAnotherMachineIsFoundToTheShortestWay) {
     if (i > 100) worst_s = std::max(worst_s, std::abs(to_s(sample->measured_ns - (now - kAge))));
   }
   EXPECT_LT(worst_s, 0.001);
-  EXPECT_GT(worst_s, 0.0001) << "the shortest way stays in";
+  EXPECT_GT(worst_s, 0.0001) << "the shortest delay remains as an error";
 }
 
 TEST(CameraIntake, WhatIsTooOldOrFromTheFutureIsNotUsed) {
@@ -84,7 +84,7 @@ TEST(CameraIntake, RepeatedAndReorderedDatagramsAreNotUsedTwice) {
   EXPECT_EQ(intake.counters().late, 2U);
 }
 
-TEST(CameraIntake, PicturesThatDidNotComeAreCounted) {
+TEST(CameraIntake, ImagesThatDidNotComeAreCounted) {
   CameraIntake intake("here", 400 * kNsPerMs);
   Sender sender;
   HostNs now = 100 * kNsPerS;

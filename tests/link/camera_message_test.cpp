@@ -19,7 +19,7 @@ CameraMessage example() {
           .yaw_rad = 3.141593};
 }
 
-// The format as other programs know it: a change here breaks them.
+// Other programs rely on this format: a change here breaks them.
 TEST(CameraMessage, IsWrittenAsDocumented) {
   EXPECT_EQ(encode(example()), R"({"format":"tp100-camera/1","stream":4294967295,)"
                                R"("clock":"6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111","sequence":412,)"
@@ -83,7 +83,7 @@ TEST(CameraMessage, WhatIsOutOfRangeIsRefused) {
   EXPECT_FALSE(decode_camera(changed("{", "{\"pad\":\"" + std::string(1024, 'x') + "\",")));
 }
 
-TEST(CameraMessage, DamagedDatagramsAreRefusedOrStillInRange) {
+TEST(CameraMessage, CorruptedDatagramsAreRefusedOrStillInRange) {
   std::mt19937 random(7);
   const std::string good = encode(example());
   std::uniform_int_distribution<std::size_t> place(0, good.size() - 1);
@@ -102,7 +102,7 @@ TEST(CameraMessage, DamagedDatagramsAreRefusedOrStillInRange) {
     EXPECT_GE(decoded->stamp_us, 0);
     EXPECT_LE(decoded->age_us, 10'000'000);
   }
-  EXPECT_GT(taken, 0) << "a damaged digit is still a number";
+  EXPECT_GT(taken, 0) << "a message with a corrupted digit can still be valid";
 }
 
 }  // namespace

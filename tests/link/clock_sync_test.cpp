@@ -12,7 +12,7 @@
 namespace tp100::link {
 namespace {
 
-// A device with a clock that we know, behind a line with delays.
+// A device with a known clock behind a line with delays.
 struct Line {
   double ppm = 0.0;
   DeviceUs offset_us = 123'456'789;
@@ -21,7 +21,7 @@ struct Line {
     return HostNs{0};
   };
   HostNs wire_ns = 100 * kNsPerUs;
-  HostNs poll_ns = 1 * kNsPerMs;  // the host looks this often
+  HostNs poll_ns = 1 * kNsPerMs;  // polling period of the host
 
   DeviceUs device_us(HostNs t) const {
     // The Mega's clock ticks in steps of 4 us.
@@ -43,8 +43,8 @@ struct Errors {
   }
 };
 
-// Runs exchanges for `seconds` and collects |predicted - true| every 5 ms once valid and past
-// `settle_s`.
+// Runs exchanges for `seconds`. Collects |predicted - true| every 5 ms while the clock is valid and
+// after `settle_s` have passed.
 Errors measure(const Line& line, double seconds, double settle_s, unsigned seed) {
   std::mt19937 random(seed);
   ClockSync sync;
@@ -59,7 +59,7 @@ Errors measure(const Line& line, double seconds, double settle_s, unsigned seed)
   while (now < start + from_s(seconds)) {
     now += line.poll_ns;
     if (reply_at >= 0 && now >= reply_at) {
-      // The host wakes when the reply is there.
+      // The host wakes up when the reply has arrived.
       const auto verdict = sync.answered(id, received, sent, reply_at, line.wire_ns);
       ++(verdict == ClockSync::Verdict::kAccepted ? errors.accepted : errors.rejected);
       reply_at = -1;
@@ -139,7 +139,7 @@ TEST(ClockSync, SurvivesBatchesOf16Ms) {
   expect("16 ms batching", line, 120, 30, 2000, 5000);
 }
 
-// The request of one exchange and the reply of another may be the earliest.
+// The earliest request and the earliest reply may belong to different exchanges.
 TEST(ClockSync, TakesTheEarliestOfEachDirection) {
   Line line;
   line.ppm = 100;
@@ -202,7 +202,8 @@ TEST(ClockSync, StartsAnewAfterAJumpOfTheDeviceClock) {
 }
 
 TEST(ClockSync, TakesTheRequestsWireTimeFromItsBeginningAndTheReplysFromItsEnd) {
-  // A request behind 50 spare delimiters takes three times as long as its reply; nothing else does.
+  // A request behind 50 spare delimiters takes three times as long as its reply, and there are no
+  // other delays.
   constexpr HostNs kRequestNs = 1140 * kNsPerUs;
   constexpr HostNs kReplyNs = 380 * kNsPerUs;
   ClockSync sync;
@@ -291,7 +292,7 @@ TEST(ClockSync, AsksQuicklyAtFirstAndThenFourTimesASecond) {
 }
 
 TEST(ClockSync, WireTimesThatCannotBeRightAreNotExact) {
-  // A pseudo-terminal: the bytes take no time, whatever the baud rate says.
+  // On a pseudo-terminal, bytes take no time, whatever the baud rate is.
   ClockSync sync;
   HostNs now = kNsPerS;
   sync.reset(now);

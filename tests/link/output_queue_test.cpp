@@ -17,7 +17,7 @@ class OutputQueueTest : public testing::Test {
 };
 
 TEST_F(OutputQueueTest, SpareDelimitersAreNoFrames) {
-  // The first frame of a port is led by a delimiter.
+  // A delimiter precedes the first frame of a port.
   const std::size_t frame = queue.push(wire::SyncRequest{1});
   EXPECT_EQ(queue.pad(10), 10u);
   queue.push(wire::SyncRequest{2});
@@ -34,7 +34,7 @@ TEST_F(OutputQueueTest, SpareDelimitersAreNoFrames) {
 
 TEST_F(OutputQueueTest, AFrameCutBeforeItsDelimiterCountsOnce) {
   const std::size_t frame = queue.push(wire::SyncRequest{1});
-  write(frame);  // with the leading delimiter: all but its last byte
+  write(frame);  // with the leading delimiter, this is all but the frame's last byte
   EXPECT_EQ(counters.frames_out, 0u);
   queue.pad(3);
   write(queue.bytes().size());
@@ -48,14 +48,14 @@ TEST_F(OutputQueueTest, EachPortBeginsWithADelimiter) {
     EXPECT_EQ(queue.bytes()[0], wire::kDelimiter);
     write(queue.bytes().size());
     const std::size_t second = queue.push(wire::SyncRequest{2});
-    EXPECT_EQ(queue.bytes().size(), second) << "led by none";
+    EXPECT_EQ(queue.bytes().size(), second) << "the second frame has no leading delimiter";
     write(queue.bytes().size());
     queue.reset();
   }
 }
 
 TEST_F(OutputQueueTest, AFrameThatFillsTheQueueLeavesWhatIsBehindItAlone) {
-  // Whatever was queued and written before: frames come back as they went in.
+  // Whatever was queued and written before, frames are decoded as they were queued.
   wire::FrameDecoder decoder;
   std::uint32_t expected = 0;
   for (std::uint32_t id = 0; id < 300; ++id) {

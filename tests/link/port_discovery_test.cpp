@@ -88,7 +88,7 @@ TEST_F(Auto, LeavesAloneWhatSomebodyHasOpen) {
   held_ = "/dev/ttyACM0";
   EXPECT_TRUE(opened({mega_}).empty());
   EXPECT_THAT(opened({mega_, other_mega_}), ::testing::ElementsAre("/dev/ttyACM1"));
-  EXPECT_TRUE(opened({mega_, bridge_}).empty()) << "the bridge is no second choice";
+  EXPECT_TRUE(opened({mega_, bridge_}).empty()) << "the bridge must not be tried instead";
   EXPECT_THAT(why_none(choose({mega_})), HasSubstr("held open by octoprint (pid 7); if it is the "
                                                    "robot, name it with --port"));
   held_ = "/dev/ttyUSB0";
@@ -112,7 +112,7 @@ TEST_F(Auto, SaysWhatToDoIfThereIsNothing) {
   EXPECT_THAT(why_none(choose({})), HasSubstr("plug the robot in"));
 }
 
-// A folder like /proc, with one process that has `target` open.
+// A folder like /proc in which one process has `target` open.
 class Holder : public ::testing::Test {
  protected:
   Holder() {

@@ -1,5 +1,6 @@
 #pragma once
-// A pseudo-terminal: the far end is held here, the near end is opened by name.
+// A pseudo-terminal: this class holds its far end; the program under test opens the near end by
+// name.
 
 #include <fcntl.h>
 #include <poll.h>
@@ -22,7 +23,7 @@ class PtyPair {
   PtyPair(const PtyPair&) = delete;
   PtyPair& operator=(const PtyPair&) = delete;
 
-  /// A new pair, as after unplugging and plugging in again.
+  /// Opens a new pair, as after unplugging and plugging in again.
   void open() {
     far_ = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     char name[64];
@@ -31,7 +32,7 @@ class PtyPair {
       throw std::runtime_error("no pty");
     }
     near_ = name;
-    // A near end that stays open: without it the far end reports a hang-up between two clients.
+    // The near end is kept open: otherwise the far end reports a hang-up between two clients.
     keeper_ = ::open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);
     termios settings{};
     ::tcgetattr(keeper_, &settings);
@@ -47,7 +48,7 @@ class PtyPair {
   const std::string& near() const { return near_; }
   int far() const { return far_; }
 
-  /// False: the near end wrote nothing for so long.
+  /// Returns false if the near end wrote nothing for `patience_ms`.
   bool wait(int patience_ms) const {
     pollfd far{far_, POLLIN, 0};
     return ::poll(&far, 1, patience_ms) > 0;

@@ -8,7 +8,7 @@
 namespace tp100::link {
 namespace {
 
-// A session that is ready, then fed by hand.
+// A ready session that the test then feeds sample by sample.
 class SampleLoss : public ::testing::Test {
  protected:
   SampleLoss() {
@@ -137,19 +137,19 @@ TEST_F(SampleLoss, WhatNobodyTakesIsBoundedAndCountsAsLost) {
   EXPECT_EQ(delta().samples, Session::kMaxSamples);
 }
 
-TEST_F(SampleLoss, WhateverSpoilsAFrameIsCountedByItsCause) {
+TEST_F(SampleLoss, WhateverCorruptsAFrameIsCountedByItsCause) {
   const auto counts = [&] {
     const LinkCounters& c = bench_.session.counters();
     return std::array{c.oversize, c.cobs_errors, c.undersize, c.crc_errors};
   };
   std::vector<std::uint8_t> oversize(wire::kMaxFrame + 5, 0x01);
   oversize.push_back(0x00);
-  const std::array<std::vector<std::uint8_t>, 4> spoilt{
+  const std::array<std::vector<std::uint8_t>, 4> corrupted{
       oversize, {0x09, 'x', 'y', 0x00}, {0x02, 'x', 0x00}, {0x05, 'x', 'y', 'z', 'u', 0x00}};
-  for (std::size_t cause = 0; cause < spoilt.size(); ++cause) {
+  for (std::size_t cause = 0; cause < corrupted.size(); ++cause) {
     auto expected = counts();
     ++expected.at(cause);
-    bench_.session.receive(spoilt.at(cause), bench_.now);
+    bench_.session.receive(corrupted.at(cause), bench_.now);
     EXPECT_EQ(counts(), expected) << cause;
   }
 }
@@ -180,7 +180,7 @@ TEST(SampleWrap, DeviceTimeSurvivesASilenceOfHours) {
   EXPECT_EQ(clock.extend(device, later) - start, later / kNsPerUs + 300);
 }
 
-// Random damage: every sample is either handed on or in exactly one counter of what became of it.
+// Under random corruption, every sample is either passed on or counted by exactly one loss counter.
 TEST(SampleConservation, EverySampleIsHandedOnOrCounted) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     SessionBench bench;

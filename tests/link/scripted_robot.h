@@ -1,5 +1,6 @@
 #pragma once
-// A robot that keeps the protocol unless a test tells it not to. Virtual time, no port.
+// A robot that follows the protocol unless a test disables parts of it. It uses virtual time and no
+// port.
 
 #include <cstdint>
 #include <functional>
@@ -24,7 +25,7 @@ std::vector<std::uint8_t> frame_of(const Message& message) {
 
 class ScriptedRobot {
  public:
-  // What it received, by kind.
+  // Received frames, by kind.
   struct Heard {
     std::vector<wire::HelloRequest> hello_requests;
     std::vector<wire::Parameters> parameters;
@@ -32,20 +33,20 @@ class ScriptedRobot {
     std::vector<wire::Arm> arms;
     std::vector<wire::Disarm> disarms;
     std::vector<wire::Stop> stops;
-    std::vector<std::uint8_t> types;  // of every frame, in order
+    std::vector<std::uint8_t> types;  // of all frames, in order
     int sync_requests = 0;
     int bad_frames = 0;
   };
 
-  // Knobs.
+  // Settings of the robot's behaviour.
   std::uint16_t protocol = wire::kProtocolVersion;
   std::uint32_t schema = wire::kSchemaHash;
   std::uint8_t board = static_cast<std::uint8_t>(wire::Board::kNative);
   std::uint32_t boot_nonce = 0xB007;
   bool answers_parameters = true;
   bool answers_requests = true;
-  bool answers_arms = true;  // as far as it answers requests
-  bool arms_anyway = false;  // whatever it answers
+  bool answers_arms = true;  // only if it answers requests at all
+  bool arms_anyway = false;  // whatever its answer is
   bool answers_sync = true;
   bool samples = true;
   bool silent = false;
@@ -54,13 +55,13 @@ class ScriptedRobot {
   double clock_ppm = 0.0;
   std::uint32_t device_offset_us = 0;
   double metres_per_s = 0.0;
-  bool drives = false;  // straight on, as fast as its commands say
+  bool drives = false;  // straight ahead at the commanded speed
 
-  Heard heard;
+  Heard received;
   wire::State state = wire::State::kHello;
   std::uint16_t sequence = 0;
   std::uint16_t faults = 0;
-  std::uint16_t damaged = 0;  // that it says came spoilt
+  std::uint16_t corrupted = 0;  // number of frames that it reports as corrupted
   std::uint16_t missed_edges = 0;
 
   explicit ScriptedRobot(HostNs boot_ns = 0) : boot_ns_(boot_ns) {}
@@ -99,23 +100,23 @@ class ScriptedRobot {
     wire::Sample sample{};
     sample.sequence = sequence;
     sample.device_us = device_us(now);
-    const double way_m = driven_m_ + metres_per_s * to_s(now - boot_ns_);
-    const auto counts = static_cast<std::int32_t>(way_m * 11140.0);
+    const double distance_m = driven_m_ + metres_per_s * to_s(now - boot_ns_);
+    const auto counts = static_cast<std::int32_t>(distance_m * 11140.0);
     sample.left_counts = sample.right_counts = counts;
     sample.accel[2] = 8192;
     sample.battery_mv = 7900;
     sample.state = static_cast<std::uint8_t>(state);
     sample.faults = faults;
     sample.last_command =
-        heard.commands.empty() ? std::uint16_t{0} : heard.commands.back().sequence;
+        received.commands.empty() ? std::uint16_t{0} : received.commands.back().sequence;
     return sample;
   }
 
-  /// Time passes: spontaneous frames.
+  /// Advances the robot to `now` and sends its unrequested frames.
   void tick(HostNs now) {
     if (drives && state >= wire::State::kArmed && state <= wire::State::kRunning &&
-        !heard.commands.empty())
-      driven_m_ += static_cast<double>(heard.commands.back().speed_mps) * to_s(now - ticked_ns_);
+        !received.commands.empty())
+      driven_m_ += static_cast<double>(received.commands.back().speed_mps) * to_s(now - ticked_ns_);
     ticked_ns_ = now;
     if (silent) return;
     if (state == wire::State::kHello && now >= next_hello_ns_) {
@@ -131,11 +132,11 @@ class ScriptedRobot {
 
   void hear(std::span<const std::uint8_t> bytes, HostNs now) {
     for (const std::uint8_t byte : bytes) {
-      const wire::Received received = decoder_.push(byte);
-      if (received == wire::Received::kFrame) {
+      const wire::Received result = decoder_.push(byte);
+      if (result == wire::Received::kFrame) {
         on_frame(now);
-      } else if (received != wire::Received::kNothing) {
-        ++heard.bad_frames;
+      } else if (result != wire::Received::kNothing) {
+        ++received.bad_frames;
       }
     }
   }
@@ -160,47 +161,47 @@ class ScriptedRobot {
     }
   }
   void on_frame(HostNs now) {
-    heard.types.push_back(decoder_.type());
+    received.types.push_back(decoder_.type());
     switch (wire::Type{decoder_.type()}) {
       case wire::Type::kHelloRequest:
-        heard.hello_requests.push_back(read<wire::HelloRequest>());
+        received.hello_requests.push_back(read<wire::HelloRequest>());
         state = wire::State::kParameters;
         if (!silent) say_hello();
         return;
       case wire::Type::kParameters:
-        heard.parameters.push_back(read<wire::Parameters>());
+        received.parameters.push_back(read<wire::Parameters>());
         if (!answers_parameters) return;
         if (parameters_result == wire::Result::kAccepted) {
           state = wire::State::kDisarmed;
           next_sample_ns_ = now;
         }
-        return acknowledge(wire::Type::kParameters, heard.parameters.back().token,
+        return acknowledge(wire::Type::kParameters, received.parameters.back().token,
                            parameters_result);
       case wire::Type::kCommand:
-        heard.commands.push_back(read<wire::Command>());
+        received.commands.push_back(read<wire::Command>());
         return;
       case wire::Type::kArm:
-        heard.arms.push_back(read<wire::Arm>());
+        received.arms.push_back(read<wire::Arm>());
         if (!answers_requests) return;
         if (arm_result == wire::Result::kAccepted || arms_anyway) state = wire::State::kArmed;
         if (!answers_arms) return;
-        return acknowledge(wire::Type::kArm, heard.arms.back().token, arm_result);
+        return acknowledge(wire::Type::kArm, received.arms.back().token, arm_result);
       case wire::Type::kDisarm:
-        heard.disarms.push_back(read<wire::Disarm>());
+        received.disarms.push_back(read<wire::Disarm>());
         if (!answers_requests) return;
         if (state >= wire::State::kDisarmed) state = wire::State::kDisarmed;
-        return acknowledge(wire::Type::kDisarm, heard.disarms.back().token,
+        return acknowledge(wire::Type::kDisarm, received.disarms.back().token,
                            wire::Result::kAccepted);
       case wire::Type::kStop:
-        heard.stops.push_back(read<wire::Stop>());
+        received.stops.push_back(read<wire::Stop>());
         if (!answers_requests) return;
         if (state >= wire::State::kDisarmed) state = wire::State::kFaulted;
-        return acknowledge(wire::Type::kStop, heard.stops.back().token, wire::Result::kAccepted);
+        return acknowledge(wire::Type::kStop, received.stops.back().token, wire::Result::kAccepted);
       case wire::Type::kSyncRequest: {
-        ++heard.sync_requests;
+        ++received.sync_requests;
         const auto request = read<wire::SyncRequest>();
         if (answers_sync && !silent) {
-          say(wire::SyncReply{request.id, device_us(now), device_us(now), damaged, missed_edges});
+          say(wire::SyncReply{request.id, device_us(now), device_us(now), corrupted, missed_edges});
         }
         return;
       }

@@ -1,5 +1,5 @@
 #pragma once
-// A session and a scripted robot joined by a perfect wire, 1 ms a step.
+// A session and a scripted robot, connected without loss or delay and run in steps of 1 ms.
 
 #include <algorithm>
 #include <string>
@@ -20,7 +20,7 @@ class SessionBench {
 
   explicit SessionBench(const SessionSettings& with = settings()) : session(with) {}
 
-  /// Runs `ms` milliseconds; the robot's bytes pass through `mangle` first.
+  /// Runs for `ms` milliseconds. The robot's bytes pass through `mangle` first.
   void run(int ms) {
     for (int i = 0; i < ms; ++i) step();
   }
@@ -49,9 +49,9 @@ class SessionBench {
   void collect() {
     for (const SessionEvent& event : session.take_events()) {
       events.push_back(event);
-      if (event.kind == SessionEvent::Kind::kState) {
+      if (const StateChanged* changed = as<StateChanged>(event)) {
         states += states.empty() ? "" : " ";
-        states += to_string(static_cast<SessionState>(event.b));
+        states += to_string(changed->to);
       }
     }
   }
@@ -59,9 +59,11 @@ class SessionBench {
     session.open(now);
     run(400);
   }
-  int count(SessionEvent::Kind kind) const {
-    return static_cast<int>(std::count_if(events.begin(), events.end(),
-                                          [&](const SessionEvent& e) { return e.kind == kind; }));
+  template <class What>
+  int count() const {
+    return static_cast<int>(std::count_if(events.begin(), events.end(), [](const SessionEvent& e) {
+      return as<What>(e) != nullptr;
+    }));
   }
 
   HostNs now = kNsPerS;

@@ -11,8 +11,6 @@
 namespace tp100::link {
 namespace {
 
-using Kind = SessionEvent::Kind;
-
 TEST(Session, PassesItsStatesInOrderAndDeliversSamples) {
   SessionBench bench;
   bench.connect();
@@ -20,9 +18,9 @@ TEST(Session, PassesItsStatesInOrderAndDeliversSamples) {
   EXPECT_EQ(bench.session.session_number(), 1u);
   ASSERT_GT(bench.samples.size(), 20u);
   EXPECT_EQ(bench.session.counters().lost, 0u);
-  EXPECT_TRUE(bench.robot.heard.hello_requests.empty());
-  ASSERT_EQ(bench.robot.heard.parameters.size(), 1u);
-  EXPECT_EQ(bench.robot.heard.parameters[0].boot_nonce, bench.robot.boot_nonce);
+  EXPECT_TRUE(bench.robot.received.hello_requests.empty());
+  ASSERT_EQ(bench.robot.received.parameters.size(), 1u);
+  EXPECT_EQ(bench.robot.received.parameters[0].boot_nonce, bench.robot.boot_nonce);
 }
 
 TEST(Session, StaysSilentUntilTheRobotSpeaks) {
@@ -34,7 +32,7 @@ TEST(Session, StaysSilentUntilTheRobotSpeaks) {
   bench.session.receive(banner, bench.now);
   bench.run(100);
   EXPECT_TRUE(bench.session.output().empty());
-  EXPECT_TRUE(bench.robot.heard.types.empty());
+  EXPECT_TRUE(bench.robot.received.types.empty());
   EXPECT_EQ(bench.states, "listening");
 }
 
@@ -43,7 +41,7 @@ TEST(Session, WarnsWhenNothingIsHeardAndKeepsListening) {
   bench.robot.silent = true;
   bench.session.open(bench.now);
   bench.run(5200);
-  EXPECT_EQ(bench.count(Kind::kTimeout), 1);
+  EXPECT_EQ(bench.count<Silence>(), 1);
   EXPECT_EQ(bench.session.state(), SessionState::kListening);
   bench.robot.silent = false;
   bench.run(400);
@@ -55,7 +53,7 @@ TEST(Session, AsksForAHelloWhenItJoinsInTheMiddle) {
   bench.robot.state = wire::State::kRunning;
   bench.connect();
   EXPECT_EQ(bench.states, "listening hello parameters syncing ready");
-  EXPECT_EQ(bench.robot.heard.hello_requests.size(), 1u);
+  EXPECT_EQ(bench.robot.received.hello_requests.size(), 1u);
 }
 
 TEST(Session, GivesTheSameSamplesHoweverTheBytesAreSplit) {
@@ -78,10 +76,10 @@ TEST(Session, RefusesAnotherProtocolOrSchemaAndFallsSilent) {
     if (!older) bench.robot.schema ^= 1;
     bench.connect();
     EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-    EXPECT_EQ(bench.count(Kind::kVersionMismatch), 1);
+    EXPECT_EQ(bench.count<VersionMismatch>(), 1);
     EXPECT_EQ(bench.session.hello().protocol, bench.robot.protocol);
     EXPECT_EQ(bench.session.counters().refused, 1u);
-    EXPECT_TRUE(bench.robot.heard.types.empty());
+    EXPECT_TRUE(bench.robot.received.types.empty());
   }
 }
 
@@ -93,7 +91,7 @@ TEST(Session, ABoardThatSpeaksAnotherProtocolAfterARestartIsRefusedToo) {
   bench.robot.reboot(bench.now);
   bench.run(400);
   EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-  EXPECT_EQ(bench.count(Kind::kVersionMismatch), 1);
+  EXPECT_EQ(bench.count<VersionMismatch>(), 1);
 }
 
 TEST(Session, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
@@ -109,10 +107,10 @@ TEST(Session, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
     EXPECT_FALSE(bench.session.request_pending()) << ms;
     bench.run(20);
     bench.robot.reboot(bench.now);
-    bench.robot.heard = {};
+    bench.robot.received = {};
     bench.connect();
     ASSERT_EQ(bench.session.state(), SessionState::kReady) << ms;
-    ASSERT_TRUE(bench.robot.heard.arms.empty()) << ms;
+    ASSERT_TRUE(bench.robot.received.arms.empty()) << ms;
   }
 }
 
@@ -122,13 +120,14 @@ TEST(Session, LostAnswersToClockRequestsAreAskedForAgain) {
   bench.commands = true;
   bench.connect();
   EXPECT_EQ(bench.session.state(), SessionState::kSyncing);
-  EXPECT_TRUE(bench.robot.heard.commands.empty()) << "no clock, no expiry, no command";
+  EXPECT_TRUE(bench.robot.received.commands.empty())
+      << "a command needs an expiry, and that needs a clock";
   bench.robot.answers_sync = true;
   bench.run(1000);
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  // Three of four are lost from here on.
+  // From here on, three of four exchanges are lost.
   for (int i = 0; i < 4000; ++i) {
-    bench.robot.answers_sync = bench.robot.heard.sync_requests % 4 == 0;
+    bench.robot.answers_sync = bench.robot.received.sync_requests % 4 == 0;
     bench.step();
   }
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
@@ -161,11 +160,11 @@ TEST(Session, ABoardThatIsNotKnownIsCountedAndToldAndMayDrive) {
   bench.connect();
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
   EXPECT_GE(bench.session.counters().unknown_board, 1u);
-  ASSERT_GE(bench.count(Kind::kUnknownBoard), 1);
+  ASSERT_GE(bench.count<UnknownBoard>(), 1);
   const auto told = std::find_if(bench.events.begin(), bench.events.end(), [](const auto& event) {
-    return event.kind == Kind::kUnknownBoard;
+    return as<UnknownBoard>(event) != nullptr;
   });
-  EXPECT_EQ(told->a, 77);
+  EXPECT_EQ(std::get<UnknownBoard>(told->what).board, 77);
   SessionBench known;
   known.connect();
   EXPECT_EQ(known.session.counters().unknown_board, 0u);
@@ -175,7 +174,7 @@ TEST(Session, AHelloThatNoBoardOfOursSendsIsRefusedOnceAndNotSpokenTo) {
   for (const bool nonce : {true, false}) {
     SessionBench bench;
     bench.robot.boot_nonce = nonce ? 0 : 5;
-    // Its own idea of a state; it goes on saying hello.
+    // The robot reports an unknown state and keeps sending hellos.
     bench.mangle = [&](std::vector<std::uint8_t>& bytes) {
       if (bytes.empty() || nonce) return;
       wire::Hello hello{wire::kProtocolVersion, {0, 1, 0}, wire::kSchemaHash, 2, 5, 0, 9, 0};
@@ -184,10 +183,10 @@ TEST(Session, AHelloThatNoBoardOfOursSendsIsRefusedOnceAndNotSpokenTo) {
     bench.session.open(bench.now);
     bench.run(1000);
     EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-    EXPECT_EQ(bench.count(Kind::kBadHello), 1);
+    EXPECT_EQ(bench.count<BadHello>(), 1);
     EXPECT_EQ(bench.session.counters().refused, 1u);
     EXPECT_EQ(bench.session.counters().implausible, 0u);
-    EXPECT_TRUE(bench.robot.heard.types.empty());
+    EXPECT_TRUE(bench.robot.received.types.empty());
     bench.mangle = {};
     bench.robot.reboot(bench.now);
     bench.run(500);
@@ -225,14 +224,14 @@ TEST(Session, NoticesARebootAndStartsAnew) {
   bench.connect();
   bench.robot.reboot(bench.now);
   bench.run(400);
-  EXPECT_EQ(bench.count(Kind::kReboot), 1);
+  EXPECT_EQ(bench.count<Rebooted>(), 1);
   EXPECT_EQ(bench.session.counters().reboots, 1u);
   EXPECT_EQ(bench.session.counters().reconnects, 1u);
   EXPECT_TRUE(bench.session.take_rebooted());
   EXPECT_FALSE(bench.session.take_rebooted());
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
   EXPECT_EQ(bench.session.session_number(), 2u);
-  EXPECT_EQ(bench.robot.heard.parameters.back().boot_nonce, bench.robot.boot_nonce);
+  EXPECT_EQ(bench.robot.received.parameters.back().boot_nonce, bench.robot.boot_nonce);
 }
 
 TEST(Session, ShakesHandsAgainWhenTheRobotLostTheHost) {
@@ -252,7 +251,7 @@ TEST(Session, RepeatsParametersUntilTheyAreAcknowledged) {
   bench.session.open(bench.now);
   bench.run(1000);
   EXPECT_EQ(bench.session.state(), SessionState::kParameters);
-  const auto& sent = bench.robot.heard.parameters;
+  const auto& sent = bench.robot.received.parameters;
   ASSERT_GE(sent.size(), 9u);
   ASSERT_LE(sent.size(), 11u);
   EXPECT_EQ(sent.front().token, sent.back().token);
@@ -266,8 +265,8 @@ TEST(Session, StopsWithAnEventWhenParametersAreOutOfRange) {
   bench.robot.parameters_result = wire::Result::kOutOfRange;
   bench.connect();
   EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-  EXPECT_EQ(bench.robot.heard.parameters.size(), 1u);
-  EXPECT_EQ(bench.count(Kind::kAcknowledged), 1);
+  EXPECT_EQ(bench.robot.received.parameters.size(), 1u);
+  EXPECT_EQ(bench.count<Acknowledged>(), 1);
 }
 
 TEST(Session, TimesOutWhenGoodFramesStopAndRecovers) {
@@ -277,7 +276,7 @@ TEST(Session, TimesOutWhenGoodFramesStopAndRecovers) {
   bench.run(480);
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
   bench.run(25);
-  EXPECT_EQ(bench.count(Kind::kTimeout), 1);
+  EXPECT_EQ(bench.count<Silence>(), 1);
   EXPECT_EQ(bench.session.state(), SessionState::kListening);
   EXPECT_FALSE(bench.session.clock().valid);
   bench.robot.silent = false;
@@ -291,8 +290,8 @@ TEST(Session, OnlySamplesKeepASessionAlive) {
   bench.connect();
   bench.robot.samples = false;
   bench.run(510);
-  EXPECT_GT(bench.robot.heard.sync_requests, 3);
-  EXPECT_EQ(bench.count(Kind::kTimeout), 1) << "answers to clock requests are no samples";
+  EXPECT_GT(bench.robot.received.sync_requests, 3);
+  EXPECT_EQ(bench.count<Silence>(), 1) << "replies to clock requests do not count as samples";
   EXPECT_NE(bench.session.state(), SessionState::kReady);
   SessionBench chatter;
   chatter.connect();
@@ -301,12 +300,12 @@ TEST(Session, OnlySamplesKeepASessionAlive) {
     chatter.robot.say(wire::Log{});
     chatter.step();
   }
-  EXPECT_EQ(chatter.count(Kind::kTimeout), 1);
+  EXPECT_EQ(chatter.count<Silence>(), 1);
 }
 
 TEST(Session, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
   SessionBench bench;
-  // The samples' sequence never moves: each session ends as soon as that is noticed.
+  // The samples' sequence number never changes: each session ends as soon as this is detected.
   bench.connect();
   int sessions = 0;
   for (int i = 0; i < 30000; ++i) {
@@ -315,10 +314,10 @@ TEST(Session, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
     bench.step();
     sessions += static_cast<int>(bench.session.session_number() - before);
   }
-  // After 0.2, 0.4, 0.8, 1.6, 3.2, 5, 5 ... seconds and half a second of trying.
+  // The waits are 0.2, 0.4, 0.8, 1.6, 3.2, 5, 5 ... seconds, each followed by an attempt of 0.5 s.
   EXPECT_GE(sessions, 5);
   EXPECT_LE(sessions, 10);
-  // One that works again is not punished for long, and its next trouble is answered at once.
+  // A robot that works again is retried without a long wait, and after its next failure at once.
   bench.run(7000);
   ASSERT_EQ(bench.session.state(), SessionState::kReady);
   bench.robot.state = wire::State::kHello;
@@ -344,16 +343,17 @@ TEST(Session, ADisarmUnderWayEndsWithItsSession) {
   bench.run(20);
   ASSERT_TRUE(bench.session.request_pending());
   bench.robot.reboot(bench.now);
-  bench.robot.heard = {};
+  bench.robot.received = {};
   bench.run(400);
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
   EXPECT_FALSE(bench.session.request_pending());
-  EXPECT_TRUE(bench.robot.heard.disarms.empty()) << "its token is of another boot";
+  EXPECT_TRUE(bench.robot.received.disarms.empty()) << "its token belongs to another boot";
 }
 
 TEST(Session, CountsAndTimesOfAnEarlierBootAreForgotten) {
   SessionBench bench;
-  // Over half an hour up, so that its time is far from that of the next boot.
+  // The robot has been up for more than half an hour, so its time is far from that of the next
+  // boot.
   bench.robot.device_offset_us = 2'400'000'000U;
   bench.robot.metres_per_s = 0.1;
   bench.connect();
@@ -374,7 +374,8 @@ TEST(Session, CountsAndTimesOfAnEarlierBootAreForgotten) {
   EXPECT_EQ(bench.session.counters().implausible, 0u);
 }
 
-// The next boot is as old as the last one was: nothing but the nonce tells its counts from a jump.
+// The robot is as old after its next boot as it was before: only the nonce tells the new counts
+// from a jump.
 TEST(Session, CountsOfANewBootAreNoJumpOfTheOldOne) {
   SessionSettings settings = SessionBench::settings();
   settings.parameters.max_track_mps = 0.1f;
@@ -403,16 +404,16 @@ TEST(Session, CommandsGoOnWhereTheRobotIsInTheNextSession) {
   SessionBench bench;
   bench.commands = true;
   bench.connect();
-  // Another host had it meanwhile.
+  // Another host has controlled the robot in the meantime.
   bench.robot.state = wire::State::kHello;
-  bench.robot.heard.commands.push_back({});
-  bench.robot.heard.commands.back().sequence = 40000;
+  bench.robot.received.commands.push_back({});
+  bench.robot.received.commands.back().sequence = 40000;
   bench.commands = false;
   bench.run(20);
   bench.commands = true;
   bench.run(400);
   ASSERT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_GT(bench.robot.heard.commands.back().sequence, 40000);
+  EXPECT_GT(bench.robot.received.commands.back().sequence, 40000);
 }
 
 TEST(Session, TellsWhatBecameOfArmAndDisarm) {
@@ -439,7 +440,7 @@ TEST(Session, ADisarmThatIsRefusedIsNotConfirmed) {
   bench.session.request(RobotRequest::kDisarm, bench.now);
   bench.run(20);
   bench.robot.say(wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kDisarm),
-                                    bench.robot.heard.disarms.back().token,
+                                    bench.robot.received.disarms.back().token,
                                     static_cast<std::uint8_t>(wire::Result::kWrongState), 0});
   bench.run(5);
   EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
@@ -453,8 +454,8 @@ TEST(Session, AStopThatIsAskedForAgainIsTheSameOne) {
     bench.session.request(RobotRequest::kStop, bench.now);
     bench.run(100);
   }
-  EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 1);
-  EXPECT_EQ(bench.robot.heard.stops.front().token, bench.robot.heard.stops.back().token);
+  EXPECT_EQ(bench.count<NotAcknowledged>(), 1);
+  EXPECT_EQ(bench.robot.received.stops.front().token, bench.robot.received.stops.back().token);
 }
 
 TEST(Session, GarbageAloneIsNoLife) {
@@ -480,11 +481,11 @@ TEST(Session, ArmIsAcknowledgedOnceWithAFreshToken) {
   bench.run(50);
   bench.session.request(RobotRequest::kArm, bench.now);
   bench.run(50);
-  ASSERT_EQ(bench.robot.heard.arms.size(), 2u);
-  ASSERT_EQ(bench.robot.heard.disarms.size(), 1u);
-  EXPECT_LT(bench.robot.heard.arms[0].token, bench.robot.heard.disarms[0].token);
-  EXPECT_LT(bench.robot.heard.disarms[0].token, bench.robot.heard.arms[1].token);
-  EXPECT_GT(bench.robot.heard.arms[0].token, bench.robot.heard.parameters[0].token);
+  ASSERT_EQ(bench.robot.received.arms.size(), 2u);
+  ASSERT_EQ(bench.robot.received.disarms.size(), 1u);
+  EXPECT_LT(bench.robot.received.arms[0].token, bench.robot.received.disarms[0].token);
+  EXPECT_LT(bench.robot.received.disarms[0].token, bench.robot.received.arms[1].token);
+  EXPECT_GT(bench.robot.received.arms[0].token, bench.robot.received.parameters[0].token);
   EXPECT_NE(bench.session.take_answer(), RequestAnswer::kFailed);
   EXPECT_EQ(bench.robot.state, wire::State::kArmed);
 }
@@ -497,10 +498,10 @@ TEST(Session, TokensExceedThoseOfAnEarlierDaemon) {
   SessionBench second;
   second.now = first.now;
   second.robot = first.robot;
-  second.robot.heard = {};
+  second.robot.received = {};
   second.connect();
-  ASSERT_FALSE(second.robot.heard.parameters.empty());
-  EXPECT_GT(second.robot.heard.parameters[0].token, first.robot.heard.arms[0].token);
+  ASSERT_FALSE(second.robot.received.parameters.empty());
+  EXPECT_GT(second.robot.received.parameters[0].token, first.robot.received.arms[0].token);
 }
 
 TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
@@ -512,8 +513,8 @@ TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
   EXPECT_NE(bench.session.take_answer(), RequestAnswer::kFailed);
   bench.run(20);
   EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
-  EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 1);
-  const auto& arms = bench.robot.heard.arms;
+  EXPECT_EQ(bench.count<NotAcknowledged>(), 1);
+  const auto& arms = bench.robot.received.arms;
   EXPECT_GE(arms.size(), 6u);
   EXPECT_LE(arms.size(), 8u);
   EXPECT_EQ(arms.front().token, arms.back().token);
@@ -524,7 +525,7 @@ TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
     bench.robot.say(
         wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kArm), arms.back().token, 0, 0});
     bench.run(20);
-    EXPECT_EQ(bench.robot.heard.disarms.size(), 1u);
+    EXPECT_EQ(bench.robot.received.disarms.size(), 1u);
   }
 }
 
@@ -533,7 +534,7 @@ TEST(Session, AnArmWithoutASessionIsRefusedAtOnce) {
   bench.session.request(RobotRequest::kArm, bench.now);
   EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
   bench.connect();
-  EXPECT_TRUE(bench.robot.heard.arms.empty());
+  EXPECT_TRUE(bench.robot.received.arms.empty());
 }
 
 TEST(Session, AnArmUnderWayEndsWithItsSession) {
@@ -543,10 +544,10 @@ TEST(Session, AnArmUnderWayEndsWithItsSession) {
   bench.session.request(RobotRequest::kArm, bench.now);
   bench.run(20);
   bench.robot.reboot(bench.now);
-  const std::size_t before = bench.robot.heard.arms.size();
+  const std::size_t before = bench.robot.received.arms.size();
   bench.run(400);
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_EQ(bench.robot.heard.arms.size(), before);
+  EXPECT_EQ(bench.robot.received.arms.size(), before);
   EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
 }
 
@@ -557,7 +558,7 @@ TEST(Session, ARefusedArmIsReported) {
   bench.session.request(RobotRequest::kArm, bench.now);
   bench.run(20);
   EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
-  EXPECT_EQ(bench.robot.heard.arms.size(), 1u);
+  EXPECT_EQ(bench.robot.received.arms.size(), 1u);
 }
 
 TEST(Session, LearnsFromAStaleToken) {
@@ -568,8 +569,8 @@ TEST(Session, LearnsFromAStaleToken) {
   bench.run(20);
   bench.session.request(RobotRequest::kArm, bench.now);
   bench.run(20);
-  ASSERT_EQ(bench.robot.heard.arms.size(), 2u);
-  EXPECT_GT(bench.robot.heard.arms[1].token, bench.robot.heard.arms[0].token + 1000u);
+  ASSERT_EQ(bench.robot.received.arms.size(), 2u);
+  EXPECT_GT(bench.robot.received.arms[1].token, bench.robot.received.arms[0].token + 1000u);
 }
 
 TEST(Session, StopSupersedesArmAndIsRepeatedUntilAcknowledged) {
@@ -579,10 +580,10 @@ TEST(Session, StopSupersedesArmAndIsRepeatedUntilAcknowledged) {
   bench.session.request(RobotRequest::kArm, bench.now);
   bench.session.request(RobotRequest::kStop, bench.now);
   bench.run(210);
-  EXPECT_TRUE(bench.robot.heard.arms.empty());
+  EXPECT_TRUE(bench.robot.received.arms.empty());
   EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
-  EXPECT_GE(bench.robot.heard.stops.size(), 6u);
-  EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 2);
+  EXPECT_GE(bench.robot.received.stops.size(), 6u);
+  EXPECT_EQ(bench.count<NotAcknowledged>(), 2);
   bench.robot.answers_requests = true;
   bench.run(300);
   EXPECT_FALSE(bench.session.request_pending());
@@ -594,12 +595,12 @@ TEST(Session, StopIsTheFirstThingSentOnTheNextSession) {
   bench.session.close(bench.now);
   bench.session.request(RobotRequest::kStop, bench.now);
   bench.run(300);
-  EXPECT_EQ(bench.count(Kind::kNotAcknowledged), 1);
-  bench.robot.heard = {};
+  EXPECT_EQ(bench.count<NotAcknowledged>(), 1);
+  bench.robot.received = {};
   bench.robot.state = wire::State::kHello;
   bench.connect();
-  ASSERT_FALSE(bench.robot.heard.types.empty());
-  EXPECT_EQ(bench.robot.heard.types[0], static_cast<std::uint8_t>(wire::Type::kStop));
+  ASSERT_FALSE(bench.robot.received.types.empty());
+  EXPECT_EQ(bench.robot.received.types[0], static_cast<std::uint8_t>(wire::Type::kStop));
   EXPECT_FALSE(bench.session.request_pending());
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
 }
@@ -613,7 +614,7 @@ TEST(Session, CommandsCarryNonceAscendingSequenceAndExpiry) {
   bench.command.expiry_us = (DeviceUs{1} << 32U) + 77;
   bench.command.answers = 42;
   bench.run(3);
-  const auto& commands = bench.robot.heard.commands;
+  const auto& commands = bench.robot.received.commands;
   ASSERT_GT(commands.size(), 10u);
   for (std::size_t i = 1; i < commands.size(); ++i) {
     ASSERT_EQ(commands[i].sequence, static_cast<std::uint16_t>(commands[i - 1].sequence + 1));
@@ -634,8 +635,8 @@ TEST(Session, CommandSequenceContinuesAboveThatOfAnEarlierDaemon) {
   second.robot = first.robot;
   second.commands = true;
   second.connect();
-  const auto& commands = second.robot.heard.commands;
-  const std::size_t border = first.robot.heard.commands.size();
+  const auto& commands = second.robot.received.commands;
+  const std::size_t border = first.robot.received.commands.size();
   ASSERT_GT(commands.size(), border);
   EXPECT_EQ(commands[border].sequence,
             static_cast<std::uint16_t>(commands[border - 1].sequence + 1));
@@ -654,9 +655,9 @@ TEST(Session, DropsAndCountsWhatThePortDoesNotTake) {
   EXPECT_GT(bench.session.counters().unwritten, overflow);
   EXPECT_TRUE(bench.session.output().empty());
   bench.port_takes = true;
-  const std::size_t before = bench.robot.heard.commands.size();
+  const std::size_t before = bench.robot.received.commands.size();
   bench.run(5);
-  EXPECT_EQ(bench.robot.heard.commands.size(), before + 5);
+  EXPECT_EQ(bench.robot.received.commands.size(), before + 5);
 }
 
 TEST(Session, HalfOpenLinkIsNoticedByTheRobotsHello) {
@@ -674,8 +675,7 @@ TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
   const auto unanswered = [](SessionBench& bench) {
     std::vector<SessionState> states;
     for (const SessionEvent& event : bench.events)
-      if (event.kind == SessionEvent::Kind::kUnanswered)
-        states.push_back(static_cast<SessionState>(event.a));
+      if (const Unanswered* silent = as<Unanswered>(event)) states.push_back(silent->state);
     EXPECT_EQ(bench.session.counters().unanswered, states.size());
     return states;
   };
@@ -700,18 +700,18 @@ TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
   EXPECT_THAT(unanswered(timeless), ElementsAre(SessionState::kSyncing));
 }
 
-TEST(Session, CountsWhatTheRobotSaysCameSpoilt) {
+TEST(Session, CountsWhatTheRobotSaysCameCorrupted) {
   SessionBench bench;
-  bench.robot.damaged = 65530;
+  bench.robot.corrupted = 65530;
   bench.connect();
   bench.run(1000);
-  EXPECT_EQ(bench.session.counters().robot_damaged, 0u);
-  bench.robot.damaged = 4;
+  EXPECT_EQ(bench.session.counters().robot_corrupted, 0u);
+  bench.robot.corrupted = 4;
   bench.run(1000);
-  EXPECT_EQ(bench.session.counters().robot_damaged, 10u);
-  bench.robot.damaged = 2;
+  EXPECT_EQ(bench.session.counters().robot_corrupted, 10u);
+  bench.robot.corrupted = 2;
   bench.run(1000);
-  EXPECT_EQ(bench.session.counters().robot_damaged, 10u) << "an old reply";
+  EXPECT_EQ(bench.session.counters().robot_corrupted, 10u) << "an old reply changed the counter";
 }
 
 TEST(Session, CountsTheEncoderEdgesThatTheRobotMissedInThisSession) {
@@ -755,15 +755,15 @@ TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
   bench.robot.say(log);
   bench.robot.say(wire::FaultReport{1, static_cast<std::uint8_t>(Fault::battery_low), 0, 5900});
   bench.run(2);
-  ASSERT_EQ(bench.count(Kind::kRobotLog), 1);
-  ASSERT_EQ(bench.count(Kind::kRobotFault), 1);
+  ASSERT_EQ(bench.count<RobotLog>(), 1);
+  ASSERT_EQ(bench.count<RobotFault>(), 1);
   for (const SessionEvent& event : bench.events) {
-    if (event.kind == Kind::kRobotLog) {
-      EXPECT_STREQ(event.text.data(), "h?i");
-      EXPECT_EQ(event.detail, 4711);
+    if (const RobotLog* said = as<RobotLog>(event)) {
+      EXPECT_STREQ(said->text.data(), "h?i");
+      EXPECT_EQ(said->device_us, 4711);
     }
-    if (event.kind == Kind::kRobotFault) {
-      EXPECT_EQ(event.b, 5900);
+    if (const RobotFault* fault = as<RobotFault>(event)) {
+      EXPECT_EQ(fault->value, 5900);
     }
   }
 }
@@ -776,7 +776,7 @@ TEST(Session, AFloodOfLogsDisplacesNoStateChange) {
   bench.robot.say(wire::Log{});
   bench.events.clear();
   bench.run(300);
-  EXPECT_EQ(bench.count(Kind::kReboot), 1);
+  EXPECT_EQ(bench.count<Rebooted>(), 1);
   EXPECT_EQ(bench.session.state(), SessionState::kReady);
 }
 

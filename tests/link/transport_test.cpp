@@ -87,7 +87,8 @@ TEST_F(Transport, OpensAPseudoTerminalWhateverSpeedIsAsked) {
 TEST_F(Transport, KnowsAPseudoTerminalByItsNumberOnly) {
   for (const unsigned number : {136U, 140U, 143U})
     EXPECT_TRUE(is_pseudo_terminal(S_IFCHR, ::makedev(number, 3)));
-  // The Mega's driver, bridges', 16550s', a pty's master, its old slaves.
+  // Major numbers of the Mega's driver, of bridge drivers, of 16550s, of a pty's master and of old
+  // ptys.
   for (const unsigned number : {166U, 188U, 4U, 5U, 3U, 128U, 135U, 144U})
     EXPECT_FALSE(is_pseudo_terminal(S_IFCHR, ::makedev(number, 3)));
   EXPECT_FALSE(is_pseudo_terminal(S_IFREG, ::makedev(136, 3)));
@@ -102,7 +103,7 @@ TEST_F(Transport, KnowsAPseudoTerminalByItsNumberOnly) {
   } catch (const SetupError& error) {
     GTEST_SKIP() << "no devices are opened in this folder: " << error.what();
   }
-  EXPECT_TRUE(port.pseudo_terminal()) << "whatever it is called";
+  EXPECT_TRUE(port.pseudo_terminal()) << "its name must not matter";
 }
 
 TEST_F(Transport, SaysThatAPortIsMissing) {

@@ -1,5 +1,4 @@
-// The package's udev rules prepare a Mega's ports, those of bridges where somebody asks for it, and
-// no other.
+// The package's udev rules prepare the ports of a Mega, those of bridges on request, and no others.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,8 +30,8 @@ std::ifstream open_rules(const std::string& name) {
   return std::ifstream(TP100_SOURCE_DIR "/config/udev/" + name + ".rules");
 }
 
-/// What a file of rules does `action` for. A rule has one vendor and its products, separated by
-/// bars.
+/// The ids for which the rules file `name` performs `action`. A rule has one vendor id and its
+/// product ids, separated by bars.
 std::vector<UsbId> ids_of(const std::string& name, const std::string& action) {
   const std::regex rule(
       "ATTRS\\{idVendor\\}==\"([0-9a-f]{4})\", ATTRS\\{idProduct\\}==\"([0-9a-f|]+)\", " + action);
@@ -73,7 +72,7 @@ TEST(UdevRules, PrepareABridgeWhereSomebodyAsksForIt) {
               UnorderedElementsAreArray(known_ids_of(PortKind::kBridge)));
 }
 
-// A rule of the administrator's that comes first would be overruled.
+// Otherwise they would override an earlier rule of the administrator.
 TEST(UdevRules, SayNothingOfASerialPortsGroupAndMode) {
   for (const char* name : {"64-tp100-bridges", "65-tp100"}) {
     std::ifstream file = open_rules(name);

@@ -1,5 +1,5 @@
 #pragma once
-// The listening end of a UDP stream on a free port of this machine.
+// Receives a UDP stream on a free port of this machine.
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -17,7 +17,7 @@ namespace tp100 {
 
 class UdpReceiver {
  public:
-  /// On `port`; 0: any that is free.
+  /// Listens on `port`; 0 selects any free port.
   explicit UdpReceiver(std::uint16_t port = 0)
       : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in address{};
@@ -37,7 +37,7 @@ class UdpReceiver {
   UdpReceiver& operator=(const UdpReceiver&) = delete;
 
   std::uint16_t port() const { return port_; }
-  /// The next datagram; empty after `patience_ms` without.
+  /// Returns the next datagram, or an empty string if none arrives within `patience_ms`.
   std::string wait(int patience_ms = 20'000) {
     pollfd poll{socket_, POLLIN, 0};
     if (::poll(&poll, 1, patience_ms) <= 0) return {};
@@ -51,7 +51,7 @@ class UdpReceiver {
   std::uint16_t port_ = 0;
 };
 
-/// A port that was free a moment ago.
+/// A port that was free at the time of the call.
 inline std::uint16_t free_udp_port() { return UdpReceiver().port(); }
 
 }  // namespace tp100

@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Standard error as a pipe of one page, until it ends.
+/// Redirects standard error into a pipe of one page during its lifetime.
 class SmallPipe {
  public:
   SmallPipe() : before_(::dup(STDERR_FILENO)) {
@@ -34,7 +34,7 @@ class SmallPipe {
     ::close(before_);
     before_ = -1;
   }
-  /// Until nobody writes any more.
+  /// Reads until all writers have closed the pipe.
   std::string read_all() const {
     std::string text;
     std::array<char, 4096> buffer{};
@@ -74,13 +74,14 @@ TEST(EventLog, WhoDoesNotReadItHoldsUpNobody) {
   {
     EventLog log;
     for (int i = 0; i < 5000; ++i) log.info("line " + std::to_string(i) + ";");
-    // Only then somebody reads: the newest lines are there.
+    // Reading begins only after all lines are logged: the newest lines must arrive.
     reader = std::thread([&] { said = pipe.read_all(); });
   }
   pipe.restore();
   reader.join();
   EXPECT_TRUE(said.ends_with("line 4999;\n"));
-  EXPECT_LT(std::count(said.begin(), said.end(), '\n'), 5000) << "the oldest are lost";
+  EXPECT_LT(std::count(said.begin(), said.end(), '\n'), 5000)
+      << "the oldest lines must have been dropped";
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "../link/scripted_robot.h"
 #include "course/course.h"
-#include "support/duty_watch.h"
+#include "support/real_time_monitor.h"
 
 namespace tp100::live {
 namespace {
@@ -22,12 +22,13 @@ class LiveBench {
     robot.tick(now);
     const std::vector<std::uint8_t> bytes = robot.take();
     {
-      // A sanitizer may call the system when it meets a type for the first time.
-      std::optional<test::DutyWatch> watch;
+      // A sanitizer may make system calls when it meets a type for the first time: the monitor
+      // covers only these calls.
+      std::optional<test::RealTimeMonitor> watch;
       if (watched) watch.emplace(duty);
       cycle.received(bytes, now);
       cycle.step(now);
-      cycle.settle(now);
+      cycle.after_write(now);
     }
     robot.hear(cycle.output(), now);
     cycle.written(cycle.output().size());
@@ -35,13 +36,13 @@ class LiveBench {
     while (cycle.take_event(event)) {
     }
   }
-  // Number of the oldest waiting record; 0: none.
+  // Number of the oldest waiting record; 0 if there is none.
   std::uint64_t front() const {
     const StepRecord* record = cycle.front_record();
     return record == nullptr ? 0 : record->step;
   }
   bool watched = false;
-  test::DutyCount duty;
+  test::RealTimeViolations duty;
   HostNs now = kNsPerS;
   ScriptedRobot robot;
   void steps(int count) {
@@ -50,7 +51,7 @@ class LiveBench {
       while (cycle.front_record() != nullptr) cycle.release_record();
     }
   }
-  std::size_t arms() const { return robot.heard.arms.size(); }
+  std::size_t arms() const { return robot.received.arms.size(); }
   LiveCycle cycle;
 };
 
@@ -82,7 +83,7 @@ TEST(LiveCycle, AFirstStartIsCarriedOutUnlessSomethingHasRun) {
   EXPECT_FALSE(bench.cycle.has_run());
   bench.cycle.request(OperatorRequest::kHold);
   bench.steps(20);
-  EXPECT_FALSE(bench.cycle.has_run()) << "nothing was held";
+  EXPECT_FALSE(bench.cycle.has_run()) << "there was no run to hold";
   bench.cycle.request_first_start();
   bench.steps(100);
   EXPECT_TRUE(bench.cycle.has_run());
@@ -100,7 +101,7 @@ TEST(LiveCycle, AFirstStartIsCarriedOutUnlessSomethingHasRun) {
   EXPECT_GT(bench.arms(), arms);
 }
 
-// Enter is a first start for whoever has not heard of the STOP yet.
+// Enter is sent as a first start while the operator does not know of the STOP yet.
 TEST(LiveCycle, AStopAndAFirstStartAtOnceEndWithoutARunInEitherOrder) {
   for (int i = 0; i < 200; ++i) {
     LiveBench bench(line());
@@ -114,7 +115,7 @@ TEST(LiveCycle, AStopAndAFirstStartAtOnceEndWithoutARunInEitherOrder) {
     if (stop_first) bench.cycle.request_first_start();
     if (!stop_first) stop();
     bench.steps(1);
-    // A start that came first may have been carried out until the STOP.
+    // A start that came first may have been executed before the STOP.
     const std::size_t arms = bench.arms();
     EXPECT_TRUE(arms == 0u || !stop_first) << "repetition " << i;
     bench.steps(100);
@@ -138,7 +139,7 @@ TEST(LiveCycle, ASlowReaderCostsRecordsAndNothingElse) {
   LiveBench bench;
   for (std::size_t i = 0; i < LiveCycle::kWaitingRecords + 30; ++i) bench.step();
   EXPECT_EQ(bench.cycle.lost_records(), 30u);
-  EXPECT_GT(bench.robot.heard.commands.size(), 300u);
+  EXPECT_GT(bench.robot.received.commands.size(), 300u);
   EXPECT_EQ(bench.front(), 1u);
   while (bench.front() != 0) bench.cycle.release_record();
   bench.step();

@@ -1,12 +1,11 @@
-#include "live/parameter_list.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "bridge/live_parameters.h"
+#include "bridge/parameters.h"
+#include "live/live_controls.h"
 
 namespace tp100::live {
 namespace {
@@ -63,7 +62,7 @@ TEST(ParameterList, WhatIsLiveReachesItsOwnPlaceInTheStep) {
   set("estimation.steering", std::string("fused"));
   EXPECT_NEAR(step.control.max_approach_rad, 1.5707963, 1e-6);
   EXPECT_EQ(step.control.preview_s, 0.25);
-  EXPECT_EQ(step.steering, Steering::kFused);
+  EXPECT_EQ(step.steering, PoseSource::kFused);
   EXPECT_FALSE(change_for(named(list, "estimation.steering"), std::string("truth")));
   EXPECT_FALSE(change_for(named(list, "estimation.steering"), true));
 }

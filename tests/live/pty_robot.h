@@ -1,5 +1,5 @@
 #pragma once
-// A scripted robot on a pty, living in its own thread, reached through a symbolic link.
+// A scripted robot on a pty with its own thread, reached through a symbolic link.
 
 #include <filesystem>
 #include <mutex>
@@ -13,7 +13,7 @@ namespace tp100 {
 
 class PtyRobot {
  public:
-  /// `link` is created when the robot is plugged in.
+  /// The robot creates `link` when it is plugged in.
   explicit PtyRobot(std::filesystem::path link)
       : link_(std::move(link)), robot_(monotonic_now()), thread_([this] { live(); }) {}
   ~PtyRobot() {
@@ -33,7 +33,7 @@ class PtyRobot {
     pty_.reset();
     std::filesystem::remove(link_);
   }
-  /// Runs `action` on the robot between two of its turns.
+  /// Runs `action` on the robot between two of its cycles.
   template <class Action>
   auto with(Action action) {
     const std::lock_guard lock(mutex_);

@@ -1,6 +1,4 @@
-// `tp100d run` against a scripted robot on a pty, both in this process.
-#include "app/run.h"
-
+// Tests of `tp100d run` against a scripted robot on a pty, both in this process.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +20,7 @@
 #include "../support/notify_socket.h"
 #include "../support/temporary_folder.h"
 #include "../support/weight.h"
-#include "app/replay.h"
+#include "app/commands.h"
 #include "core/error.h"
 #include "link/transport.h"
 #include "pty_robot.h"
@@ -38,7 +36,7 @@ class Run : public ::testing::Test {
  protected:
   Run() {
     robot_ = std::make_unique<PtyRobot>(port());
-    // Ordinary scheduling: the tests of a whole machine run at once.
+    // Scheduling is ordinary because other tests run on the machine at the same time.
     std::ofstream(folder_.path() / "config.toml")
         << "[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n"
            "[link]\nfirst_frame_timeout_ms = 700\n"
@@ -55,7 +53,7 @@ class Run : public ::testing::Test {
   std::filesystem::path port() const { return folder_.path() / "robot"; }
   std::filesystem::path stats_path() const { return folder_.path() / "stats.json"; }
 
-  // The command with `script` beside it; a script ends it by SIGTERM.
+  // Runs the command while `script` runs in parallel; afterwards SIGTERM ends the command.
   int run(const std::function<void()>& script = {}) {
     std::thread beside([&] {
       if (!script) return;
@@ -85,7 +83,7 @@ class Run : public ::testing::Test {
     }
     return false;
   }
-  // Port of the page, once it is served.
+  // Port of the page; waits until it is served.
   std::string page() const {
     static const std::string kBefore = "http://127.0.0.1:";
     std::string served;
@@ -99,24 +97,26 @@ class Run : public ::testing::Test {
     if (!any) throw std::runtime_error("no page is served");
     return served;
   }
-  // Its own figures have `word`.
+  // Expects that the statistics file contains `word`.
   void says_of_itself(const std::string& word) const {
     EXPECT_TRUE(soon([&] { return stats().find(word) != std::string::npos; }))
         << word << " is not in " << stats();
   }
   bool eventually(const std::function<bool(const ScriptedRobot&)>& condition) {
     const bool happened = soon([&] { return robot_->with(condition); });
-    EXPECT_TRUE(happened) << "did not happen";
+    EXPECT_TRUE(happened) << "the condition did not become true";
     return happened;
   }
-  /// Until the robot has got so many more commands, in which what must not happen could.
+  /// Waits until the robot has received `more` further commands, so that a forbidden reaction would
+  /// be seen.
   void commanded_again(std::size_t more) {
     const std::size_t before =
-        robot_->with([](const ScriptedRobot& robot) { return robot.heard.commands.size(); });
-    eventually(
-        [&](const ScriptedRobot& robot) { return robot.heard.commands.size() >= before + more; });
+        robot_->with([](const ScriptedRobot& robot) { return robot.received.commands.size(); });
+    eventually([&](const ScriptedRobot& robot) {
+      return robot.received.commands.size() >= before + more;
+    });
   }
-  /// How many recordings there are; each repeats its run bit for bit.
+  /// Number of recordings. Expects that each repeats its run bit for bit.
   int replayed_recordings() const {
     int replayed = 0;
     for (const auto& run : std::filesystem::directory_iterator(options_.record)) {
@@ -130,10 +130,10 @@ class Run : public ::testing::Test {
     }
     return replayed;
   }
-  static bool commanded(const ScriptedRobot& robot) { return robot.heard.commands.size() > 20; }
+  static bool commanded(const ScriptedRobot& robot) { return robot.received.commands.size() > 20; }
 
   static bool driven(const ScriptedRobot& robot) {
-    return commanded(robot) && robot.heard.commands.back().speed_mps > 0.0F;
+    return commanded(robot) && robot.received.commands.back().speed_mps > 0.0F;
   }
 
   test::TemporaryFolder folder_;
@@ -161,7 +161,7 @@ TEST_F(Run, ASilentPortIsAnErrorUnlessAskedToWait) {
   robot_->plug_in();
   robot_->with([](ScriptedRobot& robot) { robot.silent = true; });
   EXPECT_EQ(run(), -1);
-  EXPECT_THAT(message_, HasSubstr("nothing that speaks like a TP100"));
+  EXPECT_THAT(message_, HasSubstr("no answer from a TP100"));
 }
 
 TEST_F(Run, FramesWithoutAHelloAreAnErrorUnlessAskedToWait) {
@@ -177,14 +177,14 @@ TEST_F(Run, FramesWithoutAHelloAreAnErrorUnlessAskedToWait) {
   EXPECT_EQ(run(), -1);
   over = true;
   chatter.join();
-  EXPECT_THAT(message_, HasSubstr("says no hello"));
+  EXPECT_THAT(message_, HasSubstr("but no hello"));
 }
 
 TEST_F(Run, ARobotThatSpeaksAndHearsNothingIsAnErrorUnlessAskedToWait) {
   robot_->plug_in();
   robot_->with([](ScriptedRobot& robot) { robot.answers_parameters = false; });
   EXPECT_EQ(run(), -1);
-  EXPECT_THAT(message_, HasSubstr("hears nothing of what is sent to it; check cable"));
+  EXPECT_THAT(message_, HasSubstr("sends hello but receives nothing; check cable"));
   options_.wait = true;
   EXPECT_EQ(run([&] {
               says_of_itself("\"unanswered\": 1");
@@ -202,7 +202,7 @@ TEST_F(Run, AWrongVersionIsRefusedWithBothVersions) {
   EXPECT_THAT(message_, HasSubstr("robot has protocol 77"));
   EXPECT_THAT(message_, HasSubstr("needs protocol 1"));
   EXPECT_THAT(message_, HasSubstr("flash"));
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.types.empty(); }));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.types.empty(); }));
 }
 
 TEST_F(Run, WaitsForAPortThatComesLater) {
@@ -228,14 +228,14 @@ TEST_F(Run, SigtermDisarmsFirst) {
   options_.course = "1-straight";
   robot_->plug_in();
   EXPECT_EQ(run([&] { eventually(driven); }), 1);
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return !robot.heard.disarms.empty(); }));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return !robot.received.disarms.empty(); }));
   EXPECT_EQ(robot_->with([](ScriptedRobot& robot) { return robot.state; }), wire::State::kDisarmed);
   EXPECT_THAT(log_, HasSubstr("state: idle -> arming"));
   EXPECT_THAT(log_, HasSubstr("state: arming -> running"));
 }
 
 TEST_F(Run, SigtermEndsItInEveryState) {
-  // Nobody there, or nobody who speaks.
+  // There is no robot, or a silent one.
   options_.wait = true;
   for (const bool silent : {false, true}) {
     if (silent) robot_->plug_in();
@@ -245,29 +245,29 @@ TEST_F(Run, SigtermEndsItInEveryState) {
     EXPECT_EQ(log_.find("-> ready"), std::string::npos) << log_;
   }
   robot_->with([](ScriptedRobot& robot) { robot.silent = false; });
-  // Ready.
+  // The daemon is ready.
   EXPECT_EQ(run([&] { eventually(commanded); }), 1);
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
-  EXPECT_FALSE(robot_->with([](ScriptedRobot& robot) { return robot.heard.disarms.empty(); }));
-  // Arming: the robot has not answered yet.
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.arms.empty(); }));
+  EXPECT_FALSE(robot_->with([](ScriptedRobot& robot) { return robot.received.disarms.empty(); }));
+  // The daemon is arming; the robot has not answered yet.
   options_.course = "1-straight";
   robot_->with([](ScriptedRobot& robot) {
-    robot.heard = {};
+    robot.received = {};
     robot.answers_requests = false;
   });
   EXPECT_EQ(run([&] {
-              eventually([](const ScriptedRobot& robot) { return !robot.heard.arms.empty(); });
+              eventually([](const ScriptedRobot& robot) { return !robot.received.arms.empty(); });
               robot_->with([](ScriptedRobot& robot) { robot.answers_requests = true; });
             }),
             1);
-  EXPECT_FALSE(robot_->with([](ScriptedRobot& robot) { return robot.heard.disarms.empty(); }));
+  EXPECT_FALSE(robot_->with([](ScriptedRobot& robot) { return robot.received.disarms.empty(); }));
   EXPECT_EQ(robot_->with([](ScriptedRobot& robot) { return robot.state; }), wire::State::kDisarmed);
-  // After a run, waiting for the next one.
+  // A run has ended; the daemon waits for the next one.
   options_.stay = true;
   EXPECT_EQ(run([&] {
               eventually(driven);
               eventually([](const ScriptedRobot& robot) {
-                return robot.heard.commands.back().speed_mps == 0.0F;
+                return robot.received.commands.back().speed_mps == 0.0F;
               });
             }),
             1);
@@ -280,14 +280,15 @@ TEST_F(Run, APortThatIsRefusedAgainAndAgainIsTakenOnceItIsFree) {
   robot_->plug_in();
   auto held = std::make_unique<link::Port>(link::open_port(port().string(), {}));
   EXPECT_EQ(run([&] {
-              // Asked for after 50, 150 and 350 ms.
+              // The daemon tries to open the port after 50, 150 and 350 ms.
               std::this_thread::sleep_for(500ms);
               held.reset();
               eventually(commanded);
             }),
             1);
   EXPECT_THAT(log_, HasSubstr("port is busy"));
-  EXPECT_EQ(log_.find("port is busy"), log_.rfind("port is busy")) << "said once: " << log_;
+  EXPECT_EQ(log_.find("port is busy"), log_.rfind("port is busy"))
+      << "the message must appear once: " << log_;
   EXPECT_THAT(log_, HasSubstr("state: syncing -> ready"));
 }
 
@@ -306,12 +307,12 @@ TEST_F(Run, ReconnectsByItselfAndStaysDisarmed) {
               eventually(driven);
               robot_->unplug();
               says_of_itself("\"closed\"");
-              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
               robot_->plug_in();
               commanded_again(160);
             }),
             1);
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.arms.empty(); }));
   EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 1"));
   EXPECT_THAT(log_, HasSubstr("link_lost"));
   EXPECT_THAT(log_, HasSubstr("press Enter to start"));
@@ -327,14 +328,14 @@ TEST_F(Run, ARobotThatFallsSilentIsALostLinkAndIsWaitedFor) {
         says_of_itself("\"silences\": 1");
         robot_->with([](ScriptedRobot& robot) {
           robot.samples = robot.answers_sync = true;
-          robot.heard = {};
+          robot.received = {};
         });
         eventually(commanded);
       }),
       1);
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.arms.empty(); }));
   EXPECT_THAT(log_, HasSubstr("link_lost"));
-  EXPECT_THAT(log_, HasSubstr("SIGTERM")) << "it waits until somebody ends it";
+  EXPECT_THAT(log_, HasSubstr("SIGTERM")) << "it must run until a signal ends it";
   EXPECT_THAT(log_, HasSubstr("s around link_lost are in " + folder_.file("boxes")));
 }
 
@@ -355,29 +356,30 @@ TEST_F(Run, WithGoALostLinkEndsItToo) {
 TEST_F(Run, AnswersToClockRequestsAreNoSamples) {
   options_.course = "1-straight";
   robot_->plug_in();
-  EXPECT_EQ(run([&] {
-              eventually(driven);
-              robot_->with([](ScriptedRobot& robot) {
-                robot.heard = {};
-                robot.samples = false;
-              });
-              eventually([](const ScriptedRobot& robot) { return !robot.heard.disarms.empty(); });
-              robot_->with([](ScriptedRobot& robot) {
-                robot.heard = {};
-                robot.samples = true;
-              });
-              eventually(commanded);
-            }),
-            1);
-  EXPECT_THAT(log_, HasSubstr("link_lost: the link broke, or no sample came for 200 ms"));
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+  EXPECT_EQ(
+      run([&] {
+        eventually(driven);
+        robot_->with([](ScriptedRobot& robot) {
+          robot.received = {};
+          robot.samples = false;
+        });
+        eventually([](const ScriptedRobot& robot) { return !robot.received.disarms.empty(); });
+        robot_->with([](ScriptedRobot& robot) {
+          robot.received = {};
+          robot.samples = true;
+        });
+        eventually(commanded);
+      }),
+      1);
+  EXPECT_THAT(log_, HasSubstr("link_lost: the link broke, or no sample arrived for 200 ms"));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.arms.empty(); }));
 }
 
 TEST_F(Run, MotorsThatAreOnUnaskedAreStoppedAndEndIt) {
   robot_->plug_in();
   for (const bool obeys : {true, false}) {
     robot_->with([&](ScriptedRobot& robot) {
-      robot.heard = {};
+      robot.received = {};
       robot.answers_requests = obeys;
       if (robot.state == wire::State::kRunning) robot.state = wire::State::kDisarmed;
     });
@@ -389,7 +391,7 @@ TEST_F(Run, MotorsThatAreOnUnaskedAreStoppedAndEndIt) {
     oddity.join();
     EXPECT_THAT(log_, HasSubstr("moves_unasked"));
     EXPECT_THAT(stats(), HasSubstr("moves_unasked"));
-    robot_->with([](ScriptedRobot& robot) { EXPECT_FALSE(robot.heard.stops.empty()); });
+    robot_->with([](ScriptedRobot& robot) { EXPECT_FALSE(robot.received.stops.empty()); });
   }
 }
 
@@ -398,11 +400,11 @@ TEST_F(Run, WhoStaysStopsMotorsThatComeOnAgainAndAgain) {
   robot_->plug_in();
   EXPECT_EQ(run([&] {
               eventually(commanded);
-              // It acknowledges, and goes on all the same.
+              // The robot acknowledges the stop but keeps its motors on.
               EXPECT_TRUE(soon([&] {
                 return robot_->with([](ScriptedRobot& robot) {
                   robot.state = wire::State::kRunning;
-                  return robot.heard.stops.size() > 4;
+                  return robot.received.stops.size() > 4;
                 });
               }));
             }),
@@ -415,7 +417,7 @@ TEST_F(Run, NoMotionFollowsAnArmThatWasNotAccepted) {
   robot_->plug_in();
   for (const bool refuses : {true, false}) {
     robot_->with([&](ScriptedRobot& robot) {
-      robot.heard = {};
+      robot.received = {};
       robot.arms_anyway = true;
       robot.answers_arms = refuses;
       if (refuses) robot.arm_result = wire::Result::kOutOfRange;
@@ -427,33 +429,34 @@ TEST_F(Run, NoMotionFollowsAnArmThatWasNotAccepted) {
     EXPECT_EQ(log_.find("counts_per_metre"), std::string::npos);
     EXPECT_EQ(log_.find("-> running"), std::string::npos);
     robot_->with([](ScriptedRobot& robot) {
-      EXPECT_FALSE(robot.heard.arms.empty());
-      EXPECT_FALSE(robot.heard.disarms.empty());
+      EXPECT_FALSE(robot.received.arms.empty());
+      EXPECT_FALSE(robot.received.disarms.empty());
       EXPECT_EQ(robot.state, wire::State::kDisarmed);
-      for (const wire::Command& command : robot.heard.commands) ASSERT_EQ(command.speed_mps, 0.0F);
+      for (const wire::Command& command : robot.received.commands)
+        ASSERT_EQ(command.speed_mps, 0.0F);
     });
   }
 }
 
 TEST_F(Run, AStartThatCannotBeginIsRefusedAndNotKept) {
   options_.course = "1-straight";
-  // In somebody's hands: its tracks turn.
+  // The robot is held by hand and its tracks turn.
   robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.1; });
   robot_->plug_in();
   EXPECT_EQ(run([&] {
               says_of_itself("\"run\": \"arming\"");
               says_of_itself("\"run\": \"idle\"");
-              // And put down.
+              // The robot is put down.
               robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.0; });
               commanded_again(400);
             }),
             1);
   EXPECT_THAT(log_, HasSubstr("start refused: the gyro is not still"));
   EXPECT_THAT(log_, HasSubstr("state: arming -> idle"));
-  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.empty(); }));
+  EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) { return robot.received.arms.empty(); }));
   options_.go = true;
   robot_->with([](ScriptedRobot& robot) { robot.metres_per_s = 0.1; });
-  EXPECT_EQ(run(), 1) << "who gave --go does not wait";
+  EXPECT_EQ(run(), 1) << "with --go it must not wait";
   EXPECT_THAT(stats(), HasSubstr("\"result\": \"refused\""));
 }
 
@@ -462,16 +465,17 @@ TEST_F(Run, ACourseIsCompletedOnceTheRobotHasConfirmedItsEnd) {
       << "speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.1\n"
          "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
   options_.course = folder_.file("short.toml");
-  options_.setup = "bench";
+  options_.setup = "stand";
   options_.go = true;
   robot_->plug_in();
   for (const bool confirms : {true, false}) {
     int status = -1;
-    // A machine that lets the robot sleep for 200 ms ends the run sooner.
+    // On a busy machine the robot may not be scheduled for 200 ms, which ends the run early; the
+    // test then tries again.
     for (int i = 0; i < 10 && log_.find("running -> finished") == std::string::npos; ++i) {
       robot_->with([&](ScriptedRobot& robot) {
         robot.drives = true;
-        robot.heard = {};
+        robot.received = {};
         robot.answers_requests = true;
       });
       std::atomic<bool> over{false};
@@ -504,7 +508,7 @@ TEST_F(Run, AFaultReportBeyondTheRobotsBitsIsNotTheDaemons) {
   EXPECT_EQ(run([&] {
               eventually(commanded);
               robot_->with([](ScriptedRobot& robot) {
-                robot.heard = {};
+                robot.received = {};
                 robot.say(wire::FaultReport{.device_us = 0, .fault = 29, .faults = 0, .detail = 0});
               });
               eventually(commanded);
@@ -518,24 +522,24 @@ TEST_F(Run, SurvivesManyUnpluggings) {
   robot_->plug_in();
   EXPECT_EQ(run([&] {
               for (int i = 0; i < 5; ++i) {
-                robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+                robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
                 if (!eventually(commanded)) return;
                 robot_->unplug();
                 robot_->plug_in();
               }
-              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
               eventually(commanded);
             }),
             1);
   EXPECT_THAT(stats(), HasSubstr("\"reconnects\": 5"));
 }
 
-/// Pulls the plug of a driving robot and starts it anew, again and again.
+/// Unplugs a moving robot and starts it again, many times.
 class Unplugging : public Run {
  protected:
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   static constexpr int kCycles = 15;
-  // What a sanitizer sets aside hides our growth.
+  // A sanitizer's own memory hides growth of the program.
   static constexpr bool kWeighed = false;
 #else
   static constexpr int kCycles = 50;
@@ -546,19 +550,19 @@ class Unplugging : public Run {
   static constexpr double kMaxMps2 = 0.15, kMaxRadps = 1.5;
 
   void plug_in() {
-    robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+    robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
     robot_->plug_in();
   }
   std::vector<wire::Command> commands() {
-    return robot_->with([](ScriptedRobot& robot) { return robot.heard.commands; });
+    return robot_->with([](ScriptedRobot& robot) { return robot.received.commands; });
   }
   bool armed() {
-    return robot_->with([](ScriptedRobot& robot) { return !robot.heard.arms.empty(); });
+    return robot_->with([](ScriptedRobot& robot) { return !robot.received.arms.empty(); });
   }
   static bool under_way(const ScriptedRobot& robot) {
-    return commanded(robot) && robot.heard.commands.back().speed_mps > 0.02F;
+    return commanded(robot) && robot.received.commands.back().speed_mps > 0.02F;
   }
-  /// Presses start until it is under way. A start that comes too early is refused.
+  /// Requests a start until the robot moves. A start that comes too early is refused.
   bool start(server::WebClient& viewer) {
     for (int i = 0; i < 400; ++i) {
       if (i % 20 == 0 && !armed()) viewer.call(1);
@@ -568,9 +572,9 @@ class Unplugging : public Run {
     }
     return false;
   }
-  /// Nobody asked for anything: the robot may stand as it stands.
+  /// Without a request, the robot must stay as it is.
   void expect_rest(int cycle) {
-    EXPECT_FALSE(armed()) << "cycle " << cycle << ": it armed by itself";
+    EXPECT_FALSE(armed()) << "cycle " << cycle << ": it armed without a request";
     EXPECT_GE(robot_->with([](ScriptedRobot& robot) { return robot.state; }),
               wire::State::kDisarmed);
     for (const wire::Command& command : commands()) {
@@ -579,7 +583,7 @@ class Unplugging : public Run {
       ASSERT_EQ(command.desired_yaw_rad, command.yaw_rad) << "cycle " << cycle;
     }
   }
-  /// From rest on, each command asks at most what the time since the last one allows.
+  /// From standstill on, the commanded values grow no faster than the time between commands allows.
   void expect_no_jump(int cycle) {
     const std::vector<wire::Command> all = commands();
     for (std::size_t i = 1; i < all.size(); ++i) {
@@ -592,10 +596,11 @@ class Unplugging : public Run {
           << "cycle " << cycle << ", command " << i;
       ASSERT_LE(turn_rad(all[i]) - turn_rad(all[i - 1]), kMaxRadps * later_s + 0.005)
           << "cycle " << cycle << ", command " << i;
-      ASSERT_LE(std::abs(all[i].yaw_rate_radps), 0.05F) << "cycle " << cycle << ": on a line";
+      ASSERT_LE(std::abs(all[i].yaw_rate_radps), 0.05F)
+          << "cycle " << cycle << ": turn rate on a line";
     }
   }
-  /// What this process holds, once nothing more than `most` is in flight or ten seconds are over.
+  /// Resources of this process, once they are at most `most` or after ten seconds.
   static test::Weight weigh_at_most(const test::Weight& most) {
     test::Weight now = test::weigh("self");
     for (int i = 0; i < 200; ++i) {
@@ -620,7 +625,8 @@ TEST_F(Unplugging, AgainAndAgainLeavesNothingBehindAndMovesNothingUnasked) {
   options_.stay = true;
   robot_->plug_in();
   test::Weight settled, after;
-  // Ended by a signal in its last drive (1) or once that was lost (0), but in order.
+  // A signal ends the command regularly, either during the last run (1) or after its link was lost
+  // (0).
   EXPECT_THAT(run([&] {
                 if (!eventually(driven)) return;
                 server::WebClient viewer(page());
@@ -652,19 +658,19 @@ TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
               server::WebClient viewer(page());
               viewer.subscribe(messages::Channel::kPoseOdometry);
               pose = viewer.read_until("\"frame_id\"");
-              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+              robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
               viewer.call(3);
               stopped = viewer.read_until("\"acknowledged\"");
               viewer.subscribe(messages::Channel::kState);
               viewer.read_until("\"can\":{\"start\":true");
               commanded_again(40);
-              // A stream of commands never arms again; only a start does.
+              // Commands alone never arm the robot again; only a start does.
               EXPECT_TRUE(robot_->with([](ScriptedRobot& robot) {
-                return !robot.heard.stops.empty() && robot.heard.arms.empty();
+                return !robot.received.stops.empty() && robot.received.arms.empty();
               }));
               viewer.call(1);
               started = viewer.read_until("\"accepted\"");
-              eventually([](const ScriptedRobot& robot) { return !robot.heard.arms.empty(); });
+              eventually([](const ScriptedRobot& robot) { return !robot.received.arms.empty(); });
             }),
             1);
   EXPECT_THAT(pose, HasSubstr("\"world\""));
@@ -696,7 +702,7 @@ TEST_F(Run, AViewerEndsARecordingAndBeginsAnother) {
   EXPECT_THAT(runs, HasSubstr("\"kind\":\"recording\""));
   EXPECT_THAT(runs, HasSubstr("\"active\":true"));
   EXPECT_THAT(runs, HasSubstr("\"active\":false"));
-  // The second began in the middle.
+  // The second recording begins in the middle of the run.
   EXPECT_EQ(replayed_recordings(), 2);
 }
 
@@ -711,7 +717,7 @@ TEST_F(Run, WhoStaysRecordsRunByRun) {
                 says_of_itself("\"active\": true");
                 viewer.call(3);
                 says_of_itself("\"active\": false");
-                robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+                robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
                 EXPECT_TRUE(soon([&] {
                   viewer.call(1);
                   std::this_thread::sleep_for(100ms);
@@ -725,7 +731,7 @@ TEST_F(Run, WhoStaysRecordsRunByRun) {
   EXPECT_EQ(replayed_recordings(), 2);
 }
 
-// With recordings on a disk that stands still when a test wants it to.
+// Records on a disk that a test can freeze.
 class RunBesideADisk : public Run {
  protected:
   void SetUp() override {
@@ -736,7 +742,7 @@ class RunBesideADisk : public Run {
     options_.stay = true;
     robot_->plug_in();
   }
-  // On a busy machine the link may be lost before a run has begun.
+  // On a busy machine the link may be lost before a run has begun; then the start is repeated.
   void drives(server::WebClient& viewer) {
     EXPECT_TRUE(soon([&] {
       viewer.call(1);
@@ -758,30 +764,31 @@ TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
   const test::NotifySocket manager(name);
   ::setenv("NOTIFY_SOCKET", name.c_str(), 1);
   ::setenv("WATCHDOG_USEC", "2000000", 1);
-  EXPECT_THAT(run([&] {
-                server::WebClient viewer(page());
-                drives_and_records(viewer);
-                robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
-                ASSERT_TRUE(disk_.freeze());
-                viewer.call(5);
-                viewer.call(3);
-                eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
-                manager.heard();
-                EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
-                // The same during another run, whose recording waits for the disk as well.
-                robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
-                drives(viewer);
-                viewer.call(3);
-                eventually([](const ScriptedRobot& robot) { return !robot.heard.stops.empty(); });
-                manager.heard();
-                EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
-                viewer.drain();
-                for (const std::string& message : viewer.take())
-                  EXPECT_THAT(message, Not(HasSubstr("\"bytes\"")));
-                ASSERT_TRUE(disk_.thaw());
-                EXPECT_THAT(viewer.read_until("\"bytes\""), HasSubstr("-1-straight"));
-              }),
-              ::testing::AnyOf(0, 1))
+  EXPECT_THAT(
+      run([&] {
+        server::WebClient viewer(page());
+        drives_and_records(viewer);
+        robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
+        ASSERT_TRUE(disk_.freeze());
+        viewer.call(5);
+        viewer.call(3);
+        eventually([](const ScriptedRobot& robot) { return !robot.received.stops.empty(); });
+        manager.received();
+        EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
+        // The same must hold during another run, whose recording also waits for the disk.
+        robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
+        drives(viewer);
+        viewer.call(3);
+        eventually([](const ScriptedRobot& robot) { return !robot.received.stops.empty(); });
+        manager.received();
+        EXPECT_TRUE(manager.hears("WATCHDOG=1", 60s));
+        viewer.drain();
+        for (const std::string& message : viewer.take())
+          EXPECT_THAT(message, Not(HasSubstr("\"bytes\"")));
+        ASSERT_TRUE(disk_.thaw());
+        EXPECT_THAT(viewer.read_until("\"bytes\""), HasSubstr("-1-straight"));
+      }),
+      ::testing::AnyOf(0, 1))
       << message_;
   ::unsetenv("NOTIFY_SOCKET");
   ::unsetenv("WATCHDOG_USEC");
@@ -790,41 +797,43 @@ TEST_F(RunBesideADisk, StopAndWatchdogDoNotWaitForADiskThatStandsStill) {
 
 TEST_F(RunBesideADisk, SigtermDisarmsWhileADiskStandsStill) {
   std::thread thaw;
-  EXPECT_EQ(run([&] {
-              server::WebClient viewer(page());
-              drives_and_records(viewer);
-              robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
-              ASSERT_TRUE(disk_.freeze());
-              thaw = std::thread([&] {
-                eventually([](const ScriptedRobot& robot) { return !robot.heard.disarms.empty(); });
-                disk_.thaw();
-              });
-            }),
-            1);
+  EXPECT_EQ(
+      run([&] {
+        server::WebClient viewer(page());
+        drives_and_records(viewer);
+        robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
+        ASSERT_TRUE(disk_.freeze());
+        thaw = std::thread([&] {
+          eventually([](const ScriptedRobot& robot) { return !robot.received.disarms.empty(); });
+          disk_.thaw();
+        });
+      }),
+      1);
   if (thaw.joinable()) thaw.join();
-  EXPECT_GE(replayed_recordings(), 1) << "what happened last is in it";
+  EXPECT_GE(replayed_recordings(), 1) << "the recording must contain the end of the run";
 }
 
 TEST_F(Run, ItsFiguresHoldUpNobodyWhereTheyCannotBeWritten) {
   ASSERT_EQ(::mkfifo(stats_path().c_str(), 0600), 0);
   robot_->plug_in();
-  // The first figures are read, so that it begins; whoever writes the next waits in open().
+  // The first statistics are read, so that the run begins; the next writer blocks in open().
   std::thread first([this] { stats(); });
   std::atomic<bool> over{false};
   std::thread reader;
-  EXPECT_EQ(run([&] {
-              eventually(commanded);
-              std::this_thread::sleep_for(1500ms);
-              reader = std::thread([&] {
-                eventually([](const ScriptedRobot& robot) { return !robot.heard.disarms.empty(); });
-                const int pipe = ::open(stats_path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-                char text[4096];
-                while (!over)
-                  if (::read(pipe, text, sizeof text) <= 0) std::this_thread::sleep_for(1ms);
-                ::close(pipe);
-              });
-            }),
-            1);
+  EXPECT_EQ(
+      run([&] {
+        eventually(commanded);
+        std::this_thread::sleep_for(1500ms);
+        reader = std::thread([&] {
+          eventually([](const ScriptedRobot& robot) { return !robot.received.disarms.empty(); });
+          const int pipe = ::open(stats_path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+          char text[4096];
+          while (!over)
+            if (::read(pipe, text, sizeof text) <= 0) std::this_thread::sleep_for(1ms);
+          ::close(pipe);
+        });
+      }),
+      1);
   over = true;
   first.join();
   if (reader.joinable()) reader.join();
@@ -847,8 +856,8 @@ TEST_F(Run, AStatsFileThatCannotBeWrittenIsAnError) {
 TEST_F(Run, BadOptionsAreErrors) {
   options_.setup = "moon";
   EXPECT_EQ(run(), -1);
-  EXPECT_THAT(message_, HasSubstr("use bench, flat or terrain"));
-  options_.setup = "bench";
+  EXPECT_THAT(message_, HasSubstr("use stand, flat or terrain"));
+  options_.setup = "stand";
   options_.course = "no-such";
   EXPECT_EQ(run(), -1);
   EXPECT_THAT(message_, HasSubstr("no such course"));

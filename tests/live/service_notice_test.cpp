@@ -26,7 +26,7 @@ TEST(ServiceNotice, SaysWhatHappensOverASocketByPath) {
   notice.status("waits for a robot");
   notice.status("ready");
   notice.stopping();
-  EXPECT_THAT(manager.heard(),
+  EXPECT_THAT(manager.received(),
               ElementsAre("READY=1", "STATUS=waits for a robot", "STATUS=ready", "STOPPING=1"));
 }
 
@@ -35,7 +35,7 @@ TEST(ServiceNotice, SaysItOverAnAbstractSocketToo) {
   const test::NotifySocket manager(name);
   ServiceNotice notice({.socket = name});
   EXPECT_EQ(notice.ready(), "");
-  EXPECT_THAT(manager.heard(), ElementsAre("READY=1"));
+  EXPECT_THAT(manager.received(), ElementsAre("READY=1"));
 }
 
 TEST(ServiceNotice, TheWatchdogIsFedFourTimesAPeriodWhileTheLoopTurns) {
@@ -44,7 +44,7 @@ TEST(ServiceNotice, TheWatchdogIsFedFourTimesAPeriodWhileTheLoopTurns) {
   ServiceNotice notice({.socket = folder.file("notify"), .watchdog_ns = 2 * kNsPerS});
   for (HostNs now = 0; now < 4 * kNsPerS; now += 10 * kNsPerMs)
     notice.alive(static_cast<std::uint64_t>(1 + now / (5 * kNsPerMs)), now);
-  EXPECT_THAT(manager.heard(), testing::AllOf(testing::SizeIs(8), testing::Each("WATCHDOG=1")));
+  EXPECT_THAT(manager.received(), testing::AllOf(testing::SizeIs(8), testing::Each("WATCHDOG=1")));
 }
 
 TEST(ServiceNotice, AHungLoopStarvesTheWatchdogAndOneThatGoesOnFeedsIt) {
@@ -52,13 +52,13 @@ TEST(ServiceNotice, AHungLoopStarvesTheWatchdogAndOneThatGoesOnFeedsIt) {
   const test::NotifySocket manager(folder.file("notify"));
   ServiceNotice notice({.socket = folder.file("notify"), .watchdog_ns = 2 * kNsPerS});
   notice.alive(0, 0);
-  EXPECT_THAT(manager.heard(), IsEmpty()) << "it has not begun to turn";
+  EXPECT_THAT(manager.received(), IsEmpty()) << "it has not begun to cycle";
   notice.alive(7, kNsPerS);
-  EXPECT_THAT(manager.heard(), ElementsAre("WATCHDOG=1"));
+  EXPECT_THAT(manager.received(), ElementsAre("WATCHDOG=1"));
   for (HostNs now = kNsPerS; now < 10 * kNsPerS; now += 10 * kNsPerMs) notice.alive(7, now);
-  EXPECT_THAT(manager.heard(), IsEmpty());
+  EXPECT_THAT(manager.received(), IsEmpty());
   notice.alive(8, 10 * kNsPerS);
-  EXPECT_THAT(manager.heard(), ElementsAre("WATCHDOG=1"));
+  EXPECT_THAT(manager.received(), ElementsAre("WATCHDOG=1"));
 }
 
 TEST(ServiceNotice, NobodyListensNobodyIsTold) {
@@ -83,7 +83,7 @@ TEST(ServiceNotice, AManagerThatDoesNotReadHoldsUpNobody) {
   const test::NotifySocket manager(folder.file("notify"));
   ServiceNotice notice({.socket = folder.file("notify")});
   for (int i = 0; i < 5000; ++i) notice.status(std::to_string(i));
-  EXPECT_FALSE(manager.heard().empty());
+  EXPECT_FALSE(manager.received().empty());
 }
 
 class ServiceEnvironment : public testing::Test {

@@ -1,5 +1,5 @@
-// Who starts a run of `tp100d run`, and with what: somebody at the keyboard, a viewer and a
-// scripted robot on a pty, all in this process.
+// Starts of a run of `tp100d run` by keyboard and by viewer, with a scripted robot on a pty, all in
+// this process.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "../server/web_client.h"
 #include "../support/notify_socket.h"
 #include "../support/temporary_folder.h"
-#include "app/run.h"
+#include "app/commands.h"
 #include "core/error.h"
 #include "pty_robot.h"
 
@@ -24,7 +24,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using namespace std::chrono_literals;
 
-/// Standard input of this process, typed by the test.
+/// Standard input of this process; the test supplies what is typed.
 class Keyboard {
  public:
   Keyboard() : kept_(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)) {
@@ -54,14 +54,14 @@ class Keyboard {
 
 class Starts : public ::testing::Test {
  protected:
-  // Of one path; the whole number is reached by --gtest_repeat.
+  // Repetitions per test; --gtest_repeat gives more.
   static constexpr int kRepetitions = 10;
-  // After so many a start that was taken would have armed the robot.
+  // After this many commands, an accepted start would have armed the robot.
   static constexpr std::size_t kManyCommands = 50;
 
   Starts() {
     robot_ = std::make_unique<PtyRobot>(folder_.path() / "robot");
-    // Ordinary scheduling: the tests of a whole machine run at once.
+    // Scheduling is ordinary because other tests run on the machine at the same time.
     std::ofstream(folder_.path() / "config.toml")
         << "[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\n"
            "[server]\nlisten = \"127.0.0.1:0\"\n"
@@ -75,7 +75,7 @@ class Starts : public ::testing::Test {
   }
   ~Starts() override { robot_.reset(); }
 
-  /// The command with `script` beside it, which ends it.
+  /// Runs the command while `script` runs in parallel; the end of the script ends the command.
   void run(const std::function<void()>& script) {
     std::thread beside([&] {
       try {
@@ -107,37 +107,38 @@ class Starts : public ::testing::Test {
     return false;
   }
   std::size_t arms() {
-    return robot_->with([](ScriptedRobot& robot) { return robot.heard.arms.size(); });
+    return robot_->with([](ScriptedRobot& robot) { return robot.received.arms.size(); });
   }
   std::size_t stops() {
-    return robot_->with([](ScriptedRobot& robot) { return robot.heard.stops.size(); });
+    return robot_->with([](ScriptedRobot& robot) { return robot.received.stops.size(); });
   }
-  /// Until the robot has got so many more commands. They come all the time, armed or not.
+  /// Waits until the robot has received `more` further commands. They are sent all the time, armed
+  /// or not.
   bool after_commands(std::size_t more = kManyCommands) {
     const auto got = [this] {
-      return robot_->with([](ScriptedRobot& robot) { return robot.heard.commands.size(); });
+      return robot_->with([](ScriptedRobot& robot) { return robot.received.commands.size(); });
     };
     const std::size_t until = got() + more;
     return soon([&] { return got() >= until; });
   }
   bool ready() {
     return soon([this] {
-      return robot_->with([](ScriptedRobot& robot) { return robot.heard.commands.size() > 60; });
+      return robot_->with([](ScriptedRobot& robot) { return robot.received.commands.size() > 60; });
     });
   }
   bool moves() {
     return robot_->with([](ScriptedRobot& robot) {
-      return !robot.heard.commands.empty() && robot.heard.commands.back().speed_mps > 0.0F;
+      return !robot.received.commands.empty() && robot.received.commands.back().speed_mps > 0.0F;
     });
   }
-  /// On a machine that is too busy a run may end by itself: then it is started again.
+  /// On a busy machine a run may end by itself; then it is started again.
   bool driving() {
     return soon([this] { return moves(); }, 5s) || start_again();
   }
   bool standing() {
     return soon([this] {
       return robot_->with([](ScriptedRobot& robot) {
-        return !robot.heard.commands.empty() && robot.heard.commands.back().speed_mps == 0.0F;
+        return !robot.received.commands.empty() && robot.received.commands.back().speed_mps == 0.0F;
       });
     });
   }
@@ -184,7 +185,7 @@ TEST_F(Starts, ASecondEnterStartsNothing) {
       ASSERT_TRUE(after_commands(200));
       ASSERT_EQ(arms(), before) << "a second Enter armed the robot";
     }
-    ASSERT_TRUE(start_again()) << "the word does";
+    ASSERT_TRUE(start_again()) << "typing go must start a run";
   });
   EXPECT_THAT(log_, HasSubstr("Enter: STOP"));
   EXPECT_THAT(log_, HasSubstr("type go and press Enter to start course 1-straight"));
@@ -206,7 +207,7 @@ TEST_F(Starts, AgainAndAgainTakeTheWord) {
   });
 }
 
-// The robot ends the run; at that moment somebody presses Enter to stop it.
+// The robot ends the run; at that moment the operator presses Enter to stop it.
 TEST_F(Starts, EnterInTheCycleInWhichARunEndsStartsNothing) {
   with_board(wire::Board::kNative);
   run([&] {
@@ -248,7 +249,8 @@ TEST_F(Starts, EnterAndTheStopOfThePageAtOnceStartNothing) {
   });
 }
 
-// As AFirstStart... of the cycle, through the whole program: nobody knows yet of the other's key.
+// The same as AFirstStart... of the live cycle, through the whole program: neither operator knows
+// of the other's request yet.
 TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
   with_board(wire::Board::kMega2560);
   run([&] {
@@ -269,12 +271,12 @@ TEST_F(Starts, TheFirstEnterAndTheStopOfThePageAtOnceLeaveNoRun) {
 TEST_F(Starts, WhatIsTypedAheadStartsNothing) {
   with_board(wire::Board::kMega2560);
   run([&] {
-    // Before anything is asked.
+    // This is typed before the prompt.
     keyboard_.type("\n\ngo\n\ngo");
     ASSERT_TRUE(ready());
     ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 0u);
-    // The word's beginning was forgotten, and lines that come together are no answer.
+    // The incomplete word was discarded, and lines that arrive together do not count as an answer.
     keyboard_.type("\n\n");
     ASSERT_TRUE(after_commands(100));
     EXPECT_EQ(arms(), 0u);
@@ -338,7 +340,7 @@ TEST_F(Starts, AServiceNeverStartsByItself) {
       ASSERT_TRUE(after_commands(200));
       EXPECT_EQ(arms(), 0u);
     });
-    robot_->with([](ScriptedRobot& robot) { robot.heard = {}; });
+    robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
     robot_->unplug();
   }
   ::unsetenv("NOTIFY_SOCKET");

@@ -66,7 +66,7 @@ TEST_F(Files, TheNewestStepIsWrittenAsAWhole) {
   open();
   std::atomic<bool> over{false};
   std::atomic<int> torn{0};
-  // A reader that looks all the time never sees half a text.
+  // A reader that polls the file must never see an incomplete text.
   std::thread reader([&] {
     while (!over) {
       const std::string text = test::read_bytes(run_.settings.encoder_file);
@@ -87,7 +87,7 @@ TEST_F(Files, TheNewestStepIsWrittenAsAWhole) {
   EXPECT_EQ(torn, 0);
   files_.reset();
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1)
-      << "nothing temporary is left";
+      << "temporary files were left behind";
 }
 
 TEST_F(Files, AChangedFileIsReadAndABadOneIsCountedAndChangesNothing) {
@@ -101,13 +101,13 @@ TEST_F(Files, AChangedFileIsReadAndABadOneIsCountedAndChangesNothing) {
   world_writes("P=-0.5 Y=0 R=0\n");
   EXPECT_TRUE(eventually([&] { return pitch() == -0.5; }));
   const std::uint64_t read = files_->counters().read;
-  // Each text that is written is followed by a look.
+  // After each text that it writes, the daemon checks the other file.
   for (int i = 0; i < 3; ++i) {
     const std::uint64_t written = files_->counters().written;
     step();
     ASSERT_TRUE(eventually([&] { return files_->counters().written > written; }));
   }
-  EXPECT_EQ(files_->counters().read, read) << "nobody wrote";
+  EXPECT_EQ(files_->counters().read, read) << "an unchanged file was read again";
 }
 
 TEST_F(Files, WithoutALinesEndItIsReadTwice) {

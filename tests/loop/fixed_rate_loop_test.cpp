@@ -15,26 +15,26 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Answers every byte with itself; tells the test what happened.
-class Echo : public Driven {
+// Echoes every byte and counts what happens to the port.
+class Echo : public LoopClient {
  public:
   void opened(HostNs) override { ++openings; }
   void closed(HostNs) override { ++closings; }
   bool received(std::span<const std::uint8_t> bytes, HostNs) override {
-    if (settled != steps) ++settled_too_late;
+    if (done_after_write != steps) ++after_write_too_late;
     received_bytes += bytes.size();
     if (bytes.size() > largest_read) largest_read = bytes.size();
     if (echo) out_.insert(out_.end(), bytes.begin(), bytes.end());
     return true;
   }
   void step(HostNs) override {
-    if (settled != steps) ++settled_too_late;
+    if (done_after_write != steps) ++after_write_too_late;
     ++steps;
     std::this_thread::sleep_for(takes_ms.load() * 1ms);
   }
-  void settle(HostNs) override {
-    ++settled;
-    if (!out_.empty()) ++settled_too_early;
+  void after_write(HostNs) override {
+    ++done_after_write;
+    if (!out_.empty()) ++after_write_too_early;
   }
   std::span<const std::uint8_t> output() override { return out_; }
   void written(std::size_t n) override {
@@ -45,12 +45,13 @@ class Echo : public Driven {
     out_.clear();
   }
   bool expects_reply(HostNs) override { return prompt; }
-  bool take_hang_up() override { return hang_up.exchange(false); }
-  bool wind_up(HostNs) override { return ++wind_ups >= wind_up_turns; }
+  bool take_port_drop() override { return hang_up.exchange(false); }
+  bool shut_down(HostNs) override { return ++shut_downs >= shut_down_cycles; }
 
-  std::atomic<int> openings{0}, closings{0}, drops{0}, wind_ups{0}, wind_up_turns{1}, takes_ms{0};
-  std::atomic<std::uint64_t> steps{0}, settled{0}, settled_too_early{0}, settled_too_late{0},
-      received_bytes{0}, largest_read{0};
+  std::atomic<int> openings{0}, closings{0}, drops{0}, shut_downs{0}, shut_down_cycles{1},
+      takes_ms{0};
+  std::atomic<std::uint64_t> steps{0}, done_after_write{0}, after_write_too_early{0},
+      after_write_too_late{0}, received_bytes{0}, largest_read{0};
   std::atomic<bool> echo{true}, prompt{false}, hang_up{false};
 
  private:
@@ -119,9 +120,9 @@ TEST(FixedRateLoop, ReadsStepsAndWrites) {
     loop.join();
     EXPECT_TRUE(loop.ended());
     EXPECT_EQ(echo.closings, 1);
-    EXPECT_EQ(echo.settled, echo.steps);
-    EXPECT_EQ(echo.settled_too_early, 0u);
-    EXPECT_EQ(echo.settled_too_late, 0u);
+    EXPECT_EQ(echo.done_after_write, echo.steps);
+    EXPECT_EQ(echo.after_write_too_early, 0u);
+    EXPECT_EQ(echo.after_write_too_late, 0u);
   }
 }
 
@@ -149,14 +150,14 @@ TEST(FixedRateLoop, GivesALostPortBackAndTakesTheNext) {
     EXPECT_EQ(lost.end, PortEnd::kSilent);
     loop.request_stop();
     loop.join();
-    EXPECT_EQ(echo.settled_too_late, 0u);
+    EXPECT_EQ(echo.after_write_too_late, 0u);
   }
 }
 
 TEST(FixedRateLoop, DropsOutputThatNobodyTakesAndGoesOnOnceItIsTaken) {
   Echo echo;
   SocketPair sockets;
-  // Fill the socket, so that a write of ours finds no room.
+  // Fills the socket, so that the loop's next write finds no room.
   char block[4096] = {};
   std::size_t filled = 0;
   for (ssize_t n = 0; (n = ::write(sockets.ends[0], block, sizeof block)) > 0;)
@@ -167,8 +168,9 @@ TEST(FixedRateLoop, DropsOutputThatNobodyTakesAndGoesOnOnceItIsTaken) {
   ASSERT_EQ(::write(sockets.ends[1], "x", 1), 1);
   ASSERT_TRUE(eventually([&] { return echo.drops > 0; }));
   const std::uint64_t steps = echo.steps;
-  EXPECT_TRUE(eventually([&] { return echo.steps > steps + 10; })) << "it waits for nobody";
-  EXPECT_EQ(echo.drops, 1) << "what is dropped is gone";
+  EXPECT_TRUE(eventually([&] { return echo.steps > steps + 10; }))
+      << "the loop must not wait for the reader";
+  EXPECT_EQ(echo.drops, 1) << "dropped output must not be dropped again";
   std::string taken;
   const auto take = [&] {
     const ssize_t n = ::read(sockets.ends[1], block, sizeof block);
@@ -188,17 +190,17 @@ TEST(FixedRateLoop, DropsOutputThatNobodyTakesAndGoesOnOnceItIsTaken) {
 
 TEST(FixedRateLoop, WindsUpAndThenEnds) {
   Echo echo;
-  echo.wind_up_turns = 5;
+  echo.shut_down_cycles = 5;
   FixedRateLoop loop(settings(), echo);
   loop.start();
   loop.request_stop();
   loop.join();
-  EXPECT_EQ(echo.wind_ups, 5);
+  EXPECT_EQ(echo.shut_downs, 5);
 }
 
 TEST(FixedRateLoop, EndsEvenIfWindingUpNeverSucceeds) {
   Echo echo;
-  echo.wind_up_turns = 1'000'000;
+  echo.shut_down_cycles = 1'000'000;
   FixedRateLoop loop(settings(), echo);
   loop.start();
   loop.request_stop();
@@ -224,9 +226,9 @@ TEST(FixedRateLoop, PacedByTheRobotEverySampleIsAnswered) {
     }
     loop.request_stop();
     loop.join();
-    EXPECT_GT(loop.statistics().turns, loop.statistics().without_frame.load());
+    EXPECT_GT(loop.statistics().cycles, loop.statistics().frame_timeouts.load());
     EXPECT_EQ(loop.statistics().work.count(), echo.steps);
-    EXPECT_EQ(echo.settled_too_late, 0u);
+    EXPECT_EQ(echo.after_write_too_late, 0u);
   }
 }
 
@@ -245,7 +247,7 @@ TEST(FixedRateLoop, CountsTurnsThatTakeTooLong) {
   }
 }
 
-// A peer that sends without pause: what it costs is bounded by the time that passes.
+// The peer sends without pause. The number of cycles and reads must be bounded by the elapsed time.
 TEST(FixedRateLoop, AFloodingPeerDoesNotKeepItBusy) {
   for (const bool robot_paced : {false, true}) {
     Echo echo;
@@ -268,9 +270,9 @@ TEST(FixedRateLoop, AFloodingPeerDoesNotKeepItBusy) {
     const auto elapsed = std::chrono::steady_clock::now() - began;
     EXPECT_GT(echo.received_bytes, 0u);
     EXPECT_LE(echo.largest_read, FixedRateLoop::kReadSize);
-    const auto turns = static_cast<std::uint64_t>(elapsed / 2500us) + 2;
-    EXPECT_LE(loop.statistics().turns, turns);
-    const auto reads = turns + static_cast<std::uint64_t>(elapsed / 200us) + 2;
+    const auto cycles = static_cast<std::uint64_t>(elapsed / 2500us) + 2;
+    EXPECT_LE(loop.statistics().cycles, cycles);
+    const auto reads = cycles + static_cast<std::uint64_t>(elapsed / 200us) + 2;
     EXPECT_LE(echo.received_bytes, reads * FixedRateLoop::kReadSize);
   }
 }

@@ -55,23 +55,23 @@ TEST(Waiting, NeverEndsBeforeTheDeadline) {
   EXPECT_GE(monotonic_now(), deadline);
 }
 
-/// The remedy that is named for `what` if it is refused.
-std::string remedy(const std::vector<Grant>& grants, const std::string& what) {
+/// The fix that is suggested if `what` is refused.
+std::string fix(const std::vector<Grant>& grants, const std::string& what) {
   for (const Grant& grant : grants) {
-    if (grant.what.rfind(what, 0) == 0) return grant.granted ? "granted" : grant.remedy;
+    if (grant.what.rfind(what, 0) == 0) return grant.granted ? "granted" : grant.fix;
   }
   return "not asked for";
 }
 
-/// For a process of its own: limits stay lowered, and a root that became somebody else stays it.
+/// Runs in its own process, because it lowers limits and gives up root irreversibly.
 [[noreturn]] void ask_without_rights() {
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_RTPRIO, &none);
   ::setrlimit(RLIMIT_MEMLOCK, &none);
   if (::geteuid() == 0 && ::setresuid(65534, 65534, 65534) != 0) std::_Exit(2);
   const RealTimeProcess process({.lock_memory = true, .hold_cpu_latency = true});
-  std::fprintf(stderr, "%s\n%s\n", remedy(process.grants(), "memory").c_str(),
-               remedy(apply_to_this_thread({.priority = 80}), "SCHED_FIFO").c_str());
+  std::fprintf(stderr, "%s\n%s\n", fix(process.grants(), "memory").c_str(),
+               fix(apply_to_this_thread({.priority = 80}), "SCHED_FIFO").c_str());
   std::_Exit(0);
 }
 
@@ -82,12 +82,12 @@ TEST(RealTime, APrivilegeThatIsMissingNamesTheCommandThatGrantsIt) {
 echo ".USER - rtprio 90" . sudo tee -a /etc/security/limits.d/tp100.conf)");
 }
 
-TEST(RealTime, EveryPrivilegeIsGrantedOrComesWithARemedy) {
+TEST(RealTime, EveryPrivilegeIsGrantedOrComesWithAFix) {
   const RealTimeProcess process({.lock_memory = false, .hold_cpu_latency = true});
-  for (const Grant& grant : process.grants()) EXPECT_NE(grant.granted, !grant.remedy.empty());
+  for (const Grant& grant : process.grants()) EXPECT_NE(grant.granted, !grant.fix.empty());
   for (const Grant& grant : apply_to_this_thread({.priority = 0, .cpu = 100'000})) {
     EXPECT_FALSE(grant.granted);
-    EXPECT_FALSE(grant.remedy.empty());
+    EXPECT_FALSE(grant.fix.empty());
   }
 }
 

@@ -1,5 +1,3 @@
-#include "loop/port_wait.h"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -8,6 +6,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "loop/pacing.h"
 
 namespace tp100::loop {
 namespace {
@@ -31,7 +30,7 @@ class PortWaits : public ::testing::Test {
     ends_[1] = -1;
   }
   bool readable(HostNs until) { return wait_.readable(ends_[0], until); }
-  /// As the loop does: asks until the time has come. How often it asked.
+  /// Polls until the deadline, like the loop; returns the number of polls.
   int wait_out(HostNs until) {
     int asked = 0;
     for (; monotonic_now() < until; ++asked) EXPECT_FALSE(readable(until));
@@ -55,7 +54,7 @@ TEST_F(PortWaits, AnEndOfThePortIsNoSilence) {
 }
 
 TEST_F(PortWaits, SilenceEndsAtEachDeadlineHoweverTheyFollow) {
-  // Shorter and longer than the timer's own rhythm, and one that has passed.
+  // The deadlines are shorter and longer than the timer's period, and one has passed.
   for (const HostNs ahead : {3000, 100, 700, -200, 500, 2000, 1, 499}) {
     const HostNs until = monotonic_now() + ahead * kNsPerUs;
     wait_out(until);
@@ -71,11 +70,11 @@ TEST_F(PortWaits, ADeadlineBeforeTheOneThatIsSetIsKept) {
 }
 
 TEST_F(PortWaits, ATimerThatRanAlreadyCostsOneMoreLookAndNoBusyWait) {
-  for (int turn = 0; turn < 20; ++turn) EXPECT_LE(wait_out(monotonic_now() + 2 * kNsPerMs), 8);
+  for (int cycle = 0; cycle < 20; ++cycle) EXPECT_LE(wait_out(monotonic_now() + 2 * kNsPerMs), 8);
 }
 
 TEST_F(PortWaits, BytesAreSeenAfterAnyNumberOfSilentDeadlines) {
-  for (int turn = 0; turn < 5; ++turn) {
+  for (int cycle = 0; cycle < 5; ++cycle) {
     wait_out(monotonic_now() + kNsPerMs);
     send();
     EXPECT_TRUE(readable(monotonic_now() + 1000 * kNsPerS));
@@ -93,7 +92,7 @@ TEST(PortWait, WithoutDescriptorsItSaysWhatToRaise) {
   ::setrlimit(RLIMIT_NOFILE, &none);
   try {
     PortWait wait(kSpareNs);
-    ADD_FAILURE() << "a timer without a descriptor";
+    ADD_FAILURE() << "the timer was created without a descriptor";
   } catch (const SetupError& error) {
     EXPECT_NE(std::string(error.what()).find("ulimit -n"), std::string::npos) << error.what();
   }

@@ -1,9 +1,9 @@
-#include "loop/slot_ring.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <thread>
+
+#include "loop/rings.h"
 
 namespace tp100::loop {
 namespace {

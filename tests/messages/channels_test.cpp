@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What schema readers of viewers accept: objects, arrays of objects or of plain values.
+// Expects only schema elements that the viewers' readers accept: objects, and arrays of objects or
+// of plain values.
 void expect_readable(const Json& schema, const std::string& where, bool in_array) {
   ASSERT_TRUE(schema.contains("type")) << where;
   const std::string type = schema["type"];
@@ -30,7 +31,7 @@ void expect_readable(const Json& schema, const std::string& where, bool in_array
   }
 }
 
-// Fields of `message` that the schema does not name.
+// Expects that the schema describes all fields of `message`.
 void expect_described(const Json& schema, const Json& message, const std::string& where) {
   if (message.is_null()) return;
   if (schema["type"] == "object") {
@@ -62,7 +63,7 @@ TEST(Channels, SchemaReadersOfViewersTakeEverySchema) {
     EXPECT_EQ(schema["title"], text.schema_name);
     EXPECT_EQ(schema["type"], "object");
     expect_readable(schema, text.topic, false);
-    // One name, one schema.
+    // A schema name stands for one schema only.
     const auto [at, fresh] = by_name.emplace(text.schema_name, text.schema);
     EXPECT_TRUE(fresh || at->second == text.schema) << text.topic;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// A course with an obstacle of each kind, and a record with numbers that tell fields apart.
+// A course with one obstacle of each kind, and a record whose numbers differ from field to field.
 
 #include <memory>
 #include <numbers>
@@ -9,7 +9,7 @@
 
 namespace tp100::messages {
 
-inline Subject example_subject() {
+inline RunContext example_subject() {
   course::Course course;
   course.name = "example";
   course.path = {course::Line{1.0}, course::Pivot{std::numbers::pi / 2}, course::Arc{0.5, -1.0}};
@@ -23,18 +23,18 @@ inline Subject example_subject() {
       {.place = {0.5, 0.0, 0.0}, .height_m = 0.03, .depth_m = 0.1, .width_m = 0.4}};
   course.terrain.surfaces = {{.name = "ice", .place = {}, .length_m = 0.3, .width_m = 0.2}};
   course.fence = {-1, 2, -3, 4};
-  Subject subject;
-  subject.course = std::make_shared<const course::Course>(std::move(course));
-  subject.robot.name = "end-loaded";
-  return subject;
+  RunContext run_context;
+  run_context.course = std::make_shared<const course::Course>(std::move(course));
+  run_context.robot.name = "end-loaded";
+  return run_context;
 }
 
 inline StepRecord example_record() {
   StepRecord record;
   record.now_ns = 12 * kNsPerS;
   record.step = 2400;
-  record.session = SessionState::kReady;
-  record.clock.valid = true;
+  record.inputs.session = SessionState::kReady;
+  record.inputs.clock.valid = true;
   record.command_valid = true;
   Snapshot& snapshot = record.snapshot;
   snapshot.now_ns = record.now_ns;
@@ -43,13 +43,13 @@ inline StepRecord example_record() {
   snapshot.sample.measured_ns = record.now_ns - 3 * kNsPerMs;
   snapshot.sample.state = RobotState::kRunning;
   snapshot.sample.battery_v = 7.9;
-  snapshot.model.x_m = 0.11;
-  snapshot.odometry.x_m = 0.22;
-  snapshot.odometry.yaw_rad = 0.3;
-  snapshot.fused.pose.x_m = 0.33;
-  snapshot.world = snapshot.odometry;
+  snapshot.estimates[PoseSource::kModel].pose.x_m = 0.11;
+  snapshot.estimates[PoseSource::kOdometry].pose.x_m = 0.22;
+  snapshot.estimates[PoseSource::kOdometry].pose.yaw_rad = 0.3;
+  snapshot.estimates[PoseSource::kFused].pose.x_m = 0.33;
+  snapshot.world = snapshot.estimates[PoseSource::kOdometry].pose;
   snapshot.world.z_m = 0.05;
-  snapshot.command.pose = snapshot.odometry;
+  snapshot.command.pose = snapshot.estimates[PoseSource::kOdometry].pose;
   snapshot.command.desired_yaw_rad = 0.3;
   snapshot.command.speed_mps = 0.1;
   snapshot.progress_m = 0.2;
@@ -58,7 +58,7 @@ inline StepRecord example_record() {
   return record;
 }
 
-/// Started at host time 2 s, when the wall clock said 1000 s.
+/// A clock that was started at host time 2 s, when the wall clock showed 1000 s.
 inline PublishClock example_clock() { return {2 * kNsPerS, 1000 * kNsPerS}; }
 
 }  // namespace tp100::messages

@@ -8,7 +8,7 @@
 
 #include "core/angle.h"
 #include "fixtures.h"
-#include "messages/foxglove_json.h"
+#include "messages/foxglove.h"
 
 namespace tp100::messages {
 namespace {
@@ -44,8 +44,8 @@ TEST_F(MessagesTest, WithoutASampleTheAgeIsUnknown) {
 }
 
 TEST_F(MessagesTest, NumbersThatAreNoneStayOutOfTheJson) {
-  record_.snapshot.fused.variance_x_m2 = -1.0;
-  record_.snapshot.model.x_m = std::numeric_limits<double>::infinity();
+  record_.snapshot.filter.variance_x_m2 = -1.0;
+  record_.snapshot.estimates[PoseSource::kModel].pose.x_m = std::numeric_limits<double>::infinity();
   const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
   EXPECT_TRUE(json["fused"]["sd_x_m"].is_null());
   EXPECT_TRUE(json["model"]["x_m"].is_null());
@@ -67,7 +67,7 @@ TEST_F(MessagesTest, CommandedTrackSpeedsAreThoseOfTheStepAndNoneWithoutACommand
 TEST_F(MessagesTest, TheReferenceIsThePathAtTheProgress) {
   const Json json = Json::parse(messages_.estimate(record_, std::nullopt));
   EXPECT_NEAR(json["reference"]["x_m"].get<double>(), 0.2, 1e-12);
-  Subject none = example_subject();
+  RunContext none = example_subject();
   none.course = nullptr;
   const Messages without(none, example_clock());
   EXPECT_TRUE(Json::parse(without.estimate(record_, std::nullopt))["reference"].is_null());
@@ -83,10 +83,11 @@ TEST_F(MessagesTest, ASampleNamesItsFaults) {
 }
 
 TEST_F(MessagesTest, ACommandSaysHowLongItLives) {
-  record_.snapshot.command.expiry_us = record_.clock.to_device(record_.now_ns + 180 * kNsPerMs);
+  record_.snapshot.command.expiry_us =
+      record_.inputs.clock.to_device(record_.now_ns + 180 * kNsPerMs);
   const Json json = Json::parse(messages_.command(record_));
   EXPECT_NEAR(json["expires_in_ms"].get<double>(), 180.0, 0.01);
-  record_.clock.valid = false;
+  record_.inputs.clock.valid = false;
   EXPECT_TRUE(Json::parse(messages_.command(record_))["expires_in_ms"].is_null());
 }
 
@@ -115,7 +116,7 @@ TEST_F(MessagesTest, ACourseTellsItsGeometry) {
 }
 
 TEST_F(MessagesTest, WithoutACourseTheListsAreEmpty) {
-  const Messages without(Subject{}, example_clock());
+  const Messages without(RunContext{}, example_clock());
   const Json json = Json::parse(without.course());
   EXPECT_EQ(json["name"], "");
   EXPECT_TRUE(json["path"].empty());
@@ -135,7 +136,7 @@ TEST_F(MessagesTest, TransformsMoveTheRobotInTheCoursesWorld) {
 }
 
 TEST(Quaternion, TurnsAVectorAsTheEulerAnglesDo) {
-  // z-y-x: R = Rz(yaw) Ry(pitch) Rx(roll), written out.
+  // R = Rz(yaw) Ry(pitch) Rx(roll), written out.
   const double roll = 0.3, pitch = -0.7, yaw = 2.1;
   const auto [x, y, z, w] = quaternion({.roll_rad = roll, .pitch_rad = pitch, .yaw_rad = yaw});
   EXPECT_NEAR(x * x + y * y + z * z + w * w, 1.0, 1e-12);
@@ -144,17 +145,17 @@ TEST(Quaternion, TurnsAVectorAsTheEulerAnglesDo) {
   EXPECT_NEAR(2 * (x * y + w * z), std::sin(yaw) * std::cos(pitch), 1e-12);
   EXPECT_NEAR(2 * (x * z - w * y), -std::sin(pitch), 1e-12);
   EXPECT_GT(2 * (x * z - w * y), 0.0);
-  // Left axis, z part.
+  // This is the z component of the left axis.
   EXPECT_NEAR(2 * (y * z + w * x), std::cos(pitch) * std::sin(roll), 1e-12);
 }
 
-TEST_F(MessagesTest, ALogLineHoldsCauseAndRemedy) {
+TEST_F(MessagesTest, ALogLineHoldsCauseAndFix) {
   const Event event{.at_ns = 3 * kNsPerS,
                     .kind = "fault",
                     .level = Event::Level::kError,
                     .text = "tilt",
                     .cause = "too steep",
-                    .remedy = "set it upright"};
+                    .fix = "set it upright"};
   const Json json = Json::parse(messages_.log(event));
   EXPECT_EQ(json["message"], "tilt: too steep; set it upright");
   EXPECT_EQ(json["level"], 4);

@@ -1,4 +1,4 @@
-// The scene against the terrain that it shows.
+// Compares the scene with the terrain that it shows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ TEST(Scene, ARampRisesAndFallsAtItsAngles) {
   EXPECT_NEAR(std::atan2(highest, top_from - first), ramp.up_rad, 1e-9);
   EXPECT_NEAR(top_to - top_from, ramp.top_m, 1e-9);
   EXPECT_NEAR(std::atan2(highest, last - top_to), ramp.down_rad, 1e-9);
-  // The side that is met first lies behind the centre, seen along the heading.
+  // Seen along the heading, the side that the robot meets first lies behind the centre.
   EXPECT_NEAR(first, -ramp.length_m() / 2, 1e-9);
   EXPECT_NEAR(list["pose"]["orientation"]["z"].get<double>(), std::sin(M_PI / 4), 1e-12);
 }
@@ -72,7 +72,7 @@ TEST(Scene, EveryKindOfPrimitiveIsAList) {
 }
 
 TEST(Scene, WithoutACourseThereIsOnlyTheRobot) {
-  const Messages messages(Subject{}, example_clock());
+  const Messages messages(RunContext{}, example_clock());
   EXPECT_EQ(Json::parse(messages.scene(0))["entities"].size(), 3U);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(StateMessage, FaultsComeWithCauseAndRemedy) {
+TEST(StateMessage, FaultsComeWithCauseAndFix) {
   StateFigures state;
   state.faults = fault_bit(Fault::cross_track) | fault_bit(Fault::battery_low);
   const Json faults = Json::parse(state_message(0, {}, state, example_subject()))["faults"];
@@ -21,7 +21,7 @@ TEST(StateMessage, FaultsComeWithCauseAndRemedy) {
   EXPECT_EQ(faults[1]["from"], "daemon");
   for (const Json& fault : faults) {
     EXPECT_NE(fault["cause"], "");
-    EXPECT_NE(fault["remedy"], "");
+    EXPECT_NE(fault["fix"], "");
   }
 }
 

@@ -1,5 +1,3 @@
-#include "model/climb_geometry.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +19,7 @@ ClimbGeometry with_com_height(double height_m) {
 }
 
 TEST(ClimbLimit, FallsWithTheHeightOfTheCentreOfMassAsPublished) {
-  // The published figures are the first heights in steps of 0.2 mm that fail.
+  // The published values are the smallest heights, in steps of 0.2 mm, that cannot be climbed.
   EXPECT_NEAR(climb_limit_m(with_com_height(0.018)), 0.0446, 2e-4);
   EXPECT_NEAR(climb_limit_m(with_com_height(0.022)), 0.0404, 2e-4);
   EXPECT_NEAR(climb_limit_m(with_com_height(0.026)), 0.0366, 2e-4);
@@ -48,9 +46,9 @@ TEST(ClimbLimit, NoAngleOfACoarseSearchBeatsIt) {
   const ClimbGeometry g;
   double best = 0.0;
   for (double angle = 0.0; angle < 1.2; angle += 1e-4) {
-    best =
-        std::max(best, g.belt_radius_m * (1 - std::cos(angle)) + g.com_forward_m * std::sin(angle) -
-                           g.com_height_m * std::sin(angle) * std::tan(angle));
+    best = std::max(best, g.wheel_radius_m * (1 - std::cos(angle)) +
+                              g.com_forward_m * std::sin(angle) -
+                              g.com_height_m * std::sin(angle) * std::tan(angle));
   }
   EXPECT_NEAR(climb_limit_m(g), best, 1e-9);
 }
@@ -93,14 +91,14 @@ TEST(CheckClimb, RefusesABlockBehindWhichTheRobotFallsOnItsNose) {
   geometry.com_forward_m = 0.125;
   ASSERT_GT(climb_limit_m(geometry), 0.060);
   EXPECT_THROW(check_climb(geometry, {0.060, 0.1}), SetupError);
-  // The height that it names is the one that decides.
+  // The message names the height limit that applies.
   const double lowest_m =
-      std::hypot(geometry.axle_spacing_m - geometry.com_forward_m, geometry.belt_radius_m) +
-      geometry.belt_radius_m;
+      std::hypot(geometry.axle_spacing_m - geometry.com_forward_m, geometry.wheel_radius_m) +
+      geometry.wheel_radius_m;
   EXPECT_NO_THROW(check_climb(geometry, {lowest_m - 1e-6, 0.1}));
   try {
     check_climb(geometry, {lowest_m + 1e-6, 0.1});
-    ADD_FAILURE() << "nothing is refused";
+    ADD_FAILURE() << "the block must be refused";
   } catch (const SetupError& error) {
     char named[32];
     std::snprintf(named, sizeof named, "below %.1f mm", lowest_m * 1e3);

@@ -1,5 +1,5 @@
-// The step climb against contact physics in the plane that shares nothing with it: a stiff stadium
-// on springs and dampers, pushed by Coulomb friction of running belts.
+// Compares the step climb with an independent simulation of contact physics in the plane: a rigid
+// stadium on springs and dampers, driven by Coulomb friction of its running tracks.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace tp100::model {
 namespace {
 
-constexpr double kFriction = 1.2;  // enough for the belts to hold
+constexpr double kFriction = 1.2;  // enough that the tracks do not slip
 constexpr double kFullGripMps = 1e-3;
 constexpr double kStiffness = 2e4, kDamping = 60.0;
 constexpr double kMass = 0.922, kGravity = 9.80665;
@@ -20,10 +20,10 @@ constexpr double kStep = 2e-5;
 
 class PlanarBody {
  public:
-  PlanarBody(const ClimbGeometry& geometry, const Block& block, double belt_mps,
+  PlanarBody(const ClimbGeometry& geometry, const BlockShape& block, double track_mps,
              const ClimbState& start)
-      : g_(geometry), block_(block), belt_(belt_mps), x_(start.com_m.x), z_(start.com_m.z) {
-    vx_ = belt_mps;
+      : g_(geometry), block_(block), track_(track_mps), x_(start.com_m.x), z_(start.com_m.z) {
+    vx_ = track_mps;
   }
 
   double angle() const { return angle_; }
@@ -34,7 +34,7 @@ class PlanarBody {
     fx_ = 0.0;
     fz_ = -kMass * kGravity;
     torque_ = 0.0;
-    const double c = std::cos(angle_), s = std::sin(angle_), r = g_.belt_radius_m;
+    const double c = std::cos(angle_), s = std::sin(angle_), r = g_.wheel_radius_m;
     const double up = g_.com_height_m - r;
     const PlaneVector rear{x_ - g_.com_forward_m * c + up * s, z_ - g_.com_forward_m * s - up * c};
     const PlaneVector front{rear.x + g_.axle_spacing_m * c, rear.z + g_.axle_spacing_m * s};
@@ -67,7 +67,7 @@ class PlanarBody {
     const double load =
         std::max(0.0, kStiffness * depth - kDamping * (vx * normal.x + vz * normal.z));
     const PlaneVector drive{normal.z, -normal.x};
-    const double slip = belt_ - (vx * drive.x + vz * drive.z);
+    const double slip = track_ - (vx * drive.x + vz * drive.z);
     const double pull = std::clamp(slip / kFullGripMps, -1.0, 1.0) * kFriction * load;
     const double fx = load * normal.x + pull * drive.x, fz = load * normal.z + pull * drive.z;
     fx_ += fx;
@@ -83,18 +83,18 @@ class PlanarBody {
     const double distance = std::hypot(dx, dz);
     const bool faces = flat == nearest || (dx * outward >= 0.0 && dz >= 0.0);
     if (distance < 1e-9 || !faces) return;
-    push({edge_x, block_.height_m}, {dx / distance, dz / distance}, g_.belt_radius_m - distance);
+    push({edge_x, block_.height_m}, {dx / distance, dz / distance}, g_.wheel_radius_m - distance);
   }
 
   ClimbGeometry g_;
-  Block block_;
-  double belt_;
+  BlockShape block_;
+  double track_;
   double x_, z_, angle_ = 0.0, vx_ = 0.0, vz_ = 0.0, rate_ = 0.0;
   double fx_ = 0.0, fz_ = 0.0, torque_ = 0.0;
 };
 
 struct Drive {
-  Block block;
+  BlockShape block;
   double speed;
   TipStart tip_start;
 };
@@ -103,7 +103,7 @@ class ClimbPhysics : public testing::TestWithParam<Drive> {};
 
 TEST_P(ClimbPhysics, PitchAgreesWithinTwoDegreesAndPlaceWithinThreeMillimetres) {
   const Drive& drive = GetParam();
-  StepClimb model({}, drive.block, RiserForm::kBeltHolds, drive.tip_start);
+  StepClimb model({}, drive.block, RiserForm::kTrackHolds, drive.tip_start);
   model.reset(0.01);
   PlanarBody body({}, drive.block, drive.speed, model.state());
   const int every = 50;

@@ -46,8 +46,8 @@ TEST(Incline, SlopeAndSurfaceAddTheSameToEveryRobot) {
 }
 
 TEST(Incline, SlipStaysBelowOneOnIce) {
-  EXPECT_DOUBLE_EQ(slip(0.9, 0.9, inclined(28 * kRadPerDeg)).left, kMostSlip);
-  EXPECT_DOUBLE_EQ(slip(0.3, 0.3, {.slip_offset = 0.9}).right, kMostSlip);
+  EXPECT_DOUBLE_EQ(slip(0.9, 0.9, inclined(28 * kRadPerDeg)).left, kMaxSlip);
+  EXPECT_DOUBLE_EQ(slip(0.3, 0.3, {.slip_offset = 0.9}).right, kMaxSlip);
 }
 
 TEST(Incline, PaperModeKnowsNeitherSlopeNorSurface) {

@@ -19,15 +19,15 @@ constexpr double kSpeed = 0.10;
 
 struct Case {
   ClimbGeometry geometry{};
-  Block block{};
-  RiserForm form = RiserForm::kBeltHolds;
+  BlockShape block{};
+  RiserForm form = RiserForm::kTrackHolds;
   TipStart tip_start = TipStart::kBalance;
   double speed = kSpeed;
 };
 
 ClimbGeometry scaled(double factor) {
   ClimbGeometry g;
-  for (double* length : {&g.axle_spacing_m, &g.belt_radius_m, &g.com_forward_m, &g.com_height_m,
+  for (double* length : {&g.axle_spacing_m, &g.wheel_radius_m, &g.com_forward_m, &g.com_height_m,
                          &g.body_length_m, &g.body_height_m}) {
     *length *= factor;
   }
@@ -82,7 +82,7 @@ double distance_m(const Case& what) {
 class EveryClimb : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Climbs, EveryClimb, testing::ValuesIn(cases()));
 
-// The state at which `phase` began: where its predecessor's curve ends.
+// The state at which `phase` began, that is, the end of the previous phase's curve.
 const ClimbState* begin_of(const std::vector<ClimbState>& states, ClimbPhase phase) {
   for (const ClimbState& state : states) {
     if (state.phase == phase) return &state;
@@ -91,7 +91,7 @@ const ClimbState* begin_of(const std::vector<ClimbState>& states, ClimbPhase pha
 }
 
 TEST(StepClimb, GivesThePublishedCheckValues) {
-  const ClimbCurve curve({}, {}, RiserForm::kBeltHolds);
+  const ClimbCurve curve({}, {}, RiserForm::kTrackHolds);
   const ClimbMarks& marks = curve.marks();
   EXPECT_NEAR(marks.riser_end, 0.0132, 5e-5);
   EXPECT_NEAR(curve.riser(marks.riser_end).angle_rad * kDegPerRad, 4.74, 5e-3);
@@ -129,7 +129,7 @@ TEST_P(EveryClimb, PassesThePhasesInOrder) {
     if (seen.empty() || seen.back() != state.phase) seen.push_back(state.phase);
   }
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
-  const bool riser = what.block.height_m > what.geometry.belt_radius_m;
+  const bool riser = what.block.height_m > what.geometry.wheel_radius_m;
   const bool flat = begin_of(states, ClimbPhase::kFlat) != nullptr;
   EXPECT_EQ(begin_of(states, ClimbPhase::kRiser) != nullptr, riser);
   EXPECT_EQ(seen.size(), 8u + (riser ? 1u : 0u) + (flat ? 1u : 0u));
@@ -155,11 +155,11 @@ TEST_P(EveryClimb, MovesWithoutAJumpInPositionOrPitch) {
 
 TEST_P(EveryClimb, NeverEntersTheGroundOrTheBlock) {
   const Case& what = GetParam();
-  const double radius = what.geometry.belt_radius_m, height = what.block.height_m;
+  const double radius = what.geometry.wheel_radius_m, height = what.block.height_m;
   for (const ClimbState& state : drive(what, 1e-3, distance_m(what) / what.speed)) {
     const double s = std::sin(-state.pitch_rad), c = std::cos(state.pitch_rad);
     for (double along = -0.5; along <= 0.501; along += 0.02) {
-      // Circles along the axle line: the stadium is their hull.
+      // The stadium is the hull of circles along the line between the axles.
       const double forward = along * what.geometry.axle_spacing_m;
       const double x = state.reference_m.x + forward * c - radius * s;
       const double z = state.reference_m.z + forward * s + radius * c;
@@ -172,7 +172,7 @@ TEST_P(EveryClimb, NeverEntersTheGroundOrTheBlock) {
   }
 }
 
-// Central differences of what the curves return, against their own rates and velocities.
+// Compares central differences of the curves with their own rates and velocities.
 TEST_P(EveryClimb, HasTheDerivativesThatItClaims) {
   const Case& what = GetParam();
   const ClimbCurve curve(what.geometry, what.block, what.form);
@@ -184,7 +184,7 @@ TEST_P(EveryClimb, HasTheDerivativesThatItClaims) {
       const double s = begin + (end - begin) * i / 20.0;
       const double h = std::min(2e-5 * size, (end - begin) / 50.0);
       const auto differ = [&](auto value) {
-        // Fourth order, so that rounding and truncation both stay below the bound.
+        // The fourth order keeps both rounding and truncation below the bound.
         return (8.0 * (value(at(s + h)) - value(at(s - h))) -
                 (value(at(s + 2 * h)) - value(at(s - 2 * h)))) /
                (12.0 * h);
@@ -194,9 +194,9 @@ TEST_P(EveryClimb, HasTheDerivativesThatItClaims) {
                   1e-8)
           << name << ' ' << s;
       const double vx =
-          lean.belt_direction.x - lean.rate_radpm * (lean.rear_axle.z - lean.held_point.z);
+          lean.track_direction.x - lean.rate_radpm * (lean.rear_axle.z - lean.held_point.z);
       const double vz =
-          lean.belt_direction.z + lean.rate_radpm * (lean.rear_axle.x - lean.held_point.x);
+          lean.track_direction.z + lean.rate_radpm * (lean.rear_axle.x - lean.held_point.x);
       EXPECT_NEAR(differ([](const Lean& l) { return l.rear_axle.x; }), vx, 1e-8)
           << name << ' ' << s;
       EXPECT_NEAR(differ([](const Lean& l) { return l.rear_axle.z; }), vz, 1e-8)
@@ -212,7 +212,7 @@ TEST_P(EveryClimb, HasTheDerivativesThatItClaims) {
     EXPECT_NEAR(curve.cross_bend(s), bend, 1e-5 * std::abs(bend) + 1e-6);
   }
   check([&](double s) { return curve.nose(s); }, m.flat_end, m.nose_end, "nose");
-  // The face begins at a kink of the curve; both sides of it are checked.
+  // The face begins at a kink of the curve; the two sides of the kink are checked separately.
   const double face = m.slide_end - 0.002 * what.block.height_m / 0.037;
   check([&](double s) { return curve.slide(s); }, m.nose_end,
         m.nose_end + 0.5 * (face - m.nose_end), "slide");
@@ -226,7 +226,8 @@ TEST_P(EveryClimb, ReportsTheVelocityOfTheMotionThatItReports) {
   for (std::size_t i = 1; i + 1 < states.size(); ++i) {
     const ClimbState &a = states[i - 1], &b = states[i], &c = states[i + 1];
     if (a.phase != c.phase) continue;
-    // Where the velocity itself kinks or jumps the difference quotient lies between its sides.
+    // Where the velocity has a kink or a jump, the difference quotient lies between the values of
+    // both sides.
     const auto agree = [&](double before, double after, const char* what_moves, double rate_before,
                            double rate, double rate_after) {
       EXPECT_NEAR((after - before) / (2 * dt), rate,
@@ -257,7 +258,7 @@ TEST_P(EveryClimb, ComesOutTheSameWhateverTheStep) {
     coarse.advance(what.speed * dt, dt);
     for (int i = 0; i < 16; ++i) fine.advance(what.speed * dt / 16, dt / 16);
     at += dt;
-    // Only the moment of lifting off the rear contact is resolved to a step of the fall.
+    // Only the moment at which the rear contact lifts off is resolved to one step of the fall.
     ASSERT_NEAR(coarse.state().pitch_rad, fine.state().pitch_rad, 2e-5);
     ASSERT_NEAR(coarse.state().com_m.x, fine.state().com_m.x, 1e-5);
     ASSERT_NEAR(coarse.state().com_m.z, fine.state().com_m.z, 1e-5);
@@ -265,7 +266,7 @@ TEST_P(EveryClimb, ComesOutTheSameWhateverTheStep) {
   EXPECT_EQ(coarse.state().phase, ClimbPhase::kDown);
 }
 
-TEST(StepClimb, FallsWithoutLosingEnergyWhenTheBeltsStand) {
+TEST(StepClimb, FallsWithoutLosingEnergyWhenTheTracksStand) {
   StepClimb climb({}, {});
   while (climb.state().phase != ClimbPhase::kTip) climb.advance(1e-5, 1e-4);
   climb.advance(1e-4, 1e-3);
@@ -333,7 +334,7 @@ TEST(StepClimb, DrivingBackOffTheBlockTipsBackOntoTheRear) {
   EXPECT_EQ(climb.state().phase, ClimbPhase::kApproach);
 }
 
-TEST(StepClimb, StandsStillWhileTheBeltsStandExceptWhereItFalls) {
+TEST(StepClimb, StandsStillWhileTheTracksStandExceptWhereItFalls) {
   StepClimb climb({}, {});
   std::map<ClimbPhase, int> held;
   for (int i = 0; i < 4000; ++i) {
@@ -397,7 +398,7 @@ TEST(StepClimb, SurvivesAnyDrivingBackAndForth) {
 }
 
 TEST(StepClimb, LiteralEquationSixTurnsFasterOnTheRiserOnly) {
-  const ClimbCurve held({}, {}, RiserForm::kBeltHolds), literal({}, {}, RiserForm::kPaper);
+  const ClimbCurve held({}, {}, RiserForm::kTrackHolds), literal({}, {}, RiserForm::kPaper);
   EXPECT_NEAR(literal.marks().riser_end, 0.011, 1e-15);
   for (double s = 0.001; s < 0.011; s += 0.001) {
     EXPECT_NEAR(std::sin(literal.riser(s).angle_rad) * 0.133, s, 1e-15);

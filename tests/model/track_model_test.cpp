@@ -9,7 +9,7 @@
 namespace tp100::model {
 namespace {
 
-// Eqs 1-5 written out again, integrated by brute force: fourth-order Runge-Kutta in tiny steps.
+// Eqs 1-5 written independently and integrated with fourth-order Runge-Kutta in very small steps.
 Pose reference(double left, double right, double duration_s, int steps) {
   const double al = 0.1, ar = 0.1188, wheelbase = 0.2742;
   const double vx = (right * (1 - ar) + left * (1 - al)) / 2;

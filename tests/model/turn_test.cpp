@@ -53,10 +53,10 @@ TEST(Turn, OnlyTheRatioOfTheSpeedsCounts) {
 }
 
 TEST(Turn, FewEdgesPerIntervalDoNotLookLikeTurns) {
-  TurnWatch watch;
+  TurnMonitor watch;
   double most = 0.0;
   for (int i = 0; i < 400; ++i) {
-    // One edge or two, by turns, as 1.5 edges an interval look.
+    // A speed of 1.5 edges per interval gives one and two edges in turn.
     const TurnShape shape = watch.update(i % 2 == 0 ? 0.1 : 0.2, i % 2 == 0 ? 0.2 : 0.1, 0.005);
     if (i > 100) most = std::max({most, shape.tight, std::abs(shape.wide)});
   }

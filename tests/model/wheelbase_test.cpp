@@ -1,6 +1,6 @@
-#include "model/wheelbase.h"
-
 #include <gtest/gtest.h>
+
+#include "model/turn.h"
 
 namespace tp100::model {
 namespace {

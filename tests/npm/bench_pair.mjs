@@ -1,4 +1,4 @@
-// The two real programs, joined by a pseudo-terminal, for as long as a test needs them.
+// The two real programs, connected by a pseudo-terminal, for the duration of a test.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { mkdtemp, rm, writeFile } from 'node:fs/promises';
@@ -22,10 +22,10 @@ function line(stream, pattern, who) {
   });
 }
 
-/** Starts an emulated robot and tp100d; `url` is the page, `end()` stops and removes everything. */
+/** Starts an emulated robot and tp100d. `url` is the page's address; `end()` stops both programs and removes all files. */
 export async function startPair({ course = '1-straight', options = [] } = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
-  // Ordinary scheduling: the tests of a whole machine run at once.
+  // Scheduling is ordinary because other tests run on the machine at the same time.
   await writeFile(join(folder, 'tp100.toml'),
     '[loop]\npriority = 0\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n');
   const link = join(folder, 'robot');

@@ -1,4 +1,4 @@
-// Foxglove's own client against tp100d and an emulated robot.
+// Tests tp100d and an emulated robot with Foxglove's own client.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import test from 'node:test';
@@ -9,7 +9,7 @@ const { FoxgloveClient } = load('@foxglove/ws-protocol');
 const { WebSocket } = load('ws');
 const text = new TextDecoder();
 
-/** The client with what it has heard; `until` waits for a condition on it. */
+/** The client and what it has received; `until` waits for a condition on it. */
 class Viewer {
   constructor(url, protocol) {
     this.socket = new WebSocket(url.replace('http', 'ws'), [protocol]);
@@ -62,7 +62,7 @@ class Viewer {
     this.messages.set(this.client.subscribe(this.channels.get(topic).id), list);
     return list;
   }
-  /** As until, on a robot that drives. One that had to stop, because the machine was busy, starts again. */
+  /** Same as until, for a moving robot. If the robot had to stop because the machine was busy, it is started again. */
   untilDriven(states, condition) {
     let seen;
     return this.until(() => {
@@ -131,13 +131,13 @@ test('receives every pose of a moving robot, 200 a second', limits, () => withPa
   const states = viewer.subscribe('/state');
   await viewer.untilDriven(states, () => (poses.at(-1)?.value.pose.position.x ?? 0) > 0.1);
   assert.equal(poses[0].value.frame_id, 'world');
-  // By the stamps: a busy machine delays messages, and may drop some of them.
+  // The test uses the time stamps, because a busy machine delays messages and may drop some of them.
   const gaps = poses.slice(1).map((each, i) => Number(each.timestamp - poses[i].timestamp));
   gaps.sort((a, b) => a - b);
   assert.ok(Math.abs(gaps[gaps.length >> 1] - 5e6) < 5e5, `median ${gaps[gaps.length >> 1]} ns`);
   const steps = estimates.map((each) => each.value.step);
   steps.slice(1).forEach((step, i) => assert.ok(step > steps[i]));
-  // One bus: the pose of a step is the estimate of that step.
+  // The pose of a step must equal the estimate of the same step.
   const match = estimates.find((each) => each.timestamp === poses.at(-10).timestamp);
   assert.equal(match.value.odometry.x_m, poses.at(-10).value.pose.position.x);
   await viewer.close();
@@ -180,7 +180,7 @@ test('calls stop, and the robot acknowledges', limits, () => withPair({}, async 
     (each) => each.value.stop.status === 'acknowledged'))).value;
   assert.equal(last.stop.acknowledged_ms, answer.acknowledged_ms);
   assert.equal(last.stop.latched, true);
-  // Only a start ends it.
+  // Only a start ends the latched stop.
   await viewer.until(() => states.at(-1).value.can.start);
   assert.deepEqual(await viewer.call('start'), { accepted: true });
   await viewer.until(() => states.at(-1).value.run === 'running');

@@ -1,4 +1,4 @@
-// The packages under test, from the folder in which `install` put them.
+// The packages under test, from the folder into which `install` put them.
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 

@@ -1,4 +1,4 @@
-// What package.json asks for is what the tests get.
+// The tests must use the package versions that package.json requires.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import test from 'node:test';

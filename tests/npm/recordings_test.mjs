@@ -1,5 +1,5 @@
-// Every recording is what another implementation of the format calls right: read as a stream and
-// through its index, with every CRC checked.
+// Another implementation of the format must accept every recording, read as a stream and through its index, with every
+// CRC checked.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
@@ -22,14 +22,14 @@ async function inFolder(work) {
   }
 }
 
-/** The one run that was recorded into `folder`. */
+/** The only run that was recorded into `folder`. */
 async function recorded(folder) {
   const runs = await readdir(folder);
   assert.equal(runs.length, 1, `runs: ${runs}`);
   return join(folder, runs[0], 'run.mcap');
 }
 
-/** Message counts by topic, events by their text; checks every record on the way. */
+/** Counts messages by topic and events by text, and checks every record. */
 function readAsStream(bytes) {
   const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
   reader.append(bytes);
@@ -60,7 +60,7 @@ function readAsStream(bytes) {
   return { counts, channels, ...seen };
 }
 
-/** Every value has the type that the schema says; null means "not known". */
+/** Expects that every value has the type that the schema gives; null means "not known". */
 function checkAgainst(schema, value, where) {
   if (value === null) return;
   const type = Array.isArray(value) ? 'array'
@@ -70,7 +70,7 @@ function checkAgainst(schema, value, where) {
   if (type !== 'object') return;
   for (const [name, entry] of Object.entries(value)) {
     if (Object.keys(schema.properties).length === 0) continue;
-    // A parameter's value has a type of its own, and no schema.
+    // The type of a parameter's value depends on the parameter, so the schema does not give it.
     if (where === '/parameter.parameters[]' && ['value', 'default'].includes(name)) continue;
     assert.ok(schema.properties[name], `${where}.${name} is in the schema`);
     checkAgainst(schema.properties[name], entry, `${where}.${name}`);
@@ -142,7 +142,7 @@ test('a live run, whole and killed', () => inFolder(async (folder) => {
       daemon.once('exit', resolve);
       if (kill) setTimeout(() => daemon.kill('SIGKILL'), 3000);
     });
-    // On a crowded machine commands may come too late: then it is aborted, and that is what happened.
+    // On a busy machine commands may arrive too late; then the run is aborted, and the recording says so.
     const end = await run('whole', ['--course', course, '--duration', '30'], false) === 0 ? 'finished' : 'aborted';
     const { counts, events, steps } = await check(await recorded(join(folder, 'whole')));
     assert.ok(counts.get('/step') > 100);

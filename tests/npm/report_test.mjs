@@ -1,4 +1,4 @@
-// A report in a browser without a network: the replay draws, nothing is fetched, nothing goes wrong.
+// Opens a report in a browser without a network: the replay must draw, without requests and without errors.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
@@ -23,7 +23,7 @@ test('the report of an emulated run', async () => {
       '--virtual-time-budget=2000', '--dump-dom', `file://${join(run, 'report.html')}`], { encoding: 'utf8', timeout: 60000 });
     assert.equal(shown.status, 0, shown.stderr);
     assert.doesNotMatch(shown.stderr, /CONSOLE/);
-    // The replay stands at the end of the run, as its clock says.
+    // The replay begins at the end of the run, as its clock shows.
     const clock = /<output>([0-9.]+) s<\/output>/.exec(shown.stdout);
     assert.ok(clock, 'the clock of the replay is set');
     assert.ok(Math.abs(Number(clock[1]) - metrics.duration_s) < 0.2, `${clock[1]} s of ${metrics.duration_s} s`);

@@ -1,4 +1,4 @@
-"""What robots do that no robot should, and what must come of each: the table of the test."""
+"""The table of the test: faults of a robot that violate the protocol or physics, and the required reaction to each."""
 import math
 import struct
 import time
@@ -8,12 +8,12 @@ from robot import LSB
 from wire import ACCEPTED, ARMED, DISARMED, FAULTED, HELLO, OUT_OF_RANGE, RUNNING, SCHEMA, TYPE, frame, pack
 
 # `when`: phase of the robot's life and seconds after its beginning. `must`: see below. `words`: a regular expression
-# for what the program writes. `course`: line, short, arc, spin. `typed`: (phase, seconds, text) for the program's
-# standard input. `options`: of the program.
+# for the daemon's output. `course`: line, short, arc or spin. `typed`: (phase, seconds, text) for the daemon's standard
+# input. `options`: of the daemon.
 Oddity = namedtuple("Oddity", "name when do must words course typed options short")
-# `exits`: statuses that are right. `arms`: most Arms (repeats of a token count once). `ms`, `m`, `deg`: motors must be
-# asked off by then, counted from the oddity on; None: it need not. `arrives`: the robot must end where the course does.
-# `stops`: fewest Stops that a robot must be sent that does not obey.
+# `exits`: accepted exit statuses. `arms`: largest number of Arms (repeats of a token count once). `ms`, `m`, `deg`:
+# limits within which the motors must be asked off, counted from the oddity; None: no limit. `arrives`: the robot must
+# end where the course does. `stops`: smallest number of Stops that must be sent to a robot that does not obey.
 Must = namedtuple("Must", "exits arms ms m deg arrives stops", defaults=(0,))
 
 COMPLETE = Must((0,), 1, None, None, None, True)
@@ -23,10 +23,10 @@ def stop(ms=None, m=0.15, deg=20.0, arms=1):
     return Must((1,), arms, ms, m, deg, False)
 
 
-AT_ONCE = stop(250)             # one sample shows it
-SILENCE = stop(300)             # what stays away shows only after 200 ms
-IN_BOUNDS = stop()              # a window shows it
-UNARMED = stop(250, arms=0)     # the state shows it; with a duty it takes a Stop, repeated
+AT_ONCE = stop(250)             # one sample reveals the fault
+SILENCE = stop(300)             # missing data are detected only after 200 ms
+IN_BOUNDS = stop()              # the fault is detected over a time window
+UNARMED = stop(250, arms=0)     # the state reveals the fault; with a duty, the daemon sends Stop repeatedly
 RUNS_UNARMED = UNARMED._replace(stops=2)
 RUNS_ON = AT_ONCE._replace(stops=2)
 ENDS = Must((1,), 1, None, None, None, False)
@@ -48,7 +48,7 @@ def odd(name, when, do, must, words="", course=None, typed=(), options=("--go",)
     ROWS.append(Oddity(name, when, do, must, words, course, typed, options, short))
 
 
-# -- ways to be odd: each returns a function of the robot
+# -- kinds of oddities: each function returns a function of the robot
 def both(*ways):
     return lambda robot: [way(robot) for way in ways]
 
@@ -66,7 +66,7 @@ def put(**attributes):
 
 
 def reports(**fields):
-    """Samples with these fields, whatever is true."""
+    """Samples report these fields, whatever their true values are."""
     return lambda robot: robot.report.update(fields)
 
 
@@ -83,7 +83,7 @@ def altered(change):
 
 
 def steps(by):
-    """The robot's own sequence jumps."""
+    """The robot's sequence number jumps."""
     return lambda robot: setattr(robot, "sequence", (robot.sequence + by) % 65536)
 
 
@@ -100,7 +100,7 @@ def once(**fields):
 
 
 def drives(left, right, **more):
-    """Tracks run at these speeds whatever is asked, with a duty in the samples."""
+    """The tracks run at these speeds whatever the command is, and the samples report a duty."""
     return both(put(left__runs_at=left, right__runs_at=right),
                 reports(left_duty=round(3000 * left), right_duty=round(3000 * right), **more))
 
@@ -123,7 +123,7 @@ def acks(change):
 
 
 def refuses(name, result, state=None, detail=0):
-    """Answers a request with `result` whatever it did; `state` is what samples say from then on."""
+    """Answers a request with `result` in any case; samples report `state` from then on."""
     def do(robot):
         def change(fields):
             if fields["request"] == TYPE[name]:
@@ -156,7 +156,7 @@ def restarts(silent=0.03, nonce=0x51A7E002, **after):
 
 
 def floods(a_second, data):
-    """`data(robot)` returns bytes to send so many times a second."""
+    """`data(robot)` returns the bytes to send `a_second` times a second."""
     def do(robot):
         owed = [0.0]
         def each():
@@ -195,7 +195,7 @@ def random_bytes(count):
 
 
 def corrupts(share):
-    """Flips a bit in this share of the frames that it sends."""
+    """Flips a bit in this share of the sent frames."""
     def do(robot):
         def transmit(data):
             if robot.random.random() < share:
@@ -207,7 +207,7 @@ def corrupts(share):
 
 
 def holds_back(seconds, every=None):
-    """What is sent waits until `seconds` are over, again every `every` seconds, then leaves at once."""
+    """Sent bytes are held back for `seconds`, again every `every` seconds, and then leave at once."""
     def do(robot):
         begin, kept = time.monotonic(), []
         def each():
@@ -227,7 +227,7 @@ def holds_back(seconds, every=None):
 
 
 def delays(seconds):
-    """Each byte arrives this much later; `seconds` is a function of the robot."""
+    """Each byte arrives later by `seconds`, a function of the robot."""
     def do(robot):
         kept = []
         def each():
@@ -254,14 +254,14 @@ def every_nth(n):
 
 
 def gap(seconds):
-    """No samples for a while; all else goes on."""
+    """The robot sends no samples for a while; everything else continues."""
     def do(robot):
         end = time.monotonic() + seconds
         robot.samples = lambda fields: [fields] if time.monotonic() > end else []
     return do
 
 
-# -- 1. Moves, or could, without having been asked
+# -- 1. Motion, or its possibility, without a request
 UNASKED = "unasked"
 odd("runs unarmed", IDLE, drives(0.1, 0.1), RUNS_UNARMED, UNASKED)
 odd("runs backwards unarmed", IDLE, drives(-0.1, -0.1), RUNS_UNARMED, UNASKED)
@@ -392,12 +392,12 @@ odd("state 9 in the hello", START, hello(state=9), Must((0, 2), 1, None, None, N
 odd("firmware 255.255.255", START, hello(firmware=b"\xff\xff\xff"), COMPLETE)
 odd("sends no hello", START, put(hello=lambda f: [pack("Log", {"device_us": 1, "level": 0, "text": b"hi"})]), REFUSED,
     "hello|answer")
-odd("sends nothing at all", START, put(transmit=lambda data: None), REFUSED, "nothing|silen|answer|heard|received")
+odd("sends nothing at all", START, put(transmit=lambda data: None), REFUSED, "nothing|silen|answer|received|received")
 odd("sends what is no frame", START, both(floods(100, random_bytes(40)), put(hello=lambda f: [])), REFUSED,
     "speed|baud|firmware|frame|answer")
 odd("boot banner before the hello", START, lambda r: r.write(b"Booting TP100...\r\nok\r\n"), COMPLETE)
 
-# -- 4. Floods and what is not asked for
+# -- 4. Floods and unrequested messages
 odd("1000 logs a second", DRIVE, floods(1000, log(b"a line of some length, 40 bytes, or so..")), COMPLETE)
 odd("logs of raw bytes and escapes", START, floods(20, log(lambda r: b"\x1b[2J\x07\r\n%s" + r.random.randbytes(34))),
     COMPLETE)
@@ -423,7 +423,7 @@ odd("acknowledged Arms that nobody sent, while idle", IDLE,
 odd("refused Arms that nobody sent, while driving", DRIVE,
     floods(200, sends("Acknowledge", request=0x44, token=number(32), result=5, detail=2)), COMPLETE)
 odd("500 clock answers a second", DRIVE,
-    floods(500, sends("SyncReply", id=number(16), received_us=number(32), sent_us=number(32), damaged=0)), EITHER)
+    floods(500, sends("SyncReply", id=number(16), received_us=number(32), sent_us=number(32), corrupted=0)), EITHER)
 odd("hellos of the same boot while driving", DRIVE,
     lambda r: setattr(r, "each", lambda: r.send_hello(time.monotonic())), AT_ONCE,
     r"link_lost|hello|rebooted|restart|session")
@@ -441,7 +441,7 @@ odd("frames of 4000 bytes", DRIVE, floods(5, lambda r: b"\x55" * 4000 + b"\0"), 
 odd("samples of 41 bytes", DRIVE, lambda r: setattr(r, "samples", lambda f: r.transmit(frame(2, bytes(41))) or []),
     SILENCE, LOST)
 
-# -- 5. Does not obey
+# -- 5. Disobedience
 odd("acknowledges Arm, stays Disarmed", ARM, both(reports(state=DISARMED), put(control=lambda now: (0.0, 0.0))),
     stop(1250), "not_acknowledged|did not|stays")
 odd("stays Armed", ("armed", 0.0), both(reports(state=ARMED), put(control=lambda now: (0.0, 0.0))), IN_BOUNDS,
@@ -509,9 +509,9 @@ odd("motors swapped in a spin", START, swap_motors, IN_BOUNDS, DUTY + "|gyro|hea
 
 # -- 7. Cells, attitude, faults and other fields of a sample
 odd("cells at 5.4 V, which the board reports", DRIVE, put(battery_mv=5400), stop(1500, m=None, deg=None),
-    "battery_low|low_cell")
+    "battery_low|low_battery")
 odd("cells at 5.4 V, which the board does not report", DRIVE, both(reports(battery_mv=5400)),
-    stop(2500, m=None, deg=None), "low_cell_voltage")
+    stop(2500, m=None, deg=None), "battery_below_minimum")
 odd("cells at 0 V in one sample", DRIVE, once(battery_mv=0), COMPLETE)
 odd("cells at 5.4 V from the start", START, put(battery_mv=5400), NEVER_ARMED._replace(arms=1), "battery|cell")
 odd("cells at 65 V", START, put(battery_mv=65535), COMPLETE)
@@ -592,8 +592,8 @@ for result in (1, 2, 3, 4, 5, 77):
         refuses("Parameters", result, None, {4: 2, 5: DISARMED}.get(result, 0)), REFUSED, "refus")
 odd("refuses Arm with 5, reports Armed", ARM, refuses("Arm", 5, ARMED, DISARMED), stop(300), "refus|not.*arm")
 
-# -- 10. Answers that do not come, or are not for what was asked
-odd("does not answer Parameters", START, put(deaf={"Parameters"}), REFUSED, "parameter|hears nothing")
+# -- 10. Missing answers, and answers to other requests
+odd("does not answer Parameters", START, put(deaf={"Parameters"}), REFUSED, "parameter|receives nothing")
 odd("does not answer SyncRequests", START, put(deaf={"SyncRequest"}), REFUSED, "clock|sync|answer")
 odd("does not answer SyncRequests while driving", DRIVE, put(deaf={"SyncRequest"}), COMPLETE)
 def unanswered(name):
@@ -631,7 +631,7 @@ def late_arm(robot):
     robot.each = each
 odd("answers Arm after 350 ms", ARM, late_arm, stop(450), UNANSWERED)
 
-# -- 11. Bytes and their times
+# -- 11. Bytes and their timing
 odd("one byte a millisecond", START, trickles, REFUSED)
 def byte_by_byte(robot):
     robot.transmit = lambda data: [robot.write(data[i:i + 1]) for i in range(len(data))]

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""What tp100d does with robots that do what no robot should: each row of oddities.py against a robot that was written
-from firmware/PROTOCOL.md alone. Usage: oddities_test.py [--jobs N] [--verbose] PROGRAM [WORD...]; words choose rows by
-their names.
+"""Tests tp100d with faulty robots: runs each row of oddities.py with a robot that was written from
+firmware/PROTOCOL.md alone. Usage: oddities_test.py [--jobs N] [--verbose] PROGRAM [WORD...]; words select rows by name.
 
-Times are those of the robot's own loop. A run that was not right says nothing if that loop, or the program, stood still
-for 50 ms: it is repeated, as is one that broke a limit of time or distance and nothing else, twice at most. Both are
-counted at the end. An Arm or a motion that nobody may ask for fails at once, whatever the machine does."""
+Times are measured by the robot's loop. A failed run is repeated if that loop or the program paused for 50 ms, because
+the pause may be the cause. A run that only exceeded a limit of time or distance is also repeated, at most twice. Both
+are counted at the end. A forbidden Arm or motion fails the test at once, whatever the machine does."""
 import argparse
 import math
 import multiprocessing
@@ -40,7 +39,8 @@ counts_per_metre = {COUNTS_PER_METRE}
 feed_forward = {FEED_FORWARD}
 dead_band = {DEAD_BAND}
 """,
-    # Nothing that many programs at once cannot have, no port, nothing on the disk; the time for an answer shortened.
+    # The settings avoid what many programs cannot have at once: real-time resources, a port, files. The answer time-out
+    # is shorter.
     "config.toml": """[link]
 first_frame_timeout_ms = 1500.0
 [loop]
@@ -94,7 +94,7 @@ def live(row, program, folder):
 
 
 def judge(row, robot, status, output):
-    """What happened that must never happen; what else was wrong; limits of time and distance that were exceeded."""
+    """Returns what must never happen but did, other errors, and the limits of time and distance that were exceeded."""
     must, never, wrong, late = row.must, [], [], []
     if robot.happened is None:
         return [], ["the oddity never happened"], []
@@ -134,8 +134,8 @@ def judge(row, robot, status, output):
 
 
 def stood_still(row, robot, output):
-    """Did this machine stand still for long enough to be the cause of whatever happened?"""
-    late = [int(ms) * 1e-3 for ms in re.findall(r"turns of the loop that came late, the longest after (\d+) ms",
+    """Did this machine pause long enough to be the cause of the result?"""
+    late = [int(ms) * 1e-3 for ms in re.findall(r"cycles of the loop that started late, the longest after (\d+) ms",
     output)]
     times = [at for at, name, _ in robot.received if name == "Command" and at < (robot.happened or math.inf)]
     gaps = [b - a for a, b in zip(times, times[1:])] if row.when[0] != "boot" else []
@@ -143,7 +143,7 @@ def stood_still(row, robot, output):
 
 
 def complaints(output):
-    """What the program wrote beyond what it always writes: warnings, errors, faults, the reason of an early end."""
+    """The daemon's output beyond its usual lines: warnings, errors, faults and the reason of an early end."""
     lines = [re.sub(r"^[\d:.]+ ", "", line) for line in output.splitlines()]
     usual = r"info |\w+: (completed|aborted|interrupted|duration) |$"
     return [line for line in lines if not re.match(usual, line)]
@@ -215,7 +215,7 @@ def main():
 
 
 def be_punctual():
-    """A robot is not slowed by what else its host computes; where this account may not say so, runs are repeated."""
+    """Gives the robots real-time priority over other programs. Without that right, late runs are repeated."""
     try:
         os.sched_setscheduler(0, os.SCHED_FIFO | os.SCHED_RESET_ON_FORK, os.sched_param(1))
     except PermissionError:

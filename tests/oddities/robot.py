@@ -1,8 +1,8 @@
-"""A robot of another make on a pseudo-terminal: what firmware/PROTOCOL.md asks of one, and nothing that the project's
-own firmware shares. It has no watch over stuck or reversed tracks, which the page leaves to the robot: the host must
-notice alone. Its body is kinematic: tracks with a lag, slip, a gyro with bias and noise, a clock that drifts.
+"""An independent robot on a pseudo-terminal. It implements firmware/PROTOCOL.md and shares no code with the project's
+firmware. It does not detect blocked or reversed tracks, which the page leaves to the robot: the host must detect them
+alone. Its body is kinematic: tracks with a lag, slip, a gyro with bias and noise, a clock that drifts.
 
-An oddity replaces attributes and functions of a running robot; `happened` is the instant at which it did."""
+An oddity replaces attributes and functions of a running robot; `happened` is the time at which it did."""
 import math
 import os
 import random
@@ -16,7 +16,7 @@ from wire import (ACCEPTED, ARMED, DISARMED, FAULTED, FAULT_PERSISTS, HELLO, OUT
 PERIOD = 0.005
 LSB = math.radians(1) / 32.8
 COMMAND_TIMEOUT, STOP_REQUESTED, BATTERY_LOW, PARAMETERS_MISSING = 0, 1, 7, 12
-# The robot as it is; the host's robot file says the same.
+# Properties of the robot; the daemon's robot file has the same values.
 COUNTS_PER_METRE, WHEELBASE, SLIP_LEFT, SLIP_RIGHT, FEED_FORWARD, DEAD_BAND = 9000.0, 0.26, 0.10, 0.12, 3.4, 0.09
 LAG = 0.08
 
@@ -30,10 +30,10 @@ class Track:
 
     def __init__(self, slip):
         self.slip, self.speed, self.counted, self.lag = slip, 0.0, 0.0, 0.0
-        self.motor = 1.0        # strength; negative: leads swapped
-        self.encoder = 1.0      # share of the edges that are counted; negative: backwards
-        self.runs_at = None     # speed that the track has whatever its duty says
-        self.blocked = False    # neither duty nor anything else moves it
+        self.motor = 1.0        # strength; negative: leads are swapped
+        self.encoder = 1.0      # share of the edges that are counted; negative: it counts backwards
+        self.runs_at = None     # speed of the track, whatever its duty is
+        self.blocked = False    # nothing moves the track
 
     def move(self, duty):
         """Moves the track for a period and returns its speed over ground."""
@@ -45,7 +45,7 @@ class Track:
         return self.speed * (1 - self.slip)
 
     def duty(self, target, measured, given):
-        """Feed-forward and PI loop on the counts, as the parameters ask."""
+        """Duty from the feed-forward and the PI control of the counts, with the given parameters."""
         if target == 0:
             self.lag = 0.0
             return 0.0
@@ -62,40 +62,40 @@ class Robot:
         os.set_blocking(self.master, False)
         self.port = os.ttyname(self.slave)
         self.when, self.oddity, self.happened = when, oddity, None
-        self.asked_off = None       # seconds, metres and radians since the oddity when the host first asked motors off
+        self.asked_off = None       # seconds, metres and radians from the oddity until the host first asked motors off
         self.random = random.Random(1)
         self.received = []             # every good frame of the host: time, name, fields
         self.interrupted = False
         self.asked = None           # the host's last Command
-        self.refused = None         # when it first answered an Arm with anything but Accepted
-        self.since = {}             # phase: time at which it began
-        self.late = 0.0             # largest delay of this program's own loop
+        self.refused = None         # time at which it first answered an Arm with anything but Accepted
+        self.since = {}             # phase: time of its beginning
+        self.late = 0.0             # largest delay of this program's loop
         self.pose = [0.0, 0.0, 0.0]
-        self.origin = (0.0, 0.0, 0.0)   # where it was armed
+        self.origin = (0.0, 0.0, 0.0)   # pose at which it was armed
         self.left, self.right = Track(SLIP_LEFT), Track(SLIP_RIGHT)
-        self.sides = 1.0            # -1: both tracks, with motor and encoder, are plugged in on the other side
+        self.sides = 1.0            # -1: both tracks, with motor and encoder, are connected to the other side
         self.gyro_bias, self.gyro_scale = 0.01, 1.0
         self.accel, self.gyro, self.turned = (0, 0, 8192), 0, 0.0
-        self.counts, self.measured = (0, 0), (0.0, 0.0)     # edges; speeds of the tracks by them
+        self.counts, self.measured = (0, 0), (0.0, 0.0)     # edges; track speeds measured from them
         self.battery_mv, self.board, self.nonce, self.ppm, self.clock_us = 7800, 2, 0x51A7E001, 40.0, 1000000
         self.counts_offset = 0
         self.is_open = True
-        # What oddities replace.
-        self.samples = lambda fields: [fields]          # one sample in, those to send out
+        # Attributes that oddities replace.
+        self.samples = lambda fields: [fields]          # one true sample in, the samples to send out
         self.hello = lambda fields: [pack("Hello", fields)]
         self.acknowledges = lambda fields: [fields]
         self.replies = lambda fields: [fields]          # to a SyncRequest
-        self.each = lambda: None                        # called every period
-        self.deaf = set()                               # names of messages that are not even looked at
+        self.each = lambda: None                        # called in every period
+        self.deaf = set()                               # names of messages that it ignores
         self.transmit = self.write
         self.reads = True
         self.sends_samples = True
-        self.report = {}                                # fields of samples that are sent instead of the true ones
+        self.report = {}                                # values that samples report instead of the true ones
         self.waiting = b""
         self.silent_until = 0.0
         self.boot(time.monotonic())
 
-    # -- the clock and the wire
+    # -- clock and wire
     def device_us(self, now):
         return int(self.clock_us + (now - self.booted) * 1e6 * (1 + self.ppm * 1e-6)) % 2**32
 
@@ -104,7 +104,7 @@ class Robot:
             while data:
                 data = data[os.write(self.master, data):]
         except OSError:
-            pass  # nobody reads, or the port is gone: a wire loses it, too
+            pass  # nobody reads, or the port is closed: a real wire loses the bytes, too
 
     def send(self, name, **fields):
         self.transmit(pack(name, fields))
@@ -115,7 +115,7 @@ class Robot:
             os.close(self.slave)
             os.close(self.master)
 
-    # -- the session
+    # -- session
     def boot(self, now, nonce=None, silent=0.0):
         self.nonce = nonce or self.nonce
         self.booted, self.silent_until, self.last_hello, self.last_received = now + silent, now + silent, -1.0, None
@@ -137,7 +137,7 @@ class Robot:
             self.oddity(self)
 
     def intended(self):
-        """Speed and turn rate that the host asks for at present, whether or not it is obeyed."""
+        """Speed and turn rate that the host requests at present, whether or not the robot obeys."""
         if self.asked is None or self.asked_off is not None:
             return 0.0, 0.0
         return self.asked["speed_mps"], self.asked["yaw_rate_radps"]
@@ -195,12 +195,13 @@ class Robot:
                 self.off(DISARMED)
             self.acknowledge(name, fields["token"])
         elif name == "SyncRequest":
-            # 7 bytes take 140 us to come and 17 take 340 us to go; a pseudo-terminal has no such times by itself.
+            # On a wire, 7 bytes take 140 us to arrive and 17 bytes 340 us to be sent; a pseudo-terminal has no such
+            # delays.
             time.sleep(140e-6)
             received = self.device_us(time.monotonic())
             sent = self.device_us(time.monotonic())
             time.sleep(340e-6)
-            for reply in self.replies({"id": fields["id"], "received_us": received, "sent_us": sent, "damaged": 0}):
+            for reply in self.replies({"id": fields["id"], "received_us": received, "sent_us": sent, "corrupted": 0}):
                 self.send("SyncReply", **reply)
 
     def take_parameters(self, fields, now):
@@ -261,7 +262,7 @@ class Robot:
 
     # -- one period
     def control(self, now):
-        """Duties for the last command: yaw by the gyro since the answered sample, then the tracks' speeds."""
+        """Duties for the last command: yaw control with the gyro since the acknowledged sample, then speed control."""
         order, given = self.command, self.parameters
         if self.state != RUNNING or order is None:
             return 0.0, 0.0
@@ -277,7 +278,7 @@ class Robot:
         return (self.left.duty(left, self.measured[0], given), self.right.duty(right, self.measured[1], given))
 
     def period(self, now):
-        """Body, sensors, time-outs, control and one sample, for the instant `now`."""
+        """Updates body, sensors, time-outs and control and sends one sample, at the time `now`."""
         ground_left, ground_right = self.left.move(self.duties[0]), self.right.move(self.duties[1])
         speed = (ground_left + ground_right) / 2
         rate = self.sides * (ground_right - ground_left) / WHEELBASE
@@ -318,7 +319,7 @@ class Robot:
                 self.send("Sample", **fields)
 
     def sample(self, now):
-        # 45 bytes took 0.9 ms to arrive; a pseudo-terminal has no such time by itself.
+        # On a wire, 45 bytes take 0.9 ms to arrive; a pseudo-terminal has no such delay.
         fields = {"sequence": self.sequence, "device_us": (self.device_us(now) - 900) % 2**32,
                   "left_counts": signed(self.counts[0] + self.counts_offset, 32),
                   "right_counts": signed(self.counts[1] + self.counts_offset, 32),
@@ -330,7 +331,7 @@ class Robot:
         return fields
 
     def watch(self, now):
-        """Time-outs and the battery, as the page asks."""
+        """Time-outs and battery supervision, as the page requires."""
         fresh = now - (self.command_at or self.session_at)
         life = 0.7 if self.command_at is None else self.parameters["command_life_ms"] * 1e-3
         if fresh > life and now - self.session_at > 0.7:
@@ -343,7 +344,7 @@ class Robot:
             self.latch(BATTERY_LOW, now)
 
     def follow_twin(self):
-        """How far the body is from where the host's last orders would have brought it, since the oddity."""
+        """Updates the distance between the body and where the host's last commands would have moved it since the oddity."""
         if self.happened is None:
             return
         x, y, yaw = self.twin[-1]
@@ -354,9 +355,9 @@ class Robot:
         low, high = sorted((self.twin[0][2], yaw))
         self.apart[1] = self.pose[2] - max(low, min(high, self.pose[2]))
 
-    # -- the loop
+    # -- loop
     def run_until(self, done, deadline):
-        """Lives in real time until `done()` or the instant `deadline`."""
+        """Runs in real time until `done()` is true or `deadline` has passed."""
         due = time.monotonic()
         while not done() and time.monotonic() < deadline:
             due += PERIOD

@@ -1,5 +1,5 @@
-"""The wire as firmware/PROTOCOL.md has it: its messages are read from that page's tables, the framing is written from
-its words."""
+"""The protocol of firmware/PROTOCOL.md. The messages are read from the tables of that page; the framing follows its
+text."""
 import os
 import re
 import struct
@@ -12,7 +12,7 @@ ACCEPTED, WRONG_BOOT, STALE_TOKEN, FAULT_PERSISTS, OUT_OF_RANGE, WRONG_STATE = r
 HELLO, PARAMETERS, DISARMED, ARMED, RUNNING, FAULTED = range(6)  # states
 LETTERS = {"u8": "B", "u16": "H", "u32": "I", "i16": "h", "i32": "i", "f32": "f"}
 
-TYPE, LAYOUT = {}, {}  # type byte; struct and names of its fields, an i16[3] as three, a u8[n] as bytes
+TYPE, LAYOUT = {}, {}  # type byte; struct format and names of the fields (i16[3] is three fields, u8[n] is bytes)
 for section in PAGE.split("\n### ")[1:]:
     head = re.match(r"`(\w+)` (0x\w\w), (\d+) bytes", section)
     if not head:
@@ -55,7 +55,7 @@ def pack(name, fields):
 
 
 def unpack(coded):
-    """(name, fields) of a frame without its delimiter, or None if it is damaged, unknown or of a wrong size."""
+    """(name, fields) of a frame without its delimiter, or None if it is corrupted, unknown or of a wrong size."""
     body, at = bytearray(), 0
     while at < len(coded):
         end = at + coded[at]

@@ -1,4 +1,4 @@
-"""This machine and the package that was built on it, as the package's tests need them."""
+"""Access to this machine and to the package that was built on it, for the package's tests."""
 import glob
 import os
 import shutil
@@ -6,7 +6,7 @@ import sys
 
 sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "support"))
 import verdict  # noqa: E402
-from verdict import ROOT, check, skip  # noqa: E402, F401 (its users take them from here)
+from verdict import ROOT, check, skip  # noqa: E402, F401 (its users import them from here)
 
 
 def need(*programs):
@@ -16,12 +16,12 @@ def need(*programs):
 
 
 def run(*command, **more):
-    """What the command printed; see verdict.run."""
+    """Returns the output of the command; see verdict.run."""
     return verdict.run(*command, **more)[1]
 
 
 def package(build):
-    """The one .deb of this build."""
+    """The only .deb of this build."""
     found = glob.glob(os.path.join(build, "package", "tp100_*.deb"))
     check(len(found) == 1, f"{build}/package: one tp100_*.deb expected, found {found}")
     return found[0]

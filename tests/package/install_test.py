@@ -1,4 +1,4 @@
-"""The package in a Debian of its own: installed, driven, upgraded, removed and purged."""
+"""Installs, drives, upgrades, removes and purges the package in a separate Debian."""
 import os
 import re
 import shutil
@@ -9,13 +9,13 @@ from machine import Machine
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CONFIG = "/etc/tp100/tp100.toml"
-# A course that is over soon.
+# A short course.
 COURSE = ('description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.2\n'
           "[fence]\nmin_x_m = -0.5\nmax_x_m = 0.8\nmin_y_m = -0.5\nmax_y_m = 0.5\n")
 
 
 def newer(deb, folder):
-    """The same package of a higher version that comes with another configuration."""
+    """The same package with a higher version and a different configuration file."""
     tree = os.path.join(folder, "newer")
     run("dpkg-deb", "-R", deb, tree)
     with open(tree + "/DEBIAN/control", encoding="utf-8") as file:
@@ -29,7 +29,7 @@ def newer(deb, folder):
 
 
 def drive_as_user(machine):
-    """Emulator and daemon as the service's user, without systemd, through a short course; two runs of a campaign."""
+    """Runs emulator and daemon as the service's user through a short course without systemd, and a campaign of two runs."""
     machine.write("/srv/short.toml", COURSE)
     said = machine.shell("""
       test "$(id -nG tp100)" = "tp100 dialout"
@@ -48,8 +48,8 @@ def drive_as_user(machine):
 
 
 def serve(machine):
-    """The unit under systemd: ready, real-time, through a course, watched, stopped. Returns why its user's rights, by
-    limits and without a capability, were not looked at; empty: they were."""
+    """Checks the unit under systemd: ready, real-time, through a course, supervised, stopped. Returns the reason why
+    the rights of its user, which come from limits without a capability, were not checked; empty if they were."""
     may_raise = subprocess.run(["prlimit", "--rtprio=90:90", "true"], stderr=subprocess.DEVNULL, check=False)
     machine.write("/etc/tp100/tp100.toml", 'course = "/srv/short.toml"\n[link]\nport = "/srv/robot"\n')
     with open(HERE + "/service.sh", encoding="utf-8") as file:
@@ -65,7 +65,7 @@ def verdict_file(build):
 
 
 def rights(build):
-    """What the install step found of the unit's LimitRTPRIO, LimitMEMLOCK and PrivateUsers."""
+    """The result of the install step for the unit's LimitRTPRIO, LimitMEMLOCK and PrivateUsers."""
     if not os.path.exists(verdict_file(build)):
         skip("no service was started (package.install); see there")
     with open(verdict_file(build), encoding="utf-8") as file:
@@ -76,7 +76,7 @@ def rights(build):
 
 
 def left(machine):
-    """What speaks of tp100 besides the logs of apt and dpkg."""
+    """All files that mention tp100 except the logs of apt and dpkg."""
     return machine.shell("""
       find / -xdev \\( -path /proc -o -path /sys -o -path /dev -o -path /srv \\) -prune -o -iname '*tp100*' -print
       grep -s tp100 /etc/passwd /etc/group /etc/shadow /etc/gshadow /var/lib/dpkg/status || true""")
@@ -93,7 +93,7 @@ def install(build):
         apt = "apt-get -qq -y -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "
         machine.shell(f"apt-get -qq update; {apt} install --no-install-recommends /srv/tp100.deb arduino-core-avr udev")
         machine.shell("systemd-analyze verify --man=no tp100d@tp100.service")
-        # It names file and line of a rule that it does not understand.
+        # The message names file and line of a rule with a syntax error.
         machine.shell("! udevadm test /sys/class/mem/null 2>&1 | grep tp100.rules:")
         drive_as_user(machine)
         untried = serve(machine)

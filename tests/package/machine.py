@@ -1,4 +1,4 @@
-"""A Debian of its own in a folder, with or without systemd."""
+"""A Debian in a folder, with or without systemd."""
 import glob
 import os
 import re
@@ -10,7 +10,7 @@ from host import need, run, skip
 
 
 def mirror():
-    """Where this machine's apt takes Debian from; empty: nowhere."""
+    """Address from which this machine's apt fetches Debian; empty if there is none."""
     for path in sorted(glob.glob("/etc/apt/sources.list.d/*.sources") + glob.glob("/etc/apt/sources.list.d/*.list")
                        + ["/etc/apt/sources.list"]):
         if not os.path.exists(path):
@@ -29,7 +29,7 @@ def release():
 
 
 class Machine:
-    """A folder with a Debian in it, gone in the end."""
+    """A folder that contains a Debian; it is removed at the end."""
 
     def __init__(self):
         need(("debootstrap", "debootstrap"), ("systemd-nspawn", "systemd-container"))
@@ -38,7 +38,7 @@ class Machine:
         if not mirror() or not release():
             skip("no Debian mirror in /etc/apt; add one")
         self.folder = tempfile.mkdtemp(prefix="tp100-machine-")
-        # It is the root folder of everybody in there.
+        # Every user in the machine must be able to use its root folder.
         os.chmod(self.folder, 0o755)
         made = subprocess.run(["debootstrap", "--variant=minbase", release(), self.folder, mirror()], text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
@@ -63,7 +63,7 @@ class Machine:
     def nspawn(self, *rest, **more):
         said = run("systemd-nspawn", "--quiet", "--directory=" + self.folder, "--register=no", "--keep-unit", *rest,
                    **more)
-        # Of nspawn's own clearing up, where /run is no file system of its own.
+        # This message comes from nspawn's clean-up where /run is no separate file system.
         return re.sub(r"^Attempted to remove disk file system .*\n", "", said, flags=re.M)
 
     def shell(self, script, good=True):

@@ -40,7 +40,7 @@ def exposure(_build):
 
 
 def words(shell_script, line):
-    """What bash offers after `line`, of which the last word is completed."""
+    """The completions that bash offers for the last word of `line`."""
     parts = line.split(" ")
     script = (f'source "{shell_script}"; COMP_WORDS=({" ".join(repr(p) for p in parts)}); '
               f'COMP_CWORD={len(parts) - 1}; _{parts[0].replace("-", "_")}; printf "%s\\n" "${{COMPREPLY[@]}}"')

@@ -35,7 +35,7 @@ fi
 setpriv --reuid=tp100 --regid=tp100 --init-groups tp100-sim robot --link /tmp/robot &
 robot=$!
 wait_for test -e /tmp/robot
-# The service has a /tmp of its own.
+# The service has its own /tmp.
 ln -sfn "$(readlink /tmp/robot)" /srv/robot
 
 systemctl enable --now $unit
@@ -44,19 +44,19 @@ status 'page http://127.0.0.1:8765/'
 said 'real time: SCHED_FIFO 80'
 [ -z "@MAY_RAISE@" ] || said 'real time: memory locked'
 wait_for status 'link ready'
-# A service starts nothing by itself.
+# A service must not start a run without a request.
 sleep 1
 status 'run idle'
-# The name of this machine's clock, by which a camera's stamps count. The container's own is another file.
+# The boot id, which tells whether a camera's stamps are on this machine's clock. The container has its own file for it.
 grep -q . "/proc/$(systemctl show -P MainPID $unit)/root/proc/sys/kernel/random/boot_id"
 
-# Who does not turn is replaced.
+# A daemon whose loop hangs must be replaced.
 kill -STOP "$(systemctl show -P MainPID $unit)"
 restarted() { [ "$(systemctl show -P NRestarts $unit)" = 1 ] && [ "$(systemctl is-active $unit)" = active ]; }
 wait_for restarted
 said 'Watchdog timeout'
 
-# What a restart may mend is tried again.
+# A failure that a restart may fix must lead to a restart.
 systemctl stop $unit
 starved=tp100d@starved
 printf '[server]\nlisten = "off"\n' >/etc/tp100/starved.toml
@@ -70,14 +70,14 @@ journalctl --no-pager -o cat -u $starved | grep -q 'stopped: .*; start it again'
 systemctl stop $starved
 rm -r /etc/tp100/starved.toml /run/systemd/system/$starved.service.d
 
-# A file that is wrong is said once and not tried again.
+# An error in a file must be reported once, without a restart.
 echo 'robto = "uniform"' >/etc/tp100/wrong.toml
 refused tp100d@wrong
 test "$(systemctl show -P NRestarts tp100d@wrong)" = 0
 rm /etc/tp100/wrong.toml
 refused tp100d@none
 
-# Removing the package stops what runs.
+# Removing the package must stop the running service.
 systemctl start $unit
 dpkg --remove tp100
 test "$(systemctl is-active $unit)" = inactive

@@ -1,4 +1,4 @@
-"""scripts/setup, build and campaign on a machine that says to be another: programs in a folder ahead in PATH."""
+"""Tests scripts/setup, build and campaign on a simulated machine: programs in a folder at the front of PATH."""
 import os
 import re
 import shutil
@@ -12,7 +12,7 @@ MOREUTILS = "echo \"parallel: invalid option -- '-'\" >&2; exit 1"
 
 
 class Machine:
-    """Has every package but `parallel`, apt-get that writes down how it is called, and a sudo that drops variables."""
+    """All packages but `parallel` are installed; apt-get logs its calls, and sudo drops variables."""
 
     def __init__(self, folder, parallel, installed=""):
         self.folder, self.log = folder, folder + "/apt"
@@ -36,7 +36,7 @@ class Machine:
         os.chmod(f"{self.folder}/bin/{name}", 0o755)
 
     def asked(self):
-        """How apt-get was called."""
+        """The logged calls of apt-get."""
         if not os.path.exists(self.log):
             return ""
         with open(self.log, encoding="utf-8") as file:
@@ -44,7 +44,7 @@ class Machine:
 
 
 def failures(at):
-    """What keeps apt-get from installing is said in one line."""
+    """An error of apt-get must be reported in one line."""
     for name, says, line in (
             ("offline", "W: Failed to fetch http://deb/Packages  Temporary failure resolving 'deb'", "to the network"),
             ("full", "E: You don't have enough free space in /var/cache/apt/archives/.", "make room"),
@@ -60,16 +60,16 @@ def failures(at):
 
 
 def parts(at):
-    """Only what the targets need is installed and configured, and what is configured stays."""
+    """Only what the targets need is installed and configured, and the configuration is kept."""
     machine = Machine(at + "/builder", GNU)
-    # Remembers in its cache what it is told, as CMake does; configures or builds nothing.
+    # Stores its options in the cache as CMake does, without configuring or building anything.
     machine.replace("cmake", f"""[ "$1" = --preset ] || exit 0
 echo "$0 $*" >> {machine.log}
 touch build/$2/build.ninja
 for part in FIRMWARE CAMERA TESTS; do
   [[ "$*" == *_$part=OFF* ]] || echo "TP100_BUILD_$part:BOOL=ON"
 done > build/$2/CMakeCache.txt""")
-    # No package is there, and no program is one.
+    # No package is installed and no program is found.
     machine.replace("dpkg-query", "exit 1")
 
     def asked(*targets):
@@ -92,7 +92,7 @@ done > build/$2/CMakeCache.txt""")
 
 
 def options(at):
-    """An option is no preset."""
+    """An option must not be taken for a preset."""
     build = at + "/tree/scripts/build"
     for words in (("--help",), ("--preset", "dev"), ("dev", "-j2")):
         asked = subprocess.run([build, *words], capture_output=True, text=True, check=False)

@@ -1,4 +1,4 @@
-// Whatever a user gets wrong is one line and exit status 2, and nothing half-written stays behind.
+// Every user error gives one line and exit status 2, and leaves no incomplete files behind.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ class BadInput : public testing::Test {
     std::ofstream(folder_.file(name), std::ios::binary) << text;
     return folder_.file(name);
   }
-  /// Expects status 2 and one line that holds `what`.
+  /// Expects status 2 and one line that contains `what`.
   static void expect_refused(std::vector<std::string> arguments, const std::string& what) {
     const Finished finished = run(std::move(arguments));
     EXPECT_EQ(finished.status, 2) << finished.output;

@@ -1,5 +1,5 @@
-// `tp100d doctor` on emulated robots that have something wrong with them: the real programs, joined
-// by a pseudo-terminal.
+// `tp100d doctor` on emulated robots with defects: the real programs, connected by a
+// pseudo-terminal.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,14 +29,14 @@ using ::testing::HasSubstr;
 class Doctor : public testing::Test {
  protected:
   std::string port() const { return folder_.file("tp100"); }
-  /// A robot with these further arguments.
+  /// Starts a robot with the further arguments `more`.
   void start_robot(const std::vector<std::string>& more) {
     std::vector<std::string> arguments = {"tp100-sim", "robot", "--link", port()};
     arguments.insert(arguments.end(), more.begin(), more.end());
     robot_ = std::make_unique<Process>(arguments);
     ASSERT_TRUE(robot_->wait_for("linked from")) << robot_->output();
   }
-  /// What the doctor says of it. A `status` of -1 if it printed no JSON.
+  /// Result of the doctor. `status` is -1 if it printed no JSON.
   struct Examined {
     int status = -1;
     json report;
@@ -75,7 +75,7 @@ TEST_F(Doctor, FindsNothingThatKeepsAGoodRobotFromDriving) {
   EXPECT_EQ(examined.report.at("errors"), 0);
   EXPECT_THAT(examined.line("firmware"), HasSubstr("ok firmware: board native, firmware 0.1.0"));
   const Finished here = run({"tp100d", "doctor", "--port", std::filesystem::relative(port())});
-  EXPECT_EQ(here.status, 0) << "a port by its way from here: " << here.output;
+  EXPECT_EQ(here.status, 0) << "the port's relative path must work: " << here.output;
   for (const char* name :
        {"device", "permission", "battery", "imu", "link", "clock", "real-time", "governor", "disk"})
     EXPECT_FALSE(examined.finding(name).is_null()) << name;
@@ -84,7 +84,8 @@ TEST_F(Doctor, FindsNothingThatKeepsAGoodRobotFromDriving) {
   EXPECT_GT(link.at("commands_confirmed"), 0);
   EXPECT_GT(link.at("round_trip_us").at("p50"), 0.0);
   EXPECT_LE(link.at("age_us").at("p50"), link.at("age_us").at("p99"));
-  EXPECT_EQ(robot_->output().find("motors off"), std::string::npos) << "they were never on";
+  EXPECT_EQ(robot_->output().find("motors off"), std::string::npos)
+      << "the motors must never have been on";
 }
 
 TEST_F(Doctor, PrintsATableWithTheCountsAtItsEnd) {
@@ -134,7 +135,7 @@ TEST_F(Doctor, CountsRestartsOfABoard) {
 TEST_F(Doctor, FindsEmptyCells) {
   start_robot({"--fault", "battery:5.5"});
   EXPECT_THAT(examine().line("battery"),
-              AllOf(HasSubstr("error battery: 5.5 V"), HasSubstr("charge the cells")));
+              AllOf(HasSubstr("error battery: 5.5 V"), HasSubstr("charge the battery")));
 }
 
 TEST_F(Doctor, FindsAMissingGyro) {
@@ -144,7 +145,7 @@ TEST_F(Doctor, FindsAMissingGyro) {
   EXPECT_THAT(examined.line("fault"), HasSubstr("error fault: imu_missing"));
 }
 
-TEST_F(Doctor, CountsDamagedFrames) {
+TEST_F(Doctor, CountsCorruptedFrames) {
   start_robot({"--fault", "flip:0.002"});
   const Examined examined = examine();
   EXPECT_THAT(examined.line("link"), HasSubstr("use a short cable"));
@@ -188,7 +189,7 @@ TEST_F(Doctor, RefusesBadUsage) {
   EXPECT_THAT(run({"tp100d", "docter"}).output, HasSubstr("did you mean 'doctor'?"));
 }
 
-/// The guided test, answered through a pipe.
+/// The guided test, whose prompts are answered through a pipe.
 class WheelsUp : public Doctor {
  protected:
   void SetUp() override {
@@ -203,7 +204,7 @@ class WheelsUp : public Doctor {
             " --port " + port() + " --robot " + robot + " < " + fifo()});
   }
   void answer(const std::string& line) { answers_ << line << std::endl; }
-  /// A robot file whose key is turned over, as if the robot were wired that way.
+  /// A robot file in which the Boolean `key` is true, as for a robot that is wired that way.
   std::string miswired(const std::string& key) const {
     std::string text = read_bytes(std::string(TP100_SOURCE_DIR) + "/config/robots/end-loaded.toml");
     const std::size_t at = text.find("\n" + key + " = false");
@@ -212,7 +213,7 @@ class WheelsUp : public Doctor {
     write_bytes(folder_.file("miswired.toml"), text);
     return folder_.file("miswired.toml");
   }
-  /// What the doctor says of a robot on the floor that is wired wrong in `key`.
+  /// Output of the doctor for a robot on the floor whose robot file has `key` set wrongly.
   std::string verdict_of(const std::string& key) {
     start_robot({});
     const auto doctor = start(miswired(key));
@@ -222,7 +223,7 @@ class WheelsUp : public Doctor {
     return doctor->output();
   }
 
-  /// What the doctor says of a robot that does not hold out to the end.
+  /// Output of the doctor for a robot that fails before the end of the test.
   std::string broken_off() {
     const auto doctor = start();
     EXPECT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
@@ -239,7 +240,8 @@ TEST_F(WheelsUp, MovesNothingBeforeEnterAndFindsAGoodRobotWell) {
   start_robot({});
   const auto doctor = start();
   ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
-  EXPECT_EQ(robot_->output().find("motors off"), std::string::npos) << "they were never on";
+  EXPECT_EQ(robot_->output().find("motors off"), std::string::npos)
+      << "the motors must never have been on";
   answer("");
   EXPECT_EQ(doctor->wait(), 0) << doctor->output();
   EXPECT_THAT(doctor->output(),
@@ -259,7 +261,7 @@ TEST_F(WheelsUp, NamesTheKeyOfAMotorThatRunsBackwards) {
   const auto doctor = start(miswired("invert_right_motor"));
   ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
   answer("");
-  // Tracks that both run forward turn no body: somebody has to look.
+  // When both tracks run forward, the robot does not turn: the operator has to say which track ran.
   ASSERT_TRUE(doctor->wait_for("What ran?")) << doctor->output();
   answer("");
   ASSERT_TRUE(doctor->wait_for("What ran?")) << doctor->output();
@@ -276,7 +278,7 @@ TEST_F(WheelsUp, NamesTheKeyOfTracksThatAreSwapped) {
 }
 
 TEST_F(WheelsUp, OnAStandAsksWhatRanAndForATurnByHand) {
-  start_robot({"--setup", "bench"});
+  start_robot({"--setup", "stand"});
   const auto doctor = start();
   ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
   answer("");
@@ -289,7 +291,7 @@ TEST_F(WheelsUp, OnAStandAsksWhatRanAndForATurnByHand) {
   ASSERT_TRUE(doctor->wait_for("Hold the robot")) << doctor->output();
   answer("\n");
   EXPECT_EQ(doctor->wait(), 1);
-  // Nobody turned it.
+  // The robot is not turned by hand.
   EXPECT_THAT(doctor->output(),
               AllOf(HasSubstr("error    left-track"), HasSubstr("set drive.swap_tracks = true"),
                     HasSubstr("ok       right-track"), HasSubstr("error    gyro")));
@@ -350,13 +352,14 @@ TEST_F(WheelsUp, IsBrokenOffIfTheRobotFellSilentBeforeEnter) {
 
 TEST_F(WheelsUp, IsBrokenOffByAFault) {
   start_robot({"--fault", "battery:5.5@1.5"});
-  EXPECT_THAT(broken_off(), AllOf(HasSubstr("the robot stopped by itself: the cells are below"),
-                                  HasSubstr("fix: charge the cells")));
+  EXPECT_THAT(broken_off(), AllOf(HasSubstr("the robot stopped by itself: the battery is below"),
+                                  HasSubstr("fix: charge the battery")));
 }
 
 TEST_F(WheelsUp, IsBrokenOffByAFaultThatForbidsArming) {
-  // Some time after the question, on the board's clock, which begins when the port is opened.
-  start_robot({"--setup", "bench", "--fault", "battery:5.5@8.5"});
+  // The fault occurs some time after the prompt. Its time is on the board's clock, which begins
+  // when the port is opened.
+  start_robot({"--setup", "stand", "--fault", "battery:5.5@8.5"});
   const auto doctor = start();
   ASSERT_TRUE(doctor->wait_for("Enter starts")) << doctor->output();
   ASSERT_TRUE(robot_->wait_for("port closed")) << robot_->output();
@@ -367,8 +370,8 @@ TEST_F(WheelsUp, IsBrokenOffByAFaultThatForbidsArming) {
   std::this_thread::sleep_until(opened + std::chrono::milliseconds(9'500));
   answer("");
   EXPECT_EQ(doctor->wait(), 1);
-  EXPECT_THAT(doctor->output(), AllOf(HasSubstr("the robot cannot be armed: the cells are below"),
-                                      HasSubstr("fix: charge the cells")));
+  EXPECT_THAT(doctor->output(), AllOf(HasSubstr("the robot cannot be armed: the battery is below"),
+                                      HasSubstr("fix: charge the battery")));
 }
 
 TEST_F(WheelsUp, IsBrokenOffIfTheRobotFallsSilent) {

@@ -1,5 +1,5 @@
-// scripts/flash: against Arduino's own bootloader on the emulated chip, with the real avrdude; and
-// what it says when there is nothing to flash.
+// Tests scripts/flash against Arduino's own bootloader on the emulated chip, with the real avrdude,
+// and its messages when there is nothing to flash.
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@
 
 #include "firmware/version.h"
 #include "process.h"
-#include "sim/wire/pty.h"
+#include "sim/robot/pty.h"
 #include "support/paths.h"
 
 namespace tp100::test {
@@ -31,7 +31,7 @@ std::string firmware_version() {
          std::to_string(firmware::kVersionMinor) + "." + std::to_string(firmware::kVersionPatch);
 }
 
-/// The image of this build onto an emulated chip.
+/// Flashes the image of this build to an emulated chip.
 class FlashEmulatedMega : public testing::Test {
  protected:
   std::string port() const { return folder_.file("tp100"); }
@@ -56,7 +56,7 @@ TEST_F(FlashEmulatedMega, ABlankBoardSaysHelloOnlyOnceItIsFlashed) {
   EXPECT_THAT(flashed.output, HasSubstr("bytes of flash verified"));
   EXPECT_THAT(flashed.output, HasSubstr("board Mega 2560, " + firmware_version()));
 
-  // It stays.
+  // The image is still there after another reset.
   const Finished again = hello("10");
   EXPECT_EQ(again.status, 0) << again.output;
   EXPECT_THAT(again.output, HasSubstr(firmware_version()));
@@ -67,7 +67,7 @@ TEST_F(FlashEmulatedMega, AnImageReplacesTheRunningOneAndSilenceIsReported) {
   ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
   EXPECT_EQ(hello("10").status, 0);
 
-  // rjmp .
+  // The image is a single rjmp to itself.
   std::ofstream(folder_.file("silent.hex")) << ":02000000FFCF30\n:00000001FF\n";
   const Finished silent = flash({"--hex", folder_.file("silent.hex")});
   EXPECT_EQ(silent.status, 1) << silent.output;
@@ -94,8 +94,8 @@ TEST_F(FlashEmulatedMega, ADryRunWritesNothing) {
   EXPECT_THAT(robot.output(), Not(HasSubstr("port opened")));
 }
 
-/// A build folder whose tp100d lists the ports of the test: whatever hangs on this machine's USB is
-/// left alone.
+/// A build folder whose tp100d lists the ports that a test supplies, so that real devices on this
+/// machine's USB are left alone.
 class FlashOf : public testing::Test {
  protected:
   FlashOf() {
@@ -108,7 +108,7 @@ class FlashOf : public testing::Test {
     std::ofstream(folder_.path() / name) << "#!/bin/sh\n" << text;
     fs::permissions(folder_.path() / name, fs::perms::owner_all);
   }
-  /// What tp100d ports finds likely.
+  /// Sets the ports that `tp100d ports` lists as candidates.
   void list(const std::vector<std::string>& ports) const {
     std::string text = "cat <<'END'\n/dev/ttyS0  -  serial port\n";
     for (const std::string& port : ports) {
@@ -183,7 +183,7 @@ TEST_F(FlashOf, AFailureSaysWhetherTheBootloaderAnswered) {
   const Finished silent = flash({"--port", board.device()});
   EXPECT_EQ(silent.status, 1) << silent.output;
   EXPECT_THAT(silent.output, HasSubstr("no bootloader answers"));
-  EXPECT_EQ(fs::file_size(folder_.file("tries")), 4u) << "a second try";
+  EXPECT_EQ(fs::file_size(folder_.file("tries")), 4u) << "the script must try a second time";
 
   program("avrdude",
           "echo 'avrdude: AVR device initialized and ready to accept instructions'\n"

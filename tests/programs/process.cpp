@@ -131,11 +131,11 @@ double figure(const std::string& stats, const std::string& name) {
 }
 
 bool goes_on(const std::string& stats) {
-  const double old = figure(stats, "turns");
+  const double old = figure(stats, "cycles");
   double begun = old;
-  // What is in the file was counted before.
-  return eventually([&] { return (begun = figure(stats, "turns")) != old; }) &&
-         eventually([&] { return figure(stats, "turns") >= begun + 100.0; });
+  // Cycles that are already in the file do not count.
+  return eventually([&] { return (begun = figure(stats, "cycles")) != old; }) &&
+         eventually([&] { return figure(stats, "cycles") >= begun + 100.0; });
 }
 
 std::size_t lines(const std::string& text) {

@@ -1,5 +1,5 @@
 #pragma once
-// A program under test: its output, its end, its signals.
+// Runs a program under test: its output, exit status and signals.
 
 #include <sys/types.h>
 
@@ -12,24 +12,24 @@
 
 namespace tp100::test {
 
-/// One of the project's programs; killed at the end if it still runs.
+/// One of the project's programs. The destructor kills it if it still runs.
 class Process {
  public:
-  /// `arguments[0]` is tp100d, tp100-sim or an absolute path. Standard output and error go to one
-  /// buffer. `input` becomes standard input; -1: there is none.
+  /// `arguments[0]` is tp100d, tp100-sim or an absolute path. Standard output and standard error go
+  /// to one buffer. `input` becomes standard input; -1 means none.
   explicit Process(std::vector<std::string> arguments, int input = -1);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Waits until `text` appears in the output after what earlier calls found. False: it ended, or a
-  /// minute has passed, without.
+  /// Waits until `text` appears in the output after the text that earlier calls found. Returns
+  /// false if the program ends or a minute passes before.
   bool wait_for(const std::string& text);
   pid_t pid() const { return pid_; }
   /// Sends a signal.
   void signal(int number);
-  /// Waits for the end and returns the exit status, 128 + signal if it was killed, -1 after two
-  /// minutes.
+  /// Waits for the end. Returns the exit status, 128 + signal if the program was killed, or -1
+  /// after two minutes.
   int wait();
   /// Everything printed so far.
   const std::string& output();
@@ -44,20 +44,20 @@ class Process {
   std::size_t searched_ = 0;
 };
 
-/// Runs to the end; what it printed and how it ended.
+/// Status and output of a program that has ended.
 struct Finished {
   int status;
   std::string output;
 };
 Finished run(std::vector<std::string> arguments);
 
-/// Waits until `condition` holds. False: a minute has passed without.
+/// Waits until `condition` holds. Returns false after a minute.
 bool eventually(const std::function<bool()>& condition);
-/// The first number of that name in the file that tp100d --stats writes once a second; -1: none
-/// yet.
+/// The first number of that name in the file that tp100d --stats writes once a second; -1 if there
+/// is none yet.
 double figure(const std::string& stats, const std::string& name);
-/// Waits until the daemon that writes `stats` has made a hundred turns more. False: a minute has
-/// passed without.
+/// Waits until the daemon that writes `stats` has made a hundred more cycles. Returns false after a
+/// minute.
 bool goes_on(const std::string& stats);
 
 /// Number of lines in `text`.

@@ -1,4 +1,5 @@
-// tp100d under a service manager: what it says, and that it falls silent when its loop hangs.
+// tp100d under a service manager: its messages, and that it stops feeding the watchdog when its
+// loop hangs.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,19 +24,20 @@ using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// The real-time thread of tp100d, the only one that asked for exact timers; 0: not to be told.
+/// The real-time thread of tp100d, the only one that requests exact timers; 0 if it cannot be
+/// determined.
 pid_t loop_thread(pid_t program) {
   const std::string tasks = "/proc/" + std::to_string(program) + "/task";
   for (const auto& task : std::filesystem::directory_iterator(tasks)) {
     std::ifstream file("/proc/" + task.path().filename().string() + "/timerslack_ns");
     long slack_ns = 0;
-    // Newer kernels say 0 of a thread with SCHED_FIFO.
+    // Newer kernels report 0 for a thread with SCHED_FIFO.
     if (file >> slack_ns && slack_ns <= 1) return std::stoi(task.path().filename().string());
   }
   return 0;
 }
 
-/// A thread of a child, stopped alone; it goes on in the end.
+/// Stops one thread of a child process during its lifetime.
 class HungThread {
  public:
   explicit HungThread(pid_t thread) : thread_(thread) {
@@ -65,16 +67,16 @@ TEST(Service, AHungLoopStarvesTheWatchdogThoughTheRestOfTheDaemonLives) {
   if (thread == 0) GTEST_SKIP() << "which thread is the loop is for root to know; run it as root";
   {
     const HungThread hung(thread);
-    // One more may be due for the turns before.
+    // One more message may be due for earlier cycles.
     manager.hears("WATCHDOG=1", 200ms);
     EXPECT_FALSE(manager.hears("WATCHDOG=1", 1s));
     bridge.signal(SIGTERM);
-    EXPECT_TRUE(manager.hears("STOPPING=1", 10s)) << "the other thread is there";
+    EXPECT_TRUE(manager.hears("STOPPING=1", 10s)) << "the other thread must still run";
   }
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
 }
 
-/// The values of `KEY=` in the service's unit, by lines.
+/// The values of `KEY=` in the service's unit, one per line.
 std::vector<std::string> unit_values(const std::string& key) {
   std::ifstream file(TP100_SOURCE_DIR "/config/systemd/tp100d@.service");
   std::vector<std::string> values;
@@ -85,7 +87,7 @@ std::vector<std::string> unit_values(const std::string& key) {
 
 TEST(Service, IsNotRestartedAfterABadFile) {
   EXPECT_THAT(unit_values("Restart"), ElementsAre("on-failure"));
-  // Of these two systemd makes no failure, or none to mend by a restart.
+  // For systemd, status 1 is no failure, and status 2 is a failure that a restart cannot fix.
   EXPECT_THAT(unit_values("SuccessExitStatus"), ElementsAre("1"));
   EXPECT_THAT(unit_values("RestartPreventExitStatus"), ElementsAre("2"));
   const TemporaryFolder folder;

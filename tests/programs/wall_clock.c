@@ -1,5 +1,5 @@
-// Preloaded into a program: the machine's clock steps an hour ahead after a second and back to an
-// hour behind after five, as a clock does that somebody sets. Every other clock is left alone.
+// Preloaded into a program: the wall clock steps an hour ahead after one second and back to an hour
+// behind after five seconds, as if a user had set it. All other clocks are unchanged.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <time.h>

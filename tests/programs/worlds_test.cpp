@@ -1,4 +1,4 @@
-// An external world, scripts/world, with the real programs: in lockstep and over a pseudo-terminal.
+// The external world scripts/world with the real programs: in lockstep and over a pseudo-terminal.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,12 +28,12 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// scripts/world at a port of its own.
+/// Runs scripts/world on its own port.
 class PythonWorld {
  public:
   explicit PythonWorld(std::vector<std::string> more = {}) : process_(arguments(std::move(more))) {
     EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
-    // The number follows, in the same line.
+    // The port number follows in the same line.
     process_.wait_for("\n");
     const std::string& text = process_.output();
     port_ = std::stoi(text.substr(text.find("127.0.0.1:") + 10));
@@ -96,7 +96,7 @@ TEST_F(Worlds, TheControllerSteersByTheWorldsPoseAndTheRecordingReplays) {
 }
 
 TEST_F(Worlds, NobodyThereIsAnErrorOfOneLine) {
-  // A port that was free a moment ago: the world at it has gone.
+  // The port was free at the time of the test: its world has ended.
   std::string address;
   {
     PythonWorld gone;
@@ -114,7 +114,7 @@ TEST_F(Worlds, ASilentWorldEndsALockstepRunWithItsCause) {
   EXPECT_THAT(finished.output, HasSubstr("world_lost"));
 }
 
-/// The daemon, the emulated robot and the world as three processes.
+/// Runs the daemon, the emulated robot and the world as three processes.
 class LiveWorlds : public Worlds {
  protected:
   LiveWorlds() : robot_({"tp100-sim", "robot", "--link", folder_.file("tp100")}) {
@@ -132,7 +132,7 @@ class LiveWorlds : public Worlds {
   Process robot_;
 };
 
-// Shorter than course 3, with a step and a ramp like its.
+// The course is shorter than course 3, with a similar step and ramp.
 constexpr const char* kCourse = R"(description = "step and ramp"
 speed_mps = 0.1
 [[segment]]
@@ -199,7 +199,7 @@ void PrintTo(const Trouble& trouble, std::ostream* out) { *out << trouble.name; 
 
 class TroubledWorlds : public LiveWorlds, public testing::WithParamInterface<Trouble> {};
 
-// Each begins a second into the run and ends it, with the robot's motors off.
+// Each fault begins one second into the run and ends it with the robot's motors off.
 TEST_P(TroubledWorlds, EndTheRunSafelyAndTheCauseIsNamed) {
   PythonWorld world({"--fault", std::string(GetParam().name) + "@1"});
   Process bridge(daemon("1-straight", world.address(), 1000));
@@ -240,10 +240,11 @@ TEST_F(LiveWorlds, LosingAThirdOfTheAnswersIsNoTrouble) {
   EXPECT_THAT(stats, Not(HasSubstr("\"missing\": 0,")));
 }
 
-/// The world behind two text files, as in the paper: it gets belt speeds and owns the pose.
+/// A world behind two text files, as in the paper: it receives track speeds and has authority over
+/// the pose.
 class FileWorlds : public LiveWorlds {
  protected:
-  // Ends behind the step.
+  // The course ends behind the step.
   FileWorlds() {
     std::ofstream(folder_.file("course.toml"))
         << std::regex_replace(kCourse, std::regex("length_m = 1.0"), "length_m = 0.55");
@@ -267,8 +268,8 @@ class FileWorlds : public LiveWorlds {
   }
 };
 
-/// What Live Link is told of a pose: centimetres, y to the right, the quaternion turned the other
-/// way round.
+/// The numbers sent to Live Link for a pose: centimetres, y to the right, and the quaternion of the
+/// left-handed frame.
 std::array<double, 7> unreal_numbers(const Pose& pose) {
   const double cr = std::cos(pose.roll_rad / 2), sr = std::sin(pose.roll_rad / 2);
   const double cp = std::cos(pose.pitch_rad / 2), sp = std::sin(pose.pitch_rad / 2);
@@ -282,7 +283,7 @@ std::array<double, 7> unreal_numbers(const Pose& pose) {
           cr * cp * cy + sr * sp * sy};
 }
 
-/// Nothing if it is not what Live Link's JSON sources read.
+/// Returns nothing if Live Link's JSON sources cannot read the datagram.
 std::optional<std::array<double, 7>> live_link_numbers(const std::string& datagram) {
   const auto json = nlohmann::json::parse(datagram, nullptr, false);
   if (!json.is_object() || json.size() != 1 || !json.contains("TP100")) return std::nullopt;
@@ -334,10 +335,10 @@ TEST_F(FileWorlds, DriveAStepAndLiveLinkShowsThePoses) {
     highest_m = std::max(highest_m, poses.back().z_m);
     steepest_rad = std::max(steepest_rad, std::abs(poses.back().pitch_rad));
   }});
-  EXPECT_GT(highest_m, 0.015) << "half on the step";
+  EXPECT_GT(highest_m, 0.015) << "the robot must have climbed the step";
   EXPECT_GT(steepest_rad, 0.15);
 
-  // Each shows one of the steps, in their order.
+  // Each datagram shows one of the steps, in the order of the steps.
   ASSERT_GT(datagrams.size(), 300u);
   std::size_t at = 0;
   for (const std::string& datagram : datagrams) {
@@ -355,7 +356,7 @@ TEST_F(FileWorlds, DriveAStepAndLiveLinkShowsThePoses) {
 
 class TroubledFiles : public FileWorlds, public testing::WithParamInterface<const char*> {};
 
-// The last good value is no answer for ever.
+// The last good value must not be used for longer than the time-out.
 TEST_P(TroubledFiles, EndTheRunSafelyAndTheCauseIsNamed) {
   Process unreal(world(std::string(GetParam()) + "@1"));
   ASSERT_TRUE(unreal.wait_for("reading")) << unreal.output();

@@ -23,7 +23,7 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Everything as text.
+/// Collects all records as text.
 class Listener : public McapHandler {
  public:
   bool message(const McapMessage& message) override {
@@ -48,7 +48,8 @@ class McapFile : public testing::TestWithParam<McapCompression> {
  protected:
   McapFile() : path_(folder_.file("file.mcap")) {}
 
-  /// Ten chunks of ten messages, on two topics by turns; message i is logged at i.
+  /// Writes ten chunks of ten messages that alternate between two topics; message i is logged at
+  /// time i.
   void write() const {
     RecordingFile file(path_);
     McapWriter writer(file, "test", GetParam());
@@ -72,14 +73,14 @@ class McapFile : public testing::TestWithParam<McapCompression> {
 
 TEST_P(McapFile, StreamsEverythingThatWasWritten) {
   write();
-  Listener heard;
-  const McapEnd end = stream(heard);
+  Listener received;
+  const McapEnd end = stream(received);
   EXPECT_TRUE(end.whole) << end.problem;
-  EXPECT_EQ(end.damaged, 0u);
-  ASSERT_THAT(heard.messages, SizeIs(100));
-  EXPECT_EQ(heard.messages[41], "/odd 41 {\"i\":41}");
-  EXPECT_THAT(heard.attachments, ElementsAre("course.toml=hello"));
-  EXPECT_THAT(heard.facts, ElementsAre("tp100.empty=", "tp100.seed=7"));
+  EXPECT_EQ(end.corrupted, 0u);
+  ASSERT_THAT(received.messages, SizeIs(100));
+  EXPECT_EQ(received.messages[41], "/odd 41 {\"i\":41}");
+  EXPECT_THAT(received.attachments, ElementsAre("course.toml=hello"));
+  EXPECT_THAT(received.facts, ElementsAre("tp100.empty=", "tp100.seed=7"));
 }
 
 TEST_P(McapFile, FindsMessagesByTopicAndTimeThroughTheIndex) {
@@ -87,9 +88,9 @@ TEST_P(McapFile, FindsMessagesByTopicAndTimeThroughTheIndex) {
   const McapReader reader(path_);
   ASSERT_TRUE(reader.indexed());
   EXPECT_EQ(reader.message_count(), 100u);
-  Listener heard;
-  reader.read({"/odd"}, 38, 43, heard);
-  EXPECT_THAT(heard.messages,
+  Listener received;
+  reader.read({"/odd"}, 38, 43, received);
+  EXPECT_THAT(received.messages,
               ElementsAre("/odd 39 {\"i\":39}", "/odd 41 {\"i\":41}", "/odd 43 {\"i\":43}"));
   Listener none;
   reader.read({"/none"}, 0, 1000, none);
@@ -109,13 +110,13 @@ TEST_P(McapFile, CutOffAnywhereItGivesItsWholeChunks) {
       EXPECT_THROW(McapReader{path_}, SetupError);
       continue;
     }
-    Listener heard;
-    const McapEnd end = stream(heard);
+    Listener received;
+    const McapEnd end = stream(received);
     ASSERT_FALSE(end.whole);
     ASSERT_THAT(end.problem, HasSubstr("at byte"));
-    ASSERT_EQ(heard.messages.size() % 10, 0u);
-    ASSERT_GE(heard.messages.size(), last);
-    last = heard.messages.size();
+    ASSERT_EQ(received.messages.size() % 10, 0u);
+    ASSERT_GE(received.messages.size(), last);
+    last = received.messages.size();
     ASSERT_FALSE(McapReader(path_).indexed());
   }
   EXPECT_EQ(last, 100u);
@@ -124,7 +125,7 @@ TEST_P(McapFile, CutOffAnywhereItGivesItsWholeChunks) {
 TEST_P(McapFile, AWrongBitInAChunkCostsThatChunkAlone) {
   write();
   std::string bytes = test::read_bytes(path_);
-  // Within the records of the fourth chunk.
+  // The test changes a bit in the records of the fourth chunk.
   std::size_t at = 0;
   for (int chunk = 0; chunk < 4; ++chunk) {
     const std::string head("\x06\0\0", 1);
@@ -138,11 +139,11 @@ TEST_P(McapFile, AWrongBitInAChunkCostsThatChunkAlone) {
   }
   bytes[at + 9 + 45] = static_cast<char>(bytes[at + 9 + 45] ^ 0x10);
   test::write_bytes(path_, bytes);
-  Listener heard;
-  const McapEnd end = stream(heard);
-  EXPECT_EQ(end.damaged, 1u) << end.problem;
+  Listener received;
+  const McapEnd end = stream(received);
+  EXPECT_EQ(end.corrupted, 1u) << end.problem;
   EXPECT_FALSE(end.whole);
-  EXPECT_THAT(heard.messages, SizeIs(90));
+  EXPECT_THAT(received.messages, SizeIs(90));
   Listener indexed;
   EXPECT_THROW(McapReader(path_).read({}, 0, 1000, indexed), SetupError);
 }
@@ -151,17 +152,17 @@ TEST_P(McapFile, AClaimOfHugeSizesIsRefusedBeforeAnythingIsAllocated) {
   write();
   const std::string whole = test::read_bytes(path_);
   std::mt19937_64 random(1);
-  // Every eight bytes that could be a length, one after the other.
+  // The test overwrites, one after the other, the positions that could be a length.
   for (std::size_t at = 8; at + 8 < whole.size(); at += 3) {
     std::string bytes = whole;
     const std::uint64_t huge =
         random() % 2 == 0 ? ~std::uint64_t{0} >> (random() % 40) : 0x7fffffff;
     std::memcpy(bytes.data() + at, &huge, 8);
     test::write_bytes(path_, bytes);
-    Listener heard;
-    stream(heard);
+    Listener received;
+    stream(received);
     try {
-      McapReader(path_).read({}, 0, 1000, heard);
+      McapReader(path_).read({}, 0, 1000, received);
     } catch (const SetupError& error) {
       ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }
@@ -189,9 +190,9 @@ TEST(McapReader, SchemasAndChannelsBeyondAllReasonAreLeftOut) {
     }
     writer.finish();
   }
-  Listener heard;
-  const McapEnd end = McapReader(path).stream(heard);
-  EXPECT_THAT(heard.messages, ElementsAre("/a 1 {}"));
+  Listener received;
+  const McapEnd end = McapReader(path).stream(received);
+  EXPECT_THAT(received.messages, ElementsAre("/a 1 {}"));
   EXPECT_THAT(end.problem, HasSubstr("too many schemas and channels"));
   EXPECT_FALSE(McapReader(path).indexed());
 }
@@ -244,9 +245,9 @@ TEST(McapReader, AChunkThatUnpacksToAttachmentsIsLeftOut) {
   out.number(std::uint64_t{inside.size()});
   out.bytes(inside);
   test::write_bytes(path, std::string(bytes.begin(), bytes.end()));
-  Listener heard;
-  EXPECT_THAT(McapReader(path).stream(heard).problem, HasSubstr("does not belong there"));
-  EXPECT_THAT(heard.attachments, IsEmpty());
+  Listener received;
+  EXPECT_THAT(McapReader(path).stream(received).problem, HasSubstr("does not belong there"));
+  EXPECT_THAT(received.attachments, IsEmpty());
 }
 
 TEST(McapReader, WhatIsNoMcapFileIsAnErrorOfOneLine) {

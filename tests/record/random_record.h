@@ -1,5 +1,5 @@
 #pragma once
-// Step records with every field filled at random, within what decode_step takes.
+// Step records whose fields are all filled at random, with values that decode_step accepts.
 
 #include <memory>
 #include <random>
@@ -24,7 +24,8 @@ class RandomFiller {
       visit_fields(*this, value);
     }
   }
-  void operator()(const char* name, std::array<double, 3>& values) {
+  template <std::size_t N>
+  void operator()(const char* name, std::array<double, N>& values) {
     for (double& value : values) (*this)(name, value);
   }
   template <class T>
@@ -32,20 +33,23 @@ class RandomFiller {
     value = static_cast<T>(random_() % (static_cast<unsigned>(last) + 1));
   }
   template <class T, std::size_t N, class... Last>
-  void list(const char* name, std::array<T, N>& entries, std::uint32_t& count, Last... last) {
-    count = static_cast<std::uint32_t>(random_() % 4);
-    for (std::uint32_t i = 0; i < count; ++i) (*this)(name, entries[i], last...);
+  void list(const char* name, BoundedList<T, N>& entries, Last... last) {
+    entries.resize(random_() % 4);
+    for (T& entry : entries) (*this)(name, entry, last...);
   }
 
  private:
   std::mt19937_64 random_;
 };
 
-/// Times and step numbers ascend by `number`, 200 a second.
-inline std::unique_ptr<StepRecord> random_record(std::uint64_t number) {
+/// Times and step numbers increase with `number`, at 200 steps per second. `restart`: the step
+/// begins anew.
+inline std::unique_ptr<StepRecord> random_record(std::uint64_t number, bool restart = false) {
   auto record = std::make_unique<StepRecord>();
   RandomFiller filler(number);
   visit_fields(filler, *record);
+  record->inputs.restart.resize(restart ? 1 : 0);
+  for (CarriedState& carried : record->inputs.restart) carried.run_state = RunState::kFinished;
   record->step = number;
   record->now_ns = static_cast<HostNs>(number) * 5 * kNsPerMs;
   return record;

@@ -30,8 +30,8 @@ class RecorderTest : public testing::Test {
   }
   static RunFacts facts() {
     RunFacts facts;
-    facts.subject = messages::example_subject();
-    facts.subject.version = "9.8.7";
+    facts.run_context = messages::example_subject();
+    facts.run_context.version = "9.8.7";
     facts.facts = {{"course", "example"}, {"seed", "7"}};
     facts.files = {
         {.name = "robot.toml", .media_type = "application/toml", .log_ns = 0, .data = "x = 1\n"}};
@@ -45,12 +45,22 @@ class RecorderTest : public testing::Test {
     recording.visit({.step = [&](const StepRecord&) { ++steps; }});
     return steps;
   }
+  static std::vector<std::uint64_t> steps_before(const std::string& path) {
+    std::vector<std::uint64_t> steps;
+    Recording(path).visit({.before = [&](const StepRecord& r) { steps.push_back(r.step); }});
+    return steps;
+  }
+  static std::vector<std::uint64_t> numbers(std::uint64_t first, std::uint64_t last) {
+    std::vector<std::uint64_t> all;
+    for (; first <= last; ++first) all.push_back(first);
+    return all;
+  }
   test::TemporaryFolder folder_;
 };
 
 TEST_F(RecorderTest, WhatWasTakenIsInTheFileBitForBit) {
   {
-    Recorder recorder({.patient = true});
+    Recorder recorder({.blocking = true});
     recorder.begin(settings(), facts());
     for (std::uint64_t i = 1; i <= 500; ++i) {
       recorder.take_truth(static_cast<HostNs>(i) * 5 * kNsPerMs,
@@ -83,7 +93,7 @@ TEST_F(RecorderTest, WhatWasTakenIsInTheFileBitForBit) {
 
 TEST_F(RecorderTest, ViewersFindTheirTopics) {
   {
-    Recorder recorder({.patient = true});
+    Recorder recorder({.blocking = true});
     recorder.begin(settings(), facts());
     feed(recorder, 1, 100);
     recorder.message(messages::Channel::kEvent, 7, R"({"text":"hello"})");
@@ -98,16 +108,16 @@ TEST_F(RecorderTest, ViewersFindTheirTopics) {
   EXPECT_EQ(counts["/estimate"], 100);
   EXPECT_EQ(counts["/course"], 1);
   EXPECT_EQ(counts["/scene"], 1);
-  EXPECT_EQ(counts["/pose/model"], 25) << "fifty a second";
+  EXPECT_EQ(counts["/pose/model"], 25) << "/pose/model is published at 50 Hz";
   EXPECT_EQ(counts["/tf"], 25);
   EXPECT_EQ(event, R"({"text":"hello"})");
 }
 
 TEST_F(RecorderTest, ARecordingThatIsNeverFinishedHasAllButItsLastHalfSecond) {
-  Recorder recorder({.patient = true});
+  Recorder recorder({.blocking = true});
   recorder.begin(settings(), facts());
   feed(recorder, 1, 1000);
-  // All of it has been taken out of the queue once the bytes stop growing.
+  // Once the number of steps stops growing, the queue is empty.
   const auto steps = [&] { return steps_in(Recording(folder_.file("run.mcap"))); };
   for (int i = 0; i < 500 && steps() < 900; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -118,7 +128,7 @@ TEST_F(RecorderTest, ARecordingThatIsNeverFinishedHasAllButItsLastHalfSecond) {
 TEST_F(RecorderTest, AtItsSizeLimitItEndsWholeAndSaysSo) {
   RecordingSettings small = settings();
   small.max_bytes = 1'000'000;
-  Recorder recorder({.patient = true});
+  Recorder recorder({.blocking = true});
   recorder.begin(small, facts());
   feed(recorder, 1, 4000);
   recorder.end();
@@ -133,12 +143,12 @@ TEST_F(RecorderTest, AtItsSizeLimitItEndsWholeAndSaysSo) {
 }
 
 TEST_F(RecorderTest, WhereTheFileMayNotGrowAnyMoreItEndsWholeAndSaysSo) {
-  // The limit is the process's: a child runs into it alone.
+  // The limit applies to a process, so a child process runs into it.
   const auto record_beyond_a_limit = [&] {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit = {1'000'000, 1'000'000};
     setrlimit(RLIMIT_FSIZE, &limit);
-    Recorder recorder({.patient = true});
+    Recorder recorder({.blocking = true});
     recorder.begin(settings(), facts());
     feed(recorder, 1, 4000);
     recorder.end();
@@ -171,8 +181,8 @@ TEST_F(RecorderTest, WhoCannotWaitIsToldWhatWasDropped) {
   Recorder recorder;
   recorder.begin(settings(), facts());
   const auto record = random_record(1);
-  record->sample_count = StepRecord::kMaxSamples;
-  // Faster than any disk: more than the queue holds before the recorder is through.
+  record->inputs.samples.resize(record->inputs.samples.kCapacity);
+  // The steps arrive faster than any disk can write them, so that the queue overflows.
   for (std::uint64_t i = 1; i <= 20000 && recorder.status().dropped == 0; ++i) {
     record->step = i;
     record->now_ns = static_cast<HostNs>(i) * 5 * kNsPerMs;
@@ -187,7 +197,9 @@ TEST_F(RecorderTest, WhoCannotWaitIsToldWhatWasDropped) {
 }
 
 TEST_F(RecorderTest, WhatWentInBeforeItBeganIsInARecordingFirst) {
-  Recorder recorder({.journal_folder = folder_.path().string(), .patient = true});
+  Recorder recorder(
+      {.history = HistorySettings{.folder = folder_.path().string(), .memory_bytes = 200'000},
+       .blocking = true});
   feed(recorder, 1, 2000);
   recorder.begin(settings("first.mcap"), facts());
   feed(recorder, 2001, 2100);
@@ -214,11 +226,11 @@ TEST_F(RecorderTest, WhatWentInBeforeItBeganIsInARecordingFirst) {
     EXPECT_EQ(step, ended) << name;
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 2)
-      << "the journal has no name";
+      << "the file of the history must be anonymous";
 }
 
 TEST_F(RecorderTest, ALateRecordingWithoutThemSaysSo) {
-  Recorder recorder({.journal_folder = folder_.path().string(), .journal_bytes = 100'000});
+  Recorder recorder({.history = HistorySettings{.max_bytes = 100'000}});
   feed(recorder, 1, 2000);
   recorder.begin(settings("ended.mcap"), facts());
   recorder.end();
@@ -226,18 +238,104 @@ TEST_F(RecorderTest, ALateRecordingWithoutThemSaysSo) {
   feed(recorder, 2001, 2100);
   recorder.end();
   EXPECT_THAT(recorder.status().warning, HasSubstr("it cannot be replayed"));
-  EXPECT_THAT(recorder.status().warning, HasSubstr("record.max_mb"));
+  EXPECT_THAT(recorder.status().warning, HasSubstr("more than 0 MB"));
   const Recording recording(folder_.file("run.mcap"));
   EXPECT_TRUE(recording.whole());
   EXPECT_EQ(steps_in(recording), 100u);
 }
 
-TEST_F(RecorderTest, AJournalThatCannotBeWrittenIsAnErrorOfOneLine) {
-  EXPECT_THROW(Recorder({.journal_folder = "/proc/none"}), SetupError);
+TEST_F(RecorderTest, AHistoryThatCannotBeWrittenIsReportedByTheRecording) {
+  Recorder recorder({.history = HistorySettings{.folder = "/proc/none", .memory_bytes = 100'000}});
+  feed(recorder, 1, 2000);
+  recorder.begin(settings(), facts());
+  feed(recorder, 2001, 2010);
+  recorder.end();
+  EXPECT_THAT(recorder.status().warning, HasSubstr("it cannot be replayed"));
+  EXPECT_THAT(recorder.status().warning, HasSubstr("/proc/none"));
+}
+
+// What replay needs: where the step began anew, everything before it is left out.
+TEST_F(RecorderTest, AHistoryBeginsWhereTheStepBeganAnew) {
+  Recorder recorder({.history = HistorySettings{}, .blocking = true});
+  feed(recorder, 1, 999);
+  recorder.take(*random_record(1000, true));
+  feed(recorder, 1001, 1100);
+  recorder.begin(settings(), facts());
+  feed(recorder, 1101, 1200);
+  recorder.end();
+  EXPECT_EQ(recorder.status().warning, "");
+  EXPECT_EQ(steps_before(folder_.file("run.mcap")), numbers(1000, 1100));
+}
+
+TEST_F(RecorderTest, ARecordingLooksBackWithAllThatLedThere) {
+  // 2 s are the last 400 steps and the newest; the history goes back to the step before.
+  for (const std::uint64_t anew : {300U, 599U, 600U, 601U, 900U}) {
+    Recorder recorder(
+        {.history = HistorySettings{.folder = folder_.path().string(), .memory_bytes = 100'000},
+         .look_back_ns = 2 * kNsPerS,
+         .blocking = true});
+    feed(recorder, 1, 99);
+    recorder.take(*random_record(100, true));
+    for (std::uint64_t i = 101; i <= 1000; ++i) recorder.take(*random_record(i, i == anew));
+    RecordingStatus status;
+    const std::string name = std::to_string(anew);
+    const std::uint64_t number = recorder.ask_look_back(
+        [&] { return std::make_unique<RecordingWriter>(settings(name), facts()); },
+        [&](const RecordingStatus& ended) { status = ended; });
+    EXPECT_NE(number, 0U);
+    EXPECT_EQ(recorder.number(), 0U) << "nobody else sees it";
+    feed(recorder, 1001, 1200);
+    recorder.ask_end(number, [](const std::string&) {});
+    recorder.end();
+    EXPECT_EQ(status.path, folder_.file(name));
+    EXPECT_EQ(status.warning, "");
+    EXPECT_EQ(to_s(status.last_ns - status.first_ns), 3.0);
+    EXPECT_EQ(recorder.status().path, "");
+    EXPECT_EQ(steps_before(folder_.file(name)), numbers(anew <= 600 ? anew : 100, 599));
+    EXPECT_EQ(steps_in(Recording(folder_.file(name))), 601U);
+  }
+}
+
+TEST_F(RecorderTest, TwoThatLookBackShareNoStep) {
+  Recorder recorder({.history = HistorySettings{}, .look_back_ns = kNsPerS, .blocking = true});
+  std::uint64_t next = 1;
+  for (const char* name : {"first.mcap", "second.mcap"}) {
+    const std::uint64_t number = recorder.ask_look_back(
+        [this, name] { return std::make_unique<RecordingWriter>(settings(name), facts()); },
+        [](const RecordingStatus& status) { EXPECT_EQ(status.warning, ""); });
+    feed(recorder, next, next + 99);
+    recorder.ask_end(number, [](const std::string&) {});
+    feed(recorder, next + 100, next + 149);
+    next += 150;
+  }
+  recorder.end();
+  EXPECT_EQ(steps_in(Recording(folder_.file("first.mcap"))), 100U);
+  EXPECT_EQ(steps_in(Recording(folder_.file("second.mcap"))), 150U) << "50 of them before it";
+}
+
+TEST_F(RecorderTest, ARecordingThatLooksBackMakesWay) {
+  Recorder recorder({.look_back_ns = kNsPerS, .blocking = true});
+  feed(recorder, 1, 100);
+  std::vector<std::string> ended;
+  const auto look_back = [&](const std::string& name) {
+    return recorder.ask_look_back(
+        [this, name] { return std::make_unique<RecordingWriter>(settings(name), facts()); },
+        [&](const RecordingStatus& status) { ended.push_back(status.path + status.warning); });
+  };
+  EXPECT_NE(look_back("first.mcap"), 0U);
+  EXPECT_EQ(look_back("second.mcap"), 0U);
+  EXPECT_THAT(ended, testing::ElementsAre(HasSubstr("running already")));
+  recorder.ask_end(0, [](const std::string& why) { EXPECT_NE(why, ""); });
+  recorder.begin(settings(), facts());
+  feed(recorder, 101, 200);
+  recorder.end();
+  EXPECT_THAT(ended, testing::ElementsAre(testing::_, HasSubstr("first.mcap")));
+  EXPECT_EQ(steps_in(Recording(folder_.file("first.mcap"))), 100U);
+  EXPECT_EQ(steps_in(Recording(folder_.file("run.mcap"))), 100U);
 }
 
 TEST_F(RecorderTest, RemovingARecordingLeavesNothing) {
-  Recorder recorder({.patient = true});
+  Recorder recorder({.blocking = true});
   recorder.begin(settings("sub/run.mcap"), facts());
   feed(recorder, 1, 10);
   recorder.end();
@@ -245,7 +343,7 @@ TEST_F(RecorderTest, RemovingARecordingLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
-// What the disk of a test takes only when it is let.
+// A disk that begins to write only when the test allows it.
 class SlowDisk {
  public:
   ~SlowDisk() { go_on(); }
@@ -267,7 +365,7 @@ class SlowDisk {
 
 TEST_F(RecorderTest, WhoAsksNeverWaitsForTheDiskAndNothingIsLost) {
   std::vector<std::string> answers;
-  Recorder recorder({.journal_folder = folder_.path().string()});
+  Recorder recorder({.history = HistorySettings{}});
   SlowDisk disk;
   const auto answer = [&](const std::string& name) {
     return [&answers, name](const std::string& why) { answers.push_back(name + why); };
@@ -276,7 +374,7 @@ TEST_F(RecorderTest, WhoAsksNeverWaitsForTheDiskAndNothingIsLost) {
   EXPECT_EQ(recorder.ask_begin(disk.make(settings("first.mcap"), facts()), answer("begun")), 1U);
   feed(recorder, 11, 20);
   EXPECT_EQ(recorder.number(), 1U);
-  EXPECT_FALSE(recorder.status().active) << "there is no file yet";
+  EXPECT_FALSE(recorder.status().active) << "there must be no file yet";
   recorder.ask_end(7, answer("another's: "));
   recorder.ask_end(1, answer("ended"));
   EXPECT_EQ(recorder.number(), 0U);
@@ -284,7 +382,8 @@ TEST_F(RecorderTest, WhoAsksNeverWaitsForTheDiskAndNothingIsLost) {
   EXPECT_EQ(recorder.ask_begin(disk.make(settings("second.mcap"), facts()), answer("begun")), 2U);
   feed(recorder, 31, 40);
   EXPECT_THAT(answers, testing::ElementsAre("another's: nothing is recorded"));
-  EXPECT_FALSE(recorder.end(Recorder::Clock::now())) << "it ends when the disk allows";
+  EXPECT_FALSE(recorder.end(Recorder::Clock::now()))
+      << "it must end only after the disk has written";
   disk.go_on();
   EXPECT_TRUE(recorder.end());
   EXPECT_THAT(answers,

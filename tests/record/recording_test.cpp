@@ -21,9 +21,9 @@ class RecordingTest : public testing::Test {
  protected:
   void write(std::uint64_t steps, bool compress = true) const {
     RunFacts facts;
-    facts.subject = messages::example_subject();
+    facts.run_context = messages::example_subject();
     facts.facts = {{"course", "example"}};
-    Recorder recorder({.patient = true});
+    Recorder recorder({.blocking = true});
     recorder.begin({.path = path(), .compress = compress, .clock = {0, 0}}, facts);
     for (std::uint64_t i = 1; i <= steps; ++i) {
       recorder.take_truth(static_cast<HostNs>(i), {.x_m = 1.0});
@@ -34,7 +34,7 @@ class RecordingTest : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-/// Reads all of it in every way. What is wrong must be one line.
+/// Reads the whole recording in every way. Every error must be one line.
 std::string read_all(const std::string& path) {
   try {
     const Recording recording(path);
@@ -84,11 +84,11 @@ TEST_F(RecordingTest, ATruthThatMakesNoSenseIsRefused) {
       writer.message(channel, 1, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
       writer.finish();
     }
-    EXPECT_THAT(read_all(path()), HasSubstr("truth 0 makes no sense")) << text.substr(0, 80);
+    EXPECT_THAT(read_all(path()), HasSubstr("truth 0 is invalid")) << text.substr(0, 80);
   }
 }
 
-// Run under the address sanitizer this is the proof that a hostile file does no harm.
+// With the address sanitizer, this test proves that a malicious file does no harm.
 TEST_F(RecordingTest, NoChangeOfAFileDoesAnyHarm) {
   for (const bool compress : {false, true}) {
     write(60, compress);

@@ -23,15 +23,15 @@ std::vector<std::uint8_t> encoded(const StepRecord& record) {
 
 TEST(StepCodec, EveryFieldComesBackBitForBit) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    const auto record = random_record(seed);
+    const auto record = random_record(seed, seed % 2 == 0);
     const auto bytes = encoded(*record);
     auto back = random_record(seed + 1000);
     ASSERT_EQ(decode_step(bytes, *back), std::nullopt) << seed;
     ASSERT_EQ(encoded(*back), bytes) << seed;
     ASSERT_EQ(first_difference(*record, *back), std::nullopt) << seed;
-    ASSERT_EQ(back->sample_count, record->sample_count);
-    for (std::uint32_t i = 0; i < record->sample_count; ++i)
-      ASSERT_EQ(back->samples[i].accel_mps2, record->samples[i].accel_mps2);
+    ASSERT_EQ(back->inputs.samples.size(), record->inputs.samples.size());
+    for (std::uint32_t i = 0; i < record->inputs.samples.size(); ++i)
+      ASSERT_EQ(back->inputs.samples[i].accel_mps2, record->inputs.samples[i].accel_mps2);
   }
 }
 
@@ -40,15 +40,15 @@ TEST(StepCodec, ResultsMayBeAnyDoubleDownToTheSignOfZero) {
   auto back = random_record(2);
   for (const double value :
        {-0.0, std::numeric_limits<double>::denorm_min(), HUGE_VAL, std::nan("")}) {
-    record->snapshot.fused.nis_mean = value;
+    record->snapshot.filter.nis_mean = value;
     ASSERT_EQ(decode_step(encoded(*record), *back), std::nullopt);
     EXPECT_EQ(first_difference(*record, *back), std::nullopt);
   }
-  record->snapshot.fused.nis_mean = 0.0;
-  back->snapshot.fused.nis_mean = -0.0;
+  record->snapshot.filter.nis_mean = 0.0;
+  back->snapshot.filter.nis_mean = -0.0;
   const auto difference = first_difference(*record, *back);
   ASSERT_TRUE(difference.has_value());
-  EXPECT_EQ(difference->field, "snapshot.fused.nis_mean");
+  EXPECT_EQ(difference->field, "snapshot.filter.nis_mean");
   EXPECT_EQ(difference->recorded, "0");
   EXPECT_EQ(difference->computed, "-0");
 }
@@ -64,7 +64,7 @@ TEST(StepCodec, NamesTheFirstResultThatDiffers) {
 
 TEST(StepCodec, InputsAndCountersAreNoResults) {
   const auto a = random_record(5), b = random_record(5);
-  b->clock.drift += 0.1;
+  b->inputs.clock.drift += 0.1;
   b->link.samples += 1;
   EXPECT_EQ(first_difference(*a, *b), std::nullopt);
 }
@@ -93,7 +93,7 @@ TEST(StepCodec, ABlockOfInputsIsTakenStepByStepAndRefusedWhereItIsCut) {
     rest = std::span(block).first(size);
     std::optional<std::string> problem;
     while (!problem && !rest.empty()) problem = decode_inputs(rest, *back);
-    // Cut between two steps it is whole.
+    // A block that is cut between two steps is valid.
     std::size_t at = 0;
     bool between = false;
     while (at < size) {
@@ -110,40 +110,57 @@ TEST(StepCodec, RefusesInputsThatNoRobotCanHaveMeasured) {
   auto back = random_record(4);
   const auto told = [&](auto change) {
     const auto record = random_record(3);
-    record->sample_count = 1;
+    record->inputs.samples.resize(1);
     change(*record);
     return decode_step(encoded(*record), *back).value_or("");
   };
-  EXPECT_THAT(told([](StepRecord& r) { r.samples[0].gyro_radps[1] = std::nan(""); }),
+  EXPECT_THAT(told([](StepRecord& r) { r.inputs.samples[0].gyro_radps[1] = std::nan(""); }),
               HasSubstr("gyro"));
-  EXPECT_THAT(told([](StepRecord& r) { r.samples[0].battery_v = HUGE_VAL; }), HasSubstr("battery"));
-  EXPECT_THAT(told([](StepRecord& r) { r.samples[0].device_us = INT64_MAX; }), HasSubstr("device"));
+  EXPECT_THAT(told([](StepRecord& r) { r.inputs.samples[0].battery_v = HUGE_VAL; }),
+              HasSubstr("battery"));
+  EXPECT_THAT(told([](StepRecord& r) { r.inputs.samples[0].device_us = INT64_MAX; }),
+              HasSubstr("device"));
   EXPECT_THAT(told([](StepRecord& r) {
-                r.clock.valid = true;
-                r.clock.drift = -1.0;
+                r.inputs.clock.valid = true;
+                r.inputs.clock.drift = -1.0;
               }),
               HasSubstr("drift"));
-  EXPECT_THAT(told([](StepRecord& r) { r.samples[0].state = static_cast<RobotState>(99); }),
+  EXPECT_THAT(told([](StepRecord& r) { r.inputs.samples[0].state = static_cast<RobotState>(99); }),
               HasSubstr("state"));
 }
 
-// On a crowded machine answers wait in buffers and seem to come at once.
+// On a busy machine replies wait in buffers and seem to arrive at the same time, which gives
+// extreme drifts.
 TEST(StepCodec, TakesTheDriftOfTheFirstExchanges) {
   auto back = random_record(4);
   for (const double drift : {-0.9999, -1.5, 40.0}) {
     const auto record = random_record(3);
-    record->clock.valid = true;
-    record->clock.reference_host_ns = record->now_ns - 10 * kNsPerS;
-    record->camera_count = 0;
-    record->clock.drift = drift;
+    record->inputs.clock.valid = true;
+    record->inputs.clock.reference_host_ns = record->now_ns - 10 * kNsPerS;
+    record->inputs.camera.clear();
+    record->inputs.clock.drift = drift;
     EXPECT_EQ(decode_step(encoded(*record), *back), std::nullopt) << drift;
+  }
+}
+
+// Without a course a step that goes on with a run has nothing to follow.
+TEST(StepCodec, RefusesARestartWithinARun) {
+  for (const RunState state : {RunState::kArming, RunState::kRunning}) {
+    const auto record = random_record(3, true);
+    record->inputs.restart[0].run_state = state;
+    auto back = random_record(4);
+    EXPECT_THAT(decode_step(encoded(*record), *back).value_or(""), HasSubstr("run_state"));
+    std::vector<std::uint8_t> block;
+    encode_inputs(*record, block);
+    std::span<const std::uint8_t> rest = block;
+    EXPECT_THAT(decode_inputs(rest, *back).value_or(""), HasSubstr("run_state"));
   }
 }
 
 TEST(StepCodec, RefusesACountThatFindsNoRoom) {
   const auto record = random_record(3);
   auto bytes = encoded(*record);
-  bytes[16] = 65;  // behind time and number of the step
+  bytes[20] = 65;  // behind the time, the number of the step and the number of restarts
   auto back = random_record(4);
   EXPECT_THAT(decode_step(bytes, *back).value_or(""), HasSubstr("samples"));
 }
@@ -151,8 +168,9 @@ TEST(StepCodec, RefusesACountThatFindsNoRoom) {
 TEST(StepCodec, TheSchemaListsTheLayout) {
   const auto schema = nlohmann::json::parse(step_schema());
   EXPECT_EQ(schema["fields"][0], nlohmann::json({"now_ns", "i64"}));
-  EXPECT_EQ(schema["fields"][2][0], "samples");
-  EXPECT_EQ(schema["fields"][2][1][0], nlohmann::json({"count", "u32"}));
+  EXPECT_EQ(schema["fields"][2][0], "restart");
+  EXPECT_EQ(schema["fields"][3][0], "samples");
+  EXPECT_EQ(schema["fields"][3][1][0], nlohmann::json({"count", "u32"}));
   EXPECT_EQ(schema["fields"].back()[0], "snapshot");
 }
 

@@ -36,7 +36,7 @@ TEST(DiskWorker, RefusesMoreThanItHoldsAndNeverWaits) {
     EXPECT_EQ(ran, 0);
     disk.set_value();
   }
-  EXPECT_EQ(ran, 2) << "what waits is done before the end";
+  EXPECT_EQ(ran, 2) << "waiting jobs must be done before the end";
 }
 
 }  // namespace

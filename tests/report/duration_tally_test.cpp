@@ -1,6 +1,6 @@
-#include "report/duration_tally.h"
-
 #include <gtest/gtest.h>
+
+#include "report/recorded_run.h"
 
 namespace tp100::report {
 namespace {

@@ -10,10 +10,10 @@
 namespace tp100::report {
 namespace {
 
-const Pose& model_of(const TrackPoint& point) { return point.model; }
+const Pose& model_of(const TrajectoryPoint& point) { return point.model; }
 
-TrackPoint point(double t_s, const Pose& truth, const Pose& model) {
-  TrackPoint result;
+TrajectoryPoint point(double t_s, const Pose& truth, const Pose& model) {
+  TrajectoryPoint result;
   result.t_s = t_s;
   result.truth = truth;
   result.world = truth;
@@ -36,7 +36,7 @@ course::Course straight(double length_m) {
 }
 
 TEST(PoseErrors, FollowEquation8AndMeanSquares) {
-  const std::vector<TrackPoint> points = {
+  const std::vector<TrajectoryPoint> points = {
       point(0, pose(0, 0), pose(0, 0)),
       point(1, pose(1, 1, 0.1), pose(1.03, 1.04, -0.1)),
       point(2, pose(2, 1, 3.1), pose(2.0, 0.99, -3.1)),
@@ -48,7 +48,7 @@ TEST(PoseErrors, FollowEquation8AndMeanSquares) {
   EXPECT_NEAR(errors.final_position_error_m, 0.01, 1e-12);
   EXPECT_NEAR(errors.mse_x_m2, 0.0009 / 3, 1e-12);
   EXPECT_NEAR(errors.mse_y_m2, 0.0017 / 3, 1e-12);
-  const double across = 2 * kPi - 6.2;  // 3.1 and -3.1 lie this close together
+  const double across = 2 * kPi - 6.2;  // the angle between 3.1 and -3.1
   EXPECT_NEAR(errors.max_yaw_error_rad, 0.2, 1e-12);
   EXPECT_NEAR(errors.mse_yaw_rad2, (0.04 + across * across) / 3, 1e-12);
 }
@@ -57,11 +57,11 @@ TEST(PoseErrors, OfARunWithoutPointsAreZero) {
   EXPECT_EQ(pose_errors({}, model_of).rms_position_error_m, 0.0);
 }
 
-TEST(PoseErrors, AShoveThatTheModelCannotSeeDoesNotCountAgainstIt) {
-  // The robot drives straight, is pushed by (0.04 m, 15 deg), and drives on; the model sees
-  // straight driving.
+TEST(PoseErrors, ADisturbanceThatTheModelCannotSeeDoesNotCountAgainstIt) {
+  // The robot drives straight, is displaced by (0.04 m, 15 deg) and drives on. For the model, it
+  // drives straight all the time.
   const double turn = 15 * kRadPerDeg;
-  std::vector<TrackPoint> points;
+  std::vector<TrajectoryPoint> points;
   for (int i = 0; i <= 400; ++i) {
     const double t = i * 0.01, s = 0.1 * t;
     Pose truth = pose(s, 0);
@@ -78,8 +78,8 @@ TEST(PoseErrors, AShoveThatTheModelCannotSeeDoesNotCountAgainstIt) {
   EXPECT_LT(between.max_yaw_error_rad, 1e-9);
 }
 
-TEST(PoseErrors, AShoveBetweenTwoPointsStillSetsTheModelOntoTheTruth) {
-  const std::vector<TrackPoint> points = {
+TEST(PoseErrors, ADisturbanceBetweenTwoPointsStillSetsTheModelOntoTheTruth) {
+  const std::vector<TrajectoryPoint> points = {
       point(0, pose(0, 0), pose(0, 0)), point(1, pose(1, 1), pose(1, 0)),
       point(2, pose(2, 1), pose(2, 0)), point(3, pose(3, 1.5), pose(3, 0))};
   const PoseErrors errors = pose_errors_between(points, {{0.4, 0.6}, {0.7, 0.8}}, model_of);
@@ -88,8 +88,9 @@ TEST(PoseErrors, AShoveBetweenTwoPointsStillSetsTheModelOntoTheTruth) {
 }
 
 TEST(TrackingErrors, MeasureTheDistanceToThePathAndTheYawToItsTangent) {
-  std::vector<TrackPoint> points = {point(0, pose(0, 0), {}), point(1, pose(0.5, 0.03, 0.1), {}),
-                                    point(2, pose(1.04, 0.0, -0.2), {})};
+  std::vector<TrajectoryPoint> points = {point(0, pose(0, 0), {}),
+                                         point(1, pose(0.5, 0.03, 0.1), {}),
+                                         point(2, pose(1.04, 0.0, -0.2), {})};
   points[1].progress_m = 0.5;
   points[2].progress_m = 1.0;
   const TrackingErrors errors = tracking_errors(points, {}, course::Path(straight(1.0)));
@@ -102,7 +103,7 @@ TEST(TrackingErrors, MeasureTheDistanceToThePathAndTheYawToItsTangent) {
 TEST(TrackingErrors, ATurnOnTheSpotIsNoYawError) {
   course::Course course;
   course.path = {course::Line{1.0}, course::Pivot{kPi / 2}, course::Line{1.0}};
-  std::vector<TrackPoint> points;
+  std::vector<TrajectoryPoint> points;
   for (int i = 0; i <= 10; ++i) {
     points.push_back(point(i, pose(1.0, 0.0, i * kPi / 20 + 2 * kPi), {}));
     points.back().progress_m = 1.0;
@@ -113,24 +114,24 @@ TEST(TrackingErrors, ATurnOnTheSpotIsNoYawError) {
 }
 
 TEST(TrackingErrors, ACrossingPathIsComparedNearTheProgressOnly) {
-  course::Course course;  // out, round and across itself
+  course::Course course;  // a line, an arc, and a line that crosses the first one
   course.path = {course::Line{1.0}, course::Arc{0.5, 1.5 * kPi}, course::Line{1.5}};
   const course::Path path(course);
-  TrackPoint crossing = point(0, pose(0.5, 0.0, 0.0), {});
+  TrajectoryPoint crossing = point(0, pose(0.5, 0.0, 0.0), {});
   crossing.progress_m = 0.5;
   EXPECT_NEAR(tracking_errors({crossing}, {}, path).max_cross_track_m, 0.0, 1e-12);
-  crossing.world.y_m = 0.4;  // nearly on the arc, but that part comes much later
+  crossing.world.y_m = 0.4;  // close to the arc, but that part of the path comes much later
   EXPECT_NEAR(tracking_errors({crossing}, {}, path).max_cross_track_m, 0.4, 1e-9);
 }
 
 TEST(TrackingErrors, RecoveryRunsFromTheEndOfThePushToTheLastReturn) {
-  std::vector<TrackPoint> points;
+  std::vector<TrajectoryPoint> points;
   for (int i = 0; i <= 1000; ++i) {
     const double t = i * 0.01;
     double y = 0.0;
     if (t > 1.0 && t < 2.5) y = 0.04;
-    if (t > 2.7 && t < 2.8) y = 0.02;  // inside for 0.2 s only
-    if (t > 5.0) y = 0.04;             // pushed again, never back
+    if (t > 2.7 && t < 2.8) y = 0.02;  // within the band for 0.2 s only
+    if (t > 5.0) y = 0.04;             // disturbed again, without a return
     points.push_back(point(t, pose(0.1 * t, y), {}));
     points.back().progress_m = 0.1 * t;
   }

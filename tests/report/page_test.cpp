@@ -5,10 +5,9 @@
 #include <limits>
 
 #include "core/angle.h"
-#include "core/spread.h"
+#include "core/statistics.h"
 #include "report/html_page.h"
-#include "report/svg_chart.h"
-#include "report/tum.h"
+#include "report/run_result.h"
 
 namespace tp100::report {
 namespace {

@@ -1,8 +1,7 @@
-#include "report/poses_csv.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "report/run_result.h"
 #include "text/csv_reader.h"
 
 namespace tp100::report {
@@ -12,7 +11,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// All values of a pose differ from each other and from those of a pose of another number.
+/// All values of a pose differ from each other and from those of poses with other numbers.
 Pose pose(double number) {
   return {.x_m = number + 0.1,
           .y_m = number + 0.2,
@@ -41,11 +40,11 @@ TEST(PosesCsv, EveryColumnHoldsWhatItsNameSays) {
   const RunResult run = a_run(true);
   const struct {
     const char* name;
-    Pose TrackPoint::*pose;
-  } poses[] = {{"truth", &TrackPoint::truth},
-               {"model", &TrackPoint::model},
-               {"odometry", &TrackPoint::odometry},
-               {"fused", &TrackPoint::fused}};
+    Pose TrajectoryPoint::*pose;
+  } poses[] = {{"truth", &TrajectoryPoint::truth},
+               {"model", &TrajectoryPoint::model},
+               {"odometry", &TrajectoryPoint::odometry},
+               {"fused", &TrajectoryPoint::fused}};
   const struct {
     const char* name;
     double Pose::*value;

@@ -1,5 +1,3 @@
-#include "report/recovery.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,14 +9,14 @@ namespace tp100::report {
 namespace {
 
 constexpr double kStepS = 0.01;
-constexpr ShoveWindow kShove{2.0, 2.3};
+constexpr DisturbanceWindow kDisturbance{2.0, 2.3};
 
-/// A drive along a line of 2 m at 0.1 m/s with a given way to the left of it.
+/// A run along a line of 2 m at 0.1 m/s with a given distance to the left of the line.
 template <class Left>
-std::vector<TrackPoint> drive(Left left_m, double duration_s = 10.0) {
-  std::vector<TrackPoint> points;
+std::vector<TrajectoryPoint> drive(Left left_m, double duration_s = 10.0) {
+  std::vector<TrajectoryPoint> points;
   for (int i = 0; i * kStepS <= duration_s; ++i) {
-    TrackPoint point;
+    TrajectoryPoint point;
     point.t_s = i * kStepS;
     point.world.x_m = 0.1 * point.t_s;
     point.world.y_m = left_m(point.t_s);
@@ -28,8 +26,9 @@ std::vector<TrackPoint> drive(Left left_m, double duration_s = 10.0) {
   return points;
 }
 
-/// Pushed 4 cm to the left, back at 4 s, 3 mm too far, and on the path from 5 s on.
-double pushed_left(double t_s) {
+/// Displaced by 4 cm to the left, back on the path at 4 s, then 3 mm too far, and on the path from
+/// 5 s on.
+double disturbed_left(double t_s) {
   if (t_s < 2.0) return 0.0;
   if (t_s < 2.3) return 0.04 * (t_s - 2.0) / 0.3;
   if (t_s < 4.0) return 0.04 * (4.0 - t_s) / 1.7;
@@ -37,21 +36,21 @@ double pushed_left(double t_s) {
   return t_s < 5.0 ? -0.003 : 0.0;
 }
 
-TrackingErrors judged(const std::vector<TrackPoint>& points) {
+TrackingErrors judged(const std::vector<TrajectoryPoint>& points) {
   course::Course line;
   line.path = {course::Line{2.0}};
-  return tracking_errors(points, {kShove}, course::Path(line));
+  return tracking_errors(points, {kDisturbance}, course::Path(line));
 }
 
-TEST(Recovery, TellsDetectionPeakSettlingAndOvershoot) {
-  std::vector<TrackPoint> points = drive(pushed_left);
-  for (TrackPoint& point : points) {
+TEST(DisturbanceResponse, TellsDetectionPeakSettlingAndOvershoot) {
+  std::vector<TrajectoryPoint> points = drive(disturbed_left);
+  for (TrajectoryPoint& point : points) {
     point.recovering = point.t_s >= 2.05 && point.t_s < 4.5;
     if (point.t_s >= 2.3 && point.t_s < 3.0) point.world.yaw_rad = -0.3;
   }
   const TrackingErrors errors = judged(points);
   ASSERT_EQ(errors.recovery.size(), 1u);
-  const Recovery& recovery = errors.recovery[0];
+  const DisturbanceResponse& recovery = errors.recovery[0];
   EXPECT_DOUBLE_EQ(recovery.begin_s, 2.0);
   ASSERT_TRUE(recovery.detection_s.has_value());
   EXPECT_NEAR(*recovery.detection_s, 0.05, 0.011);
@@ -59,50 +58,52 @@ TEST(Recovery, TellsDetectionPeakSettlingAndOvershoot) {
   EXPECT_NEAR(recovery.peak_yaw_error_rad, 0.3, 1e-9);
   ASSERT_TRUE(recovery.settling_s.has_value());
   EXPECT_NEAR(*recovery.settling_s, 4.0 - 0.01 / 0.04 * 1.7 - 2.3, 0.011);
-  EXPECT_NEAR(recovery.overshoot_m, 0.001, 0.0003) << "until the half second inside ended";
+  EXPECT_NEAR(recovery.overshoot_m, 0.001, 0.0003)
+      << "it counts only until half a second within the band has passed";
   EXPECT_LT(recovery.shortcut_m, 1e-9);
   EXPECT_EQ(errors.recovery_s[0], recovery.settling_s);
   EXPECT_EQ(errors.false_alarms, 0);
 }
 
-TEST(Recovery, APushToTheRightMirrorsIt) {
-  const Recovery left = judged(drive(pushed_left)).recovery[0];
-  const Recovery right = judged(drive([](double t_s) { return -pushed_left(t_s); })).recovery[0];
+TEST(DisturbanceResponse, APushToTheRightMirrorsIt) {
+  const DisturbanceResponse left = judged(drive(disturbed_left)).recovery[0];
+  const DisturbanceResponse right =
+      judged(drive([](double t_s) { return -disturbed_left(t_s); })).recovery[0];
   EXPECT_DOUBLE_EQ(left.overshoot_m, right.overshoot_m);
   EXPECT_DOUBLE_EQ(left.peak_cross_track_m, right.peak_cross_track_m);
   EXPECT_GT(right.overshoot_m, 0.0);
 }
 
-TEST(Recovery, WhatWasNeverNoticedAndNeverSettledSaysSo) {
-  const Recovery recovery =
+TEST(DisturbanceResponse, WhatWasNeverNoticedAndNeverSettledSaysSo) {
+  const DisturbanceResponse recovery =
       judged(drive([](double t_s) { return t_s < 2.0 ? 0.0 : 0.05; })).recovery[0];
   EXPECT_FALSE(recovery.detection_s.has_value());
   EXPECT_FALSE(recovery.settling_s.has_value());
   EXPECT_NEAR(recovery.peak_cross_track_m, 0.05, 1e-9);
 }
 
-TEST(Recovery, ThePartOfThePathThatWasLeftOutIsAShortcut) {
-  std::vector<TrackPoint> points = drive(pushed_left);
-  for (TrackPoint& point : points) {
+TEST(DisturbanceResponse, ThePartOfThePathThatWasLeftOutIsAShortcut) {
+  std::vector<TrajectoryPoint> points = drive(disturbed_left);
+  for (TrajectoryPoint& point : points) {
     if (point.t_s >= 2.3) point.progress_m += 0.5;
   }
-  // The other part of the path lies beside this one.
-  for (TrackPoint& point : points) point.world.x_m = point.progress_m;
+  // The skipped part of the path lies beside this part.
+  for (TrajectoryPoint& point : points) point.world.x_m = point.progress_m;
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].t_s >= 2.3) points[i].world.x_m -= 0.5;
-  const Recovery recovery = judged(points).recovery[0];
+  const DisturbanceResponse recovery = judged(points).recovery[0];
   EXPECT_NEAR(recovery.shortcut_m, 0.5, 0.09);
 }
 
-TEST(Recovery, APushThatTheRunDidNotReachIsThereWithoutFigures) {
-  const Recovery recovery = judged(drive(pushed_left, 1.0)).recovery[0];
+TEST(DisturbanceResponse, APushThatTheRunDidNotReachIsThereWithoutFigures) {
+  const DisturbanceResponse recovery = judged(drive(disturbed_left, 1.0)).recovery[0];
   EXPECT_DOUBLE_EQ(recovery.begin_s, 2.0);
   EXPECT_FALSE(recovery.settling_s.has_value());
 }
 
-TEST(Recovery, ADisturbanceThatNobodyMadeIsAFalseAlarm) {
-  std::vector<TrackPoint> points = drive([](double) { return 0.0; });
-  for (TrackPoint& point : points) {
+TEST(DisturbanceResponse, ADisturbanceThatNobodyMadeIsAFalseAlarm) {
+  std::vector<TrajectoryPoint> points = drive([](double) { return 0.0; });
+  for (TrajectoryPoint& point : points) {
     point.recovering = (point.t_s > 0.5 && point.t_s < 1.0) ||
                        (point.t_s > 2.1 && point.t_s < 3.0) || (point.t_s > 6.0 && point.t_s < 6.5);
   }

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "report/result_json.h"
-#include "report/result_table.h"
+#include "report/result_text.h"
+#include "report/run_result.h"
 
 namespace tp100::report {
 namespace {
@@ -25,7 +25,7 @@ RunResult a_run() {
   run.completed = true;
   run.duration_s = 41.25;
   run.realtime_factor = 30.0;
-  run.shoves = {{8.0, 8.3}, {30.0, 30.3}};
+  run.disturbances = {{8.0, 8.3}, {30.0, 30.3}};
   run.link.samples = 8000;
   run.loop = {{"steps", 8250.0}};
   return run;
@@ -98,7 +98,7 @@ TEST(ResultJson, FusedIsThereOnlyIfACameraWas) {
   EXPECT_THAT(result_table(a_run(), some_figures()), Not(HasSubstr("fused")));
 }
 
-TEST(ResultJson, AShoveWithoutRecoveryIsNull) {
+TEST(ResultJson, ADisturbanceWithoutRecoveryIsNull) {
   const Json json = Json::parse(result_json(a_run(), some_figures()));
   EXPECT_EQ(json["tracking"]["recovery_s"].dump(), "[1.5,null]");
 }
@@ -126,13 +126,13 @@ TEST(ResultTable, ShowsThePrintedValuesAndWhatIsOurs) {
   EXPECT_THAT(text, HasSubstr("0.1854"));
   EXPECT_THAT(text, HasSubstr("are ours: the paper does not print them"));
   EXPECT_THAT(text, HasSubstr("shown, not compared"));
-  EXPECT_THAT(
-      text, HasSubstr("shove at   8.0 s                       0.03      4.10      14.3      1.50"));
-  EXPECT_THAT(
-      text, HasSubstr("shove at  30.0 s                      never      0.00       0.0     never"));
+  EXPECT_THAT(text,
+              HasSubstr("disturbance at   8.0 s               0.03      4.10      14.3      1.50"));
+  EXPECT_THAT(text,
+              HasSubstr("disturbance at  30.0 s              never      0.00       0.0     never"));
   RunResult curve = a_run();
   curve.course = "1-curve";
-  curve.shoves.clear();
+  curve.disturbances.clear();
   EXPECT_THAT(result_table(curve, {}), HasSubstr("1.20"));
   curve.course = "my-own";
   EXPECT_THAT(result_table(curve, {}), Not(HasSubstr("as printed")));

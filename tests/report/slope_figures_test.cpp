@@ -23,12 +23,12 @@ course::Terrain one_ramp() {
   return terrain;
 }
 
-/// Level, from 2 to 5 s nose up by 20 deg near the ramp, level again; the IMU is off by `off_rad`,
-/// the state `late_s` behind.
-std::vector<TrackPoint> climb(double off_rad, double late_s) {
-  std::vector<TrackPoint> points;
+/// The robot is level, from 2 to 5 s nose-up by 20 deg near the ramp, then level again. The IMU has
+/// an error of `off_rad`, and the state is `late_s` late.
+std::vector<TrajectoryPoint> climb(double off_rad, double late_s) {
+  std::vector<TrajectoryPoint> points;
   for (int i = 0; i * kStepS < 8.0; ++i) {
-    TrackPoint point;
+    TrajectoryPoint point;
     point.t_s = i * kStepS;
     point.truth.x_m = 0.5;
     const auto leans = [](double t_s) { return t_s >= 2.0 && t_s < 5.0; };
@@ -36,7 +36,7 @@ std::vector<TrackPoint> climb(double off_rad, double late_s) {
     point.imu_pitch_rad = point.truth.pitch_rad + off_rad;
     if (leans(point.t_s - late_s)) {
       point.slope = Slope::kUp;
-      point.leans_on = Obstacle::kRamp;
+      point.obstacle_class = Obstacle::kRamp;
     }
     points.push_back(point);
   }
@@ -59,30 +59,31 @@ TEST(SlopeFigures, TellPitchErrorAndDelay) {
 }
 
 TEST(SlopeFigures, WhatTheStateNeverSaidWasNotFound) {
-  std::vector<TrackPoint> points = climb(0.0, 0.0);
-  for (TrackPoint& point : points) point.slope = Slope::kFlat;
+  std::vector<TrajectoryPoint> points = climb(0.0, 0.0);
+  for (TrajectoryPoint& point : points) point.slope = Slope::kFlat;
   const SlopeFigures figures = slope_figures(points, one_ramp());
   ASSERT_EQ(figures.changes.size(), 2u);
   EXPECT_FALSE(figures.changes[0].found_s.has_value());
 }
 
 TEST(SlopeFigures, AStateWithoutACauseIsFalse) {
-  std::vector<TrackPoint> points = climb(0.0, 0.1);
-  for (TrackPoint& point : points)
+  std::vector<TrajectoryPoint> points = climb(0.0, 0.1);
+  for (TrajectoryPoint& point : points)
     if (point.t_s > 7.0 && point.t_s < 7.3) point.slope = Slope::kDown;
-  EXPECT_EQ(slope_figures(points, one_ramp()).false_changes, 2) << "to down, and back";
+  EXPECT_EQ(slope_figures(points, one_ramp()).false_changes, 2)
+      << "one change to down and one back";
 }
 
 TEST(SlopeFigures, ARampTakenForAStepIsAMistake) {
-  std::vector<TrackPoint> points = climb(0.0, 0.1);
-  for (TrackPoint& point : points)
-    if (point.slope != Slope::kFlat) point.leans_on = Obstacle::kBlock;
+  std::vector<TrajectoryPoint> points = climb(0.0, 0.1);
+  for (TrajectoryPoint& point : points)
+    if (point.slope != Slope::kFlat) point.obstacle_class = Obstacle::kBlock;
   EXPECT_EQ(slope_figures(points, one_ramp()).mistaken, 1);
 }
 
 TEST(SlopeFigures, AKnockThatDoesNotLastIsNoChangeOfTheBody) {
-  std::vector<TrackPoint> points = climb(0.0, 0.1);
-  for (TrackPoint& point : points)
+  std::vector<TrajectoryPoint> points = climb(0.0, 0.1);
+  for (TrajectoryPoint& point : points)
     if (point.t_s > 7.0 && point.t_s < 7.1) point.truth.pitch_rad = 0.2;
   EXPECT_EQ(slope_figures(points, one_ramp()).changes.size(), 2u);
 }

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "../run/recovered.h"
 #include "core/angle.h"
 #include "core/error.h"
+#include "recovered.h"
 #include "report/metrics.h"
-#include "report/result_json.h"
+#include "report/result_text.h"
+#include "report/run_result.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
 
@@ -18,7 +19,7 @@ namespace tp100::sim {
 namespace {
 
 LockstepSettings settings(const std::string& course, const std::string& robot,
-                          bridge::Steering steering) {
+                          PoseSource steering) {
   Options options;
   options.robot = robot;
   const Loaded loaded = load(options);
@@ -39,7 +40,7 @@ double median(std::vector<double> values) {
 struct Case {
   const char* course;
   const char* robot;
-  double max_m;  ///< largest error of the fused pose, median over the seeds; 0: none
+  double max_m;  ///< largest error of the fused pose, median over the seeds; 0: no limit
   double tracking_m;
   std::uint64_t seeds;
 };
@@ -48,7 +49,7 @@ class FusedCourses : public testing::TestWithParam<Case> {};
 
 TEST_P(FusedCourses, FusedSteersAndKeepsItsLimits) {
   const Case& which = GetParam();
-  LockstepSettings run = settings(which.course, which.robot, bridge::Steering::kFused);
+  LockstepSettings run = settings(which.course, which.robot, PoseSource::kFused);
   std::vector<double> max_m, rms_m, yaw_rad, tracking_m;
   for (run.seed = 1; run.seed <= which.seeds; ++run.seed) {
     SCOPED_TRACE(testing::Message() << "seed " << run.seed);
@@ -88,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Flat, FusedCourses, testing::ValuesIn(cases(3)), name_o
 INSTANTIATE_TEST_SUITE_P(NightlyFlat, FusedCourses, testing::ValuesIn(cases(10)), name_of);
 
 TEST(CameraRun, ACameraChangesNothingOfARunThatOdometrySteers) {
-  LockstepSettings run = settings("1-curve", "end-loaded", bridge::Steering::kOdometry);
+  LockstepSettings run = settings("1-curve", "end-loaded", PoseSource::kOdometry);
   const auto text = [&run] {
     report::RunResult result = run_lockstep(run);
     result.realtime_factor = 0.0;
@@ -106,7 +107,7 @@ TEST(CameraRun, ACameraChangesNothingOfARunThatOdometrySteers) {
 }
 
 TEST(CameraRun, WithoutACameraTheFilterStillSteers) {
-  LockstepSettings run = settings("1-sharp", "uniform", bridge::Steering::kFused);
+  LockstepSettings run = settings("1-sharp", "uniform", PoseSource::kFused);
   run.camera.reset();
   const report::RunResult result = run_lockstep(run);
   EXPECT_TRUE(result.completed) << result.cause;
@@ -114,7 +115,7 @@ TEST(CameraRun, WithoutACameraTheFilterStillSteers) {
 }
 
 TEST(CameraRun, OutliersAndLostFramesDoNotPullThePoseAway) {
-  LockstepSettings run = settings("1-curve", "uniform", bridge::Steering::kFused);
+  LockstepSettings run = settings("1-curve", "uniform", PoseSource::kFused);
   run.camera->outliers = 0.05;
   run.camera->dropped = 0.3;
   const report::RunResult result = run_lockstep(run);
@@ -123,8 +124,8 @@ TEST(CameraRun, OutliersAndLostFramesDoNotPullThePoseAway) {
 }
 
 TEST(CameraRun, ABenchIsNoPlaceForACamera) {
-  LockstepSettings run = settings("1-curve", "end-loaded", bridge::Steering::kOdometry);
-  run.setup = bridge::Setup::kBench;
+  LockstepSettings run = settings("1-curve", "end-loaded", PoseSource::kOdometry);
+  run.setup = bridge::Setup::kStand;
   EXPECT_THROW(run_lockstep(run), SetupError);
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../run/recovered.h"
+#include "recovered.h"
 #include "report/metrics.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
@@ -14,7 +14,7 @@
 namespace tp100::sim {
 namespace {
 
-// Sanitized builds run the same code some ten times slower: fewer seeds there.
+// Sanitized builds run the same code about ten times slower, so they use fewer seeds.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr std::uint64_t kSeeds = 1;
 #else
@@ -25,7 +25,8 @@ struct Case {
   control::LawName law;
   const char* law_name;
   const char* course;
-  double tracking_m;  ///< median over the seeds of the largest distance from the path; 0: shoved
+  double tracking_m;  ///< median over the seeds of the largest distance from the path; 0: no limit,
+                      ///< because of disturbances
 };
 
 void PrintTo(const Case& which, std::ostream* out) {
@@ -41,7 +42,7 @@ LockstepSettings settings(const Case& which, const std::string& robot = "end-loa
                             .configuration = loaded.configuration,
                             .setup = loaded.setup,
                             .camera = load_camera("overhead")};
-  settings.configuration.parameters.steering = bridge::Steering::kFused;
+  settings.configuration.parameters.steering = PoseSource::kFused;
   settings.configuration.parameters.control.law = which.law;
   return settings;
 }
@@ -72,7 +73,7 @@ std::vector<Case> cases() {
                                   std::pair{control::LawName::kPurePursuit, "pure_pursuit"},
                                   std::pair{control::LawName::kLqr, "lqr"}}) {
     all.push_back({law, name, "3", 0.015});
-    // The law of FusedCourses, which drive the others.
+    // FusedCourses tests this law on the other courses.
     if (law == control::Parameters{}.law) continue;
     all.push_back({law, name, "1-curve", 0.008});
     all.push_back({law, name, "1-sharp", 0.015});
@@ -89,14 +90,14 @@ INSTANTIATE_TEST_SUITE_P(Flat, CoursesByLaw, testing::ValuesIn(cases()),
                            return name;
                          });
 
-// A law that nobody can tell from another is not chosen by its key.
+// The key must select different laws: their runs must differ.
 TEST(Laws, DriveDifferently) {
   std::vector<double> end_s;
   for (const control::LawName law :
        {control::LawName::kStanley, control::LawName::kPurePursuit, control::LawName::kLqr}) {
     const report::RunResult result = run_lockstep(settings({law, "", "2", 0.0}));
     double sum = 0.0;
-    for (const report::TrackPoint& point : result.points) sum += point.truth.y_m;
+    for (const report::TrajectoryPoint& point : result.points) sum += point.truth.y_m;
     end_s.push_back(sum);
   }
   EXPECT_NE(end_s[0], end_s[1]);
@@ -104,8 +105,8 @@ TEST(Laws, DriveDifferently) {
   EXPECT_NE(end_s[1], end_s[2]);
 }
 
-// Those that FusedCourses leave out.
-TEST(Laws, ShovesAreRecoveredFromOnEveryRobot) {
+// These are the robots that FusedCourses leaves out.
+TEST(Laws, DisturbancesAreRecoveredFromOnEveryRobot) {
   for (const char* robot : {"front-heavy", "large", "slippery"}) {
     SCOPED_TRACE(robot);
     const LockstepSettings run = settings({control::LawName::kStanley, "", "2", 0.0}, robot);

@@ -10,7 +10,8 @@
 
 #include "course/bundled_files.h"
 #include "report/metrics.h"
-#include "report/result_json.h"
+#include "report/result_text.h"
+#include "report/run_result.h"
 #include "sim/robot/options.h"
 
 namespace tp100::sim {
@@ -33,7 +34,7 @@ struct Case {
   const char* board;
   const char* course;
   const char* robot;
-  double model_limit_m;  ///< median over the seeds of the largest position error; 0: none
+  double model_limit_m;  ///< median over the seeds of the largest position error; 0: no limit
   std::uint64_t seeds = 1;
 };
 
@@ -79,14 +80,14 @@ std::string name_of(const testing::TestParamInfo<Case>& param) {
 
 INSTANTIATE_TEST_SUITE_P(Native, Courses, testing::ValuesIn(cases("native", 3)), name_of);
 INSTANTIATE_TEST_SUITE_P(NightlyNative, Courses, testing::ValuesIn(cases("native", 10)), name_of);
-// Only builds that make the image can fly it.
+// Only builds that make the image can run it.
 #ifdef TP100_HAS_IMAGE
 INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr", 1)), name_of);
 INSTANTIATE_TEST_SUITE_P(NightlyAvr, Courses, testing::ValuesIn(cases("avr", 5)), name_of);
 
 TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
   LockstepSettings run = settings("1-curve", "end-loaded", "avr");
-  // Ten seconds before the wrap, in steps of the board's timer.
+  // The run starts ten seconds before the wrap, at a multiple of the step of the board's timer.
   run.start_us = (0xFFFFFFFFu - 10'000'000u) / 1024u * 1024u;
   const report::RunResult result = run_lockstep(run);
   EXPECT_TRUE(result.completed) << result.cause;
@@ -121,7 +122,7 @@ TEST(Lockstep, OneSeedGivesOneResultAndAnotherSeedAnother) {
 
 TEST(Lockstep, OnABenchTheVirtualRobotCompletesTheCourseAndTheBodyStays) {
   LockstepSettings run = settings("1-curve", "end-loaded");
-  run.setup = bridge::Setup::kBench;
+  run.setup = bridge::Setup::kStand;
   const report::RunResult result = run_lockstep(run);
   EXPECT_TRUE(result.completed) << result.cause;
   EXPECT_NEAR(result.points.back().truth.y_m, 0.7, 0.03);
@@ -138,7 +139,7 @@ TEST(Lockstep, ARobotThatLeavesItsFenceIsStoppedAndTheCauseIsNamed) {
 TEST(Lockstep, ARobotWhoseSlipNobodyKnowsFinishesElsewhere) {
   LockstepSettings run = settings("1-straight", "end-loaded");
   run.robot.model = {};
-  run.robot.emulated.body.belt_deficit_left = run.robot.emulated.body.belt_deficit_right = 0.4;
+  run.robot.emulated.body.track_deficit_left = run.robot.emulated.body.track_deficit_right = 0.4;
   const report::RunResult result = run_lockstep(run);
   EXPECT_TRUE(result.finished);
   EXPECT_FALSE(result.completed);

@@ -1,4 +1,4 @@
-// The emulated overhead camera on the network and the daemon that listens: three ends of one run.
+// The emulated overhead camera sends over the network to the daemon that controls the robot.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -21,10 +21,10 @@ namespace {
 class OverheadCameraRun : public testing::Test {
  protected:
   OverheadCameraRun() {
-    // Somebody pushes the robot aside, which neither encoders nor gyro can see.
+    // The robot is pushed aside, which neither the encoders nor the gyro can measure.
     std::ifstream curve(TP100_SOURCE_DIR "/config/courses/1-curve.toml");
     std::ofstream(course()) << curve.rdbuf()
-                            << "\n[[shove]]\nat_m = 0.3\nsideways_m = 0.04\nyaw_deg = 0.0\n"
+                            << "\n[[disturbance]]\nat_m = 0.3\nsideways_m = 0.04\nyaw_deg = 0.0\n"
                                "duration_s = 0.4\n";
     std::ofstream(folder_.file("fused.toml")) << "[estimation]\nsteering = \"fused\"\n"
                                                  "[control]\nmax_cross_track_m = 0.5\n";
@@ -50,9 +50,9 @@ class OverheadCameraRun : public testing::Test {
     return nlohmann::json::parse(std::ifstream(folder_.file("stats.json")));
   }
 
-  /// A run to its end, and what the robot said. A machine that is busy with other things for a
-  /// fifth of a second stops the robot, as it must; that is no matter of the camera, so it gets
-  /// another try.
+  /// Drives a run to its end and returns the robot's output. On a busy machine the robot may stop
+  /// because no command arrived for 200 ms. This has nothing to do with the camera, so the run is
+  /// repeated.
   std::string drive() {
     for (int attempt = 0;; ++attempt) {
       Process body(robot());
@@ -89,17 +89,17 @@ TEST_F(OverheadCameraRun, PushedAsideFusedSteersBackByTheDatagramsAndEndsWhereTh
   EXPECT_NEAR(fused.at("y_m").get<double>(), y_m, 0.006);
   EXPECT_NEAR(std::remainder(fused.at("yaw_rad").get<double>() * 57.29578 - yaw_deg, 360.0), 0.0,
               1.0);
-  EXPECT_NEAR(x_m, 0.0, 0.015) << "the end of the path";
+  EXPECT_NEAR(x_m, 0.0, 0.015) << "the robot must stop at the end of the path";
   EXPECT_NEAR(y_m, 0.7, 0.015);
   const nlohmann::json& odometry = figures.at("odometry");
   EXPECT_GT(
       std::hypot(odometry.at("x_m").get<double>() - x_m, odometry.at("y_m").get<double>() - y_m),
       0.025)
-      << "without the camera the push would be lost";
+      << "only the camera can measure the disturbance";
   const nlohmann::json& camera = figures.at("camera");
   EXPECT_GT(camera.at("accepted").get<int>(), 300) << camera;
   EXPECT_GT(camera.at("used").get<int>(), 100) << camera;
-  EXPECT_GT(camera.at("missing").get<int>(), 0) << "the camera drops 3 % of its pictures";
+  EXPECT_GT(camera.at("missing").get<int>(), 0) << "the camera drops 3 % of its images";
   EXPECT_EQ(camera.at("malformed").get<int>(), 0) << camera;
   EXPECT_EQ(camera.at("dropped").get<int>(), 0) << camera;
 }
@@ -129,7 +129,7 @@ TEST_F(OverheadCameraRun, HostileDatagramsDoNotDisturbARun) {
   link::CameraMessage lie;
   lie.clock = "elsewhere";
   lie.x_m = 5.0;
-  // Old enough to be of no use even where the robot falls silent on a busy machine.
+  // The sample is too old to be used even if the robot is silent for a while on a busy machine.
   lie.age_us = 5'000'000;
   for (int i = 0; i < 200; ++i) {
     sender.send("rubbish");
@@ -140,7 +140,7 @@ TEST_F(OverheadCameraRun, HostileDatagramsDoNotDisturbARun) {
   bridge.signal(SIGTERM);
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
   const nlohmann::json camera = stats().at("camera");
-  // Some are lost where the daemon does not get to read them.
+  // Some datagrams are lost when the daemon does not read them in time.
   EXPECT_GE(camera.at("malformed").get<int>(), 100) << camera;
   EXPECT_GE(camera.at("foreign").get<int>() + camera.at("late").get<int>(), 50) << camera;
   EXPECT_GT(camera.at("used").get<int>(), 10) << camera;
@@ -157,7 +157,7 @@ TEST_F(OverheadCameraRun, ABusyPortABadAddressAndABenchAreErrorsOfOneLine) {
   EXPECT_NE(taken.output.find("cannot listen"), std::string::npos) << taken.output;
   EXPECT_EQ(run({"tp100d", "run", "--port", port(), "--camera", "47100"}).status, 2);
   EXPECT_EQ(
-      run({"tp100d", "run", "--port", port(), "--camera", address(), "--setup", "bench"}).status,
+      run({"tp100d", "run", "--port", port(), "--camera", address(), "--setup", "stand"}).status,
       2);
   EXPECT_EQ(run({"tp100-sim", "robot", "--camera-to", "udp:"}).status, 2);
   EXPECT_EQ(run({"tp100-sim", "robot", "--camera=nothing"}).status, 2);

@@ -1,4 +1,5 @@
-// Paths of the whole course format, driven by the body and watched by the monitor.
+// Paths that use the whole course format: the emulated body follows them, and the monitor
+// supervises the run.
 
 #include <gtest/gtest.h>
 
@@ -20,12 +21,12 @@
 
 namespace {
 
-/// From here on along the path progress stands still: a fault of this test's own.
+/// From this position on, progress along the path is frozen: a fault that this test injects.
 double g_frozen_from_m = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// The linker puts these in the place of Progress::advance.
+// The linker replaces Progress::advance by these functions.
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 extern "C" {
 void __real__ZN5tp1007control8Progress7advanceEdd(tp100::control::Progress* self, double x_m,
@@ -43,23 +44,23 @@ void __wrap__ZN5tp1007control8Progress7advanceEdd(tp100::control::Progress* self
 namespace tp100::sim {
 namespace {
 
-// Sanitized builds run the same code some ten times slower.
+// Sanitized builds run the same code about ten times slower.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kDrawn = 3;
-constexpr double kMostTurns = 2.0;
+constexpr int kSampled = 3;
+constexpr double kMaxTurns = 2.0;
 #else
-constexpr int kDrawn = 30;
-constexpr double kMostTurns = 4.0;
+constexpr int kSampled = 30;
+constexpr double kMaxTurns = 10.0;
 #endif
 constexpr double kRoomM = 0.5;
-// Of scripts/reproduce, where a path is not smooth.
+// The limit of scripts/reproduce for a path that is not smooth.
 constexpr double kTrackingM = 0.015;
-// Of the estimate, and of a step.
+// The allowance for the error of the estimate and for the motion within a step.
 constexpr double kSlackM = 0.02;
 
 course::Course course_of(std::vector<course::Segment> segments) {
   course::Course course;
-  course.name = "drawn";
+  course.name = "sampled";
   course.path = std::move(segments);
   return course;
 }
@@ -77,7 +78,7 @@ void fence_in(course::Course& course) {
   }
 }
 
-/// With the overhead camera, steered by what it sees.
+/// Settings with the overhead camera, whose fused pose steers the robot.
 LockstepSettings settings(course::Course course, const std::string& robot) {
   Options options;
   options.robot = robot;
@@ -88,11 +89,11 @@ LockstepSettings settings(course::Course course, const std::string& robot) {
                             .configuration = loaded.configuration,
                             .setup = loaded.setup,
                             .camera = load_camera("overhead")};
-  settings.configuration.parameters.steering = bridge::Steering::kFused;
+  settings.configuration.parameters.steering = PoseSource::kFused;
   return settings;
 }
 
-/// By which the body turned in all, whole turns counted.
+/// The total angle by which the body has turned, including whole turns.
 double turned_rad(const report::RunResult& run) {
   double sum = 0.0;
   for (std::size_t i = 1; i < run.points.size(); ++i)
@@ -100,7 +101,7 @@ double turned_rad(const report::RunResult& run) {
   return sum;
 }
 
-/// Whoever left a turn out has turned less.
+/// Expects a complete run. A robot that leaves out a turn has turned less.
 void expect_driven_whole(const LockstepSettings& run, const report::RunResult& result) {
   ASSERT_TRUE(result.completed) << result.cause;
   const course::Path path(run.course);
@@ -109,12 +110,12 @@ void expect_driven_whole(const LockstepSettings& run, const report::RunResult& r
               30.0 * kRadPerDeg);
 }
 
-/// However far progress is wrong, the body is not farther from the path at progress than is
-/// allowed.
+/// Expects that the body stays within the allowed distance from the path at the current progress,
+/// however wrong the progress is.
 void expect_watched(const LockstepSettings& run, const report::RunResult& result) {
   const course::Path path(run.course);
   const double most_m = run.configuration.parameters.control.max_cross_track_m + kSlackM;
-  for (const report::TrackPoint& point : result.points) {
+  for (const report::TrajectoryPoint& point : result.points) {
     const course::PathPoint meant = path.at(point.progress_m);
     ASSERT_LE(std::hypot(point.truth.x_m - meant.x_m, point.truth.y_m - meant.y_m), most_m)
         << point.t_s << " s";
@@ -141,7 +142,7 @@ TEST_P(Paths, ThatCloseOrCrossAreDrivenToTheirEnd) {
       {Line{0.1}, Arc{0.2, -turn}, Line{0.1}},
       {Line{0.1}, Arc{0.2, 400.0 * kRadPerDeg}, Line{0.1}},
       {Line{0.1}, Arc{0.2, -2.0 * turn}, Line{0.1}},
-      {Arc{0.15, kMostTurns * turn}},
+      {Arc{0.15, kMaxTurns * turn}},
       {Arc{0.2, turn}, Arc{0.2, -turn}},
       {Line{0.3}, Arc{0.2, 0.75 * turn}, Line{0.4}, Arc{0.2, -0.75 * turn}, Line{0.3}},
       out,
@@ -163,8 +164,8 @@ INSTANTIATE_TEST_SUITE_P(EveryRobot, Paths,
                            return name;
                          });
 
-/// Draws over all that config/courses/1-straight.toml allows, but only so much of it that a robot
-/// has driven it in about twenty seconds.
+/// Samples courses over the whole range that config/courses/1-straight.toml documents, limited to a
+/// length that a robot completes in about twenty seconds.
 class Draw {
  public:
   explicit Draw(std::uint32_t seed) : random_(seed) {}
@@ -190,7 +191,7 @@ class Draw {
   static constexpr double kLastsS = 20.0;
   static constexpr double kTurnsRadps = 0.6;
 
-  /// Every order of magnitude as often as the next.
+  /// Samples every order of magnitude with the same probability.
   double over(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
   course::Segment segment(double speed_mps, double& left_s) {
@@ -202,12 +203,12 @@ class Draw {
       return course::Line{length_m};
     }
     const double radius_m = over(0.01, 100.0);
-    // In narrow arcs the robot goes slower.
+    // In narrow arcs the robot drives more slowly.
     const double rate_radps = kind == 1 ? kTurnsRadps : std::min(speed_mps / radius_m, kTurnsRadps);
     const double sign = below(2) == 0 ? 1.0 : -1.0;
-    const double drawn_deg = below(2) == 0 ? over(0.1, 3600.0) : between(0.1, 3600.0);
+    const double sampled_deg = below(2) == 0 ? over(0.1, 3600.0) : between(0.1, 3600.0);
     const double angle_rad =
-        std::max(std::min(drawn_deg * kRadPerDeg, rate_radps * most_s), 0.1 * kRadPerDeg);
+        std::max(std::min(sampled_deg * kRadPerDeg, rate_radps * most_s), 0.1 * kRadPerDeg);
     left_s -= angle_rad / rate_radps;
     if (kind == 1) return course::Pivot{sign * angle_rad};
     return course::Arc{radius_m, sign * angle_rad};
@@ -216,40 +217,40 @@ class Draw {
   std::mt19937 random_;
 };
 
-class DrawnPaths : public FreezableProgress {
+class SampledPaths : public FreezableProgress {
  protected:
-  static LockstepSettings drawn(int seed) {
+  static LockstepSettings sampled(int seed) {
     Draw draw(static_cast<std::uint32_t>(seed));
     const std::vector<std::string> robots = course::bundled_names(course::Bundled::kRobots);
     LockstepSettings run = settings(draw.course(), robots[draw.below(robots.size())]);
-    // Faster than its belts no robot is sent.
+    // The course must not ask for more than the robot's highest track speed.
     run.course.speed_mps = std::min(run.course.speed_mps, run.robot.drive.max_track_mps);
     return run;
   }
 };
 
-TEST_F(DrawnPaths, AreDrivenToTheirEnd) {
-  for (int seed = 1; seed <= kDrawn; ++seed) {
-    const LockstepSettings run = drawn(seed);
-    SCOPED_TRACE(testing::Message() << "drawn by " << seed << ", " << run.robot.name);
+TEST_F(SampledPaths, AreDrivenToTheirEnd) {
+  for (int seed = 1; seed <= kSampled; ++seed) {
+    const LockstepSettings run = sampled(seed);
+    SCOPED_TRACE(testing::Message() << "sampled by " << seed << ", " << run.robot.name);
     const report::RunResult result = run_lockstep(run);
     expect_driven_whole(run, result);
     expect_watched(run, result);
-    // Many turns on the spot about a point that is not the reference point.
+    // A robot may make many turns on the spot about a point that is not the reference point.
     EXPECT_LE(report::figures(result, run.course).tracking.max_cross_track_m, 0.1);
   }
 }
 
-TEST_F(DrawnPaths, AreNotLeftFarWhenProgressStandsStill) {
-  for (int seed = 1; seed <= kDrawn; seed += 3) {
-    const LockstepSettings run = drawn(seed);
-    SCOPED_TRACE(testing::Message() << "drawn by " << seed << ", " << run.robot.name);
+TEST_F(SampledPaths, AreNotLeftFarWhenProgressStandsStill) {
+  for (int seed = 1; seed <= kSampled; seed += 3) {
+    const LockstepSettings run = sampled(seed);
+    SCOPED_TRACE(testing::Message() << "sampled by " << seed << ", " << run.robot.name);
     freeze(course::Path(run.course).length_m() / 3.0);
     expect_watched(run, run_lockstep(run));
   }
 }
 
-// Nothing else would see it but the fence.
+// Without this check, only the fence would end the run.
 TEST_F(FreezableProgress, ThatStandsStillEndsTheRunByTheDistanceFromThePath) {
   constexpr double kFromM = 0.5;
   freeze(kFromM);

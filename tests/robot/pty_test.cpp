@@ -1,4 +1,4 @@
-#include "sim/wire/pty.h"
+#include "sim/robot/pty.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "../programs/process.h"
-#include "app/replay_recording.h"
+#include "app/replay.h"
 #include "report/metrics.h"
-#include "report/result_json.h"
-#include "report/tum.h"
+#include "report/result_text.h"
+#include "report/run_result.h"
 #include "sim/robot/lockstep.h"
-#include "sim/robot/run_recorder.h"
+#include "sim/robot/lockstep_recorder.h"
 #include "support/paths.h"
 #include "support/temporary_folder.h"
 
@@ -40,7 +40,7 @@ Recorded drive(const std::string& course, const std::string& folder, bool camera
                const Options& options = {}) {
   Loaded loaded = load(options);
   loaded.files.course = course::read_bundled(course::Bundled::kCourses, course);
-  RunRecorder recorder(folder, loaded, 1);
+  LockstepRecorder recorder(folder, loaded, 1);
   LockstepSettings settings{.course = load_course(course),
                             .robot = loaded.robot,
                             .configuration = loaded.configuration,
@@ -69,11 +69,11 @@ TEST_P(RecordedCourse, ReplaysBitForBitAndHoldsTheTruth) {
 
   std::map<double, Pose> truth;
   recording.visit({.truth = [&](HostNs at, const Pose& pose) { truth[to_s(at)] = pose; }});
-  // The run's own clock begins with the run.
+  // The clock of the run begins with the run, so the poses are found by their values.
   ASSERT_FALSE(run.result.points.empty());
   std::size_t found = 0;
   auto known = truth.begin();
-  for (const report::TrackPoint& point : run.result.points) {
+  for (const report::TrajectoryPoint& point : run.result.points) {
     while (known != truth.end() && known->second.x_m != point.truth.x_m) ++known;
     if (known != truth.end() && known->second.y_m == point.truth.y_m) ++found;
   }
@@ -94,7 +94,7 @@ TEST_P(RecordedCourse, TheReportHasTheFiguresOfTheRun) {
   EXPECT_EQ(metrics["truth"], true);
   const std::string page = test::read_bytes(folder + "/report.html");
   EXPECT_THAT(page, HasSubstr("tp100Replay(document"));
-  EXPECT_EQ(run.result.shoves.empty(), page.find("the robot is pushed") == std::string::npos);
+  EXPECT_EQ(run.result.disturbances.empty(), page.find("the robot is pushed") == std::string::npos);
 }
 
 TEST_P(RecordedCourse, IsExportedFromTheFirstToTheLastStepOfItsRun) {
@@ -117,22 +117,24 @@ TEST_P(RecordedCourse, IsExportedFromTheFirstToTheLastStepOfItsRun) {
   }});
   std::size_t rows = 0;
   std::string model, odometry, fused, truth;
-  recording.visit({.step =
-                       [&](const StepRecord& record) {
-                         const HostNs at = record.snapshot.sample.measured_ns;
-                         if (record.sample_count == 0 || at < from || at > to || at <= last) return;
-                         last = at;
-                         ++rows;
-                         const double t_s = to_s(at - recording.start_ns());
-                         model += report::tum_line(t_s, record.snapshot.model);
-                         odometry += report::tum_line(t_s, record.snapshot.odometry);
-                         fused += report::tum_line(t_s, record.snapshot.fused.pose);
-                       },
-                   .truth =
-                       [&](HostNs at, const Pose& pose) {
-                         if (at >= from && at <= to)
-                           truth += report::tum_line(to_s(at - recording.start_ns()), pose);
-                       }});
+  recording.visit(
+      {.step =
+           [&](const StepRecord& record) {
+             const HostNs at = record.snapshot.sample.measured_ns;
+             if (record.inputs.samples.empty() || at < from || at > to || at <= last) return;
+             last = at;
+             ++rows;
+             const double t_s = to_s(at - recording.start_ns());
+             model += report::tum_line(t_s, record.snapshot.estimates[PoseSource::kModel].pose);
+             odometry +=
+                 report::tum_line(t_s, record.snapshot.estimates[PoseSource::kOdometry].pose);
+             fused += report::tum_line(t_s, record.snapshot.estimates[PoseSource::kFused].pose);
+           },
+       .truth =
+           [&](HostNs at, const Pose& pose) {
+             if (at >= from && at <= to)
+               truth += report::tum_line(to_s(at - recording.start_ns()), pose);
+           }});
   ASSERT_GT(rows, 1000u);
   EXPECT_EQ(test::read_bytes(out + "/model.tum"), model);
   EXPECT_EQ(test::read_bytes(out + "/odometry.tum"), odometry);
@@ -160,7 +162,7 @@ constexpr const char* kBoards[] = {"native"};
 
 TEST(RecordedRun, EveryBoardReplaysBitForBitInEverySetup) {
   for (const char* board : kBoards) {
-    for (const char* setup : {"bench", "flat", "terrain"}) {
+    for (const char* setup : {"stand", "flat", "terrain"}) {
       const test::TemporaryFolder folder;
       const Recording recording(drive("1-straight", folder.path().string(), false,
                                       {.board = board, .robot = {}, .config = {}, .setup = setup})
@@ -188,7 +190,7 @@ TEST(RecordedRun, ACameraIsAnInputToo) {
   const Recorded run = drive("1-curve", folder.path().string(), true);
   const Recording recording(run.path);
   std::uint64_t seen = 0;
-  recording.visit({.step = [&](const StepRecord& record) { seen += record.camera_count; }});
+  recording.visit({.step = [&](const StepRecord& record) { seen += record.inputs.camera.size(); }});
   EXPECT_GT(seen, 100u);
   EXPECT_FALSE(replayed(recording).differs_at);
 }

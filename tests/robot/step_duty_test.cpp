@@ -1,10 +1,11 @@
-// What the real-time thread owes: the inputs of emulated runs, fed to a fresh step under watch.
+// Real-time duties: the inputs of emulated runs are passed to a fresh step while its calls are
+// monitored.
 #include <gtest/gtest.h>
 
 #include "../bench/kept_run.h"
-#include "app/replay_recording.h"
+#include "app/replay.h"
 #include "bridge/step.h"
-#include "support/duty_watch.h"
+#include "support/real_time_monitor.h"
 
 namespace tp100::sim {
 namespace {
@@ -16,19 +17,19 @@ TEST_P(StepDuty, OnCourse3WithFilterCameraAndControlIsToComputeAndNothingElse) {
   ASSERT_TRUE(run.completed);
 
   bridge::Step step(run.parameters, run.course);
-  test::DutyCount duty;
-  std::uint64_t pictures = 0;
+  test::RealTimeViolations duty;
+  std::uint64_t images = 0;
   for (const StepRecord& record : run.records) {
-    const bridge::Inputs inputs = app::inputs_of(record);
-    pictures += inputs.camera.size();
-    const test::DutyWatch watch(duty);
+    const StepInputs& inputs = record.inputs;
+    images += inputs.camera.size();
+    const test::RealTimeMonitor watch(duty);
     step(inputs, record.now_ns);
   }
   EXPECT_GT(run.records.size(), 5000U);
-  EXPECT_GT(pictures, 500U);
+  EXPECT_GT(images, 500U);
   EXPECT_EQ(duty.heap, 0U);
   EXPECT_EQ(duty.locks, 0U);
-  EXPECT_EQ(duty.first_system_call, -1) << "a system call of this number";
+  EXPECT_EQ(duty.first_system_call, -1) << "the number of the first system call";
   if (!test::watches_system_calls())
     GTEST_SKIP() << "this kernel does not tell of system calls; heap and locks: none";
 }

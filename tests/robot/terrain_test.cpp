@@ -25,7 +25,7 @@ LockstepSettings course_3(bridge::Setup setup) {
 
 double largest_nose_up_deg(const report::RunResult& result) {
   double largest = 0.0;
-  for (const report::TrackPoint& point : result.points)
+  for (const report::TrajectoryPoint& point : result.points)
     largest = std::max(largest, -point.truth.pitch_rad / kRadPerDeg);
   return largest;
 }
@@ -43,18 +43,18 @@ TEST(Terrain, OnAFlatFloorTheObstaclesExistInTheDaemonsWorldOnly) {
 }
 
 TEST(Terrain, OnABenchTheCourseIsCompletedToo) {
-  const report::RunResult result = run_lockstep(course_3(bridge::Setup::kBench));
+  const report::RunResult result = run_lockstep(course_3(bridge::Setup::kStand));
   EXPECT_TRUE(result.completed) << result.cause;
 }
 
 TEST(Terrain, AStepThatThisRobotCannotClimbIsRefusedInEverySetUp) {
   for (const bridge::Setup setup :
-       {bridge::Setup::kBench, bridge::Setup::kFlat, bridge::Setup::kTerrain}) {
+       {bridge::Setup::kStand, bridge::Setup::kFlat, bridge::Setup::kTerrain}) {
     LockstepSettings settings = course_3(setup);
     settings.robot.shape.com_height_m = 0.030;
     try {
       run_lockstep(settings);
-      FAIL() << "not refused";
+      FAIL() << "the step must be refused";
     } catch (const SetupError& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr("limit is 33.4 mm"));
     }
@@ -64,8 +64,8 @@ TEST(Terrain, AStepThatThisRobotCannotClimbIsRefusedInEverySetUp) {
 TEST(Terrain, WithTooLittleGripTheRobotIsImmobilisedAndTheRunStops) {
   LockstepSettings settings = course_3(bridge::Setup::kTerrain);
   settings.robot.emulated.body.friction = 0.6;
-  // It slides round on the spot before it is sure to be stuck: the firmware, which knows no
-  // terrain, may take that for an encoder that counts short.
+  // The robot slides around before it is detected as immobilised. The firmware, which has no
+  // terrain data, may take this for an encoder that loses counts.
   const auto stopped = testing::AnyOf("immobilised", "stalled_left", "stalled_right");
   const report::RunResult result = run_lockstep(settings);
   EXPECT_FALSE(result.completed);
@@ -73,7 +73,7 @@ TEST(Terrain, WithTooLittleGripTheRobotIsImmobilisedAndTheRunStops) {
   EXPECT_LT(largest_nose_up_deg(result), 5.0);
 
   settings.camera = course::EmulatedCamera{};
-  settings.configuration.parameters.steering = bridge::Steering::kFused;
+  settings.configuration.parameters.steering = PoseSource::kFused;
   EXPECT_THAT(run_lockstep(settings).cause, stopped);
 }
 
@@ -85,7 +85,7 @@ TEST(Terrain, ThreeSecondsWithoutACameraOverTheStepLeaveThePoseWithinThreeCentim
   const report::RunResult result = run_lockstep(settings);
   ASSERT_TRUE(result.completed) << result.cause;
   double largest_m = 0.0;
-  for (const report::TrackPoint& point : result.points)
+  for (const report::TrajectoryPoint& point : result.points)
     largest_m = std::max(largest_m, std::hypot(point.fused.x_m - point.truth.x_m,
                                                point.fused.y_m - point.truth.y_m));
   EXPECT_LT(largest_m, 0.03);

@@ -1,8 +1,8 @@
-#include "sim/wire/uart_line.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
+
+#include "sim/robot/emulated_robot.h"
 
 namespace tp100::sim {
 namespace {

@@ -1,6 +1,6 @@
-#include "sim/sensors/battery.h"
-
 #include <gtest/gtest.h>
+
+#include "sim/sensors/drive_train.h"
 
 namespace tp100::sim {
 namespace {

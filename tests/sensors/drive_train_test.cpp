@@ -1,12 +1,12 @@
-// Motors, battery and body together: what the firmware's duties do to the robot.
+// Motors, battery and body together: the robot's response to the firmware's duties.
+
+#include "sim/sensors/drive_train.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "sim/body/body.h"
-#include "sim/sensors/battery.h"
-#include "sim/sensors/motor.h"
 
 namespace tp100::sim {
 namespace {
@@ -20,7 +20,7 @@ struct DriveTrain {
       left.step(left_duty, battery.volts(), body.state().left_load_n);
       right.step(right_duty, battery.volts(), body.state().right_load_n);
       battery.step(std::abs(left.force_n()) + std::abs(right.force_n()));
-      body.step(left.belt_mps(), right.belt_mps());
+      body.step(left.track_mps(), right.track_mps());
     }
   }
 
@@ -29,12 +29,12 @@ struct DriveTrain {
   Motor left, right;
 };
 
-TEST(DriveTrain, TopBeltSpeedIsThatOfTheRealKind) {
+TEST(DriveTrain, TopTrackSpeedIsThatOfTheRealKind) {
   DriveTrain robot;
   robot.run(1.0, 1.0, 1500);
-  EXPECT_GT(robot.left.belt_mps(), 0.14);
-  EXPECT_LT(robot.left.belt_mps(), 0.30);
-  EXPECT_NEAR(robot.body.state().velocity_mps[0], 0.84 * robot.left.belt_mps(), 1e-3);
+  EXPECT_GT(robot.left.track_mps(), 0.14);
+  EXPECT_LT(robot.left.track_mps(), 0.30);
+  EXPECT_NEAR(robot.body.state().velocity_mps[0], 0.84 * robot.left.track_mps(), 1e-3);
 }
 
 TEST(DriveTrain, ASpinTakesBothMotorsAndSagsTheBattery) {
@@ -42,7 +42,7 @@ TEST(DriveTrain, ASpinTakesBothMotorsAndSagsTheBattery) {
   robot.run(0.0, 0.0, 1);
   const double rested_v = robot.battery.volts();
   robot.run(-1.0, 1.0, 1500);
-  EXPECT_GT(robot.right.belt_mps(), 0.15);
+  EXPECT_GT(robot.right.track_mps(), 0.15);
   EXPECT_GT(robot.right.force_n(), 3.0);
   EXPECT_LT(robot.battery.volts(), rested_v - 0.05);
 }
@@ -50,7 +50,7 @@ TEST(DriveTrain, ASpinTakesBothMotorsAndSagsTheBattery) {
 TEST(DriveTrain, BelowTheDeadBandNothingMoves) {
   DriveTrain robot;
   robot.run(0.06, -0.06, 1000);
-  EXPECT_EQ(robot.left.belt_mps(), 0.0);
+  EXPECT_EQ(robot.left.track_mps(), 0.0);
   EXPECT_NEAR(robot.body.state().pose.yaw_rad, 0.0, 1e-6);
 }
 
@@ -59,10 +59,10 @@ TEST(DriveTrain, AQuickMotorDoesNotFightTheBody) {
   quick.lag_s = 0.005;
   DriveTrain robot(quick);
   robot.run(-0.6, 0.6, 1000);
-  const double settled = robot.right.belt_mps();
+  const double settled = robot.right.track_mps();
   for (int i = 0; i < 200; ++i) {
     robot.run(-0.6, 0.6, 1);
-    ASSERT_NEAR(robot.right.belt_mps(), settled, 1e-4);
+    ASSERT_NEAR(robot.right.track_mps(), settled, 1e-4);
   }
 }
 

@@ -1,8 +1,8 @@
-#include "sim/sensors/motor.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "sim/sensors/drive_train.h"
 
 namespace tp100::sim {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 double speed_after(double duty, double load_n, int steps = 1500) {
   Motor motor({}, 1.0);
   for (int i = 0; i < steps; ++i) motor.step(duty, 7.6, load_n);
-  return motor.belt_mps();
+  return motor.track_mps();
 }
 
 TEST(Motor, HasADeadBand) {
@@ -31,7 +31,7 @@ TEST(Motor, ClimbsTwentyEightDegreesAtTestSpeedOnAnEmptyBattery) {
   const double load_n = 0.922 * 9.81 * std::sin(28.0 * M_PI / 180.0) / 2.0;
   Motor motor({}, 1.0);
   for (int i = 0; i < 1500; ++i) motor.step(1.0, 6.2, load_n);
-  EXPECT_GT(motor.belt_mps(), 0.12);
+  EXPECT_GT(motor.track_mps(), 0.12);
 }
 
 TEST(Motor, ReachesTwoThirdsOfItsSpeedInItsTimeConstant) {
@@ -43,7 +43,7 @@ TEST(Motor, CoastsToRestWithoutDutyAndStaysThere) {
   Motor motor({}, 1.0);
   for (int i = 0; i < 500; ++i) motor.step(0.6, 7.6, 0.0);
   for (int i = 0; i < 1000; ++i) motor.step(0.0, 7.6, 0.3);
-  EXPECT_EQ(motor.belt_mps(), 0.0);
+  EXPECT_EQ(motor.track_mps(), 0.0);
 }
 
 TEST(Motor, AStalledMotorMakesNoMoreThanTheCurrentLimit) {

@@ -76,7 +76,8 @@ TEST_F(Mpu6050Test, NoiseHasTheDensityOfTheDataSheet) {
     const double rate = word(imu, 0x47) / 32.768 * M_PI / 180.0;
     squares += rate * rate;
   }
-  // First-order low-pass at 98 Hz: noise bandwidth pi/2 times that; plus the quantisation.
+  // A first-order low-pass at 98 Hz has a noise bandwidth of pi/2 times that; the tolerance
+  // includes the quantisation.
   const double expected = 8.7e-5 * std::sqrt(98.0 * M_PI / 2.0);
   EXPECT_NEAR(std::sqrt(squares / n), expected, 0.25 * expected);
 }

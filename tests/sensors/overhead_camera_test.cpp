@@ -89,7 +89,7 @@ TEST(OverheadCamera, OutliersAreFarOff) {
   EXPECT_NEAR(static_cast<double>(far) / static_cast<double>(taken.size()), 0.1, 0.03);
 }
 
-TEST(OverheadCamera, TheSameSeedGivesTheSamePictures) {
+TEST(OverheadCamera, TheSameSeedGivesTheSameImages) {
   const auto text = [](std::uint64_t seed) {
     std::ostringstream out;
     out.precision(17);

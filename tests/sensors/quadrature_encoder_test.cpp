@@ -7,7 +7,7 @@
 namespace tp100::sim {
 namespace {
 
-/// Decodes edges as a controller does: by the levels alone.
+/// Decodes edges from the levels alone, as a microcontroller does.
 class Decoder {
  public:
   void feed(const Edge& edge) {

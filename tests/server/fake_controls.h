@@ -1,5 +1,5 @@
 #pragma once
-// Takes what viewers ask and notes it.
+// Records the requests of viewers.
 
 #include <atomic>
 #include <mutex>
@@ -34,7 +34,7 @@ class FakeControls : public Controls {
     }
     answer(can_record ? "" : "no directory", record);
   }
-  /// Answered at once, or, with a slow disk, by whoever takes `unanswered`.
+  /// Answers at once or, with `slow_disk`, when a test calls `unanswered`.
   void record_stop(RecordAnswer answer) override {
     record.active = false;
     if (!slow_disk) return answer("", record);

@@ -81,7 +81,7 @@ TEST_F(HttpContent, RunsAreListedWithTheirFiles) {
       fs::last_write_time(folder_.path() / "runs/a/run.mcap") + std::chrono::seconds(5));
   const Json runs = Json::parse(get("/api/runs").body)["runs"];
   ASSERT_EQ(runs.size(), 2U);
-  EXPECT_EQ(runs[0]["run"], "b");  // the newest first
+  EXPECT_EQ(runs[0]["run"], "b");  // newest first
   EXPECT_EQ(runs[0]["active"], true);
   EXPECT_EQ(runs[1]["active"], false);
   ASSERT_EQ(runs[1]["files"].size(), 1U);
@@ -98,7 +98,8 @@ TEST_F(HttpContent, TheListTellsNoPath) {
 
 TEST_F(HttpContent, TheListIsReadFromTheDiskOnceASecond) {
   const auto count = [&] { return Json::parse(get("/api/runs").body)["runs"].size(); };
-  // On a machine that stops for a second in between there is nothing to see.
+  // If the machine pauses for a second in between, nothing can be compared, so the check is
+  // repeated.
   for (bool seen = false; !seen;) {
     const auto began = std::chrono::steady_clock::now();
     const std::size_t before = count();
@@ -110,7 +111,7 @@ TEST_F(HttpContent, TheListIsReadFromTheDiskOnceASecond) {
     }
     while (count() == before) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  // Another question is another answer.
+  // A different request must give a different answer.
   sources_.active_run = [] { return std::string("a"); };
   write("runs/more/run.mcap", "");
   EXPECT_THAT(get("/api/runs").body, ::testing::HasSubstr("more"));

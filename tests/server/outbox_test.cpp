@@ -1,6 +1,6 @@
-#include "server/outbox.h"
-
 #include <gtest/gtest.h>
+
+#include "server/broker.h"
 
 namespace tp100::server {
 namespace {

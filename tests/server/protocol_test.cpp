@@ -72,7 +72,7 @@ TEST(ParseText, NumbersThatOverflowAreRefused) {
 TEST(ParseText, DepthIsBounded) {
   const std::string deep(30'000, '[');
   EXPECT_TRUE(malformed(parse_text("{\"op\":" + deep)));
-  // Brackets in a string are none.
+  // Brackets within a string do not count.
   EXPECT_FALSE(malformed(
       parse_text(R"({"op":"getParameters","parameterNames":["[[[[[[[[[[[[[[[[[\"[["]})")));
 }

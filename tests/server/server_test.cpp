@@ -1,5 +1,5 @@
-// The server on real sockets, with well-behaved and hostile clients. Nothing here depends on how
-// fast the machine is: conditions are waited for.
+// The server on real sockets, with well-behaved and hostile clients. No test depends on the speed
+// of the machine: tests wait for conditions.
 #include "server/server.h"
 
 #include <arpa/inet.h>
@@ -101,23 +101,23 @@ TEST_F(ServerTest, AnAddressThatIsNoneOrTakenIsAnErrorOfOneLine) {
 
 TEST_F(ServerTest, ItsListenerHearsAllOfItAlsoWhenNobodyIsServed) {
   for (const char* listen : {"127.0.0.1:0", "off"}) {
-    std::map<messages::Channel, std::string> heard;
+    std::map<messages::Channel, std::string> received;
     settings_.listen = listen;
     settings_.listener = [&](messages::Channel channel, std::uint64_t, std::string_view json) {
-      heard[channel] = json;
+      received[channel] = json;
     };
     start();
     EXPECT_EQ(server_->url().empty(), std::string(listen) == "off");
     step();
     server_->take(messages::Event{.at_ns = monotonic_now(), .text = "something"});
     server_->flush();
-    server_.reset();  // and its thread, which writes to `heard`
-    EXPECT_THAT(heard[messages::Channel::kParameter], HasSubstr("control.gain")) << listen;
-    EXPECT_THAT(heard[messages::Channel::kEvent], HasSubstr("something")) << listen;
-    EXPECT_THAT(heard[messages::Channel::kLog], HasSubstr("something")) << listen;
-    EXPECT_THAT(heard[messages::Channel::kState], HasSubstr("\"run\":\"running\"")) << listen;
+    server_.reset();  // this also ends the thread that writes to `received`
+    EXPECT_THAT(received[messages::Channel::kParameter], HasSubstr("control.gain")) << listen;
+    EXPECT_THAT(received[messages::Channel::kEvent], HasSubstr("something")) << listen;
+    EXPECT_THAT(received[messages::Channel::kLog], HasSubstr("something")) << listen;
+    EXPECT_THAT(received[messages::Channel::kState], HasSubstr("\"run\":\"running\"")) << listen;
     for (const messages::Channel channel : {messages::Channel::kLink, messages::Channel::kLoop})
-      EXPECT_NE(heard[channel], "") << listen;
+      EXPECT_NE(received[channel], "") << listen;
   }
 }
 
@@ -257,7 +257,7 @@ TEST_F(ServerTest, MoreViewersThanAllowedAreTurnedAway) {
   }));
 }
 
-/// An address of this machine besides loopback; empty: it has none.
+/// An address of this machine other than loopback; empty if there is none.
 std::string other_address() {
   std::string found;
   ifaddrs* all = nullptr;
@@ -283,7 +283,7 @@ TEST_F(ServerTest, StrangersCannotTakeThePlacesOfThisMachine) {
   EXPECT_THROW(for (int i = 0; i < 100; ++i) strangers.emplace_back(port_, address),
                std::runtime_error);
   EXPECT_EQ(strangers.size(), 16 - kKeptForLocal);
-  // The same with connections that ask nothing.
+  // The same must hold for connections that send no request.
   std::vector<int> idle;
   for (std::size_t i = 0; i < 2 * kMaxConnections; ++i) idle.push_back(dial(port_, address));
   WebClient local = connect();
@@ -318,7 +318,8 @@ TEST_F(ServerTest, APageOfAnotherSiteCannotLoadWhatItMayNotSee) {
                                 "Connection: close\r\n\r\n");
   };
   for (const char* target : {"/", "/healthz", "/api/runs"}) {
-    EXPECT_THAT(ask(target, ""), HasSubstr("200 OK")) << "no browser";
+    EXPECT_THAT(ask(target, ""), HasSubstr("200 OK"))
+        << "programs other than browsers send no Sec-Fetch-Site";
     EXPECT_THAT(ask(target, "Sec-Fetch-Site: same-origin\r\n"), HasSubstr("200 OK"));
     EXPECT_THAT(ask(target, "Sec-Fetch-Site: none\r\n"), HasSubstr("200 OK"));
     for (const char* site : {"cross-site", "same-site"})
@@ -327,7 +328,7 @@ TEST_F(ServerTest, APageOfAnotherSiteCannotLoadWhatItMayNotSee) {
   }
   const std::string link =
       "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: navigate\r\nSec-Fetch-Dest: document\r\n";
-  EXPECT_THAT(ask("/", link), HasSubstr("200 OK")) << "a link to the page";
+  EXPECT_THAT(ask("/", link), HasSubstr("200 OK")) << "a link to the page must work";
   EXPECT_THAT(ask("/api/runs", link), HasSubstr("403 Forbidden"));
 }
 
@@ -395,12 +396,12 @@ TEST_F(ServerTest, EndsWithViewersConnected) {
   EXPECT_TRUE(eventually([&] { return polite.closed(); }));
 }
 
-// Bytes that the program holds on the heap.
+// Number of bytes that the program holds on the heap.
 std::size_t heap() { return mallinfo2().uordblks; }
 
-// The three of the daemon's promise among 50: who never reads, who sends garbage, who sends frames
-// of 100 MB.
-// The thread sanitizer makes all of this some twenty times slower.
+// Three of the 50 viewers are the hostile ones that the daemon must withstand: one never reads, one
+// sends garbage, one sends frames of 100 MB. The thread sanitizer makes this test about twenty
+// times slower.
 #ifdef __SANITIZE_THREAD__
 constexpr int kGoodViewers = 5, kStepsAtATime = 2;
 #else
@@ -440,7 +441,8 @@ TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
     for (int i = 0; i < 100 && !client.closed(); ++i) client.write_raw(std::string(65536, 'x'));
   });
 
-  // The good ones get their poses, the deaf one's are counted, both hostile ones come and go.
+  // The good viewers receive their poses, the messages dropped for the deaf viewer are counted, and
+  // both hostile viewers are disconnected again and again.
   WebClient watcher = connect();
   watcher.subscribe(messages::Channel::kClient);
   std::size_t before = 0, most = 0;
@@ -463,7 +465,8 @@ TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
   EXPECT_TRUE(seen) << dropped << " dropped, closed " << closed_garbage << " and " << closed_large;
   for (std::size_t i = 0; i < good.size(); ++i)
     EXPECT_GT(good[i].received(), 20U) << "viewer " << i << (good[i].closed() ? ", closed" : "");
-  // Queues of 4 MiB for one deaf client, and what 50 sockets and messages under way need.
+  // The limit covers 4 MiB of queues for the deaf viewer and the memory of 50 sockets and of
+  // messages in transit.
   EXPECT_LT(most - std::min(before, most), 64U << 20U);
 }
 

@@ -21,7 +21,7 @@ int dial(const std::string& port, const std::string& to) {
   address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(port)));
   if (fd < 0 || ::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
     throw std::runtime_error("cannot connect");
-  // As browsers do: a second message at once must not wait for the first one's acknowledgement.
+  // Browsers do the same: a second message must not wait for the acknowledgement of the first one.
   const int at_once = 1;
   ::setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
   return fd;
@@ -31,7 +31,7 @@ namespace {
 
 constexpr std::size_t kKept = 200;
 
-// Writes what the peer takes within 100 ms.
+// Writes `bytes` until the peer accepts no more for 100 ms.
 bool send_all(int fd, const std::string& bytes) {
   std::size_t sent = 0;
   while (sent < bytes.size()) {
@@ -83,7 +83,7 @@ WebClient::WebClient(const std::string& port, const std::string& address)
            "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
            "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
            "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n");
-  // Byte by byte: frames may follow at once.
+  // The head is read byte by byte because frames may follow at once.
   std::string head;
   char byte = 0;
   while (!head.ends_with("\r\n\r\n") && ::recv(fd_, &byte, 1, 0) == 1) head += byte;
@@ -116,7 +116,7 @@ void WebClient::write_raw(const std::string& bytes) {
 
 void WebClient::frame(std::uint8_t opcode, const std::string& payload) {
   std::string bytes = {static_cast<char>(0x80U | opcode)};
-  // A mask of zeros leaves the payload as it is.
+  // A mask of zeros leaves the payload unchanged.
   if (payload.size() < 126) {
     bytes += static_cast<char>(0x80U | payload.size());
   } else {

@@ -1,5 +1,5 @@
 #pragma once
-// A WebSocket client as small as can be, on a plain socket, so that it can also misbehave.
+// A minimal WebSocket client on a plain socket, so that it can also misbehave.
 
 #include <cstdint>
 #include <stdexcept>
@@ -10,11 +10,11 @@
 
 namespace tp100::server {
 
-/// A connection to that port; the caller closes it. Throws std::runtime_error.
+/// Connects to that port; the caller closes the descriptor. Throws std::runtime_error.
 int dial(const std::string& port, const std::string& address = "127.0.0.1");
-/// Sends `request` and returns everything until the server closes.
+/// Sends `request` and returns everything until the server closes the connection.
 std::string http_get(const std::string& port, const std::string& request);
-/// Sends `request` and returns the head of the answer.
+/// Sends `request` and returns the header of the response.
 std::string http_head(const std::string& port, const std::string& request);
 
 class WebClient {
@@ -27,22 +27,22 @@ class WebClient {
 
   void write_text(const std::string& text);
   void write_binary(const std::string& bytes);
-  /// The head of a binary frame that claims this size.
+  /// Writes the header of a binary frame that announces this size.
   void write_raw_header(std::uint64_t size);
   void write_raw(const std::string& bytes);
   void subscribe(messages::Channel channel);
   void call(std::uint32_t service);
 
-  /// Reads what is there without waiting; the last 200 messages are kept.
+  /// Reads the available bytes without waiting. The last 200 messages are kept.
   void drain();
   bool has_data();
-  /// What has come, not yet looked at.
+  /// Messages received since the last call.
   std::vector<std::string> take();
-  /// Messages received.
+  /// Number of messages received.
   std::size_t received() const { return received_; }
-  /// The first message not yet looked at that holds `part`; waits for it. Throws after a minute.
+  /// Waits for the first unread message that contains `part` and returns it. Throws after a minute.
   std::string read_until(const std::string& part);
-  /// The number behind the last `key` received; 0: none yet.
+  /// The number after the last received `key`; 0 if there is none yet.
   std::uint64_t number_after(const std::string& key);
   bool closed();
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/study/calibrate_command.h"
+#include "sim/study/commands.h"
 
 namespace tp100::sim {
 namespace {
@@ -11,15 +11,15 @@ Loaded robot(const std::string& name) {
   return load(options);
 }
 
-// The short form of `tp100-sim calibrate --runs 50`: a robot that turns about a point ahead of it.
-// Intervals of 95 %, on noise that is given.
+// The short form of `tp100-sim calibrate --runs 50`, with a robot that turns about a point ahead of
+// it. The intervals are 95 % intervals for a given noise.
 TEST(Calibration, FindsWhatTheBodyReallyDid) {
   const Calibration calibration = calibrate(robot("front-heavy"), 1, 7);
   EXPECT_TRUE(calibration.accurate());
   std::size_t held = 0;
-  for (std::size_t i = 0; i < identify::kParameters; ++i)
-    if (calibration.holds(static_cast<identify::Parameter>(i))) ++held;
-  EXPECT_GE(held + 1, identify::kParameters);
+  for (const model::ParameterRow& row : model::kTrackParameters)
+    if (calibration.holds(row.value)) ++held;
+  EXPECT_GE(held + 1, model::kTrackParameters.size());
   EXPECT_TRUE(calibration.found.extended.confused.empty());
 }
 

@@ -1,6 +1,7 @@
-// Every fault of the list on every board that can have it; the page that people read says what is
-// seen here, row by row, and which test proves what no --fault does. TP100_REWRITE_FAULTS=1 writes
-// the rows anew, from one process: build/dev/bin/faults_test.
+// Tests every fault of the list on every board that can have it, and compares the rows of the fault
+// page with the results. The page also names the tests of the faults that have no --fault. With
+// TP100_REWRITE_FAULTS=1 the tests, run in one process by build/dev/bin/faults_test, write the rows
+// again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-#include "live/link_watch.h"
+#include "live/link_monitor.h"
 #include "live/live_events.h"
 #include "sim/study/encoder_study.h"
 #include "sim/study/fault_study.h"
@@ -36,7 +37,7 @@ std::string text_of_file(const std::string& path) {
 
 std::string page() { return text_of_file(kPage); }
 
-/// What stands between two marks of the page.
+/// The text between two marks of the page.
 std::string part(const std::string& text, const std::string& from, const std::string& to) {
   const std::size_t begin = text.find(from), end = text.find(to);
   if (begin == std::string::npos || end == std::string::npos) return "";
@@ -63,14 +64,14 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// What the log and the viewers get to read of a run that `watch` saw.
-std::vector<messages::Event> words_of(const FaultOutcome& outcome, live::LinkWatch& watch) {
+/// The events of a run that the log and the viewers receive.
+std::vector<messages::Event> words_of(const FaultOutcome& outcome, live::LinkMonitor& watch) {
   std::vector<messages::Event> all = watch.take_words();
   const auto add = [&](const live::LiveEvent& event) {
     for (messages::Event& word : live::words_for(event)) all.push_back(std::move(word));
   };
-  for (const Said& said : outcome.said)
-    add({.at_ns = said.event.at_ns, .session = said.event, .hello = said.hello});
+  for (const SessionMessage& one : outcome.session_messages)
+    add({.at_ns = one.event.at_ns, .session = one.event, .hello = one.hello});
   if (outcome.faults != 0)
     add({.kind = live::LiveEvent::Kind::kRunState,
          .from = RunState::kRunning,
@@ -79,11 +80,11 @@ std::vector<messages::Event> words_of(const FaultOutcome& outcome, live::LinkWat
   return all;
 }
 
-/// Which of `all` names `what` with cause and remedy.
+/// The event in `all` that names `what`, with cause and fix; null if there is none.
 const messages::Event* complete(const std::vector<messages::Event>& all, std::string_view what) {
   for (const messages::Event& word : all)
-    if (word.level != messages::Event::Level::kInfo && !word.cause.empty() &&
-        !word.remedy.empty() && word.text.find(what) != std::string::npos)
+    if (word.level != messages::Event::Level::kInfo && !word.cause.empty() && !word.fix.empty() &&
+        word.text.find(what) != std::string::npos)
       return &word;
   return nullptr;
 }
@@ -91,7 +92,7 @@ const messages::Event* complete(const std::vector<messages::Event>& all, std::st
 std::string joined(const std::vector<messages::Event>& all) {
   std::string out;
   for (const messages::Event& word : all)
-    out += "  " + word.text + ": " + word.cause + "; " + word.remedy + "\n";
+    out += "  " + word.text + ": " + word.cause + "; " + word.fix + "\n";
   return out;
 }
 
@@ -99,12 +100,12 @@ class FaultTest : public ::testing::TestWithParam<Case> {};
 
 TEST_P(FaultTest, EndsAsExpectedAndAsThePageSays) {
   const auto& [trial, board] = GetParam();
-  live::LinkWatch watch;
+  live::LinkMonitor watch;
   const FaultOutcome seen = try_fault(trial, board, &watch);
   const std::string row = fault_row(trial, board, seen);
   EXPECT_TRUE(seen.as_expected) << row << "motors off after " << seen.off_after_s << " s; "
                                 << trial.counter << " " << seen.counted;
-  EXPECT_EQ(seen.wild, 0u) << "commands that no robot may get";
+  EXPECT_EQ(seen.wild, 0u) << "commands that no robot may receive";
   const std::vector<messages::Event> words = words_of(seen, watch);
   if (trial.end != "completed" && trial.end != "never began") {
     EXPECT_TRUE(complete(words, trial.end)) << trial.end << " is not in\n" << joined(words);
@@ -134,7 +135,8 @@ std::vector<EncoderFailure> failures_on_the_page() {
 
 class EncoderTest : public ::testing::TestWithParam<EncoderFailure> {};
 
-// Each speed with one robot in turn; `tp100-sim faults --encoders` drives all, and more failures.
+// Each speed is tested with one robot in turn; `tp100-sim faults --encoders` tests all robots and
+// more failures.
 TEST_P(EncoderTest, TheMotorsAreOffBeforeTheRobotIsFarFromWhereItShouldBe) {
   EncoderStudy study;
   std::vector<EncoderOutcome> row;
@@ -178,7 +180,7 @@ TEST(EncoderFaultsOnTheChip, EndTheRunAsWell) {
 }
 #endif
 
-// The daemon looks away: what is left is the firmware's own watch.
+// Without the daemon's supervision, only the firmware can stop the robot.
 TEST(EncoderFaultsWithoutTheHost, StopTheRobotOnAStraight) {
   EncoderStudy study(false);
   for (const char* fault :
@@ -217,7 +219,7 @@ TEST(FaultList, HasATrialForEveryKind) {
   for (const FaultText& text : fault_texts()) EXPECT_TRUE(tried.contains(text.name)) << text.name;
 }
 
-// Else a trial would pass whatever its fault does.
+// Without this test, a trial could pass although its fault has no effect.
 TEST(FaultList, WithoutAFaultNothingIsCountedAndNothingSaid) {
   for (const FaultTrial& trial : fault_trials()) {
     EXPECT_FALSE(trial.counter.empty()) << trial.fault;
@@ -228,7 +230,7 @@ TEST(FaultList, WithoutAFaultNothingIsCountedAndNothingSaid) {
   }
   FaultTrial none = fault_trials()[0];
   none.fault = "";
-  live::LinkWatch watch;
+  live::LinkMonitor watch;
   const FaultOutcome seen = try_fault(none, BoardKind::kNative, &watch);
   EXPECT_EQ(seen.end, "completed");
   EXPECT_EQ(joined(watch.take_words()), "");
@@ -240,10 +242,10 @@ TEST(FaultList, WithoutAFaultNothingIsCountedAndNothingSaid) {
   }
 }
 
-// The rows as a whole: none is missing, none is left of a trial that is no more.
+// The page must contain a row for every trial and no rows for trials that no longer exist.
 TEST(FaultPage, HasOneRowForEveryTrialAndNoOther) {
   const std::string rows = part(page(), kMark + fault_table_head(), kEnd);
-  ASSERT_FALSE(rows.empty()) << kPage << ": no marks, or another head";
+  ASSERT_FALSE(rows.empty()) << kPage << ": the marks are missing or the table head differs";
   std::vector<std::string> expected;
   for (const FaultTrial& trial : fault_trials())
     for (const BoardKind board : {BoardKind::kNative, BoardKind::kAvr})
@@ -253,7 +255,7 @@ TEST(FaultPage, HasOneRowForEveryTrialAndNoOther) {
   std::string line;
   std::size_t i = 0;
   for (; std::getline(lines, line); ++i) {
-    ASSERT_LT(i, expected.size()) << "a row too many: " << line;
+    ASSERT_LT(i, expected.size()) << "unexpected row: " << line;
     EXPECT_EQ(line.substr(0, expected[i].size()), expected[i]);
   }
   EXPECT_EQ(i, expected.size());
@@ -265,13 +267,13 @@ TEST(FaultPage, HasOneRowForEveryEncoderFailureAndNoOther) {
   std::istringstream lines(rows);
   std::size_t i = 0;
   for (std::string line; std::getline(lines, line); ++i) {
-    ASSERT_LT(i, expected.size()) << "a row too many: " << line;
+    ASSERT_LT(i, expected.size()) << "unexpected row: " << line;
     EXPECT_TRUE(line.starts_with("| `" + std::string(expected[i].fault) + "`")) << line;
   }
   EXPECT_EQ(i, expected.size());
 }
 
-/// Every `Suite.Name` of the sources below tests/.
+/// Every `Suite.Name` in the sources below tests/.
 std::set<std::string> tests_in_the_sources() {
   std::set<std::string> names;
   const std::regex pattern(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\s*\))");
@@ -305,10 +307,10 @@ TEST(FaultPage, EveryTestThatItNamesExists) {
       EXPECT_TRUE(known.contains(name) || std::filesystem::exists(kSource + "/" + name))
           << "no such test: " << name;
     }
-    EXPECT_GT(in_row, 0u) << "no test proves: " << line;
+    EXPECT_GT(in_row, 0u) << "the row names no test: " << line;
     named += in_row;
   }
-  EXPECT_GT(named, 20u) << kPage << ": the rows below the mark are gone";
+  EXPECT_GT(named, 20u) << kPage << ": the rows below the mark are missing";
 }
 
 class Page : public ::testing::Environment {

@@ -11,10 +11,8 @@
 #include "course/path.h"
 #include "identify/identify_report.h"
 #include "sim/robot/options.h"
-#include "sim/study/calibrate_command.h"
-#include "sim/study/drawn_robot.h"
-#include "sim/study/held_out.h"
-#include "sim/study/reproduce_page.h"
+#include "sim/study/commands.h"
+#include "sim/study/sampled.h"
 #include "terrain/climbable.h"
 
 namespace tp100::sim {
@@ -43,9 +41,9 @@ TEST_P(HeldOutCourse, CanBeDrivenWhateverTheSeed) {
       EXPECT_LT(path.at(s).y_m, course.fence.max_y_m - 0.2);
     }
     double last_m = 0.0;
-    for (const course::Shove& shove : course.shoves) {
-      EXPECT_GT(shove.at_m, last_m);
-      last_m = shove.at_m;
+    for (const course::Disturbance& disturbance : course.disturbances) {
+      EXPECT_GT(disturbance.at_m, last_m);
+      last_m = disturbance.at_m;
     }
     EXPECT_LT(last_m, path.length_m());
     EXPECT_NO_THROW(terrain::require_climbable(course, robot));
@@ -67,15 +65,15 @@ TEST(HeldOut, TheSameSeedDrawsTheSameCourse) {
   EXPECT_THROW(held_out_course("4", 1), SetupError);
 }
 
-TEST(DrawnRobot, IsARobotThatAFileCouldHold) {
+TEST(SampledRobot, IsARobotThatAFileCouldHold) {
   const course::Robot reference = load({}).robot;
   for (std::uint64_t number = 0; number < 200; ++number) {
-    const course::Robot robot = drawn_robot(reference, number);
+    const course::Robot robot = sampled_robot(reference, number);
     SCOPED_TRACE(robot.name);
     course::Robot read;
-    ASSERT_NO_THROW(read = course::parse_robot(course::write_robot(robot, "drawn"), "r.toml"));
+    ASSERT_NO_THROW(read = course::parse_robot(course::write_robot(robot, "sampled"), "r.toml"));
     EXPECT_NEAR(read.emulated.body.friction, robot.emulated.body.friction, 1e-4);
-    EXPECT_EQ(robot.model.wheelbase_m, course::ModelValues{}.wheelbase_m);
+    EXPECT_EQ(robot.model.wheelbase_m, model::TrackParameters{}.wheelbase_m);
     EXPECT_EQ(robot.shape.gauge_m, robot.emulated.body.gauge_m);
     EXPECT_GE(robot.emulated.body.mid_lift_m, 0.0);
     EXPECT_LE(robot.emulated.body.mid_lift_m, 0.0003);
@@ -84,18 +82,18 @@ TEST(DrawnRobot, IsARobotThatAFileCouldHold) {
   }
 }
 
-TEST(DrawnRobot, TheSameNumberDrawsTheSameRobot) {
+TEST(SampledRobot, TheSameNumberDrawsTheSameRobot) {
   const course::Robot reference = load({}).robot;
-  EXPECT_EQ(course::write_robot(drawn_robot(reference, 7), ""),
-            course::write_robot(drawn_robot(reference, 7), ""));
-  EXPECT_NE(drawn_robot(reference, 7).emulated.body.friction,
-            drawn_robot(reference, 8).emulated.body.friction);
+  EXPECT_EQ(course::write_robot(sampled_robot(reference, 7), ""),
+            course::write_robot(sampled_robot(reference, 7), ""));
+  EXPECT_NE(sampled_robot(reference, 7).emulated.body.friction,
+            sampled_robot(reference, 8).emulated.body.friction);
 }
 
-// The short form of `tp100-sim reproduce --part drawn`.
-TEST(DrawnRobot, IsPredictedOnceItIsIdentified) {
+// The short form of `tp100-sim reproduce --part sampled`.
+TEST(SampledRobot, IsPredictedOnceItIsIdentified) {
   Loaded loaded = load({});
-  loaded.robot = drawn_robot(loaded.robot, 1);
+  loaded.robot = sampled_robot(loaded.robot, 1);
   const Calibration calibration = calibrate(loaded, 1, 1);
   Trial trial = one_run(load_course("1-curve"));
   trial.robot = identify::identified_robot(calibration.found, loaded.robot, "");

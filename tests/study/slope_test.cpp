@@ -5,7 +5,7 @@
 
 #include "core/angle.h"
 #include "sim/robot/options.h"
-#include "sim/study/slope_command.h"
+#include "sim/study/commands.h"
 
 namespace tp100::sim {
 namespace {

@@ -6,13 +6,13 @@
 #include "report/metrics.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
-#include "sim/study/climb_check.h"
 #include "sim/study/state_study.h"
 
 namespace tp100::sim {
 namespace {
 
-// The long form is tp100-sim reproduce --part state: fifty flat runs, twenty over the obstacles.
+// The long form, tp100-sim reproduce --part state, makes fifty flat runs and twenty over the
+// obstacles.
 TEST(State, HoldsItsLimitsOnTheFlatOverObstaclesAndOnTheStepWithoutSlip) {
   const std::vector<CourseStudy> studies = study_state(load({}).robot, 1, 1);
   ASSERT_EQ(studies.size(), 3u);
@@ -30,14 +30,14 @@ TEST(State, FindsEveryChangeOfTheCourseWithItsObstacles) {
       .course = load_course("3"), .robot = load({}).robot, .setup = bridge::Setup::kTerrain};
   const report::RunResult result = run_lockstep(run);
   const report::SlopeFigures slope = report::figures(result, run.course).slope;
-  // Up and down each of them at least, and level again.
+  // The state must change at least to up, to down and to level for each of the two obstacles.
   EXPECT_GE(slope.changes.size(), 6u);
   EXPECT_EQ(slope.obstacles, 2);
   EXPECT_EQ(slope.mistaken, 0);
   bool step = false, ramp = false;
-  for (const report::TrackPoint& point : result.points) {
-    step = step || point.leans_on == Obstacle::kBlock;
-    ramp = ramp || point.leans_on == Obstacle::kRamp;
+  for (const report::TrajectoryPoint& point : result.points) {
+    step = step || point.obstacle_class == Obstacle::kBlock;
+    ramp = ramp || point.obstacle_class == Obstacle::kRamp;
   }
   EXPECT_TRUE(step);
   EXPECT_TRUE(ramp);
@@ -46,13 +46,13 @@ TEST(State, FindsEveryChangeOfTheCourseWithItsObstacles) {
 TEST(State, ABodyThatSlipsIsNotTheCaseWithoutSlip) {
   const course::Robot robot = load({}).robot;
   EXPECT_LT(check_climb_pitch(robot, 0.037, 0.1, 0.1).pitch_rms_rad, 0.035);
-  // The check can fail: a model of another robot is off.
+  // The check must fail with the model of another robot.
   course::Robot other = robot;
   other.shape.axle_spacing_m *= 1.15;
   EXPECT_GT(check_climb_pitch(other, 0.037, 0.1, 0.1).pitch_rms_rad, 0.035);
 }
 
-/// NIS of the camera over several runs together, against the band for that many samples.
+/// NIS of the camera over several runs together, and the confidence band for that many samples.
 struct Consistency {
   double mean = 0.0;
   double half_band = 0.0;
@@ -64,7 +64,7 @@ Consistency consistency(const std::string& robot, double noise_factor) {
   LockstepSettings run{.course = load_course("1-curve"),
                        .robot = load(options).robot,
                        .camera = load_camera("overhead")};
-  run.configuration.parameters.steering = bridge::Steering::kFused;
+  run.configuration.parameters.steering = PoseSource::kFused;
   run.camera->noise_m *= noise_factor;
   run.camera->noise_rad *= noise_factor;
   report::CameraFigures all;
@@ -77,8 +77,8 @@ Consistency consistency(const std::string& robot, double noise_factor) {
   return {all.nis_mean, all.nis_half_band()};
 }
 
-// The filter allows for slip that changes, which these runs do not have: it may be 5 % too
-// cautious, and never too sure.
+// The filter allows for changing slip, which these runs do not have: it may be 5 % too cautious,
+// but never overconfident.
 TEST(CameraNoise, IsWhatTheFilterAssumesOnRobotsOfEveryKind) {
   constexpr double kCautious = 0.15;
   for (const char* robot : {"end-loaded", "uniform", "slippery"}) {

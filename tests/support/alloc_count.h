@@ -1,12 +1,13 @@
 #pragma once
-// Counts heap calls of the calling thread while armed, by standing in for malloc and its family.
-// Sanitizers bring their own malloc: there counting() is false and the counts stay zero.
+// Counts heap calls of the calling thread during the lifetime of an AllocCount, by replacing malloc
+// and its family. Sanitizers bring their own malloc: there counting() is false and the counts stay
+// zero.
 
 #include <cstdint>
 
 namespace tp100::test {
 
-/// True if this build counts.
+/// True if this build counts heap calls.
 bool counting();
 
 /// Counts from construction to destruction, in this thread.

@@ -1,5 +1,5 @@
 #pragma once
-// What others than root may do.
+// Runs code without the rights of root.
 
 #include <grp.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace tp100::test {
 
-/// As another account than root, which may do anything, for as long as it lives.
+/// Switches to an account other than root, which has all rights, during its lifetime.
 class AsNobody {
  public:
   static constexpr uid_t kNobody = 65534;

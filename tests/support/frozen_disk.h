@@ -1,6 +1,6 @@
 #pragma once
-// A disk that stands still while a test wants it to: a file system of its own that is frozen, so
-// that whoever writes to it waits. Needs root and a loop device.
+// A separate file system that a test can freeze, so that every writer to it waits. It needs root
+// and a loop device.
 
 #include <fcntl.h>
 #include <linux/fs.h>
@@ -37,7 +37,7 @@ class FrozenDisk {
   FrozenDisk(const FrozenDisk&) = delete;
   FrozenDisk& operator=(const FrozenDisk&) = delete;
 
-  /// False: no file system can be frozen here.
+  /// False if no file system can be frozen on this machine.
   bool available() const { return available_; }
   std::string path() const { return folder_.file("disk"); }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What scripts/mutants.py finds in a small source, and that each mutant changes what the program does, in one build."""
+"""scripts/mutants.py must find the mutants of a small source, and each mutant must change the program's output."""
 import os
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 #pragma once
-// A service manager's end of $NOTIFY_SOCKET.
+// The service manager's end of $NOTIFY_SOCKET.
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -18,7 +18,7 @@ namespace tp100::test {
 
 class NotifySocket {
  public:
-  /// `name`: a path, or @name of an abstract socket.
+  /// `name` is a path, or @name for an abstract socket.
   explicit NotifySocket(const std::string& name)
       : socket_(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
     sockaddr_un address{};
@@ -32,19 +32,19 @@ class NotifySocket {
   NotifySocket(const NotifySocket&) = delete;
   NotifySocket& operator=(const NotifySocket&) = delete;
 
-  /// What came since the last call.
-  std::vector<std::string> heard() const {
+  /// Messages received since the last call.
+  std::vector<std::string> received() const {
     std::vector<std::string> out;
     std::array<char, 4096> buffer{};
     for (ssize_t n = 0; (n = ::recv(socket_, buffer.data(), buffer.size(), 0)) >= 0;)
       out.emplace_back(buffer.data(), static_cast<std::size_t>(n));
     return out;
   }
-  /// Whether `text` comes within `patience`; what comes besides is lost.
+  /// True if `text` arrives within `patience`; other messages are discarded.
   bool hears(const std::string& text, std::chrono::milliseconds patience) const {
     const auto until = std::chrono::steady_clock::now() + patience;
     do {
-      const std::vector<std::string> all = heard();
+      const std::vector<std::string> all = received();
       if (std::find(all.begin(), all.end(), text) != all.end()) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     } while (std::chrono::steady_clock::now() < until);

@@ -1,5 +1,5 @@
 #pragma once
-// A folder of a test's own, removed at the end.
+// A temporary folder of one test, which its destructor removes.
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,6 +1,6 @@
-// Appends what a test took to the file that TP100_TEST_TIMES names, a line a test: name, wall and
-// processor seconds (with the programs that it started and waited for). scripts/tested.py finds
-// with it who is in the wrong group.
+// Appends the times of a test to the file that TP100_TEST_TIMES names, one line per test: name,
+// wall-clock and processor seconds (including the programs that the test started and waited for).
+// scripts/tested.py uses this to find tests in the wrong group.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ class TestTime : public testing::EmptyTestEventListener {
                                    processor_s(RUSAGE_SELF) + processor_s(RUSAGE_CHILDREN));
     const int fd = ::open(file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
     if (fd < 0) return;
-    // One write a line: tests of other processes append to the same file.
+    // Each line is one write, because other processes append to the same file.
     if (::write(fd, line, std::size_t(size)) != size) std::perror(file);
     ::close(fd);
   }

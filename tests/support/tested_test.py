@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What scripts/tested.py makes of ctest runs of a small project: skips, second tries, groups."""
+"""scripts/tested.py on ctest runs of a small project: skips, second tries and groups."""
 import os
 import subprocess
 import sys
@@ -51,7 +51,7 @@ def main():
             subprocess.run(["ctest", "--test-dir", build, "--output-junit", run + ".xml", "--output-log", run + ".log",
                             "--parallel", "2", "-R", tests, "--repeat", "until-pass:2"],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
-            # The next run's log is not this one's.
+            # The log of the next run must be a new one.
             subprocess.run(["ctest", "--test-dir", build, "-N"], stdout=subprocess.DEVNULL, check=True)
             got = subprocess.run([sys.executable, "-B", ROOT + "/scripts/tested.py", *options, run], text=True,
                                  stdout=subprocess.PIPE, check=False)

@@ -1,4 +1,4 @@
-"""What tests in Python share: running programs, failing and skipping by one line."""
+"""Functions that tests in Python share: they run programs, and fail or skip a test with one line."""
 import os
 import subprocess
 import sys
@@ -13,13 +13,13 @@ def skip(why):
 
 
 def check(good, what):
-    """Ends the test with what is wrong unless `good`."""
+    """Ends the test with the message unless `good`."""
     if not good:
         sys.exit(f"failed: {what}")
 
 
 def run(*command, good=True, **more):
-    """Status and what the command printed, on both streams; nobody types. `good`: it must end with status 0."""
+    """Returns status and output of the command, on both streams; its input is empty. `good`: the status must be 0."""
     ended = subprocess.run(command, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                            stdin=subprocess.DEVNULL, check=False, **more)
     check(not good or ended.returncode == 0, f"{' '.join(command)}: status {ended.returncode}\n{ended.stdout}")

@@ -1,5 +1,5 @@
 #pragma once
-// What a process holds.
+// Resources that a process holds.
 
 #include <cstddef>
 #include <filesystem>
@@ -19,7 +19,7 @@ inline std::size_t entries(const std::string& folder) {
   return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
-/// Of the process with this number, or "self".
+/// Resources of the process with this number, or of "self".
 inline Weight weigh(const std::string& pid) {
   const std::string proc = "/proc/" + pid;
   long size = 0, resident = 0;

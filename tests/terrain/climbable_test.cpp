@@ -60,7 +60,8 @@ TEST(Climbable, ABlockBesideThePathIsNoStep) {
   course.terrain.blocks[0].width_m = 0.3;
   EXPECT_EQ(told(course, robot(0.022)), "");
   course.terrain.blocks[0].place.y_m = -0.6;
-  EXPECT_THAT(told(course, robot(0.022)), HasSubstr("block 1")) << "the right belt meets it";
+  EXPECT_THAT(told(course, robot(0.022)), HasSubstr("block 1"))
+      << "the right track meets the block";
 }
 
 TEST(Climbable, ARampOnWhichTheRobotFallsOverIsRefused) {

@@ -45,36 +45,36 @@ TEST(World, IsLevelWhereNothingStands) {
   EXPECT_TRUE(empty.flat());
   EXPECT_EQ(empty.at({.x_m = 1.0}).slope_rad, 0.0);
   const World world(one_ramp(), {});
-  const Footing footing = world.at({.x_m = 0.5});
-  EXPECT_EQ(footing.height_m, 0.0);
-  EXPECT_EQ(footing.pitch_rad, 0.0);
-  EXPECT_EQ(footing.roll_rad, 0.0);
-  EXPECT_EQ(footing.obstacle, Obstacle::kNone);
-  EXPECT_EQ(footing.surface, nullptr);
+  const ContactPose contact_pose = world.at({.x_m = 0.5});
+  EXPECT_EQ(contact_pose.height_m, 0.0);
+  EXPECT_EQ(contact_pose.pitch_rad, 0.0);
+  EXPECT_EQ(contact_pose.roll_rad, 0.0);
+  EXPECT_EQ(contact_pose.obstacle, Obstacle::kNone);
+  EXPECT_EQ(contact_pose.surface, nullptr);
 }
 
 TEST(World, OnARampTheRobotLiesOnItsSlope) {
   const course::Terrain terrain = one_ramp();
   const World world(terrain, {});
   const double foot = 0.7 + terrain.ramps[0].length_m() / 2.0;
-  const Footing up = world.at(heading_back(foot - 0.2));
+  const ContactPose up = world.at(heading_back(foot - 0.2));
   EXPECT_NEAR(up.slope_rad, kSlope, 1e-3);
   EXPECT_NEAR(up.pitch_rad, -kSlope, 1e-3) << "nose-up is negative pitch";
   EXPECT_NEAR(up.height_m, 0.2 * std::tan(kSlope), 5e-4);
   EXPECT_NEAR(up.roll_rad, 0.0, 1e-9);
   EXPECT_EQ(up.obstacle, Obstacle::kRamp);
-  const Footing top = world.at(heading_back(0.7));
+  const ContactPose top = world.at(heading_back(0.7));
   EXPECT_NEAR(top.slope_rad, 0.0, 1e-6);
   EXPECT_NEAR(top.height_m, 0.20, 1e-6);
-  const Footing down = world.at(heading_back(2 * 0.7 - foot + 0.2));
+  const ContactPose down = world.at(heading_back(2 * 0.7 - foot + 0.2));
   EXPECT_NEAR(down.slope_rad, -kSlope, 1e-3);
 }
 
 TEST(World, DrivingARampTheOtherWayIsItsMirrorImage) {
   const World world(one_ramp(), {});
   for (double x = 0.0; x < 0.7; x += 0.013) {
-    const Footing back = world.at(heading_back(0.7 + x));
-    const Footing forth = world.at({.x_m = 0.7 + x, .y_m = -0.8, .yaw_rad = 0.0});
+    const ContactPose back = world.at(heading_back(0.7 + x));
+    const ContactPose forth = world.at({.x_m = 0.7 + x, .y_m = -0.8, .yaw_rad = 0.0});
     EXPECT_NEAR(back.slope_rad, -forth.slope_rad, 2e-3) << x;
     EXPECT_NEAR(back.height_m, forth.height_m, 1e-3) << x;
   }
@@ -85,9 +85,9 @@ TEST(World, OverACrestItKeepsThePitchThatItHasUntilItsMassIsPastTheEdge) {
   const World world(terrain, {});
   const double crest = 0.7 + terrain.ramps[0].top_m / 2.0;
   Pose pose = heading_back(crest - 0.006);
-  EXPECT_NEAR(world.at(pose).slope_rad, 0.0, 1e-3) << "came from the top";
+  EXPECT_NEAR(world.at(pose).slope_rad, 0.0, 1e-3) << "the robot came from the top";
   pose.pitch_rad = -kSlope;
-  EXPECT_NEAR(world.at(pose).slope_rad, kSlope, 1e-3) << "came from below";
+  EXPECT_NEAR(world.at(pose).slope_rad, kSlope, 1e-3) << "the robot came from below";
   pose.x_m = crest - 0.013;
   EXPECT_NEAR(world.at(pose).slope_rad, 0.0, 1e-3);
 }
@@ -96,36 +96,37 @@ TEST(World, AcrossASlopeTheRobotRolls) {
   const course::Terrain terrain = one_ramp();
   const World world(terrain, {});
   const double foot = 0.7 + terrain.ramps[0].length_m() / 2.0;
-  const Footing footing = world.at({.x_m = foot - 0.19, .y_m = -0.8, .yaw_rad = kPi / 2});
-  EXPECT_NEAR(footing.roll_rad, std::atan(std::tan(kSlope)), 0.02) << "the slope rises to the left";
-  EXPECT_NEAR(footing.pitch_rad, 0.0, 1e-6);
+  const ContactPose contact_pose = world.at({.x_m = foot - 0.19, .y_m = -0.8, .yaw_rad = kPi / 2});
+  EXPECT_NEAR(contact_pose.roll_rad, std::atan(std::tan(kSlope)), 0.02)
+      << "the slope rises to the left";
+  EXPECT_NEAR(contact_pose.pitch_rad, 0.0, 1e-6);
 }
 
 TEST(World, BesideARampTheRobotIsOnTheFloor) {
   const World world(one_ramp(), {});
   EXPECT_EQ(world.at(heading_back(0.7, -0.8 + 0.35)).height_m, 0.0);
-  const Footing half_on = world.at(heading_back(0.7, -0.8 + 0.2));
+  const ContactPose half_on = world.at(heading_back(0.7, -0.8 + 0.2));
   EXPECT_NEAR(std::abs(half_on.roll_rad), std::atan2(0.20, 0.155), 1e-6);
-  EXPECT_GT(half_on.roll_rad, 0.0) << "its left belt is on the ramp";
+  EXPECT_GT(half_on.roll_rad, 0.0) << "its left track is on the ramp";
 }
 
 TEST(World, OnABlockTheRobotStandsLevelAtItsHeight) {
   const World world(one_block(), {});
-  const Footing footing = world.at(heading_back(1.2));
-  EXPECT_NEAR(footing.height_m, 0.037, 1e-6);
-  EXPECT_NEAR(footing.slope_rad, 0.0, 1e-6);
-  EXPECT_EQ(footing.obstacle, Obstacle::kBlock);
-  const Footing climbing = world.at(heading_back(1.2 + 0.15 + 0.03));
+  const ContactPose contact_pose = world.at(heading_back(1.2));
+  EXPECT_NEAR(contact_pose.height_m, 0.037, 1e-6);
+  EXPECT_NEAR(contact_pose.slope_rad, 0.0, 1e-6);
+  EXPECT_EQ(contact_pose.obstacle, Obstacle::kBlock);
+  const ContactPose climbing = world.at(heading_back(1.2 + 0.15 + 0.03));
   EXPECT_GT(climbing.slope_rad, 15 * kRadPerDeg);
   EXPECT_EQ(climbing.obstacle, Obstacle::kBlock);
 }
 
 TEST(World, ABlockUnderEitherTrackIsTheObstacle) {
   const World world(one_block(), {});
-  const Footing left = world.at(heading_back(1.2, -0.6));
+  const ContactPose left = world.at(heading_back(1.2, -0.6));
   EXPECT_GT(left.roll_rad, 0.0);
   EXPECT_EQ(left.obstacle, Obstacle::kBlock);
-  const Footing right = world.at(heading_back(1.2, -1.0));
+  const ContactPose right = world.at(heading_back(1.2, -1.0));
   EXPECT_LT(right.roll_rad, 0.0);
   EXPECT_EQ(right.obstacle, Obstacle::kBlock);
 }
@@ -177,9 +178,10 @@ TEST(World, AnswersEveryPoseWithinBoundsAndWithoutHeap) {
   for (double x = -0.2; x < 2.0; x += 0.017) {
     for (double y = -1.2; y < 0.0; y += 0.031) {
       for (double yaw = -4.0; yaw < 4.0; yaw += 0.61) {
-        const Footing footing = world.at({.x_m = x, .y_m = y, .yaw_rad = yaw});
-        ASSERT_TRUE(std::abs(footing.slope_rad) < 70 * kRadPerDeg) << x << " " << y << " " << yaw;
-        ASSERT_TRUE(footing.height_m > -0.05 && footing.height_m < 0.30);
+        const ContactPose contact_pose = world.at({.x_m = x, .y_m = y, .yaw_rad = yaw});
+        ASSERT_TRUE(std::abs(contact_pose.slope_rad) < 70 * kRadPerDeg)
+            << x << " " << y << " " << yaw;
+        ASSERT_TRUE(contact_pose.height_m > -0.05 && contact_pose.height_m < 0.30);
         world.next_block({.x_m = x, .y_m = y, .yaw_rad = yaw}, 0.5);
       }
     }

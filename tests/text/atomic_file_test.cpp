@@ -79,7 +79,7 @@ TEST_F(AtomicFile, AFullDeviceIsReportedAndStaysADevice) {
 TEST_F(AtomicFile, AFileThatCannotGrowIsReportedAndTheOldOneStays) {
   const fs::path path = folder_.path() / "out";
   write_file(path.string(), "old");
-  // The limit is the process's: a child runs into it alone.
+  // The limit applies to a process, so a child process runs into it.
   const auto write_beyond_a_limit = [&] {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit = {1000, 1000};

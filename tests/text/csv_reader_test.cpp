@@ -104,7 +104,7 @@ TEST(CsvReader, RefusesAWrongHeader) {
   EXPECT_THAT(told("0,1\n1,1\n"), StartsWith("f.csv:1: column 't_s' is missing"));
 }
 
-TEST(CsvReader, AnyDamageGivesOneLineOrATable) {
+TEST(CsvReader, AnyCorruptionGivesOneLineOrATable) {
   const std::string good = "\xef\xbb\xbft_s,v,\"n\"\r\n0,1,\"x\"\r\n1,2e-3,y\r\n";
   std::mt19937 random(3);
   for (int round = 0; round < 5000; ++round) {

@@ -73,7 +73,7 @@ TEST(JsonWriter, TextComesBackAsItWas) {
 }
 
 TEST(JsonWriter, BrokenCharactersAreReplaced) {
-  // A surrogate, an overlong slash, a lone continuation, a cut-off character.
+  // A surrogate, an overlong slash, a lone continuation byte and a truncated character.
   for (const std::string bytes : {"\xED\xA0\x80", "\xC0\xAF", "\x80", "\xE2\x82"}) {
     const std::string out = json_text(bytes);
     EXPECT_TRUE(Json::accept(out));

@@ -1,8 +1,8 @@
-#include "text/nearest.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "text/format.h"
 
 namespace tp100::text {
 namespace {

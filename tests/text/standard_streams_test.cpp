@@ -11,7 +11,7 @@
 namespace tp100::text {
 namespace {
 
-// Number that the next opened file gets after `closed` were closed and claimed.
+// The number of the next opened file after the streams `closed` were closed and claimed.
 int next_number(std::initializer_list<int> closed) {
   for (const int fd : closed) ::close(fd);
   claim_standard_streams();

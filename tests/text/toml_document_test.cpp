@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// What a reader of `text` is told; empty if nothing is wrong.
+/// The error message for `text`; empty if there is no error.
 std::string told(const std::string& text, const std::function<void(TomlTable&)>& read) {
   try {
     TomlDocument document(text, "f.toml");
@@ -34,7 +34,7 @@ TEST(TomlDocument, NamesTheNearestKeyForAnUnknownOne) {
             "f.toml:2:2: unknown key 'speeed_mps'; did you mean 'speed_mps'?");
 }
 
-// As of a seed or a marker's id.
+// Seeds and marker ids are read this way.
 TEST(TomlDocument, RefusesAnIntegerOutOfItsRange) {
   long long value = -1;
   const auto read = [&](TomlTable& table) { value = table.integer("seed", 1, {0, 250}); };
@@ -215,7 +215,7 @@ TEST(WithValues, APathThroughAValueIsRefused) {
   }
 }
 
-TEST(TomlDocument, AnyDamageGivesOneLineOrNone) {
+TEST(TomlDocument, AnyCorruptionGivesOneLineOrNone) {
   const std::string good =
       "description = \"x\"\nspeed_mps = 0.1\n[start]\nx_m = 1e-3\n[[segment]]\ntype = 'line'\n";
   std::mt19937 random(7);

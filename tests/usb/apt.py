@@ -1,4 +1,4 @@
-"""Debian's packages for the small machine: fetched into a folder, not installed."""
+"""Downloads Debian's packages for the small machine into a folder, without installing them."""
 import os
 
 from host import find, run, skip

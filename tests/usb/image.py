@@ -10,7 +10,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def add(tree, program, to):
-    """A program with the libraries that it is linked with, without what only a debugger reads."""
+    """Adds a program with the libraries that it is linked with, without debug information."""
     shutil.copy(program, tree + to)
     if shutil.which("strip"):
         run("strip", "--strip-debug", tree + to)
@@ -26,7 +26,8 @@ def add_libraries(tree, libraries):
 
 
 def add_service(tree, systemd):
-    """What starts tp100d as a service, and the package's files for it. `systemd`: the folder of systemd.fetch."""
+    """Adds what is needed to run tp100d as a service, and the package's files for it. `systemd`: the folder of
+    systemd.fetch."""
     shutil.copytree(systemd, tree, symlinks=True, dirs_exist_ok=True)
     where = dict(os.environ, LD_LIBRARY_PATH=systemd + LIBRARIES)
     for program in PROGRAMS:
@@ -47,7 +48,7 @@ def add_service(tree, systemd):
     os.makedirs(tree + "/etc/udev/rules.d", exist_ok=True)
     shutil.copy(ROOT + "/scripts/debian/postinst", tree + "/guest")
     shutil.copy(HERE + "/guest/check.service", tree + "/lib/systemd/system")
-    # No bridge has its driver before somebody asks for it.
+    # No driver for the bridge is loaded before a check requests it.
     os.makedirs(tree + "/etc/modprobe.d")
     with open(tree + "/etc/modprobe.d/later.conf", "w", encoding="utf-8") as file:
         file.write("blacklist ftdi_sio\n")
@@ -58,8 +59,8 @@ def add_service(tree, systemd):
 
 
 def build(kernel, programs, tree, systemd=""):
-    """Makes `tree` and beside it tree.cpio, which is returned. `programs`: the build's folder of programs. `systemd`:
-    empty, or the folder of systemd.fetch; then the machine can start tp100d as a service."""
+    """Makes `tree` and, beside it, tree.cpio, which is returned. `programs`: the build's folder of programs. `systemd`:
+    empty, or the folder of systemd.fetch; then the machine can run tp100d as a service."""
     for folder in ("bin", "dev", "proc", "sys", "tmp", "etc", "share"):
         os.makedirs(f"{tree}/{folder}")
     shutil.copytree(kernel + "/lib", tree + "/lib")

@@ -1,4 +1,4 @@
-"""Debian's kernel and those of its modules that the test needs, unpacked in a folder, not installed."""
+"""Debian's kernel and the modules that the test needs, unpacked in a folder without being installed."""
 import os
 import re
 import shutil
@@ -11,14 +11,14 @@ MODULES = ("dummy_hcd", "libcomposite", "usb_f_acm", "cdc_acm", "ftdi_sio", "xhc
 
 
 def package():
-    """The package that linux-image-amd64 stands for today; empty: apt knows none."""
+    """The package to which linux-image-amd64 refers at present; empty if apt knows none."""
     _, said = run(find("apt-cache", "apt"), "depends", "linux-image-amd64", good=False)
     found = re.search(r"Depends: (linux-image-\d\S+)", said)
     return found[1] if found else ""
 
 
 def with_needs(tree, version):
-    """Paths of the modules and of all that they need, below lib/modules/VERSION."""
+    """Paths of the modules and of all their dependencies below lib/modules/VERSION."""
     needs = {}
     with open(f"{tree}/lib/modules/{version}/modules.dep", encoding="utf-8") as file:
         for line in file:
@@ -30,7 +30,7 @@ def with_needs(tree, version):
 
 
 def unpack(deb, folder):
-    """Makes `folder` with vmlinuz and lib/modules, whole or not at all."""
+    """Makes `folder` with vmlinuz and lib/modules, completely or not at all."""
     depmod = find("depmod", "kmod")
     with tempfile.TemporaryDirectory(dir=os.path.dirname(folder)) as at:
         tree, kept = at + "/tree", at + "/kept"
@@ -49,7 +49,7 @@ def unpack(deb, folder):
 
 
 def fetch(cache):
-    """The folder with Debian's kernel in `cache`; of an older one where apt does not say which is today's."""
+    """The folder with Debian's kernel in `cache`, or with an older one if apt does not know the current one."""
     os.makedirs(cache, exist_ok=True)
     old = sorted(name for name in os.listdir(cache) if name.startswith("linux-image-"))
     wanted = package()

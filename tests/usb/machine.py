@@ -7,12 +7,12 @@ MEMORY_MB = 1024
 
 
 def boot(kernel, root, log, limit_s, options=""):
-    """Runs the machine until it switches itself off; returns what it said on its first serial port. `options`: for the
+    """Runs the machine until it switches itself off; returns the output of its first serial port. `options`: for the
     kernel."""
     command = [
         find("qemu-system-x86_64", "qemu-system-x86"), "-nodefaults", "-no-reboot", "-display", "none",
         "-m", str(MEMORY_MB),
-        # Its time is the instructions it has run: however busy this machine is, in there nothing is ever late.
+        # The machine's time is the number of executed instructions, so nothing in it is late, however busy the host is.
         "-accel", "tcg,thread=single", "-icount", "shift=1,sleep=off", "-rtc", "clock=vm",
         "-kernel", kernel + "/vmlinuz", "-initrd", root,
         "-append", f"console=ttyS0 quiet loglevel=3 panic=-1 {options}",

@@ -1,4 +1,4 @@
-"""Debian's systemd and udev, unpacked in a folder and cut down to what starts a service and names a device."""
+"""Debian's systemd and udev, unpacked in a folder and reduced to what starts a service and names a device."""
 import glob
 import os
 import shutil
@@ -28,7 +28,7 @@ def cut_down(tree, kept):
 
 
 def fetch(cache):
-    """The folder in `cache`."""
+    """The folder of systemd in `cache`."""
     os.makedirs(cache, exist_ok=True)
     folder = os.path.join(cache, "systemd")
     if not os.path.isdir(folder):

@@ -15,13 +15,13 @@ from host import check, find, skip
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 LIMIT_S = 800
-# What makes the checks, and what it needs of the kernel's command line.
+# The script of each step, and the kernel options that it needs.
 STEPS = {"machine": ("init.sh", ""),
          "service": ("service.sh", "rdinit=/lib/systemd/systemd systemd.unit=check.service systemd.show_status=off")}
 
 
 def wanted(script):
-    """The checks that the guest makes."""
+    """The names of the checks that the guest runs."""
     with open(f"{HERE}/guest/{script}", encoding="utf-8") as file:
         return re.findall(r"^try (\S+)", file.read(), re.M)
 

@@ -1,5 +1,5 @@
 #pragma once
-// Every message of the wire, in the order of the types.
+// All messages of the protocol, ordered by type.
 
 #include "wire/messages.h"
 

@@ -1,4 +1,4 @@
-// Properties of FrameDecoder over seeded hostile streams.
+// Properties of FrameDecoder for random hostile streams.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Outcome {
   }
 };
 
-// The decoder between guards: an overflow of its buffer would show.
+// A decoder between two guards, which would show an overflow of its buffer.
 struct Guarded {
   std::uint64_t before = 0xA5A5A5A5A5A5A5A5U;
   FrameDecoder decoder;
@@ -65,8 +65,8 @@ Bytes coded(const Frame& frame) {
   return out;
 }
 
-// Payloads rich in zeros, as real ones are. The first two bytes number the frame, so that no two
-// frames are equal.
+// Payloads with many zeros, as in real frames. The first two bytes hold the frame's number, so that
+// no two frames are equal.
 std::vector<Frame> random_frames(std::mt19937& random, std::size_t count) {
   std::vector<Frame> frames;
   for (std::size_t n = 0; n < count; ++n) {
@@ -90,7 +90,7 @@ Bytes join(const std::vector<Frame>& frames) {
   return stream;
 }
 
-// How many of `sent` are not in `received`; -1 if something was received that was never sent.
+// Number of frames in `sent` that are missing in `received`; -1 if a received frame was never sent.
 int missing(const std::vector<Frame>& sent, const std::vector<Frame>& received) {
   std::size_t at = 0;
   for (const Frame& frame : received) {
@@ -132,7 +132,7 @@ TEST_P(DecoderProperty, AStreamMayBeJoinedAnywhere) {
     const Outcome outcome = decode(Bytes(stream.begin() + static_cast<long>(from), stream.end()));
     ASSERT_GE(missing(frames, outcome.frames), 0) << from;
     ASSERT_LE(outcome.lost(), 1) << from;
-    // Everything after the first delimiter that was seen.
+    // All frames after the first delimiter in the stream must be decoded.
     const auto delimiters = std::count(stream.begin() + static_cast<long>(from), stream.end(), 0);
     ASSERT_GE(static_cast<long>(outcome.frames.size()), delimiters - 1) << from;
   }
@@ -148,7 +148,7 @@ TEST_P(DecoderProperty, AnInterruptedStreamContinuesWithTheSameDecoder) {
     const std::size_t chunk = std::min<std::size_t>(stream.size() - at, random_() % 17);
     for (std::size_t i = 0; i < chunk; ++i) feed(decoder, stream[at + i], outcome);
     at += chunk;
-    decoder = FrameDecoder(decoder);  // nothing outside the object belongs to its state
+    decoder = FrameDecoder(decoder);  // a copy must continue: the whole state is in the object
   }
   EXPECT_EQ(outcome.frames, frames);
   EXPECT_EQ(outcome.lost(), 0);
@@ -158,11 +158,11 @@ TEST_P(DecoderProperty, OneFlippedBitCostsItsFrameAndAtMostOneMore) {
   const std::vector<Frame> frames = random_frames(random_, 12);
   const Bytes stream = join(frames);
   for (std::size_t bit = 0; bit < stream.size() * 8; ++bit) {
-    Bytes damaged = stream;
-    damaged[bit / 8] = static_cast<std::uint8_t>(damaged[bit / 8] ^ (1U << (bit % 8)));
-    // A delimiter that is gone at the very end is made up by the next frame's.
-    damaged.push_back(kDelimiter);
-    const Outcome outcome = decode(damaged);
+    Bytes corrupted = stream;
+    corrupted[bit / 8] = static_cast<std::uint8_t>(corrupted[bit / 8] ^ (1U << (bit % 8)));
+    // If the last delimiter is corrupted, the delimiter of the next frame replaces it.
+    corrupted.push_back(kDelimiter);
+    const Outcome outcome = decode(corrupted);
     const int gone = missing(frames, outcome.frames);
     ASSERT_GE(gone, 1) << "bit " << bit;
     const bool delimiter = stream[bit / 8] == kDelimiter;
@@ -240,12 +240,13 @@ TEST(Decoder, NamesTheCauseOfEveryLoss) {
             (std::map<Received, int>{{Received::kCrc, 1}}));
 }
 
-// One past the end is past the end: the byte that such a code takes is not of this frame.
+// A code that points beyond the end of its frame must be refused: the byte there belongs to another
+// frame.
 TEST(Decoder, ACodeMayPointToTheEndOfItsFrameAndNoFurther) {
   for (std::size_t coded = 1; coded < kMaxFrame; ++coded) {
     for (std::size_t code = 1; code <= 0xFF; ++code) {
       Bytes stream{static_cast<std::uint8_t>(code)};
-      // The block that the code begins, and empty ones behind it.
+      // The stream holds the block that the code begins, followed by empty blocks.
       while (stream.size() < coded) stream.push_back(stream.size() < code ? 0x11 : 0x01);
       stream.push_back(kDelimiter);
       const std::map<Received, int> losses = decode(stream).losses;

@@ -1,5 +1,6 @@
-// The golden frames: text lines `name | field=value ... | frame in hex`. Checked in both
-// directions. C++11 without exceptions, so that the same check runs in the firmware's dialect.
+// The golden frames are text lines `name | field=value ... | frame in hex`, which are checked in
+// both directions. C++11 without exceptions, so that the same check also runs in the firmware's
+// dialect.
 #ifndef TP100_TESTS_WIRE_GOLDEN_H
 #define TP100_TESTS_WIRE_GOLDEN_H
 
@@ -19,8 +20,8 @@ namespace golden {
 /// One line of the file.
 struct Line {
   std::string name;
-  std::map<std::string, std::string> values;  ///< field -> text; elements of an array by commas
-  std::string hex;                            ///< upper case, no spaces
+  std::map<std::string, std::string> values;  ///< field -> text; array elements by commas
+  std::string hex;                            ///< upper case, without spaces
 };
 
 inline std::string trim(const std::string& text) {
@@ -41,7 +42,7 @@ inline std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// Lines of a golden file; comments start with #.
+/// Reads the lines of a golden file; comments start with #.
 inline std::vector<Line> read_lines(const std::string& path) {
   std::vector<Line> lines;
   std::ifstream file(path.c_str());
@@ -99,7 +100,7 @@ inline float FromText::number<float>(const std::string& text) {
   return strtof(text.c_str(), nullptr);
 }
 
-/// First field in which two messages differ.
+/// Finds the first field in which two messages differ.
 class Differ {
  public:
   explicit Differ(const std::map<std::string, std::vector<double> >* other) : other_(other) {}
@@ -143,8 +144,8 @@ inline std::vector<uint8_t> from_hex(const std::string& hex) {
   return bytes;
 }
 
-/// Checks one line as a `Message`. Empty: the values code to the hex and the hex decodes to the
-/// values; otherwise what is wrong.
+/// Checks one line as a `Message`. Returns an empty string if the values encode to the hex and the
+/// hex decodes to the values; otherwise the error.
 template <class Message>
 std::string check(const Line& line) {
   Message message;

@@ -1,4 +1,4 @@
-// The golden frames in the firmware's dialect: C++11, no exceptions, no run-time types.
+// Checks the golden frames in the firmware's dialect: C++11 without exceptions and run-time types.
 #include <stdio.h>
 
 #include "golden.h"

@@ -1,4 +1,4 @@
-// PROTOCOL.md says what the code does: what can be compared is compared.
+// Compares PROTOCOL.md with the code where this is possible.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -33,15 +33,15 @@ TEST(ProtocolDocument, QuotesEveryGoldenFrame) {
 
 TEST(ProtocolDocument, ListsEveryFaultWithItsBit) {
   const std::string text = document();
-#define TP100_FAULT_ROW(bit, name, cause, remedy)                                                \
-  EXPECT_NE(text.find("| " #bit " | `" #name "` | " cause " | " remedy " |"), std::string::npos) \
-      << "| " #bit " | `" #name "` | " cause " | " remedy " |";
+#define TP100_FAULT_ROW(bit, name, cause, fix)                                                \
+  EXPECT_NE(text.find("| " #bit " | `" #name "` | " cause " | " fix " |"), std::string::npos) \
+      << "| " #bit " | `" #name "` | " cause " | " fix " |";
   TP100_ROBOT_FAULTS(TP100_FAULT_ROW)
   TP100_DAEMON_FAULTS(TP100_FAULT_ROW)
 #undef TP100_FAULT_ROW
 }
 
-// Rows `| offset | type | name |` of one message.
+// Collects the rows `| offset | type | name |` of one message.
 class TableRows {
  public:
   void field(const char* name, const std::uint8_t&) { add(name, "u8", 1, 1); }

@@ -1,4 +1,4 @@
-// Under the undefined-behaviour sanitizer: code that is in headers alone has its checks.
+// The undefined-behaviour sanitizer must also check code in headers.
 #ifdef TP100_SANITIZES_UNDEFINED
 
 #include <gtest/gtest.h>

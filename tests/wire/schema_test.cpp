@@ -14,7 +14,7 @@
 namespace tp100::wire {
 namespace {
 
-// `0x43 boot_nonce:u32 sequence:u16 ... gyro:i16[3]\n` a message.
+// Writes a line `0x43 boot_nonce:u32 sequence:u16 ... gyro:i16[3]\n` per message.
 class SchemaText {
  public:
   void field(const char* name, const std::uint8_t&) { add(name, "u8"); }
@@ -61,7 +61,7 @@ TEST(Schema, HashIsThatOfTheMessagesAsTheyAre) {
 
 TEST(Schema, HashMatchesThePublishedTestVector) { EXPECT_EQ(fnv1a("foobar"), 0xBF9CF968U); }
 
-// In figures, as firmware/PROTOCOL.md gives them to those who write a robot or a host of their own.
+// The numbers are those of firmware/PROTOCOL.md, on which authors of other robots and hosts rely.
 TEST(Schema, EveryMessageHasItsTypeAndSize) {
   const std::map<std::string, std::pair<int, std::size_t>> messages = {
       {"Hello", {0x01, 18}},       {"Sample", {0x02, 40}},      {"Acknowledge", {0x03, 8}},
@@ -76,7 +76,7 @@ TEST(Schema, EveryMessageHasItsTypeAndSize) {
     const auto [type, size] = messages.at(name);
     EXPECT_EQ(static_cast<int>(message.kType), type) << name;
     EXPECT_EQ(message.kSize, size) << name;
-    // All of it is written, and nothing behind it.
+    // The whole payload must be written, and nothing behind it.
     for (const std::uint8_t fill : {std::uint8_t{0x00}, std::uint8_t{0xFF}}) {
       std::uint8_t payload[kMaxPayload * 2];
       std::fill(std::begin(payload), std::end(payload), fill);

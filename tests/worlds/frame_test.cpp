@@ -22,7 +22,8 @@ void expect_near(const Vector& is, const Vector& wanted) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(is[i], wanted[i], 1e-9) << "element " << i;
 }
 
-// By hand: sine and cosine of 15 degrees for a nose 30 degrees up, of 45 degrees for a left turn.
+// Calculated by hand: sine and cosine of 15 degrees for a nose-up pitch of 30 degrees, and of 45
+// degrees for a left turn.
 constexpr double kSin15 = 0.25881904510252074, kCos15 = 0.9659258262890683;
 constexpr double kHalfRoot = 0.7071067811865476;
 
@@ -35,7 +36,7 @@ void expect_quaternion(Frame frame, const Pose& pose, const Quaternion& wanted) 
 }
 
 TEST(Frame, PlacesAreTurnedAndScaledAsEachEngineHasThem) {
-  const Vector place = {1.2, -0.8, 0.037};  // the paper's step, from above
+  const Vector place = {1.2, -0.8, 0.037};  // the paper's step, seen from above
   expect_near(to_place(Frame::kRos, place), {1.2, -0.8, 0.037});
   expect_near(to_place(Frame::kUnreal, place), {120.0, 80.0, 3.7});
   expect_near(to_place(Frame::kUnity, place), {0.8, 0.037, 1.2});
@@ -72,7 +73,7 @@ TEST(Frame, TheLeftSideUpIsAPositiveRollInRosAndUnreal) {
   expect_quaternion(Frame::kUnity, left_up, {0, 0, -kSin15, kCos15});
 }
 
-// FRotator::Quaternion of Unreal's Core, from its rotator.
+// The formula is that of FRotator::Quaternion in Unreal's Core.
 TEST(Frame, UnrealsRotatorGivesUnrealsQuaternion) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angle(-80, 80);
@@ -89,7 +90,7 @@ TEST(Frame, UnrealsRotatorGivesUnrealsQuaternion) {
   }
 }
 
-// Unity's Quaternion.Euler(x, y, z) is the turn about y, then x, then z, multiplied in this order.
+// Unity's Quaternion.Euler(x, y, z) rotates about y, then x, then z, multiplied in this order.
 TEST(Frame, UnitysEulerAnglesGiveUnitysQuaternion) {
   const auto times = [](const Quaternion& a, const Quaternion& b) {
     return Quaternion{a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
@@ -111,8 +112,9 @@ TEST(Frame, UnitysEulerAnglesGiveUnitysQuaternion) {
   }
 }
 
-// A rotated place in the frame's numbers is the place rotated in ours: quaternions and places of a
-// frame belong together. The formula is the same in left-handed frames.
+// Rotating a position in the frame's coordinates must give the same as rotating it in ours:
+// quaternions and positions of a frame belong together. The formula is the same in left-handed
+// frames.
 TEST(Frame, QuaternionsTurnPlacesOfTheirFrame) {
   const auto rotate = [](const Quaternion& q, const Vector& v) {
     const Vector t = {2 * (q.y * v[2] - q.z * v[1]), 2 * (q.z * v[0] - q.x * v[2]),

@@ -1,6 +1,6 @@
-#include "worlds/live_link.h"
-
 #include <gtest/gtest.h>
+
+#include "worlds/message.h"
 
 namespace tp100::worlds {
 namespace {

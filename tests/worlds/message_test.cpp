@@ -62,7 +62,7 @@ std::string changed(const std::string& from, const std::string& to) {
 
 Verdict verdict(const std::string& text) { return decode_world(text, Frame::kRos).verdict; }
 
-// The format as other programs know it: a change here breaks them.
+// Other programs rely on this format: a change here breaks them.
 TEST(WorldMessage, IsWrittenAsDocumented) {
   EXPECT_EQ(encode(hello()),
             R"({"v":1,"type":"hello","session":7,"name":"tp100d","version":"0.1.0","frame":"ros",)"
@@ -209,7 +209,7 @@ TEST(WorldMessage, WhatIsOutOfRangeIsRefused) {
             Verdict::kMalformed);
 }
 
-TEST(WorldMessage, DamagedDatagramsAreRefusedOrStillInRange) {
+TEST(WorldMessage, CorruptedDatagramsAreRefusedOrStillInRange) {
   std::mt19937 random(7);
   std::uniform_int_distribution<std::size_t> place(0, kWorld.size() - 1);
   std::uniform_int_distribution<int> byte(0, 255);
@@ -233,7 +233,7 @@ TEST(WorldMessage, DamagedDatagramsAreRefusedOrStillInRange) {
     }
     EXPECT_TRUE(m.step_height_m >= 0.0 && m.step_height_m <= 1.0);
   }
-  EXPECT_GT(taken, 0) << "a damaged digit is still a number";
+  EXPECT_GT(taken, 0) << "a message with a corrupted digit can still be valid";
 }
 
 }  // namespace

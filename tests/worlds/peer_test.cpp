@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 constexpr std::uint16_t kPort = 40000;
 
-// A bridge at 200 Hz and whatever answers it.
+// A bridge at 200 Hz and a world whose answers the test supplies.
 class PeerTest : public ::testing::Test {
  protected:
   PeerTest() : peer_(settings()) {}
@@ -25,7 +25,7 @@ class PeerTest : public ::testing::Test {
     out.surfaces = {{"sand", 0.2}};
     return out;
   }
-  // One step; what was sent.
+  // Makes one step; returns the message that was sent.
   Json step() {
     now_ += 5 * kNsPerMs;
     record_->now_ns = now_;
@@ -99,12 +99,12 @@ TEST_F(PeerTest, PosesGoOutAtTheirRateAndAreAnswered) {
 TEST_F(PeerTest, NamesThePoseThatSteersNow) {
   welcome();
   Snapshot& snapshot = record_->snapshot;
-  snapshot.model.x_m = 1.0;
-  snapshot.odometry.x_m = 2.0;
-  snapshot.fused.pose.x_m = 3.0;
-  for (const auto& [steering, name, x_m] : {std::tuple{Steering::kModel, "model", 1.0},
-                                            std::tuple{Steering::kOdometry, "odometry", 2.0},
-                                            std::tuple{Steering::kFused, "fused", 3.0}}) {
+  snapshot.estimates[PoseSource::kModel].pose.x_m = 1.0;
+  snapshot.estimates[PoseSource::kOdometry].pose.x_m = 2.0;
+  snapshot.estimates[PoseSource::kFused].pose.x_m = 3.0;
+  for (const auto& [steering, name, x_m] : {std::tuple{PoseSource::kModel, "model", 1.0},
+                                            std::tuple{PoseSource::kOdometry, "odometry", 2.0},
+                                            std::tuple{PoseSource::kFused, "fused", 3.0}}) {
     snapshot.steering = steering;
     const Json sent = step_until("pose");
     EXPECT_EQ(sent["src"], name);
@@ -121,7 +121,7 @@ TEST_F(PeerTest, SaysWhichGroundAndKnowsTheCoursesSurfaces) {
   ASSERT_TRUE(sample && sample->has_ground);
   EXPECT_EQ(sample->slip_offset, 0.2);
   EXPECT_EQ(sample->pitch_rad, -0.4);
-  EXPECT_FALSE(sample->has_pose) << "the bridge owns it";
+  EXPECT_FALSE(sample->has_pose) << "the bridge has authority over the pose";
   message["seq"] = 2;
   message["ground"]["surface"] = "ice";
   sample = say(message);
@@ -139,9 +139,9 @@ TEST_F(PeerTest, CountsWhatNeverCameAndDropsWhatIsOld) {
   EXPECT_EQ(peer_.counters().missing, 3u);
   EXPECT_FALSE(say(answer(5, second["seq"])));
   EXPECT_FALSE(say(answer(3, second["seq"])));
-  EXPECT_FALSE(say(answer(6, first["seq"]))) << "an older pose again";
+  EXPECT_FALSE(say(answer(6, first["seq"]))) << "the answer is to an older pose";
   EXPECT_EQ(peer_.counters().reordered, 3u);
-  EXPECT_FALSE(say(answer(6, second["seq"].get<std::uint64_t>() + 1))) << "was never sent";
+  EXPECT_FALSE(say(answer(6, second["seq"].get<std::uint64_t>() + 1))) << "the pose was never sent";
   EXPECT_EQ(peer_.counters().unknown_ack, 1u);
 }
 
@@ -173,10 +173,10 @@ TEST_F(PeerTest, ASilentWorldIsGreetedAnewAndBeginsAnotherSession) {
   EXPECT_EQ(peer_.counters().losses, 1u);
   EXPECT_THAT(peer_.take_note(), HasSubstr("silent"));
   EXPECT_EQ(hello["session"], 101);
-  EXPECT_FALSE(say(answer(51, peer_.sent()))) << "not welcomed";
+  EXPECT_FALSE(say(answer(51, peer_.sent()))) << "the new session is not welcomed yet";
   welcome();
   const auto sample = say(answer(1, step_until("pose")["seq"]));
-  ASSERT_TRUE(sample) << "its numbers begin anew";
+  ASSERT_TRUE(sample) << "its numbers begin again at 1";
   EXPECT_EQ(sample->session, 2u);
 }
 
@@ -224,14 +224,15 @@ TEST_F(PeerTest, RunsAreCounted) {
   }
 }
 
-// Whatever comes, every datagram is in one counter, and what is passed on is in range.
+// Every datagram must be counted by exactly one counter, and every sample that is passed on must be
+// in range.
 TEST_F(PeerTest, SurvivesGarbage) {
   welcome();
   std::mt19937 random(11);
   std::uniform_int_distribution<int> byte(0, 255), length(0, 1300), kind(0, 5);
   for (int i = 0; i < 5000; ++i) {
     step();
-    // A damaged digit can be a number far ahead, after which all others are old.
+    // A corrupted digit can make a sequence number so large that all later messages are old.
     if (!peer_.welcomed()) welcome();
     std::string text;
     switch (kind(random)) {

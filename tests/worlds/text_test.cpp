@@ -6,8 +6,7 @@
 
 #include "core/angle.h"
 #include "core/error.h"
-#include "worlds/encoder_text.h"
-#include "worlds/orientation_text.h"
+#include "worlds/text_files.h"
 
 namespace tp100::worlds {
 namespace {

@@ -28,8 +28,8 @@ const course = {
   start: { x_m: 0, y_m: 0, yaw_rad: 0 }, path, pieces: [],
   ramps: [{ x_m: 0.7, y_m: -0.8, heading_rad: Math.PI, height_m: 0.08, up_rad: 0.4887, top_m: 0.2, down_rad: 0.4887, width_m: 0.4 }],
   blocks: [{ x_m: 1.2, y_m: -0.8, heading_rad: Math.PI, height_m: 0.037, depth_m: 0.1, width_m: 0.4 }],
-  surfaces: [], shoves: [], fence: { min_x_m: -0.05, max_x_m: 1.85, min_y_m: -0.9, max_y_m: 0.1 },
-  robot: { name: 'end-loaded', length_m: 0.185, width_m: 0.2, height_m: 0.06, gauge_m: 0.155, axle_spacing_m: 0.133, belt_radius_m: 0.026, belt_width_m: 0.045 },
+  surfaces: [], disturbances: [], fence: { min_x_m: -0.05, max_x_m: 1.85, min_y_m: -0.9, max_y_m: 0.1 },
+  robot: { name: 'end-loaded', length_m: 0.185, width_m: 0.2, height_m: 0.06, gauge_m: 0.155, axle_spacing_m: 0.133, wheel_radius_m: 0.026, shoe_width_m: 0.045 },
 };
 
 const at = (s) => {
@@ -52,14 +52,14 @@ let run = 'idle', runBegan = 0, runEnded = 0, s = 0, robot = true, recording = n
 let stop = { count: 0, latched: false, by: '', requested_t_s: null, status: 'none', acknowledged_ms: null };
 const lateness = new Array(14).fill(0);
 const parameters = [
-  ['control.cross_track_gain_1ps', 3.6, '1/s', 0, 50, 'Stanley: the approach angle is the arc tangent of this times the cross-track error over the speed.'],
-  ['control.preview_s', 0.06, 's', 0, 1, 'Lag of loop and motors: the path is read this far ahead.'],
+  ['control.cross_track_gain_1ps', 3.6, '1/s', 0, 50, 'Stanley: the approach angle is the arc tangent of this times the cross-track error divided by the speed.'],
+  ['control.preview_s', 0.06, 's', 0, 1, 'Lag of loop and motors, by which the controller looks ahead on the path.'],
   ['control.max_approach_deg', 24, 'deg', 1, 80, 'Steepest approach to the path.'],
 ].map(([name, value, unit, min, max, meaning]) => ({ name, value, default: value, type: 'number', unit, min, max, choices: [], meaning, live: true, when: 'always' }));
-parameters.push({ name: 'estimation.steering', value: 'odometry', default: 'odometry', type: 'choice', choices: ['model', 'odometry', 'fused'], unit: '', min: null, max: null, meaning: 'Pose that steers.', live: true, when: 'not running' });
+parameters.push({ name: 'estimation.steering', value: 'odometry', default: 'odometry', type: 'choice', choices: ['model', 'odometry', 'fused'], unit: '', min: null, max: null, meaning: 'Pose that the controller uses.', live: true, when: 'not running' });
 parameters.push({ name: 'link.baud', value: 500000, default: 500000, type: 'integer', unit: 'baud', min: 9600, max: 2000000, choices: [], meaning: 'Speed of the port.', live: false, when: 'always' });
 
-const topics = ['/estimate', '/slip', '/link', '/loop', '/state', '/course', '/event', '/parameter', '/recording', '/client', '/trail'];
+const topics = ['/estimate', '/slip', '/link', '/loop', '/state', '/course', '/event', '/parameter', '/recording', '/client', '/path_history'];
 const kept = new Map();
 const events = [];
 const clients = new Set();
@@ -70,8 +70,8 @@ function publish(topic, message) {
   else if (topic !== '/estimate') kept.set(topic, json);
   for (const client of clients) client.say(topic, json);
 }
-function event(kind, level, text, cause = '', remedy = '') {
-  publish('/event', { t_s: t(), kind, level, text, cause, remedy });
+function event(kind, level, text, cause = '', fix = '') {
+  publish('/event', { t_s: t(), kind, level, text, cause, fix });
 }
 function to(next) {
   if (next === run) return;
@@ -86,7 +86,7 @@ function state() {
     run_s: run === 'idle' ? null : (run === 'running' ? t() : runEnded) - runBegan, progress_m: s, length_m: length, course: '3',
     robot: 'end-loaded', setup: 'flat', steering: 'odometry', world: 'internal', battery_v: 7.92,
     can: { start: robot && run !== 'running', hold: run === 'running', stop: true, record: recording === null }, why_not_start: why, confirm_start: true,
-    faults: faults.map((name) => ({ name, cause: name === 'link_lost' ? 'the link broke, or no sample came for 200 ms' : 'STOP was pressed', remedy: 'check the cable; the daemon reconnects by itself, then start again', from: 'robot' })),
+    faults: faults.map((name) => ({ name, cause: name === 'link_lost' ? 'the link broke, or no sample arrived for 200 ms' : 'STOP was pressed', fix: 'check the cable; the daemon reconnects by itself, then start again', from: 'robot' })),
     stop,
   });
 }
@@ -132,7 +132,7 @@ function record() {
   publish('/recording', { available: true, active: recording !== null, run: recording?.run ?? '', file: '', elapsed_s: recording ? t() - recording.began : 0, bytes: 123456, dropped: 0, warning: '' });
 }
 
-function estimate(t_s, s, moving, belts, target, age_us) {
+function estimate(t_s, s, moving, tracks, target, age_us) {
   const ref = at(s);
   const wobble = 0.004 * Math.sin(3 * s) + 0.002 * Math.sin(17 * s);
   const x = ref.x - wobble * Math.sin(ref.yaw), y = ref.y + wobble * Math.cos(ref.yaw);
@@ -146,7 +146,7 @@ function estimate(t_s, s, moving, belts, target, age_us) {
     fused: { ...pose(0.0015 * Math.sin(9 * s), 0.001, 0.002), sd_x_m: 0.002, sd_y_m: 0.002, sd_yaw_rad: 0.01, camera_age_us: null, camera_used: 0, camera_rejected: 0, nis: 0, nis_mean: 3, recoveries: 0 },
     truth: process.env.TRUTH ? { ...pose(-0.002, 0.003 * s, -0.004), age_us: 0 } : null,
     reference: { x_m: ref.x, y_m: ref.y, yaw_rad: ref.yaw }, imu: { roll_rad: 0, pitch_rad: 0, slope: 'flat' }, pitch_source: 'virtual',
-    tracks: { left_mps: belts[0], right_mps: belts[1], left_commanded_mps: moving ? target[0] : null, right_commanded_mps: moving ? target[1] : null },
+    tracks: { left_mps: tracks[0], right_mps: tracks[1], left_commanded_mps: moving ? target[0] : null, right_commanded_mps: moving ? target[1] : null },
     cross_track_m: wobble, heading_error_rad: 0.03 * Math.cos(17 * s) * (moving ? 1 : 0), desired_yaw_rad: ref.yaw, desired_speed_mps: moving ? 0.1 : 0, progress_m: s,
   };
   return { message, pitch };
@@ -161,7 +161,7 @@ function recordedRun() {
   topics.forEach((topic, i) => out.push(record(4, u(i, 2), u(0, 2), text(topic), text('json'), u(0, 4))));
   const say = (t_s, topic, message) => out.push(record(5, u(topics.indexOf(topic), 2), u(0, 4), u((1767323045 + t_s) * 1e9, 8), u(0, 8), Buffer.from(JSON.stringify(message))));
   say(-1, '/course', course);
-  say(0, '/event', { t_s: 0, kind: 'run', level: 'info', text: 'state: arming -> running', cause: '', remedy: '' });
+  say(0, '/event', { t_s: 0, kind: 'run', level: 'info', text: 'state: arming -> running', cause: '', fix: '' });
   for (let i = 0; 0.002 * i < length; i++) {
     const { message, pitch } = estimate(0.02 * i, 0.002 * i, true, [0.118, 0.118], [0.118, 0.118], 3100);
     say(0.02 * i, '/estimate', message);
@@ -170,7 +170,7 @@ function recordedRun() {
   return Buffer.concat(out);
 }
 
-let belts = [0, 0];
+let tracks = [0, 0];
 function tick() {
   const now = t();
   for (; step / kRate < now; step++) {
@@ -184,8 +184,8 @@ function tick() {
     lateness[bin < 0 ? 13 : bin]++;
     const turning = s > 1.4 && s < 2.65 && moving ? 0.25 : 0;
     const target = moving ? [0.118 + turning * 0.08, 0.118 - turning * 0.08] : [0, 0];
-    belts = belts.map((v, i) => v + (target[i] - v) * 0.05 + (moving ? (Math.random() - 0.5) * 0.002 : 0));
-    const { message, pitch } = estimate(step / kRate, s, moving, belts, target, Math.round((now - lastSample) * 1e6) + 3100);
+    tracks = tracks.map((v, i) => v + (target[i] - v) * 0.05 + (moving ? (Math.random() - 0.5) * 0.002 : 0));
+    const { message, pitch } = estimate(step / kRate, s, moving, tracks, target, Math.round((now - lastSample) * 1e6) + 3100);
     publish('/estimate', message);
     if (step % 10 === 0) publish('/slip', { t_s: now, left: 0.16 + Math.abs(pitch) * 0.13, right: 0.16 + Math.abs(pitch) * 0.2, fused_left: 0.158 + 0.003 * Math.sin(now), fused_right: 0.17 + 0.003 * Math.cos(now), gyro_bias_radps: 0.01, fused_gyro_bias_radps: 0.01, slope_rad: -pitch });
     if (step % 40 === 0) {
@@ -193,7 +193,7 @@ function tick() {
       publish('/link', { t_s: now, session: robot ? 'ready' : 'listening', quality: robot ? 'good' : 'lost', port: '/tmp/tp100', kind: process.env.PHYSICAL ? 'physical' : 'emulated', firmware: '0.1.0', samples_hz: robot ? 200 : 0, lost_hz: 0, bad_hz: 0, in_bytes_ps: 9010, out_bytes_ps: 7610, round_trip_us: 620, clock: { valid: true, drift_ppm: 41.2, uncertainty_us: 310 }, sample_age_us: { count: 1, mean: 3100, p50: 3000, p99: 4100, p999: 5200, max: 9000 }, counters: { bytes_in: step * 45, bytes_out: step * 38, frames_in: step, samples: step, lost: 2, crc_errors: 0, reconnects: 0, reboots: 0 } });
     }
     if (step % 100 === 0) {
-      publish('/loop', { t_s: now, rate_hz: kRate, pacing: 'host', turns: step, overruns: 0, missed: 0, without_frame: 0, lateness_us: times(step, 8), work_us: times(step, 21), compute_us: times(step, 9), write_us: times(step, 8), sample_wire_us: times(step, 4100), sample_wait_us: times(step, 1), sample_age_us: times(step, 4200), histogram: { edges_us: edges, lateness: [...lateness] }, privileges: { 'SCHED_FIFO 80': true, 'memory locked': true, 'cpu_dma_latency 0': false }, lost_records: 0 });
+      publish('/loop', { t_s: now, rate_hz: kRate, pacing: 'host', cycles: step, overruns: 0, missed: 0, frame_timeouts: 0, lateness_us: times(step, 8), work_us: times(step, 21), compute_us: times(step, 9), write_us: times(step, 8), sample_wire_us: times(step, 4100), sample_wait_us: times(step, 1), sample_age_us: times(step, 4200), histogram: { edges_us: edges, lateness: [...lateness] }, privileges: { 'SCHED_FIFO 80': true, 'memory locked': true, 'cpu_dma_latency 0': false }, lost_records: 0 });
     }
     if (step % 200 === 0) {
       publish('/client', { clients: [...clients].map((c) => ({ id: c.id, address: '127.0.0.1', agent: '', subscriptions: c.subscriptions.size, sent: c.sent, dropped: 0, queued: 0, connected_s: 1 })), dropped_total: 0, refused_total: 0, closed_total: 0, queue_limit: 512 });
@@ -266,7 +266,7 @@ process.on('SIGUSR1', () => { robot = !robot; event('session', robot ? 'info' : 
 
 publish('/course', course);
 publish('/parameter', { parameters });
-publish('/trail', { deletions: [], entities: [] });
+publish('/path_history', { deletions: [], entities: [] });
 record();
 event('daemon', 'info', 'tp100d mock, course 3, robot end-loaded');
 event('session', 'info', 'state: syncing -> ready');

@@ -1,5 +1,5 @@
-// A viewer of one server: topics and services by name, whatever ids a server gives them and however
-// often it comes and goes.
+// A viewer of one server: topics and services by name, independent of a server's ids and of
+// reconnections.
 import * as codec from './codec.ts';
 import { Connection, type Socket } from './connection.ts';
 
@@ -11,9 +11,9 @@ export interface ServerInfo {
 }
 
 export interface ClientEvents {
-  /** The server said who it is. */
+  /** The server sent its identity. */
   serverInfo(info: ServerInfo): void;
-  /** Services are known. Called before anything else is asked of the server: what is sent here goes out first. */
+  /** Services are known. Called before any other request: what is sent here goes out first. */
   ready(): void;
   closed(retry_ms: number): void;
   status(level: number, message: string): void;
@@ -67,7 +67,7 @@ export class Client {
     return this.isReady && this.connection.connected;
   }
 
-  /** Messages of `topic` from now on, over every reconnection. One listener a topic. */
+  /** Messages of `topic` from now on, across reconnections. One listener per topic. */
   subscribe(topic: string, listener: Listener): void {
     this.listeners.set(topic, listener);
     this.subscribeNow([topic]);

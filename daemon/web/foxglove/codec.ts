@@ -1,5 +1,5 @@
-// Bytes and texts of the Foxglove WebSocket protocol, in both directions. Integers are
-// little-endian. What a server sends is checked here: anything malformed becomes undefined.
+// Encodes and decodes the Foxglove WebSocket protocol. Integers are little-endian. Server input is
+// validated here: anything malformed becomes undefined.
 
 export const kSubprotocols = ['foxglove.sdk.v1', 'foxglove.websocket.v1'];
 
@@ -46,7 +46,7 @@ const text = (value: unknown): string => (typeof value === 'string' ? value : ''
 const list = (value: unknown): Dictionary[] => (Array.isArray(value) ? value.filter(isObject) : []);
 const ids = (value: unknown): number[] => (Array.isArray(value) ? value.filter(isId) : []);
 
-/** A text frame of the server; undefined if it is malformed or of no use to a viewer. */
+/** A text frame of the server; undefined if it is malformed or irrelevant to a viewer. */
 export function parseText(frame: string): ServerText | undefined {
   let message: unknown;
   try {

@@ -1,11 +1,11 @@
-// One WebSocket that comes back by itself: opens, watches for silence, closes, waits, opens again.
+// One WebSocket that reconnects by itself: opens, detects silence, closes, waits, opens again.
 
-/** What Connection needs of a WebSocket; a test passes its own. */
+/** The part of a WebSocket that Connection uses; a test passes its own. */
 export type Socket = Pick<WebSocket, 'send' | 'close' | 'onopen' | 'onclose' | 'onmessage'>;
 
 export interface ConnectionEvents {
   opened(): void;
-  /** `retry_ms` from now it tries again. */
+  /** It retries `retry_ms` from now. */
   closed(retry_ms: number): void;
   text(frame: string): void;
   binary(frame: ArrayBuffer): void;
@@ -13,16 +13,16 @@ export interface ConnectionEvents {
 
 export const kFirstRetry_ms = 200;
 export const kLongestRetry_ms = 2000;
-/** A daemon says something at least five times a second; a socket that says nothing is dead. */
+/** A daemon sends at least five times a second; a silent socket is dead. */
 export const kSilence_ms = 3000;
-/** A daemon that hangs may still go on; until then what was pressed waits in one place. */
+/** A hung daemon may recover; until then presses are queued. */
 export const kOpening_ms = 10_000;
 const kWatch_ms = 500;
 
 export class Connection {
   private socket: Socket | undefined;
   private isOpen = false;
-  /** Without a word, as far as this page was awake to hear one. */
+  /** Time without a message while this page was awake. */
   private silent_ms = 0;
   private watched_ms = 0;
   private retry_ms = kFirstRetry_ms;
@@ -44,14 +44,14 @@ export class Connection {
     return this.isOpen;
   }
 
-  /** False if there is nobody to send to. */
+  /** False if there is no connection. */
   send(data: string | ArrayBuffer): boolean {
     if (!this.isOpen || this.socket === undefined) return false;
     this.socket.send(data);
     return true;
   }
 
-  /** Tries at once instead of waiting for the next turn. */
+  /** Retries at once instead of waiting. */
   retryNow(): void {
     if (this.retryTimer === undefined) return;
     clearTimeout(this.retryTimer);
@@ -81,7 +81,8 @@ export class Connection {
   }
 
   private watch(): void {
-    // A page that was asleep, or got no processor, did not listen for longer than one turn of this watch.
+    // A page that was asleep, or got no processor time, did not listen for longer than one watch
+    // period.
     const now_ms = this.now();
     this.silent_ms += Math.min(now_ms - this.watched_ms, kWatch_ms);
     this.watched_ms = now_ms;

@@ -10,13 +10,13 @@ export interface Keys {
   step(direction: 1 | -1): void;
 }
 
-/** Where the space bar belongs to what is being typed. */
+/** Whether the space bar is text input there. */
 function typing(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.matches('input:not([type=range]), select, textarea');
 }
 
 export function listen(keys: Keys): void {
-  // Before any element that might take the key for itself.
+  // Before any element that might handle the key itself.
   window.addEventListener(
     'keydown',
     (event) => {
@@ -35,7 +35,7 @@ export function listen(keys: Keys): void {
     },
     { capture: true },
   );
-  // The space bar must not also click what has the focus.
+  // The space bar must not also click the focused element.
   window.addEventListener(
     'keyup',
     (event) => {

@@ -1,4 +1,4 @@
-// The cockpit: joins the daemon's channels to what is on the page.
+// The cockpit: connects the daemon's channels to the elements of the page.
 import 'uplot/dist/uPlot.min.css';
 import './base.css';
 import './header.css';
@@ -34,7 +34,7 @@ import { listen } from './keys.ts';
 const kTopics: Topic[] = [
   '/state',
   '/course',
-  '/trail',
+  '/path_history',
   '/estimate',
   '/slip',
   '/link',
@@ -51,7 +51,7 @@ const kChips_ms = 200;
 const kWindow_s = 60;
 
 const live = new Store();
-/** What the picture, the figures and the diagrams show: the robot, or a recording. The bar is always live. */
+/** Source of the view, the figures and the diagrams: the robot, or a recording. The bar is always live. */
 let shown = live;
 let player: Player | undefined;
 let loading: AbortController | undefined;
@@ -100,7 +100,7 @@ function sendStop(): void {
       stop.answered(answer?.acknowledged === true, took_ms);
     },
     () => {
-      // Refused or lost: it goes out again, now or with the next connection.
+      // Refused or lost: send it again, now or with the next connection.
       stop.disconnected();
       setTimeout(() => {
         if (stop.unsent && client.ready) sendStop();
@@ -115,7 +115,7 @@ async function replay(url: string, run: string): Promise<void> {
   transport.loading(run, 0);
   try {
     const frames = await loadRecording(url, (share) => { transport.loading(run, share); }, mine.signal);
-    // A recording does not grow old while it is looked at.
+    // Data of a recording does not age.
     player = new Player(frames, new Store(() => 0));
     transport.open(run, player);
     look(player.store);
@@ -192,10 +192,10 @@ document.body.append(header, h('main', {}, viewport.element, numbers.element, pl
 for (const topic of kTopics) {
   client.subscribe(topic, (message) => {
     live.receive(topic, message as never);
-    if (topic === '/state') stop.heard((message as State).stop);
+    if (topic === '/state') stop.received((message as State).stop);
     else if (topic === '/recording') runs.changed();
-    // Only what was driven before; from here on the page draws its own.
-    else if (topic === '/trail') client.unsubscribe(topic);
+    // Only the path driven before; from here on the page draws its own.
+    else if (topic === '/path_history') client.unsubscribe(topic);
   });
 }
 

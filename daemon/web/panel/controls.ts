@@ -1,5 +1,5 @@
-// Start, hold and record. What sets the robot in motion is confirmed where the daemon says so; what
-// stops it never is.
+// Start, hold and record. What moves the robot is confirmed if the daemon requires it; what stops
+// it never is.
 import { bytes, clock } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
@@ -48,7 +48,7 @@ export class Controls {
     if (!this.hold.button.disabled) this.send('hold');
   }
 
-  /** STOP was pressed: no half-given start survives it. */
+  /** STOP was pressed: cancels an unconfirmed start. */
   forget(): void {
     this.confirmUntil_ms = 0;
   }

@@ -1,11 +1,11 @@
-// Tabs under the picture; keyboard as usual for tabs: arrows move, the chosen one is shown.
+// Tabs under the view; keyboard as usual for tabs: arrows move, the selected one is shown.
 import { h, setAttribute } from './dom.ts';
 
 export interface Page {
   id: string;
   title: string;
   element: HTMLElement;
-  /** Called when it is brought forward, and again and again while it is there. */
+  /** Called when the tab is selected, and periodically while it is shown. */
   show(): void;
 }
 

@@ -1,4 +1,4 @@
-// What happened, newest first.
+// Events, newest first.
 import { clock } from '../state/format.ts';
 import type { Event } from '../state/messages.ts';
 import { kEvents, type Store } from '../state/store.ts';
@@ -29,7 +29,7 @@ export class EventLog {
 }
 
 function row(event: Event): HTMLElement {
-  const what = [event.cause, event.remedy].filter((text) => text !== '').join(' \u2014 ');
+  const what = [event.cause, event.fix].filter((text) => text !== '').join(' \u2014 ');
   return h(
     'li',
     { class: 'event', 'data-level': event.level, 'data-kind': event.kind },

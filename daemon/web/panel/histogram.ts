@@ -1,4 +1,4 @@
-// How late the loop's turns were: a bar per class, heights logarithmic.
+// Lateness of the loop's cycles: one bar per class, heights logarithmic.
 import { count, duration } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
@@ -19,7 +19,7 @@ export class Histogram {
     this.element = h(
       'section',
       { class: 'plot histogram', id: 'plot-lateness', 'aria-label': 'Lateness of the loop' },
-      h('header', {}, h('h2', {}, 'Loop lateness', h('span', { class: 'plot-unit' }, 'turns, log')), key),
+      h('header', {}, h('h2', {}, 'Loop lateness', h('span', { class: 'plot-unit' }, 'cycles, log')), key),
       this.bars,
       this.labels,
     );
@@ -34,17 +34,17 @@ export class Histogram {
     const { edges_us: edges, lateness } = loop.histogram;
     this.build(edges);
     const most = Math.log10(Math.max(10, ...lateness) + 1);
-    lateness.forEach((turns, i) => {
+    lateness.forEach((cycles, i) => {
       const bar = this.bars.children[i] as HTMLElement | undefined;
       if (bar === undefined) return;
-      bar.style.transform = `scaleY(${(turns === 0 ? 0 : Math.max(0.02, Math.log10(turns + 1) / most)).toFixed(3)})`;
+      bar.style.transform = `scaleY(${(cycles === 0 ? 0 : Math.max(0.02, Math.log10(cycles + 1) / most)).toFixed(3)})`;
       const from = i === 0 ? 'below ' : `${duration(edges[i - 1])} to `;
-      setAttribute(bar, 'title', `${i === edges.length ? 'over ' + duration(edges.at(-1)) : from + duration(edges[i])}: ${count(turns)}`);
+      setAttribute(bar, 'title', `${i === edges.length ? 'over ' + duration(edges.at(-1)) : from + duration(edges[i])}: ${count(cycles)}`);
     });
     setText(this.figures.p50, duration(loop.lateness_us.p50));
     setText(this.figures['p99.9'], duration(loop.lateness_us.p999));
     setText(this.figures.max, duration(loop.lateness_us.max));
-    const summary = `median ${duration(loop.lateness_us.p50)}, worst ${duration(loop.lateness_us.max)} of ${count(loop.turns)} turns`;
+    const summary = `median ${duration(loop.lateness_us.p50)}, worst ${duration(loop.lateness_us.max)} of ${count(loop.cycles)} turns`;
     setAttribute(this.bars, 'aria-label', summary);
   }
 

@@ -34,7 +34,7 @@ export class LinkTable {
     if (loop !== undefined) {
       this.group('Loop', store.stale('/loop'), [
         ['rate', `${fixed(loop.rate_hz, 0)} Hz, by ${loop.pacing}`],
-        ['turns', count(loop.turns)],
+        ['cycles', count(loop.cycles)],
         ['overruns, missed', `${count(loop.overruns)}, ${count(loop.missed)}`],
         ['lateness p50', duration(loop.lateness_us.p50)],
         ['lateness p99.9', duration(loop.lateness_us.p999)],

@@ -1,4 +1,4 @@
-// One line over the picture: the worst thing that somebody should know now, with what to do.
+// One line over the view: the most severe current problem, with what to do.
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setText } from './dom.ts';
 
@@ -15,7 +15,7 @@ export class Notice {
     this.element.append(this.what, this.todo);
   }
 
-  /** What the daemon answered to something that was asked here; shown for a few seconds. */
+  /** The daemon's answer to a request of this page; shown for a few seconds. */
   say(text: string, now_ms: number): void {
     this.answer = text;
     this.answerUntil_ms = now_ms + kAnswer_ms;
@@ -30,7 +30,7 @@ export class Notice {
       this.set('warn', this.answer, '');
     } else if (fault !== undefined) {
       const more = (state?.faults.length ?? 1) - 1;
-      this.set('bad', fault.cause + (more > 0 ? ` (+${more})` : ''), fault.remedy);
+      this.set('bad', fault.cause + (more > 0 ? ` (+${more})` : ''), fault.fix);
     } else if (state !== undefined && store.stale('/state')) {
       this.set('bad', 'The daemon is silent', 'what is grey is old');
     } else if (state !== undefined && state.session !== 'ready') {

@@ -1,4 +1,4 @@
-// The figures of the moment, large.
+// The current figures, large.
 import { degrees, fixed, millimetres, percent } from '../state/format.ts';
 import type { Topic } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
@@ -38,8 +38,8 @@ const kFigures: Figure[] = [
     topic: '/estimate',
     text: (store) => degrees(store.get('/estimate')?.heading_error_rad, 1),
   },
-  { id: 'left', label: 'left belt', unit: 'm/s', topic: '/estimate', text: (store) => fixed(store.get('/estimate')?.tracks.left_mps, 3) },
-  { id: 'right', label: 'right belt', unit: 'm/s', topic: '/estimate', text: (store) => fixed(store.get('/estimate')?.tracks.right_mps, 3) },
+  { id: 'left', label: 'left track', unit: 'm/s', topic: '/estimate', text: (store) => fixed(store.get('/estimate')?.tracks.left_mps, 3) },
+  { id: 'right', label: 'right track', unit: 'm/s', topic: '/estimate', text: (store) => fixed(store.get('/estimate')?.tracks.right_mps, 3) },
   { id: 'slip-left', label: 'slip left', unit: '%', topic: '/slip', text: (store) => percent(store.get('/slip')?.left, 1) },
   { id: 'slip-right', label: 'slip right', unit: '%', topic: '/slip', text: (store) => percent(store.get('/slip')?.right, 1) },
   {
@@ -47,10 +47,10 @@ const kFigures: Figure[] = [
     label: 'data age',
     unit: 'ms',
     topic: '/estimate',
-    // Clocks that are a little apart make a fresh sample seem to come from the future.
+    // Small clock errors can give a fresh sample a negative age.
     text: (store) => fixed(ageMs(store), (ageMs(store) ?? 0) < 100 ? 1 : 0),
   },
-  { id: 'battery', label: 'cells', unit: 'V', topic: '/state', text: (store) => fixed(store.get('/state')?.battery_v, 2) },
+  { id: 'battery', label: 'battery', unit: 'V', topic: '/state', text: (store) => fixed(store.get('/state')?.battery_v, 2) },
 ];
 
 function ageMs(store: Store): number | null {

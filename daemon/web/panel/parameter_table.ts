@@ -1,4 +1,5 @@
-// Parameters with unit, limits and default; those that can change while the daemon runs have a field.
+// Parameters with unit, limits and default; those that can change while the daemon runs have a
+// field.
 import type { Parameter } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import { h } from './dom.ts';

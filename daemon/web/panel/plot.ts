@@ -1,4 +1,4 @@
-// One diagram over time, with its key and the figures under the cursor in the head line.
+// One diagram over time, with its legend and the values under the cursor in the head line.
 import uPlot from 'uplot';
 import { fixed } from '../state/format.ts';
 import { extent, niceRange } from '../state/scale.ts';
@@ -83,7 +83,7 @@ export class Plot {
     this.figures();
   }
 
-  /** What the newest row, or the one under the cursor, says. */
+  /** The values of the newest row, or of the one under the cursor. */
   private figures(): void {
     const data = this.plot.data as unknown as Float64Array[];
     const index = this.plot.cursor.idx ?? (data[0]?.length ?? 0) - 1;
@@ -148,7 +148,7 @@ export class Plot {
   }
 }
 
-/** Digits that tell the ticks apart. */
+/** Digits needed to distinguish the ticks. */
 function tickDecimals(splits: readonly number[]): number {
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0));
   return Math.max(0, Math.min(3, Math.ceil(-Math.log10(step) - 1e-9) + (/[^0]5/.test(step.toPrecision(2)) ? 1 : 0)));

@@ -58,7 +58,7 @@ export class Plots {
       this.truth,
       new Plot({
         id: 'speed',
-        title: 'Belt speed',
+        title: 'Track speed',
         unit: 'm/s',
         decimals: 3,
         soft: [-0.05, 0.15],

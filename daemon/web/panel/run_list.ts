@@ -43,7 +43,7 @@ export class RunList {
     void this.load();
   }
 
-  /** Something was recorded: look at once. */
+  /** The list has changed: reload it at once. */
   changed(): void {
     this.next_ms = 0;
   }

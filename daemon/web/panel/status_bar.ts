@@ -1,4 +1,4 @@
-// The row of chips: what runs, how the link and the loop are.
+// The row of chips: state of run, link and loop.
 import { clock, count, duration, fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setText } from './dom.ts';
@@ -55,7 +55,7 @@ export class StatusBar {
         late > 0 ? 'warn' : 'good',
         `${fixed(loop.rate_hz, 0)} Hz`,
         `p99.9 ${duration(loop.lateness_us.p999)}`,
-        `${count(loop.overruns)} overruns, ${count(loop.missed)} missed turns, paced by the ${loop.pacing}`,
+        `${count(loop.overruns)} overruns, ${count(loop.missed)} missed cycles, paced by the ${loop.pacing}`,
       );
     }
     const viewers = store.get('/client');

@@ -1,4 +1,4 @@
-// The STOP button: always there, acts on press, says what came of it.
+// The STOP button: always visible, acts on press, shows the result.
 import { fixed } from '../state/format.ts';
 import type { StopView } from '../state/stop.ts';
 import { h, icon, setAttribute, setText } from './dom.ts';
@@ -34,7 +34,7 @@ export class StopPanel {
   }
 }
 
-/** One short line; as wide as the button, whatever it says. */
+/** One short line that fits the button. */
 export function describe(view: StopView): string {
   switch (view.kind) {
     case 'ready':

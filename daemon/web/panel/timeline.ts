@@ -1,4 +1,4 @@
-// Progress along the course as a strip: its pieces, its obstacles, how far the robot is.
+// Progress along the course as a strip: its pieces, its obstacles, the robot's position.
 import { clock, fixed } from '../state/format.ts';
 import type { Course, Place } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
@@ -58,7 +58,7 @@ export class Timeline {
         if (stretch) mark(stretch[0], stretch[1], kind, `${kind}, ${fixed(1000 * piece.height_m, 0)} mm high`);
       }
     }
-    for (const shove of course.shoves) mark(shove.at_m, shove.at_m + 0.01, 'shove', 'somebody pushes the robot');
+    for (const disturbance of course.disturbances) mark(disturbance.at_m, disturbance.at_m + 0.01, 'disturbance', 'somebody pushes the robot');
   }
 }
 

@@ -1,4 +1,4 @@
-// The bar of a recording that is being looked at: play, scrub, speed, back to live.
+// The bar of a displayed recording: play, scrub, speed, back to live.
 import type { Player } from '../replay/player.ts';
 import { clock } from '../state/format.ts';
 import { h, icon, setAttribute, setText } from './dom.ts';

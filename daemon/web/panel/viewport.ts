@@ -1,4 +1,4 @@
-// The picture of the course: 3-D where WebGL works, a map where it does not, with its key and cameras.
+// The view of the course: 3-D where WebGL works, else a map, with its legend and cameras.
 import { kCameraModes } from '../scene/camera_rig.ts';
 import { MapView } from '../scene/map_view.ts';
 import * as palette from '../scene/palette.ts';
@@ -85,7 +85,7 @@ export class Viewport {
     this.view.draw(store, dt_s);
   }
 
-  /** Another source: what was drawn belongs to the old one. */
+  /** Another source: clears the drawing of the old one. */
   reset(): void {
     this.courseShown = -1;
     this.view.reset();
@@ -147,7 +147,7 @@ export class Viewport {
   }
 }
 
-/** Asked first, because the scene's library complains to the console. */
+/** Checked first, because the scene's library logs errors to the console. */
 function hasWebgl(): boolean {
   const context = document.createElement('canvas').getContext('webgl2');
   context?.getExtension('WEBGL_lose_context')?.loseContext();

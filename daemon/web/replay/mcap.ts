@@ -11,7 +11,7 @@ export interface McapMessage {
 const kMagic = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
 const kOp = { header: 1, footer: 2, schema: 3, channel: 4, message: 5, chunk: 6, dataEnd: 0x0f };
 const kRecordHead = 9;
-/** Nothing of ours is nearly that long; whatever claims to be is damaged. */
+/** Far longer than any record of ours; a longer one is corrupted. */
 const kLongest = 64 * 1024 * 1024;
 
 export class McapScanner {
@@ -25,11 +25,11 @@ export class McapScanner {
 
   /** `wanted` decides by topic and time before anything is copied. */
   constructor(
-    private readonly heard: (message: McapMessage) => void,
+    private readonly received: (message: McapMessage) => void,
     private readonly wanted: (topic: string, time_s: number) => boolean = () => true,
   ) {}
 
-  /** The next bytes of the file. Throws if it is none, or damaged. */
+  /** The next bytes of the file. Throws if it is none, or corrupted. */
   push(bytes: Uint8Array): void {
     if (this.ended) return;
     this.append(bytes);
@@ -42,7 +42,7 @@ export class McapScanner {
     while (this.end - this.begin >= kRecordHead) {
       const view = new DataView(this.buffer.buffer, this.begin, this.end - this.begin);
       const length = Number(view.getBigUint64(1, true));
-      if (length > kLongest) throw new Error('the recording is damaged: a record of impossible length');
+      if (length > kLongest) throw new Error('the recording is corrupted: a record of impossible length');
       if (view.byteLength < kRecordHead + length) break;
       const body = this.buffer.subarray(this.begin + kRecordHead, this.begin + kRecordHead + length);
       this.begin += kRecordHead + length;
@@ -76,7 +76,7 @@ export class McapScanner {
     } else if (op === kOp.message && body.length >= 22) {
       const topic = this.topics.get(view.getUint16(0, true));
       const time_s = Number(view.getBigUint64(6, true)) * 1e-9;
-      if (topic !== undefined && this.wanted(topic, time_s)) this.heard({ topic, time_s, data: body.subarray(22) });
+      if (topic !== undefined && this.wanted(topic, time_s)) this.received({ topic, time_s, data: body.subarray(22) });
     } else if (op === kOp.chunk && body.length >= 32) {
       this.chunk(body, view);
     }
@@ -84,7 +84,7 @@ export class McapScanner {
 
   private chunk(body: Uint8Array, view: DataView): void {
     const size = Number(view.getBigUint64(16, true));
-    if (size > kLongest) throw new Error('the recording is damaged: a chunk of impossible length');
+    if (size > kLongest) throw new Error('the recording is corrupted: a chunk of impossible length');
     const compression = text(body, view, 28);
     const records = body.subarray(compression.next + 8);
     let plain = records;
@@ -94,7 +94,7 @@ export class McapScanner {
     while (plain.length - at >= kRecordHead) {
       const head = new DataView(plain.buffer, plain.byteOffset + at);
       const length = Number(head.getBigUint64(1, true));
-      if (length > plain.length - at - kRecordHead) throw new Error('the recording is damaged: a chunk ends too early');
+      if (length > plain.length - at - kRecordHead) throw new Error('the recording is corrupted: a chunk ends too early');
       this.record(head.getUint8(0), plain.subarray(at + kRecordHead, at + kRecordHead + length));
       at += kRecordHead + length;
     }
@@ -106,6 +106,6 @@ const decoder = new TextDecoder();
 /** A string with its u32 length in front. */
 function text(body: Uint8Array, view: DataView, at: number): { text: string; next: number } {
   const length = view.getUint32(at, true);
-  if (length > body.length - at - 4) throw new Error('the recording is damaged: a text ends too early');
+  if (length > body.length - at - 4) throw new Error('the recording is corrupted: a text ends too early');
   return { text: decoder.decode(body.subarray(at + 4, at + 4 + length)), next: at + 4 + length };
 }

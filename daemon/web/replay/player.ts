@@ -1,4 +1,4 @@
-// Plays a recorded run into a store: any moment of it, forwards at any speed.
+// Plays a recorded run into a store, from any moment forward at any speed.
 import type { Channels, Topic } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import type { Frame } from './recording.ts';
@@ -16,7 +16,7 @@ export class Player {
     private readonly frames: readonly Frame[],
     readonly store: Store,
   ) {
-    // What comes before the first pose (course, path) belongs to the beginning.
+    // Messages before the first pose (course, path) belong to the beginning.
     this.begin_s = frames.find((frame) => frame.topic === '/estimate')?.time_s ?? 0;
     this.end_s = frames.at(-1)?.time_s ?? 0;
     this.at_s = this.begin_s;

@@ -1,9 +1,9 @@
-// A recorded run, loaded as far as a viewer needs it: bounded in memory however long it is.
+// A recorded run, loaded as far as a viewer needs it; its memory is bounded.
 import type { Topic } from '../state/messages.ts';
 import { McapScanner } from './mcap.ts';
 import { Thinned } from './thinned.ts';
 
-/** What is kept of each topic: at most so many messages, at least so far apart. */
+/** Limits per topic: most messages, and the least interval between them. */
 const kKept: Partial<Record<Topic, [capacity: number, interval_s: number]>> = {
   '/course': [4, 0],
   '/estimate': [20_000, 0.0199],
@@ -34,7 +34,7 @@ export class Recording {
         try {
           this.topics.get(topic)?.add(time_s, JSON.parse(this.decoder.decode(data)));
         } catch {
-          // One message that is no JSON does not spoil the rest.
+          // One invalid JSON message does not invalidate the rest.
         }
       },
       (topic, time_s) => this.topics.get(topic)?.wants(time_s) === true,
@@ -56,7 +56,7 @@ export class Recording {
   }
 }
 
-/** Fetches a recording; `progress` from 0 to 1. What arrived before an error is used if it is of use. */
+/** Fetches a recording; `progress` from 0 to 1. Data from before an error is used if possible. */
 export async function loadRecording(url: string, progress: (share: number) => void, signal: AbortSignal): Promise<Frame[]> {
   const response = await fetch(url, { signal });
   if (!response.ok || response.body === null) throw new Error(`${url}: ${response.status} ${response.statusText}`);

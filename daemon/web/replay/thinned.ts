@@ -1,4 +1,5 @@
-// Items over time, bounded: when there are too many, every second one goes and fewer are taken.
+// Items over time, bounded: when there are too many, every second one is dropped and fewer are
+// accepted.
 
 export class Thinned<T> {
   readonly items: { time_s: number; item: T }[] = [];
@@ -8,7 +9,7 @@ export class Thinned<T> {
     private interval_s: number,
   ) {}
 
-  /** Whether an item of this time would be taken. */
+  /** Whether an item of this time would be accepted. */
   wants(time_s: number): boolean {
     const last = this.items.at(-1);
     return last === undefined || time_s - last.time_s >= this.interval_s;

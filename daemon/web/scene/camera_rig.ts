@@ -1,4 +1,4 @@
-// Where the view looks from: behind the robot, from above, or where the mouse leaves it.
+// The viewpoint: behind the robot, from above, or as set by the mouse.
 import { PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Pose } from '../state/messages.ts';
@@ -51,7 +51,7 @@ export class CameraRig {
     return this.mode_;
   }
 
-  /** Free from free goes back to where all of the course is in view. */
+  /** Selecting free again returns to the overview of the course. */
   set(mode: CameraMode): void {
     if (mode === 'free' && this.mode_ === 'free') this.overview();
     this.mode_ = mode;
@@ -71,7 +71,7 @@ export class CameraRig {
     this.moved = true;
   }
 
-  /** Moves on by `dt_s`; true if the picture changes. */
+  /** Advances by `dt_s`; true if the view changes. */
   update(pose: Pose | undefined, dt_s: number): boolean {
     if (this.mode_ === 'chase' && pose !== undefined) this.chase(pose, dt_s);
     else if (this.mode_ === 'top') this.above(dt_s);
@@ -101,7 +101,7 @@ export class CameraRig {
 
   private above(dt_s: number): void {
     const { x, y, height } = this.middle();
-    // A hair to the south, so that north stays up.
+    // Slightly to the south, so that north stays up.
     this.wantedEye.set(x, y - 0.002, height);
     this.wantedTarget.set(x, y, 0);
     this.glide(dt_s);

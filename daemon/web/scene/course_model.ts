@@ -86,7 +86,7 @@ export class CourseModel {
         (i % 5 === 0 ? bold : fine).push(...line(i * step));
       }
     };
-    // In short pieces: some drivers drop a line whose end lies behind the camera.
+    // In short pieces: some drivers drop a line whose end is behind the camera.
     const pieces = (from: number, to: number, piece: (a: number, b: number) => number[]): number[] => {
       const all: number[] = [];
       for (let i = Math.round(from / step); i < Math.round(to / step); i += 5) all.push(...piece(i * step, Math.min((i + 5) * step, to)));

@@ -29,7 +29,7 @@ export function blockProfile(block: Block): Point2[] {
   ];
 }
 
-/** A belt from the side: two half circles around the axles, standing on z = 0, counter-clockwise. */
+/** A track from the side: two half circles around the axles, standing on z = 0, counter-clockwise. */
 export function stadium(spacing: number, radius: number, steps = 12): Point2[] {
   const points: Point2[] = [];
   for (const [centre, from] of [
@@ -44,12 +44,12 @@ export function stadium(spacing: number, radius: number, steps = 12): Point2[] {
   return points;
 }
 
-/** Length of a belt. */
+/** Length of a track. */
 export function stadiumLength(spacing: number, radius: number): number {
   return 2 * spacing + 2 * Math.PI * radius;
 }
 
-/** Place and outward direction on a belt, `s` along it from the middle of its lower run, towards the front first. */
+/** Place and outward direction on a track, `s` along it from the middle of its lower run, towards the front first. */
 export function onStadium(spacing: number, radius: number, s: number): Point2 & { outward_rad: number } {
   const length = stadiumLength(spacing, radius);
   const half = Math.PI * radius;

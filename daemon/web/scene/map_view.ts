@@ -10,14 +10,14 @@ import type { View } from './view.ts';
 const kMargin_m = 0.12;
 const kCleat_m = 0.02;
 
-/** World to picture: x to the right, y up. */
+/** World to image: x to the right, y up. */
 export interface Projection {
   scale: number;
   left: number;
   top: number;
 }
 
-/** The largest picture of a box in a canvas. */
+/** The largest projection of a box that fits a canvas. */
 export function fit(course: Course | undefined, width: number, height: number): Projection {
   const box = bounds(course);
   const across = box.max_x - box.min_x + 2 * kMargin_m;
@@ -65,7 +65,7 @@ export class MapView implements View {
 
   draw(store: Store): void {
     const estimate = store.get('/estimate');
-    const key = `${store.received['/estimate'] ?? 0} ${store.pose?.x_m ?? 0} ${kEstimates.map((name) => store.trails[name].length).join()}`;
+    const key = `${store.received['/estimate'] ?? 0} ${store.pose?.x_m ?? 0} ${kEstimates.map((name) => store.path_histories[name].length).join()}`;
     const context = this.element.getContext('2d');
     if (context === null || key === this.drawn) return;
     this.drawn = key;
@@ -73,7 +73,7 @@ export class MapView implements View {
     context.drawImage(this.ground, 0, 0);
     for (const name of kEstimates) {
       if (!this.visible[name]) continue;
-      const points = store.trails[name].coordinates;
+      const points = store.path_histories[name].coordinates;
       context.strokeStyle = palette.kEstimateColours[name];
       context.lineWidth = 2 * this.ratio;
       context.lineJoin = 'round';
@@ -94,7 +94,7 @@ export class MapView implements View {
       context.stroke();
     }
     const pose = estimate[estimate.steering];
-    this.robot(context, pose, store.leftBelt_m, store.rightBelt_m);
+    this.robot(context, pose, store.leftTrack_m, store.rightTrack_m);
     this.element.dataset.robot = [pose.x_m, pose.y_m, pose.z_m, pose.yaw_rad].join(' ');
   }
 
@@ -125,7 +125,7 @@ export class MapView implements View {
   }
 
   private robot(context: CanvasRenderingContext2D, pose: Pose, left_m: number, right_m: number): void {
-    const { axle_spacing_m: spacing, belt_radius_m: radius, gauge_m: gauge, belt_width_m: width } = this.shape;
+    const { axle_spacing_m: spacing, wheel_radius_m: radius, gauge_m: gauge, shoe_width_m: width } = this.shape;
     const at = this.pixel(pose.x_m, pose.y_m);
     context.save();
     context.translate(at.x, at.y);

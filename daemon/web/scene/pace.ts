@@ -1,8 +1,8 @@
-// How often and how finely to draw, so that a slow graphics card never keeps the page from STOP.
+// Controls how often and how finely to draw, so that a slow graphics card never delays STOP.
 
 const kSlow_ms = 45;
 const kSlowFrames = 40;
-/** Of the page's time, at most this much goes into pictures that are slow. */
+/** Largest fraction of the page's time that slow frames may take. */
 const kShare = 0.5;
 
 export class Pace {
@@ -29,7 +29,7 @@ export class Pace {
     return now_ms >= this.free_ms;
   }
 
-  /** A frame was drawn; the next tick shows what it cost. */
+  /** A frame was drawn; the next tick shows how long it took. */
   drawn(now_ms: number): void {
     this.drawn_ms = now_ms;
     this.waiting = true;

@@ -1,6 +1,6 @@
-// A coloured band that lies on the ground and grows at its end: a trail or the planned path.
+// A coloured band on the ground that grows at its end: a path history or the planned path.
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
-import type { Trail } from '../state/trail.ts';
+import type { PathHistory } from '../state/path_history.ts';
 import { ribbon } from './geometry.ts';
 
 export class Ribbon {
@@ -37,11 +37,11 @@ export class Ribbon {
   }
 
   /** True if there was something new. */
-  follow(trail: Trail): boolean {
-    if (trail.generation === this.generation && trail.length === this.shown) return false;
-    const from = trail.generation === this.generation ? Math.max(this.shown - 1, 0) : 0;
-    this.generation = trail.generation;
-    this.show(trail.coordinates, from);
+  follow(path_history: PathHistory): boolean {
+    if (path_history.generation === this.generation && path_history.length === this.shown) return false;
+    const from = path_history.generation === this.generation ? Math.max(this.shown - 1, 0) : 0;
+    this.generation = path_history.generation;
+    this.show(path_history.coordinates, from);
     return true;
   }
 
@@ -57,7 +57,7 @@ export class Ribbon {
     this.show(points.subarray(0, 3 * count), 0);
   }
 
-  /** Another trail comes next. */
+  /** Another path_history comes next. */
   reset(): void {
     this.generation = -1;
   }

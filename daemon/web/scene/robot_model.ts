@@ -1,4 +1,4 @@
-// The robot to scale, with belts that run as the real ones do.
+// The robot to scale, with moving tracks.
 import {
   BoxGeometry,
   DataTexture,
@@ -27,8 +27,8 @@ export const kDefaultShape: RobotShape = {
   height_m: 0.06,
   gauge_m: 0.155,
   axle_spacing_m: 0.133,
-  belt_radius_m: 0.026,
-  belt_width_m: 0.045,
+  wheel_radius_m: 0.026,
+  shoe_width_m: 0.045,
 };
 
 const kCleat_m = 0.012;
@@ -40,13 +40,13 @@ export class RobotModel {
   private readonly cleats: [InstancedMesh, InstancedMesh];
 
   constructor(private readonly shape: RobotShape) {
-    const { axle_spacing_m: spacing, belt_radius_m: radius, belt_width_m: belt, gauge_m: gauge } = shape;
+    const { axle_spacing_m: spacing, wheel_radius_m: radius, shoe_width_m: track, gauge_m: gauge } = shape;
     const outline = stadium(spacing, radius - 0.002);
-    const left = this.belt(gauge / 2, outline);
-    const right = this.belt(-gauge / 2, outline);
+    const left = this.track(gauge / 2, outline);
+    const right = this.track(-gauge / 2, outline);
     this.cleats = [left, right];
 
-    const inner = gauge - belt;
+    const inner = gauge - track;
     const deck = shape.height_m - 0.012;
     this.group.add(
       box([0, 0, (0.016 + deck) / 2], [spacing + radius * 0.9, inner - 0.006, deck - 0.016], '#2b333d'),
@@ -59,18 +59,18 @@ export class RobotModel {
     this.group.rotation.order = 'ZYX';
   }
 
-  /** Pose and how far each belt has run. */
+  /** Sets the pose and the distance of each track. */
   set(pose: Pose, left_m: number, right_m: number): void {
     place(this.group, pose);
     this.run(this.cleats[0], left_m);
     this.run(this.cleats[1], right_m);
   }
 
-  private belt(y: number, outline: { x: number; y: number }[]): InstancedMesh {
-    const { axle_spacing_m: spacing, belt_radius_m: radius, belt_width_m: width } = this.shape;
-    const belt = solid(outline, width, '#1b2026');
-    belt.position.y = y;
-    this.group.add(belt);
+  private track(y: number, outline: { x: number; y: number }[]): InstancedMesh {
+    const { axle_spacing_m: spacing, wheel_radius_m: radius, shoe_width_m: width } = this.shape;
+    const track = solid(outline, width, '#1b2026');
+    track.position.y = y;
+    this.group.add(track);
     for (const x of [-spacing / 2, spacing / 2]) {
       const wheel = solid(stadium(0, radius - 0.007, 10), width + 0.002, '#8b96a3');
       wheel.position.set(x, y, 0.007);
@@ -90,10 +90,10 @@ export class RobotModel {
   }
 
   private run(cleats: InstancedMesh, travelled_m: number): void {
-    const { axle_spacing_m: spacing, belt_radius_m: radius } = this.shape;
+    const { axle_spacing_m: spacing, wheel_radius_m: radius } = this.shape;
     const length = stadiumLength(spacing, radius);
     for (let i = 0; i < cleats.count; i++) {
-      // The lower run goes backwards as the robot goes forwards.
+      // The lower run moves backwards as the robot moves forwards.
       const at = onStadium(spacing, radius - 0.002, (i * length) / cleats.count - travelled_m);
       turn.setFromAxisAngle(kSideways, Math.PI / 2 - at.outward_rad);
       matrix.compose(point.set(at.x, 0, at.y + 0.0005), turn, kOne);
@@ -103,13 +103,13 @@ export class RobotModel {
   }
 }
 
-/** The outline of a robot, for a pose that does not steer. */
+/** The outline of a robot, for a pose other than the steering pose. */
 export class GhostModel {
   readonly group = new Group();
 
   constructor(shape: RobotShape, colour: string) {
-    const outline = stadium(shape.axle_spacing_m, shape.belt_radius_m, 6);
-    const geometry = prismGeometry(outline, shape.belt_width_m);
+    const outline = stadium(shape.axle_spacing_m, shape.wheel_radius_m, 6);
+    const geometry = prismGeometry(outline, shape.shoe_width_m);
     const edges = new EdgesGeometry(geometry, 40);
     geometry.dispose();
     for (const side of [-1, 1]) {

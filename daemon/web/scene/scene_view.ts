@@ -12,8 +12,8 @@ import { GhostModel, kDefaultShape, RobotModel } from './robot_model.ts';
 import { dispose } from './solid.ts';
 import type { View } from './view.ts';
 
-const kTrailWidth_m = 0.007;
-const kTrailLift_m: Record<EstimateName, number> = { model: 0.002, odometry: 0.0025, fused: 0.003, truth: 0.0035 };
+const kHistoryWidth_m = 0.007;
+const kHistoryLift_m: Record<EstimateName, number> = { model: 0.002, odometry: 0.0025, fused: 0.003, truth: 0.0035 };
 const kMostPixels = 2;
 
 export class SceneView implements View {
@@ -49,7 +49,7 @@ export class SceneView implements View {
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.002;
     this.rig = new CameraRig(this.element, taken);
-    this.ribbons = record((name) => new Ribbon(4000, kEstimateColours[name], kTrailWidth_m, kTrailLift_m[name]));
+    this.ribbons = record((name) => new Ribbon(4000, kEstimateColours[name], kHistoryWidth_m, kHistoryLift_m[name]));
     for (const name of kEstimates) this.scene.add(this.ribbons[name].mesh);
     this.robot = new RobotModel(this.shape);
     this.ghosts = this.makeGhosts();
@@ -100,7 +100,7 @@ export class SceneView implements View {
     this.degrade();
     for (const name of kEstimates) {
       const ribbon = this.ribbons[name];
-      if (ribbon.follow(store.trails[name])) this.changed = true;
+      if (ribbon.follow(store.path_histories[name])) this.changed = true;
       ribbon.mesh.visible = this.visible[name];
     }
     const estimate = store.get('/estimate');
@@ -109,7 +109,7 @@ export class SceneView implements View {
       this.shown = received;
       this.changed = true;
       this.robot.group.visible = estimate !== undefined;
-      if (estimate !== undefined) this.robot.set(estimate[estimate.steering], store.leftBelt_m, store.rightBelt_m);
+      if (estimate !== undefined) this.robot.set(estimate[estimate.steering], store.leftTrack_m, store.rightTrack_m);
       for (const name of kEstimates) {
         const pose = estimate?.[name];
         const ghost = this.ghosts[name];

@@ -1,17 +1,17 @@
-// What the 3-D scene and the 2-D map have in common.
+// Common interface of the 3-D scene and the 2-D map.
 import type { Course } from '../state/messages.ts';
 import type { EstimateName, Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
 
 export interface View {
-  /** Its `data-robot` says where the robot was last drawn: x, y, z in metres, yaw in radians. */
+  /** Its `data-robot` is the pose at which the robot was last drawn: x, y, z in metres, yaw in radians. */
   readonly element: HTMLElement;
   setCourse(course: Course | undefined): void;
   setCamera(mode: CameraMode): void;
   show(name: EstimateName, visible: boolean): void;
   /** Draws if anything changed. */
   draw(store: Store, dt_s: number): void;
-  /** Another store: nothing that was drawn holds. */
+  /** Another store: discards everything drawn. */
   reset(): void;
   resize(): void;
   dispose(): void;

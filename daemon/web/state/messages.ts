@@ -91,7 +91,7 @@ export interface Loop {
   t_s: number;
   rate_hz: number;
   pacing: string;
-  turns: number;
+  cycles: number;
   overruns: number;
   missed: number;
   lateness_us: Distribution;
@@ -111,7 +111,7 @@ export type Run = 'idle' | 'arming' | 'running' | 'finished' | 'aborted';
 export interface Fault {
   name: string;
   cause: string;
-  remedy: string;
+  fix: string;
   from: 'robot' | 'daemon';
 }
 
@@ -187,8 +187,8 @@ export interface RobotShape {
   height_m: number;
   gauge_m: number;
   axle_spacing_m: number;
-  belt_radius_m: number;
-  belt_width_m: number;
+  wheel_radius_m: number;
+  shoe_width_m: number;
 }
 
 export interface Fence {
@@ -208,7 +208,7 @@ export interface Course {
   ramps: Ramp[];
   blocks: Block[];
   surfaces: Surface[];
-  shoves: { at_m: number; sideways_m: number; yaw_rad: number; duration_s: number }[];
+  disturbances: { at_m: number; sideways_m: number; yaw_rad: number; duration_s: number }[];
   fence: Fence | null;
   robot: RobotShape;
 }
@@ -219,7 +219,7 @@ export interface Event {
   level: 'info' | 'warning' | 'error';
   text: string;
   cause: string;
-  remedy: string;
+  fix: string;
 }
 
 export interface Parameter {
@@ -270,12 +270,12 @@ export interface ClientList {
   queue_limit: number;
 }
 
-/** `/trail`: line strips of a SceneUpdate. */
+/** `/path_history`: line strips of a SceneUpdate. */
 export interface SceneUpdate {
   entities: { id: string; lines: { points: { x: number; y: number; z: number }[] }[] }[];
 }
 
-/** What each channel of ours carries. */
+/** The message type of each of our channels. */
 export interface Channels {
   '/estimate': Estimate;
   '/slip': Slip;
@@ -287,7 +287,7 @@ export interface Channels {
   '/parameter': ParameterList;
   '/recording': Recording;
   '/client': ClientList;
-  '/trail': SceneUpdate;
+  '/path_history': SceneUpdate;
 }
 
 export type Topic = keyof Channels;

@@ -27,7 +27,7 @@ export class Series {
   push(row: readonly number[]): void {
     const t_s = row[0] ?? NaN;
     if (this.filled > 0) {
-      // Time that goes back is another daemon or a scrubbed recording: start anew.
+      // Time that goes back means another daemon or a scrubbed recording: start over.
       if (t_s < this.last_s) this.clear();
       else if (t_s - this.last_s < this.interval_s) return;
     }

@@ -1,7 +1,7 @@
-// STOP as this page knows it: pure, driven by presses, answers and time.
+// The state of STOP in this page: pure, driven by presses, answers and time.
 import type { StopState } from './messages.ts';
 
-/** After this long without the robot's acknowledgement the page says so. */
+/** After this long without the robot's acknowledgement the page shows a warning. */
 export const kPatience_ms = 200;
 
 export type StopView =
@@ -10,13 +10,13 @@ export type StopView =
   | { kind: 'pending' }
   /** `waiting`: it could not even be sent and goes out first when the daemon is back */
   | { kind: 'not_acknowledged'; since_ms: number; waiting: boolean }
-  /** latched on the robot; `took_ms`: from the daemon's receipt to the robot's word */
+  /** latched on the robot; `took_ms`: from the daemon's receipt to the robot's acknowledgement */
   | { kind: 'stopped'; took_ms: number | null; by: string };
 
 interface Press {
   at_ms: number;
   sent: boolean;
-  /** The daemon has it: from now on what /state says includes it. */
+  /** The daemon received it: from now on /state includes it. */
   received: boolean;
 }
 
@@ -25,7 +25,7 @@ export class StopButton {
   private daemon: StopState | undefined;
   private lastTook_ms: number | null = null;
 
-  /** A press that still has to go out. */
+  /** A press that still has to be sent. */
   get unsent(): boolean {
     return this.press_ !== undefined && !this.press_.sent;
   }
@@ -59,12 +59,12 @@ export class StopButton {
     this.press_.received = false;
   }
 
-  /** What the daemon says on /state. */
-  heard(state: StopState): void {
+  /** The state from /state. */
+  received(state: StopState): void {
     this.daemon = state;
     if (state.acknowledged_ms !== null) this.lastTook_ms = state.acknowledged_ms;
     if (this.press_?.received !== true) return;
-    // Acknowledged late, or somebody started again, which ends every STOP.
+    // Acknowledged late, or started again, which ends every STOP.
     if (state.status === 'acknowledged' || !state.latched) this.press_ = undefined;
   }
 

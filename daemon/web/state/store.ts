@@ -1,8 +1,8 @@
-// Everything that the views draw, from the channels of one source: the live daemon or a recording.
-// Memory is bounded however long it runs.
+// All data that the views draw, from the channels of one source: the live daemon or a recording.
+// Its memory is bounded.
 import type { Channels, Estimate, Event, Pose, SceneUpdate, Slip, State, Topic } from './messages.ts';
 import { Series } from './series.ts';
-import { Trail } from './trail.ts';
+import { PathHistory } from './path_history.ts';
 
 export const kEstimates = ['model', 'odometry', 'fused', 'truth'] as const;
 export type EstimateName = (typeof kEstimates)[number];
@@ -49,27 +49,27 @@ const kStale_ms: Record<Topic, number> = {
   '/parameter': Infinity,
   '/recording': Infinity,
   '/client': 3000,
-  '/trail': Infinity,
+  '/path_history': Infinity,
 };
 const kStaleSample_us = 400_000;
 
 export class Store {
   readonly series = new Series(Object.keys(kColumns).length, Math.ceil(kHistory_s / kInterval_s), kInterval_s);
-  readonly trails: Record<EstimateName, Trail> = {
-    model: new Trail(),
-    odometry: new Trail(),
-    fused: new Trail(),
-    truth: new Trail(),
+  readonly path_histories: Record<EstimateName, PathHistory> = {
+    model: new PathHistory(),
+    odometry: new PathHistory(),
+    fused: new PathHistory(),
+    truth: new PathHistory(),
   };
   readonly events: Event[] = [];
-  /** How far each belt has run. */
-  leftBelt_m = 0;
-  rightBelt_m = 0;
-  /** Messages received so far, by topic: tells a view whether there is something new. */
+  /** Distance of each track. */
+  leftTrack_m = 0;
+  rightTrack_m = 0;
+  /** Messages received so far, by topic: a view detects new data by it. */
   readonly received: Record<string, number> = {};
 
   private readonly latest: { [T in Topic]?: Channels[T] } = {};
-  private readonly heard_ms: Record<string, number> = {};
+  private readonly received_ms: Record<string, number> = {};
 
   constructor(private readonly now: () => number = () => performance.now()) {}
 
@@ -81,38 +81,38 @@ export class Store {
     if (topic === '/estimate') this.estimate(message as Estimate);
     else if (topic === '/event') this.event(message as Event);
     else if (topic === '/state') this.state(message as State);
-    else if (topic === '/trail') this.history(message as SceneUpdate);
+    else if (topic === '/path_history') this.history(message as SceneUpdate);
     this.latest[topic] = message as never;
-    this.heard_ms[topic] = this.now();
+    this.received_ms[topic] = this.now();
     this.received[topic] = (this.received[topic] ?? 0) + 1;
   }
 
-  /** True where what is shown of `topic` is too old to be believed. */
+  /** True where what is shown of `topic` is too old to be used. */
   stale(topic: Topic): boolean {
-    const heard_ms = this.heard_ms[topic];
-    if (heard_ms === undefined || this.now() - heard_ms > kStale_ms[topic]) return true;
+    const received_ms = this.received_ms[topic];
+    if (received_ms === undefined || this.now() - received_ms > kStale_ms[topic]) return true;
     if (topic !== '/estimate' && topic !== '/slip') return false;
     const age_us = this.latest['/estimate']?.age_us;
     return age_us === undefined || age_us === null || age_us > kStaleSample_us;
   }
 
-  /** The pose that steers. */
+  /** The steering pose. */
   get pose(): Pose | undefined {
     const estimate = this.latest['/estimate'];
     return estimate?.[estimate.steering];
   }
 
-  /** As new; what was received counts on, so that every view notices. */
+  /** Resets the store, but not the message counts, so that every view updates. */
   clear(): void {
     this.series.clear();
     this.clearTrails();
     this.events.length = 0;
-    this.leftBelt_m = this.rightBelt_m = 0;
+    this.leftTrack_m = this.rightTrack_m = 0;
     for (const topic of Object.keys(this.latest) as Topic[]) Reflect.deleteProperty(this.latest, topic);
   }
 
   clearTrails(): void {
-    for (const name of kEstimates) this.trails[name].clear();
+    for (const name of kEstimates) this.path_histories[name].clear();
   }
 
   private estimate(next: Estimate): void {
@@ -120,15 +120,15 @@ export class Store {
     if (last !== undefined) {
       const dt_s = next.t_s - last.t_s;
       if (dt_s > 0 && dt_s < 1) {
-        this.leftBelt_m += next.tracks.left_mps * dt_s;
-        this.rightBelt_m += next.tracks.right_mps * dt_s;
+        this.leftTrack_m += next.tracks.left_mps * dt_s;
+        this.rightTrack_m += next.tracks.right_mps * dt_s;
       }
       const jump_m = Math.hypot(next.model.x_m - last.model.x_m, next.model.y_m - last.model.y_m);
       if (jump_m > kJump_m || dt_s < 0) this.clearTrails();
     }
     for (const name of kEstimates) {
       const pose = next[name];
-      if (pose !== null) this.trails[name].add(pose.x_m, pose.y_m, pose.z_m);
+      if (pose !== null) this.path_histories[name].add(pose.x_m, pose.y_m, pose.z_m);
     }
     this.series.push(row(next, this.latest['/slip']));
   }
@@ -146,16 +146,16 @@ export class Store {
     if (began) this.clearTrails();
   }
 
-  /** What was driven before this viewer came. */
+  /** The path driven before this viewer connected. */
   private history(update: SceneUpdate): void {
     for (const name of ['model', 'odometry', 'fused'] as const) {
-      const trail = this.trails[name];
-      if (trail.length > 10) continue;
-      const strips = update.entities.filter((entity) => entity.id.startsWith(`trail/${name}/`));
+      const path_history = this.path_histories[name];
+      if (path_history.length > 10) continue;
+      const strips = update.entities.filter((entity) => entity.id.startsWith(`path_history/${name}/`));
       if (strips.length === 0) continue;
-      trail.clear();
+      path_history.clear();
       for (const strip of strips) {
-        for (const line of strip.lines) for (const { x, y, z } of line.points) trail.add(x, y, z);
+        for (const line of strip.lines) for (const { x, y, z } of line.points) path_history.add(x, y, z);
       }
     }
   }

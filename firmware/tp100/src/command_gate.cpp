@@ -56,7 +56,7 @@ Verdict CommandGate::judge(const wire::Command& command, uint32_t now_us,
 }
 
 bool CommandGate::fresh(uint32_t now_us) {
-  // Remembered, so that a command does not become young again when micros() wraps.
+  // The result is stored, so that an expired command does not become fresh when micros() wraps.
   if (fresh_ && now_us - received_us_ >= life_us_) fresh_ = false;
   return fresh_;
 }

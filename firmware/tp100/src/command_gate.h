@@ -1,4 +1,4 @@
-// Decides whether a command may be used, and until when.
+// Decides whether a command may be used, and for how long.
 #ifndef TP100_FIRMWARE_COMMAND_GATE_H
 #define TP100_FIRMWARE_COMMAND_GATE_H
 
@@ -20,19 +20,19 @@ enum class Verdict : uint8_t {
 class CommandGate {
  public:
   CommandGate();
-  /// A new session: the next sequence is new whatever it is, and no command is fresh.
+  /// Opens a session: any first sequence counts as new, and no command is fresh.
   void open(uint32_t boot_nonce);
-  /// Judges a command that was received at `now_us`; if accepted it is the current one.
+  /// Judges a command received at `now_us`; an accepted command becomes the current one.
   Verdict judge(const wire::Command& command, uint32_t now_us, const TurnHistory& history,
                 const wire::Parameters& parameters);
   /// True while the current command may be used.
   bool fresh(uint32_t now_us);
   const wire::Command& current() const { return current_; }
-  /// How long the current command may be used, from its receipt on. [us]
+  /// How long the current command may be used after its receipt. [us]
   uint32_t life_us() const { return life_us_; }
-  /// What the robot had turned at the answered sample.
+  /// Rotation of the robot at the answered sample.
   const TurnMark& answered() const { return answered_; }
-  /// Of the last accepted command of this session; 0: there was none.
+  /// Sequence of the last accepted command of this session; 0: none yet.
   uint16_t last_sequence() const { return any_ ? current_.sequence : 0; }
 
  private:

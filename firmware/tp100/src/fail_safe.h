@@ -1,5 +1,5 @@
 // Switches the motors off whatever the main loop does. tick() runs in the 1 kHz timer interrupt;
-// nothing reaches the motors except through drive(), and only while enabled.
+// the motors are reached only through drive(), and only while enabled.
 #ifndef TP100_FIRMWARE_FAIL_SAFE_H
 #define TP100_FIRMWARE_FAIL_SAFE_H
 
@@ -11,7 +11,7 @@ namespace firmware {
 
 /// Main loop silent for this long: motors off. [ms]
 const uint8_t kLoopLimitMs = 100;
-/// A disarmed host may take this long until its first command. [ms]
+/// Time allowed until the first command of a disarmed host. [ms]
 const uint16_t kSessionGraceMs = 500 + wire::kMaxCommandLifeMs;
 
 /// What tripped the fail-safe.
@@ -28,23 +28,22 @@ class FailSafe {
   /// Timer interrupt, every millisecond.
   void tick();
 
-  /// The rest is for the main loop.
+  /// The functions below are for the main loop.
   void beat();
-  /// A session begins: commands are expected from kSessionGraceMs on, whether armed or not.
+  /// A session begins: commands are expected after kSessionGraceMs, whether armed or not.
   void watch(uint32_t now_us);
-  /// No session: nobody is expected to send commands.
+  /// No session: no commands are expected.
   void unwatch();
   /// A valid command was accepted at `now_us` and may be used for `life_us`.
   void fresh(uint32_t now_us, uint32_t life_us);
-  /// Lets drive() through from now on, until a trip or disable(). False: tripped, or no command is
-  /// fresh.
+  /// Enables drive() until a trip or disable(). False: tripped, or no command is fresh.
   bool enable();
   /// Motors off at once.
   void disable();
   bool enabled() const { return enabled_; }
-  /// Duties to the motors; nothing happens unless enabled.
+  /// Applies duties to the motors; does nothing unless enabled.
   void drive(int16_t left, int16_t right);
-  /// What happened since the last take.
+  /// The trip since the last call, if any.
   Trip take_trip();
   /// Ticks since boot, wraps. [ms]
   uint8_t ticks() const { return ticks_; }
@@ -58,7 +57,7 @@ class FailSafe {
   volatile uint8_t silent_ticks_;
   volatile bool enabled_;
   volatile bool watching_;
-  volatile bool starved_;  // tripped, and no command since
+  volatile bool starved_;  // tripped, and no command received since
   volatile bool fresh_;
   volatile uint16_t grace_ms_;
   volatile uint32_t fresh_us_;

@@ -17,7 +17,7 @@ using wire::State;
 const uint8_t kSampleTicks = wire::kSamplePeriodUs / 1000;
 
 const char* const kFaultNames[] = {
-#define TP100_FAULT_NAME(bit, name, cause, remedy) #name,
+#define TP100_FAULT_NAME(bit, name, cause, fix) #name,
     TP100_ROBOT_FAULTS(TP100_FAULT_NAME)
 #undef TP100_FAULT_NAME
 };
@@ -47,7 +47,7 @@ Firmware::Firmware(Hal& hal)
       sequence_(0),
       sampled_ticks_(0),
       sampled_us_(0),
-      host_spoke_us_(0),
+      host_frame_us_(0),
       hello_us_(0) {}
 
 void Firmware::setup() {
@@ -57,7 +57,8 @@ void Firmware::setup() {
   gate_.open(boot_nonce_);
   const uint32_t now_us = hal_.micros();
   const wire::ResetCause cause = hal_.reset_cause();
-  // What a restart cut off on the line is not the beginning of the first report.
+  // A restart may have cut off a frame on the line: a delimiter keeps it apart from the first
+  // report.
   hal_.uart_write(&wire::kDelimiter, 1);
   if (cause == wire::ResetCause::kWatchdog) latch(Fault::watchdog_reset, 0, now_us);
   if (cause == wire::ResetCause::kBrownOut) latch(Fault::brown_out, 0, now_us);
@@ -118,7 +119,7 @@ void Firmware::check_host(uint32_t now_us) {
     if (now_us - hello_us_ >= wire::kHelloPeriodMs * 1000UL) send_hello(now_us);
     return;
   }
-  if (distance(now_us, host_spoke_us_) < wire::kHostSilenceMs * 1000L) return;
+  if (distance(now_us, host_frame_us_) < wire::kHostSilenceMs * 1000L) return;
   disarm("host silent", now_us);
   fail_safe_.unwatch();
   state_ = State::kHello;

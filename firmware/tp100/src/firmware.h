@@ -3,14 +3,13 @@
 #define TP100_FIRMWARE_FIRMWARE_H
 
 #include "battery.h"
-#include "belt_watch.h"
-#include "belts.h"
 #include "command_gate.h"
 #include "fail_safe.h"
 #include "host_link.h"
 #include "imu.h"
 #include "speed_loop.h"
-#include "turn_watch.h"
+#include "track_monitor.h"
+#include "yaw_loop.h"
 
 namespace tp100 {
 namespace firmware {
@@ -18,11 +17,11 @@ namespace firmware {
 class Firmware {
  public:
   explicit Firmware(Hal& hal);
-  /// Once, before the timer interrupt runs.
+  /// Call once, before the timer interrupt runs.
   void setup();
-  /// Again and again; returns within a few milliseconds whatever happens outside.
+  /// Call repeatedly; returns within a few milliseconds whatever happens outside.
   void loop();
-  /// From the timer interrupt, every millisecond. Short.
+  /// Runs in the timer interrupt, every millisecond. Keep it short.
   void tick_1khz() { fail_safe_.tick(); }
 
   wire::State state() const { return state_; }
@@ -33,9 +32,9 @@ class Firmware {
   Verdict last_verdict() const { return last_verdict_; }
 
  private:
-  struct Belt {
+  struct Track {
     SpeedLoop loop;
-    BeltWatch watch;
+    TrackMonitor watch;
     int32_t counts;
     int16_t duty;
   };
@@ -51,7 +50,7 @@ class Firmware {
   void acknowledge(wire::Type request, uint32_t token, wire::Result result, uint16_t detail);
 
   wire::Result try_to_arm(const wire::Arm& arm, uint16_t& detail);
-  /// Of an arm whose token is new.
+  /// Judges an arm request whose token is new.
   wire::Result judge_arm(uint32_t expiry_us, uint16_t& detail);
   uint16_t persisting_causes();
   bool enable();
@@ -60,15 +59,15 @@ class Firmware {
   void latch(wire::Fault fault, int32_t detail, uint32_t at_us);
   void check_trip();
   void check_sensors(uint32_t now_us);
-  void check_belts(uint32_t now_us, uint16_t dt_ms);
+  void check_tracks(uint32_t now_us, uint16_t dt_ms);
   void check_turn(uint32_t now_us);
   void check_host(uint32_t now_us);
 
   void take_sample();
-  void read_belts(uint32_t& now_us);
+  void read_tracks(uint32_t& now_us);
   void send_sample(uint32_t now_us);
   void drive(uint32_t now_us, uint16_t dt_us);
-  BeltSpeeds wanted(uint32_t now_us);
+  TrackSpeeds wanted(uint32_t now_us);
   void apply(int16_t left, int16_t right);
 
   void send_hello(uint32_t now_us);
@@ -86,11 +85,11 @@ class Firmware {
   Battery battery_;
   TurnHistory history_;
   CommandGate gate_;
-  Belt left_;
-  Belt right_;
-  BeltWatch mean_watch_;
-  TurnWatch turn_watch_;
-  BeltSpeeds target_;
+  Track left_;
+  Track right_;
+  TrackMonitor mean_monitor_;
+  TurnMonitor turn_monitor_;
+  TrackSpeeds target_;
   wire::Parameters parameters_;
 
   wire::State state_;
@@ -106,7 +105,7 @@ class Firmware {
   uint16_t sequence_;
   uint8_t sampled_ticks_;
   uint32_t sampled_us_;
-  uint32_t host_spoke_us_;
+  uint32_t host_frame_us_;
   uint32_t hello_us_;
 };
 

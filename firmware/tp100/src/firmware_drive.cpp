@@ -11,12 +11,14 @@ using wire::State;
 
 const uint16_t kLongestStepUs = 50000;
 const uint16_t kShortestStepUs = 1000;
+// Below this load a track runs freely.
+const float kFreeDuty = 0.05f;
 
 }  // namespace
 
 void Firmware::take_sample() {
   uint32_t now_us = 0;
-  read_belts(now_us);
+  read_tracks(now_us);
   const uint32_t measured_us = now_us - sampled_us_;
   const bool usable = measured_us >= kShortestStepUs && measured_us <= kLongestStepUs;
   const uint16_t dt_us = usable ? static_cast<uint16_t>(measured_us) : kLongestStepUs;
@@ -31,7 +33,7 @@ void Firmware::take_sample() {
   drive(now_us, dt_us);
 }
 
-void Firmware::read_belts(uint32_t& now_us) {
+void Firmware::read_tracks(uint32_t& now_us) {
   const CriticalSection section(hal_);
   int32_t left = 0;
   int32_t right = 0;
@@ -78,10 +80,10 @@ void Firmware::drive(uint32_t now_us, uint16_t dt_us) {
   left_.loop.measure(left_.counts, dt_us, parameters_);
   right_.loop.measure(right_.counts, dt_us, parameters_);
   if (!may_drive()) return;
-  check_belts(now_us, static_cast<uint16_t>((dt_us + 500) / 1000));
+  check_tracks(now_us, static_cast<uint16_t>((dt_us + 500) / 1000));
   check_turn(now_us);
   if (!may_drive()) return;
-  const BeltSpeeds speeds = wanted(now_us);
+  const TrackSpeeds speeds = wanted(now_us);
   if (state_ == State::kArmed) return;
   const float dt_s = static_cast<float>(dt_us) * 1e-6f;
   target_ = approach(target_, speeds, parameters_.max_track_mps2 * dt_s);
@@ -91,23 +93,24 @@ void Firmware::drive(uint32_t now_us, uint16_t dt_us) {
   apply(static_cast<int16_t>(left), static_cast<int16_t>(right));
 }
 
-void Firmware::check_belts(uint32_t now_us, uint16_t dt_ms) {
-  const float slope_duty = turn_watch_.slope_duty();
-  const float load_duty = slope_duty + turn_watch_.turn_duty();
-  const BeltWatch::Verdict left =
-      left_.watch.update(left_.duty, left_.counts, dt_ms, load_duty, parameters_);
-  const BeltWatch::Verdict right =
-      right_.watch.update(right_.duty, right_.counts, dt_ms, load_duty, parameters_);
-  // What one track takes more in a turn the other takes less.
+void Firmware::check_tracks(uint32_t now_us, uint16_t dt_ms) {
+  const float slope_duty = turn_monitor_.slope_duty();
+  const float load_duty = slope_duty + turn_monitor_.turn_duty();
+  const bool free = load_duty < kFreeDuty;
+  const TrackMonitor::Verdict left =
+      left_.watch.update(left_.duty, left_.counts, dt_ms, load_duty, free, parameters_);
+  const TrackMonitor::Verdict right =
+      right_.watch.update(right_.duty, right_.counts, dt_ms, load_duty, free, parameters_);
+  // In a turn, the extra duty of one track is missing on the other.
   const int16_t mean_duty = static_cast<int16_t>((left_.duty + right_.duty) / 2);
   const int32_t mean_counts = distance(left_.counts, distance(left_.counts, right_.counts) / 2);
-  const BeltWatch::Verdict mean =
-      mean_watch_.update(mean_duty, mean_counts, dt_ms, slope_duty, parameters_);
-  if (left == BeltWatch::kStalled) latch(Fault::stalled_left, left_.duty, now_us);
-  if (left == BeltWatch::kReversed) latch(Fault::reversed_left, left_.duty, now_us);
-  if (right == BeltWatch::kStalled) latch(Fault::stalled_right, right_.duty, now_us);
-  if (right == BeltWatch::kReversed) latch(Fault::reversed_right, right_.duty, now_us);
-  if (mean != BeltWatch::kStalled || !may_drive()) return;
+  const TrackMonitor::Verdict mean =
+      mean_monitor_.update(mean_duty, mean_counts, dt_ms, slope_duty, free, parameters_);
+  if (left == TrackMonitor::kStalled) latch(Fault::stalled_left, left_.duty, now_us);
+  if (left == TrackMonitor::kReversed) latch(Fault::reversed_left, left_.duty, now_us);
+  if (right == TrackMonitor::kStalled) latch(Fault::stalled_right, right_.duty, now_us);
+  if (right == TrackMonitor::kReversed) latch(Fault::reversed_right, right_.duty, now_us);
+  if (mean != TrackMonitor::kStalled || !may_drive()) return;
   const float left_m = left_.watch.missing_m();
   const float right_m = right_.watch.missing_m();
   if (left_m >= 0.5f * right_m) latch(Fault::stalled_left, left_.duty, now_us);
@@ -116,27 +119,27 @@ void Firmware::check_belts(uint32_t now_us, uint16_t dt_ms) {
 
 void Firmware::check_turn(uint32_t now_us) {
   if (state_ != State::kRunning || !uses_gyro(parameters_) || !imu_.fresh()) {
-    turn_watch_.reset();
+    turn_monitor_.reset();
     return;
   }
-  const TurnWatch::Verdict verdict = turn_watch_.update(
+  const TurnMonitor::Verdict verdict = turn_monitor_.update(
       history_.newest(), imu_.values().accel[0], gate_.current().gyro_bias_radps, parameters_);
-  if (verdict == TurnWatch::kLeftShort) latch(Fault::stalled_left, left_.duty, now_us);
-  if (verdict == TurnWatch::kRightShort) latch(Fault::stalled_right, right_.duty, now_us);
+  if (verdict == TurnMonitor::kLeftShort) latch(Fault::stalled_left, left_.duty, now_us);
+  if (verdict == TurnMonitor::kRightShort) latch(Fault::stalled_right, right_.duty, now_us);
 }
 
-BeltSpeeds Firmware::wanted(uint32_t now_us) {
+TrackSpeeds Firmware::wanted(uint32_t now_us) {
   const wire::Command& command = gate_.current();
   const bool stand = command.speed_mps == 0.0f && command.yaw_rate_radps == 0.0f &&
                      command.desired_yaw_rad == command.yaw_rad;
-  if (stand || !gate_.fresh(now_us)) return BeltSpeeds();
+  if (stand || !gate_.fresh(now_us)) return TrackSpeeds();
   state_ = State::kRunning;
   const bool use_gyro = uses_gyro(parameters_) && imu_.fresh();
   const float turned_rad =
       turned(gate_.answered(), history_.newest(), use_gyro, command.gyro_bias_radps, parameters_);
   const float error_rad = command.desired_yaw_rad - command.yaw_rad - turned_rad;
   const float rate_radps = turn_rate(error_rad, command.yaw_rate_radps, parameters_);
-  return belt_speeds(command.speed_mps, rate_radps, parameters_);
+  return track_speeds(command.speed_mps, rate_radps, parameters_);
 }
 
 void Firmware::apply(int16_t left, int16_t right) {

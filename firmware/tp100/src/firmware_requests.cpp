@@ -58,10 +58,10 @@ void Firmware::dispatch() {
     case Type::kSyncRequest: {
       wire::SyncRequest message;
       if (!link_.read(message)) return;
-      const wire::SyncReply reply = {message.id, link_.received_us(), 0, link_.counts().damaged(),
+      const wire::SyncReply reply = {message.id, link_.received_us(), 0, link_.counts().corrupted(),
                                      hal_.missed_edges()};
       link_.post(reply);
-      host_spoke_us_ = link_.received_us();
+      host_frame_us_ = link_.received_us();
       return;
     }
     default:
@@ -71,11 +71,12 @@ void Firmware::dispatch() {
 
 void Firmware::on_hello_request() {
   const uint32_t now_us = link_.received_us();
-  // Whatever its size: a host of another version still gets the hello, so that it can print both.
+  // Accepted with any size: a host of another version still gets the hello, so that it can print
+  // both.
   disarm("hello request", now_us);
   fail_safe_.unwatch();
   state_ = State::kParameters;
-  host_spoke_us_ = now_us;
+  host_frame_us_ = now_us;
   send_hello(now_us);
 }
 
@@ -83,7 +84,7 @@ void Firmware::on_parameters(const wire::Parameters& parameters) {
   if (parameters.boot_nonce != boot_nonce_) {
     return acknowledge(Type::kParameters, parameters.token, Result::kWrongBoot, 0);
   }
-  host_spoke_us_ = link_.received_us();
+  host_frame_us_ = link_.received_us();
   if (may_drive()) {
     return acknowledge(Type::kParameters, parameters.token, Result::kWrongState,
                        static_cast<uint16_t>(state_));
@@ -108,7 +109,7 @@ void Firmware::open_session() {
 }
 
 void Firmware::on_command(const wire::Command& command) {
-  if (command.boot_nonce == boot_nonce_) host_spoke_us_ = link_.received_us();
+  if (command.boot_nonce == boot_nonce_) host_frame_us_ = link_.received_us();
   if (!in_session()) return;
   const uint32_t now_us = hal_.micros();
   last_verdict_ = gate_.judge(command, now_us, history_, parameters_);
@@ -121,11 +122,11 @@ void Firmware::on_arm(const wire::Arm& arm) {
   acknowledge(Type::kArm, arm.token, result, detail);
 }
 
-// An answer uses the token once the token is known to be new: the same frame again, delayed or
-// repeated, must not get another answer than the host has acted upon.
+// An answer counts as the token's answer only once the token is known to be new: a delayed or
+// repeated copy of the frame must not get another answer than the one that the host acted upon.
 wire::Result Firmware::try_to_arm(const wire::Arm& arm, uint16_t& detail) {
   if (arm.boot_nonce != boot_nonce_) return Result::kWrongBoot;
-  host_spoke_us_ = link_.received_us();
+  host_frame_us_ = link_.received_us();
   if (any_token_ && arm.token < last_token_) return Result::kStaleToken;
   if (!any_token_ || arm.token > last_token_) {
     any_token_ = true;
@@ -151,13 +152,13 @@ wire::Result Firmware::judge_arm(uint32_t expiry_us, uint16_t& detail) {
 }
 
 bool Firmware::enable() {
-  target_ = BeltSpeeds();
+  target_ = TrackSpeeds();
   left_.loop.reset();
   right_.loop.reset();
   left_.watch.reset();
   right_.watch.reset();
-  mean_watch_.reset();
-  turn_watch_.reset();
+  mean_monitor_.reset();
+  turn_monitor_.reset();
   if (!fail_safe_.enable()) return false;
   faults_ = 0;
   state_ = State::kArmed;
@@ -177,14 +178,14 @@ uint16_t Firmware::persisting_causes() {
 }
 
 void Firmware::on_disarm(const wire::Disarm& request) {
-  host_spoke_us_ = link_.received_us();
-  disarm("disarm", host_spoke_us_);
+  host_frame_us_ = link_.received_us();
+  disarm("disarm", host_frame_us_);
   acknowledge(Type::kDisarm, request.token, Result::kAccepted, 0);
 }
 
 void Firmware::on_stop(const wire::Stop& stop) {
-  host_spoke_us_ = link_.received_us();
-  latch(Fault::stop_requested, 0, host_spoke_us_);
+  host_frame_us_ = link_.received_us();
+  latch(Fault::stop_requested, 0, host_frame_us_);
   acknowledge(Type::kStop, stop.token, Result::kAccepted, 0);
 }
 

@@ -22,22 +22,22 @@ using tp100::firmware::take_edge;
 const uint8_t kScl = _BV(PD0);
 const uint8_t kSda = _BV(PD1);
 const uint8_t kDirections = _BV(PA0) | _BV(PA1) | _BV(PA2) | _BV(PA3);
-const uint8_t kCellsPin = 0;
+const uint8_t kBatteryPin = 0;
 const uint8_t kNoisePin = 7;
 // MUX4:0 of the bandgap, MUX5 is 0 (data sheet, "Input Channel Selections").
 const uint8_t kBandgap = 0x1E;
-// One of the cells a sample. The last two of a second are the bandgap's: it is a weak source, so
-// that the first of them only charges the converter.
+// Battery conversions, one per sample. The last two conversions of a second measure the bandgap: it
+// is a weak source, so the first of them only charges the converter.
 const uint8_t kConversions = 200;
-const uint8_t kCellsConversions = kConversions - 2;
+const uint8_t kBatteryConversions = kConversions - 2;
 
 Quadrature left_encoder;
 Quadrature right_encoder;
 uint32_t boot_counter EEMEM;
-// Neither cleared nor set by the start-up code, which runs after .init3.
+// The start-up code neither clears nor sets it; it runs after .init3.
 uint8_t mcusr_mirror __attribute__((section(".noinit")));
 
-// A on PE4, B on PE5. The compiler would shift by a loop of 22 cycles.
+// A on PE4, B on PE5. The compiler's own shift would be a loop of 22 cycles.
 inline uint8_t left_phase() { return __builtin_avr_swap(PINE) & 3; }
 // B on PD2, A on PD3: the other way round.
 inline uint8_t right_phase() { return (PIND >> 2) & 3; }
@@ -50,7 +50,8 @@ ISR(INT5_vect, ISR_ALIASOF(INT4_vect));
 ISR(INT3_vect) { take_edge<-1>(right_encoder, right_phase()); }
 ISR(INT2_vect, ISR_ALIASOF(INT3_vect));
 
-// The watchdog stays armed at its shortest period after it has fired: off before anything else.
+// The watchdog stays armed at its shortest period after it has fired: switch it off before anything
+// else.
 extern "C" void save_reset_cause() __attribute__((naked, used, section(".init3")));
 extern "C" void save_reset_cause() {
   mcusr_mirror = MCUSR;
@@ -99,7 +100,7 @@ uint32_t mixed(uint32_t hash, uint32_t value) {
   return hash ^ (hash >> 15);
 }
 
-// The counter differs at every boot of this board, the noise of an open pin from board to board.
+// The counter differs between boots of one board, the noise of an open pin between boards.
 uint32_t new_nonce() {
   const uint32_t boots = eeprom_read_dword(&boot_counter) + 1;
   eeprom_update_dword(&boot_counter, boots);
@@ -118,7 +119,7 @@ void release(uint8_t line) { DDRD &= static_cast<uint8_t>(~line); }
 uint8_t duty_byte(int16_t duty) {
   const uint16_t size = static_cast<uint16_t>(duty < 0 ? -duty : duty);
   if (size >= static_cast<uint16_t>(wire::kFullDuty)) return 255;
-  // 255/1000 to within a 250th of a step, without a division.
+  // 255/1000 with an error below a 250th of a step, without a division.
   return static_cast<uint8_t>((size * 16712UL + 32768UL) >> 16);
 }
 
@@ -133,7 +134,7 @@ void MegaHal::begin() {
   converted(kBandgap);
   delayMicroseconds(1000);
   supply_.update(converted(kBandgap));
-  start_conversion(kCellsPin);
+  start_conversion(kBatteryPin);
   twi_mega::begin();
 }
 
@@ -159,7 +160,7 @@ void MegaHal::i2c_recover() {
   PORTD &= static_cast<uint8_t>(~(kScl | kSda));
   release(kSda | kScl);
   unlock(saved);
-  // A device that was cut off in the middle of a byte lets go of SDA within nine clocks.
+  // A device cut off in the middle of a byte releases SDA within nine clocks.
   for (uint8_t i = 0; i < 9; ++i) {
     pull(kScl);
     half_clock();
@@ -190,7 +191,7 @@ uint16_t MegaHal::missed_edges() {
 void MegaHal::motors(int16_t left, int16_t right) {
   const CriticalSection section(*this);
   if (left == 0 || right == 0) {
-    // A compare value of 0 still lets a spike through: the pin itself is low instead.
+    // A compare value of 0 still produces a spike, so the pin itself is set low instead.
     uint8_t off = 0;
     if (left == 0) off |= _BV(COM4A1);
     if (right == 0) off |= _BV(COM4B1);
@@ -214,10 +215,10 @@ void MegaHal::motors(int16_t left, int16_t right) {
 
 uint16_t MegaHal::battery_mv() {
   if ((ADCSRA & _BV(ADSC)) != 0) return battery_mv_;
-  if (conversion_ < kCellsConversions) battery_mv_ = supply_.cells_mv(ADC);
+  if (conversion_ < kBatteryConversions) battery_mv_ = supply_.battery_mv(ADC);
   if (conversion_ == kConversions - 1) supply_.update(ADC);
   conversion_ = static_cast<uint8_t>((conversion_ + 1) % kConversions);
-  start_conversion(conversion_ < kCellsConversions ? kCellsPin : kBandgap);
+  start_conversion(conversion_ < kBatteryConversions ? kBatteryPin : kBandgap);
   return battery_mv_;
 }
 
@@ -226,7 +227,7 @@ void MegaHal::kick_watchdog() { wdt_reset(); }
 wire::ResetCause MegaHal::reset_cause() {
   const uint8_t cause = mcusr_mirror;
   if ((cause & _BV(WDRF)) != 0) return wire::ResetCause::kWatchdog;
-  // A supply that rises slowly sets both.
+  // A slowly rising supply sets both flags.
   if ((cause & _BV(PORF)) != 0) return wire::ResetCause::kPowerOn;
   if ((cause & _BV(BORF)) != 0) return wire::ResetCause::kBrownOut;
   if ((cause & _BV(EXTRF)) != 0) return wire::ResetCause::kExternal;
@@ -244,17 +245,17 @@ void MegaHal::unlock(uint8_t saved) {
   SREG = saved;
 }
 
-// An edge, a byte of a frame or a byte sent wakes the processor but is no work for the loop: a loop
-// for each would take more time than all the rest.
+// An edge or a byte received or sent wakes the processor, but is no work for the loop: one pass for
+// each would take more time than all other work.
 void MegaHal::idle() {
-  // The last loop left some behind.
+  // The last pass left received bytes behind.
   if (uart_mega::worth_reading()) return;
   set_sleep_mode(SLEEP_MODE_IDLE);
   sleep_enable();
   for (;;) {
     cli();
     if (work_raised()) break;
-    // The instruction after sei runs before any interrupt, so none can slip in between.
+    // The instruction after sei runs before any interrupt, so no interrupt can come in between.
     sei();
     sleep_cpu();
   }

@@ -7,8 +7,8 @@
 //   22, 23     PA0, PA1    L293D inputs 1, 2: left forward, left backward
 //   24, 25     PA2, PA3    L293D inputs 3, 4: right forward, right backward
 //   20, 21     PD1, PD0    MPU6050 SDA, SCL
-//   A0         PF0         cells through a divider to a third; USB's 5 V is the reference, see
-//   supply.h USB                    host, 500000 baud 8N1
+//   A0         PF0         battery through a 1:3 divider; reference: USB's 5 V, see battery.h
+//   USB                    host, 500000 baud 8N1
 //
 // Details and safety notes: firmware/WIRING.md.
 #ifndef TP100_FIRMWARE_HAL_MEGA_H
@@ -16,8 +16,8 @@
 
 #if defined(__AVR__)
 
+#include "battery.h"
 #include "hal.h"
-#include "supply.h"
 
 namespace tp100 {
 namespace firmware {
@@ -26,7 +26,8 @@ class MegaHal final : public Hal {
  public:
   MegaHal() : battery_mv_(0), conversion_(0), nonce_(0) {}
 
-  /// Outputs off, watchdog on, then everything else. Once, before any other call.
+  /// Switches the outputs off and the watchdog on, then does the rest. Call once, before any other
+  /// call.
   void begin();
 
   uint32_t micros() override;

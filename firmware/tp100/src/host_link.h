@@ -8,32 +8,32 @@
 namespace tp100 {
 namespace firmware {
 
-/// Frames lost on the way in, by cause, and on the way out. Wrap.
+/// Received frames lost, by cause, and frames not sent. The counters wrap.
 struct LinkCounts {
   uint16_t good;
   uint16_t oversize;
   uint16_t cobs;
   uint16_t undersize;
   uint16_t crc;
-  uint16_t unknown;  ///< good frame of another type or size
-  uint16_t unsent;   ///< own message dropped for want of room
+  uint16_t unknown;  ///< good frame of an unknown type or of another size
+  uint16_t unsent;   ///< own message dropped for lack of room
 
-  uint16_t damaged() const { return static_cast<uint16_t>(oversize + cobs + undersize + crc); }
+  uint16_t corrupted() const { return static_cast<uint16_t>(oversize + cobs + undersize + crc); }
 };
 
 class HostLink {
  public:
   explicit HostLink(Hal& hal);
 
-  /// Takes bytes until a good frame is complete or `budget` bytes are used up. True: a frame is in
-  /// type(), payload(), size() until the next call.
+  /// Takes bytes until a good frame is complete or `budget` bytes are used up. True: type(),
+  /// payload() and size() hold a frame until the next call.
   bool receive(uint8_t& budget);
   uint8_t type() const { return decoder_.type(); }
   const uint8_t* payload() const { return decoder_.payload(); }
   size_t size() const { return decoder_.size(); }
   /// Device time at which the delimiter of that frame was taken. [us]
   uint32_t received_us() const { return received_us_; }
-  /// The current frame as a message. False, and counted, if its size is another one.
+  /// Reads the current frame as a message. False, and counted, if the size does not match.
   template <class Message>
   bool read(Message& message) {
     if (wire::read_payload(payload(), size(), message)) return true;
@@ -50,7 +50,7 @@ class HostLink {
     return send(static_cast<uint8_t>(Message::kType), payload, Message::kSize);
   }
 
-  /// Sends now, or as soon as there is room. One that waits is replaced by a newer one.
+  /// Sends now, or as soon as there is room. A newer sample replaces a waiting one.
   void post(const wire::Sample& sample);
   void post(const wire::Hello& hello);
   /// The reply's sent_us is filled in when it leaves.
@@ -59,7 +59,7 @@ class HostLink {
   void post(const wire::Acknowledge& acknowledge);
   void post(const wire::FaultReport& report);
   void post(const wire::Log& log);
-  /// Writes what waits, while there is room.
+  /// Writes waiting messages while there is room.
   void flush();
 
   const LinkCounts& counts() const { return counts_; }
@@ -88,7 +88,7 @@ class HostLink {
 
   bool send(uint8_t type, const uint8_t* payload, uint8_t size);
   bool flush_sync();
-  /// A delimiter goes ahead of a hello: whatever else was said on the line is not its beginning.
+  /// A delimiter precedes a hello: earlier bytes on the line must not become its beginning.
   bool flush_hello();
   template <class Message, uint8_t kCapacity>
   bool flush(Queue<Message, kCapacity>& queue);
@@ -100,7 +100,7 @@ class HostLink {
   Queue<wire::SyncReply, 1> sync_;
   Queue<wire::Acknowledge, 6> acknowledges_;
   Queue<wire::Sample, 1> sample_;
-  // One for each fault of the robot: a report is never lost.
+  // One place per fault of the robot: a report is never lost.
   Queue<wire::FaultReport, 13> reports_;
   Queue<wire::Hello, 1> hello_;
   Queue<wire::Log, 4> logs_;

@@ -81,7 +81,7 @@ void Imu::update() {
   failures_ = 0;
   if (age_ != kNever && memcmp(&values, &values_, sizeof values) == 0) {
     grow_old();
-    // A sensor that lost its supply for a moment sleeps: configure it again.
+    // A sensor that lost its supply for a moment is in sleep mode: configure it again.
     if (age_ % kStaleSamples == 0) start();
     return;
   }

@@ -1,5 +1,5 @@
-// MPU6050 over I2C (MPU-6000/6050 register map rev 4.2). It never holds up the rest: a device that
-// does not answer is tried again every 100 ms.
+// MPU6050 over I2C (MPU-6000/6050 register map rev 4.2). It never blocks the main loop: a device
+// that does not answer is tried again every 100 ms.
 #ifndef TP100_FIRMWARE_IMU_H
 #define TP100_FIRMWARE_IMU_H
 
@@ -8,7 +8,7 @@
 namespace tp100 {
 namespace firmware {
 
-/// Raw values in the order of the registers from 0x3B on.
+/// Raw values in register order from 0x3B on.
 struct ImuValues {
   int16_t accel[3];
   int16_t temperature;
@@ -24,18 +24,18 @@ class Imu {
   /// Identifies and configures the sensor: gyro +-1000 deg/s, accelerometer +-4 g, 1 kHz, low pass
   /// of 42 Hz. About 1 ms.
   bool start();
-  /// Reads all values, once a sample.
+  /// Reads all values; call once per sample.
   void update();
 
   const ImuValues& values() const { return values_; }
-  /// Samples since the values were new; 0 fresh, kNever before the first.
+  /// Number of samples since the values were new; 0 fresh, kNever before the first.
   uint8_t age() const { return age_; }
-  /// Never answered, or another device answers.
+  /// True if the sensor never answered, or if another device answers at its address.
   bool missing() const { return age_ == kNever && !started_ && failures_ > 0; }
-  /// No new values for ten samples: it stopped answering, or they do not change any more. A sensor
-  /// that lives has noise in its last digits.
+  /// True if there were no new values for ten samples: the sensor stopped answering, or its values
+  /// no longer change. The last digits of a working sensor are noisy.
   bool stale() const { return age_ != kNever && age_ >= kStaleSamples; }
-  /// Good enough to integrate.
+  /// True if the values are recent enough to integrate.
   bool fresh() const { return age_ < kStaleSamples; }
   uint16_t errors() const { return errors_; }
 

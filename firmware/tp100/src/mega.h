@@ -1,11 +1,11 @@
-// The firmware on a Mega: what the sketch calls.
+// The firmware on a Mega: the functions that the sketch calls.
 #ifndef TP100_FIRMWARE_MEGA_H
 #define TP100_FIRMWARE_MEGA_H
 
 namespace tp100 {
 namespace firmware {
 
-/// Board, firmware, then the 1 kHz interrupt.
+/// Starts the board, then the firmware, then the 1 kHz interrupt.
 void mega_setup();
 void mega_loop();
 

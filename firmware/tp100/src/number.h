@@ -10,14 +10,14 @@ namespace firmware {
 
 const float kPi = 3.14159265f;
 
-/// False for NaN and infinities too, as every comparison with them is.
+/// False for NaN and infinities too, because every comparison with NaN is false.
 inline bool within(float value, float low, float high) { return value >= low && value <= high; }
 
 inline float magnitude(float value) { return __builtin_fabsf(value); }
 
-/// Into [-limit, limit], for limit >= 0; NaN becomes 0, since what it would ask for may move a
-/// motor. By their bits, in whose order sizes of floats are: an AVR compares floats in four times
-/// the time.
+/// Limits to [-limit, limit], for limit >= 0. NaN becomes 0, because the result may move a motor.
+/// It compares bit patterns, which are ordered like the magnitudes: comparing floats takes an AVR
+/// four times as long.
 inline float clamp(float value, float limit) {
   uint32_t bits;
   uint32_t limit_bits;
@@ -33,7 +33,7 @@ inline float clamp(float value, float limit) {
 inline float smaller(float a, float b) { return a < b ? a : b; }
 inline float larger(float a, float b) { return a > b ? a : b; }
 
-/// The same direction in [-pi, pi], for |rad| < 1e4.
+/// The same angle in [-pi, pi], for |rad| < 1e4.
 inline float wrap_angle(float rad) {
   const float turns = rad * (0.5f / kPi);
   const int32_t whole = static_cast<int32_t>(turns + (turns < 0.0f ? -0.5f : 0.5f));

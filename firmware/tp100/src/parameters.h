@@ -1,4 +1,4 @@
-// What the daemon may ask the firmware to believe.
+// Checks of the parameters that the daemon sends.
 #ifndef TP100_FIRMWARE_PARAMETERS_H
 #define TP100_FIRMWARE_PARAMETERS_H
 
@@ -7,11 +7,11 @@
 namespace tp100 {
 namespace firmware {
 
-/// Position (0-based, in the order of the message) of the first field that is not finite or out of
-/// the range documented in wire/messages.h; 0 if all are good, since the nonce is not checked here.
+/// Index (0-based, in message order) of the first field that is not finite or out of the range
+/// documented in wire/messages.h; 0 if all are good, since the nonce is not checked here.
 uint8_t bad_field(const wire::Parameters& parameters);
 
-/// True if the gyro carries the yaw forward.
+/// True if the gyro propagates the yaw.
 inline bool uses_gyro(const wire::Parameters& parameters) {
   return (parameters.flags & wire::kUseGyro) != 0;
 }

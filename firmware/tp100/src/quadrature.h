@@ -1,4 +1,4 @@
-// Quadrature decoding, four counts a period. Shared by the interrupt routines of the Mega, the
+// Quadrature decoding, four counts per period. Shared by the interrupt routines of the Mega, the
 // emulated board and the tests. Forward: A leads B (A rises while B is low).
 #ifndef TP100_FIRMWARE_QUADRATURE_H
 #define TP100_FIRMWARE_QUADRATURE_H
@@ -20,17 +20,17 @@ inline int8_t quadrature_step(uint8_t before, uint8_t now) {
   return steps[static_cast<uint8_t>(before << 2) | now];
 }
 
-/// One encoder. Plain state, so that an interrupt routine compiles to a few loads and stores: 16
-/// bits there, extended by whoever reads.
+/// One encoder. Plain state, so that an interrupt routine compiles to a few loads and stores. It
+/// has 16 bits, which the reader extends.
 struct Quadrature {
   volatile uint16_t steps;   ///< forward less backward, wraps
   volatile uint8_t phase;    ///< last seen: bit 0 A, bit 1 B
-  volatile uint16_t missed;  ///< times that both changed at once, wraps
+  volatile uint16_t missed;  ///< number of times both phases changed at once, wraps
   int32_t counts;            ///< as of the last extended_counts()
 };
 
-/// Takes the phase that an edge left behind. Called with interrupts off. kSign -1 for an encoder
-/// whose A and B lie on the port the other way round.
+/// Takes the phase after an edge. Called with interrupts off. kSign is -1 for an encoder whose A
+/// and B are swapped on the port.
 template <int8_t kSign>
 inline void take_edge(Quadrature& encoder, uint8_t phase) {
   const int8_t step = quadrature_step(encoder.phase, phase);
@@ -42,7 +42,7 @@ inline void take_edge(Quadrature& encoder, uint8_t phase) {
   }
 }
 
-/// All 32 bits. Called with interrupts off, at least once in 32767 edges.
+/// The count extended to 32 bits. Called with interrupts off, at least once per 32767 edges.
 inline int32_t extended_counts(Quadrature& encoder) {
   const uint16_t last = static_cast<uint16_t>(encoder.counts);
   const int16_t moved = static_cast<int16_t>(encoder.steps - last);

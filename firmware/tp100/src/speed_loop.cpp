@@ -6,12 +6,12 @@ namespace tp100 {
 namespace firmware {
 namespace {
 
-// Below this a belt is meant to stand: one count in 180 ms.
+// Targets below this are a standstill: one count in 180 ms.
 const float kStandstillMps = 0.0005f;
 const float kStandingS = 0.1f;
-// A belt that was held up does not make up for more than this.
+// Greatest lag that a held track makes up for afterwards.
 const float kLongestLagM = 0.02f;
-// The dead band is stepped over linearly below this speed, or noise around zero would rattle the
+// The dead band is compensated linearly below this speed, or noise around zero would rattle the
 // gears.
 const float kDeadBandRampPerMps = 200.0f;
 
@@ -42,7 +42,7 @@ void SpeedLoop::measure(int32_t counts, uint16_t dt_us, const wire::Parameters& 
   }
   const int32_t moved = distance(counts, last_counts_);
   last_counts_ = counts;
-  // Sums in whole numbers: they neither drift nor take the time of eight float additions.
+  // Integer sums neither drift nor take the time of eight float additions.
   if (measured_ == kWindow) {
     sum_counts_ -= counts_[next_];
     sum_us_ -= dt_us_[next_];
@@ -82,7 +82,7 @@ float SpeedLoop::update(float target_mps, float dt_s, const wire::Parameters& p)
   const float rest =
       p.feed_forward * target_mps + p.dead_band * edge + p.speed_kp * (target_mps - speed_mps_);
   const float duty = rest + clamp(p.speed_ki * lag_m_, 1.0f);
-  // Anti-windup: a saturated motor cannot work the lag off, so it must not grow.
+  // Anti-windup: a saturated motor cannot reduce the lag, so the lag must not grow.
   const bool winds_up =
       (duty > 1.0f && lag_m_ > lag_before) || (duty < -1.0f && lag_m_ < lag_before);
   if (winds_up) lag_m_ = lag_before;

@@ -1,5 +1,5 @@
-// Speed of one belt: feed-forward with dead band, proportional on speed, integral on the way that
-// the belt lags behind its target.
+// Speed loop of one track: feed-forward with dead band, proportional term on speed, integral term
+// on the distance by which the track lags behind its target.
 #ifndef TP100_FIRMWARE_SPEED_LOOP_H
 #define TP100_FIRMWARE_SPEED_LOOP_H
 
@@ -13,19 +13,19 @@ namespace firmware {
 class SpeedLoop {
  public:
   SpeedLoop();
-  /// Belt position, once a sample and in every state. [counts]
+  /// Takes the track position; call once per sample and in every state. [counts]
   void measure(int32_t counts, uint16_t dt_us, const wire::Parameters& parameters);
-  /// Duty for the target; 0 with a cleared integrator once the belt was meant to stand for 100 ms
-  /// and does. Call after measure(). [-1, 1]
+  /// Duty for the target. It is 0, with a cleared integrator, once the target has been a standstill
+  /// for 100 ms and the track stands still. Call after measure(). [-1, 1]
   float update(float target_mps, float dt_s, const wire::Parameters& parameters);
   /// Clears the integrator.
   void reset() {
     lag_m_ = 0.0f;
     standing_s_ = 0.0f;
   }
-  /// Forgets where the belt was (new parameters).
+  /// Forgets the track position (new parameters).
   void restart() { measured_ = 0; }
-  /// Belt speed, mean of the last eight samples. [m/s]
+  /// Track speed, mean over the last eight samples. [m/s]
   float speed_mps() const { return speed_mps_; }
   float lag_m() const { return lag_m_; }
 
@@ -35,7 +35,7 @@ class SpeedLoop {
   uint16_t dt_us_[kWindow];
   int32_t sum_counts_;
   uint32_t sum_us_;
-  float counts_per_metre_;  // that metres_per_count_ belongs to
+  float counts_per_metre_;  // the value that metres_per_count_ was computed from
   float metres_per_count_;
   float mps_per_count_us_;
   uint8_t next_;

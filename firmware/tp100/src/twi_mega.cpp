@@ -25,7 +25,7 @@ void pull_up(bool on) {
   SREG = saved;
 }
 
-// Sleeps until the step that `control` starts is over; the controller is off after a time-out.
+// Sleeps until the step started by `control` is over; after a time-out the controller is off.
 bool step(uint8_t control) {
   TWCR = control;
   sleep_enable();
@@ -34,8 +34,8 @@ bool step(uint8_t control) {
     cli();
     over = (TWCR & _BV(TWINT)) != 0;
     if (over) break;
-    // The instruction after sei runs before any interrupt, so none can slip in between. The timer
-    // behind micros() wakes the processor even if the bus never does.
+    // The instruction after sei runs before any interrupt, so no interrupt can come in between. The
+    // timer behind micros() wakes the processor even if the bus never does.
     sei();
     sleep_cpu();
     if ((TWCR & _BV(TWINT)) == 0 && micros() - began_us > kTimeoutUs) break;
@@ -56,7 +56,7 @@ bool send(uint8_t byte, uint8_t status) {
 bool stop(bool good) {
   if ((TWCR & kOn) == 0) return false;
   TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTO);
-  // One bit long unless somebody holds the bus.
+  // Takes one bit time unless a device holds the bus.
   for (uint8_t wait = 255; (TWCR & _BV(TWSTO)) != 0; --wait) {
     if (wait == 0) {
       TWCR = 0;
@@ -84,7 +84,7 @@ bool receive(uint8_t* bytes, uint8_t size) {
 
 }  // namespace
 
-// Wakes step(), which looks at the flag: it stays set.
+// Wakes step(), which tests the flag: the flag stays set.
 ISR(TWI_vect) { TWCR = kOn; }
 
 namespace tp100 {

@@ -1,5 +1,5 @@
-// The Mega's two-wire interface as a master at 400 kHz. The processor sleeps while the bus works:
-// Arduino's Wire turns in a loop for half a millisecond a sample.
+// The Mega's two-wire interface as a master at 400 kHz. The processor sleeps while the bus works,
+// whereas Arduino's Wire busy-waits for half a millisecond per sample.
 #ifndef TP100_FIRMWARE_TWI_MEGA_H
 #define TP100_FIRMWARE_TWI_MEGA_H
 
@@ -11,11 +11,12 @@ namespace tp100 {
 namespace firmware {
 namespace twi_mega {
 
-/// Pull-ups and controller on.
+/// Switches pull-ups and controller on.
 void begin();
-/// Controller and pull-ups off: the pins are ports again.
+/// Switches controller and pull-ups off: the pins are plain ports again.
 void end();
-/// One transfer each, with interrupts on. False: not acknowledged, or not over within 3 ms.
+/// Each call makes one transfer, with interrupts on. False: not acknowledged, or not over within 3
+/// ms.
 bool write(uint8_t address, const uint8_t* bytes, uint8_t size);
 /// Writes the register, then reads with a repeated start.
 bool read(uint8_t address, uint8_t reg, uint8_t* bytes, uint8_t size);

@@ -11,18 +11,18 @@
 
 namespace {
 
-// Index bytes wrap by themselves; one place stays free, so that full and empty differ.
+// Byte indices wrap by themselves; one place stays free to distinguish full from empty.
 uint8_t received[256];
 volatile uint8_t received_head;
 volatile uint8_t received_tail;
-// Ends of frames put into the ring and taken out of it.
+// Frame ends put into the ring and taken out of it.
 volatile uint8_t frames_in;
 volatile uint8_t frames_out;
 uint8_t sending[256];
 volatile uint8_t sending_head;
 volatile uint8_t sending_tail;
 
-// Without an end of a frame among them: a host that floods the wire.
+// So many bytes without a frame end among them: a host floods the wire.
 const uint8_t kMany = 32;
 
 }  // namespace
@@ -31,7 +31,7 @@ ISR(USART0_RX_vect) {
   const uint8_t byte = UDR0;
   const uint8_t head = received_head;
   const uint8_t next = static_cast<uint8_t>(head + 1);
-  // A full ring drops the byte; the frame's CRC tells.
+  // A full ring drops the byte; the frame's CRC reveals it.
   if (next == received_tail) return;
   received[head] = byte;
   received_head = next;

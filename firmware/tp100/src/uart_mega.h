@@ -1,5 +1,6 @@
-// The Mega's first UART at 500000 baud, by interrupts, with rings that an index byte wraps.
-// Arduino's Serial takes 126 cycles a sent byte, which is two fifths of the processor at this rate.
+// The Mega's first UART at 500000 baud, interrupt driven, with rings whose byte index wraps by
+// itself. Arduino's Serial takes 126 cycles per byte sent, two fifths of the processor at this
+// rate.
 #ifndef TP100_FIRMWARE_UART_MEGA_H
 #define TP100_FIRMWARE_UART_MEGA_H
 
@@ -11,17 +12,17 @@ namespace tp100 {
 namespace firmware {
 namespace uart_mega {
 
-/// 8N1 at wire::kBaud, both directions on.
+/// Configures 8N1 at wire::kBaud and enables both directions.
 void begin();
-/// Takes one received byte. False: nothing there.
+/// Takes one received byte. False: none available.
 bool read(uint8_t& byte);
-/// True if a whole frame waits, or so many bytes that they should not wait for more.
+/// True if a whole frame waits, or so many bytes that reading must not be delayed.
 bool worth_reading();
-/// Bytes that write() takes now.
+/// Number of bytes that write() accepts now.
 uint8_t room();
-/// Bytes given to write() that are not yet in the shift register.
+/// Number of bytes passed to write() that are not yet in the shift register.
 uint8_t waiting();
-/// At most room() bytes.
+/// Writes at most room() bytes.
 void write(const uint8_t* bytes, uint8_t size);
 
 }  // namespace uart_mega

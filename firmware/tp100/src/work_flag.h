@@ -1,5 +1,5 @@
-// Tells the sleeping main loop that there is work: a bit that one instruction sets and tests, since
-// idle() looks at it after every interrupt.
+// Tells the sleeping main loop that there is work. It is one bit that a single instruction sets or
+// tests, because idle() tests it after every interrupt.
 #ifndef TP100_FIRMWARE_WORK_FLAG_H
 #define TP100_FIRMWARE_WORK_FLAG_H
 

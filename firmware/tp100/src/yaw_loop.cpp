@@ -15,10 +15,10 @@ TurnHistory::TurnHistory() : marks_(), newest_(), last_sequence_(0), last_gyro_z
 
 void TurnHistory::add(uint16_t sequence, uint32_t device_us, int16_t gyro_z, int32_t left_counts,
                       int32_t right_counts) {
-  // Differences of the divided times, so that no remainder is lost from sample to sample.
+  // Differences are taken of the divided times, so that no remainder is lost between samples.
   const uint32_t units = ((device_us >> 3) - (newest_.device_us >> 3)) & kTimeUnits;
   const int32_t mean_twice = static_cast<int32_t>(gyro_z) + last_gyro_z_;
-  // A first sample, or one after a long silence, has no interval that could be integrated.
+  // A first sample, or one after a long gap, has no interval to integrate over.
   const int32_t turned = size_ == 0 ? 0 : mean_twice * static_cast<int32_t>(units & 0x7FFF) / 2;
   last_gyro_z_ = gyro_z;
   newest_.gyro += static_cast<uint32_t>(turned);
@@ -50,6 +50,28 @@ float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyr
 
 float turn_rate(float error_rad, float feed_forward_radps, const wire::Parameters& p) {
   return clamp(feed_forward_radps + p.yaw_kp * wrap_angle(error_rad), p.max_yaw_radps);
+}
+
+TrackSpeeds track_speeds(float speed_mps, float yaw_rate_radps, const wire::Parameters& p) {
+  const float left_grip = 1.0f - p.slip_left;
+  const float right_grip = 1.0f - p.slip_right;
+  const float left_limit = p.max_track_mps * left_grip;
+  const float right_limit = p.max_track_mps * right_grip;
+  const float arc = clamp(yaw_rate_radps * p.wheelbase_m * 0.5f, (left_limit + right_limit) * 0.5f);
+  // Range of ground speeds at which each track stays within its limit while the turn rate is kept.
+  const float slowest = larger(arc - left_limit, -arc - right_limit);
+  const float fastest = smaller(arc + left_limit, -arc + right_limit);
+  const float speed = larger(slowest, smaller(fastest, speed_mps));
+  // Finite values are within the limit already; a NaN must become a standstill.
+  const TrackSpeeds result = {clamp((speed - arc) / left_grip, p.max_track_mps),
+                              clamp((speed + arc) / right_grip, p.max_track_mps)};
+  return result;
+}
+
+TrackSpeeds approach(const TrackSpeeds& from, const TrackSpeeds& to, float step) {
+  const TrackSpeeds result = {from.left + clamp(to.left - from.left, step),
+                              from.right + clamp(to.right - from.right, step)};
+  return result;
 }
 
 }  // namespace firmware

@@ -1,5 +1,6 @@
-// The inner yaw loop: carries the yaw of the answered sample forward to now and turns the error
-// into a turn rate. Between commands only this loop steers.
+// The inner yaw loop: propagates the yaw of the answered sample to the present and turns the yaw
+// error into a turn rate, and that into track speeds (eqs 1 and 5 inverted) within their limits.
+// Between commands only this loop steers.
 #ifndef TP100_FIRMWARE_YAW_LOOP_H
 #define TP100_FIRMWARE_YAW_LOOP_H
 
@@ -11,7 +12,7 @@
 namespace tp100 {
 namespace firmware {
 
-/// What the robot had turned by one sample. Integrals since boot; only differences mean anything.
+/// Rotation of the robot at one sample. Integrals since boot; only differences are meaningful.
 struct TurnMark {
   uint32_t device_us;
   uint32_t gyro;  ///< integral of the raw z rate, LSB x 8 us, wraps
@@ -23,10 +24,10 @@ struct TurnMark {
 class TurnHistory {
  public:
   TurnHistory();
-  /// Adds a sample. `gyro_z` is held over samples in which the IMU did not answer.
+  /// Adds a sample. `gyro_z` is held over samples for which the IMU did not answer.
   void add(uint16_t sequence, uint32_t device_us, int16_t gyro_z, int32_t left_counts,
            int32_t right_counts);
-  /// Mark of that sample, or null if it was never sent or is overwritten.
+  /// Mark of that sample, or null if it was never sent or has been overwritten.
   const TurnMark* find(uint16_t sequence) const;
   const TurnMark& newest() const { return newest_; }
   /// Forgets all samples (a new session).
@@ -41,13 +42,27 @@ class TurnHistory {
   uint8_t size_;
 };
 
-/// Turn from `then` to `now`: by the gyro minus its bias if `use_gyro`, else by the belts and eq 5
-/// (a bench, where the body does not turn). [rad]
+/// Rotation from `then` to `now`: by the gyro minus its bias if `use_gyro`, else by the tracks and
+/// eq 5 (on a stand, where the body does not rotate). [rad]
 float turned(const TurnMark& then, const TurnMark& now, bool use_gyro, float gyro_bias_radps,
              const wire::Parameters& parameters);
 
-/// Turn rate that reduces `error_rad` (desired yaw - yaw now), limited to max_yaw_radps. [rad/s]
+/// Turn rate that reduces `error_rad` (desired yaw - current yaw), limited to max_yaw_radps.
+/// [rad/s]
 float turn_rate(float error_rad, float feed_forward_radps, const wire::Parameters& parameters);
+
+/// Track speeds, forward positive. [m/s]
+struct TrackSpeeds {
+  float left;
+  float right;
+};
+
+/// Track speeds for a ground speed and a turn rate, within max_track_mps. If they exceed it, the
+/// speed is reduced and the turn rate kept: a robot that cannot keep up still steers.
+TrackSpeeds track_speeds(float speed_mps, float yaw_rate_radps, const wire::Parameters& parameters);
+
+/// `from` moved towards `to`, each track by at most `step`. [m/s]
+TrackSpeeds approach(const TrackSpeeds& from, const TrackSpeeds& to, float step);
 
 }  // namespace firmware
 }  // namespace tp100

@@ -1,7 +1,7 @@
-# Ports that another program works with, which opened them as pyserial does: no lock, its own speed. Before and after each
-# check board 0 alone is plugged in, as ttyACM0.
+# Ports that another program has opened as pyserial does: without a lock and at its own speed. Before and after each
+# check, only board 0 is plugged in, as ttyACM0.
 
-# work_with PORT: at 115200 baud. Sets $holder.
+# work_with PORT: opens PORT at 115200 baud and sets $holder.
 work_with() {
   (
     stty 115200 raw -echo
@@ -12,7 +12,7 @@ work_with() {
 }
 works_at() { stty < $1 | grep -q "speed $2 baud"; }
 
-# What the bus saw: a speed or DTR set, on a Mega or on the FTDI bridge.
+# Records the requests on the bus; the bus is quiet if no speed and no DTR is set on a Mega or on the FTDI bridge.
 watch_bus() {
   cat /sys/kernel/debug/usb/usbmon/0u > /tmp/bus &
   bus=$!
@@ -37,7 +37,7 @@ check_leaves_what_others_have_open() {
   bus_was_quiet
   works_at /dev/ttyACM0 115200 || wrong "the other Mega is at: $(stty < /dev/ttyACM0 | head -n 1)"
   works_at /dev/ttyUSB0 115200 || wrong "the bridge is at: $(stty < /dev/ttyUSB0 | head -n 1)"
-  # The robot comes, and is found beside them.
+  # The robot is plugged in and must be found beside the other ports.
   plug 0 1
   await "/dev/ttyACM1: open" && ready
   works_at /dev/ttyACM0 115200 || wrong "the other Mega is at: $(stty < /dev/ttyACM0 | head -n 1)"
@@ -57,14 +57,14 @@ check_leaves_a_bridge_that_others_have_open() {
   sleep 20
   bus_was_quiet
   works_at /dev/ttyUSB0 115200 || wrong "the bridge is at: $(stty < /dev/ttyUSB0 | head -n 1)"
-  # Free, it is asked, once.
+  # Once the bridge is free, it must be tried once.
   kill $holder
-  await "/dev/ttyUSB0: open" && await "auto leaves it alone until it is plugged in again"
+  await "/dev/ttyUSB0: open" && await "auto ignores it until it is plugged in again"
   mark
   sleep 15
   ! says ": open" || wrong "the bridge was asked again: $(last_words)"
   stop
-  # Who cannot see others' programs leaves it alone.
+  # A user who cannot see the programs of others must leave the bridge alone.
   chmod 666 /dev/ttyUSB0
   su nobody -c "tp100d run --listen off" > /tmp/other 2>&1 < /dev/null
   has /tmp/other "auto passes over /dev/ttyUSB0: a FTDI bridge, and what others have open cannot be seen"

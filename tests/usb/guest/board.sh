@@ -1,7 +1,7 @@
-# Boards on USB: an Arduino Mega 2560 each, by the kernel's own gadget, with an emulated robot behind it.
+# Boards on USB: each is an Arduino Mega 2560 made by the kernel's gadget driver, connected to an emulated robot.
 gadgets=/sys/kernel/config/usb_gadget
 
-# make_board N SERIAL: not plugged in yet.
+# make_board N SERIAL: makes a board that is not plugged in yet.
 make_board() {
   g=$gadgets/board$1
   mkdir $g $g/strings/0x409 $g/configs/c.1 $g/functions/acm.$1
@@ -14,7 +14,7 @@ make_board() {
   ln -s $g/functions/acm.$1 $g/configs/c.1
 }
 
-# plug N [NUMBER]: as /dev/ttyACMNUMBER, or whichever number is free.
+# plug N [NUMBER]: plugs board N in, as /dev/ttyACMNUMBER or with the first free number.
 plug() {
   echo "dummy_udc.$1" > $gadgets/board$1/UDC
   until_ test -c /dev/ttyACM${2:-0} || wrong "board $1 is plugged in, but there is no /dev/ttyACM${2:-0}"
@@ -26,7 +26,7 @@ unplug() {
     wrong "board $1 is unplugged, but Linux still has it"
 }
 
-# Links as udev makes them.
+# Makes the links that udev would make.
 name_ports() {
   rm -rf /dev/serial
   mkdir -p /dev/serial/by-id
@@ -36,8 +36,8 @@ name_ports() {
   done
 }
 
-# make_robot N: behind board N, which gives it power: once that is plugged in, its wire is opened, which resets it.
-# While there is a file /tmp/cutN, it is not wired to the board.
+# make_robot N: starts a robot that board N powers. When the board is plugged in, the robot's wire is opened, which
+# resets the robot. While the file /tmp/cutN exists, the robot is disconnected from the board.
 make_robot() {
   tp100-sim robot --link /tmp/robot$1 > /tmp/robot$1.log 2>&1 &
   while :; do
@@ -47,5 +47,5 @@ make_robot() {
     sleep 0.05
   done 2> /dev/null &
 }
-# How often robot N switched its motors off for REASON.
+# motors_off N REASON: counts how often robot N switched its motors off for REASON.
 motors_off() { grep -c "motors off: $2" /tmp/robot$1.log; }

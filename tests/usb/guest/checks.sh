@@ -1,4 +1,4 @@
-# try NAME: makes the check of that name, which says by `wrong` what it saw.
+# try NAME: runs the check of that name, which reports errors by `wrong`.
 try() {
   check=$1
   failed=
@@ -6,7 +6,7 @@ try() {
   [ -n "$failed" ] || echo "ok $1"
   echo "$(cut -d ' ' -f 1 /proc/uptime) s"
 }
-# wrong WHAT: only the first counts.
+# wrong WHAT: only the first error counts.
 wrong() {
   [ -z "$failed" ] || return 1
   failed=$1

@@ -1,7 +1,8 @@
-# The real tp100d, what it says, and patience: in seconds of this machine, in which nothing is ever late.
+# Functions for the real tp100d and its output. The patience is in seconds of this machine, in which nothing is ever
+# late.
 patience=30
 
-# until_ COMMAND...: false if that is not true in time.
+# until_ COMMAND...: waits until COMMAND succeeds; false if it does not in time.
 until_() {
   for at in $(seq $((patience * 10))); do
     "$@" && return
@@ -15,23 +16,23 @@ exec 9<> /tmp/keys
 press_enter() { echo >&9; }
 type_go() { echo go >&9; }
 
-# start ARGUMENTS...: tp100d run, in the background; in the folder $root as its root, if that is set.
+# start ARGUMENTS...: runs tp100d run in the background, with the folder $root as its root if that is set.
 start() {
   : > /tmp/daemon.log
   said_before=0
   ${root:+chroot $root} tp100d run --listen off "$@" < /tmp/keys > /tmp/daemon.log 2>&1 &
   daemon=$!
 }
-# From here on only what it says now counts.
+# From here on, only new output counts.
 mark() { said_before=$(wc -l < /tmp/daemon.log); }
 since_mark() { tail -n +$((said_before + 1)) /tmp/daemon.log; }
 says() { since_mark | grep -q -e "$1"; }
 last_words() { tail -n ${1:-8} /tmp/daemon.log | tr '\n' '|'; }
-# await TEXT: until it says so.
+# await TEXT: waits until the output contains TEXT.
 await() { until_ says "$1" || wrong "tp100d did not say '$1' but: $(last_words)"; }
 ready() { await "syncing -> ready"; }
 has_ended() { ! kill -0 $daemon 2> /dev/null; }
-# ended STATUS: it ends by itself, with that status.
+# ended STATUS: waits until the program has ended by itself with that status.
 ended() {
   until_ has_ended || { wrong "tp100d did not end"; kill -9 $daemon; }
   wait $daemon
@@ -40,7 +41,7 @@ ended() {
 }
 stop() {
   kill -INT $daemon
-  # Interrupted.
+  # The status of an interrupted program is 1.
   ended 1
 }
 
@@ -57,7 +58,7 @@ min_y_m = -0.5
 max_y_m = 0.5
 COURSE
 start_course() { start --course /tmp/short.toml "$@"; }
-# The rest of a course, from Enter on.
+# drive_it: presses Enter and waits for the end of the course.
 drive_it() {
   await "press Enter" && press_enter
   await "short: completed"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The first process of the machine: gets it ready, makes the checks and switches it off.
+# The first process of the machine: it prepares the machine, runs the checks and switches the machine off.
 /bin/busybox --install -s /bin
 export PATH=/bin HOME=/tmp XDG_STATE_HOME=/tmp
 mount -t devtmpfs dev /dev

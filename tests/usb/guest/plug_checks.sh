@@ -1,6 +1,6 @@
-# Plugs that are pulled. Before and after each, board 0 alone is plugged in, as ttyACM0.
+# Boards that are unplugged. Before and after each check, only board 0 is plugged in, as ttyACM0.
 
-# Before it knows its robot it is told to wait.
+# Before tp100d knows its robot, it needs --wait.
 check_unplugged_while_joining() {
   touch /tmp/cut0
   unplug 0
@@ -46,7 +46,7 @@ check_unplugged_while_driving() {
     await "port is gone"
     plug 0
     ready && await "type go and press Enter"
-    # It was driving before; nobody has started it since, and Enter does not.
+    # The robot was driving before. Without a new start it must stay still, and Enter is no start.
     sleep 1
     press_enter
     sleep 1
@@ -58,10 +58,10 @@ check_unplugged_while_driving() {
   ended 0
 }
 
-# holds PID FILE: that program reads from FILE.
+# holds PID FILE: true if that program reads from FILE.
 holds() { [ "$(readlink /proc/$1/fd/0)" = "$2" ]; }
 
-# Another program still has the old number open. Meanwhile no other port is asked: the robot is known.
+# Another program still has the old number open. In the meantime no other port may be tried, because the robot is known.
 check_returns_under_another_number() {
   printf '[link]\nfirst_frame_timeout_ms = 500.0\n' > /tmp/quick.toml
   start_course --port auto --config /tmp/quick.toml
@@ -95,7 +95,7 @@ check_two_boards() {
     wrong "A and B were disarmed $before times before the drive of B, $now times after it"
 }
 
-# Goes on with the boards of the check before: the same name now leads to the other number.
+# This check continues with the boards of the previous one: the same name now leads to the other number.
 check_two_boards_change_numbers() {
   start --wait --port /dev/serial/by-id/usb-Arduino-TP100B-if00
   ready

@@ -1,4 +1,4 @@
-# What tp100d finds and how it opens it. Board 0 stays plugged in, as ttyACM0, and no daemon is left behind.
+# Ports that tp100d finds, and how it opens them. Board 0 stays plugged in, as ttyACM0, and no daemon is left running.
 
 check_lists_ports() {
   until_ test -c /dev/ttyUSB0 || wrong "no /dev/ttyUSB0"
@@ -12,13 +12,13 @@ check_lists_ports() {
   has /tmp/ports "^/dev/ttyS1  -  serial port$"
 }
 
-# Found among them by itself, ready, through a short course.
+# tp100d must find the robot among the ports without help and drive a short course.
 check_drives() {
   start_course --port auto
   await "2 ports may be a TP100" && await "/dev/ttyACM0: open" && ready && drive_it
 }
 
-# Raw, and at 500000 baud, which the bus saw; what it saw of DTR is for the next checks.
+# The port must be raw and at 500000 baud, as the bus shows. The next checks use the record of DTR.
 check_sets_the_port() {
   unplug 0
   plug 0
@@ -35,20 +35,20 @@ check_sets_the_port() {
   has /tmp/bus "s 21 20 0000 0000 0007 7 = 20a10700 000008"
 }
 
-# Goes on with the daemon of the check before.
+# This check continues with the daemon of the previous one.
 check_is_alone_on_it() {
   tp100d run --listen off --port /dev/ttyACM0 > /tmp/second 2>&1 < /dev/null
   status=$?
   [ $status = 2 ] || wrong "a second tp100d ended with status $status, not 2"
   has /tmp/second "/dev/ttyACM0: port is busy, held by tp100d (pid $daemon)"
   [ "$(wc -l < /tmp/second)" = 1 ] || wrong "a second tp100d said more than one line: $(tr '\n' '|' < /tmp/second)"
-  # Who is not root is kept out by the kernel.
+  # The kernel refuses other users access.
   chmod 666 /dev/ttyACM0
   su nobody -c "head -c 1 /dev/ttyACM0" > /tmp/other 2>&1
   has /tmp/other "busy"
   su nobody -c "tp100d run --listen off --port /dev/ttyACM0" > /tmp/other 2>&1 < /dev/null
   has /tmp/other "/dev/ttyACM0: port is busy, held by a program of another account"
-  # Root is kept out by the lock alone; it must not touch the settings of the first one either.
+  # Only the lock refuses root access; a second daemon must not change the settings of the port either.
   stty -a < /dev/ttyACM0 2> /dev/null | cmp -s - /tmp/stty || wrong "a second tp100d changed the settings of the port"
   ! says "ready -> " || wrong "the first tp100d lost its robot: $(last_words)"
 }
@@ -56,7 +56,8 @@ check_is_alone_on_it() {
 check_keeps_dtr() {
   stop
   kill $bus
-  # SET_CONTROL_LINE_STATE: both up; closing leaves them there, so that the next opening resets no board.
+  # SET_CONTROL_LINE_STATE: both lines are up. Closing the port must leave them up, so that the next opening resets no
+  # board.
   has /tmp/bus "s 21 22 0003 0000 0000 0"
   grep "s 21 22" /tmp/bus > /tmp/lines
   tail -n 1 /tmp/lines > /tmp/last
@@ -76,7 +77,7 @@ check_drops_dtr() {
   has /tmp/last "s 21 22 0000"
 }
 
-# The bridge is asked not to keep bytes back.
+# The bridge must be configured not to delay bytes.
 check_low_latency() {
   timer=/sys/class/tty/ttyUSB0/device/latency_timer
   echo 16 > $timer

@@ -1,4 +1,5 @@
-# Under systemd, as root: the package's unit and udev rules as they are, in a machine that has booted without a board.
+# Runs under systemd as root, with the package's unit and udev rules unchanged, in a machine that has booted without a
+# board.
 export PATH=/bin HOME=/tmp
 unit=tp100d@tp100
 ip link set lo up
@@ -9,7 +10,7 @@ ip link set lo up
 
 cp /tmp/short.toml /etc/tp100
 printf 'course = "/etc/tp100/short.toml"\n[link]\nport = "/dev/tp100-TP100A"\n' > /etc/tp100/tp100.toml
-# Of the group dialout, too, but not of a kind that the unit allows.
+# The port belongs to the group dialout, but it is of a kind that the unit does not allow.
 printf '[link]\nport = "/dev/ttyS1"\n[server]\nlisten = "off"\n' > /etc/tp100/other.toml
 
 try starts_without_a_board

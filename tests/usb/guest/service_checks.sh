@@ -1,4 +1,4 @@
-# The service tp100d@tp100 in each of these goes on from the check before.
+# Each of these checks continues with the service tp100d@tp100 of the previous one.
 journal() { journalctl --no-pager -o cat -u ${1:-$unit}; }
 journal_says() { journal "$2" | grep -q -e "$1"; }
 hears() {
@@ -16,7 +16,7 @@ is() { # WHAT WANTED GOT
 
 check_starts_without_a_board() {
   lacks /proc/devices "ttyACM\|ttyUSB"
-  # As dpkg does it: the files first.
+  # dpkg installs in the same order: first the files, then postinst.
   cp /guest/65-tp100.rules /lib/udev/rules.d
   sh /guest/postinst configure || wrong "postinst ended with status $?"
   udevadm settle
@@ -38,14 +38,14 @@ check_finds_the_board_plugged_in_later() {
   is NRestarts 0 "$(ask NRestarts)"
 }
 
-# As its user, in the real-time class, with its memory locked and the processor awake.
+# The service must run as its user, in the real-time class, with its memory locked and the processor kept awake.
 check_has_its_rights() {
   pid=$(main_pid)
   is "its user" tp100 "$(stat -c %U /proc/$pid)"
   hears "real time: SCHED_FIFO 80"
   hears "real time: memory locked"
   hears "real time: processor kept awake"
-  # Fields 40 and 41 of proc(5), counted behind the name: 80 of SCHED_FIFO, which is 1.
+  # Fields 40 and 41 of proc(5), counted from the name, must be priority 80 and policy SCHED_FIFO, which is 1.
   cat /proc/$pid/task/*/stat | sed 's/.*) //' | cut -d ' ' -f 38,39 > /tmp/policies
   has /tmp/policies "^80 1$"
   locked_kb=$(sed -n 's/^VmLck:[^0-9]*\([0-9]*\) kB$/\1/p' /proc/$pid/status)
@@ -55,12 +55,12 @@ check_has_its_rights() {
   has /tmp/open "/dev/ttyACM0$"
   sed -n 's/^CapEff:[^0-9]*//p' /proc/$pid/status > /tmp/capabilities
   has /tmp/capabilities "^0*$"
-  # The name of this machine's clock, by which a camera's stamps count.
+  # The boot id tells whether a camera's stamps are on this machine's clock.
   is "the boot id that it sees" "$(cat /proc/sys/kernel/random/boot_id)" \
     "$(cat /proc/$pid/root/proc/sys/kernel/random/boot_id 2>&1)"
 }
 
-# What it may open is what the unit names; the mode of this one would let it.
+# The service may open only the ports that the unit names, even if their mode allows more.
 check_is_kept_from_other_ports() {
   chgrp dialout /dev/ttyS1
   chmod 660 /dev/ttyS1
@@ -84,7 +84,7 @@ check_board_is_prepared() {
   lacks /tmp/usb "ID_MM_DEVICE_IGNORE"
 }
 
-# It may be somebody's meter, for which the administrator has a rule.
+# The bridge may belong to another device, for which the administrator has a rule.
 check_bridge_is_left_alone() {
   printf 'SUBSYSTEM=="tty", ATTRS{idVendor}=="0403", GROUP="tty", MODE="0640"\n' > /etc/udev/rules.d/60-meter.rules
   udevadm control --reload
@@ -93,14 +93,14 @@ check_bridge_is_left_alone() {
   until_ test -e /dev/ttyUSB0 || wrong "no /dev/ttyUSB0"
   udevadm settle
   is /dev/ttyUSB0 "root:tty 640" "$(node /dev/ttyUSB0)"
-  # The gadget has none of its own: 0 is what the driver reads of it.
+  # The emulated bridge has no latency timer: the driver reads 0.
   is "latency timer" 0 "$(cat /sys/class/tty/ttyUSB0/device/latency_timer)"
   udevadm info /dev/ttyUSB0 > /tmp/port
   lacks /tmp/port "ID_MM_\|uaccess"
   rm /etc/udev/rules.d/60-meter.rules
 }
 
-# As the rule file says it.
+# The rule file describes these steps.
 check_bridge_is_prepared_when_asked() {
   cp /guest/64-tp100-bridges.rules /etc/udev/rules.d
   udevadm control --reload && udevadm trigger --subsystem-match=usb --subsystem-match=tty
@@ -119,7 +119,7 @@ drop_in() {
   systemctl daemon-reload
 }
 
-# Not even with --go: it would start again whenever systemd starts it again.
+# This must hold even with --go: otherwise the robot would start again whenever systemd restarts the service.
 check_starts_nothing_by_itself() {
   started=$(grep '^ExecStart=' /lib/systemd/system/tp100d@.service)
   drop_in "ExecStart=
@@ -133,7 +133,7 @@ $started --go"
   ! journal_says "-> arming" || wrong "the service started a run by itself"
 }
 
-# As the page does it: the service `start` of foxglove.websocket.v1.
+# The page does the same: it calls the service `start` of foxglove.websocket.v1.
 press_start() {
   {
     printf 'GET / HTTP/1.1\r\nHost: 127.0.0.1:8765\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n'
@@ -151,13 +151,13 @@ check_drives_as_the_service() {
   hears "info completed"
 }
 
-# It ends with a status that the unit is restarted after. The other robot's service: its configuration has no page.
+# The exit status must lead to a restart. The check uses the other robot's service, whose configuration has no page.
 check_is_restarted_after_want_of_files() {
   starved=tp100d@other
   mkdir -p /run/systemd/system/$starved.service.d
   printf '[Service]\nLimitNOFILE=6\n' > /run/systemd/system/$starved.service.d/test.conf
   systemctl daemon-reload
-  # Before it says that it is ready.
+  # The service fails before it reports that it is ready.
   systemctl start $starved 2> /dev/null
   again() { [ "$(ask NRestarts $starved)" -ge 1 ]; }
   until_ again || wrong "NRestarts $(ask NRestarts $starved): $(journal $starved | tail -n 5 | tr '\n' '|')"

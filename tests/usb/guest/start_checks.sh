@@ -1,7 +1,7 @@
-# The robot of board 0, plugged in as ttyACM0, under other names: nothing moves before Enter, and after it the course is
-# driven to its end, which takes the right speed of the wire.
+# The robot of board 0, plugged in as ttyACM0, under other names: nothing moves before Enter. After Enter it drives the
+# course to its end, which requires the right speed of the wire.
 
-# waits_on PORT: no start, no motion.
+# waits_on PORT: checks that there is no start and no motion before Enter.
 waits_on() {
   before=$(motors_off 0 disarm)
   start_course --port $1
@@ -12,7 +12,7 @@ waits_on() {
   drive_it
 }
 
-# node NAME: another one for the robot's port.
+# node NAME: makes another device node for the robot's port.
 node() { mknod $1 c $(tr : ' ' < /sys/class/tty/ttyACM0/dev); }
 
 check_waits_under_another_name() {
@@ -33,7 +33,7 @@ check_waits_behind_a_link() {
   rm /tmp/linked /tmp/twin
 }
 
-# A root without /sys, and of /dev only what it was given.
+# The root folder has no /sys, and its /dev contains only the given nodes.
 check_waits_in_a_container() {
   mkdir -p /jail
   mount --bind / /jail

@@ -1,10 +1,10 @@
-// A plain viewer of the daemon: what the bus carries, to compare the page with.
+// A simple viewer of the daemon that provides the published messages, with which tests compare the page.
 import { WebSocket } from 'ws';
 import { parseBinary, parseText, subscribe } from '../../../daemon/web/foxglove/codec.ts';
 import type { Channels, Topic } from '../../../daemon/web/state/messages.ts';
 
 export class Bus {
-  readonly heard: { [T in Topic]?: Channels[T][] } = {};
+  readonly received: { [T in Topic]?: Channels[T][] } = {};
   private readonly socket: WebSocket;
 
   constructor(url: string, topics: Topic[]) {
@@ -24,14 +24,14 @@ export class Bus {
       if (message?.op !== 'message') return;
       const topic = names.get(message.subscriptionId);
       if (topic === undefined) return;
-      const list = (this.heard[topic] ??= []) as unknown[];
+      const list = (this.received[topic] ??= []) as unknown[];
       list.push(JSON.parse(new TextDecoder().decode(message.payload)));
     });
     this.socket.on('error', () => undefined);
   }
 
   last<T extends Topic>(topic: T): Channels[T] | undefined {
-    return this.heard[topic]?.at(-1);
+    return this.received[topic]?.at(-1);
   }
 
   close(): void {

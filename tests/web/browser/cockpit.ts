@@ -1,4 +1,4 @@
-// The page in a real browser, as a person uses and reads it.
+// Functions that use and read the page in a real browser as a person does.
 import { existsSync } from 'node:fs';
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -7,7 +7,7 @@ import { chromium, type Browser, type Page } from 'playwright-core';
 import { bin } from './programs.ts';
 
 const kChromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium';
-/** Pinned, so that every run draws with the same software. */
+/** The version is pinned, so that every run draws with the same software. */
 const kFlags = [
   '--no-sandbox',
   '--disable-gpu',
@@ -18,11 +18,11 @@ const kFlags = [
   '--disable-component-update',
   '--disable-sync',
 ];
-/** Nothing that is waited for moved on for this long, or it did but is not there after that long: it never will be. */
+/** Limits of waiting: the time without any change, and the total time, after which a condition counts as failed. */
 const kStill_ms = 120_000;
 const kLimit_ms = 150_000;
 
-/** Without a graphics card a browser takes every core it gets; the robot must not starve for pictures. */
+/** Without a graphics card, a browser uses all cores that it gets; drawing must not delay the robot. */
 export async function openBrowser(flags: string[] = []): Promise<Browser> {
   if (!existsSync(kChromium)) throw new Error(`${kChromium} is missing; scripts/setup installs it`);
   const executablePath = fileURLToPath(new URL('nice_chromium', import.meta.url));
@@ -34,15 +34,15 @@ export interface Size {
   height: number;
 }
 
-/** As small as the layout of a large screen allows: every pixel is drawn by the processor. */
+/** The smallest size with the layout of a large screen, because the processor draws every pixel. */
 export const kSize: Size = { width: 1024, height: 600 };
 
-/** A page; what it complains about goes into `complaints`. */
+/** Opens a page; its console errors are added to `complaints`. */
 export async function openPage(browser: Browser, url: string, complaints: string[], size: Size = kSize): Promise<Page> {
   const page = await browser.newPage({ viewport: size });
   page.setDefaultTimeout(kStill_ms);
   page.on('console', (message) => {
-    // Drivers tell the tests, which read pictures back, that this is slow.
+    // Drivers warn that reading pictures back, as the tests do, is slow.
     const ours = message.type() === 'error' || (message.type() === 'warning' && !message.text().includes('GL Driver Message'));
     if (ours) complaints.push(message.text());
   });
@@ -51,7 +51,7 @@ export async function openPage(browser: Browser, url: string, complaints: string
   return page;
 }
 
-/** The state of the run, as the page says it. */
+/** The state of the run as the page shows it. */
 export async function run(page: Page): Promise<string> {
   return (await page.textContent('#chip-run .chip-value')) ?? '';
 }
@@ -62,27 +62,27 @@ export async function figure(page: Page, id: string): Promise<number> {
   return Number(text.replace('\u2212', '-').replace('\u2013', 'NaN'));
 }
 
-/** Where the robot was last drawn: x, y, z in metres, yaw in radians; nothing if it was not. */
+/** The pose at which the robot was last drawn: x, y, z in metres, yaw in radians; undefined if it was not drawn. */
 export async function drawn(page: Page): Promise<number[] | undefined> {
   const text = await page.locator('.stage canvas').getAttribute('data-robot');
   return text === null || text === '' ? undefined : text.split(' ').map(Number);
 }
 
-/** Waits until there are figures and a robot. */
+/** Waits until the page shows figures and the robot. */
 export async function alive(page: Page): Promise<void> {
   await until(async () => Number.isFinite(await figure(page, 'x')), 'figures');
   await until(() => drawn(page), 'a robot');
 }
 
 /**
- * Starts the robot if it stands: at its end, or stopped by itself on a machine that is too busy for it. The first press is
- * a question, the second, by the next call, its answer.
+ * Starts the robot if it is at standstill, at its end or because a busy machine stopped it. The first press asks for
+ * confirmation; the next call confirms.
  */
 export async function goOn(page: Page): Promise<void> {
   if (['aborted', 'idle', 'finished'].includes(await run(page)) && (await page.isEnabled('#start'))) await page.click('#start');
 }
 
-/** Waits until the run is `wanted`; starts again as often as that takes. */
+/** Waits until the run is `wanted`; starts it again as often as necessary. */
 export async function driveUntil(page: Page, wanted: string): Promise<void> {
   await until(
     async () => {
@@ -95,14 +95,14 @@ export async function driveUntil(page: Page, wanted: string): Promise<void> {
   );
 }
 
-/** A picture for people, beside the test's results. */
+/** Saves a picture for people, beside the test's results. */
 export async function picture(page: Page, name: string): Promise<void> {
   const folder = join(bin, '..', 'web');
   await mkdir(folder, { recursive: true });
   await page.screenshot({ path: join(folder, `${name}.png`) });
 }
 
-/** Waits until `check` gives something, as long as there is hope: `moves` is what changes on the way there. */
+/** Waits until `check` returns a result; gives up when `moves`, whose result changes on the way there, no longer changes. */
 export async function until<T>(
   check: () => Promise<T | undefined | false> | T | undefined | false,
   what: string,

@@ -11,11 +11,11 @@ afterEach(() => {
   bus?.close();
 });
 
-/** The message of the bus, from number `from` on, whose pose is the one that is drawn. */
-function said(heard: Estimate[], from: number, at: number[]): number | undefined {
+/** The index, from `from` on, of the published message whose pose is drawn. */
+function said(received: Estimate[], from: number, at: number[]): number | undefined {
   const [x = NaN, y = NaN, z = NaN, yaw = NaN] = at;
-  for (let i = heard.length - 1; i >= from; i--) {
-    const estimate = heard[i];
+  for (let i = received.length - 1; i >= from; i--) {
+    const estimate = received[i];
     const pose = estimate?.[estimate.steering];
     if (pose && Math.hypot(pose.x_m - x, pose.y_m - y, pose.z_m - z, pose.yaw_rad - yaw) < 1e-6) return i;
   }
@@ -25,19 +25,21 @@ function said(heard: Estimate[], from: number, at: number[]): number | undefined
 describe('the page of a robot that drives course 3', () => {
   it('shows it where the bus says, from the first metre to the end', async () => {
     bus = new Bus(setting.pair.url, ['/estimate', '/state', '/course']);
-    const heard = (bus.heard['/estimate'] ??= []);
-    const progress_m = (): number => heard.at(-1)?.progress_m ?? 0;
+    const received = (bus.received['/estimate'] ??= []);
+    const progress_m = (): number => received.at(-1)?.progress_m ?? 0;
     const page = await setting.open();
-    /** Where it is drawn with a message not older than `from`: the page may be late, but it may not lie or stand still. */
+    /**
+     * The drawn pose and its message, which must not be older than `from`: the page may be late, but not wrong or frozen.
+     */
     const follows = (from: number): Promise<{ at: number[]; index: number }> =>
       until(
         async () => {
           const at = await drawn(page);
-          const index = at && said(heard, from, at);
+          const index = at && said(received, from, at);
           return at !== undefined && index !== undefined && { at, index };
         },
         `the robot is drawn where the bus says, after message ${from}`,
-        () => heard.length,
+        () => received.length,
       );
 
     await driveUntil(page, 'running');
@@ -55,11 +57,11 @@ describe('the page of a robot that drives course 3', () => {
         `${share} of the way`,
         progress_m,
       );
-      const { at, index } = await follows(heard.length);
+      const { at, index } = await follows(received.length);
       places.push(at);
-      behind_ms.push(1000 * ((heard.at(-1)?.t_s ?? NaN) - (heard[index]?.t_s ?? NaN)));
+      behind_ms.push(1000 * ((received.at(-1)?.t_s ?? NaN) - (received[index]?.t_s ?? NaN)));
       expect(await figure(page, 'x')).toBeGreaterThan(-0.1);
-      if (share === 0.7) await chase(page, () => follows(heard.length));
+      if (share === 0.7) await chase(page, () => follows(received.length));
     }
     const ways = places.map(([x = 0, y = 0]) => Math.hypot(x - (places[0]?.[0] ?? 0), y - (places[0]?.[1] ?? 0)));
     expect(Math.max(...ways)).toBeGreaterThan(0.8);
@@ -81,7 +83,7 @@ describe('the page of a robot that drives course 3', () => {
   });
 });
 
-/** The other cameras show it too. */
+/** The other cameras must show the robot, too. */
 async function chase(page: Page, follows: () => Promise<unknown>): Promise<void> {
   await page.click('#camera-chase');
   await follows();

@@ -8,7 +8,7 @@ const setting = new Setting();
 
 const pressed = async (page: Page, id: string): Promise<boolean> => (await page.getAttribute(`#${id}`, 'aria-pressed')) === 'true';
 
-/** Goes on from element to element until `id` has the focus. */
+/** Presses the tab key until `id` has the focus. */
 async function tabTo(page: Page, id: string): Promise<void> {
   for (let i = 0; i < 60; i++) {
     await page.keyboard.press('Tab');
@@ -49,7 +49,7 @@ describe('without a mouse', () => {
     await page.keyboard.press('Enter');
     expect(await pressed(page, 'show-model')).toBe(false);
 
-    // Tabs: one stop of the tab key, arrows between them.
+    // Tabs are one stop of the tab key; the arrow keys change between them.
     await tabTo(page, 'tab-events');
     await page.keyboard.press('ArrowRight');
     await page.keyboard.press('ArrowRight');
@@ -68,7 +68,7 @@ describe('without a mouse', () => {
     await driveUntil(page, 'running');
     await page.keyboard.press('h');
     await until(async () => (await run(page)) === 'idle', 'it holds');
-    // Something has run: a start is asked for twice, by key, too.
+    // After a run, a start must be confirmed, also by key.
     await page.keyboard.press('r');
     await page.waitForFunction(() => document.querySelector('#start')?.textContent === 'Really?');
     await page.keyboard.press('r');

@@ -5,7 +5,7 @@ import { Setting } from './setting.ts';
 
 const setting = new Setting();
 
-/** Elements that stick out to the side, unless something around them scrolls or hides it. */
+/** Elements that extend beyond the side of the page, unless a parent element scrolls or hides them. */
 function sticksOut(): string[] {
   const width = document.documentElement.clientWidth;
   const out: string[] = [];
@@ -20,7 +20,7 @@ function sticksOut(): string[] {
   return out;
 }
 
-/** One more frame than has been drawn: what follows the size of the screen has done so. */
+/** Waits for one more frame than was drawn, so that all elements have adapted to the size of the screen. */
 const frame = (page: Page): Promise<unknown> =>
   page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
@@ -33,7 +33,7 @@ const kScreens: Size[] = [
   { width: 2560, height: 1440 },
 ];
 
-/** How much of the page moves within `during_ms`, and what. The event log moves by design: its newest line is on top. */
+/** Elements that move within `during_ms`, and how far. The event log moves by design: its newest line is on top. */
 async function shifts(page: Page, during_ms: number): Promise<string[]> {
   return page.evaluate(
     (wait_ms) =>
@@ -90,7 +90,7 @@ describe('the layout', () => {
   it('does not move while the numbers do', async () => {
     const page = await setting.open();
     await alive(page);
-    // What comes once has come: the figures of every topic, the font.
+    // These appear once and may move the page: the figures of every topic, and the font.
     await until(async () => (await page.locator('.number.stale').count()) === 0, 'all figures');
     await page.evaluate(() => document.fonts.ready);
     const before = await page.textContent('#number-x');

@@ -1,4 +1,4 @@
-// The two real programs, joined by a pseudo-terminal, for as long as a test needs them.
+// The two real programs, connected by a pseudo-terminal, for the duration of a test.
 import { spawn, type ChildProcess } from 'node:child_process';
 import { once } from 'node:events';
 import { existsSync } from 'node:fs';
@@ -8,16 +8,16 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 
-/** Where the programs are. */
+/** The folder of the programs. */
 export const bin = process.env.TP100_BIN ?? '';
 /**
- * Course 3, but quick: on a busy machine the kernel itself holds bytes of a pseudo-terminal back now and then for longer
- * than the robot waits for commands. A short drive more often lies between two of these.
+ * Course 3 at a high speed: on a busy machine the kernel sometimes holds back bytes of a pseudo-terminal for longer than the
+ * command time-out of the robot. A short run is more likely to fall between two such delays.
  */
 const kSpeed_mps = 0.18;
 const kCourse3 = new URL('../../../config/courses/3.toml', import.meta.url);
 
-/** One of our programs with what it said. */
+/** One of our programs and its output. */
 export class Program {
   readonly lines: string[] = [];
   private readonly child: ChildProcess;
@@ -44,7 +44,7 @@ export class Program {
     });
   }
 
-  /** The first match in what it says, from line `from` on. */
+  /** The first match in its output, from line `from` on. */
   line(pattern: RegExp, from = 0): Promise<RegExpExecArray> {
     return new Promise((resolve, reject) => {
       const check = (): void => {
@@ -81,7 +81,7 @@ export class Program {
   }
 }
 
-/** A port that nobody uses now. */
+/** A port that is free at present. */
 export async function freePort(): Promise<number> {
   const server = createServer().listen(0, '127.0.0.1');
   await once(server, 'listening');
@@ -91,7 +91,7 @@ export async function freePort(): Promise<number> {
   return typeof address === 'object' && address !== null ? address.port : 0;
 }
 
-/** An emulated robot and the daemon that drives it. */
+/** An emulated robot and the daemon that controls it. */
 export class Pair {
   url = '';
   private constructor(
@@ -102,8 +102,8 @@ export class Pair {
 
   static async start(options: string[] = [], listen = '127.0.0.1:0'): Promise<Pair> {
     const folder = await mkdtemp(join(tmpdir(), 'tp100-web-'));
-    // In real time where that is allowed, as for users: a browser that draws without a graphics card leaves no processor
-    // free. The rest only matters to who measures lateness.
+    // Scheduling is real-time where allowed, as for users: a browser that draws without a graphics card leaves no
+    // processor free. The other settings only matter for measurements of latency.
     await writeFile(join(folder, 'tp100.toml'), '[loop]\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n');
     const course = (await readFile(kCourse3, 'utf8')).replace(/^speed_mps = .*$/m, `speed_mps = ${kSpeed_mps}`);
     await writeFile(join(folder, '3.toml'), course);
@@ -114,7 +114,7 @@ export class Pair {
     return pair;
   }
 
-  /** Another daemon at the place of one that has ended. */
+  /** Starts another daemon with the address of one that has ended. */
   async restart(options: string[] = []): Promise<void> {
     const { host } = new URL(this.url);
     this.daemon = Pair.daemon(this.folder, options, host);
@@ -127,7 +127,7 @@ export class Pair {
     await rm(this.folder, { recursive: true, force: true });
   }
 
-  /** What both said, for who looks for the reason of a failure. */
+  /** The output of both programs, to find the reason of a failure. */
   get said(): string {
     return ['tp100d:', ...this.daemon.lines, 'tp100-sim:', ...this.robot.lines].join('\n');
   }

@@ -8,7 +8,7 @@ import { drawn, picture, until } from './cockpit.ts';
 import { bin } from './programs.ts';
 import { Setting } from './setting.ts';
 
-/** The page shows the newest step that is not after the wanted time; steps are 5 ms apart. */
+/** The page shows the newest step that is not later than the requested time; steps are 5 ms apart. */
 const kSoon_s = 0.02;
 const kSame_m = 1e-6;
 
@@ -38,13 +38,13 @@ afterAll(() => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** When the robot was where it is drawn now, as `tp100d export` says. */
+/** The time at which the robot was at the drawn pose, according to `tp100d export`. */
 async function drawnAt(page: Page): Promise<number | undefined> {
   const [x = NaN, y = NaN] = (await drawn(page)) ?? [];
   return exported.find((moment) => Math.hypot(moment.x_m - x, moment.y_m - y) < kSame_m)?.t_s;
 }
 
-/** Moves the slider there; the time that is drawn then. */
+/** Moves the slider to a time; returns the time that is then drawn. */
 async function scrub(page: Page, position_s: number): Promise<number> {
   const before = (await drawn(page))?.join();
   await page.fill('#scrub', String(position_s));

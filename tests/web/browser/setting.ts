@@ -1,24 +1,24 @@
-// What the tests of a file have in common: one browser, the programs, and that no page complains.
+// Common to the tests of a file: one browser, the programs, and the check that no page reports an error.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
 import { openBrowser, openPage, type Size } from './cockpit.ts';
 import { Pair } from './programs.ts';
 
 export interface Wishes {
-  /** New programs for every test. */
+  /** Starts new programs for every test. */
   each?: boolean;
-  /** For the browser. */
+  /** Options for the browser. */
   flags?: string[];
-  /** For the daemon. */
+  /** Options for the daemon. */
   options?: string[];
 }
 
-/** To be made once in a file or in a `describe`: everything begins and ends with it. */
+/** Is made once in a file or in a `describe`; browser and programs start and end with it. */
 export class Setting {
   private browser: Browser | undefined;
   private pair_: Pair | undefined;
   private readonly complaints: string[] = [];
-  /** What a test that breaks something on purpose lets the browser complain about. */
+  /** Errors that the browser may report in a test that causes failures on purpose. */
   expected: RegExp | undefined;
 
   constructor({ each = false, flags = [], options = [] }: Wishes = {}) {
@@ -35,7 +35,7 @@ export class Setting {
     if (each) beforeEach(start);
     afterEach(async ({ task }) => {
       if (task.result?.state === 'fail') console.log(this.pair_?.said);
-      // A page that nobody looks at any more draws on, with a processor that the next one needs.
+      // An unused page would keep drawing and use a processor that the next page needs.
       for (const context of this.browser?.contexts() ?? []) await context.close();
       if (each) await end();
       const unexpected = this.complaints.splice(0).filter((text) => this.expected?.test(text) !== true);
@@ -53,7 +53,7 @@ export class Setting {
     return this.pair_;
   }
 
-  /** Another page; it ends with the test. */
+  /** Opens another page, which is closed after the test. */
   async open(size?: Size): Promise<Page> {
     if (this.browser === undefined) throw new Error('no browser: outside of a test');
     return openPage(this.browser, this.pair.url, this.complaints, size);

@@ -3,15 +3,17 @@ import { describe, expect, it } from 'vitest';
 import { alive, driveUntil, goOn, run } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
-/** Two hours by scripts/web soak; in the tests, what is enough to see a leak of every message. */
+/** `scripts/web soak` sets two hours; the tests run long enough to find a leak in every message. */
 const kSoak_s = Number(process.env.TP100_SOAK_S ?? 45);
 const kWarmUp_s = Math.min(kSoak_s / 3, 180);
-/** How often it is weighed after the warm-up; the best frame of the first looks and of the last ones is compared. */
+/** Number of measurements after the warm-up; the best frame times of the first and of the last ones are compared. */
 const kLooks = kSoak_s < 600 ? 2 : 13;
 const kCompared = Math.ceil(kLooks / 4);
-/** The collector's own noise, and lists that fill up to their limits; messages that are kept take this in seconds. */
+/**
+ * Allows for noise of the collector and for lists that fill up to their limits. A leak of messages exceeds this in seconds.
+ */
 const kNoise_bytes = 3e6;
-/** A busy neighbour takes the caches too; what grows with every message takes far more than this. */
+/** Other programs also use the caches; work that grows with every message takes far more than this. */
 const kSlower = 2.5;
 const kWindow_s = 2;
 const kWindows = 3;
@@ -22,7 +24,7 @@ interface Weight {
   heap_bytes: number;
   nodes: number;
   listeners: number;
-  /** Time of the processor that one frame of the page takes, scripts and layout: neighbours hardly change it. */
+  /** Processor time for one frame of the page, scripts and layout; other programs hardly change it. */
   frame_ms: number;
   frames_hz: number;
 }
@@ -91,7 +93,7 @@ describe('a page that stays open', () => {
     if (first === undefined || last === undefined) throw new Error('it was never weighed');
     const quickest = (some: Weight[]): number => Math.min(...some.map(({ frame_ms }) => frame_ms));
     expect(last.heap_bytes - first.heap_bytes).toBeLessThan(kNoise_bytes);
-    // The event log may grow to its limit: four nodes and their texts a line.
+    // The event log may grow to its limit, with four nodes and their texts per line.
     expect(last.nodes - first.nodes).toBeLessThan(300 * 10);
     expect(last.listeners - first.listeners).toBeLessThan(20);
     expect(quickest(looks.slice(-kCompared))).toBeLessThan(kSlower * quickest(looks.slice(0, kCompared)));

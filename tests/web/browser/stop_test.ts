@@ -10,10 +10,10 @@ const says = (page: Page, text: RegExp): Promise<boolean> => until(async () => t
 const running = (page: Page): Promise<void> => driveUntil(page, 'running');
 
 interface Look {
-  /** Of a figure: its largest part, and how far its parts are apart, of 255. */
+  /** Of a figure's colour: the largest component and the range of its components, out of 255. */
   light: number;
   tint: number;
-  /** Over the picture. */
+  /** The CSS filter of the 3-D view. */
   filter: string;
 }
 
@@ -25,7 +25,7 @@ const look = (page: Page): Promise<Look> =>
     return { light, tint: light - Math.min(...parts), filter: style('.stage').filter };
   });
 
-/** What is old looks old, figures and picture. */
+/** Expects that figures and 3-D view are shown as stale. */
 async function grey(page: Page): Promise<void> {
   let last: Look | undefined;
   const isGrey = async (): Promise<boolean> => {
@@ -43,7 +43,7 @@ const bright = (page: Page): Promise<boolean> =>
     return light > 180 && filter === 'none';
   }, 'bright figures');
 
-/** Presses, without letting go. */
+/** Presses the button without releasing it. */
 async function press(page: Page): Promise<void> {
   await page.hover('#stop');
   await page.mouse.down();
@@ -60,12 +60,12 @@ describe('STOP', () => {
     await setting.pair.robot.line(/motors off: (disarm|stop)/i);
     await until(async () => (await run(page)) !== 'running', 'the run is over');
     await picture(page, 'stopped');
-    // A page that nobody sees draws nothing.
+    // A page in the background draws nothing.
     await other.bringToFront();
     await says(other, /^robot stopped in [\d.]+ ms$/);
     await page.bringToFront();
 
-    // Latched: after a stop, a start is asked for twice.
+    // The stop is latched: afterwards a start must be confirmed.
     await until(async () => page.isEnabled('#start'), 'start is possible');
     const question = page.waitForFunction(() => document.querySelector('#start')?.textContent === 'Really?');
     await page.click('#start');
@@ -89,7 +89,7 @@ describe('STOP', () => {
     expect(await line(page)).toBe('space or esc');
     await page.keyboard.press('Escape');
     await says(page, /^robot stopped in/);
-    // Space stops; it does not also press the button that has the focus.
+    // The space key stops the robot, but must not also press the button that has the focus.
     await page.focus('#camera-map');
     await page.keyboard.press('Space');
     expect(await page.getAttribute('#camera-map', 'aria-pressed')).toBe('false');
@@ -128,7 +128,7 @@ describe('STOP', () => {
   it('waits for a daemon that is dead and goes out first when another one comes', async () => {
     const page = await setting.open();
     await running(page);
-    // What the browser itself says about a daemon that is not there.
+    // The browser itself reports that the daemon cannot be reached.
     setting.expected = /WebSocket connection to/;
     await setting.pair.daemon.end('SIGKILL');
     await until(async () => (await page.textContent('#chip-link .chip-value')) === 'no daemon', 'no daemon');

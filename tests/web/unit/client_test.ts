@@ -55,14 +55,14 @@ afterEach(() => {
 
 describe('Client', () => {
   it('subscribes by topic and hands messages to their listener', () => {
-    const heard = vi.fn();
-    client.subscribe('/link', heard);
+    const received = vi.fn();
+    client.subscribe('/link', received);
     greet(newest());
     expect(newest().sent).toEqual(['{"op":"subscribe","subscriptions":[{"id":1,"channelId":2}]}']);
     newest().say(data(1, { quality: 'good' }));
     newest().say(data(99, { quality: 'other' }));
-    expect(heard).toHaveBeenCalledOnce();
-    expect(heard).toHaveBeenCalledWith({ quality: 'good' }, 0);
+    expect(received).toHaveBeenCalledOnce();
+    expect(received).toHaveBeenCalledWith({ quality: 'good' }, 0);
   });
 
   it('subscribes anew, to the new ids, after a reconnection', () => {
@@ -105,13 +105,13 @@ describe('Client', () => {
   });
 
   it('survives garbage', () => {
-    const heard = vi.fn();
-    client.subscribe('/state', heard);
+    const received = vi.fn();
+    client.subscribe('/state', received);
     greet(newest());
     const broken = data(1, {});
     new Uint8Array(broken).fill(0x7b, 13);
     for (const frame of ['', '{', '[1]', new ArrayBuffer(0), new ArrayBuffer(4), broken]) newest().say(frame);
     newest().say(data(1, 5));
-    expect(heard).toHaveBeenCalledOnce();
+    expect(received).toHaveBeenCalledOnce();
   });
 });

@@ -68,7 +68,7 @@ describe('Connection', () => {
     expect(sockets.length).toBe(2);
   });
 
-  it('is patient with a socket that does not open, but not for ever', () => {
+  it('is blocking with a socket that does not open, but not for ever', () => {
     vi.advanceTimersByTime(kOpening_ms - 1000);
     expect(sockets.length).toBe(1);
     vi.advanceTimersByTime(3000);
@@ -79,7 +79,7 @@ describe('Connection', () => {
   it('does not take its own sleep for the silence of the daemon', () => {
     newest().open();
     for (let i = 0; i < 5; i++) {
-      // The page was away: the watch runs late, and before the frames that have come in meanwhile.
+      // The page was suspended: its watchdog runs late, and before the frames that have arrived in the meantime.
       vi.setSystemTime(Date.now() + 20 * kSilence_ms);
       vi.advanceTimersByTime(kSilence_ms / 2);
       newest().say('x');

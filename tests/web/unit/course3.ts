@@ -32,7 +32,7 @@ export const course3: Course = {
   ],
   blocks: [{ x_m: 1.2, y_m: -0.8, heading_rad: Math.PI, height_m: 0.037, depth_m: 0.1, width_m: 0.4 }],
   surfaces: [],
-  shoves: [],
+  disturbances: [],
   fence: { min_x_m: -0.05, max_x_m: 1.85, min_y_m: -0.9, max_y_m: 0.1 },
   robot: {
     name: 'end-loaded',
@@ -41,7 +41,7 @@ export const course3: Course = {
     height_m: 0.06,
     gauge_m: 0.155,
     axle_spacing_m: 0.133,
-    belt_radius_m: 0.026,
-    belt_width_m: 0.045,
+    wheel_radius_m: 0.026,
+    shoe_width_m: 0.045,
   },
 };

@@ -1,4 +1,4 @@
-// A WebSocket that a test drives by hand.
+// A WebSocket that a test operates directly.
 import type { Socket } from '../../../daemon/web/foxglove/connection.ts';
 
 export class FakeSocket implements Socket {

@@ -21,8 +21,8 @@ describe('prism', () => {
     const up = 0.08 / Math.tan(ramp.up_rad);
     expect(volume(geometry.prism(geometry.rampProfile(ramp), 0.4))).toBeCloseTo((0.2 + up) * 0.08 * 0.4, 6);
     expect(volume(geometry.prism(geometry.blockProfile(block), 0.4))).toBeCloseTo(0.1 * 0.037 * 0.4, 7);
-    const belt = geometry.prism(geometry.stadium(0.133, 0.026, 64), 0.045);
-    expect(volume(belt)).toBeCloseTo((2 * 0.026 * 0.133 + Math.PI * 0.026 ** 2) * 0.045, 6);
+    const track = geometry.prism(geometry.stadium(0.133, 0.026, 64), 0.045);
+    expect(volume(track)).toBeCloseTo((2 * 0.026 * 0.133 + Math.PI * 0.026 ** 2) * 0.045, 6);
   });
 });
 

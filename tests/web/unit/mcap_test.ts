@@ -33,12 +33,12 @@ const kFile = bytes(
 );
 
 function read(file: Uint8Array, pieces: number): string[] {
-  const heard: string[] = [];
+  const received: string[] = [];
   const scanner = new McapScanner(({ topic, time_s, data }: McapMessage) => {
-    heard.push(`${topic} ${time_s.toFixed(1)} ${new TextDecoder().decode(data)}`);
+    received.push(`${topic} ${time_s.toFixed(1)} ${new TextDecoder().decode(data)}`);
   });
   for (let at = 0; at < file.length; at += pieces) scanner.push(file.subarray(at, at + pieces));
-  return heard;
+  return received;
 }
 
 const kContent = ['/estimate 1.5 {"a":1}', '/slip 1.6 {"b":2}', '/estimate 2.0 {"a":3}'];
@@ -54,26 +54,26 @@ describe('McapScanner', () => {
 
   it('reads what there is of a file without an end', () => {
     for (let length = 8; length < kFile.length; length++) {
-      const heard = read(kFile.subarray(0, length), length);
-      expect(heard).toEqual(kContent.slice(0, heard.length));
+      const received = read(kFile.subarray(0, length), length);
+      expect(received).toEqual(kContent.slice(0, received.length));
     }
   });
 
   it('copies only what is wanted', () => {
-    const heard: string[] = [];
+    const received: string[] = [];
     const scanner = new McapScanner(
-      ({ topic }) => heard.push(topic),
+      ({ topic }) => received.push(topic),
       (topic, time_s) => topic === '/estimate' && time_s > 1.7,
     );
     scanner.push(kFile);
-    expect(heard).toEqual(['/estimate']);
+    expect(received).toEqual(['/estimate']);
     expect(scanner.ended).toBe(true);
   });
 
-  it('refuses what is no recording, or damaged', () => {
+  it('refuses what is no recording, or corrupted', () => {
     expect(() => read(encoder.encode('<!doctype html>'), 100)).toThrow('not an MCAP');
-    expect(() => read(bytes(kMagic, [6], number(1n << 60n, 8)), 100)).toThrow('damaged');
-    expect(() => read(bytes(kMagic, chunk(new Uint8Array([5, 255, 255, 0, 0, 0, 0, 0, 0]))), 1000)).toThrow('damaged');
+    expect(() => read(bytes(kMagic, [6], number(1n << 60n, 8)), 100)).toThrow('corrupted');
+    expect(() => read(bytes(kMagic, chunk(new Uint8Array([5, 255, 255, 0, 0, 0, 0, 0, 0]))), 1000)).toThrow('corrupted');
     expect(() => read(bytes(kMagic, chunk(new Uint8Array(0), 'lz4')), 1000)).toThrow('lz4');
   });
 

@@ -30,13 +30,13 @@ describe('Player', () => {
 
   it('shows the same moment from either side', () => {
     player.show(4);
-    const there = { pose: player.store.pose, belt: player.store.leftBelt_m, trail: player.store.trails.model.length };
+    const there = { pose: player.store.pose, track: player.store.leftTrack_m, path_history: player.store.path_histories.model.length };
     player.show(9);
     expect(player.store.pose?.x_m).toBeCloseTo(0.9);
     player.show(4);
     expect(player.store.pose).toEqual(there.pose);
-    expect(player.store.leftBelt_m).toBeCloseTo(there.belt, 9);
-    expect(player.store.trails.model.length).toBe(there.trail);
+    expect(player.store.leftTrack_m).toBeCloseTo(there.track, 9);
+    expect(player.store.path_histories.model.length).toBe(there.path_history);
   });
 
   it('plays at its speed, stops at the end and begins anew', () => {

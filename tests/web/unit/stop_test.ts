@@ -13,12 +13,12 @@ beforeEach(() => {
 describe('StopButton', () => {
   it('is ready at first, whatever is known', () => {
     expect(stop.view(0)).toEqual({ kind: 'ready' });
-    stop.heard(kNone);
+    stop.received(kNone);
     expect(stop.view(0)).toEqual({ kind: 'ready' });
   });
 
   it('goes from a press over the answer to stopped, with the time that the robot took', () => {
-    stop.heard(kNone);
+    stop.received(kNone);
     stop.press(1000);
     expect(stop.unsent).toBe(true);
     stop.sent();
@@ -56,13 +56,13 @@ describe('StopButton', () => {
   });
 
   it('takes no older acknowledgement for its own', () => {
-    stop.heard(kLatched);
+    stop.received(kLatched);
     stop.press(1000);
     stop.sent();
-    stop.heard(kLatched);
+    stop.received(kLatched);
     expect(stop.view(1300).kind).toBe('not_acknowledged');
     stop.answered(false, null);
-    stop.heard({ ...kLatched, count: 2, status: 'not_acknowledged', acknowledged_ms: null });
+    stop.received({ ...kLatched, count: 2, status: 'not_acknowledged', acknowledged_ms: null });
     expect(stop.view(1400).kind).toBe('not_acknowledged');
   });
 
@@ -70,28 +70,28 @@ describe('StopButton', () => {
     stop.press(0);
     stop.sent();
     stop.answered(false, null);
-    stop.heard({ ...kLatched, acknowledged_ms: 3210 });
+    stop.received({ ...kLatched, acknowledged_ms: 3210 });
     expect(stop.view(3300)).toMatchObject({ kind: 'stopped', took_ms: 3210 });
   });
 
   it('shows what another viewer stopped', () => {
-    stop.heard(kLatched);
+    stop.received(kLatched);
     expect(stop.view(0)).toEqual({ kind: 'stopped', took_ms: 14.2, by: 'viewer 3' });
-    stop.heard({ ...kLatched, status: 'pending', acknowledged_ms: null });
+    stop.received({ ...kLatched, status: 'pending', acknowledged_ms: null });
     expect(stop.view(0).kind).toBe('pending');
-    stop.heard({ ...kLatched, status: 'not_acknowledged', acknowledged_ms: null });
+    stop.received({ ...kLatched, status: 'not_acknowledged', acknowledged_ms: null });
     expect(stop.view(0).kind).toBe('not_acknowledged');
   });
 
   it('stays latched until a start', () => {
-    stop.heard(kLatched);
+    stop.received(kLatched);
     expect(stop.view(1e9).kind).toBe('stopped');
-    stop.heard({ ...kLatched, latched: false, status: 'none' });
+    stop.received({ ...kLatched, latched: false, status: 'none' });
     expect(stop.view(1e9).kind).toBe('ready');
   });
 
   it('takes another press while it is latched', () => {
-    stop.heard(kLatched);
+    stop.received(kLatched);
     stop.press(5000);
     expect(stop.unsent).toBe(true);
     stop.sent();

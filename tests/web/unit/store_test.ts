@@ -64,35 +64,35 @@ describe('Store', () => {
     expect(store.stale('/estimate')).toBe(true);
   });
 
-  it('adds up how far the belts ran', () => {
+  it('adds up how far the tracks ran', () => {
     for (let i = 0; i <= 200; i++) store.receive('/estimate', estimate(i * 0.005, 0));
-    expect(store.leftBelt_m).toBeCloseTo(0.1, 6);
-    expect(store.rightBelt_m).toBeCloseTo(0.2, 6);
+    expect(store.leftTrack_m).toBeCloseTo(0.1, 6);
+    expect(store.rightTrack_m).toBeCloseTo(0.2, 6);
   });
 
-  it('clears the trails when another run begins or the pose jumps', () => {
+  it('clears the path_histories when another run begins or the pose jumps', () => {
     for (let i = 0; i < 100; i++) store.receive('/estimate', estimate(i * 0.1, i * 0.01));
-    expect(store.trails.model.length).toBe(100);
+    expect(store.path_histories.model.length).toBe(100);
     store.receive('/estimate', estimate(10, -0.2));
-    expect(store.trails.model.length).toBe(1);
+    expect(store.path_histories.model.length).toBe(1);
     const state = { run: 'arming' } as State;
     store.receive('/state', state);
     store.receive('/state', { ...state, run: 'running' });
-    expect(store.trails.model.length).toBe(0);
+    expect(store.path_histories.model.length).toBe(0);
   });
 
   it('stays bounded however long it runs', () => {
     for (let i = 0; i < 20_000; i++) store.receive('/estimate', estimate(i * 0.02, (i % 1000) * 0.001));
     expect(store.series.length).toBeLessThanOrEqual(store.series.capacity);
     for (let i = 0; i < 1000; i++) {
-      store.receive('/event', { t_s: i, kind: 'run', level: 'info', text: 'x', cause: '', remedy: '' });
+      store.receive('/event', { t_s: i, kind: 'run', level: 'info', text: 'x', cause: '', fix: '' });
     }
     expect(store.events.length).toBe(kEvents);
     expect(store.events.at(-1)?.t_s).toBe(999);
   });
 
   it('takes an event that is repeated after a reconnection once', () => {
-    const event = { t_s: 1, kind: 'run', level: 'info', text: 'x', cause: '', remedy: '' } as const;
+    const event = { t_s: 1, kind: 'run', level: 'info', text: 'x', cause: '', fix: '' } as const;
     store.receive('/event', event);
     store.receive('/event', { ...event });
     expect(store.events.length).toBe(1);
@@ -106,10 +106,10 @@ describe('Store', () => {
     expect(column?.[1]).toBeCloseTo(3, 6);
   });
 
-  it('fills the trails with what was driven before', () => {
+  it('fills the path_histories with what was driven before', () => {
     const points = Array.from({ length: 50 }, (_, i) => ({ x: 0.02 * i, y: 0, z: 0 }));
-    store.receive('/trail', { entities: [{ id: 'trail/model/0', lines: [{ points }] }] });
-    expect(store.trails.model.length).toBe(50);
-    expect(store.trails.fused.length).toBe(0);
+    store.receive('/path_history', { entities: [{ id: 'path_history/model/0', lines: [{ points }] }] });
+    expect(store.path_histories.model.length).toBe(50);
+    expect(store.path_histories.fused.length).toBe(0);
   });
 });

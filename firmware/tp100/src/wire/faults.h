@@ -6,65 +6,70 @@
 
 #include <stdint.h>
 
-// X(bit, name, cause, remedy)
-#define TP100_ROBOT_FAULTS(X)                                                                    \
-  X(0, command_timeout, "no fresh valid command for 200 ms",                                     \
-    "check the cable and that the daemon runs; start again")                                     \
-  X(1, stop_requested, "STOP was pressed", "make sure that the robot is free; start again")      \
-  X(2, watchdog_reset, "the main loop hung and the watchdog restarted the board",                \
-    "update the firmware (scripts/flash, installed: tp100-flash); report it if it comes back")   \
-  X(3, brown_out, "the supply of the board dipped and it restarted",                             \
-    "charge the cells, check the power wiring")                                                  \
-  X(4, loop_hung, "the main loop did not run for 100 ms; motors were switched off by the timer", \
-    "check the I2C wiring of the MPU6050")                                                       \
-  X(5, imu_missing, "the MPU6050 does not answer at I2C address 0x68",                           \
-    "check SDA (20), SCL (21), its supply and AD0 to ground, or use set-up bench")               \
-  X(6, imu_stale, "the MPU6050 stopped delivering new values",                                   \
-    "check the I2C wiring; the firmware re-initialises the sensor by itself")                    \
-  X(7, battery_low, "the cells are below the cut-off voltage", "charge the cells")               \
-  X(8, stalled_left,                                                                             \
-    "left track driven but it does not move, or its encoder counts less than it moves",          \
-    "free the track; check the plugs of motor and encoder")                                      \
-  X(9, stalled_right,                                                                            \
-    "right track driven but it does not move, or its encoder counts less than it moves",         \
-    "free the track; check the plugs of motor and encoder")                                      \
-  X(10, reversed_left, "left belt moves against its duty",                                       \
-    "swap the motor leads or set drive.invert_left_motor / drive.invert_left_encoder")           \
-  X(11, reversed_right, "right belt moves against its duty",                                     \
-    "swap the motor leads or set drive.invert_right_motor / drive.invert_right_encoder")         \
+// X(bit, name, cause, fix)
+#define TP100_ROBOT_FAULTS(X)                                                                      \
+  X(0, command_timeout, "no fresh valid command for 200 ms",                                       \
+    "check the cable and that the daemon runs; start again")                                       \
+  X(1, stop_requested, "STOP was pressed", "make sure that the robot is free; start again")        \
+  X(2, watchdog_reset, "the main loop hung and the watchdog restarted the board",                  \
+    "update the firmware (scripts/flash, installed: tp100-flash); report it if it happens again")  \
+  X(3, brown_out, "the supply voltage of the board dropped and the board restarted",               \
+    "charge the battery, check the power wiring")                                                  \
+  X(4, loop_hung, "the main loop did not run for 100 ms; motors were switched off by the timer",   \
+    "check the I2C wiring of the MPU6050")                                                         \
+  X(5, imu_missing, "the MPU6050 does not answer at I2C address 0x68",                             \
+    "check SDA (20), SCL (21), its supply and AD0 to ground, or use set-up stand")                 \
+  X(6, imu_stale, "the MPU6050 stopped delivering new values",                                     \
+    "check the I2C wiring; the firmware re-initialises the sensor by itself")                      \
+  X(7, battery_low, "the battery is below the cut-off voltage", "charge the battery")              \
+  X(8, stalled_left,                                                                               \
+    "the left track is driven but does not move, or its encoder counts less than the track moves", \
+    "free the track; check the plugs of motor and encoder")                                        \
+  X(9, stalled_right,                                                                              \
+    "the right track is driven but does not move, or its encoder counts less than the track "      \
+    "moves",                                                                                       \
+    "free the track; check the plugs of motor and encoder")                                        \
+  X(10, reversed_left, "the left track moves against its duty",                                    \
+    "swap the motor leads or set drive.invert_left_motor / drive.invert_left_encoder")             \
+  X(11, reversed_right, "the right track moves against its duty",                                  \
+    "swap the motor leads or set drive.invert_right_motor / drive.invert_right_encoder")           \
   X(12, parameters_missing, "the board has no parameters yet", "wait for the handshake to finish")
 
-#define TP100_DAEMON_FAULTS(X)                                                                 \
-  X(16, link_lost, "the link broke, or no sample came for 200 ms",                             \
-    "check the cable; the daemon reconnects by itself, then start again")                      \
-  X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again") \
-  X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",         \
-    "put it back to the start; identify the robot if it happens again")                        \
-  X(19, heading,                                                                               \
-    "the heading error stayed above control.max_heading_error_deg, or the robot turned "       \
-    "against the command",                                                                     \
-    "check gyro sign and belts; identify the robot")                                           \
-  X(20, tilt, "roll or pitch beyond control.max_tilt_deg", "set the robot upright")            \
-  X(21, fence, "the reference point left the arena of the course",                             \
-    "put the robot back to the start")                                                         \
-  X(22, time_limit, "the run took longer than control.time_limit_factor allows",               \
-    "look for a belt that slips or a low battery")                                             \
-  X(23, stalled_track, "a belt stands still against its commanded speed", "free the belt")     \
-  X(24, low_cell_voltage, "cells below control.min_battery_v", "charge the cells")             \
-  X(25, encoders_against_duty, "a track turns against its duty, or much less than it means",   \
-    "check motor and encoder wiring, then drive.dead_band and drive.feed_forward")             \
-  X(26, gyro_against_encoders,                                                                 \
-    "gyro and encoders disagree about the turn (lost counts, or a mis-wired yaw loop)",        \
-    "check both encoders, which track is left, and the gyro; identify the robot")              \
-  X(27, not_acknowledged,                                                                      \
-    "the robot refused arm or disarm, did not confirm it in time, or disarmed by itself",      \
-    "remove the cause of a refusal, which the log names; else check the cable")                \
-  X(28, samples_stale, "samples arrive too late to steer by", "check USB hub and host load")   \
-  X(29, immobilised, "the belts run but the robot does not move, or not over the obstacle",    \
-    "free the robot; check the grip of belts and floor")                                       \
-  X(30, world_lost, "the external world is silent, too slow or begun anew",                    \
-    "look at the world's program; start again when the log says that it is welcome")           \
-  X(31, moves_unasked, "the robot is armed or drives its motors without being asked",          \
+#define TP100_DAEMON_FAULTS(X)                                                                   \
+  X(16, link_lost, "the link broke, or no sample arrived for 200 ms",                            \
+    "check the cable; the daemon reconnects by itself, then start again")                        \
+  X(17, robot_rebooted, "the board restarted during the run", "check its supply; start again")   \
+  X(18, cross_track, "the robot left the path by more than control.max_cross_track_m",           \
+    "put it back to the start; identify the robot if it happens again")                          \
+  X(19, heading,                                                                                 \
+    "the heading error stayed above control.max_heading_error_deg, or the robot turned "         \
+    "against the command",                                                                       \
+    "check gyro sign and tracks; identify the robot")                                            \
+  X(20, tilt, "roll or pitch exceeds control.max_tilt_deg", "set the robot upright")             \
+  X(21, fence, "the reference point left the arena of the course",                               \
+    "put the robot back to the start")                                                           \
+  X(22, time_limit, "the run took longer than control.time_limit_factor allows",                 \
+    "check for a slipping track and a low battery")                                              \
+  X(23, stalled_track, "a track is at standstill against its commanded speed", "free the track") \
+  X(24, battery_below_minimum, "the battery voltage is below control.min_battery_v",             \
+    "charge the battery")                                                                        \
+  X(25, encoders_against_duty,                                                                   \
+    "a track turns against its duty, or much less than its duty requires",                       \
+    "check motor and encoder wiring, then drive.dead_band and drive.feed_forward")               \
+  X(26, gyro_against_encoders,                                                                   \
+    "gyro and encoders disagree about the turn (lost counts, or a mis-wired yaw loop)",          \
+    "check both encoders, which track is left, and the gyro; identify the robot")                \
+  X(27, not_acknowledged,                                                                        \
+    "the robot refused arm or disarm, did not confirm it in time, or disarmed by itself",        \
+    "remove the cause of a refusal, which the log names; otherwise check the cable")             \
+  X(28, samples_stale, "samples arrive too late to control the robot",                           \
+    "check USB hub and host load")                                                               \
+  X(29, immobilised,                                                                             \
+    "the tracks run but the robot does not move, or does not get over the obstacle",             \
+    "free the robot; check the grip of tracks and floor")                                        \
+  X(30, world_lost, "the external world is silent, too slow or was restarted",                   \
+    "check the world's program; start again when the log says that the world is welcomed")       \
+  X(31, moves_unasked, "the robot is armed or drives its motors without a request",              \
     "switch the motors' supply off; flash the board (scripts/flash, installed: tp100-flash)")
 
 namespace tp100 {
@@ -72,7 +77,7 @@ namespace wire {
 
 /// Fault bits; values are positions in a FaultMask.
 enum class Fault : uint8_t {
-#define TP100_FAULT(bit, name, cause, remedy) name = (bit),
+#define TP100_FAULT(bit, name, cause, fix) name = (bit),
   TP100_ROBOT_FAULTS(TP100_FAULT) TP100_DAEMON_FAULTS(TP100_FAULT)
 #undef TP100_FAULT
 };

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 
-// Names travel to the visitor on the host only: on the Mega they would take RAM.
+// The visitor receives names on the host only: on the Mega they would take RAM.
 #ifdef __AVR__
 #define TP100_WIRE_FIELD(visitor, name) (visitor).field("", name)
 #else
@@ -17,7 +17,7 @@
 namespace tp100 {
 namespace wire {
 
-/// Puts fields into a buffer that the caller sized with Message::kSize.
+/// Writes fields to a buffer of at least Message::kSize bytes.
 class Writer {
  public:
   explicit Writer(uint8_t* out) : begin_(out), at_(out) {}
@@ -48,7 +48,7 @@ class Writer {
   uint8_t* at_;
 };
 
-/// Takes fields from a payload whose size was checked against Message::kSize.
+/// Reads fields from a payload whose size was checked against Message::kSize.
 class Reader {
  public:
   explicit Reader(const uint8_t* in) : at_(in) {}
@@ -67,7 +67,7 @@ class Reader {
   }
 
  private:
-  // No shift by a variable: on an AVR that is a loop.
+  // Avoids a shift by a variable, which is a loop on an AVR.
   uint16_t take2() {
     const uint16_t value = static_cast<uint16_t>(at_[0] | static_cast<uint16_t>(at_[1]) << 8);
     at_ += 2;

@@ -2,7 +2,7 @@
 // diagram and timings in prose: firmware/PROTOCOL.md. C++11 without libstdc++.
 //
 // Frames and signs: x forward, y left, z up, yaw counter-clockwise positive (REP-103); left and
-// right as seen from the driver's seat; a positive count, speed or duty moves that belt forward.
+// right as seen from the driver's seat; a positive count, speed or duty moves that track forward.
 #ifndef TP100_WIRE_MESSAGES_H
 #define TP100_WIRE_MESSAGES_H
 
@@ -14,16 +14,16 @@ namespace wire {
 /// Raised when a robot or client of the old version could misread the new one.
 const uint16_t kProtocolVersion = 1;
 /// FNV-1a of every message's type, field names and field types; a test recomputes it.
-const uint32_t kSchemaHash = 0xDB34548F;
+const uint32_t kSchemaHash = 0xFF5AAEF4;
 const uint32_t kBaud = 500000;
 
-/// A robot may drive on a command no longer than this, whatever the command's expiry says. [ms]
+/// Longest time for which a robot may drive on one command, whatever the command's expiry is. [ms]
 const uint16_t kMaxCommandLifeMs = 200;
 /// Sample and IMU period. [us]
 const uint16_t kSamplePeriodUs = 5000;
 /// Hello period in State::kHello. [ms]
 const uint16_t kHelloPeriodMs = 200;
-/// A robot without a valid host frame for this long says hello again. [ms]
+/// A robot without a valid host frame for this long sends hello again. [ms]
 const uint16_t kHostSilenceMs = 1000;
 
 /// Gyro full scale +-1000 deg/s, accelerometer +-4 g (MPU-6000/6050 register map rev 4.2, 4.4
@@ -33,7 +33,7 @@ const float kAccelLsbPerG = 8192.0f;
 /// Temperature [deg C] = raw / 340 + 36.53 (register map rev 4.2, 4.18).
 const float kTemperatureLsbPerDegc = 340.0f;
 const float kTemperatureOffsetDegc = 36.53f;
-/// Duties travel as thousandths, -1000..1000.
+/// Duties are sent as thousandths, -1000..1000.
 const int16_t kFullDuty = 1000;
 
 enum class Type : uint8_t {
@@ -59,9 +59,9 @@ enum class Board : uint8_t { kUnknown = 0, kMega2560 = 1, kNative = 2 };
 /// Robot states, in the order in which a session passes them.
 enum class State : uint8_t {
   kHello = 0,       ///< no host yet: hello frames, outputs forced off
-  kParameters = 1,  ///< host spoke, parameters awaited, outputs forced off
+  kParameters = 1,  ///< host connected, parameters awaited, outputs forced off
   kDisarmed = 2,    ///< samples flow, commands are checked but move nothing
-  kArmed = 3,       ///< armed, no motion asked for yet
+  kArmed = 3,       ///< armed, no motion commanded yet
   kRunning = 4,     ///< following fresh commands
   kFaulted = 5,     ///< a fault is latched, outputs off until a fresh arm
 };
@@ -83,7 +83,7 @@ enum class Result : uint8_t {
   kWrongState = 5,     ///< detail: state
 };
 
-/// robot -> host: who I am. At boot, every kHelloPeriodMs in kHello, and in answer to a hello
+/// robot -> host: identification. At boot, every kHelloPeriodMs in kHello, and in answer to a hello
 /// request.
 struct Hello {
   static constexpr Type kType = Type::kHello;
@@ -113,20 +113,20 @@ struct Hello {
 struct Sample {
   static constexpr Type kType = Type::kSample;
   static constexpr size_t kSize = 40;
-  uint16_t sequence;    ///< +1 a sample, wraps
+  uint16_t sequence;    ///< +1 per sample, wraps
   uint32_t device_us;   ///< when counts and IMU were read; wraps after 71.6 min [us]
   int32_t left_counts;  ///< quadrature edges since boot, wraps
   int32_t right_counts;
   int16_t gyro[3];      ///< x, y, z; kGyroLsbPerDegps
   int16_t accel[3];     ///< x, y, z; kAccelLsbPerG
   int16_t temperature;  ///< kTemperatureLsbPerDegc
-  uint16_t battery_mv;  ///< both cells together [mV]
+  uint16_t battery_mv;  ///< the whole battery [mV]
   int16_t left_duty;    ///< -kFullDuty..kFullDuty, as applied
   int16_t right_duty;
   uint8_t state;          ///< State
   uint16_t faults;        ///< latched robot faults
   uint16_t last_command;  ///< sequence of the last accepted command of this session; 0 none
-  uint8_t imu_age;        ///< samples since the IMU values were new; 0 fresh, 255 never
+  uint8_t imu_age;        ///< samples since the last new IMU values; 0 fresh, 255 never
   template <class V>
   void visit(V& v) {
     TP100_WIRE_FIELD(v, sequence);
@@ -170,14 +170,14 @@ struct SyncReply {
   uint16_t id;            ///< of the request
   uint32_t received_us;   ///< device time at which the request's last byte was taken [us]
   uint32_t sent_us;       ///< device time at which this reply was handed to the UART [us]
-  uint16_t damaged;       ///< frames that came spoilt since the board's start, modulo 65536
+  uint16_t corrupted;     ///< corrupted frames received since the board's start, modulo 65536
   uint16_t missed_edges;  ///< of both encoders since the board's start, modulo 65536
   template <class V>
   void visit(V& v) {
     TP100_WIRE_FIELD(v, id);
     TP100_WIRE_FIELD(v, received_us);
     TP100_WIRE_FIELD(v, sent_us);
-    TP100_WIRE_FIELD(v, damaged);
+    TP100_WIRE_FIELD(v, corrupted);
     TP100_WIRE_FIELD(v, missed_edges);
   }
 };
@@ -215,7 +215,7 @@ struct Log {
   }
 };
 
-/// host -> robot: who are you? Disarms and starts a new session.
+/// host -> robot: asks for identification. Disarms and starts a new session.
 struct HelloRequest {
   static constexpr Type kType = Type::kHelloRequest;
   static constexpr size_t kSize = 6;
@@ -230,7 +230,7 @@ struct HelloRequest {
 
 /// Bits of Parameters::flags.
 enum ParameterFlag {
-  kUseGyro = 1 << 0,  ///< carry the answered sample's yaw forward with the gyro (not on a bench)
+  kUseGyro = 1 << 0,  ///< propagate the answered sample's yaw with the gyro (not on a stand)
   kInvertLeftEncoder = 1 << 1,
   kInvertRightEncoder = 1 << 2,
   kInvertLeftMotor = 1 << 3,
@@ -245,24 +245,25 @@ struct Parameters {
   static constexpr size_t kSize = 71;
   uint32_t boot_nonce;     ///< of this boot
   uint32_t token;          ///< comes back in the acknowledgement
-  float counts_per_metre;  ///< edges per metre of belt, 100..1e6
+  float counts_per_metre;  ///< edges per metre of track, 100..1e6
   float wheelbase_m;       ///< equivalent wheelbase L of eq 5, 0.05..2
   float slip_left;         ///< slip ratio used to invert eqs 1 and 5, -0.5..0.9
   float slip_right;
-  float max_track_mps;         ///< belt speed limit, 0.01..2
-  float max_track_mps2;        ///< belt acceleration limit, 0.05..20
+  float max_track_mps;         ///< track speed limit, 0.01..2
+  float max_track_mps2;        ///< track acceleration limit, 0.05..20
   float feed_forward;          ///< duty per (m/s) above the dead band, 0..100
-  float dead_band;             ///< duty at which a belt just moves, 0..0.9
+  float dead_band;             ///< duty at which a track just moves, 0..0.9
   float speed_kp;              ///< duty per (m/s) of error, 0..100
-  float speed_ki;              ///< duty per m of belt lag, 0..1000
+  float speed_ki;              ///< duty per m of track lag, 0..1000
   float yaw_kp;                ///< (rad/s) per rad, 0..50
   float max_yaw_radps;         ///< 0.05..10
   float gyro_z_radps_per_lsb;  ///< sign and calibrated scale, |value| 1e-5..1e-2
   uint16_t battery_cutoff_mv;  ///< fault below this for 1 s; 0 never [mV]
-  uint16_t stall_duty;         ///< a belt at rest above this duty is stalled, thousandths, 0 never
-  uint16_t stall_ms;           ///< after this long, 50..10000
+  uint16_t stall_duty;         ///< a track at standstill above this duty is stalled, thousandths, 0
+                               ///< never
+  uint16_t stall_ms;           ///< time until a stall is a fault, 50..10000
   uint16_t command_life_ms;    ///< 20..kMaxCommandLifeMs
-  uint16_t yaw_window_ms;      ///< how far back an answered sample may lie, 20..200
+  uint16_t yaw_window_ms;      ///< greatest age of an answered sample, 20..200
   uint8_t flags;               ///< ParameterFlag bits
   template <class V>
   void visit(V& v) {
@@ -290,14 +291,14 @@ struct Parameters {
   }
 };
 
-/// host -> robot, once per loop. Streams in every state from parameters on; moves only an armed
+/// host -> robot, once per cycle. Streams in every state from kParameters on; moves only an armed
 /// robot.
 struct Command {
   static constexpr Type kType = Type::kCommand;
   static constexpr size_t kSize = 40;
   uint32_t boot_nonce;  ///< of this boot
-  uint16_t sequence;    ///< +1 a command, wraps; one not newer than the last is ignored
-  uint16_t answers;     ///< sequence of the sample that the pose belongs to
+  uint16_t sequence;    ///< +1 per command, wraps; one not newer than the last is ignored
+  uint16_t answers;     ///< sequence of the sample to which the pose belongs
   float x_m;            ///< estimated pose at that sample; |value| < 1e4
   float y_m;
   float yaw_rad;          ///< unwrapped; |value| < 1e3
@@ -305,8 +306,7 @@ struct Command {
   float yaw_rate_radps;   ///< feed-forward turn rate, |value| <= 10
   float speed_mps;        ///< ground speed of the reference point, |value| <= 2
   uint32_t expiry_us;     ///< device time after which it must not be used [us]
-  float
-      gyro_bias_radps;  ///< of the z axis, subtracted while carrying the yaw forward, |value| <= 1
+  float gyro_bias_radps;  ///< of the z axis, subtracted while propagating the yaw, |value| <= 1
   template <class V>
   void visit(V& v) {
     TP100_WIRE_FIELD(v, boot_nonce);
@@ -328,8 +328,8 @@ struct Arm {
   static constexpr Type kType = Type::kArm;
   static constexpr size_t kSize = 12;
   uint32_t boot_nonce;  ///< of this boot
-  uint32_t
-      token;  ///< above the last one of this boot, which is answered as before without any effect
+  uint32_t token;      ///< above the last token of this boot; a repeated one is answered as before,
+                       ///< without effect
   uint32_t expiry_us;  ///< device time after which it must not be used [us]
   template <class V>
   void visit(V& v) {
@@ -365,7 +365,7 @@ struct Stop {
 struct SyncRequest {
   static constexpr Type kType = Type::kSyncRequest;
   static constexpr size_t kSize = 2;
-  uint16_t id;  ///< comes back; replies to other ids are discarded
+  uint16_t id;  ///< returned in the reply; replies to other ids are discarded
   template <class V>
   void visit(V& v) {
     TP100_WIRE_FIELD(v, id);

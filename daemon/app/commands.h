@@ -1,0 +1,218 @@
+#pragma once
+// The subcommands of tp100d: options in, exit status out. Each is a source file of its name.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/configuration.h"
+#include "core/pose.h"
+#include "course/robot.h"
+#include "identify/drive.h"
+#include "link/port_discovery.h"
+#include "messages/sink.h"
+#include "model/track_model.h"
+
+namespace tp100::app {
+
+// `tp100d run`: the live bridge.
+
+struct RunOptions {
+  std::string config;
+  std::string port;  ///< empty: as configured
+  std::string course;
+  std::string robot;
+  std::string setup;
+  std::string listen;       ///< "ADDRESS:PORT", "auto" or "off"; empty: as configured
+  std::string camera;       ///< "udp:[HOST:]PORT"; empty: as configured
+  std::string record;       ///< folder for recordings; empty: as configured
+  std::string world;        ///< internal, files or "udp:[HOST:]PORT"; empty: as configured
+  std::string stats;        ///< JSON file; empty: none
+  bool wait = false;        ///< wait for a port and a robot instead of failing
+  bool go = false;          ///< start without confirmation, on a physical port too
+  bool ran_before = false;  ///< the program drove before: a start must be confirmed with the word
+  bool verbose = false;     ///< log the loop's timing once a second
+  bool stay = false;        ///< stay on after a run and wait for the next start
+  std::optional<double> duration_s;
+  std::vector<messages::Sink*> sinks{};  ///< get every step; must outlive the command
+};
+
+/// The command. 0: course completed; 1: aborted, interrupted or --duration passed. Throws
+/// SetupError.
+int run_run(const RunOptions& options);
+
+// `tp100d ports`: lists the serial ports.
+
+/// One line per port, likely ones first, with the configuration line to copy. `stable_names[i]` is
+/// a path for ports[i] that survives replugging, or empty; `passed_over`: ports that `auto` does
+/// not open. Pure.
+std::string ports_text(const std::vector<link::PortInfo>& ports,
+                       const std::vector<std::string>& stable_names,
+                       const std::vector<link::PassedOver>& passed_over);
+
+/// The command. Always 0. Throws SetupError.
+int run_ports();
+
+// `tp100d check`: validates files.
+
+/// Kinds of files that a user writes.
+enum class FileKind { kConfiguration, kCourse, kRobot, kCamera, kView, kCampaign };
+
+/// Infers the kind of a file from its keys. Throws SetupError if the text is not TOML. Pure.
+FileKind file_kind(const std::string& text, const std::string& file);
+
+/// Summarizes a valid file in one line. Throws SetupError for any other, and for view files and
+/// campaigns, which only tp100-camera and tp100-sim can check. Also checks the robot and the course
+/// that a configuration names.
+std::string check_file(const std::string& path);
+
+/// The command: one line per file, errors on stderr. Exit status 0 if all are valid, else 2.
+int run_check(const std::vector<std::string>& files);
+
+// `tp100d doctor`: finds what prevents the robot from driving, with one line to fix each.
+
+struct DoctorOptions {
+  std::string config;
+  std::string robot;         ///< empty: as configured
+  std::string port;          ///< empty: as configured
+  double link_test_s = 1.0;  ///< 0: no link test
+  bool wheels_up = false;    ///< also run the guided test of the tracks
+  bool json = false;
+};
+
+/// The command. 0: nothing prevents the robot from driving; 1: something does. Throws SetupError.
+int run_doctor(const DoctorOptions& options);
+
+// The guided calibration of `tp100d identify --drive`: drives one calibration course after the
+// other on a port and records them; the end of each is measured by a camera or by hand.
+
+struct GuidedOptions {
+  RunOptions run{};  ///< port, camera, robot, configuration, go; its course is set here
+  std::vector<std::string> courses;  ///< bundled names or files; empty: calibration_courses
+  int repeats = 2;                   ///< of each drive
+  std::string folder;  ///< for the recordings, one CSV file per drive; created if absent
+};
+
+struct GuidedDrives {
+  std::vector<identify::RecordedDrive> drives;
+  bool completed = false;  ///< all of them; else only the drives before the one that failed
+};
+
+/// Drives all courses. On a physical port each drive waits for Enter (unless `go`). Where no camera
+/// sees it, the end of a drive is asked for on standard output and read from standard input. A
+/// drive that is not completed ends the calibration; earlier ones stay in the folder. Throws
+/// SetupError.
+GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot);
+
+// `tp100d identify`: identifies a robot's parameters from recorded drives and writes a robot file.
+
+struct IdentifyOptions {
+  std::vector<std::string> runs;  ///< recordings or CSV files of drives; none if it drives
+  std::string out;                ///< robot file to write
+  std::string robot;              ///< source of all other values; empty: the configuration's
+  std::string measured;           ///< CSV file of hand measurements; empty: none
+  std::string config;             ///< empty: defaults
+  std::string date;               ///< date of the runs for the file; empty: today
+  bool drive = false;             ///< drive the calibration courses first
+  GuidedOptions guided{};  ///< options of the drives; robot and configuration are taken from above
+};
+
+/// The command. Prints the report; writes a file only if everything succeeded. Exit status, 1 if a
+/// drive was not completed; throws SetupError.
+int run_identify(const IdentifyOptions& options);
+
+// `tp100d replay`: runs track speeds of a CSV file through the model, or a recording through the
+// step, and writes a CSV file of poses.
+
+/// Which estimate is replayed.
+enum class ReplayModel {
+  kPaper,     ///< eqs 1-5 with the paper's constants
+  kExtended,  ///< the robot's values, turning centre and slope
+  kOdometry,  ///< tracks and gyro
+  kFused,     ///< these and the overhead camera; of recordings only
+};
+
+/// The model that a name on the command line denotes. Throws SetupError for an unknown name.
+ReplayModel replay_model(const std::string& name);
+
+/// First line of a poses file, and one row of it: full double precision.
+extern const char* const kReplayHeader;
+std::string replay_row(double t_s, const Pose& pose, const Twist& twist, const model::Slip& slip);
+
+/// Poses for the text of a speeds file, one row per input row: row i's values hold until row i+1,
+/// and the pose starts at 0. `gyro_z_radps` is the calibrated rate about z; its constant part is
+/// removed as bias once the tracks have been at standstill. `file` is only used in messages. Throws
+/// SetupError (file:line). Pure.
+std::string replay_csv(const std::string& text, const std::string& file, ReplayModel model,
+                       const bridge::Parameters& parameters);
+
+/// Options of the command.
+struct ReplayOptions {
+  std::string in;
+  std::string out;
+  std::string config;  ///< empty: defaults
+  std::string model;   ///< empty: as configured
+};
+
+/// The command, for a CSV file or a recording (replay.h). Exit status; throws SetupError.
+/// Writes a file only if everything succeeded.
+int run_replay(const ReplayOptions& options);
+
+// `tp100d export`: recordings as files that other programs read.
+
+// poses.csv and the trajectories cover the run (the whole recording, if nothing ran), with one row
+// per step that received a sample; t_s counts from the start of the recording. Full double
+// precision.
+struct ExportOptions {
+  std::vector<std::string> runs;  ///< recordings or their folders
+  bool csv = false;               ///< samples.csv (as identify reads it), poses.csv
+  bool tum = false;               ///< model.tum, odometry.tum, fused.tum, truth.tum
+  std::string out;                ///< folder; empty: beside the recording. For one run only
+};
+
+/// The command. Throws SetupError.
+int run_export(const ExportOptions& options);
+
+// `tp100d report` and `tp100d compare`: recordings as pages, figures and numbers.
+
+struct ReportOptions {
+  std::vector<std::string> runs;  ///< recordings or their folders
+  std::string out;                ///< folder; empty: beside the recording. For one run only
+};
+
+/// Writes report.html, metrics.json and a .svg for each figure. Throws SetupError.
+int run_report(const ReportOptions& options);
+
+struct CompareOptions {
+  std::vector<std::string> runs;  ///< two to twenty
+  std::string out = ".";          ///< folder, created if absent
+};
+
+/// Writes compare.html, compare.json (the metrics of each run) and a .svg for each figure. Throws
+/// SetupError.
+int run_compare(const CompareOptions& options);
+
+// `tp100d recover`: rebuilds a complete recording from a truncated or corrupted one.
+
+struct RecoverOptions {
+  std::string in;   ///< file, or the folder of a run
+  std::string out;  ///< empty: beside it, with -recovered before .mcap
+};
+
+/// What was saved.
+struct Recovered {
+  std::string path;
+  std::uint64_t messages = 0;
+  std::uint64_t corrupted = 0;  ///< chunks and attachments left out
+  std::string problem;          ///< the first error; empty: none
+};
+
+/// Copies all intact content of `in` to `out`, with indexes and statistics; does not change `in`.
+/// Throws SetupError.
+Recovered recover(const std::string& in, const std::string& out);
+
+/// The command. 0: written, or nothing to recover. Throws SetupError.
+int run_recover(const RecoverOptions& options);
+
+}  // namespace tp100::app

@@ -1,0 +1,52 @@
+#include "bridge/traction_estimator.h"
+
+#include <cmath>
+
+#include "core/angle.h"
+
+namespace tp100::bridge {
+namespace {
+
+// Beyond this mismatch over this distance, the robot is not where the tracks indicate.
+constexpr double kMismatchRad = 10.0 * kRadPerDeg;
+constexpr double kMismatchM = 0.12;
+
+}  // namespace
+
+std::optional<double> TractionEstimator::ground_mps(const TractionInput& in) {
+  if (!in.camera || in.climbing) {
+    window_open_ = judged_ = false;
+    return std::nullopt;
+  }
+  if (!window_open_) {
+    window_open_ = true;
+    window_begin_ = in.fused;
+    window_s_ = window_distance_m_ = 0.0;
+    return judged_ ? std::optional(last_ground_mps_) : std::nullopt;
+  }
+  window_s_ += in.dt_s;
+  window_distance_m_ += in.distance_m;
+  if (window_s_ >= kWindowS) {
+    const double dx = in.fused.x_m - window_begin_.x_m, dy = in.fused.y_m - window_begin_.y_m;
+    last_ground_mps_ =
+        (dx * std::cos(in.fused.yaw_rad) + dy * std::sin(in.fused.yaw_rad)) / window_s_;
+    last_track_mps_ = window_distance_m_ / window_s_;
+    judged_ = true;
+    window_open_ = false;
+  }
+  return judged_ ? std::optional(last_ground_mps_) : std::nullopt;
+}
+
+Traction TractionEstimator::update(const TractionInput& in) {
+  const std::optional<double> ground = ground_mps(in);
+  const double track = judged_ ? last_track_mps_ : in.dt_s > 0.0 ? in.distance_m / in.dt_s : 0.0;
+  state_ = watch_.update(track, ground, in.dt_s);
+
+  const bool mismatch =
+      in.mapped_pitch_rad && std::abs(*in.mapped_pitch_rad - in.measured_pitch_rad) > kMismatchRad;
+  mismatch_distance_m_ = mismatch ? mismatch_distance_m_ + std::abs(in.distance_m) : 0.0;
+  if (mismatch_distance_m_ > kMismatchM) state_ = Traction::kImmobilised;
+  return state_;
+}
+
+}  // namespace tp100::bridge

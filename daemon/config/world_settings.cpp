@@ -1,0 +1,98 @@
+#include "config/world_settings.h"
+
+#include <array>
+
+namespace tp100::config {
+
+worlds::PeerSettings peer_settings(const WorldRun& run, std::uint32_t session, bool lockstep) {
+  worlds::PeerSettings out;
+  out.hello.session = session;
+  out.hello.frame = run.settings.frame;
+  out.hello.authority =
+      run.parameters.owns_pose ? worlds::Authority::kWorld : worlds::Authority::kBridge;
+  out.hello.rate_hz = run.settings.rate_hz;
+  out.hello.timeout_s = run.parameters.timeout_s;
+  out.hello.lockstep = lockstep;
+  out.hello.version = run.version;
+  out.hello.course = run.course;
+  out.hello.setup = run.setup;
+  out.surfaces = run.surfaces;
+  return out;
+}
+
+namespace {
+
+using text::Choice;
+using text::Key;
+
+constexpr double kMs = 1e-3;
+
+}  // namespace
+
+std::span<const Key<bridge::WorldParameters>> world_keys() {
+  using T = bridge::WorldParameters;
+  static const std::array<Key<T>, 3> kKeys = {{
+      {"kind",
+       text::enum_choice<T, &T::kind, bridge::kWorldKindNames>(),
+       {},
+       "What the virtual robot stands on. internal: the course's ramps and blocks; udp: what a "
+       "game engine or simulator says, see daemon/worlds/WORLD.md; files: the same through two "
+       "text files"},
+      {"authority",
+       Choice<T>{{"bridge", "world"},
+                 [](const T& w) { return static_cast<std::size_t>(w.owns_pose); },
+                 [](T& w, std::size_t i) { w.owns_pose = i == 1; }},
+       {},
+       "Who owns the pose. bridge: the world says height, pitch and roll; world: all of the pose, "
+       "and the controller steers by it"},
+      {"timeout_ms",
+       &T::timeout_s,
+       {50, 2000},
+       "A world that has not answered a pose younger than this ends the run",
+       kMs},
+  }};
+  return kKeys;
+}
+
+std::span<const Key<WorldSettings>> world_stream_keys() {
+  using T = WorldSettings;
+  static const std::array<Key<T>, 11> kKeys = {{
+      {"frame",
+       text::enum_choice<T, &T::frame, worlds::kFrameNames>(),
+       {},
+       "Units, axes and signs of messages and files"},
+      {"rate_hz", &T::rate_hz, {1, 1000}, "Poses per second; also of files and Live Link"},
+      {"address", &T::address, {}, "udp: where the world listens, udp:[ADDRESS:]PORT"},
+      {"listen",
+       &T::listen,
+       {},
+       "udp: where its answers come in, udp:PORT or udp:ADDRESS:PORT; empty: any free port, which "
+       "the world sees as sender"},
+      {"encoder_file", &T::encoder_file, {}, "files: is written, replaced as a whole"},
+      {"encoder_template",
+       &T::encoder_template,
+       {},
+       "files: its text; {seq}, {t_s}, {left}, {right} (track speeds), {left_count}, "
+       "{right_count}, "
+       "{x}, {y}, {z}, {roll}, {pitch}, {yaw} (pose), {mode}"},
+      {"orientation_file", &T::orientation_file, {}, "files: is read"},
+      {"orientation_template",
+       &T::orientation_template,
+       {},
+       "files: its text with {x}, {y}, {z}, {roll}, {pitch}, {yaw}, {} for a number to skip; "
+       "empty: what Unreal prints of a rotator and a vector, or plain numbers"},
+      {"live_link",
+       &T::live_link,
+       {},
+       "Where poses for Unreal's Live Link go, udp:[ADDRESS:]PORT, usually port 54321; empty: "
+       "none"},
+      {"live_link_dialect",
+       text::enum_choice<T, &T::live_link_dialect, worlds::kLiveLinkDialectNames>(),
+       {},
+       "Their form. bones: a list with one bone; transform: one object"},
+      {"live_link_subject", &T::live_link_subject, {}, "Their name in Live Link"},
+  }};
+  return kKeys;
+}
+
+}  // namespace tp100::config

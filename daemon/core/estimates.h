@@ -1,0 +1,105 @@
+#pragma once
+// What every step publishes beside poses: estimates of the motion, which one
+// steers, slope, terrain contact.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "core/enum_names.h"
+#include "core/pose.h"
+
+namespace tp100 {
+
+/// The estimates of the robot's motion, each of which may steer.
+enum class PoseSource : std::uint8_t {
+  kModel,     ///< the model (model/track_model.h) on encoder counts alone
+  kOdometry,  ///< encoders + gyro
+  kFused,     ///< encoders + gyro + overhead camera; without a camera, of the same filter
+};
+
+inline constexpr std::array kPoseSources = {PoseSource::kModel, PoseSource::kOdometry,
+                                            PoseSource::kFused};
+
+/// Names as in files and messages.
+inline constexpr std::array<EnumName<PoseSource>, 3> kPoseSourceNames = {{
+    {PoseSource::kModel, "model"},
+    {PoseSource::kOdometry, "odometry"},
+    {PoseSource::kFused, "fused"},
+}};
+constexpr std::string_view to_string(PoseSource source) {
+  return name_in(kPoseSourceNames, source);
+}
+
+/// One value for each source.
+template <class T>
+struct PerSource {
+  std::array<T, kPoseSources.size()> values{};
+
+  constexpr T& operator[](PoseSource source) { return values[static_cast<std::size_t>(source)]; }
+  constexpr const T& operator[](PoseSource source) const {
+    return values[static_cast<std::size_t>(source)];
+  }
+};
+
+/// One estimate of the robot's motion.
+struct Estimate {
+  Pose pose{};
+  Twist twist{};
+};
+
+/// What the filter of the fused estimate says besides its pose and twist.
+struct FilterFigures {
+  double variance_x_m2 = 0.0;  ///< diagonal of the covariance, including the error common to all
+                               ///< images
+  double variance_y_m2 = 0.0;
+  double variance_yaw_rad2 = 0.0;
+  double slip_left = 0.0;  ///< estimated
+  double slip_right = 0.0;
+  double gyro_bias_radps = 0.0;
+  double nis = 0.0;       ///< normalized innovation squared of the last camera sample, 3 degrees
+  double nis_mean = 0.0;  ///< mean over the samples since the run began, without outliers; 3 if
+                          ///< noise is as assumed
+  std::uint32_t nis_count = 0;        ///< of those samples
+  std::int64_t camera_age_us = -1;    ///< now - when the last used sample was taken; -1: none yet
+  std::uint32_t camera_used = 0;      ///< since the run began
+  std::uint32_t camera_rejected = 0;  ///< outside the gate, too old or out of order
+  std::uint32_t recoveries = 0;       ///< the camera contradicted the estimate and was accepted
+};
+
+/// Slope along the robot, as far as its pitch shows it.
+enum class Slope : std::uint8_t { kFlat, kUp, kDown };
+
+/// Where pitch and roll of the published poses come from; follows from the set-up.
+enum class PitchSource : std::uint8_t {
+  kVirtual,   ///< the virtual world (stand, flat)
+  kImu,       ///< the robot's own IMU (terrain)
+  kExternal,  ///< an external world (udp, files)
+};
+
+/// Obstacle class: what carries the robot.
+enum class Obstacle : std::uint8_t {
+  kNone,   ///< the level floor alone
+  kRamp,   ///< a ramp, at least in part; its flat top included
+  kBlock,  ///< a block, at least in part
+};
+
+/// Whether the tracks still move the robot.
+enum class Traction : std::uint8_t {
+  kHolding,      ///< slip within its bound, or nothing to judge by
+  kSlipping,     ///< slip beyond its bound
+  kImmobilised,  ///< the tracks run and the robot hardly moves
+};
+
+/// The ground under the steering pose.
+struct TerrainContact {
+  PitchSource pitch_source = PitchSource::kVirtual;
+  Obstacle obstacle = Obstacle::kNone;  ///< by the course's map
+  bool climbing = false;                ///< between touching a block and lying flat behind it
+  double slope_rad = 0.0;               ///< climb angle, nose-up positive
+  double slip_offset = 0.0;             ///< of the surface, added to both slip ratios
+  Traction traction = Traction::kHolding;
+};
+
+}  // namespace tp100

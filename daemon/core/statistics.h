@@ -1,0 +1,42 @@
+#pragma once
+// Medians, percentiles, and quantiles of distributions. Boost.Math stays in the source file: its
+// headers take longer to compile than everything that uses them.
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tp100 {
+
+/// Median, of an even number the upper one; 0 of nothing.
+inline double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Value below which `share` (0..1) of the values lie, linear between neighbours; not-a-number if
+/// there are none. Values that are not finite count as the largest.
+double percentile(std::vector<double> values, double share);
+
+/// Summary of one figure over several runs.
+struct Spread {
+  double median = 0.0;
+  double p95 = 0.0;
+  std::size_t count = 0;
+};
+Spread spread(const std::vector<double>& values);
+
+/// Exceeded with probability `tail` by Student's t of `degrees` > 0 degrees of freedom.
+double student_t(double tail, double degrees);
+
+/// Probability of at most `k` successes in `n` trials of `share` each. 0 <= k <= n, both whole.
+double binomial_at_most(double k, double n, double share);
+
+/// The shares between which `k` successes of `n` > 0 lie in both tails with probability `tail`
+/// (Clopper-Pearson).
+std::pair<double, double> binomial_shares(double k, double n, double tail);
+
+}  // namespace tp100

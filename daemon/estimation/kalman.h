@@ -1,0 +1,92 @@
+#pragma once
+// The pose filter's state, the measurement update of a Kalman filter, and its check by NIS.
+//
+// The state is x, y, yaw of the reference point in the world, gyro bias and slip ratios.
+// What can be seen of it:
+// - Gyro and tracks see the bias at rest, and while driving straight the difference of the slip
+//   ratios (of right against left distance). They see neither place nor direction nor the mean
+//   slip: those only drift.
+// - A camera sees place and direction and, while the robot moves, the mean slip; together with the
+//   gyro both slip ratios and the bias.
+// - The wheelbase cannot be told from the slip difference without turns in both directions; it is
+//   not a state, its error is noise of the tracks' yaw rate in turns.
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <cstdint>
+
+namespace tp100::estimation {
+
+enum StateIndex : Eigen::Index { kX, kY, kYaw, kBias, kSlipLeft, kSlipRight, kStates };
+
+using StateVector = Eigen::Matrix<double, kStates, 1>;
+using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
+
+/// Mean and covariance; yaw unwrapped. No allocation.
+struct FilterState {
+  StateVector mean = StateVector::Zero();
+  StateMatrix covariance = StateMatrix::Zero();
+};
+
+/// A linear measurement of `Rows` values: innovation, Jacobian and noise.
+template <int Rows>
+struct Measurement {
+  Eigen::Matrix<double, Rows, 1> innovation;  ///< measured - expected, angles wrapped
+  Eigen::Matrix<double, Rows, kStates> jacobian;
+  Eigen::Matrix<double, Rows, Rows> noise;
+};
+
+/// Covariance of the innovation.
+template <int Rows>
+Eigen::Matrix<double, Rows, Rows> innovation_covariance(const FilterState& state,
+                                                        const Measurement<Rows>& seen) {
+  return seen.jacobian * state.covariance * seen.jacobian.transpose() + seen.noise;
+}
+
+/// Normalized innovation squared: chi-squared with `Rows` degrees of freedom if all noise is as
+/// assumed.
+template <int Rows>
+double normalized_innovation(const FilterState& state, const Measurement<Rows>& seen) {
+  const Eigen::Matrix<double, Rows, Rows> inverse = innovation_covariance(state, seen).inverse();
+  return seen.innovation.dot(inverse * seen.innovation);
+}
+
+/// Updates mean and covariance. The Joseph form keeps the covariance positive; averaging with its
+/// transpose keeps it symmetric. No allocation.
+template <int Rows>
+void update(FilterState& state, const Measurement<Rows>& seen) {
+  const Eigen::Matrix<double, Rows, Rows> inverse = innovation_covariance(state, seen).inverse();
+  const Eigen::Matrix<double, kStates, Rows> gain =
+      state.covariance * seen.jacobian.transpose() * inverse;
+  state.mean += gain * seen.innovation;
+  const StateMatrix left = StateMatrix::Identity() - gain * seen.jacobian;
+  const StateMatrix joseph =
+      left * state.covariance * left.transpose() + gain * seen.noise * gain.transpose();
+  state.covariance = (joseph + joseph.transpose()) / 2.0;
+}
+
+/// Gates of a camera sample. Chi-squared with 3 degrees of freedom: one good sample in a hundred is
+/// beyond the gate, one in a thousand beyond the trigger.
+inline constexpr double kNisGate = 11.3;
+inline constexpr double kNisTrigger = 16.3;
+
+/// Mean of the NIS over many updates.
+class NisMean {
+ public:
+  NisMean() = default;
+  NisMean(std::uint32_t count, double sum) : count_(count), sum_(sum) {}
+
+  void add(double nis) {
+    ++count_;
+    sum_ += nis;
+  }
+  std::uint32_t count() const { return count_; }
+  double sum() const { return sum_; }
+  double mean() const { return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_); }
+
+ private:
+  std::uint32_t count_ = 0;
+  double sum_ = 0.0;
+};
+
+}  // namespace tp100::estimation

@@ -1,0 +1,81 @@
+#include "live/recording_policies.h"
+
+#include <utility>
+
+#include "core/faults.h"
+#include "record/recording_file.h"
+#include "text/format.h"
+
+namespace tp100::live {
+namespace {
+
+void ignore(const std::string&) {}
+
+}  // namespace
+
+// A viewer may have ended it and begun another.
+void RunRecordings::end() {
+  if (own_ != 0) recording_.stop(own_, ignore);
+  own_ = 0;
+}
+
+void RunRecordings::on_run_state(RunState to, HostNs now) {
+  if (!on_) return;
+  if (to != RunState::kArming) {
+    if (to != RunState::kRunning && own_ != 0) end_ns_ = now + kTailNs;
+    return;
+  }
+  end_ns_.reset();
+  end();
+  if (recording_.number() != 0) return;
+  own_ = recording_.start("", [note = note_](const std::string& why) {
+    if (!why.empty()) note->set("this run is not recorded: " + why);
+  });
+}
+
+void RunRecordings::tick(HostNs now) {
+  if (!end_ns_ || now < *end_ns_) return;
+  end_ns_.reset();
+  end();
+}
+
+BlackBox::BlackBox(const config::RecordSettings& settings, LiveRecording& recording)
+    : on_(settings.black_box_s > 0.0), recording_(recording) {}
+
+void BlackBox::take(const StepRecord& record) {
+  if (!on_) return;
+  const FaultMask faults = record.snapshot.faults;
+  const std::optional<Fault> fault = first_fault(faults & ~known_);
+  known_ = faults;
+  if (fault && own_ == 0 && recording_.number() == 0) {
+    const std::string name(describe(*fault).name);
+    end_ns_ = record.now_ns + kTailNs;
+    own_ = recording_.start_black_box(
+        name, record.now_ns, [written = written_, name](const record::RecordingStatus& status) {
+          written->add(name, status);
+        });
+  }
+  if (own_ != 0 && record.now_ns >= end_ns_) finish();
+}
+
+void BlackBox::finish() {
+  if (own_ != 0) recording_.stop(std::exchange(own_, 0), ignore);
+}
+
+// Other files in the folder are left alone.
+void BlackBox::Written::add(const std::string& fault, const record::RecordingStatus& status) {
+  if (!status.path.empty()) {
+    files.push_back(status.path);
+    if (files.size() > kMaxFiles) {
+      record::remove_recording(files.front());
+      files.pop_front();
+    }
+  }
+  if (status.path.empty())
+    return note.set("black box of " + fault + " is not written: " + status.warning);
+  note.set(text::format("black box: %.1f s around ", to_s(status.last_ns - status.first_ns)) +
+           fault + " are in " + status.path +
+           (status.warning.empty() ? "" : "; " + status.warning));
+}
+
+}  // namespace tp100::live

@@ -1,0 +1,60 @@
+#pragma once
+// The sockets on which a run receives datagrams, in the thread of the context: an overhead camera's
+// and an external world's (world/1). Asio stays in the source file.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "config/configuration.h"
+#include "config/world_settings.h"
+#include "core/sample.h"
+#include "link/camera_intake.h"
+#include "messages/sink.h"
+
+namespace boost::asio {
+class io_context;
+}
+
+namespace tp100::live {
+
+class CameraPort {
+ public:
+  /// Gives a sample to the step; false if it has no room.
+  using Give = std::function<bool(const CameraSample&)>;
+
+  /// Listens at settings.listen, "udp:[HOST:]PORT"; without a host, only this machine is received.
+  /// Throws SetupError: a bad address, or a port that is in use.
+  CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings, Give give);
+  ~CameraPort();
+  /// Stops listening.
+  void stop();
+  const link::CameraCounters& counters() const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+class WorldPort : public messages::Sink {
+ public:
+  /// Sends hello at the first step. Throws SetupError: a bad address, an unknown host, or a port
+  /// that is in use.
+  WorldPort(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld give);
+  ~WorldPort() override;
+
+  void take(const StepRecord& record) override;
+  /// Stops listening.
+  void stop();
+  /// A line to log since the last call, or empty.
+  std::string take_note();
+  const worlds::PeerCounters& counters() const;
+  /// Datagrams from other machines than the world's.
+  std::uint64_t strangers() const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace tp100::live

@@ -1,0 +1,116 @@
+// The messages of Foxglove's own schemas.
+
+#include "messages/foxglove.h"
+
+#include "messages/messages.h"
+
+namespace tp100::messages {
+namespace {
+
+constexpr double kPathSpacingM = 0.02;
+
+void write_transform(text::JsonWriter& json, std::string_view child, const Pose& pose,
+                     std::uint64_t unix_ns) {
+  json.begin_object();
+  write_time(json, "timestamp", unix_ns);
+  json.field("parent_frame_id", "world").field("child_frame_id", child);
+  write_xyz(json, "translation", {pose.x_m, pose.y_m, pose.z_m});
+  write_rotation(json, "rotation", pose);
+  json.end_object();
+}
+
+int log_level(Event::Level level) {
+  switch (level) {
+    case Event::Level::kInfo:
+      return 2;
+    case Event::Level::kWarning:
+      return 3;
+    case Event::Level::kError:
+      break;
+  }
+  return 4;
+}
+
+}  // namespace
+
+void write_rotation(text::JsonWriter& json, std::string_view name, const Pose& pose) {
+  const Quaternion q = quaternion(pose);
+  json.key(name)
+      .begin_object()
+      .field("x", q.x)
+      .field("y", q.y)
+      .field("z", q.z)
+      .field("w", q.w)
+      .end_object();
+}
+
+void write_foxglove_pose(text::JsonWriter& json, const Pose& pose) {
+  json.key("pose").begin_object();
+  write_xyz(json, "position", {pose.x_m, pose.y_m, pose.z_m});
+  write_rotation(json, "orientation", pose);
+  json.end_object();
+}
+
+std::string Messages::transforms(const StepRecord& record,
+                                 const std::optional<Truth>& truth) const {
+  const std::uint64_t at = clock_.unix_ns(record.now_ns);
+  std::string text;
+  text.reserve(1400);
+  text::JsonWriter json(text);
+  json.begin_object().key("transforms").begin_array();
+  write_transform(json, "robot", record.snapshot.world, at);
+  for (const PoseSource estimate : kPoseSources)
+    write_transform(json, to_string(estimate), record.snapshot.estimates[estimate].pose, at);
+  if (truth) write_transform(json, "truth", truth->pose, clock_.unix_ns(truth->at_ns));
+  json.end_array().end_object();
+  return text;
+}
+
+std::string Messages::pose(HostNs at, const Pose& pose) const {
+  std::string text;
+  text.reserve(256);
+  text::JsonWriter json(text);
+  json.begin_object();
+  write_time(json, "timestamp", clock_.unix_ns(at));
+  json.field("frame_id", "world");
+  write_foxglove_pose(json, pose);
+  json.end_object();
+  return text;
+}
+
+std::string Messages::path_poses(HostNs at) const {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object();
+  write_time(json, "timestamp", clock_.unix_ns(at));
+  json.field("frame_id", "world").key("poses").begin_array();
+  if (path() != nullptr) {
+    for (const course::PathPoint& point : path_points(*path(), kPathSpacingM)) {
+      json.begin_object();
+      write_xyz(json, "position", {point.x_m, point.y_m, 0.0});
+      write_rotation(json, "orientation", {.yaw_rad = point.yaw_rad});
+      json.end_object();
+    }
+  }
+  json.end_array().end_object();
+  return text;
+}
+
+std::string Messages::log(const Event& event) const {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object();
+  write_time(json, "timestamp", clock_.unix_ns(event.at_ns));
+  std::string message = event.text;
+  if (!event.cause.empty()) message += ": " + event.cause;
+  if (!event.fix.empty()) message += "; " + event.fix;
+  json.field("level", log_level(event.level))
+      .field("message", message)
+      .field("name", event.kind)
+      .field("file", "")
+      .field("line", 0)
+      .end_object();
+  return text;
+}
+
+}  // namespace tp100::messages

@@ -1,0 +1,80 @@
+#pragma once
+// Pieces that Foxglove's schemas share, as JSON.
+
+#include <array>
+#include <span>
+#include <string>
+
+#include "core/pose.h"
+#include "text/json_writer.h"
+
+namespace tp100::messages {
+
+struct Point {
+  double x_m = 0.0, y_m = 0.0, z_m = 0.0;
+};
+
+/// Red, green, blue, opacity; 0..1.
+using Colour = std::array<double, 4>;
+// The paper's colours.
+inline constexpr Colour kPathColour{1.0, 1.0, 1.0, 1.0};
+inline constexpr Colour kModelColour{0.90, 0.20, 0.18, 1.0};
+inline constexpr Colour kOdometryColour{0.26, 0.53, 0.96, 1.0};
+inline constexpr Colour kFusedColour{0.20, 0.72, 0.35, 1.0};
+
+/// foxglove's time, from Unix nanoseconds.
+inline void write_time(text::JsonWriter& json, std::string_view name, std::uint64_t unix_ns) {
+  json.key(name)
+      .begin_object()
+      .field("sec", unix_ns / 1'000'000'000U)
+      .field("nsec", unix_ns % 1'000'000'000U)
+      .end_object();
+}
+
+inline void write_xyz(text::JsonWriter& json, std::string_view name, const Point& point) {
+  json.key(name)
+      .begin_object()
+      .field("x", point.x_m)
+      .field("y", point.y_m)
+      .field("z", point.z_m)
+      .end_object();
+}
+
+inline void write_colour(text::JsonWriter& json, const Colour& colour) {
+  json.key("color")
+      .begin_object()
+      .field("r", colour[0])
+      .field("g", colour[1])
+      .field("b", colour[2])
+      .field("a", colour[3])
+      .end_object();
+}
+
+/// {"x","y","z","w"} under `name`.
+void write_rotation(text::JsonWriter& json, std::string_view name, const Pose& pose);
+/// foxglove.Pose under "pose".
+void write_foxglove_pose(text::JsonWriter& json, const Pose& pose);
+
+/// Element of "deletions" that deletes every entity of its topic.
+inline void write_deletion_of_all(text::JsonWriter& json, std::uint64_t unix_ns) {
+  json.begin_object();
+  write_time(json, "timestamp", unix_ns);
+  json.field("type", 1).field("id", "").end_object();
+}
+
+/// The primitives of one scene entity; empty kinds are written too, because viewers need them.
+struct Entity {
+  std::string id{};
+  std::string frame = "world";
+  std::string lines{};      ///< JSON of the elements of the array
+  std::string triangles{};  ///< same
+  std::string cubes{};      ///< same
+};
+void write_entity(text::JsonWriter& json, const Entity& entity, std::uint64_t unix_ns);
+
+/// The members "points", "color", "colors" and "indices" of a line or triangle primitive.
+void write_vertices(text::JsonWriter& json, std::span<const Point> points, const Colour& colour);
+/// JSON of one line strip, for Entity::lines.
+std::string line_strip(std::span<const Point> points, double thickness_m, const Colour& colour);
+
+}  // namespace tp100::messages

@@ -1,0 +1,85 @@
+#include "messages/path_history.h"
+
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "messages/messages.h"
+
+namespace tp100::messages {
+namespace {
+
+constexpr double kThicknessM = 0.004;
+constexpr double kLiftM = 0.004;
+
+constexpr PerSource<Colour> kColours = {{kModelColour, kOdometryColour, kFusedColour}};
+static_assert(kColours.values.back()[3] > 0.0, "a source without a colour");
+
+}  // namespace
+
+void PathHistory::add(const Snapshot& snapshot) {
+  const bool began = snapshot.run_state == RunState::kRunning && run_ != RunState::kRunning;
+  run_ = snapshot.run_state;
+  if (began) clear();
+  if (!snapshot.has_sample) return;
+  for (std::size_t i = 0; i < strips_.size(); ++i)
+    append(strips_[i], snapshot.estimates[kPoseSources[i]].pose);
+}
+
+void PathHistory::clear() {
+  for (Strip& strip : strips_) strip = {};
+  replace_ = true;
+}
+
+void PathHistory::append(Strip& strip, const Pose& pose) {
+  const Point point{pose.x_m, pose.y_m, pose.z_m + kLiftM};
+  if (!strip.points.empty()) {
+    const Point& last = strip.points.back();
+    const double moved = std::hypot(point.x_m - last.x_m, point.y_m - last.y_m);
+    if (!(moved >= kSpacingM)) return;
+  }
+  strip.points.push_back(point);
+  if (strip.points.size() <= kMaxPoints) return;
+  for (std::size_t i = 0; i < strip.points.size() / 2; ++i) strip.points[i] = strip.points[2 * i];
+  strip.points.resize(strip.points.size() / 2);
+  replace_ = true;
+}
+
+std::string PathHistory::take_update(const PublishClock& clock, HostNs now) {
+  bool any = replace_;
+  for (const Strip& strip : strips_) any = any || strip.points.size() > strip.given;
+  if (!any) return {};
+  ++chunk_;
+  std::string text = message(clock, now, std::exchange(replace_, false));
+  for (Strip& strip : strips_) strip.given = strip.points.size();
+  return text;
+}
+
+std::string PathHistory::whole(const PublishClock& clock, HostNs now) const {
+  return message(clock, now, true);
+}
+
+std::string PathHistory::message(const PublishClock& clock, HostNs now, bool all) const {
+  const std::uint64_t at = clock.unix_ns(now);
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object().key("deletions").begin_array();
+  if (all) write_deletion_of_all(json, at);
+  json.end_array().key("entities").begin_array();
+  for (std::size_t i = 0; i < strips_.size(); ++i) {
+    const Strip& strip = strips_[i];
+    // Repeat the last point of the previous part, so that the strip has no gap.
+    const std::size_t from = all || strip.given == 0 ? 0 : strip.given - 1;
+    if (strip.points.size() < from + 2) continue;
+    write_entity(json,
+                 {.id = "path_history/" + std::string(to_string(kPoseSources[i])) + "/" +
+                        std::to_string(chunk_),
+                  .lines = line_strip(std::span(strip.points).subspan(from), kThicknessM,
+                                      kColours[kPoseSources[i]])},
+                 at);
+  }
+  json.end_array().end_object();
+  return text;
+}
+
+}  // namespace tp100::messages

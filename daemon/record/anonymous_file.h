@@ -1,0 +1,30 @@
+#pragma once
+// A nameless file for data that would fill the memory; it disappears with the process, however that
+// ends. One thread.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace tp100::record {
+
+class AnonymousFile {
+ public:
+  /// On the disk of `folder`. Throws SetupError.
+  explicit AnonymousFile(const std::string& folder);
+  ~AnonymousFile();
+  AnonymousFile(const AnonymousFile&) = delete;
+  AnonymousFile& operator=(const AnonymousFile&) = delete;
+
+  /// Appends all of `bytes`, or nothing. 0 or an errno.
+  int append(std::span<const std::uint8_t> bytes);
+  /// Fills `into` with the bytes from `from` on. 0 or an errno; EIO: too few.
+  int read(std::uint64_t from, std::span<std::uint8_t> into) const;
+  std::uint64_t size() const { return size_; }
+
+ private:
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace tp100::record

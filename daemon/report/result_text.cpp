@@ -1,0 +1,243 @@
+#include "report/result_text.h"
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/angle.h"
+#include "text/format.h"
+
+namespace tp100::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const PoseErrors& errors) {
+  return {{"max_position_error_m", errors.max_position_error_m},
+          {"mean_position_error_m", errors.mean_position_error_m},
+          {"rms_position_error_m", errors.rms_position_error_m},
+          {"final_position_error_m", errors.final_position_error_m},
+          {"mse_x_m2", errors.mse_x_m2},
+          {"mse_y_m2", errors.mse_y_m2},
+          {"mse_yaw_rad2", errors.mse_yaw_rad2},
+          {"max_yaw_error_rad", errors.max_yaw_error_rad}};
+}
+
+Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json json_of(const DisturbanceResponse& recovery) {
+  return {{"begin_s", recovery.begin_s},
+          {"detection_s", json_of(recovery.detection_s)},
+          {"peak_cross_track_m", recovery.peak_cross_track_m},
+          {"peak_yaw_error_rad", recovery.peak_yaw_error_rad},
+          {"settling_s", json_of(recovery.settling_s)},
+          {"overshoot_m", recovery.overshoot_m},
+          {"shortcut_m", recovery.shortcut_m}};
+}
+
+Json json_of(const TrackingErrors& errors) {
+  Json recovery = Json::array();
+  for (const std::optional<double>& time : errors.recovery_s) recovery.push_back(json_of(time));
+  Json details = Json::array();
+  for (const DisturbanceResponse& one : errors.recovery) details.push_back(json_of(one));
+  return {{"max_cross_track_m", errors.max_cross_track_m},
+          {"rms_cross_track_m", errors.rms_cross_track_m},
+          {"max_yaw_error_rad", errors.max_yaw_error_rad},
+          {"recovery_s", recovery},
+          {"recovery", details},
+          {"false_alarms", errors.false_alarms}};
+}
+
+const char* name_of(Slope slope) {
+  return slope == Slope::kFlat ? "flat" : slope == Slope::kUp ? "up" : "down";
+}
+
+Json json_of(const SlopeFigures& slope) {
+  Json changes = Json::array();
+  for (const SlopeChange& change : slope.changes)
+    changes.push_back(
+        {{"at_s", change.at_s}, {"to", name_of(change.to)}, {"found_s", json_of(change.found_s)}});
+  return {{"ramp_pitch_max_error_rad", slope.ramp_pitch_max_error_rad},
+          {"ramp_pitch_rms_error_rad", slope.ramp_pitch_rms_error_rad},
+          {"changes", changes},
+          {"false_changes", slope.false_changes},
+          {"obstacles", slope.obstacles},
+          {"mistaken", slope.mistaken}};
+}
+
+Json json_of(const CameraFigures& camera) {
+  const double expected = CameraFigures::kNisDegrees;
+  const double band = camera.nis_half_band();
+  return {{"used", camera.used},
+          {"rejected", camera.rejected},
+          {"recoveries", camera.recoveries},
+          {"nis_mean", camera.nis_mean},
+          {"nis_expected", {expected - band, expected + band}}};
+}
+
+Json json_of(const LinkCounters& link) {
+  Json json;
+  each_counter(link, [&](const char* name, std::uint64_t count) { json[name] = count; });
+  return json;
+}
+
+constexpr std::array<PublishedErrors, 5> kRows = {{
+    {"1-straight", 1.5625, -1, -1, -1},
+    {"1-curve", 1.2028, -1, -1, -1},
+    {"1-sharp", 8.5838, -1, -1, -1},
+    {"2", -1, 0.1854, 0.1486, 0.801},
+    {"3", 34.1, 1.6607, 0.4948, 0.821},
+}};
+
+}  // namespace
+
+std::string result_json(const RunResult& run, const RunFigures& figures) {
+  Json json = {{"course", run.course}, {"board", run.board}, {"robot", run.robot},
+               {"setup", run.setup},   {"seed", run.seed},   {"completed", run.completed}};
+  if (!run.completed) json["cause"] = run.cause;
+  json["duration_s"] = run.duration_s;
+  json["realtime_factor"] = run.realtime_factor;
+  json["model"] = json_of(figures.model);
+  json["odometry"] = json_of(figures.odometry);
+  if (figures.fused) json["fused"] = json_of(*figures.fused);
+  json["tracking"] = json_of(figures.tracking);
+  json["slope"] = json_of(figures.slope);
+  if (run.has_camera) json["camera"] = json_of(run.camera);
+  json["link"] = json_of(run.link);
+  json["loop"] = Json::object();
+  for (const auto& [name, value] : run.loop) json["loop"][name] = value;
+  // File names may contain any bytes.
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+namespace {
+
+using text::format;
+
+constexpr double kCmPerM = 100.0;
+
+std::string row(const char* name, const PoseErrors& e) {
+  return format("%-27s%8.2f%8.2f%8.2f%8.2f%11.2e%11.2e%11.2e%8.2f\n", name,
+                e.max_position_error_m * kCmPerM, e.mean_position_error_m * kCmPerM,
+                e.rms_position_error_m * kCmPerM, e.final_position_error_m * kCmPerM, e.mse_x_m2,
+                e.mse_y_m2, e.mse_yaw_rad2, e.max_yaw_error_rad * kDegPerRad);
+}
+
+std::string printed_cell(int width, const char* as, double value) {
+  std::array<char, 32> buffer{};
+  if (value < 0)
+    std::snprintf(buffer.data(), buffer.size(), "%*s", width, "-");
+  else if (as[0] == 'f')
+    std::snprintf(buffer.data(), buffer.size(), "%*.2f", width, value);
+  else
+    std::snprintf(buffer.data(), buffer.size(), "%*.4f", width, value);
+  return buffer.data();
+}
+
+std::string printed_row(const PublishedErrors& p) {
+  return format("%-27s", "paper, as printed") + printed_cell(8, "f", p.max_position_error_cm) +
+         printed_cell(8, "f", -1) + printed_cell(8, "f", -1) + printed_cell(8, "f", -1) +
+         printed_cell(11, "g", p.mse_x) + printed_cell(11, "g", p.mse_y) +
+         printed_cell(11, "g", p.mse_yaw) + printed_cell(8, "f", -1) + "\n";
+}
+
+std::string seconds(const std::optional<double>& time) {
+  return time ? format("%10.2f", *time) : format("%10s", "never");
+}
+
+std::string recovery_rows(const TrackingErrors& tracking) {
+  if (tracking.recovery.empty()) return {};
+  std::string text =
+      format("\n%-34s%9s%10s%10s%10s%12s%10s\n", "ours: each disturbance, until back", "noticed",
+             "peak", "peak", "back", "overshoot", "shortcut");
+  text += format("%-33s%10s%10s%10s%10s%12s%10s\n", "inside 1 cm and 3 deg for 0.5 s", "[s]",
+                 "[cm]", "[deg]", "[s]", "[cm]", "[cm]");
+  for (const DisturbanceResponse& one : tracking.recovery) {
+    text += format("  disturbance at %5.1f s%9s", one.begin_s, "") + seconds(one.detection_s);
+    text += format("%10.2f%10.1f", one.peak_cross_track_m * kCmPerM,
+                   one.peak_yaw_error_rad * kDegPerRad);
+    text += seconds(one.settling_s);
+    text += format("%12.2f%10.2f\n", one.overshoot_m * kCmPerM, one.shortcut_m * kCmPerM);
+  }
+  return text;
+}
+
+std::string camera_row(const CameraFigures& camera) {
+  return format("camera: %u samples used, %u refused; normalized innovation squared %.2f of %.0f\n",
+                camera.used, camera.rejected, camera.nis_mean, CameraFigures::kNisDegrees);
+}
+
+std::string slope_rows(const SlopeFigures& slope) {
+  if (slope.changes.empty() && slope.false_changes == 0) return {};
+  std::string text = format(
+      "IMU: pitch on ramps within %.2f deg (rms %.2f); %d false changes of the slope's state, "
+      "%d of %d obstacles mistaken\nslope passed 4 deg, found after [s]:",
+      slope.ramp_pitch_max_error_rad * kDegPerRad, slope.ramp_pitch_rms_error_rad * kDegPerRad,
+      slope.false_changes, slope.mistaken, slope.obstacles);
+  for (const SlopeChange& change : slope.changes)
+    text += change.found_s ? format(" %.2f", *change.found_s) : std::string(" never");
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string result_table(const RunResult& run, const RunFigures& figures) {
+  std::string text = format("Course %.40s, robot %.40s, set-up %.20s, board %.20s, seed %llu: ",
+                            run.course.c_str(), run.robot.c_str(), run.setup.c_str(),
+                            run.board.c_str(), static_cast<unsigned long long>(run.seed));
+  text += run.completed ? format("completed") : "NOT completed (" + run.cause + ")";
+  text +=
+      format("\n%.1f s of robot time, %.0f x real time\n\n", run.duration_s, run.realtime_factor);
+  text += format("%-27s%32s%33s%8s\n", "", "position error [cm]", "mean squared error", "yaw");
+  text += format("%-27s%8s%8s%8s%8s%11s%11s%11s%8s\n", "against the true pose", "max", "mean",
+                 "rms", "final", "x [m^2]", "y [m^2]", "[rad^2]", "max deg");
+  text += row("ours: model (encoders)", figures.model);
+  text += row("ours: odometry (+ gyro)", figures.odometry);
+  if (figures.fused) text += row("ours: fused (+ camera)", *figures.fused);
+  const auto paper = published_errors(run.course);
+  if (paper) text += printed_row(*paper);
+  const TrackingErrors& tracking = figures.tracking;
+  text += format(
+      "\nours: true path against the reference [cm, deg]: cross-track max %.2f, rms %.2f, yaw max "
+      "%.1f\n",
+      tracking.max_cross_track_m * kCmPerM, tracking.rms_cross_track_m * kCmPerM,
+      tracking.max_yaw_error_rad * kDegPerRad);
+  text += recovery_rows(tracking);
+  if (run.has_camera) text += camera_row(run.camera);
+  text += slope_rows(figures.slope);
+  text += format("link: %llu samples, %llu lost, %llu with a wrong CRC\n\n",
+                 static_cast<unsigned long long>(run.link.samples),
+                 static_cast<unsigned long long>(run.link.lost),
+                 static_cast<unsigned long long>(run.link.crc_errors));
+  if (!run.disturbances.empty())
+    text +=
+        "The model is judged between the disturbances and set onto the truth after each, because\n"
+        "encoders cannot see them.\n";
+  if (paper) {
+    text +=
+        "Lengths, radii and disturbances of the course are ours: the paper does not print them.\n";
+    if (paper->mse_x >= 0)
+      text +=
+          "The paper prints its mean squared errors in m and rad, and they contradict each other:\n"
+          "shown, not compared.\n";
+  }
+  if (run.setup == "stand")
+    text +=
+        "On a stand nothing moves: the virtual pose stands in for the truth and is judged against "
+        "itself.\n"
+        "Only completion and tracking mean something here.\n";
+  if (run.robot == "end-loaded")
+    text +=
+        "This robot's slip is fitted through its contacts and its tracks make eqs 1-5 nearly "
+        "exact;\n"
+        "the uniformly loaded robot is the harder judge.\n";
+  return text;
+}
+
+std::optional<PublishedErrors> published_errors(std::string_view course) {
+  for (const PublishedErrors& row : kRows)
+    if (row.course == course) return row;
+  return std::nullopt;
+}
+
+}  // namespace tp100::report

@@ -1,0 +1,89 @@
+#include "report/run_monitor.h"
+
+#include <utility>
+
+#include "messages/status_messages.h"
+
+namespace tp100::report {
+namespace {
+
+const char* name_of(OperatorRequest request) {
+  switch (request) {
+    case OperatorRequest::kStart:
+      return "start";
+    case OperatorRequest::kHold:
+      return "hold";
+    case OperatorRequest::kStop:
+      return "STOP";
+  }
+  return "unknown";
+}
+
+template <class State>
+std::string change(const char* what, State from, State to) {
+  return std::string(what) + ": " + std::string(to_string(from)) + " -> " +
+         std::string(to_string(to));
+}
+
+}  // namespace
+
+void RunMonitor::add(Happening happening) {
+  if (happenings_.size() < kMax)
+    happenings_.push_back(std::move(happening));
+  else
+    ++more_;
+}
+
+void RunMonitor::step(const StepRecord& record) {
+  if (!first_ && record.step != step_ + 1)
+    add({.at_ns = record.now_ns,
+         .text = "steps " + std::to_string(step_ + 1) + " to " + std::to_string(record.step - 1) +
+                 " are not in the recording",
+         .fix = "record to a faster disk",
+         .bad = true});
+  step_ = record.step;
+  for (std::uint32_t i = 0; i < record.inputs.requests.size(); ++i)
+    add({.at_ns = record.now_ns,
+         .text = std::string("operator: ") + name_of(record.inputs.requests[i])});
+  if (record.inputs.robot_rebooted)
+    add({.at_ns = record.now_ns, .text = "the robot has booted", .bad = !first_});
+  if (record.inputs.answer == RequestAnswer::kFailed)
+    add({.at_ns = record.now_ns,
+         .text = "the robot refused or did not confirm arm or disarm",
+         .bad = true});
+  states(record);
+  faults(record);
+  first_ = false;
+}
+
+void RunMonitor::states(const StepRecord& record) {
+  const Snapshot& snapshot = record.snapshot;
+  const auto report = [&](std::string text) {
+    add({.at_ns = record.now_ns, .text = std::move(text)});
+  };
+  if (record.inputs.session != session_) report(change("link", session_, record.inputs.session));
+  session_ = record.inputs.session;
+  if (snapshot.run_state != run_) report(change("run", run_, snapshot.run_state));
+  run_ = snapshot.run_state;
+  if (snapshot.recovering != recovering_)
+    report(snapshot.recovering ? "a disturbance was detected" : "back on the path");
+  recovering_ = snapshot.recovering;
+  if (!snapshot.has_sample || snapshot.sample.state == robot_) return;
+  report(std::string("robot: ") + messages::name_of(snapshot.sample.state));
+  robot_ = snapshot.sample.state;
+}
+
+void RunMonitor::faults(const StepRecord& record) {
+  FaultMask now = record.snapshot.faults & ~faults_;
+  faults_ = record.snapshot.faults;
+  while (const auto fault = first_fault(now)) {
+    const FaultText& words = describe(*fault);
+    add({.at_ns = record.now_ns,
+         .text = std::string(words.name) + ": " + std::string(words.cause),
+         .fix = std::string(words.fix),
+         .bad = true});
+    now &= ~fault_bit(*fault);
+  }
+}
+
+}  // namespace tp100::report

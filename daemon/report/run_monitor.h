@@ -1,0 +1,47 @@
+#pragma once
+// Derives the events of a run from its steps: changes of state, faults, requests, gaps.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/step_record.h"
+
+namespace tp100::report {
+
+/// One event.
+struct Happening {
+  HostNs at_ns = 0;
+  std::string text = {}, fix = {};
+  bool bad = false;
+};
+
+/// Takes steps in their order.
+class RunMonitor {
+ public:
+  static constexpr std::size_t kMax = 500;
+
+  void step(const StepRecord& record);
+  void add(Happening happening);
+
+  const std::vector<Happening>& happenings() const { return happenings_; }
+  /// Number of events beyond kMax.
+  std::uint64_t more() const { return more_; }
+
+ private:
+  void states(const StepRecord& record);
+  void faults(const StepRecord& record);
+
+  std::vector<Happening> happenings_;
+  std::uint64_t more_ = 0;
+  bool first_ = true;
+  std::uint64_t step_ = 0;
+  SessionState session_ = SessionState::kClosed;
+  RunState run_ = RunState::kIdle;
+  std::optional<RobotState> robot_;
+  FaultMask faults_ = 0;
+  bool recovering_ = false;
+};
+
+}  // namespace tp100::report

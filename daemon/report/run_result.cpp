@@ -1,0 +1,45 @@
+#include "report/run_result.h"
+
+#include <array>
+#include <cstdio>
+#include <sstream>
+
+#include "core/pose.h"
+
+namespace tp100::report {
+
+std::string poses_csv(const RunResult& result) {
+  std::ostringstream out;
+  out.precision(17);
+  out << "t_s";
+  for (const char* pose : {"truth", "model", "odometry", "fused"}) {
+    if (pose == std::string("fused") && !result.has_camera) continue;
+    for (const char* value : {"x_m", "y_m", "z_m", "pitch_rad", "yaw_rad"})
+      out << ',' << pose << '_' << value;
+  }
+  out << '\n';
+  for (const TrajectoryPoint& point : result.points) {
+    out << point.t_s;
+    const auto write = [&out](const Pose& pose) {
+      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.z_m << ',' << pose.pitch_rad << ','
+          << pose.yaw_rad;
+    };
+    write(point.truth);
+    write(point.model);
+    write(point.odometry);
+    if (result.has_camera) write(point.fused);
+    out << '\n';
+  }
+  return out.str();
+}
+
+std::string tum_line(double t_s, const Pose& pose) {
+  const Quaternion q = quaternion(pose);
+  std::array<char, 200> line{};
+  const int length =
+      std::snprintf(line.data(), line.size(), "%.6f %.6f %.6f %.6f %.9f %.9f %.9f %.9f\n", t_s,
+                    pose.x_m, pose.y_m, pose.z_m, q.x, q.y, q.z, q.w);
+  return {line.data(), static_cast<std::size_t>(length)};
+}
+
+}  // namespace tp100::report

@@ -1,0 +1,245 @@
+#include "server/publisher.h"
+
+#include <utility>
+
+#include "messages/status_messages.h"
+
+namespace tp100::server {
+namespace {
+
+constexpr HostNs kMarkNs = 100 * kNsPerMs;
+constexpr HostNs kWindowNs = kNsPerS;
+
+std::uint64_t bad(const LinkCounters& link) {
+  return link.corrupted() + link.unknown_type + link.wrong_size + link.implausible;
+}
+
+// An older truth does not describe the present.
+constexpr HostNs kOldestTruthNs = kNsPerS;
+constexpr HostNs kStopEventNs = 100 * kNsPerMs;
+
+bool under_way(RunState state) { return state == RunState::kArming || state == RunState::kRunning; }
+
+/// The fields whose change makes a state message due at once.
+std::string key_of(const messages::StateFigures& state) {
+  std::string key;
+  for (const unsigned part :
+       {static_cast<unsigned>(state.run), static_cast<unsigned>(state.session),
+        static_cast<unsigned>(state.steering),
+        state.robot ? static_cast<unsigned>(*state.robot) : 99U,
+        static_cast<unsigned>(state.faults), static_cast<unsigned>(state.stop.status),
+        state.stop.latched ? 1U : 0U, state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U,
+        state.confirm_start ? 1U : 0U})
+    key += std::to_string(part) + ' ';
+  return key + state.why_not_start;
+}
+
+}  // namespace
+
+void LinkMeter::take(const StepRecord& record) {
+  last_ = record.link;
+  last_ns_ = record.now_ns;
+  session_ = record.inputs.session;
+  clock_ = record.inputs.clock;
+  if (!marks_.empty() && last_ns_ - marks_.back().at_ns < kMarkNs) return;
+  marks_.push_back({last_ns_, last_});
+  while (marks_.size() > 1 && last_ns_ - marks_.front().at_ns > kWindowNs) marks_.pop_front();
+}
+
+messages::LinkFigures LinkMeter::figures() const {
+  messages::LinkFigures out;
+  out.session = session_;
+  out.counters = last_;
+  out.clock = clock_;
+  if (marks_.empty() || last_ns_ <= marks_.front().at_ns) return out;
+  const LinkCounters& then = marks_.front().counters;
+  const double window_s = to_s(last_ns_ - marks_.front().at_ns);
+  const auto rate = [&](std::uint64_t from, std::uint64_t to) {
+    return to < from ? 0.0 : static_cast<double>(to - from) / window_s;
+  };
+  out.samples_hz = rate(then.samples, last_.samples);
+  out.lost_hz = rate(then.lost, last_.lost);
+  out.bad_hz = rate(bad(then), bad(last_));
+  out.in_bytes_ps = rate(then.bytes_in, last_.bytes_in);
+  out.out_bytes_ps = rate(then.bytes_out, last_.bytes_out);
+  return out;
+}
+
+using Status = messages::StopFigures::Status;
+
+void StopMonitor::press(const std::string& by, HostNs now) {
+  ++figures_.count;
+  figures_.by = by;
+  figures_.latched = true;
+  pressed_ns_ = now;
+  if (unanswered()) return;
+  figures_.requested_ns = now;
+  figures_.status = Status::kPending;
+}
+
+void StopMonitor::answered(HostNs at) {
+  // An acknowledgement from before the press belongs to an older STOP.
+  if (!unanswered() || at < figures_.requested_ns) return;
+  figures_.status = Status::kAcknowledged;
+  figures_.acknowledged_ms = to_s(at - figures_.requested_ns) * 1e3;
+}
+
+bool StopMonitor::tick(HostNs now) {
+  if (figures_.status != Status::kPending || now - figures_.requested_ns < kLimitNs) return false;
+  figures_.status = Status::kNotAcknowledged;
+  return true;
+}
+
+Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& controls)
+    : broker_(broker), messages_(std::move(messages)), controls_(controls) {
+  const HostNs at = clock().start_ns;
+  publish(messages::Channel::kCourse, at, messages_.course());
+  publish(messages::Channel::kPath, at, messages_.path_poses(at));
+  publish(messages::Channel::kScene, at, messages_.scene(at));
+  broker_.catch_up(messages::Channel::kPathHistory, [this](std::uint64_t& unix_ns) {
+    unix_ns = clock().unix_ns(last_step_ns_);
+    if (whole_path_history_ == nullptr)
+      whole_path_history_ =
+          std::make_shared<const std::string>(path_history_.whole(clock(), last_step_ns_));
+    return whole_path_history_;
+  });
+  if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
+  state_.why_not_start = to_string(run_context().course == nullptr ? StartRefusal::kNoCourse
+                                                                   : StartRefusal::kNoSession);
+}
+
+void Publisher::publish(messages::Channel channel, HostNs at, std::string json) {
+  broker_.publish(channel, clock().unix_ns(at), std::move(json));
+}
+
+void Publisher::take(const StepRecord& record) {
+  last_step_ns_ = record.now_ns;
+  if (truth_ && record.now_ns - truth_->at_ns > kOldestTruthNs) truth_.reset();
+  link_.take(record);
+  path_history_.add(record.snapshot);
+  update_state(record);
+  publish_step(record);
+  if (slip_.due(record.now_ns))
+    publish(messages::Channel::kSlip, record.now_ns, messages_.slip(record));
+  publish_state(record.now_ns, false);
+}
+
+void Publisher::publish_step(const StepRecord& record) {
+  const HostNs now = record.now_ns;
+  const Snapshot& snapshot = record.snapshot;
+  if (broker_.wanted(messages::Channel::kEstimate))
+    publish(messages::Channel::kEstimate, now, messages_.estimate(record, truth_));
+  if (broker_.wanted(messages::Channel::kTransforms))
+    publish(messages::Channel::kTransforms, now, messages_.transforms(record, truth_));
+  for (const PoseSource estimate : kPoseSources) {
+    const messages::Channel channel = messages::kPoseChannels[estimate];
+    if (broker_.wanted(channel))
+      publish(channel, now, messages_.pose(now, snapshot.estimates[estimate].pose));
+  }
+  if (truth_ && truth_->at_ns != truth_sent_ns_) {
+    truth_sent_ns_ = truth_->at_ns;
+    publish(messages::Channel::kPoseTruth, truth_->at_ns,
+            messages_.pose(truth_->at_ns, truth_->pose));
+  }
+  if (broker_.wanted(messages::Channel::kSample)) {
+    for (std::uint32_t i = 0; i < record.inputs.samples.size(); ++i)
+      publish(messages::Channel::kSample, record.inputs.samples[i].measured_ns,
+              messages_.sample(record.inputs.samples[i], now));
+  }
+  if (record.command_valid && broker_.wanted(messages::Channel::kCommand))
+    publish(messages::Channel::kCommand, now, messages_.command(record));
+}
+
+void Publisher::update_state(const StepRecord& record) {
+  const Snapshot& snapshot = record.snapshot;
+  const RunState before = std::exchange(state_.run, snapshot.run_state);
+  if (state_.run == RunState::kRunning && before != RunState::kRunning)
+    run_began_ns_ = record.now_ns;
+  if (state_.run == RunState::kRunning) state_.run_s = to_s(record.now_ns - run_began_ns_);
+  if (under_way(state_.run)) stop_.under_way(record.now_ns, !under_way(before));
+  state_.steering = snapshot.steering;
+  state_.session = record.inputs.session;
+  state_.robot = snapshot.has_sample ? std::optional(snapshot.sample.state) : std::nullopt;
+  state_.battery_v = snapshot.has_sample ? std::optional(snapshot.sample.battery_v) : std::nullopt;
+  state_.progress_m = snapshot.progress_m;
+  state_.faults = snapshot.faults;
+  state_.motors_on = snapshot.has_sample && motors_on(snapshot.sample);
+  state_.why_not_start = to_string(snapshot.start_refusal);
+  state_.can_start = state_.why_not_start.empty();
+}
+
+void Publisher::publish_state(HostNs now, bool always) {
+  state_.stop = stop_.figures();
+  state_.confirm_start = controls_.start_consent() != StartConsent::kNone;
+  std::string key = key_of(state_);
+  if (!always && key == last_state_key_) return;
+  last_state_key_ = std::move(key);
+  state_due_.restart(now);
+  publish(messages::Channel::kState, now,
+          messages::state_message(now, clock(), state_, run_context()));
+}
+
+void Publisher::take(const messages::Event& event) {
+  publish(messages::Channel::kEvent, event.at_ns, messages_.event(event));
+  publish(messages::Channel::kLog, event.at_ns, messages_.log(event));
+}
+
+void Publisher::stop_pressed(const std::string& by, HostNs now) {
+  stop_.press(by, now);
+  publish_state(now, false);
+  // Key repeats count as one press.
+  if (now - last_stop_event_ns_ < kStopEventNs) return;
+  last_stop_event_ns_ = now;
+  take(messages::Event{.at_ns = now,
+                       .kind = "stop",
+                       .level = messages::Event::Level::kWarning,
+                       .text = "STOP pressed by " + by});
+}
+
+void Publisher::stop_answered(HostNs at, HostNs now) {
+  stop_.answered(at);
+  publish_state(now, false);
+}
+
+void Publisher::publish_recording(HostNs now) {
+  const messages::RecordingFigures recording = controls_.recording();
+  const bool changed = recording.active != last_recording_.active ||
+                       recording.available != last_recording_.available ||
+                       recording.warning != last_recording_.warning ||
+                       recording.run != last_recording_.run;
+  const bool first = recording_due_.next_ns == 0;
+  const bool again = recording.active && now >= recording_due_.next_ns;
+  if (!changed && !first && !again) return;
+  recording_due_.restart(now);
+  last_recording_ = recording;
+  state_.can_record = recording.available && !recording.active;
+  publish(messages::Channel::kRecording, now, messages::recording_message(recording));
+}
+
+void Publisher::tick(HostNs now) {
+  if (stop_.tick(now)) publish_state(now, true);
+  publish_recording(now);
+  if (state_due_.due(now)) publish_state(now, true);
+  const bool link_due = link_due_.due(now), loop_due = loop_due_.due(now);
+  if (link_due || loop_due) {
+    const messages::LoopFigures loop = controls_.loop();
+    if (loop_due)
+      publish(messages::Channel::kLoop, now,
+              messages::loop_message(clock().t_s(now), loop, run_context()));
+    if (link_due) {
+      messages::LinkFigures link = link_.figures();
+      link.port = controls_.port();
+      link.sample_age = loop.sample_age;
+      publish(messages::Channel::kLink, now, messages::link_message(clock().t_s(now), link));
+    }
+  }
+  if (path_history_due_.due(now)) {
+    std::string update = path_history_.take_update(clock(), now);
+    if (!update.empty()) {
+      whole_path_history_.reset();
+      publish(messages::Channel::kPathHistory, now, std::move(update));
+    }
+  }
+}
+
+}  // namespace tp100::server

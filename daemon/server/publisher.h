@@ -1,0 +1,126 @@
+#pragma once
+// Publishes steps and events on the channels, and decides when. No socket; one thread; time is
+// passed in.
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/step_record.h"
+#include "messages/figures.h"
+#include "messages/messages.h"
+#include "messages/path_history.h"
+#include "server/broker.h"
+#include "server/controls.h"
+
+namespace tp100::server {
+
+/// Rates of the link over the last second, from its counters. Pure.
+class LinkMeter {
+ public:
+  /// Takes the counters of one step.
+  void take(const StepRecord& record);
+  /// State and rates over the last second; leaves port and sample ages unset.
+  messages::LinkFigures figures() const;
+
+ private:
+  struct Mark {
+    HostNs at_ns;
+    LinkCounters counters;
+  };
+  std::deque<Mark> marks_;  // ten a second, the newest last
+  LinkCounters last_{};
+  HostNs last_ns_ = 0;
+  SessionState session_ = SessionState::kClosed;
+  ClockState clock_{};
+};
+
+/// Measures how long the robot takes to acknowledge a STOP. Pure: times are passed in.
+class StopMonitor {
+ public:
+  static constexpr HostNs kLimitNs = 200 * kNsPerMs;
+
+  /// STOP was pressed. A press while one is unanswered does not restart its time.
+  void press(const std::string& by, HostNs now);
+  /// The robot acknowledged one.
+  void answered(HostNs at);
+  /// A run was under way at host time `at`, and may have begun then (`began`). Only a start ends a
+  /// STOP; a run under way when STOP is pressed has not received it yet.
+  void under_way(HostNs at, bool began) {
+    if (at > pressed_ns_ + (began ? 0 : kLimitNs)) figures_.latched = false;
+  }
+  /// Call it regularly. True if the state changed.
+  bool tick(HostNs now);
+
+  const messages::StopFigures& figures() const { return figures_; }
+  bool unanswered() const {
+    return figures_.status == messages::StopFigures::Status::kPending ||
+           figures_.status == messages::StopFigures::Status::kNotAcknowledged;
+  }
+
+ private:
+  messages::StopFigures figures_{};
+  HostNs pressed_ns_ = 0;  // time of the last press
+};
+
+class Publisher {
+ public:
+  /// `broker` and `controls` must outlive the publisher.
+  Publisher(Broker& broker, messages::Messages messages, Controls& controls);
+
+  void take(const StepRecord& record);
+  void take_truth(const messages::Truth& truth) { truth_ = truth; }
+  void take(const messages::Event& event);
+  /// STOP was pressed; the robot acknowledged one.
+  void stop_pressed(const std::string& by, HostNs now);
+  void stop_answered(HostNs at, HostNs now);
+  /// Call it twenty times a second or more.
+  void tick(HostNs now);
+
+  const messages::StateFigures& state() const { return state_; }
+  const StopMonitor& stop() const { return stop_; }
+  const messages::RunContext& run_context() const { return messages_.run_context(); }
+  const messages::PublishClock& clock() const { return messages_.clock(); }
+  /// Time of the last step taken.
+  HostNs last_step_ns() const { return last_step_ns_; }
+
+ private:
+  /// True once in every `period`.
+  struct Every {
+    HostNs period_ns;
+    HostNs next_ns = 0;
+    bool due(HostNs now) {
+      if (now < next_ns) return false;
+      restart(now);
+      return true;
+    }
+    void restart(HostNs now) { next_ns = now + period_ns; }
+  };
+
+  void publish(messages::Channel channel, HostNs at, std::string json);
+  void publish_step(const StepRecord& record);
+  void update_state(const StepRecord& record);
+  void publish_state(HostNs now, bool always);
+  void publish_recording(HostNs now);
+
+  Broker& broker_;
+  messages::Messages messages_;
+  Controls& controls_;
+  LinkMeter link_;
+  messages::PathHistory path_history_;
+  StopMonitor stop_;
+  messages::StateFigures state_{};
+  std::shared_ptr<const std::string> whole_path_history_;
+  std::optional<messages::Truth> truth_;
+  HostNs truth_sent_ns_ = 0;
+  HostNs last_step_ns_ = 0;
+  HostNs run_began_ns_ = 0;
+  HostNs last_stop_event_ns_ = -kNsPerS;
+  std::string last_state_key_;
+  messages::RecordingFigures last_recording_{};
+  Every slip_{50 * kNsPerMs}, link_due_{200 * kNsPerMs}, loop_due_{500 * kNsPerMs},
+      state_due_{200 * kNsPerMs}, path_history_due_{500 * kNsPerMs}, recording_due_{kNsPerS};
+};
+
+}  // namespace tp100::server

@@ -1,0 +1,318 @@
+#include "server/request_handler.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "text/json_writer.h"
+
+namespace tp100::server {
+namespace {
+
+constexpr std::size_t kMaxWaiting = 1024;
+constexpr std::size_t kMaxRunName = 64;
+constexpr HostNs kSettleNs = 500 * kNsPerMs;
+constexpr const char* kSteering = "estimation.steering";
+
+bool is_run_name(const std::string& name) {
+  return !name.empty() && name.size() <= kMaxRunName && name.front() != '.' &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '-' || c == '_' || c == '.';
+         });
+}
+
+std::string stop_answer(const messages::StopFigures& stop) {
+  std::string text;
+  text::JsonWriter json(text);
+  const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
+  json.begin_object().field("acknowledged", acknowledged);
+  if (acknowledged) {
+    json.field("acknowledged_ms", stop.acknowledged_ms);
+  } else {
+    json.null_field("acknowledged_ms");
+  }
+  json.end_object();
+  return text;
+}
+
+}  // namespace
+
+RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
+                               std::vector<messages::ParameterText> parameters,
+                               std::string session_id)
+    : broker_(broker),
+      publisher_(publisher),
+      controls_(controls),
+      parameters_(std::move(parameters)),
+      session_id_(std::move(session_id)) {
+  const auto add = [&](Service service, const char* name, const std::string& type,
+                       const std::string& request, const std::string& response) {
+    services_.push_back({static_cast<std::uint32_t>(service), name, type,
+                         messages::schema_of(type + "Request", request),
+                         messages::schema_of(type + "Response", response)});
+  };
+  add(Service::kStart, "start", "tp100.Start", "{}", R"({"accepted":true})");
+  add(Service::kHold, "hold", "tp100.Hold", "{}", R"({"accepted":true})");
+  add(Service::kStop, "stop", "tp100.Stop", "{}", R"({"acknowledged":true,"acknowledged_ms":1.5})");
+  add(Service::kRecordStart, "record_start", "tp100.RecordStart", R"({"name":""})",
+      R"({"run":""})");
+  add(Service::kRecordStop, "record_stop", "tp100.RecordStop", "{}", R"({"run":"","bytes":1})");
+  broker_.publish(messages::Channel::kParameter,
+                  publisher_.clock().unix_ns(publisher_.clock().start_ns),
+                  messages::parameters_message(parameters_));
+}
+
+void RequestHandler::greet(Viewer& viewer, Permission permission) const {
+  const messages::RunContext& run_context = publisher_.run_context();
+  const std::array<Metadata, 6> metadata = {{
+      {"version", run_context.version},
+      {"course", run_context.course == nullptr ? "" : run_context.course->name},
+      {"robot", run_context.robot.name},
+      {"setup", run_context.setup},
+      {"commands", permission == Permission::kCommand ? "yes" : "stop"},
+      {"start_unix_ns", std::to_string(publisher_.clock().start_unix_ns)},
+  }};
+  viewer.reply(server_info(session_id_, metadata));
+  viewer.reply(advertise(broker_.channels()));
+  viewer.reply(advertise_services(services_));
+}
+
+bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
+                            Permission permission, HostNs now) {
+  if (const auto* subscribe = std::get_if<Subscribe>(&message)) {
+    broker_.subscribe(*viewer, *subscribe);
+  } else if (const auto* unsubscribe = std::get_if<Unsubscribe>(&message)) {
+    broker_.unsubscribe(*viewer, *unsubscribe);
+  } else if (const auto* get = std::get_if<GetParameters>(&message)) {
+    on(*viewer, *get);
+  } else if (const auto* set = std::get_if<SetParameters>(&message)) {
+    on(*viewer, *set, permission, now);
+  } else if (const auto* watch = std::get_if<WatchParameters>(&message)) {
+    on(*viewer, *watch);
+  } else if (const auto* call = std::get_if<ServiceCall>(&message)) {
+    on(viewer, *call, permission, now);
+  } else if (const auto* unserved = std::get_if<Unserved>(&message)) {
+    viewer->say(StatusLevel::kWarning, "this server does not serve '" + unserved->what + "'");
+  } else {
+    viewer->say(StatusLevel::kError, std::get<Malformed>(message).why);
+    return false;
+  }
+  return true;
+}
+
+void RequestHandler::leave(const Viewer& viewer) {
+  std::erase_if(waiting_, [&](const Waiting& each) { return each.viewer_id == viewer.id(); });
+  watched_.erase(viewer.id());
+}
+
+std::vector<const messages::ParameterText*> RequestHandler::select(
+    const std::vector<std::string>& names) const {
+  std::vector<const messages::ParameterText*> out;
+  for (const messages::ParameterText& parameter : parameters_) {
+    if (names.empty() || std::find(names.begin(), names.end(), parameter.name) != names.end())
+      out.push_back(&parameter);
+  }
+  return out;
+}
+
+void RequestHandler::on(Viewer& viewer, const GetParameters& wanted) const {
+  viewer.reply(parameter_values(select(wanted.names), wanted.id));
+}
+
+void RequestHandler::on(Viewer& viewer, const WatchParameters& wanted) {
+  // Keeps existing names only, so that a client cannot make this grow.
+  std::set<std::string>& names = watched_[viewer.id()];
+  for (const messages::ParameterText* parameter : select(wanted.names)) {
+    if (wanted.watch) {
+      names.insert(parameter->name);
+    } else {
+      names.erase(parameter->name);
+    }
+  }
+}
+
+std::string RequestHandler::set(const SetParameters::One& one) {
+  const auto found =
+      std::find_if(parameters_.begin(), parameters_.end(),
+                   [&](const messages::ParameterText& each) { return each.name == one.name; });
+  if (found == parameters_.end()) return "there is no parameter of that name";
+  if (!found->live)
+    return found->name + " cannot be changed while the daemon runs; set it in the file";
+  if (!one.value) return found->name + " takes no value of that type";
+  const RunState run = publisher_.state().run;
+  if (found->only_at_standstill && (run == RunState::kArming || run == RunState::kRunning))
+    return found->name + " cannot be changed during a run";
+  std::string why = messages::why_not(*found, *one.value);
+  if (why.empty()) why = controls_.set(*found, *one.value);
+  if (why.empty()) found->value = *one.value;
+  return why;
+}
+
+void RequestHandler::on(Viewer& viewer, const SetParameters& wanted, Permission permission,
+                        HostNs now) {
+  std::vector<std::string> names;
+  for (const SetParameters::One& one : wanted.parameters) {
+    names.push_back(one.name);
+    const std::string why = permission == Permission::kCommand
+                                ? set(one)
+                                : "parameters are not taken from this client (server.commands)";
+    if (!why.empty()) {
+      viewer.say(StatusLevel::kError, why);
+      continue;
+    }
+    settle_ns_ = now + kSettleNs;
+    for (const messages::ParameterText* parameter : select({one.name}))
+      parameter_changed(*parameter, now);
+  }
+  if (!names.empty()) viewer.reply(parameter_values(select(names), wanted.id));
+}
+
+void RequestHandler::parameter_changed(const messages::ParameterText& parameter, HostNs now) {
+  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
+                  messages::parameters_message(parameters_));
+  std::string value;
+  std::visit([&](const auto& content) { text::JsonWriter(value).value(content); }, parameter.value);
+  publisher_.take(
+      messages::Event{.at_ns = now, .kind = "parameter", .text = parameter.name + " = " + value});
+  const std::array<const messages::ParameterText*, 1> changed = {&parameter};
+  const std::string message = parameter_values(changed, "");
+  for (const auto& viewer : broker_.viewers()) {
+    const auto watched = watched_.find(viewer->id());
+    if (watched != watched_.end() && watched->second.contains(parameter.name))
+      viewer->reply(message);
+  }
+}
+
+std::string RequestHandler::start() {
+  const messages::StateFigures& state = publisher_.state();
+  return state.can_start ? controls_.start() : state.why_not_start;
+}
+
+std::string RequestHandler::record_start(const std::vector<RequestField>& request,
+                                         Controls::RecordAnswer answer) {
+  std::string name;
+  for (const RequestField& field : request) {
+    if (field.name != "name") continue;
+    const std::string* text = std::get_if<std::string>(&field.value);
+    if (text == nullptr || !(text->empty() || is_run_name(*text)))
+      return "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
+    name = *text;
+  }
+  controls_.record_start(name, std::move(answer));
+  return {};
+}
+
+Controls::RecordAnswer RequestHandler::answer_later(Service service,
+                                                    const std::shared_ptr<Viewer>& viewer,
+                                                    std::uint32_t call) const {
+  return [arrivals = arrivals_, service, weak = std::weak_ptr(viewer), call](
+             const std::string& why, const messages::RecordingFigures& recording) {
+    const std::lock_guard lock(arrivals->mutex);
+    arrivals->recorded.push_back({service, weak, call, why, recording});
+  };
+}
+
+void RequestHandler::answer_recorded() {
+  std::vector<Recorded> all;
+  {
+    const std::lock_guard lock(arrivals_->mutex);
+    all.swap(arrivals_->recorded);
+  }
+  for (const Recorded& each : all) {
+    const auto viewer = each.viewer.lock();
+    if (viewer == nullptr) continue;
+    const auto service = static_cast<std::uint32_t>(each.service);
+    if (!each.why.empty()) {
+      viewer->reply(service_failure(service, each.call, each.why));
+      continue;
+    }
+    std::string json;
+    text::JsonWriter writer(json);
+    writer.begin_object().field("run", each.recording.run);
+    if (each.service == Service::kRecordStop) writer.field("bytes", each.recording.bytes);
+    writer.end_object();
+    viewer->reply(service_response(service, each.call, json), true);
+  }
+}
+
+void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call,
+                        Permission permission, HostNs now) {
+  const auto service = static_cast<Service>(call.service);
+  // STOP is carried out even if the request is otherwise invalid.
+  if (service == Service::kStop) {
+    call_stop(viewer, call.call, now);
+    return;
+  }
+  const auto fail = [&](const std::string& why) {
+    viewer->reply(service_failure(call.service, call.call, why));
+  };
+  const auto answer = [&](const std::string& json) {
+    viewer->reply(service_response(call.service, call.call, json), true);
+  };
+  if (call.service == 0 || call.service > services_.size())
+    return fail("there is no service " + std::to_string(call.service));
+  if (permission != Permission::kCommand)
+    return fail("only stop is taken from this client (server.commands)");
+  if (call.encoding != "json") return fail("the encoding must be json");
+  const auto request = parse_request(call.payload);
+  if (!request) return fail("the request must be a JSON object");
+
+  std::string why;
+  switch (service) {
+    case Service::kStart:
+    case Service::kHold:
+      why = service == Service::kStart ? start() : controls_.hold();
+      return why.empty() ? answer(R"({"accepted":true})") : fail(why);
+    case Service::kRecordStart:
+      why = record_start(*request, answer_later(service, viewer, call.call));
+      return why.empty() ? answer_recorded() : fail(why);
+    case Service::kRecordStop:
+      controls_.record_stop(answer_later(service, viewer, call.call));
+      return answer_recorded();
+    case Service::kStop:
+      return;
+  }
+}
+
+void RequestHandler::call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call,
+                               HostNs now) {
+  controls_.stop();
+  publisher_.stop_pressed("viewer " + std::to_string(viewer->id()), now);
+  if (waiting_.size() >= kMaxWaiting) {
+    viewer->reply(service_response(static_cast<std::uint32_t>(Service::kStop), call,
+                                   stop_answer(publisher_.stop().figures())),
+                  true);
+    return;
+  }
+  waiting_.push_back({viewer, viewer->id(), call});
+  tick(now);
+}
+
+// The step decides: a run may have begun before a change of the steering pose reached it.
+void RequestHandler::settle(HostNs now) {
+  if (now < settle_ns_) return;
+  for (messages::ParameterText& parameter : parameters_) {
+    if (parameter.name != kSteering || publisher_.last_step_ns() == 0) continue;
+    const messages::ParameterValue used = std::string(to_string(publisher_.state().steering));
+    if (parameter.value == used) continue;
+    parameter.value = used;
+    parameter_changed(parameter, now);
+  }
+}
+
+void RequestHandler::tick(HostNs now) {
+  settle(now);
+  answer_recorded();
+  if (waiting_.empty()) return;
+  const messages::StopFigures& stop = publisher_.stop().figures();
+  if (stop.status == messages::StopFigures::Status::kPending) return;
+  const std::string answer = stop_answer(stop);
+  for (const Waiting& each : std::exchange(waiting_, {})) {
+    if (const auto viewer = each.viewer.lock())
+      viewer->reply(service_response(static_cast<std::uint32_t>(Service::kStop), each.call, answer),
+                    true);
+  }
+}
+
+}  // namespace tp100::server

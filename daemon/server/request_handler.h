@@ -1,0 +1,90 @@
+#pragma once
+// Answers clients' messages: subscriptions, parameters, services. Checks everything that could
+// reach the robot. No socket; one thread; time is passed in.
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "server/broker.h"
+#include "server/controls.h"
+#include "server/protocol.h"
+#include "server/publisher.h"
+
+namespace tp100::server {
+
+/// What a client may do.
+enum class Permission : std::uint8_t {
+  kCommand,
+  kStopOnly,  ///< view, and STOP
+};
+
+class RequestHandler {
+ public:
+  /// `broker`, `publisher` and `controls` must outlive the handler.
+  RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
+                 std::vector<messages::ParameterText> parameters, std::string session_id);
+
+  /// Sends server info, channels and services, in this order.
+  void greet(Viewer& viewer, Permission permission) const;
+  /// Answers one message. False: it is not a message of the protocol.
+  bool handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
+              Permission permission, HostNs now);
+  /// Drops the viewer's pending requests.
+  void leave(const Viewer& viewer);
+  /// Call it regularly and after events: answers requests that waited for a STOP or for the disk.
+  void tick(HostNs now);
+
+ private:
+  enum class Service : std::uint32_t { kStart = 1, kHold, kStop, kRecordStart, kRecordStop };
+  struct Waiting {
+    std::weak_ptr<Viewer> viewer;
+    std::uint32_t viewer_id;
+    std::uint32_t call;
+  };
+  /// The result of a recording request, posted by the thread that waits for the disk, possibly when
+  /// the handler is gone.
+  struct Recorded {
+    Service service;
+    std::weak_ptr<Viewer> viewer;
+    std::uint32_t call;
+    std::string why;
+    messages::RecordingFigures recording;
+  };
+  struct Arrivals {
+    std::mutex mutex;
+    std::vector<Recorded> recorded;
+  };
+
+  void on(Viewer& viewer, const GetParameters& wanted) const;
+  void on(Viewer& viewer, const SetParameters& wanted, Permission permission, HostNs now);
+  void on(Viewer& viewer, const WatchParameters& wanted);
+  void on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call, Permission permission,
+          HostNs now);
+  void call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs now);
+  std::string set(const SetParameters::One& one);
+  std::string start();
+  std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
+  Controls::RecordAnswer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
+                                      std::uint32_t call) const;
+  void answer_recorded();
+  void settle(HostNs now);
+  void parameter_changed(const messages::ParameterText& parameter, HostNs now);
+  std::vector<const messages::ParameterText*> select(const std::vector<std::string>& names) const;
+
+  Broker& broker_;
+  Publisher& publisher_;
+  Controls& controls_;
+  std::vector<messages::ParameterText> parameters_;
+  std::string session_id_;
+  std::vector<ServiceText> services_;
+  std::vector<Waiting> waiting_;
+  std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
+  HostNs settle_ns_ = 0;  // a parameter change is under way until then
+  std::map<std::uint32_t, std::set<std::string>> watched_;  // parameters, by viewer
+};
+
+}  // namespace tp100::server

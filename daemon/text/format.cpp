@@ -1,0 +1,95 @@
+#include "text/format.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdarg>
+#include <cstddef>
+#include <cstdio>
+#include <stdexcept>
+
+namespace tp100::text {
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+
+struct Renamed {
+  std::string_view before, now;
+};
+constexpr std::array kRenamed = {Renamed{"belt_radius_m", "wheel_radius_m"},
+                                 Renamed{"belt_width_m", "shoe_width_m"},
+                                 Renamed{"belt_deficit_left", "track_deficit_left"},
+                                 Renamed{"belt_deficit_right", "track_deficit_right"},
+                                 Renamed{"push_radps", "disturbance_radps"},
+                                 Renamed{"shove", "disturbance"},
+                                 Renamed{"bench", "stand"}};
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    now[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      now[j] = std::min({replaced, last[j] + 1, now[j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        now[j] = std::min(now[j], before[j - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(now);
+  }
+  return last[b.size()];
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.10g", value);
+  return buffer.data();
+}
+
+std::string one_line(std::string_view text, std::size_t most) {
+  std::string line(text.substr(0, most));
+  for (char& c : line)
+    if (c < 0x20 || c > 0x7e) c = '?';
+  return text.size() > most ? line + "..." : line;
+}
+
+std::string format(const char* pattern, ...) {
+  va_list arguments, again;
+  va_start(arguments, pattern);
+  va_copy(again, arguments);
+  const int size = std::vsnprintf(nullptr, 0, pattern, arguments);
+  std::string text(size < 0 ? 0 : static_cast<std::size_t>(size), '\0');
+  // The closing zero goes where the string keeps its own.
+  if (size >= 0) std::vsnprintf(text.data(), text.size() + 1, pattern, again);
+  va_end(again);
+  va_end(arguments);
+  if (size < 0) throw std::runtime_error(std::string("cannot be formatted: ") + pattern);
+  return text;
+}
+
+std::string_view nearest_name(std::string_view name,
+                              const std::vector<std::string_view>& candidates) {
+  if (name.size() > kLongestName) return {};
+  const auto renamed = std::find_if(kRenamed.begin(), kRenamed.end(),
+                                    [name](const Renamed& one) { return one.before == name; });
+  if (renamed != kRenamed.end() &&
+      std::find(candidates.begin(), candidates.end(), renamed->now) != candidates.end())
+    return renamed->now;
+  std::string_view best;
+  std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
+  for (const std::string_view candidate : candidates) {
+    std::size_t distance = edit_distance(name, candidate);
+    // A name without its unit: rate for rate_hz.
+    if (name.size() >= 2 && candidate.starts_with(std::string(name) + "_"))
+      distance = std::min<std::size_t>(distance, 1);
+    if (distance < best_distance && distance < candidate.size()) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace tp100::text

@@ -1,0 +1,27 @@
+#pragma once
+// Text of messages to the user: numbers, foreign text, the name that was probably meant.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tp100::text {
+
+/// `text` on one line: control characters and bytes outside ASCII replaced by '?', cut at `most`
+/// characters.
+std::string one_line(std::string_view text, std::size_t most = 80);
+
+/// A number in messages: at most ten significant digits.
+std::string number_text(double value);
+
+/// As printf prints it, however long. Throws std::runtime_error if printf cannot.
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
+
+/// The name that the user probably meant: the candidate whose name in an earlier version was
+/// `name`, or the one with the smallest edit distance to `name` (insert, delete, replace, swap
+/// neighbours); empty if none is near enough to be a typing error, as for all long names.
+std::string_view nearest_name(std::string_view name,
+                              const std::vector<std::string_view>& candidates);
+
+}  // namespace tp100::text

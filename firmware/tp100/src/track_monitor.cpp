@@ -1,0 +1,262 @@
+#include "track_monitor.h"
+
+#include "number.h"
+
+namespace tp100 {
+namespace firmware {
+namespace {
+
+const float kStandingM = 0.002f;
+// A braking track runs on against its duty for a while; beyond this distance the wiring is wrong.
+const float kRunOnM = 0.02f;
+const float kRunOnS = 0.2f;
+
+// Beyond twice its top speed, no track moves this far between two samples, nor does a track that
+// ran on under its duty go back this far: such counts are a glitch. A glitch is short and isolated.
+const float kJumpM = 0.004f;
+const int32_t kFewCounts = 8;
+const uint16_t kJumpAgainMs = 1000;
+const uint16_t kOneJumpMs = 100;
+
+// Distance that the duty implies beyond what was counted. A blocked track reaches it in this part
+// of `stall_ms`, whatever its duty.
+const float kMissingM = 0.04f;
+const float kSoonestShare = 0.7f;
+const uint16_t kStepMs = 80;
+// Duty that a track may take beyond its usual one.
+const float kMarginDuty = 0.02f;
+const float kMarginShare = 0.1f;
+
+// The gain (duty that a track takes) is learnt while the track runs freely, evenly and not too
+// slowly: quickly downwards, but upwards only as fast as a battery sags, or a fault would be
+// learnt. Values above the maximum are not learnt; a run begins with the maximum.
+const float kMinGain = 0.7f;
+const float kMaxGain = 1.4f;
+const float kGainDownPerS = 3.0f;
+const float kGainUpPerS = 0.005f;
+// Friction's share of the duty weighs less at a higher speed: beyond this factor it is another
+// gain.
+const float kBeyond = 1.25f;
+const float kSlowPerS = 4.0f;
+const float kSlowest = 0.95f;
+const float kFastest = 1.1f;
+const float kMinMps = 0.028f;
+
+// Float operations are slow on an AVR: eight samples make one step.
+const uint8_t kSamples = 8;
+const float kMaxRad = 0.35f;
+const float kMaxSlowRad = 0.175f;
+const float kSlowRadps = 0.175f;
+// Before identification it is unknown how much of a turn the tracks really produce.
+const float kOfTurn = 0.8f;
+const float kDistanceShare = 0.1f;
+
+// Duty that a full turn takes, and duty for a slope or bump relative to the robot's attitude at the
+// start. Loads rise at once and decay slowly.
+const float kTurnDuty = 0.3f;
+const float kTurnFallPerS = 0.3f;
+const float kFullTurning = 0.4f;  // track speed due to the turn alone, as a fraction of the mean
+                                  // speed
+const float kSlowestRad = 0.003f;
+const float kMaxSlopeDuty = 0.4f;
+const float kSlopeFallPerS = 0.15f;
+const float kDutyPerRad = 3.0f;
+const float kLevelRad = 0.02f;
+const float kNewSlope = 0.5f;
+
+float drained(float balance, float by) {
+  if (balance > by) return balance - by;
+  if (balance < -by) return balance + by;
+  return 0.0f;
+}
+
+}  // namespace
+
+TrackMonitor::TrackMonitor()
+    : known_(false),
+      last_counts_(0),
+      jumped_ms_(0),
+      sign_(0),
+      start_counts_(0),
+      standing_ms_(0),
+      first_counts_(0),
+      best_counts_(0),
+      went_back_(false),
+      step_counts_(0),
+      step_duty_ms_(0),
+      step_ms_(0),
+      missing_m_(0.0f),
+      gain_(kMaxGain),
+      learnt_duty_(0.0f),
+      slow_duty_(0.0f) {}
+
+void TrackMonitor::reset() { *this = TrackMonitor(); }
+
+TrackMonitor::Verdict TrackMonitor::update(int16_t duty, int32_t counts, uint16_t dt_ms,
+                                           float load_duty, bool free, const wire::Parameters& p) {
+  if (jumps_again(counts, dt_ms, p)) return kStalled;
+  const uint16_t size = static_cast<uint16_t>(duty < 0 ? -duty : duty);
+  const int8_t sign = duty > 0 ? 1 : duty < 0 ? -1 : 0;
+  if (sign == 0 || static_cast<float>(size) < p.dead_band * static_cast<float>(wire::kFullDuty)) {
+    sign_ = 0;
+    return kGood;
+  }
+  if (sign != sign_) {
+    sign_ = sign;
+    start_counts_ = counts;
+    first_counts_ = counts;
+    best_counts_ = counts;
+    went_back_ = false;
+    standing_ms_ = 0;
+    step_counts_ = counts;
+    step_duty_ms_ = 0;
+    step_ms_ = 0;
+    missing_m_ = 0.0f;
+    return kGood;
+  }
+  if (distance(counts, best_counts_) * sign > 0) {
+    best_counts_ = counts;
+    went_back_ = false;
+  }
+  // In counts, and only when needed: a float operation takes an AVR a hundred cycles or more.
+  const int32_t back = -distance(counts, best_counts_) * sign;
+  if (back > 0) {
+    const float furthest_m = kRunOnM + kRunOnS * p.max_track_mps;
+    if (static_cast<float>(back) > furthest_m * p.counts_per_metre) return kReversed;
+    const float jump = kJumpM * p.counts_per_metre;
+    const bool ran = static_cast<float>(distance(best_counts_, first_counts_) * sign) > jump;
+    if (ran && !went_back_ && static_cast<float>(back) > jump) {
+      went_back_ = true;
+      if (again()) return kStalled;
+    }
+    // The floor may drag a track on, slowly, while the speed loop brakes it.
+    const float explained = (p.dead_band + load_duty) * static_cast<float>(wire::kFullDuty);
+    if (load_duty > 0.0f && static_cast<float>(size) < explained) best_counts_ = counts;
+  }
+
+  if (missing(size, sign, counts, dt_ms, load_duty, free, p)) return kStalled;
+  const bool pushes = p.stall_duty > 0 && size >= p.stall_duty;
+  const float moved = static_cast<float>(distance(counts, start_counts_));
+  if (!pushes || magnitude(moved) > kStandingM * p.counts_per_metre) {
+    start_counts_ = counts;
+    standing_ms_ = 0;
+    return kGood;
+  }
+  standing_ms_ = static_cast<uint16_t>(standing_ms_ + dt_ms);
+  return standing_ms_ >= p.stall_ms ? kStalled : kGood;
+}
+
+bool TrackMonitor::jumps_again(int32_t counts, uint16_t dt_ms, const wire::Parameters& p) {
+  const int32_t moved = known_ ? distance(counts, last_counts_) : 0;
+  known_ = true;
+  last_counts_ = counts;
+  jumped_ms_ = jumped_ms_ > dt_ms ? static_cast<uint16_t>(jumped_ms_ - dt_ms) : 0;
+  if (moved > -kFewCounts && moved < kFewCounts) return false;
+  const float furthest_m = kJumpM + 2e-3f * p.max_track_mps * static_cast<float>(dt_ms);
+  return magnitude(static_cast<float>(moved)) > furthest_m * p.counts_per_metre && again();
+}
+
+bool TrackMonitor::again() {
+  if (jumped_ms_ == 0) jumped_ms_ = kJumpAgainMs;
+  return jumped_ms_ < kJumpAgainMs - kOneJumpMs;
+}
+
+bool TrackMonitor::missing(uint16_t size, int8_t sign, int32_t counts, uint16_t dt_ms,
+                           float load_duty, bool free, const wire::Parameters& p) {
+  if (p.stall_duty == 0 || p.feed_forward <= 0.0f) return false;
+  step_duty_ms_ += static_cast<uint32_t>(size) * dt_ms;
+  step_ms_ = static_cast<uint16_t>(step_ms_ + dt_ms);
+  if (step_ms_ < kStepMs) return false;
+  const float step_s = static_cast<float>(step_ms_) * 1e-3f;
+  const float above = static_cast<float>(step_duty_ms_) * 1e-6f / step_s - p.dead_band;
+  const int32_t moved = distance(counts, step_counts_) * sign;
+  const float speed_duty =
+      moved <= 0 ? 0.0f
+                 : p.feed_forward * static_cast<float>(moved) / (p.counts_per_metre * step_s);
+  step_counts_ = counts;
+  step_duty_ms_ = 0;
+  step_ms_ = 0;
+  const float beyond = larger(0.0f, speed_duty - kBeyond * learnt_duty_);
+  const float usual = gain_ * (speed_duty - beyond) + kMaxGain * beyond;
+  const float unexplained = above - (1.0f + kMarginShare) * usual - kMarginDuty - load_duty;
+  const float most_mps = kMissingM * 1e3f / (kSoonestShare * static_cast<float>(p.stall_ms));
+  missing_m_ = larger(0.0f, missing_m_ + smaller(unexplained / p.feed_forward, most_mps) * step_s);
+  slow_duty_ += (speed_duty - slow_duty_) * smaller(1.0f, kSlowPerS * step_s);
+  if (free) learn(above, speed_duty, step_s, p);
+  return missing_m_ > kMissingM;
+}
+
+void TrackMonitor::learn(float above, float speed_duty, float step_s, const wire::Parameters& p) {
+  const bool even = speed_duty > kMinMps * p.feed_forward && speed_duty > kSlowest * slow_duty_ &&
+                    speed_duty < kFastest * slow_duty_;
+  if (!even) return;
+  const float gain = smaller(kMaxGain, larger(kMinGain, above / speed_duty));
+  const float towards = smaller(1.0f, kGainDownPerS * step_s);
+  if (gain < gain_) {
+    gain_ += (gain - gain_) * towards;
+    learnt_duty_ += (speed_duty - learnt_duty_) * towards;
+  } else if (speed_duty > kBeyond * learnt_duty_) {
+    const float before = learnt_duty_;
+    learnt_duty_ += (speed_duty - learnt_duty_) * towards;
+    gain_ = gain + (gain_ - gain) * before / learnt_duty_;
+  } else {
+    gain_ += smaller(gain - gain_, kGainUpPerS * step_s);
+  }
+}
+
+void TurnMonitor::reset() {
+  all_rad_ = 0.0f;
+  slow_rad_ = 0.0f;
+  slope_rad_ = 0.0f;
+  level_known_ = false;
+  level_rad_ = 0.0f;
+  slope_duty_ = 0.0f;
+  turn_duty_ = 0.0f;
+  accel_x_ = 0;
+  samples_ = 0;
+}
+
+TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, float bias_radps,
+                                         const wire::Parameters& p) {
+  if (samples_ == 0) {
+    then_ = now;
+  } else {
+    accel_x_ += accel_x;
+  }
+  if (samples_++ < kSamples) return kGood;
+  samples_ = 1;
+  const float gyro_rad = turned(then_, now, true, bias_radps, p);
+  const float difference = gyro_rad - turned(then_, now, false, 0.0f, p);
+  const int32_t left = distance(now.left_counts, then_.left_counts);
+  const int32_t right = distance(now.right_counts, then_.right_counts);
+  const int32_t both = (left < 0 ? -left : left) + (right < 0 ? -right : right);
+  const float elapsed_s = static_cast<float>(distance(now.device_us, then_.device_us)) * 1e-6f;
+  then_ = now;
+  const float driven_rad = 0.5f * static_cast<float>(both) / (p.counts_per_metre * p.wheelbase_m);
+  weigh(magnitude(gyro_rad), driven_rad, elapsed_s);
+  const float slip_rad = kOfTurn * magnitude(gyro_rad) + kDistanceShare * driven_rad;
+  all_rad_ = drained(all_rad_ + difference, slip_rad);
+  slow_rad_ = drained(slow_rad_ + clamp(difference, kSlowRadps * elapsed_s), slip_rad);
+  if (magnitude(all_rad_) <= kMaxRad && magnitude(slow_rad_) <= kMaxSlowRad) return kGood;
+  // Driving forward, a robot that turns further left than its tracks indicate has a right track
+  // that counts too little.
+  const float left_turn = magnitude(all_rad_) > kMaxRad ? all_rad_ : slow_rad_;
+  return (left_turn > 0.0f) == (left + right >= 0) ? kRightShort : kLeftShort;
+}
+
+void TurnMonitor::weigh(float turn_rad, float driven_rad, float elapsed_s) {
+  const float turning = 0.5f * turn_rad / larger(driven_rad, kSlowestRad);
+  turn_duty_ = larger(kTurnDuty * smaller(1.0f, turning / kFullTurning),
+                      turn_duty_ - kTurnFallPerS * elapsed_s);
+  const float pitch_rad = static_cast<float>(accel_x_) * (1.0f / (wire::kAccelLsbPerG * kSamples));
+  accel_x_ = 0;
+  if (!level_known_) level_rad_ = pitch_rad;
+  level_known_ = true;
+  slope_rad_ += (pitch_rad - level_rad_ - slope_rad_) * kNewSlope;
+  const float slope_duty =
+      smaller(kMaxSlopeDuty, kDutyPerRad * (magnitude(slope_rad_) - kLevelRad));
+  slope_duty_ = larger(larger(0.0f, slope_duty), slope_duty_ - kSlopeFallPerS * elapsed_s);
+}
+
+}  // namespace firmware
+}  // namespace tp100

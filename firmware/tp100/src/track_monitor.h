@@ -1,0 +1,93 @@
+// Monitors of the tracks and their encoders: each track by its duty, both together by the gyro.
+#ifndef TP100_FIRMWARE_TRACK_MONITOR_H
+#define TP100_FIRMWARE_TRACK_MONITOR_H
+
+#include "wire/messages.h"
+#include "yaw_loop.h"
+
+namespace tp100 {
+namespace firmware {
+
+/// Monitors one track, or the mean of both, for what only wiring or a blocked track can cause:
+/// standstill under power, much less motion than the duty implies, motion against the duty, or
+/// counts that jump.
+class TrackMonitor {
+ public:
+  enum Verdict : uint8_t { kGood, kStalled, kReversed };
+
+  TrackMonitor();
+  /// Call once per sample, with the duty applied since the last one [thousandths, counts, ms].
+  /// `load_duty`: duty that the floor may take now, beyond straight level driving. [0..1]
+  /// `free`: the robot drives straight on level ground, so that the duty of a speed can be learnt.
+  Verdict update(int16_t duty, int32_t counts, uint16_t dt_ms, float load_duty, bool free,
+                 const wire::Parameters& parameters);
+  /// A run begins: forgets what was learnt about the track.
+  void reset();
+  /// Distance that the duty implies beyond what was counted and what the load explains. [m]
+  float missing_m() const { return missing_m_; }
+
+ private:
+  bool again();
+  bool jumps_again(int32_t counts, uint16_t dt_ms, const wire::Parameters& parameters);
+  bool missing(uint16_t size, int8_t sign, int32_t counts, uint16_t dt_ms, float load_duty,
+               bool free, const wire::Parameters& parameters);
+  void learn(float above, float speed_duty, float step_s, const wire::Parameters& parameters);
+
+  bool known_;
+  int32_t last_counts_;
+  uint16_t jumped_ms_;  // time until a jump counts as a first one again
+  int8_t sign_;
+  int32_t start_counts_;  // where the standstill began
+  uint16_t standing_ms_;
+  int32_t first_counts_;  // when the duty last changed its sign
+  int32_t best_counts_;   // furthest position in the direction of the duty
+  bool went_back_;        // from best_counts_
+  // One step of many samples, and the distance that the duty implies beyond what was counted.
+  int32_t step_counts_;
+  uint32_t step_duty_ms_;
+  uint16_t step_ms_;
+  float missing_m_;
+  float gain_;         // duty that the track takes, relative to the parameters
+  float learnt_duty_;  // duty by the parameters for the speed at which gain_ was learnt
+  float slow_duty_;    // duty by the parameters for its speed, over some steps
+};
+
+/// Compares the rotation by the gyro with the rotation by the tracks. It finds an encoder that
+/// loses counts: the yaw loop compensates for it, so that no duty shows it.
+class TurnMonitor {
+ public:
+  /// Which track counts too little.
+  enum Verdict : uint8_t { kGood, kLeftShort, kRightShort };
+
+  TurnMonitor() : then_() { reset(); }
+  /// Call once per sample while the gyro may be used; every eighth call judges. `accel_x` is the
+  /// raw IMU value, `bias_radps` the gyro's bias.
+  Verdict update(const TurnMark& now, int16_t accel_x, float bias_radps,
+                 const wire::Parameters& parameters);
+  /// Forgets everything before this call.
+  void reset();
+  /// Duty that one track may take for a slope or an obstacle, now or shortly before.
+  float slope_duty() const { return slope_duty_; }
+  /// Duty for scrubbing in a turn; the other track needs that much less if it runs in the same
+  /// direction.
+  float turn_duty() const { return turn_duty_; }
+
+ private:
+  void weigh(float turn_rad, float driven_rad, float elapsed_s);
+
+  TurnMark then_;
+  float all_rad_;   // gyro minus tracks, minus what slip explains
+  float slow_rad_;  // the same, without sudden parts such as a disturbance
+  bool level_known_;
+  float level_rad_;  // pitch by the accelerometer when the robot started
+  float slope_rad_;
+  float slope_duty_;
+  float turn_duty_;
+  int32_t accel_x_;  // sum of the step
+  uint8_t samples_;
+};
+
+}  // namespace firmware
+}  // namespace tp100
+
+#endif

@@ -1,0 +1,105 @@
+#pragma once
+// Contacts of the tracks with floor and obstacles.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "course/robot.h"
+#include "course/terrain.h"
+
+namespace tp100::sim {
+
+/// A ramp or a block in the physical world: flat faces and the edges between them.
+/// A flat convex face, world frame.
+struct Face {
+  Eigen::Vector3d normal;                ///< outwards, unit length
+  std::vector<Eigen::Vector3d> corners;  ///< in order
+  std::vector<Eigen::Vector3d> inwards;  ///< in the face, across the side that starts at a corner
+
+  /// Height above the plane. [m]
+  double distance(const Eigen::Vector3d& point) const { return normal.dot(point - corners[0]); }
+  /// True if a point, projected into the plane, lies between the sides.
+  bool over(const Eigen::Vector3d& point) const;
+};
+
+/// A convex edge, world frame.
+struct Edge3 {
+  Eigen::Vector3d begin, end;
+  Eigen::Vector3d into_one, into_other;  ///< across the edge into either face, unit length
+
+  /// True if `normal` points away from the edge, between the normals of its two faces.
+  bool faces(const Eigen::Vector3d& normal) const;
+};
+
+/// One convex piece on the floor.
+class Obstacle {
+ public:
+  explicit Obstacle(const course::Ramp& ramp);
+  explicit Obstacle(const course::Block& block);
+
+  const std::vector<Face>& faces() const { return faces_; }
+  const std::vector<Edge3>& edges() const { return edges_; }
+  /// True if something within `reach_m` of a position on the floor can touch it.
+  bool near(double x_m, double y_m, double reach_m) const;
+
+ private:
+  /// `profile`: (along, up) from floor to floor, along the heading.
+  Obstacle(const course::Place& place, const std::vector<Eigen::Vector2d>& profile, double width_m);
+
+  course::Place place_;
+  double radius_m_ = 0.0;
+  std::vector<Face> faces_;
+  std::vector<Edge3> edges_;
+};
+
+/// One point where a track presses into the ground, world frame.
+struct TrackContact {
+  Eigen::Vector3d point_m;  ///< on the ground
+  Eigen::Vector3d normal;   ///< out of the ground
+  double depth_m;           ///< penetration depth of the track
+  bool left;                ///< which track
+};
+
+/// Both tracks as two columns of ten stations each. A station is the lowest point of a ball of the
+/// track's outer radius; the eight middle ones lie `mid_lift_m` higher, which decides how much load
+/// they carry. Faces are touched by the stations; an edge across the driving direction is touched
+/// by the track's exact outline (two half circles and two straights: a stadium) in each column,
+/// because balls would let it sink in between them.
+class Tracks {
+ public:
+  Tracks(const course::EmulatedBody& values, const course::Terrain& terrain);
+
+  /// Contacts for a body whose centre of mass is at `position_m` with `rotation` (body to world).
+  /// The result is valid until the next call.
+  const std::vector<TrackContact>& touch(const Eigen::Vector3d& position_m,
+                                         const Eigen::Matrix3d& rotation);
+
+ private:
+  struct Station {
+    Eigen::Vector3d centre_m;  // of the ball, body frame
+    bool left;
+  };
+  struct Outline {
+    Eigen::Vector3d rear_m, front_m;  // axle centres, body frame
+    bool left;
+  };
+  void touch_floor(const Eigen::Vector3d& centre, bool left);
+  void touch_faces(const Obstacle& obstacle, const Eigen::Vector3d& centre,
+                   const Eigen::Vector3d& sideways, bool left);
+  void touch_edge_along(const Edge3& edge, const Eigen::Vector3d& centre,
+                        const Eigen::Vector3d& sideways, bool left);
+  void touch_edge_across(const Edge3& edge, const Eigen::Vector3d& rear,
+                         const Eigen::Vector3d& front, const Eigen::Vector3d& sideways, bool left);
+  void add(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth_m, bool left);
+
+  double radius_m_;
+  double side_m_;   // from an outer column to the track's flank
+  double reach_m_;  // of the whole body around its centre of mass
+  std::vector<Station> stations_;
+  std::vector<Outline> outlines_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<TrackContact> contacts_;
+};
+
+}  // namespace tp100::sim

@@ -1,0 +1,59 @@
+#pragma once
+// Subcommands of tp100-sim that run the emulated robot. Each is a source file of its name.
+
+#include <string>
+#include <vector>
+
+#include "sim/robot/options.h"
+
+namespace tp100::sim {
+
+// tp100-sim robot: the emulated robot on a pseudo-terminal, in real time.
+
+struct RobotCommand {
+  Options options{};
+  std::string link;    ///< symbolic link to the port; empty: print the device only
+  bool blank = false;  ///< no firmware on the avr board yet, only its bootloader
+  std::string camera;  ///< overhead camera, bundled name or file; empty: none, or `overhead` with
+                       ///< camera_to
+  std::string camera_to;              ///< "udp:[HOST:]PORT"; empty: kCameraPort of this machine
+  std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
+  std::string stats;   ///< file for figures of the run, written at its end; empty: none
+  std::string course;  ///< start pose and disturbances come from it; empty: origin
+};
+
+/// Runs until SIGINT or SIGTERM. Returns the exit status. Throws SetupError.
+int run_robot(const RobotCommand& command);
+
+// tp100-sim course: a course in lockstep, in virtual time.
+
+struct CourseCommand {
+  Options options{};
+  std::string course;
+  std::string camera;                 ///< overhead camera: bundled name or file; empty: none
+  std::string world;                  ///< external: udp:[HOST:]PORT; empty: as configured
+  std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
+  int runs = 1;
+  std::string record;  ///< folder for recordings; empty: none
+  std::string out;     ///< folder for results; empty: none
+  bool json = false;
+};
+
+/// Runs, prints tables or JSON lines. Returns 0 if every run was completed, else 1. Throws
+/// SetupError.
+int run_course(const CourseCommand& command);
+
+// tp100-sim demo: the two real programs, one at each end of a pseudo-terminal.
+
+struct DemoCommand {
+  Options options{};
+  std::string course = "1-curve";
+  bool headless = false;
+};
+
+/// Starts `tp100-sim robot` and `tp100d run`, waits for the course to end, at most three times more
+/// if the machine stood still meanwhile, then prints the scored table. Returns 0 if both the live
+/// and the scored run were completed. Throws SetupError.
+int run_demo(const DemoCommand& command);
+
+}  // namespace tp100::sim

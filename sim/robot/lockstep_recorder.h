@@ -1,0 +1,38 @@
+#pragma once
+// Records a run in virtual time.
+
+#include <memory>
+#include <string>
+
+#include "messages/messages.h"
+#include "messages/sink.h"
+#include "record/recorder.h"
+#include "sim/robot/options.h"
+
+namespace tp100::sim {
+
+class LockstepRecorder : public messages::Sink {
+ public:
+  /// FOLDER/COURSE-ROBOT-SEED/run.mcap; replaces what is there. `loaded.files` must have the
+  /// course. Throws SetupError.
+  LockstepRecorder(const std::string& folder, const Loaded& loaded, std::uint64_t seed);
+
+  void take(const StepRecord& record) override;
+  void take_truth(HostNs at, const Pose& truth) override;
+  void take_disturbance(HostNs at) override;
+  /// Finishes the file and prints errors on standard error.
+  void finish();
+  std::string path() const { return recorder_.status().path; }
+
+ private:
+  LockstepRecorder(const std::string& folder, const Loaded& loaded, const config::RunSetup& run,
+                   std::uint64_t seed);
+
+  void record(const messages::Event& event);
+
+  record::Recorder recorder_{{.blocking = true}};
+  messages::Messages messages_;
+  RunState run_state_ = RunState::kIdle;
+};
+
+}  // namespace tp100::sim

@@ -1,0 +1,40 @@
+#pragma once
+// A pseudo-terminal that stands in for the USB serial port of a Mega.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace tp100::sim {
+
+/// The robot's end of a pty, with a symbolic link to the client's end. Raw, non-blocking.
+class Pty {
+ public:
+  /// Creates the pty. `link` is made to point at it; a dangling link of that name is replaced, an
+  /// existing file or live link is not. An empty `link` makes none. Throws SetupError.
+  explicit Pty(const std::string& link);
+  /// Removes the link if it still points here.
+  ~Pty();
+  Pty(const Pty&) = delete;
+  Pty& operator=(const Pty&) = delete;
+
+  /// Path of the client's end, e.g. /dev/pts/3.
+  const std::string& device() const { return device_; }
+  /// True while some client has the port open.
+  bool open();
+  /// Takes what the client wrote; at most `buffer.size()` bytes.
+  std::size_t read(std::span<std::uint8_t> buffer);
+  /// Gives bytes to the client; returns how many the pty took.
+  std::size_t write(std::span<const std::uint8_t> bytes);
+  /// Discards bytes left by an earlier client.
+  void flush();
+  int descriptor() const { return master_; }
+
+ private:
+  int master_ = -1;
+  std::string device_;
+  std::string link_;
+};
+
+}  // namespace tp100::sim

@@ -1,0 +1,50 @@
+#pragma once
+// Battery and motors.
+
+#include "course/robot.h"
+
+namespace tp100::sim {
+
+/// Two lithium cells in series. Open-circuit voltage falls with the charge taken, terminal voltage
+/// with the current.
+class Battery {
+ public:
+  explicit Battery(const course::EmulatedBattery& values) : values_(values) {}
+
+  /// One millisecond with this much motor force (both tracks, absolute values added). [N]
+  void step(double force_n);
+  /// At the terminals, under the present load.
+  double volts() const;
+
+ private:
+  course::EmulatedBattery values_;
+  double taken_as_ = 0.0;
+  double amps_ = 0.0;
+};
+
+/// A DC gear motor behind one half of an L293D, seen at the track: speed by voltage, back-EMF,
+/// Coulomb friction and load. One step is one millisecond.
+class Motor {
+ public:
+  /// `gain`: this motor's strength against the nominal one.
+  Motor(const course::EmulatedMotor& values, double gain);
+
+  /// Advances one step at `duty` (-1..1) from a battery at `battery_v`, while the ground pushes the
+  /// body forward with `load_n` through this track. At duty 0 the driver is off and the motor
+  /// coasts.
+  void step(double duty, double battery_v, double load_n);
+
+  double track_mps() const { return track_mps_; }
+  /// Force of the motor at the track; it determines the battery current.
+  double force_n() const { return force_n_; }
+
+ private:
+  course::EmulatedMotor values_;
+  double gain_;
+  double damping_nspm_;
+  double inertia_kg_;
+  double track_mps_ = 0.0;
+  double force_n_ = 0.0;
+};
+
+}  // namespace tp100::sim

@@ -1,0 +1,93 @@
+#pragma once
+// Subcommands of tp100-sim that study the emulated robot. Each is a source file of its name.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "course/robot.h"
+#include "identify/identify.h"
+#include "model/track_parameters.h"
+#include "sim/robot/options.h"
+#include "sim/study/effective_motion.h"
+
+namespace tp100::sim {
+
+// tp100-sim calibrate: the calibration drives of an emulated robot, identified and judged.
+
+/// One calibration: the identified values and the body's real ones.
+struct Calibration {
+  identify::Identification found{};
+  model::TrackParameters truth{};
+  std::vector<CalibrationDrive> drives;
+
+  /// The stated accuracy was kept: slip within 0.01, the wheelbases within 2 %.
+  bool accurate() const;
+  /// True if the interval of an identified parameter contains its truth.
+  bool holds(model::TrackParameter parameter) const;
+};
+
+/// Drives straight ahead, arcs and turns on the spot in both directions under an overhead camera,
+/// as an unidentified robot ([model] at its defaults), and identifies it. No two drives share their
+/// noise. Throws SetupError.
+Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
+
+struct CalibrateCommand {
+  Options options{};
+  int repeats = 2;  ///< of each drive, each with noise of its own
+  int runs = 1;     ///< whole calibrations, with this and the following seeds
+  std::string out;  ///< folder for the recordings; empty: none
+  bool json = false;
+};
+
+/// Calibrates and prints the values beside the truth, and how often the intervals held it. Returns
+/// 0 if every calibration came within the stated accuracy, else 1. Throws SetupError.
+int run_calibrate(const CalibrateCommand& command);
+
+// tp100-sim faults: the list of faults for --fault, and their effects.
+
+struct FaultsCommand {
+  bool json = false;
+  bool drive = false;     ///< drive with each, print expected beside observed
+  bool encoders = false;  ///< sweep encoders that fail over speeds, places and robots
+  std::string board = "native";
+};
+
+/// Prints the list, or the table of drives. Returns 1 if a drive ended otherwise than expected.
+/// Throws SetupError.
+int run_faults(const FaultsCommand& command);
+
+// tp100-sim slope: the paper's slope experiment on the emulated body.
+
+/// What was measured on one slope, from the body's exact motion.
+struct SlopeSlip {
+  double slope_rad = 0.0;
+  double left = 0.0, right = 0.0;  ///< 1 - speed of the body over either track / track speed
+  double yaw_rate_radps = 0.0;
+  bool climbed = false;  ///< false: it slid or fell over
+};
+
+/// A slope of the experiment and the paper's values for it; its table has no row for 4 deg.
+struct SlopeRow {
+  double slope_deg;
+  std::optional<double> paper_left, paper_right;
+};
+/// 0, 4 ... 28 deg.
+std::span<const SlopeRow> slope_rows();
+
+/// Straight up an even slope, both tracks at `track_mps` for two seconds after half a second of
+/// running in. Pure.
+SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, double track_mps);
+
+struct SlopeCommand {
+  std::string robot;  ///< bundled name or file; empty: the reference robot
+  bool json = false;
+};
+
+/// Drives 0, 4 ... 28 deg at 0.10 m/s and prints the slip of both tracks beside the paper's table.
+/// Returns 0 if the robot climbed every slope, else 1. Throws SetupError.
+int run_slope(const SlopeCommand& command);
+
+}  // namespace tp100::sim

@@ -1,0 +1,175 @@
+#include "sim/study/sampled.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "core/angle.h"
+#include "core/error.h"
+#include "course/path.h"
+
+namespace tp100::sim {
+namespace {
+
+// Room around the path: the robot's half length, an aborting deviation and some.
+constexpr double kRoomM = 0.3;
+constexpr double kFenceStepM = 0.02;
+
+class CourseDraw {
+ public:
+  explicit CourseDraw(std::uint64_t seed) {
+    std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                           0x4E1D0u};
+    random_.seed(sequence);
+  }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967295.0;
+  }
+  double sign() { return random_() % 2 == 0 ? 1.0 : -1.0; }
+  course::Line line(double low_m, double high_m) { return {between(low_m, high_m)}; }
+  course::Arc arc(double low_deg, double high_deg) {
+    return {between(0.28, 0.5), sign() * between(low_deg, high_deg) * kRadPerDeg};
+  }
+  course::Pivot pivot() { return {sign() * between(45.0, 135.0) * kRadPerDeg}; }
+  course::Disturbance disturbance(double at_m) {
+    return {at_m, sign() * between(0.02, 0.04), sign() * between(5.0, 15.0) * kRadPerDeg, 0.3};
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+void fence_in(course::Course& course) {
+  const course::Path path(course);
+  course::Fence fence{1e9, -1e9, 1e9, -1e9};
+  const int steps = static_cast<int>(path.length_m() / kFenceStepM) + 1;
+  for (int i = 0; i <= steps; ++i) {
+    const course::PathPoint point = path.at(i * kFenceStepM);
+    fence.min_x_m = std::min(fence.min_x_m, point.x_m - kRoomM);
+    fence.max_x_m = std::max(fence.max_x_m, point.x_m + kRoomM);
+    fence.min_y_m = std::min(fence.min_y_m, point.y_m - kRoomM);
+    fence.max_y_m = std::max(fence.max_y_m, point.y_m + kRoomM);
+  }
+  course.fence = fence;
+}
+
+void add_obstacles(course::Course& course, CourseDraw& draw) {
+  // On the line behind the arc, block first, then ramp, clear of each other and of the ends.
+  const course::Path path(course);
+  const course::Piece& line = path.pieces().back();
+  const auto place = [&](double offset_m) {
+    const course::PathPoint point = path.at(path.pieces().size() - 1, offset_m);
+    return course::Place{point.x_m, point.y_m, point.yaw_rad};
+  };
+  course.terrain.blocks.push_back({.place = place(draw.between(0.28, 0.34)),
+                                   .height_m = draw.between(0.015, 0.037),
+                                   .depth_m = draw.between(0.10, 0.16),
+                                   .width_m = 0.4});
+  const double slope_rad = draw.between(12.0, 28.0) * kRadPerDeg;
+  course::Ramp ramp{.place = {},
+                    .height_m = draw.between(0.04, 0.08),
+                    .up_rad = slope_rad,
+                    .top_m = draw.between(0.2, 0.3),
+                    .down_rad = slope_rad,
+                    .width_m = 0.4};
+  ramp.place = place(line.length_m - 0.25 - ramp.length_m() / 2.0);
+  course.terrain.ramps.push_back(ramp);
+}
+
+// What a robot file can hold; motors this strong never get there.
+constexpr double kMaxCurrentLimitN = 100.0;
+
+class RobotDraw {
+ public:
+  explicit RobotDraw(std::uint64_t number) {
+    std::seed_seq sequence{static_cast<std::uint32_t>(number),
+                           static_cast<std::uint32_t>(number >> 32), 0xD0B07u};
+    random_.seed(sequence);
+  }
+  double share() { return static_cast<double>(random_()) / 4294967295.0; }
+  double operator()(Sampled what) {
+    const SampledRange& range = kSampledRanges.at(static_cast<std::size_t>(what));
+    return range.low + (range.high - range.low) * share();
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+}  // namespace
+
+course::Course held_out_course(std::string_view kind, std::uint64_t seed) {
+  CourseDraw draw(seed);
+  course::Course course;
+  course.name = std::string(kind) + "-held-out-" + std::to_string(seed);
+  if (kind == "1-straight") {
+    course.path = {draw.line(1.2, 1.8)};
+  } else if (kind == "1-curve") {
+    course.path = {draw.line(0.3, 0.6), draw.arc(60, 200), draw.line(0.3, 0.6)};
+  } else if (kind == "1-sharp") {
+    course.path = {draw.line(0.3, 0.6), draw.pivot(), draw.line(0.3, 0.6), draw.pivot(),
+                   draw.line(0.3, 0.6), draw.pivot(), draw.line(0.3, 0.4)};
+  } else if (kind == "2") {
+    course.path = {draw.line(1.0, 1.4), draw.arc(60, 120), draw.line(0.2, 0.3), draw.pivot(),
+                   draw.line(1.1, 1.4)};
+    course.disturbances.push_back(draw.disturbance(draw.between(0.4, 0.6)));
+    const course::Path path(course);
+    course.disturbances.push_back(draw.disturbance(path.length_m() - draw.between(0.5, 0.7)));
+  } else if (kind == "3") {
+    course.path = {draw.line(0.4, 1.4), draw.arc(60, 200), draw.line(2.0, 2.3)};
+    add_obstacles(course, draw);
+  } else {
+    throw SetupError("no course of kind " + std::string(kind) +
+                     " to draw; there are 1-straight, 1-curve, 1-sharp, 2 and 3");
+  }
+  fence_in(course);
+  return course;
+}
+
+course::Robot sampled_robot(const course::Robot& end_loaded, std::uint64_t number) {
+  RobotDraw draw(number);
+  course::Robot robot = end_loaded;
+  robot.name = "sampled-" + std::to_string(number);
+  robot.description = "sampled by the number " + std::to_string(number);
+  robot.model = {};
+  robot.origins.clear();
+
+  const double size = draw(Sampled::kSize);
+  course::ShapeValues& shape = robot.shape;
+  for (double* length : {&shape.length_m, &shape.height_m, &shape.axle_spacing_m,
+                         &shape.wheel_radius_m, &shape.gauge_m})
+    *length *= size;
+  course::EmulatedBody& body = robot.emulated.body;
+  for (double* length : {&body.length_m, &body.width_m, &body.height_m, &body.axle_spacing_m,
+                         &body.wheel_radius_m, &body.gauge_m, &body.shoe_width_m})
+    *length *= size;
+  const double heavier = draw(Sampled::kMass) * size * size * size;
+  body.mass_kg *= heavier;
+  body.mid_lift_m = draw(Sampled::kMidLift) * 1e-3;
+  body.friction = draw(Sampled::kFriction);
+  const double creep = draw(Sampled::kCreep), uneven = draw(Sampled::kCreepUneven);
+  body.creep_left = creep * (1.0 + uneven / 2.0);
+  body.creep_right = creep * (1.0 - uneven / 2.0);
+  const double deficit = draw(Sampled::kDeficit), apart = draw(Sampled::kDeficitUneven);
+  body.track_deficit_left = deficit + apart / 2.0;
+  body.track_deficit_right = deficit - apart / 2.0;
+  body.com_forward_m = shape.com_forward_m = draw(Sampled::kForward) * body.axle_spacing_m;
+  body.com_left_m = draw(Sampled::kLeft) * body.gauge_m;
+  body.com_height_m = shape.com_height_m = draw(Sampled::kHeight) * 1e-3 * size;
+
+  course::EmulatedMotor& motor = robot.emulated.motor;
+  motor.stall_n_per_v *= heavier;
+  motor.friction_n *= heavier;
+  motor.current_limit_n = std::min(motor.current_limit_n * heavier, kMaxCurrentLimitN);
+  robot.emulated.battery.amps_per_n /= heavier;
+  motor.left_gain = draw(Sampled::kMotor);
+  motor.right_gain = draw(Sampled::kMotor);
+  const SampledRange& counts = kSampledRanges.at(static_cast<std::size_t>(Sampled::kCounts));
+  robot.emulated.encoder.counts_per_metre = robot.drive.counts_per_metre =
+      std::round(counts.low * std::pow(counts.high / counts.low, draw.share()));
+  robot.emulated.imu.gyro_scale_error = draw(Sampled::kGyroScale);
+  return robot;
+}
+
+}  // namespace tp100::sim

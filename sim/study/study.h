@@ -1,0 +1,75 @@
+#pragma once
+// Many runs of one robot on one course: their statistics, and the limits that they keep.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "config/configuration.h"
+#include "core/statistics.h"
+#include "report/metrics.h"
+#include "report/run_result.h"
+#include "sim/robot/lockstep.h"
+
+namespace tp100::sim {
+
+/// One course, one robot, seeds `first_seed` and following, with the overhead camera (but not on a
+/// stand), steered by the fused pose (on a stand by odometry).
+struct Trial {
+  course::Course course{};
+  course::Robot robot{};
+  bridge::Setup setup = bridge::Setup::kFlat;
+  BoardKind board = BoardKind::kNative;
+  std::uint64_t first_seed = 1;
+  int runs = 10;
+  bool both_directions = true;  ///< each seed on the mirrored course too
+  double blind_from_s = 0.0;    ///< the camera sees nothing from here, since its first image ...
+  double blind_s = 0.0;         ///< ... for this long
+};
+
+struct TrialRun {
+  report::RunResult result{};
+  report::RunFigures figures{};
+  double fused_max_flat_m = 0.0;                      ///< largest fused error with the body level
+  double fused_max_obstacle_m = 0.0;                  ///< ... and tilted by an obstacle
+  double fused_rms_m = 0.0, fused_rms_yaw_rad = 0.0;  ///< outside the disturbances
+  double model_rms_m = 0.0, model_rms_yaw_rad = 0.0;
+  double slowest_recovery_s = 0.0;  ///< infinite if it never recovered
+};
+
+/// All runs, one after the other.
+std::vector<TrialRun> run_trial(const Trial& trial);
+
+/// One figure over the runs.
+Spread spread_of(const std::vector<TrialRun>& runs, double (*figure)(const TrialRun&));
+
+/// Runs that were completed.
+int completed(const std::vector<TrialRun>& runs);
+
+/// One line of the table of limits. `limit` is our own; a value above it, or NaN, does not hold.
+struct Judged {
+  std::string course, robot;
+  std::string what;    ///< model, fused or tracking, and which figure of it
+  std::string unit;    ///< of all three values
+  double limit = 0.0;  ///< negative: shown, not judged
+  Spread ours{};
+  bool holds() const { return limit < 0.0 || ours.median <= limit; }
+};
+
+/// Every run of one robot on one course in one set-up, and the figures that are judged.
+struct CourseStudy {
+  std::string course, robot, setup, board;
+  std::string blind;  ///< when the camera saw nothing; empty: never
+  int runs = 0, completed = 0;
+  double distance_m = 0.0;
+  std::vector<Judged> judged;
+  Spread mse_x_m2{}, mse_y_m2{}, mse_yaw_rad2{};  ///< of the model
+  TrialRun shown{};                               ///< the first run, for the figures
+};
+
+/// Drives `trial` and judges it by the limits of its kind of course: 1-straight, 1-curve, 1-sharp,
+/// 2 or 3. `reference`: the reference robot's limits; other robots' model may be off by 3 % of the
+/// distance.
+CourseStudy study(const Trial& trial, const std::string& kind, bool reference);
+
+}  // namespace tp100::sim

@@ -1,0 +1,226 @@
+#include "live/recording_policies.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <memory>
+
+#include "../support/temporary_folder.h"
+#include "app/commands.h"
+#include "record/recording.h"
+
+namespace tp100::live {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+namespace fs = std::filesystem;
+
+constexpr HostNs kStepNs = 5 * kNsPerMs;
+
+/// Contents of a recording file.
+struct Contents {
+  std::vector<HostNs> steps;
+  std::vector<FaultMask> faults;
+  std::vector<std::string> messages;
+};
+
+class BlackBoxTest : public testing::Test {
+ protected:
+  BlackBoxTest() {
+    files_.robot = course::read_bundled(course::Bundled::kRobots, "end-loaded");
+    files_.course = course::read_bundled(course::Bundled::kCourses, "1-curve");
+    run_ = config::parse_run(files_);
+    run_.configuration.record.black_box_directory = folder_.file("boxes");
+    run_.configuration.record.black_box_s = 3.0;
+  }
+
+  LiveRecording& recording() {
+    if (!recording_) recording_.emplace(files_, run_, messages::PublishClock{});
+    return *recording_;
+  }
+  BlackBox& box() {
+    if (!box_) box_.emplace(run_.configuration.record, recording());
+    return *box_;
+  }
+  void finish() {
+    box().finish();
+    EXPECT_TRUE(recording().finish(std::chrono::steady_clock::time_point::max()));
+  }
+  void drive(double seconds, FaultMask faults = 0) {
+    for (int i = 0; i < static_cast<int>(seconds * 200.0); ++i) {
+      record_->now_ns += kStepNs;
+      ++record_->step;
+      record_->snapshot.faults = faults;
+      recording().take(*record_);
+      box().take(*record_);
+    }
+  }
+  std::vector<std::string> written() const {
+    std::vector<std::string> names;
+    if (!fs::exists(folder_.file("boxes"))) return names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.file("boxes")))
+      names.push_back(entry.path().string() + "/run.mcap");
+    return names;
+  }
+  static Contents contents(const std::string& path) {
+    Contents found;
+    record::Recording(path).visit(
+        {.step =
+             [&](const StepRecord& record) {
+               found.steps.push_back(record.now_ns);
+               found.faults.push_back(record.snapshot.faults);
+             },
+         .truth = [](HostNs, const Pose&) {},
+         .message =
+             [&](const std::string& topic, std::uint64_t, std::string_view json) {
+               if (topic == "/event") found.messages.emplace_back(json);
+             }});
+    return found;
+  }
+
+  test::TemporaryFolder folder_;
+  config::RunFiles files_;
+  config::RunSetup run_;
+  std::unique_ptr<StepRecord> record_ = std::make_unique<StepRecord>();
+  std::optional<LiveRecording> recording_;
+  std::optional<BlackBox> box_;
+};
+
+TEST_F(BlackBoxTest, HoldsTheSecondsBeforeAFaultAndOneAfterIt) {
+  drive(10.0);
+  const HostNs fault_ns = record_->now_ns + kStepNs;
+  drive(4.0, fault_bit(Fault::link_lost));
+  finish();
+  ASSERT_THAT(written(), SizeIs(1));
+  EXPECT_THAT(written()[0], HasSubstr("black-box-link_lost"));
+  const Contents found = contents(written()[0]);
+  ASSERT_FALSE(found.steps.empty());
+  EXPECT_EQ(found.steps.back(), fault_ns + kTailNs);
+  EXPECT_NEAR(to_s(found.steps.back() - found.steps.front()), 3.0, 0.01);
+  EXPECT_EQ(found.faults.front(), 0U);
+  EXPECT_EQ(found.faults.back(), fault_bit(Fault::link_lost));
+  EXPECT_THAT(box().take_note(), HasSubstr("around link_lost are in"));
+  EXPECT_THAT(box().take_note(), IsEmpty());
+}
+
+TEST_F(BlackBoxTest, WithoutAFaultNothingIsWritten) {
+  drive(10.0);
+  finish();
+  EXPECT_THAT(written(), IsEmpty());
+}
+
+TEST_F(BlackBoxTest, AFaultThatStaysIsWrittenOnce) {
+  drive(1.0);
+  drive(20.0, fault_bit(Fault::battery_low));
+  finish();
+  EXPECT_THAT(written(), SizeIs(1));
+}
+
+TEST_F(BlackBoxTest, EveryNewFaultIsWrittenAndTheOldestGo) {
+  const auto fail = [this] {
+    drive(0.5);
+    drive(1.5, fault_bit(Fault::link_lost));
+    recording().finish(std::chrono::steady_clock::time_point::max());
+  };
+  fail();
+  fail();
+  const std::vector<std::string> first = written();
+  for (std::size_t i = 0; i < BlackBox::kMaxFiles; ++i) fail();
+  finish();
+  EXPECT_THAT(written(), SizeIs(BlackBox::kMaxFiles));
+  for (const std::string& file : first) EXPECT_FALSE(fs::exists(file)) << file;
+}
+
+TEST_F(BlackBoxTest, AProgramThatEndsWritesWhatItHas) {
+  drive(0.5);
+  drive(0.1, fault_bit(Fault::link_lost));
+  finish();
+  ASSERT_THAT(written(), SizeIs(1));
+  EXPECT_THAT(contents(written()[0]).steps, SizeIs(120));
+}
+
+TEST_F(BlackBoxTest, WhatWasSaidIsInItFromTheSameTime) {
+  drive(1.0);
+  recording().hear(messages::Channel::kEvent, 100'000'000, R"({"text":"long ago"})");
+  drive(9.0);
+  recording().hear(messages::Channel::kEvent, 9'900'000'000, R"({"text":"just before"})");
+  recording().hear(messages::Channel::kEstimate, 9'900'000'000,
+                   R"({"text":"follows from the steps"})");
+  drive(2.0, fault_bit(Fault::link_lost));
+  finish();
+  ASSERT_THAT(written(), SizeIs(1));
+  EXPECT_THAT(contents(written()[0]).messages, testing::ElementsAre(HasSubstr("just before")));
+}
+
+TEST_F(BlackBoxTest, ARecordingThatRunsHasItAlready) {
+  run_.configuration.record.directory = folder_.file("runs");
+  drive(0.5);
+  recording().begin();
+  drive(0.5);
+  drive(2.0, fault_bit(Fault::link_lost));
+  finish();
+  EXPECT_THAT(written(), IsEmpty());
+}
+
+TEST_F(BlackBoxTest, OfNoSecondsKeepsNothing) {
+  run_.configuration.record.black_box_s = 0.0;
+  drive(1.0);
+  drive(2.0, fault_bit(Fault::link_lost));
+  finish();
+  EXPECT_THAT(written(), IsEmpty());
+}
+
+TEST_F(BlackBoxTest, AFolderThatCannotBeMadeIsSaid) {
+  std::ofstream(folder_.file("file")) << "in the way";
+  run_.configuration.record.black_box_directory = folder_.file("file") + "/boxes";
+  drive(1.0);
+  drive(2.0, fault_bit(Fault::link_lost));
+  finish();
+  EXPECT_THAT(box().take_note(), HasSubstr("black box of link_lost is not written"));
+}
+
+TEST_F(BlackBoxTest, AReportIsMadeOfIt) {
+  drive(1.0);
+  recording().hear(messages::Channel::kEvent, 900'000'000, R"({"level":"warn","text":"a knock"})");
+  drive(2.0, fault_bit(Fault::link_lost));
+  finish();
+  ASSERT_THAT(written(), SizeIs(1));
+  const std::size_t steps = contents(written()[0]).steps.size();
+  app::ReportOptions options;
+  options.runs = {written()[0]};
+  options.out = folder_.file("report");
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(app::run_report(options), 0);
+  const std::string told = testing::internal::GetCapturedStdout();
+  EXPECT_THAT(told, HasSubstr(folder_.file("report/report.html")));
+  const std::string page = test::read_bytes(folder_.file("report/report.html"));
+  EXPECT_THAT(page, HasSubstr("1-curve, end-loaded, flat"));
+  EXPECT_THAT(page, HasSubstr("black-box-link_lost"));
+  EXPECT_THAT(page, HasSubstr(std::to_string(steps) + ", 0 missing"));
+  EXPECT_THAT(page, HasSubstr("a knock"));
+  EXPECT_THAT(page, HasSubstr("</html>"));
+  const std::string metrics = test::read_bytes(folder_.file("report/metrics.json"));
+  EXPECT_THAT(metrics, HasSubstr("\"steps\": " + std::to_string(steps)));
+  EXPECT_THAT(metrics, HasSubstr("\"rate_hz\": 200.0"));
+}
+
+TEST(BlackBoxDirectory, IsWhatWasSetElseWhereRecordingsAreElseTheUsers) {
+  EXPECT_EQ(black_box_directory({.directory = "runs", .black_box_directory = "boxes"}), "boxes");
+  EXPECT_EQ(black_box_directory({.directory = "runs", .black_box_directory = {}}), "runs");
+  ::setenv("XDG_STATE_HOME", "/state", 1);
+  EXPECT_EQ(black_box_directory({}), "/state/tp100");
+  ::unsetenv("XDG_STATE_HOME");
+  ::setenv("HOME", "/home/somebody", 1);
+  EXPECT_EQ(black_box_directory({}), "/home/somebody/.local/state/tp100");
+  ::unsetenv("HOME");
+  EXPECT_EQ(black_box_directory({}), "");
+}
+
+}  // namespace
+}  // namespace tp100::live

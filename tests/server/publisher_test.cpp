@@ -1,0 +1,176 @@
+// When the publisher sends which message.
+#include "server/publisher.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "../messages/fixtures.h"
+#include "fake_controls.h"
+
+namespace tp100::server {
+namespace {
+
+using Json = nlohmann::json;
+
+class PublisherTest : public ::testing::Test {
+ protected:
+  PublisherTest() {
+    broker_.add(viewer_);
+    Subscribe all;
+    for (std::uint32_t i = 1; i <= messages::kChannelCount; ++i)
+      all.subscriptions.push_back({i, i});
+    broker_.subscribe(*viewer_, all);
+    hear();
+  }
+  std::vector<Json> hear(messages::Channel wanted = messages::Channel::kClient) {
+    std::vector<Json> out;
+    while (!viewer_->outbox().empty()) {
+      const Frame frame = viewer_->outbox().pop();
+      if (frame.binary && frame.head[1] == static_cast<std::uint32_t>(wanted))
+        out.push_back(Json::parse(*frame.body));
+    }
+    return out;
+  }
+  /// Runs `seconds` of steps at 200 Hz with ticks in between; returns the messages of the channel.
+  std::vector<Json> run(double seconds, messages::Channel wanted) {
+    std::vector<Json> out;
+    for (int i = 0; i < static_cast<int>(seconds * 200.0); ++i) {
+      record_.now_ns += 5 * kNsPerMs;
+      record_.step += 1;
+      record_.link.samples += 1;
+      record_.link.bytes_in += 44;
+      record_.inputs.samples.resize(1);
+      publisher_.take(record_);
+      if (i % 10 == 0) publisher_.tick(record_.now_ns);
+      for (Json& message : hear(wanted)) out.push_back(std::move(message));
+    }
+    return out;
+  }
+
+  FakeControls controls_;
+  Broker broker_{messages::channel_texts()};
+  Publisher publisher_{broker_,
+                       messages::Messages(messages::example_subject(), messages::example_clock()),
+                       controls_};
+  std::shared_ptr<Viewer> viewer_ = std::make_shared<Viewer>(
+      1, [] {}, [] {});
+  StepRecord record_ = messages::example_record();
+};
+
+TEST_F(PublisherTest, StepChannelsComeWithEveryStep) {
+  for (const messages::Channel channel :
+       {messages::Channel::kEstimate, messages::Channel::kTransforms, messages::Channel::kPoseModel,
+        messages::Channel::kPoseFused, messages::Channel::kSample, messages::Channel::kCommand})
+    EXPECT_EQ(run(1.0, channel).size(), 200U);
+  record_.command_valid = false;
+  EXPECT_TRUE(run(0.1, messages::Channel::kCommand).empty());
+}
+
+TEST_F(PublisherTest, SlowChannelsKeepTheirRates) {
+  const auto near = [&](messages::Channel channel, double hz) {
+    EXPECT_NEAR(static_cast<double>(run(4.0, channel).size()), 4.0 * hz, hz);
+  };
+  near(messages::Channel::kSlip, 20.0);
+  near(messages::Channel::kLink, 5.0);
+  near(messages::Channel::kLoop, 2.0);
+  near(messages::Channel::kState, 5.0);
+}
+
+TEST_F(PublisherTest, AChangeOfStateIsToldAtOnce) {
+  run(1.0, messages::Channel::kState);
+  record_.snapshot.run_state = RunState::kAborted;
+  record_.snapshot.faults = fault_bit(Fault::tilt);
+  record_.now_ns += 5 * kNsPerMs;
+  publisher_.take(record_);
+  const auto received = hear(messages::Channel::kState);
+  ASSERT_EQ(received.size(), 1U);
+  EXPECT_EQ(received[0]["run"], "aborted");
+  EXPECT_EQ(received[0]["faults"][0]["name"], "tilt");
+}
+
+TEST_F(PublisherTest, TheRunsClockStandsStillWhenItIsOver) {
+  run(2.0, messages::Channel::kState);
+  record_.snapshot.run_state = RunState::kFinished;
+  record_.snapshot.start_refusal = StartRefusal::kNone;
+  const auto received = run(1.0, messages::Channel::kState);
+  EXPECT_NEAR(received.back()["run_s"].get<double>(), 2.0, 0.02);
+  EXPECT_EQ(received.back()["can"]["start"], true);
+}
+
+TEST_F(PublisherTest, SaysWhyAStartWouldBeRefusedAndThatTheMotorsAreOn) {
+  run(1.0, messages::Channel::kState);
+  record_.snapshot.run_state = RunState::kIdle;
+  record_.snapshot.start_refusal = StartRefusal::kNotStill;
+  record_.snapshot.sample.state = RobotState::kDisarmed;
+  Json state = run(1.0, messages::Channel::kState).back();
+  EXPECT_EQ(state["can"]["start"], false);
+  EXPECT_EQ(state["why_not_start"], std::string(to_string(StartRefusal::kNotStill)));
+  EXPECT_EQ(state["motors_on"], false);
+  record_.snapshot.sample.right_duty = 0.2;
+  record_.now_ns += 5 * kNsPerMs;
+  publisher_.take(record_);
+  const auto received = hear(messages::Channel::kState);
+  ASSERT_EQ(received.size(), 1U) << "a change of the motors must be published at once";
+  EXPECT_EQ(received[0]["motors_on"], true);
+}
+
+TEST_F(PublisherTest, TheLinkHasRatesOfTheLastSecond) {
+  const auto received = run(3.0, messages::Channel::kLink);
+  EXPECT_NEAR(received.back()["samples_hz"].get<double>(), 200.0, 2.0);
+  EXPECT_NEAR(received.back()["in_bytes_ps"].get<double>(), 8800.0, 90.0);
+  EXPECT_EQ(received.back()["port"], "/dev/ttyACM0");
+  EXPECT_EQ(received.back()["quality"], "good");
+}
+
+TEST_F(PublisherTest, ALoopThatStandsStillDoesNotSilenceTheRest) {
+  run(1.0, messages::Channel::kState);
+  int states = 0;
+  for (int i = 1; i <= 40; ++i) {
+    publisher_.tick(record_.now_ns + i * 50 * kNsPerMs);
+    states += static_cast<int>(hear(messages::Channel::kState).size());
+  }
+  EXPECT_GE(states, 9);
+}
+
+TEST_F(PublisherTest, TruthIsOnlyToldWhileItIsKnown) {
+  EXPECT_TRUE(run(0.1, messages::Channel::kEstimate).back()["truth"].is_null());
+  publisher_.take_truth({record_.now_ns, {.x_m = 0.44}});
+  EXPECT_EQ(run(0.1, messages::Channel::kEstimate).back()["truth"]["x_m"], 0.44);
+  EXPECT_TRUE(run(1.2, messages::Channel::kEstimate).back()["truth"].is_null());
+  publisher_.take_truth({record_.now_ns, {.x_m = 0.45}});
+  EXPECT_EQ(run(0.1, messages::Channel::kPoseTruth).size(), 1U);
+}
+
+TEST_F(PublisherTest, ANewcomerGetsTheWholePathHistory) {
+  for (int i = 0; i < 100; ++i) {
+    record_.snapshot.estimates[PoseSource::kModel].pose.x_m = i * 0.011;
+    run(0.005, messages::Channel::kPathHistory);
+  }
+  run(1.0, messages::Channel::kPathHistory);
+  const auto late = std::make_shared<Viewer>(
+      2, [] {}, [] {});
+  broker_.add(late);
+  broker_.subscribe(*late, {{{1, static_cast<std::uint32_t>(messages::Channel::kPathHistory)}}});
+  ASSERT_FALSE(late->outbox().empty());
+  const Json path_history = Json::parse(*late->outbox().pop().body);
+  EXPECT_GE(path_history["entities"][0]["lines"][0]["points"].size(), 99U);
+}
+
+TEST_F(PublisherTest, EventsBecomeLogLines) {
+  publisher_.take(
+      messages::Event{.at_ns = 3 * kNsPerS, .kind = "run", .text = "state: idle -> arming"});
+  EXPECT_EQ(hear(messages::Channel::kLog).at(0)["message"], "state: idle -> arming");
+}
+
+TEST_F(PublisherTest, ARecordingIsToldWhenItChanges) {
+  run(1.0, messages::Channel::kRecording);
+  EXPECT_TRUE(run(2.0, messages::Channel::kRecording).empty());
+  controls_.record.available = controls_.record.active = true;
+  controls_.record.run = "r";
+  EXPECT_EQ(run(0.2, messages::Channel::kRecording).at(0)["run"], "r");
+  EXPECT_NEAR(static_cast<double>(run(4.0, messages::Channel::kRecording).size()), 4.0, 1.0);
+}
+
+}  // namespace
+}  // namespace tp100::server

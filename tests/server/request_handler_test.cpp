@@ -1,0 +1,360 @@
+// Requests of clients, without a socket.
+#include "server/request_handler.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "../messages/fixtures.h"
+#include "fake_controls.h"
+
+namespace tp100::server {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr HostNs kNow = 100 * kNsPerS;
+
+std::vector<messages::ParameterText> parameters() {
+  return {{{.name = "control.gain",
+            .type = messages::ParameterText::Type::kNumber,
+            .value = 16.0,
+            .standard = 16.0,
+            .unit = "1/m",
+            .range = {0.0, 200.0}},
+           true},
+          {{.name = "loop.rate_hz", .value = 200.0, .standard = 200.0, .range = {50.0, 1000.0}}},
+          {{.name = "estimation.steering",
+            .type = messages::ParameterText::Type::kChoice,
+            .value = std::string("odometry"),
+            .standard = std::string("odometry"),
+            .choices = {"model", "odometry"}},
+           true,
+           true}};
+}
+
+class RequestHandlerTest : public ::testing::Test {
+ protected:
+  RequestHandlerTest() { broker_.add(viewer_); }
+
+  // Everything in the viewer's outbox; data messages are separate from answers.
+  struct Heard {
+    std::vector<Json> texts;
+    std::vector<std::string> binaries;
+    std::vector<std::pair<std::uint32_t, Json>> data;  // subscription, message
+  };
+  static Heard hear(Viewer& viewer) {
+    Heard received;
+    while (!viewer.outbox().empty()) {
+      const Frame frame = viewer.outbox().pop();
+      if (!frame.binary) {
+        received.texts.push_back(Json::parse(*frame.body));
+      } else if (frame.head_size == 0) {
+        received.binaries.push_back(*frame.body);
+      } else {
+        received.data.emplace_back(frame.head[1], Json::parse(*frame.body));
+      }
+    }
+    return received;
+  }
+  Heard hear() { return hear(*viewer_); }
+
+  Heard say(const std::string& text, Permission permission = Permission::kCommand) {
+    handler_.handle(viewer_, parse_text(text), permission, kNow);
+    return hear();
+  }
+  Heard call(std::uint32_t service, const std::string& payload = "{}",
+             Permission permission = Permission::kCommand, HostNs now = kNow) {
+    handler_.handle(viewer_, ServiceCall{service, 9, "json", payload}, permission, now);
+    return hear();
+  }
+  void step(const StepRecord& record) {
+    publisher_.take(record);
+    handler_.tick(record.now_ns);
+  }
+  StepRecord ready() const {
+    StepRecord record = messages::example_record();
+    record.now_ns = kNow;
+    record.snapshot.run_state = RunState::kIdle;
+    record.snapshot.start_refusal = StartRefusal::kNone;
+    return record;
+  }
+  static Json answer_of(const std::string& response) {
+    return Json::parse(response.substr(response.find('{')));
+  }
+
+  FakeControls controls_;
+  Broker broker_{messages::channel_texts()};
+  Publisher publisher_{broker_,
+                       messages::Messages(messages::example_subject(), messages::example_clock()),
+                       controls_};
+  RequestHandler handler_{broker_, publisher_, controls_, parameters(), "session"};
+  std::shared_ptr<Viewer> viewer_ = std::make_shared<Viewer>(
+      3, [] {}, [this] { failed_ = true; });
+  bool failed_ = false;
+};
+
+TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
+  handler_.greet(*viewer_, Permission::kStopOnly);
+  const Heard received = hear();
+  ASSERT_EQ(received.texts.size(), 3U);
+  EXPECT_EQ(received.texts[0]["op"], "serverInfo");
+  EXPECT_EQ(received.texts[0]["metadata"]["commands"], "stop");
+  EXPECT_EQ(received.texts[1]["channels"].size(), messages::kChannelCount);
+  std::vector<std::string> services;
+  for (const Json& service : received.texts[2]["services"]) services.push_back(service["name"]);
+  EXPECT_THAT(services,
+              ::testing::ElementsAre("start", "hold", "stop", "record_start", "record_stop"));
+}
+
+TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
+  const Heard course = say(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":17}]})");
+  ASSERT_EQ(course.data.size(), 1U);
+  EXPECT_EQ(course.data[0].second["name"], "example");
+  EXPECT_TRUE(say(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":10}]})").data.empty());
+  step(ready());
+  const Heard estimate = hear();
+  ASSERT_EQ(estimate.data.size(), 1U);
+  EXPECT_EQ(estimate.data[0].first, 2U);
+  say(R"({"op":"unsubscribe","subscriptionIds":[2]})");
+  step(ready());
+  EXPECT_TRUE(hear().data.empty());
+}
+
+TEST_F(RequestHandlerTest, SubscriptionsAreChecked) {
+  const auto refused = [&](const char* list) {
+    return say(std::string(R"({"op":"subscribe","subscriptions":)") + list + "}").texts.size();
+  };
+  EXPECT_EQ(refused(R"([{"id":1,"channelId":0}])"), 1U);
+  EXPECT_EQ(refused(R"([{"id":1,"channelId":999}])"), 1U);
+  EXPECT_EQ(refused(R"([{"id":1,"channelId":1},{"id":1,"channelId":2}])"), 1U);
+  EXPECT_EQ(refused(R"([{"id":5,"channelId":1}])"), 1U);  // the channel is already subscribed
+  EXPECT_EQ(say(R"({"op":"unsubscribe","subscriptionIds":[77]})").texts.size(), 1U);
+  EXPECT_EQ(viewer_->subscriptions().size(), 1U);
+}
+
+TEST_F(RequestHandlerTest, AViewerThatLeftGetsNothingMore) {
+  say(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":10}]})");
+  broker_.remove(viewer_);
+  step(ready());
+  EXPECT_TRUE(viewer_->outbox().empty());
+}
+
+TEST_F(RequestHandlerTest, ParametersAreListed) {
+  const Heard all = say(R"({"op":"getParameters","parameterNames":[],"id":"q"})");
+  EXPECT_EQ(all.texts[0]["parameters"].size(), 3U);
+  EXPECT_EQ(all.texts[0]["id"], "q");
+  const Heard one = say(R"({"op":"getParameters","parameterNames":["loop.rate_hz","none"]})");
+  EXPECT_EQ(one.texts[0]["parameters"].size(), 1U);
+}
+
+TEST_F(RequestHandlerTest, AGoodValueIsPassedOnAndTold) {
+  say(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
+  const Heard received =
+      say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}],"id":"s"})");
+  ASSERT_EQ(controls_.sets.size(), 1U);
+  EXPECT_EQ(controls_.sets[0].second, messages::ParameterValue(20.0));
+  ASSERT_EQ(received.texts.size(), 2U);  // one for the subscription, then the answer to the request
+  EXPECT_EQ(received.texts[1]["parameters"][0]["value"], 20);
+  EXPECT_EQ(received.texts[1]["id"], "s");
+}
+
+TEST_F(RequestHandlerTest, WatchedParametersAddUpUntilTheyAreTakenBack) {
+  const auto told = [&] {
+    const Heard received =
+        say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
+    return received.texts.size() - 1;
+  };
+  EXPECT_EQ(told(), 0U);
+  say(R"({"op":"subscribeParameterUpdates","parameterNames":["control.gain"]})");
+  say(R"({"op":"subscribeParameterUpdates","parameterNames":["loop.rate_hz","none"]})");
+  EXPECT_EQ(told(), 1U);
+  say(R"({"op":"unsubscribeParameterUpdates","parameterNames":["control.gain"]})");
+  EXPECT_EQ(told(), 0U);
+  say(R"({"op":"subscribeParameterUpdates","parameterNames":[]})");
+  EXPECT_EQ(told(), 1U);
+  say(R"({"op":"unsubscribeParameterUpdates","parameterNames":[]})");
+  EXPECT_EQ(told(), 0U);
+}
+
+TEST_F(RequestHandlerTest, NothingUncheckedIsPassedOn) {
+  for (const char* parameter :
+       {R"({"name":"control.gain","value":-1})", R"({"name":"control.gain","value":201})",
+        R"({"name":"control.gain","value":"20"})", R"({"name":"control.gain","value":null})",
+        R"({"name":"control.gain"})", R"({"name":"loop.rate_hz","value":100})",
+        R"({"name":"none","value":1})", R"({"name":"estimation.steering","value":"truth"})"}) {
+    const Heard received =
+        say(std::string(R"({"op":"setParameters","parameters":[)") + parameter + "]}");
+    ASSERT_EQ(received.texts.size(), 2U) << parameter;
+    EXPECT_EQ(received.texts[0]["op"], "status");
+    EXPECT_EQ(received.texts[0]["level"], 2);
+  }
+  EXPECT_TRUE(controls_.sets.empty());
+  // JSON cannot express these values, but a caller in the program could pass them.
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()})
+    handler_.handle(viewer_, SetParameters{{{"control.gain", messages::ParameterValue(value)}}, ""},
+                    Permission::kCommand, kNow);
+  EXPECT_TRUE(controls_.sets.empty());
+}
+
+TEST_F(RequestHandlerTest, SomeParametersWaitForTheEndOfARun) {
+  const char* set =
+      R"({"op":"setParameters","parameters":[{"name":"estimation.steering","value":"model"}]})";
+  StepRecord record = ready();
+  record.snapshot.run_state = RunState::kRunning;
+  step(record);
+  EXPECT_THAT(say(set).texts[0]["message"], HasSubstr("during a run"));
+  EXPECT_TRUE(controls_.sets.empty());
+  step(ready());
+  say(set);
+  EXPECT_EQ(controls_.sets.size(), 1U);
+}
+
+TEST_F(RequestHandlerTest, TheStepHasTheLastWord) {
+  step(ready());
+  say(R"({"op":"setParameters","parameters":[{"name":"estimation.steering","value":"model"}]})");
+  const auto value = [&] {
+    return say(R"({"op":"getParameters","parameterNames":["estimation.steering"]})")
+        .texts.back()["parameters"][0]["value"];
+  };
+  EXPECT_EQ(value(), "model");
+  StepRecord later = ready();
+  later.now_ns += kNsPerS;
+  step(later);  // the pose source is still odometry: the change came too late
+  EXPECT_EQ(value(), "odometry");
+  later.now_ns += kNsPerS;
+  later.snapshot.steering = PoseSource::kModel;
+  step(later);
+  EXPECT_EQ(value(), "model");
+}
+
+TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
+  step(ready());
+  const Permission only = Permission::kStopOnly;
+  for (const std::uint32_t service : {1U, 2U, 4U, 5U})
+    EXPECT_EQ(call(service, "{}", only).texts[0]["op"], "serviceCallFailure");
+  say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})", only);
+  EXPECT_EQ(controls_.starts, 0);
+  EXPECT_EQ(controls_.holds, 0);
+  EXPECT_TRUE(controls_.sets.empty());
+  call(3, "{}", only);
+  EXPECT_EQ(controls_.stops, 1);
+}
+
+TEST_F(RequestHandlerTest, StartNeedsARobotThatIsReadyAndIdle) {
+  EXPECT_THAT(std::string(call(1).texts[0]["message"]), HasSubstr("no robot yet"));
+  StepRecord running = ready();
+  running.snapshot.run_state = RunState::kRunning;
+  running.snapshot.start_refusal = StartRefusal::kUnderWay;
+  step(running);
+  EXPECT_THAT(std::string(call(1).texts[0]["message"]), HasSubstr("under way"));
+  step(ready());
+  EXPECT_EQ(answer_of(call(1).binaries.at(0)), Json::parse(R"({"accepted":true})"));
+  EXPECT_EQ(controls_.starts, 1);
+}
+
+TEST_F(RequestHandlerTest, StopIsAnsweredWhenTheRobotHasAnswered) {
+  EXPECT_TRUE(call(3).binaries.empty());
+  EXPECT_EQ(controls_.stops, 1);
+  publisher_.stop_answered(kNow + 14 * kNsPerMs, kNow + 15 * kNsPerMs);
+  handler_.tick(kNow + 15 * kNsPerMs);
+  const Json answer = answer_of(hear().binaries.at(0));
+  EXPECT_EQ(answer["acknowledged"], true);
+  EXPECT_EQ(answer["acknowledged_ms"], 14.0);
+}
+
+TEST_F(RequestHandlerTest, StopIsAnsweredAfter200MsWithoutTheRobot) {
+  call(3);
+  publisher_.tick(kNow + 199 * kNsPerMs);
+  handler_.tick(kNow + 199 * kNsPerMs);
+  EXPECT_TRUE(hear().binaries.empty());
+  publisher_.tick(kNow + 201 * kNsPerMs);
+  handler_.tick(kNow + 201 * kNsPerMs);
+  EXPECT_EQ(answer_of(hear().binaries.at(0))["acknowledged"], false);
+}
+
+TEST_F(RequestHandlerTest, StopIsStopWhateverElseIsWrongWithTheCall) {
+  handler_.handle(viewer_, ServiceCall{3, 1, "cbor", "\xff"}, Permission::kStopOnly, kNow);
+  EXPECT_EQ(controls_.stops, 1);
+}
+
+TEST_F(RequestHandlerTest, StateTellsOfTheStop) {
+  say(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":16}]})");
+  call(3);
+  publisher_.stop_answered(kNow + 14 * kNsPerMs, kNow + 15 * kNsPerMs);
+  const Heard received = hear();
+  ASSERT_FALSE(received.data.empty());
+  const Json stop = received.data.back().second["stop"];
+  EXPECT_EQ(stop["status"], "acknowledged");
+  EXPECT_EQ(stop["acknowledged_ms"], 14.0);
+  EXPECT_EQ(stop["by"], "viewer 3");
+  EXPECT_EQ(stop["latched"], true);
+  StepRecord arming = ready();
+  arming.now_ns += kNsPerS;
+  arming.snapshot.run_state = RunState::kArming;
+  step(arming);
+  EXPECT_EQ(hear().data.back().second["stop"]["latched"], false);
+}
+
+TEST_F(RequestHandlerTest, ACallOfNothingFails) {
+  for (const std::uint32_t service : {0U, 6U, 4294967295U})
+    EXPECT_EQ(call(service).texts[0]["op"], "serviceCallFailure");
+  EXPECT_EQ(call(2, "[]").texts[0]["op"], "serviceCallFailure");
+  handler_.handle(viewer_, ServiceCall{2, 1, "cbor", "{}"}, Permission::kCommand, kNow);
+  EXPECT_EQ(hear().texts[0]["op"], "serviceCallFailure");
+  EXPECT_EQ(controls_.holds, 0);
+}
+
+TEST_F(RequestHandlerTest, RecordingsHaveHarmlessNames) {
+  controls_.can_record = true;
+  for (const char* name : {"../x", "/x", ".x", "a b", "a/b", "\\u0000", "ü"})
+    EXPECT_EQ(call(4, std::string(R"({"name":")") + name + "\"}").texts.size(), 1U) << name;
+  EXPECT_EQ(call(4, R"({"name":1})").texts.size(), 1U);
+  EXPECT_EQ(answer_of(call(4, R"({"name":"run-1_a.b"})").binaries.at(0))["run"], "run-1_a.b");
+  EXPECT_EQ(answer_of(call(5).binaries.at(0))["run"], "run-1_a.b");
+}
+
+TEST_F(RequestHandlerTest, AnAnswerOfASlowDiskComesLaterAndStopBeforeIt) {
+  controls_.slow_disk = true;
+  const Heard nothing = call(5);
+  EXPECT_TRUE(nothing.texts.empty() && nothing.binaries.empty());
+  call(3);
+  EXPECT_EQ(controls_.stops, 1);
+  messages::RecordingFigures late;
+  late.run = "late";
+  late.bytes = 7;
+  controls_.unanswered("", late);
+  handler_.tick(kNow);
+  const Json answer = answer_of(hear().binaries.at(0));
+  EXPECT_EQ(answer["run"], "late");
+  EXPECT_EQ(answer["bytes"], 7);
+  call(5);
+  controls_.unanswered("no disk", {});
+  handler_.tick(kNow);
+  EXPECT_EQ(hear().texts.at(0)["op"], "serviceCallFailure");
+  // A viewer that has left must not get an answer.
+  call(5);
+  viewer_.reset();
+  controls_.unanswered("", {});
+  handler_.tick(kNow);
+}
+
+TEST_F(RequestHandlerTest, WhoAsksAndNeverReadsIsFailed) {
+  const ClientMessage ask = GetParameters{};
+  for (int i = 0; i < 1000 && !failed_; ++i)
+    handler_.handle(viewer_, ask, Permission::kCommand, kNow);
+  EXPECT_TRUE(failed_);
+}
+
+TEST_F(RequestHandlerTest, WhatIsNoMessageIsTold) {
+  EXPECT_FALSE(handler_.handle(viewer_, Malformed{"why"}, Permission::kCommand, kNow));
+  EXPECT_EQ(hear().texts[0]["message"], "why");
+  EXPECT_TRUE(handler_.handle(viewer_, Unserved{"fetchAsset"}, Permission::kCommand, kNow));
+}
+
+}  // namespace
+}  // namespace tp100::server

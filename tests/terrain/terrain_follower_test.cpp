@@ -1,0 +1,184 @@
+#include "terrain/terrain_follower.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.h"
+#include "support/alloc_count.h"
+
+namespace tp100::terrain {
+namespace {
+
+constexpr double kSlope = 28 * kRadPerDeg;
+constexpr double kDistanceM = 5e-4, kStepS = 5e-3;
+
+course::Terrain ramp_at_half_a_metre() {
+  course::Terrain terrain;
+  terrain.ramps.push_back({{0.5, 0.0, 0.0}, 0.08, kSlope, 0.2, kSlope, 0.4});
+  return terrain;
+}
+
+course::Terrain block_at_half_a_metre() {
+  course::Terrain terrain;
+  terrain.blocks.push_back({{0.5, 0.0, 0.0}, 0.037, 0.1, 0.4});
+  return terrain;
+}
+
+/// Drives along x until `x_m`; returns the distance along the ground.
+template <class Watch>
+double drive(TerrainFollower& terrain_follower, Pose& pose, double x_m, Watch watch) {
+  double distance_m = 0.0;
+  while (pose.x_m < x_m && distance_m < 5.0) {
+    const ContactState& on = terrain_follower.advance(pose, kDistanceM, kStepS);
+    pose.x_m += kDistanceM * on.incline.horizontal_fraction;
+    distance_m += kDistanceM;
+    watch(on);
+  }
+  return distance_m;
+}
+
+TEST(TerrainFollower, OnAPlaneEveryMillimetreGoesAhead) {
+  const World world({}, {});
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{};
+  EXPECT_FALSE(terrain_follower.state().climbing);
+  EXPECT_NEAR(drive(terrain_follower, pose, 1.0, [](const ContactState&) {}), 1.0, 2 * kDistanceM);
+  EXPECT_EQ(terrain_follower.state().obstacle, Obstacle::kNone);
+}
+
+TEST(TerrainFollower, OverARampTheWayIsThatOverItsSurface) {
+  const World world(ramp_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{};
+  double steepest = 0.0, highest = 0.0;
+  const double distance_m = drive(terrain_follower, pose, 1.0, [&](const ContactState& on) {
+    steepest = std::max(steepest, on.incline.slope_rad);
+    highest = std::max(highest, on.height_m);
+  });
+  // Each of the two faces is 0.08 / sin(28 deg) long instead of 0.08 / tan(28 deg); rounding the
+  // corners shortens the path a little.
+  const double surface_m = 1.0 + 2.0 * 0.08 * (1.0 / std::sin(kSlope) - 1.0 / std::tan(kSlope));
+  EXPECT_NEAR(distance_m, surface_m, 0.006);
+  EXPECT_NEAR(steepest, kSlope, 0.01);
+  EXPECT_GT(highest, 0.079);
+  EXPECT_EQ(terrain_follower.state().height_m, 0.0);
+}
+
+TEST(TerrainFollower, OverABlockItClimbsTipsAndComesDownAgain) {
+  const World world(block_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{};
+  double nose_up = 0.0, nose_down = 0.0, highest = 0.0;
+  bool climbed = false;
+  const double distance_m = drive(terrain_follower, pose, 1.0, [&](const ContactState& on) {
+    highest = std::max(highest, on.height_m);
+    nose_up = std::max(nose_up, -on.pitch_rad);
+    nose_down = std::max(nose_down, on.pitch_rad);
+    climbed = climbed || on.climbing;
+  });
+  EXPECT_TRUE(climbed);
+  EXPECT_NEAR(nose_up * kDegPerRad, 45.0, 4.0);
+  EXPECT_GT(nose_down, 15 * kRadPerDeg);
+  EXPECT_GT(highest, 0.036);
+  EXPECT_EQ(terrain_follower.state().height_m, 0.0);
+  EXPECT_FALSE(terrain_follower.state().climbing);
+  EXPECT_EQ(terrain_follower.state().pitch_rad, 0.0);
+  EXPECT_GT(distance_m, 1.02);
+  EXPECT_LT(distance_m, 1.12);
+}
+
+TEST(TerrainFollower, ABlockIsASlopeOfThePitchUphillBeforeAndDownhillBehindIt) {
+  const World world(block_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{};
+  double steepest_up = 0.0, steepest_down = 0.0;
+  drive(terrain_follower, pose, 1.0, [&](const ContactState& on) {
+    ASSERT_EQ(on.incline.slope_rad, -on.pitch_rad) << pose.x_m;
+    if (!on.climbing) return;
+    steepest_up = std::max(steepest_up, on.incline.slope_rad);
+    steepest_down = std::min(steepest_down, on.incline.slope_rad);
+  });
+  EXPECT_GT(steepest_up, 40 * kRadPerDeg);
+  EXPECT_LT(steepest_down, -15 * kRadPerDeg);
+}
+
+TEST(TerrainFollower, WhoBacksOffABlockStandsOnTheFloorAgain) {
+  const World world(block_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{};
+  while (!terrain_follower.state().climbing)
+    pose.x_m +=
+        kDistanceM * terrain_follower.advance(pose, kDistanceM, kStepS).incline.horizontal_fraction;
+  const double touch_m = pose.x_m;
+  // The robot climbs the riser a little, then drives back and off the block.
+  for (int i = 0; i < 20; ++i)
+    pose.x_m +=
+        kDistanceM * terrain_follower.advance(pose, kDistanceM, kStepS).incline.horizontal_fraction;
+  EXPECT_LT(terrain_follower.state().pitch_rad, 0.0);
+  for (int i = 0; i < 60; ++i)
+    pose.x_m -= kDistanceM *
+                terrain_follower.advance(pose, -kDistanceM, kStepS).incline.horizontal_fraction;
+  EXPECT_LT(pose.x_m, touch_m - 0.01);
+  EXPECT_FALSE(terrain_follower.state().climbing);
+  EXPECT_EQ(terrain_follower.state().pitch_rad, 0.0);
+}
+
+TEST(TerrainFollower, ARealBodyClimbsWhenItsNoseRisesNotWhereTheMapHasTheBlock) {
+  const World world(block_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  const double touch_m = 0.45 - 0.133 / 2.0 - 0.026;
+  Pose pose{.x_m = touch_m + 0.03};
+  terrain_follower.advance(pose, kDistanceM, kStepS, Attitude{});
+  EXPECT_FALSE(terrain_follower.state().climbing);
+  terrain_follower.advance(pose, kDistanceM, kStepS, Attitude{.pitch_rad = -4 * kRadPerDeg});
+  EXPECT_TRUE(terrain_follower.state().climbing);
+  // Until the climb was detected, the pose moved ahead while the robot moved up.
+  EXPECT_LT(terrain_follower.state().incline.horizontal_fraction * kDistanceM, -0.005);
+}
+
+TEST(TerrainFollower, ANoseThatRisesFarFromAnyBlockIsASlope) {
+  const World world(block_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  terrain_follower.advance({}, kDistanceM, kStepS, Attitude{.pitch_rad = -10 * kRadPerDeg});
+  EXPECT_FALSE(terrain_follower.state().climbing);
+  EXPECT_NEAR(terrain_follower.state().incline.horizontal_fraction, std::cos(10 * kRadPerDeg),
+              1e-12);
+}
+
+TEST(TerrainFollower, TheNoiseOfALevelImuIsNoTerrain) {
+  const World world(block_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  terrain_follower.advance({}, kDistanceM, kStepS, Attitude{.roll_rad = 0.02, .pitch_rad = 0.02});
+  EXPECT_EQ(terrain_follower.state().incline.horizontal_fraction, 1.0);
+  EXPECT_EQ(terrain_follower.state().pitch_rad, 0.0);
+}
+
+TEST(TerrainFollower, WhoStartsBehindABlockDoesNotClimbIt) {
+  const World world(block_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{.x_m = 0.7};
+  drive(terrain_follower, pose, 1.0, [](const ContactState& on) { ASSERT_FALSE(on.climbing); });
+}
+
+TEST(TerrainFollower, SurfacesAddTheirSlip) {
+  course::Terrain terrain;
+  terrain.surfaces.push_back({"felt", {0.0, 0.0, 0.0}, 1.0, 1.0, 1.0, 0.07});
+  const World world(terrain, {});
+  TerrainFollower terrain_follower(world, {});
+  EXPECT_EQ(terrain_follower.advance({}, kDistanceM, kStepS).incline.slip_offset, 0.07);
+  EXPECT_EQ(terrain_follower.advance({.x_m = 2.0}, kDistanceM, kStepS).incline.slip_offset, 0.0);
+}
+
+TEST(TerrainFollower, AllocatesNothing) {
+  const World world(block_at_half_a_metre(), {});
+  TerrainFollower terrain_follower(world, {});
+  Pose pose{};
+  const test::AllocCount watch;
+  drive(terrain_follower, pose, 1.0, [](const ContactState&) {});
+  EXPECT_EQ(watch.calls(), 0u);
+}
+
+}  // namespace
+}  // namespace tp100::terrain

@@ -1,0 +1,16 @@
+#include "text/format.h"
+
+#include <gtest/gtest.h>
+
+namespace tp100::text {
+namespace {
+
+TEST(Format, PrintsAsPrintfDoesHoweverLongItIs) {
+  EXPECT_EQ(format("%s %5.2f|%-4d|", "a", 1.005, 7), "a  1.00|7   |");
+  EXPECT_EQ(format("%s", ""), "");
+  const std::string is_long(10'000, 'x');
+  EXPECT_EQ(format("%s.", is_long.c_str()), is_long + ".");
+}
+
+}  // namespace
+}  // namespace tp100::text
