@@ -1,4 +1,4 @@
-// The two real programs as separate processes on a real pseudo-terminal.
+// The two real programs as separate processes, connected by a real pseudo-terminal.
 
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -37,14 +37,14 @@ class Programs : public testing::Test {
     return {"tp100d", "run", "--port", port(), "--course", course, "--stats", stats()};
   }
   std::string stats() const { return folder_.file("stats.json"); }
-  /// Six seconds' way.
+  /// A course that takes about six seconds.
   std::string short_course() const {
     std::ofstream(folder_.file("short.toml"))
         << "[[segment]]\ntype = \"line\"\nlength_m = 0.5\n[fence]\nmin_x_m = -0.1\nmax_x_m = 1\n"
            "min_y_m = -0.5\nmax_y_m = 0.5\n";
     return folder_.file("short.toml");
   }
-  /// Board time of the first line after `from` that holds `text`. [s]
+  /// Board time of the first line after `from` that contains `text`. [s]
   static double time_of(const std::string& output, const std::string& text, std::size_t from = 0) {
     const std::size_t at = output.find(text, from);
     if (at == std::string::npos) return -1.0;
@@ -109,7 +109,7 @@ TEST_F(Programs, IdentifyDrivesAsksForWhatNoCameraSawAndWritesARobot) {
             std::string::npos);
   const Finished check = run({"tp100d", "check", folder_.file("mine.toml")});
   EXPECT_EQ(check.status, 0) << check.output;
-  // The recordings are what the robot file came from.
+  // The robot file can be identified again from the recordings.
   const std::string runs = folder_.file("mine-runs");
   const Finished again =
       run({"tp100d", "identify", runs + "/01-ahead-samples.csv", runs + "/02-left-samples.csv",
@@ -136,10 +136,10 @@ TEST_F(Programs, AKilledDaemonLeavesTheMotorsOffWithinTwoHundredMilliseconds) {
   ASSERT_TRUE(robot.wait_for("motors off: command_timeout")) << robot.output();
   const double closed_s = time_of(robot.output(), "port closed");
   const double off_s = time_of(robot.output(), "motors off: command_timeout");
-  // Both on the board's clock: one loop and one physics step of slack.
+  // Both times are on the board's clock; the tolerance is one loop and one physics step.
   EXPECT_LE(off_s - closed_s, 0.200 + 0.010) << robot.output();
 
-  // The robot survives its client: the next one finds it again.
+  // The robot keeps running after its client has gone: the next client finds it again.
   Process next(daemon_arguments());
   EXPECT_EQ(next.wait_for("state: syncing -> ready"), true) << next.output();
 }
@@ -149,6 +149,8 @@ TEST_F(Programs, AKilledRobotLeavesTheDaemonWaitingAndDisarmedUntilANewStart) {
   ASSERT_TRUE(robot->wait_for("linked from"));
   Process bridge(daemon_arguments());
   ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  // The killed robot leaves its link, whose pseudo-terminal may become another test's.
+  std::filesystem::remove(port());
   robot->signal(SIGKILL);
   robot->wait();
   ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
@@ -157,7 +159,7 @@ TEST_F(Programs, AKilledRobotLeavesTheDaemonWaitingAndDisarmedUntilANewStart) {
   ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
   ASSERT_TRUE(goes_on(stats()));
   EXPECT_EQ(bridge.output().rfind("-> arming"), bridge.output().find("-> arming"))
-      << "it must not arm again by itself: " << bridge.output();
+      << "it must not arm again without a start: " << bridge.output();
   bridge.signal(SIGTERM);
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
 }
@@ -175,7 +177,7 @@ TEST_F(Programs, AnUnpluggedRobotIsReadyAgainByItselfAndDisarmedUntilANewStart) 
   ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
   ASSERT_TRUE(goes_on(stats()));
   EXPECT_EQ(bridge.output().rfind("-> arming"), bridge.output().find("-> arming"))
-      << "it must not arm again by itself: " << bridge.output();
+      << "it must not arm again without a start: " << bridge.output();
   bridge.signal(SIGTERM);
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
 }
@@ -202,7 +204,7 @@ TEST_F(Programs, ASecondSigtermDoesNotKeepItFromDisarming) {
   EXPECT_TRUE(robot.wait_for("motors off: disarm")) << robot.output();
 }
 
-// As a machine does it that gives the program no time.
+// The daemon is stopped, as on a machine that gives the program no time.
 TEST_F(Programs, AStarvedLoopLeavesTheMotorsOffAndSaysWhy) {
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
@@ -212,7 +214,7 @@ TEST_F(Programs, AStarvedLoopLeavesTheMotorsOffAndSaysWhy) {
   ASSERT_TRUE(robot.wait_for("motors off: command_timeout")) << robot.output();
   bridge.signal(SIGCONT);
   EXPECT_EQ(bridge.wait(), 1) << bridge.output();
-  EXPECT_NE(bridge.output().find("turns of the loop that came late"), std::string::npos)
+  EXPECT_NE(bridge.output().find("cycles of the loop that started late"), std::string::npos)
       << bridge.output();
   EXPECT_NE(bridge.output().find("command_timeout: no fresh valid command"), std::string::npos)
       << bridge.output();
@@ -229,7 +231,7 @@ TEST_F(Programs, AStepOfTheWallClockChangesNothing) {
   Process bridge(arguments);
   EXPECT_EQ(bridge.wait(), 0) << bridge.output();
   EXPECT_NE(bridge.output().find("state: running -> finished"), std::string::npos);
-  // The lines' own times show that it stepped: an hour ahead, then back to an hour behind.
+  // The times in the log show the clock's steps: an hour ahead, then back to an hour behind.
   std::vector<int> minutes;
   std::istringstream lines(bridge.output());
   for (std::string line; std::getline(lines, line);) {
@@ -263,7 +265,7 @@ TEST_F(Programs, AThousandClientsDisturbNoRun) {
       htons(static_cast<std::uint16_t>(std::stoi(bridge.output().substr(at + before.size()))));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
 
-  // Some say nothing, some half of a request, some a whole one that wants to watch.
+  // Some clients send nothing, some an incomplete request, some a complete request to subscribe.
   const std::array<std::string, 3> words{
       "", "GET / HT",
       "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
@@ -279,10 +281,10 @@ TEST_F(Programs, AThousandClientsDisturbNoRun) {
     if (!word.empty()) ::send(fd, word.data(), word.size(), MSG_NOSIGNAL);
   }
   EXPECT_EQ(bridge.output().find("state: running -> "), std::string::npos)
-      << "over before all were there: " << bridge.output();
+      << "the run ended before all clients were connected: " << bridge.output();
   EXPECT_EQ(bridge.wait(), 0) << bridge.output();
   EXPECT_NE(bridge.output().find("state: running -> finished"), std::string::npos);
-  // Those that were served have had an answer, the others an end.
+  // Clients that were served have received an answer; the connections of the others are closed.
   std::size_t answered = 0, ended = 0;
   for (const int fd : clients) {
     char text[16];
@@ -345,14 +347,14 @@ TEST_F(Programs, OneSeedPrintsOneJsonButForTimings) {
   EXPECT_NE(json("4"), json("5"));
 }
 
-/// Words of a program's command line, or lines of its status.
+/// Contents of a file of the process folder, such as the command line or the status.
 std::string of_process(const std::filesystem::path& folder, const std::string& file) {
   std::ostringstream text;
   text << std::ifstream(folder / file).rdbuf();
   return text.str();
 }
 
-/// The child of `parent` whose command line has `word`; -1: none.
+/// The child of `parent` whose command line contains `word`; -1 if there is none.
 pid_t child_of(pid_t parent, const std::string& word) {
   const std::string parents_line = "PPid:\t" + std::to_string(parent) + "\n";
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -371,7 +373,7 @@ TEST_F(Programs, ARobotWhoseMachineStoodStillKeepsItsPriority) {
                      ::getpriority(PRIO_PROCESS, id_t(robot.pid())));
   };
   const auto before = priority();
-  // Longer than it catches up with.
+  // The pause is longer than the emulator catches up with.
   robot.signal(SIGSTOP);
   std::this_thread::sleep_for(std::chrono::milliseconds(700));
   robot.signal(SIGCONT);

@@ -1,4 +1,4 @@
-// Recordings of programs that run live: exported, and cut off by a kill or a full disk.
+// Recordings of programs that run in real time: exported, or cut off by a kill or a full disk.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/replay_recording.h"
+#include "app/replay.h"
 #include "process.h"
 #include "record/recording.h"
 #include "support/paths.h"
@@ -32,7 +32,7 @@ class RecordedPrograms : public testing::Test {
   RecordedPrograms() {
     std::ofstream(folder_.file("tp100.toml")) << "[loop]\npriority = 0\nlock_memory = false\n";
   }
-  /// Without a course the run goes on whatever a crowded machine does to its times.
+  /// Without a course, the run continues even when a busy machine delays its cycles.
   std::vector<std::string> daemon(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {"tp100d", "run",  "--config", folder_.file("tp100.toml"),
                                           "--port", port(), "--record", records()};
@@ -41,13 +41,13 @@ class RecordedPrograms : public testing::Test {
   }
   std::string port() const { return folder_.file("tp100"); }
   std::string records() const { return folder_.file("records"); }
-  /// The only run's file.
+  /// The file of the only run.
   std::string file() const {
     for (const auto& entry : std::filesystem::directory_iterator(records()))
       return (entry.path() / "run.mcap").string();
     return "none";
   }
-  /// That can be read by now; none if it has no beginning yet.
+  /// Number of steps that can be read so far; 0 if the file has no beginning yet.
   static std::uint64_t steps_in(const std::string& file) {
     std::uint64_t steps = 0;
     try {
@@ -65,7 +65,7 @@ TEST_F(RecordedPrograms, ALiveRunReplaysBitForBitAndIsExported) {
   test::Process bridge(daemon({"--course", "1-curve", "--duration", "6"}));
   bridge.wait();
   EXPECT_THAT(bridge.output(), HasSubstr("recording to " + file()));
-  // On a crowded machine it may be aborted soon after.
+  // On a busy machine the run may be aborted soon afterwards.
   EXPECT_THAT(bridge.output(), HasSubstr("state: idle -> arming"));
 
   const test::Finished replay = test::run({"tp100d", "replay", file(), "--out", folder_.file("p")});
@@ -78,7 +78,7 @@ TEST_F(RecordedPrograms, ALiveRunReplaysBitForBitAndIsExported) {
   EXPECT_EQ(test::run({"tp100d", "export", file(), "--out", out}).status, 0);
   for (const char* name : {"samples.csv", "poses.csv", "model.tum", "odometry.tum", "fused.tum"})
     EXPECT_GT(test::lines(test::read_bytes(out + "/" + name)), 10u) << name;
-  EXPECT_FALSE(std::filesystem::exists(out + "/truth.tum")) << "nobody knew it";
+  EXPECT_FALSE(std::filesystem::exists(out + "/truth.tum")) << "a live run has no ground truth";
 }
 
 TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappened) {
@@ -87,10 +87,11 @@ TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappened) {
          "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
   test::Process robot({"tp100-sim", "robot", "--link", port()});
   ASSERT_TRUE(robot.wait_for("linked from"));
-  // Nobody needs to look for it to be recorded.
+  // The run is recorded without any viewer.
   test::Process bridge(
       daemon({"--course", folder_.file("short.toml"), "--listen", "off", "--duration", "30"}));
-  // On a crowded machine commands may come too late: then it is aborted, and that is what happened.
+  // On a busy machine commands may arrive too late; then the run is aborted, and the recording says
+  // so.
   const std::string end =
       bridge.wait() == 0 ? "state: running -> finished" : "state: running -> aborted";
   EXPECT_THAT(bridge.output(), testing::Not(HasSubstr("page:")));
@@ -114,7 +115,7 @@ TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappened) {
   EXPECT_LT(happened["state: arming -> running"], happened[end]);
   EXPECT_EQ(counts["/log"], counts["/event"]);
   for (const char* topic : {"/state", "/link", "/loop", "/parameter"}) EXPECT_GT(counts[topic], 0);
-  // Five times a second, and what changes in between.
+  // /state is published five times a second and at every change.
   EXPECT_LT(counts["/state"], counts["/estimate"] / 4);
 
   ASSERT_EQ(test::run({"tp100d", "report", file()}).status, 0);
@@ -124,12 +125,33 @@ TEST_F(RecordedPrograms, ALiveRunHoldsWhatHappened) {
   EXPECT_THAT(page, HasSubstr("run: running -&gt; " + end.substr(end.rfind(' ') + 1)));
 }
 
+TEST_F(RecordedPrograms, ABlackBoxReplaysBitForBit) {
+  std::ofstream(folder_.file("tp100.toml"), std::ios::app)
+      << "[record]\nblack_box_s = 3\nblack_box_directory = \"" << records() << "\"\n";
+  test::Process robot({"tp100-sim", "robot", "--link", port(), "--course", "1-curve"});
+  ASSERT_TRUE(robot.wait_for("linked from"));
+  test::Process bridge({"tp100d", "run", "--config", folder_.file("tp100.toml"), "--port", port(),
+                        "--course", "1-curve", "--duration", "12"});
+  // A busy machine may end the run by itself; then this fault is the one that is recorded.
+  EXPECT_TRUE(bridge.wait_for("arming -> running"));
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  // The killed robot leaves its link, whose pseudo-terminal may become another test's.
+  std::filesystem::remove(port());
+  robot.signal(SIGKILL);
+  bridge.wait();
+  EXPECT_THAT(bridge.output(), HasSubstr("black box: "));
+  EXPECT_THAT(bridge.output(), HasSubstr(file()));
+  const test::Finished replay = test::run({"tp100d", "replay", file(), "--out", folder_.file("p")});
+  EXPECT_EQ(replay.status, 0) << replay.output;
+  EXPECT_THAT(replay.output, HasSubstr("every pose and command as recorded, bit for bit"));
+}
+
 TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
   test::Process robot({"tp100-sim", "robot", "--link", port()});
   ASSERT_TRUE(robot.wait_for("linked from"));
   test::Process bridge(daemon());
   ASSERT_TRUE(bridge.wait_for("state: syncing -> ready")) << bridge.output();
-  // Two seconds of it are in the file.
+  // Waits until two seconds of the run are in the file.
   for (int i = 0; i < 600 && steps_in(file()) < 400; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   const HostNs killed = std::chrono::steady_clock::now().time_since_epoch().count();
@@ -145,7 +167,7 @@ TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
     last = record.now_ns;
   }});
   EXPECT_GE(steps, 400u);
-  // Less than a second on a machine that keeps up; a crowded one may be late.
+  // The loss is less than a second unless a busy machine delays the writer.
   RecordProperty("lost_ms", std::to_string((killed - last) / kNsPerMs));
   EXPECT_LT(to_s(killed - last), 5.0);
 
@@ -168,7 +190,7 @@ TEST_F(RecordedPrograms, AKilledRunIsReadableAndRecoverMakesItWhole) {
 TEST_F(RecordedPrograms, ARunGoesOnWhenTheDiskIsFull) {
   test::Process robot({"tp100-sim", "robot", "--link", port()});
   ASSERT_TRUE(robot.wait_for("linked from"));
-  // 600 blocks of 512 bytes.
+  // The limit is 600 blocks of 512 bytes.
   std::string command = "ulimit -f 600; exec \"$0\" \"$@\"";
   std::vector<std::string> arguments = {"/bin/sh", "-c", command, TP100_BINARY_DIR "/bin/tp100d"};
   const std::vector<std::string> run = daemon({"--duration", "10"});
