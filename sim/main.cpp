@@ -194,6 +194,8 @@ int run(int argc, char** argv) {
   faults_app->add_flag("--encoders", faults.encoders,
                        "Let encoders fail at every speed and place, with three robots: the worst "
                        "until the motors are off, as a table");
+  faults_app->add_flag("--firmware-alone", faults.firmware_alone,
+                       "With --encoders: without the daemon's own checks");
   faults_app->add_option("--board", faults.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();

@@ -119,7 +119,7 @@ int run_run(const RunOptions& options) {
   const config::RunSetup run = setup_run(files, options);
   const config::Configuration& configuration = run.configuration;
 
-  link::SessionSettings session = bridge::session_settings(run.parameters);
+  link::SessionSettings session = bridge::session_settings(run.parameters, run.course.get());
   session.baud = static_cast<std::uint32_t>(configuration.link.baud);
   session.timeout_ns = ns_of_ms(configuration.link.timeout_ms);
   session.first_frame_timeout_ns = ns_of_ms(configuration.link.first_frame_timeout_ms);

@@ -1,9 +1,11 @@
 #include "bridge/cycle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/angle.h"
+#include "model/track_model.h"
 
 namespace tp100::bridge {
 namespace {
@@ -33,15 +35,24 @@ std::uint8_t flags(const bridge::Parameters& parameters) {
 
 }  // namespace
 
-link::SessionSettings session_settings(const bridge::Parameters& parameters) {
+link::SessionSettings session_settings(const bridge::Parameters& parameters,
+                                       const course::Course* course) {
   const course::DriveValues& drive = parameters.drive;
-  const model::TrackParameters& model = parameters.model;
+  const model::TrackParameters& tracks = parameters.model;
   link::SessionSettings settings;
   wire::Parameters& out = settings.parameters;
+  const auto wheelbase_of = [&](const model::TurnShape& shape) {
+    return static_cast<float>(turn_of(tracks, model::Mode::kExtended, shape).wheelbase_m);
+  };
   out.counts_per_metre = static_cast<float>(drive.counts_per_metre);
-  out.wheelbase_m = static_cast<float>(model.wheelbase_m);
-  out.slip_left = static_cast<float>(model.slip_left);
-  out.slip_right = static_cast<float>(model.slip_right);
+  out.wheelbase_m = wheelbase_of({});
+  out.wheelbase_tight_m = wheelbase_of({.arc = 1.0});
+  out.wheelbase_spin_m = wheelbase_of({.arc = 1.0, .spin = 1.0});
+  const bool turn_known = course == nullptr || !course->identifies;
+  out.turn_slip_share =
+      turn_known ? static_cast<float>(std::min(parameters.control.turn_slip_share, 1.0)) : 1.0F;
+  out.slip_left = static_cast<float>(tracks.slip_left);
+  out.slip_right = static_cast<float>(tracks.slip_right);
   out.max_track_mps = static_cast<float>(drive.max_track_mps);
   out.max_track_mps2 = static_cast<float>(drive.max_track_mps2);
   out.feed_forward = static_cast<float>(drive.feed_forward);
@@ -51,7 +62,7 @@ link::SessionSettings session_settings(const bridge::Parameters& parameters) {
   out.yaw_kp = static_cast<float>(drive.yaw_kp);
   out.max_yaw_radps = static_cast<float>(drive.max_yaw_radps);
   const double nominal = kRadPerDeg / static_cast<double>(wire::kGyroLsbPerDegps);
-  out.gyro_z_radps_per_lsb = static_cast<float>(nominal * model.gyro_scale);
+  out.gyro_z_radps_per_lsb = static_cast<float>(nominal * tracks.gyro_scale);
   out.battery_cutoff_mv = rounded(drive.battery_cutoff_v * 1e3);
   out.stall_duty = rounded(drive.stall_duty * wire::kFullDuty);
   out.stall_ms = rounded(drive.stall_s * 1e3);

@@ -14,8 +14,10 @@
 namespace tp100::bridge {
 
 /// Session settings for this robot: wire parameters of the bridge's drive and model values. Values
-/// that the firmware would refuse are sent as they are; the refusal names the field.
-link::SessionSettings session_settings(const bridge::Parameters& parameters);
+/// that the firmware would refuse are sent as they are; the refusal names the field. On a `course`
+/// that identifies the robot it is not known yet how it turns.
+link::SessionSettings session_settings(const bridge::Parameters& parameters,
+                                       const course::Course* course = nullptr);
 
 /// Name of a field of wire::Parameters by its index, as a refusal reports it; "unknown" beyond the
 /// last.

@@ -72,7 +72,7 @@ constexpr float kUnitWheelbaseM = 1.0F;
 /// Parameters that turn a command into a duty: neither counts nor gyro act on the motors.
 link::SessionSettings open_loop(link::SessionSettings settings) {
   wire::Parameters& out = settings.parameters;
-  out.wheelbase_m = kUnitWheelbaseM;
+  out.wheelbase_m = out.wheelbase_tight_m = out.wheelbase_spin_m = kUnitWheelbaseM;
   out.slip_left = out.slip_right = 0.0F;
   out.speed_kp = out.speed_ki = out.yaw_kp = 0.0F;
   out.max_yaw_radps = 1.0F;

@@ -124,7 +124,10 @@ bridge::Parameters parameters_of(const LockstepSettings& settings) {
 
 bridge::Parameters host_parameters(const LockstepSettings& settings) {
   bridge::Parameters parameters = parameters_of(settings);
-  if (!settings.host_knows_motors) parameters.drive.feed_forward = 0.0;
+  if (!settings.host_watches_encoders) {
+    parameters.drive.feed_forward = 0.0;
+    parameters.control.turn_slip_share = 1.0;
+  }
   return parameters;
 }
 
@@ -132,7 +135,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
     : settings_(settings),
       parameters_(parameters_of(settings)),
       path_(settings.course),
-      cycle_(bridge::session_settings(parameters_), host_parameters(settings),
+      cycle_(bridge::session_settings(parameters_, &settings.course), host_parameters(settings),
              std::make_shared<const course::Course>(settings.course)),
       robot_({.values = settings.robot.emulated,
               .start = settings.course.start,

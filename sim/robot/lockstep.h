@@ -35,8 +35,8 @@ struct LockstepSettings {
                                    ///< instant
   /// Receives the session's events, with the robot's hello as far as it is known.
   std::function<void(const link::SessionEvent&, const wire::Hello&)> on_session_event{};
-  bool host_knows_motors = true;  ///< false: the host does not know how duty relates to speed
-  double begin_within_s = 10.0;   ///< of its start; a run that never begins is a failure
+  bool host_watches_encoders = true;  ///< false: only the robot compares them with duty and gyro
+  double begin_within_s = 10.0;       ///< of its start; a run that never begins is a failure
 };
 
 /// Drives the course once. On a stand no camera is used: the robot that it sees does not move.

@@ -50,8 +50,9 @@ int run_calibrate(const CalibrateCommand& command);
 
 struct FaultsCommand {
   bool json = false;
-  bool drive = false;     ///< drive with each, print expected beside observed
-  bool encoders = false;  ///< sweep encoders that fail over speeds, places and robots
+  bool drive = false;           ///< drive with each, print expected beside observed
+  bool encoders = false;        ///< sweep encoders that fail over speeds, places and robots
+  bool firmware_alone = false;  ///< in that sweep, without the daemon's own checks
   std::string board = "native";
 };
 

@@ -67,8 +67,7 @@ void look_away(LockstepSettings& settings) {
   control.max_heading_error_rad = 180.0 * kRadPerDeg;
   control.stall_s = 30.0;
   control.disagreement_radps = 10.0;
-  settings.course.identifies = true;
-  settings.host_knows_motors = false;
+  settings.host_watches_encoders = false;
 }
 
 /// When a healthy robot is where encoders fail.

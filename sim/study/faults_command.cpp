@@ -63,11 +63,11 @@ int drive_all(const std::string& board_name) {
   return good ? 0 : 1;
 }
 
-int sweep_encoders(const std::string& board_name) {
+int sweep_encoders(const FaultsCommand& command) {
   Options options;
-  options.board = board_name;
+  options.board = command.board;
   const BoardKind board = load(options).board;
-  EncoderStudy study;
+  EncoderStudy study(!command.firmware_alone);
   std::printf("%s", encoder_table_head().c_str());
   bool good = true;
   for (const EncoderFailure& failure : encoder_failures()) {
@@ -94,7 +94,7 @@ int sweep_encoders(const std::string& board_name) {
 
 int run_faults(const FaultsCommand& command) {
   if (command.drive) return drive_all(command.board);
-  if (command.encoders) return sweep_encoders(command.board);
+  if (command.encoders) return sweep_encoders(command);
   if (command.json) {
     for (const FaultText& text : fault_texts()) print_json(text);
     return 0;

@@ -54,7 +54,8 @@ wire::Parameters parameters(std::uint32_t nonce) {
   p.boot_nonce = nonce;
   p.token = 1;
   p.counts_per_metre = 11140.0f;
-  p.wheelbase_m = 0.274f;
+  p.wheelbase_m = p.wheelbase_tight_m = p.wheelbase_spin_m = 0.274f;
+  p.turn_slip_share = 1.0f;
   p.max_track_mps = 0.2f;
   p.max_track_mps2 = 0.6f;
   p.feed_forward = 4.0f;

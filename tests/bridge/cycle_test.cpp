@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "../link/scripted_robot.h"
+#include "firmware/track_monitor.h"
+#include "model/track_model.h"
 #include "support/alloc_count.h"
 
 namespace tp100::bridge {
@@ -46,6 +49,7 @@ TEST(Cycle, ConnectsAndAnswersSamplesWithCommands) {
 TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
   bridge::Parameters parameters;
   parameters.model.wheelbase_m = 0.31;
+  parameters.model.wheelbase_spin_m = 0.36;
   parameters.model.gyro_scale = 1.02;
   parameters.drive.battery_cutoff_v = 6.25;
   parameters.drive.stall_duty = 0.55;
@@ -55,6 +59,8 @@ TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
   ASSERT_EQ(bench.robot.received.parameters.size(), 1u);
   const wire::Parameters& sent = bench.robot.received.parameters[0];
   EXPECT_FLOAT_EQ(sent.wheelbase_m, 0.31F);
+  EXPECT_FLOAT_EQ(sent.wheelbase_tight_m, 0.36F) << "as on the spot, if it is not given";
+  EXPECT_FLOAT_EQ(sent.wheelbase_spin_m, 0.36F);
   EXPECT_FLOAT_EQ(sent.gyro_z_radps_per_lsb,
                   static_cast<float>(1.02 * 0.017453292519943295 / 32.8));
   EXPECT_EQ(sent.battery_cutoff_mv, 6250);
@@ -62,7 +68,56 @@ TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
   EXPECT_EQ(sent.flags, wire::kUseGyro | wire::kSwapTracks);
 }
 
-TEST(Cycle, TheGyroDoesNotSteerOnABench) {
+/// What the firmware finds within three metres of its outer track, while the gyro turns as the
+/// model says for these track speeds and the left track counts that share of its edges.
+firmware::TurnMonitor::Verdict found_in_turn(double left_mps, double right_mps, double counted) {
+  bridge::Parameters parameters;
+  parameters.model.wheelbase_m = 0.40;
+  parameters.model.wheelbase_tight_m = 0.44;
+  parameters.model.wheelbase_spin_m = 0.50;
+  const wire::Parameters sent = session_settings(parameters).parameters;
+  const double yaw_rate_radps =
+      body_twist(parameters.model, model::Mode::kExtended, left_mps, right_mps, {}).yaw_rate_radps;
+  const auto gyro_lsb = static_cast<std::int16_t>(
+      std::lround(yaw_rate_radps / static_cast<double>(sent.gyro_z_radps_per_lsb)));
+  firmware::TurnMonitor monitor;
+  firmware::TurnHistory history;
+  const double per_m = parameters.drive.counts_per_metre;
+  const double duration_s = 3.0 / std::max(std::abs(left_mps), std::abs(right_mps));
+  for (int i = 0; i * 0.005 < duration_s; ++i) {
+    const double at_s = i * 0.005;
+    history.add(static_cast<std::uint16_t>(i), static_cast<std::uint32_t>(i) * 5000U, gyro_lsb,
+                static_cast<std::int32_t>(std::lround(left_mps * at_s * per_m * counted)),
+                static_cast<std::int32_t>(std::lround(right_mps * at_s * per_m)));
+    const auto verdict = monitor.update(history.newest(), 0, 0.0F, sent);
+    if (verdict != firmware::TurnMonitor::kGood) return verdict;
+  }
+  return firmware::TurnMonitor::kGood;
+}
+
+TEST(Cycle, TheFirmwareKnowsTurnsAsTheModelDoesAndFindsLostCountsInThem) {
+  for (const double right_mps : {0.04, 0.1, 0.2, -0.1}) {
+    for (double ratio = -1.0; ratio <= 1.0; ratio += 0.05) {
+      const double left_mps = right_mps * ratio;
+      EXPECT_EQ(found_in_turn(left_mps, right_mps, 1.0), firmware::TurnMonitor::kGood)
+          << left_mps << ' ' << right_mps;
+      if (std::abs(ratio) < 0.7) continue;
+      EXPECT_EQ(found_in_turn(left_mps, right_mps, 0.5), firmware::TurnMonitor::kLeftShort)
+          << left_mps << ' ' << right_mps;
+    }
+  }
+}
+
+TEST(Cycle, ACourseThatIdentifiesTellsTheFirmwareThatTurnsAreUnknown) {
+  bridge::Parameters parameters;
+  parameters.control.turn_slip_share = 0.07;
+  course::Course course;
+  EXPECT_FLOAT_EQ(session_settings(parameters, &course).parameters.turn_slip_share, 0.07F);
+  course.identifies = true;
+  EXPECT_FLOAT_EQ(session_settings(parameters, &course).parameters.turn_slip_share, 1.0F);
+}
+
+TEST(Cycle, TheGyroDoesNotSteerOnAStand) {
   bridge::Parameters parameters;
   parameters.setup = bridge::Setup::kStand;
   EXPECT_EQ(session_settings(parameters).parameters.flags & wire::kUseGyro, 0);

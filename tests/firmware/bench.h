@@ -22,7 +22,8 @@ class Bench {
     p.boot_nonce = 0xB007;
     p.token = 1;
     p.counts_per_metre = 11140.0f;
-    p.wheelbase_m = 0.274f;
+    p.wheelbase_m = p.wheelbase_tight_m = p.wheelbase_spin_m = 0.274f;
+    p.turn_slip_share = 1.0f;
     p.slip_left = 0.16f;
     p.slip_right = 0.10f;
     p.max_track_mps = 0.2f;

@@ -198,15 +198,19 @@ TEST(EncoderFaultsWithoutTheHost, StopTheRobotOnAStraight) {
 
 TEST(EncoderFaultsWithoutTheHost, StopTheRobotInATurn) {
   EncoderStudy study(false);
-  for (const std::string_view robot : {"uniform", "worn"}) {
+  for (const std::string_view robot : encoder_robots()) {
     for (const Onset onset : {Onset::kArc, Onset::kSpin}) {
       for (const EncoderFailure& failure :
-           {EncoderFailure{"encoder-lose:0.3"}, EncoderFailure{"encoder-lose:0.5"},
-            EncoderFailure{"encoder-stuck"}, EncoderFailure{"encoder-jump:-200", 0.25}}) {
-        const EncoderOutcome outcome = study.drive({failure, 0.15, onset, robot});
-        EXPECT_TRUE(outcome.good())
-            << failure.fault << ", " << to_string(onset) << ", " << robot << ": " << outcome.end
-            << ", " << outcome.beyond_m << " m, " << outcome.beyond_rad << " rad";
+           {EncoderFailure{"encoder-lose:0.3"}, EncoderFailure{"encoder-lose:0.3:left"},
+            EncoderFailure{"encoder-lose:0.3:right"}, EncoderFailure{"encoder-stuck"},
+            EncoderFailure{"encoder-jump:-200", 0.25}}) {
+        for (const double speed_mps : {0.15, 0.2}) {
+          const EncoderOutcome outcome = study.drive({failure, speed_mps, onset, robot});
+          EXPECT_TRUE(outcome.good())
+              << failure.fault << " at " << speed_mps << ", " << to_string(onset) << ", " << robot
+              << ": " << outcome.end << ", " << outcome.beyond_m << " m, " << outcome.beyond_rad
+              << " rad";
+        }
       }
     }
   }

@@ -66,7 +66,7 @@ TEST(Schema, EveryMessageHasItsTypeAndSize) {
   const std::map<std::string, std::pair<int, std::size_t>> messages = {
       {"Hello", {0x01, 18}},       {"Sample", {0x02, 40}},      {"Acknowledge", {0x03, 8}},
       {"SyncReply", {0x04, 14}},   {"FaultReport", {0x05, 11}}, {"Log", {0x06, 45}},
-      {"HelloRequest", {0x41, 6}}, {"Parameters", {0x42, 71}},  {"Command", {0x43, 40}},
+      {"HelloRequest", {0x41, 6}}, {"Parameters", {0x42, 83}},  {"Command", {0x43, 40}},
       {"Arm", {0x44, 12}},         {"Disarm", {0x45, 4}},       {"Stop", {0x46, 4}},
       {"SyncRequest", {0x47, 2}}};
   std::size_t seen = 0;

@@ -15,6 +15,9 @@ uint8_t bad_field(const wire::Parameters& p) {
   const bool good[] = {
       within(p.counts_per_metre, 100.0f, 1e6f),
       within(p.wheelbase_m, 0.05f, 2.0f),
+      within(p.wheelbase_tight_m, 0.05f, 2.0f),
+      within(p.wheelbase_spin_m, 0.05f, 2.0f),
+      within(p.turn_slip_share, 0.0f, 1.0f),
       within(p.slip_left, -0.5f, 0.9f),
       within(p.slip_right, -0.5f, 0.9f),
       within(p.max_track_mps, 0.01f, 2.0f),

@@ -47,9 +47,17 @@ const uint8_t kSamples = 8;
 const float kMaxRad = 0.35f;
 const float kMaxSlowRad = 0.175f;
 const float kSlowRadps = 0.175f;
-// Before identification it is unknown how much of a turn the tracks really produce.
-const float kOfTurn = 0.8f;
 const float kDistanceShare = 0.1f;
+// On a slope or an obstacle one track may slip while the other holds.
+const float kObstacleShare = 0.8f;
+
+// Difference of the tracks' speeds relative to the faster one, where the wheelbase begins to
+// change, where it is that of tight arcs, and where it is that of the spot.
+const float kWideArc = 0.35f;
+const float kTightArc = 0.6f;
+const float kSpin = 1.1f;
+// Counts of few samples are coarse: a lag of 0.1 s.
+const float kSpeedShare = 0.33f;
 
 // Duty that a full turn takes, and duty for a slope or bump relative to the robot's attitude at the
 // start. Loads rise at once and decay slowly.
@@ -68,6 +76,21 @@ float drained(float balance, float by) {
   if (balance > by) return balance - by;
   if (balance < -by) return balance + by;
   return 0.0f;
+}
+
+// Interpolates from `a` to `b` while `value` goes from `low` to `high`.
+float between(float value, float low, float high, float a, float b) {
+  const float share = (value - low) / (high - low);
+  return a + (b - a) * larger(0.0f, smaller(1.0f, share));
+}
+
+// Equivalent wheelbase for tracks whose ground sides move at these speeds, in any unit.
+float wheelbase_m(float left, float right, const wire::Parameters& p) {
+  const float faster = larger(magnitude(left), magnitude(right));
+  const float turn = faster > 0.0f ? magnitude(right - left) / faster : 0.0f;
+  if (turn <= kTightArc)
+    return between(turn, kWideArc, kTightArc, p.wheelbase_m, p.wheelbase_tight_m);
+  return between(turn, kTightArc, kSpin, p.wheelbase_tight_m, p.wheelbase_spin_m);
 }
 
 }  // namespace
@@ -212,6 +235,8 @@ void TurnMonitor::reset() {
   level_rad_ = 0.0f;
   slope_duty_ = 0.0f;
   turn_duty_ = 0.0f;
+  left_ = 0.0f;
+  right_ = 0.0f;
   accel_x_ = 0;
   samples_ = 0;
 }
@@ -226,22 +251,32 @@ TurnMonitor::Verdict TurnMonitor::update(const TurnMark& now, int16_t accel_x, f
   if (samples_++ < kSamples) return kGood;
   samples_ = 1;
   const float gyro_rad = turned(then_, now, true, bias_radps, p);
-  const float difference = gyro_rad - turned(then_, now, false, 0.0f, p);
   const int32_t left = distance(now.left_counts, then_.left_counts);
   const int32_t right = distance(now.right_counts, then_.right_counts);
+  const float left_ground = static_cast<float>(left) * (1.0f - p.slip_left);
+  const float right_ground = static_cast<float>(right) * (1.0f - p.slip_right);
+  left_ += (left_ground - left_) * kSpeedShare;
+  right_ += (right_ground - right_) * kSpeedShare;
+  const float difference = gyro_rad - (right_ground - left_ground) /
+                                          (p.counts_per_metre * wheelbase_m(left_, right_, p));
   const int32_t both = (left < 0 ? -left : left) + (right < 0 ? -right : right);
   const float elapsed_s = static_cast<float>(distance(now.device_us, then_.device_us)) * 1e-6f;
   then_ = now;
   const float driven_rad = 0.5f * static_cast<float>(both) / (p.counts_per_metre * p.wheelbase_m);
   weigh(magnitude(gyro_rad), driven_rad, elapsed_s);
-  const float slip_rad = kOfTurn * magnitude(gyro_rad) + kDistanceShare * driven_rad;
+  const float share =
+      slope_duty_ > 0.0f ? larger(p.turn_slip_share, kObstacleShare) : p.turn_slip_share;
+  const float slip_rad = share * magnitude(gyro_rad) + kDistanceShare * driven_rad;
   all_rad_ = drained(all_rad_ + difference, slip_rad);
   slow_rad_ = drained(slow_rad_ + clamp(difference, kSlowRadps * elapsed_s), slip_rad);
   if (magnitude(all_rad_) <= kMaxRad && magnitude(slow_rad_) <= kMaxSlowRad) return kGood;
+  // On the spot the track that counts less is the short one.
+  if ((left_ > 0.0f) != (right_ > 0.0f))
+    return magnitude(left_) < magnitude(right_) ? kLeftShort : kRightShort;
   // Driving forward, a robot that turns further left than its tracks indicate has a right track
   // that counts too little.
   const float left_turn = magnitude(all_rad_) > kMaxRad ? all_rad_ : slow_rad_;
-  return (left_turn > 0.0f) == (left + right >= 0) ? kRightShort : kLeftShort;
+  return (left_turn > 0.0f) == (left_ > 0.0f) ? kRightShort : kLeftShort;
 }
 
 void TurnMonitor::weigh(float turn_rad, float driven_rad, float elapsed_s) {

@@ -83,6 +83,8 @@ class TurnMonitor {
   float slope_rad_;
   float slope_duty_;
   float turn_duty_;
+  float left_;  // counts of a step at the ground, averaged over some steps
+  float right_;
   int32_t accel_x_;  // sum of the step
   uint8_t samples_;
 };

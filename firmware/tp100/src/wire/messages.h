@@ -14,7 +14,7 @@ namespace wire {
 /// Raised when a robot or client of the old version could misread the new one.
 const uint16_t kProtocolVersion = 1;
 /// FNV-1a of every message's type, field names and field types; a test recomputes it.
-const uint32_t kSchemaHash = 0xFF5AAEF4;
+const uint32_t kSchemaHash = 0xD27DA467;
 const uint32_t kBaud = 500000;
 
 /// Longest time for which a robot may drive on one command, whatever the command's expiry is. [ms]
@@ -242,12 +242,16 @@ enum ParameterFlag {
 /// of range.
 struct Parameters {
   static constexpr Type kType = Type::kParameters;
-  static constexpr size_t kSize = 71;
-  uint32_t boot_nonce;     ///< of this boot
-  uint32_t token;          ///< comes back in the acknowledgement
-  float counts_per_metre;  ///< edges per metre of track, 100..1e6
-  float wheelbase_m;       ///< equivalent wheelbase L of eq 5, 0.05..2
-  float slip_left;         ///< slip ratio used to invert eqs 1 and 5, -0.5..0.9
+  static constexpr size_t kSize = 83;
+  uint32_t boot_nonce;      ///< of this boot
+  uint32_t token;           ///< comes back in the acknowledgement
+  float counts_per_metre;   ///< edges per metre of track, 100..1e6
+  float wheelbase_m;        ///< equivalent wheelbase L of eq 5 in wide turns, 0.05..2
+  float wheelbase_tight_m;  ///< the same in tight arcs, 0.05..2
+  float wheelbase_spin_m;   ///< the same on the spot, 0.05..2
+  float turn_slip_share;    ///< part of a turn by which gyro and tracks may differ for long, 0..1;
+                            ///< 1: it is not known how the robot turns
+  float slip_left;          ///< slip ratio used to invert eqs 1 and 5, -0.5..0.9
   float slip_right;
   float max_track_mps;         ///< track speed limit, 0.01..2
   float max_track_mps2;        ///< track acceleration limit, 0.05..20
@@ -271,6 +275,9 @@ struct Parameters {
     TP100_WIRE_FIELD(v, token);
     TP100_WIRE_FIELD(v, counts_per_metre);
     TP100_WIRE_FIELD(v, wheelbase_m);
+    TP100_WIRE_FIELD(v, wheelbase_tight_m);
+    TP100_WIRE_FIELD(v, wheelbase_spin_m);
+    TP100_WIRE_FIELD(v, turn_slip_share);
     TP100_WIRE_FIELD(v, slip_left);
     TP100_WIRE_FIELD(v, slip_right);
     TP100_WIRE_FIELD(v, max_track_mps);
