@@ -48,6 +48,73 @@ Json schema_of_value(const Json& value) {
   }
 }
 
+// An older truth does not describe the present.
+constexpr HostNs kTruthHoldsNs = kNsPerS;
+
+/// What the messages of a step are made of.
+struct StepView {
+  const Messages& messages;
+  const StepRecord& record;
+  const std::optional<Truth>& truth;
+  bool truth_is_new;
+};
+
+/// A channel whose messages follow from steps.
+struct StepChannel {
+  Channel channel;
+  const char* topic;
+  const char* schema_name;
+  std::size_t kept;
+  HostNs period_ns;           ///< 0: every step
+  HostNs recorded_period_ns;  ///< in a recording
+  /// Its messages of one step.
+  std::vector<std::string> (*texts)(const StepView&);
+};
+
+template <PoseSource source>
+std::vector<std::string> pose_text(const StepView& of) {
+  return {of.messages.pose(of.record.now_ns, of.record.snapshot.estimates[source].pose)};
+}
+
+std::vector<std::string> truth_text(const StepView& of) {
+  if (!of.truth || !of.truth_is_new) return {};
+  return {of.messages.pose(of.truth->at_ns, of.truth->pose)};
+}
+
+std::vector<std::string> sample_texts(const StepView& of) {
+  std::vector<std::string> texts;
+  for (std::uint32_t i = 0; i < of.record.inputs.samples.size(); ++i)
+    texts.push_back(of.messages.sample(of.record.inputs.samples[i], of.record.now_ns));
+  return texts;
+}
+
+std::vector<std::string> command_text(const StepView& of) {
+  if (!of.record.command_valid) return {};
+  return {of.messages.command(of.record)};
+}
+
+const std::vector<StepChannel>& step_channels() {
+  // Every step is on /estimate; channels for 3-D display only need a display's rate.
+  constexpr HostNs kPoses = 20 * kNsPerMs, kSlip = 50 * kNsPerMs;
+  const char* const pose = "foxglove.PoseInFrame";
+  static const std::vector<StepChannel> channels = {
+      {Channel::kTransforms, "/tf", "foxglove.FrameTransforms", 0, 0, kPoses,
+       [](const StepView& of) { return std::vector{of.messages.transforms(of.record, of.truth)}; }},
+      {Channel::kPoseModel, "/pose/model", pose, 0, 0, kPoses, pose_text<PoseSource::kModel>},
+      {Channel::kPoseOdometry, "/pose/odometry", pose, 0, 0, kPoses,
+       pose_text<PoseSource::kOdometry>},
+      {Channel::kPoseFused, "/pose/fused", pose, 0, 0, kPoses, pose_text<PoseSource::kFused>},
+      {Channel::kPoseTruth, "/pose/truth", pose, 0, 0, kPoses, truth_text},
+      {Channel::kEstimate, "/estimate", "tp100.Estimate", 0, 0, 0,
+       [](const StepView& of) { return std::vector{of.messages.estimate(of.record, of.truth)}; }},
+      {Channel::kSample, "/sample", "tp100.Sample", 0, 0, 0, sample_texts},
+      {Channel::kCommand, "/command", "tp100.Command", 0, 0, 0, command_text},
+      {Channel::kSlip, "/slip", "tp100.Slip", 1, kSlip, kSlip,
+       [](const StepView& of) { return std::vector{of.messages.slip(of.record)}; }},
+  };
+  return channels;
+}
+
 /// A course with one element of each kind.
 std::shared_ptr<const course::Course> full_course() {
   course::Course course;
@@ -67,6 +134,7 @@ StepRecord full_record() {
   StepRecord record;
   record.command_valid = true;
   record.inputs.clock.valid = true;
+  record.inputs.samples.push(Sample{});
   record.snapshot.has_sample = true;
   record.snapshot.sample.faults = fault_bit(Fault::stop_requested);
   record.snapshot.filter.camera_age_us = 1;
@@ -101,48 +169,56 @@ std::string schema_of(const std::string& title, const std::string& example) {
   return schema.dump();
 }
 
+void StepMessages::take(const StepRecord& record, const Wanted& wanted, const Send& send) {
+  if (truth_ && record.now_ns - truth_->at_ns > kTruthHoldsNs) truth_.reset();
+  const StepView view{messages_, record, truth_, truth_is_new_};
+  for (const StepChannel& channel : step_channels()) {
+    HostNs& due_ns = due_ns_[static_cast<std::uint32_t>(channel.channel) - 1];
+    if (record.now_ns < due_ns || !wanted(channel.channel)) continue;
+    due_ns = record.now_ns + (recorded_ ? channel.recorded_period_ns : channel.period_ns);
+    for (std::string& text : channel.texts(view))
+      send(channel.channel, record.now_ns, std::move(text));
+    if (channel.channel == Channel::kPoseTruth) truth_is_new_ = false;
+  }
+}
+
 std::vector<ChannelText> channel_texts() {
   RunContext run_context;
   run_context.course = full_course();
   const Messages messages(run_context, {});
   const StepRecord record = full_record();
   const std::optional<Truth> truth = Truth{};
-  const Sample& sample = record.snapshot.sample;
   LinkFigures link;
   link.clock.valid = true;
   link.port.firmware = "0.1.0";
-  const std::string pose = messages.pose(0, {});
   const std::string scene = messages.scene(0);
 
-  std::vector<ChannelText> texts;
-  const auto add = [&](const char* topic, const char* schema_name, const std::string& example,
-                       std::size_t kept) {
-    texts.push_back({static_cast<Channel>(texts.size() + 1), topic, schema_name,
-                     schema_of(schema_name, example), kept});
+  std::vector<ChannelText> texts(kChannelCount);
+  const auto add = [&](Channel channel, const char* topic, const char* schema_name,
+                       const std::string& example, std::size_t kept) {
+    texts[static_cast<std::uint32_t>(channel) - 1] = {channel, topic, schema_name,
+                                                      schema_of(schema_name, example), kept};
   };
-  add("/tf", "foxglove.FrameTransforms", messages.transforms(record, truth), 0);
-  for (const char* topic : {"/pose/model", "/pose/odometry", "/pose/fused", "/pose/truth"})
-    add(topic, "foxglove.PoseInFrame", pose, 0);
-  add("/path", "foxglove.PosesInFrame", messages.path_poses(0), 1);
-  add("/scene", "foxglove.SceneUpdate", scene, 1);
-  add("/path_history", "foxglove.SceneUpdate", scene, 0);
-  add("/log", "foxglove.Log", messages.log({}), 100);
-  add("/estimate", "tp100.Estimate", messages.estimate(record, truth), 0);
-  add("/sample", "tp100.Sample", messages.sample(sample, 0), 0);
-  add("/command", "tp100.Command", messages.command(record), 0);
-  add("/slip", "tp100.Slip", messages.slip(record), 1);
-  add("/link", "tp100.Link", link_message(0.5, link), 1);
-  add("/loop", "tp100.Loop", loop_message(0.5, {}, run_context), 1);
-  add("/state", "tp100.State", state_message(0, {}, full_state(), run_context), 1);
-  add("/course", "tp100.Course", messages.course(), 1);
-  add("/event", "tp100.Event", messages.event({}), 100);
-  add("/parameter", "tp100.ParameterList", parameters_message({{{.name = "a", .choices = {"b"}}}}),
-      1);
-  texts.back().schema = without_values(texts.back().schema);
-  add("/recording", "tp100.Recording", recording_message({}), 1);
+  for (const StepChannel& one : step_channels())
+    add(one.channel, one.topic, one.schema_name, one.texts({messages, record, truth, true}).front(),
+        one.kept);
+  add(Channel::kPath, "/path", "foxglove.PosesInFrame", messages.path_poses(0), 1);
+  add(Channel::kScene, "/scene", "foxglove.SceneUpdate", scene, 1);
+  add(Channel::kPathHistory, "/path_history", "foxglove.SceneUpdate", scene, 0);
+  add(Channel::kLog, "/log", "foxglove.Log", messages.log({}), 100);
+  add(Channel::kLink, "/link", "tp100.Link", link_message(0.5, link), 1);
+  add(Channel::kLoop, "/loop", "tp100.Loop", loop_message(0.5, {}, run_context), 1);
+  add(Channel::kState, "/state", "tp100.State", state_message(0, {}, full_state(), run_context), 1);
+  add(Channel::kCourse, "/course", "tp100.Course", messages.course(), 1);
+  add(Channel::kEvent, "/event", "tp100.Event", messages.event({}), 100);
+  add(Channel::kParameter, "/parameter", "tp100.ParameterList",
+      parameters_message({{{.name = "a", .choices = {"b"}}}}), 1);
+  std::string& parameters = texts[static_cast<std::uint32_t>(Channel::kParameter) - 1].schema;
+  parameters = without_values(parameters);
+  add(Channel::kRecording, "/recording", "tp100.Recording", recording_message({}), 1);
   ClientsFigures clients;
   clients.clients.emplace_back();
-  add("/client", "tp100.ClientList", clients_message(clients), 1);
+  add(Channel::kClient, "/client", "tp100.ClientList", clients_message(clients), 1);
   return texts;
 }
 

@@ -1,11 +1,16 @@
 #pragma once
-// The channels of viewers and recordings: topic, schema, number of messages for a new subscriber.
+// The channels of viewers and recordings: topic, schema, number of messages for a new subscriber;
+// and the messages of those that follow from steps.
 
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/estimates.h"
+#include "messages/messages.h"
 
 namespace tp100::messages {
 
@@ -38,7 +43,7 @@ enum class Channel : std::uint32_t {
 inline constexpr PerSource<Channel> kPoseChannels = {
     {Channel::kPoseModel, Channel::kPoseOdometry, Channel::kPoseFused}};
 static_assert(kPoseChannels.values.back() != Channel{}, "a source without a channel");
-inline constexpr std::uint32_t kChannelCount = 21;
+inline constexpr auto kChannelCount = static_cast<std::uint32_t>(Channel::kClient);
 
 struct ChannelText {
   Channel channel{};
@@ -51,6 +56,33 @@ struct ChannelText {
 /// All channels, ascending by id. The schemas are derived from example messages, so that they
 /// cannot differ from the messages sent.
 std::vector<ChannelText> channel_texts();
+
+/// The messages that follow from steps, for viewers and recordings alike. One thread.
+class StepMessages {
+ public:
+  using Wanted = std::function<bool(Channel)>;
+  using Send = std::function<void(Channel, HostNs at, std::string json)>;
+
+  /// `recorded`: for a recording, which holds every step itself and therefore fewer poses.
+  /// `messages` has to outlive it.
+  StepMessages(const Messages& messages, bool recorded)
+      : messages_(messages), recorded_(recorded) {}
+
+  /// The robot's true pose; it describes the steps of the next second.
+  void take_truth(const Truth& truth) {
+    truth_ = truth;
+    truth_is_new_ = true;
+  }
+  /// Sends what follows from `record` on the channels that are due and `wanted`.
+  void take(const StepRecord& record, const Wanted& wanted, const Send& send);
+
+ private:
+  const Messages& messages_;
+  bool recorded_;
+  std::optional<Truth> truth_;
+  bool truth_is_new_ = false;
+  std::array<HostNs, kChannelCount> due_ns_{};
+};
 
 /// JSON schema of messages like `example`: an object without null fields. An empty array is taken
 /// for an array of objects.

@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
 constexpr std::uint64_t kChunkNs = 500'000'000;
-// Every step is on /estimate; channels for 3-D display only need a display's rate.
-constexpr HostNs kPosePeriodNs = 20 * kNsPerMs;
-constexpr HostNs kSlipPeriodNs = 50 * kNsPerMs;
-constexpr HostNs kTruthHoldsNs = 200 * kNsPerMs;
 
 /// Creates the folder of `path`, and returns `path`.
 const std::string& with_folder(const std::string& path) {
@@ -62,6 +58,7 @@ bool recorded(messages::Channel channel) {
 RecordingWriter::RecordingWriter(const RecordingSettings& settings, const RunFacts& facts)
     : settings_(settings),
       messages_(facts.run_context, settings.clock),
+      step_messages_(messages_, true),
       file_(with_folder(settings.path)),
       writer_(file_, "tp100 " + facts.run_context.version,
               settings.compress ? McapCompression::kZstd : McapCompression::kNone) {
@@ -118,33 +115,14 @@ void RecordingWriter::step(const StepRecord& record, std::span<const std::uint8_
   const HostNs now = record.now_ns;
   if (first_ns_ == 0) first_ns_ = now;
   write(step_channel_, now, bytes);
-  if (truth_ && now - truth_->at_ns > kTruthHoldsNs) truth_.reset();
-  message(messages::Channel::kEstimate, now, messages_.estimate(record, truth_));
-  for (std::uint32_t i = 0; i < record.inputs.samples.size(); ++i)
-    message(messages::Channel::kSample, now, messages_.sample(record.inputs.samples[i], now));
-  if (record.command_valid) message(messages::Channel::kCommand, now, messages_.command(record));
-  if (now >= next_slip_ns_) {
-    next_slip_ns_ = now + kSlipPeriodNs;
-    message(messages::Channel::kSlip, now, messages_.slip(record));
-  }
-  if (now >= next_pose_ns_) {
-    next_pose_ns_ = now + kPosePeriodNs;
-    poses(record);
-  }
-}
-
-void RecordingWriter::poses(const StepRecord& record) {
-  const HostNs now = record.now_ns;
-  message(messages::Channel::kTransforms, now, messages_.transforms(record, truth_));
-  for (const PoseSource source : kPoseSources)
-    message(messages::kPoseChannels[source], now,
-            messages_.pose(now, record.snapshot.estimates[source].pose));
-  if (truth_)
-    message(messages::Channel::kPoseTruth, now, messages_.pose(truth_->at_ns, truth_->pose));
+  step_messages_.take(record, recorded,
+                      [this](messages::Channel channel, HostNs at, const std::string& json) {
+                        message(channel, at, json);
+                      });
 }
 
 void RecordingWriter::truth(const messages::Truth& truth) {
-  truth_ = truth;
+  step_messages_.take_truth(truth);
   write(truth_channel_, truth.at_ns, bytes_of(truth_text(settings_.clock, truth)));
 }
 

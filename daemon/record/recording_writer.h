@@ -68,19 +68,18 @@ class RecordingWriter {
  private:
   void add_channels();
   void add_files(const RunFacts& facts);
-  void poses(const StepRecord& record);
   void write(std::uint16_t channel, HostNs at, std::span<const std::uint8_t> data);
   void end_chunk();
   void end_early(const std::string& why);
 
   RecordingSettings settings_;
   messages::Messages messages_;
+  messages::StepMessages step_messages_;
   RecordingFile file_;
   McapWriter writer_;
   std::uint16_t before_channel_ = 0, step_channel_ = 0, truth_channel_ = 0;
   std::map<messages::Channel, std::uint16_t> channels_;
-  std::optional<messages::Truth> truth_;
-  HostNs first_ns_ = 0, next_pose_ns_ = 0, next_slip_ns_ = 0;
+  HostNs first_ns_ = 0;
   bool active_ = true;
   std::string warning_;
 };

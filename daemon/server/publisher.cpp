@@ -14,8 +14,6 @@ std::uint64_t bad(const LinkCounters& link) {
   return link.corrupted() + link.unknown_type + link.wrong_size + link.implausible;
 }
 
-// An older truth does not describe the present.
-constexpr HostNs kOldestTruthNs = kNsPerS;
 constexpr HostNs kStopEventNs = 100 * kNsPerMs;
 
 bool under_way(RunState state) { return state == RunState::kArming || state == RunState::kRunning; }
@@ -91,7 +89,10 @@ bool StopMonitor::tick(HostNs now) {
 }
 
 Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& controls)
-    : broker_(broker), messages_(std::move(messages)), controls_(controls) {
+    : broker_(broker),
+      messages_(std::move(messages)),
+      step_messages_(messages_, false),
+      controls_(controls) {
   const HostNs at = clock().start_ns;
   publish(messages::Channel::kCourse, at, messages_.course());
   publish(messages::Channel::kPath, at, messages_.path_poses(at));
@@ -114,40 +115,15 @@ void Publisher::publish(messages::Channel channel, HostNs at, std::string json) 
 
 void Publisher::take(const StepRecord& record) {
   last_step_ns_ = record.now_ns;
-  if (truth_ && record.now_ns - truth_->at_ns > kOldestTruthNs) truth_.reset();
   link_.take(record);
   path_history_.add(record.snapshot);
   update_state(record);
-  publish_step(record);
-  if (slip_.due(record.now_ns))
-    publish(messages::Channel::kSlip, record.now_ns, messages_.slip(record));
+  step_messages_.take(
+      record, [this](messages::Channel channel) { return broker_.wanted(channel); },
+      [this](messages::Channel channel, HostNs at, std::string json) {
+        publish(channel, at, std::move(json));
+      });
   publish_state(record.now_ns, false);
-}
-
-void Publisher::publish_step(const StepRecord& record) {
-  const HostNs now = record.now_ns;
-  const Snapshot& snapshot = record.snapshot;
-  if (broker_.wanted(messages::Channel::kEstimate))
-    publish(messages::Channel::kEstimate, now, messages_.estimate(record, truth_));
-  if (broker_.wanted(messages::Channel::kTransforms))
-    publish(messages::Channel::kTransforms, now, messages_.transforms(record, truth_));
-  for (const PoseSource estimate : kPoseSources) {
-    const messages::Channel channel = messages::kPoseChannels[estimate];
-    if (broker_.wanted(channel))
-      publish(channel, now, messages_.pose(now, snapshot.estimates[estimate].pose));
-  }
-  if (truth_ && truth_->at_ns != truth_sent_ns_) {
-    truth_sent_ns_ = truth_->at_ns;
-    publish(messages::Channel::kPoseTruth, truth_->at_ns,
-            messages_.pose(truth_->at_ns, truth_->pose));
-  }
-  if (broker_.wanted(messages::Channel::kSample)) {
-    for (std::uint32_t i = 0; i < record.inputs.samples.size(); ++i)
-      publish(messages::Channel::kSample, record.inputs.samples[i].measured_ns,
-              messages_.sample(record.inputs.samples[i], now));
-  }
-  if (record.command_valid && broker_.wanted(messages::Channel::kCommand))
-    publish(messages::Channel::kCommand, now, messages_.command(record));
 }
 
 void Publisher::update_state(const StepRecord& record) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/step_record.h"
+#include "messages/channels.h"
 #include "messages/figures.h"
 #include "messages/messages.h"
 #include "messages/path_history.h"
@@ -70,7 +71,7 @@ class Publisher {
   Publisher(Broker& broker, messages::Messages messages, Controls& controls);
 
   void take(const StepRecord& record);
-  void take_truth(const messages::Truth& truth) { truth_ = truth; }
+  void take_truth(const messages::Truth& truth) { step_messages_.take_truth(truth); }
   void take(const messages::Event& event);
   /// STOP was pressed; the robot acknowledged one.
   void stop_pressed(const std::string& by, HostNs now);
@@ -99,28 +100,26 @@ class Publisher {
   };
 
   void publish(messages::Channel channel, HostNs at, std::string json);
-  void publish_step(const StepRecord& record);
   void update_state(const StepRecord& record);
   void publish_state(HostNs now, bool always);
   void publish_recording(HostNs now);
 
   Broker& broker_;
   messages::Messages messages_;
+  messages::StepMessages step_messages_;
   Controls& controls_;
   LinkMeter link_;
   messages::PathHistory path_history_;
   StopMonitor stop_;
   messages::StateFigures state_{};
   std::shared_ptr<const std::string> whole_path_history_;
-  std::optional<messages::Truth> truth_;
-  HostNs truth_sent_ns_ = 0;
   HostNs last_step_ns_ = 0;
   HostNs run_began_ns_ = 0;
   HostNs last_stop_event_ns_ = -kNsPerS;
   std::string last_state_key_;
   messages::RecordingFigures last_recording_{};
-  Every slip_{50 * kNsPerMs}, link_due_{200 * kNsPerMs}, loop_due_{500 * kNsPerMs},
-      state_due_{200 * kNsPerMs}, path_history_due_{500 * kNsPerMs}, recording_due_{kNsPerS};
+  Every link_due_{200 * kNsPerMs}, loop_due_{500 * kNsPerMs}, state_due_{200 * kNsPerMs},
+      path_history_due_{500 * kNsPerMs}, recording_due_{kNsPerS};
 };
 
 }  // namespace tp100::server
