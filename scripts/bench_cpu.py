@@ -60,7 +60,7 @@ class Part:
     def path_length(self):
         first = None
         for laps in (2, 20, 200):
-            values = self.row(f"path of {laps * 4} pieces", first, **self.one(laps=laps))
+            values = self.row(f"path of {laps * 4} segments", first, **self.one(laps=laps))
             first = first or values
 
     def viewers(self):

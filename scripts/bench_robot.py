@@ -22,7 +22,7 @@ def tied(processors):
 
 
 def laps(folder, count):
-    """A course file of that many laps in one place: four pieces each."""
+    """A course file of that many laps in one place: four segments each."""
     path = os.path.join(folder, f"laps-{count}.toml")
     line = '[[segment]]\ntype = "line"\nlength_m = 1.0\n'
     arc = '[[segment]]\ntype = "arc"\nradius_m = 0.4\nangle_deg = 180.0\n'

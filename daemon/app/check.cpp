@@ -64,7 +64,7 @@ constexpr std::array<Word, 39> kWords = {{
 std::string text_of(const course::Course& course) {
   const course::Path path(course);
   return "course " + course.name + ": " + text::number_text(path.length_m()) + " m in " +
-         std::to_string(path.pieces().size()) + " pieces at " +
+         std::to_string(path.segments().size()) + " segments at " +
          text::number_text(course.speed_mps) + " m/s, " +
          std::to_string(course.disturbances.size()) + " disturbances, " +
          std::to_string(course.terrain.ramps.size()) + " ramps, " +

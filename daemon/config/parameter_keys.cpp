@@ -184,7 +184,7 @@ std::span<const Key<control::Parameters>> control_keys() {
       {"settle_s",
        &T::settle_s,
        {0, 5},
-       "A piece of the path is complete after standstill within the tolerances for this long"},
+       "A segment of the path is complete after standstill within the tolerances for this long"},
       {"max_cross_track_m",
        &T::max_cross_track_m,
        {0.01, 10},

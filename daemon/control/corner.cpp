@@ -7,10 +7,10 @@
 
 namespace tp100::control {
 
-void PivotProfile::begin(const course::Piece& piece, double most_radps) {
+void PivotProfile::begin(const course::PathSegment& segment, double most_radps) {
   most_radps_ = most_radps;
-  yaw_rad_ = piece.begin.yaw_rad;
-  end_rad_ = piece.end.yaw_rad;
+  yaw_rad_ = segment.begin.yaw_rad;
+  end_rad_ = segment.end.yaw_rad;
   rate_radps_ = 0.0;
   arrived_ = false;
 }
@@ -43,7 +43,8 @@ constexpr double kDrawnMps = 0.04;
 
 }  // namespace
 
-Corner::Corner(const course::Piece& turn, double x_icr_m, double room_m) : corner_(turn.begin) {
+Corner::Corner(const course::PathSegment& turn, double x_icr_m, double room_m)
+    : corner_(turn.begin) {
   const double angle = turn.end.yaw_rad - turn.begin.yaw_rad;
   angle_rad_ = std::abs(angle);
   side_ = angle < 0.0 ? -1.0 : 1.0;

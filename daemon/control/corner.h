@@ -13,7 +13,7 @@ namespace tp100::control {
 class PivotProfile {
  public:
   /// Never faster than `most_radps`.
-  void begin(const course::Piece& piece, double most_radps);
+  void begin(const course::PathSegment& segment, double most_radps);
   /// One step; never faster than allows a stop at the end.
   void update(const Parameters& parameters, double dt_s);
 
@@ -42,9 +42,9 @@ class Corner {
  public:
   /// A turn without an arc: the robot turns on the spot.
   Corner() = default;
-  /// `turn` is a piece of kind pivot; `room_m` is the length of line available before it and after
-  /// it. There is no arc if the room is too small or nothing is gained.
-  Corner(const course::Piece& turn, double x_icr_m, double room_m);
+  /// `turn` is a segment of kind pivot; `room_m` is the length of line available before it and
+  /// after it. There is no arc if the room is too small or nothing is gained.
+  Corner(const course::PathSegment& turn, double x_icr_m, double room_m);
 
   /// Radius of the turning centre's arc; 0: no arc. [m]
   double radius_m() const { return radius_m_; }

@@ -1,6 +1,6 @@
 #pragma once
 // A steering law: from the robot's errors against the path to the desired yaw and turn rate.
-// Pieces, progress, turns on the spot and speed are the tracker's and the same for every law.
+// Segments, progress, turns on the spot and speed are the tracker's and the same for every law.
 
 #include <memory>
 

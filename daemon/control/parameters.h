@@ -37,7 +37,7 @@ struct Parameters {
   double pivot_acceleration_radps2 = 1.5;
   double pivot_tolerance_rad = 0.9 * kRadPerDeg;
   double stop_tolerance_m = 0.003;
-  double settle_s = 0.3;  ///< standstill within tolerances for this long: piece done
+  double settle_s = 0.3;  ///< standstill within tolerances for this long: segment done
   double max_cross_track_m = 0.20;
   double max_heading_error_rad = 60 * kRadPerDeg;
   double max_tilt_rad = 50 * kRadPerDeg;

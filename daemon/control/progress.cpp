@@ -10,7 +10,9 @@ namespace {
 // More than a robot drives in a step, less than the distance between two parts of a path.
 constexpr double kWindowM = 0.05;
 
-bool is_pivot(const course::Piece& piece) { return piece.kind == course::Piece::Kind::kPivot; }
+bool is_pivot(const course::PathSegment& segment) {
+  return segment.kind == course::PathSegment::Kind::kPivot;
+}
 
 }  // namespace
 
@@ -19,14 +21,15 @@ void Progress::restart() {
   offset_m_ = 0.0;
 }
 
-/// True if piece `index` goes on without a stop into the one after it.
+/// True if segment `index` goes on without a stop into the one after it.
 bool Progress::joined(std::size_t index) const {
-  const auto& pieces = path_.pieces();
-  return index + 1 < pieces.size() && !is_pivot(pieces[index]) && !is_pivot(pieces[index + 1]);
+  const auto& segments = path_.segments();
+  return index + 1 < segments.size() && !is_pivot(segments[index]) &&
+         !is_pivot(segments[index + 1]);
 }
 
 bool Progress::next() {
-  if (index_ + 1 == path_.pieces().size()) return false;
+  if (index_ + 1 == path_.segments().size()) return false;
   ++index_;
   offset_m_ = 0.0;
   return true;
@@ -35,8 +38,8 @@ bool Progress::next() {
 void Progress::advance(double x_m, double y_m) {
   double most_m = offset_m_ + kWindowM;
   offset_m_ = std::clamp(path_.project(index_, x_m, y_m, offset_m_), offset_m_, most_m);
-  while (offset_m_ >= piece().length_m && joined(index_)) {
-    most_m -= piece().length_m;
+  while (offset_m_ >= segment().length_m && joined(index_)) {
+    most_m -= segment().length_m;
     ++index_;
     offset_m_ = std::clamp(path_.project(index_, x_m, y_m, 0.0), 0.0, std::max(most_m, 0.0));
   }
@@ -49,11 +52,11 @@ void Progress::reproject(double x_m, double y_m, double window_m) {
   while (joined(last)) ++last;
   double nearest_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = first; i <= last; ++i) {
-    const course::Piece& piece = path_.pieces()[i];
-    const double from_m = std::max(here_m - window_m - piece.begin.s_m, 0.0);
-    const double to_m = std::min(here_m + window_m - piece.begin.s_m, piece.length_m);
+    const course::PathSegment& segment = path_.segments()[i];
+    const double from_m = std::max(here_m - window_m - segment.begin.s_m, 0.0);
+    const double to_m = std::min(here_m + window_m - segment.begin.s_m, segment.length_m);
     if (from_m > to_m) continue;
-    const double about_m = here_m - piece.begin.s_m;
+    const double about_m = here_m - segment.begin.s_m;
     const double offset_m = std::clamp(path_.project(i, x_m, y_m, about_m), from_m, to_m);
     const course::PathPoint point = path_.at(i, offset_m);
     const double distance_m = std::hypot(x_m - point.x_m, y_m - point.y_m);
@@ -67,12 +70,12 @@ void Progress::reproject(double x_m, double y_m, double window_m) {
 course::PathPoint Progress::ahead(double distance_m) const {
   std::size_t index = index_;
   double offset_m = offset_m_ + distance_m;
-  while (offset_m > path_.pieces()[index].length_m && joined(index)) {
-    offset_m -= path_.pieces()[index].length_m;
+  while (offset_m > path_.segments()[index].length_m && joined(index)) {
+    offset_m -= path_.segments()[index].length_m;
     ++index;
   }
   course::PathPoint point = path_.at(index, offset_m);
-  const double beyond_m = std::max(offset_m - path_.pieces()[index].length_m, 0.0);
+  const double beyond_m = std::max(offset_m - path_.segments()[index].length_m, 0.0);
   point.s_m += beyond_m;
   point.x_m += beyond_m * std::cos(point.yaw_rad);
   point.y_m += beyond_m * std::sin(point.yaw_rad);
@@ -81,13 +84,13 @@ course::PathPoint Progress::ahead(double distance_m) const {
 
 std::size_t Progress::next_turn() const {
   std::size_t index = index_;
-  while (index < path_.pieces().size() && !is_pivot(path_.pieces()[index])) ++index;
+  while (index < path_.segments().size() && !is_pivot(path_.segments()[index])) ++index;
   return index;
 }
 
 double Progress::left_m() const {
-  double left = piece().length_m - offset_m_;
-  for (std::size_t i = index_; joined(i); ++i) left += path_.pieces()[i + 1].length_m;
+  double left = segment().length_m - offset_m_;
+  for (std::size_t i = index_; joined(i); ++i) left += path_.segments()[i + 1].length_m;
   return left;
 }
 

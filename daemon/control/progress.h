@@ -1,5 +1,5 @@
 #pragma once
-// How far along the path the robot is: which piece, and where in it.
+// How far along the path the robot is: which segment, and where in it.
 
 #include <cstddef>
 
@@ -15,8 +15,8 @@ class Progress {
   explicit Progress(const course::Path& path) : path_(path) {}
 
   void restart();
-  const course::Piece& piece() const { return path_.pieces()[index_]; }
-  /// On to the next piece; false at the last one.
+  const course::PathSegment& segment() const { return path_.segments()[index_]; }
+  /// On to the next segment; false at the last one.
   bool next();
   /// To the nearest point from here on; over joints, not over a turn on the spot.
   void advance(double x_m, double y_m);
@@ -27,7 +27,7 @@ class Progress {
   course::PathPoint here() const { return path_.at(index_, offset_m_); }
   /// The point `distance_m` further on. Beyond the next stop the path is extended straight.
   course::PathPoint ahead(double distance_m) const;
-  /// Index of the turn on the spot that is next or under way; the number of pieces if there is
+  /// Index of the turn on the spot that is next or under way; the number of segments if there is
   /// none.
   std::size_t next_turn() const;
   /// Distance to the next turn on the spot or to the end.

@@ -11,7 +11,7 @@ namespace {
 // The tracks' speed is quantised to a few edges: a shorter sign is noise.
 constexpr double kDisturbedS = 0.015;
 
-using Kind = course::Piece::Kind;
+using Kind = course::PathSegment::Kind;
 
 constexpr double kStandstillMps = 0.005;
 constexpr double kStandstillRadps = 0.05;
@@ -33,10 +33,11 @@ double x_icr_m(const model::TrackParameters& tracks, double ratio) {
 constexpr double kSpot = -1.0, kSteering = 0.4;
 
 std::vector<Corner> corners(const course::Path& path, double x_icr_m) {
-  const auto& pieces = path.pieces();
-  std::vector<Corner> result(pieces.size() + 1);
-  for (std::size_t i = 1; i + 1 < pieces.size(); ++i) {
-    const course::Piece &before = pieces[i - 1], &turn = pieces[i], &after = pieces[i + 1];
+  const auto& segments = path.segments();
+  std::vector<Corner> result(segments.size() + 1);
+  for (std::size_t i = 1; i + 1 < segments.size(); ++i) {
+    const course::PathSegment &before = segments[i - 1], &turn = segments[i],
+                              &after = segments[i + 1];
     if (before.kind == Kind::kLine && turn.kind == Kind::kPivot && after.kind == Kind::kLine)
       result[i] = Corner{turn, x_icr_m, std::min(before.length_m, after.length_m)};
   }
@@ -79,14 +80,14 @@ Tracker::Tracker(const Parameters& parameters, const course::Path& path, const D
       corners_(corners(path, x_icr_m(drive.tracks, kSpot))),
       law_(make_law(parameters, drive.limits)),
       progress_(path) {
-  for (const course::Piece& piece : path_.pieces()) {
-    if (piece.kind == Kind::kPivot) {
+  for (const course::PathSegment& segment : path_.segments()) {
+    if (segment.kind == Kind::kPivot) {
       nominal_duration_s_ +=
-          std::abs(piece.end.yaw_rad - piece.begin.yaw_rad) / parameters_.pivot_rate_radps +
+          std::abs(segment.end.yaw_rad - segment.begin.yaw_rad) / parameters_.pivot_rate_radps +
           parameters_.pivot_rate_radps / parameters_.pivot_acceleration_radps2 +
           2.0 * parameters_.settle_s;
     } else {
-      nominal_duration_s_ += piece.length_m / curve_mps(piece.begin.curvature_1pm);
+      nominal_duration_s_ += segment.length_m / curve_mps(segment.begin.curvature_1pm);
     }
   }
   nominal_duration_s_ += drive_.speed_mps / parameters_.acceleration_mps2 + parameters_.settle_s;
@@ -98,24 +99,24 @@ void Tracker::restart() {
   recovery_.restart();
   commanded_mps_ = 0.0;
   target_ = Target{};
-  begin_piece();
+  begin_segment();
 }
 
-void Tracker::begin_piece() {
+void Tracker::begin_segment() {
   settled_s_ = 0.0;
   waited_s_ = 0.0;
   stopping_ = false;
-  if (progress_.piece().kind == Kind::kPivot) {
+  if (progress_.segment().kind == Kind::kPivot) {
     const double most_mps = kTurnShare * drive_.limits.max_track_mps *
                             (1.0 - std::max(drive_.limits.slip_left, drive_.limits.slip_right));
-    pivot_.begin(progress_.piece(),
+    pivot_.begin(progress_.segment(),
                  most_mps / (drive_.limits.wheelbase_m / 2.0 + corner().radius_m()));
   }
 }
 
-void Tracker::next_piece() {
+void Tracker::next_segment() {
   if (progress_.next())
-    begin_piece();
+    begin_segment();
   else
     target_.done = true;
 }
@@ -141,7 +142,7 @@ const Target& Tracker::update(const Pose& pose, const Twist& twist, double dt_s,
     return target_;
   }
   if (disturbed) recovery_.begin();
-  if (progress_.piece().kind == Kind::kPivot) {
+  if (progress_.segment().kind == Kind::kPivot) {
     turn(pose, twist, dt_s);
   } else {
     // After a disturbance the robot may be behind its earlier position.
@@ -168,7 +169,7 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   stopping_ = stopping_ || left_m <= parameters_.stop_tolerance_m;
   if (stopping_) {
     stand(pose.yaw_rad);
-    if (settled(twist, true, dt_s)) next_piece();
+    if (settled(twist, true, dt_s)) next_segment();
     return;
   }
   steer(pose, twist, here, left_m, dt_s);
@@ -238,11 +239,11 @@ void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoin
 }
 
 void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
-  const course::Piece& piece = progress_.piece();
+  const course::PathSegment& segment = progress_.segment();
   commanded_mps_ = 0.0;
   target_.speed_mps = 0.0;
   target_.cross_track_m = 0.0;
-  target_.progress_m = piece.begin.s_m;
+  target_.progress_m = segment.begin.s_m;
   // A corner may be passed beside its point.
   const double reach_m = corner().reach_m();
   target_.off_path_m = path_.distance(pose.x_m, pose.y_m, target_.progress_m - reach_m,
@@ -253,7 +254,7 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
   if (!pivot_.arrived()) target_.speed_mps = corner().speed_mps(pose, pivot_.rate_radps());
   const double error = std::abs(wrap_angle(pivot_.yaw_rad() - pose.yaw_rad));
   if (pivot_.arrived() && settled(twist, error < parameters_.pivot_tolerance_rad, dt_s))
-    next_piece();
+    next_segment();
 }
 
 }  // namespace tp100::control

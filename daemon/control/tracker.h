@@ -1,6 +1,6 @@
 #pragma once
-// Trajectory tracking along the pieces of a path: progress, speed, stops, turns on the spot and the
-// return after a disturbance. Lines and arcs are steered by a law (law.h).
+// Trajectory tracking along the segments of a path: progress, speed, stops, turns on the spot and
+// the return after a disturbance. Lines and arcs are steered by a law (law.h).
 
 #include <cstdint>
 #include <memory>
@@ -107,8 +107,8 @@ class Tracker {
   double nominal_duration_s() const { return nominal_duration_s_; }
 
  private:
-  void next_piece();
-  void begin_piece();
+  void next_segment();
+  void begin_segment();
   const Corner& corner() const { return corners_[progress_.next_turn()]; }
   void follow(const Pose& pose, const Twist& twist, double dt_s);
   void steer(const Pose& pose, const Twist& twist, const course::PathPoint& here, double left_m,
@@ -124,7 +124,7 @@ class Tracker {
   Parameters parameters_;
   const course::Path& path_;
   DriveModel drive_;
-  std::vector<Corner> corners_;  ///< one for each piece's turn on the spot, and one for none
+  std::vector<Corner> corners_;  ///< one for each segment's turn on the spot, and one for none
   std::unique_ptr<Law> law_;
   double nominal_duration_s_ = 0.0;
   Progress progress_;

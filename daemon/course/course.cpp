@@ -8,6 +8,12 @@ void mirror(Place& place) {
   place.heading_rad = -place.heading_rad;
 }
 
+struct Mirror {
+  void operator()(Line& /*line*/) const {}
+  void operator()(Arc& arc) const { arc.angle_rad = -arc.angle_rad; }
+  void operator()(Pivot& pivot) const { pivot.angle_rad = -pivot.angle_rad; }
+};
+
 }  // namespace
 
 Course mirrored(const Course& course) {
@@ -15,10 +21,7 @@ Course mirrored(const Course& course) {
   other.name += "-mirrored";
   other.start.y_m = -other.start.y_m;
   other.start.yaw_rad = -other.start.yaw_rad;
-  for (Segment& segment : other.path) {
-    if (Arc* arc = std::get_if<Arc>(&segment)) arc->angle_rad = -arc->angle_rad;
-    if (Pivot* pivot = std::get_if<Pivot>(&segment)) pivot->angle_rad = -pivot->angle_rad;
-  }
+  for (Segment& segment : other.path) std::visit(Mirror{}, segment);
   for (Disturbance& disturbance : other.disturbances) {
     disturbance.sideways_m = -disturbance.sideways_m;
     disturbance.yaw_rad = -disturbance.yaw_rad;

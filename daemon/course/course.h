@@ -11,11 +11,11 @@
 
 namespace tp100::course {
 
-/// Straight piece. [m]
+/// Straight segment. [m]
 struct Line {
   double length_m;
 };
-/// Circular piece; a positive angle turns left.
+/// Circular segment; a positive angle turns left.
 struct Arc {
   double radius_m;
   double angle_rad;

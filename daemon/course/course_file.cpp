@@ -129,10 +129,10 @@ Disturbance disturbance_of(text::TomlTable table, double length_m, double after_
 
 void require_inside(const Path& path, const Fence& fence, const text::TomlTable& table) {
   constexpr int kSteps = 180;
-  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
-    const Piece& piece = path.pieces()[i];
+  for (std::size_t i = 0; i < path.segments().size(); ++i) {
+    const PathSegment& segment = path.segments()[i];
     for (int step = 0; step <= kSteps; ++step) {
-      const PathPoint point = path.at(i, piece.length_m * step / kSteps);
+      const PathPoint point = path.at(i, segment.length_m * step / kSteps);
       if (point.x_m < fence.min_x_m || point.x_m > fence.max_x_m || point.y_m < fence.min_y_m ||
           point.y_m > fence.max_y_m)
         table.fail("fence", "the path leaves the fence at (" + text::number_text(point.x_m) + ", " +

@@ -44,31 +44,33 @@ double nearest_offset(const PathPoint& begin, double length_m, double x_m, doubl
 struct Builder {
   PathPoint here;
 
-  Piece operator()(const Line& line) const { return moved(Piece::Kind::kLine, line.length_m, 0.0); }
-
-  Piece operator()(const Arc& arc) const {
-    const double sign = arc.angle_rad < 0.0 ? -1.0 : 1.0;
-    Piece piece =
-        moved(Piece::Kind::kArc, arc.radius_m * std::abs(arc.angle_rad), sign / arc.radius_m);
-    piece.end.yaw_rad = here.yaw_rad + arc.angle_rad;
-    return piece;
+  PathSegment operator()(const Line& line) const {
+    return moved(PathSegment::Kind::kLine, line.length_m, 0.0);
   }
 
-  Piece operator()(const Pivot& pivot) const {
-    Piece piece = moved(Piece::Kind::kPivot, 0.0, 0.0);
-    piece.end.yaw_rad += pivot.angle_rad;
-    return piece;
+  PathSegment operator()(const Arc& arc) const {
+    const double sign = arc.angle_rad < 0.0 ? -1.0 : 1.0;
+    PathSegment segment =
+        moved(PathSegment::Kind::kArc, arc.radius_m * std::abs(arc.angle_rad), sign / arc.radius_m);
+    segment.end.yaw_rad = here.yaw_rad + arc.angle_rad;
+    return segment;
+  }
+
+  PathSegment operator()(const Pivot& pivot) const {
+    PathSegment segment = moved(PathSegment::Kind::kPivot, 0.0, 0.0);
+    segment.end.yaw_rad += pivot.angle_rad;
+    return segment;
   }
 
  private:
-  Piece moved(Piece::Kind kind, double length_m, double curvature_1pm) const {
-    Piece piece;
-    piece.kind = kind;
-    piece.begin = here;
-    piece.begin.curvature_1pm = curvature_1pm;
-    piece.end = along(piece.begin, length_m);
-    piece.length_m = length_m;
-    return piece;
+  PathSegment moved(PathSegment::Kind kind, double length_m, double curvature_1pm) const {
+    PathSegment segment;
+    segment.kind = kind;
+    segment.begin = here;
+    segment.begin.curvature_1pm = curvature_1pm;
+    segment.end = along(segment.begin, length_m);
+    segment.length_m = length_m;
+    return segment;
   }
 };
 
@@ -79,47 +81,47 @@ Path::Path(const Course& course) {
   builder.here.x_m = course.start.x_m;
   builder.here.y_m = course.start.y_m;
   builder.here.yaw_rad = course.start.yaw_rad;
-  pieces_.reserve(course.path.size());
+  segments_.reserve(course.path.size());
   for (const Segment& segment : course.path) {
-    pieces_.push_back(std::visit(builder, segment));
-    builder.here = pieces_.back().end;
+    segments_.push_back(std::visit(builder, segment));
+    builder.here = segments_.back().end;
   }
   length_m_ = builder.here.s_m;
 }
 
 PathPoint Path::at(std::size_t index, double offset_m) const {
-  const Piece& piece = pieces_[std::min(index, pieces_.size() - 1)];
-  return along(piece.begin, std::clamp(offset_m, 0.0, piece.length_m));
+  const PathSegment& segment = segments_[std::min(index, segments_.size() - 1)];
+  return along(segment.begin, std::clamp(offset_m, 0.0, segment.length_m));
 }
 
 PathPoint Path::at(double s_m) const {
   std::size_t index = 0;
-  while (index + 1 < pieces_.size() && pieces_[index].end.s_m < s_m) ++index;
+  while (index + 1 < segments_.size() && segments_[index].end.s_m < s_m) ++index;
   // Past the end, a closing pivot would hide the curvature and pose before it.
-  while (index > 0 && pieces_[index].kind == Piece::Kind::kPivot) --index;
-  return at(index, s_m - pieces_[index].begin.s_m);
+  while (index > 0 && segments_[index].kind == PathSegment::Kind::kPivot) --index;
+  return at(index, s_m - segments_[index].begin.s_m);
 }
 
 double Path::project(std::size_t index, double x_m, double y_m) const {
-  const Piece& piece = pieces_[std::min(index, pieces_.size() - 1)];
-  return project(index, x_m, y_m, piece.length_m / 2.0);
+  const PathSegment& segment = segments_[std::min(index, segments_.size() - 1)];
+  return project(index, x_m, y_m, segment.length_m / 2.0);
 }
 
 double Path::project(std::size_t index, double x_m, double y_m, double about_m) const {
-  const Piece& piece = pieces_[std::min(index, pieces_.size() - 1)];
-  return nearest_offset(piece.begin, piece.length_m, x_m, y_m,
-                        std::clamp(about_m, 0.0, piece.length_m));
+  const PathSegment& segment = segments_[std::min(index, segments_.size() - 1)];
+  return nearest_offset(segment.begin, segment.length_m, x_m, y_m,
+                        std::clamp(about_m, 0.0, segment.length_m));
 }
 
 double Path::distance(double x_m, double y_m, double s_from, double s_to) const {
   s_from = std::clamp(s_from, 0.0, length_m_);
   s_to = std::clamp(s_to, s_from, length_m_);
   double best = std::numeric_limits<double>::infinity();
-  for (const Piece& piece : pieces_) {
-    if (piece.end.s_m < s_from || piece.begin.s_m > s_to) continue;
-    const double from = std::max(0.0, s_from - piece.begin.s_m);
-    const double to = std::clamp(s_to - piece.begin.s_m, from, std::max(from, piece.length_m));
-    const PathPoint begin = along(piece.begin, from);
+  for (const PathSegment& segment : segments_) {
+    if (segment.end.s_m < s_from || segment.begin.s_m > s_to) continue;
+    const double from = std::max(0.0, s_from - segment.begin.s_m);
+    const double to = std::clamp(s_to - segment.begin.s_m, from, std::max(from, segment.length_m));
+    const PathPoint begin = along(segment.begin, from);
     const double length = to - from;
     const PathPoint near = along(begin, nearest_offset(begin, length, x_m, y_m, length / 2.0));
     best = std::min(best, std::hypot(x_m - near.x_m, y_m - near.y_m));

@@ -16,8 +16,8 @@ struct PathPoint {
   double curvature_1pm = 0.0;  ///< left positive
 };
 
-/// One stretch between two stops: the robot comes to rest before and after every pivot.
-struct Piece {
+/// A segment of the course in its place on the path. The robot stops before and after every pivot.
+struct PathSegment {
   enum class Kind { kLine, kArc, kPivot } kind = Kind::kLine;
   PathPoint begin{};
   PathPoint end{};        ///< for a pivot: same place, yaw turned
@@ -30,15 +30,15 @@ class Path {
  public:
   explicit Path(const Course& course);
 
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<PathSegment>& segments() const { return segments_; }
   double length_m() const { return length_m_; }
 
-  /// Point `offset_m` into piece `index`, offset clamped to the piece.
+  /// Point `offset_m` into segment `index`, offset clamped to the segment.
   PathPoint at(std::size_t index, double offset_m) const;
   /// Point at length `s_m` from the start, clamped; at a pivot, the pose before it.
   PathPoint at(double s_m) const;
 
-  /// Offset in [0, length] of the point of piece `index` nearest to (x, y). An arc of more than a
+  /// Offset in [0, length] of the point of segment `index` nearest to (x, y). An arc of more than a
   /// turn has several; this is the one nearest to its middle.
   double project(std::size_t index, double x_m, double y_m) const;
   /// The same near the known offset `about_m`: an arc counts only within half a turn of it.
@@ -48,7 +48,7 @@ class Path {
   double distance(double x_m, double y_m, double s_from, double s_to) const;
 
  private:
-  std::vector<Piece> pieces_;
+  std::vector<PathSegment> segments_;
   double length_m_ = 0.0;
 };
 

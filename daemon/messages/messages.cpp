@@ -138,6 +138,18 @@ void write_terrain(text::JsonWriter& json, const course::Terrain& terrain) {
   json.end_array();
 }
 
+const char* kind_name(course::PathSegment::Kind kind) {
+  switch (kind) {
+    case course::PathSegment::Kind::kLine:
+      return "line";
+    case course::PathSegment::Kind::kArc:
+      return "arc";
+    case course::PathSegment::Kind::kPivot:
+      break;
+  }
+  return "pivot";
+}
+
 void write_path(text::JsonWriter& json, const course::Path* path) {
   json.key("path").begin_array();
   if (path != nullptr) {
@@ -150,17 +162,15 @@ void write_path(text::JsonWriter& json, const course::Path* path) {
           .end_object();
     }
   }
-  json.end_array().key("pieces").begin_array();
+  json.end_array().key("segments").begin_array();
   if (path != nullptr) {
-    for (const course::Piece& piece : path->pieces()) {
-      const double k = piece.begin.curvature_1pm;
+    for (const course::PathSegment& segment : path->segments()) {
+      const double k = segment.begin.curvature_1pm;
       json.begin_object()
-          .field("kind", piece.kind == course::Piece::Kind::kLine  ? "line"
-                         : piece.kind == course::Piece::Kind::kArc ? "arc"
-                                                                   : "pivot")
-          .field("from_m", piece.begin.s_m)
-          .field("to_m", piece.end.s_m)
-          .field("angle_rad", piece.end.yaw_rad - piece.begin.yaw_rad)
+          .field("kind", kind_name(segment.kind))
+          .field("from_m", segment.begin.s_m)
+          .field("to_m", segment.end.s_m)
+          .field("angle_rad", segment.end.yaw_rad - segment.begin.yaw_rad)
           .field("radius_m", k == 0.0 ? 0.0 : 1.0 / std::abs(k))
           .end_object();
     }
@@ -186,14 +196,14 @@ void write_robot(text::JsonWriter& json, const course::Robot& robot) {
 
 std::vector<course::PathPoint> path_points(const course::Path& path, double spacing_m) {
   std::vector<course::PathPoint> points;
-  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
-    const course::Piece& piece = path.pieces()[i];
-    const auto parts = static_cast<std::size_t>(std::ceil(piece.length_m / spacing_m));
-    if (i == 0) points.push_back(piece.begin);
+  for (std::size_t i = 0; i < path.segments().size(); ++i) {
+    const course::PathSegment& segment = path.segments()[i];
+    const auto parts = static_cast<std::size_t>(std::ceil(segment.length_m / spacing_m));
+    if (i == 0) points.push_back(segment.begin);
     for (std::size_t k = 1; k < parts; ++k)
       points.push_back(
-          path.at(i, piece.length_m * static_cast<double>(k) / static_cast<double>(parts)));
-    points.push_back(piece.end);
+          path.at(i, segment.length_m * static_cast<double>(k) / static_cast<double>(parts)));
+    points.push_back(segment.end);
   }
   return points;
 }

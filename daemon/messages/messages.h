@@ -93,7 +93,8 @@ class Messages {
   std::optional<course::Path> path_;
 };
 
-/// The reference path, a point at most every `spacing_m`; both ends of every piece are among them.
+/// The reference path, a point at most every `spacing_m`; both ends of every segment are among
+/// them.
 std::vector<course::PathPoint> path_points(const course::Path& path, double spacing_m);
 
 }  // namespace tp100::messages

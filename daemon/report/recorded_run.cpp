@@ -251,7 +251,7 @@ void Reader::judge() {
   } else {
     result.finished = true;
     const course::Path path(*run_.run_context.course);
-    const course::PathPoint goal = path.at(path.pieces().size() - 1, path.length_m());
+    const course::PathPoint goal = path.at(path.segments().size() - 1, path.length_m());
     const Pose& end = result.points.back().world;
     if (std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m) > kEndToleranceM)
       result.cause = "ended too far from the end of the path";

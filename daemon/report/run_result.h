@@ -24,7 +24,7 @@ struct TrajectoryPoint {
   Pose odometry{};   ///< encoders + gyro
   Pose fused{};      ///< with the overhead camera, if the run had one
   double progress_m =
-      0.0;  ///< along the path, as estimated by the controller; distinguishes crossing pieces
+      0.0;  ///< along the path, as estimated by the controller; distinguishes crossing segments
   bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet
   double imu_pitch_rad = 0.0;  ///< by the IMU, of the real body
   Slope slope = Slope::kFlat;  ///< state derived from it

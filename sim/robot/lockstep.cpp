@@ -333,7 +333,7 @@ report::RunResult Lockstep::run() {
 
 void Lockstep::judge(RunState state, std::int64_t end_ns) {
   result_.duration_s = begin_ns_ < 0 ? 0.0 : to_s(end_ns - from_s(kStandstillS) - begin_ns_);
-  const course::PathPoint goal = path_.at(path_.pieces().size() - 1, path_.length_m());
+  const course::PathPoint goal = path_.at(path_.segments().size() - 1, path_.length_m());
   const Pose end = begin_ns_ < 0 || (stand() && result_.points.empty()) ? settings_.course.start
                    : stand() ? result_.points.back().world
                              : in_world(truth_now());

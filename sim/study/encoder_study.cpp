@@ -37,7 +37,7 @@ constexpr std::array kSpeeds = {0.03, 0.06, 0.10, 0.15, 0.20};
 constexpr std::array kOnsets = {Onset::kStraight, Onset::kArc, Onset::kStandstill, Onset::kSpin};
 constexpr std::array<std::string_view, 3> kRobots = {"end-loaded", "uniform", "worn"};
 
-// Pieces of the course, and where in them encoders fail.
+// Segments of the course, and where in them encoders fail.
 constexpr double kLineM = 0.5, kRadiusM = 0.35, kArcRad = 90.0 * kRadPerDeg, kNextLineM = 0.2;
 constexpr double kInLineM = 0.2, kInArcM = 0.65;
 constexpr double kSpinRad = 90.0 * kRadPerDeg, kInSpinRad = kArcRad + 30.0 * kRadPerDeg;

@@ -59,7 +59,7 @@ bridge::Setup floor_for(const course::Course& course) {
 bool straight_before(const course::Course& course, const course::Robot& robot) {
   const course::ShapeValues& shape = robot.shape;
   const course::Path path(course);
-  const std::size_t last = path.pieces().size() - 1;
+  const std::size_t last = path.segments().size() - 1;
   return std::all_of(
       course.terrain.blocks.begin(), course.terrain.blocks.end(), [&](const course::Block& block) {
         const double below_m = std::max(shape.wheel_radius_m - block.height_m, 0.0);

@@ -57,9 +57,9 @@ void fence_in(course::Course& course) {
 void add_obstacles(course::Course& course, CourseDraw& draw) {
   // On the line behind the arc, block first, then ramp, clear of each other and of the ends.
   const course::Path path(course);
-  const course::Piece& line = path.pieces().back();
+  const course::PathSegment& line = path.segments().back();
   const auto place = [&](double offset_m) {
-    const course::PathPoint point = path.at(path.pieces().size() - 1, offset_m);
+    const course::PathPoint point = path.at(path.segments().size() - 1, offset_m);
     return course::Place{point.x_m, point.y_m, point.yaw_rad};
   };
   course.terrain.blocks.push_back({.place = place(draw.between(0.28, 0.34)),

@@ -15,7 +15,7 @@ constexpr double kRoomM = 0.5;
 Corner corner_of(double angle_deg, double x_icr_m, double room_m = kRoomM) {
   const course::Path path(
       make_course({course::Line{0.5}, course::Pivot{angle_deg * kRadPerDeg}, course::Line{0.5}}));
-  return {path.pieces()[1], x_icr_m, room_m};
+  return {path.segments()[1], x_icr_m, room_m};
 }
 
 /// Largest distance from the path of a robot that turns about a point ahead of its reference point,

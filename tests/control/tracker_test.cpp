@@ -83,7 +83,7 @@ TEST(Tracker, GoesAroundAsOftenAsTheCourseSays) {
   for (const double angle_deg : {359.0, -359.0, 360.0, -360.0, 400.0, -400.0, 720.0, 3600.0}) {
     SCOPED_TRACE(angle_deg);
     const course::Course course = circling(angle_deg);
-    const course::PathPoint end = course::Path(course).pieces().back().end;
+    const course::PathPoint end = course::Path(course).segments().back().end;
     const Outcome outcome = drive(course);
     ASSERT_TRUE(outcome.done);
     EXPECT_LT(outcome.max_cross_track_m, 0.008);
@@ -102,7 +102,7 @@ TEST(Tracker, CrossesItsOwnPathWithoutACut) {
                      course::Arc{0.25, -1.5 * kPi}, course::Line{0.5}}),
         make_course(spiral)}) {
     const course::Path path(course);
-    const course::PathPoint end = path.pieces().back().end;
+    const course::PathPoint end = path.segments().back().end;
     const Outcome outcome = drive(course);
     ASSERT_TRUE(outcome.done);
     EXPECT_LT(outcome.max_cross_track_m, 0.008);

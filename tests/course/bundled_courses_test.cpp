@@ -44,9 +44,9 @@ TEST(BundledCourses, HaveTheDocumentedLengthsAndEnds) {
     EXPECT_EQ(course.name, expected.name);
     EXPECT_EQ(course.speed_mps, 0.10);
     EXPECT_NEAR(path.length_m(), expected.length_m, 1e-9);
-    EXPECT_NEAR(path.pieces().back().end.x_m, expected.end_x_m, 1e-9);
-    EXPECT_NEAR(path.pieces().back().end.y_m, expected.end_y_m, 1e-9);
-    EXPECT_NEAR(path.pieces().back().end.yaw_rad, expected.end_yaw_deg * kRadPerDeg, 1e-9);
+    EXPECT_NEAR(path.segments().back().end.x_m, expected.end_x_m, 1e-9);
+    EXPECT_NEAR(path.segments().back().end.y_m, expected.end_y_m, 1e-9);
+    EXPECT_NEAR(path.segments().back().end.yaw_rad, expected.end_yaw_deg * kRadPerDeg, 1e-9);
   }
 }
 
@@ -70,8 +70,8 @@ TEST(BundledCourses, LieInThePapersArenaWithRoomForADisturbance) {
 TEST(BundledCourses, Course3HasThePapersStepAndRampOnItsWayBack) {
   const Course course = bundled_course("3");
   const Path path(course);
-  EXPECT_NEAR(path.pieces().back().end.x_m, 0.0, 1e-9);
-  EXPECT_NEAR(path.pieces().back().end.y_m, -0.8, 1e-9);
+  EXPECT_NEAR(path.segments().back().end.x_m, 0.0, 1e-9);
+  EXPECT_NEAR(path.segments().back().end.y_m, -0.8, 1e-9);
   EXPECT_NEAR(course.fence.max_x_m - course.fence.min_x_m, 1.9, 1e-9);
   EXPECT_NEAR(course.fence.max_y_m - course.fence.min_y_m, 1.0, 1e-9);
   ASSERT_EQ(course.terrain.blocks.size(), 1u);

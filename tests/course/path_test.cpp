@@ -21,7 +21,7 @@ const Course kMixed = course_of({Line{0.5}, Arc{0.3, -kPi / 2}, Pivot{kPi / 2}, 
 TEST(Path, EndsWhereGeometrySays) {
   const Path path(
       course_of({Line{1.2}, Arc{0.3, -kPi / 2}, Line{0.2}, Pivot{-kPi / 2}, Line{1.2}}));
-  const PathPoint end = path.pieces().back().end;
+  const PathPoint end = path.segments().back().end;
   EXPECT_NEAR(end.x_m, 0.3, 1e-12);
   EXPECT_NEAR(end.y_m, -0.5, 1e-12);
   EXPECT_DOUBLE_EQ(end.yaw_rad, -kPi);
@@ -40,11 +40,11 @@ TEST(Path, BeginsAtTheStartPose) {
 
 TEST(Path, PositionIsTheIntegralOfItsTangent) {
   const Path path(kMixed);
-  for (const Piece& piece : path.pieces()) {
-    if (piece.kind == Piece::Kind::kPivot) continue;
-    const auto index = static_cast<std::size_t>(&piece - path.pieces().data());
+  for (const PathSegment& segment : path.segments()) {
+    if (segment.kind == PathSegment::Kind::kPivot) continue;
+    const auto index = static_cast<std::size_t>(&segment - path.segments().data());
     const double step = 1e-5;
-    for (double s = step; s < piece.length_m - step; s += 0.01) {
+    for (double s = step; s < segment.length_m - step; s += 0.01) {
       const PathPoint a = path.at(index, s - step), b = path.at(index, s + step);
       const PathPoint here = path.at(index, s);
       EXPECT_NEAR((b.x_m - a.x_m) / (2 * step), std::cos(here.yaw_rad), 1e-8);
@@ -54,21 +54,21 @@ TEST(Path, PositionIsTheIntegralOfItsTangent) {
   }
 }
 
-TEST(Path, PiecesJoinWithoutAGapAndYawIsUnwrapped) {
+TEST(Path, SegmentsJoinWithoutAGapAndYawIsUnwrapped) {
   const Path path(kMixed);
-  for (std::size_t i = 1; i < path.pieces().size(); ++i) {
-    EXPECT_DOUBLE_EQ(path.pieces()[i].begin.x_m, path.pieces()[i - 1].end.x_m);
-    EXPECT_DOUBLE_EQ(path.pieces()[i].begin.y_m, path.pieces()[i - 1].end.y_m);
-    EXPECT_DOUBLE_EQ(path.pieces()[i].begin.yaw_rad, path.pieces()[i - 1].end.yaw_rad);
-    EXPECT_DOUBLE_EQ(path.pieces()[i].begin.s_m, path.pieces()[i - 1].end.s_m);
+  for (std::size_t i = 1; i < path.segments().size(); ++i) {
+    EXPECT_DOUBLE_EQ(path.segments()[i].begin.x_m, path.segments()[i - 1].end.x_m);
+    EXPECT_DOUBLE_EQ(path.segments()[i].begin.y_m, path.segments()[i - 1].end.y_m);
+    EXPECT_DOUBLE_EQ(path.segments()[i].begin.yaw_rad, path.segments()[i - 1].end.yaw_rad);
+    EXPECT_DOUBLE_EQ(path.segments()[i].begin.s_m, path.segments()[i - 1].end.s_m);
   }
-  EXPECT_NEAR(path.pieces().back().end.yaw_rad, -1.5 * kPi, 1e-12);
+  EXPECT_NEAR(path.segments().back().end.yaw_rad, -1.5 * kPi, 1e-12);
 }
 
-TEST(Path, ProjectionReturnsTheOffsetOfPointsBesideThePiece) {
+TEST(Path, ProjectionReturnsTheOffsetOfPointsBesideTheSegment) {
   const Path path(kMixed);
-  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
-    const double length = path.pieces()[i].length_m;
+  for (std::size_t i = 0; i < path.segments().size(); ++i) {
+    const double length = path.segments()[i].length_m;
     for (double part = 0.02; part < 1.0; part += 0.07)
       for (const double aside : {-0.1, -0.01, 0.0, 0.05, 0.1}) {
         const PathPoint p = path.at(i, part * length);
@@ -112,7 +112,7 @@ TEST(Path, ProjectionStopsAtTheEnds) {
   EXPECT_EQ(path.project(0, -3.0, 1.0), 0.0);
   EXPECT_EQ(path.project(0, 4.0, 1.0), 1.0);
   EXPECT_EQ(path.project(1, 0.9, -0.1), 0.0);
-  EXPECT_EQ(path.project(1, 1.4, 0.7), path.pieces()[1].length_m);
+  EXPECT_EQ(path.project(1, 1.4, 0.7), path.segments()[1].length_m);
 }
 
 TEST(Path, OffsetsAreClamped) {

@@ -110,9 +110,9 @@ TEST_F(MessagesTest, ACourseTellsItsGeometry) {
   EXPECT_EQ(json["blocks"][0]["depth_m"], 0.1);
   EXPECT_EQ(json["surfaces"][0]["name"], "ice");
   EXPECT_EQ(json["fence"]["max_y_m"], 4.0);
-  EXPECT_EQ(json["pieces"].size(), 3U);
-  EXPECT_EQ(json["pieces"][1]["kind"], "pivot");
-  EXPECT_DOUBLE_EQ(json["pieces"][2]["radius_m"].get<double>(), 0.5);
+  EXPECT_EQ(json["segments"].size(), 3U);
+  EXPECT_EQ(json["segments"][1]["kind"], "pivot");
+  EXPECT_DOUBLE_EQ(json["segments"][2]["radius_m"].get<double>(), 0.5);
 }
 
 TEST_F(MessagesTest, WithoutACourseTheListsAreEmpty) {

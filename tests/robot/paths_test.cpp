@@ -105,8 +105,8 @@ double turned_rad(const report::RunResult& run) {
 void expect_driven_whole(const LockstepSettings& run, const report::RunResult& result) {
   ASSERT_TRUE(result.completed) << result.cause;
   const course::Path path(run.course);
-  const std::vector<course::Piece>& pieces = path.pieces();
-  EXPECT_NEAR(turned_rad(result), pieces.back().end.yaw_rad - pieces.front().begin.yaw_rad,
+  const std::vector<course::PathSegment>& segments = path.segments();
+  EXPECT_NEAR(turned_rad(result), segments.back().end.yaw_rad - segments.front().begin.yaw_rad,
               30.0 * kRadPerDeg);
 }
 

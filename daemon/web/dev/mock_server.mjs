@@ -25,7 +25,7 @@ const path = [];
 const length = path.at(-1).s_m;
 const course = {
   name: '3', description: 'U turn, step and ramp', speed_mps: 0.1, length_m: length,
-  start: { x_m: 0, y_m: 0, yaw_rad: 0 }, path, pieces: [],
+  start: { x_m: 0, y_m: 0, yaw_rad: 0 }, path, segments: [],
   ramps: [{ x_m: 0.7, y_m: -0.8, heading_rad: Math.PI, height_m: 0.08, up_rad: 0.4887, top_m: 0.2, down_rad: 0.4887, width_m: 0.4 }],
   blocks: [{ x_m: 1.2, y_m: -0.8, heading_rad: Math.PI, height_m: 0.037, depth_m: 0.1, width_m: 0.4 }],
   surfaces: [], disturbances: [], fence: { min_x_m: -0.05, max_x_m: 1.85, min_y_m: -0.9, max_y_m: 0.1 },

@@ -1,4 +1,4 @@
-// Progress along the course as a strip: its pieces, its obstacles, the robot's position.
+// Progress along the course as a strip: its obstacles, the robot's position.
 import { clock, fixed } from '../state/format.ts';
 import type { Course, Place } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
