@@ -53,7 +53,7 @@ class Arming {
   /// True if a run has ended and the robot has not confirmed yet that its motors are off (for at
   /// most 0.25 s), or if they are on without a request.
   bool disarming() const { return disarming_ || moves_unasked_; }
-  /// Daemon's faults, latched until the next start().
+  /// What ended the run, the robot's own faults and STOP included; latched until the next start().
   FaultMask faults() const { return faults_; }
 
  private:

@@ -13,7 +13,8 @@ using wire::Fault;
 using wire::fault_bit;
 using wire::FaultMask;
 
-/// Faults that a robot latches; the others are the daemon's.
+/// Faults that a robot can latch. The daemon latches some of them too, e.g. a STOP; the others it
+/// latches alone.
 inline constexpr FaultMask kRobotFaults = 0xFFFFU;
 /// The robot's faults that this version knows.
 inline constexpr FaultMask kKnownRobotFaults = 0

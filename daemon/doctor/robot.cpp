@@ -48,7 +48,7 @@ Finding silent(const Visit& visit) {
                    flash + "; else choose its port with --port");
 }
 
-/// A latched fault is cleared by the next start, unless its cause persists.
+/// The next start clears a latched fault, unless it is one of the causes that refuse an arm.
 void add_fault(Fault fault, Findings& findings) {
   const FaultText& words = describe(fault);
   const std::string seen = std::string(words.name) + ": " + std::string(words.cause);

@@ -129,7 +129,7 @@ class LiveCycle : public loop::LoopClient {
   std::atomic<std::uint64_t> lost_events_{0};
   std::atomic<std::uint64_t> lost_records_{0};
   RunState run_state_ = RunState::kIdle;
-  FaultMask faults_ = 0;  // the daemon's faults, as last reported
+  FaultMask faults_ = 0;  // those that only the daemon latches, as last reported
   HostNs next_status_ns_ = 0;
   bool leave_silent_port_;
   bool drop_port_ = false;

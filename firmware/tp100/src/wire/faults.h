@@ -1,6 +1,9 @@
-// The one list of faults. A robot latches the lower sixteen and sends them in every sample; the
-// daemon latches the upper sixteen. A latched fault keeps the motors off until a fresh arm message,
-// which is refused while the cause persists.
+// The one list of faults. A robot finds the lower sixteen, latches them and sends them in every
+// sample. The daemon finds the upper sixteen and some of the robot's, and latches what ended a run,
+// whoever found it. A latched fault keeps the motors off until the next start. The robot clears its
+// own with the arm message that it accepts; it refuses one only for what it sees at standstill: no
+// session, no fresh command, IMU missing or stale, battery low. A track that stalls or turns the
+// wrong way is found again when it is driven.
 #ifndef TP100_WIRE_FAULTS_H
 #define TP100_WIRE_FAULTS_H
 
