@@ -16,12 +16,19 @@ using wire::State;
 
 const uint8_t kSampleTicks = wire::kSamplePeriodUs / 1000;
 
-const char* const kFaultNames[] = {
-#define TP100_FAULT_NAME(bit, name, cause, fix) #name,
+const char* const kResetNames[] = {"unknown", "power-on", "external", "brown-out", "watchdog"};
+
+const char* name_of(Fault fault) {
+  switch (fault) {
+#define TP100_FAULT_NAME(bit, name, cause, fix) \
+  case Fault::name:                             \
+    return #name;
     TP100_ROBOT_FAULTS(TP100_FAULT_NAME)
 #undef TP100_FAULT_NAME
-};
-const char* const kResetNames[] = {"unknown", "power-on", "external", "brown-out", "watchdog"};
+    default:
+      return "";
+  }
+}
 
 uint16_t bit(Fault fault) { return static_cast<uint16_t>(wire::fault_bit(fault)); }
 
@@ -97,12 +104,11 @@ void Firmware::disarm(const char* reason, uint32_t at_us) {
 }
 
 void Firmware::latch(Fault fault, int32_t detail, uint32_t at_us) {
-  const uint8_t index = static_cast<uint8_t>(fault);
-  disarm(kFaultNames[index], at_us);
+  disarm(name_of(fault), at_us);
   if (in_session()) state_ = State::kFaulted;
   if ((faults_ & bit(fault)) != 0) return;
   faults_ = static_cast<uint16_t>(faults_ | bit(fault));
-  const wire::FaultReport report = {at_us, index, faults_, detail};
+  const wire::FaultReport report = {at_us, static_cast<uint8_t>(fault), faults_, detail};
   link_.post(report);
 }
 
