@@ -1,5 +1,5 @@
 #include <fcntl.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,10 +25,12 @@
 namespace tp100::sim {
 namespace {
 
-/// A program that runs beside this one. Terminated and waited for when it goes out of scope.
+/// A program that runs beside this one. Terminated and waited for when it goes out of scope, and
+/// terminated when this program ends in whatever way.
 class Child {
  public:
-  /// Starts arguments[0]. `quiet`: its standard output goes nowhere. Throws SetupError.
+  /// Starts arguments[0]. `quiet`: its standard output goes nowhere. Throws SetupError; a program
+  /// that cannot be executed says so itself and ends with status 127.
   Child(const std::vector<std::string>& arguments, bool quiet);
   ~Child();
   Child(const Child&) = delete;
@@ -55,17 +57,16 @@ Child::Child(const std::vector<std::string>& arguments, bool quiet) {
   argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  if (quiet) {
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  }
-  const int error = posix_spawn(&pid_, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    pid_ = -1;
-    throw SetupError(arguments[0] + ": cannot start: " + std::strerror(error));
-  }
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ < 0) throw SetupError(arguments[0] + ": cannot start: " + std::strerror(errno));
+  if (pid_ > 0) return;
+  // The parent may have ended before it could be asked for the signal.
+  if (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 || getppid() != parent) _exit(127);
+  if (quiet) dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
+  execv(argv[0], argv.data());
+  std::perror(argv[0]);
+  _exit(127);
 }
 
 Child::~Child() { stop(); }

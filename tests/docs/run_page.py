@@ -15,7 +15,6 @@ Blocks in other languages are not touched.
 import os
 import re
 import shlex
-import signal
 import subprocess
 import sys
 import tempfile
@@ -70,12 +69,11 @@ def main():
         here = dict(os.environ, XDG_STATE_HOME=os.path.join(folder, "state"))
         shell = subprocess.Popen(["bash", "-c", script], cwd=folder, env=here, stdin=subprocess.DEVNULL,
                                  start_new_session=True)
+        # Ends what the page started: at the end of the pipe, which comes when this program ends in whatever way.
+        keeper = subprocess.Popen(["sh", "-c", 'read -r _; kill -s TERM -- "-$1" 2> /dev/null', "keeper", str(shell.pid)],
+                                  stdin=subprocess.PIPE, start_new_session=True)
         status = shell.wait()
-        # What it left in the background.
-        try:
-            os.killpg(shell.pid, signal.SIGTERM)
-        except ProcessLookupError:
-            pass
+        keeper.communicate()
     if status:
         sys.exit(f"{page}: the last command above ended with status {status}")
 

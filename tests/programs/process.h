@@ -12,7 +12,8 @@
 
 namespace tp100::test {
 
-/// One of the project's programs. The destructor kills it if it still runs.
+/// One of the project's programs. The destructor kills it if it still runs; so does the end of the
+/// thread that made it, in whatever way.
 class Process {
  public:
   /// `arguments[0]` is tp100d, tp100-sim or an absolute path. Standard output and standard error go
@@ -59,6 +60,9 @@ double figure(const std::string& stats, const std::string& name);
 /// Waits until the daemon that writes `stats` has made a hundred more cycles. Returns false after a
 /// minute.
 bool goes_on(const std::string& stats);
+
+/// Writes a course that takes about six seconds into the folder and returns the file's path.
+std::string short_course(const TemporaryFolder& folder);
 
 /// Number of lines in `text`.
 std::size_t lines(const std::string& text);

@@ -37,13 +37,6 @@ class Programs : public testing::Test {
     return {"tp100d", "run", "--port", port(), "--course", course, "--stats", stats()};
   }
   std::string stats() const { return folder_.file("stats.json"); }
-  /// A course that takes about six seconds.
-  std::string short_course() const {
-    std::ofstream(folder_.file("short.toml"))
-        << "[[segment]]\ntype = \"line\"\nlength_m = 0.5\n[fence]\nmin_x_m = -0.1\nmax_x_m = 1\n"
-           "min_y_m = -0.5\nmax_y_m = 0.5\n";
-    return folder_.file("short.toml");
-  }
   /// Board time of the first line after `from` that contains `text`. [s]
   static double time_of(const std::string& output, const std::string& text, std::size_t from = 0) {
     const std::size_t at = output.find(text, from);
@@ -224,7 +217,7 @@ TEST_F(Programs, AStarvedLoopLeavesTheMotorsOffAndSaysWhy) {
 TEST_F(Programs, AStepOfTheWallClockChangesNothing) {
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
-  std::vector<std::string> arguments = daemon_arguments(short_course());
+  std::vector<std::string> arguments = daemon_arguments(short_course(folder_));
   arguments[0] = std::string(TP100_BINARY_DIR) + "/bin/tp100d";
   arguments.insert(arguments.begin(), {"/usr/bin/env", "LD_PRELOAD=" TP100_WALL_CLOCK});
   arguments.insert(arguments.end(), {"--record", folder_.file("runs")});
@@ -347,24 +340,6 @@ TEST_F(Programs, OneSeedPrintsOneJsonButForTimings) {
   EXPECT_NE(json("4"), json("5"));
 }
 
-/// Contents of a file of the process folder, such as the command line or the status.
-std::string of_process(const std::filesystem::path& folder, const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(folder / file).rdbuf();
-  return text.str();
-}
-
-/// The child of `parent` whose command line contains `word`; -1 if there is none.
-pid_t child_of(pid_t parent, const std::string& word) {
-  const std::string parents_line = "PPid:\t" + std::to_string(parent) + "\n";
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    if (of_process(entry.path(), "status").find(parents_line) != std::string::npos &&
-        of_process(entry.path(), "cmdline").find(word) != std::string::npos)
-      return std::stoi(entry.path().filename());
-  }
-  return -1;
-}
-
 TEST_F(Programs, ARobotWhoseMachineStoodStillKeepsItsPriority) {
   Process robot(robot_arguments());
   ASSERT_TRUE(robot.wait_for("linked from"));
@@ -381,29 +356,6 @@ TEST_F(Programs, ARobotWhoseMachineStoodStillKeepsItsPriority) {
     ASSERT_EQ(priority(), before);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-}
-
-TEST_F(Programs, ADemoWhoseMachineStoodStillDrivesAgainAndSaysSo) {
-  Process demo({"tp100-sim", "demo", "--headless", "--course", short_course()});
-  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
-  const pid_t robot = child_of(demo.pid(), "tp100-sim");
-  ASSERT_GT(robot, 0);
-  ::kill(robot, SIGSTOP);
-  EXPECT_TRUE(demo.wait_for("running -> aborted")) << demo.output();
-  ::kill(robot, SIGCONT);
-  ASSERT_TRUE(demo.wait_for("demo: the machine stood still for ")) << demo.output();
-  EXPECT_TRUE(demo.wait_for("ms, which ended the run; drives again")) << demo.output();
-  EXPECT_EQ(demo.wait(), 0) << demo.output();
-}
-
-TEST_F(Programs, ADemoThatIsStoppedDoesNotDriveAgain) {
-  Process demo({"tp100-sim", "demo", "--headless", "--course", short_course()});
-  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
-  const pid_t daemon = child_of(demo.pid(), "/tp100d");
-  ASSERT_GT(daemon, 0);
-  ::kill(daemon, SIGINT);
-  EXPECT_EQ(demo.wait(), 1) << demo.output();
-  EXPECT_EQ(demo.output().find("drives again"), std::string::npos) << demo.output();
 }
 
 }  // namespace

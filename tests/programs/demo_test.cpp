@@ -1,0 +1,135 @@
+// `tp100-sim demo`, which starts a robot and a daemon, and test::Process, which starts it: nothing
+// that they start outlives them.
+
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "process.h"
+#include "support/paths.h"
+
+namespace tp100::test {
+namespace {
+
+/// Contents of a file of the process folder, such as the command line or the status.
+std::string of_process(const std::filesystem::path& folder, const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(folder / file).rdbuf();
+  return text.str();
+}
+
+/// The child of `parent` whose command line contains `word`; -1 if there is none.
+pid_t child_of(pid_t parent, const std::string& word) {
+  const std::string parents_line = "PPid:\t" + std::to_string(parent) + "\n";
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    if (of_process(entry.path(), "status").find(parents_line) != std::string::npos &&
+        of_process(entry.path(), "cmdline").find(word) != std::string::npos)
+      return std::stoi(entry.path().filename());
+  }
+  return -1;
+}
+
+/// Adopts programs whose parent was killed, so that their end can be waited for.
+class Adoption {
+ public:
+  Adoption() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
+  ~Adoption() {
+    ::prctl(PR_SET_CHILD_SUBREAPER, 0);
+    for (const pid_t left : left_) {
+      ::kill(left, SIGKILL);
+      ::waitpid(left, nullptr, 0);
+    }
+  }
+  Adoption(const Adoption&) = delete;
+  Adoption& operator=(const Adoption&) = delete;
+
+  /// Whether the orphan ends by itself; kills it at last otherwise.
+  bool ends(pid_t orphan) {
+    const bool over = eventually([&] { return ::waitpid(orphan, nullptr, WNOHANG) == orphan; });
+    if (!over) left_.push_back(orphan);
+    return over;
+  }
+
+ private:
+  std::vector<pid_t> left_;
+};
+
+class Demo : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Demo, ADemoWhoseMachineStoodStillDrivesAgainAndSaysSo) {
+  Process demo({"tp100-sim", "demo", "--headless", "--course", short_course(folder_)});
+  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
+  const pid_t robot = child_of(demo.pid(), "tp100-sim");
+  ASSERT_GT(robot, 0);
+  ::kill(robot, SIGSTOP);
+  EXPECT_TRUE(demo.wait_for("running -> aborted")) << demo.output();
+  ::kill(robot, SIGCONT);
+  ASSERT_TRUE(demo.wait_for("demo: the machine stood still for ")) << demo.output();
+  EXPECT_TRUE(demo.wait_for("ms, which ended the run; drives again")) << demo.output();
+  EXPECT_EQ(demo.wait(), 0) << demo.output();
+}
+
+TEST_F(Demo, ADemoThatIsStoppedDoesNotDriveAgain) {
+  Process demo({"tp100-sim", "demo", "--headless", "--course", short_course(folder_)});
+  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
+  const pid_t daemon = child_of(demo.pid(), "/tp100d");
+  ASSERT_GT(daemon, 0);
+  ::kill(daemon, SIGINT);
+  EXPECT_EQ(demo.wait(), 1) << demo.output();
+  EXPECT_EQ(demo.output().find("drives again"), std::string::npos) << demo.output();
+}
+
+TEST_F(Demo, AKilledDemoTakesItsRobotAndItsDaemonWithIt) {
+  Adoption adoption;
+  // What a killed program leaves in the folder of temporary files goes with the test's folder.
+  Process demo({"/usr/bin/env", "TMPDIR=" + folder_.path().string(),
+                TP100_BINARY_DIR "/bin/tp100-sim", "demo", "--headless", "--course",
+                short_course(folder_)});
+  ASSERT_TRUE(demo.wait_for("arming -> running")) << demo.output();
+  const pid_t robot = child_of(demo.pid(), "tp100-sim");
+  const pid_t daemon = child_of(demo.pid(), "/tp100d");
+  ASSERT_GT(robot, 0);
+  ASSERT_GT(daemon, 0);
+  demo.signal(SIGKILL);
+  EXPECT_EQ(demo.wait(), 128 + SIGKILL);
+  EXPECT_TRUE(adoption.ends(daemon)) << demo.output();
+  EXPECT_TRUE(adoption.ends(robot)) << demo.output();
+  EXPECT_EQ(demo.output().find("running -> finished"), std::string::npos)
+      << "the daemon must not have driven on: " << demo.output();
+}
+
+TEST(StartedProcess, EndsWithTheTestThatStartedIt) {
+  Adoption adoption;
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe(pipe.data()), 0);
+  const pid_t starter = ::fork();
+  ASSERT_GE(starter, 0);
+  if (starter == 0) {
+    const Process started({"/bin/sleep", "1000"});
+    const pid_t pid = started.pid();
+    if (::write(pipe[1], &pid, sizeof pid) == sizeof pid) ::pause();
+    ::_exit(1);
+  }
+  pid_t started = -1;
+  ASSERT_EQ(::read(pipe[0], &started, sizeof started), ssize_t{sizeof started});
+  ::close(pipe[0]);
+  ::close(pipe[1]);
+  ::kill(starter, SIGKILL);
+  ASSERT_EQ(::waitpid(starter, nullptr, 0), starter);
+  EXPECT_TRUE(adoption.ends(started));
+}
+
+}  // namespace
+}  // namespace tp100::test
