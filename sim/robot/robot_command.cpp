@@ -127,7 +127,7 @@ class Overloaded {
   std::int64_t used_ns_ = thread_time_ns();
 };
 
-/// Prints the firmware's log messages and counts its samples.
+/// Prints the firmware's log messages and when its motors begin to run, and counts its samples.
 class FirmwareLog {
  public:
   /// Samples that it sent since it was restarted.
@@ -135,19 +135,35 @@ class FirmwareLog {
   void restart() { samples_ = 0; }
   void push(std::uint8_t byte) {
     if (decoder_.push(byte) != wire::Received::kFrame) return;
-    if (decoder_.type() == static_cast<std::uint8_t>(wire::Type::kSample)) ++samples_;
-    if (decoder_.type() != static_cast<std::uint8_t>(wire::Type::kLog)) return;
+    if (decoder_.type() == static_cast<std::uint8_t>(wire::Type::kSample)) read_sample();
+    if (decoder_.type() == static_cast<std::uint8_t>(wire::Type::kLog)) print_log();
+  }
+
+ private:
+  void read_sample() {
+    ++samples_;
+    wire::Sample sample{};
+    if (!wire::read_payload(decoder_.payload(), decoder_.size(), sample)) return;
+    const bool on = sample.state == static_cast<std::uint8_t>(wire::State::kRunning);
+    // The firmware itself reports only that they are off.
+    if (on && !on_) print(sample.device_us, "motors on");
+    on_ = on;
+  }
+  void print_log() {
     wire::Log log{};
     if (!wire::read_payload(decoder_.payload(), decoder_.size(), log)) return;
     std::array<char, wire::Log::kTextSize + 1> text{};
     for (std::size_t i = 0; i < wire::Log::kTextSize; ++i) text[i] = static_cast<char>(log.text[i]);
-    std::printf("robot: %.6f s: %s\n", static_cast<double>(log.device_us) * 1e-6, text.data());
+    print(log.device_us, text.data());
+  }
+  static void print(std::uint32_t device_us, const char* text) {
+    std::printf("robot: %.6f s: %s\n", static_cast<double>(device_us) * 1e-6, text);
     std::fflush(stdout);
   }
 
- private:
   wire::FrameDecoder decoder_;
   std::uint64_t samples_ = 0;
+  bool on_ = false;  // the motors, as of the newest sample
 };
 
 /// The robot's end of the cable in real time.
