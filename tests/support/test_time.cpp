@@ -1,5 +1,6 @@
 // Appends the times of a test to the file that TP100_TEST_TIMES names, one line per test: name,
-// wall-clock and processor seconds (including the programs that the test started and waited for).
+// wall-clock and processor seconds (including the programs that the test started and waited for),
+// and for how many seconds a processor of the machine was idle meanwhile, the mean of all.
 // scripts/tested.py uses this to find tests in the wrong group.
 
 #include <fcntl.h>
@@ -10,6 +11,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 
 namespace tp100 {
@@ -21,6 +23,15 @@ double processor_s(int who) {
   rusage usage{};
   ::getrusage(who, &usage);
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Since the machine was started, the mean of its processors; without waiting for a disk.
+double idle_s() {
+  std::ifstream stat("/proc/stat");
+  std::string cpu;
+  double user = 0.0, nice = 0.0, system = 0.0, idle = 0.0;
+  stat >> cpu >> user >> nice >> system >> idle;
+  return idle / double(::sysconf(_SC_CLK_TCK)) / double(::sysconf(_SC_NPROCESSORS_ONLN));
 }
 
 class TestTime : public testing::EmptyTestEventListener {
@@ -36,15 +47,18 @@ class TestTime : public testing::EmptyTestEventListener {
       }
     }
     char line[400];
-    const int size = std::snprintf(line, sizeof line, "%s\t%.3f\t%.3f\n", name.c_str(),
+    const int size = std::snprintf(line, sizeof line, "%s\t%.3f\t%.3f\t%.3f\n", name.c_str(),
                                    1e-3 * double(program.elapsed_time()),
-                                   processor_s(RUSAGE_SELF) + processor_s(RUSAGE_CHILDREN));
+                                   processor_s(RUSAGE_SELF) + processor_s(RUSAGE_CHILDREN),
+                                   idle_s() - idle_before_s_);
     const int fd = ::open(file, O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
     if (fd < 0) return;
     // Each line is one write, because other processes append to the same file.
     if (::write(fd, line, std::size_t(size)) != size) std::perror(file);
     ::close(fd);
   }
+
+  const double idle_before_s_ = idle_s();
 };
 
 [[maybe_unused]] const bool kListens = [] {

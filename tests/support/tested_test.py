@@ -30,7 +30,14 @@ SKIPPED = """skipped, 4 of 5 tests:
 UNKNOWN = " (error: tests/SKIPS does not list this reason)"
 STRICT = "".join(line + (UNKNOWN if line.startswith("  ") else "") + "\n" for line in SKIPPED.splitlines())
 WRONG = "wrong group: {} took {:.1f} s of a processor in 10.0 s; label realtime is for what waits\n"
-TIMES = "Waits.Long\t10.000\t1.000\nComputes.Long\t10.000\t9.000\nShort.Any\t0.100\t0.100\nMixed.Long\t10.000\t5.000\n"
+# Name, wall-clock, processor and idle seconds.
+TIMES = """Waits.Long\t10.000\t1.000\t5.000
+Computes.Long\t10.000\t9.000\t0.000
+Computes.OnABusyMachine\t10.000\t1.000\t0.900
+Waits.OnABusyMachine\t10.000\t0.000\t0.100
+Short.Any\t0.100\t0.100\t0.100
+Mixed.Long\t10.000\t5.000\t5.000
+"""
 
 
 def retried(count):
