@@ -111,7 +111,7 @@ int false_alarms(const std::vector<TrajectoryPoint>& points,
 
 namespace {
 
-// Part of the path around the controller's progress that a pose is compared with.
+// Largest part of the path around the controller's progress that a pose is compared with.
 constexpr double kWindowM = 0.3;
 // At a corner, neighbouring segments are equally near, apart from the few millimetres by which the
 // robot stops beside it.
@@ -126,26 +126,101 @@ double yaw_error(const course::PathSegment& segment, const course::PathPoint& ne
   return std::max(0.0, std::abs(wrap_angle(yaw_rad - middle)) - half);
 }
 
-}  // namespace
+/// Part of the path between two lengths from its start.
+struct Stretch {
+  double from_m, to_m;
+};
 
-Deviation deviation(const course::Path& path, const TrajectoryPoint& point) {
-  const double from = point.progress_m - kWindowM, to = point.progress_m + kWindowM;
+/// Around `progress_m`. Not beyond a turn on the spot, where the path may fold back.
+Stretch stretch_around(const course::Path& path, double progress_m) {
+  Stretch part{progress_m - kWindowM, progress_m + kWindowM};
+  for (const course::PathSegment& segment : path.segments()) {
+    if (segment.kind != course::PathSegment::Kind::kPivot) continue;
+    if (segment.begin.s_m < progress_m) part.from_m = std::max(part.from_m, segment.begin.s_m);
+    if (segment.begin.s_m > progress_m) part.to_m = std::min(part.to_m, segment.begin.s_m);
+  }
+  return part;
+}
+
+Deviation deviation(const course::Path& path, const Pose& pose, double progress_m,
+                    const Stretch& part) {
   Deviation result;
-  result.cross_track_m = path.distance(point.world.x_m, point.world.y_m, from, to);
+  result.cross_track_m = path.distance(pose.x_m, pose.y_m, part.from_m, part.to_m);
   double nearest_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
     const course::PathSegment& segment = path.segments()[i];
-    if (segment.end.s_m < from || segment.begin.s_m > to) continue;
-    const course::PathPoint near = path.at(i, path.project(i, point.world.x_m, point.world.y_m));
-    const double dx = point.world.x_m - near.x_m, dy = point.world.y_m - near.y_m;
+    if (segment.end.s_m < part.from_m || segment.begin.s_m > part.to_m) continue;
+    const double offset_m =
+        std::clamp(path.project(i, pose.x_m, pose.y_m, progress_m - segment.begin.s_m),
+                   std::max(part.from_m - segment.begin.s_m, 0.0), part.to_m - segment.begin.s_m);
+    const course::PathPoint near = path.at(i, offset_m);
+    const double dx = pose.x_m - near.x_m, dy = pose.y_m - near.y_m;
     const double distance = std::hypot(dx, dy);
     if (distance > result.cross_track_m + kCornerM) continue;
-    result.yaw_rad = std::min(result.yaw_rad, yaw_error(segment, near, point.world.yaw_rad));
+    result.yaw_rad = std::min(result.yaw_rad, yaw_error(segment, near, pose.yaw_rad));
     if (segment.kind == course::PathSegment::Kind::kPivot || distance >= nearest_m) continue;
     nearest_m = distance;
     result.left = dy * std::cos(near.yaw_rad) - dx * std::sin(near.yaw_rad) > 0.0;
   }
   if (!std::isfinite(result.yaw_rad)) result.yaw_rad = 0.0;
+  return result;
+}
+
+bool turns_at(const course::Path& path, double progress_m) {
+  return std::ranges::any_of(path.segments(), [&](const course::PathSegment& segment) {
+    return segment.kind == course::PathSegment::Kind::kPivot && segment.begin.s_m == progress_m;
+  });
+}
+
+/// Of the points [begin, end), all while the robot turns at one place: some are compared with the
+/// path before it, one with the place itself, the others with the path after it. Which one is
+/// chosen as for the Frechet distance: so that the largest distance is smallest.
+void add_turn(const course::Path& path, const TrajectoryPoint* begin, const TrajectoryPoint* end,
+              std::vector<Deviation>& deviations) {
+  const double at_m = begin->progress_m;
+  const Stretch part = stretch_around(path, at_m);
+  std::vector<Deviation> before, at, after;
+  for (const TrajectoryPoint* point = begin; point != end; ++point) {
+    before.push_back(deviation(path, point->world, at_m, {part.from_m, at_m}));
+    at.push_back(deviation(path, point->world, at_m, {at_m, at_m}));
+    after.push_back(deviation(path, point->world, at_m, {at_m, part.to_m}));
+  }
+  std::vector<double> rest_m(at.size() + 1, 0.0);  // largest distance from the path after the turn
+  for (std::size_t i = at.size(); i-- > 0;)
+    rest_m[i] = std::max(rest_m[i + 1], after[i].cross_track_m);
+  std::size_t reached = 0;
+  double past_m = 0.0, smallest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double largest_m = std::max({past_m, at[i].cross_track_m, rest_m[i + 1]});
+    if (largest_m < smallest_m) {
+      smallest_m = largest_m;
+      reached = i;
+    }
+    past_m = std::max(past_m, before[i].cross_track_m);
+  }
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    deviations.push_back(i < reached ? before[i] : i > reached ? after[i] : at[i]);
+    deviations.back().yaw_rad = at[i].yaw_rad;
+  }
+}
+
+}  // namespace
+
+std::vector<Deviation> deviations(const course::Path& path,
+                                  const std::vector<TrajectoryPoint>& points) {
+  std::vector<Deviation> result;
+  result.reserve(points.size());
+  while (result.size() < points.size()) {
+    const TrajectoryPoint* const point = &points[result.size()];
+    const TrajectoryPoint* end = point + 1;
+    if (turns_at(path, point->progress_m)) {
+      while (end != points.data() + points.size() && end->progress_m == point->progress_m) ++end;
+      add_turn(path, point, end, result);
+    } else {
+      result.push_back(deviation(path, point->world, point->progress_m,
+                                 stretch_around(path, point->progress_m)));
+    }
+  }
   return result;
 }
 
@@ -218,12 +293,9 @@ TrackingErrors tracking_errors(const std::vector<TrajectoryPoint>& points,
                                const course::Path& path) {
   TrackingErrors result;
   if (points.empty()) return result;
-  std::vector<Deviation> deviations;
-  deviations.reserve(points.size());
+  const std::vector<Deviation> deviations = report::deviations(path, points);
   double squares = 0.0;
-  for (const TrajectoryPoint& point : points) {
-    deviations.push_back(deviation(path, point));
-    const Deviation& now = deviations.back();
+  for (const Deviation& now : deviations) {
     squares += now.cross_track_m * now.cross_track_m;
     result.max_cross_track_m = std::max(result.max_cross_track_m, now.cross_track_m);
     result.max_yaw_error_rad = std::max(result.max_yaw_error_rad, now.yaw_rad);

@@ -22,9 +22,13 @@ struct Deviation {
   double yaw_rad = std::numeric_limits<double>::infinity();  ///< from the tangent; not negative
 };
 
-/// Compares the true pose of `point` with the part of the path around the controller's progress.
-/// While turning on the spot, yaw is compared with the commanded turn.
-Deviation deviation(const course::Path& path, const TrajectoryPoint& point);
+/// Compares the true poses with the path in its order, one deviation per point: with the part up to
+/// 0.3 m before and after the controller's progress, but not with the path beyond a turn on the
+/// spot, where it may fold back. The place of the turn has to be reached too: one of the poses
+/// there is compared with it, those before with the path before it, and those after with the path
+/// after it. While turning on the spot, yaw is compared with the commanded turn.
+std::vector<Deviation> deviations(const course::Path& path,
+                                  const std::vector<TrajectoryPoint>& points);
 
 // Response to a disturbance: when it was detected, how large it became, how the robot recovered.
 

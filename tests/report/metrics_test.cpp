@@ -124,6 +124,38 @@ TEST(TrackingErrors, ACrossingPathIsComparedNearTheProgressOnly) {
   EXPECT_NEAR(tracking_errors({crossing}, {}, path).max_cross_track_m, 0.4, 1e-9);
 }
 
+TEST(TrackingErrors, AFoldedCornerIsComparedInTheOrderOfThePath) {
+  course::Course course;  // out, and back at 30 degrees beside it
+  course.path = {course::Line{1.0}, course::Pivot{150 * kRadPerDeg}, course::Line{1.0}};
+  const course::Path path(course);
+  // Back on the second leg, 8 cm from the corner and 3 cm beside it, where the first leg is nearer.
+  const double yaw = 150 * kRadPerDeg;
+  TrajectoryPoint back = point(0, {}, {});
+  back.world = pose(1.0 + 0.08 * std::cos(yaw) - 0.03 * std::sin(yaw),
+                    0.08 * std::sin(yaw) + 0.03 * std::cos(yaw), yaw);
+  back.progress_m = 1.08;
+  const TrackingErrors errors = tracking_errors({back}, {}, path);
+  EXPECT_NEAR(errors.max_cross_track_m, 0.03, 1e-12);
+  EXPECT_NEAR(errors.max_yaw_error_rad, 0.0, 1e-12);
+  EXPECT_TRUE(deviations(path, {back}).front().left);
+}
+
+TEST(TrackingErrors, TheCornerItselfHasToBeReached) {
+  course::Course course;
+  course.path = {course::Line{1.0}, course::Pivot{kPi / 2}, course::Line{1.0}};
+  // Every pose lies on a leg, but the corner is cut by 3 cm.
+  std::vector<TrajectoryPoint> points = {
+      point(0, pose(0.9, 0.0), {}), point(1, pose(0.97, 0.0, 0.2), {}),
+      point(2, pose(1.0, 0.04, 1.2), {}), point(3, pose(1.0, 0.1, kPi / 2), {})};
+  points[0].progress_m = 0.9;
+  points[1].progress_m = points[2].progress_m = 1.0;
+  points[3].progress_m = 1.1;
+  const TrackingErrors errors = tracking_errors(points, {}, course::Path(course));
+  EXPECT_NEAR(errors.max_cross_track_m, 0.03, 1e-12);
+  EXPECT_NEAR(errors.rms_cross_track_m, 0.015, 1e-12);
+  EXPECT_NEAR(errors.max_yaw_error_rad, 0.0, 1e-12);
+}
+
 TEST(TrackingErrors, RecoveryRunsFromTheEndOfThePushToTheLastReturn) {
   std::vector<TrajectoryPoint> points;
   for (int i = 0; i <= 1000; ++i) {
