@@ -161,9 +161,9 @@ int run_replay(const ReplayOptions& options);
 
 // `tp100d export`: recordings as files that other programs read.
 
-// poses.csv and the trajectories cover the run (the whole recording, if nothing ran), with one row
-// per step that received a sample; t_s counts from the start of the recording. Full double
-// precision.
+// poses.csv and the trajectories cover the run (the whole recording, if no run began), with one row
+// per step that received a sample; samples.csv has every sample of the recording. In all files t_s
+// counts from the start of the recording, on the host's clock. Full double precision.
 struct ExportOptions {
   std::vector<std::string> runs;  ///< recordings or their folders
   bool csv = false;               ///< samples.csv (as identify reads it), poses.csv

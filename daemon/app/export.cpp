@@ -5,8 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <optional>
+#include <map>
 #include <string_view>
+#include <vector>
 
 #include "app/commands.h"
 #include "identify/drive_file.h"
@@ -23,7 +24,7 @@ std::string number(double value) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-/// The time of the run: from its first to its last step, or everything if nothing ran.
+/// The time of the run: from its first to its last step, or everything if no run began.
 struct Window {
   HostNs from_ns = std::numeric_limits<HostNs>::max();
   HostNs to_ns = std::numeric_limits<HostNs>::min();
@@ -43,6 +44,14 @@ Window window_of(const Recording& recording) {
   return run.from_ns <= run.to_ns ? run : all;
 }
 
+bool has_run(const Recording& recording) {
+  bool ran = false;
+  recording.visit({.step = [&](const StepRecord& record) {
+    ran = ran || record.snapshot.run_state == RunState::kRunning;
+  }});
+  return ran;
+}
+
 using Write = std::function<void(std::string_view)>;
 
 /// Calls `each` with the snapshot of every step in the window that received a sample.
@@ -59,20 +68,46 @@ void for_each_pose(const Recording& recording, Each each) {
   }});
 }
 
+/// The true poses within the window by their time; empty if they are not recorded.
+std::map<HostNs, Pose> truth_of(const Recording& recording) {
+  const Window window = window_of(recording);
+  std::map<HostNs, Pose> truth;
+  recording.visit({.truth = [&](HostNs at, const Pose& pose) {
+    if (window.has(at)) truth.emplace(at, pose);
+  }});
+  return truth;
+}
+
+void append(std::string& line, const Pose& pose) {
+  for (const double value :
+       {pose.x_m, pose.y_m, pose.z_m, pose.roll_rad, pose.pitch_rad, pose.yaw_rad})
+    line += "," + number(value);
+}
+
 void write_poses(const Recording& recording, const Write& write) {
+  const std::map<HostNs, Pose> truth = truth_of(recording);
   std::string line = "t_s";
-  for (const PoseSource source : kPoseSources)
+  std::vector<std::string_view> poses;
+  for (const PoseSource source : kPoseSources) poses.push_back(to_string(source));
+  poses.emplace_back("world");
+  if (!truth.empty()) poses.emplace_back("truth");
+  for (const std::string_view pose : poses)
     for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
-      line += "," + std::string(to_string(source)) + "_" + value;
+      line += "," + std::string(pose) + "_" + value;
   write(line +
         ",left_mps,right_mps,slip_left,slip_right,cross_track_m,heading_error_rad,progress_m,"
         "desired_yaw_rad,speed_mps\n");
   for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
     line = number(t_s);
-    for (const auto& [pose, twist] : snapshot.estimates.values)
-      for (const double value :
-           {pose.x_m, pose.y_m, pose.z_m, pose.roll_rad, pose.pitch_rad, pose.yaw_rad})
-        line += "," + number(value);
+    for (const Estimate& estimate : snapshot.estimates.values) append(line, estimate.pose);
+    append(line, snapshot.world);
+    if (!truth.empty()) {
+      const auto found = truth.find(snapshot.sample.measured_ns);
+      if (found != truth.end())
+        append(line, found->second);
+      else
+        line += ",,,,,,";
+    }
     for (const double value :
          {snapshot.left_mps, snapshot.right_mps, snapshot.slip_left, snapshot.slip_right,
           snapshot.cross_track_m, snapshot.heading_error_rad, snapshot.progress_m,
@@ -104,7 +139,8 @@ class Product {
 
 void export_csv(const Recording& recording, const std::filesystem::path& folder) {
   Product samples(folder, "samples.csv");
-  samples.file().write(identify::write_drive(identify::recorded_drive(recording)));
+  samples.file().write(
+      identify::write_drive(identify::recorded_drive(recording, recording.start_ns())));
   samples.commit();
   Product poses(folder, "poses.csv");
   write_poses(recording, to(poses.file()));
@@ -120,20 +156,21 @@ void export_tum(const Recording& recording, const std::filesystem::path& folder)
   });
   for (Product* product : {&model, &odometry, &fused}) product->commit();
 
-  std::optional<Product> truth;
-  const Window window = window_of(recording);
-  recording.visit({.truth = [&](HostNs at, const Pose& pose) {
-    if (!window.has(at)) return;
-    if (!truth) truth.emplace(folder, "truth.tum");
-    truth->file().write(report::tum_line(to_s(at - recording.start_ns()), pose));
-  }});
-  if (truth) truth->commit();
+  const std::map<HostNs, Pose> poses = truth_of(recording);
+  if (poses.empty()) return;
+  Product truth(folder, "truth.tum");
+  for (const auto& [at, pose] : poses)
+    truth.file().write(report::tum_line(to_s(at - recording.start_ns()), pose));
+  truth.commit();
 }
 
 void export_run(const std::string& run, const ExportOptions& options) {
   const Recording recording(run);
   if (!recording.whole())
     std::fprintf(stderr, "tp100d: %s: was cut off; exported up to there\n",
+                 recording.path().c_str());
+  if (!has_run(recording))
+    std::fprintf(stderr, "tp100d: %s: the run never began; exported the whole recording\n",
                  recording.path().c_str());
   const std::filesystem::path folder = options.out.empty()
                                            ? std::filesystem::path(recording.path()).parent_path()

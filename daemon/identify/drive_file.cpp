@@ -195,8 +195,8 @@ std::string write_measured(const std::vector<RecordedDrive>& drives) {
   return rows.empty() ? rows : "run,distance_m,ahead_m,left_m,turned_deg\n" + rows;
 }
 
-RecordedDrive recorded_drive(const record::Recording& recording) {
-  DriveSink sink;
+RecordedDrive recorded_drive(const record::Recording& recording, std::optional<HostNs> since) {
+  DriveSink sink(since);
   recording.visit({.step = [&](const StepRecord& record) {
     sink.take(record);
     if (sink.drive().samples.size() + sink.drive().camera.size() > kMaxSamples)
@@ -214,7 +214,9 @@ void DriveSink::take(const StepRecord& record) {
   }
   for (std::size_t i = 0; i < record.inputs.samples.size(); ++i) {
     const Sample& sample = record.inputs.samples[i];
-    const double t_s = static_cast<double>(sample.device_us) * kSecondsPerUs;
+    if (since_ && sample.measured_ns == 0) continue;
+    const double t_s = since_ ? to_s(sample.measured_ns - *since_)
+                              : static_cast<double>(sample.device_us) * kSecondsPerUs;
     if (!drive_.samples.empty() && t_s <= drive_.samples.back().t_s) continue;
     drive_.samples.push_back({t_s, sample.left_counts, sample.right_counts, sample.gyro_radps[2]});
     measured_ns_.push_back(sample.measured_ns);
@@ -224,7 +226,9 @@ void DriveSink::take(const StepRecord& record) {
   for (std::size_t i = 0; i < record.inputs.camera.size(); ++i) {
     const CameraSample& seen = record.inputs.camera[i];
     const double t_s =
-        static_cast<double>(record.inputs.clock.to_device(seen.measured_ns)) * kSecondsPerUs;
+        since_
+            ? to_s(seen.measured_ns - *since_)
+            : static_cast<double>(record.inputs.clock.to_device(seen.measured_ns)) * kSecondsPerUs;
     if (!drive_.camera.empty() && t_s <= drive_.camera.back().t_s) continue;
     drive_.camera.push_back({t_s, seen.x_m, seen.y_m, seen.yaw_rad});
   }

@@ -2,6 +2,7 @@
 // Drives for identify: from CSV files, with hand measurements of them, from recordings, and from
 // the steps of a run.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,20 +32,26 @@ void add_measured(std::string_view text, const std::string& file,
 /// The hand measurements of the drives, as add_measured reads them back; empty if there are none.
 std::string write_measured(const std::vector<RecordedDrive>& drives);
 
-/// The drive in a recording. Throws SetupError.
-RecordedDrive recorded_drive(const record::Recording& recording);
+/// The drive in a recording, with times as DriveSink has them. Throws SetupError.
+RecordedDrive recorded_drive(const record::Recording& recording,
+                             std::optional<HostNs> since = std::nullopt);
 
 class DriveSink : public messages::Sink {
  public:
+  /// Times are those of the robot's clock; or, since a host time, of the host's clock. Then samples
+  /// from before the clocks were related are left out.
+  explicit DriveSink(std::optional<HostNs> since = std::nullopt) : since_(since) {}
+
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
 
-  /// Samples and camera poses in device time, of the last boot. Its name is empty.
+  /// Samples and camera poses of the last boot. Its name is empty.
   const RecordedDrive& drive() const { return drive_; }
   /// Exact poses at the drive's samples if they are known; else all zero.
   const std::vector<Pose>& truth() const { return truth_; }
 
  private:
+  std::optional<HostNs> since_;
   RecordedDrive drive_;
   std::vector<HostNs> measured_ns_;  // of the samples
   std::vector<Pose> truth_;

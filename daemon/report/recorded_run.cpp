@@ -241,7 +241,7 @@ void Reader::disturbances() {
 void Reader::judge() {
   RunResult& result = run_.result;
   if (run_.runs == 0) {
-    result.cause = "nothing ran";
+    result.cause = "the run never began";
   } else if (state_ == RunState::kRunning) {
     result.cause = "the recording ends before the run does";
   } else if (const auto fault = first_fault(faults_)) {

@@ -102,7 +102,7 @@ struct RunEvent {
   bool bad = false;
 };
 
-/// The last run of a recording; the whole recording, if nothing ran.
+/// The last run of a recording; the whole recording, if no run began.
 struct RecordedRun {
   std::string path;                                        ///< of the file
   std::map<std::string, std::string> facts;                ///< program, version, ...

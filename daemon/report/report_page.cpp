@@ -73,6 +73,12 @@ const Row kPoseHead = {"", "max [cm]", "mean [cm]", "rms [cm]", "final [cm]", "y
 
 void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunFigures>& judged) {
   page.heading("Errors");
+  if (run.runs == 0) {
+    page.paragraph(
+        "The run never began: there is nothing to judge. What follows is of the whole "
+        "recording.");
+    return;
+  }
   if (judged) {
     page.table({kPoseHead, pose_row("model", judged->model)},
                "Model: on encoder counts (extended: eqs 1-5 and seven constants of ours; or as "
@@ -331,9 +337,10 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
     outcomes.push_back({name, title_of(run), outcome(run), number(run.result.duration_s, 2),
                         count(run.result.link.lost),
                         version == run.facts.end() ? "" : plain(version->second)});
-    estimated.push_back({name, number(run.estimated.max_cross_track_m * kCmPerM, 2),
-                         number(run.estimated.rms_cross_track_m * kCmPerM, 2),
-                         number(run.estimated.max_heading_error_rad * kDegPerRad, 2)});
+    if (run.runs > 0)
+      estimated.push_back({name, number(run.estimated.max_cross_track_m * kCmPerM, 2),
+                           number(run.estimated.rms_cross_track_m * kCmPerM, 2),
+                           number(run.estimated.max_heading_error_rad * kDegPerRad, 2)});
     jitter.push_back(duration_row(name, run.jitter));
     if (!judged[i]) continue;
     model.push_back(pose_row(name, judged[i]->model));
@@ -345,7 +352,8 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
   }
   page.table(outcomes, "The runs");
   page.heading("Errors");
-  page.paragraph("Runs whose truth is not known are only in the last table.");
+  page.paragraph(
+      "Runs whose truth is not known are only in the last table, runs that never began in none.");
   page.table(model, "Model against the truth, piece by piece between disturbances");
   page.table(odometry, "Odometry (estimate) against the truth");
   if (fused.size() > 1) page.table(fused, "Fused (estimate) against the truth");

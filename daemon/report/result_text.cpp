@@ -102,6 +102,9 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
   if (figures.fused) json["fused"] = json_of(*figures.fused);
   json["tracking"] = json_of(figures.tracking);
   json["slope"] = json_of(figures.slope);
+  if (run.points.empty())
+    for (const char* name : {"model", "odometry", "fused", "tracking", "slope"})
+      if (json.contains(name)) json[name] = nullptr;
   if (run.has_camera) json["camera"] = json_of(run.camera);
   json["link"] = json_of(run.link);
   json["loop"] = Json::object();
@@ -188,6 +191,7 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   text += run.completed ? format("completed") : "NOT completed (" + run.cause + ")";
   text +=
       format("\n%.1f s of robot time, %.0f x real time\n\n", run.duration_s, run.realtime_factor);
+  if (run.points.empty()) return text + "The run never began: there is nothing to judge.\n";
   text += format("%-27s%32s%33s%8s\n", "", "position error [cm]", "mean squared error", "yaw");
   text += format("%-27s%8s%8s%8s%8s%11s%11s%11s%8s\n", "against the true pose", "max", "mean",
                  "rms", "final", "x [m^2]", "y [m^2]", "[rad^2]", "max deg");

@@ -22,7 +22,7 @@ struct CounterList {
 }  // namespace
 
 std::optional<RunFigures> judged(const RecordedRun& run) {
-  if (!run.has_truth || run.run_context.course == nullptr) return std::nullopt;
+  if (run.runs == 0 || !run.has_truth || run.run_context.course == nullptr) return std::nullopt;
   return figures(run.result, *run.run_context.course);
 }
 
@@ -52,12 +52,16 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
   }
   json["truth"] = run.has_truth;
   json["steering"] = to_string(run.run_context.steering);
-  json["estimated"] = {{"max_cross_track_m", run.estimated.max_cross_track_m},
-                       {"rms_cross_track_m", run.estimated.rms_cross_track_m},
-                       {"max_heading_error_rad", run.estimated.max_heading_error_rad}};
-  const Difference difference = model_from_odometry(run);
-  json["differences"] = {
-      {"model_from_odometry", {{"max_m", difference.max_m}, {"final_m", difference.final_m}}}};
+  json["estimated"] = nullptr;
+  json["differences"] = nullptr;
+  if (run.runs > 0) {
+    json["estimated"] = {{"max_cross_track_m", run.estimated.max_cross_track_m},
+                         {"rms_cross_track_m", run.estimated.rms_cross_track_m},
+                         {"max_heading_error_rad", run.estimated.max_heading_error_rad}};
+    const Difference difference = model_from_odometry(run);
+    json["differences"] = {
+        {"model_from_odometry", {{"max_m", difference.max_m}, {"final_m", difference.final_m}}}};
+  }
   json["timing"] = {{"rate_hz", run.run_context.rate_hz},
                     {"jitter_us", run.jitter},
                     {"sample_age_us", run.sample_age}};

@@ -12,12 +12,12 @@
 
 namespace tp100::report {
 
-/// Nothing if the truth or the course is not known.
+/// Nothing if no run began, or if the truth or the course is not known.
 std::optional<RunFigures> judged(const RecordedRun& run);
 
 /// One JSON object with line breaks: the fields that `tp100-sim course --json` prints (`model`,
 /// `odometry`, `fused`, `tracking`: null where the truth is not known), and `estimated`,
-/// `differences`, `timing`, `recording`, `versions`.
+/// `differences` (both null if no run began), `timing`, `recording`, `versions`.
 std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>& figures);
 
 /// Largest and last distance between two estimates. [m]

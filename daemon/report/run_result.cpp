@@ -12,23 +12,24 @@ std::string poses_csv(const RunResult& result) {
   std::ostringstream out;
   out.precision(17);
   out << "t_s";
-  for (const char* pose : {"truth", "model", "odometry", "fused"}) {
+  for (const char* pose : {"truth", "world", "model", "odometry", "fused"}) {
     if (pose == std::string("fused") && !result.has_camera) continue;
-    for (const char* value : {"x_m", "y_m", "z_m", "pitch_rad", "yaw_rad"})
+    for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
       out << ',' << pose << '_' << value;
   }
-  out << '\n';
+  out << ",progress_m\n";
   for (const TrajectoryPoint& point : result.points) {
     out << point.t_s;
     const auto write = [&out](const Pose& pose) {
-      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.z_m << ',' << pose.pitch_rad << ','
-          << pose.yaw_rad;
+      out << ',' << pose.x_m << ',' << pose.y_m << ',' << pose.z_m << ',' << pose.roll_rad << ','
+          << pose.pitch_rad << ',' << pose.yaw_rad;
     };
     write(point.truth);
+    write(point.world);
     write(point.model);
     write(point.odometry);
     if (result.has_camera) write(point.fused);
-    out << '\n';
+    out << ',' << point.progress_m << '\n';
   }
   return out.str();
 }

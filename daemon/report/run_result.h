@@ -66,9 +66,9 @@ struct RunResult {
   std::vector<std::pair<std::string, double>> loop;  ///< figures of the loop by name
 };
 
-/// Every pose of a run, with the truth, as CSV. Header t_s, then x_m, y_m, z_m, pitch_rad and
-/// yaw_rad with the prefixes truth_, model_, odometry_ and, with a camera, fused_. One row per
-/// instant, full double precision.
+/// Every pose of a run, with the truth, as CSV. Header t_s, then x_m, y_m, z_m, roll_rad, pitch_rad
+/// and yaw_rad with the prefixes truth_, world_, model_, odometry_ and, with a camera, fused_, and
+/// progress_m. One row per instant, t_s from the start of the run, full double precision.
 std::string poses_csv(const RunResult& result);
 
 /// A line of the TUM format, which evo and rpg_trajectory_evaluation read: one per pose, `time x y

@@ -11,6 +11,7 @@
 #include "sim/robot/lockstep.h"
 #include "sim/study/commands.h"
 #include "text/atomic_file.h"
+#include "text/json_writer.h"
 
 namespace tp100::sim {
 namespace {
@@ -91,19 +92,25 @@ void print_tallies(const std::string& robot, const std::array<Tally, kCount>& ta
   }
 }
 
-void print_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
-                const TrackParameters& truth) {
-  std::printf(R"({"robot":"%s","seed":%llu)", robot.c_str(), static_cast<unsigned long long>(seed));
+}  // namespace
+
+std::string calibration_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
+                             const TrackParameters& truth) {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object().field("robot", robot).field("seed", seed);
   for (const model::ParameterRow& row : kTrackParameters) {
     const identify::Estimate& estimate = fit[row.value];
-    std::printf(R"(,"%s":{"found":%.6g,"half_interval":%.6g,"true":%.6g})", row.key,
-                estimate.value / row.si, estimate.half_interval / row.si,
-                truth.*row.value / row.si);
+    json.key(row.key)
+        .begin_object()
+        .field("found", estimate.value / row.si)
+        .field("half_interval", estimate.half_interval / row.si)
+        .field("true", truth.*row.value / row.si)
+        .end_object();
   }
-  std::printf("}\n");
+  json.end_object();
+  return text;
 }
-
-}  // namespace
 
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed) {
   Calibration calibration;
@@ -158,7 +165,9 @@ int run_calibrate(const CalibrateCommand& command) {
       if (calibration.holds(parameter)) ++tally.inside;
     }
     if (command.json) {
-      print_json(loaded.robot.name, seed, calibration.found.extended, calibration.truth);
+      std::printf("%s\n", calibration_json(loaded.robot.name, seed, calibration.found.extended,
+                                           calibration.truth)
+                              .c_str());
     } else if (command.runs == 1) {
       const course::Robot unknown = without_model(loaded.robot);
       std::printf("%s\n", identify::identify_report(calibration.found, unknown).c_str());

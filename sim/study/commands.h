@@ -34,6 +34,11 @@ struct Calibration {
 /// noise. Throws SetupError.
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
 
+/// One line of JSON: found value, half of the 95 % interval and true value of every parameter, in
+/// the units of robot files; null for what the drives could not show.
+std::string calibration_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
+                             const model::TrackParameters& truth);
+
 struct CalibrateCommand {
   Options options{};
   int repeats = 2;  ///< of each drive, each with noise of its own

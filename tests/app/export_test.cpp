@@ -27,7 +27,7 @@ class Export : public testing::Test {
       Snapshot& s = record.snapshot;
       for (Pose* pose :
            {&s.estimates[PoseSource::kModel].pose, &s.estimates[PoseSource::kOdometry].pose,
-            &s.estimates[PoseSource::kFused].pose})
+            &s.estimates[PoseSource::kFused].pose, &s.world})
         fill("", *pose);
       for (double* value :
            {&s.left_mps, &s.right_mps, &s.slip_left, &s.slip_right, &s.cross_track_m,
@@ -38,7 +38,7 @@ class Export : public testing::Test {
         fill("", sample.gyro_radps);
         sample.left_counts = static_cast<std::int64_t>(3 * record.step);
         sample.right_counts = -static_cast<std::int64_t>(5 * record.step);
-        samples_.push_back(sample);
+        if (sample.measured_ns != 0) samples_.push_back(sample);
       }
       if (!record.inputs.samples.empty()) snapshots_.push_back(s);
       return true;
@@ -69,7 +69,8 @@ std::map<std::string, Value> columns_of_poses() {
   const std::map<std::string, std::function<Pose(const Snapshot&)>> poses = {
       {"model", [](const Snapshot& s) { return s.estimates[PoseSource::kModel].pose; }},
       {"odometry", [](const Snapshot& s) { return s.estimates[PoseSource::kOdometry].pose; }},
-      {"fused", [](const Snapshot& s) { return s.estimates[PoseSource::kFused].pose; }}};
+      {"fused", [](const Snapshot& s) { return s.estimates[PoseSource::kFused].pose; }},
+      {"world", [](const Snapshot& s) { return s.world; }}};
   const std::map<std::string, double Pose::*> values = {{"x_m", &Pose::x_m},
                                                         {"y_m", &Pose::y_m},
                                                         {"z_m", &Pose::z_m},
@@ -113,7 +114,7 @@ TEST_F(Export, EveryColumnOfSamplesHoldsWhatItsNameSays) {
                                    {{"t_s", "left_count", "right_count", "gyro_z_radps"}, {}});
   ASSERT_EQ(table.rows(), samples_.size());
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    ASSERT_NEAR(table["t_s"][i], static_cast<double>(samples_[i].device_us) * 1e-6, 1e-9);
+    ASSERT_NEAR(table["t_s"][i], to_s(samples_[i].measured_ns - start_ns_), 1e-9);
     ASSERT_EQ(table["left_count"][i], static_cast<double>(samples_[i].left_counts));
     ASSERT_EQ(table["right_count"][i], static_cast<double>(samples_[i].right_counts));
     ASSERT_EQ(table["gyro_z_radps"][i], samples_[i].gyro_radps[2]);

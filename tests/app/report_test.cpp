@@ -50,6 +50,19 @@ void expect_offline(std::string page) {
                           Not(HasSubstr("@import")), Not(HasSubstr("url("))));
 }
 
+TEST_F(Report, ARunThatNeverBeganHasNoFigures) {
+  record_run(file(), [](StepRecord& record) {
+    record.snapshot.run_state = RunState::kArming;
+    return true;
+  });
+  ASSERT_EQ(report(), "");
+  const Json json = metrics();
+  EXPECT_EQ(json["cause"], "the run never began");
+  for (const char* name : {"model", "odometry", "tracking", "estimated", "differences"})
+    EXPECT_TRUE(json[name].is_null()) << name;
+  EXPECT_THAT(text("report.html"), HasSubstr("The run never began: there is nothing to judge"));
+}
+
 TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
   record_run(file());
   ASSERT_EQ(report(), "");

@@ -31,7 +31,8 @@ RunResult a_run(bool has_camera) {
                           .world = pose(number + 20),
                           .model = pose(number + 30),
                           .odometry = pose(number + 40),
-                          .fused = pose(number + 50)});
+                          .fused = pose(number + 50),
+                          .progress_m = number + 60});
   }
   return run;
 }
@@ -42,6 +43,7 @@ TEST(PosesCsv, EveryColumnHoldsWhatItsNameSays) {
     const char* name;
     Pose TrajectoryPoint::*pose;
   } poses[] = {{"truth", &TrajectoryPoint::truth},
+               {"world", &TrajectoryPoint::world},
                {"model", &TrajectoryPoint::model},
                {"odometry", &TrajectoryPoint::odometry},
                {"fused", &TrajectoryPoint::fused}};
@@ -51,18 +53,20 @@ TEST(PosesCsv, EveryColumnHoldsWhatItsNameSays) {
   } values[] = {{"x_m", &Pose::x_m},
                 {"y_m", &Pose::y_m},
                 {"z_m", &Pose::z_m},
+                {"roll_rad", &Pose::roll_rad},
                 {"pitch_rad", &Pose::pitch_rad},
                 {"yaw_rad", &Pose::yaw_rad}};
   std::vector<std::string> names;
   for (const auto& pose : poses)
     for (const auto& value : values) names.push_back(std::string(pose.name) + "_" + value.name);
-  text::CsvColumns columns{{"t_s"}, {}};
+  text::CsvColumns columns{{"t_s", "progress_m"}, {}};
   columns.required.insert(columns.required.end(), names.begin(), names.end());
 
   const text::CsvTable table = text::parse_csv(poses_csv(run), "poses.csv", columns);
   ASSERT_EQ(table.rows(), run.points.size());
   for (std::size_t i = 0; i < run.points.size(); ++i) {
     EXPECT_EQ(table["t_s"][i], run.points[i].t_s);
+    EXPECT_EQ(table["progress_m"][i], run.points[i].progress_m);
     auto name = names.begin();
     for (const auto& pose : poses)
       for (const auto& value : values) {

@@ -28,6 +28,7 @@ RunResult a_run() {
   run.disturbances = {{8.0, 8.3}, {30.0, 30.3}};
   run.link.samples = 8000;
   run.loop = {{"steps", 8250.0}};
+  run.points.emplace_back();
   return run;
 }
 
@@ -51,6 +52,16 @@ std::vector<std::string> keys(const Json& json) {
   std::vector<std::string> names;
   for (const auto& [name, value] : json.items()) names.push_back(name);
   return names;
+}
+
+TEST(ResultJson, ARunThatNeverBeganHasNoFigures) {
+  RunResult run = a_run();
+  run.points.clear();
+  const Json json = Json::parse(result_json(run, {}));
+  for (const char* name : {"model", "odometry", "tracking", "slope"})
+    EXPECT_TRUE(json.at(name).is_null()) << name;
+  EXPECT_THAT(result_table(run, {}), HasSubstr("The run never began: there is nothing to judge."));
+  EXPECT_THAT(result_table(run, {}), Not(HasSubstr("cross-track")));
 }
 
 TEST(ResultJson, HasTheDocumentedKeysInOrder) {

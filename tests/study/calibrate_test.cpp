@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "sim/study/commands.h"
 
 namespace tp100::sim {
@@ -21,6 +24,17 @@ TEST(Calibration, FindsWhatTheBodyReallyDid) {
     if (calibration.holds(row.value)) ++held;
   EXPECT_GE(held + 1, model::kTrackParameters.size());
   EXPECT_TRUE(calibration.found.extended.confused.empty());
+}
+
+TEST(CalibrationJson, WhatCouldNotBeMeasuredIsNull) {
+  model::TrackParameters truth;
+  truth.turn_slip = -HUGE_VAL;
+  truth.turn_slip_tight = std::nan("");
+  const auto json = nlohmann::json::parse(calibration_json("narrow", 3, {}, truth));
+  EXPECT_EQ(json.at("robot"), "narrow");
+  EXPECT_TRUE(json.at("turn_slip").at("true").is_null());
+  EXPECT_TRUE(json.at("turn_slip_tight").at("true").is_null());
+  EXPECT_TRUE(json.at("turn_slip").at("found").is_number());
 }
 
 }  // namespace
