@@ -108,8 +108,9 @@ struct StateFigures {
   std::optional<double> battery_v;
   bool can_start = false, can_record = false;
   std::string why_not_start;
-  bool confirm_start = true;  ///< a start needs the viewer's confirmation
-  FaultMask faults = 0;
+  bool confirm_start = true;   ///< a start needs the viewer's confirmation
+  FaultMask faults = 0;        ///< latched by robot or daemon
+  FaultMask robot_faults = 0;  ///< those that the robot's newest sample has
   StopFigures stop{};
 };
 

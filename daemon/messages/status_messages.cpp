@@ -30,7 +30,7 @@ void write_counters(text::JsonWriter& json, const LinkCounters& link) {
   json.end_object();
 }
 
-void write_faults(text::JsonWriter& json, FaultMask faults) {
+void write_faults(text::JsonWriter& json, FaultMask faults, FaultMask of_robot) {
   json.key("faults").begin_array();
   while (const auto fault = first_fault(faults)) {
     const FaultText& text = describe(*fault);
@@ -38,7 +38,7 @@ void write_faults(text::JsonWriter& json, FaultMask faults) {
         .field("name", text.name)
         .field("cause", text.cause)
         .field("fix", text.fix)
-        .field("from", (fault_bit(*fault) & kRobotFaults) != 0 ? "robot" : "daemon")
+        .field("from", (fault_bit(*fault) & of_robot) != 0 ? "robot" : "daemon")
         .end_object();
     faults &= ~fault_bit(*fault);
   }
@@ -249,7 +249,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .end_object()
       .field("why_not_start", state.why_not_start)
       .field("confirm_start", state.confirm_start);
-  write_faults(json, state.faults);
+  write_faults(json, state.faults, state.robot_faults);
   write_stop(json, state.stop, clock);
   json.end_object();
   return text;

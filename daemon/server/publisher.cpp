@@ -25,9 +25,9 @@ std::string key_of(const messages::StateFigures& state) {
        {static_cast<unsigned>(state.run), static_cast<unsigned>(state.session),
         static_cast<unsigned>(state.steering),
         state.robot ? static_cast<unsigned>(*state.robot) : 99U,
-        static_cast<unsigned>(state.faults), static_cast<unsigned>(state.stop.status),
-        state.stop.latched ? 1U : 0U, state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U,
-        state.confirm_start ? 1U : 0U})
+        static_cast<unsigned>(state.faults), static_cast<unsigned>(state.robot_faults),
+        static_cast<unsigned>(state.stop.status), state.stop.latched ? 1U : 0U,
+        state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U, state.confirm_start ? 1U : 0U})
     key += std::to_string(part) + ' ';
   return key + state.why_not_start;
 }
@@ -139,6 +139,7 @@ void Publisher::update_state(const StepRecord& record) {
   state_.battery_v = snapshot.has_sample ? std::optional(snapshot.sample.battery_v) : std::nullopt;
   state_.progress_m = snapshot.progress_m;
   state_.faults = snapshot.faults;
+  state_.robot_faults = snapshot.has_sample ? snapshot.sample.faults : 0;
   state_.motors_on = snapshot.has_sample && motors_on(snapshot.sample);
   state_.why_not_start = to_string(snapshot.start_refusal);
   state_.can_start = state_.why_not_start.empty();

@@ -14,6 +14,7 @@ using Json = nlohmann::json;
 TEST(StateMessage, FaultsComeWithCauseAndFix) {
   StateFigures state;
   state.faults = fault_bit(Fault::cross_track) | fault_bit(Fault::battery_low);
+  state.robot_faults = fault_bit(Fault::battery_low);
   const Json faults = Json::parse(state_message(0, {}, state, example_subject()))["faults"];
   ASSERT_EQ(faults.size(), 2U);
   EXPECT_EQ(faults[0]["name"], "battery_low");

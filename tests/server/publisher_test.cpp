@@ -89,6 +89,16 @@ TEST_F(PublisherTest, AChangeOfStateIsToldAtOnce) {
   EXPECT_EQ(received[0]["faults"][0]["name"], "tilt");
 }
 
+TEST_F(PublisherTest, AStopIsTheDaemonsUntilTheRobotHasLatchedIt) {
+  record_.snapshot.faults = fault_bit(Fault::stop_requested);
+  const auto from = [&] { return run(1.0, messages::Channel::kState).back()["faults"][0]["from"]; };
+  EXPECT_EQ(from(), "daemon");
+  record_.snapshot.sample.faults = fault_bit(Fault::stop_requested);
+  EXPECT_EQ(from(), "robot");
+  record_.snapshot.has_sample = false;
+  EXPECT_EQ(from(), "daemon");
+}
+
 TEST_F(PublisherTest, TheRunsClockStandsStillWhenItIsOver) {
   run(2.0, messages::Channel::kState);
   record_.snapshot.run_state = RunState::kFinished;
