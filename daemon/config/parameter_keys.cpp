@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/angle.h"
+#include "course/camera.h"
 
 namespace tp100::config {
 namespace {
@@ -90,6 +91,7 @@ std::span<const Key<estimation::Parameters>> estimation_keys() {
 
 std::span<const Key<estimation::CameraParameters>> camera_keys() {
   using T = estimation::CameraParameters;
+  static const auto mount = course::camera_mount_keys<T>();
   static const std::array<Key<T>, 8> kKeys = {{
       {"position_sd_m",
        &T::position_sd_m,
@@ -102,20 +104,10 @@ std::span<const Key<estimation::CameraParameters>> camera_keys() {
        {0, 0.1},
        "Standard deviation of the position error that all images have in common; it is added to "
        "the published uncertainty"},
-      {"height_m",
-       &T::height_m,
-       {0.5, 20},
-       "Height of the lens above the floor; the camera looks straight down"},
-      {"offset_x_m",
-       &T::offset_x_m,
-       {-10, 10},
-       "Position of the lens along the world's x, from the middle of the course's fence"},
-      {"offset_y_m", &T::offset_y_m, {-10, 10}, "Same along the world's y"},
-      {"marker_height_m",
-       &T::marker_height_m,
-       {0, 0.4},
-       "Height of the marker above the reference point; the camera measures in the plane at "
-       "this height"},
+      mount[0],
+      mount[1],
+      mount[2],
+      mount[3],
   }};
   return kKeys;
 }

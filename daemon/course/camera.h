@@ -2,9 +2,11 @@
 // A camera file (config/cameras) as data: one emulated overhead camera. The daemon never reads it;
 // what it assumes of its camera is in the configuration's [camera].
 
+#include <array>
 #include <string>
 
 #include "core/angle.h"
+#include "text/key.h"
 
 namespace tp100::course {
 
@@ -28,6 +30,28 @@ struct EmulatedCamera {
   double marker_height_m = 0.06;  ///< above the reference point; also the plane it measures in
   double marker_size_m = 0.10;
 };
+
+/// Keys of an overhead camera's place and of the marker's height, which a camera file and the
+/// configuration's [camera] have in common.
+template <class T>
+std::array<text::Key<T>, 4> camera_mount_keys() {
+  return {{
+      {"height_m",
+       &T::height_m,
+       {0.5, 20},
+       "Height of the lens above the floor; the camera looks straight down"},
+      {"offset_x_m",
+       &T::offset_x_m,
+       {-10, 10},
+       "Position of the lens along the world's x, from the middle of the course's fence"},
+      {"offset_y_m", &T::offset_y_m, {-10, 10}, "Same along the world's y"},
+      {"marker_height_m",
+       &T::marker_height_m,
+       {0, 0.4},
+       "Height of the marker above the reference point; the camera measures in the plane at this "
+       "height"},
+  }};
+}
 
 /// Parses a camera file. `file` is only used in messages. Throws SetupError (file:line:column).
 /// Pure: reads no file itself.

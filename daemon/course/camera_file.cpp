@@ -12,6 +12,7 @@ constexpr double kMs = 1e-3;
 
 std::span<const text::Key<EmulatedCamera>> keys() {
   using T = EmulatedCamera;
+  static const auto mount = camera_mount_keys<T>();
   static const std::array<text::Key<T>, 17> kKeys = {{
       {"rate_hz", &T::rate_hz, {1, 500}, "Images per second"},
       {"delay_ms", &T::delay_s, {5, 400}, "Delay from an image to the arrival of its sample", kMs},
@@ -35,20 +36,10 @@ std::span<const text::Key<EmulatedCamera>> keys() {
       {"blind_s", &T::blind_s, {0, 100000}, "Duration of that period"},
       {"outliers", &T::outliers, {0, 1}, "Share of the images with a false detection"},
       {"outlier_m", &T::outlier_m, {0, 5}, "Largest error of a false detection, per axis"},
-      {"height_m",
-       &T::height_m,
-       {0.5, 20},
-       "Height of the lens above the floor; the camera looks straight down"},
-      {"offset_x_m",
-       &T::offset_x_m,
-       {-10, 10},
-       "Position of the lens along the world's x, from the middle of the course's fence"},
-      {"offset_y_m", &T::offset_y_m, {-10, 10}, "Same along the world's y"},
-      {"marker_height_m",
-       &T::marker_height_m,
-       {0, 0.4},
-       "Height of the marker above the reference point; the camera measures in the plane at this "
-       "height"},
+      mount[0],
+      mount[1],
+      mount[2],
+      mount[3],
       {"marker_size_m", &T::marker_size_m, {0.01, 0.5}, "Side of the marker"},
   }};
   return kKeys;

@@ -4,7 +4,9 @@
 // terminal) blocks nothing and loses the oldest lines.
 
 #include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "live/live_cycle.h"
@@ -13,6 +15,24 @@
 #include "messages/figures.h"
 
 namespace tp100::live {
+
+/// A line for the log that another thread leaves.
+class Note {
+ public:
+  void set(std::string text) {
+    const std::lock_guard lock(mutex_);
+    text_ = std::move(text);
+  }
+  /// The line, if there is a new one since the last call.
+  std::string take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(text_, {});
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string text_;
+};
 
 class EventLog {
  public:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <future>
@@ -12,6 +11,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "record/recording_file.h"
+#include "text/standard_streams.h"
 
 namespace tp100::live {
 namespace {
@@ -25,11 +25,6 @@ std::string date_and_time(std::int64_t unix_ns) {
   ::localtime_r(&seconds, &local);
   std::array<char, 32> text{};
   return {text.data(), std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &local)};
-}
-
-std::string of_environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? std::string() : value;
 }
 
 /// Channels of events; the other channels hold a state.
@@ -61,9 +56,9 @@ record::RecorderSettings recorder_settings(const config::Configuration& configur
 std::string black_box_directory(const config::RecordSettings& settings) {
   if (!settings.black_box_directory.empty()) return settings.black_box_directory;
   if (!settings.directory.empty()) return settings.directory;
-  if (const std::string state = of_environment("XDG_STATE_HOME"); !state.empty())
+  if (const std::string state = text::environment_variable("XDG_STATE_HOME"); !state.empty())
     return state + "/tp100";
-  const std::string home = of_environment("HOME");
+  const std::string home = text::environment_variable("HOME");
   return home.empty() ? home : home + "/.local/state/tp100";
 }
 

@@ -3,34 +3,15 @@
 
 #include <deque>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "core/run_state.h"
 #include "core/step_record.h"
+#include "live/event_log.h"
 #include "live/live_recording.h"
 
 namespace tp100::live {
-
-/// A line for the log that another thread leaves.
-class Note {
- public:
-  void set(std::string text) {
-    const std::lock_guard lock(mutex_);
-    text_ = std::move(text);
-  }
-  /// The line, if there is a new one since the last call.
-  std::string take() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(text_, {});
-  }
-
- private:
-  std::mutex mutex_;
-  std::string text_;
-};
 
 /// Records each run of a bridge that stays on, but not the time between two runs.
 class RunRecordings {

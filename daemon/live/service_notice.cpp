@@ -8,19 +8,15 @@
 #include <cerrno>
 #include <charconv>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string_view>
 #include <utility>
 
+#include "text/standard_streams.h"
+
 namespace tp100::live {
 namespace {
-
-std::string_view variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? std::string_view() : std::string_view(value);
-}
 
 /// 0 unless it is a whole number above 0.
 std::int64_t number(std::string_view text) {
@@ -34,9 +30,9 @@ std::int64_t number(std::string_view text) {
 
 ServiceSettings service_settings() {
   ServiceSettings settings;
-  settings.socket = variable("NOTIFY_SOCKET");
-  const std::string_view guarded = variable("WATCHDOG_PID");
-  const std::int64_t us = number(variable("WATCHDOG_USEC"));
+  settings.socket = text::environment_variable("NOTIFY_SOCKET");
+  const std::string guarded = text::environment_variable("WATCHDOG_PID");
+  const std::int64_t us = number(text::environment_variable("WATCHDOG_USEC"));
   // Inherited from a parent that is itself watched, it does not apply to us.
   const bool ours = guarded.empty() || number(guarded) == ::getpid();
   if (ours && us < std::numeric_limits<HostNs>::max() / kNsPerUs)

@@ -166,15 +166,10 @@ void StatsFile::write(const DaemonFigures& figures) {
       } catch (const SetupError& error) {
         // A disk that fills up during a run does not end the run.
         lock_inside.lock();
-        if (!std::exchange(state->failed, true)) state->note = error.what();
+        if (!std::exchange(state->failed, true)) state->note.set(error.what());
       }
     }
   });
-}
-
-std::string StatsFile::take_note() {
-  const std::lock_guard lock(state_->mutex);
-  return std::exchange(state_->note, {});
 }
 
 void print_summary(const DaemonFigures& figures) {

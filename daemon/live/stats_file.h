@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "link/camera_intake.h"
+#include "live/event_log.h"
 #include "live/live_cycle.h"
 #include "live/live_world.h"
 #include "messages/figures.h"
@@ -48,7 +49,7 @@ class StatsFile {
   /// SetupError on failure. Later it never waits, and newer figures replace those not written yet.
   void write(const DaemonFigures& figures);
   /// Why the file is no longer written, in one line, once after the first failure; or nothing.
-  std::string take_note();
+  std::string take_note() { return state_->note.take(); }
 
  private:
   struct State {
@@ -56,7 +57,7 @@ class StatsFile {
     std::optional<std::string> text;  ///< waiting for the disk
     bool writing = false;
     bool failed = false;
-    std::string note;
+    Note note;
   };
 
   const std::string path_;

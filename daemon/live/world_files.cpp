@@ -14,6 +14,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "live/event_log.h"
 #include "text/atomic_file.h"
 #include "worlds/text_files.h"
 
@@ -110,9 +111,10 @@ struct WorldFiles::State {
       if (next) ++(error.empty() ? counters.written : counters.write_errors);
       if (seen) ++(orientation_seen ? counters.read : counters.rejected);
       if (orientation_seen && !given) ++counters.dropped;
-      if (!error.empty() && !std::exchange(reported_write, true)) note = error;
+      if (!error.empty() && !std::exchange(reported_write, true)) note.set(error);
       if (seen && !orientation_seen && !std::exchange(reported_read, true))
-        note = run.settings.orientation_file + ": cannot be parsed; see world.orientation_template";
+        note.set(run.settings.orientation_file +
+                 ": cannot be parsed; see world.orientation_template");
     }
     ended = true;
     wake.notify_all();
@@ -142,7 +144,7 @@ struct WorldFiles::State {
   std::condition_variable wake;
   std::optional<std::string> text;
   WorldFileCounters counters;
-  std::string note;
+  Note note;
   bool reported_write = false, reported_read = false;
   bool ending = false, ended = false;
   std::thread thread;
@@ -188,10 +190,7 @@ void WorldFiles::take(const StepRecord& record) {
   state_->wake.notify_one();
 }
 
-std::string WorldFiles::take_note() {
-  const std::lock_guard lock(state_->mutex);
-  return std::exchange(state_->note, {});
-}
+std::string WorldFiles::take_note() { return state_->note.take(); }
 
 WorldFileCounters WorldFiles::counters() const {
   const std::lock_guard lock(state_->mutex);

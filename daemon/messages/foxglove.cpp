@@ -7,8 +7,6 @@
 namespace tp100::messages {
 namespace {
 
-constexpr double kPathSpacingM = 0.02;
-
 void write_transform(text::JsonWriter& json, std::string_view child, const Pose& pose,
                      std::uint64_t unix_ns) {
   json.begin_object();
@@ -85,7 +83,7 @@ std::string Messages::path_poses(HostNs at) const {
   write_time(json, "timestamp", clock_.unix_ns(at));
   json.field("frame_id", "world").key("poses").begin_array();
   if (path() != nullptr) {
-    for (const course::PathPoint& point : path_points(*path(), kPathSpacingM)) {
+    for (const course::PathPoint& point : path_points(*path())) {
       json.begin_object();
       write_xyz(json, "position", {point.x_m, point.y_m, 0.0});
       write_rotation(json, "orientation", {.yaw_rad = point.yaw_rad});

@@ -153,7 +153,7 @@ const char* kind_name(course::PathSegment::Kind kind) {
 void write_path(text::JsonWriter& json, const course::Path* path) {
   json.key("path").begin_array();
   if (path != nullptr) {
-    for (const course::PathPoint& point : path_points(*path, kPathSpacingM)) {
+    for (const course::PathPoint& point : path_points(*path)) {
       json.begin_object()
           .field("x_m", point.x_m)
           .field("y_m", point.y_m)
@@ -194,11 +194,11 @@ void write_robot(text::JsonWriter& json, const course::Robot& robot) {
 
 }  // namespace
 
-std::vector<course::PathPoint> path_points(const course::Path& path, double spacing_m) {
+std::vector<course::PathPoint> path_points(const course::Path& path) {
   std::vector<course::PathPoint> points;
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
     const course::PathSegment& segment = path.segments()[i];
-    const auto parts = static_cast<std::size_t>(std::ceil(segment.length_m / spacing_m));
+    const auto parts = static_cast<std::size_t>(std::ceil(segment.length_m / kPathSpacingM));
     if (i == 0) points.push_back(segment.begin);
     for (std::size_t k = 1; k < parts; ++k)
       points.push_back(

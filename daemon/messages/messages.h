@@ -93,8 +93,7 @@ class Messages {
   std::optional<course::Path> path_;
 };
 
-/// The reference path, a point at most every `spacing_m`; both ends of every segment are among
-/// them.
-std::vector<course::PathPoint> path_points(const course::Path& path, double spacing_m);
+/// The reference path, a point at most every 2 cm; both ends of every segment are among them.
+std::vector<course::PathPoint> path_points(const course::Path& path);
 
 }  // namespace tp100::messages

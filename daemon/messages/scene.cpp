@@ -9,7 +9,6 @@
 namespace tp100::messages {
 namespace {
 
-constexpr double kPathSpacingM = 0.02;
 constexpr double kPathLiftM = 0.002;  // above the floor, so that the two do not flicker
 constexpr Colour kFenceColour{0.65, 0.65, 0.65, 1.0};
 constexpr Colour kRampColour{0.72, 0.60, 0.42, 1.0};
@@ -66,7 +65,7 @@ std::string ramp_triangles(const course::Ramp& ramp) {
 
 void write_course(text::JsonWriter& json, const Messages& messages, std::uint64_t at) {
   std::vector<Point> points;
-  for (const course::PathPoint& point : path_points(*messages.path(), kPathSpacingM))
+  for (const course::PathPoint& point : path_points(*messages.path()))
     points.push_back({point.x_m, point.y_m, kPathLiftM});
   write_entity(json, {.id = "course/path", .lines = line_strip(points, 0.006, kPathColour)}, at);
 

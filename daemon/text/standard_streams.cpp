@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -62,6 +63,11 @@ int finish_standard_output(const char* program, int status) {
   std::fprintf(stderr, "%s: standard output: cannot be written (%s); check where it goes\n",
                program, reason);
   return status == 0 ? 2 : status;
+}
+
+std::string environment_variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string() : value;
 }
 
 }  // namespace tp100::text

@@ -1,6 +1,6 @@
 #pragma once
-// Standard input, output and error of a program, whatever state it was started in, and the uniform
-// format of its error messages.
+// Standard input, output and error of a program, whatever state it was started in, the uniform
+// format of its error messages, and its environment.
 
 #include <functional>
 #include <string>
@@ -30,5 +30,8 @@ void claim_standard_streams();
 /// Flushes standard output. On failure prints one line on standard error, and returns status 2
 /// instead of 0.
 int finish_standard_output(const char* program, int status);
+
+/// The value of an environment variable; empty if it is not set.
+std::string environment_variable(const char* name);
 
 }  // namespace tp100::text

@@ -92,7 +92,7 @@ TEST_F(MessagesTest, ACommandSaysHowLongItLives) {
 }
 
 TEST_F(MessagesTest, ThePathIsDenseAndKeepsEveryCorner) {
-  const auto points = path_points(*messages_.path(), 0.02);
+  const auto points = path_points(*messages_.path());
   for (std::size_t i = 1; i < points.size(); ++i) {
     EXPECT_LE(std::hypot(points[i].x_m - points[i - 1].x_m, points[i].y_m - points[i - 1].y_m),
               0.02 + 1e-9);
