@@ -76,11 +76,11 @@ bool EventLog::allow() {
 }
 
 void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>& all_words) {
-  if (event.kind == LiveEvent::Kind::kSession) {
+  if (const SessionReport* report = std::get_if<SessionReport>(&event)) {
     // A silent port is logged once.
-    const bool silent = link::as<link::Silence>(event.session) != nullptr;
+    const bool silent = link::as<link::Silence>(report->event) != nullptr;
     const bool told = std::exchange(silence_reported_, silent);
-    tick(event.session.at_ns);
+    tick(report->event.at_ns);
     if ((silent && told) || !allow()) return;
   }
   words(all_words);

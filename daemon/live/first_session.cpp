@@ -12,17 +12,17 @@ constexpr HostNs kFirstSessionNs = 6 * kNsPerS;
 
 }  // namespace
 
-void FirstSession::on_event(const LiveEvent& event) const {
+void FirstSession::on_event(const SessionReport& report) const {
   if (wait_ || over_) return;
-  if (link::as<link::VersionMismatch>(event.session) != nullptr) {
-    throw SetupError(connector_.path() + ": " + version_mismatch(event.hello));
+  if (link::as<link::VersionMismatch>(report.event) != nullptr) {
+    throw SetupError(connector_.path() + ": " + version_mismatch(report.hello));
   }
-  if (link::as<link::Unanswered>(event.session) != nullptr ||
-      link::as<link::BadHello>(event.session) != nullptr) {
-    const messages::Event words = words_for(event).front();
+  if (link::as<link::Unanswered>(report.event) != nullptr ||
+      link::as<link::BadHello>(report.event) != nullptr) {
+    const messages::Event words = words_for(report).front();
     throw SetupError(connector_.path() + ": " + words.cause + "; " + words.fix);
   }
-  const link::Acknowledged* answer = link::as<link::Acknowledged>(event.session);
+  const link::Acknowledged* answer = link::as<link::Acknowledged>(report.event);
   const bool refused = answer != nullptr && answer->request == wire::Type::kParameters &&
                        answer->result == wire::Result::kOutOfRange;
   if (refused) {

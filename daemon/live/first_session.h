@@ -20,7 +20,7 @@ class FirstSession {
         robot_(std::move(robot)) {}
 
   /// An event of the session. Throws SetupError if it shows an incompatible robot.
-  void on_event(const LiveEvent& event) const;
+  void on_event(const SessionReport& report) const;
   /// The session's state changed at `now`.
   void on_state(SessionState state, HostNs now);
   /// Time passes. Throws SetupError if no session was established in time.

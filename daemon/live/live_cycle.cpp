@@ -64,14 +64,11 @@ void LiveCycle::pass_run_state(HostNs now) {
   faults_ = snapshot.faults & ~kRobotFaults;
   if (!changed && (more == 0 || run_state_ != RunState::kAborted)) return;
   if (changed) has_run_.store(true, std::memory_order_release);
-  LiveEvent event;
-  event.kind = LiveEvent::Kind::kRunState;
-  event.at_ns = now;
-  event.from = std::exchange(run_state_, snapshot.run_state);
-  event.to = run_state_;
-  event.faults = changed ? snapshot.faults : more;
-  event.refused = cycle_.outputs().refused;
-  push(event);
+  push(RunChange{.at_ns = now,
+                 .from = std::exchange(run_state_, snapshot.run_state),
+                 .to = snapshot.run_state,
+                 .faults = changed ? snapshot.faults : more,
+                 .refused = cycle_.outputs().refused});
 }
 
 void LiveCycle::time_sample(HostNs now) {
@@ -111,13 +108,9 @@ void LiveCycle::take_inputs() {
 }
 
 void LiveCycle::pass_events() {
-  for (const link::SessionEvent& session : cycle_.session().take_events()) {
-    LiveEvent event;
-    event.at_ns = session.at_ns;
-    event.session = session;
-    event.hello = cycle_.session().hello();
-    push(event);
-    const link::Silence* silence = link::as<link::Silence>(session);
+  for (const link::SessionEvent& event : cycle_.session().take_events()) {
+    push(SessionReport{event, cycle_.session().hello()});
+    const link::Silence* silence = link::as<link::Silence>(event);
     if (silence == nullptr) continue;
     const bool answered = silence->state != SessionState::kListening;
     drop_port_ = drop_port_ || answered || leave_silent_port_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <mutex>
 #include <span>
+#include <variant>
 
 #include "bridge/cycle.h"
 #include "core/histogram.h"
@@ -16,18 +17,21 @@
 
 namespace tp100::live {
 
-/// Something that happened, for log and supervisor.
-struct LiveEvent {
-  enum class Kind : std::uint8_t { kSession, kRunState };
-  Kind kind = Kind::kSession;
-  HostNs at_ns = 0;
-  link::SessionEvent session{};
-  wire::Hello hello{};              ///< kSession: as far as received
-  RunState from = RunState::kIdle;  ///< kRunState
-  RunState to = RunState::kIdle;    ///< `from` again if more faults were found after an abort
-  FaultMask faults = 0;             ///< kRunState: active at the change, or the additional ones
-  StartRefusal refused = StartRefusal::kNone;  ///< kRunState: why a start did not begin
+/// What a session reported.
+struct SessionReport {
+  link::SessionEvent event{};
+  wire::Hello hello{};  ///< as far as received
 };
+/// Another run state, or more faults after an abort.
+struct RunChange {
+  HostNs at_ns = 0;
+  RunState from = RunState::kIdle;
+  RunState to = RunState::kIdle;               ///< `from` again if more faults were found
+  FaultMask faults = 0;                        ///< active at the change, or the additional ones
+  StartRefusal refused = StartRefusal::kNone;  ///< why a start did not begin
+};
+/// Something that happened, for log and supervisor.
+using LiveEvent = std::variant<SessionReport, RunChange>;
 
 /// Current state, published about ten times a second.
 struct LiveStatus {

@@ -92,7 +92,7 @@ std::string change(State from, State to) {
   return "state: " + std::string(to_string(from)) + " -> " + std::string(to_string(to));
 }
 
-std::vector<Event> run_words(const LiveEvent& event) {
+std::vector<Event> run_words(const RunChange& event) {
   std::vector<Event> out;
   if (event.from != event.to)
     out.push_back({.at_ns = event.at_ns, .kind = "run", .text = change(event.from, event.to)});
@@ -199,25 +199,23 @@ struct SessionWords {
   }
 };
 
-Event session_words(const LiveEvent& live) {
+Event session_words(const SessionReport& report) {
   Event out;
-  out.at_ns = live.session.at_ns;
+  out.at_ns = report.event.at_ns;
   out.kind = "session";
-  std::visit(SessionWords{live.hello, out}, live.session.what);
+  std::visit(SessionWords{report.hello, out}, report.event.what);
   return out;
 }
 
 }  // namespace
 
 std::vector<Event> words_for(const LiveEvent& event) {
-  if (event.kind == LiveEvent::Kind::kRunState) return run_words(event);
-  return {session_words(event)};
+  if (const RunChange* run = std::get_if<RunChange>(&event)) return run_words(*run);
+  return {session_words(std::get<SessionReport>(event))};
 }
 
-bool acknowledges_stop(const LiveEvent& event) {
-  const link::Acknowledged* answer = event.kind == LiveEvent::Kind::kSession
-                                         ? link::as<link::Acknowledged>(event.session)
-                                         : nullptr;
+bool acknowledges_stop(const link::SessionEvent& event) {
+  const link::Acknowledged* answer = link::as<link::Acknowledged>(event);
   return answer != nullptr && answer->request == wire::Type::kStop &&
          answer->result == wire::Result::kAccepted;
 }

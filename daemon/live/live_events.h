@@ -13,7 +13,7 @@ namespace tp100::live {
 std::vector<messages::Event> words_for(const LiveEvent& event);
 
 /// The robot acknowledged a STOP.
-bool acknowledges_stop(const LiveEvent& event);
+bool acknowledges_stop(const link::SessionEvent& event);
 
 /// "0.1.0".
 std::string firmware_text(const wire::Hello& hello);

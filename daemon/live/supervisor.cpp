@@ -58,11 +58,12 @@ struct Supervisor::State {
   void take_records();
   void note_link();
   void on_session_state(SessionState state);
-  void on_run_state(const LiveEvent& event);
+  void on_session(const SessionReport& report);
+  void on_run_state(const RunChange& change);
   void run_ended(int exit_status, const std::string& result);
   void begin_serving();
   void notify_manager();
-  void serve(const LiveEvent& event, const std::vector<messages::Event>& words);
+  void serve(const SessionReport& report);
   void take_signals();
   void end(int exit_status, const std::string& result);
   void take_figures();
@@ -205,15 +206,13 @@ void Supervisor::State::notify_manager() {
   notice.status(line);
 }
 
-void Supervisor::State::serve(const LiveEvent& event, const std::vector<messages::Event>& words) {
-  if (acknowledges_stop(event)) settings.server->stop_answered(event.at_ns);
-  for (const messages::Event& word : words) settings.server->take(word);
-  if (event.kind != LiveEvent::Kind::kSession) return;
-  const bool greeted = event.hello.boot_nonce != 0;
-  const bool emulator = greeted && is_emulator(connector.pseudo_terminal(), event.hello.board);
+void Supervisor::State::serve(const SessionReport& report) {
+  if (acknowledges_stop(report.event)) settings.server->stop_answered(report.event.at_ns);
+  const bool greeted = report.hello.boot_nonce != 0;
+  const bool emulator = greeted && is_emulator(connector.pseudo_terminal(), report.hello.board);
   settings.controls->set_port({.path = connector.path(),
                                .physical = !emulator,
-                               .firmware = greeted ? firmware_text(event.hello) : std::string()});
+                               .firmware = greeted ? firmware_text(report.hello) : std::string()});
   settings.controls->set_start({.emulator = emulator,
                                 .go = settings.go,
                                 .service = !service.socket.empty(),
@@ -279,21 +278,26 @@ void Supervisor::State::tick() {
 void Supervisor::State::take_events() {
   LiveEvent event;
   while (cycle.take_event(event)) {
+    const SessionReport* report = std::get_if<SessionReport>(&event);
+    const RunChange* change = std::get_if<RunChange>(&event);
     // An event that ends the program is reported once, as the error.
-    if (event.kind == LiveEvent::Kind::kSession) first_session.on_event(event);
+    if (report != nullptr) first_session.on_event(*report);
     // Before the event is published, so that the recording includes it.
-    if (event.kind == LiveEvent::Kind::kRunState)
-      run_recordings.on_run_state(event.to, event.at_ns);
+    if (change != nullptr) run_recordings.on_run_state(change->to, change->at_ns);
     const std::vector<messages::Event> words = words_for(event);
     log.event(event, words);
-    serve(event, words);
-    if (event.kind == LiveEvent::Kind::kRunState) {
-      on_run_state(event);
-    } else if (link::as<link::HelloReceived>(event.session) != nullptr) {
-      connector.robot_found();
-    } else if (const auto* changed = link::as<link::StateChanged>(event.session)) {
-      on_session_state(changed->to);
-    }
+    for (const messages::Event& word : words) settings.server->take(word);
+    if (report != nullptr) on_session(*report);
+    if (change != nullptr) on_run_state(*change);
+  }
+}
+
+void Supervisor::State::on_session(const SessionReport& report) {
+  serve(report);
+  if (link::as<link::HelloReceived>(report.event) != nullptr) {
+    connector.robot_found();
+  } else if (const auto* changed = link::as<link::StateChanged>(report.event)) {
+    on_session_state(changed->to);
   }
 }
 
@@ -325,18 +329,18 @@ void Supervisor::State::on_session_state(SessionState next) {
   }
 }
 
-void Supervisor::State::on_run_state(const LiveEvent& event) {
-  run_state = event.to;
-  terminal->follow(event.to);
+void Supervisor::State::on_run_state(const RunChange& change) {
+  run_state = change.to;
+  terminal->follow(change.to);
   notify_manager();
-  if (event.to == RunState::kFinished) return run_ended(0, "completed");
+  if (change.to == RunState::kFinished) return run_ended(0, "completed");
   // A run requested by an option does not wait for another start.
-  if (event.refused != StartRefusal::kNone && settings.go) return run_ended(1, "refused");
+  if (change.refused != StartRefusal::kNone && settings.go) return run_ended(1, "refused");
   // A STOP after the end of a run does not change its result.
-  const bool late_stop = event.from == RunState::kFinished &&
-                         (event.faults & ~kRobotFaults) == fault_bit(Fault::stop_requested);
-  if (event.to == RunState::kAborted && !late_stop) {
-    figures.faults = event.faults | (event.from == event.to ? figures.faults : 0);
+  const bool late_stop = change.from == RunState::kFinished &&
+                         (change.faults & ~kRobotFaults) == fault_bit(Fault::stop_requested);
+  if (change.to == RunState::kAborted && !late_stop) {
+    figures.faults = change.faults | (change.from == change.to ? figures.faults : 0);
     if (ending && status == 0) {
       // The completed run is failed after all.
       status = 1;

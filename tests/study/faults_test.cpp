@@ -71,12 +71,10 @@ std::vector<messages::Event> words_of(const FaultOutcome& outcome, live::LinkMon
     for (messages::Event& word : live::words_for(event)) all.push_back(std::move(word));
   };
   for (const SessionMessage& one : outcome.session_messages)
-    add({.at_ns = one.event.at_ns, .session = one.event, .hello = one.hello});
+    add(live::SessionReport{one.event, one.hello});
   if (outcome.faults != 0)
-    add({.kind = live::LiveEvent::Kind::kRunState,
-         .from = RunState::kRunning,
-         .to = RunState::kAborted,
-         .faults = outcome.faults});
+    add(live::RunChange{
+        .from = RunState::kRunning, .to = RunState::kAborted, .faults = outcome.faults});
   return all;
 }
 
