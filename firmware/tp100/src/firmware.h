@@ -7,9 +7,7 @@
 #include "fail_safe.h"
 #include "host_link.h"
 #include "imu.h"
-#include "speed_loop.h"
-#include "track_monitor.h"
-#include "yaw_loop.h"
+#include "tracks.h"
 
 namespace tp100 {
 namespace firmware {
@@ -32,21 +30,18 @@ class Firmware {
   Verdict last_verdict() const { return last_verdict_; }
 
  private:
-  struct Track {
-    SpeedLoop loop;
-    TrackMonitor watch;
-    int32_t counts;
-    int16_t duty;
-  };
-
   void receive();
   void dispatch();
+  /// Takes the received frame as a message.
+  template <class Message>
+  void take();
   void on_hello_request();
-  void on_parameters(const wire::Parameters& parameters);
-  void on_command(const wire::Command& command);
-  void on_arm(const wire::Arm& arm);
-  void on_disarm(const wire::Disarm& disarm);
-  void on_stop(const wire::Stop& stop);
+  void on(const wire::Parameters& parameters);
+  void on(const wire::Command& command);
+  void on(const wire::Arm& arm);
+  void on(const wire::Disarm& disarm);
+  void on(const wire::Stop& stop);
+  void on(const wire::SyncRequest& request);
   void acknowledge(wire::Type request, uint32_t token, wire::Result result, uint16_t detail);
 
   wire::Result try_to_arm(const wire::Arm& arm, uint16_t& detail);
@@ -57,26 +52,22 @@ class Firmware {
   void open_session();
   void disarm(const char* reason, uint32_t at_us);
   void latch(wire::Fault fault, int32_t detail, uint32_t at_us);
+  void latch(const Tracks::Verdicts& found, uint32_t at_us);
   void check_trip();
   void check_sensors(uint32_t now_us);
-  void check_tracks(uint32_t now_us, uint16_t dt_ms);
   void check_turn(uint32_t now_us);
   void check_host(uint32_t now_us);
 
   void take_sample();
-  void read_tracks(uint32_t& now_us);
   void send_sample(uint32_t now_us);
   void drive(uint32_t now_us, uint16_t dt_us);
   TrackSpeeds wanted(uint32_t now_us);
-  void apply(int16_t left, int16_t right);
 
   void send_hello(uint32_t now_us);
-  void log(uint8_t level, const char* text, const char* more, uint32_t at_us);
   bool in_session() const { return state_ >= wire::State::kDisarmed; }
   bool may_drive() const {
     return state_ == wire::State::kArmed || state_ == wire::State::kRunning;
   }
-  bool has(wire::ParameterFlag flag) const { return (parameters_.flags & flag) != 0; }
 
   Hal& hal_;
   FailSafe fail_safe_;
@@ -85,12 +76,8 @@ class Firmware {
   Battery battery_;
   TurnHistory history_;
   CommandGate gate_;
-  Track left_;
-  Track right_;
-  TrackMonitor mean_monitor_;
-  TurnMonitor turn_monitor_;
-  TrackSpeeds target_;
   wire::Parameters parameters_;
+  Tracks tracks_;
 
   wire::State state_;
   uint16_t faults_;

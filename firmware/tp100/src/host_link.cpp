@@ -94,6 +94,18 @@ void HostLink::post(const wire::Log& log) {
   flush();
 }
 
+void HostLink::log(uint8_t level, const char* text, const char* more, uint32_t at_us) {
+  wire::Log message = {};
+  message.device_us = at_us;
+  message.level = level;
+  uint8_t at = 0;
+  for (; *text != 0 && at < wire::Log::kTextSize; ++text)
+    message.text[at++] = static_cast<uint8_t>(*text);
+  for (; *more != 0 && at < wire::Log::kTextSize; ++more)
+    message.text[at++] = static_cast<uint8_t>(*more);
+  post(message);
+}
+
 void HostLink::flush() {
   if (!flush_sync() || !flush(acknowledges_) || !flush(sample_)) return;
   if (!flush(reports_) || !flush_hello()) return;

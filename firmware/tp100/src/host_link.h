@@ -59,6 +59,8 @@ class HostLink {
   void post(const wire::Acknowledge& acknowledge);
   void post(const wire::FaultReport& report);
   void post(const wire::Log& log);
+  /// Posts `text` and `more` as one line; what is too long is cut off.
+  void log(uint8_t level, const char* text, const char* more, uint32_t at_us);
   /// Writes waiting messages while there is room.
   void flush();
 
