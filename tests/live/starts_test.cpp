@@ -87,7 +87,7 @@ class Starts : public ::testing::Test {
     });
     testing::internal::CaptureStderr();
     try {
-      app::run_run(options_);
+      status_ = app::run_run(options_);
     } catch (const SetupError& error) {
       ADD_FAILURE() << error.what();
     }
@@ -151,13 +151,16 @@ class Starts : public ::testing::Test {
     }
     return false;
   }
+  std::string stats() const {
+    std::ostringstream text;
+    text << std::ifstream(options_.stats).rdbuf();
+    return text.str();
+  }
   std::string page() const {
     static const std::string kBefore = "http://127.0.0.1:";
     std::string served;
     soon([&] {
-      std::ostringstream stats;
-      stats << std::ifstream(options_.stats).rdbuf();
-      const std::string text = stats.str();
+      const std::string text = stats();
       const std::size_t at = text.find(kBefore), end = text.find('/', at + kBefore.size());
       if (end == std::string::npos || at == std::string::npos) return false;
       served = text.substr(at + kBefore.size(), end - at - kBefore.size());
@@ -171,6 +174,7 @@ class Starts : public ::testing::Test {
   std::unique_ptr<PtyRobot> robot_;
   app::RunOptions options_;
   std::string log_;
+  int status_ = -1;
 };
 
 TEST_F(Starts, ASecondEnterStartsNothing) {
@@ -189,6 +193,31 @@ TEST_F(Starts, ASecondEnterStartsNothing) {
   });
   EXPECT_THAT(log_, HasSubstr("Enter: STOP"));
   EXPECT_THAT(log_, HasSubstr("type go and press Enter to start course 1-straight"));
+}
+
+TEST_F(Starts, AStopAfterACompletedRunLeavesItsResult) {
+  std::ofstream(folder_.path() / "short.toml")
+      << "speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.1\n"
+         "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
+  options_.course = folder_.file("short.toml");
+  options_.setup = "stand";
+  robot_->with([](ScriptedRobot& robot) { robot.drives = true; });
+  with_board(wire::Board::kNative);
+  run([&] {
+    const auto completed = [&] {
+      return soon([&] { return stats().find("\"result\": \"completed\"") != std::string::npos; },
+                  10s);
+    };
+    ASSERT_TRUE(driving());
+    // On a busy machine a run may end early.
+    for (int i = 0; i < 5 && !completed(); ++i) ASSERT_TRUE(start_again());
+    const std::size_t before = stops();
+    keyboard_.enter();
+    ASSERT_TRUE(soon([&] { return stops() > before; }));
+    ASSERT_TRUE(after_commands());
+  });
+  EXPECT_THAT(log_, HasSubstr("state: finished -> aborted"));
+  EXPECT_EQ(status_, 0) << log_;
 }
 
 TEST_F(Starts, AgainAndAgainTakeTheWord) {
