@@ -48,8 +48,9 @@ TEST(AvrBoot, AByteThatHasNotLeftAtAResetNeverArrives) {
   const std::size_t before = rig.bytes.size();
   rig.board.reset(PowerUp::kExternal, reset_ns);
   rig.run(10);
-  ASSERT_GT(rig.bytes.size(), before);
-  EXPECT_GT(rig.bytes[before].at_ns, reset_ns + 1'000'000);
+  // A byte may have left during the instruction that the reset ended.
+  const std::size_t next = before + (rig.bytes.at(before).at_ns == reset_ns ? 1U : 0U);
+  EXPECT_GT(rig.bytes.at(next).at_ns, reset_ns + 1'000'000);
 }
 
 TEST(AvrBoot, StandsStillWhileItIsHeldInReset) {
