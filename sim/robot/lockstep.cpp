@@ -83,8 +83,6 @@ class Lockstep {
   /// The robot's true pose, seen from where it was put down for this run.
   Pose truth_at(std::int64_t at_ns) const { return put_back_.of(truth_.find(at_ns)); }
   Pose truth_now() const { return put_back_.of(robot_.truth().pose); }
-  /// Of the virtual robot against the real one.
-  Pose in_world(const Pose& real) const { return behind_.of(real); }
   bool plugged() const { return robot_.now_ns() >= plugged_ns_; }
   bool stand() const { return settings_.setup == bridge::Setup::kStand; }
 
@@ -102,7 +100,7 @@ class Lockstep {
   std::int64_t host_awake_ns_ = 0;  ///< the host is stalled until then
   report::RunResult result_{};
   std::int64_t period_ns_;
-  Transform2d behind_{};
+  Transform2d behind_{};    ///< of the virtual robot against the real one
   Transform2d put_back_{};  ///< from where the robot stands to the start of the course
   std::int64_t opened_ns_ = 0;
   std::int64_t next_step_ns_ = 0;
@@ -225,7 +223,7 @@ void Lockstep::record(const Snapshot& snapshot) {
   behind_ = Transform2d::between(steering, snapshot.world);
   result_.points.push_back({.t_s = to_s(measured_ns - begin_ns_),
                             .truth = truth,
-                            .world = in_world(truth),
+                            .world = behind_.of(truth),
                             .model = snapshot.estimates[PoseSource::kModel].pose,
                             .odometry = snapshot.estimates[PoseSource::kOdometry].pose,
                             .fused = snapshot.estimates[PoseSource::kFused].pose,
@@ -336,7 +334,7 @@ void Lockstep::judge(RunState state, std::int64_t end_ns) {
   const course::PathPoint goal = path_.at(path_.segments().size() - 1, path_.length_m());
   const Pose end = begin_ns_ < 0 || (stand() && result_.points.empty()) ? settings_.course.start
                    : stand() ? result_.points.back().world
-                             : in_world(truth_now());
+                             : behind_.of(truth_now());
   const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
   result_.finished = state == RunState::kFinished;
   result_.completed = result_.finished && miss_m <= kEndToleranceM;
