@@ -123,6 +123,7 @@ int run_run(const RunOptions& options) {
   session.baud = static_cast<std::uint32_t>(configuration.link.baud);
   session.timeout_ns = ns_of_ms(configuration.link.timeout_ms);
   session.first_frame_timeout_ns = ns_of_ms(configuration.link.first_frame_timeout_ms);
+  session.clock_answer_ns = ns_of_ms(configuration.link.clock_answer_ms);
   const bool leave_silent_port = !options.wait || configuration.link.port == "auto";
   live::LiveCycle cycle(session, run.parameters, run.course, leave_silent_port);
 

@@ -27,7 +27,7 @@ std::span<const Key<Configuration>> run_keys() {
 
 std::span<const Key<LinkSettings>> link_keys() {
   using T = LinkSettings;
-  static const std::array<Key<T>, 5> kKeys = {{
+  static const std::array<Key<T>, 6> kKeys = {{
       {"port",
        &T::port,
        {},
@@ -44,6 +44,11 @@ std::span<const Key<LinkSettings>> link_keys() {
        {500, 60000},
        "A warning is given after this time without any frame or without an answer to the first "
        "requests"},
+      {"clock_answer_ms",
+       &T::clock_answer_ms,
+       {50, 2000},
+       "The robot's answers to clock requests are not used if they come later than this; without "
+       "any, no run begins"},
       {"hang_up",
        &T::hang_up,
        {},

@@ -29,6 +29,7 @@ struct LinkSettings {
   int baud = 500000;
   double timeout_ms = 500.0;               ///< no valid frame for this long: link lost
   double first_frame_timeout_ms = 5000.0;  ///< nothing received for this long: warn
+  double clock_answer_ms = 200.0;          ///< later answers to clock requests are not used
   bool hang_up = false;  ///< HUPCL: closing drops DTR, the next open resets a Mega
 };
 

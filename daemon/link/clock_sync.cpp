@@ -21,6 +21,8 @@ constexpr int kMisfitsBeforeRestart = 4;
 // Clocks are read a little before or after the bytes move.
 constexpr HostNs kEarliestNs = -200 * kNsPerUs;
 constexpr int kFitRounds = 3;
+// An id that many requests back is still that of a late answer.
+constexpr std::uint16_t kLateIds = 16;
 
 /// Weighted straight line.
 class Fit {
@@ -49,6 +51,7 @@ void ClockSync::reset(HostNs now) {
   state_ = {};
   next_ask_ns_ = now;
   outstanding_ = false;
+  late_ = 0;
   quick_left_ = kQuickExchanges;
   usual_excess_ns_ = 0.0;
   misfits_ = 0;
@@ -64,13 +67,19 @@ void ClockSync::asked(std::uint16_t id, HostNs now, HostNs wire_ns) {
   asked_ns_ = now;
   request_wire_ns_ = wire_ns;
   outstanding_ = true;
-  next_ask_ns_ = now + (quick_left_ > 0 ? kQuickPeriodNs : kPeriodNs);
+  next_ask_ns_ = now + (quick_left_ > 0 ? answer_ns_ : std::max(answer_ns_, kPeriodNs));
 }
 
 ClockSync::Verdict ClockSync::answered(std::uint16_t id, DeviceUs received_us, DeviceUs sent_us,
                                        HostNs now, HostNs wire_ns) {
+  const auto requests_ago = static_cast<std::uint16_t>(id_ - id);
+  if (requests_ago > 0 && requests_ago <= kLateIds) {
+    ++late_;
+    return Verdict::kLate;
+  }
   if (!outstanding_ || id != id_) return Verdict::kUnmatched;
   outstanding_ = false;
+  next_ask_ns_ = asked_ns_ + (quick_left_ > 0 ? kQuickPeriodNs : kPeriodNs);
 
   const HostNs start = asked_ns_ + request_wire_ns_;
   const HostNs end = now - wire_ns;

@@ -20,6 +20,7 @@ namespace tp100::link {
 
 class ClockSync {
  public:
+  static constexpr HostNs kAnswerNs = 200 * kNsPerMs;
   static constexpr HostNs kQuickPeriodNs = 50 * kNsPerMs;
   /// Not a multiple of any other period here, so that exchanges do not keep meeting the same
   /// disturbance.
@@ -30,10 +31,14 @@ class ClockSync {
   /// Outcome of a reply.
   enum class Verdict : std::uint8_t {
     kAccepted,
-    kUnmatched,  ///< late, duplicated or never requested
+    kUnmatched,  ///< duplicated or never requested
+    kLate,       ///< the answer to an earlier request, later than the limit
     kOutlier,    ///< a round trip far above the usual one, or impossible times
     kRestarted,  ///< the relation jumped: the fit starts again with this exchange
   };
+
+  /// Answers that take longer than `answer_ns` are not used: no other request is sent until then.
+  explicit ClockSync(HostNs answer_ns = kAnswerNs) : answer_ns_(answer_ns) {}
 
   /// Forgets everything (a new session).
   void reset(HostNs now);
@@ -50,6 +55,10 @@ class ClockSync {
   /// A reply was read at `now`; it took `wire_ns` on the wire. Device times are unwrapped.
   Verdict answered(std::uint16_t id, DeviceUs received_us, DeviceUs sent_us, HostNs now,
                    HostNs wire_ns);
+
+  /// Answers since reset() that came later than the limit.
+  std::uint32_t late() const { return late_; }
+  HostNs answer_ns() const { return answer_ns_; }
 
   const ClockState& state() const { return state_; }
   /// The relation and its uncertainty at `now`.
@@ -82,6 +91,7 @@ class ClockSync {
   /// The same, or the uncertainty left by nominal wire times that cannot be right.
   double uncertainty_us(HostNs now) const;
 
+  HostNs answer_ns_;
   std::array<Exchange, kWindow> window_{};
   std::size_t count_ = 0;
   std::size_t next_ = 0;
@@ -93,6 +103,7 @@ class ClockSync {
   HostNs request_wire_ns_ = 0;
   std::uint16_t id_ = 0;
   bool outstanding_ = false;
+  std::uint32_t late_ = 0;
   int quick_left_ = kQuickExchanges;
   double usual_excess_ns_ = 0.0;
   int misfits_ = 0;  // in a row

@@ -31,8 +31,10 @@ class DeviceClock {
 class RobotClock {
  public:
   /// `baud`: for wire times; 0: bytes take no time. `output` and `counters` must outlive the clock.
-  RobotClock(std::uint32_t baud, OutputQueue<kMaxOut>& output, LinkCounters& counters)
-      : baud_(baud), output_(output), counters_(counters) {}
+  /// Clock answers later than `answer_ns` are not used.
+  RobotClock(std::uint32_t baud, HostNs answer_ns, OutputQueue<kMaxOut>& output,
+             LinkCounters& counters)
+      : baud_(baud), output_(output), counters_(counters), sync_(answer_ns) {}
 
   /// A new boot: no relation to earlier times.
   void forget_boot() { device_clock_.forget(); }
@@ -53,6 +55,9 @@ class RobotClock {
 
   /// The relation as of the last reply or age(); invalid outside a session.
   const ClockState& state() const { return state_; }
+  /// Answers of this session that came too late, and what is too late.
+  std::uint32_t late() const { return sync_.late(); }
+  HostNs answer_ns() const { return sync_.answer_ns(); }
   /// The relation as of the last reply.
   const ClockState& fitted() const { return sync_.state(); }
   /// True while a reply may arrive at any moment; its time of arrival matters.

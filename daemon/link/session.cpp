@@ -41,7 +41,7 @@ double max_counts_per_s(const wire::Parameters& parameters) {
 Session::Session(const SessionSettings& settings)
     : settings_(settings),
       intake_(counters_, max_counts_per_s(settings.parameters)),
-      clock_(settings.baud, output_, counters_) {}
+      clock_(settings.baud, settings.clock_answer_ns, output_, counters_) {}
 
 void Session::open(HostNs now) {
   end_session(now);
@@ -289,7 +289,8 @@ void Session::poll_unanswered(HostNs now) {
   const HostNs since = std::max(handshake_ns_, not_before_ns_);
   if (!in_handshake() || now - since < settings_.first_frame_timeout_ns) return;
   ++counters_.unanswered;
-  events_.note(Unanswered{state_}, now);
+  const bool late = state_ == SessionState::kSyncing && clock_.late() > 0;
+  events_.note(Unanswered{state_, late ? clock_.answer_ns() : 0}, now);
   handshake_ns_ = now;
 }
 

@@ -27,6 +27,7 @@ struct SessionSettings {
   HostNs timeout_ns = 500 * kNsPerMs;  ///< no good frame for this long: link lost
   /// No frame, or no answer, for this long after the port was opened: warn, and go on.
   HostNs first_frame_timeout_ns = 5 * kNsPerS;
+  HostNs clock_answer_ns = ClockSync::kAnswerNs;  ///< later answers to clock requests are not used
 };
 
 class Session {

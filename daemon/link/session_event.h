@@ -57,7 +57,8 @@ struct Silence {
 };
 /// Frames arrive, but not the answer that the handshake waits for.
 struct Unanswered {
-  SessionState state{};  ///< that waits for it
+  SessionState state{};    ///< that waits for it
+  HostNs too_late_ns = 0;  ///< clock answers came, but later than this; 0: none came
 };
 
 struct SessionEvent {

@@ -72,9 +72,9 @@ std::string versions(const wire::Hello& hello) {
 }
 
 /// Why the handshake gets no reply, and what to do.
-void explain_unanswered(SessionState state, Event& out) {
+void explain_unanswered(const link::Unanswered& unanswered, Event& out) {
   out.fix = "check cable, adapter and hub";
-  switch (state) {
+  switch (unanswered.state) {
     case SessionState::kHello:
       out.cause = "the board sends frames of the protocol but no hello";
       out.fix = "reset the board, or flash it with " + flash_command();
@@ -84,6 +84,12 @@ void explain_unanswered(SessionState state, Event& out) {
       break;
     default:
       out.cause = "the robot sends samples but no reply to clock requests";
+      if (unanswered.too_late_ns == 0) break;
+      out.cause = "the robot answers clock requests later than link.clock_answer_ms = " +
+                  std::to_string(unanswered.too_late_ns / kNsPerMs) + " ms";
+      out.fix =
+          "find what delays the port (a network, a hub, a busy machine), or raise "
+          "link.clock_answer_ms";
   }
 }
 
@@ -195,7 +201,7 @@ struct SessionWords {
   void operator()(const link::Unanswered& unanswered) const {
     out.level = Level::kWarning;
     out.text = "no answer from the robot (state " + std::string(to_string(unanswered.state)) + ")";
-    explain_unanswered(unanswered.state, out);
+    explain_unanswered(unanswered, out);
   }
 };
 

@@ -107,6 +107,27 @@ void expect(const char* name, const Line& line, double seconds, double settle_s,
 
 TEST(ClockSync, IsExactToTheTickOnAPerfectLine) { expect("perfect", {}, 60, 0.5, 6, 8); }
 
+TEST(ClockSync, AnswersThatTakeLongerThanTheQuickPeriodAreUsed) {
+  Line slow;
+  slow.out_delay = [](std::mt19937&) { return 60 * kNsPerMs; };
+  slow.back_delay = [](std::mt19937&, HostNs) { return 60 * kNsPerMs; };
+  expect("60 ms each way", slow, 20, 3, 2000, 2000);
+}
+
+TEST(ClockSync, AnswersLaterThanTheLimitAreCountedAsLate) {
+  ClockSync sync(100 * kNsPerMs);
+  sync.reset(0);
+  const std::uint16_t first = *sync.due(0);
+  sync.asked(first, 0, 0);
+  EXPECT_FALSE(sync.due(99 * kNsPerMs));
+  const std::uint16_t second = *sync.due(100 * kNsPerMs);
+  sync.asked(second, 100 * kNsPerMs, 0);
+  EXPECT_EQ(sync.answered(first, 1, 1, 101 * kNsPerMs, 0), ClockSync::Verdict::kLate);
+  EXPECT_EQ(sync.late(), 1U);
+  EXPECT_EQ(sync.answered(second, 100'001, 100'001, 102 * kNsPerMs, 0),
+            ClockSync::Verdict::kAccepted);
+}
+
 TEST(ClockSync, FollowsDrift) {
   for (const double ppm : {-1000.0, -100.0, 100.0, 1000.0}) {
     Line line;
@@ -254,11 +275,10 @@ TEST(ClockSync, TakesOnlyTheReplyThatItWaitsFor) {
   const std::uint16_t second = *sync.due(later);
   EXPECT_NE(first, second);
   sync.asked(second, later, 0);
-  const HostNs latest = 120 * kNsPerMs;
+  const HostNs latest = 300 * kNsPerMs;
   const std::uint16_t third = *sync.due(latest);
   sync.asked(third, latest, 0);
-  EXPECT_EQ(sync.answered(second, 60'000, 60'000, latest + 1000, 0),
-            ClockSync::Verdict::kUnmatched);
+  EXPECT_EQ(sync.answered(second, 60'000, 60'000, latest + 1000, 0), ClockSync::Verdict::kLate);
 }
 
 TEST(ClockSync, RejectsTimesThatCannotBe) {
