@@ -196,8 +196,8 @@ std::vector<ChannelText> channel_texts() {
   std::vector<ChannelText> texts(kChannelCount);
   const auto add = [&](Channel channel, const char* topic, const char* schema_name,
                        const std::string& example, std::size_t kept) {
-    texts[static_cast<std::uint32_t>(channel) - 1] = {channel, topic, schema_name,
-                                                      schema_of(schema_name, example), kept};
+    texts.at(static_cast<std::uint32_t>(channel) - 1) = {channel, topic, schema_name,
+                                                         schema_of(schema_name, example), kept};
   };
   for (const StepChannel& one : step_channels())
     add(one.channel, one.topic, one.schema_name, one.texts({messages, record, truth, true}).front(),
