@@ -125,13 +125,14 @@ int run_identify(const IdentifyOptions& options);
 // `tp100d replay`: runs track speeds of a CSV file through the model, or a recording through the
 // step, and writes a CSV file of poses.
 
-/// Which estimate is replayed.
-enum class ReplayModel {
-  kPaper,     ///< eqs 1-5 with the paper's constants
-  kExtended,  ///< the robot's values, turning centre and slope
-  kOdometry,  ///< tracks and gyro
-  kFused,     ///< these and the overhead camera; of recordings only
+/// Which estimate is replayed; of a speeds file only the model and odometry.
+struct ReplayModel {
+  PoseSource source = PoseSource::kModel;
+  bool paper = false;  ///< the model as eqs 1-5 with the paper's constants
+  bool operator==(const ReplayModel&) const = default;
 };
+inline constexpr ReplayModel kPaperModel{PoseSource::kModel, true};
+inline constexpr ReplayModel kExtendedModel{PoseSource::kModel, false};
 
 /// The model that a name on the command line denotes. Throws SetupError for an unknown name.
 ReplayModel replay_model(const std::string& name);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -124,7 +125,7 @@ Write to(text::FileReplacement& file) {
 /// An output file that is announced once it is written.
 class Product {
  public:
-  Product(const std::filesystem::path& folder, const char* name)
+  Product(const std::filesystem::path& folder, const std::string& name)
       : path_((folder / name).string()), file_(path_) {}
   text::FileReplacement& file() { return file_; }
   void commit() {
@@ -148,13 +149,14 @@ void export_csv(const Recording& recording, const std::filesystem::path& folder)
 }
 
 void export_tum(const Recording& recording, const std::filesystem::path& folder) {
-  Product model(folder, "model.tum"), odometry(folder, "odometry.tum"), fused(folder, "fused.tum");
+  PerSource<std::optional<Product>> products;
+  for (const PoseSource source : kPoseSources)
+    products[source].emplace(folder, std::string(to_string(source)) + ".tum");
   for_each_pose(recording, [&](double t_s, const Snapshot& snapshot) {
-    model.file().write(report::tum_line(t_s, snapshot.estimates[PoseSource::kModel].pose));
-    odometry.file().write(report::tum_line(t_s, snapshot.estimates[PoseSource::kOdometry].pose));
-    fused.file().write(report::tum_line(t_s, snapshot.estimates[PoseSource::kFused].pose));
+    for (const PoseSource source : kPoseSources)
+      products[source]->file().write(report::tum_line(t_s, snapshot.estimates[source].pose));
   });
-  for (Product* product : {&model, &odometry, &fused}) product->commit();
+  for (std::optional<Product>& product : products.values) product->commit();
 
   const std::map<HostNs, Pose> poses = truth_of(recording);
   if (poses.empty()) return;

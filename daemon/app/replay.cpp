@@ -25,35 +25,12 @@ using record::Recording;
 struct Enough {};
 
 /// One row of an estimate's poses.
-struct PoseRow {
-  const Estimate& estimate;
-  double slip_left, slip_right;
-};
-
-PoseRow row_of(const Snapshot& snapshot, ReplayModel model) {
-  const auto& estimates = snapshot.estimates;
-  switch (model) {
-    case ReplayModel::kOdometry:
-      return {estimates[PoseSource::kOdometry], snapshot.slip_left, snapshot.slip_right};
-    case ReplayModel::kFused:
-      return {estimates[PoseSource::kFused], snapshot.filter.slip_left, snapshot.filter.slip_right};
-    case ReplayModel::kPaper:
-    case ReplayModel::kExtended:
-      break;
-  }
-  return {estimates[PoseSource::kModel], snapshot.slip_left, snapshot.slip_right};
-}
-
-ReplayModel steering_model(const bridge::Parameters& parameters) {
-  switch (parameters.steering) {
-    case PoseSource::kModel:
-      break;
-    case PoseSource::kOdometry:
-      return ReplayModel::kOdometry;
-    case PoseSource::kFused:
-      return ReplayModel::kFused;
-  }
-  return parameters.paper_model ? ReplayModel::kPaper : ReplayModel::kExtended;
+std::string row_of(const Snapshot& snapshot, PoseSource source, double t_s) {
+  const Estimate& estimate = snapshot.estimates[source];
+  const bool fused = source == PoseSource::kFused;
+  return replay_row(t_s, estimate.pose, estimate.twist,
+                    {fused ? snapshot.filter.slip_left : snapshot.slip_left,
+                     fused ? snapshot.filter.slip_right : snapshot.slip_right});
 }
 
 std::string seconds(HostNs ns) {
@@ -79,11 +56,10 @@ struct State {
 
 class Replay {
  public:
-  Replay(ReplayModel kind, const bridge::Parameters& parameters)
-      : kind_(kind),
-        parameters_(kind == ReplayModel::kPaper ? bridge::paper_parameters(parameters.model)
-                                                : parameters.model),
-        mode_(kind == ReplayModel::kPaper ? model::Mode::kPaper : model::Mode::kExtended),
+  Replay(ReplayModel model, const bridge::Parameters& parameters)
+      : odometry_(model.source == PoseSource::kOdometry),
+        parameters_(model.paper ? bridge::paper_parameters(parameters.model) : parameters.model),
+        mode_(model.paper ? model::Mode::kPaper : model::Mode::kExtended),
         counts_per_metre_(parameters.drive.counts_per_metre),
         standstill_(parameters.estimation) {}
 
@@ -110,7 +86,7 @@ class Replay {
  private:
   Twist advanced(double dt_s) {
     Twist twist;
-    if (kind_ == ReplayModel::kOdometry) {
+    if (odometry_) {
       estimation::Odometry odometry(parameters_);
       odometry.reset(pose_);
       twist = odometry.advance({row_.left_mps, row_.right_mps},
@@ -126,7 +102,7 @@ class Replay {
   }
 
   void learn_bias() {
-    if (kind_ != ReplayModel::kOdometry) return;
+    if (!odometry_) return;
     Sample sample;
     sample.device_us = std::llround(row_.t_s * 1e6);
     sample.left_counts = std::llround(left_m_ * counts_per_metre_);
@@ -135,7 +111,7 @@ class Replay {
     standstill_.update(sample, row_.gyro_z_radps);
   }
 
-  ReplayModel kind_;
+  bool odometry_;
   model::TrackParameters parameters_;
   model::Mode mode_;
   double counts_per_metre_;
@@ -240,12 +216,12 @@ int run_replay_recording(const ReplayOptions& options) {
     verify = false;
   }
   config::RunSetup run = config::parse_run(files);
-  ReplayModel model = steering_model(run.parameters);
+  PoseSource source = run.parameters.steering;
   if (!options.model.empty()) {
-    model = replay_model(options.model);
-    const bool paper = model == ReplayModel::kPaper;
-    if ((paper || model == ReplayModel::kExtended) && paper != run.parameters.paper_model) {
-      run.parameters.paper_model = paper;
+    const ReplayModel model = replay_model(options.model);
+    source = model.source;
+    if (source == PoseSource::kModel && model.paper != run.parameters.paper_model) {
+      run.parameters.paper_model = model.paper;
       verify = false;
     }
   }
@@ -256,9 +232,8 @@ int run_replay_recording(const ReplayOptions& options) {
   const Replayed result =
       replay_steps(recording, run.parameters, run.course, verify, [&](const StepRecord& record) {
         if (record.inputs.samples.empty()) return;
-        const PoseRow row = row_of(record.snapshot, model);
-        out.write(replay_row(to_s(record.snapshot.sample.measured_ns - start), row.estimate.pose,
-                             row.estimate.twist, {row.slip_left, row.slip_right}));
+        out.write(
+            row_of(record.snapshot, source, to_s(record.snapshot.sample.measured_ns - start)));
       });
 
   const std::string& path = recording.path();
@@ -308,25 +283,31 @@ std::string replay_row(double t_s, const Pose& pose, const Twist& twist, const m
 }
 
 ReplayModel replay_model(const std::string& name) {
-  if (name == "paper") return ReplayModel::kPaper;
-  if (name == "extended") return ReplayModel::kExtended;
-  if (name == "odometry") return ReplayModel::kOdometry;
-  if (name == "fused") return ReplayModel::kFused;
-  const std::string_view meant =
-      text::nearest_name(name, {"paper", "extended", "odometry", "fused"});
+  if (name == "paper") return kPaperModel;
+  if (name == "extended") return kExtendedModel;
+  std::vector<std::string_view> names = {"paper", "extended"};
+  std::string others;
+  for (const PoseSource source : kPoseSources) {
+    if (source == PoseSource::kModel) continue;
+    if (name == to_string(source)) return {source};
+    names.push_back(to_string(source));
+    others += (source == kPoseSources.back() ? " or " : ", ") + std::string(names.back());
+  }
+  const std::string_view meant = text::nearest_name(name, names);
   throw SetupError(
       "--model '" + text::one_line(name) + "' is unknown" +
       (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?") +
-      "; use paper, extended, odometry or fused");
+      "; use paper, extended" + others);
 }
 
 std::string replay_csv(const std::string& text, const std::string& file, ReplayModel model,
                        const bridge::Parameters& parameters) {
-  if (model == ReplayModel::kFused)
-    throw SetupError(file + ": --model fused needs a recording; use odometry");
+  if (model.source != PoseSource::kModel && model.source != PoseSource::kOdometry)
+    throw SetupError(file + ": --model " + std::string(to_string(model.source)) +
+                     " needs a recording; use odometry");
   const text::CsvTable table = text::parse_csv(
       text, file, {{"t_s", "left_mps", "right_mps"}, {"slope_rad", "gyro_z_radps"}});
-  if (model == ReplayModel::kOdometry && !table.has("gyro_z_radps"))
+  if (model.source == PoseSource::kOdometry && !table.has("gyro_z_radps"))
     throw SetupError(file +
                      ":1: column 'gyro_z_radps' is missing; --model odometry needs the gyro");
   Replay replay(model, parameters);
@@ -348,8 +329,8 @@ int run_replay(const ReplayOptions& options) {
     configuration = config::parse_configuration(file.text, file.path);
   }
   const ReplayModel model = !options.model.empty()                 ? replay_model(options.model)
-                            : configuration.parameters.paper_model ? ReplayModel::kPaper
-                                                                   : ReplayModel::kExtended;
+                            : configuration.parameters.paper_model ? kPaperModel
+                                                                   : kExtendedModel;
   const course::TextFile robot =
       course::read_bundled(course::Bundled::kRobots, configuration.robot);
   const bridge::Parameters parameters =

@@ -69,8 +69,7 @@ void Perception::carry(CarriedState& state) const {
   state.sample = sample_;
   state.has_sample = has_sample_;
   state.continues = tracks_.has_last();
-  state.model = track_model_.pose();
-  state.odometry = odometry_.pose();
+  state.poses = poses_of(estimates());
   const Transform2d& transform = terrain_contacts_.transform();
   state.virtual_x_m = transform.x_m;
   state.virtual_y_m = transform.y_m;
@@ -92,9 +91,9 @@ void Perception::resume(const CarriedState& state) {
   terrain_contacts_.resume({state.virtual_x_m, state.virtual_y_m, state.virtual_turn_rad});
   traction_estimator_.restart();
   track_model_ = make_model(parameters_);
-  track_model_.reset(state.model);
+  track_model_.reset(state.poses[PoseSource::kModel]);
   odometry_ = estimation::Odometry(parameters_.model);
-  odometry_.reset(state.odometry);
+  odometry_.reset(state.poses[PoseSource::kOdometry]);
   filter_.resume(state.filter);
   sample_ = state.sample;
   has_sample_ = state.has_sample;

@@ -33,9 +33,7 @@ TerrainContacts::TerrainContacts(const Parameters& parameters, const course::Cou
       floor_(course == nullptr ? course::Terrain{} : floor_of(course->terrain, setup_),
              parameters.shape),
       world_(course == nullptr ? course::Terrain{} : course->terrain, parameters.shape),
-      followers_{{terrain::TerrainFollower(floor_, parameters.shape),
-                  terrain::TerrainFollower(floor_, parameters.shape),
-                  terrain::TerrainFollower(floor_, parameters.shape)}},
+      followers_(same_for_all(terrain::TerrainFollower(floor_, parameters.shape))),
       virtual_(world_, parameters.shape) {}
 
 void TerrainContacts::restart() {

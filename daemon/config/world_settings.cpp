@@ -25,8 +25,6 @@ namespace {
 using text::Choice;
 using text::Key;
 
-constexpr double kMs = 1e-3;
-
 }  // namespace
 
 std::span<const Key<bridge::WorldParameters>> world_keys() {
@@ -49,7 +47,7 @@ std::span<const Key<bridge::WorldParameters>> world_keys() {
        &T::timeout_s,
        {50, 2000},
        "A world that has not answered a pose younger than this ends the run",
-       kMs},
+       1e-3},
   }};
   return kKeys;
 }

@@ -15,6 +15,10 @@ using Bytes = std::vector<std::uint8_t>;
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
+inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 /// Appends to `out`.
 class ByteWriter {
  public:

@@ -51,8 +51,7 @@ struct CarriedState {
   Sample sample{};          ///< the newest
   bool has_sample = false;  ///< it is of this session
   bool continues = false;   ///< the next sample continues it
-  Pose model{};
-  Pose odometry{};
+  PerSource<Pose> poses{};
   double virtual_x_m = 0.0;  ///< from the robot's floor into the course's world
   double virtual_y_m = 0.0;
   double virtual_turn_rad = 0.0;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include "core/enum_names.h"
 #include "core/pose.h"
@@ -19,18 +20,40 @@ enum class PoseSource : std::uint8_t {
   kFused,     ///< encoders + gyro + overhead camera; without a camera, of the same filter
 };
 
-inline constexpr std::array kPoseSources = {PoseSource::kModel, PoseSource::kOdometry,
-                                            PoseSource::kFused};
-
-/// Names as in files and messages.
-inline constexpr std::array<EnumName<PoseSource>, 3> kPoseSourceNames = {{
-    {PoseSource::kModel, "model"},
-    {PoseSource::kOdometry, "odometry"},
-    {PoseSource::kFused, "fused"},
-}};
+/// Names as in files, messages and tables, in the enum's order.
+inline constexpr std::array kPoseSourceNames = {
+    EnumName<PoseSource>{PoseSource::kModel, "model"},
+    EnumName<PoseSource>{PoseSource::kOdometry, "odometry"},
+    EnumName<PoseSource>{PoseSource::kFused, "fused"},
+};
+constexpr auto pose_sources() {
+  std::array<PoseSource, kPoseSourceNames.size()> sources{};
+  for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = kPoseSourceNames[i].value;
+  return sources;
+}
+inline constexpr std::array kPoseSources = pose_sources();
 constexpr std::string_view to_string(PoseSource source) {
   return name_in(kPoseSourceNames, source);
 }
+
+/// What a source is made from, for tables.
+constexpr std::string_view inputs_of(PoseSource source) {
+  switch (source) {
+    case PoseSource::kModel:
+      return "encoders";
+    case PoseSource::kOdometry:
+      return "+ gyro";
+    case PoseSource::kFused:
+      return "+ camera";
+  }
+  return "";
+}
+
+/// Says nothing of its own without an overhead camera.
+constexpr bool needs_camera(PoseSource source) { return source == PoseSource::kFused; }
+
+/// A robot that is pushed aside leaves no trace in what the source is made from.
+constexpr bool blind_to_disturbances(PoseSource source) { return source == PoseSource::kModel; }
 
 /// One value for each source.
 template <class T>
@@ -43,11 +66,26 @@ struct PerSource {
   }
 };
 
+/// The same value for every source.
+template <class T>
+constexpr PerSource<T> same_for_all(const T& value) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return PerSource<T>{{(static_cast<void>(i), value)...}};
+  }
+  (std::make_index_sequence<kPoseSources.size()>{});
+}
+
 /// One estimate of the robot's motion.
 struct Estimate {
   Pose pose{};
   Twist twist{};
 };
+
+constexpr PerSource<Pose> poses_of(const PerSource<Estimate>& estimates) {
+  PerSource<Pose> poses;
+  for (const PoseSource source : kPoseSources) poses[source] = estimates[source].pose;
+  return poses;
+}
 
 /// What the filter of the fused estimate says besides its pose and twist.
 struct FilterFigures {

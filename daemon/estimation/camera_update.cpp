@@ -7,8 +7,6 @@
 namespace tp100::estimation {
 namespace {
 
-double square(double value) { return value * value; }
-
 // Two outliers in a row hardly agree; two images of a robot that was moved do.
 constexpr double kSameStoryM = 0.03;
 constexpr double kSameStoryRad = 10.0 * kRadPerDeg;

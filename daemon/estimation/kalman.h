@@ -17,6 +17,8 @@
 
 namespace tp100::estimation {
 
+inline double square(double value) { return value * value; }
+
 enum StateIndex : Eigen::Index { kX, kY, kYaw, kBias, kSlipLeft, kSlipRight, kStates };
 
 using StateVector = Eigen::Matrix<double, kStates, 1>;

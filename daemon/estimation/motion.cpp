@@ -8,8 +8,6 @@
 namespace tp100::estimation {
 namespace {
 
-double square(double value) { return value * value; }
-
 // A yaw rate of the tracks that is off by more than this many standard deviations is ignored.
 constexpr double kResidualGate = 10.8;
 // Without a gyro the tracks' error counts as constant for this long.

@@ -9,8 +9,6 @@
 namespace tp100::estimation {
 namespace {
 
-double square(double value) { return value * value; }
-
 // A camera used this recently knows the start position better than the person who placed the robot.
 constexpr HostNs kFreshNs = 500 * kNsPerMs;
 

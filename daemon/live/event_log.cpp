@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 // More lines per second than this are folded.
 constexpr int kBurst = 50;
-constexpr HostNs kStatusPeriodNs = 10 * kNsPerS;
+constexpr HostNs kStatusLinePeriodNs = 10 * kNsPerS;
 // The gyro's standstill is detected within half a second, and a world replies soon.
 constexpr HostNs kRefusalNs = kNsPerS;
 constexpr std::size_t kWaiting = 1024;
@@ -138,7 +138,7 @@ void EventLog::refusal(StartRefusal refusal, HostNs now) {
 void EventLog::status(const LiveStatus& status, std::uint64_t overruns, HostNs now) {
   refusal(status.snapshot.start_refusal, now);
   if (status.session != SessionState::kReady || now < next_status_ns_) return;
-  next_status_ns_ = now + kStatusPeriodNs;
+  next_status_ns_ = now + kStatusLinePeriodNs;
   const LinkCounters& link = status.counters;
   const Pose& pose = status.snapshot.estimates[PoseSource::kOdometry].pose;
   writer_->logger->info(

@@ -125,9 +125,6 @@ std::string stats_json(const DaemonFigures& figures) {
       {"firmware", std::to_string(status.hello.firmware[0]) + "." +
                        std::to_string(status.hello.firmware[1]) + "." +
                        std::to_string(status.hello.firmware[2])},
-      {"odometry", pose(snapshot.estimates[PoseSource::kOdometry].pose)},
-      {"model", pose(snapshot.estimates[PoseSource::kModel].pose)},
-      {"fused", pose(snapshot.estimates[PoseSource::kFused].pose)},
       {"progress_m", snapshot.progress_m},
       {"battery_v", snapshot.sample.battery_v},
       {"link", link_figures(status.counters)},
@@ -137,6 +134,8 @@ std::string stats_json(const DaemonFigures& figures) {
         {"uncertainty_us", status.clock.uncertainty_us}}},
       {"loop", loop_figures(figures.loop)},
   };
+  for (const PoseSource source : kPoseSources)
+    json[to_string(source)] = pose(snapshot.estimates[source].pose);
   if (figures.camera) json["camera"] = camera_figures(*figures.camera, snapshot.filter);
   if (figures.world.udp || figures.world.files) json["world"] = world_figures(figures.world);
   if (!figures.recording.file.empty())

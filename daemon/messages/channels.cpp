@@ -62,19 +62,14 @@ struct StepView {
 /// A channel whose messages follow from steps.
 struct StepChannel {
   Channel channel;
-  const char* topic;
+  std::string topic;
   const char* schema_name;
   std::size_t kept;
   HostNs period_ns;           ///< 0: every step
   HostNs recorded_period_ns;  ///< in a recording
   /// Its messages of one step.
-  std::vector<std::string> (*texts)(const StepView&);
+  std::function<std::vector<std::string>(const StepView&)> texts;
 };
-
-template <PoseSource source>
-std::vector<std::string> pose_text(const StepView& of) {
-  return {of.messages.pose(of.record.now_ns, of.record.snapshot.estimates[source].pose)};
-}
 
 std::vector<std::string> truth_text(const StepView& of) {
   if (!of.truth || !of.truth_is_new) return {};
@@ -93,17 +88,13 @@ std::vector<std::string> command_text(const StepView& of) {
   return {of.messages.command(of.record)};
 }
 
-const std::vector<StepChannel>& step_channels() {
+std::vector<StepChannel> make_step_channels() {
   // Every step is on /estimate; channels for 3-D display only need a display's rate.
   constexpr HostNs kPoses = 20 * kNsPerMs, kSlip = 50 * kNsPerMs;
   const char* const pose = "foxglove.PoseInFrame";
-  static const std::vector<StepChannel> channels = {
+  std::vector<StepChannel> channels = {
       {Channel::kTransforms, "/tf", "foxglove.FrameTransforms", 0, 0, kPoses,
        [](const StepView& of) { return std::vector{of.messages.transforms(of.record, of.truth)}; }},
-      {Channel::kPoseModel, "/pose/model", pose, 0, 0, kPoses, pose_text<PoseSource::kModel>},
-      {Channel::kPoseOdometry, "/pose/odometry", pose, 0, 0, kPoses,
-       pose_text<PoseSource::kOdometry>},
-      {Channel::kPoseFused, "/pose/fused", pose, 0, 0, kPoses, pose_text<PoseSource::kFused>},
       {Channel::kPoseTruth, "/pose/truth", pose, 0, 0, kPoses, truth_text},
       {Channel::kEstimate, "/estimate", "tp100.Estimate", 0, 0, 0,
        [](const StepView& of) { return std::vector{of.messages.estimate(of.record, of.truth)}; }},
@@ -112,6 +103,18 @@ const std::vector<StepChannel>& step_channels() {
       {Channel::kSlip, "/slip", "tp100.Slip", 1, kSlip, kSlip,
        [](const StepView& of) { return std::vector{of.messages.slip(of.record)}; }},
   };
+  for (const PoseSource source : kPoseSources) {
+    channels.push_back({pose_channel(source), "/pose/" + std::string(to_string(source)), pose, 0, 0,
+                        kPoses, [source](const StepView& of) {
+                          const Pose& at = of.record.snapshot.estimates[source].pose;
+                          return std::vector{of.messages.pose(of.record.now_ns, at)};
+                        }});
+  }
+  return channels;
+}
+
+const std::vector<StepChannel>& step_channels() {
+  static const std::vector<StepChannel> channels = make_step_channels();
   return channels;
 }
 
@@ -194,7 +197,7 @@ std::vector<ChannelText> channel_texts() {
   const std::string scene = messages.scene(0);
 
   std::vector<ChannelText> texts(kChannelCount);
-  const auto add = [&](Channel channel, const char* topic, const char* schema_name,
+  const auto add = [&](Channel channel, const std::string& topic, const char* schema_name,
                        const std::string& example, std::size_t kept) {
     texts.at(static_cast<std::uint32_t>(channel) - 1) = {channel, topic, schema_name,
                                                          schema_of(schema_name, example), kept};

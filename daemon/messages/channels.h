@@ -17,10 +17,8 @@ namespace tp100::messages {
 /// Channels in the order of their ids (1 and up).
 enum class Channel : std::uint32_t {
   kTransforms = 1,
-  kPoseModel,
-  kPoseOdometry,
-  kPoseFused,
-  kPoseTruth,
+  kPose,  ///< of the first estimate; the others follow, see pose_channel()
+  kPoseTruth = kPose + static_cast<std::uint32_t>(kPoseSources.size()),
   kPath,
   kScene,
   kPathHistory,
@@ -39,10 +37,10 @@ enum class Channel : std::uint32_t {
   kClient,
 };
 
-/// The channel of each estimate's pose.
-inline constexpr PerSource<Channel> kPoseChannels = {
-    {Channel::kPoseModel, Channel::kPoseOdometry, Channel::kPoseFused}};
-static_assert(kPoseChannels.values.back() != Channel{}, "a source without a channel");
+constexpr Channel pose_channel(PoseSource source) {
+  return static_cast<Channel>(static_cast<std::uint32_t>(Channel::kPose) +
+                              static_cast<std::uint32_t>(source));
+}
 inline constexpr auto kChannelCount = static_cast<std::uint32_t>(Channel::kClient);
 
 struct ChannelText {

@@ -16,11 +16,7 @@ struct Point {
 
 /// Red, green, blue, opacity; 0..1.
 using Colour = std::array<double, 4>;
-// The paper's colours.
 inline constexpr Colour kPathColour{1.0, 1.0, 1.0, 1.0};
-inline constexpr Colour kModelColour{0.90, 0.20, 0.18, 1.0};
-inline constexpr Colour kOdometryColour{0.26, 0.53, 0.96, 1.0};
-inline constexpr Colour kFusedColour{0.20, 0.72, 0.35, 1.0};
 
 /// foxglove's time, from Unix nanoseconds.
 inline void write_time(text::JsonWriter& json, std::string_view name, std::uint64_t unix_ns) {

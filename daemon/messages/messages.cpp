@@ -29,9 +29,7 @@ void write_motion(text::JsonWriter& json, const Estimate& estimate) {
       .field("yaw_rate_radps", estimate.twist.yaw_rate_radps);
 }
 
-void write_fused(text::JsonWriter& json, const Estimate& estimate, const FilterFigures& fused) {
-  json.key("fused").begin_object();
-  write_motion(json, estimate);
+void write_filter(text::JsonWriter& json, const FilterFigures& fused) {
   json.field("sd_x_m", std::sqrt(fused.variance_x_m2))
       .field("sd_y_m", std::sqrt(fused.variance_y_m2))
       .field("sd_yaw_rad", std::sqrt(fused.variance_yaw_rad2));
@@ -44,8 +42,7 @@ void write_fused(text::JsonWriter& json, const Estimate& estimate, const FilterF
       .field("camera_rejected", fused.camera_rejected)
       .field("nis", fused.nis)
       .field("nis_mean", fused.nis_mean)
-      .field("recoveries", fused.recoveries)
-      .end_object();
+      .field("recoveries", fused.recoveries);
 }
 
 void write_truth(text::JsonWriter& json, const std::optional<Truth>& truth, HostNs now) {
@@ -224,12 +221,13 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
   } else {
     json.null_field("age_us");
   }
-  json.field("steering", to_string(snapshot.steering)).key("model").begin_object();
-  write_motion(json, snapshot.estimates[PoseSource::kModel]);
-  json.end_object().key("odometry").begin_object();
-  write_motion(json, snapshot.estimates[PoseSource::kOdometry]);
-  json.end_object();
-  write_fused(json, snapshot.estimates[PoseSource::kFused], snapshot.filter);
+  json.field("steering", to_string(snapshot.steering));
+  for (const PoseSource source : kPoseSources) {
+    json.key(to_string(source)).begin_object();
+    write_motion(json, snapshot.estimates[source]);
+    if (source == PoseSource::kFused) write_filter(json, snapshot.filter);
+    json.end_object();
+  }
   json.key("world").begin_object();
   write_pose(json, snapshot.world);
   json.end_object();

@@ -1,5 +1,6 @@
 #include "messages/path_history.h"
 
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -12,8 +13,12 @@ namespace {
 constexpr double kThicknessM = 0.004;
 constexpr double kLiftM = 0.004;
 
-constexpr PerSource<Colour> kColours = {{kModelColour, kOdometryColour, kFusedColour}};
-static_assert(kColours.values.back()[3] > 0.0, "a source without a colour");
+// Red, blue and green as in the paper, and two for estimates to come.
+constexpr std::array<Colour, 5> kColours = {{{0.90, 0.20, 0.18, 1.0},
+                                             {0.26, 0.53, 0.96, 1.0},
+                                             {0.20, 0.72, 0.35, 1.0},
+                                             {0.84, 0.54, 0.06, 1.0},
+                                             {0.07, 0.48, 0.54, 1.0}}};
 
 }  // namespace
 
@@ -75,7 +80,7 @@ std::string PathHistory::message(const PublishClock& clock, HostNs now, bool all
                  {.id = "path_history/" + std::string(to_string(kPoseSources[i])) + "/" +
                         std::to_string(chunk_),
                   .lines = line_strip(std::span(strip.points).subspan(from), kThicknessM,
-                                      kColours[kPoseSources[i]])},
+                                      kColours[i % kColours.size()])},
                  at);
   }
   json.end_array().end_object();

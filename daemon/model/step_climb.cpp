@@ -10,7 +10,7 @@ namespace {
 constexpr double kGravityMps2 = 9.80665;
 constexpr double kFallStepS = 2.5e-4;
 constexpr double kMaxFallSteps = 2000.0;
-constexpr int kHalvings = 40;
+constexpr int kContactHalvings = 40;
 constexpr double kTouchRad = 1e-9;
 constexpr int kMaxPhases = 24;
 constexpr double kEver = std::numeric_limits<double>::infinity();
@@ -129,7 +129,7 @@ double StepClimb::cross_end_m(double speed, double time) const {
   if (tip_start_ == TipStart::kBalance || !(speed > 0.0) || !lifts_off(to, speed)) return end;
   double low = travel_m_, high = to;
   if (lifts_off(low, speed)) return low;
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < kContactHalvings; ++i) {
     const double middle = (low + high) / 2.0;
     (lifts_off(middle, speed) ? high : low) = middle;
   }
@@ -209,7 +209,7 @@ double StepClimb::fall(double speed, double time, Edge edge) {
       continue;
     }
     double before = 0.0, after = h;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kContactHalvings; ++i) {
       const double middle = (before + after) / 2.0;
       const bool still =
           landed(fallen(fall_, arm, carried, middle), travel_m_ + carried * middle, edge) == phase_;

@@ -29,10 +29,6 @@ class Record {
   std::size_t length_at_;
 };
 
-std::span<const std::uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 // Speed matters more than the last tenth of compression; the frame contains its size.
 constexpr int kLevel = 1;
 

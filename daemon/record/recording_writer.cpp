@@ -43,10 +43,6 @@ std::string truth_text(const messages::PublishClock& clock, const messages::Trut
   return text;
 }
 
-std::span<const std::uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 /// False for channels that only make sense live, or follow from the others.
 bool recorded(messages::Channel channel) {
   return channel != messages::Channel::kPathHistory && channel != messages::Channel::kClient &&

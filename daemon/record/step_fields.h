@@ -218,8 +218,8 @@ void visit_fields(Visitor& v, T& attitude) {
 template <class Visitor, MaybeConst<CarriedState> T>
 void visit_fields(Visitor& v, T& carried) {
   auto& [session_number, run_state, faults, parameters, cross_track, progress, sample, has_sample,
-         continues, model, odometry, virtual_x, virtual_y, virtual_turn, filter, attitude,
-         gyro_bias, gyro_bias_known, filter_has_bias] = carried;
+         continues, poses, virtual_x, virtual_y, virtual_turn, filter, attitude, gyro_bias,
+         gyro_bias_known, filter_has_bias] = carried;
   v("session_number", session_number);
   v("run_state", run_state, RunState::kAborted);
   v("faults", faults);
@@ -229,8 +229,7 @@ void visit_fields(Visitor& v, T& carried) {
   v("sample", sample);
   v("has_sample", has_sample);
   v("continues", continues);
-  v("model", model);
-  v("odometry", odometry);
+  for (const PoseSource source : kPoseSources) v(to_string(source).data(), poses[source]);
   v("virtual_x_m", virtual_x);
   v("virtual_y_m", virtual_y);
   v("virtual_turn_rad", virtual_turn);

@@ -20,7 +20,7 @@ constexpr const char* kStyle =
 using text::format;
 
 constexpr double kLeft = 58, kRight = 12, kTop = 30, kBottom = 44;
-constexpr std::size_t kMaxPoints = 1500;
+constexpr std::size_t kMaxPointsOfSeries = 1500;
 constexpr int kMaxTicks = 7;
 
 struct Range {
@@ -111,7 +111,7 @@ class Frame {
 };
 
 std::string line(const Frame& frame, const ChartSeries& series) {
-  const std::size_t every = series.points.size() / kMaxPoints + 1;
+  const std::size_t every = series.points.size() / kMaxPointsOfSeries + 1;
   std::string path;
   bool pen_down = false;
   for (std::size_t i = 0; i < series.points.size(); ++i) {

@@ -311,14 +311,14 @@ TrackingErrors tracking_errors(const std::vector<TrajectoryPoint>& points,
 RunFigures figures(const RunResult& run, const course::Course& course) {
   const course::Path path(course);
   RunFigures result;
-  result.model =
-      pose_errors_between(run.points, run.disturbances,
-                          [](const TrajectoryPoint& p) -> const Pose& { return p.model; });
-  result.odometry =
-      pose_errors(run.points, [](const TrajectoryPoint& p) -> const Pose& { return p.odometry; });
-  if (run.has_camera) {
-    result.fused =
-        pose_errors(run.points, [](const TrajectoryPoint& p) -> const Pose& { return p.fused; });
+  for (const PoseSource source : kPoseSources) {
+    if (!run.has_estimate(source)) continue;
+    const PoseOf estimate = [source](const TrajectoryPoint& p) -> const Pose& {
+      return p.estimates[source];
+    };
+    result.estimates[source] = blind_to_disturbances(source)
+                                   ? pose_errors_between(run.points, run.disturbances, estimate)
+                                   : pose_errors(run.points, estimate);
   }
   result.tracking = tracking_errors(run.points, run.disturbances, path);
   // In other set-ups the obstacles are not on the floor.

@@ -14,6 +14,9 @@
 
 namespace tp100::report {
 
+/// Tables and figures show errors in centimetres.
+inline constexpr double kCmPerM = 100.0;
+
 // Deviation of one true pose from the path.
 
 struct Deviation {
@@ -82,10 +85,9 @@ struct TrackingErrors {
 
 /// All figures of one run.
 struct RunFigures {
-  PoseErrors model{};     ///< piece by piece between disturbances, which encoders cannot see
-  PoseErrors odometry{};  ///< from start to end
-  std::optional<PoseErrors>
-      fused{};  ///< from start to end, disturbances included; only with a camera
+  /// From start to end, disturbances included; of a source that is blind to them, piece by piece
+  /// between them. Nothing where the run does not judge the source.
+  PerSource<std::optional<PoseErrors>> estimates{};
   TrackingErrors tracking{};
   SlopeFigures slope{};
 };

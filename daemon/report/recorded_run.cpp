@@ -13,10 +13,8 @@
 namespace tp100::report {
 namespace {
 
-using Json = nlohmann::json;
-
 // Twenty minutes at 200 Hz; beyond it every second point is dropped.
-constexpr std::size_t kMaxPoints = std::size_t{1} << 18;
+constexpr std::size_t kMaxKeptPoints = std::size_t{1} << 18;
 // No robot gets farther.
 constexpr double kFarthest = 1e6;
 constexpr double kEndToleranceM = 0.15;
@@ -151,24 +149,17 @@ void Reader::point(const StepRecord& record) {
   point_ns_ = std::numeric_limits<HostNs>::min();
   if (samples_++ % run_.every != 0) return;
   TrajectoryPoint point{.t_s = t_s(sample.measured_ns),
-                        .model = snapshot.estimates[PoseSource::kModel].pose,
-                        .odometry = snapshot.estimates[PoseSource::kOdometry].pose,
-                        .fused = snapshot.estimates[PoseSource::kFused].pose,
+                        .estimates = poses_of(snapshot.estimates),
                         .progress_m = snapshot.progress_m,
                         .recovering = snapshot.recovering};
-  for (const Pose* pose : std::initializer_list<const Pose*>{&point.model, &point.odometry,
-                                                             &point.fused, &snapshot.world}) {
-    if (plausible(*pose)) continue;
-    ++run_.implausible;
-    return;
-  }
   const bool ascends = run_.result.points.empty() || point.t_s > run_.result.points.back().t_s;
-  if (!ascends || !(std::abs(point.progress_m) <= kFarthest)) {
+  if (!std::ranges::all_of(point.estimates.values, plausible) || !plausible(snapshot.world) ||
+      !ascends || !(std::abs(point.progress_m) <= kFarthest)) {
     ++run_.implausible;
     return;
   }
   point.world = snapshot.world;
-  const Pose& steering = steering_pose(run_, point);
+  const Pose& steering = point.estimates[run_.run_context.steering];
   behind_x_m_ = snapshot.world.x_m - steering.x_m;
   behind_y_m_ = snapshot.world.y_m - steering.y_m;
   run_.result.points.push_back(point);
@@ -181,7 +172,7 @@ void Reader::point(const StepRecord& record) {
                           .jitter_us = step_jitter_us_,
                           .steering_world = snapshot.world});
   point_ns_ = sample.measured_ns;
-  if (run_.result.points.size() >= kMaxPoints) thin();
+  if (run_.result.points.size() >= kMaxKeptPoints) thin();
 }
 
 void Reader::thin() {
@@ -210,7 +201,7 @@ void Reader::truth(HostNs at, const Pose& pose) {
 void Reader::event(std::uint64_t unix_ns, std::string_view text) {
   // Valid until 2116, and no sum overflows.
   if (text.size() > kLongestEvent || unix_ns >> 62 != 0 || start_unix_ns_ >> 62 != 0) return;
-  const Json json = Json::parse(text, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   const auto field = [&](const char* name) -> std::string {
     if (!json.is_object()) return {};
     const auto found = json.find(name);
@@ -286,18 +277,6 @@ void Reader::finish() {
 }
 
 }  // namespace
-
-const Pose& steering_pose(const RecordedRun& run, const TrajectoryPoint& point) {
-  switch (run.run_context.steering) {
-    case PoseSource::kModel:
-      return point.model;
-    case PoseSource::kFused:
-      return point.fused;
-    case PoseSource::kOdometry:
-      break;
-  }
-  return point.odometry;
-}
 
 RecordedRun read_run(const record::Recording& recording, const RecordedContext& run_context) {
   RecordedRun run;

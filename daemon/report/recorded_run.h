@@ -129,7 +129,4 @@ struct RecordedRun {
 /// Reads all of `recording`. Throws SetupError.
 RecordedRun read_run(const record::Recording& recording, const RecordedContext& run_context);
 
-/// The steering pose of a point.
-const Pose& steering_pose(const RecordedRun& run, const TrajectoryPoint& point);
-
 }  // namespace tp100::report

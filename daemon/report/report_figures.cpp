@@ -11,9 +11,7 @@
 namespace tp100::report {
 namespace {
 
-constexpr std::size_t kMaxPoints = 2000;
-constexpr int kPathPoints = 600;
-constexpr double kCmPerM = 100.0;
+constexpr std::size_t kMaxPointsOfRun = 2000;
 
 using Value = std::function<double(const TrajectoryPoint&, const RunMoment&)>;
 
@@ -38,11 +36,7 @@ ChartSeries map_of(const RecordedRun& run, ChartSeries series,
 
 ChartSeries planned(const course::Course& course) {
   ChartSeries series = empty_series("path", kPathColour, true);
-  const course::Path path(course);
-  for (int i = 0; i <= kPathPoints; ++i) {
-    const course::PathPoint at = path.at(path.length_m() * i / kPathPoints);
-    series.points.emplace_back(at.x_m, at.y_m);
-  }
+  series.points = path_line(course);
   return series;
 }
 
@@ -50,17 +44,15 @@ double distance_cm(const Pose& a, const Pose& b) {
   return kCmPerM * std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
 }
 
-struct Estimate {
-  const char* name;
-  const char* colour;
-  Pose TrajectoryPoint::*pose;
-};
-
-std::vector<Estimate> estimates_of(const RecordedRun& run) {
-  std::vector<Estimate> estimates = {{"model", kModelColour, &TrajectoryPoint::model},
-                                     {"odometry", kOdometryColour, &TrajectoryPoint::odometry}};
-  if (run.result.has_camera) estimates.push_back({"fused", kFusedColour, &TrajectoryPoint::fused});
+std::vector<PoseSource> estimates_of(const RecordedRun& run) {
+  std::vector<PoseSource> estimates;
+  for (const PoseSource source : kPoseSources)
+    if (run.result.has_estimate(source)) estimates.push_back(source);
   return estimates;
+}
+
+ChartSeries series_of(PoseSource source) {
+  return empty_series(std::string(to_string(source)), colour_of(source));
 }
 
 Figure path_figure(const RecordedRun& run) {
@@ -69,10 +61,10 @@ Figure path_figure(const RecordedRun& run) {
   if (run.has_truth)
     chart.series.push_back(map_of(run, empty_series("truth", kTruthColour),
                                   [](const TrajectoryPoint& p) -> const Pose& { return p.truth; }));
-  for (const Estimate& one : estimates_of(run))
+  for (const PoseSource source : estimates_of(run))
     chart.series.push_back(
-        map_of(run, empty_series(one.name, one.colour),
-               [&](const TrajectoryPoint& p) -> const Pose& { return p.*one.pose; }));
+        map_of(run, series_of(source),
+               [&](const TrajectoryPoint& p) -> const Pose& { return p.estimates[source]; }));
   return {"path", svg(chart), "Where the robot was, as the path, the truth and the estimates say."};
 }
 
@@ -82,11 +74,11 @@ Figure yaw_figure(const RecordedRun& run) {
     chart.series.push_back(over_time(
         run, empty_series("truth", kTruthColour),
         [](const TrajectoryPoint& p, const RunMoment&) { return p.truth.yaw_rad * kDegPerRad; }));
-  for (const Estimate& one : estimates_of(run))
-    chart.series.push_back(over_time(run, empty_series(one.name, one.colour),
-                                     [&](const TrajectoryPoint& p, const RunMoment&) {
-                                       return (p.*one.pose).yaw_rad * kDegPerRad;
-                                     }));
+  for (const PoseSource source : estimates_of(run))
+    chart.series.push_back(
+        over_time(run, series_of(source), [&](const TrajectoryPoint& p, const RunMoment&) {
+          return p.estimates[source].yaw_rad * kDegPerRad;
+        }));
   return {"yaw", svg(chart), "Yaw."};
 }
 
@@ -94,13 +86,13 @@ Figure error_figure(const RecordedRun& run) {
   Chart chart{.title = run.has_truth ? "Distance from the truth" : "Distance from odometry",
               .x_label = "time [s]",
               .y_label = "distance [cm]"};
-  for (const Estimate& one : estimates_of(run)) {
-    const auto to = run.has_truth ? &TrajectoryPoint::truth : &TrajectoryPoint::odometry;
-    if (one.pose == to) continue;
-    chart.series.push_back(over_time(run, empty_series(one.name, one.colour),
-                                     [&](const TrajectoryPoint& p, const RunMoment&) {
-                                       return distance_cm(p.*one.pose, p.*to);
-                                     }));
+  for (const PoseSource source : estimates_of(run)) {
+    if (!run.has_truth && source == PoseSource::kOdometry) continue;
+    chart.series.push_back(
+        over_time(run, series_of(source), [&](const TrajectoryPoint& p, const RunMoment&) {
+          return distance_cm(p.estimates[source],
+                             run.has_truth ? p.truth : p.estimates[PoseSource::kOdometry]);
+        }));
   }
   return {
       "error", svg(chart),
@@ -115,7 +107,7 @@ Figure tracking_figure(const RecordedRun& run) {
               .x_label = "time [s]",
               .y_label = "left of the path [cm]"};
   chart.series.push_back(over_time(
-      run, empty_series("", kOdometryColour),
+      run, empty_series("", colour_of(PoseSource::kOdometry)),
       [](const TrajectoryPoint&, const RunMoment& m) { return m.cross_track_m * kCmPerM; }));
   return {"tracking", svg(chart), "The steering pose against the path."};
 }
@@ -123,10 +115,10 @@ Figure tracking_figure(const RecordedRun& run) {
 Figure slip_figure(const RecordedRun& run) {
   Chart chart{.title = "Slip in use", .x_label = "time [s]", .y_label = "slip ratio"};
   chart.series.push_back(
-      over_time(run, empty_series("left", kModelColour),
+      over_time(run, empty_series("left", colour_of(PoseSource::kModel)),
                 [](const TrajectoryPoint&, const RunMoment& m) { return m.slip_left; }));
   chart.series.push_back(
-      over_time(run, empty_series("right", kOdometryColour),
+      over_time(run, empty_series("right", colour_of(PoseSource::kOdometry)),
                 [](const TrajectoryPoint&, const RunMoment& m) { return m.slip_right; }));
   return {"slip", svg(chart), "Slip ratios that the model used."};
 }
@@ -134,7 +126,7 @@ Figure slip_figure(const RecordedRun& run) {
 Figure jitter_figure(const RecordedRun& run) {
   Chart chart{.title = "Jitter", .x_label = "time [s]", .y_label = "|step - period| [us]"};
   chart.series.push_back(
-      over_time(run, empty_series("", kOdometryColour),
+      over_time(run, empty_series("", colour_of(PoseSource::kOdometry)),
                 [](const TrajectoryPoint&, const RunMoment& m) { return m.jitter_us; }));
   return {"jitter", svg(chart), "Time between two steps against the loop's period."};
 }
@@ -146,10 +138,11 @@ Figure climb_figure(const RecordedRun& run) {
                                      [](const TrajectoryPoint& p, const RunMoment&) {
                                        return -p.truth.pitch_rad * kDegPerRad;
                                      }));
-  chart.series.push_back(over_time(run, empty_series("robot in the course's world", kModelColour),
-                                   [](const TrajectoryPoint&, const RunMoment& m) {
-                                     return -m.steering_world.pitch_rad * kDegPerRad;
-                                   }));
+  chart.series.push_back(
+      over_time(run, empty_series("robot in the course's world", colour_of(PoseSource::kModel)),
+                [](const TrajectoryPoint&, const RunMoment& m) {
+                  return -m.steering_world.pitch_rad * kDegPerRad;
+                }));
   return {"climb", svg(chart),
           "Where obstacles are virtual, the truth lies on the flat floor below them."};
 }
@@ -162,7 +155,7 @@ ChartSeries series_of(const ComparedRun& run, std::size_t i) {
 }
 
 const Pose& shown_pose(const RecordedRun& run, const TrajectoryPoint& point) {
-  return run.has_truth ? point.truth : steering_pose(run, point);
+  return run.has_truth ? point.truth : point.estimates[run.run_context.steering];
 }
 
 Figure compared(const std::vector<ComparedRun>& runs, Figure figure, Chart chart,
@@ -177,6 +170,17 @@ Figure compared(const std::vector<ComparedRun>& runs, Figure figure, Chart chart
 }
 
 }  // namespace
+
+std::vector<std::pair<double, double>> path_line(const course::Course& course) {
+  constexpr int kParts = 600;
+  const course::Path path(course);
+  std::vector<std::pair<double, double>> points;
+  for (int i = 0; i <= kParts; ++i) {
+    const course::PathPoint at = path.at(path.length_m() * i / kParts);
+    points.emplace_back(at.x_m, at.y_m);
+  }
+  return points;
+}
 
 std::vector<Figure> figures_of(const RecordedRun& run) {
   std::vector<Figure> figures = {path_figure(run),     yaw_figure(run),  error_figure(run),
@@ -208,18 +212,18 @@ std::vector<Figure> figures_of(const std::vector<ComparedRun>& runs) {
                }));
   const struct {
     const char *name, *title, *caption;
-    Pose TrajectoryPoint::*pose;
+    PoseSource source;
   } errors[] = {{"model-errors", "Model: distance from the truth",
-                 "The model, only of runs whose truth is known.", &TrajectoryPoint::model},
+                 "The model, only of runs whose truth is known.", PoseSource::kModel},
                 {"odometry-errors", "Odometry: distance from the truth",
-                 "Odometry, of the same runs.", &TrajectoryPoint::odometry}};
+                 "Odometry, of the same runs.", PoseSource::kOdometry}};
   for (const auto& one : errors)
-    figures.push_back(
-        compared(runs, {one.name, {}, one.caption},
-                 {.title = one.title, .x_label = "time [s]", .y_label = "distance [cm]"},
-                 [&](const RecordedRun& run, const TrajectoryPoint& p, const RunMoment&) {
-                   return run.has_truth ? distance_cm(p.*one.pose, p.truth) : std::nan("");
-                 }));
+    figures.push_back(compared(
+        runs, {one.name, {}, one.caption},
+        {.title = one.title, .x_label = "time [s]", .y_label = "distance [cm]"},
+        [&](const RecordedRun& run, const TrajectoryPoint& p, const RunMoment&) {
+          return run.has_truth ? distance_cm(p.estimates[one.source], p.truth) : std::nan("");
+        }));
   figures.push_back(compared(runs, {"trackings", {}, "The steering pose against the path."},
                              {.title = "Cross-track, as the controller saw it",
                               .x_label = "time [s]",
@@ -235,7 +239,7 @@ std::vector<Figure> figures_of(const std::vector<ComparedRun>& runs) {
 }
 
 void thin_for_figures(RecordedRun& run) {
-  const std::size_t every = run.moments.size() / kMaxPoints + 1;
+  const std::size_t every = run.moments.size() / kMaxPointsOfRun + 1;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < run.moments.size(); i += every) {
     run.result.points[kept] = run.result.points[i];

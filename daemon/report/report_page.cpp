@@ -18,7 +18,6 @@ namespace {
 
 using Row = Rows::value_type;
 
-constexpr double kCmPerM = 100.0;
 constexpr std::size_t kLongestFact = 200;
 
 std::string number(double value, int decimals) {
@@ -69,6 +68,10 @@ Row pose_row(const std::string& name, const PoseErrors& e) {
           number(e.max_yaw_error_rad * kDegPerRad, 2)};
 }
 
+Row pose_row(PoseSource source, const PoseErrors& errors) {
+  return pose_row(std::string(to_string(source)), errors);
+}
+
 const Row kPoseHead = {"", "max [cm]", "mean [cm]", "rms [cm]", "final [cm]", "yaw max [deg]"};
 
 void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunFigures>& judged) {
@@ -80,11 +83,15 @@ void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunF
     return;
   }
   if (judged) {
-    page.table({kPoseHead, pose_row("model", judged->model)},
+    Rows model = {kPoseHead}, estimates = {kPoseHead};
+    for (const PoseSource source : kPoseSources) {
+      if (!judged->estimates[source]) continue;
+      (blind_to_disturbances(source) ? model : estimates)
+          .push_back(pose_row(source, *judged->estimates[source]));
+    }
+    page.table(model,
                "Model: on encoder counts (extended: eqs 1-5 and seven constants of ours; or as "
                "model.mode says) against the truth, piece by piece between disturbances");
-    Rows estimates = {kPoseHead, pose_row("odometry", judged->odometry)};
-    if (judged->fused) estimates.push_back(pose_row("fused", *judged->fused));
     page.table(estimates, "Estimates against the truth, from start to end");
     Rows tracking = {{"", "max [cm]", "rms [cm]", "yaw max [deg]"},
                      {"tracking", number(judged->tracking.max_cross_track_m * kCmPerM, 2),
@@ -187,7 +194,6 @@ void add_figures(HtmlPage& page, const std::vector<Figure>& figures) {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxFrames = 2000;
-constexpr int kPathPoints = 600;
 
 double rounded(double value) { return std::round(value * 1e5) / 1e5; }
 
@@ -209,9 +215,11 @@ Json robot_of(const course::Robot& robot) {
 }
 
 Json frames_of(const RecordedRun& run) {
-  Json frames = {{"t", Json::array()},        {"robot", Json::array()}, {"left", Json::array()},
-                 {"right", Json::array()},    {"truth", Json::array()}, {"model", Json::array()},
-                 {"odometry", Json::array()}, {"fused", Json::array()}};
+  Json frames = {{"t", Json::array()},
+                 {"robot", Json::array()},
+                 {"left", Json::array()},
+                 {"right", Json::array()},
+                 {"truth", Json::array()}};
   const std::vector<TrajectoryPoint>& points = run.result.points;
   const std::size_t every = points.size() / kMaxFrames + 1;
   double left_m = 0.0, right_m = 0.0;
@@ -229,19 +237,17 @@ Json frames_of(const RecordedRun& run) {
     frames["left"].push_back(rounded(left_m));
     frames["right"].push_back(rounded(right_m));
     frames["truth"].push_back(run.has_truth ? json_of(point.world) : Json());
-    frames["model"].push_back(place(point.model.x_m, point.model.y_m, z_m));
-    frames["odometry"].push_back(place(point.odometry.x_m, point.odometry.y_m, z_m));
-    frames["fused"].push_back(place(point.fused.x_m, point.fused.y_m, z_m));
+    for (const PoseSource source : kPoseSources) {
+      const Pose& pose = point.estimates[source];
+      frames[to_string(source)].push_back(place(pose.x_m, pose.y_m, z_m));
+    }
   }
   return frames;
 }
 
 void add_course(const course::Course& course, Json& view) {
-  const course::Path path(course);
-  for (int i = 0; i <= kPathPoints; ++i) {
-    const course::PathPoint at = path.at(path.length_m() * i / kPathPoints);
-    view["path"].push_back(Json::array({rounded(at.x_m), rounded(at.y_m)}));
-  }
+  for (const auto& [x_m, y_m] : path_line(course))
+    view["path"].push_back(Json::array({rounded(x_m), rounded(y_m)}));
   for (const course::Ramp& r : course.terrain.ramps)
     view["ramps"].push_back({r.place.x_m, r.place.y_m, r.place.heading_rad, r.height_m,
                              r.up_length_m(), r.top_m, r.down_length_m(), r.width_m});
@@ -281,14 +287,13 @@ std::string replay_view(const RecordedRun& run) {
                {"blocks", Json::array()},
                {"surfaces", Json::array()},
                {"robot", robot_of(run.run_context.robot)},
-               {"path_histories", Json::array({"model", "odometry"})}};
-  if (run.result.has_camera) view["path_histories"].push_back("fused");
+               {"path_histories", Json::array()},
+               {"colours", {{"path", kPathColour}, {"truth", kTruthColour}}}};
+  for (const PoseSource source : kPoseSources) {
+    if (run.result.has_estimate(source)) view["path_histories"].push_back(to_string(source));
+    view["colours"][to_string(source)] = colour_of(source);
+  }
   if (run.has_truth) view["path_histories"].push_back("truth");
-  view["colours"] = {{"path", kPathColour},
-                     {"truth", kTruthColour},
-                     {"model", kModelColour},
-                     {"odometry", kOdometryColour},
-                     {"fused", kFusedColour}};
   if (run.run_context.course != nullptr) add_course(*run.run_context.course, view);
   add_extent(run, view);
   return "<figure id='replay'><canvas width='1000' height='520' tabindex='0' "
@@ -327,7 +332,7 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
                          const std::vector<Figure>& figures) {
   HtmlPage page("Runs compared");
   Rows outcomes = {{"run", "course, robot, set-up", "outcome", "duration [s]", "lost", "version"}};
-  Rows model = {kPoseHead}, odometry = {kPoseHead}, fused = {kPoseHead};
+  PerSource<Rows> estimates = same_for_all(Rows{kPoseHead});
   Rows tracking = {{"", "max [cm]", "rms [cm]", "yaw max [deg]"}}, estimated = tracking;
   Rows jitter = {kDurationHead};
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -343,9 +348,10 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
                            number(run.estimated.max_heading_error_rad * kDegPerRad, 2)});
     jitter.push_back(duration_row(name, run.jitter));
     if (!judged[i]) continue;
-    model.push_back(pose_row(name, judged[i]->model));
-    odometry.push_back(pose_row(name, judged[i]->odometry));
-    if (judged[i]->fused) fused.push_back(pose_row(name, *judged[i]->fused));
+    for (const PoseSource source : kPoseSources) {
+      const std::optional<PoseErrors>& errors = judged[i]->estimates[source];
+      if (errors) estimates[source].push_back(pose_row(name, *errors));
+    }
     tracking.push_back({name, number(judged[i]->tracking.max_cross_track_m * kCmPerM, 2),
                         number(judged[i]->tracking.rms_cross_track_m * kCmPerM, 2),
                         number(judged[i]->tracking.max_yaw_error_rad * kDegPerRad, 2)});
@@ -354,9 +360,12 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
   page.heading("Errors");
   page.paragraph(
       "Runs whose truth is not known are only in the last table, runs that never began in none.");
-  page.table(model, "Model against the truth, piece by piece between disturbances");
-  page.table(odometry, "Odometry (estimate) against the truth");
-  if (fused.size() > 1) page.table(fused, "Fused (estimate) against the truth");
+  for (const PoseSource source : kPoseSources) {
+    if (estimates[source].size() == 1 && needs_camera(source)) continue;
+    page.table(estimates[source],
+               "The pose '" + std::string(to_string(source)) + "' against the truth" +
+                   (blind_to_disturbances(source) ? ", piece by piece between disturbances" : ""));
+  }
   page.table(tracking, "Tracking: the truth against the path");
   page.table(estimated, "The steering pose against the path: what the controller saw");
   add_figures(page, figures);

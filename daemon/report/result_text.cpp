@@ -97,14 +97,15 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
   if (!run.completed) json["cause"] = run.cause;
   json["duration_s"] = run.duration_s;
   json["realtime_factor"] = run.realtime_factor;
-  json["model"] = json_of(figures.model);
-  json["odometry"] = json_of(figures.odometry);
-  if (figures.fused) json["fused"] = json_of(*figures.fused);
+  for (const PoseSource source : kPoseSources) {
+    if (!run.has_estimate(source)) continue;
+    const std::optional<PoseErrors>& errors = figures.estimates[source];
+    json[to_string(source)] = errors && !run.points.empty() ? json_of(*errors) : Json();
+  }
   json["tracking"] = json_of(figures.tracking);
   json["slope"] = json_of(figures.slope);
   if (run.points.empty())
-    for (const char* name : {"model", "odometry", "fused", "tracking", "slope"})
-      if (json.contains(name)) json[name] = nullptr;
+    for (const char* name : {"tracking", "slope"}) json[name] = nullptr;
   if (run.has_camera) json["camera"] = json_of(run.camera);
   json["link"] = json_of(run.link);
   json["loop"] = Json::object();
@@ -117,10 +118,8 @@ namespace {
 
 using text::format;
 
-constexpr double kCmPerM = 100.0;
-
-std::string row(const char* name, const PoseErrors& e) {
-  return format("%-27s%8.2f%8.2f%8.2f%8.2f%11.2e%11.2e%11.2e%8.2f\n", name,
+std::string row(const std::string& name, const PoseErrors& e) {
+  return format("%-27s%8.2f%8.2f%8.2f%8.2f%11.2e%11.2e%11.2e%8.2f\n", name.c_str(),
                 e.max_position_error_m * kCmPerM, e.mean_position_error_m * kCmPerM,
                 e.rms_position_error_m * kCmPerM, e.final_position_error_m * kCmPerM, e.mse_x_m2,
                 e.mse_y_m2, e.mse_yaw_rad2, e.max_yaw_error_rad * kDegPerRad);
@@ -195,9 +194,13 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   text += format("%-27s%32s%33s%8s\n", "", "position error [cm]", "mean squared error", "yaw");
   text += format("%-27s%8s%8s%8s%8s%11s%11s%11s%8s\n", "against the true pose", "max", "mean",
                  "rms", "final", "x [m^2]", "y [m^2]", "[rad^2]", "max deg");
-  text += row("ours: model (encoders)", figures.model);
-  text += row("ours: odometry (+ gyro)", figures.odometry);
-  if (figures.fused) text += row("ours: fused (+ camera)", *figures.fused);
+  for (const PoseSource source : kPoseSources) {
+    const std::optional<PoseErrors>& errors = figures.estimates[source];
+    if (!errors) continue;
+    text +=
+        row("ours: " + std::string(to_string(source)) + " (" + std::string(inputs_of(source)) + ")",
+            *errors);
+  }
   const auto paper = published_errors(run.course);
   if (paper) text += printed_row(*paper);
   const TrackingErrors& tracking = figures.tracking;

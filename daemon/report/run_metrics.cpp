@@ -29,8 +29,9 @@ std::optional<RunFigures> judged(const RecordedRun& run) {
 Difference model_from_odometry(const RecordedRun& run) {
   Difference difference;
   for (const TrajectoryPoint& point : run.result.points) {
-    difference.final_m =
-        std::hypot(point.model.x_m - point.odometry.x_m, point.model.y_m - point.odometry.y_m);
+    const Pose& model = point.estimates[PoseSource::kModel];
+    const Pose& odometry = point.estimates[PoseSource::kOdometry];
+    difference.final_m = std::hypot(model.x_m - odometry.x_m, model.y_m - odometry.y_m);
     difference.max_m = std::max(difference.max_m, difference.final_m);
   }
   return difference;
@@ -46,10 +47,7 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
   Json json = Json::parse(result_json(run.result, figures.value_or(RunFigures{})));
   json.erase("realtime_factor");
   json.erase("loop");
-  if (!figures) {
-    for (const char* name : {"model", "odometry", "fused", "tracking"})
-      if (json.contains(name)) json[name] = nullptr;
-  }
+  if (!figures) json["tracking"] = nullptr;
   json["truth"] = run.has_truth;
   json["steering"] = to_string(run.run_context.steering);
   json["estimated"] = nullptr;

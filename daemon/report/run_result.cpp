@@ -12,11 +12,14 @@ std::string poses_csv(const RunResult& result) {
   std::ostringstream out;
   out.precision(17);
   out << "t_s";
-  for (const char* pose : {"truth", "world", "model", "odometry", "fused"}) {
-    if (pose == std::string("fused") && !result.has_camera) continue;
+  const auto write_names = [&out](std::string_view pose) {
     for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
       out << ',' << pose << '_' << value;
-  }
+  };
+  write_names("truth");
+  write_names("world");
+  for (const PoseSource source : kPoseSources)
+    if (result.has_estimate(source)) write_names(to_string(source));
   out << ",progress_m\n";
   for (const TrajectoryPoint& point : result.points) {
     out << point.t_s;
@@ -26,9 +29,8 @@ std::string poses_csv(const RunResult& result) {
     };
     write(point.truth);
     write(point.world);
-    write(point.model);
-    write(point.odometry);
-    if (result.has_camera) write(point.fused);
+    for (const PoseSource source : kPoseSources)
+      if (result.has_estimate(source)) write(point.estimates[source]);
     out << ',' << point.progress_m << '\n';
   }
   return out.str();

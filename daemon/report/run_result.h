@@ -20,9 +20,7 @@ struct TrajectoryPoint {
   Pose truth{};      ///< exact pose of the reference point; on a stand the steering pose
   Pose world{};      ///< in the course's world, judged against the path; behind `truth` by the
                      ///< distance that virtual obstacles cost
-  Pose model{};      ///< the model (model/track_model.h) on encoder counts alone
-  Pose odometry{};   ///< encoders + gyro
-  Pose fused{};      ///< with the overhead camera, if the run had one
+  PerSource<Pose> estimates{};
   double progress_m =
       0.0;  ///< along the path, as estimated by the controller; distinguishes crossing segments
   bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet
@@ -58,16 +56,19 @@ struct RunResult {
   std::string cause;        ///< why it was not completed; empty otherwise
   double duration_s = 0.0;  ///< virtual time of the run
   double realtime_factor = 0.0;
-  bool has_camera = false;  ///< an overhead camera was in use; else `fused` is not judged
+  bool has_camera = false;  ///< an overhead camera was in use; see has_estimate()
   std::vector<TrajectoryPoint> points;
   std::vector<DisturbanceWindow> disturbances;
   LinkCounters link{};
   CameraFigures camera{};
   std::vector<std::pair<std::string, double>> loop;  ///< figures of the loop by name
+
+  /// The run has everything that the estimate is made from.
+  bool has_estimate(PoseSource source) const { return has_camera || !needs_camera(source); }
 };
 
 /// Every pose of a run, with the truth, as CSV. Header t_s, then x_m, y_m, z_m, roll_rad, pitch_rad
-/// and yaw_rad with the prefixes truth_, world_, model_, odometry_ and, with a camera, fused_, and
+/// and yaw_rad with the prefixes truth_, world_ and those of the estimates that the run has, and
 /// progress_m. One row per instant, t_s from the start of the run, full double precision.
 std::string poses_csv(const RunResult& result);
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxName = 128;
+constexpr std::size_t kMaxFileName = 128;
 constexpr std::size_t kMaxFiles = 100;  // per run
 constexpr std::size_t kMaxEntries = 20'000;
 constexpr auto kFresh = std::chrono::seconds(1);
@@ -43,7 +43,7 @@ const Ending* ending_of(std::string_view file) {
 }
 
 bool is_name(std::string_view name) {
-  return !name.empty() && name.size() <= kMaxName && name.front() != '.' &&
+  return !name.empty() && name.size() <= kMaxFileName && name.front() != '.' &&
          std::all_of(name.begin(), name.end(), [](char c) {
            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                   c == '-' || c == '_' || c == '.';

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMaxDepth = 16;
 constexpr std::size_t kMaxList = 1024;
-constexpr std::size_t kMaxName = 256;
+constexpr std::size_t kMaxFieldName = 256;
 constexpr std::uint8_t kClientData = 1, kServiceCall = 2;
 constexpr std::uint8_t kMessageData = 1, kServiceResponse = 3;
 
@@ -71,7 +71,7 @@ std::uint32_t number(const Json& json, const char* name) {
 std::string text(const Json& json) {
   if (!json.is_string()) throw Refused{"a name must be a text"};
   const auto& value = json.get_ref<const std::string&>();
-  if (value.size() > kMaxName) throw Refused{"a name is too long"};
+  if (value.size() > kMaxFieldName) throw Refused{"a name is too long"};
   return value;
 }
 

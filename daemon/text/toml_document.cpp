@@ -19,7 +19,7 @@ std::string at(const std::string& file, toml::source_position where) {
   return file + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) + ": ";
 }
 
-std::string quoted(std::string_view name) { return "'" + one_line(name) + "'"; }
+std::string in_quotes(std::string_view name) { return "'" + one_line(name) + "'"; }
 
 std::string type_name(const toml::node& node) {
   switch (node.type()) {
@@ -115,7 +115,7 @@ struct TomlTable::State {
   std::weak_ptr<State> parent;
   std::string own_name;  // name within the parent
 
-  std::string full(std::string_view key) const { return quoted(path + std::string(key)); }
+  std::string full(std::string_view key) const { return in_quotes(path + std::string(key)); }
 
   const toml::node* ask(std::string_view key) {
     if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.emplace_back(key);
@@ -196,8 +196,8 @@ struct TomlTable::State {
     const std::string& value = node.as_string()->get();
     if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
     const std::string_view meant = nearest_name(value, choices);
-    throw SetupError(at(file, node.source().begin) + full(key) + " is " + quoted(value) +
-                     (meant.empty() ? "" : "; did you mean " + quoted(meant) + "?") +
+    throw SetupError(at(file, node.source().begin) + full(key) + " is " + in_quotes(value) +
+                     (meant.empty() ? "" : "; did you mean " + in_quotes(meant) + "?") +
                      " Allowed: " + names);
   }
 
@@ -252,8 +252,8 @@ toml::table& holder_of(toml::table& root, std::string_view& name, const std::str
     name.remove_prefix(dot + 1);
     const auto [place, made] = table->emplace<toml::table>(part);
     if (!place->second.is_table())
-      throw SetupError(file + ": " + quoted(part) + " is no table, so that it has no " +
-                       quoted(name));
+      throw SetupError(file + ": " + in_quotes(part) + " is no table, so that it has no " +
+                       in_quotes(name));
     table = place->second.as_table();
   }
   return *table;

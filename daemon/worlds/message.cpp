@@ -16,12 +16,8 @@ constexpr std::uint64_t kMaxSequence = std::uint64_t{1} << 53;
 constexpr std::size_t kMaxName = 64;
 constexpr std::size_t kMaxError = 200;
 constexpr double kMaxStampS = 1e12;
-constexpr double kMaxPlaceM = 1000.0;
 constexpr double kMaxHeightM = 100.0;
 constexpr double kMaxStepM = 1.0;
-constexpr double kMaxYawRad = 1e4;
-// A robot that leans further than this lies on its back.
-constexpr double kMaxLeanRad = kPi / 2.0 + 1e-6;
 
 std::string cut(std::string_view text, std::size_t most) {
   std::string out(text.substr(0, most));

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/angle.h"
 #include "core/enum_names.h"
 #include "core/pose.h"
 #include "core/run_state.h"
@@ -18,6 +19,12 @@ namespace tp100::worlds {
 
 inline constexpr std::int64_t kWorldVersion = 1;
 inline constexpr std::size_t kMaxWorldDatagram = 1200;
+
+// What a world says beyond these is a mistake of the world.
+inline constexpr double kMaxPlaceM = 1000.0;
+inline constexpr double kMaxYawRad = 1e4;
+/// A robot that leans further than this lies on its back.
+inline constexpr double kMaxLeanRad = kPi / 2.0 + 1e-6;
 
 /// Which side integrates the pose.
 enum class Authority { kBridge, kWorld };

@@ -56,10 +56,6 @@ void walk(std::string_view pattern, Text on_text, Name on_name) {
   }
 }
 
-constexpr double kMaxPlaceM = 1000.0;
-constexpr double kMaxYawRad = 1e4;
-constexpr double kMaxLeanRad = kPi / 2.0 + 1e-6;
-
 // x, y, z, roll, pitch, yaw.
 constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "roll", "pitch", "yaw"};
 enum Value : std::size_t { kX, kY, kZ, kRoll, kPitch, kYaw };

@@ -17,7 +17,6 @@
 namespace tp100::sim {
 namespace {
 
-constexpr std::uint8_t kImuAddress = 0x68;
 constexpr std::uint32_t kBootloaderAddress = 0x3E000;
 constexpr std::uint16_t kSramBegin = 0x200;
 constexpr std::uint16_t kTimsk0 = 0x6E;
@@ -48,7 +47,7 @@ struct AvrBoard::Machine {
         core(image, settings.run_cycle_limit),
         uart(core),
         encoders(core),
-        i2c(core, imu, kImuAddress),
+        i2c(core, imu, Mpu6050::kAddress),
         adc(core, mix(settings.seed ^ 0xADCU)),
         cycles_per_ns(AvrCore::kHz * 1e-9 * (1.0 + settings.clock_ppm * 1e-6)) {
     if (settings.bootloader) {

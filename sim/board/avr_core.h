@@ -12,15 +12,6 @@ struct avr_t;
 
 namespace tp100::sim {
 
-/// Numbers that look random but follow from a seed.
-/// SplitMix64 (Steele, Lea, Flood 2014).
-constexpr std::uint64_t mix(std::uint64_t x) {
-  x += 0x9E3779B97F4A7C15U;
-  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
-  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
-  return x ^ (x >> 31U);
-}
-
 /// Cycles since the core was created; continues over resets.
 using Cycle = std::uint64_t;
 

@@ -22,17 +22,8 @@ constexpr std::size_t kUartBuffer = 64;  // one slot of the ring stays free, as 
 // A burst of 14 registers is 17 bytes on the bus and blocks a Mega for 471 us.
 constexpr std::int64_t kI2cByteNs = 471'000 / 17;
 constexpr std::int64_t kI2cRecoverNs = 200'000;
-constexpr std::uint8_t kImuAddress = 0x68;
 constexpr double kAdcSteps = 1024.0;  // of 10 bits
 constexpr int kReadingsBetweenBandgaps = 200;
-
-// SplitMix64 (Steele, Lea, Flood 2014).
-std::uint64_t mix(std::uint64_t x) {
-  x += 0x9E3779B97F4A7C15U;
-  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
-  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
-  return x ^ (x >> 31U);
-}
 
 wire::ResetCause wire_cause(PowerUp cause) {
   switch (cause) {
@@ -203,19 +194,19 @@ struct NativeBoard::Machine final : firmware::Hal {
   }
 
   bool i2c(std::uint8_t address, std::size_t bus_bytes, bool answered) {
-    const bool present = imu != nullptr && address == kImuAddress;
+    const bool present = imu != nullptr && address == Mpu6050::kAddress;
     blocked_ns += kI2cByteNs * static_cast<std::int64_t>(present && answered ? bus_bytes : 1);
     return present && answered;
   }
   bool i2c_write(std::uint8_t address, std::uint8_t reg, std::uint8_t value) override {
     const std::array<std::uint8_t, 2> bytes = {reg, value};
-    const bool good = imu != nullptr && address == kImuAddress && imu->write(bytes);
+    const bool good = imu != nullptr && address == Mpu6050::kAddress && imu->write(bytes);
     return i2c(address, 3, good);
   }
   bool i2c_read(std::uint8_t address, std::uint8_t reg, std::uint8_t* bytes,
                 std::uint8_t size) override {
     const std::array<std::uint8_t, 1> pointer = {reg};
-    const bool good = imu != nullptr && address == kImuAddress && imu->write(pointer) &&
+    const bool good = imu != nullptr && address == Mpu6050::kAddress && imu->write(pointer) &&
                       imu->read(std::span(bytes, size));
     return i2c(address, size + std::size_t{3}, good);
   }

@@ -28,7 +28,7 @@ constexpr double kWheelbaseWithin = 0.02;
 constexpr std::uint64_t kSeedStride = 1'000'003;
 
 // The order of identify::calibration_courses.
-constexpr std::array<DriveKind, 7> kKinds = {
+constexpr std::array<DriveKind, 7> kDriveKinds = {
     DriveKind::kStraight, DriveKind::kWide, DriveKind::kWide, DriveKind::kTight,
     DriveKind::kTight,    DriveKind::kSpin, DriveKind::kSpin};
 
@@ -41,7 +41,7 @@ std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint
   std::vector<CalibrationDrive> drives;
   const course::Robot unknown = without_model(loaded.robot);
   const std::vector<std::string> courses = identify::calibration_courses(loaded.robot.shape);
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+  for (std::size_t i = 0; i < kDriveKinds.size(); ++i) {
     const std::string& name = courses.at(i);
     const course::Course course = load_course(name);
     for (int repeat = 1; repeat <= repeats; ++repeat) {
@@ -60,7 +60,7 @@ std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint
       identify::RecordedDrive drive = sink.drive();
       drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
                    std::to_string(repeat);
-      drives.push_back({kKinds[i], std::move(drive), sink.truth()});
+      drives.push_back({kDriveKinds[i], std::move(drive), sink.truth()});
     }
   }
   return drives;

@@ -43,14 +43,14 @@ constexpr double kInLineM = 0.2, kInArcM = 0.65;
 constexpr double kSpinRad = 90.0 * kRadPerDeg, kInSpinRad = kArcRad + 30.0 * kRadPerDeg;
 constexpr double kStoppedM = kLineM + kRadiusM * kArcRad + kNextLineM - 0.01;
 constexpr int kTimes = 60;
-constexpr double kRoomM = 3.0;
+constexpr double kFenceM = 3.0;
 
 course::Course course_at(double speed_mps) {
   course::Course course = load_course("1-straight");
   course.speed_mps = speed_mps;
   course.path = {course::Line{kLineM}, course::Arc{kRadiusM, kArcRad}, course::Line{kNextLineM},
                  course::Pivot{kSpinRad}, course::Line{0.3}};
-  course.fence = {-kRoomM, kRoomM, -kRoomM, kRoomM};
+  course.fence = {-kFenceM, kFenceM, -kFenceM, kFenceM};
   return course;
 }
 

@@ -20,8 +20,6 @@
 namespace tp100::sim {
 namespace {
 
-constexpr const char* kKinds[] = {"1-straight", "1-curve", "1-sharp", "2", "3"};
-constexpr double kTrackMps = 0.10;
 // Apart from every seed that parameters were found with.
 constexpr std::uint64_t kHeldOutSeed = 5001;
 // Over the step, over the ramp, and in the curve of course 3.
@@ -91,8 +89,8 @@ bool climbs(const course::Course& course, const course::Robot& robot) {
 void drive_paper(const ReproduceCommand& command, Reproduction& what) {
   for (const SlopeRow& row : slope_rows())
     what.slopes.push_back(
-        measure_slope(what.reference.emulated.body, row.slope_deg * kRadPerDeg, kTrackMps));
-  for (const char* kind : kKinds) {
+        measure_slope(what.reference.emulated.body, row.slope_deg * kRadPerDeg, kSlopeTrackMps));
+  for (const char* kind : kPaperCourses) {
     const course::Course course = load_course(kind);
     what.studies.push_back(
         study(trial_of(command, course, what.reference, floor_for(course)), kind, true));
@@ -112,7 +110,7 @@ void drive_robots(const ReproduceCommand& command, Reproduction& what) {
   for (const std::string& name : course::bundled_names(course::Bundled::kRobots)) {
     if (name == what.reference.name) continue;
     const course::Robot robot = robot_named(name);
-    for (const char* kind : kKinds) {
+    for (const char* kind : kPaperCourses) {
       const course::Course course = load_course(kind);
       if (!climbs(course, robot)) continue;
       what.studies.push_back(
@@ -134,7 +132,7 @@ void drive_sampled(const ReproduceCommand& command, Reproduction& what) {
     text::write_file(path, text);
     // A reader of the file gets the same robot.
     const course::Robot robot = course::parse_robot(text, path);
-    for (const char* kind : kKinds) {
+    for (const char* kind : kPaperCourses) {
       const course::Course course = load_course(kind);
       if (!climbs(course, robot)) continue;
       Trial trial = trial_of(command, course, robot, floor_for(course, robot));
@@ -145,7 +143,7 @@ void drive_sampled(const ReproduceCommand& command, Reproduction& what) {
 }
 
 void drive_held_out(const ReproduceCommand& command, Reproduction& what) {
-  for (const char* kind : kKinds) {
+  for (const char* kind : kPaperCourses) {
     for (std::uint64_t i = 0; i < 2; ++i) {
       const course::Course course = held_out_course(kind, kHeldOutSeed + i);
       Trial trial = trial_of(command, course, what.reference, floor_for(course));
@@ -171,17 +169,17 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
   if (run.points.empty()) return;
   const std::string stem = folder + "/" + run.course + "-" + run.robot + "-" + run.setup;
   text::write_file(stem + ".csv", report::poses_csv(run));
-  std::string truth, model, odometry, fused;
+  std::string truth;
+  PerSource<std::string> estimates;
   for (const report::TrajectoryPoint& point : run.points) {
     truth += report::tum_line(point.t_s, point.truth);
-    model += report::tum_line(point.t_s, point.model);
-    odometry += report::tum_line(point.t_s, point.odometry);
-    fused += report::tum_line(point.t_s, point.fused);
+    for (const PoseSource source : kPoseSources)
+      estimates[source] += report::tum_line(point.t_s, point.estimates[source]);
   }
   text::write_file(stem + "-truth.tum", truth);
-  text::write_file(stem + "-model.tum", model);
-  text::write_file(stem + "-odometry.tum", odometry);
-  if (run.has_camera) text::write_file(stem + "-fused.tum", fused);
+  for (const PoseSource source : kPoseSources)
+    if (run.has_estimate(source))
+      text::write_file(stem + "-" + std::string(to_string(source)) + ".tum", estimates[source]);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "core/angle.h"
 #include "report/html_page.h"
+#include "report/report_figures.h"
 #include "report/result_text.h"
 #include "sim/study/reproduce.h"
 #include "sim/study/sampled.h"
@@ -18,10 +19,6 @@ using text::format;
 using report::ChartSeries;
 using report::Rows;
 
-// The paper's figures: truth green, model red. Ours beside them.
-constexpr const char* kTruthColour = "#2e8b3d";
-constexpr const char* kModelColour = "#c0392b";
-constexpr const char* kFusedColour = "#1f5fbf";
 constexpr double kSlopeLimit = 0.02;
 
 std::string number(double value, int decimals = 2) {
@@ -67,16 +64,19 @@ ChartSeries series(const char* name, const char* colour, bool dashed = false) {
 }
 
 std::vector<std::string> path_and_yaw(const TrialRun& run, const std::string& title) {
-  ChartSeries truth = series("truth", kTruthColour), model = series("model", kModelColour),
-              fused = series("fused", kFusedColour, true);
+  ChartSeries truth = series("truth", report::kTruthColour),
+              model = series("model", report::colour_of(PoseSource::kModel)),
+              fused = series("fused", report::colour_of(PoseSource::kFused), true);
   ChartSeries truth_yaw = truth, model_yaw = model, fused_yaw = fused;
   for (const report::TrajectoryPoint& point : run.result.points) {
+    const Pose& by_model = point.estimates[PoseSource::kModel];
+    const Pose& by_fused = point.estimates[PoseSource::kFused];
     truth.points.emplace_back(point.truth.x_m, point.truth.y_m);
-    model.points.emplace_back(point.model.x_m, point.model.y_m);
-    fused.points.emplace_back(point.fused.x_m, point.fused.y_m);
+    model.points.emplace_back(by_model.x_m, by_model.y_m);
+    fused.points.emplace_back(by_fused.x_m, by_fused.y_m);
     truth_yaw.points.emplace_back(point.t_s, point.truth.yaw_rad * kDegPerRad);
-    model_yaw.points.emplace_back(point.t_s, point.model.yaw_rad * kDegPerRad);
-    fused_yaw.points.emplace_back(point.t_s, point.fused.yaw_rad * kDegPerRad);
+    model_yaw.points.emplace_back(point.t_s, by_model.yaw_rad * kDegPerRad);
+    fused_yaw.points.emplace_back(point.t_s, by_fused.yaw_rad * kDegPerRad);
   }
   std::vector<ChartSeries> map = {truth, model}, yaw = {truth_yaw, model_yaw};
   if (run.result.has_camera) {
@@ -95,10 +95,12 @@ std::vector<std::string> path_and_yaw(const TrialRun& run, const std::string& ti
 }
 
 std::string pitch_chart(const TrialRun& run, const std::string& title) {
-  ChartSeries truth = series("truth", kTruthColour), model = series("model's slope", kModelColour);
+  ChartSeries truth = series("truth", report::kTruthColour),
+              model = series("model's slope", report::colour_of(PoseSource::kModel));
   for (const report::TrajectoryPoint& point : run.result.points) {
     truth.points.emplace_back(point.t_s, -point.truth.pitch_rad * kDegPerRad);
-    model.points.emplace_back(point.t_s, -point.model.pitch_rad * kDegPerRad);
+    model.points.emplace_back(point.t_s,
+                              -point.estimates[PoseSource::kModel].pitch_rad * kDegPerRad);
   }
   return report::svg({.title = title + ": climb angle",
                       .x_label = "time [s]",
@@ -121,8 +123,8 @@ Rows slope_table(const Reproduction& what) {
 std::vector<std::string> slope_charts(const Reproduction& what) {
   std::vector<std::string> charts;
   for (const bool left : {true, false}) {
-    ChartSeries ours = series("ours, measured", kFusedColour),
-                paper = series("paper", kTruthColour);
+    ChartSeries ours = series("ours, measured", report::colour_of(PoseSource::kFused)),
+                paper = series("paper", report::kTruthColour);
     paper.marks = true;
     for (std::size_t i = 0; i < what.slopes.size(); ++i) {
       const SlopeRow& row = slope_rows()[i];

@@ -13,7 +13,7 @@ namespace tp100::sim {
 namespace {
 
 // Room around the path: the robot's half length, an aborting deviation and some.
-constexpr double kRoomM = 0.3;
+constexpr double kMarginM = 0.3;
 constexpr double kFenceStepM = 0.02;
 
 class CourseDraw {
@@ -46,10 +46,10 @@ void fence_in(course::Course& course) {
   const int steps = static_cast<int>(path.length_m() / kFenceStepM) + 1;
   for (int i = 0; i <= steps; ++i) {
     const course::PathPoint point = path.at(i * kFenceStepM);
-    fence.min_x_m = std::min(fence.min_x_m, point.x_m - kRoomM);
-    fence.max_x_m = std::max(fence.max_x_m, point.x_m + kRoomM);
-    fence.min_y_m = std::min(fence.min_y_m, point.y_m - kRoomM);
-    fence.max_y_m = std::max(fence.max_y_m, point.y_m + kRoomM);
+    fence.min_x_m = std::min(fence.min_x_m, point.x_m - kMarginM);
+    fence.max_x_m = std::max(fence.max_x_m, point.x_m + kMarginM);
+    fence.min_y_m = std::min(fence.min_y_m, point.y_m - kMarginM);
+    fence.max_y_m = std::max(fence.max_y_m, point.y_m + kMarginM);
   }
   course.fence = fence;
 }

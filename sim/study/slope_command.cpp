@@ -8,12 +8,12 @@
 #include "sim/body/body.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"
+#include "sim/study/study.h"
 #include "text/key.h"
 
 namespace tp100::sim {
 namespace {
 
-constexpr double kTrackMps = 0.10;
 constexpr double kRunInS = 0.5;
 constexpr double kMeasureS = 2.0;
 
@@ -52,7 +52,8 @@ double signed_deviation(double measured, const std::optional<double>& paper) {
 }
 
 void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.size()>& measured) {
-  std::printf("Slip against slope at %.2f m/s of track, robot %s\n\n", kTrackMps, robot.c_str());
+  std::printf("Slip against slope at %.2f m/s of track, robot %s\n\n", kSlopeTrackMps,
+              robot.c_str());
   std::printf(
       "  slope        ours, measured     paper, as printed       ours - paper     ours, turn\n");
   std::printf(
@@ -108,7 +109,8 @@ void print_json(const std::string& robot, const std::array<SlopeSlip, kRows.size
     rows += (i == 0 ? "" : ",") + json_of(kRows[i], measured[i]);
   std::printf(R"({"robot":%s,"track_mps":%s,"slopes":[%s]})"
               "\n",
-              text::toml_string(robot).c_str(), text::number_text(kTrackMps).c_str(), rows.c_str());
+              text::toml_string(robot).c_str(), text::number_text(kSlopeTrackMps).c_str(),
+              rows.c_str());
 }
 
 }  // namespace
@@ -150,7 +152,8 @@ int run_slope(const SlopeCommand& command) {
   std::array<SlopeSlip, kRows.size()> measured{};
   bool all_climbed = true;
   for (std::size_t i = 0; i < kRows.size(); ++i) {
-    measured[i] = measure_slope(robot.emulated.body, kRows[i].slope_deg * kRadPerDeg, kTrackMps);
+    measured[i] =
+        measure_slope(robot.emulated.body, kRows[i].slope_deg * kRadPerDeg, kSlopeTrackMps);
     all_climbed = all_climbed && measured[i].climbed;
   }
   command.json ? print_json(robot.name, measured) : print_table(robot.name, measured);

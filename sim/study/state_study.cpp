@@ -28,8 +28,6 @@ course::EmulatedBody gripping(course::EmulatedBody body) {
   return body;
 }
 
-constexpr const char* kKinds[] = {"1-straight", "1-curve", "1-sharp", "2", "3"};
-constexpr double kTrackMps = 0.10;
 constexpr double kBlockHeightsM[] = {0.020, 0.025, 0.030, 0.037};
 constexpr double kBlockDepthsM[] = {0.10, 0.20};
 
@@ -73,7 +71,7 @@ double false_changes(const TrialRun& run) { return run.figures.slope.false_chang
 
 CourseStudy study_flat(const course::Robot& robot, std::uint64_t first_seed, int runs) {
   std::vector<TrialRun> all;
-  for (const char* kind : kKinds) {
+  for (const char* kind : kPaperCourses) {
     for (TrialRun& run : run_trial({.course = load_course(kind),
                          .robot = robot,
                          .setup = bridge::Setup::kFlat,
@@ -115,7 +113,7 @@ CourseStudy study_climb(const course::Robot& robot) {
   double rms_rad = 0.0, max_rad = 0.0;
   for (const double height_m : kBlockHeightsM) {
     for (const double depth_m : kBlockDepthsM) {
-      const ClimbCheck check = check_climb_pitch(robot, height_m, depth_m, kTrackMps);
+      const ClimbCheck check = check_climb_pitch(robot, height_m, depth_m, kSlopeTrackMps);
       ++study.runs;
       if (check.crossed) ++study.completed;
       rms_rad = std::max(rms_rad, check.pitch_rms_rad);

@@ -35,15 +35,15 @@ void judge_fused(TrialRun& run) {
   double squares_m2 = 0.0, squares_rad2 = 0.0;
   std::size_t count = 0;
   for (const report::TrajectoryPoint& point : run.result.points) {
-    const double error_m =
-        std::hypot(point.fused.x_m - point.truth.x_m, point.fused.y_m - point.truth.y_m);
+    const Pose& fused = point.estimates[PoseSource::kFused];
+    const double error_m = std::hypot(fused.x_m - point.truth.x_m, fused.y_m - point.truth.y_m);
     if (std::abs(point.truth.pitch_rad) > kLeansRad || point.truth.z_m > kLiftedM)
       leaning_until_s = point.t_s + kAfterwardsS;
     double& largest =
         point.t_s <= leaning_until_s ? run.fused_max_obstacle_m : run.fused_max_flat_m;
     if (disturbed(run.result, point.t_s)) continue;
     largest = std::max(largest, error_m);
-    const double yaw_rad = wrap_angle(point.fused.yaw_rad - point.truth.yaw_rad);
+    const double yaw_rad = wrap_angle(fused.yaw_rad - point.truth.yaw_rad);
     squares_m2 += error_m * error_m;
     squares_rad2 += yaw_rad * yaw_rad;
     ++count;
@@ -58,8 +58,8 @@ TrialRun judged(report::RunResult result, const course::Course& course) {
   run.result = std::move(result);
   run.figures = report::figures(run.result, course);
   if (run.result.has_camera) judge_fused(run);
-  run.model_rms_m = run.figures.model.rms_position_error_m;
-  run.model_rms_yaw_rad = std::sqrt(run.figures.model.mse_yaw_rad2);
+  run.model_rms_m = run.figures.estimates[PoseSource::kModel]->rms_position_error_m;
+  run.model_rms_yaw_rad = std::sqrt(run.figures.estimates[PoseSource::kModel]->mse_yaw_rad2);
   for (const std::optional<double>& time_s : run.figures.tracking.recovery_s)
     run.slowest_recovery_s =
         std::max(run.slowest_recovery_s, time_s.value_or(std::numeric_limits<double>::infinity()));
@@ -99,7 +99,9 @@ class Judge {
 };
 
 void judge_model(Judge& judge, const Limits& limits, double distance_m, bool reference) {
-  const auto max_cm = [](const TrialRun& r) { return cm(r.figures.model.max_position_error_m); };
+  const auto max_cm = [](const TrialRun& r) {
+    return cm(r.figures.estimates[PoseSource::kModel]->max_position_error_m);
+  };
   if (limits.kind == "2" && reference) {
     judge.add("model rms between disturbances", "cm", limits.model_cm,
               [](const TrialRun& r) { return cm(r.model_rms_m); });
@@ -114,11 +116,12 @@ void judge_model(Judge& judge, const Limits& limits, double distance_m, bool ref
 void judge_odometry(Judge& judge, const Limits& limits, double distance_m) {
   // A slide leaves no trace in encoders and gyro.
   if (limits.kind == "2") return;
-  judge.add("odometry max", "cm", cm(kOdometryShare * distance_m),
-            [](const TrialRun& r) { return cm(r.figures.odometry.max_position_error_m); });
+  judge.add("odometry max", "cm", cm(kOdometryShare * distance_m), [](const TrialRun& r) {
+    return cm(r.figures.estimates[PoseSource::kOdometry]->max_position_error_m);
+  });
   judge.add("odometry yaw drift", "deg/min", limits.kind == "3" ? -1.0 : 1.5,
             [](const TrialRun& r) {
-              return r.figures.odometry.max_yaw_error_rad * kDegPerRad /
+              return r.figures.estimates[PoseSource::kOdometry]->max_yaw_error_rad * kDegPerRad /
                      std::max(r.result.duration_s / 60.0, 1.0 / 3.0);
             });
 }
@@ -217,10 +220,13 @@ CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
   }
   if (!stand) judge_fused(judge, limits, blind);
   if (!blind) judge_tracking(judge, limits);
-  result.mse_x_m2 = spread_of(runs, [](const TrialRun& r) { return r.figures.model.mse_x_m2; });
-  result.mse_y_m2 = spread_of(runs, [](const TrialRun& r) { return r.figures.model.mse_y_m2; });
-  result.mse_yaw_rad2 =
-      spread_of(runs, [](const TrialRun& r) { return r.figures.model.mse_yaw_rad2; });
+  result.mse_x_m2 = spread_of(
+      runs, [](const TrialRun& r) { return r.figures.estimates[PoseSource::kModel]->mse_x_m2; });
+  result.mse_y_m2 = spread_of(
+      runs, [](const TrialRun& r) { return r.figures.estimates[PoseSource::kModel]->mse_y_m2; });
+  result.mse_yaw_rad2 = spread_of(runs, [](const TrialRun& r) {
+    return r.figures.estimates[PoseSource::kModel]->mse_yaw_rad2;
+  });
   if (!runs.empty()) result.shown = runs.front();
   std::fprintf(stderr, "%-28s %-14s %-8s %d of %d completed\n", result.course.c_str(),
                result.robot.c_str(), result.setup.c_str(), result.completed, result.runs);

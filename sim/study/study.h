@@ -1,6 +1,7 @@
 #pragma once
 // Many runs of one robot on one course: their statistics, and the limits that they keep.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,6 +13,11 @@
 #include "sim/robot/lockstep.h"
 
 namespace tp100::sim {
+
+/// The paper's courses.
+inline constexpr std::array kPaperCourses = {"1-straight", "1-curve", "1-sharp", "2", "3"};
+/// Speed of the tracks where slip is measured against slope, and on blocks. [m/s]
+inline constexpr double kSlopeTrackMps = 0.10;
 
 /// One course, one robot, seeds `first_seed` and following, with the overhead camera (but not on a
 /// stand), steered by the fused pose (on a stand by odometry).

@@ -30,7 +30,7 @@ text::CsvTable replayed(const std::string& csv, ReplayModel model,
                           {}});
 }
 
-std::string told(const std::string& csv, ReplayModel model = ReplayModel::kPaper) {
+std::string told(const std::string& csv, ReplayModel model = kPaperModel) {
   try {
     replay_csv(csv, "in.csv", model, {});
   } catch (const SetupError& error) {
@@ -92,7 +92,7 @@ TEST(Replay, TimesMayBeUnixTime) {
   const auto end = [](double begin_s) {
     std::string csv = "t_s,left_mps,right_mps\n";
     for (const double t_s : {begin_s, begin_s + 1.0}) csv += std::to_string(t_s) + ",0.1,0.13\n";
-    const text::CsvTable poses = replayed(csv, ReplayModel::kPaper);
+    const text::CsvTable poses = replayed(csv, kPaperModel);
     return std::array{poses["x_m"][1], poses["y_m"][1], poses["yaw_rad"][1]};
   };
   EXPECT_EQ(end(1.8e9), end(0.0));
@@ -107,8 +107,7 @@ TEST(Replay, PaperModeIsEquations1To5WhateverTheConfiguration) {
   const double kSpeeds[][2] = {{0.1, 0.1},    {0.05, 0.12}, {-0.1, 0.1},
                                {-0.08, -0.1}, {0.1, 0.0},   {0.1 * 0.8812 / 0.9, 0.1}};
   for (const auto& [left, right] : kSpeeds) {
-    const text::CsvTable table =
-        replayed(constant(left, right, 0.005, 4001), ReplayModel::kPaper, other);
+    const text::CsvTable table = replayed(constant(left, right, 0.005, 4001), kPaperModel, other);
     for (std::size_t i = 0; i < table.rows(); i += 400) {
       const Expected want = paper(left, right, table["t_s"][i]);
       EXPECT_NEAR(table["x_m"][i], want.x, 1e-9);
@@ -124,8 +123,8 @@ TEST(Replay, PaperModeIsEquations1To5WhateverTheConfiguration) {
 }
 
 TEST(Replay, TheStepSizeDoesNotMatter) {
-  const text::CsvTable coarse = replayed(constant(-0.05, 0.2, 30.0, 2), ReplayModel::kPaper);
-  const text::CsvTable fine = replayed(constant(-0.05, 0.2, 0.001, 30001), ReplayModel::kPaper);
+  const text::CsvTable coarse = replayed(constant(-0.05, 0.2, 30.0, 2), kPaperModel);
+  const text::CsvTable fine = replayed(constant(-0.05, 0.2, 0.001, 30001), kPaperModel);
   EXPECT_GT(std::abs(coarse["yaw_rad"][1]), 2 * kPi);  // the yaw is unwrapped
   EXPECT_NEAR(coarse["x_m"][1], fine["x_m"].back(), 1e-9);
   EXPECT_NEAR(coarse["y_m"][1], fine["y_m"].back(), 1e-9);
@@ -136,13 +135,13 @@ TEST(Replay, TheTurningThresholdIsConfigured) {
   bridge::Parameters parameters;
   parameters.model.turning_threshold_radps = 10.0;
   const std::string csv = constant(0.05, 0.12, 1.0, 2);
-  EXPECT_EQ(replayed(csv, ReplayModel::kPaper)["vy_mps"][0], 0.0);
-  EXPECT_GT(replayed(csv, ReplayModel::kPaper, parameters)["vy_mps"][0], 1e-4);
+  EXPECT_EQ(replayed(csv, kPaperModel)["vy_mps"][0], 0.0);
+  EXPECT_GT(replayed(csv, kPaperModel, parameters)["vy_mps"][0], 1e-4);
 }
 
 TEST(Replay, RowsHoldUntilTheNextAndThePoseStartsAtZero) {
-  const text::CsvTable table = replayed(
-      "t_s,left_mps,right_mps\n5,0.1,0.1\n6,0,0\n8,0.2,0.2\n9,0.5,0.5\n", ReplayModel::kPaper);
+  const text::CsvTable table =
+      replayed("t_s,left_mps,right_mps\n5,0.1,0.1\n6,0,0\n8,0.2,0.2\n9,0.5,0.5\n", kPaperModel);
   EXPECT_EQ(table["t_s"][0], 5.0);
   EXPECT_EQ(table["x_m"][0], 0.0);
   EXPECT_EQ(table["yaw_rad"][0], 0.0);
@@ -160,14 +159,14 @@ TEST(Replay, ExtendedModeUsesTheRobotsValuesAndTheSlope) {
   parameters.model.x_icr_m = 0.01;
   parameters.model.wheelbase_m = 0.3;
   const text::CsvTable turn =
-      replayed("t_s,left_mps,right_mps\n0,-0.1,0.1\n1,0,0\n", ReplayModel::kExtended, parameters);
+      replayed("t_s,left_mps,right_mps\n0,-0.1,0.1\n1,0,0\n", kExtendedModel, parameters);
   const double rate = 0.16 / 0.3;
   EXPECT_NEAR(turn["yaw_rad"][1], rate, 1e-12);
   EXPECT_NEAR(turn["vy_mps"][0], -0.01 * rate, 1e-15);
   const double slope = 28 * kRadPerDeg;
   const text::CsvTable climb = replayed(
       "t_s,left_mps,right_mps,slope_rad\n0,0.1,0.1," + std::to_string(slope) + "\n1,0,0,0\n",
-      ReplayModel::kExtended, parameters);
+      kExtendedModel, parameters);
   EXPECT_NEAR(climb["slip_left"][0], 0.2 + 0.06, 1e-6);
   EXPECT_NEAR(climb["slip_right"][0], 0.2 + 0.098, 1e-6);
   EXPECT_NEAR(climb["pitch_rad"][0], -slope, 1e-6);
@@ -178,7 +177,7 @@ TEST(Replay, ExtendedModeUsesTheRobotsValuesAndTheSlope) {
 TEST(Replay, OdometryTurnsWithTheGyro) {
   const text::CsvTable table =
       replayed("t_s,left_mps,right_mps,gyro_z_radps\n0,0.1,0.1,0.5\n1,0.1,0.1,-0.25\n3,0,0,0\n",
-               ReplayModel::kOdometry);
+               ReplayModel{PoseSource::kOdometry});
   EXPECT_NEAR(table["yaw_rad"][1], 0.5, 1e-12);
   EXPECT_NEAR(table["yaw_rad"][2], 0.0, 1e-12);
 }
@@ -187,7 +186,7 @@ TEST(Replay, OdometryTakesTheGyrosBiasWhileStandingStill) {
   std::string csv = "t_s,left_mps,right_mps,gyro_z_radps\n";
   for (int i = 0; i < 600; ++i)
     csv += std::to_string(i * 0.01) + (i < 200 ? ",0,0,0.02\n" : ",0.1,0.1,0.02\n");
-  const text::CsvTable table = replayed(csv, ReplayModel::kOdometry);
+  const text::CsvTable table = replayed(csv, ReplayModel{PoseSource::kOdometry});
   EXPECT_NEAR(table["yaw_rad"].back() - table["yaw_rad"][200], 0.0, 1e-6);
 }
 
@@ -196,16 +195,16 @@ TEST(Replay, RefusesBadInputAtItsLine) {
             "in.csv:3: right_mps is 'x', expected a number");
   EXPECT_EQ(told("t_s,left_mps,right_mps\n0,1e300,0.1\n"),
             "in.csv:2: left_mps is 1e+300, allowed -100 to 100");
-  EXPECT_THAT(told("t_s,left_mps,right_mps\n0,0.1,0.1\n", ReplayModel::kOdometry),
+  EXPECT_THAT(told("t_s,left_mps,right_mps\n0,0.1,0.1\n", ReplayModel{PoseSource::kOdometry}),
               HasSubstr("in.csv:1: column 'gyro_z_radps' is missing"));
   EXPECT_THAT(told(""), StartsWith("in.csv:1: "));
 }
 
 TEST(Replay, KnowsItsModelsByName) {
-  EXPECT_EQ(replay_model("paper"), ReplayModel::kPaper);
-  EXPECT_EQ(replay_model("odometry"), ReplayModel::kOdometry);
-  EXPECT_EQ(replay_model("fused"), ReplayModel::kFused);
-  EXPECT_THAT(told("t_s,left_mps,right_mps\n0,0,0\n", ReplayModel::kFused),
+  EXPECT_EQ(replay_model("paper"), kPaperModel);
+  EXPECT_EQ(replay_model("odometry"), ReplayModel{PoseSource::kOdometry});
+  EXPECT_EQ(replay_model("fused"), ReplayModel{PoseSource::kFused});
+  EXPECT_THAT(told("t_s,left_mps,right_mps\n0,0,0\n", ReplayModel{PoseSource::kFused}),
               HasSubstr("needs a recording"));
   try {
     replay_model("papre");
@@ -231,7 +230,7 @@ TEST_F(ReplayFiles, WriteOneRowPerInputRow) {
   std::ifstream result(out);
   std::ostringstream text;
   text << result.rdbuf();
-  EXPECT_EQ(text.str(), replay_csv(constant(0.1, 0.12, 0.005, 10), "", ReplayModel::kPaper, {}));
+  EXPECT_EQ(text.str(), replay_csv(constant(0.1, 0.12, 0.005, 10), "", kPaperModel, {}));
 }
 
 TEST_F(ReplayFiles, LeaveNothingBehindOnFailure) {

@@ -34,7 +34,7 @@ TEST_P(AvrI2cFault, ABadBusStopsNeitherEncodersNorFramesNorTheFailSafe) {
   EXPECT_EQ(rig.last().right_counts, rig.right.counts());
 }
 
-std::string name_of(const ::testing::TestParamInfo<I2cFault>& test) {
+std::string fault_name(const ::testing::TestParamInfo<I2cFault>& test) {
   return test.param == I2cFault::kSilent ? "Silent"
          : test.param == I2cFault::kHeld ? "Held"
                                          : "Stuck";
@@ -42,7 +42,7 @@ std::string name_of(const ::testing::TestParamInfo<I2cFault>& test) {
 
 INSTANTIATE_TEST_SUITE_P(Faults, AvrI2cFault,
                          ::testing::Values(I2cFault::kSilent, I2cFault::kHeld, I2cFault::kStuck),
-                         name_of);
+                         fault_name);
 
 TEST(AvrI2c, ASensorThatHoldsTheBusIsClockedFree) {
   AvrRig rig;

@@ -16,7 +16,7 @@
 namespace tp100::bridge {
 namespace {
 
-constexpr HostNs kPeriod = 5 * kNsPerMs;
+constexpr HostNs kStepPeriod = 5 * kNsPerMs;
 
 /// A robot that obeys commands at once and slips exactly as the parameters say.
 class KinematicRobot {
@@ -25,7 +25,7 @@ class KinematicRobot {
 
   Sample sample(HostNs now) {
     Sample sample;
-    sample.sequence = static_cast<std::uint16_t>(now / kPeriod);
+    sample.sequence = static_cast<std::uint16_t>(now / kStepPeriod);
     sample.last_command = sample.sequence;
     sample.device_us = now / kNsPerUs;
     sample.measured_ns = now;
@@ -56,11 +56,11 @@ class KinematicRobot {
                      -1.2, 1.2);
     }
     const double half = rate_radps_ * parameters_.model.wheelbase_m / 2.0;
-    left_m_ += (speed - half) / (1.0 - parameters_.model.slip_left) * to_s(kPeriod);
-    right_m_ += (speed + half) / (1.0 - parameters_.model.slip_right) * to_s(kPeriod);
-    x_m += speed * std::cos(yaw_rad) * to_s(kPeriod);
-    y_m += speed * std::sin(yaw_rad) * to_s(kPeriod);
-    yaw_rad += rate_radps_ * to_s(kPeriod);
+    left_m_ += (speed - half) / (1.0 - parameters_.model.slip_left) * to_s(kStepPeriod);
+    right_m_ += (speed + half) / (1.0 - parameters_.model.slip_right) * to_s(kStepPeriod);
+    x_m += speed * std::cos(yaw_rad) * to_s(kStepPeriod);
+    y_m += speed * std::sin(yaw_rad) * to_s(kStepPeriod);
+    yaw_rad += rate_radps_ * to_s(kStepPeriod);
   }
 
   bool armed = false;
@@ -90,7 +90,7 @@ class StepTest : public testing::Test {
   /// Runs one period: sample, step, robot.
   const Outputs& tick(Step& step, KinematicRobot& robot,
                       std::span<const OperatorRequest> requests = {}) {
-    now_ += kPeriod;
+    now_ += kStepPeriod;
     samples_.assign(1, robot.sample(now_));
     ClockState clock;
     clock.valid = true;
@@ -113,7 +113,7 @@ class StepTest : public testing::Test {
   }
   RunState run(Step& step, KinematicRobot& robot, double duration_s) {
     RunState state = RunState::kIdle;
-    for (double t = 0; t < duration_s; t += to_s(kPeriod)) {
+    for (double t = 0; t < duration_s; t += to_s(kStepPeriod)) {
       state = tick(step, robot).snapshot.run_state;
       if (state == RunState::kFinished || state == RunState::kAborted) break;
     }
@@ -370,7 +370,7 @@ TEST_F(StepTest, SamplesThatComeTooLateOrNotAtAllEndTheRunAfter200Ms) {
     const HostNs begun = now_;
     FaultMask faults = 0;
     while (faults == 0 && now_ - begun < kNsPerS) {
-      now_ += kPeriod;
+      now_ += kStepPeriod;
       // The same late sample arrives in every step.
       samples_.assign(1, late);
       faults =
@@ -444,7 +444,7 @@ TEST_F(StepTest, AllocatesNothing) {
   std::uint64_t calls = 0;
   bool finished = false;
   for (int i = 0; i < 6000 && !finished; ++i) {
-    now_ += kPeriod;
+    now_ += kStepPeriod;
     samples_[0] = robot.sample(now_);
     ClockState clock;
     clock.valid = true;
@@ -469,7 +469,7 @@ class CameraStepTest : public StepTest {
   /// sixth step. Returns the number of heap calls of the step.
   std::uint64_t tick_seen(Step& step, KinematicRobot& robot, double aside_m,
                           std::span<const OperatorRequest> requests = {}) {
-    now_ += kPeriod;
+    now_ += kStepPeriod;
     samples_[0] = robot.sample(now_);
     if (++ticks_ % 6 == 0) {
       under_way_.push_back({robot.x_m, robot.y_m + aside_m, robot.yaw_rad, now_,
@@ -548,7 +548,7 @@ TEST_F(StepTest, TheImuTellsTheSlopeOfTheRealBody) {
   clock.valid = true;
   const Snapshot* snapshot = nullptr;
   for (int i = 0; i < 600; ++i) {
-    now_ += kPeriod;
+    now_ += kStepPeriod;
     samples_[0] = robot.sample(now_);
     if (i >= 200) {
       const double nose_up = std::min(i - 200, 280) * 0.1 * kRadPerDeg;

@@ -10,7 +10,7 @@
 namespace tp100::bridge {
 namespace {
 
-constexpr double kStepS = 5e-3;
+constexpr double kIntervalS = 5e-3;
 
 course::Course course_with_ramp() {
   course::Course course;
@@ -30,12 +30,13 @@ Parameters parameters_for(Setup setup) {
 /// Drives the tracks at 0.1 m/s along x; all pose sources have the same pose.
 Pose drive(TerrainContacts& terrain_contacts, double time_s, terrain::Attitude imu = {}) {
   Pose pose{};
-  for (double t = 0; t < time_s; t += kStepS) {
+  for (double t = 0; t < time_s; t += kIntervalS) {
     terrain_contacts.advance({.estimates = {{Estimate{pose}, {pose}, {pose}}},
                               .tracks = {0.1, 0.1},
-                              .dt_s = kStepS,
+                              .dt_s = kIntervalS,
                               .imu = imu});
-    pose.x_m += 0.09 * kStepS * terrain_contacts.incline(PoseSource::kOdometry).horizontal_fraction;
+    pose.x_m +=
+        0.09 * kIntervalS * terrain_contacts.incline(PoseSource::kOdometry).horizontal_fraction;
   }
   return pose;
 }
@@ -95,7 +96,7 @@ TEST(TerrainContacts, OtherGroundIsRealOnTheFloorButNotOnAStand) {
   course.terrain.surfaces[0].place = {};
   for (const auto setup : {Setup::kFlat, Setup::kStand, Setup::kTerrain}) {
     TerrainContacts terrain_contacts(parameters_for(setup), &course);
-    drive(terrain_contacts, kStepS);
+    drive(terrain_contacts, kIntervalS);
     EXPECT_EQ(terrain_contacts.incline(PoseSource::kModel).slip_offset,
               setup == Setup::kStand ? 0.0 : 0.05);
   }

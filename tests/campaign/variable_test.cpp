@@ -22,7 +22,7 @@ double number(const Variable& variable, std::uint64_t index, std::uint64_t seed 
   return std::get<double>(draw(variable, {seed, index, index}));
 }
 
-std::string refused(const std::string& text) {
+std::string variable_error(const std::string& text) {
   try {
     read(text);
   } catch (const SetupError& error) {
@@ -101,17 +101,18 @@ TEST(Variable, TablesWithinAreNamedInFull) {
 }
 
 TEST(Variable, NonsenseIsRefusedWithItsPlace) {
-  EXPECT_EQ(refused("x = { uniform = [2, 1] }"), "spec.toml:1:17: the lowest comes first");
-  EXPECT_EQ(refused("x = { uniform = [2] }"),
+  EXPECT_EQ(variable_error("x = { uniform = [2, 1] }"), "spec.toml:1:17: the lowest comes first");
+  EXPECT_EQ(variable_error("x = { uniform = [2] }"),
             "spec.toml:1:17: uniform needs two numbers: the lowest and the highest");
-  EXPECT_EQ(refused("x = { normal = [0, -1] }"),
+  EXPECT_EQ(variable_error("x = { normal = [0, -1] }"),
             "spec.toml:1:16: a standard deviation is not negative");
-  EXPECT_NE(refused("x = { list = [] }").find("needs a value, or one of"), std::string::npos);
-  EXPECT_NE(refused("x = [1, 2]").find("expected true, false, a number or a string"),
+  EXPECT_NE(variable_error("x = { list = [] }").find("needs a value, or one of"),
             std::string::npos);
-  EXPECT_NE(refused("x = { uniform = [0, 1], sd = 1 }").find("unknown key 'x.sd'"),
+  EXPECT_NE(variable_error("x = [1, 2]").find("expected true, false, a number or a string"),
             std::string::npos);
-  EXPECT_NE(refused("x = { uniform = [0, nan] }").find("two numbers"), std::string::npos);
+  EXPECT_NE(variable_error("x = { uniform = [0, 1], sd = 1 }").find("unknown key 'x.sd'"),
+            std::string::npos);
+  EXPECT_NE(variable_error("x = { uniform = [0, nan] }").find("two numbers"), std::string::npos);
 }
 
 }  // namespace

@@ -8,14 +8,14 @@
 namespace tp100::control {
 namespace {
 
-constexpr double kDt = 0.005;
+constexpr double kCycleS = 0.005;
 
 class ArmingTest : public testing::Test {
  protected:
   /// Steps until something is requested, or `steps` have passed.
   RobotRequest run(int steps) {
     for (int i = 0; i < steps; ++i) {
-      const RobotRequest request = arming_.update(in_, kDt);
+      const RobotRequest request = arming_.update(in_, kCycleS);
       in_.new_session = in_.rebooted = false;
       in_.answer = RequestAnswer::kNone;
       sample_.measured_ns += 5 * kNsPerMs;

@@ -67,12 +67,12 @@ TEST(Stanley, ItsDesiredYawTurnsAsFastAsItsAngleOfApproachFalls) {
   parameters.law = LawName::kStanley;
   const auto law = make_law(parameters, {});
   PathErrors errors{.cross_track_m = 0.01, .heading_rad = -0.2, .speed_mps = 0.1};
-  constexpr double kDt = 1e-6;
+  constexpr double kShortS = 1e-6;
   const LawOutput before = law->steer(errors);
-  errors.cross_track_m += errors.speed_mps * std::sin(errors.heading_rad) * kDt;
+  errors.cross_track_m += errors.speed_mps * std::sin(errors.heading_rad) * kShortS;
   const LawOutput after = law->steer(errors);
   EXPECT_GT(before.yaw_rate_radps, 0.1);
-  EXPECT_NEAR(before.yaw_rate_radps, (after.yaw_rad - before.yaw_rad) / kDt, 1e-4);
+  EXPECT_NEAR(before.yaw_rate_radps, (after.yaw_rad - before.yaw_rad) / kShortS, 1e-4);
 }
 
 TEST(Lqr, SteersByTheTurnThatIsNotThePathsOwn) {

@@ -14,7 +14,7 @@ using testing::StartsWith;
 const std::string kFence = "[fence]\nmin_x_m = -1\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n";
 const std::string kLine = "[[segment]]\ntype = 'line'\nlength_m = 1.5\n";
 
-std::string told(const std::string& text) {
+std::string course_error(const std::string& text) {
   try {
     parse_course(text, "dir/c.toml");
   } catch (const SetupError& error) {
@@ -53,50 +53,54 @@ TEST(CourseFile, ReadsEveryKey) {
 }
 
 TEST(CourseFile, RefusesACourseWithoutPathOrFence) {
-  EXPECT_THAT(told(kFence), HasSubstr("at least one [[segment]]"));
-  EXPECT_THAT(told(kLine), HasSubstr("missing key 'fence.min_x_m'"));
-  EXPECT_THAT(told(kLine + "[fense]\nmin_x_m = -1\n"),
+  EXPECT_THAT(course_error(kFence), HasSubstr("at least one [[segment]]"));
+  EXPECT_THAT(course_error(kLine), HasSubstr("missing key 'fence.min_x_m'"));
+  EXPECT_THAT(course_error(kLine + "[fense]\nmin_x_m = -1\n"),
               HasSubstr(":4:2: unknown key 'fense'; did you mean 'fence'?"));
-  EXPECT_THAT(told(kLine + "[fence]\nmin__m = -1\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n"),
-              HasSubstr(":5:1: unknown key 'fence.min__m'; did you mean 'fence.min_x_m'?"));
-  EXPECT_THAT(told(kLine + "[fence]\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n"),
+  EXPECT_THAT(
+      course_error(kLine + "[fence]\nmin__m = -1\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n"),
+      HasSubstr(":5:1: unknown key 'fence.min__m'; did you mean 'fence.min_x_m'?"));
+  EXPECT_THAT(course_error(kLine + "[fence]\nmax_x_m = 3\nmin_y_m = -1\nmax_y_m = 1\n"),
               HasSubstr(":4:1: missing key 'fence.min_x_m'"));
-  EXPECT_THAT(told(""), StartsWith("dir/c.toml:1:1: "));
-  EXPECT_THAT(told("segment = []\n" + kFence), HasSubstr("at least one [[segment]]"));
+  EXPECT_THAT(course_error(""), StartsWith("dir/c.toml:1:1: "));
+  EXPECT_THAT(course_error("segment = []\n" + kFence), HasSubstr("at least one [[segment]]"));
 }
 
 TEST(CourseFile, NamesAMistypedKeyAtItsPlace) {
-  EXPECT_EQ(told("speeed_mps = 0.1\n" + kLine + kFence),
+  EXPECT_EQ(course_error("speeed_mps = 0.1\n" + kLine + kFence),
             "dir/c.toml:1:1: unknown key 'speeed_mps'; did you mean 'speed_mps'?");
-  EXPECT_EQ(told("[[segments]]\ntype = 'line'\n" + kFence),
+  EXPECT_EQ(course_error("[[segments]]\ntype = 'line'\n" + kFence),
             "dir/c.toml:1:3: unknown key 'segments'; did you mean 'segment'?");
-  EXPECT_THAT(told("[[segment]]\ntype = 'line'\nradius_m = 1\nlength_m = 1\n" + kFence),
+  EXPECT_THAT(course_error("[[segment]]\ntype = 'line'\nradius_m = 1\nlength_m = 1\n" + kFence),
               StartsWith("dir/c.toml:3:1: unknown key 'segment.radius_m'"));
 }
 
 TEST(CourseFile, RefusesValuesThatMakeNoPath) {
-  EXPECT_THAT(told("[[segment]]\ntype = 'line'\nlength_m = 0\n" + kFence),
+  EXPECT_THAT(course_error("[[segment]]\ntype = 'line'\nlength_m = 0\n" + kFence),
               HasSubstr("'segment.length_m' is 0, allowed 0.001 to 100 m"));
-  EXPECT_THAT(told("[[segment]]\ntype = 'pivot'\nangle_deg = 0\n" + kFence),
+  EXPECT_THAT(course_error("[[segment]]\ntype = 'pivot'\nangle_deg = 0\n" + kFence),
               HasSubstr("smallest turn is 0.1 deg"));
-  EXPECT_THAT(told("[[segment]]\ntype = 'arc'\nangle_deg = 90\n" + kFence),
+  EXPECT_THAT(course_error("[[segment]]\ntype = 'arc'\nangle_deg = 90\n" + kFence),
               HasSubstr("missing key 'segment.radius_m'"));
-  EXPECT_THAT(told("[[segment]]\ntype = 'spiral'\n" + kFence), HasSubstr("Allowed: 'line', 'arc'"));
-  EXPECT_THAT(told("[[segment]]\nlength_m = 1\n" + kFence),
+  EXPECT_THAT(course_error("[[segment]]\ntype = 'spiral'\n" + kFence),
+              HasSubstr("Allowed: 'line', 'arc'"));
+  EXPECT_THAT(course_error("[[segment]]\nlength_m = 1\n" + kFence),
               HasSubstr("missing key 'segment.type'"));
 }
 
 TEST(CourseFile, RefusesAFenceThatThePathLeaves) {
-  EXPECT_THAT(told("[[segment]]\ntype = 'arc'\nradius_m = 0.6\nangle_deg = 180\n" + kFence),
+  EXPECT_THAT(course_error("[[segment]]\ntype = 'arc'\nradius_m = 0.6\nangle_deg = 180\n" + kFence),
               HasSubstr("leaves the fence at"));
-  EXPECT_THAT(told(kLine + "[fence]\nmin_x_m = 1\nmax_x_m = 1\nmin_y_m = 0\nmax_y_m = 1\n"),
+  EXPECT_THAT(course_error(kLine + "[fence]\nmin_x_m = 1\nmax_x_m = 1\nmin_y_m = 0\nmax_y_m = 1\n"),
               HasSubstr("'max_x_m' must exceed 'min_x_m'"));
 }
 
 TEST(CourseFile, RefusesDisturbancesBeyondThePathOrOutOfOrder) {
-  EXPECT_THAT(told(kLine + "[[disturbance]]\nat_m = 1.6\n" + kFence), HasSubstr("only 1.5 m long"));
-  EXPECT_THAT(told(kLine + "[[disturbance]]\nat_m = 1.0\n[[disturbance]]\nat_m = 0.5\n" + kFence),
-              HasSubstr("order of 'at_m'"));
+  EXPECT_THAT(course_error(kLine + "[[disturbance]]\nat_m = 1.6\n" + kFence),
+              HasSubstr("only 1.5 m long"));
+  EXPECT_THAT(
+      course_error(kLine + "[[disturbance]]\nat_m = 1.0\n[[disturbance]]\nat_m = 0.5\n" + kFence),
+      HasSubstr("order of 'at_m'"));
 }
 
 TEST(CourseFile, ReadsTerrain) {
@@ -123,19 +127,22 @@ TEST(CourseFile, ReadsTerrain) {
 }
 
 TEST(CourseFile, RefusesTerrainThatIsNone) {
-  EXPECT_THAT(told(kLine + "[[block]]\nx_m = 1\n" + kFence), HasSubstr("missing key 'block.y_m'"));
-  EXPECT_THAT(told(kLine + "[[ramp]]\nx_m = 1\ny_m = 0\nheight_m = 0.1\nup_deg = 90\n" + kFence),
-              HasSubstr("'ramp.up_deg' is 90, allowed 1 to 60 deg"));
-  EXPECT_THAT(told(kLine + "[[surface]]\nx_m = 1\n" + kFence), HasSubstr("needs a 'name'"));
-  EXPECT_THAT(told(kLine + "[[shove]]\nat_m = 0.5\n" + kFence),
+  EXPECT_THAT(course_error(kLine + "[[block]]\nx_m = 1\n" + kFence),
+              HasSubstr("missing key 'block.y_m'"));
+  EXPECT_THAT(
+      course_error(kLine + "[[ramp]]\nx_m = 1\ny_m = 0\nheight_m = 0.1\nup_deg = 90\n" + kFence),
+      HasSubstr("'ramp.up_deg' is 90, allowed 1 to 60 deg"));
+  EXPECT_THAT(course_error(kLine + "[[surface]]\nx_m = 1\n" + kFence), HasSubstr("needs a 'name'"));
+  EXPECT_THAT(course_error(kLine + "[[shove]]\nat_m = 0.5\n" + kFence),
               HasSubstr("unknown key 'shove'; did you mean 'disturbance'?"));
-  EXPECT_THAT(told(kLine + "[[blok]]\nx_m = 1\n" + kFence), HasSubstr("did you mean 'block'?"));
+  EXPECT_THAT(course_error(kLine + "[[blok]]\nx_m = 1\n" + kFence),
+              HasSubstr("did you mean 'block'?"));
 }
 
 TEST(CourseFile, RefusesMoreSegmentsThanACourseCanHave) {
   std::string text = kFence;
   for (int i = 0; i < 1001; ++i) text += "[[segment]]\ntype='pivot'\nangle_deg=1\n";
-  EXPECT_THAT(told(text), HasSubstr("more than 1000 segments"));
+  EXPECT_THAT(course_error(text), HasSubstr("more than 1000 segments"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string told(const std::string& text) {
+std::string robot_error(const std::string& text) {
   try {
     parse_robot(text, "r.toml");
   } catch (const SetupError& error) {
@@ -41,13 +41,13 @@ TEST(RobotFile, ReadsTablesInTheFilesUnits) {
 }
 
 TEST(RobotFile, RefusesUnknownAndImpossibleValues) {
-  EXPECT_EQ(told("[model]\nwheelbse_m = 1\n"),
+  EXPECT_EQ(robot_error("[model]\nwheelbse_m = 1\n"),
             "r.toml:2:1: unknown key 'model.wheelbse_m'; did you mean 'model.wheelbase_m'?");
-  EXPECT_EQ(told("[emulated.body]\nmass_kg = -1\n"),
+  EXPECT_EQ(robot_error("[emulated.body]\nmass_kg = -1\n"),
             "r.toml:2:11: 'emulated.body.mass_kg' is -1, allowed 0.1 to 10 kg");
-  EXPECT_THAT(told("[emulated.body]\nshoe_width_m = 0.2\n"), HasSubstr("must be below"));
-  EXPECT_THAT(told("[emulated]\nbodi = {}\n"), HasSubstr("did you mean 'emulated.body'?"));
-  EXPECT_THAT(told("[shape]\nbelt_radius_m = 0.03\n"),
+  EXPECT_THAT(robot_error("[emulated.body]\nshoe_width_m = 0.2\n"), HasSubstr("must be below"));
+  EXPECT_THAT(robot_error("[emulated]\nbodi = {}\n"), HasSubstr("did you mean 'emulated.body'?"));
+  EXPECT_THAT(robot_error("[shape]\nbelt_radius_m = 0.03\n"),
               HasSubstr("did you mean 'shape.wheel_radius_m'?"));
 }
 
@@ -90,8 +90,8 @@ TEST(RobotFile, ReadsAnOriginBackWhereverItsLinesBreak) {
 }
 
 TEST(RobotFile, AWheelbaseOnTheSpotIsOffOrPossible) {
-  EXPECT_EQ(told("[model]\nwheelbase_spin_m = 0\n"), "");
-  EXPECT_EQ(told("[model]\nwheelbase_spin_m = 0.01\n"),
+  EXPECT_EQ(robot_error("[model]\nwheelbase_spin_m = 0\n"), "");
+  EXPECT_EQ(robot_error("[model]\nwheelbase_spin_m = 0.01\n"),
             "r.toml:2:20: 'model.wheelbase_spin_m' must be 0 or at least 0.05 m");
 }
 

@@ -18,9 +18,8 @@ namespace tp100::doctor {
 namespace {
 
 using test::FakeSystem;
+using test::kDevice;
 using ::testing::HasSubstr;
-
-constexpr const char* kDevice = "/dev/ttyACM0";
 
 /// A device that belongs to the default group of new files; alice is not a member.
 class Permission : public testing::Test {

@@ -13,6 +13,8 @@
 
 namespace tp100::test {
 
+inline constexpr const char* kDevice = "/dev/ttyACM0";
+
 class FakeSystem {
  public:
   doctor::System system() const { return doctor::System(folder_.path()); }

@@ -11,10 +11,9 @@ namespace {
 
 using test::FakeSystem;
 using test::find;
+using test::kDevice;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-constexpr const char* kDevice = "/dev/ttyACM0";
 
 class Port : public testing::Test {
  protected:

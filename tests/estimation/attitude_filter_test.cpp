@@ -6,11 +6,11 @@
 #include <random>
 
 #include "core/angle.h"
+#include "interval.h"
 
 namespace tp100::estimation {
 namespace {
 
-constexpr double kDt = 0.005;
 constexpr double kG = 9.80665;
 
 /// Gravity of a body with this roll and pitch (nose-up negative), derived by hand.

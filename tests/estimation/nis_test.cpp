@@ -7,12 +7,11 @@
 #include "core/angle.h"
 #include "estimation/kalman.h"
 #include "estimation/pose_filter.h"
+#include "interval.h"
 
 namespace tp100::estimation {
 namespace {
 
-constexpr HostNs kPeriod = 5 * kNsPerMs;
-constexpr double kDt = 0.005;
 constexpr int kSamplesPerWindow = 10;
 constexpr int kSamplesPerFrame = 6;
 

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "interval.h"
 #include "model/step_climb.h"
 
 namespace tp100::estimation {
 namespace {
 
-constexpr double kDt = 0.005;
 constexpr double kSpeedMps = 0.1;
 constexpr double kSpacingM = 0.133;
 

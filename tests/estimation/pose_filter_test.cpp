@@ -8,13 +8,11 @@
 #include <random>
 
 #include "core/angle.h"
+#include "interval.h"
 #include "support/alloc_count.h"
 
 namespace tp100::estimation {
 namespace {
-
-constexpr HostNs kPeriod = 5 * kNsPerMs;
-constexpr double kDt = 0.005;
 
 class PoseFilterTest : public testing::Test {
  protected:

@@ -4,11 +4,11 @@
 
 #include "core/angle.h"
 #include "estimation/obstacle_state.h"
+#include "interval.h"
 
 namespace tp100::estimation {
 namespace {
 
-constexpr double kDt = 0.005;
 constexpr double kDeg = kRadPerDeg;
 
 TEST(SlopeState, FindsARampWithin300MillisecondsOfFourDegrees) {

@@ -11,9 +11,6 @@ namespace {
 
 using wire::State;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
 // The robot is armed and at standstill; the next command decides whether it moves.
 class Commands : public testing::Test {
  protected:

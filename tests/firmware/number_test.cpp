@@ -10,9 +10,6 @@
 namespace tp100::firmware {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
 TEST(Clamp, KeepsWhatIsWithinTheLimitAndCutsTheRest) {
   for (const float value : {0.0f, -0.0f, 0.3f, -0.3f, 1.0f, -1.0f}) {
     EXPECT_EQ(clamp(value, 1.0f), value);

@@ -5,11 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <vector>
 
 #include "firmware/hal.h"
 
 namespace tp100::firmware {
+
+inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float kInf = std::numeric_limits<float>::infinity();
 
 class ScriptedHal final : public Hal {
  public:

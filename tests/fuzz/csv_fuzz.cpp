@@ -23,7 +23,7 @@ void read_measured(const std::string& text) {
 
 void replay_speeds(const std::string& text) {
   for (const app::ReplayModel model :
-       {app::ReplayModel::kPaper, app::ReplayModel::kExtended, app::ReplayModel::kOdometry})
+       {app::kPaperModel, app::kExtendedModel, app::ReplayModel{PoseSource::kOdometry}})
     app::replay_csv(text, "fuzz", model, {});
 }
 

@@ -656,7 +656,7 @@ TEST_F(Run, AViewerWatchesStopsAndStartsAgain) {
   EXPECT_EQ(run([&] {
               eventually(driven);
               server::WebClient viewer(page());
-              viewer.subscribe(messages::Channel::kPoseOdometry);
+              viewer.subscribe(messages::pose_channel(PoseSource::kOdometry));
               pose = viewer.read_until("\"frame_id\"");
               robot_->with([](ScriptedRobot& robot) { robot.received = {}; });
               viewer.call(3);

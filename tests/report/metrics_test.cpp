@@ -10,14 +10,14 @@
 namespace tp100::report {
 namespace {
 
-const Pose& model_of(const TrajectoryPoint& point) { return point.model; }
+const Pose& model_of(const TrajectoryPoint& point) { return point.estimates[PoseSource::kModel]; }
 
 TrajectoryPoint point(double t_s, const Pose& truth, const Pose& model) {
   TrajectoryPoint result;
   result.t_s = t_s;
   result.truth = truth;
   result.world = truth;
-  result.model = model;
+  result.estimates[PoseSource::kModel] = model;
   return result;
 }
 

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "report/run_result.h"
 #include "text/csv_reader.h"
 
@@ -29,9 +31,7 @@ RunResult a_run(bool has_camera) {
     run.points.push_back({.t_s = 0.1 * i,
                           .truth = pose(number + 10),
                           .world = pose(number + 20),
-                          .model = pose(number + 30),
-                          .odometry = pose(number + 40),
-                          .fused = pose(number + 50),
+                          .estimates = {{pose(number + 30), pose(number + 40), pose(number + 50)}},
                           .progress_m = number + 60});
   }
   return run;
@@ -41,12 +41,16 @@ TEST(PosesCsv, EveryColumnHoldsWhatItsNameSays) {
   const RunResult run = a_run(true);
   const struct {
     const char* name;
-    Pose TrajectoryPoint::*pose;
-  } poses[] = {{"truth", &TrajectoryPoint::truth},
-               {"world", &TrajectoryPoint::world},
-               {"model", &TrajectoryPoint::model},
-               {"odometry", &TrajectoryPoint::odometry},
-               {"fused", &TrajectoryPoint::fused}};
+    std::function<const Pose&(const TrajectoryPoint&)> pose;
+  } poses[] = {
+      {"truth", &TrajectoryPoint::truth},
+      {"world", &TrajectoryPoint::world},
+      {"model",
+       [](const TrajectoryPoint& p) -> const Pose& { return p.estimates[PoseSource::kModel]; }},
+      {"odometry",
+       [](const TrajectoryPoint& p) -> const Pose& { return p.estimates[PoseSource::kOdometry]; }},
+      {"fused",
+       [](const TrajectoryPoint& p) -> const Pose& { return p.estimates[PoseSource::kFused]; }}};
   const struct {
     const char* name;
     double Pose::*value;
@@ -70,7 +74,7 @@ TEST(PosesCsv, EveryColumnHoldsWhatItsNameSays) {
     auto name = names.begin();
     for (const auto& pose : poses)
       for (const auto& value : values) {
-        EXPECT_EQ(table[*name][i], run.points[i].*pose.pose.*value.value) << *name;
+        EXPECT_EQ(table[*name][i], pose.pose(run.points[i]).*value.value) << *name;
         ++name;
       }
   }

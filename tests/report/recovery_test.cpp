@@ -8,16 +8,16 @@
 namespace tp100::report {
 namespace {
 
-constexpr double kStepS = 0.01;
+constexpr double kPointS = 0.01;
 constexpr DisturbanceWindow kDisturbance{2.0, 2.3};
 
 /// A run along a line of 2 m at 0.1 m/s with a given distance to the left of the line.
 template <class Left>
 std::vector<TrajectoryPoint> drive(Left left_m, double duration_s = 10.0) {
   std::vector<TrajectoryPoint> points;
-  for (int i = 0; i * kStepS <= duration_s; ++i) {
+  for (int i = 0; i * kPointS <= duration_s; ++i) {
     TrajectoryPoint point;
-    point.t_s = i * kStepS;
+    point.t_s = i * kPointS;
     point.world.x_m = 0.1 * point.t_s;
     point.world.y_m = left_m(point.t_s);
     point.progress_m = point.world.x_m;

@@ -34,8 +34,8 @@ RunResult a_run() {
 
 RunFigures some_figures() {
   RunFigures figures;
-  figures.model.max_position_error_m = 0.1 + 0.2;
-  figures.odometry.mse_x_m2 = 1.25e-5;
+  figures.estimates[PoseSource::kModel].emplace().max_position_error_m = 0.1 + 0.2;
+  figures.estimates[PoseSource::kOdometry].emplace().mse_x_m2 = 1.25e-5;
   figures.tracking.recovery_s = {1.5, std::nullopt};
   figures.tracking.recovery = {{.begin_s = 8.0,
                                 .detection_s = 0.03,
@@ -101,8 +101,10 @@ TEST(ResultJson, IsOneLineWhoseNumbersReadBackExactly) {
 TEST(ResultJson, FusedIsThereOnlyIfACameraWas) {
   EXPECT_FALSE(Json::parse(result_json(a_run(), some_figures())).contains("fused"));
   RunFigures figures = some_figures();
-  figures.fused.emplace().max_position_error_m = 0.004;
-  const Json json = Json::parse(result_json(a_run(), figures));
+  figures.estimates[PoseSource::kFused].emplace().max_position_error_m = 0.004;
+  RunResult run = a_run();
+  run.has_camera = true;
+  const Json json = Json::parse(result_json(run, figures));
   EXPECT_EQ(json["fused"]["max_position_error_m"], 0.004);
   EXPECT_EQ(keys(json["fused"]), keys(json["model"]));
   EXPECT_THAT(result_table(a_run(), figures), HasSubstr("ours: fused (+ camera)"));

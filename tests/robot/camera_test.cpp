@@ -37,7 +37,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-struct Case {
+struct CameraCase {
   const char* course;
   const char* robot;
   double max_m;  ///< largest error of the fused pose, median over the seeds; 0: no limit
@@ -45,10 +45,10 @@ struct Case {
   std::uint64_t seeds;
 };
 
-class FusedCourses : public testing::TestWithParam<Case> {};
+class FusedCourses : public testing::TestWithParam<CameraCase> {};
 
 TEST_P(FusedCourses, FusedSteersAndKeepsItsLimits) {
-  const Case& which = GetParam();
+  const CameraCase& which = GetParam();
   LockstepSettings run = settings(which.course, which.robot, PoseSource::kFused);
   std::vector<double> max_m, rms_m, yaw_rad, tracking_m;
   for (run.seed = 1; run.seed <= which.seeds; ++run.seed) {
@@ -56,9 +56,9 @@ TEST_P(FusedCourses, FusedSteersAndKeepsItsLimits) {
     const report::RunResult result = run_lockstep(run);
     EXPECT_TRUE(result.completed) << result.cause;
     const report::RunFigures figures = report::figures(result, run.course);
-    max_m.push_back(figures.fused->max_position_error_m);
-    rms_m.push_back(figures.fused->rms_position_error_m);
-    yaw_rad.push_back(std::sqrt(figures.fused->mse_yaw_rad2));
+    max_m.push_back(figures.estimates[PoseSource::kFused]->max_position_error_m);
+    rms_m.push_back(figures.estimates[PoseSource::kFused]->rms_position_error_m);
+    yaw_rad.push_back(std::sqrt(figures.estimates[PoseSource::kFused]->mse_yaw_rad2));
     tracking_m.push_back(figures.tracking.max_cross_track_m);
     expect_recovered(figures.tracking, run.course);
   }
@@ -70,7 +70,7 @@ TEST_P(FusedCourses, FusedSteersAndKeepsItsLimits) {
   }
 }
 
-std::vector<Case> cases(std::uint64_t seeds) {
+std::vector<CameraCase> cases(std::uint64_t seeds) {
   return {{"1-straight", "end-loaded", 0.006, 0.008, seeds},
           {"1-curve", "end-loaded", 0.006, 0.008, seeds},
           {"1-sharp", "end-loaded", 0.010, 0.015, seeds},
@@ -79,14 +79,14 @@ std::vector<Case> cases(std::uint64_t seeds) {
           {"2", "uniform", 0.0, 0.0, seeds}};
 }
 
-std::string name_of(const testing::TestParamInfo<Case>& param) {
+std::string camera_case_name(const testing::TestParamInfo<CameraCase>& param) {
   std::string name = std::string(param.param.course) + "_" + param.param.robot;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Flat, FusedCourses, testing::ValuesIn(cases(3)), name_of);
-INSTANTIATE_TEST_SUITE_P(NightlyFlat, FusedCourses, testing::ValuesIn(cases(10)), name_of);
+INSTANTIATE_TEST_SUITE_P(Flat, FusedCourses, testing::ValuesIn(cases(3)), camera_case_name);
+INSTANTIATE_TEST_SUITE_P(NightlyFlat, FusedCourses, testing::ValuesIn(cases(10)), camera_case_name);
 
 TEST(CameraRun, ACameraChangesNothingOfARunThatOdometrySteers) {
   LockstepSettings run = settings("1-curve", "end-loaded", PoseSource::kOdometry);
@@ -120,7 +120,8 @@ TEST(CameraRun, OutliersAndLostFramesDoNotPullThePoseAway) {
   run.camera->dropped = 0.3;
   const report::RunResult result = run_lockstep(run);
   EXPECT_TRUE(result.completed) << result.cause;
-  EXPECT_LT(report::figures(result, run.course).fused->max_position_error_m, 0.006);
+  EXPECT_LT(report::figures(result, run.course).estimates[PoseSource::kFused]->max_position_error_m,
+            0.006);
 }
 
 TEST(CameraRun, ABenchIsNoPlaceForACamera) {

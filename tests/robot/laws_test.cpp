@@ -21,7 +21,7 @@ constexpr std::uint64_t kSeeds = 1;
 constexpr std::uint64_t kSeeds = 3;
 #endif
 
-struct Case {
+struct LawCase {
   control::LawName law;
   const char* law_name;
   const char* course;
@@ -29,11 +29,11 @@ struct Case {
                       ///< because of disturbances
 };
 
-void PrintTo(const Case& which, std::ostream* out) {
+void PrintTo(const LawCase& which, std::ostream* out) {
   *out << which.law_name << ' ' << which.course;
 }
 
-LockstepSettings settings(const Case& which, const std::string& robot = "end-loaded") {
+LockstepSettings settings(const LawCase& which, const std::string& robot = "end-loaded") {
   Options options;
   options.robot = robot;
   const Loaded loaded = load(options);
@@ -47,10 +47,10 @@ LockstepSettings settings(const Case& which, const std::string& robot = "end-loa
   return settings;
 }
 
-class CoursesByLaw : public testing::TestWithParam<Case> {};
+class CoursesByLaw : public testing::TestWithParam<LawCase> {};
 
 TEST_P(CoursesByLaw, SteerTheBodyAlongTheCourse) {
-  const Case& which = GetParam();
+  const LawCase& which = GetParam();
   LockstepSettings run = settings(which);
   std::vector<double> tracking_m;
   for (run.seed = 1; run.seed <= kSeeds; ++run.seed) {
@@ -67,8 +67,8 @@ TEST_P(CoursesByLaw, SteerTheBodyAlongTheCourse) {
   }
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<LawCase> cases() {
+  std::vector<LawCase> all;
   for (const auto& [law, name] : {std::pair{control::LawName::kStanley, "stanley"},
                                   std::pair{control::LawName::kPurePursuit, "pure_pursuit"},
                                   std::pair{control::LawName::kLqr, "lqr"}}) {
@@ -83,7 +83,7 @@ std::vector<Case> cases() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Flat, CoursesByLaw, testing::ValuesIn(cases()),
-                         [](const testing::TestParamInfo<Case>& param) {
+                         [](const testing::TestParamInfo<LawCase>& param) {
                            std::string name =
                                std::string(param.param.law_name) + "_" + param.param.course;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -53,7 +53,8 @@ TEST_P(Courses, AreCompletedForEverySeedAndTheModelKeepsItsLimit) {
     EXPECT_TRUE(result.completed) << "seed " << run.seed << ": " << result.cause;
     EXPECT_EQ(result.link.lost, 0u);
     EXPECT_EQ(result.link.crc_errors, 0u);
-    model_m.push_back(report::figures(result, run.course).model.max_position_error_m);
+    model_m.push_back(
+        report::figures(result, run.course).estimates[PoseSource::kModel]->max_position_error_m);
   }
   std::sort(model_m.begin(), model_m.end());
   const double median_m = model_m[model_m.size() / 2];
@@ -72,18 +73,19 @@ std::vector<Case> cases(const char* board, std::uint64_t seeds) {
   return all;
 }
 
-std::string name_of(const testing::TestParamInfo<Case>& param) {
+std::string course_case_name(const testing::TestParamInfo<Case>& param) {
   std::string name = std::string(param.param.course) + "_" + param.param.robot;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Native, Courses, testing::ValuesIn(cases("native", 3)), name_of);
-INSTANTIATE_TEST_SUITE_P(NightlyNative, Courses, testing::ValuesIn(cases("native", 10)), name_of);
+INSTANTIATE_TEST_SUITE_P(Native, Courses, testing::ValuesIn(cases("native", 3)), course_case_name);
+INSTANTIATE_TEST_SUITE_P(NightlyNative, Courses, testing::ValuesIn(cases("native", 10)),
+                         course_case_name);
 // Only builds that make the image can run it.
 #ifdef TP100_HAS_IMAGE
-INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr", 1)), name_of);
-INSTANTIATE_TEST_SUITE_P(NightlyAvr, Courses, testing::ValuesIn(cases("avr", 5)), name_of);
+INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr", 1)), course_case_name);
+INSTANTIATE_TEST_SUITE_P(NightlyAvr, Courses, testing::ValuesIn(cases("avr", 5)), course_case_name);
 
 TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
   LockstepSettings run = settings("1-curve", "end-loaded", "avr");
@@ -94,7 +96,8 @@ TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
   EXPECT_EQ(result.link.implausible, 0u);
   EXPECT_EQ(result.link.lost, 0u);
   EXPECT_EQ(result.link.crc_errors, 0u);
-  EXPECT_LE(report::figures(result, run.course).model.max_position_error_m, 0.010);
+  EXPECT_LE(report::figures(result, run.course).estimates[PoseSource::kModel]->max_position_error_m,
+            0.010);
 }
 #endif
 
@@ -103,7 +106,8 @@ TEST(Lockstep, TheDeviceClockWrapsWithoutAJump) {
   run.start_us = 0xFFFFFFFFu - 10'000'000u;
   const report::RunResult result = run_lockstep(run);
   EXPECT_TRUE(result.completed) << result.cause;
-  EXPECT_LE(report::figures(result, run.course).model.max_position_error_m, 0.010);
+  EXPECT_LE(report::figures(result, run.course).estimates[PoseSource::kModel]->max_position_error_m,
+            0.010);
 }
 
 std::string without_time(report::RunResult result, const course::Course& course) {

@@ -86,8 +86,9 @@ TEST(Terrain, ThreeSecondsWithoutACameraOverTheStepLeaveThePoseWithinThreeCentim
   ASSERT_TRUE(result.completed) << result.cause;
   double largest_m = 0.0;
   for (const report::TrajectoryPoint& point : result.points)
-    largest_m = std::max(largest_m, std::hypot(point.fused.x_m - point.truth.x_m,
-                                               point.fused.y_m - point.truth.y_m));
+    largest_m =
+        std::max(largest_m, std::hypot(point.estimates[PoseSource::kFused].x_m - point.truth.x_m,
+                                       point.estimates[PoseSource::kFused].y_m - point.truth.y_m));
   EXPECT_LT(largest_m, 0.03);
 }
 

@@ -60,8 +60,9 @@ class PublisherTest : public ::testing::Test {
 
 TEST_F(PublisherTest, StepChannelsComeWithEveryStep) {
   for (const messages::Channel channel :
-       {messages::Channel::kEstimate, messages::Channel::kTransforms, messages::Channel::kPoseModel,
-        messages::Channel::kPoseFused, messages::Channel::kSample, messages::Channel::kCommand})
+       {messages::Channel::kEstimate, messages::Channel::kTransforms,
+        messages::pose_channel(PoseSource::kModel), messages::pose_channel(PoseSource::kFused),
+        messages::Channel::kSample, messages::Channel::kCommand})
     EXPECT_EQ(run(1.0, channel).size(), 200U);
   record_.command_valid = false;
   EXPECT_TRUE(run(0.1, messages::Channel::kCommand).empty());

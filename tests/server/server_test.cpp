@@ -412,7 +412,7 @@ TEST_F(ServerTest, FiftyViewersOfWhichThreeAreHostile) {
   start();
   std::vector<WebClient> good;
   for (int i = 0; i < kGoodViewers; ++i) good.push_back(connect());
-  for (WebClient& client : good) client.subscribe(messages::Channel::kPoseOdometry);
+  for (WebClient& client : good) client.subscribe(messages::pose_channel(PoseSource::kOdometry));
   WebClient deaf = connect();
   for (std::uint32_t channel = 1; channel <= messages::kChannelCount; ++channel)
     deaf.subscribe(static_cast<messages::Channel>(channel));

@@ -11,12 +11,12 @@
 namespace tp100::terrain {
 namespace {
 
-constexpr double kSlope = 28 * kRadPerDeg;
+constexpr double kSteepRad = 28 * kRadPerDeg;
 constexpr double kDistanceM = 5e-4, kStepS = 5e-3;
 
 course::Terrain ramp_at_half_a_metre() {
   course::Terrain terrain;
-  terrain.ramps.push_back({{0.5, 0.0, 0.0}, 0.08, kSlope, 0.2, kSlope, 0.4});
+  terrain.ramps.push_back({{0.5, 0.0, 0.0}, 0.08, kSteepRad, 0.2, kSteepRad, 0.4});
   return terrain;
 }
 
@@ -59,9 +59,10 @@ TEST(TerrainFollower, OverARampTheWayIsThatOverItsSurface) {
   });
   // Each of the two faces is 0.08 / sin(28 deg) long instead of 0.08 / tan(28 deg); rounding the
   // corners shortens the path a little.
-  const double surface_m = 1.0 + 2.0 * 0.08 * (1.0 / std::sin(kSlope) - 1.0 / std::tan(kSlope));
+  const double surface_m =
+      1.0 + 2.0 * 0.08 * (1.0 / std::sin(kSteepRad) - 1.0 / std::tan(kSteepRad));
   EXPECT_NEAR(distance_m, surface_m, 0.006);
-  EXPECT_NEAR(steepest, kSlope, 0.01);
+  EXPECT_NEAR(steepest, kSteepRad, 0.01);
   EXPECT_GT(highest, 0.079);
   EXPECT_EQ(terrain_follower.state().height_m, 0.0);
 }

@@ -11,13 +11,13 @@
 namespace tp100::terrain {
 namespace {
 
-constexpr double kSlope = 28 * kRadPerDeg;
+constexpr double kUpRad = 28 * kRadPerDeg;
 
 course::Terrain one_ramp() {
   course::Ramp ramp{};
   ramp.place = {0.7, -0.8, kPi};
   ramp.height_m = 0.20;
-  ramp.up_rad = ramp.down_rad = kSlope;
+  ramp.up_rad = ramp.down_rad = kUpRad;
   ramp.top_m = 0.3;
   ramp.width_m = 0.4;
   course::Terrain terrain;
@@ -58,16 +58,16 @@ TEST(World, OnARampTheRobotLiesOnItsSlope) {
   const World world(terrain, {});
   const double foot = 0.7 + terrain.ramps[0].length_m() / 2.0;
   const ContactPose up = world.at(heading_back(foot - 0.2));
-  EXPECT_NEAR(up.slope_rad, kSlope, 1e-3);
-  EXPECT_NEAR(up.pitch_rad, -kSlope, 1e-3) << "nose-up is negative pitch";
-  EXPECT_NEAR(up.height_m, 0.2 * std::tan(kSlope), 5e-4);
+  EXPECT_NEAR(up.slope_rad, kUpRad, 1e-3);
+  EXPECT_NEAR(up.pitch_rad, -kUpRad, 1e-3) << "nose-up is negative pitch";
+  EXPECT_NEAR(up.height_m, 0.2 * std::tan(kUpRad), 5e-4);
   EXPECT_NEAR(up.roll_rad, 0.0, 1e-9);
   EXPECT_EQ(up.obstacle, Obstacle::kRamp);
   const ContactPose top = world.at(heading_back(0.7));
   EXPECT_NEAR(top.slope_rad, 0.0, 1e-6);
   EXPECT_NEAR(top.height_m, 0.20, 1e-6);
   const ContactPose down = world.at(heading_back(2 * 0.7 - foot + 0.2));
-  EXPECT_NEAR(down.slope_rad, -kSlope, 1e-3);
+  EXPECT_NEAR(down.slope_rad, -kUpRad, 1e-3);
 }
 
 TEST(World, DrivingARampTheOtherWayIsItsMirrorImage) {
@@ -86,8 +86,8 @@ TEST(World, OverACrestItKeepsThePitchThatItHasUntilItsMassIsPastTheEdge) {
   const double crest = 0.7 + terrain.ramps[0].top_m / 2.0;
   Pose pose = heading_back(crest - 0.006);
   EXPECT_NEAR(world.at(pose).slope_rad, 0.0, 1e-3) << "the robot came from the top";
-  pose.pitch_rad = -kSlope;
-  EXPECT_NEAR(world.at(pose).slope_rad, kSlope, 1e-3) << "the robot came from below";
+  pose.pitch_rad = -kUpRad;
+  EXPECT_NEAR(world.at(pose).slope_rad, kUpRad, 1e-3) << "the robot came from below";
   pose.x_m = crest - 0.013;
   EXPECT_NEAR(world.at(pose).slope_rad, 0.0, 1e-3);
 }
@@ -97,7 +97,7 @@ TEST(World, AcrossASlopeTheRobotRolls) {
   const World world(terrain, {});
   const double foot = 0.7 + terrain.ramps[0].length_m() / 2.0;
   const ContactPose contact_pose = world.at({.x_m = foot - 0.19, .y_m = -0.8, .yaw_rad = kPi / 2});
-  EXPECT_NEAR(contact_pose.roll_rad, std::atan(std::tan(kSlope)), 0.02)
+  EXPECT_NEAR(contact_pose.roll_rad, std::atan(std::tan(kUpRad)), 0.02)
       << "the slope rises to the left";
   EXPECT_NEAR(contact_pose.pitch_rad, 0.0, 1e-6);
 }

@@ -9,8 +9,6 @@ namespace {
 // One tick early, so that the motors are off when the time expires and not a tick later.
 const int32_t kTickUs = 1000;
 
-uint16_t bit(wire::Fault fault) { return static_cast<uint16_t>(wire::fault_bit(fault)); }
-
 }  // namespace
 
 FailSafe::FailSafe(Hal& hal)

@@ -21,6 +21,9 @@ struct Trip {
   int32_t silence_ms;      ///< since the last fresh command
 };
 
+/// A fault as a bit of a word that an interrupt can exchange.
+inline uint16_t bit(wire::Fault fault) { return static_cast<uint16_t>(wire::fault_bit(fault)); }
+
 class FailSafe {
  public:
   explicit FailSafe(Hal& hal);

@@ -37,8 +37,6 @@ const char* name_of(Fault fault) {
   }
 }
 
-uint16_t bit(Fault fault) { return static_cast<uint16_t>(wire::fault_bit(fault)); }
-
 }  // namespace
 
 Firmware::Firmware(Hal& hal)
