@@ -6,6 +6,8 @@ add_library(tp100_options INTERFACE)
 target_compile_options(tp100_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
   -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion -Wformat=2 -Werror
+  # Said of any type of a .cpp file that another one includes, as unity builds do.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
   # Bit-identical runs need the same rounding whatever the optimiser fuses.
   -ffp-contract=off)
 if(TP100_SANITIZE)
