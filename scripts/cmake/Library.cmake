@@ -5,15 +5,16 @@
 add_library(tp100_options INTERFACE)
 target_compile_options(tp100_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
-  -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion -Wformat=2 -Werror
-  # Said of any type of a .cpp file that another one includes, as unity builds do.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
+  -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion -Wformat=2 -Werror
+  # GCC says the first of paths that cannot happen, and the second of any type of a .cpp file that another one
+  # includes, as unity builds do.
+  $<$<CXX_COMPILER_ID:Clang>:-Wnull-dereference> $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
   # Bit-identical runs need the same rounding whatever the optimiser fuses.
   -ffp-contract=off)
 if(TP100_SANITIZE)
   target_compile_options(tp100_options INTERFACE
     -fsanitize=${TP100_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
-    # Sanitizers make GCC report paths that cannot happen with these two.
+    # Sanitizers make GCC report paths that cannot happen.
     -Wno-null-dereference $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(tp100_options INTERFACE -fsanitize=${TP100_SANITIZE})
   if(TP100_SANITIZE MATCHES "address.*undefined")
