@@ -8,7 +8,6 @@
 #include <map>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "app/commands.h"
 #include "identify/drive_file.h"
@@ -88,13 +87,13 @@ void append(std::string& line, const Pose& pose) {
 void write_poses(const Recording& recording, const Write& write) {
   const std::map<HostNs, Pose> truth = truth_of(recording);
   std::string line = "t_s";
-  std::vector<std::string_view> poses;
-  for (const PoseSource source : kPoseSources) poses.push_back(to_string(source));
-  poses.emplace_back("world");
-  if (!truth.empty()) poses.emplace_back("truth");
-  for (const std::string_view pose : poses)
+  const auto add_names = [&line](std::string_view pose) {
     for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
       line += "," + std::string(pose) + "_" + value;
+  };
+  for (const PoseSource source : kPoseSources) add_names(to_string(source));
+  add_names("world");
+  if (!truth.empty()) add_names("truth");
   write(line +
         ",left_mps,right_mps,slip_left,slip_right,cross_track_m,heading_error_rad,progress_m,"
         "desired_yaw_rad,speed_mps\n");
