@@ -7,6 +7,7 @@
 #include "core/angle.h"
 #include "course/path.h"
 #include "report/html_page.h"
+#include "report/metrics.h"
 
 namespace tp100::report {
 namespace {

@@ -11,6 +11,7 @@
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/run_state.h"
+#include "worlds/message.h"
 
 namespace tp100::worlds {
 namespace {
