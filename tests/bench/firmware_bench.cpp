@@ -13,7 +13,6 @@
 namespace tp100::sim {
 namespace {
 
-constexpr double kEntryCycles = 5.0;
 constexpr double kSampleCycles = AvrCore::kHz / 200.0;
 constexpr double kCountsPerMetre = 11140.0;
 constexpr std::uint16_t kRamBegin = 0x200;
@@ -43,7 +42,7 @@ void share(AvrRig& rig, LoopMonitor& loop, const IsrMonitor& interrupts, const c
   const AvrBoardCounters after = rig.board.counters();
   const auto cycles = static_cast<double>(after.cycles - before.cycles);
   // simavr does not count the cycles of an interrupt's entry.
-  const auto entries = static_cast<double>(interrupts.runs() - runs) * kEntryCycles;
+  const auto entries = static_cast<double>((interrupts.runs() - runs) * IsrMonitor::kEntryCycles);
   const double busy =
       1.0 - (static_cast<double>(after.slept_cycles - before.slept_cycles) - entries) / cycles;
   const std::string way = std::string(what) + ": ";

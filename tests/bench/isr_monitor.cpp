@@ -6,7 +6,6 @@
 namespace tp100::sim {
 namespace {
 
-constexpr Cycle kInterruptEntryCycles = 5;
 constexpr Cycle kReturnCycles = 5;  // simavr counts them after its notification
 
 }  // namespace
@@ -24,7 +23,7 @@ void IsrMonitor::on_running(avr_irq_t*, std::uint32_t running, void* self) {
     return;
   }
   if (watch.began_ == 0) return;
-  const Cycle took = now - watch.began_ + kInterruptEntryCycles + kReturnCycles;
+  const Cycle took = now - watch.began_ + kEntryCycles + kReturnCycles;
   watch.began_ = 0;
   watch.longest_ = std::max(watch.longest_, took);
   watch.sum_ += took;

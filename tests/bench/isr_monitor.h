@@ -13,12 +13,14 @@ namespace tp100::sim {
 class IsrMonitor {
  public:
   static constexpr std::uint8_t kAny = 0xFF;
+  /// From an interrupt to its routine, on the chip.
+  static constexpr Cycle kEntryCycles = 5;
 
   /// Starts to measure; the monitor must outlive the core's last run.
   IsrMonitor(AvrCore& core, std::uint8_t vector);
 
-  /// Time from the interrupt to the end of its RETI. simavr does not count the entry, so the chip's
-  /// 5 cycles are added.
+  /// Time from the interrupt to the end of its RETI. simavr does not count the entry, so
+  /// kEntryCycles are added.
   Cycle longest() const { return longest_; }
   double mean() const {
     return runs_ == 0 ? 0.0 : static_cast<double>(sum_) / static_cast<double>(runs_);
