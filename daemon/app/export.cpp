@@ -87,13 +87,9 @@ void append(std::string& line, const Pose& pose) {
 void write_poses(const Recording& recording, const Write& write) {
   const std::map<HostNs, Pose> truth = truth_of(recording);
   std::string line = "t_s";
-  const auto add_names = [&line](std::string_view pose) {
-    for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
-      line += "," + std::string(pose) + "_" + value;
-  };
-  for (const PoseSource source : kPoseSources) add_names(to_string(source));
-  add_names("world");
-  if (!truth.empty()) add_names("truth");
+  for (const PoseSource source : kPoseSources) line += report::pose_columns(to_string(source));
+  line += report::pose_columns("world");
+  if (!truth.empty()) line += report::pose_columns("truth");
   write(line +
         ",left_mps,right_mps,slip_left,slip_right,cross_track_m,heading_error_rad,progress_m,"
         "desired_yaw_rad,speed_mps\n");

@@ -28,14 +28,14 @@ constexpr double kGoodRmsPx = 1.0;
 constexpr double kGoodCover = 0.5;
 constexpr double kGoodFocalSd = 0.01;
 // A board that is held still counts as one view.
-constexpr double kMovedSumPx = 12.0;
+constexpr double kMovedBoardPx = 12.0;
 constexpr int kFields = 8;
 
 bool moved(const BoardCorners& a, const BoardCorners& b) {
   if (a.pixels.size() != b.pixels.size()) return true;
   double sum = 0.0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += cv::norm(a.pixels[i] - b.pixels[i]);
-  return sum > kMovedSumPx * static_cast<double>(a.pixels.size());
+  return sum > kMovedBoardPx * static_cast<double>(a.pixels.size());
 }
 
 double cover(const std::vector<BoardCorners>& views, cv::Size size) {

@@ -48,10 +48,10 @@ struct CarriedState {
   BoundedList<ParameterChange, kLiveParameters> parameters{};
   double cross_track_m = 0.0;  ///< where the last run ended
   double progress_m = 0.0;
-  Sample sample{};          ///< the newest
-  bool has_sample = false;  ///< it is of this session
-  bool continues = false;   ///< the next sample continues it
-  PerSource<Pose> poses{};
+  Sample sample{};           ///< the newest
+  bool has_sample = false;   ///< it is of this session
+  bool continues = false;    ///< the next sample continues it
+  PerSource<Pose> poses{};   ///< of each estimate; the fused one goes on from `filter`
   double virtual_x_m = 0.0;  ///< from the robot's floor into the course's world
   double virtual_y_m = 0.0;
   double virtual_turn_rad = 0.0;

@@ -29,20 +29,20 @@ void write_motion(text::JsonWriter& json, const Estimate& estimate) {
       .field("yaw_rate_radps", estimate.twist.yaw_rate_radps);
 }
 
-void write_filter(text::JsonWriter& json, const FilterFigures& fused) {
-  json.field("sd_x_m", std::sqrt(fused.variance_x_m2))
-      .field("sd_y_m", std::sqrt(fused.variance_y_m2))
-      .field("sd_yaw_rad", std::sqrt(fused.variance_yaw_rad2));
-  if (fused.camera_age_us < 0) {
+void write_filter(text::JsonWriter& json, const FilterFigures& filter) {
+  json.field("sd_x_m", std::sqrt(filter.variance_x_m2))
+      .field("sd_y_m", std::sqrt(filter.variance_y_m2))
+      .field("sd_yaw_rad", std::sqrt(filter.variance_yaw_rad2));
+  if (filter.camera_age_us < 0) {
     json.null_field("camera_age_us");
   } else {
-    json.field("camera_age_us", fused.camera_age_us);
+    json.field("camera_age_us", filter.camera_age_us);
   }
-  json.field("camera_used", fused.camera_used)
-      .field("camera_rejected", fused.camera_rejected)
-      .field("nis", fused.nis)
-      .field("nis_mean", fused.nis_mean)
-      .field("recoveries", fused.recoveries);
+  json.field("camera_used", filter.camera_used)
+      .field("camera_rejected", filter.camera_rejected)
+      .field("nis", filter.nis)
+      .field("nis_mean", filter.nis_mean)
+      .field("recoveries", filter.recoveries);
 }
 
 void write_truth(text::JsonWriter& json, const std::optional<Truth>& truth, HostNs now) {

@@ -86,7 +86,7 @@ struct TrackingErrors {
 /// All figures of one run.
 struct RunFigures {
   /// From start to end, disturbances included; of a source that is blind to them, piece by piece
-  /// between them. Nothing where the run does not judge the source.
+  /// between them. Nothing where the run has no such estimate.
   PerSource<std::optional<PoseErrors>> estimates{};
   TrackingErrors tracking{};
   SlopeFigures slope{};

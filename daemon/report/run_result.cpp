@@ -8,18 +8,20 @@
 
 namespace tp100::report {
 
+std::string pose_columns(std::string_view name) {
+  std::string columns;
+  for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
+    columns += "," + std::string(name) + "_" + value;
+  return columns;
+}
+
 std::string poses_csv(const RunResult& result) {
   std::ostringstream out;
   out.precision(17);
   out << "t_s";
-  const auto write_names = [&out](std::string_view pose) {
-    for (const char* value : {"x_m", "y_m", "z_m", "roll_rad", "pitch_rad", "yaw_rad"})
-      out << ',' << pose << '_' << value;
-  };
-  write_names("truth");
-  write_names("world");
+  out << pose_columns("truth") << pose_columns("world");
   for (const PoseSource source : kPoseSources)
-    if (result.has_estimate(source)) write_names(to_string(source));
+    if (result.has_estimate(source)) out << pose_columns(to_string(source));
   out << ",progress_m\n";
   for (const TrajectoryPoint& point : result.points) {
     out << point.t_s;

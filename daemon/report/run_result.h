@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct TrajectoryPoint {
   Pose truth{};      ///< exact pose of the reference point; on a stand the steering pose
   Pose world{};      ///< in the course's world, judged against the path; behind `truth` by the
                      ///< distance that virtual obstacles cost
-  PerSource<Pose> estimates{};
+  PerSource<Pose> estimates{};  ///< of use where RunResult::has_estimate()
   double progress_m =
       0.0;  ///< along the path, as estimated by the controller; distinguishes crossing segments
   bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet
@@ -66,6 +67,10 @@ struct RunResult {
   /// The run has everything that the estimate is made from.
   bool has_estimate(PoseSource source) const { return has_camera || !needs_camera(source); }
 };
+
+/// The columns of a pose in a CSV header, each after a comma: `,<name>_x_m` and y_m, z_m, roll_rad,
+/// pitch_rad, yaw_rad.
+std::string pose_columns(std::string_view name);
 
 /// Every pose of a run, with the truth, as CSV. Header t_s, then x_m, y_m, z_m, roll_rad, pitch_rad
 /// and yaw_rad with the prefixes truth_, world_ and those of the estimates that the run has, and
