@@ -25,10 +25,18 @@ void add_seed(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
+void add_body(CLI::App& app, std::string& body) {
+  app.add_option("--body", body,
+                 "Contact of the tracks: ode, rigid bodies, or shear, shear stress that builds up "
+                 "along the track, on level ground (default: the robot file's contact_law)")
+      ->type_name("BODY");
+}
+
 void add_common(CLI::App& app, Options& options) {
   app.add_option("--board", options.board, "What runs the firmware: native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
+  add_body(app, options.body);
   app.add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
   app.add_option("--setup", options.setup, "stand, flat or terrain (default: flat)")
@@ -152,6 +160,7 @@ int run(int argc, char** argv) {
   calibrate_app->add_option("--board", calibrate.options.board, "native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
+  add_body(*calibrate_app, calibrate.options.body);
   calibrate_app
       ->add_option("--robot", calibrate.options.robot,
                    "Name in config/robots or file (default: end-loaded)")

@@ -4,10 +4,12 @@
 // physics of an emulated robot of that kind; the daemon never reads it, and `model` is never copied
 // from it.
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/enum_names.h"
 #include "model/track_parameters.h"
 
 namespace tp100::text {
@@ -47,7 +49,8 @@ struct DriveValues {
   bool swap_tracks = false;
 };
 
-/// Rigid body and tracks (sim/body).
+/// Rigid body and tracks (sim/body). Creep, track deficit and lift of the middle are those of the
+/// contact law `ode`.
 struct EmulatedBody {
   double mass_kg = 0.922;
   double length_m = 0.185, width_m = 0.205, height_m = 0.060;  ///< inertia box
@@ -66,6 +69,28 @@ struct EmulatedBody {
   double creep_right = 0.148;
   double track_deficit_left = 0.160;  ///< surface speed lost against the encoder's track speed
   double track_deficit_right = 0.160;
+};
+
+/// Law of the contact between tracks and ground: which body the emulated robot has (sim/body).
+enum class ContactLaw {
+  kOde,    ///< rigid-body contacts, on every terrain
+  kShear,  ///< shear stress that builds up under each shoe, on level ground
+};
+
+/// Names as in options, files and results.
+inline constexpr std::array<EnumName<ContactLaw>, 2> kContactLawNames = {{
+    {ContactLaw::kOde, "ode"},
+    {ContactLaw::kShear, "shear"},
+}};
+constexpr const char* to_string(ContactLaw law) { return name_in(kContactLawNames, law); }
+
+/// The ground under the tracks by the contact law `shear`, which reads neither creep nor track
+/// deficit nor lift of the middle. Sizes, mass, friction and worn stretches are EmulatedBody's.
+struct EmulatedShear {
+  double modulus_m = 0.001;          ///< Janosi and Hanamoto's K
+  double cohesion_pa = 0.0;          ///< shear strength without pressure
+  double motion_resistance = 0.06;   ///< in parts of the weight
+  double pressure_unevenness = 0.6;  ///< 0: even; 1: no load between the wheels
 };
 
 /// DC motor behind an L293D (sim/sensors).
@@ -110,7 +135,9 @@ struct EmulatedBattery {
 };
 
 struct Emulated {
+  ContactLaw contact_law = ContactLaw::kOde;
   EmulatedBody body{};
+  EmulatedShear shear{};
   EmulatedMotor motor{};
   EmulatedEncoder encoder{};
   EmulatedImu imu{};

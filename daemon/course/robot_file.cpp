@@ -135,6 +135,37 @@ std::span<const text::Key<EmulatedBody>> body_keys() {
   return kKeys;
 }
 
+// Wong, Theory of Ground Vehicles, tables 2.3 and 2.4: K 1 cm on firm sandy terrain, 2.5 cm on
+// loose sand, 2.5 to 5 cm on fresh snow; cohesion 0 to 1 kPa of dry sand, 3 to 70 kPa of clays;
+// resistance of tracks 0.03 of the weight on hard ground to 0.25 on soft. Rubber on a hard floor
+// shears over about a millimetre.
+std::span<const text::Key<EmulatedShear>> shear_keys() {
+  using T = EmulatedShear;
+  static const std::array<text::Key<T>, 4> kKeys = {{
+      {"modulus_m",
+       &T::modulus_m,
+       {0.0001, 0.05},
+       "Janosi and Hanamoto's modulus K: sliding path after which 63 % of the limit are reached. "
+       "About 1 mm for rubber on a hard floor, 5 mm for soft tracks, 10 to 25 mm on sand"},
+      {"cohesion_pa",
+       &T::cohesion_pa,
+       {0, 10000},
+       "Shear strength without pressure; 0 on hard floors and dry sand"},
+      {"motion_resistance",
+       &T::motion_resistance,
+       {0, 0.3},
+       "Resistance of the ground to motion, in parts of the weight: 0.03 to 0.1 on hard floors, up "
+       "to 0.25 on soft ground"},
+      {"pressure_unevenness",
+       &T::pressure_unevenness,
+       {0, 1},
+       "How much of the load the wheels carry: with 0 the pressure along the tracks is even, with "
+       "1 "
+       "it is 0 in their middle and three times the mean at their ends"},
+  }};
+  return kKeys;
+}
+
 std::span<const text::Key<EmulatedMotor>> motor_keys() {
   using T = EmulatedMotor;
   static const std::array<text::Key<T>, 8> kKeys = {{
@@ -213,8 +244,13 @@ std::span<const text::Key<EmulatedBattery>> battery_keys() {
 }
 
 std::span<const text::Key<Emulated>> emulated_keys() {
-  static const std::array<text::Key<Emulated>, 1> kKeys = {{
+  static const std::array<text::Key<Emulated>, 2> kKeys = {{
       {"clock_ppm", &Emulated::clock_ppm, {-20000, 20000}, "Error of the Mega's resonator"},
+      {"contact_law",
+       text::enum_choice<Emulated, &Emulated::contact_law, kContactLawNames>(),
+       {},
+       "Contact between tracks and ground, also chosen by --body: \"ode\", rigid bodies, or "
+       "\"shear\", shear stress that builds up along the track, on level ground only"},
   }};
   return kKeys;
 }
@@ -238,6 +274,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   text::TomlTable drive = root.table("drive");
   text::TomlTable emulated = root.table("emulated");
   text::TomlTable body = emulated.table("body");
+  text::TomlTable shear = emulated.table("shear");
   text::TomlTable motor = emulated.table("motor");
   text::TomlTable encoder = emulated.table("encoder");
   text::TomlTable imu = emulated.table("imu");
@@ -248,6 +285,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   text::read_keys(drive, drive_keys(), robot.drive);
   text::read_keys(emulated, emulated_keys(), robot.emulated);
   text::read_keys(body, body_keys(), robot.emulated.body);
+  text::read_keys(shear, shear_keys(), robot.emulated.shear);
   text::read_keys(motor, motor_keys(), robot.emulated.motor);
   text::read_keys(encoder, encoder_keys(), robot.emulated.encoder);
   text::read_keys(imu, imu_keys(), robot.emulated.imu);
@@ -299,6 +337,7 @@ std::string write_robot(const Robot& robot, const std::string& note) {
          "section.\n" +
          section("emulated", emulated_keys(), emulated).substr(1) +
          section("emulated.body", body_keys(), emulated.body) +
+         section("emulated.shear", shear_keys(), emulated.shear) +
          section("emulated.motor", motor_keys(), emulated.motor) +
          section("emulated.encoder", encoder_keys(), emulated.encoder) +
          section("emulated.imu", imu_keys(), emulated.imu) +

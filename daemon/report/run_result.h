@@ -51,6 +51,7 @@ struct CameraFigures {
 /// One run. `points` runs from the first to the last step of the course, ascending in time.
 struct RunResult {
   std::string course, board, robot, setup;
+  std::string body;  ///< of an emulated robot: contact law; empty in recordings
   std::uint64_t seed = 0;
   bool finished = false;    ///< the controller reached the end of the course
   bool completed = false;   ///< ... and the true end lies within 15 cm of the path's

@@ -63,7 +63,7 @@ void refuse_deep_lines(const std::string& text, const std::string& file) {
 }  // namespace
 
 std::string_view unit_of(std::string_view key) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kUnits = {{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 35> kUnits = {{
       {"_radps_rts", "rad/s/sqrt(s)"},
       {"_radps_rthz", "rad/s/sqrt(Hz)"},
       {"_mps2_rthz", "m/s^2/sqrt(Hz)"},
@@ -92,6 +92,7 @@ std::string_view unit_of(std::string_view key) {
       {"_mb", "MB"},
       {"_as", "A s"},
       {"baud", "baud"},
+      {"_pa", "Pa"},
       {"_m", "m"},
       {"_s", "s"},
       {"_v", "V"},

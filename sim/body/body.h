@@ -1,6 +1,6 @@
 #pragma once
-// The emulated robot's body: one rigid body on two tracks, contact physics by ODE. It shares no
-// code with the model under test and is the only truth used for scoring.
+// The emulated robot's body: what the robot around it needs of it. It shares no code with the model
+// under test and is the only truth used for scoring.
 
 #include <array>
 #include <cstdint>
@@ -14,6 +14,8 @@ namespace tp100::sim {
 
 /// Physics step. [ns]
 inline constexpr std::int64_t kPhysicsStepNs = 1'000'000;
+inline constexpr double kPhysicsStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
+inline constexpr double kGravityMps2 = 9.81;
 
 /// Exact state of the body.
 struct BodyState {
@@ -26,34 +28,26 @@ struct BodyState {
   double right_load_n = 0.0;
 };
 
-/// One body in one ODE world. Worlds do not influence each other; the same calls give the same
-/// bits.
+/// One body on two tracks. Bodies do not influence each other; the same calls give the same bits.
 class Body {
  public:
-  /// The body at `start`: on the floor, or with height and tilt if `start` is on `terrain`.
-  /// `on_stand`: the tracks spin free and the body does not move.
-  Body(const course::EmulatedBody& values, const Pose& start, bool on_stand,
-       const course::Terrain& terrain = {});
-  ~Body();
-  Body(Body&&) noexcept;
+  virtual ~Body() = default;
 
-  /// Advances kPhysicsStepNs with tracks at these encoder-side speeds (the track deficit is applied
-  /// inside).
-  void step(double left_track_mps, double right_track_mps);
+  /// Advances kPhysicsStepNs with tracks at these encoder-side speeds.
+  virtual void step(double left_track_mps, double right_track_mps) = 0;
   /// Rotates the tracks by this distance: worn stretches lie elsewhere.
-  void turn_tracks(double left_m, double right_m);
+  virtual void turn_tracks(double left_m, double right_m) = 0;
   /// Begins a disturbance: `sideways_m` to the robot's left and `yaw_rad`, spread evenly over
   /// `duration_s`.
-  void disturbance(double sideways_m, double yaw_rad, double duration_s);
-  bool disturbed() const;
-  const BodyState& state() const;
-
-  /// Messages that the solver has printed in this process, of all bodies; 0 in a sound run.
-  static std::uint64_t solver_messages();
-
- private:
-  struct World;
-  std::unique_ptr<World> world_;
+  virtual void disturbance(double sideways_m, double yaw_rad, double duration_s) = 0;
+  virtual bool disturbed() const = 0;
+  virtual const BodyState& state() const = 0;
 };
+
+/// The body with the contact law of `values`, at `start`: on the floor, or with height and tilt if
+/// `start` is on `terrain`. `on_stand`: the tracks spin free and the body does not move. Throws
+/// SetupError if that body cannot stand on this terrain.
+std::unique_ptr<Body> make_body(const course::Emulated& values, const Pose& start, bool on_stand,
+                                const course::Terrain& terrain = {});
 
 }  // namespace tp100::sim

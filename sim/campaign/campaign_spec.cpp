@@ -82,7 +82,8 @@ struct ChoiceKey {
   const char* standard;
 };
 // In alphabetical order, as all variables are.
-constexpr std::array<ChoiceKey, 6> kChoices = {{{"board", "native"},
+constexpr std::array<ChoiceKey, 7> kChoices = {{{"board", "native"},
+                                                {"body", ""},
                                                 {"camera", ""},
                                                 {"course", nullptr},
                                                 {"faults", ""},
@@ -194,6 +195,7 @@ PlannedRun plan(const CampaignSpec& spec, std::uint64_t index) {
   for (const Variable& variable : spec.choices) {
     const std::string value = std::get<std::string>(sampled(variable, ""));
     if (variable.name == "board") run.options.board = value;
+    if (variable.name == "body") run.options.body = value;
     if (variable.name == "camera") run.camera = value;
     if (variable.name == "course") run.course = value;
     if (variable.name == "faults") run.faults = words(value);

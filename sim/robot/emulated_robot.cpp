@@ -109,7 +109,7 @@ const char* to_string(BoardKind board) {
 }
 
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
-    : body_(settings.values.body, settings.start, settings.on_stand, settings.terrain),
+    : body_(make_body(settings.values, settings.start, settings.on_stand, settings.terrain)),
       left_motor_(settings.values.motor, settings.values.motor.left_gain),
       right_motor_(settings.values.motor, settings.values.motor.right_gain),
       left_encoder_(settings.values.encoder, 0, kLeftEncoder),
@@ -120,8 +120,8 @@ EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
       bus_(imu_),
       board_(make_board(settings, bus_)),
       to_board_(settings.baud) {
-  body_.turn_tracks(track_phase_m(settings.values.body, stream(settings.seed, 4)),
-                    track_phase_m(settings.values.body, stream(settings.seed, 5)));
+  body_->turn_tracks(track_phase_m(settings.values.body, stream(settings.seed, 4)),
+                     track_phase_m(settings.values.body, stream(settings.seed, 5)));
 }
 
 EmulatedRobot::~EmulatedRobot() = default;
@@ -136,7 +136,7 @@ void EmulatedRobot::receive(std::span<const std::uint8_t> bytes, std::int64_t no
 }
 
 void EmulatedRobot::disturbance(double sideways_m, double yaw_rad, double duration_s) {
-  body_.disturbance(sideways_m, yaw_rad, duration_s);
+  body_->disturbance(sideways_m, yaw_rad, duration_s);
 }
 
 void EmulatedRobot::inject() {
@@ -154,13 +154,13 @@ std::vector<TimedByte> EmulatedRobot::advance() {
   const MotorDuty drive = board_->drive();
   const double volts = battery_.volts();
   const Clock::time_point physics = Clock::now();
-  left_motor_.step(drive.left, volts, body_.state().left_load_n);
-  right_motor_.step(drive.right, volts, body_.state().right_load_n);
+  left_motor_.step(drive.left, volts, body_->state().left_load_n);
+  right_motor_.step(drive.right, volts, body_->state().right_load_n);
   battery_.step(std::abs(left_motor_.force_n()) + std::abs(right_motor_.force_n()));
-  body_.step(left_motor_.track_mps(), right_motor_.track_mps());
+  body_->step(left_motor_.track_mps(), right_motor_.track_mps());
   spent_.physics += Clock::now() - physics;
   inject();
-  imu_.measure(body_.state(), now_ns_);
+  imu_.measure(body_->state(), now_ns_);
 
   edges_.clear();
   left_encoder_.move(left_motor_.track_mps() * kStepS, now_ns_, until_ns, edges_);

@@ -92,10 +92,10 @@ class EmulatedRobot {
   std::vector<TimedByte> advance();
   /// Pushes the robot.
   void disturbance(double sideways_m, double yaw_rad, double duration_s);
-  bool disturbed() const { return body_.disturbed(); }
+  bool disturbed() const { return body_->disturbed(); }
 
   std::int64_t now_ns() const { return now_ns_; }
-  const BodyState& truth() const { return body_.state(); }
+  const BodyState& truth() const { return body_->state(); }
   MotorDuty drive() const { return board_->drive(); }
   double battery_v() const { return battery_.volts(); }
   const SpentTime& spent() const { return spent_; }
@@ -104,7 +104,7 @@ class EmulatedRobot {
   /// Applies the faults of sensors and board that are due now.
   void inject();
 
-  Body body_;
+  std::unique_ptr<Body> body_;
   Motor left_motor_, right_motor_;
   QuadratureEncoder left_encoder_, right_encoder_;
   Mpu6050 imu_;

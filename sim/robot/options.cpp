@@ -18,6 +18,17 @@ bridge::Setup setup_kind(const std::string& name) {
                    ": not a set-up; use stand, flat or terrain");
 }
 
+/// What the options change in the robot's file. --body is a value like any other, so that
+/// recordings have it, too.
+text::NamedValues robot_values(const Options& options) {
+  text::NamedValues values = options.robot_values;
+  if (options.body.empty()) return values;
+  if (!value_in(course::kContactLawNames, options.body))
+    throw SetupError("--body " + text::one_line(options.body) + ": not a body; use ode or shear");
+  values.emplace_back("emulated.contact_law", options.body);
+  return values;
+}
+
 // Errors in the changed text name no line of the file.
 void change(course::TextFile& file, const text::NamedValues& values) {
   if (values.empty()) return;
@@ -37,7 +48,7 @@ Loaded load(const Options& options) {
     loaded.configuration = config::parse_configuration(configuration.text, configuration.path);
   const std::string& robot = options.robot.empty() ? loaded.configuration.robot : options.robot;
   loaded.files.robot = course::read_bundled(course::Bundled::kRobots, robot);
-  change(loaded.files.robot, options.robot_values);
+  change(loaded.files.robot, robot_values(options));
   loaded.robot = course::parse_robot(loaded.files.robot.text, loaded.files.robot.path);
   loaded.setup =
       options.setup.empty() ? loaded.configuration.parameters.setup : setup_kind(options.setup);

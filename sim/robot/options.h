@@ -18,6 +18,7 @@ namespace tp100::sim {
 /// As given on the command line, or by a campaign.
 struct Options {
   std::string board = "native";
+  std::string body;    ///< ode or shear; empty: the robot file's contact_law
   std::string robot;   ///< bundled name or file; empty: the configuration's
   std::string config;  ///< file; empty: defaults
   std::string setup;   ///< empty: the configuration's

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/angle.h"
-#include "sim/body/body.h"
+#include "sim/body/ode_body.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"
 #include "sim/study/study.h"
@@ -121,11 +121,11 @@ SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, do
   const double start_m = 2.0 * values.length_m;
   const double distance_m = std::abs(track_mps) * (kRunInS + kMeasureS);
   const course::Terrain terrain = slope_of(slope_rad, 2.0 * start_m + 4.0 * distance_m);
-  Body body(values,
-            {.x_m = start_m * std::cos(slope_rad),
-             .z_m = start_m * std::sin(slope_rad),
-             .pitch_rad = -slope_rad},
-            false, terrain);
+  OdeBody body(values,
+               {.x_m = start_m * std::cos(slope_rad),
+                .z_m = start_m * std::sin(slope_rad),
+                .pitch_rad = -slope_rad},
+               false, terrain);
   const int run_in = static_cast<int>(std::lround(kRunInS * 1e9 / kPhysicsStepNs));
   const int measured = static_cast<int>(std::lround(kMeasureS * 1e9 / kPhysicsStepNs));
   for (int i = 0; i < run_in; ++i) body.step(track_mps, track_mps);

@@ -8,7 +8,7 @@
 
 #include "core/angle.h"
 #include "model/step_climb.h"
-#include "sim/body/body.h"
+#include "sim/body/ode_body.h"
 #include "sim/robot/options.h"
 #include "terrain/climbable.h"
 #include "terrain/terrain_follower.h"
@@ -150,7 +150,7 @@ ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double
   block.width_m = 4.0 * values.gauge_m;
   course::Terrain terrain;
   terrain.blocks.push_back(block);
-  Body body(values, {}, false, terrain);
+  OdeBody body(values, {}, false, terrain);
 
   const double distance_m = kRunUpM + depth_m + 2.0 * values.length_m + kBehindM;
   const double dt_s = 1e-9 * static_cast<double>(kPhysicsStepNs);

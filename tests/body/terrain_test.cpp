@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/angle.h"
-#include "sim/body/body.h"
+#include "sim/body/ode_body.h"
 
 namespace tp100::sim {
 namespace {
@@ -64,7 +64,7 @@ Drive drive(Body& body, double duration_s) {
 
 Drive over(const course::Terrain& terrain, const course::EmulatedBody& values, double duration_s,
            const Pose& start = {}) {
-  Body body(values, start, false, terrain);
+  OdeBody body(values, start, false, terrain);
   return drive(body, duration_s);
 }
 
@@ -101,8 +101,8 @@ TEST_P(BodyOnASlope, SlipsAsInThePapersTable) {
   course::EmulatedBody values;
   values.creep_left = 0.113;
   values.creep_right = 0.20;
-  Body body(values, {.x_m = kFrontM + 0.5, .z_m = 0.5 * std::tan(slope), .pitch_rad = -slope},
-            false, ramp(slope, 1.0));
+  OdeBody body(values, {.x_m = kFrontM + 0.5, .z_m = 0.5 * std::tan(slope), .pitch_rad = -slope},
+               false, ramp(slope, 1.0));
   drive(body, 0.5);
   const Pose from = body.state().pose;
   const double duration_s = 1.0;
@@ -123,8 +123,8 @@ INSTANTIATE_TEST_SUITE_P(PaperTable, BodyOnASlope,
 
 TEST(BodyOnASlope, StandsStill) {
   const double slope = 28 * kRadPerDeg;
-  Body body({}, {.x_m = kFrontM + 0.3, .z_m = 0.3 * std::tan(slope), .pitch_rad = -slope}, false,
-            ramp(slope, 0.5));
+  OdeBody body({}, {.x_m = kFrontM + 0.3, .z_m = 0.3 * std::tan(slope), .pitch_rad = -slope}, false,
+               ramp(slope, 0.5));
   const Pose before = body.state().pose;
   for (int i = 0; i < 3000; ++i) body.step(0.0, 0.0);
   EXPECT_NEAR(body.state().pose.x_m, before.x_m, 1e-4);
@@ -185,7 +185,7 @@ TEST(BodyOnTerrain, GivesTheSameBitsAndTheSolverHasNothingToSay) {
   EXPECT_EQ(a.x_m, b.x_m);
   EXPECT_EQ(a.yaw_rad, b.yaw_rad);
   EXPECT_EQ(a.pitch_rad, b.pitch_rad);
-  EXPECT_EQ(Body::solver_messages(), 0u);
+  EXPECT_EQ(OdeBody::solver_messages(), 0u);
 }
 
 TEST(BodyOnTerrain, AWallIsNotEnteredSideways) {
@@ -195,7 +195,7 @@ TEST(BodyOnTerrain, AWallIsNotEnteredSideways) {
   const Drive along = over(terrain, robot(0.022, 0.9), 4.0, {.yaw_rad = 15 * kRadPerDeg});
   EXPECT_LT(along.end.pose.y_m, 0.04);
   EXPECT_GT(along.end.pose.x_m, 0.2);
-  EXPECT_EQ(Body::solver_messages(), 0u);
+  EXPECT_EQ(OdeBody::solver_messages(), 0u);
 }
 
 TEST(BodyOnASurface, SlipsByItsOffsetAndLosesItsGripThere) {
@@ -206,7 +206,7 @@ TEST(BodyOnASurface, SlipsByItsOffsetAndLosesItsGripThere) {
                               .width_m = 1.0,
                               .friction_factor = 1.0,
                               .slip_offset = 0.1});
-  Body body({}, {.x_m = 0.3}, false, terrain);
+  OdeBody body({}, {.x_m = 0.3}, false, terrain);
   drive(body, 0.5);
   const double from = body.state().pose.x_m;
   EXPECT_NEAR(1.0 - (drive(body, 1.0).end.pose.x_m - from) / 0.1, 0.26, 0.005);

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "sim/body/body.h"
+#include "sim/body/ode_body.h"
 
 namespace tp100::sim {
 namespace {
@@ -24,7 +24,7 @@ struct DriveTrain {
     }
   }
 
-  Body body{{}, {}, false};
+  OdeBody body{{}, {}, false};
   Battery battery{{}};
   Motor left, right;
 };

@@ -1,8 +1,6 @@
 // The virtual world and the physical one share only the course's data. When the emulated body
 // drives over a ramp, both must give the same pose.
 
-#include "sim/body/body.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "core/angle.h"
 #include "model/track_model.h"
+#include "sim/body/ode_body.h"
 #include "terrain/terrain_follower.h"
 #include "terrain/world.h"
 
@@ -32,7 +31,7 @@ course::Terrain ramp_of_the_paper() {
 TEST(VirtualWorld, StandsOnThePapersRampAsTheBodyDoes) {
   const course::Terrain terrain = ramp_of_the_paper();
   const terrain::World world(terrain, {});
-  sim::Body body({}, {}, false, terrain);
+  sim::OdeBody body({}, {}, false, terrain);
   double pitch_squares = 0.0, height_squares = 0.0;
   int count = 0, tipping = 0;
   double pitch_until_now = 0.0;
@@ -81,7 +80,7 @@ struct Instant {
 std::vector<Instant> body_over_the_block() {
   course::EmulatedBody values;
   values.creep_left = values.creep_right = 0.113;
-  sim::Body body(values, {}, false, block_of_the_paper());
+  sim::OdeBody body(values, {}, false, block_of_the_paper());
   std::vector<Instant> way;
   for (int i = 1; i <= 6500; ++i) {
     body.step(kTrackMps, kTrackMps);

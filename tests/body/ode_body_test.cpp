@@ -1,4 +1,4 @@
-#include "sim/body/body.h"
+#include "sim/body/ode_body.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ BodyState drive(Body& body, double left_mps, double right_mps, double duration_s
 
 /// Wheelbase L of eq 5, measured in a spin and corrected for the slip ratios.
 double wheelbase_in_a_spin(const course::EmulatedBody& values) {
-  Body body(values, {}, false);
+  OdeBody body(values, {}, false);
   const double track = 0.08;
   const double begin = drive(body, -track, track, 0.5).pose.yaw_rad;
   const double duration_s = 2.0;
@@ -37,21 +37,21 @@ double wheelbase_in_a_spin(const course::EmulatedBody& values) {
   return 2.0 * surface * duration_s / yaw;
 }
 
-TEST(Body, SlipsOnTheFlatAsMuchAsTheRampBoardOfThePaper) {
-  Body body(end_loaded(), {}, false);
+TEST(OdeBody, SlipsOnTheFlatAsMuchAsTheRampBoardOfThePaper) {
+  OdeBody body(end_loaded(), {}, false);
   const double begin = drive(body, 0.1, 0.1, 0.5).pose.x_m;
   const double way = drive(body, 0.1, 0.1, 2.0).pose.x_m - begin;
   EXPECT_NEAR(1.0 - way / 0.2, 0.160, 0.005);
 }
 
-TEST(Body, AnEndLoadedRobotTurnsWithTheWheelbaseOfEquationSeven) {
+TEST(OdeBody, AnEndLoadedRobotTurnsWithTheWheelbaseOfEquationSeven) {
   EXPECT_NEAR(wheelbase_in_a_spin(end_loaded()), 0.274, 0.006);
 }
 
-TEST(Body, AnEndLoadedRobotTurnsWithTheSameWheelbaseAtEveryRadius) {
+TEST(OdeBody, AnEndLoadedRobotTurnsWithTheSameWheelbaseAtEveryRadius) {
   const course::EmulatedBody values = end_loaded();
   for (const double inner : {-0.05, 0.0, 0.05, 0.06}) {
-    Body body(values, {}, false);
+    OdeBody body(values, {}, false);
     const double begin = drive(body, inner, 0.1, 0.5).pose.yaw_rad;
     const double yaw = drive(body, inner, 0.1, 1.0).pose.yaw_rad - begin;
     const double surface = (0.1 - inner) * (1.0 - values.track_deficit_left);
@@ -59,11 +59,11 @@ TEST(Body, AnEndLoadedRobotTurnsWithTheSameWheelbaseAtEveryRadius) {
   }
 }
 
-TEST(Body, AUniformlyLoadedRobotTurnsMuchMoreEasily) {
+TEST(OdeBody, AUniformlyLoadedRobotTurnsMuchMoreEasily) {
   EXPECT_NEAR(wheelbase_in_a_spin(uniform()), 0.194, 0.004);
 }
 
-TEST(Body, ATrackWornSmoothAllAroundIsASlipperyTrack) {
+TEST(OdeBody, ATrackWornSmoothAllAroundIsASlipperyTrack) {
   course::EmulatedBody worn = end_loaded(), slippery = end_loaded();
   worn.slick_m = 5.0;
   worn.slick_factor = 0.4;
@@ -71,12 +71,12 @@ TEST(Body, ATrackWornSmoothAllAroundIsASlipperyTrack) {
   EXPECT_EQ(wheelbase_in_a_spin(worn), wheelbase_in_a_spin(slippery));
 }
 
-TEST(Body, AWornStretchComesRoundOncePerTrackLength) {
+TEST(OdeBody, AWornStretchComesRoundOncePerTrackLength) {
   course::EmulatedBody worn = uniform();
   worn.slick_m = 0.12;
   worn.slick_factor = 0.3;
   const double length_m = 2.0 * (worn.axle_spacing_m + kPi * worn.wheel_radius_m);
-  Body body(worn, {}, false);
+  OdeBody body(worn, {}, false);
   const double round_s = length_m / 0.1;
   double slowest = 1e9, fastest = 0.0, last = drive(body, -0.1, 0.1, 0.5).pose.yaw_rad;
   std::vector<double> turns;
@@ -92,7 +92,7 @@ TEST(Body, AWornStretchComesRoundOncePerTrackLength) {
   }
   EXPECT_GT(fastest, 1.01 * slowest);
   // Tracks that start half a revolution further on slip at other positions.
-  Body other(worn, {}, false);
+  OdeBody other(worn, {}, false);
   other.turn_tracks(length_m / 2.0, length_m / 2.0);
   drive(other, -0.1, 0.1, 0.5);
   const double from = other.state().pose.yaw_rad;
@@ -102,8 +102,8 @@ TEST(Body, AWornStretchComesRoundOncePerTrackLength) {
   EXPECT_NEAR(drive(body, 0.0, 0.0, 1.0).pose.yaw_rad, last, 0.05);
 }
 
-TEST(Body, StandsStill) {
-  Body body(end_loaded(), {.x_m = 0.3, .y_m = -0.2, .yaw_rad = 1.0}, false);
+TEST(OdeBody, StandsStill) {
+  OdeBody body(end_loaded(), {.x_m = 0.3, .y_m = -0.2, .yaw_rad = 1.0}, false);
   const BodyState state = drive(body, 0.0, 0.0, 5.0);
   EXPECT_NEAR(state.pose.x_m, 0.3, 1e-6);
   EXPECT_NEAR(state.pose.y_m, -0.2, 1e-6);
@@ -112,10 +112,10 @@ TEST(Body, StandsStill) {
   EXPECT_NEAR(state.pose.pitch_rad, 0.0, 1e-4);
 }
 
-TEST(Body, TheSameCallsGiveTheSameBitsWhateverOtherBodiesDo) {
-  Body alone(end_loaded(), {}, false);
-  Body one(end_loaded(), {}, false);
-  Body other(uniform(), {}, false);
+TEST(OdeBody, TheSameCallsGiveTheSameBitsWhateverOtherBodiesDo) {
+  OdeBody alone(end_loaded(), {}, false);
+  OdeBody one(end_loaded(), {}, false);
+  OdeBody other(uniform(), {}, false);
   for (int i = 0; i < 800; ++i) alone.step(0.1, 0.05);
   for (int i = 0; i < 800; ++i) {
     one.step(0.1, 0.05);
@@ -126,9 +126,9 @@ TEST(Body, TheSameCallsGiveTheSameBitsWhateverOtherBodiesDo) {
   EXPECT_EQ(alone.state().pose.yaw_rad, one.state().pose.yaw_rad);
 }
 
-TEST(Body, BodiesInThreadsDoNotInfluenceEachOther) {
+TEST(OdeBody, BodiesInThreadsDoNotInfluenceEachOther) {
   const auto end_of_run = [](double left_mps) {
-    Body body(uniform(), {}, false);
+    OdeBody body(uniform(), {}, false);
     return drive(body, left_mps, 0.1, 0.3).pose;
   };
   const Pose alone = end_of_run(0.05);
@@ -141,10 +141,10 @@ TEST(Body, BodiesInThreadsDoNotInfluenceEachOther) {
   EXPECT_EQ(alone.yaw_rad, beside.yaw_rad);
 }
 
-TEST(Body, StandsStillTiltedWhenItsMassIsOffTheMiddle) {
+TEST(OdeBody, StandsStillTiltedWhenItsMassIsOffTheMiddle) {
   course::EmulatedBody values = end_loaded();
   values.com_forward_m = 0.005;
-  Body body(values, {.x_m = 0.1, .y_m = 0.2, .yaw_rad = -2.0}, false);
+  OdeBody body(values, {.x_m = 0.1, .y_m = 0.2, .yaw_rad = -2.0}, false);
   const double pitch = body.state().pose.pitch_rad;
   EXPECT_GT(pitch, 1e-4) << "nose down";
   const Pose pose = drive(body, 0.0, 0.0, 2.0).pose;
@@ -154,8 +154,8 @@ TEST(Body, StandsStillTiltedWhenItsMassIsOffTheMiddle) {
   EXPECT_NEAR(pose.pitch_rad, pitch, 1e-4);
 }
 
-TEST(Body, YawRunsOnBeyondOneTurn) {
-  Body body(uniform(), {.yaw_rad = 3.0}, false);
+TEST(OdeBody, YawRunsOnBeyondOneTurn) {
+  OdeBody body(uniform(), {.yaw_rad = 3.0}, false);
   double last = 3.0;
   for (int i = 0; i < 2500; ++i) {
     body.step(-0.2, 0.2);
@@ -165,8 +165,8 @@ TEST(Body, YawRunsOnBeyondOneTurn) {
   EXPECT_GT(last, 3.0 + 4.0);
 }
 
-TEST(Body, TheAccelerometerFeelsTheStartAndNothingAfterwards) {
-  Body body(end_loaded(), {}, false);
+TEST(OdeBody, TheAccelerometerFeelsTheStartAndNothingAfterwards) {
+  OdeBody body(end_loaded(), {}, false);
   double gained = 0.0;
   for (int i = 0; i < 500; ++i) {
     body.step(0.1 * std::min(1.0, i / 200.0), 0.1 * std::min(1.0, i / 200.0));
@@ -176,9 +176,9 @@ TEST(Body, TheAccelerometerFeelsTheStartAndNothingAfterwards) {
   EXPECT_NEAR(body.state().specific_force_mps2[0], 0.0, 0.02);
 }
 
-TEST(Body, LeftAndRightAreMirrorImages) {
-  Body left(end_loaded(), {}, false);
-  Body right(end_loaded(), {}, false);
+TEST(OdeBody, LeftAndRightAreMirrorImages) {
+  OdeBody left(end_loaded(), {}, false);
+  OdeBody right(end_loaded(), {}, false);
   const Pose a = drive(left, 0.06, 0.1, 2.0).pose;
   const Pose b = drive(right, 0.1, 0.06, 2.0).pose;
   EXPECT_NEAR(a.x_m, b.x_m, 1e-5);
@@ -187,8 +187,8 @@ TEST(Body, LeftAndRightAreMirrorImages) {
   EXPECT_GT(a.yaw_rad, 0.1);
 }
 
-TEST(Body, ADisturbanceMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
-  Body body(end_loaded(), {}, false);
+TEST(OdeBody, ADisturbanceMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
+  OdeBody body(end_loaded(), {}, false);
   drive(body, 0.1, 0.1, 1.0);
   const Pose before = body.state().pose;
   body.disturbance(0.04, 15 * kRadPerDeg, 0.3);
@@ -206,31 +206,31 @@ TEST(Body, ADisturbanceMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
               0.006);
 }
 
-TEST(Body, OnAStandNothingMoves) {
-  Body body(end_loaded(), {}, true);
+TEST(OdeBody, OnAStandNothingMoves) {
+  OdeBody body(end_loaded(), {}, true);
   const BodyState state = drive(body, 0.1, -0.1, 1.0);
   EXPECT_EQ(state.pose.x_m, 0.0);
   EXPECT_EQ(state.pose.yaw_rad, 0.0);
   EXPECT_EQ(state.left_load_n, 0.0);
 }
 
-TEST(Body, SpinningTracksFeelTheGround) {
-  Body body(end_loaded(), {}, false);
+TEST(OdeBody, SpinningTracksFeelTheGround) {
+  OdeBody body(end_loaded(), {}, false);
   const BodyState state = drive(body, -0.08, 0.08, 1.0);
   EXPECT_GT(state.right_load_n, 0.5);
   EXPECT_LT(state.left_load_n, -0.5);
 }
 
-TEST(Body, TheSolverHasNothingToSay) {
+TEST(OdeBody, TheSolverHasNothingToSay) {
   for (const course::EmulatedBody& values : {end_loaded(), uniform()}) {
-    Body body(values, {}, false);
+    OdeBody body(values, {}, false);
     drive(body, 0.2, 0.2, 0.2);
     drive(body, -0.2, 0.2, 0.2);
     body.disturbance(0.04, 0.26, 0.1);
     drive(body, 0.0, 0.1, 0.2);
     drive(body, 0.0, 0.0, 0.2);
   }
-  EXPECT_EQ(Body::solver_messages(), 0u);
+  EXPECT_EQ(OdeBody::solver_messages(), 0u);
 }
 
 }  // namespace

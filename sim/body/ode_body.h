@@ -1,0 +1,38 @@
+#pragma once
+// One rigid body on two tracks, contact physics by ODE: floor, ramps and blocks.
+
+#include <cstdint>
+#include <memory>
+
+#include "core/pose.h"
+#include "course/robot.h"
+#include "course/terrain.h"
+#include "sim/body/body.h"
+
+namespace tp100::sim {
+
+/// One body in one ODE world. Each track's deficit is applied inside: its surface is slower than
+/// its encoder indicates.
+class OdeBody final : public Body {
+ public:
+  /// As make_body has it, on any terrain.
+  OdeBody(const course::EmulatedBody& values, const Pose& start, bool on_stand,
+          const course::Terrain& terrain = {});
+  ~OdeBody() override;
+  OdeBody(OdeBody&&) noexcept;
+
+  void step(double left_track_mps, double right_track_mps) override;
+  void turn_tracks(double left_m, double right_m) override;
+  void disturbance(double sideways_m, double yaw_rad, double duration_s) override;
+  bool disturbed() const override;
+  const BodyState& state() const override;
+
+  /// Messages that the solver has printed in this process, of all bodies; 0 in a sound run.
+  static std::uint64_t solver_messages();
+
+ private:
+  struct World;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace tp100::sim

@@ -1,0 +1,344 @@
+#include "sim/body/shear_body.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "core/angle.h"
+#include "core/error.h"
+
+namespace tp100::sim {
+namespace {
+
+course::Emulated robot(double modulus_m = 0.001, double unevenness = 0.0) {
+  course::Emulated values;
+  values.contact_law = course::ContactLaw::kShear;
+  values.shear.modulus_m = modulus_m;
+  values.shear.pressure_unevenness = unevenness;
+  return values;
+}
+
+const BodyState& drive(Body& body, double left_mps, double right_mps, double duration_s) {
+  const int steps = static_cast<int>(std::lround(duration_s * 1000));
+  for (int i = 0; i < steps; ++i) body.step(left_mps, right_mps);
+  return body.state();
+}
+
+double slip_straight(const course::Emulated& values) {
+  ShearBody body(values, {}, false);
+  const double begin = drive(body, 0.1, 0.1, 1.0).pose.x_m;
+  return 1.0 - (drive(body, 0.1, 0.1, 1.0).pose.x_m - begin) / 0.1;
+}
+
+double wheelbase_in_a_spin(const course::Emulated& values, double track_mps = 0.08) {
+  ShearBody body(values, {}, false);
+  const double begin = drive(body, -track_mps, track_mps, 2.0).pose.yaw_rad;
+  const double duration_s = 2.0;
+  const double yaw = drive(body, -track_mps, track_mps, duration_s).pose.yaw_rad - begin;
+  return 2.0 * track_mps * duration_s / yaw;
+}
+
+/// Both tracks as lines under an even load with Coulomb friction, in a steady spin: each slides
+/// about a point `out_m` outside its centre line, where the moments of the forces along and across
+/// it are balanced.
+double wheelbase_by_coulomb(double length_m, double gauge_m) {
+  double low = 0.0, high = length_m;
+  for (int i = 0; i < 60; ++i) {
+    const double out_m = (low + high) / 2.0;
+    constexpr int kParts = 2000;
+    double driving = 0.0, resisting = 0.0;
+    for (int k = 0; k < kParts; ++k) {
+      const double x_m = length_m * ((k + 0.5) / kParts - 0.5);
+      driving += gauge_m / 2.0 * out_m / std::hypot(out_m, x_m);
+      resisting += x_m * x_m / std::hypot(out_m, x_m);
+    }
+    (driving < resisting ? low : high) = out_m;
+  }
+  return gauge_m + 2.0 * low;
+}
+
+TEST(ShearBody, SlipsMoreUnderMoreLoadAndOnSofterGround) {
+  course::Emulated values = robot();
+  const double light = slip_straight(values);
+  EXPECT_GT(light, 0.0);
+  values.shear.motion_resistance = 0.12;
+  EXPECT_GT(slip_straight(values), 1.8 * light);
+  // Cohesion carries a part of the load, and less of a heavier one.
+  values = robot();
+  values.shear.cohesion_pa = 500.0;
+  const double helped = slip_straight(values);
+  EXPECT_LT(helped, 0.8 * light);
+  values.body.mass_kg *= 3.0;
+  EXPECT_GT(slip_straight(values), 1.2 * helped);
+}
+
+TEST(ShearBody, SlipsStraightAheadAsTheLawIntegratedAlongTheTrack) {
+  const course::Emulated values = robot(0.005);
+  const double slip = slip_straight(values);
+  // A shoe has slid by slip * x after the distance x from the front.
+  const double ratio = slip * values.body.axle_spacing_m / values.shear.modulus_m;
+  const double mobilised = 1.0 - (1.0 - std::exp(-ratio)) / ratio;
+  EXPECT_NEAR(values.body.friction * mobilised, values.shear.motion_resistance, 0.003);
+}
+
+TEST(ShearBody, TurnsOnHardGroundAsCoulombFrictionHasIt) {
+  course::Emulated values = robot(0.0001);
+  values.shear.motion_resistance = 0.0;
+  const double expected = wheelbase_by_coulomb(values.body.axle_spacing_m, values.body.gauge_m);
+  EXPECT_NEAR(wheelbase_in_a_spin(values), expected, 0.01 * expected);
+  EXPECT_NEAR(wheelbase_in_a_spin(values, 0.04), expected, 0.01 * expected) << "at any speed";
+}
+
+TEST(ShearBody, TurnsHarderThanItsGaugeAndHarderYetWithItsLoadAtTheEnds) {
+  const double even = wheelbase_in_a_spin(robot());
+  EXPECT_GT(even, 1.1 * robot().body.gauge_m);
+  EXPECT_GT(wheelbase_in_a_spin(robot(0.001, 0.9)), 1.15 * even);
+}
+
+/// Distance that the tracks go until the yaw rate has come to 63 % of what it will be.
+double travel_until_turning(double modulus_m) {
+  ShearBody settled(robot(modulus_m), {}, false);
+  const double track_mps = 0.08;
+  const double before = drive(settled, -track_mps, track_mps, 4.0).pose.yaw_rad;
+  const double steady = drive(settled, -track_mps, track_mps, 2.0).pose.yaw_rad - before;
+  ShearBody body(robot(modulus_m), {}, false);
+  for (int i = 0; i < 4000; ++i) {
+    body.step(-track_mps, track_mps);
+    if (body.state().rate_radps[2] > 0.63 * steady / 2.0) return i * track_mps * 1e-3;
+  }
+  return 1e9;
+}
+
+TEST(ShearBody, ATurnNeedsTravelToBuildUp) {
+  const double hard = travel_until_turning(0.001);
+  const double soft = travel_until_turning(0.005);
+  const double softer = travel_until_turning(0.025);
+  EXPECT_GT(soft, 1.5 * hard);
+  EXPECT_GT(softer, 1.5 * soft);
+  EXPECT_GT(softer, 0.2 * 0.025);
+  EXPECT_LT(softer, 3.0 * 0.025);
+}
+
+TEST(ShearBody, TheGroundNeverHoldsMoreThanFriction) {
+  course::Emulated values = robot(0.0005, 0.6);
+  values.body.com_forward_m = 0.012;
+  values.shear.motion_resistance = 0.0;
+  ShearBody body(values, {}, false);
+  const double limit_mps2 = values.body.friction * kGravityMps2;
+  double hardest_mps2 = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    // Full speed ahead, on the spot, back: whatever the tracks do.
+    body.step(i % 700 < 350 ? 1.0 : -1.0, i % 500 < 250 ? 1.0 : -0.5);
+    const BodyState& state = body.state();
+    const double felt_mps2 = std::hypot(state.specific_force_mps2[0], state.specific_force_mps2[1]);
+    ASSERT_LE(felt_mps2, limit_mps2 * (1.0 + 1e-9)) << i;
+    hardest_mps2 = std::max(hardest_mps2, felt_mps2);
+    const double weight_n = values.body.mass_kg * kGravityMps2;
+    ASSERT_LE(std::abs(state.left_load_n) + std::abs(state.right_load_n),
+              values.body.friction * weight_n * (1.0 + 1e-9));
+  }
+  EXPECT_GT(hardest_mps2, 0.9 * limit_mps2);
+}
+
+TEST(ShearBody, NothingMovesAtRestAndAStoppedBodySettles) {
+  course::Emulated values = robot();
+  values.body.com_forward_m = 0.01;
+  values.body.com_left_m = -0.004;
+  ShearBody body(values, {.x_m = 0.3, .y_m = -0.2, .yaw_rad = 1.0}, false);
+  const Pose begin = body.state().pose;
+  EXPECT_NEAR(begin.x_m, 0.3, 1e-15);
+  EXPECT_NEAR(begin.y_m, -0.2, 1e-15);
+  const Pose end = drive(body, 0.0, 0.0, 2.0).pose;
+  EXPECT_EQ(begin.x_m, end.x_m);
+  EXPECT_EQ(begin.y_m, end.y_m);
+  EXPECT_EQ(begin.yaw_rad, end.yaw_rad);
+  EXPECT_EQ(body.state().specific_force_mps2[2], kGravityMps2);
+  drive(body, -0.1, 0.1, 1.0);
+  const double stopped = drive(body, 0.0, 0.0, 0.5).pose.yaw_rad;
+  EXPECT_NEAR(drive(body, 0.0, 0.0, 2.0).pose.yaw_rad, stopped, 1e-3);
+}
+
+/// Energy of the body's motion less the work of the tracks since the start: what the ground has
+/// given, if it is above 0.
+TEST(ShearBody, TheGroundGivesNoEnergy) {
+  for (const double modulus_m : {0.001, 0.025}) {
+    course::Emulated values = robot(modulus_m, 0.6);
+    ShearBody body(values, {}, false);
+    const double inertia = values.body.mass_kg *
+                           (std::pow(values.body.length_m, 2) + std::pow(values.body.width_m, 2)) /
+                           12.0;
+    double work_j = 0.0;
+    for (int i = 0; i < 6000; ++i) {
+      const double left = i % 2000 < 1000 ? 0.1 : -0.1, right = i % 1500 < 750 ? 0.1 : -0.05;
+      body.step(i < 5000 ? left : 0.0, i < 5000 ? right : 0.0);
+      const BodyState& state = body.state();
+      if (i < 5000) work_j += (state.left_load_n * left + state.right_load_n * right) * 1e-3;
+      const double moving_j =
+          values.body.mass_kg / 2.0 *
+              (std::pow(state.velocity_mps[0], 2) + std::pow(state.velocity_mps[1], 2)) +
+          inertia / 2.0 * std::pow(state.rate_radps[2], 2);
+      ASSERT_LE(moving_j, work_j + 1e-3) << i;
+    }
+  }
+}
+
+TEST(ShearBody, LeftAndRightAreExactMirrorImages) {
+  course::Emulated values = robot(0.002, 0.6), mirrored = values;
+  values.body.com_left_m = 0.004;
+  mirrored.body.com_left_m = -0.004;
+  ShearBody left(values, {}, false);
+  ShearBody right(mirrored, {}, false);
+  left.disturbance(0.02, 0.1, 0.3);
+  right.disturbance(-0.02, -0.1, 0.3);
+  const BodyState& a = drive(left, 0.06, 0.1, 2.0);
+  const BodyState& b = drive(right, 0.1, 0.06, 2.0);
+  EXPECT_EQ(a.pose.x_m, b.pose.x_m);
+  EXPECT_EQ(a.pose.y_m, -b.pose.y_m);
+  EXPECT_EQ(a.pose.yaw_rad, -b.pose.yaw_rad);
+  EXPECT_EQ(a.left_load_n, b.right_load_n);
+  EXPECT_GT(a.pose.yaw_rad, 0.1);
+}
+
+TEST(ShearBody, TheSameCallsGiveTheSameBits) {
+  ShearBody one(robot(), {}, false);
+  ShearBody other(robot(), {}, false);
+  ShearBody beside(robot(0.005), {}, false);
+  for (int i = 0; i < 2000; ++i) {
+    one.step(0.1, 0.05);
+    other.step(0.1, 0.05);
+    beside.step(-0.1, 0.05);
+  }
+  EXPECT_EQ(one.state().pose.x_m, other.state().pose.x_m);
+  EXPECT_EQ(one.state().pose.y_m, other.state().pose.y_m);
+  EXPECT_EQ(one.state().pose.yaw_rad, other.state().pose.yaw_rad);
+}
+
+TEST(ShearBody, ADisturbanceMovesItAsFarAsAskedAndTheGyroSeesTheTurn) {
+  course::Emulated values = robot();
+  values.body.com_forward_m = 0.012;
+  ShearBody body(values, {.yaw_rad = 0.5}, false);
+  body.disturbance(0.04, 15 * kRadPerDeg, 0.3);
+  double turned = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    EXPECT_TRUE(body.disturbed());
+    body.step(0.0, 0.0);
+    turned += body.state().rate_radps[2] * 1e-3;
+  }
+  EXPECT_FALSE(body.disturbed());
+  const Pose& after = body.state().pose;
+  EXPECT_NEAR(after.yaw_rad - 0.5, 15 * kRadPerDeg, 1e-9);
+  EXPECT_NEAR(turned, 15 * kRadPerDeg, 1e-9);
+  EXPECT_NEAR(std::hypot(after.x_m, after.y_m), 0.04, 0.0002);
+  EXPECT_GT(-std::sin(0.5) * after.x_m + std::cos(0.5) * after.y_m, 0.039);
+}
+
+TEST(ShearBody, TheAccelerometerFeelsTheStartAndTheCurve) {
+  ShearBody body(robot(), {}, false);
+  double gained = 0.0;
+  for (int i = 0; i < 500; ++i) {
+    const double track_mps = 0.1 * std::min(1.0, i / 200.0);
+    body.step(track_mps, track_mps);
+    gained += body.state().specific_force_mps2[0] * 1e-3;
+  }
+  EXPECT_NEAR(gained, body.state().velocity_mps[0], 1e-6);
+  EXPECT_NEAR(gained, 0.1, 0.001);
+  drive(body, 0.05, 0.1, 3.0);
+  double sideways = 0.0, expected = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    body.step(0.05, 0.1);
+    const BodyState& state = body.state();
+    sideways += state.specific_force_mps2[1] * 1e-3;
+    expected +=
+        state.rate_radps[2] * std::hypot(state.velocity_mps[0], state.velocity_mps[1]) * 1e-3;
+  }
+  EXPECT_NEAR(sideways, expected, 0.02 * expected);
+}
+
+TEST(ShearBody, MassAheadPullsTheTurningCentreAhead) {
+  course::Emulated values = robot(0.001, 0.6);
+  values.body.com_forward_m = 0.012;
+  ShearBody body(values, {}, false);
+  drive(body, -0.08, 0.08, 2.0);
+  const BodyState& state = drive(body, -0.08, 0.08, 0.001);
+  const double yaw = state.pose.yaw_rad;
+  const double sideways_mps =
+      -std::sin(yaw) * state.velocity_mps[0] + std::cos(yaw) * state.velocity_mps[1];
+  EXPECT_GT(-sideways_mps / state.rate_radps[2], 0.005);
+}
+
+TEST(ShearBody, OfASurfaceOnlyTheFrictionCounts) {
+  course::Surface everywhere{.name = "oil", .length_m = 20.0, .width_m = 20.0};
+  course::Terrain terrain;
+  everywhere.slip_offset = 0.3;
+  terrain.surfaces = {everywhere};
+  ShearBody plain(robot(), {}, false);
+  ShearBody offset(robot(), {}, false, terrain);
+  EXPECT_EQ(drive(plain, 0.05, 0.1, 1.0).pose.yaw_rad, drive(offset, 0.05, 0.1, 1.0).pose.yaw_rad);
+  terrain.surfaces.front().friction_factor = 0.3;
+  course::Emulated slippery = robot();
+  slippery.body.friction *= 0.3;
+  ShearBody oiled(robot(), {}, false, terrain);
+  ShearBody smooth(slippery, {}, false);
+  EXPECT_EQ(drive(oiled, 0.05, 0.1, 1.0).pose.yaw_rad, drive(smooth, 0.05, 0.1, 1.0).pose.yaw_rad);
+  EXPECT_NE(oiled.state().pose.yaw_rad, plain.state().pose.yaw_rad);
+}
+
+TEST(ShearBody, KnowsNothingOfTheOtherBodysTerms) {
+  course::Emulated other = robot();
+  other.body.track_deficit_left = 0.4;
+  other.body.creep_right = 1.5;
+  other.body.mid_lift_m = 0.004;
+  ShearBody one(robot(), {}, false), two(other, {}, false);
+  EXPECT_EQ(drive(one, 0.05, 0.1, 1.0).pose.yaw_rad, drive(two, 0.05, 0.1, 1.0).pose.yaw_rad);
+}
+
+TEST(ShearBody, AWornStretchComesRoundOncePerTrackLength) {
+  course::Emulated values = robot();
+  values.body.slick_m = 0.12;
+  values.body.slick_factor = 0.3;
+  ShearBody body(values, {}, false);
+  ShearBody other(values, {}, false);
+  other.turn_tracks(0.2, 0.2);
+  const double begin = drive(body, -0.1, 0.1, 1.0).pose.yaw_rad;
+  const double other_begin = drive(other, -0.1, 0.1, 1.0).pose.yaw_rad;
+  EXPECT_NE(drive(body, -0.1, 0.1, 1.0).pose.yaw_rad - begin,
+            drive(other, -0.1, 0.1, 1.0).pose.yaw_rad - other_begin);
+  course::Emulated worn = robot(), slippery = robot();
+  worn.body.slick_m = 5.0;
+  worn.body.slick_factor = 0.4;
+  slippery.body.friction *= 0.4;
+  EXPECT_EQ(wheelbase_in_a_spin(worn), wheelbase_in_a_spin(slippery));
+}
+
+TEST(ShearBody, OnAStandNothingMoves) {
+  ShearBody body(robot(), {}, true);
+  const BodyState& state = drive(body, 0.1, -0.1, 1.0);
+  EXPECT_EQ(state.pose.x_m, 0.0);
+  EXPECT_EQ(state.pose.yaw_rad, 0.0);
+  EXPECT_EQ(state.left_load_n, 0.0);
+  EXPECT_EQ(state.specific_force_mps2[2], kGravityMps2);
+}
+
+TEST(ShearBody, RefusesWhatIsNotLevelByNameAndPlace) {
+  course::Terrain terrain;
+  terrain.blocks.push_back(
+      {.place = {.x_m = 1.25, .y_m = -0.5}, .height_m = 0.03, .depth_m = 0.1, .width_m = 0.4});
+  try {
+    make_body(robot(), {}, false, terrain);
+    FAIL();
+  } catch (const SetupError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("--body shear"), std::string::npos) << text;
+    EXPECT_NE(text.find("block at (1.25, -0.5)"), std::string::npos) << text;
+    EXPECT_NE(text.find("--setup flat"), std::string::npos) << text;
+  }
+  course::Emulated ode = robot();
+  ode.contact_law = course::ContactLaw::kOde;
+  EXPECT_NE(make_body(ode, {}, false, terrain), nullptr);
+}
+
+}  // namespace
+}  // namespace tp100::sim
