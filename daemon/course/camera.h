@@ -16,6 +16,7 @@ struct EmulatedCamera {
   double delay_s = 0.060;         ///< from the image to the sample's arrival
   double delay_jitter_s = 0.008;  ///< standard deviation of that
   double stamp_error_s = 0.001;   ///< standard deviation of the time stamp
+  double stamp_lag_s = 0.0;       ///< the time stamp is later than the image by this, always
   double noise_m = 0.0015;        ///< standard deviation per axis
   double noise_rad = 0.4 * kRadPerDeg;
   double bias_m = 0.0015;     ///< constant error of the position, its direction by the seed
@@ -29,6 +30,8 @@ struct EmulatedCamera {
   double offset_y_m = 0.0;
   double marker_height_m = 0.06;  ///< above the reference point; also the plane it measures in
   double marker_size_m = 0.10;
+  double distortion = 0.0;  ///< radial error left after calibration, at a distance of height_m
+  double view_m = 0.0;      ///< radius of the floor that it sees; 0: all of it
 };
 
 /// Keys of an overhead camera's place and of the marker's height, which a camera file and the
@@ -57,7 +60,7 @@ std::array<text::Key<T>, 4> camera_mount_keys() {
 /// Pure: reads no file itself.
 EmulatedCamera parse_camera(const std::string& text, const std::string& file);
 
-/// A commented file that parse_camera reads back.
-std::string write_camera(const EmulatedCamera& values);
+/// A commented file that parse_camera reads back. `note` becomes the comment at its head.
+std::string write_camera(const EmulatedCamera& values, const std::string& note);
 
 }  // namespace tp100::course

@@ -13,7 +13,7 @@ constexpr double kMs = 1e-3;
 std::span<const text::Key<EmulatedCamera>> keys() {
   using T = EmulatedCamera;
   static const auto mount = camera_mount_keys<T>();
-  static const std::array<text::Key<T>, 17> kKeys = {{
+  static const std::array<text::Key<T>, 20> kKeys = {{
       {"rate_hz", &T::rate_hz, {1, 500}, "Images per second"},
       {"delay_ms", &T::delay_s, {5, 400}, "Delay from an image to the arrival of its sample", kMs},
       {"delay_jitter_ms", &T::delay_jitter_s, {0, 100}, "Standard deviation of that delay", kMs},
@@ -21,6 +21,11 @@ std::span<const text::Key<EmulatedCamera>> keys() {
        &T::stamp_error_s,
        {0, 50},
        "Standard deviation of the time stamp of an image",
+       kMs},
+      {"stamp_lag_ms",
+       &T::stamp_lag_s,
+       {0, 100},
+       "Constant part of that error: the time stamp is later than the image",
        kMs},
       {"noise_m", &T::noise_m, {0, 0.1}, "Standard deviation of the position, per axis"},
       {"noise_deg", &T::noise_rad, {0, 20}, "Standard deviation of the direction", kDeg},
@@ -41,6 +46,15 @@ std::span<const text::Key<EmulatedCamera>> keys() {
       mount[2],
       mount[3],
       {"marker_size_m", &T::marker_size_m, {0.01, 0.5}, "Side of the marker"},
+      {"distortion",
+       &T::distortion,
+       {-0.2, 0.2},
+       "Radial lens error that the calibration left, in parts of the distance from the middle of "
+       "the image; at a distance of height_m, and with its square"},
+      {"view_m",
+       &T::view_m,
+       {0, 50},
+       "Radius around the lens in which it sees the marker; 0: everywhere"},
   }};
   return kKeys;
 }
@@ -56,11 +70,8 @@ EmulatedCamera parse_camera(const std::string& text, const std::string& file) {
   return values;
 }
 
-std::string write_camera(const EmulatedCamera& values) {
-  return text::toml_comment(
-             "An emulated overhead camera, with every key at its default. The daemon's settings "
-             "for the camera are in the configuration's [camera], not here.") +
-         "\n" + text::write_keys(keys(), values);
+std::string write_camera(const EmulatedCamera& values, const std::string& note) {
+  return text::toml_comment(note) + "\n" + text::write_keys(keys(), values);
 }
 
 }  // namespace tp100::course

@@ -36,7 +36,11 @@ OverheadCamera::Image OverheadCamera::image(const Pose& body, double forward_m, 
   const double x = body.x_m + cy * ahead - sy * left;
   const double y = body.y_m + sy * ahead + cy * left;
   const double stretch = (values_.height_m - values_.marker_height_m) / (values_.height_m - z);
-  return {x_m_ + (x - x_m_) * stretch, y_m_ + (y - y_m_) * stretch};
+  const double image_x = (x - x_m_) * stretch, image_y = (y - y_m_) * stretch;
+  const double tangent2 =
+      (image_x * image_x + image_y * image_y) / (values_.height_m * values_.height_m);
+  const double distorted = 1.0 + values_.distortion * tangent2;
+  return {x_m_ + image_x * distorted, y_m_ + image_y * distorted};
 }
 
 void OverheadCamera::look(const Pose& truth, std::int64_t now_ns) {
@@ -54,7 +58,7 @@ void OverheadCamera::look(const Pose& truth, std::int64_t now_ns) {
   sample.y_m = middle.y_m + bias_y_m_ + values_.noise_m * normal();
   sample.yaw_rad = wrap_angle(std::atan2(front.y_m - back.y_m, front.x_m - back.x_m) +
                               values_.noise_rad * normal());
-  sample.measured_ns = now_ns + from_s(values_.stamp_error_s * normal());
+  sample.measured_ns = now_ns + from_s(values_.stamp_lag_s + values_.stamp_error_s * normal());
   sample.sequence = frames_;
   const double delay_s =
       std::max(kShortestDelayS, values_.delay_s + values_.delay_jitter_s * normal());
@@ -64,7 +68,9 @@ void OverheadCamera::look(const Pose& truth, std::int64_t now_ns) {
     sample.yaw_rad = kPi * (2.0 * uniform() - 1.0);
   }
   const double seen_s = due_s - first_frame_s_ - values_.blind_from_s;
-  if (dropped || (seen_s >= 0.0 && seen_s < values_.blind_s)) return;
+  const bool outside =
+      values_.view_m > 0.0 && std::hypot(truth.x_m - x_m_, truth.y_m - y_m_) > values_.view_m;
+  if (dropped || outside || (seen_s >= 0.0 && seen_s < values_.blind_s)) return;
   std::int64_t at_ns = now_ns + from_s(delay_s);
   if (!under_way_.empty()) at_ns = std::max(at_ns, under_way_.back().at_ns);
   under_way_.push_back({at_ns, sample});

@@ -28,8 +28,8 @@ void read_robot(const std::string& text) {
 }
 
 void read_camera(const std::string& text) {
-  const std::string written = course::write_camera(course::parse_camera(text, "fuzz"));
-  require(course::write_camera(course::parse_camera(written, "fuzz")) == written,
+  const std::string written = course::write_camera(course::parse_camera(text, "fuzz"), "");
+  require(course::write_camera(course::parse_camera(written, "fuzz"), "") == written,
           "a camera comes back as it was");
 }
 

@@ -41,6 +41,25 @@ TEST(OverheadCamera, SeesARobotOnTheFloorWhereItIs) {
   EXPECT_NEAR(taken.sample.yaw_rad, 2.0, 1e-12);
 }
 
+TEST(OverheadCamera, ALensErrorGrowsWithTheCubeOfTheDistance) {
+  course::EmulatedCamera values = perfect();
+  values.distortion = 0.02;
+  const double near_m = watch(values, {.x_m = 0.5}, 1.0).back().sample.x_m - 0.5;
+  EXPECT_NEAR(near_m, 0.02 * 0.5 * (0.5 * 0.5) / (2.5 * 2.5), 1e-9);
+  EXPECT_NEAR(watch(values, {.x_m = 1.0}, 1.0).back().sample.x_m - 1.0, 8.0 * near_m, 1e-9);
+}
+
+TEST(OverheadCamera, SeesNothingOutsideItsViewAndStampsTooLate) {
+  course::EmulatedCamera values = perfect();
+  values.view_m = 1.0;
+  EXPECT_TRUE(watch(values, {.x_m = 1.01}, 1.0).empty());
+  const std::vector<Taken> punctual = watch(values, {.x_m = 0.99}, 1.0);
+  ASSERT_FALSE(punctual.empty());
+  values.stamp_lag_s = 0.02;
+  EXPECT_EQ(watch(values, {.x_m = 0.99}, 1.0).at(0).sample.measured_ns,
+            punctual.at(0).sample.measured_ns + from_s(0.02));
+}
+
 TEST(OverheadCamera, ReportsAtItsRateLateInOrderAndWithGaps) {
   const std::vector<Taken> taken = watch({}, {}, 100.0);
   EXPECT_NEAR(static_cast<double>(taken.size()), 3300 * 0.97, 40.0);
