@@ -138,6 +138,11 @@ int run(int argc, char** argv) {
                    "bundled), avr (course 3 on the image) or all")
       ->type_name("PART")
       ->capture_default_str();
+  reproduce_app
+      ->add_option("--body", reproduce.body,
+                   "ode, or shear: every robot identified on the other contact law, then driven on "
+                   "courses that no calibration drives (default: ode)")
+      ->type_name("BODY");
   reproduce_app->add_option("--seed", reproduce.seed, "First seed")
       ->type_name("NUMBER")
       ->capture_default_str();

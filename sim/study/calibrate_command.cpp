@@ -124,6 +124,17 @@ Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed) {
   return calibration;
 }
 
+course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t seed,
+                               const std::string& folder) {
+  const identify::Identification found = calibrate(loaded, repeats, seed).found;
+  const std::string path = folder + "/" + loaded.robot.name + ".toml";
+  const std::string text = course::write_robot(identify::identified_robot(found, loaded.robot, {}),
+                                               identify::identified_note(found, {}, {}));
+  text::write_file(path, text);
+  // A reader of the file gets the same robot.
+  return course::parse_robot(text, path);
+}
+
 bool Calibration::holds(model::TrackParameter parameter) const {
   const identify::Estimate& estimate = found.extended[parameter];
   return estimate.found && std::abs(estimate.value - truth.*parameter) <= estimate.half_interval;

@@ -34,6 +34,11 @@ struct Calibration {
 /// noise. Throws SetupError.
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
 
+/// The robot with what its calibration found, as its file `<name>.toml` has it, which this writes
+/// into `folder`. Throws SetupError.
+course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t seed,
+                               const std::string& folder);
+
 /// One line of JSON: found value, half of the 95 % interval and true value of every parameter, in
 /// the units of robot files; null for what the drives could not show.
 std::string calibration_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,

@@ -8,11 +8,11 @@
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/path.h"
-#include "identify/identify_report.h"
 #include "report/run_result.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"
 #include "sim/study/sampled.h"
+#include "sim/study/shear_study.h"
 #include "sim/study/state_study.h"
 #include "terrain/climbable.h"
 #include "text/atomic_file.h"
@@ -124,14 +124,7 @@ void drive_sampled(const ReproduceCommand& command, Reproduction& what) {
     const std::uint64_t number = kSampledNumber + command.seed + static_cast<std::uint64_t>(i);
     Loaded loaded = load({});
     loaded.robot = sampled_robot(what.reference, number);
-    const Calibration calibration = calibrate(loaded, kCalibrationRepeats, number);
-    const std::string path = command.out + "/" + loaded.robot.name + ".toml";
-    const std::string text =
-        course::write_robot(identify::identified_robot(calibration.found, loaded.robot, {}),
-                            identify::identified_note(calibration.found, {}, {}));
-    text::write_file(path, text);
-    // A reader of the file gets the same robot.
-    const course::Robot robot = course::parse_robot(text, path);
+    const course::Robot robot = calibrated_robot(loaded, kCalibrationRepeats, number, command.out);
     for (const char* kind : kPaperCourses) {
       const course::Course course = load_course(kind);
       if (!climbs(course, robot)) continue;
@@ -185,17 +178,25 @@ void write_trajectories(const std::string& folder, const CourseStudy& study) {
 }  // namespace
 
 int run_reproduce(const ReproduceCommand& command) {
+  Options options;
+  options.body = command.body;
+  const course::Robot reference = load(options).robot;
+  const bool shear = reference.emulated.contact_law == course::ContactLaw::kShear;
   const bool all = command.part == "all";
-  const auto wanted = [&](const char* part) { return all || command.part == part; };
+  const auto wanted = [&](const char* part) { return (all && !shear) || command.part == part; };
   if (!all && command.part != "paper" && command.part != "state" && command.part != "robots" &&
       command.part != "sampled" && command.part != "held-out" && command.part != "avr")
     throw SetupError("--part " + command.part +
                      ": unknown; give paper, state, robots, sampled, held-out, avr or all");
+  if (shear && !all)
+    throw SetupError("--part " + command.part +
+                     ": --body shear has courses and robots of its own; leave --part out");
   text::make_folder(command.out);
   Reproduction what;
-  what.reference = robot_named({});
+  what.reference = reference;
   what.runs = command.runs;
   what.seed = command.seed;
+  if (shear) what.studies = study_shear(command.out, command.seed, command.runs);
   if (wanted("paper")) drive_paper(command, what);
   if (wanted("state")) {
     for (const CourseStudy& study : study_state(what.reference, command.seed, command.runs))

@@ -119,9 +119,24 @@ course::Course held_out_course(std::string_view kind, std::uint64_t seed) {
   } else if (kind == "3") {
     course.path = {draw.line(0.4, 1.4), draw.arc(60, 200), draw.line(2.0, 2.3)};
     add_obstacles(course, draw);
+  } else if (kind == "spiral") {
+    const double side = draw.sign(), first_m = draw.between(0.12, 0.18);
+    for (int i = 0; i < 10; ++i)
+      course.path.push_back(course::Arc{first_m + 0.1 * i, side * 180.0 * kRadPerDeg});
+  } else if (kind == "squares") {
+    const course::Line line = draw.line(0.8, 1.2);
+    const course::Pivot corner{draw.sign() * 90.0 * kRadPerDeg};
+    for (int i = 0; i < 8; ++i) course.path.insert(course.path.end(), {line, corner});
+  } else if (kind == "wide") {
+    const double side = draw.sign();
+    course.path = {draw.line(0.2, 0.4),
+                   course::Arc{draw.between(0.6, 0.8), side * draw.between(90, 180) * kRadPerDeg},
+                   course::Arc{draw.between(1.3, 1.7), -side * draw.between(60, 120) * kRadPerDeg},
+                   draw.line(0.2, 0.4)};
   } else {
-    throw SetupError("no course of kind " + std::string(kind) +
-                     " to draw; there are 1-straight, 1-curve, 1-sharp, 2 and 3");
+    throw SetupError(
+        "no course of kind " + std::string(kind) +
+        " to draw; there are 1-straight, 1-curve, 1-sharp, 2, 3, spiral, squares and wide");
   }
   fence_in(course);
   return course;

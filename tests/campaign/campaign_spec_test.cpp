@@ -49,6 +49,14 @@ TEST(CampaignSpec, ListsAreCrossed) {
   EXPECT_EQ(plan(of, 1).options.robot, "uniform");
 }
 
+TEST(CampaignSpec, TheBodyIsAChoice) {
+  const CampaignSpec of =
+      spec("runs = 2\ncourse = \"1-curve\"\nbody = { list = [\"ode\", \"shear\"] }");
+  EXPECT_EQ(load(plan(of, 0).options).robot.emulated.contact_law, course::ContactLaw::kOde);
+  EXPECT_EQ(load(plan(of, 1).options).robot.emulated.contact_law, course::ContactLaw::kShear);
+  EXPECT_EQ(plan(of, 1).sampled.at(0).first, "body");
+}
+
 TEST(CampaignSpec, ValuesReachConfigurationAndRobot) {
   const CampaignSpec of = spec(
       "runs = 2\ncourse = \"3\"\nfaults = \"drop:0.1@2 jitter:5\"\n"

@@ -26,6 +26,16 @@ TEST(RobotFile, AnEmptyFileIsTheDefaultRobot) {
   EXPECT_EQ(robot.emulated.body.mid_lift_m, EmulatedBody{}.mid_lift_m);
 }
 
+TEST(RobotFile, ReadsTheContactLaw) {
+  EXPECT_EQ(parse_robot("", "r.toml").emulated.contact_law, ContactLaw::kOde);
+  const Robot robot = parse_robot(
+      "[emulated]\ncontact_law = \"shear\"\n[emulated.shear]\nmodulus_m = 0.025\n", "r.toml");
+  EXPECT_EQ(robot.emulated.contact_law, ContactLaw::kShear);
+  EXPECT_EQ(robot.emulated.shear.modulus_m, 0.025);
+  EXPECT_EQ(robot.emulated.shear.cohesion_pa, EmulatedShear{}.cohesion_pa);
+  EXPECT_THROW(parse_robot("[emulated]\ncontact_law = \"mud\"\n", "r.toml"), SetupError);
+}
+
 TEST(RobotFile, ReadsTablesInTheFilesUnits) {
   const Robot robot = parse_robot(
       "[model]\nslip_left = 0.2\nslip_angle_straight_deg = 1\n[drive]\nswap_tracks = true\n"

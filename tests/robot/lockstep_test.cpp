@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "course/bundled_files.h"
 #include "report/metrics.h"
 #include "report/result_text.h"
@@ -100,6 +101,46 @@ TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
             0.010);
 }
 #endif
+
+/// The uniform robot on the body `shear`, with the values of [model] that it has there.
+LockstepSettings on_shear(const std::string& course) {
+  LockstepSettings run = settings(course, "uniform");
+  run.robot.emulated.contact_law = course::ContactLaw::kShear;
+  run.robot.model = {.slip_left = 0.001, .slip_right = 0.001, .wheelbase_m = 0.178};
+  return run;
+}
+
+TEST(Lockstep, CoursesAreCompletedOnTheBodyWithTheOtherContactLaw) {
+  for (const char* course : {"1-curve", "2"}) {
+    const report::RunResult result = run_lockstep(on_shear(course));
+    EXPECT_TRUE(result.completed) << course << ": " << result.cause;
+    EXPECT_EQ(result.body, "shear");
+  }
+}
+
+TEST(Lockstep, OnlyTheOtherBodyCarriesARampThatIsReallyThere) {
+  LockstepSettings run = on_shear("3");
+  run.setup = bridge::Setup::kTerrain;
+  EXPECT_THROW(run_lockstep(run), SetupError);
+}
+
+TEST(Options, TheBodyIsAValueOfTheRobotsFile) {
+  Options options;
+  EXPECT_EQ(load(options).robot.emulated.contact_law, course::ContactLaw::kOde);
+  options.body = "shear";
+  options.robot_values = {{"emulated.shear.modulus_m", 0.005}};
+  const Loaded loaded = load(options);
+  EXPECT_EQ(loaded.robot.emulated.contact_law, course::ContactLaw::kShear);
+  EXPECT_EQ(loaded.robot.emulated.shear.modulus_m, 0.005);
+  EXPECT_NE(loaded.files.robot.text.find("contact_law = 'shear'"), std::string::npos);
+  options.body = "sheer";
+  try {
+    load(options);
+    FAIL();
+  } catch (const SetupError& error) {
+    EXPECT_STREQ(error.what(), "--body sheer: not a body; use ode or shear");
+  }
+}
 
 TEST(Lockstep, TheDeviceClockWrapsWithoutAJump) {
   LockstepSettings run = settings("1-curve", "end-loaded");

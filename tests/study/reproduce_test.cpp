@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "../support/temporary_folder.h"
 #include "core/error.h"
 #include "course/path.h"
 #include "identify/identify_report.h"
@@ -51,7 +52,8 @@ TEST_P(HeldOutCourse, CanBeDrivenWhateverTheSeed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, HeldOutCourse,
-                         testing::Values("1-straight", "1-curve", "1-sharp", "2", "3"),
+                         testing::Values("1-straight", "1-curve", "1-sharp", "2", "3", "spiral",
+                                         "squares", "wide"),
                          [](const auto& param) {
                            std::string name = param.param;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -100,6 +102,26 @@ TEST(SampledRobot, IsPredictedOnceItIsIdentified) {
   const CourseStudy result = study(trial, "1-curve", false);
   EXPECT_EQ(result.completed, 1);
   for (const Judged& one : result.judged) EXPECT_TRUE(one.holds()) << one.what << one.ours.median;
+}
+
+// The short form of `tp100-sim reproduce --body shear`.
+TEST(ShearStudy, ARobotIsPredictedOnceItIsIdentifiedOnThatBody) {
+  const test::TemporaryFolder folder;
+  Options options;
+  options.robot = "uniform";
+  options.body = "shear";
+  const Loaded loaded = load(options);
+  Trial trial = one_run(load_course("1-curve"));
+  trial.robot = calibrated_robot(loaded, 1, 1, folder.path().string());
+  EXPECT_EQ(trial.robot.emulated.contact_law, course::ContactLaw::kShear);
+  const TrialRun run = run_trial(trial).at(0);
+  EXPECT_TRUE(run.result.completed) << run.result.cause;
+  EXPECT_LE(run.figures.estimates[PoseSource::kModel]->max_position_error_m,
+            0.008 * course::Path(trial.course).length_m());
+}
+
+TEST(ShearStudy, HasNoParts) {
+  EXPECT_THROW(run_reproduce({.part = "paper", .body = "shear"}), SetupError);
 }
 
 TEST(Study, JudgesModelEstimateAndTrackingByTheirOwnLimits) {
