@@ -64,8 +64,8 @@ Judged model_row(const CourseStudy& study, const char* what, double limit, const
   return {study.course, study.robot, what, "% of path", limit, spread};
 }
 
-/// All runs of several studies, with the limits.
-CourseStudy taken_together(const char* robots, const std::vector<double>& percents) {
+/// All runs of several studies, with the limits if they are `limited`.
+CourseStudy taken_together(const char* robots, const std::vector<double>& percents, bool limited) {
   CourseStudy all;
   all.course = "all";
   all.robot = robots;
@@ -73,9 +73,10 @@ CourseStudy taken_together(const char* robots, const std::vector<double>& percen
   all.board = to_string(BoardKind::kNative);
   all.runs = all.completed = static_cast<int>(percents.size());
   const double worst = percents.empty() ? 0.0 : *std::ranges::max_element(percents);
-  all.judged = {
-      model_row(all, "model max, median over runs", kMedianLimit, spread(percents)),
-      model_row(all, "model max, worst run", kWorstLimit, {worst, worst, percents.size()})};
+  all.judged = {model_row(all, "model max, median over runs", limited ? kMedianLimit : -1.0,
+                          spread(percents)),
+                model_row(all, "model max, worst run", limited ? kWorstLimit : -1.0,
+                          {worst, worst, percents.size()})};
   return all;
 }
 
@@ -120,8 +121,8 @@ std::vector<CourseStudy> study_shear(const std::string& folder, std::uint64_t fi
       studies.push_back(std::move(study));
     }
   }
-  studies.push_back(taken_together("all on shear", all));
-  studies.push_back(taken_together("soft on shear", soft));
+  studies.push_back(taken_together("all on shear", all, true));
+  studies.push_back(taken_together("soft on shear", soft, false));
   return studies;
 }
 
