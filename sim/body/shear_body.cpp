@@ -64,7 +64,7 @@ ShearBody::ShearBody(const course::Emulated& values, const Pose& start, bool on_
   right_.wear_m = length_m / 2.0;
   left_.stress.assign(shoes, Vector2d::Zero());
   right_.stress.assign(shoes, Vector2d::Zero());
-  footing_.reserve(kShoes + 4);
+  contacts_.reserve(kShoes + 4);
   position_m_ =
       Vector2d(start.x_m, start.y_m) + turned({body_.com_forward_m, body_.com_left_m}, forward());
   state_.pose.yaw_rad = yaw_rad_;
@@ -88,7 +88,7 @@ double ShearBody::friction_at(const Track& track, std::size_t shoe,
 }
 
 void ShearBody::distribute(const Track& track, double centre_m) {
-  footing_.clear();
+  contacts_.clear();
   const double half_m = body_.axle_spacing_m / 2.0;
   // Bedding under each shoe: a part of it while it enters or leaves, and firmer under the wheels at
   // both ends than between them, by a parabola.
@@ -103,7 +103,7 @@ void ShearBody::distribute(const Track& track, double centre_m) {
     const double place = std::clamp(x_m / half_m, -1.0, 1.0);
     const double bedding =
         overlap * (1.0 + shear_.pressure_unevenness * (3.0 * place * place - 1.0));
-    footing_.push_back({shoe, place * half_m, bedding, overlap});
+    contacts_.push_back({shoe, place * half_m, bedding, overlap});
     sum += bedding;
     first += bedding * place;
     second += bedding * place * place;
@@ -114,18 +114,18 @@ void ShearBody::distribute(const Track& track, double centre_m) {
   const double centre = centre_m / half_m;
   const double slope = std::clamp((centre * sum - first) / (second - centre * first), -1.0, 1.0);
   double loaded = 0.0;
-  for (Footing& at : footing_) {
+  for (ShoeContact& at : contacts_) {
     at.share *= 1.0 + slope * at.x_m / half_m;
     loaded += at.share;
   }
-  for (Footing& at : footing_) at.share /= loaded;
+  for (ShoeContact& at : contacts_) at.share /= loaded;
 }
 
 ShearBody::Reaction ShearBody::shear(Track& track, double track_mps, double load_n) {
   const Vector2d ahead = forward();
-  const Vector2d belt = ahead * track_mps;
+  const Vector2d surface = ahead * track_mps;
   Reaction reaction;
-  for (const Footing& at : footing_) {
+  for (const ShoeContact& at : contacts_) {
     Vector2d& stress = track.stress[at.shoe];
     if (at.overlap <= 0.0) {
       stress.setZero();
@@ -133,7 +133,7 @@ ShearBody::Reaction ShearBody::shear(Track& track, double track_mps, double load
     }
     const Vector2d arm =
         turned({at.x_m - body_.com_forward_m, track.y_m - body_.com_left_m}, ahead);
-    const Vector2d sliding = velocity_mps_ + rotation_velocity(rate_radps_, arm) - belt;
+    const Vector2d sliding = velocity_mps_ + rotation_velocity(rate_radps_, arm) - surface;
     const double speed = sliding.norm();
     Vector2d now = stress;
     if (speed > 0.0) {

@@ -55,7 +55,7 @@ class ShearBody final : public Body {
     double traction_n = 0.0;                            // along the track
   };
   /// Of one shoe in contact: where, and its part of the track's load.
-  struct Footing {
+  struct ShoeContact {
     std::size_t shoe;
     double x_m, share, overlap;
   };
@@ -77,8 +77,8 @@ class ShearBody final : public Body {
   double inertia_kgm2_;
   double pitch_m_;  // from shoe to shoe
   Track left_, right_;
-  std::vector<Footing> footing_;  // of the track in work
-  Eigen::Vector2d position_m_;    // of the centre of mass
+  std::vector<ShoeContact> contacts_;  // of the track in work
+  Eigen::Vector2d position_m_;         // of the centre of mass
   double yaw_rad_;
   Eigen::Vector2d velocity_mps_ = Eigen::Vector2d::Zero();
   double rate_radps_ = 0.0;
