@@ -135,7 +135,8 @@ int run(int argc, char** argv) {
       ->add_option("--part", reproduce.part,
                    "paper (reference robot), state (slopes and steps, camera noise), robots (all "
                    "others), sampled (robots of stated ranges), held-out (courses that are not "
-                   "bundled), avr (course 3 on the image) or all")
+                   "bundled), real (measured data of real robots), avr (course 3 on the image) or "
+                   "all")
       ->type_name("PART")
       ->capture_default_str();
   reproduce_app

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <system_error>
 
 namespace tp100::course {
@@ -39,6 +40,16 @@ bool is_file(const fs::path& path) {
   return fs::exists(path, error) && !fs::is_directory(path, error);
 }
 
+/// <prefix>/share/tp100, if this program is an installed one.
+std::optional<fs::path> installed_directory() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return std::nullopt;
+  const fs::path installed = program.parent_path().parent_path() / "share" / "tp100";
+  if (!fs::is_directory(installed / "courses", error)) return std::nullopt;
+  return installed;
+}
+
 }  // namespace
 
 TextFile read_text_file(const std::string& path) {
@@ -66,13 +77,13 @@ TextFile read_text_file(const std::string& path) {
 }
 
 std::string config_directory() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const fs::path installed = program.parent_path().parent_path() / "share" / "tp100";
-    if (fs::is_directory(installed / "courses", error)) return installed.string();
-  }
-  return (fs::path(TP100_SOURCE_DIR) / "config").string();
+  return installed_directory().value_or(fs::path(TP100_SOURCE_DIR) / "config").string();
+}
+
+std::string real_data_directory() {
+  const std::optional<fs::path> installed = installed_directory();
+  return (installed ? *installed / "real" : fs::path(TP100_SOURCE_DIR) / "tests/data/real")
+      .string();
 }
 
 std::vector<std::string> bundled_names(Bundled folder) {

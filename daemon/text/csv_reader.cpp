@@ -170,6 +170,7 @@ class CsvReader {
       targets_[i]->push_back(*value);
     }
     table_.lines_.push_back(line_);
+    if (!wanted_.by_time) return;
     const std::string_view time = wanted_.required.front();
     const std::vector<double>& times = table_[time];
     if (times.size() > 1 && times.back() <= times[times.size() - 2])

@@ -1,5 +1,5 @@
 #pragma once
-// Strict reader for CSV files of numbers: one header line, then rows with increasing time.
+// Strict reader for CSV files of numbers: one header line, then rows, mostly with increasing time.
 
 #include <cstddef>
 #include <map>
@@ -28,11 +28,13 @@ class CsvTable {
   std::map<std::string, std::vector<double>, std::less<>> columns_;
 };
 
-/// Required and optional columns. The first required column is the time and must increase.
+/// Required and optional columns. If `by_time`, the first required column is the time and must
+/// increase.
 struct CsvColumns {
   std::vector<std::string_view> required;
   std::vector<std::string_view> optional;
   std::vector<std::string_view> gaps{};  ///< columns in which an empty cell reads as not-a-number
+  bool by_time = true;
 };
 
 /// Parses the text of a CSV file (RFC 4180: commas, optional quotes). Accepts CRLF, a byte-order

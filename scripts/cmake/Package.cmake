@@ -47,6 +47,7 @@ install(PROGRAMS ${manual}/bin/tp100-flash ${manual}/bin/tp100-campaign DESTINAT
 install(FILES ${CMAKE_BINARY_DIR}/firmware/tp100.hex DESTINATION share/tp100)
 install(DIRECTORY config/campaigns config/courses config/robots config/cameras DESTINATION share/tp100)
 install(FILES config/tp100.toml config/view.toml DESTINATION share/tp100)
+install(DIRECTORY tests/data/real DESTINATION share/tp100)
 install(FILES config/systemd/tp100d@.service DESTINATION lib/systemd/system)
 install(FILES config/systemd/tp100.conf DESTINATION lib/sysusers.d)
 install(FILES config/udev/65-tp100.rules DESTINATION lib/udev/rules.d)
@@ -65,7 +66,7 @@ foreach(page README.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE
     daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md daemon/messages/CHANNELS.md
     daemon/record/RECORDINGS.md daemon/report/RESULTS.md daemon/server/THREATS.md daemon/worlds/WORLD.md
     firmware/FIRST_DRIVE.md firmware/PROTOCOL.md firmware/WIRING.md sim/CI.md sim/campaign/CAMPAIGNS.md
-    sim/faults/FAULTS.md tests/PROOF.md)
+    sim/faults/FAULTS.md tests/PROOF.md tests/data/real/README.md)
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${page} DESTINATION share/doc/tp100/${folder})
 endforeach()

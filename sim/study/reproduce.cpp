@@ -146,6 +146,13 @@ void drive_held_out(const ReproduceCommand& command, Reproduction& what) {
   }
 }
 
+void study_real_robots(Reproduction& what) {
+  for (const RealRobot& robot : read_real_robots()) {
+    what.real.push_back(study_real(robot));
+    what.studies.push_back(judged(what.real.back()));
+  }
+}
+
 void drive_image(const ReproduceCommand& command, Reproduction& what) {
   const course::Course course_3 = load_course("3");
   for (const bridge::Setup setup :
@@ -185,9 +192,10 @@ int run_reproduce(const ReproduceCommand& command) {
   const bool all = command.part == "all";
   const auto wanted = [&](const char* part) { return (all && !shear) || command.part == part; };
   if (!all && command.part != "paper" && command.part != "state" && command.part != "robots" &&
-      command.part != "sampled" && command.part != "held-out" && command.part != "avr")
+      command.part != "sampled" && command.part != "held-out" && command.part != "real" &&
+      command.part != "avr")
     throw SetupError("--part " + command.part +
-                     ": unknown; give paper, state, robots, sampled, held-out, avr or all");
+                     ": unknown; give paper, state, robots, sampled, held-out, real, avr or all");
   if (shear && !all)
     throw SetupError("--part " + command.part +
                      ": --body shear has courses and robots of its own; leave --part out");
@@ -205,11 +213,13 @@ int run_reproduce(const ReproduceCommand& command) {
   if (wanted("robots")) drive_robots(command, what);
   if (wanted("sampled")) drive_sampled(command, what);
   if (wanted("held-out")) drive_held_out(command, what);
+  if (wanted("real")) study_real_robots(what);
   if (wanted("avr")) drive_image(command, what);
   for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);
   text::write_file(command.out + "/results.json", reproduction_json(what));
   text::write_file(command.out + "/index.html", reproduction_page(what));
-  std::printf("%s\n%s/index.html\n", reproduction_table(what).c_str(), command.out.c_str());
+  std::printf("%s%s\n%s/index.html\n", reproduction_table(what).c_str(),
+              real_text(what.real).c_str(), command.out.c_str());
   return all_hold(what) ? 0 : 1;
 }
 

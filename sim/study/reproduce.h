@@ -6,13 +6,14 @@
 
 #include "course/robot.h"
 #include "sim/study/commands.h"
+#include "sim/study/real_study.h"
 #include "sim/study/study.h"
 
 namespace tp100::sim {
 
 struct ReproduceCommand {
   std::string out = "reproduce";  ///< folder
-  std::string part = "all";       ///< paper, state, robots, sampled, held-out, avr or all
+  std::string part = "all";       ///< paper, state, robots, sampled, held-out, real, avr or all
   std::string body{};             ///< ode or shear; empty: ode. Shear: study_shear alone
   std::uint64_t seed = 1;
   int runs = 10;
@@ -31,6 +32,7 @@ struct Reproduction {
   course::Robot reference{};
   std::vector<SlopeSlip> slopes;  ///< of the reference robot, one a row of slope_rows()
   std::vector<CourseStudy> studies;
+  std::vector<RealStudy> real;  ///< their figures with limits are in `studies`
   int runs = 0;
   std::uint64_t seed = 1;
 };

@@ -266,6 +266,7 @@ std::string reproduction_page(const Reproduction& what) {
         "that it meets the step in the curve, course 3 is driven on a flat floor; so it is with "
         "bundled robots.");
   }
+  if (!what.real.empty()) write_real(page, what.real);
   page.heading("Every figure with its limit");
   page.table(judged_rows(what), "Limits are ours. Red: does not hold.");
   return page.text();

@@ -184,6 +184,10 @@ course::Robot sampled_robot(const course::Robot& end_loaded, std::uint64_t numbe
   robot.emulated.encoder.counts_per_metre = robot.drive.counts_per_metre =
       std::round(counts.low * std::pow(counts.high / counts.low, draw.share()));
   robot.emulated.imu.gyro_scale_error = draw(Sampled::kGyroScale);
+  const double wider = draw(Sampled::kGauge);
+  shape.gauge_m *= wider;
+  body.width_m *= wider;
+  body.gauge_m *= wider * draw(Sampled::kContactGauge);
   return robot;
 }
 

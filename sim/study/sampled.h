@@ -29,10 +29,13 @@ struct SampledRange {
 /// The ranges, and with them what is claimed of robots that nobody has seen. Everything else is as
 /// in config/robots/end-loaded.toml.
 ///
-/// The size ends where tracks at 0.2 m/s still turn every such robot by 42 deg/s on the spot,
-/// whatever its slip and load. One of 1.9 times the lengths turned by 41: after a disturbance by 4
-/// cm and 15 deg, turning towards the path and back alone takes it most of the 2.5 s that it may
-/// need. And up to this size the robot is out of course 3's curve before it meets the step.
+/// They hold real tracked robots with published figures: wheelbases of 0.97 gauges (bearing on the
+/// inner edges of wide tracks) to 1.8 gauges (loaded at the ends), slip straight on of 1 to 20 %.
+///
+/// Size and gauge end where tracks at 0.2 m/s still turn every such robot by 40 deg/s on the spot,
+/// whatever its slip and load: after a disturbance by 4 cm and 15 deg, turning towards the path and
+/// back alone takes it most of the 2.5 s that it may need. And up to this size the robot is out of
+/// course 3's curve before it meets the step.
 enum class Sampled : std::size_t {
   kSize,
   kMass,
@@ -48,15 +51,17 @@ enum class Sampled : std::size_t {
   kMotor,
   kCounts,
   kGyroScale,
+  kGauge,
+  kContactGauge,
 };
-inline constexpr std::array<SampledRange, 14> kSampledRanges = {{
-    {"size", "times a TP100's lengths", 0.9, 1.6},
+inline constexpr std::array<SampledRange, 16> kSampledRanges = {{
+    {"size", "times a TP100's lengths", 0.9, 1.5},
     {"mass", "times size cubed", 0.8, 1.25},
     {"middle of the tracks lifted (0: load spread evenly, 0.3: on their ends)", "mm", 0.0, 0.3},
     {"friction coefficient", "", 0.5, 1.0},
     {"contact creep, mean of both tracks", "", 0.10, 0.20},
     {"... left less right, in parts of the mean", "", -0.3, 0.3},
-    {"track deficit (slip on the level), mean of both tracks", "", 0.04, 0.18},
+    {"track deficit (slip on the level), mean of both tracks", "", 0.01, 0.20},
     {"... left less right", "", -0.015, 0.015},
     {"centre of mass ahead of the middle, in parts of the axle spacing", "", -0.09, 0.09},
     {"centre of mass left of the middle, in parts of the gauge", "", -0.03, 0.03},
@@ -64,6 +69,8 @@ inline constexpr std::array<SampledRange, 14> kSampledRanges = {{
     {"strength of each motor against the nominal one", "", 0.9, 1.1},
     {"encoder edges per metre, by its logarithm", "1/m", 2785.0, 22280.0},
     {"scale error of the gyro", "", -0.02, 0.02},
+    {"gauge", "times a TP100's, and size", 0.95, 1.45},
+    {"distance between the lines on which the tracks bear, in parts of the gauge", "", 0.75, 1.0},
 }};
 
 /// The robot of this number. Its [model], which the daemon assumes, is unidentified: the defaults.

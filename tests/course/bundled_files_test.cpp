@@ -50,5 +50,10 @@ TEST_F(BundledFiles, AnUnknownNameListsWhatThereIs) {
               ::testing::HasSubstr("no-such-course: no such course; give a file or one of"));
 }
 
+TEST_F(BundledFiles, FindsTheDataOfRealRobots) {
+  for (const char* name : {"/maxxii-indoor.csv", "/husky-windows.csv", "/README.md"})
+    EXPECT_FALSE(read_text_file(real_data_directory() + name).text.empty()) << name;
+}
+
 }  // namespace
 }  // namespace tp100::course

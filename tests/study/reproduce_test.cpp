@@ -76,7 +76,8 @@ TEST(SampledRobot, IsARobotThatAFileCouldHold) {
     ASSERT_NO_THROW(read = course::parse_robot(course::write_robot(robot, "sampled"), "r.toml"));
     EXPECT_NEAR(read.emulated.body.friction, robot.emulated.body.friction, 1e-4);
     EXPECT_EQ(robot.model.wheelbase_m, model::TrackParameters{}.wheelbase_m);
-    EXPECT_EQ(robot.shape.gauge_m, robot.emulated.body.gauge_m);
+    EXPECT_LE(robot.emulated.body.gauge_m, robot.shape.gauge_m);
+    EXPECT_GT(robot.emulated.body.gauge_m, 0.74 * robot.shape.gauge_m);
     EXPECT_GE(robot.emulated.body.mid_lift_m, 0.0);
     EXPECT_LE(robot.emulated.body.mid_lift_m, 0.0003);
     EXPECT_GE(robot.emulated.encoder.counts_per_metre, 2785.0);
@@ -90,6 +91,30 @@ TEST(SampledRobot, TheSameNumberDrawsTheSameRobot) {
             course::write_robot(sampled_robot(reference, 7), ""));
   EXPECT_NE(sampled_robot(reference, 7).emulated.body.friction,
             sampled_robot(reference, 8).emulated.body.friction);
+}
+
+// MAXXII turns with 1.2 gauges and slips by 1 % straight on; another tracked robot with published
+// figures turns with 0.97 gauges, the bundled ones with up to 1.8.
+TEST(SampledRobot, RangesHoldRealRobots) {
+  const auto range = [](Sampled what) { return kSampledRanges.at(static_cast<std::size_t>(what)); };
+  EXPECT_LE(range(Sampled::kDeficit).low, 0.01);
+  EXPECT_GE(range(Sampled::kDeficit).high, 0.20);
+  const auto gauges = [](double gauge, double contact_gauge, double mid_lift_mm) {
+    Loaded loaded = load({});
+    loaded.robot.model = {};
+    course::EmulatedBody& body = loaded.robot.emulated.body;
+    loaded.robot.shape.gauge_m *= gauge;
+    body.gauge_m *= gauge * contact_gauge;
+    body.mid_lift_m = mid_lift_mm * 1e-3;
+    return calibrate(loaded, 1, 1).found.extended[&model::TrackParameters::wheelbase_m].value /
+           loaded.robot.shape.gauge_m;
+  };
+  EXPECT_LE(gauges(range(Sampled::kGauge).high, range(Sampled::kContactGauge).low,
+                   range(Sampled::kMidLift).low),
+            0.97);
+  EXPECT_GE(gauges(range(Sampled::kGauge).low, range(Sampled::kContactGauge).high,
+                   range(Sampled::kMidLift).high),
+            1.8);
 }
 
 // The short form of `tp100-sim reproduce --part sampled`.

@@ -50,6 +50,13 @@ TEST(CsvReader, AcceptsWhatSpreadsheetsWrite) {
   }
 }
 
+TEST(CsvReader, WithoutTimeRowsComeInAnyOrder) {
+  const CsvColumns columns = {
+      .required = {"left", "right"}, .optional = {}, .gaps = {}, .by_time = false};
+  EXPECT_THAT(parse_csv("left,right\n2,0\n1,0\n1,5\n", "f.csv", columns)["left"],
+              ElementsAre(2.0, 1.0, 1.0));
+}
+
 TEST(CsvReader, AnEmptyCellIsAGapWhereGapsAreAllowed) {
   const CsvTable table =
       parse_csv("t_s,v,g\n0, ,1\n1,2,\n", "f.csv", {{"t_s", "v"}, {"g"}, {"v", "g"}});
