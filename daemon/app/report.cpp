@@ -22,11 +22,12 @@ constexpr std::size_t kMaxRuns = 20;
 report::RecordedRun read(const std::string& path) {
   const record::Recording recording(path);
   const config::RunSetup setup = config::parse_run(recorded_files(recording));
-  report::RecordedRun run =
-      report::read_run(recording, {.course = setup.course,
-                                   .robot = setup.robot,
-                                   .steering = setup.parameters.steering,
-                                   .rate_hz = setup.configuration.loop.rate_hz});
+  report::RecordedRun run = report::read_run(
+      recording, {.course = setup.course,
+                  .robot = setup.robot,
+                  .steering = setup.parameters.steering,
+                  .rate_hz = setup.configuration.loop.rate_hz,
+                  .turning_threshold_radps = setup.parameters.model.turning_threshold_radps});
   if (!run.whole)
     std::fprintf(stderr, "tp100d: %s: was cut off; reported up to there\n", run.path.c_str());
   return run;

@@ -1,15 +1,18 @@
 #pragma once
 // A robot file as data. `model`, `shape` and `drive` are what the daemon assumes and sends to the
-// firmware; they come from driving the robot (identify) and from measuring it. `emulated` is the
+// firmware; they come from driving the robot (identify) and from measuring it. `baselines` are
+// simpler forms of the model from the same drives, which only reports use. `emulated` is the
 // physics of an emulated robot of that kind; the daemon never reads it, and `model` is never copied
 // from it.
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/enum_names.h"
+#include "model/model_form.h"
 #include "model/track_parameters.h"
 
 namespace tp100::text {
@@ -150,6 +153,8 @@ struct Robot {
   std::string name;  ///< file stem, e.g. "end-loaded"
   std::string description;
   model::TrackParameters model{};
+  /// Fitted simpler forms of the model, which reports judge beside it; nothing: not fitted.
+  model::PerBaseline<std::optional<model::TrackParameters>> baselines{};
   /// Where values of `model` came from, by key: a comment "# From ..." in the file.
   std::map<std::string, std::string, std::less<>> origins;
   ShapeValues shape{};

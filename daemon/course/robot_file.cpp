@@ -23,6 +23,14 @@ std::span<const text::Key<model::TrackParameters>> model_keys() {
   return kKeys;
 }
 
+/// Those of them that the form has.
+std::vector<text::Key<model::TrackParameters>> form_keys(const model::ModelForm& form) {
+  std::vector<text::Key<model::TrackParameters>> keys;
+  for (std::size_t i = 0; i < model_keys().size(); ++i)
+    if (form.fitted[i]) keys.push_back(model_keys()[i]);
+  return keys;
+}
+
 std::span<const text::Key<ShapeValues>> shape_keys() {
   using T = ShapeValues;
   static const std::array<text::Key<T>, 7> kKeys = {{
@@ -261,6 +269,37 @@ std::string section(const char* name, std::span<const text::Key<T>> keys, const 
   return "\n[" + std::string(name) + "]\n" + text::write_keys(keys, values, origins);
 }
 
+constexpr const char* kBaselinesNote =
+    "\n# Simpler forms of the model, fitted to the same drives. The daemon never drives by them: "
+    "reports\n# show beside the model how far off each would have been.\n";
+
+std::string baseline_sections(const Robot& robot) {
+  std::string text;
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
+    if (!robot.baselines[i]) continue;
+    const model::ModelForm& form = model::kBaselines[i];
+    const std::string name = "baselines." + std::string(form.key);
+    const auto keys = form_keys(form);
+    text += (text.empty() ? kBaselinesNote : "\n") +
+            text::toml_comment(std::string(form.meaning) + ".") +
+            section<model::TrackParameters>(name.c_str(), keys, *robot.baselines[i]).substr(1);
+  }
+  return text;
+}
+
+void read_baselines(text::TomlTable table, Robot& robot) {
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
+    const model::ModelForm& form = model::kBaselines[i];
+    if (form.fixed != nullptr) continue;
+    const bool fitted = table.has(form.key);
+    text::TomlTable values = table.table(form.key);
+    if (!fitted) continue;
+    const auto keys = form_keys(form);
+    text::read_keys<model::TrackParameters>(values, keys,
+                                            robot.baselines[i].emplace(form.only({})));
+  }
+}
+
 }  // namespace
 
 Robot parse_robot(const std::string& text, const std::string& file) {
@@ -281,6 +320,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   text::TomlTable battery = emulated.table("battery");
   text::read_keys(model, model_keys(), robot.model);
   robot.origins = text::read_origins(text, "model");
+  read_baselines(root.table("baselines"), robot);
   text::read_keys(shape, shape_keys(), robot.shape);
   text::read_keys(drive, drive_keys(), robot.drive);
   text::read_keys(emulated, emulated_keys(), robot.emulated);
@@ -328,6 +368,7 @@ std::string write_robot(const Robot& robot, const std::string& note) {
          "\n# The daemon's model of this robot. It is identified by driving, never copied from "
          "[emulated].\n" +
          section("model", model_keys(), robot.model, robot.origins).substr(1) +
+         baseline_sections(robot) +
          "\n# Values from a ruler and a balance: they determine its attitude on ramps and "
          "steps.\n" +
          section("shape", shape_keys(), robot.shape).substr(1) +

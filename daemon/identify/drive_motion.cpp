@@ -49,13 +49,16 @@ DriveMotion::DriveMotion(const RecordedDrive& drive, double counts_per_metre) {
   }
 }
 
-std::vector<Pose> DriveMotion::poses(const model::TrackParameters& parameters) const {
-  model::TrackModel track_model(parameters, model::Mode::kExtended);
-  std::vector<Pose> poses = {track_model.pose()};
+std::vector<Pose> DriveMotion::poses(const model::ModelForm& form,
+                                     const model::TrackParameters& parameters) const {
+  model::DeadReckoning reckoning(form, parameters);
+  std::vector<Pose> poses = {reckoning.pose()};
   poses.reserve(times_s_.size());
-  for (const Interval& interval : intervals_) {
-    track_model.advance(interval.left_mps, interval.right_mps, interval.dt_s);
-    poses.push_back(track_model.pose());
+  for (std::size_t i = 0; i < intervals_.size(); ++i) {
+    const Interval& interval = intervals_[i];
+    const double gyro_radps = (gyro_rad_[i + 1] - gyro_rad_[i]) / interval.dt_s;
+    reckoning.advance(interval.left_mps, interval.right_mps, gyro_radps, interval.dt_s);
+    poses.push_back(reckoning.pose());
   }
   return poses;
 }

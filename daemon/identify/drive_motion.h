@@ -5,7 +5,7 @@
 
 #include "core/pose.h"
 #include "identify/drive.h"
-#include "model/track_model.h"
+#include "model/model_form.h"
 
 namespace tp100::identify {
 
@@ -14,8 +14,9 @@ class DriveMotion {
   /// `counts_per_metre` of the tracks; it is known, never fitted. At least two samples.
   DriveMotion(const RecordedDrive& drive, double counts_per_metre);
 
-  /// Poses of the extended model at the samples, from the origin heading +x.
-  std::vector<Pose> poses(const model::TrackParameters& parameters) const;
+  /// Poses by dead reckoning in this form at the samples, from the origin heading +x.
+  std::vector<Pose> poses(const model::ModelForm& form,
+                          const model::TrackParameters& parameters) const;
   /// Between two of `poses`, linear; the first and the last one hold outside.
   Pose at(const std::vector<Pose>& poses, double t_s) const;
   /// Integral of the gyro minus its bias up to `t_s`, nominal scale. [rad]

@@ -34,14 +34,15 @@ double first_wheelbase(const std::vector<FittedRun>& runs, const Prior& base) {
 }
 
 /// Fits the requested and observable parameters; those that the runs do not show stay as assumed.
-Fit best_fit(const std::vector<FittedRun>& runs, const Prior& base, Free free, bool plain,
+Fit best_fit(const std::vector<FittedRun>& runs, const Prior& base, const model::ModelForm& form,
              const IdentifySettings& settings) {
-  Values prior{.tracks = base.tracks};
-  for (std::size_t i = 0; plain && i < kTrackParameters.size(); ++i) {
-    if (kTrackParameters[i].of != model::ParameterOf::kExtended) continue;
-    prior[i] = 0.0;
-    free[i] = false;
-  }
+  const Values prior{.tracks = form.only(base.tracks)};
+  Free free{};
+  std::ranges::copy(form.fitted, free.begin());
+  // Of the sensor: no form depends on it unless the gyro gives its yaw.
+  free[model::row_of(&TrackParameters::gyro_scale)] = true;
+  free[kDelay] =
+      std::ranges::any_of(runs, [](const FittedRun& run) { return !run.images.empty(); });
   // Which parameters these drives cannot separate depends on the drives, not on the parameters
   // dropped for it: it is judged by the fit with all of them.
   std::optional<Fit> with_all;
@@ -52,7 +53,7 @@ Fit best_fit(const std::vector<FittedRun>& runs, const Prior& base, Free free, b
     for (std::size_t i = 0; i < kTrackParameters.size(); ++i)
       if (free[i] && kTrackParameters[i].relative_to != nullptr)
         start[i] = start.tracks.*kTrackParameters[i].relative_to;
-    ModelFit model_fit(runs, start, prior, free, settings);
+    ModelFit model_fit(form, runs, start, prior, free, settings);
     model_fit.solve();
     const auto left = model_fit.uncertainty_left();
     const auto worst = std::max_element(left.begin(), left.end());
@@ -67,13 +68,23 @@ Fit best_fit(const std::vector<FittedRun>& runs, const Prior& base, Free free, b
   }
 }
 
+std::optional<Fit> baseline_fit(const std::vector<FittedRun>& runs, const Prior& base,
+                                const model::ModelForm& form, const IdentifySettings& settings) {
+  const bool biased =
+      std::ranges::all_of(runs, [](const FittedRun& run) { return run.motion.has_bias(); });
+  if (form.fixed != nullptr || (form.yaw_from_gyro && !biased)) return std::nullopt;
+  const Fit fit = best_fit(runs, base, form, settings);
+  for (std::size_t i = 0; i < kTrackParameters.size(); ++i)
+    if (form.fitted[i] && !fit.estimates[i].found) return std::nullopt;
+  return fit;
+}
+
 }  // namespace
 
 Identification identify(const std::vector<RecordedDrive>& drives, const Prior& base,
                         const IdentifySettings& settings) {
   if (drives.empty()) throw SetupError("identify: no runs; give at least one recording");
   std::vector<FittedRun> runs;
-  bool camera = false;
   for (const RecordedDrive& drive : drives) {
     const HandMeasured& m = drive.measured;
     const bool measured = m.distance_m || m.ahead_m || m.left_m || m.turned_rad;
@@ -83,15 +94,12 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
                        ": neither camera poses nor hand measurements; give --measured FILE");
     if (run.motion.moves_s() >= run.motion.end_s())
       throw SetupError(drive.name + ": the robot does not move; leave this run out");
-    camera = camera || !run.images.empty();
   }
 
-  Free free{};
-  free.fill(true);
-  free[kDelay] = camera;
   Identification found;
-  found.extended = best_fit(runs, base, free, false, settings);
-  found.plain = best_fit(runs, base, free, true, settings);
+  found.extended = best_fit(runs, base, model::kExtendedForm, settings);
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
+    found.baselines[i] = baseline_fit(runs, base, model::kBaselines[i], settings);
 
   found.prior = base;
   for (const model::ParameterRow& row : kTrackParameters)

@@ -1,20 +1,22 @@
 #pragma once
-// Parameters of eqs 1-5 from recorded drives: batch least squares over all runs of the poses that
-// the model integrates from the encoders against the poses that a camera saw, or against what a
-// tape and a protractor say. The gyro's scale comes from the same turns. Counts per metre are taken
-// as known: they cannot be told from slip.
+// Parameters of the model's forms from recorded drives: batch least squares over all runs of the
+// poses that the model integrates from the encoders against the poses that a camera saw, or against
+// what a tape and a protractor say. The gyro's scale comes from the same turns. Counts per metre
+// are taken as known: they cannot be told from slip.
 //
 // What is true of a run and not of the robot is found and forgotten: where the run began, the
 // gyro's bias (from the rest at its beginning) and, for all runs together, how late the camera's
 // time stamps are. A marker that is not above the reference point cannot be told from a turning
 // centre that is not below it.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "course/robot.h"
 #include "identify/drive.h"
 #include "identify/model_fit.h"
+#include "model/model_form.h"
 #include "model/track_parameters.h"
 
 namespace tp100::identify {
@@ -29,7 +31,9 @@ struct Prior {
 struct Identification {
   Prior prior;     ///< the values of `extended`, to be used
   Fit extended{};  ///< eqs 1-5 with turning centre and tight turns (model/turn.h)
-  Fit plain{};     ///< eqs 1-5 alone, with those switched off
+  /// The simpler forms, from the same drives; nothing of a form that the drives do not determine,
+  /// or of which nothing is to be fitted.
+  model::PerBaseline<std::optional<Fit>> baselines{};
 };
 
 /// Estimates as many parameters as possible, starting from `base`. At least one run, each with

@@ -59,13 +59,14 @@ std::string run_lines(const Fit& fit) {
   return text;
 }
 
-/// Values of the keys that eqs 1-5 have, as lines of a robot file.
-std::string plain_values(const Fit& plain) {
-  std::string text;
-  for (const model::ParameterRow& row : kTrackParameters)
-    if (row.of == model::ParameterOf::kPaper)
-      text += format("  %s = %.5f\n", row.key, plain[row.value].value / row.si);
-  return text;
+/// As a robot file holds it.
+double rounded(const Estimate& estimate, double si) {
+  return std::round(estimate.value / si * 1e5) / 1e5 * si;
+}
+
+std::string residual_row(const model::ModelForm& form, const Fit& fit) {
+  return format("  %-20s %td constants   ", std::string(form.key).c_str(), form.constants()) +
+         residual(fit) + "\n";
 }
 
 }  // namespace
@@ -83,9 +84,9 @@ std::string identify_report(const Identification& found, const course::Robot& ba
   text += "\n" + run_lines(found.extended) + "\n";
   if (has_images(found.extended)) {
     text += "best-fit residual against the camera, whose noise is in it:\n";
-    text += "  eqs 1-5                                  " + residual(found.plain) + "\n";
-    text += "  with turning centre and tight turns      " + residual(found.extended) + "\n";
-    text += "eqs 1-5 alone, all other keys of [model] at 0:\n" + plain_values(found.plain);
+    for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
+      if (found.baselines[i]) text += residual_row(model::kBaselines[i], *found.baselines[i]);
+    text += residual_row(model::kExtendedForm, found.extended);
     text += format("camera's time stamps late by %.1f ms\n", found.extended.camera_late_s * 1e3);
   }
   text += format("condition number %.1f\n", found.extended.condition);
@@ -104,11 +105,18 @@ course::Robot identified_robot(const Identification& found, const course::Robot&
   for (const model::ParameterRow& row : kTrackParameters) {
     const Estimate& estimate = found.extended[row.value];
     if (!estimate.found) continue;
-    const double rounded = std::round(estimate.value / row.si * 1e5) / 1e5;
-    robot.model.*row.value = rounded * row.si;
+    robot.model.*row.value = rounded(estimate, row.si);
     robot.origins[std::string(row.key)] =
         format("identify%s: +- %.5f (95 %%), %zu runs", with_date(date).c_str(),
                estimate.half_interval / row.si, found.extended.runs.size());
+  }
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
+    robot.baselines[i].reset();
+    if (!found.baselines[i]) continue;
+    model::TrackParameters& values = robot.baselines[i].emplace(model::kBaselines[i].only({}));
+    for (const model::ParameterRow& row : kTrackParameters)
+      if (model::kBaselines[i].has(row.value))
+        values.*row.value = rounded((*found.baselines[i])[row.value], row.si);
   }
   return robot;
 }
@@ -122,8 +130,9 @@ std::string identified_note(const Identification& found, const std::string& base
   for (std::size_t i = 0; i < found.extended.runs.size(); ++i)
     note += (i == 0 ? " " : ", ") + text::one_line(found.extended.runs[i].name);
   note += ".";
-  if (has_images(found.extended))
-    note += " Best-fit residual of eqs 1-5 against the camera: " + residual(found.plain) +
+  const std::optional<Fit>& eqs = found.baselines[model::kEqsFitted];
+  if (has_images(found.extended) && eqs)
+    note += " Best-fit residual of eqs 1-5 against the camera: " + residual(*eqs) +
             "; with turning centre and tight turns: " + residual(found.extended) + ".";
   return note;
 }

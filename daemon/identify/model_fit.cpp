@@ -71,9 +71,10 @@ bool false_detection(const FittedRun& run, const Residual& off) {
 
 }  // namespace
 
-ModelFit::ModelFit(std::vector<FittedRun> runs, const Values& start, const Values& prior,
-                   const Free& free, const IdentifySettings& settings)
-    : runs_(std::move(runs)),
+ModelFit::ModelFit(const model::ModelForm& form, std::vector<FittedRun> runs, const Values& start,
+                   const Values& prior, const Free& free, const IdentifySettings& settings)
+    : form_(form),
+      runs_(std::move(runs)),
       values_(start),
       prior_(prior),
       settings_(settings),
@@ -202,12 +203,12 @@ double ModelFit::linearise(std::vector<RunSums>* sums) const {
   double cost = 0.0;
   if (sums != nullptr) sums->clear();
   for (const FittedRun& run : runs_) {
-    Poses poses = {run.motion.poses(values_.tracks)};
+    Poses poses = {this->poses(run, values_)};
     for (std::size_t k = 0; sums != nullptr && k < free_.size(); ++k) {
       Values changed = values_;
       changed[free_[k]] += kDifference;
-      const bool moves = free_[k] != kDelay && free_[k] != kGyroScale;
-      poses.push_back(moves ? run.motion.poses(changed.tracks) : poses[0]);
+      const bool moves = free_[k] != kDelay && (free_[k] != kGyroScale || form_.yaw_from_gyro);
+      poses.push_back(moves ? this->poses(run, changed) : poses[0]);
     }
     RunSums* const of_run =
         sums == nullptr ? nullptr : &sums->emplace_back(size(), FittedRun::kOwn);
@@ -222,7 +223,7 @@ void ModelFit::rescale() {
   std::vector<double> off_m, off_rad, off_gyro;
   for (FittedRun& run : runs_) {
     std::vector<double> run_m, run_rad;
-    const std::vector<Pose> poses = run.motion.poses(values_.tracks);
+    const std::vector<Pose> poses = this->poses(run, values_);
     for (const SeenPose& seen : run.images) {
       const Residual off = run.residual(poses, seen, values_.delay_s);
       run_m.push_back(off.off_m());
@@ -245,7 +246,7 @@ void ModelFit::rescale() {
 // together.
 void ModelFit::correlate() {
   for (const FittedRun& run : runs_) {
-    const std::vector<Pose> poses = run.motion.poses(values_.tracks);
+    const std::vector<Pose> poses = this->poses(run, values_);
     std::vector<double> x, y, yaw;
     for (const SeenPose& seen : run.images) {
       const Residual off = run.residual(poses, seen, values_.delay_s);
@@ -349,7 +350,7 @@ void ModelFit::describe_runs(Fit& fit) const {
   for (const FittedRun& run : runs_) {
     RunFit& of = fit.runs.emplace_back();
     of.name = run.name;
-    const std::vector<Pose> poses = run.motion.poses(values_.tracks);
+    const std::vector<Pose> poses = this->poses(run, values_);
     double run_squares = 0.0, run_squares_rad = 0.0;
     for (const SeenPose& seen : run.images) {
       const Residual off = run.residual(poses, seen, values_.delay_s);

@@ -1,6 +1,6 @@
 #pragma once
-// The best fit of the model to several runs: robust batch least squares (Levenberg-Marquardt, Huber
-// weights, far outliers excluded) of images minus predicted poses.
+// The best fit of a form of the model to several runs: robust batch least squares
+// (Levenberg-Marquardt, Huber weights, far outliers excluded) of images minus predicted poses.
 
 #include <array>
 #include <cstddef>
@@ -10,6 +10,7 @@
 
 #include "identify/fitted_run.h"
 #include "identify/least_squares.h"
+#include "model/model_form.h"
 #include "model/track_parameters.h"
 
 namespace tp100::identify {
@@ -71,9 +72,9 @@ using Free = std::array<bool, kShared>;
 class ModelFit {
  public:
   /// Fits the `free` parameters of `start`; the others stay. `prior` is the centre of a weak prior.
-  /// `settings` must outlive it.
-  ModelFit(std::vector<FittedRun> runs, const Values& start, const Values& prior, const Free& free,
-           const IdentifySettings& settings);
+  /// `form` and `settings` must outlive it.
+  ModelFit(const model::ModelForm& form, std::vector<FittedRun> runs, const Values& start,
+           const Values& prior, const Free& free, const IdentifySettings& settings);
 
   void solve();
   const Values& values() const { return values_; }
@@ -90,6 +91,9 @@ class ModelFit {
   double prior_sd(std::size_t i) const;
   double prior(Eigen::MatrixXd& information, Eigen::VectorXd& score) const;
   Summed sum() const;
+  std::vector<Pose> poses(const FittedRun& run, const Values& values) const {
+    return run.motion.poses(form_, values.tracks);
+  }
   double cost() const;
   double linearise(std::vector<RunSums>* sums) const;
   double take_images(const FittedRun& run, const Poses& poses, RunSums* sums) const;
@@ -100,6 +104,7 @@ class ModelFit {
   void find_confused(Fit& fit, const Summed& sums) const;
   void describe_runs(Fit& fit) const;
 
+  const model::ModelForm& form_;
   std::vector<FittedRun> runs_;
   Values values_, prior_;
   std::vector<std::size_t> free_;  // indices

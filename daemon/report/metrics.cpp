@@ -308,6 +308,30 @@ TrackingErrors tracking_errors(const std::vector<TrajectoryPoint>& points,
   return result;
 }
 
+std::vector<Pose> baseline_poses(const RunResult& run, const model::ModelForm& form,
+                                 const model::TrackParameters& parameters) {
+  std::vector<Pose> poses;
+  if (run.points.empty()) return poses;
+  const Pose& start = run.points.front().estimates[PoseSource::kModel];
+  model::DeadReckoning reckoning(form, parameters, start);
+  const Measured* last = &run.points.front().measured;
+  for (const TrajectoryPoint& point : run.points) {
+    const Measured& now = point.measured;
+    const double dt_s = static_cast<double>(now.device_us - last->device_us) * 1e-6;
+    const auto speed_mps = [&](std::int64_t counts) {
+      return static_cast<double>(counts) / run.baselines.counts_per_metre / dt_s;
+    };
+    if (dt_s > 0.0)
+      reckoning.advance(speed_mps(now.left_counts - last->left_counts),
+                        speed_mps(now.right_counts - last->right_counts),
+                        (now.gyro_rad - last->gyro_rad) / dt_s - run.baselines.gyro_bias_radps,
+                        dt_s);
+    poses.push_back(reckoning.pose());
+    last = &now;
+  }
+  return poses;
+}
+
 RunFigures figures(const RunResult& run, const course::Course& course) {
   const course::Path path(course);
   RunFigures result;
@@ -319,6 +343,16 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
     result.estimates[source] = blind_to_disturbances(source)
                                    ? pose_errors_between(run.points, run.disturbances, estimate)
                                    : pose_errors(run.points, estimate);
+  }
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i) {
+    // On a stand the truth is what the estimates say.
+    if (!run.baselines.forms[i] || run.setup == "stand") continue;
+    const std::vector<Pose> poses =
+        baseline_poses(run, model::kBaselines[i], *run.baselines.forms[i]);
+    result.baselines[i] = pose_errors_between(
+        run.points, run.disturbances, [&](const TrajectoryPoint& point) -> const Pose& {
+          return poses[static_cast<std::size_t>(&point - run.points.data())];
+        });
   }
   result.tracking = tracking_errors(run.points, run.disturbances, path);
   // In other set-ups the obstacles are not on the floor.

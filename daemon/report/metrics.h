@@ -88,6 +88,9 @@ struct RunFigures {
   /// From start to end, disturbances included; of a source that is blind to them, piece by piece
   /// between them. Nothing where the run has no such estimate.
   PerSource<std::optional<PoseErrors>> estimates{};
+  /// Simpler forms of the model on the same counts, piece by piece between disturbances like the
+  /// model. Nothing of a form that was not fitted to the robot, and on a stand.
+  model::PerBaseline<std::optional<PoseErrors>> baselines{};
   TrackingErrors tracking{};
   SlopeFigures slope{};
 };
@@ -108,6 +111,10 @@ PoseErrors pose_errors_between(const std::vector<TrajectoryPoint>& points,
 TrackingErrors tracking_errors(const std::vector<TrajectoryPoint>& points,
                                const std::vector<DisturbanceWindow>& disturbances,
                                const course::Path& path);
+
+/// Poses by a form of the model at the points of the run, from where the model began. Pure.
+std::vector<Pose> baseline_poses(const RunResult& run, const model::ModelForm& form,
+                                 const model::TrackParameters& parameters);
 
 /// All metrics.
 RunFigures figures(const RunResult& run, const course::Course& course);

@@ -59,6 +59,7 @@ class Reader {
   HostNs start_ns_;
   std::uint64_t start_unix_ns_ = 0;
 
+  MeasuredMotion measured_;
   RunMonitor watch_;
   DurationTally jitter_, sample_age_;
   std::vector<HostNs> disturbances_ns_;
@@ -77,6 +78,7 @@ class Reader {
 };
 
 void Reader::step(const StepRecord& record) {
+  for (const Sample& sample : record.inputs.samples) measured_.take(sample);
   if (run_.steps == 0) begin(record.now_ns);
   watch_.step(record);
   const RunState state = record.snapshot.run_state;
@@ -109,6 +111,7 @@ void Reader::begin(HostNs now) {
   run_.every = 1;
   run_.implausible = 0;
   run_.estimated = {};
+  run_.result.baselines.gyro_bias_radps = measured_.bias_radps();
   jitter_ = {};
   sample_age_ = {};
   disturbances_ns_.clear();
@@ -151,7 +154,8 @@ void Reader::point(const StepRecord& record) {
   TrajectoryPoint point{.t_s = t_s(sample.measured_ns),
                         .estimates = poses_of(snapshot.estimates),
                         .progress_m = snapshot.progress_m,
-                        .recovering = snapshot.recovering};
+                        .recovering = snapshot.recovering,
+                        .measured = measured_.now()};
   const bool ascends = run_.result.points.empty() || point.t_s > run_.result.points.back().t_s;
   if (!std::ranges::all_of(point.estimates.values, plausible) || !plausible(snapshot.world) ||
       !ascends || !(std::abs(point.progress_m) <= kFarthest)) {
@@ -290,6 +294,7 @@ RecordedRun read_run(const record::Recording& recording, const RecordedContext& 
   run.result.board = recording.fact("board");
   run.result.robot = recording.fact("robot");
   run.result.setup = recording.fact("setup");
+  run.result.baselines = baselines_of(run_context.robot, run_context.turning_threshold_radps);
   const std::string seed = recording.fact("seed");
   std::from_chars(seed.data(), seed.data() + seed.size(), run.result.seed);
 

@@ -78,6 +78,7 @@ struct RecordedContext {
   course::Robot robot{};
   PoseSource steering = PoseSource::kOdometry;
   double rate_hz = 200.0;
+  double turning_threshold_radps = 0.05;  ///< of the model's slip angle
 };
 
 /// Data of a trajectory point besides its poses. Not-a-number: unknown or invalid.

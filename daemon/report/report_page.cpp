@@ -74,6 +74,17 @@ Row pose_row(PoseSource source, const PoseErrors& errors) {
 
 const Row kPoseHead = {"", "max [cm]", "mean [cm]", "rms [cm]", "final [cm]", "yaw max [deg]"};
 
+constexpr const char* kBaselinesCaption =
+    "Simpler forms of the model on the same counts against the truth, piece by piece between "
+    "disturbances: what slip compensation brings, and the extension beyond eqs 1-5";
+
+/// A row for each form that was judged.
+void add_baselines(Rows& rows, const std::string& run, const RunFigures& judged) {
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
+    if (judged.baselines[i])
+      rows.push_back(pose_row(run + std::string(model::kBaselines[i].key), *judged.baselines[i]));
+}
+
 void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunFigures>& judged) {
   page.heading("Errors");
   if (run.runs == 0) {
@@ -90,9 +101,12 @@ void add_errors(HtmlPage& page, const RecordedRun& run, const std::optional<RunF
           .push_back(pose_row(source, *judged->estimates[source]));
     }
     page.table(model,
-               "Model: on encoder counts (extended: eqs 1-5 and seven constants of ours; or as "
-               "model.mode says) against the truth, piece by piece between disturbances");
+               "Model: on encoder counts (the extended model; or as model.mode says) against the "
+               "truth, piece by piece between disturbances");
     page.table(estimates, "Estimates against the truth, from start to end");
+    Rows baselines = {kPoseHead};
+    add_baselines(baselines, {}, *judged);
+    if (baselines.size() > 1) page.table(baselines, kBaselinesCaption);
     Rows tracking = {{"", "max [cm]", "rms [cm]", "yaw max [deg]"},
                      {"tracking", number(judged->tracking.max_cross_track_m * kCmPerM, 2),
                       number(judged->tracking.rms_cross_track_m * kCmPerM, 2),
@@ -334,6 +348,7 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
   Rows outcomes = {{"run", "course, robot, set-up", "outcome", "duration [s]", "lost", "version"}};
   PerSource<Rows> estimates = same_for_all(Rows{kPoseHead});
   Rows tracking = {{"", "max [cm]", "rms [cm]", "yaw max [deg]"}}, estimated = tracking;
+  Rows baselines = {kPoseHead};
   Rows jitter = {kDurationHead};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RecordedRun& run = runs[i].run;
@@ -352,6 +367,7 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
       const std::optional<PoseErrors>& errors = judged[i]->estimates[source];
       if (errors) estimates[source].push_back(pose_row(name, *errors));
     }
+    add_baselines(baselines, name + ": ", *judged[i]);
     tracking.push_back({name, number(judged[i]->tracking.max_cross_track_m * kCmPerM, 2),
                         number(judged[i]->tracking.rms_cross_track_m * kCmPerM, 2),
                         number(judged[i]->tracking.max_yaw_error_rad * kDegPerRad, 2)});
@@ -366,6 +382,7 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
                "The pose '" + std::string(to_string(source)) + "' against the truth" +
                    (blind_to_disturbances(source) ? ", piece by piece between disturbances" : ""));
   }
+  if (baselines.size() > 1) page.table(baselines, kBaselinesCaption);
   page.table(tracking, "Tracking: the truth against the path");
   page.table(estimated, "The steering pose against the path: what the controller saw");
   add_figures(page, figures);

@@ -1,5 +1,6 @@
 #include "report/result_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -103,10 +104,14 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
     const std::optional<PoseErrors>& errors = figures.estimates[source];
     json[to_string(source)] = errors && !run.points.empty() ? json_of(*errors) : Json();
   }
+  json["baselines"] = Json::object();
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
+    if (figures.baselines[i])
+      json["baselines"][model::kBaselines[i].key] = json_of(*figures.baselines[i]);
   json["tracking"] = json_of(figures.tracking);
   json["slope"] = json_of(figures.slope);
   if (run.points.empty())
-    for (const char* name : {"tracking", "slope"}) json[name] = nullptr;
+    for (const char* name : {"baselines", "tracking", "slope"}) json[name] = nullptr;
   if (run.has_camera) json["camera"] = json_of(run.camera);
   json["link"] = json_of(run.link);
   json["loop"] = Json::object();
@@ -202,6 +207,9 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
         row("ours: " + std::string(to_string(source)) + " (" + std::string(inputs_of(source)) + ")",
             *errors);
   }
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
+    if (figures.baselines[i])
+      text += row("form: " + std::string(model::kBaselines[i].key), *figures.baselines[i]);
   const auto paper = published_errors(run.course);
   if (paper) text += printed_row(*paper);
   const TrackingErrors& tracking = figures.tracking;
@@ -217,10 +225,12 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
                  static_cast<unsigned long long>(run.link.samples),
                  static_cast<unsigned long long>(run.link.lost),
                  static_cast<unsigned long long>(run.link.crc_errors));
+  if (std::ranges::any_of(figures.baselines, [](const auto& errors) { return errors.has_value(); }))
+    text += "Forms are simpler models on the same counts and gyro: daemon/report/RESULTS.md.\n";
   if (!run.disturbances.empty())
     text +=
-        "The model is judged between the disturbances and set onto the truth after each, because\n"
-        "encoders cannot see them.\n";
+        "Model and forms are judged between the disturbances and set onto the truth after each,\n"
+        "because encoders cannot see them.\n";
   if (paper) {
     text +=
         "Lengths, radii and disturbances of the course are ours: the paper does not print them.\n";

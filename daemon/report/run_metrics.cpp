@@ -47,7 +47,8 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
   Json json = Json::parse(result_json(run.result, figures.value_or(RunFigures{})));
   json.erase("realtime_factor");
   json.erase("loop");
-  if (!figures) json["tracking"] = nullptr;
+  if (!figures)
+    for (const char* name : {"baselines", "tracking"}) json[name] = nullptr;
   json["truth"] = run.has_truth;
   json["steering"] = to_string(run.run_context.steering);
   json["estimated"] = nullptr;

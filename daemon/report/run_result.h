@@ -12,6 +12,7 @@
 #include "core/estimates.h"
 #include "core/link_state.h"
 #include "core/pose.h"
+#include "report/baselines.h"
 
 namespace tp100::report {
 
@@ -28,6 +29,7 @@ struct TrajectoryPoint {
   double imu_pitch_rad = 0.0;  ///< by the IMU, of the real body
   Slope slope = Slope::kFlat;  ///< state derived from it
   Obstacle obstacle_class = Obstacle::kNone;  ///< ... and from its rise
+  Measured measured{};                        ///< by the robot, up to this instant
 };
 
 /// Time window of a disturbance.
@@ -63,6 +65,7 @@ struct RunResult {
   std::vector<DisturbanceWindow> disturbances;
   LinkCounters link{};
   CameraFigures camera{};
+  Baselines baselines{};
   std::vector<std::pair<std::string, double>> loop;  ///< figures of the loop by name
 
   /// The run has everything that the estimate is made from.

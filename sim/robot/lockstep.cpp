@@ -16,6 +16,7 @@
 #include "core/faults.h"
 #include "sim/robot/emulated_robot.h"
 #include "sim/robot/options.h"
+#include "sim/robot/truth_history.h"
 #include "sim/robot/world_client.h"
 #include "sim/sensors/overhead_camera.h"
 #include "terrain/climbable.h"
@@ -30,34 +31,6 @@ constexpr double kEndToleranceM = 0.15;
 constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
 constexpr double kStandstillS = 0.5;
 constexpr std::int64_t kOldestTruthNs = 200 * kNsPerMs;
-
-/// Truth of the last steps, to pair an estimate with the instant that it belongs to.
-class TruthHistory {
- public:
-  void add(std::int64_t at_ns, const Pose& pose) { at(at_ns) = pose; }
-  /// Between two physics steps the pose is interpolated; `at_ns` is at most a quarter second old.
-  Pose find(std::int64_t at_ns) const {
-    const std::int64_t before = at_ns / kPhysicsStepNs * kPhysicsStepNs;
-    const double share = static_cast<double>(at_ns - before) / static_cast<double>(kPhysicsStepNs);
-    const Pose& a = history_[index(before)];
-    const Pose& b = history_[index(before + kPhysicsStepNs)];
-    return {.x_m = std::lerp(a.x_m, b.x_m, share),
-            .y_m = std::lerp(a.y_m, b.y_m, share),
-            .z_m = std::lerp(a.z_m, b.z_m, share),
-            .roll_rad = std::lerp(a.roll_rad, b.roll_rad, share),
-            .pitch_rad = std::lerp(a.pitch_rad, b.pitch_rad, share),
-            .yaw_rad = std::lerp(a.yaw_rad, b.yaw_rad, share)};
-  }
-
- private:
-  static std::size_t index(std::int64_t at_ns) {
-    return static_cast<std::size_t>(at_ns / kPhysicsStepNs) % kSize;
-  }
-  Pose& at(std::int64_t at_ns) { return history_[index(at_ns)]; }
-
-  static constexpr std::size_t kSize = 256;
-  std::array<Pose, kSize> history_{};
-};
 
 class Lockstep {
  public:
@@ -94,6 +67,7 @@ class Lockstep {
   std::optional<OverheadCamera> camera_;
   std::optional<WorldClient> world_;
   TruthHistory truth_;
+  report::MeasuredMotion measured_;
   StepRecord record_{};
   std::vector<std::uint8_t> arriving_;
   std::int64_t plugged_ns_ = 0;     ///< until then the port is away
@@ -169,6 +143,8 @@ Lockstep::Lockstep(const LockstepSettings& settings)
   result_.robot = settings.robot.name;
   result_.setup = bridge::to_string(settings.setup);
   result_.seed = settings.seed;
+  result_.baselines =
+      report::baselines_of(settings.robot, parameters_.model.turning_threshold_radps);
 }
 
 void Lockstep::advance_robot() {
@@ -230,7 +206,8 @@ void Lockstep::record(const Snapshot& snapshot) {
                             .recovering = snapshot.recovering,
                             .imu_pitch_rad = snapshot.imu_pitch_rad,
                             .slope = snapshot.imu_slope,
-                            .obstacle_class = snapshot.imu_obstacle});
+                            .obstacle_class = snapshot.imu_obstacle,
+                            .measured = measured_.now()});
 }
 
 void Lockstep::publish() {
@@ -258,6 +235,7 @@ void Lockstep::step_host() {
   }
   const Clock::time_point before = Clock::now();
   const bridge::Outputs& out = cycle_.step(now);
+  for (const Sample& sample : cycle_.inputs().samples) measured_.take(sample);
   const std::chrono::nanoseconds took = Clock::now() - before;
   step_time_ += took;
   longest_step_ = std::max(longest_step_, took);
@@ -268,7 +246,10 @@ void Lockstep::step_host() {
   if (plugged()) robot_.receive(cycle_.session().output(), now);
   cycle_.session().written(cycle_.session().output().size());
   if (out.snapshot.run_state == RunState::kRunning) {
-    if (begin_ns_ < 0) begin_ns_ = now;
+    if (begin_ns_ < 0) {
+      begin_ns_ = now;
+      result_.baselines.gyro_bias_radps = measured_.bias_radps();
+    }
     record(out.snapshot);
   }
 }

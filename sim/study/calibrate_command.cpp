@@ -34,6 +34,7 @@ constexpr std::array<DriveKind, 7> kDriveKinds = {
 
 course::Robot without_model(course::Robot robot) {
   robot.model = {};
+  robot.baselines = {};
   return robot;
 }
 

@@ -9,6 +9,10 @@
 #include "sim/study/real_study.h"
 #include "sim/study/study.h"
 
+namespace tp100::report {
+class HtmlPage;
+}
+
 namespace tp100::sim {
 
 struct ReproduceCommand {
@@ -46,7 +50,14 @@ bool all_hold(const Reproduction& what);
 std::string reproduction_page(const Reproduction& what);
 /// One JSON object.
 std::string reproduction_json(const Reproduction& what);
-/// The table of limits, for a terminal.
+/// The table of limits and that of forms, for a terminal.
 std::string reproduction_table(const Reproduction& what);
+
+// What each form of the model does on the same runs.
+
+/// The part of the page; nothing without a study on the flat floor.
+void write_forms(report::HtmlPage& page, const Reproduction& what);
+/// Largest errors of every form by robot, for a terminal.
+std::string forms_table(const Reproduction& what);
 
 }  // namespace tp100::sim

@@ -148,6 +148,7 @@ course::Robot sampled_robot(const course::Robot& end_loaded, std::uint64_t numbe
   robot.name = "sampled-" + std::to_string(number);
   robot.description = "sampled by the number " + std::to_string(number);
   robot.model = {};
+  robot.baselines = {};
   robot.origins.clear();
 
   const double size = draw(Sampled::kSize);

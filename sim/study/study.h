@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/configuration.h"
@@ -39,7 +40,7 @@ struct TrialRun {
   double fused_max_flat_m = 0.0;                      ///< largest fused error with the body level
   double fused_max_obstacle_m = 0.0;                  ///< ... and tilted by an obstacle
   double fused_rms_m = 0.0, fused_rms_yaw_rad = 0.0;  ///< outside the disturbances
-  double model_rms_m = 0.0, model_rms_yaw_rad = 0.0;
+  double model_rms_yaw_rad = 0.0;
   double slowest_recovery_s = 0.0;  ///< infinite if it never recovered
 };
 
@@ -62,6 +63,12 @@ struct Judged {
   bool holds() const { return limit < 0.0 || ours.median <= limit; }
 };
 
+/// Errors of one pose: of every figure the median over the runs.
+struct FormErrors {
+  std::string form;  ///< a key of model::kBaselines, extended, odometry or fused
+  report::PoseErrors median{};
+};
+
 /// Every run of one robot on one course in one set-up, and the figures that are judged.
 struct CourseStudy {
   std::string course, robot, setup, board;
@@ -69,13 +76,17 @@ struct CourseStudy {
   int runs = 0, completed = 0;
   double distance_m = 0.0;
   std::vector<Judged> judged;
+  std::vector<FormErrors> forms;  ///< those that the runs have, simplest first; none on a stand
   Spread mse_x_m2{}, mse_y_m2{}, mse_yaw_rad2{};  ///< of the model
   TrialRun shown{};                               ///< the first run, for the figures
 };
 
 /// Drives `trial` and judges it by the limits of its kind of course: 1-straight, 1-curve, 1-sharp,
-/// 2 or 3. `reference`: the reference robot's limits; other robots' model may be off by 3 % of the
-/// distance.
+/// 2 or 3. `reference`: the reference robot's limits; other robots' may be wider. Eqs 1-5 alone,
+/// fitted, and the extended model have limits of their own.
 CourseStudy study(const Trial& trial, const std::string& kind, bool reference);
+
+/// The errors of a form in a study; null: it has none.
+const report::PoseErrors* errors_of(const CourseStudy& study, std::string_view form);
 
 }  // namespace tp100::sim

@@ -58,8 +58,9 @@ TEST_F(Report, ARunThatNeverBeganHasNoFigures) {
   ASSERT_EQ(report(), "");
   const Json json = metrics();
   EXPECT_EQ(json["cause"], "the run never began");
-  for (const char* name : {"model", "odometry", "tracking", "estimated", "differences"})
-    EXPECT_TRUE(json[name].is_null()) << name;
+  for (const char* name :
+       {"model", "odometry", "baselines", "tracking", "estimated", "differences"})
+    EXPECT_TRUE(json.at(name).is_null()) << name;
   EXPECT_THAT(text("report.html"), HasSubstr("The run never began: there is nothing to judge"));
 }
 
@@ -68,7 +69,8 @@ TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
   ASSERT_EQ(report(), "");
   const Json json = metrics();
   EXPECT_FALSE(json["truth"]);
-  for (const char* name : {"model", "odometry", "tracking"}) EXPECT_TRUE(json[name].is_null());
+  for (const char* name : {"model", "odometry", "baselines", "tracking"})
+    EXPECT_TRUE(json.at(name).is_null());
   EXPECT_TRUE(json["differences"]["model_from_odometry"].contains("max_m"));
   EXPECT_EQ(json["recording"]["steps"], 400);
   EXPECT_EQ(json["seed"], 5);

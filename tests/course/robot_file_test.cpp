@@ -61,16 +61,37 @@ TEST(RobotFile, RefusesUnknownAndImpossibleValues) {
               HasSubstr("did you mean 'shape.wheel_radius_m'?"));
 }
 
+TEST(RobotFile, SimplerFormsAreThereIfTheirSectionsAre) {
+  const Robot robot = parse_robot("[baselines.icr]\nslip_left = 0.2\nx_icr_m = 0.01\n", "r.toml");
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
+    EXPECT_EQ(robot.baselines[i].has_value(), i == model::baseline("icr"));
+  const model::TrackParameters& icr = *robot.baselines[model::baseline("icr")];
+  EXPECT_EQ(icr.slip_left, 0.2);
+  EXPECT_EQ(icr.x_icr_m, 0.01);
+  EXPECT_EQ(icr.slip_angle_straight_rad, 0.0);
+  EXPECT_EQ(robot.model.x_icr_m, 0.0);
+  EXPECT_THAT(robot_error("[baselines.gyro]\nwheelbase_m = 0.2\n"),
+              HasSubstr("unknown key 'baselines.gyro.wheelbase_m'"));
+  EXPECT_THAT(robot_error("[baselines.differential]\n"),
+              HasSubstr("unknown key 'baselines.differential'"));
+  EXPECT_THAT(robot_error("[baselines.gyro]\nslip_left = 2\n"), HasSubstr("allowed -0.5 to 0.9"));
+}
+
 TEST(RobotFile, AWrittenRobotReadsBackTheSame) {
   Robot robot;
   robot.description = "a \"quoted\" back\\slash\nand line";
   robot.model.slip_angle_straight_rad = 0.123 * kRadPerDeg;
+  robot.baselines[model::kEqsFitted].emplace().slip_right = 0.17;
   robot.drive.invert_left_motor = true;
   robot.emulated.imu.gyro_noise_radps_rthz = 8.7e-5;
   const std::string text = write_robot(robot, "A note.");
   const Robot again = parse_robot(text, "r.toml");
+  EXPECT_EQ(again.baselines[model::kEqsFitted]->slip_right, 0.17);
+  EXPECT_FALSE(again.baselines[model::baseline("icr")]);
   EXPECT_EQ(again.description, robot.description);
   EXPECT_NEAR(again.model.slip_angle_straight_rad, robot.model.slip_angle_straight_rad, 1e-12);
+  EXPECT_EQ(again.baselines[model::kEqsFitted]->slip_right, 0.17);
+  EXPECT_FALSE(again.baselines[model::baseline("icr")]);
   EXPECT_TRUE(again.drive.invert_left_motor);
   EXPECT_EQ(again.emulated.imu.gyro_noise_radps_rthz, 8.7e-5);
   EXPECT_EQ(write_robot(again, "A note."), text);

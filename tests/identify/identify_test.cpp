@@ -11,6 +11,7 @@
 
 #include "core/angle.h"
 #include "core/error.h"
+#include "identify/identify_report.h"
 
 namespace tp100::identify {
 namespace {
@@ -116,10 +117,49 @@ TEST(Identify, FindsARobotOfWhichNothingIsKnown) {
   const Identification found = identify(all_kinds(truth), unknown());
   expect_all_found(found, truth);
   EXPECT_LT(found.extended.rms_m, 0.003);
-  EXPECT_GT(found.plain.rms_m, found.extended.rms_m);
+  EXPECT_GT(found.baselines[model::kEqsFitted]->rms_m, found.extended.rms_m);
   EXPECT_LT(found.extended.condition, 10.0);
   EXPECT_EQ(found.prior.tracks.slip_left, found.extended[&TrackParameters::slip_left].value);
   EXPECT_EQ(found.prior.counts_per_metre, truth.counts_per_metre);
+}
+
+TEST(Identify, SimplerFormsComeFromTheSameDrives) {
+  // What each form can describe exactly.
+  Truth even;
+  even.slip_right = even.slip_left;
+  even.x_icr_m = even.slip_angle_rad = 0.0;
+  const Identification found = identify(all_kinds(even), unknown());
+  const auto fit = [](const Identification& from, const char* key) {
+    return from.baselines[model::baseline(key)];
+  };
+  for (const char* key : {"differential_fitted", "eqs_1_5", "icr", "gyro"}) {
+    SCOPED_TRACE(key);
+    ASSERT_TRUE(fit(found, key));
+    expect_found(*fit(found, key), &TrackParameters::slip_left, even.slip_left, 0.003);
+    EXPECT_LT(fit(found, key)->rms_m, 0.003);
+  }
+  for (const char* key : {"differential_fitted", "eqs_1_5", "icr"})
+    expect_found(*fit(found, key), &TrackParameters::wheelbase_m, even.wheelbase_m,
+                 0.01 * even.wheelbase_m);
+  expect_found(*fit(found, "gyro"), &TrackParameters::gyro_scale, even.gyro_scale, 0.004);
+  // Nothing of these is to be fitted.
+  EXPECT_FALSE(fit(found, "differential"));
+  EXPECT_FALSE(fit(found, "eqs_1_5_printed"));
+
+  Truth ahead;
+  ahead.slip_angle_rad = 0.0;
+  const Identification turned = identify(all_kinds(ahead), unknown());
+  expect_found(*fit(turned, "icr"), &TrackParameters::x_icr_m, ahead.x_icr_m, 0.002);
+  expect_found(*fit(turned, "icr"), &TrackParameters::slip_right, ahead.slip_right, 0.003);
+  EXPECT_GT(fit(turned, "differential_fitted")->rms_m, 2.0 * fit(turned, "icr")->rms_m);
+
+  // And into the robot's file.
+  const course::Robot robot = identified_robot(turned, {}, "");
+  const course::Robot read = course::parse_robot(course::write_robot(robot, ""), "r.toml");
+  const auto& icr = read.baselines[model::baseline("icr")];
+  ASSERT_TRUE(icr);
+  EXPECT_NEAR(icr->x_icr_m, (*fit(turned, "icr"))[&TrackParameters::x_icr_m].value, 5.1e-6);
+  EXPECT_EQ(icr->slip_angle_straight_rad, 0.0);
 }
 
 TEST(Identify, ImagesThatAreOffTogetherSayLess) {
@@ -184,6 +224,7 @@ TEST(Identify, SaysWhatStraightRunsDoNotShow) {
   EXPECT_FALSE(found.extended[&TrackParameters::wheelbase_spin_m].found);
   EXPECT_EQ(found.prior.tracks.wheelbase_spin_m, before.tracks.wheelbase_spin_m);
   EXPECT_EQ(found.prior.tracks.x_icr_m, before.tracks.x_icr_m);
+  for (const std::optional<Fit>& fit : found.baselines) EXPECT_FALSE(fit);
 }
 
 TEST(Identify, NamesThePairThatTurnsToOneSideMix) {

@@ -36,6 +36,7 @@ RunFigures some_figures() {
   RunFigures figures;
   figures.estimates[PoseSource::kModel].emplace().max_position_error_m = 0.1 + 0.2;
   figures.estimates[PoseSource::kOdometry].emplace().mse_x_m2 = 1.25e-5;
+  figures.baselines[model::kEqsFitted].emplace().max_position_error_m = 0.0394;
   figures.tracking.recovery_s = {1.5, std::nullopt};
   figures.tracking.recovery = {{.begin_s = 8.0,
                                 .detection_s = 0.03,
@@ -58,7 +59,7 @@ TEST(ResultJson, ARunThatNeverBeganHasNoFigures) {
   RunResult run = a_run();
   run.points.clear();
   const Json json = Json::parse(result_json(run, {}));
-  for (const char* name : {"model", "odometry", "tracking", "slope"})
+  for (const char* name : {"model", "odometry", "baselines", "tracking", "slope"})
     EXPECT_TRUE(json.at(name).is_null()) << name;
   EXPECT_THAT(result_table(run, {}), HasSubstr("The run never began: there is nothing to judge."));
   EXPECT_THAT(result_table(run, {}), Not(HasSubstr("cross-track")));
@@ -68,12 +69,15 @@ TEST(ResultJson, HasTheDocumentedKeysInOrder) {
   const Json json = Json::parse(result_json(a_run(), some_figures()));
   EXPECT_THAT(keys(json), ElementsAre("course", "board", "robot", "setup", "seed", "completed",
                                       "duration_s", "realtime_factor", "model", "odometry",
-                                      "tracking", "slope", "link", "loop"));
+                                      "baselines", "tracking", "slope", "link", "loop"));
   const auto errors = ElementsAre("max_position_error_m", "mean_position_error_m",
                                   "rms_position_error_m", "final_position_error_m", "mse_x_m2",
                                   "mse_y_m2", "mse_yaw_rad2", "max_yaw_error_rad");
   EXPECT_THAT(keys(json["model"]), errors);
   EXPECT_THAT(keys(json["odometry"]), errors);
+  EXPECT_THAT(keys(json["baselines"]), ElementsAre("eqs_1_5"));
+  EXPECT_THAT(keys(json["baselines"]["eqs_1_5"]), errors);
+  EXPECT_EQ(json["baselines"]["eqs_1_5"]["max_position_error_m"], 0.0394);
   EXPECT_THAT(keys(json["tracking"]),
               ElementsAre("max_cross_track_m", "rms_cross_track_m", "max_yaw_error_rad",
                           "recovery_s", "recovery", "false_alarms"));
@@ -137,6 +141,8 @@ TEST(ResultTable, ShowsThePrintedValuesAndWhatIsOurs) {
   EXPECT_THAT(text, HasSubstr("completed\n41.2 s of robot time"));
   EXPECT_THAT(text, HasSubstr("paper, as printed"));
   EXPECT_THAT(text, HasSubstr("0.1854"));
+  EXPECT_THAT(text, HasSubstr("form: eqs_1_5                  3.94"));
+  EXPECT_THAT(result_table(a_run(), {}), Not(HasSubstr("form: ")));
   EXPECT_THAT(text, HasSubstr("are ours: the paper does not print them"));
   EXPECT_THAT(text, HasSubstr("shown, not compared"));
   EXPECT_THAT(text,
@@ -155,7 +161,9 @@ TEST(ResultTable, FitsAHundredColumns) {
   RunResult run = a_run();
   run.completed = false;
   run.cause = "fence";
-  std::istringstream lines(result_table(run, some_figures()));
+  RunFigures figures = some_figures();
+  for (auto& errors : figures.baselines) errors.emplace().max_position_error_m = 99.9;
+  std::istringstream lines(result_table(run, figures));
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 

@@ -5,12 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "../programs/process.h"
 #include "app/replay.h"
+#include "identify/drive_file.h"
 #include "report/metrics.h"
 #include "report/result_text.h"
 #include "report/run_result.h"
@@ -89,12 +91,63 @@ TEST_P(RecordedCourse, TheReportHasTheFiguresOfTheRun) {
   const report::RunFigures figures = report::figures(run.result, load_course(GetParam()));
   const Json expected = Json::parse(report::result_json(run.result, figures));
   for (const char* name : {"course", "robot", "setup", "board", "seed", "completed", "duration_s",
-                           "model", "odometry", "tracking"})
+                           "model", "odometry", "baselines", "tracking"})
     EXPECT_EQ(metrics[name], expected[name]) << name;
   EXPECT_EQ(metrics["truth"], true);
+  EXPECT_EQ(metrics["baselines"].size(), model::kBaselines.size());
   const std::string page = test::read_bytes(folder + "/report.html");
   EXPECT_THAT(page, HasSubstr("tp100Replay(document"));
+  for (const model::ModelForm& form : model::kBaselines)
+    EXPECT_THAT(page, HasSubstr("<td>" + std::string(form.key) + "</td>"));
+  const std::string out = folder_.file("compared");
+  const test::Finished compared =
+      test::run({"tp100d", "compare", run.path, run.path, "--out", out});
+  ASSERT_EQ(compared.status, 0) << compared.output;
+  EXPECT_THAT(test::read_bytes(out + "/compare.html"), HasSubstr(" (2): eqs_1_5</td>"));
+  EXPECT_EQ(Json::parse(test::read_bytes(out + "/compare.json"))["runs"][1]["baselines"],
+            expected["baselines"]);
   EXPECT_EQ(run.result.disturbances.empty(), page.find("the robot is pushed") == std::string::npos);
+}
+
+// Small steps of the equations, from the recording's samples and without any code under test.
+TEST_P(RecordedCourse, SimplerFormsAreDeadReckoningOnItsSamples) {
+  const Recorded run = drive(GetParam(), folder_.path().string());
+  const identify::RecordedDrive samples = identify::recorded_drive(Recording(run.path));
+  const course::Robot robot = load({}).robot;
+  const model::TrackParameters& fitted = *robot.baselines[model::kEqsFitted];
+  const std::vector<report::TrajectoryPoint>& points = run.result.points;
+  const double begin_s = static_cast<double>(points.front().measured.device_us) * 1e-6;
+  const double end_s = static_cast<double>(points.back().measured.device_us) * 1e-6;
+  Pose pose = points.front().estimates[PoseSource::kModel];
+  for (std::size_t i = 1; i < samples.samples.size(); ++i) {
+    const identify::DriveSample &a = samples.samples[i - 1], &b = samples.samples[i];
+    if (a.t_s < begin_s - 1e-9 || b.t_s > end_s + 1e-9) continue;
+    const double per_metre = robot.drive.counts_per_metre, dt_s = b.t_s - a.t_s;
+    const double left_m =
+        static_cast<double>(b.left_counts - a.left_counts) / per_metre * (1 - fitted.slip_left);
+    const double right_m =
+        static_cast<double>(b.right_counts - a.right_counts) / per_metre * (1 - fitted.slip_right);
+    const double turn = (right_m - left_m) / fitted.wheelbase_m;
+    const double beta = std::abs(turn / dt_s) > 0.05 ? fitted.slip_angle_turning_rad
+                                                     : fitted.slip_angle_straight_rad;
+    const double x_m = (left_m + right_m) / 2, y_m = x_m * std::tan(beta);
+    const double middle = pose.yaw_rad + turn / 2;
+    pose.x_m += x_m * std::cos(middle) - y_m * std::sin(middle);
+    pose.y_m += x_m * std::sin(middle) + y_m * std::cos(middle);
+    pose.yaw_rad += turn;
+  }
+  const std::vector<Pose> poses =
+      report::baseline_poses(run.result, model::kBaselines[model::kEqsFitted], fitted);
+  EXPECT_NEAR(poses.back().x_m, pose.x_m, 1e-4);
+  EXPECT_NEAR(poses.back().y_m, pose.y_m, 1e-4);
+  EXPECT_NEAR(poses.back().yaw_rad, pose.yaw_rad, 1e-6);
+  if (run.result.disturbances.empty()) {
+    const Pose& truth = points.back().truth;
+    EXPECT_NEAR(report::figures(run.result, load_course(GetParam()))
+                    .baselines[model::kEqsFitted]
+                    ->final_position_error_m,
+                std::hypot(pose.x_m - truth.x_m, pose.y_m - truth.y_m), 1e-4);
+  }
 }
 
 TEST_P(RecordedCourse, IsExportedFromTheFirstToTheLastStepOfItsRun) {

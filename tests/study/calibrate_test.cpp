@@ -24,6 +24,8 @@ TEST(Calibration, FindsWhatTheBodyReallyDid) {
     if (calibration.holds(row.value)) ++held;
   EXPECT_GE(held + 1, model::kTrackParameters.size());
   EXPECT_TRUE(calibration.found.extended.confused.empty());
+  for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
+    EXPECT_EQ(calibration.found.baselines[i].has_value(), model::kBaselines[i].fixed == nullptr);
 }
 
 TEST(CalibrationJson, WhatCouldNotBeMeasuredIsNull) {

@@ -158,8 +158,44 @@ TEST(Study, JudgesModelEstimateAndTrackingByTheirOwnLimits) {
     EXPECT_TRUE(one.holds()) << one.what << " " << one.ours.median;
     EXPECT_GT(one.ours.median, 0.0);
   }
-  EXPECT_THAT(what, testing::IsSupersetOf(
-                        {"model max", "odometry max", "fused max on the level", "tracking max"}));
+  EXPECT_THAT(what, testing::IsSupersetOf({"eqs 1-5 as printed max", "eqs 1-5 fitted max",
+                                           "extended model max", "odometry max",
+                                           "fused max on the level", "tracking max"}));
+  EXPECT_EQ(result.forms.size(), model::kBaselines.size() + kPoseSources.size());
+}
+
+const Judged& judged(const CourseStudy& study, const std::string& what) {
+  return *std::ranges::find(study.judged, what, &Judged::what);
+}
+
+TEST(Study, WithoutTheExtensionTheModelBreaksItsLimit) {
+  for (const char* kind : {"1-curve", "1-sharp"}) {
+    SCOPED_TRACE(kind);
+    Trial trial = one_run(load_course(kind));
+    Options options;
+    options.robot = "uniform";
+    trial.robot = load(options).robot;
+    const CourseStudy with = study(trial, kind, false);
+    EXPECT_TRUE(judged(with, "extended model max").holds());
+    EXPECT_TRUE(judged(with, "eqs 1-5 fitted max").holds());
+    const double gyro_scale = trial.robot.model.gyro_scale;
+    trial.robot.model = *trial.robot.baselines[model::kEqsFitted];
+    trial.robot.model.gyro_scale = gyro_scale;
+    const CourseStudy without = study(trial, kind, false);
+    EXPECT_FALSE(judged(without, "extended model max").holds());
+    // Then the model is eqs 1-5.
+    EXPECT_NEAR(judged(without, "extended model max").ours.median,
+                judged(without, "eqs 1-5 fitted max").ours.median, 0.02);
+  }
+}
+
+TEST(Study, ARobotOfWhichNothingWasFittedHasNoFigureOfEqs15) {
+  Trial trial = one_run(load_course("1-straight"));
+  trial.robot.baselines = {};
+  const CourseStudy result = study(trial, "1-straight", true);
+  EXPECT_EQ(std::ranges::count(result.judged, "eqs 1-5 fitted max", &Judged::what), 0);
+  EXPECT_EQ(errors_of(result, "eqs_1_5"), nullptr);
+  EXPECT_NE(errors_of(result, "differential"), nullptr);
 }
 
 TEST(Study, OnObstaclesTheFusedPoseHasALimitOfItsOwn) {
@@ -192,6 +228,9 @@ Reproduction made_up(double fused_cm) {
   one.setup = "flat";
   one.board = "native";
   one.runs = one.completed = 1;
+  one.distance_m = 2.0;
+  one.forms = {{"eqs_1_5", {.max_position_error_m = 0.05}},
+               {"extended", {.max_position_error_m = 0.002, .max_yaw_error_rad = 0.01}}};
   one.judged.push_back(
       {"1-curve", one.robot, "fused max on the level", "cm", 0.6, {fused_cm, fused_cm, 1}});
   what.studies.push_back(one);
@@ -209,6 +248,18 @@ TEST(Reproduction, SaysWhichLimitDoesNotHold) {
   EXPECT_EQ(json["studies"][0]["figures"][0]["holds"], false);
   EXPECT_NEAR(json["slope_max_difference"].get<double>(), 0.015, 1e-12);
   EXPECT_EQ(json["studies"][0]["paper"]["max_position_error_cm"], 1.2028);
+}
+
+TEST(Reproduction, ShowsThePaperBesideEqs15AndTheExtendedModel) {
+  const Reproduction what = made_up(0.5);
+  EXPECT_THAT(reproduction_page(what),
+              HasSubstr("<td>1.20</td><td>-</td><td>5.00</td><td>0.20</td><td>0.50</td>"));
+  // Of two metres.
+  EXPECT_THAT(reproduction_table(what), HasSubstr("2.50 / 2.50"));
+  EXPECT_THAT(reproduction_table(what), HasSubstr("0.10 / 0.10"));
+  const auto forms = nlohmann::json::parse(reproduction_json(what))["studies"][0]["forms"];
+  EXPECT_EQ(forms["eqs_1_5"]["max_position_error_m"], 0.05);
+  EXPECT_EQ(forms["extended"]["max_yaw_error_rad"], 0.01);
 }
 
 TEST(Reproduction, ARunThatWasNotCompletedDoesNotHold) {

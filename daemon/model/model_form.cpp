@@ -1,0 +1,45 @@
+#include "model/model_form.h"
+
+namespace tp100::model {
+
+TrackParameters ModelForm::only(TrackParameters parameters) const {
+  for (std::size_t i = 0; i < kTrackParameters.size(); ++i) {
+    const TrackParameter value = kTrackParameters[i].value;
+    const bool has_no_zero =
+        value == &TrackParameters::wheelbase_m || value == &TrackParameters::gyro_scale;
+    if (!fitted[i] && !has_no_zero) parameters.*value = 0.0;
+  }
+  return parameters;
+}
+
+TrackParameters without_slip(double gauge_m) {
+  TrackParameters parameters = ModelForm{}.only({});
+  parameters.wheelbase_m = gauge_m;
+  return parameters;
+}
+
+TrackParameters as_printed(double /*gauge_m*/) { return {}; }
+
+DeadReckoning::DeadReckoning(const ModelForm& form, TrackParameters parameters, const Pose& start)
+    : parameters_([&] {
+        if (form.one_slip) parameters.slip_right = parameters.slip_left;
+        return parameters;
+      }()),
+      yaw_from_gyro_(form.yaw_from_gyro),
+      tracks_(parameters_, Mode::kExtended),
+      pose_(start) {
+  tracks_.reset(start);
+}
+
+void DeadReckoning::advance(double left_mps, double right_mps, double gyro_radps, double dt_s) {
+  if (!yaw_from_gyro_) {
+    tracks_.advance(left_mps, right_mps, dt_s);
+    pose_ = tracks_.pose();
+    return;
+  }
+  Twist twist = body_twist(parameters_, Mode::kExtended, left_mps, right_mps);
+  twist.yaw_rate_radps = parameters_.gyro_scale * gyro_radps;
+  model::advance(pose_, twist, dt_s);
+}
+
+}  // namespace tp100::model
