@@ -217,9 +217,10 @@ TEST(RecordedRun, EveryBoardReplaysBitForBitInEverySetup) {
   for (const char* board : kBoards) {
     for (const char* setup : {"stand", "flat", "terrain"}) {
       const test::TemporaryFolder folder;
-      const Recording recording(drive("1-straight", folder.path().string(), false,
-                                      {.board = board, .robot = {}, .config = {}, .setup = setup})
-                                    .path);
+      const Recording recording(
+          drive("1-straight", folder.path().string(), false,
+                {.board = board, .body = {}, .robot = {}, .config = {}, .setup = setup})
+              .path);
       EXPECT_EQ(recording.fact("board"), board);
       EXPECT_EQ(recording.fact("setup"), setup);
       const app::Replayed replay = replayed(recording);
@@ -232,9 +233,9 @@ TEST(RecordedRun, EveryBoardReplaysBitForBitInEverySetup) {
 
 TEST(RecordedRun, ARampAndAStepUnderTheTracksReplayToo) {
   const test::TemporaryFolder folder;
-  const Recording recording(
-      drive("3", folder.path().string(), false, {.robot = {}, .config = {}, .setup = "terrain"})
-          .path);
+  const Recording recording(drive("3", folder.path().string(), false,
+                                  {.body = {}, .robot = {}, .config = {}, .setup = "terrain"})
+                                .path);
   EXPECT_FALSE(replayed(recording).differs_at);
 }
 
