@@ -20,10 +20,12 @@ TrackParameters without_slip(double gauge_m) {
 
 TrackParameters as_printed(double /*gauge_m*/) { return {}; }
 
-DeadReckoning::DeadReckoning(const ModelForm& form, TrackParameters parameters, const Pose& start)
+DeadReckoning::DeadReckoning(const ModelForm& form, const TrackParameters& parameters,
+                             const Pose& start)
     : parameters_([&] {
-        if (form.one_slip) parameters.slip_right = parameters.slip_left;
-        return parameters;
+        TrackParameters own = parameters;
+        if (form.one_slip) own.slip_right = own.slip_left;
+        return own;
       }()),
       yaw_from_gyro_(form.yaw_from_gyro),
       tracks_(parameters_, Mode::kExtended),

@@ -101,7 +101,7 @@ static_assert(std::max(kEqsPrinted, kEqsFitted) < kBaselines.size());
 /// Pose by encoders, and by the gyro if the form takes it, on flat ground. No allocation.
 class DeadReckoning {
  public:
-  DeadReckoning(const ModelForm& form, TrackParameters parameters, const Pose& start = {});
+  DeadReckoning(const ModelForm& form, const TrackParameters& parameters, const Pose& start = {});
 
   /// Tracks at constant speeds for `dt_s`; `gyro_radps` in nominal scale, its bias removed.
   void advance(double left_mps, double right_mps, double gyro_radps, double dt_s);
