@@ -179,6 +179,7 @@ void add_form(std::vector<FormErrors>& forms, const std::vector<TrialRun>& runs,
         &PoseErrors::rms_position_error_m, &PoseErrors::final_position_error_m,
         &PoseErrors::max_yaw_error_rad}) {
     std::vector<double> values;
+    values.reserve(runs.size());
     for (const TrialRun& run : runs) values.push_back((*errors_of(run)).*figure);
     errors.median.*figure = spread(values).median;
   }
