@@ -61,7 +61,8 @@ class Replay {
         parameters_(model.paper ? bridge::paper_parameters(parameters.model) : parameters.model),
         mode_(model.paper ? model::Mode::kPaper : model::Mode::kExtended),
         counts_per_metre_(parameters.drive.counts_per_metre),
-        standstill_(parameters.estimation) {}
+        standstill_(parameters.estimation),
+        estimate_(parameters_, bridge::filter_noise(parameters)) {}
 
   /// The state at the row's own time, with the motion that begins there.
   State begin(const Row& row) {
@@ -86,17 +87,22 @@ class Replay {
  private:
   Twist advanced(double dt_s) {
     Twist twist;
+    const model::Incline incline = model::inclined(row_.slope_rad);
     if (odometry_) {
-      estimation::Odometry odometry(parameters_);
-      odometry.reset(pose_);
-      twist = odometry.advance({row_.left_mps, row_.right_mps},
-                               row_.gyro_z_radps - standstill_.bias_radps(), dt_s,
-                               model::inclined(row_.slope_rad));
-      pose_ = odometry.pose();
+      estimate_.advance({.dt_s = dt_s,
+                         .tracks = {row_.left_mps, row_.right_mps},
+                         .gyro_z_radps = row_.gyro_z_radps,
+                         .gyro = true,
+                         .ground = {.horizontal_fraction = incline.horizontal_fraction,
+                                    .pitch_rad = -row_.slope_rad,
+                                    .slip = model::slip_on(parameters_, mode_, incline)}});
+      twist = estimate_.twist();
+      const double z_m = pose_.z_m + twist.vx_mps * std::sin(row_.slope_rad) * dt_s;
+      pose_ = estimate_.pose();
+      pose_.z_m = z_m;
     } else {
-      twist = model::body_twist(parameters_, mode_, row_.left_mps, row_.right_mps,
-                                model::inclined(row_.slope_rad));
-      model::advance(pose_, twist, dt_s, model::inclined(row_.slope_rad));
+      twist = model::body_twist(parameters_, mode_, row_.left_mps, row_.right_mps, incline);
+      model::advance(pose_, twist, dt_s, incline);
     }
     return twist;
   }
@@ -109,6 +115,7 @@ class Replay {
     sample.right_counts = std::llround(right_m_ * counts_per_metre_);
     sample.imu_age = 0;
     standstill_.update(sample, row_.gyro_z_radps);
+    if (standstill_.rest()) estimate_.standstill(*standstill_.rest());
   }
 
   bool odometry_;
@@ -116,6 +123,7 @@ class Replay {
   model::Mode mode_;
   double counts_per_metre_;
   estimation::Standstill standstill_;
+  estimation::Odometry estimate_;
   Row row_{};
   Pose pose_{};
   double left_m_ = 0.0, right_m_ = 0.0;

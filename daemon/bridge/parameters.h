@@ -76,6 +76,13 @@ struct Parameters {
   double sample_timeout_s = 0.2;    ///< no newer sample ends a run: link_lost or samples_stale
 };
 
+/// Noise of the estimators, with the resolution of this robot's encoders.
+inline estimation::FilterParameters filter_noise(const Parameters& parameters) {
+  estimation::FilterParameters noise = parameters.estimation.filter;
+  noise.edge_m = 1.0 / parameters.drive.counts_per_metre;
+  return noise;
+}
+
 /// Eqs 1-5 with the paper's constants; only the turning threshold is taken from `values`.
 inline model::TrackParameters paper_parameters(const model::TrackParameters& values) {
   return {.turning_threshold_radps = values.turning_threshold_radps};

@@ -10,11 +10,6 @@ constexpr double kSpeedLagS = 0.04;
 // A camera that was used this recently sees the robot.
 constexpr double kCameraNowS = 0.15;
 
-// Noise of the gyro at rest: of one sample, and of the mean over the first still window with what
-// the warm-up adds.
-constexpr double kStandstillSampleSdRadps = 0.003;
-constexpr double kStandstillWindowSdRadps = 0.0005;
-
 model::TrackModel make_model(const Parameters& parameters) {
   if (parameters.paper_model) return {paper_parameters(parameters.model), model::Mode::kPaper};
   return {parameters.model, model::Mode::kExtended};
@@ -42,19 +37,20 @@ Perception::Perception(const Parameters& parameters, const course::Course* cours
       obstacle_class_(parameters.shape.axle_spacing_m),
       terrain_contacts_(parameters, course),
       track_model_(make_model(parameters)),
-      odometry_(parameters.model),
-      filter_(parameters.model, parameters.estimation.filter, parameters.estimation.camera,
+      odometry_(parameters.model, filter_noise(parameters)),
+      filter_(parameters.model, filter_noise(parameters), parameters.estimation.camera,
               camera_place(parameters, course)) {}
 
 void Perception::restart() {
   tracks_.restart();
   standstill_.restart();
+  odometry_.interrupt();
   filter_.interrupt();
 }
 
 void Perception::begin(const Pose& start, HostNs now) {
   track_model_.reset(start);
-  odometry_.reset(start);
+  odometry_.begin(start);
   filter_.begin(start, now);
   terrain_contacts_.restart();
   traction_estimator_.restart();
@@ -69,7 +65,8 @@ void Perception::carry(CarriedState& state) const {
   state.sample = sample_;
   state.has_sample = has_sample_;
   state.continues = tracks_.has_last();
-  state.poses = poses_of(estimates());
+  state.model = track_model_.pose();
+  state.odometry = odometry_.carried();
   const Transform2d& transform = terrain_contacts_.transform();
   state.virtual_x_m = transform.x_m;
   state.virtual_y_m = transform.y_m;
@@ -78,7 +75,6 @@ void Perception::carry(CarriedState& state) const {
   state.attitude = attitude_.carried();
   state.gyro_bias_radps = standstill_.bias_radps();
   state.gyro_bias_known = standstill_.bias_known();
-  state.filter_has_bias = bias_taken_;
 }
 
 void Perception::resume(const CarriedState& state) {
@@ -91,13 +87,11 @@ void Perception::resume(const CarriedState& state) {
   terrain_contacts_.resume({state.virtual_x_m, state.virtual_y_m, state.virtual_turn_rad});
   traction_estimator_.restart();
   track_model_ = make_model(parameters_);
-  track_model_.reset(state.poses[PoseSource::kModel]);
-  odometry_ = estimation::Odometry(parameters_.model);
-  odometry_.reset(state.poses[PoseSource::kOdometry]);
+  track_model_.reset(state.model);
+  odometry_.resume(state.odometry);
   filter_.resume(state.filter);
   sample_ = state.sample;
   has_sample_ = state.has_sample;
-  bias_taken_ = state.filter_has_bias;
   interval_ = {};
   speeds_ = {};
 }
@@ -115,14 +109,7 @@ void Perception::take(const Sample& next, bool running) {
   track_model_.advance(interval_.tracks.left_mps, interval_.tracks.right_mps, dt_s,
                        terrain_contacts_.incline(PoseSource::kModel));
   const double rate = heading_rate_radps();
-  if (gyro_steers() && interval_.gyro_fresh) {
-    odometry_.advance(interval_.tracks, rate, dt_s,
-                      terrain_contacts_.incline(PoseSource::kOdometry));
-  } else {
-    odometry_.advance_without_gyro(interval_.tracks, dt_s,
-                                   terrain_contacts_.incline(PoseSource::kOdometry));
-  }
-  update_filter(rate);
+  update_estimates(rate);
   update_traction(running);
   update_speeds(rate);
 }
@@ -195,20 +182,20 @@ void Perception::update_terrain_contacts() {
                              .imu = {attitude_.roll_rad(), attitude_.pitch_rad()}});
 }
 
-void Perception::update_filter(double rate_radps) {
-  filter_.advance({.end_ns = sample_.measured_ns,
-                   .dt_s = interval_.dt_s,
-                   .tracks = interval_.tracks,
-                   .gyro_z_radps = rate_radps + standstill_.bias_radps(),
-                   .gyro = gyro_steers() && interval_.gyro_fresh,
-                   .ground = terrain_contacts_.ground()});
-  if (!standstill_.still()) return;
-  if (bias_taken_) {
-    filter_.standstill(tracks_.gyro_z_radps(sample_), kStandstillSampleSdRadps);
-  } else {
-    bias_taken_ = true;
-    filter_.standstill(standstill_.bias_radps(), kStandstillWindowSdRadps);
-  }
+void Perception::update_estimates(double rate_radps) {
+  estimation::FilterInput in{.end_ns = sample_.measured_ns,
+                             .dt_s = interval_.dt_s,
+                             .tracks = interval_.tracks,
+                             .gyro_z_radps = rate_radps + standstill_.bias_radps(),
+                             .gyro = gyro_steers() && interval_.gyro_fresh,
+                             .warming_degc = interval_.warming_degc,
+                             .ground = terrain_contacts_.ground(PoseSource::kOdometry)};
+  odometry_.advance(in);
+  in.ground = terrain_contacts_.ground(PoseSource::kFused);
+  filter_.advance(in);
+  if (!standstill_.rest()) return;
+  odometry_.standstill(*standstill_.rest());
+  filter_.standstill(*standstill_.rest());
 }
 
 void Perception::update_traction(bool running) {

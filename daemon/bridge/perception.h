@@ -95,7 +95,7 @@ class Perception {
   double encoder_yaw_rate_radps() const;
   void update_attitude(bool running);
   void update_terrain_contacts();
-  void update_filter(double rate_radps);
+  void update_estimates(double rate_radps);
   void update_traction(bool running);
   void update_speeds(double rate_radps);
 
@@ -113,7 +113,6 @@ class Perception {
 
   Sample sample_{};
   bool has_sample_ = false;
-  bool bias_taken_ = false;
   Interval interval_{};
   Speeds speeds_{};
 };

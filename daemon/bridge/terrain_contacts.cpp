@@ -93,8 +93,8 @@ void TerrainContacts::advance(const TerrainInput& in) {
   transform_.y_m += ahead_m * std::sin(steering.yaw_rad);
 }
 
-estimation::Ground TerrainContacts::ground() const {
-  const terrain::ContactState& on = followers_[PoseSource::kFused].state();
+estimation::Ground TerrainContacts::ground(PoseSource source) const {
+  const terrain::ContactState& on = followers_[source].state();
   return {.horizontal_fraction = on.incline.horizontal_fraction,
           .z_m = on.height_m,
           .roll_rad = on.roll_rad,

@@ -10,7 +10,6 @@
 #include "core/pose.h"
 #include "course/course.h"
 #include "estimation/motion.h"
-#include "estimation/odometry.h"
 #include "model/track_model.h"
 #include "terrain/terrain_follower.h"
 #include "terrain/world.h"
@@ -70,8 +69,8 @@ class TerrainContacts {
   const model::Incline& incline(PoseSource source) const {
     return followers_[source].state().incline;
   }
-  /// The same for the filter of the fused pose.
-  estimation::Ground ground() const;
+  /// The same as an estimator takes it.
+  estimation::Ground ground(PoseSource source) const;
 
   /// Sets height, pitch and roll of each pose: those of its own terrain follower, or of the virtual
   /// robot.

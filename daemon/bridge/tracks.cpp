@@ -18,6 +18,7 @@ std::optional<Interval> Tracks::update(const Sample& sample) {
   interval.tracks.right_mps = speed(sample.right_counts - last_.right_counts);
   interval.gyro_z_radps = (gyro_z_radps(sample) + gyro_z_radps(last_)) / 2.0;
   interval.gyro_fresh = sample.imu_age == 0 && last_.imu_age == 0;
+  interval.warming_degc = sample.temperature_degc - last_.temperature_degc;
   last_ = sample;
   return interval;
 }

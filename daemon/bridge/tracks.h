@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/sample.h"
-#include "estimation/odometry.h"
+#include "estimation/motion.h"
 
 namespace tp100::bridge {
 
@@ -14,6 +14,7 @@ struct Interval {
   estimation::TrackSpeeds tracks{};
   double gyro_z_radps = 0.0;  ///< mean over the interval, calibrated scale, bias included
   bool gyro_fresh = false;    ///< both ends had a new IMU value
+  double warming_degc = 0.0;  ///< rise of the gyro's temperature
 };
 
 /// Turns consecutive samples into intervals. No allocation; safe in the real-time thread.

@@ -15,13 +15,19 @@
 
 namespace tp100 {
 
-/// State of the pose filter; units as in estimation/filter_state.h.
+/// State of an estimate; places and units as in estimation/kalman.h.
+struct CarriedEstimate {
+  std::array<double, 8> mean{};
+  std::array<double, 64> covariance{};  ///< row by row
+  std::array<double, 8> slip_walk{};    ///< log-likelihoods, see estimation::SlipWalk
+};
+
+/// State of the pose filter.
 struct CarriedFilter {
-  std::array<double, 6> mean{};
-  std::array<double, 36> covariance{};  ///< row by row
-  double branch_rad = 0.0;              ///< full turns between the filter's yaw and the course's
-  HostNs camera_ns = 0;                 ///< when the last used camera sample was taken
-  HostNs last_seen_ns = 0;              ///< when the newest camera sample was taken
+  CarriedEstimate estimate{};
+  double branch_rad = 0.0;  ///< full turns between the filter's yaw and the course's
+  HostNs camera_ns = 0;     ///< when the last used camera sample was taken
+  HostNs last_seen_ns = 0;  ///< when the newest camera sample was taken
   bool camera_known = false;
   double nis = 0.0;
   double nis_sum = 0.0;
@@ -48,10 +54,11 @@ struct CarriedState {
   BoundedList<ParameterChange, kLiveParameters> parameters{};
   double cross_track_m = 0.0;  ///< where the last run ended
   double progress_m = 0.0;
-  Sample sample{};           ///< the newest
-  bool has_sample = false;   ///< it is of this session
-  bool continues = false;    ///< the next sample continues it
-  PerSource<Pose> poses{};   ///< of each estimate; the fused one goes on from `filter`
+  Sample sample{};          ///< the newest
+  bool has_sample = false;  ///< it is of this session
+  bool continues = false;   ///< the next sample continues it
+  Pose model{};             ///< the model's pose
+  CarriedEstimate odometry{};
   double virtual_x_m = 0.0;  ///< from the robot's floor into the course's world
   double virtual_y_m = 0.0;
   double virtual_turn_rad = 0.0;
@@ -59,7 +66,6 @@ struct CarriedState {
   CarriedAttitude attitude{};
   double gyro_bias_radps = 0.0;
   bool gyro_bias_known = false;
-  bool filter_has_bias = false;  ///< the filter has received it
 };
 
 }  // namespace tp100

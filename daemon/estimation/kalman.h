@@ -1,15 +1,18 @@
 #pragma once
 // The pose filter's state, the measurement update of a Kalman filter, and its check by NIS.
 //
-// The state is x, y, yaw of the reference point in the world, gyro bias and slip ratios.
+// The state is x, y, yaw of the reference point in the world, gyro bias, common slip, slip
+// difference, turn gain, and the change of the bias with the gyro's temperature. Common slip c and
+// slip difference d are beside the slip that the ground is expected to have: the left track covers
+// (1 - c - d) of the expected distance, the right one (1 - c + d). The turn gain g is what the
+// wheelbase gets wrong: the tracks turn the robot by (1 + g) of the expected angle.
 // What can be seen of it:
-// - Gyro and tracks see the bias at rest, and while driving straight the difference of the slip
-//   ratios (of right against left distance). They see neither place nor direction nor the mean
-//   slip: those only drift.
-// - A camera sees place and direction and, while the robot moves, the mean slip; together with the
-//   gyro both slip ratios and the bias.
-// - The wheelbase cannot be told from the slip difference without turns in both directions; it is
-//   not a state, its error is noise of the tracks' yaw rate in turns.
+// - Gyro and tracks see the bias at rest, while driving straight the sum of bias and slip
+//   difference, and in a turn the sum of these and the turn gain: turns of different sharpness and
+//   both directions tell them apart. They see neither place nor direction nor common slip: those
+//   only drift.
+// - A camera sees place and direction and, while the robot moves, the common slip; together with
+//   the gyro the slip difference and the bias.
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -19,7 +22,17 @@ namespace tp100::estimation {
 
 inline double square(double value) { return value * value; }
 
-enum StateIndex : Eigen::Index { kX, kY, kYaw, kBias, kSlipLeft, kSlipRight, kStates };
+enum StateIndex : Eigen::Index {
+  kX,
+  kY,
+  kYaw,
+  kBias,
+  kCommonSlip,
+  kSlipDifference,
+  kTurnGain,
+  kBiasPerDegc,
+  kStates
+};
 
 using StateVector = Eigen::Matrix<double, kStates, 1>;
 using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
@@ -53,13 +66,15 @@ double normalized_innovation(const FilterState& state, const Measurement<Rows>& 
   return seen.innovation.dot(inverse * seen.innovation);
 }
 
-/// Updates mean and covariance. The Joseph form keeps the covariance positive; averaging with its
-/// transpose keeps it symmetric. No allocation.
+/// Updates mean and covariance; of the states before `first` only the covariance. The Joseph form
+/// is right for any gain and keeps the covariance positive; averaging with its transpose keeps it
+/// symmetric. No allocation.
 template <int Rows>
-void update(FilterState& state, const Measurement<Rows>& seen) {
+void update(FilterState& state, const Measurement<Rows>& seen, Eigen::Index first = 0) {
   const Eigen::Matrix<double, Rows, Rows> inverse = innovation_covariance(state, seen).inverse();
-  const Eigen::Matrix<double, kStates, Rows> gain =
+  Eigen::Matrix<double, kStates, Rows> gain =
       state.covariance * seen.jacobian.transpose() * inverse;
+  gain.topRows(first).setZero();
   state.mean += gain * seen.innovation;
   const StateMatrix left = StateMatrix::Identity() - gain * seen.jacobian;
   const StateMatrix joseph =

@@ -12,6 +12,8 @@ namespace {
 constexpr double kResidualGate = 10.8;
 // Without a gyro the tracks' error counts as constant for this long.
 constexpr double kTrackErrorS = 0.1;
+// Of the tracks' difference over a window, in edges: each track begins and ends it between two.
+const double kEdgeSd = std::sqrt(4.0 / 12.0);
 constexpr double kMovingMps = 0.002;
 // A body that tips over an edge moves sideways to its tracks. Slower rates are noise of the pitch.
 constexpr double kTiltSdMRtrad = 0.01;
@@ -19,22 +21,64 @@ constexpr double kTippingRadps = 0.1;
 
 }  // namespace
 
+FilterState MotionModel::prior() const {
+  FilterState state;
+  StateMatrix& p = state.covariance;
+  p(kX, kX) = p(kY, kY) = square(noise_.start_sd_m);
+  p(kYaw, kYaw) = square(noise_.start_sd_rad);
+  p(kBias, kBias) = square(noise_.bias_sd_radps);
+  p(kCommonSlip, kCommonSlip) = square(noise_.slip_sd);
+  p(kSlipDifference, kSlipDifference) = square(noise_.slip_difference_sd);
+  p(kTurnGain, kTurnGain) = square(noise_.turn_gain_sd);
+  p(kBiasPerDegc, kBiasPerDegc) = square(noise_.bias_per_degc_sd);
+  return state;
+}
+
 model::Turn MotionModel::turn_of(const Motion& motion) const {
   return model::turn_of(tracks_, model::Mode::kExtended, motion.shape);
 }
 
+TrackSpeeds MotionModel::over_ground(const StateVector& mean, const Motion& motion) const {
+  const TrackSpeeds expected = expected_speeds(motion.tracks, motion.ground);
+  return {expected.left_mps * (1.0 - mean[kCommonSlip] - mean[kSlipDifference]),
+          expected.right_mps * (1.0 - mean[kCommonSlip] + mean[kSlipDifference])};
+}
+
+model::Slip MotionModel::slip(const StateVector& mean, const Motion& motion) const {
+  Motion unit = motion;
+  unit.tracks = {1.0, 1.0};
+  const TrackSpeeds share = over_ground(mean, unit);
+  return {1.0 - share.left_mps, 1.0 - share.right_mps};
+}
+
 Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
-  const double left = motion.tracks.left_mps * (1.0 - mean[kSlipLeft]);
-  const double right = motion.tracks.right_mps * (1.0 - mean[kSlipRight]);
+  const auto [left, right] = over_ground(mean, motion);
   const model::Turn turn = turn_of(motion);
   Twist twist;
   twist.vx_mps = (right + left) / 2.0 * (1.0 - turn.slip);
-  twist.yaw_rate_radps =
-      motion.gyro ? motion.gyro_z_radps - mean[kBias] : (right - left) / turn.wheelbase_m;
+  twist.yaw_rate_radps = motion.gyro ? motion.gyro_z_radps - mean[kBias]
+                                     : (right - left) / turn.wheelbase_m * (1.0 + mean[kTurnGain]);
   twist.vy_mps =
       twist.vx_mps * std::tan(model::slip_angle_rad(tracks_, turn, twist.yaw_rate_radps)) -
       turn.x_icr_m * twist.yaw_rate_radps;
   return twist;
+}
+
+double MotionModel::innovation_radps(const StateVector& mean, const Residual& residual) const {
+  const double left = residual.left_radps * (1.0 - mean[kCommonSlip] - mean[kSlipDifference]);
+  const double right = residual.right_radps * (1.0 - mean[kCommonSlip] + mean[kSlipDifference]);
+  return residual.gyro_z_radps - (right - left) * (1.0 + mean[kTurnGain]) - mean[kBias];
+}
+
+double MotionModel::turn_ratio(const StateVector& mean, const Residual& residual) const {
+  const double both = std::abs(residual.left_radps) + std::abs(residual.right_radps);
+  return both > 0.0 ? std::clamp((residual.gyro_z_radps - mean[kBias]) / both, -1.0, 1.0) : 0.0;
+}
+
+double MotionModel::residual_sd_radps(const Motion& motion) const {
+  const double edge_radps =
+      noise_.edge_m / (turn_of(motion).wheelbase_m * noise_.residual_window_s);
+  return std::hypot(noise_.residual_sd_radps, kEdgeSd * edge_radps);
 }
 
 void MotionModel::predict(FilterState& state, const Motion& motion) const {
@@ -57,8 +101,8 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const double x_by_rate = dt * (-dy / 2.0 + shape.x_icr_m * s);
   const double y_by_rate = dt * (dx / 2.0 - shape.x_icr_m * c);
 
-  const bool moves = std::abs(motion.tracks.left_mps) > kMovingMps ||
-                     std::abs(motion.tracks.right_mps) > kMovingMps;
+  const double both_mps = std::abs(motion.tracks.left_mps) + std::abs(motion.tracks.right_mps);
+  const bool moves = both_mps > 2.0 * kMovingMps;
   const bool held = motion.ground.hold_slip || !moves;
   const double kept = held ? 1.0 : std::exp(-dt / noise_.slip_s);
 
@@ -70,15 +114,22 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
     f(kY, of) += y_by_rate * rate;
     f(kYaw, of) += dt * rate;
   };
-  const auto by_slip = [&](Eigen::Index of, double track_mps, double rate) {
-    f(kX, of) = -x_by_speed * track_mps / 2.0;
-    f(kY, of) = -y_by_speed * track_mps / 2.0;
-    f(of, of) = kept;
-    if (!motion.gyro) by_rate(of, rate);
+  const auto by_slip = [&](Eigen::Index of, double speed_mps, double difference_mps) {
+    f(kX, of) = x_by_speed * speed_mps;
+    f(kY, of) = y_by_speed * speed_mps;
+    if (!motion.gyro)
+      by_rate(of, difference_mps / shape.wheelbase_m * (1.0 + state.mean[kTurnGain]));
   };
   if (motion.gyro) by_rate(kBias, -1.0);
-  by_slip(kSlipLeft, motion.tracks.left_mps, motion.tracks.left_mps / shape.wheelbase_m);
-  by_slip(kSlipRight, motion.tracks.right_mps, -motion.tracks.right_mps / shape.wheelbase_m);
+  f(kBias, kBiasPerDegc) = motion.warming_degc;
+  const auto [left, right] = expected_speeds(motion.tracks, motion.ground);
+  by_slip(kCommonSlip, -(right + left) / 2.0, -(right - left));
+  by_slip(kSlipDifference, (right - left) / 2.0, right + left);
+  if (!motion.gyro) {
+    const TrackSpeeds ground = over_ground(state.mean, motion);
+    by_rate(kTurnGain, (ground.right_mps - ground.left_mps) / shape.wheelbase_m);
+  }
+  f(kCommonSlip, kCommonSlip) = kept;
 
   const double way = std::abs(twist.vx_mps) * dt;
   const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
@@ -92,16 +143,15 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
       motion.gyro ? (square(noise_.gyro_sd_rad_rts) +
                      square(noise_.gyro_scale_sd * rate) * noise_.gyro_scale_s) *
                         dt
-                  : (moves ? square(noise_.residual_sd_radps + noise_.residual_share * rate) *
+                  : (moves ? square(noise_.track_error_radps + noise_.track_error_share * rate) *
                                  kTrackErrorS * dt
                            : 0.0);
 
   state.mean[kX] = pose.x_m;
   state.mean[kY] = pose.y_m;
   state.mean[kYaw] = pose.yaw_rad;
-  const model::Slip& slip = motion.ground.slip;
-  state.mean[kSlipLeft] = slip.left + (state.mean[kSlipLeft] - slip.left) * kept;
-  state.mean[kSlipRight] = slip.right + (state.mean[kSlipRight] - slip.right) * kept;
+  state.mean[kBias] += state.mean[kBiasPerDegc] * motion.warming_degc;
+  state.mean[kCommonSlip] *= kept;
 
   const StateMatrix moved = f * state.covariance * f.transpose();
   StateMatrix& p = state.covariance;
@@ -112,38 +162,44 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   p(kY, kX) += (along - across) * c * s;
   p(kYaw, kYaw) += yaw;
   p(kBias, kBias) += square(noise_.bias_walk_radps_rts) * dt;
-  p(kSlipLeft, kSlipLeft) += square(noise_.slip_sd) * (1.0 - kept * kept);
-  p(kSlipRight, kSlipRight) += square(noise_.slip_sd) * (1.0 - kept * kept);
+  p(kCommonSlip, kCommonSlip) += square(noise_.slip_sd) * (1.0 - kept * kept);
+  if (!held)
+    p(kSlipDifference, kSlipDifference) += square(motion.slip_walk_rtm) * both_mps / 2.0 * dt;
 }
 
 void MotionModel::measure(FilterState& state, const Motion& motion) const {
-  if (motion.standstill_sd_radps > 0.0) {
+  if (motion.rest.sd_radps > 0.0) {
     Measurement<1> rest;
-    rest.innovation << motion.standstill_radps - state.mean[kBias];
+    rest.innovation << motion.rest.radps - state.mean[kBias];
     rest.jacobian.setZero();
     rest.jacobian(0, kBias) = 1.0;
-    rest.noise << square(motion.standstill_sd_radps);
+    rest.noise << square(motion.rest.sd_radps);
     update(state, rest);
   }
-  if (!motion.has_residual || motion.ground.hold_slip) return;
+  if (motion.disturbed) disturb(state);
+  if (!motion.has_residual) return;
   const Residual& seen = motion.residual;
-  const double left = seen.tracks.left_mps, right = seen.tracks.right_mps;
-  const double base = turn_of(motion).wheelbase_m;
-  const double by_tracks =
-      (right * (1.0 - state.mean[kSlipRight]) - left * (1.0 - state.mean[kSlipLeft])) / base;
+  state.covariance(kTurnGain, kTurnGain) +=
+      square(noise_.turn_gain_sd) * std::abs(motion.turn_change);
   Measurement<1> residual;
-  residual.innovation << seen.gyro_z_radps - by_tracks - state.mean[kBias];
-  if (std::abs(residual.innovation[0]) > noise_.disturbance_radps) {
-    disturb(state);
-    return;
-  }
+  residual.innovation << innovation_radps(state.mean, seen);
+  const double left_radps =
+      seen.left_radps * (1.0 - state.mean[kCommonSlip] - state.mean[kSlipDifference]);
+  const double right_radps =
+      seen.right_radps * (1.0 - state.mean[kCommonSlip] + state.mean[kSlipDifference]);
+  // Nothing along the common slip: what the turn gain explains wrongly would otherwise shorten or
+  // lengthen the distance.
   residual.jacobian.setZero();
   residual.jacobian(0, kBias) = 1.0;
-  residual.jacobian(0, kSlipLeft) = left / base;
-  residual.jacobian(0, kSlipRight) = -right / base;
+  residual.jacobian(0, kSlipDifference) =
+      (seen.left_radps + seen.right_radps) * (1.0 + state.mean[kTurnGain]);
+  residual.jacobian(0, kTurnGain) = right_radps - left_radps;
   const double rate = std::abs(seen.gyro_z_radps - state.mean[kBias]);
-  residual.noise << square(noise_.residual_sd_radps + noise_.residual_share * rate);
-  if (normalized_innovation(state, residual) < kResidualGate) update(state, residual);
+  residual.noise << square(residual_sd_radps(motion) +
+                           (noise_.residual_share + motion.slip_walk_rtm) * rate);
+  // The place is left alone: a small correction of the direction of all the way behind would move
+  // it by millimetres with every encoder edge, and the controller would follow.
+  if (normalized_innovation(state, residual) < kResidualGate) update(state, residual, kYaw);
 }
 
 void MotionModel::disturb(FilterState& state) const {

@@ -1,13 +1,20 @@
 #pragma once
-// One sample interval as the pose filter takes it, and the filter's prediction over it.
+// One sample interval as the estimators take it, the prediction of a state over it, and the
+// measurements at its end.
 
 #include "core/time.h"
 #include "estimation/kalman.h"
-#include "estimation/odometry.h"
 #include "estimation/parameters.h"
+#include "estimation/standstill.h"
 #include "model/track_model.h"
 
 namespace tp100::estimation {
+
+/// Track speeds, constant over one interval.
+struct TrackSpeeds {
+  double left_mps = 0.0;
+  double right_mps = 0.0;
+};
 
 /// Terrain under the robot. All zero on a plane.
 struct Ground {
@@ -22,11 +29,18 @@ struct Ground {
                             ///< distance is less certain
 };
 
-/// Tracks against gyro over a window of several intervals.
+/// Tracks against gyro: yaw rates, means over a window of several intervals.
 struct Residual {
-  TrackSpeeds tracks{};
+  double left_radps = 0.0;  ///< speed of the track with the expected slip, over the wheelbase of
+                            ///< its interval
+  double right_radps = 0.0;
   double gyro_z_radps = 0.0;
 };
+
+/// Track speeds with the slip that the ground is expected to have.
+inline TrackSpeeds expected_speeds(const TrackSpeeds& tracks, const Ground& ground) {
+  return {tracks.left_mps * (1.0 - ground.slip.left), tracks.right_mps * (1.0 - ground.slip.right)};
+}
 
 /// One interval, and the measurements that its end carries.
 struct Motion {
@@ -36,11 +50,14 @@ struct Motion {
   model::TurnShape shape{};   ///< of the turn
   double gyro_z_radps = 0.0;  ///< mean over the interval, bias included
   bool gyro = false;          ///< false: stand or dead sensor, eq 5 gives the turn
+  double warming_degc = 0.0;  ///< rise of the gyro's temperature over the interval
   Ground ground{};
   bool has_residual = false;
   Residual residual{};
-  double standstill_radps = 0.0;     ///< gyro of a robot at rest
-  double standstill_sd_radps = 0.0;  ///< 0: not at rest
+  double slip_walk_rtm = 0.0;  ///< of the slip difference, see SlipWalk
+  double turn_change = 0.0;    ///< of the turn ratio since the residual before
+  bool disturbed = false;      ///< the robot was turned from outside
+  RestRate rest{};             ///< of a robot at rest; standard deviation 0: it is not
 };
 
 /// Turns a motion into a change of the state. Pure; no allocation.
@@ -49,18 +66,33 @@ class MotionModel {
   MotionModel(const model::TrackParameters& tracks, const FilterParameters& noise)
       : tracks_(tracks), noise_(noise) {}
 
+  const FilterParameters& noise() const { return noise_; }
+  /// The state before anything is known: at the origin, with the robot's own slip.
+  FilterState prior() const;
+
+  /// Wheelbase, turning centre and slip of the motion's turn.
+  model::Turn turn_of(const Motion& motion) const;
+  /// Speeds of the tracks over the ground, with the slip of the state.
+  TrackSpeeds over_ground(const StateVector& mean, const Motion& motion) const;
+  /// Slip ratios of the state.
+  model::Slip slip(const StateVector& mean, const Motion& motion) const;
   /// Twist according to state and motion.
   Twist twist(const StateVector& mean, const Motion& motion) const;
+  /// Yaw rate by the tracks over their speed, of a residual: -1 to 1, right and left turn on the
+  /// spot.
+  double turn_ratio(const StateVector& mean, const Residual& residual) const;
+  /// Yaw rate of the gyro against that of the tracks according to the state.
+  double innovation_radps(const StateVector& mean, const Residual& residual) const;
+  /// Noise of a residual that gyro and encoders explain.
+  double residual_sd_radps(const Motion& motion) const;
   /// Propagates mean and covariance over the interval, along the exact arc as odometry does.
   void predict(FilterState& state, const Motion& motion) const;
-  /// Applies the measurements at the interval's end: standstill and residual.
+  /// Applies what is known at the interval's end: standstill, residual, disturbance.
   void measure(FilterState& state, const Motion& motion) const;
   /// Adds the pose uncertainty of a disturbance; bias and slip are kept.
   void disturb(FilterState& state) const;
 
  private:
-  model::Turn turn_of(const Motion& motion) const;
-
   model::TrackParameters tracks_;
   FilterParameters noise_;
 };

@@ -1,33 +1,167 @@
 #include "estimation/odometry.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tp100::estimation {
+namespace {
 
-model::TurnShape Odometry::shape(const TrackSpeeds& tracks, double dt_s) {
-  return turn_monitor_.update(tracks.left_mps * (1.0 - parameters_.slip_left),
-                              tracks.right_mps * (1.0 - parameters_.slip_right), dt_s);
+// No chip warms up faster than this from sample to sample: the sensor was reset or reads nonsense.
+constexpr double kWarmingDegc = 1.0;
+// Two windows of the same turn: what the wheelbase gets wrong is the same in both.
+constexpr double kSameTurnRadps = 0.05;
+
+}  // namespace
+
+void Odometry::Window::add(const Residual& rates, double dt_s) {
+  sum_.left_radps += rates.left_radps * dt_s;
+  sum_.right_radps += rates.right_radps * dt_s;
+  sum_.gyro_z_radps += rates.gyro_z_radps * dt_s;
+  length_s_ += dt_s;
 }
 
-const Twist& Odometry::advance(const TrackSpeeds& tracks, double yaw_rate_radps, double dt_s,
-                               const model::Incline& incline) {
-  const model::TurnShape shape = this->shape(tracks, dt_s);
-  twist_ = model::body_twist(parameters_, model::Mode::kExtended, tracks.left_mps, tracks.right_mps,
-                             incline, shape);
-  twist_.yaw_rate_radps = yaw_rate_radps;
-  const model::Turn turn = model::turn_of(parameters_, model::Mode::kExtended, shape);
-  const double slip_angle = model::slip_angle_rad(parameters_, turn, yaw_rate_radps);
-  twist_.vy_mps = twist_.vx_mps * std::tan(slip_angle) - turn.x_icr_m * yaw_rate_radps;
-  model::advance(pose_, twist_, dt_s, incline);
-  return twist_;
+Residual Odometry::Window::take() {
+  const Residual mean{.left_radps = sum_.left_radps / length_s_,
+                      .right_radps = sum_.right_radps / length_s_,
+                      .gyro_z_radps = sum_.gyro_z_radps / length_s_};
+  *this = Window{};
+  return mean;
 }
 
-const Twist& Odometry::advance_without_gyro(const TrackSpeeds& tracks, double dt_s,
-                                            const model::Incline& incline) {
-  twist_ = model::body_twist(parameters_, model::Mode::kExtended, tracks.left_mps, tracks.right_mps,
-                             incline, shape(tracks, dt_s));
-  model::advance(pose_, twist_, dt_s, incline);
-  return twist_;
+void Odometry::restart_from(const FilterState& state) {
+  state_ = state;
+  motion_.end_ns = 0;
+  residual_window_ = disturbance_window_ = Window{};
+  last_residual_ = Residual{};
+}
+
+void Odometry::begin(const Pose& start) {
+  FilterState state = state_;
+  state.mean.head<3>() << start.x_m, start.y_m, start.yaw_rad;
+  state.covariance.topRows<3>().setZero();
+  state.covariance.leftCols<3>().setZero();
+  const FilterParameters& noise = model_.noise();
+  state.covariance(kX, kX) = state.covariance(kY, kY) = square(noise.start_sd_m);
+  state.covariance(kYaw, kYaw) = square(noise.start_sd_rad);
+  restart_from(state);
+}
+
+void Odometry::interrupt() {
+  FilterState state = state_;
+  model_.disturb(state);
+  restart_from(state);
+}
+
+CarriedEstimate Odometry::carried() const {
+  CarriedEstimate carried;
+  Eigen::Map<StateVector>(carried.mean.data()) = state_.mean;
+  // It is symmetric: the order does not matter.
+  Eigen::Map<StateMatrix>(carried.covariance.data()) = state_.covariance;
+  carried.slip_walk = slip_walk_.log_likelihoods();
+  return carried;
+}
+
+void Odometry::resume(const CarriedEstimate& carried) {
+  restart_from({Eigen::Map<const StateVector>(carried.mean.data()),
+                Eigen::Map<const StateMatrix>(carried.covariance.data())});
+  slip_walk_ = SlipWalk(carried.slip_walk);
+  motion_ = Motion{};
+  twist_ = Twist{};
+  turn_monitor_.restart();
+}
+
+void Odometry::compare_tracks_with_gyro() {
+  // On an obstacle the tracks do not show the turn.
+  if (!motion_.gyro || motion_.ground.hold_slip) {
+    residual_window_ = disturbance_window_ = Window{};
+    last_residual_ = Residual{};
+    return;
+  }
+  const FilterParameters& noise = model_.noise();
+  const double base_m = model_.turn_of(motion_).wheelbase_m;
+  const TrackSpeeds expected = expected_speeds(motion_.tracks, motion_.ground);
+  const Residual rates{.left_radps = expected.left_mps / base_m,
+                       .right_radps = expected.right_mps / base_m,
+                       .gyro_z_radps = motion_.gyro_z_radps};
+  residual_window_.add(rates, motion_.dt_s);
+  disturbance_window_.add(rates, motion_.dt_s);
+  if (disturbance_window_.length_s() >= noise.disturbance_window_s) {
+    const double innovation = model_.innovation_radps(state_.mean, disturbance_window_.take());
+    motion_.disturbed = std::abs(innovation) > noise.disturbance_radps;
+  }
+  if (motion_.disturbed) {
+    residual_window_ = Window{};
+    last_residual_ = Residual{};
+  } else if (residual_window_.length_s() >= noise.residual_window_s) {
+    motion_.has_residual = true;
+    motion_.residual = residual_window_.take();
+    learn_slip_walk();
+  }
+}
+
+void Odometry::learn_slip_walk() {
+  const auto yaw_radps = [](const Residual& of) {
+    return of.gyro_z_radps - (of.right_radps - of.left_radps);
+  };
+  const auto both_radps = [](const Residual& of) { return of.right_radps + of.left_radps; };
+  const Residual& now = motion_.residual;
+  const Residual before = std::exchange(last_residual_, now);
+  motion_.turn_change =
+      model_.turn_ratio(state_.mean, now) - model_.turn_ratio(state_.mean, before);
+  const double both = (both_radps(now) + both_radps(before)) / 2.0;
+  const double turned = std::abs(now.gyro_z_radps - before.gyro_z_radps);
+  if (std::abs(both_radps(now) - both_radps(before)) > 0.2 * both || turned > kSameTurnRadps)
+    return;
+  const FilterParameters& noise = model_.noise();
+  const double noise_radps =
+      std::sqrt(2.0) * model_.residual_sd_radps(motion_) + noise.residual_share * turned;
+  slip_walk_.add((yaw_radps(now) - yaw_radps(before)) / both, noise_radps / both,
+                 both / 2.0 * model_.turn_of(motion_).wheelbase_m * noise.residual_window_s);
+}
+
+const Motion& Odometry::advance(const FilterInput& in) {
+  const double pitch_before_rad = motion_.ground.pitch_rad;
+  // The clock relation may jump back a little; a motion must still end after the one before.
+  motion_ = {.end_ns = std::max(in.end_ns, motion_.end_ns + 1),
+             .dt_s = in.dt_s,
+             .tracks = in.tracks,
+             .gyro_z_radps = in.gyro_z_radps,
+             .gyro = in.gyro,
+             .warming_degc = std::abs(in.warming_degc) < kWarmingDegc ? in.warming_degc : 0.0,
+             .ground = in.ground,
+             .slip_walk_rtm = slip_walk_.step_rtm()};
+  const TrackSpeeds over_ground = model_.over_ground(state_.mean, motion_);
+  motion_.shape = turn_monitor_.update(over_ground.left_mps, over_ground.right_mps, in.dt_s);
+  if (in.dt_s > 0.0)
+    motion_.ground.tilt_radps = std::abs(in.ground.pitch_rad - pitch_before_rad) / in.dt_s;
+  compare_tracks_with_gyro();
+  model_.predict(state_, motion_);
+  model_.measure(state_, motion_);
+  twist_ = model_.twist(state_.mean, motion_);
+  return motion_;
+}
+
+void Odometry::standstill(const RestRate& rest) {
+  motion_.rest = rest;
+  Motion only_standstill = motion_;
+  only_standstill.has_residual = only_standstill.disturbed = false;
+  model_.measure(state_, only_standstill);
+}
+
+void Odometry::correct(const FilterState& state) {
+  state_ = state;
+  twist_ = model_.twist(state_.mean, motion_);
+}
+
+Pose Odometry::pose() const {
+  const Ground& ground = motion_.ground;
+  return {.x_m = state_.mean[kX],
+          .y_m = state_.mean[kY],
+          .z_m = ground.z_m,
+          .roll_rad = ground.roll_rad,
+          .pitch_rad = ground.pitch_rad,
+          .yaw_rad = state_.mean[kYaw]};
 }
 
 }  // namespace tp100::estimation

@@ -1,44 +1,84 @@
 #pragma once
-// Odometry: distance from the encoders through the slip model, rotation from the gyro.
+// Odometry: pose, gyro bias and slip ratios from encoders and gyro.
 
+#include "core/carried_state.h"
+#include "core/time.h"
+#include "estimation/kalman.h"
+#include "estimation/motion.h"
+#include "estimation/slip_walk.h"
+#include "estimation/standstill.h"
 #include "model/track_model.h"
 
 namespace tp100::estimation {
 
-/// Track speeds, constant over one interval.
-struct TrackSpeeds {
-  double left_mps = 0.0;
-  double right_mps = 0.0;
+/// One sample interval, as bridge::Tracks finds it.
+struct FilterInput {
+  HostNs end_ns = 0;  ///< when its last sample was measured, host's clock
+  double dt_s = 0.0;  ///< device time
+  TrackSpeeds tracks{};
+  double gyro_z_radps = 0.0;  ///< mean, calibrated scale, bias included
+  bool gyro = false;          ///< may be used: fresh, and not on a stand
+  double warming_degc = 0.0;  ///< rise of the gyro's temperature
+  Ground ground{};
 };
 
-/// Pose by encoders and gyro. No allocation; safe in the real-time thread.
+/// A Kalman filter over the state in kalman.h. Distance comes from the tracks; the turn comes from
+/// the gyro, whose bias follows the tracks' turn where they know it better: in straight driving.
+/// Without a gyro eq 5 gives the turn. No allocation; safe in the real-time thread.
 class Odometry {
  public:
-  explicit Odometry(const model::TrackParameters& parameters) : parameters_(parameters) {}
+  Odometry(const model::TrackParameters& tracks, const FilterParameters& noise)
+      : model_(tracks, noise), state_(model_.prior()) {}
 
-  void reset(const Pose& pose) {
-    pose_ = pose;
-    turn_monitor_.restart();
-  }
+  /// A run begins at `start`. Bias and slip are kept.
+  void begin(const Pose& start);
+  /// The samples were interrupted (a new session, a new boot): the time between is unknown.
+  void interrupt();
+  CarriedEstimate carried() const;
+  /// As after construction, with this state.
+  void resume(const CarriedEstimate& carried);
 
-  /// One interval with the mean yaw rate `yaw_rate_radps` of the gyro, bias removed. The slip
-  /// angle's turning switch and the ICR offset follow the gyro too, not the tracks.
-  const Twist& advance(const TrackSpeeds& tracks, double yaw_rate_radps, double dt_s,
-                       const model::Incline& incline = {});
-  /// One interval without a usable gyro (stand, dead sensor): eq 5 gives the turn.
-  const Twist& advance_without_gyro(const TrackSpeeds& tracks, double dt_s,
-                                    const model::Incline& incline = {});
+  /// One interval. Returns it as it was taken, with the measurements at its end.
+  const Motion& advance(const FilterInput& in);
+  /// The robot stands still: its gyro shows its bias. Applied at the end of the last interval.
+  void standstill(const RestRate& rest);
+  /// The state at the end of the last interval is known better, by a late measurement.
+  void correct(const FilterState& state);
 
-  const Pose& pose() const { return pose_; }
+  /// z, roll and pitch are the ground's.
+  Pose pose() const;
   const Twist& twist() const { return twist_; }
+  model::Slip slip() const { return model_.slip(state_.mean, motion_); }
+  const FilterState& state() const { return state_; }
+  const MotionModel& model() const { return model_; }
 
  private:
-  model::TurnShape shape(const TrackSpeeds& tracks, double dt_s);
+  /// Sums yaw rates of consecutive intervals.
+  class Window {
+   public:
+    void add(const Residual& rates, double dt_s);
+    double length_s() const { return length_s_; }
+    /// The mean over the window, which begins anew.
+    Residual take();
 
-  model::TrackParameters parameters_;
-  Pose pose_{};
+   private:
+    Residual sum_{};
+    double length_s_ = 0.0;
+  };
+
+  void restart_from(const FilterState& state);
+  void compare_tracks_with_gyro();
+  void learn_slip_walk();
+
+  MotionModel model_;
+  FilterState state_;
+  Motion motion_{};  ///< the last
   Twist twist_{};
   model::TurnMonitor turn_monitor_{};
+  SlipWalk slip_walk_{};
+  Residual last_residual_{};  ///< of the window before; 0: there is none
+  Window residual_window_{};
+  Window disturbance_window_{};
 };
 
 }  // namespace tp100::estimation

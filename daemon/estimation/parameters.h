@@ -14,21 +14,30 @@ struct FilterParameters {
   double gyro_scale_sd = 0.004;   ///< scale error left after calibration
   double gyro_scale_s = 1.0;      ///< ... which counts as constant for this long
   double bias_sd_radps = 0.05;    ///< turn-on bias
-  double bias_walk_radps_rts = 5e-5;
-  double along_sd_m_rtm = 0.002;  ///< distance, per root metre
+  double bias_walk_radps_rts = 1e-5;
+  double bias_per_degc_sd = 0.002;  ///< change of the bias with temperature: a third of 20 deg/s
+                                    ///< from 25 to 85 degC (MPU6050 data sheet rev 3.4, 6.1)
+  double along_sd_m_rtm = 0.002;    ///< distance, per root metre
   double across_sd_m_rtm = 0.002;
-  double obstacle_sd_m_rtm = 0.03;  ///< distance while climbing a block, where tracks slip at one
-                                    ///< end
-  double turn_sd_m_rtrad = 0.002;   ///< shift of the reference point by turning, per root radian
-  double slip_sd = 0.03;            ///< slip ratio around its prior
-  double slip_s = 2.0;              ///< time constant of its return to the prior
-  double residual_window_s = 0.05;  ///< tracks and gyro are compared over this long
-  double residual_sd_radps = 0.03;  ///< of yaw rate by tracks against gyro, driving straight
-  double residual_share = 0.15;     ///< ... and per yaw rate: the wheelbase's error appears in
-                                    ///< turns
-  double disturbance_radps = 0.5;   ///< tracks against gyro above this: the robot is turned from
-                                    ///< outside
-  double disturbed_sd_m = 0.05;     ///< added to the pose after a disturbance or a contradiction
+  double obstacle_sd_m_rtm = 0.03;   ///< distance while climbing a block, where tracks slip at one
+                                     ///< end
+  double turn_sd_m_rtrad = 0.002;    ///< shift of the reference point by turning, per root radian
+  double slip_sd = 0.03;             ///< common slip beside what is expected
+  double slip_s = 2.0;               ///< time constant of its return to 0
+  double slip_difference_sd = 0.01;  ///< slip difference of a robot on a floor
+  double turn_gain_sd = 0.03;      ///< yaw rate by tracks over what the wheelbase says, of one turn
+                                   ///< ratio; and its change per root of the turn ratio
+  double residual_window_s = 3.0;  ///< tracks and gyro are compared over this long
+  double residual_sd_radps = 1.5e-4;   ///< of yaw rate by tracks against gyro, driving straight
+  double residual_share = 0.01;        ///< ... and per yaw rate: the wheelbase's error appears in
+                                       ///< turns
+  double edge_m = 0.0;                 ///< of an encoder: the tracks' speeds are multiples of it
+  double track_error_radps = 0.03;     ///< of yaw rate by tracks where no gyro helps
+  double track_error_share = 0.15;     ///< ... and per yaw rate
+  double disturbance_radps = 0.5;      ///< tracks against gyro above this: the robot is turned from
+                                       ///< outside
+  double disturbance_window_s = 0.05;  ///< ... over this long
+  double disturbed_sd_m = 0.05;        ///< added to the pose after a disturbance or a contradiction
   double disturbed_sd_rad = 15.0 * kRadPerDeg;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
-// Pose, gyro bias and slip from encoders, gyro and, where there is one, an overhead camera that
-// answers late: an extended Kalman filter over the state in kalman.h.
+// Odometry with an overhead camera that answers late.
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include "estimation/camera_update.h"
 #include "estimation/kalman.h"
 #include "estimation/motion.h"
+#include "estimation/odometry.h"
 
 namespace tp100::estimation {
 
@@ -67,18 +67,8 @@ class RewindBuffer {
   std::size_t size_ = 0;
 };
 
-/// One sample interval, as bridge::Tracks finds it.
-struct FilterInput {
-  HostNs end_ns = 0;  ///< when its last sample was measured, host's clock
-  double dt_s = 0.0;  ///< device time
-  TrackSpeeds tracks{};
-  double gyro_z_radps = 0.0;  ///< mean, calibrated scale, bias included
-  bool gyro = false;          ///< may be used: fresh, and not on a stand
-  Ground ground{};
-};
-
-/// No allocation; safe in the real-time thread. A camera sample costs a prediction for each
-/// interval since it was taken (about fifteen at 60 ms).
+/// Without a camera it is odometry. No allocation; safe in the real-time thread. A camera sample
+/// costs a prediction for each interval since it was taken (about fifteen at 60 ms).
 class PoseFilter {
  public:
   PoseFilter(const model::TrackParameters& tracks, const FilterParameters& noise,
@@ -97,16 +87,16 @@ class PoseFilter {
   /// One interval.
   void advance(const FilterInput& in);
   /// The robot stands still: its gyro shows its bias. Applied at the end of the last interval.
-  void standstill(double gyro_z_radps, double sd_radps);
+  void standstill(const RestRate& rest);
   /// A camera sample of any age. A sample newer than the newest interval waits for it.
   void camera(const CameraSample& seen);
 
   /// State at the end of the newest interval. z, roll and pitch are the ground's.
   Pose pose() const;
-  const Twist& twist() const { return twist_; }
+  const Twist& twist() const { return odometry_.twist(); }
   /// Age of the last camera sample used; infinite before the first. [s]
   double camera_age_s(HostNs now) const;
-  const FilterState& state() const { return state_; }
+  const FilterState& state() const { return odometry_.state(); }
   /// How often the camera contradicted the estimate and was accepted since the run began.
   std::uint32_t recoveries() const { return recoveries_; }
   /// Everything to publish at host time `now`.
@@ -115,24 +105,14 @@ class PoseFilter {
  private:
   static constexpr std::size_t kWaiting = 4;
 
-  void restart_from(const FilterState& state);
-  void add_to_window(Motion& motion);
   void apply_waiting();
   bool apply(const CameraSample& seen);
 
-  MotionModel motion_;
+  Odometry odometry_;
   CameraUpdate camera_;
-  FilterParameters noise_;
   double shared_sd_m_;
-  model::Slip prior_;
-  FilterState state_{};
-  Twist twist_{};
-  Ground ground_{};
   double branch_rad_ = 0.0;  ///< full turns between the filter's yaw and the course's
   RewindBuffer past_{};
-  model::TurnMonitor turn_monitor_{};
-  Residual window_{};
-  double window_s_ = 0.0;
   std::array<CameraSample, kWaiting> waiting_{};
   std::size_t waiting_count_ = 0;
   HostNs camera_ns_ = 0;  ///< of the last sample used

@@ -12,6 +12,9 @@ constexpr std::int64_t kStandstillCounts = 1;
 // The sensor's zero-rate offset is at most 20 deg/s (MPU6050 data sheet rev 3.4, 6.1), with some
 // room for temperature: anything faster is a turn.
 constexpr double kMaxBiasRadps = 0.45;
+// Noise of one sample at rest, and of the mean over the first window with what the warm-up adds.
+constexpr double kSampleSdRadps = 0.003;
+constexpr double kWindowSdRadps = 0.0005;
 
 }  // namespace
 
@@ -29,7 +32,10 @@ void Standstill::begin_window(const Sample& sample, double gyro_z_radps) {
 void Standstill::update(const Sample& sample, double gyro_z_radps) {
   const double dt_s = static_cast<double>(sample.device_us - last_us_) * 1e-6;
   last_us_ = sample.device_us;
-  const bool moved = std::abs(sample.left_counts - left_counts_) > kStandstillCounts ||
+  rest_.reset();
+  // A track may turn before its encoder's first edge.
+  const bool driven = sample.left_duty != 0.0 || sample.right_duty != 0.0;
+  const bool moved = driven || std::abs(sample.left_counts - left_counts_) > kStandstillCounts ||
                      std::abs(sample.right_counts - right_counts_) > kStandstillCounts;
   if (!started_ || moved || sample.imu_age != 0) {
     begin_window(sample, gyro_z_radps);
@@ -50,6 +56,7 @@ void Standstill::update(const Sample& sample, double gyro_z_radps) {
   }
   const double window_s = static_cast<double>(sample.device_us - window_start_us_) * 1e-6;
   if (window_s < parameters_.still_s) return;
+  rest_ = still_ ? RestRate{gyro_z_radps, kSampleSdRadps} : RestRate{window_mean_, kWindowSdRadps};
   still_ = true;
   if (!bias_known_) {
     bias_radps_ = window_mean_;

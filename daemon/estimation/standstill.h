@@ -2,14 +2,22 @@
 // Gyro bias, learned while the robot stands still.
 
 #include <cstdint>
+#include <optional>
 
 #include "core/sample.h"
 #include "estimation/parameters.h"
 
 namespace tp100::estimation {
 
-/// Both conditions must hold for `still_s`: tracks at standstill and a quiet gyro. Encoders alone
-/// would accept a robot turned by hand, the gyro alone a robot that turns slowly and evenly. No
+/// Calibrated z rate of a gyro at rest, which is its bias.
+struct RestRate {
+  double radps = 0.0;
+  double sd_radps = 0.0;
+};
+
+/// All conditions must hold for `still_s`: motors off, tracks at standstill and a quiet gyro.
+/// Encoders alone would accept a robot turned by hand, the gyro alone a robot that turns slowly and
+/// evenly. No
 /// allocation; safe in the real-time thread.
 class Standstill {
  public:
@@ -27,6 +35,9 @@ class Standstill {
   }
 
   bool still() const { return still_; }
+  /// What the newest sample adds to what is known of the bias: the mean over the whole window when
+  /// the standstill is noticed, then each sample; nothing unless the robot stands still.
+  const std::optional<RestRate>& rest() const { return rest_; }
   /// True once a bias has been measured.
   bool bias_known() const { return bias_known_; }
   double bias_radps() const { return bias_radps_; }
@@ -38,6 +49,7 @@ class Standstill {
   bool started_ = false;
   bool still_ = false;
   bool bias_known_ = false;
+  std::optional<RestRate> rest_{};
   double bias_radps_ = 0.0;
   std::int64_t left_counts_ = 0;
   std::int64_t right_counts_ = 0;

@@ -187,12 +187,19 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("faults", faults);
 }
 
-template <class Visitor, MaybeConst<CarriedFilter> T>
-void visit_fields(Visitor& v, T& filter) {
-  auto& [mean, covariance, branch, camera, last_seen, camera_known, nis, nis_sum, nis_count, used,
-         rejected, recoveries] = filter;
+template <class Visitor, MaybeConst<CarriedEstimate> T>
+void visit_fields(Visitor& v, T& estimate) {
+  auto& [mean, covariance, slip_walk] = estimate;
   v("mean", mean);
   v("covariance", covariance);
+  v("slip_walk", slip_walk);
+}
+
+template <class Visitor, MaybeConst<CarriedFilter> T>
+void visit_fields(Visitor& v, T& filter) {
+  auto& [estimate, branch, camera, last_seen, camera_known, nis, nis_sum, nis_count, used, rejected,
+         recoveries] = filter;
+  v("estimate", estimate);
   v("branch_rad", branch);
   v("camera_ns", camera);
   v("last_seen_ns", last_seen);
@@ -218,8 +225,8 @@ void visit_fields(Visitor& v, T& attitude) {
 template <class Visitor, MaybeConst<CarriedState> T>
 void visit_fields(Visitor& v, T& carried) {
   auto& [session_number, run_state, faults, parameters, cross_track, progress, sample, has_sample,
-         continues, poses, virtual_x, virtual_y, virtual_turn, filter, attitude, gyro_bias,
-         gyro_bias_known, filter_has_bias] = carried;
+         continues, model, odometry, virtual_x, virtual_y, virtual_turn, filter, attitude,
+         gyro_bias, gyro_bias_known] = carried;
   v("session_number", session_number);
   v("run_state", run_state, RunState::kAborted);
   v("faults", faults);
@@ -229,7 +236,8 @@ void visit_fields(Visitor& v, T& carried) {
   v("sample", sample);
   v("has_sample", has_sample);
   v("continues", continues);
-  for (const PoseSource source : kPoseSources) v(to_string(source).data(), poses[source]);
+  v("model", model);
+  v("odometry", odometry);
   v("virtual_x_m", virtual_x);
   v("virtual_y_m", virtual_y);
   v("virtual_turn_rad", virtual_turn);
@@ -237,7 +245,6 @@ void visit_fields(Visitor& v, T& carried) {
   v("attitude", attitude);
   v("gyro_bias_radps", gyro_bias);
   v("gyro_bias_known", gyro_bias_known);
-  v("filter_has_bias", filter_has_bias);
 }
 
 template <class Visitor, MaybeConst<StepInputs> T>

@@ -46,8 +46,8 @@ TEST(TerrainContacts, OnAFlatFloorTheVirtualRobotFallsBehindTheRealOne) {
   TerrainContacts terrain_contacts(parameters_for(Setup::kFlat), &course);
   const Pose real = drive(terrain_contacts, 10.0);
   EXPECT_NEAR(real.x_m, 0.9, 1e-3);
-  EXPECT_EQ(terrain_contacts.ground().horizontal_fraction, 1.0);
-  EXPECT_EQ(terrain_contacts.ground().pitch_rad, 0.0);
+  EXPECT_EQ(terrain_contacts.ground(PoseSource::kFused).horizontal_fraction, 1.0);
+  EXPECT_EQ(terrain_contacts.ground(PoseSource::kFused).pitch_rad, 0.0);
   const Pose world = terrain_contacts.world(real);
   // The slopes up and down have 0.17 m each; 12 % are lost to the projection, and 8 % to slip
   // uphill.
@@ -85,8 +85,9 @@ TEST(TerrainContacts, OnRealTerrainThePitchIsTheImus) {
   EXPECT_EQ(world.x_m, pose.x_m);
   EXPECT_EQ(world.pitch_rad, -0.4);
   EXPECT_EQ(world.roll_rad, 0.05);
-  EXPECT_NEAR(terrain_contacts.ground().horizontal_fraction, std::cos(0.4), 1e-12);
-  EXPECT_GT(terrain_contacts.ground().slip.left, 0.12);
+  EXPECT_NEAR(terrain_contacts.ground(PoseSource::kFused).horizontal_fraction, std::cos(0.4),
+              1e-12);
+  EXPECT_GT(terrain_contacts.ground(PoseSource::kFused).slip.left, 0.12);
   ASSERT_TRUE(terrain_contacts.mapped_pitch_rad());
   EXPECT_NEAR(*terrain_contacts.mapped_pitch_rad(), -28 * kRadPerDeg, 0.05);
 }

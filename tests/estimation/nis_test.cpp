@@ -26,8 +26,9 @@ class MatchedRobot {
     y_m = noise.start_sd_m * normal();
     yaw_rad = noise.start_sd_rad * normal();
     bias_ = noise.bias_sd_radps * normal();
-    slip_left_ = noise.slip_sd * normal();
-    slip_right_ = noise.slip_sd * normal();
+    common_slip_ = noise.slip_sd * normal();
+    slip_difference_ = noise.slip_difference_sd * normal();
+    turn_gain_ = noise.turn_gain_sd * normal();
   }
 
   double normal() { return normal_(random_); }
@@ -38,9 +39,10 @@ class MatchedRobot {
       track_error_ =
           (noise_.residual_sd_radps + noise_.residual_share * std::abs(rate_radps)) * normal();
     }
-    const double left = 1.0 - tracks_.slip_left - slip_left_;
-    const double right = 1.0 - tracks_.slip_right - slip_right_;
-    const double half = (rate_radps + track_error_) * tracks_.wheelbase_m / 2.0;
+    const double left = (1.0 - tracks_.slip_left) * (1.0 - common_slip_ - slip_difference_);
+    const double right = (1.0 - tracks_.slip_right) * (1.0 - common_slip_ + slip_difference_);
+    const double half =
+        (rate_radps / (1.0 + turn_gain_) + track_error_) * tracks_.wheelbase_m / 2.0;
     FilterInput in;
     in.end_ns = end_ns;
     in.dt_s = kDt;
@@ -59,9 +61,7 @@ class MatchedRobot {
     yaw_rad += turn;
     bias_ += noise_.bias_walk_radps_rts * std::sqrt(kDt) * normal();
     const double kept = std::exp(-kDt / noise_.slip_s);
-    const double fresh = noise_.slip_sd * std::sqrt(1.0 - kept * kept);
-    slip_left_ = slip_left_ * kept + fresh * normal();
-    slip_right_ = slip_right_ * kept + fresh * normal();
+    common_slip_ = common_slip_ * kept + noise_.slip_sd * std::sqrt(1.0 - kept * kept) * normal();
     return in;
   }
 
@@ -72,7 +72,7 @@ class MatchedRobot {
   FilterParameters noise_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_{0.0, 1.0};
-  double bias_ = 0.0, slip_left_ = 0.0, slip_right_ = 0.0;
+  double bias_ = 0.0, common_slip_ = 0.0, slip_difference_ = 0.0, turn_gain_ = 0.0;
   double track_error_ = 0.0;
   int count_ = 0;
 };

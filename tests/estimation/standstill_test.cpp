@@ -78,5 +78,29 @@ TEST_F(StandstillTest, AStaleImuTeachesNothing) {
   EXPECT_FALSE(standstill_.bias_known());
 }
 
+// A coarse encoder shows nothing of the first moments of a start, the gyro does.
+TEST_F(StandstillTest, ADrivenTrackIsNotAtRestBeforeItsFirstEdge) {
+  feed(200, 0.02, 0.0);
+  ASSERT_TRUE(standstill_.rest().has_value());
+  sample_.right_duty = 0.2;
+  feed(1, 0.05, 0.0);
+  EXPECT_FALSE(standstill_.rest().has_value());
+  EXPECT_FALSE(standstill_.still());
+  EXPECT_NEAR(standstill_.bias_radps(), 0.02, 5e-4);
+}
+
+// The first sample of a standstill brings the mean of the whole window, the following ones
+// themselves.
+TEST_F(StandstillTest, TheWindowCountsOnceAndThenEachSample) {
+  feed(101, 0.03, 0.0);
+  ASSERT_TRUE(standstill_.rest().has_value());
+  EXPECT_NEAR(standstill_.rest()->radps, 0.03, 5e-4);
+  const double window_sd_radps = standstill_.rest()->sd_radps;
+  feed(1, 0.035, 0.0);
+  ASSERT_TRUE(standstill_.rest().has_value());
+  EXPECT_GT(std::abs(standstill_.rest()->radps - 0.035), 0.0);
+  EXPECT_GT(standstill_.rest()->sd_radps, window_sd_radps);
+}
+
 }  // namespace
 }  // namespace tp100::estimation

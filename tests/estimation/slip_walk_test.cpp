@@ -1,0 +1,73 @@
+#include "estimation/slip_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tp100::estimation {
+namespace {
+
+constexpr double kWayM = 0.36;
+constexpr double kNoise = 3e-4;
+
+/// What is believed after `windows` windows on a floor whose slip difference walks by `step_rtm`.
+double believed_rtm(double step_rtm, int windows, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  constexpr int kParts = 50;
+  SlipWalk walk;
+  double slip = 0.0, before = 0.0;
+  for (int window = 0; window <= windows; ++window) {
+    double mean = 0.0;
+    for (int part = 0; part < kParts; ++part) {
+      slip += step_rtm * std::sqrt(kWayM / kParts) * normal(random);
+      mean += slip / kParts;
+    }
+    mean += kNoise / std::sqrt(2.0) * normal(random);
+    if (window > 0) walk.add(mean - before, kNoise, kWayM);
+    before = mean;
+  }
+  return walk.step_rtm();
+}
+
+TEST(SlipWalk, BelievesTheWorstBeforeItHasSeenTheFloor) { EXPECT_GT(SlipWalk().step_rtm(), 0.03); }
+
+TEST(SlipWalk, FindsTheStepOfAnyFloor) {
+  for (const double step : {1e-3, 3e-3, 1e-2, 3e-2}) {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      const double believed = believed_rtm(step, 30, seed);
+      EXPECT_GT(believed, step / 2.5) << step << " seed " << seed;
+      EXPECT_LT(believed, step * 2.5) << step << " seed " << seed;
+    }
+  }
+}
+
+TEST(SlipWalk, TellsAnEvenFloorBelowTheNoiseWithinSomeMetres) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    EXPECT_LT(believed_rtm(0.0, 5, seed), 3e-3) << seed;
+    EXPECT_LT(believed_rtm(0.0, 30, seed), 6e-4) << seed;
+  }
+}
+
+// From parquet onto a carpet.
+TEST(SlipWalk, ForgetsAnEvenFloorWithinSomeWindowsOfAnUnevenOne) {
+  SlipWalk walk;
+  for (int i = 0; i < 1000; ++i) walk.add(1e-4, kNoise, kWayM);
+  EXPECT_LT(walk.step_rtm(), 4e-4);
+  for (int i = 0; i < 6; ++i) walk.add(i % 2 == 0 ? 8e-3 : -6e-3, kNoise, kWayM);
+  EXPECT_GT(walk.step_rtm(), 5e-3);
+}
+
+TEST(SlipWalk, GoesOnFromWhatWasCarried) {
+  SlipWalk walk;
+  for (int i = 0; i < 7; ++i) walk.add(1e-3 * i, kNoise, kWayM);
+  SlipWalk again(walk.log_likelihoods());
+  EXPECT_EQ(again.step_rtm(), walk.step_rtm());
+  walk.add(2e-3, kNoise, kWayM);
+  again.add(2e-3, kNoise, kWayM);
+  EXPECT_EQ(again.log_likelihoods(), walk.log_likelihoods());
+}
+
+}  // namespace
+}  // namespace tp100::estimation
