@@ -46,7 +46,9 @@ const kTopics: Topic[] = [
 ];
 const kResend_ms = 250;
 const kNumbers_ms = 100;
-const kPlots_ms = 50;
+/** At most 30 images a second; a frame that is due within half of a display's period is not put off. */
+const kView_ms = 1000 / 30 - 8;
+const kPlots_ms = 100;
 const kChips_ms = 200;
 const kWindow_s = 60;
 
@@ -220,13 +222,16 @@ function identity(): void {
 }
 
 let last_ms = performance.now();
-const due = { numbers: 0, plots: 0, chips: 0 };
+const due = { view: 0, numbers: 0, plots: 0, chips: 0 };
 function frame(now_ms: number): void {
-  const dt_s = Math.min((now_ms - last_ms) / 1000, 0.5);
-  last_ms = now_ms;
   stopPanel.show(stop.view(performance.now()));
-  player?.tick(dt_s);
-  viewport.draw(shown, dt_s);
+  if (now_ms >= due.view) {
+    due.view = now_ms + kView_ms;
+    const dt_s = Math.min((now_ms - last_ms) / 1000, 0.5);
+    last_ms = now_ms;
+    player?.tick(dt_s);
+    viewport.draw(shown, dt_s);
+  }
   if (now_ms >= due.numbers) {
     due.numbers = now_ms + kNumbers_ms;
     numbers.show(shown);
