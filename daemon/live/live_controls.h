@@ -24,7 +24,8 @@ class LiveControls : public server::Controls {
       : cycle_(cycle), loop_(loop), recording_(recording) {}
 
   // The server's thread:
-  std::string start() override;
+  std::string start() override { return request_start(OperatorRequest::kStart); }
+  std::string go_on() override { return request_start(OperatorRequest::kGoOn); }
   std::string hold() override;
   void stop() override;
   std::string set(const messages::ParameterText& parameter,
@@ -45,6 +46,8 @@ class LiveControls : public server::Controls {
   void end();
 
  private:
+  std::string request_start(OperatorRequest request);
+
   LiveCycle& cycle_;
   const loop::FixedRateLoop& loop_;
   LiveRecording& recording_;

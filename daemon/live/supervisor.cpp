@@ -336,10 +336,7 @@ void Supervisor::State::on_run_state(const RunChange& change) {
   if (change.to == RunState::kFinished) return run_ended(0, "completed");
   // A run requested by an option does not wait for another start.
   if (change.refused != StartRefusal::kNone && settings.go) return run_ended(1, "refused");
-  // A STOP after the end of a run does not change its result. All else that ends a finished run is
-  // a fault that only the daemon latches.
-  const bool late_stop = change.from == RunState::kFinished && (change.faults & ~kRobotFaults) == 0;
-  if (change.to == RunState::kAborted && !late_stop) {
+  if (change.to == RunState::kAborted) {
     figures.faults = change.faults | (change.from == change.to ? figures.faults : 0);
     if (ending && status == 0) {
       // The completed run is failed after all.

@@ -106,6 +106,8 @@ struct StateFigures {
   double progress_m = 0.0;
   std::optional<double> length_m;
   std::optional<double> battery_v;
+  /// Where the robot is believed to be, if the last run ended before the end of its course.
+  std::optional<Pose> go_on_from;
   bool can_start = false, can_record = false;
   std::string why_not_start;
   bool confirm_start = true;   ///< a start needs the viewer's confirmation

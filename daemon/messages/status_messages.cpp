@@ -246,9 +246,16 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .field("hold", true)
       .field("stop", true)
       .field("record", state.can_record)
-      .end_object()
-      .field("why_not_start", state.why_not_start)
-      .field("confirm_start", state.confirm_start);
+      .end_object();
+  if (state.go_on_from) {
+    json.key("go_on_from")
+        .begin_object()
+        .field("x_m", state.go_on_from->x_m)
+        .field("y_m", state.go_on_from->y_m)
+        .field("yaw_rad", state.go_on_from->yaw_rad)
+        .end_object();
+  }
+  json.field("why_not_start", state.why_not_start).field("confirm_start", state.confirm_start);
   write_faults(json, state.faults, state.robot_faults);
   write_stop(json, state.stop, clock);
   json.end_object();

@@ -145,14 +145,16 @@ function look(store: Store): void {
   histogram.reset();
 }
 
-function command(name: Command): void {
-  client.call(name).catch((error: unknown) => {
+function command(name: Command | 'start', request: unknown = {}): void {
+  client.call(name, request).catch((error: unknown) => {
     notice.say(error instanceof Error ? error.message : String(error), performance.now());
   });
 }
 
 const stopPanel = new StopPanel(pressStop);
-const controls = new Controls(command);
+const controls = new Controls(command, (from) => {
+  command('start', { from });
+});
 const status = new StatusBar();
 const notice = new Notice();
 const viewport = new Viewport();

@@ -140,6 +140,8 @@ export interface State {
   world: string;
   battery_v: number | null;
   can: { start: boolean; hold: boolean; stop: boolean; record: boolean };
+  /** Where the robot is believed to be, if the last run ended on its way. */
+  go_on_from?: { x_m: number; y_m: number; yaw_rad: number };
   why_not_start: string;
   /** Not in recordings of older versions. */
   confirm_start?: boolean;
