@@ -132,7 +132,13 @@ messages::PortFigures LiveControls::port() {
 
 void LiveControls::set_port(messages::PortFigures port) {
   const std::lock_guard lock(mutex_);
+  port.note = std::move(port_.note);
   port_ = std::move(port);
+}
+
+void LiveControls::note_port(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  port_.note = line;
 }
 
 void LiveControls::set_start(const StartFacts& facts) {

@@ -38,7 +38,10 @@ class LiveControls : public server::Controls {
   StartConsent start_consent() override;  // any thread
 
   // The supervisor's thread:
+  /// Keeps the note.
   void set_port(messages::PortFigures port);
+  /// A line about the search for the port.
+  void note_port(const std::string& line);
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
   void set_grants(const std::vector<loop::Grant>& grants);

@@ -43,7 +43,7 @@ struct Supervisor::State {
       : settings(s),
         cycle(c),
         loop(l),
-        connector(s.connector, l, [this](const std::string& line) { log.info(line); }),
+        connector(s.connector, l, [this](const std::string& line) { note_port(line); }),
         first_session(connector, s.connector, s.robot),
         run_recordings(*s.recording, s.stay && s.recording->figures().available),
         stats(s.stats_path, *s.disk),
@@ -57,6 +57,7 @@ struct Supervisor::State {
   void take_status(HostNs now);
   void take_records();
   void note_link();
+  void note_port(const std::string& line);
   void on_session_state(SessionState state);
   void on_session(const SessionReport& report);
   void on_run_state(const RunChange& change);
@@ -204,6 +205,12 @@ void Supervisor::State::notify_manager() {
   if (!settings.course.empty()) line += ", course " + settings.course;
   if (!figures.page.empty()) line += "; page " + figures.page;
   notice.status(line);
+}
+
+void Supervisor::State::note_port(const std::string& line) {
+  log.info(line);
+  settings.controls->note_port(line);
+  settings.server->take(messages::Event{.at_ns = monotonic_now(), .kind = "daemon", .text = line});
 }
 
 void Supervisor::State::serve(const SessionReport& report) {

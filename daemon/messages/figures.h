@@ -70,8 +70,9 @@ struct LoopFigures {
 /// The port in use.
 struct PortFigures {
   std::string path;
-  bool physical = true;  ///< unless it is proved to be an emulator's
-  std::string firmware;  ///< empty: not known yet
+  bool physical = true;  ///< unless it is proved to be an emulator's; known once a board was heard
+  std::string firmware = {};  ///< empty: no board was heard yet
+  std::string note = {};      ///< last line about the search for the port, as in the log
 };
 
 /// The link over the last second.

@@ -36,11 +36,7 @@ std::string stop_answer(const messages::StopFigures& stop) {
   text::JsonWriter json(text);
   const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
   json.begin_object().field("acknowledged", acknowledged);
-  if (acknowledged) {
-    json.field("acknowledged_ms", stop.acknowledged_ms);
-  } else {
-    json.null_field("acknowledged_ms");
-  }
+  if (acknowledged) json.field("acknowledged_ms", stop.acknowledged_ms);
   json.end_object();
   return text;
 }

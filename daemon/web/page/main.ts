@@ -13,6 +13,7 @@ import { h, setAttribute, setText } from '../panel/dom.ts';
 import { Drawer } from '../panel/drawer.ts';
 import { EventLog } from '../panel/event_log.ts';
 import { Histogram } from '../panel/histogram.ts';
+import { keyList } from '../panel/key_list.ts';
 import { LinkTable } from '../panel/link_table.ts';
 import { Notice } from '../panel/notice.ts';
 import { Numbers } from '../panel/numbers.ts';
@@ -177,6 +178,7 @@ const drawer = new Drawer([
   { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
+  { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
 ]);
 
 const badge = h('span', { class: 'badge' });
@@ -209,6 +211,7 @@ listen({
   hold: () => { controls.pressHold(); },
   camera: (index) => { viewport.set(kModes[index] ?? 'free'); },
   nextCamera: () => { viewport.next(); },
+  keys: () => { drawer.select('keys'); },
   step: (direction) => { transport.step(direction); },
 });
 
@@ -248,7 +251,7 @@ function frame(now_ms: number): void {
     due.chips = now_ms + kChips_ms;
     status.show(live, client.ready);
     controls.show(live, client.ready, metadata.commands !== 'stop');
-    notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms);
+    notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms, shown !== live);
     histogram.show(shown);
     drawer.show();
     identity();

@@ -86,7 +86,7 @@ export class MapView implements View {
     if (estimate === undefined) return;
     for (const name of kEstimates) {
       const pose = estimate[name];
-      if (pose === null || name === estimate.steering || !this.visible[name]) continue;
+      if (!pose || name === estimate.steering || !this.visible[name]) continue;
       this.polygon(context, footprint(place(pose), this.shape.length_m, this.shape.width_m));
       context.strokeStyle = palette.kEstimateColours[name];
       context.lineWidth = 1.5 * this.ratio;
