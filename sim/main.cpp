@@ -199,7 +199,7 @@ int run(int argc, char** argv) {
                    "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
   add_seed(*demo_app, demo.options);
-  demo_app->add_flag("--headless", demo.headless, "No live line; end with the result table");
+  demo_app->add_flag("--headless", demo.headless, "For machines: no page is opened; ends with the run and the result table");
 
   FaultsCommand faults;
   CLI::App* faults_app = app.add_subcommand("faults", "List what --fault can do to a robot");

@@ -80,7 +80,8 @@ function problems(store: Store, connected: boolean, retryIn_s: number, replaying
   if (state.session !== 'ready' && !replaying) {
     const link = store.get('/link');
     const port = link === undefined || link.port === '' ? 'No robot' : `No robot on ${link.port}`;
-    all.push({ level: 'warn', what: port, todo: state.session === 'closed' ? (link?.note ?? '') : state.why_not_start });
+    const note = (link?.note ?? '').replace(`${link?.port ?? ''}: `, '');
+    all.push({ level: 'warn', what: port, todo: state.session === 'closed' ? note : state.why_not_start });
   }
   // After a run that came to its end, a fault says why the next one cannot begin, not that this one failed.
   const level = state.run === 'finished' ? 'warn' : 'bad';
