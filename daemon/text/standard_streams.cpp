@@ -53,6 +53,7 @@ int report_usage_error(const char* program, std::string_view what, int argc, cha
     better = unknown_option(argc, argv, *command);
   } else if (!first.empty() && first[0] != '-') {
     std::vector<std::string_view> names;
+    names.reserve(known.size());
     for (const Subcommand& each : known) names.emplace_back(each.name);
     better = unknown("subcommand", first, names);
   }
