@@ -163,8 +163,7 @@ double ClockSync::uncertainty_us(HostNs now) const {
   double open_ns = this->open_ns(now);
   if (open_ns == 0.0) {
     open_ns = window_[0].half_trip_ns;
-    for (std::size_t i = 1; i < count_; ++i)
-      open_ns = std::min(open_ns, window_[i].half_trip_ns);
+    for (std::size_t i = 1; i < count_; ++i) open_ns = std::min(open_ns, window_[i].half_trip_ns);
   }
   return std::max({open_ns, newest.unknown_wire_ns, kFloorNs}) * 1e-3;
 }

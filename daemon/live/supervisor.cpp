@@ -43,7 +43,11 @@ struct Supervisor::State {
       : settings(s),
         cycle(c),
         loop(l),
-        connector(s.connector, l, [this](const std::string& line) { note_port(line); }),
+        connector(s.connector, l,
+                  [this](const std::string& line) {
+                    log.info(line);
+                    settings.controls->note_port(line);
+                  }),
         first_session(connector, s.connector, s.robot),
         run_recordings(*s.recording, s.stay && s.recording->figures().available),
         stats(s.stats_path, *s.disk),
@@ -57,7 +61,6 @@ struct Supervisor::State {
   void take_status(HostNs now);
   void take_records();
   void note_link();
-  void note_port(const std::string& line);
   void on_session_state(SessionState state);
   void on_session(const SessionReport& report);
   void on_run_state(const RunChange& change);
@@ -207,12 +210,6 @@ void Supervisor::State::notify_manager() {
   notice.status(line);
 }
 
-void Supervisor::State::note_port(const std::string& line) {
-  log.info(line);
-  settings.controls->note_port(line);
-  settings.server->take(messages::Event{.at_ns = monotonic_now(), .kind = "daemon", .text = line});
-}
-
 void Supervisor::State::serve(const SessionReport& report) {
   if (acknowledges_stop(report.event)) settings.server->stop_answered(report.event.at_ns);
   const bool greeted = report.hello.boot_nonce != 0;
@@ -329,11 +326,10 @@ void Supervisor::State::on_session_state(SessionState next) {
   if (next != SessionState::kReady) return;
   connector.session_ready();
   if (settings.course.empty() || ending) return;
-  if (settings.controls->start_consent() == StartConsent::kNone) {
+  if (settings.controls->start_consent() == StartConsent::kNone)
     cycle.request_first_start();
-  } else {
+  else
     terminal->ask();
-  }
 }
 
 void Supervisor::State::on_run_state(const RunChange& change) {
