@@ -265,12 +265,15 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    std::vector<std::string> names;
+    std::vector<text::Subcommand> known;
     for (const CLI::App* command :
-         std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{}))
-      names.push_back(command->get_name());
-    const std::string unknown = text::unknown_subcommand(argc, argv, names);
-    return text::report_usage_error("tp100d", unknown.empty() ? error.what() : unknown);
+         std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{})) {
+      known.push_back({command->get_name(), {}});
+      for (const CLI::Option* option : command->get_options())
+        for (const std::string& name : option->get_lnames())
+          known.back().options.push_back("--" + name);
+    }
+    return text::report_usage_error("tp100d", error.what(), argc, argv, known);
   }
   return action();
 }

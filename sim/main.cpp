@@ -199,7 +199,8 @@ int run(int argc, char** argv) {
                    "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
   add_seed(*demo_app, demo.options);
-  demo_app->add_flag("--headless", demo.headless, "No live line; end with the result table");
+  demo_app->add_flag("--headless", demo.headless,
+                     "For machines: no page is opened; ends with the run and the result table");
 
   FaultsCommand faults;
   CLI::App* faults_app = app.add_subcommand("faults", "List what --fault can do to a robot");
@@ -250,12 +251,15 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    std::vector<std::string> names;
+    std::vector<tp100::text::Subcommand> known;
     for (const CLI::App* command :
-         std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{}))
-      names.push_back(command->get_name());
-    const std::string unknown = tp100::text::unknown_subcommand(argc, argv, names);
-    return tp100::text::report_usage_error("tp100-sim", unknown.empty() ? error.what() : unknown);
+         std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{})) {
+      known.push_back({command->get_name(), {}});
+      for (const CLI::Option* option : command->get_options())
+        for (const std::string& name : option->get_lnames())
+          known.back().options.push_back("--" + name);
+    }
+    return tp100::text::report_usage_error("tp100-sim", error.what(), argc, argv, known);
   }
   if (*course_app) return run_course(course);
   if (*robot_app) return run_robot(robot);

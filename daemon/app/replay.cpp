@@ -330,7 +330,9 @@ std::string replay_csv(const std::string& text, const std::string& file, ReplayM
 }
 
 int run_replay(const ReplayOptions& options) {
-  if (record::is_recording(options.in)) return run_replay_recording(options);
+  // A damaged recording is no table.
+  if (record::is_recording(options.in) || options.in.ends_with(".mcap"))
+    return run_replay_recording(options);
   config::Configuration configuration;
   if (!options.config.empty()) {
     const course::TextFile file = course::read_text_file(options.config);

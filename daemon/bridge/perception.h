@@ -44,6 +44,8 @@ class Perception {
   void lose_sample() { has_sample_ = false; }
   /// A run begins at host time `now` with the robot at a known pose.
   void begin(const Pose& start, HostNs now);
+  /// A run begins where the estimates say that the robot is.
+  void go_on() { traction_estimator_.restart(); }
   /// At standstill on level ground, or there is no session: resume() loses nothing of use.
   bool at_rest() const;
   /// Writes what resume() takes.

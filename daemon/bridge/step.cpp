@@ -85,6 +85,7 @@ struct Step::State {
   control::Arming arming;
 
   control::Target target{};
+  bool goes_on = false;  // the run that is about to begin, from where the last one ended
   HostNs last_step_ns = 0, run_began_ns = 0;
   std::uint16_t last_taken = 0;
   double none_taken_s = 0.0;
@@ -155,6 +156,12 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
   for (const OperatorRequest request : requests) {
     switch (request) {
       case OperatorRequest::kStart:
+        goes_on = false;
+        arming.start();
+        break;
+      case OperatorRequest::kGoOn:
+        if (!path || !may_go_on(arming.state(), target.progress_m, path->length_m())) break;
+        goes_on = true;
         arming.start();
         break;
       case OperatorRequest::kHold:
@@ -220,9 +227,14 @@ StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
 }
 
 void Step::State::begin_run(HostNs now) {
-  seen.begin(course->start, now);
+  if (goes_on) {
+    seen.go_on();
+    tracker->resume(target.progress_m, seen.world_pose().yaw_rad);
+  } else {
+    seen.begin(course->start, now);
+    tracker->restart();
+  }
   external.restart(now);
-  tracker->restart();
   disturbance.restart(seen.contradictions());
   monitor->restart();
   run_began_ns = now;

@@ -44,7 +44,12 @@ void Arming::hold() {
 void Arming::stop() {
   pending_ = RobotRequest::kStop;
   off_due_s_ = kRequestS;
-  abort(fault_bit(Fault::stop_requested));
+  // A run that came to its end did so, whoever presses STOP afterwards.
+  if (state_ == RunState::kFinished) {
+    faults_ |= fault_bit(Fault::stop_requested);
+  } else {
+    abort(fault_bit(Fault::stop_requested));
+  }
 }
 
 void Arming::abort(FaultMask faults) {

@@ -2,6 +2,7 @@
 // A turn on the spot of a robot whose turning centre is not its reference point.
 
 #include "control/parameters.h"
+#include "core/angle.h"
 #include "core/pose.h"
 #include "course/path.h"
 
@@ -14,6 +15,8 @@ class PivotProfile {
  public:
   /// Never faster than `most_radps`.
   void begin(const course::PathSegment& segment, double most_radps);
+  /// After begin(): the robot has turned to `yaw_rad` already.
+  void begin_at(double yaw_rad) { yaw_rad_ += wrap_angle(yaw_rad - yaw_rad_); }
   /// One step; never faster than allows a stop at the end.
   void update(const Parameters& parameters, double dt_s);
 

@@ -4,11 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "core/angle.h"
+
 namespace tp100::control {
 namespace {
 
 // More than a robot drives in a step, less than the distance between two parts of a path.
 constexpr double kWindowM = 0.05;
+
+// A robot that stopped here stands at the end of its segment.
+constexpr double kAtEndM = 1e-3;
 
 bool is_pivot(const course::PathSegment& segment) {
   return segment.kind == course::PathSegment::Kind::kPivot;
@@ -19,6 +24,20 @@ bool is_pivot(const course::PathSegment& segment) {
 void Progress::restart() {
   index_ = 0;
   offset_m_ = 0.0;
+}
+
+void Progress::resume(double s_m, double yaw_rad) {
+  restart();
+  const auto passed = [&](const course::PathSegment& segment) {
+    if (s_m > segment.end.s_m + kAtEndM) return true;
+    if (s_m < segment.end.s_m - kAtEndM) return false;
+    return !is_pivot(segment) || std::abs(wrap_angle(yaw_rad - segment.end.yaw_rad)) <
+                                     std::abs(wrap_angle(yaw_rad - segment.begin.yaw_rad));
+  };
+  while (passed(segment()) && next()) {
+  }
+  if (!is_pivot(segment()))
+    offset_m_ = std::clamp(s_m - segment().begin.s_m, 0.0, segment().length_m);
 }
 
 /// True if segment `index` goes on without a stop into the one after it.

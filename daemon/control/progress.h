@@ -15,6 +15,9 @@ class Progress {
   explicit Progress(const course::Path& path) : path_(path) {}
 
   void restart();
+  /// To `s_m` along the path. At a turn on the spot `yaw_rad` decides whether it is still to be
+  /// made.
+  void resume(double s_m, double yaw_rad);
   const course::PathSegment& segment() const { return path_.segments()[index_]; }
   /// On to the next segment; false at the last one.
   bool next();

@@ -102,6 +102,14 @@ void Tracker::restart() {
   begin_segment();
 }
 
+void Tracker::resume(double progress_m, double yaw_rad) {
+  restart();
+  progress_.resume(progress_m, yaw_rad);
+  target_.progress_m = progress_m;
+  begin_segment();
+  if (progress_.segment().kind == Kind::kPivot) pivot_.begin_at(yaw_rad);
+}
+
 void Tracker::begin_segment() {
   settled_s_ = 0.0;
   waited_s_ = 0.0;

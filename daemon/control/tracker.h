@@ -98,6 +98,8 @@ class Tracker {
   }
   /// Back to the start of the path.
   void restart();
+  /// To where an earlier run ended: Target::progress_m, and the robot's yaw.
+  void resume(double progress_m, double yaw_rad);
   /// One step of `dt_s` with the steering pose and twist. Whole turns of the pose's yaw change
   /// nothing, except that the desired yaw of a stopping robot is on the pose's branch. `disturbed`:
   /// the robot is being pushed, see Disturbance.

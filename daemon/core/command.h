@@ -32,9 +32,10 @@ enum class RequestAnswer : std::uint8_t {
 
 /// What an operator (keyboard, page, --go, signal) asks of the bridge.
 enum class OperatorRequest : std::uint8_t {
-  kStart,  ///< arm and begin the course at the robot's position
+  kStart,  ///< arm and begin the course; the robot stands at its start
   kHold,   ///< disarm, keep the session
-  kStop,   ///< latch STOP on the robot; only kStart ends it
+  kStop,   ///< latch STOP on the robot; only kStart and kGoOn end it
+  kGoOn,   ///< as kStart, but from where the last run ended: see may_go_on()
 };
 
 // A parameter that changes while the bridge runs: an input of the step like any other, so that a

@@ -18,6 +18,13 @@ enum class RunState : std::uint8_t {
 /// Name as printed in `state: A -> B`.
 std::string_view to_string(RunState state);
 
+/// Whether the last run ended on its way, so that it can go on from where the estimates say that
+/// the robot is. `progress_m`, `length_m`: along the course.
+constexpr bool may_go_on(RunState state, double progress_m, double length_m) {
+  return (state == RunState::kIdle || state == RunState::kAborted) && progress_m > 0.0 &&
+         progress_m < length_m;
+}
+
 /// The first reason that refuses a start of the course.
 enum class StartRefusal : std::uint8_t {
   kNone,

@@ -107,7 +107,7 @@ Findings governor_findings(const System& system) {
     if (governor) governors.insert(*governor);
   }
   if (governors.empty())
-    return {ok("governor", "the processors' speed is not the kernel's to choose")};
+    return {ok("governor", "the kernel does not control the processors' frequency")};
   governors.erase("performance");
   if (governors.empty()) return {ok("governor", "performance")};
   std::string seen;

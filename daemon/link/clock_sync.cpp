@@ -160,7 +160,12 @@ double ClockSync::open_ns(HostNs now) const {
 double ClockSync::uncertainty_us(HostNs now) const {
   if (count_ == 0) return 0.0;
   const Exchange& newest = window_[(next_ + kWindow - 1) % kWindow];
-  return std::max(open_ns(now), newest.unknown_wire_ns) * 1e-3;
+  double open_ns = this->open_ns(now);
+  if (open_ns == 0.0) {
+    open_ns = window_[0].half_trip_ns;
+    for (std::size_t i = 1; i < count_; ++i) open_ns = std::min(open_ns, window_[i].half_trip_ns);
+  }
+  return std::max({open_ns, newest.unknown_wire_ns, kFloorNs}) * 1e-3;
 }
 
 // Weighted least squares of (host - device) over device time about the newest exchange, where the

@@ -88,7 +88,9 @@ class ClockSync {
   Bounds bounds(HostNs now, double drift) const;
   /// Half of the distance between the bounds.
   double open_ns(HostNs now) const;
-  /// The same, or the uncertainty left by nominal wire times that cannot be right.
+  /// The same, or the uncertainty left by nominal wire times that cannot be right. Where the
+  /// exchanges contradict each other (a clock changed its rate), half of the quickest round trip.
+  /// Never below what reading the clocks costs.
   double uncertainty_us(HostNs now) const;
 
   HostNs answer_ns_;

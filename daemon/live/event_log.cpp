@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/angle.h"
+#include "text/standard_streams.h"
 
 namespace tp100::live {
 namespace {
@@ -35,7 +36,11 @@ struct EventLog::Writer {
 };
 
 EventLog::EventLog() : writer_(std::make_unique<Writer>()) {
-  writer_->logger->set_pattern("%H:%M:%S.%e %^%l%$ %v");
+  // https://no-color.org
+  if (!text::environment_variable("NO_COLOR").empty())
+    writer_->logger->set_pattern("%H:%M:%S.%e %l %v");
+  else
+    writer_->logger->set_pattern("%H:%M:%S.%e %^%l%$ %v");
   writer_->logger->flush_on(spdlog::level::info);
 }
 

@@ -53,10 +53,10 @@ messages::Durations durations(const Histogram& histogram) {
           .max_us = static_cast<double>(histogram.max()) * 1e-3};
 }
 
-std::string LiveControls::start() {
+std::string LiveControls::request_start(OperatorRequest request) {
   const std::lock_guard lock(mutex_);
   if (ending_) return "the daemon ends";
-  return cycle_.request(OperatorRequest::kStart) ? std::string() : kBusy;
+  return cycle_.request(request) ? std::string() : kBusy;
 }
 
 std::string LiveControls::hold() {
@@ -132,7 +132,13 @@ messages::PortFigures LiveControls::port() {
 
 void LiveControls::set_port(messages::PortFigures port) {
   const std::lock_guard lock(mutex_);
+  port.note = std::move(port_.note);
   port_ = std::move(port);
+}
+
+void LiveControls::note_port(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  port_.note = line;
 }
 
 void LiveControls::set_start(const StartFacts& facts) {

@@ -24,7 +24,8 @@ class LiveControls : public server::Controls {
       : cycle_(cycle), loop_(loop), recording_(recording) {}
 
   // The server's thread:
-  std::string start() override;
+  std::string start() override { return request_start(OperatorRequest::kStart); }
+  std::string go_on() override { return request_start(OperatorRequest::kGoOn); }
   std::string hold() override;
   void stop() override;
   std::string set(const messages::ParameterText& parameter,
@@ -37,7 +38,10 @@ class LiveControls : public server::Controls {
   StartConsent start_consent() override;  // any thread
 
   // The supervisor's thread:
+  /// Keeps the note.
   void set_port(messages::PortFigures port);
+  /// A line about the search for the port.
+  void note_port(const std::string& line);
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
   void set_grants(const std::vector<loop::Grant>& grants);
@@ -45,6 +49,8 @@ class LiveControls : public server::Controls {
   void end();
 
  private:
+  std::string request_start(OperatorRequest request);
+
   LiveCycle& cycle_;
   const loop::FixedRateLoop& loop_;
   LiveRecording& recording_;

@@ -68,7 +68,9 @@ void LiveCycle::pass_run_state(HostNs now) {
                  .from = std::exchange(run_state_, snapshot.run_state),
                  .to = snapshot.run_state,
                  .faults = changed ? snapshot.faults : more,
-                 .refused = cycle_.outputs().refused});
+                 .refused = cycle_.outputs().refused,
+                 .place = snapshot.world,
+                 .progress_m = snapshot.progress_m});
 }
 
 void LiveCycle::time_sample(HostNs now) {

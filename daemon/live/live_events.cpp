@@ -4,7 +4,9 @@
 #include <utility>
 #include <variant>
 
+#include "core/angle.h"
 #include "core/faults.h"
+#include "text/format.h"
 
 namespace tp100::live {
 namespace {
@@ -108,6 +110,18 @@ std::vector<Event> run_words(const RunChange& event) {
                    .level = Level::kError,
                    .text = "start refused",
                    .cause = std::string(to_string(event.refused))});
+  const bool on_its_way = event.from == RunState::kRunning &&
+                          (event.to == RunState::kIdle || event.to == RunState::kAborted);
+  if (on_its_way)
+    out.push_back(
+        {.at_ns = event.at_ns,
+         .kind = "run",
+         .text = text::format("the robot is believed to be at x %.3f m, y %.3f m, yaw %.1f deg, "
+                              "%.3f m along the course",
+                              event.place.x_m, event.place.y_m, event.place.yaw_rad * kDegPerRad,
+                              event.progress_m),
+         .fix = "to start again put it back at the course's start, or let the page go on from "
+                "there"});
   if (event.to != RunState::kAborted) return out;
   FaultMask faults = event.faults;
   while (const auto fault = first_fault(faults)) {

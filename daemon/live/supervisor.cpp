@@ -43,7 +43,11 @@ struct Supervisor::State {
       : settings(s),
         cycle(c),
         loop(l),
-        connector(s.connector, l, [this](const std::string& line) { log.info(line); }),
+        connector(s.connector, l,
+                  [this](const std::string& line) {
+                    log.info(line);
+                    settings.controls->note_port(line);
+                  }),
         first_session(connector, s.connector, s.robot),
         run_recordings(*s.recording, s.stay && s.recording->figures().available),
         stats(s.stats_path, *s.disk),
@@ -322,11 +326,10 @@ void Supervisor::State::on_session_state(SessionState next) {
   if (next != SessionState::kReady) return;
   connector.session_ready();
   if (settings.course.empty() || ending) return;
-  if (settings.controls->start_consent() == StartConsent::kNone) {
+  if (settings.controls->start_consent() == StartConsent::kNone)
     cycle.request_first_start();
-  } else {
+  else
     terminal->ask();
-  }
 }
 
 void Supervisor::State::on_run_state(const RunChange& change) {
@@ -336,10 +339,7 @@ void Supervisor::State::on_run_state(const RunChange& change) {
   if (change.to == RunState::kFinished) return run_ended(0, "completed");
   // A run requested by an option does not wait for another start.
   if (change.refused != StartRefusal::kNone && settings.go) return run_ended(1, "refused");
-  // A STOP after the end of a run does not change its result. All else that ends a finished run is
-  // a fault that only the daemon latches.
-  const bool late_stop = change.from == RunState::kFinished && (change.faults & ~kRobotFaults) == 0;
-  if (change.to == RunState::kAborted && !late_stop) {
+  if (change.to == RunState::kAborted) {
     figures.faults = change.faults | (change.from == change.to ? figures.faults : 0);
     if (ending && status == 0) {
       // The completed run is failed after all.

@@ -73,8 +73,6 @@ void FixedRateLoop::run() {
       if (stopping_since == 0) stopping_since = now;
       if (client_.shut_down(now) || now - stopping_since > kShutDownLimitNs) break;
     }
-    // Not right after a sample: an empty read of a tty waits for the kernel's worker that delivered
-    // the sample, and that worker runs at ordinary priority.
     if (port_.fd >= 0 && !fresh) read(now);
     client_.step(now);
     const HostNs stepped = monotonic_now();
@@ -113,6 +111,7 @@ void FixedRateLoop::after_write() {
 
 void FixedRateLoop::adopt() {
   if (port_.fd >= 0 || !offered_.pop(port_)) return;
+  port_wait_.watch(port_.fd);
   stuck_since_ns_ = 0;
   client_.opened(monotonic_now());
 }
@@ -130,7 +129,7 @@ bool FixedRateLoop::wait(Schedule& schedule) {
       sleep_until(wake);
       break;
     }
-    const bool readable = sample || port_wait_.readable(port_.fd, wake);
+    const bool readable = sample || port_wait_.readable(wake);
     after_write();
     if (!readable || port_.fd < 0) continue;
     sample = (read(now) || sample) && settings_.robot_paced;
@@ -143,6 +142,7 @@ bool FixedRateLoop::wait(Schedule& schedule) {
 
 // One bounded read. True if it contained a sample; `now` becomes the time right after it.
 bool FixedRateLoop::read(HostNs& now) {
+  if (!port_wait_.may_read()) return false;
   std::array<std::uint8_t, kReadSize> buffer;
   const ssize_t n = ::read(port_.fd, buffer.data(), buffer.size());
   const int error = errno;

@@ -12,6 +12,7 @@
 
 #include "core/histogram.h"
 #include "loop/pacing.h"
+#include "loop/port_wait.h"
 #include "loop/real_time.h"
 #include "loop/rings.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Computes when the next cycle of the loop is due, and waits for it or for a port's bytes.
+// Computes when the next cycle of the loop is due, and waits for it.
 
 #include "core/time.h"
 
@@ -35,31 +35,5 @@ class Schedule {
 void sleep_until(HostNs deadline);
 /// Spins until `deadline`: only for the last tens of microseconds.
 void spin_until(HostNs deadline);
-
-/// Waits for a port's bytes until a deadline, with a timer that is set in advance. Where a
-/// hypervisor provides the clock, setting a timer takes as long as a whole reply, and before the
-/// thread sleeps the kernel may not transmit what was just written. So the timer already runs when
-/// bytes are awaited, and is set again as soon as it expires. One thread; nothing here allocates,
-/// locks or logs.
-class PortWait {
- public:
-  /// `spare_ns`: the timer expires by itself this long after a deadline that was met. With half a
-  /// period, that is between two samples. Throws SetupError if the system provides no timer.
-  explicit PortWait(HostNs spare_ns);
-  ~PortWait();
-  PortWait(const PortWait&) = delete;
-  PortWait& operator=(const PortWait&) = delete;
-
-  /// True: `fd` has bytes, an end or an error. False: `until` has come, or an earlier timer
-  /// expired: check the time and call again.
-  bool readable(int fd, HostNs until);
-
- private:
-  void set(HostNs at);
-
-  HostNs spare_ns_;
-  int timer_;
-  HostNs rings_ns_ = 0;  // expiration of the timer; 0: never
-};
 
 }  // namespace tp100::loop

@@ -149,6 +149,7 @@ StateFigures full_state() {
   state.robot = RobotState::kArmed;
   state.run_s = 0.5;
   state.length_m = 0.5;
+  state.go_on_from = Pose{};
   state.battery_v = 7.5;
   state.faults = fault_bit(Fault::stop_requested);
   state.stop.count = 1;

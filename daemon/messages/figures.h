@@ -70,8 +70,9 @@ struct LoopFigures {
 /// The port in use.
 struct PortFigures {
   std::string path;
-  bool physical = true;  ///< unless it is proved to be an emulator's
-  std::string firmware;  ///< empty: not known yet
+  bool physical = true;  ///< unless it is proved to be an emulator's; known once a board was heard
+  std::string firmware = {};  ///< empty: no board was heard yet
+  std::string note = {};      ///< last line about the search for the port, as in the log
 };
 
 /// The link over the last second.
@@ -106,6 +107,8 @@ struct StateFigures {
   double progress_m = 0.0;
   std::optional<double> length_m;
   std::optional<double> battery_v;
+  /// Where the robot is believed to be, if the last run ended before the end of its course.
+  std::optional<Pose> go_on_from;
   bool can_start = false, can_record = false;
   std::string why_not_start;
   bool confirm_start = true;   ///< a start needs the viewer's confirmation

@@ -33,11 +33,7 @@ void write_filter(text::JsonWriter& json, const FilterFigures& filter) {
   json.field("sd_x_m", std::sqrt(filter.variance_x_m2))
       .field("sd_y_m", std::sqrt(filter.variance_y_m2))
       .field("sd_yaw_rad", std::sqrt(filter.variance_yaw_rad2));
-  if (filter.camera_age_us < 0) {
-    json.null_field("camera_age_us");
-  } else {
-    json.field("camera_age_us", filter.camera_age_us);
-  }
+  if (filter.camera_age_us >= 0) json.field("camera_age_us", filter.camera_age_us);
   json.field("camera_used", filter.camera_used)
       .field("camera_rejected", filter.camera_rejected)
       .field("nis", filter.nis)
@@ -46,24 +42,17 @@ void write_filter(text::JsonWriter& json, const FilterFigures& filter) {
 }
 
 void write_truth(text::JsonWriter& json, const std::optional<Truth>& truth, HostNs now) {
-  json.key("truth");
-  if (!truth) {
-    json.null();
-    return;
-  }
-  json.begin_object();
+  if (!truth) return;
+  json.key("truth").begin_object();
   write_pose(json, truth->pose);
   json.field("age_us", (now - truth->at_ns) / kNsPerUs).end_object();
 }
 
 void write_reference(text::JsonWriter& json, const course::Path* path, double progress_m) {
-  json.key("reference");
-  if (path == nullptr) {
-    json.null();
-    return;
-  }
+  if (path == nullptr) return;
   const course::PathPoint point = path->at(progress_m);
-  json.begin_object()
+  json.key("reference")
+      .begin_object()
       .field("x_m", point.x_m)
       .field("y_m", point.y_m)
       .field("yaw_rad", point.yaw_rad)
@@ -76,12 +65,9 @@ void write_tracks(text::JsonWriter& json, const StepRecord& record) {
       .begin_object()
       .field("left_mps", snapshot.left_mps)
       .field("right_mps", snapshot.right_mps);
-  if (record.command_valid) {
+  if (record.command_valid)
     json.field("left_commanded_mps", snapshot.commanded_left_mps)
         .field("right_commanded_mps", snapshot.commanded_right_mps);
-  } else {
-    json.null_field("left_commanded_mps").null_field("right_commanded_mps");
-  }
   json.end_object();
 }
 
@@ -216,11 +202,7 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
   text.reserve(2048);
   text::JsonWriter json(text);
   json.begin_object().field("t_s", clock_.t_s(record.now_ns)).field("step", record.step);
-  if (snapshot.has_sample) {
-    json.field("age_us", snapshot.age_us);
-  } else {
-    json.null_field("age_us");
-  }
+  if (snapshot.has_sample) json.field("age_us", snapshot.age_us);
   json.field("steering", to_string(snapshot.steering));
   for (const PoseSource source : kPoseSources) {
     json.key(to_string(source)).begin_object();
@@ -309,8 +291,6 @@ std::string Messages::command(const StepRecord& record) const {
   if (record.inputs.clock.valid) {
     const HostNs left_ns = record.inputs.clock.to_host(command.expiry_us) - record.now_ns;
     json.field("expires_in_ms", to_s(left_ns) * 1e3);
-  } else {
-    json.null_field("expires_in_ms");
   }
   json.end_object();
   return text;
@@ -360,11 +340,10 @@ std::string Messages::course() const {
         .field("duration_s", disturbance.duration_s)
         .end_object();
   }
-  json.end_array().key("fence");
-  if (run_context_.course == nullptr) {
-    json.null();
-  } else {
-    json.begin_object()
+  json.end_array();
+  if (run_context_.course != nullptr) {
+    json.key("fence")
+        .begin_object()
         .field("min_x_m", course.fence.min_x_m)
         .field("max_x_m", course.fence.max_x_m)
         .field("min_y_m", course.fence.min_y_m)

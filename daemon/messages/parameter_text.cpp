@@ -77,11 +77,8 @@ std::string parameters_message(const std::vector<ParameterText>& parameters) {
     write_value(json, "value", parameter.value);
     write_value(json, "default", parameter.standard);
     json.field("type", type_name(parameter.type)).field("unit", parameter.unit);
-    if (is_number(parameter.type)) {
+    if (is_number(parameter.type))
       json.field("min", parameter.range.min).field("max", parameter.range.max);
-    } else {
-      json.null_field("min").null_field("max");
-    }
     json.key("choices").begin_array();
     for (const std::string& choice : parameter.choices) json.value(choice);
     json.end_array()

@@ -14,16 +14,6 @@ void write_durations(text::JsonWriter& json, std::string_view name, const Durati
   json.end_object();
 }
 
-template <class T>
-void write_optional(text::JsonWriter& json, std::string_view name,
-                    const std::optional<T>& content) {
-  if (content) {
-    json.field(name, *content);
-  } else {
-    json.null_field(name);
-  }
-}
-
 void write_counters(text::JsonWriter& json, const LinkCounters& link) {
   json.key("counters").begin_object();
   each_counter(link, [&](const char* name, std::uint64_t count) { json.field(name, count); });
@@ -51,17 +41,10 @@ void write_stop(text::JsonWriter& json, const StopFigures& stop, const PublishCl
       .field("count", stop.count)
       .field("latched", stop.latched)
       .field("by", stop.by);
-  if (stop.count == 0) {
-    json.null_field("requested_t_s");
-  } else {
-    json.field("requested_t_s", clock.t_s(stop.requested_ns));
-  }
+  if (stop.count != 0) json.field("requested_t_s", clock.t_s(stop.requested_ns));
   json.field("status", to_string(stop.status));
-  if (stop.status == StopFigures::Status::kAcknowledged) {
+  if (stop.status == StopFigures::Status::kAcknowledged)
     json.field("acknowledged_ms", stop.acknowledged_ms);
-  } else {
-    json.null_field("acknowledged_ms");
-  }
   json.end_object();
 }
 
@@ -161,22 +144,16 @@ std::string link_message(double t_s, const LinkFigures& link) {
       .field("session", to_string(link.session))
       .field("quality", link_quality(link))
       .field("port", link.port.path)
-      .field("kind", link.port.physical ? "physical" : "emulated");
-  if (link.port.firmware.empty()) {
-    json.null_field("firmware");
-  } else {
-    json.field("firmware", link.port.firmware);
-  }
+      .field("note", link.port.note);
+  if (!link.port.firmware.empty())
+    json.field("kind", link.port.physical ? "physical" : "emulated")
+        .field("firmware", link.port.firmware);
   json.field("samples_hz", link.samples_hz)
       .field("lost_hz", link.lost_hz)
       .field("bad_hz", link.bad_hz)
       .field("in_bytes_ps", link.in_bytes_ps)
       .field("out_bytes_ps", link.out_bytes_ps);
-  if (link.clock.valid) {
-    json.field("round_trip_us", 2.0 * link.clock.uncertainty_us);
-  } else {
-    json.null_field("round_trip_us");
-  }
+  if (link.clock.valid) json.field("round_trip_us", 2.0 * link.clock.uncertainty_us);
   json.key("clock")
       .begin_object()
       .field("valid", link.clock.valid)
@@ -225,30 +202,33 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .field("t_s", clock.t_s(now))
       .field("run", to_string(state.run))
       .field("session", to_string(state.session));
-  if (state.robot) {
-    json.field("robot_state", name_of(*state.robot));
-  } else {
-    json.null_field("robot_state");
-  }
-  json.field("motors_on", state.motors_on);
-  write_optional(json, "run_s", state.run_s);
-  json.field("progress_m", state.progress_m);
-  write_optional(json, "length_m", state.length_m);
-  json.field("course", run_context.course == nullptr ? "" : run_context.course->name)
+  if (state.robot) json.field("robot_state", name_of(*state.robot));
+  json.field("motors_on", state.motors_on)
+      .field("run_s", state.run_s)
+      .field("progress_m", state.progress_m)
+      .field("length_m", state.length_m)
+      .field("course", run_context.course == nullptr ? "" : run_context.course->name)
       .field("robot", run_context.robot.name)
       .field("setup", run_context.setup)
       .field("steering", to_string(state.steering))
-      .field("world", run_context.world);
-  write_optional(json, "battery_v", state.battery_v);
-  json.key("can")
+      .field("world", run_context.world)
+      .field("battery_v", state.battery_v)
+      .key("can")
       .begin_object()
       .field("start", state.can_start)
       .field("hold", true)
       .field("stop", true)
       .field("record", state.can_record)
-      .end_object()
-      .field("why_not_start", state.why_not_start)
-      .field("confirm_start", state.confirm_start);
+      .end_object();
+  if (state.go_on_from) {
+    json.key("go_on_from")
+        .begin_object()
+        .field("x_m", state.go_on_from->x_m)
+        .field("y_m", state.go_on_from->y_m)
+        .field("yaw_rad", state.go_on_from->yaw_rad)
+        .end_object();
+  }
+  json.field("why_not_start", state.why_not_start).field("confirm_start", state.confirm_start);
   write_faults(json, state.faults, state.robot_faults);
   write_stop(json, state.stop, clock);
   json.end_object();

@@ -157,7 +157,8 @@ void McapReader::State::open() {
   descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
   struct stat status {};
   if (descriptor < 0 || ::fstat(descriptor, &status) != 0)
-    throw SetupError(path + ": cannot be read (" + std::strerror(errno) + ")");
+    throw SetupError(path + ": cannot be read (" + std::strerror(errno) +
+                     "); name a recording or its folder, as tp100d run --record makes them");
   if (!S_ISREG(status.st_mode)) throw SetupError(path + ": not a file; give a recording");
   size = static_cast<std::uint64_t>(status.st_size);
   Bytes buffer;

@@ -253,7 +253,7 @@ void visit_fields(Visitor& v, T& inputs) {
          rebooted, answer] = inputs;
   v.list("restart", restart);
   v.list("samples", samples);
-  v.list("requests", requests, OperatorRequest::kStop);
+  v.list("requests", requests, OperatorRequest::kGoOn);
   v.list("camera", camera);
   v.list("world", world);
   v.list("changes", changes);

@@ -90,6 +90,7 @@ void Reader::step(const StepRecord& record) {
     time(record);
     estimate(record.snapshot);
     point(record);
+    run_.result.camera = camera_figures(record.snapshot.filter);
     end_ns_ = record.now_ns;
   } else if (state_ == RunState::kRunning) {
     end_ns_ = record.now_ns;
@@ -111,6 +112,7 @@ void Reader::begin(HostNs now) {
   run_.every = 1;
   run_.implausible = 0;
   run_.estimated = {};
+  run_.result.camera = {};
   run_.result.baselines.gyro_bias_radps = measured_.bias_radps();
   jitter_ = {};
   sample_age_ = {};
@@ -155,10 +157,14 @@ void Reader::point(const StepRecord& record) {
                         .estimates = poses_of(snapshot.estimates),
                         .progress_m = snapshot.progress_m,
                         .recovering = snapshot.recovering,
+                        .imu_pitch_rad = snapshot.imu_pitch_rad,
+                        .slope = snapshot.imu_slope,
+                        .obstacle_class = snapshot.imu_obstacle,
                         .measured = measured_.now()};
   const bool ascends = run_.result.points.empty() || point.t_s > run_.result.points.back().t_s;
   if (!std::ranges::all_of(point.estimates.values, plausible) || !plausible(snapshot.world) ||
-      !ascends || !(std::abs(point.progress_m) <= kFarthest)) {
+      !ascends || !(std::abs(point.progress_m) <= kFarthest) ||
+      !(std::abs(point.imu_pitch_rad) <= kFarthest)) {
     ++run_.implausible;
     return;
   }

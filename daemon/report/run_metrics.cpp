@@ -48,7 +48,7 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
   json.erase("realtime_factor");
   json.erase("loop");
   if (!figures)
-    for (const char* name : {"baselines", "tracking"}) json[name] = nullptr;
+    for (const char* name : {"baselines", "tracking", "slope"}) json[name] = nullptr;
   json["truth"] = run.has_truth;
   json["steering"] = to_string(run.run_context.steering);
   json["estimated"] = nullptr;

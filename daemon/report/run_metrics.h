@@ -16,7 +16,7 @@ namespace tp100::report {
 std::optional<RunFigures> judged(const RecordedRun& run);
 
 /// One JSON object with line breaks: the fields that `tp100-sim course --json` prints (`model`,
-/// `odometry`, `fused`, `tracking`: null where the truth is not known), and `estimated`,
+/// `odometry`, `fused`, `tracking`, `slope`: null where the truth is not known), and `estimated`,
 /// `differences` (both null if no run began), `timing`, `recording`, `versions`.
 std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>& figures);
 

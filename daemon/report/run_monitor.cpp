@@ -15,6 +15,8 @@ const char* name_of(OperatorRequest request) {
       return "hold";
     case OperatorRequest::kStop:
       return "STOP";
+    case OperatorRequest::kGoOn:
+      return "go on";
   }
   return "unknown";
 }

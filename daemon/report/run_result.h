@@ -50,6 +50,15 @@ struct CameraFigures {
   double nis_half_band() const { return 1.96 * std::sqrt(2.0 * kNisDegrees / judged); }
 };
 
+/// Of a step of the run.
+inline CameraFigures camera_figures(const FilterFigures& filter) {
+  return {.used = filter.camera_used,
+          .rejected = filter.camera_rejected,
+          .recoveries = filter.recoveries,
+          .judged = filter.nis_count,
+          .nis_mean = filter.nis_mean};
+}
+
 /// One run. `points` runs from the first to the last step of the course, ascending in time.
 struct RunResult {
   std::string course, board, robot, setup;
@@ -63,8 +72,8 @@ struct RunResult {
   bool has_camera = false;  ///< an overhead camera was in use; see has_estimate()
   std::vector<TrajectoryPoint> points;
   std::vector<DisturbanceWindow> disturbances;
-  LinkCounters link{};
-  CameraFigures camera{};
+  LinkCounters link{};     ///< since the start of the program, by the last step
+  CameraFigures camera{};  ///< by the last step of the run
   Baselines baselines{};
   std::vector<std::pair<std::string, double>> loop;  ///< figures of the loop by name
 

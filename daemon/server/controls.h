@@ -18,7 +18,10 @@ class Controls {
   virtual ~Controls() = default;
 
   // Each returns why it is impossible, in one line; empty: accepted.
+  /// At the course's start.
   virtual std::string start() = 0;
+  /// Where the last run ended.
+  virtual std::string go_on() = 0;
   virtual std::string hold() = 0;
   /// Cannot be refused.
   virtual void stop() = 0;

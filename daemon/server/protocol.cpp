@@ -125,7 +125,7 @@ ClientMessage message(const Json& json) {
   for (const char* known : {"advertise", "unadvertise", "subscribeConnectionGraph",
                             "unsubscribeConnectionGraph", "fetchAsset"})
     if (op == known) return Unserved{op};
-  return Malformed{"op is none that this protocol has"};
+  return Malformed{"unknown op"};
 }
 
 std::uint32_t little(std::span<const std::uint8_t> bytes) {

@@ -138,6 +138,9 @@ void Publisher::update_state(const StepRecord& record) {
   state_.robot = snapshot.has_sample ? std::optional(snapshot.sample.state) : std::nullopt;
   state_.battery_v = snapshot.has_sample ? std::optional(snapshot.sample.battery_v) : std::nullopt;
   state_.progress_m = snapshot.progress_m;
+  state_.go_on_from = may_go_on(state_.run, state_.progress_m, state_.length_m.value_or(0.0))
+                          ? std::optional(snapshot.world)
+                          : std::nullopt;
   state_.faults = snapshot.faults;
   state_.robot_faults = snapshot.has_sample ? snapshot.sample.faults : 0;
   state_.motors_on = snapshot.has_sample && motors_on(snapshot.sample);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "text/format.h"
 #include "text/json_writer.h"
 
 namespace tp100::server {
@@ -22,16 +23,20 @@ bool is_run_name(const std::string& name) {
          });
 }
 
+/// Why a request is refused whose service knows only the argument `known`; empty: it is not.
+std::string unknown_argument(std::string_view known, const std::vector<RequestField>& request) {
+  for (const RequestField& field : request)
+    if (field.name != known)
+      return "there is no argument '" + text::one_line(field.name, kMaxRunName) + "'";
+  return {};
+}
+
 std::string stop_answer(const messages::StopFigures& stop) {
   std::string text;
   text::JsonWriter json(text);
   const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
   json.begin_object().field("acknowledged", acknowledged);
-  if (acknowledged) {
-    json.field("acknowledged_ms", stop.acknowledged_ms);
-  } else {
-    json.null_field("acknowledged_ms");
-  }
+  if (acknowledged) json.field("acknowledged_ms", stop.acknowledged_ms);
   json.end_object();
   return text;
 }
@@ -52,7 +57,7 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
                          messages::schema_of(type + "Request", request),
                          messages::schema_of(type + "Response", response)});
   };
-  add(Service::kStart, "start", "tp100.Start", "{}", R"({"accepted":true})");
+  add(Service::kStart, "start", "tp100.Start", R"({"from":""})", R"({"accepted":true})");
   add(Service::kHold, "hold", "tp100.Hold", "{}", R"({"accepted":true})");
   add(Service::kStop, "stop", "tp100.Stop", "{}", R"({"acknowledged":true,"acknowledged_ms":1.5})");
   add(Service::kRecordStart, "record_start", "tp100.RecordStart", R"({"name":""})",
@@ -136,7 +141,8 @@ std::string RequestHandler::set(const SetParameters::One& one) {
   const auto found =
       std::find_if(parameters_.begin(), parameters_.end(),
                    [&](const messages::ParameterText& each) { return each.name == one.name; });
-  if (found == parameters_.end()) return "there is no parameter of that name";
+  if (found == parameters_.end())
+    return "there is no parameter '" + text::one_line(one.name, kMaxRunName) + "'";
   if (!found->live)
     return found->name + " cannot be changed while the daemon runs; set it in the file";
   if (!one.value) return found->name + " takes no value of that type";
@@ -184,16 +190,25 @@ void RequestHandler::parameter_changed(const messages::ParameterText& parameter,
   }
 }
 
-std::string RequestHandler::start() {
+std::string RequestHandler::start(const std::vector<RequestField>& request) {
+  std::string from = "start";
+  for (const RequestField& field : request) {
+    const std::string* text = std::get_if<std::string>(&field.value);
+    if (text == nullptr || (*text != "start" && *text != "here"))
+      return "from is \"start\", the course's, or \"here\", where the last run ended";
+    from = *text;
+  }
   const messages::StateFigures& state = publisher_.state();
-  return state.can_start ? controls_.start() : state.why_not_start;
+  if (!state.can_start) return state.why_not_start;
+  if (from == "start") return controls_.start();
+  return state.go_on_from ? controls_.go_on()
+                          : "no run ended on its way; start from the course's start";
 }
 
 std::string RequestHandler::record_start(const std::vector<RequestField>& request,
                                          Controls::RecordAnswer answer) {
   std::string name;
   for (const RequestField& field : request) {
-    if (field.name != "name") continue;
     const std::string* text = std::get_if<std::string>(&field.value);
     if (text == nullptr || !(text->empty() || is_run_name(*text)))
       return "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
@@ -258,11 +273,15 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   const auto request = parse_request(call.payload);
   if (!request) return fail("the request must be a JSON object");
 
-  std::string why;
+  const std::string_view known = service == Service::kStart         ? "from"
+                                 : service == Service::kRecordStart ? "name"
+                                                                    : "";
+  std::string why = unknown_argument(known, *request);
+  if (!why.empty()) return fail(why);
   switch (service) {
     case Service::kStart:
     case Service::kHold:
-      why = service == Service::kStart ? start() : controls_.hold();
+      why = service == Service::kStart ? start(*request) : controls_.hold();
       return why.empty() ? answer(R"({"accepted":true})") : fail(why);
     case Service::kRecordStart:
       why = record_start(*request, answer_later(service, viewer, call.call));

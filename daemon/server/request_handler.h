@@ -66,7 +66,7 @@ class RequestHandler {
           HostNs now);
   void call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs now);
   std::string set(const SetParameters::One& one);
-  std::string start();
+  std::string start(const std::vector<RequestField>& request);
   std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
   Controls::RecordAnswer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
                                       std::uint32_t call) const;

@@ -149,7 +149,7 @@ void ViewerSocket::tick(HostNs now) {
   if (dropped == reported_dropped_) return;
   const std::uint64_t fresh = dropped - std::exchange(reported_dropped_, dropped);
   viewer_->say(StatusLevel::kWarning,
-               std::to_string(fresh) + " messages dropped, this client reads too slowly");
+               std::to_string(fresh) + " messages dropped: this viewer is too slow");
 }
 
 messages::ClientFigures ViewerSocket::figures(HostNs now) const {

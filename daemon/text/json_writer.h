@@ -1,11 +1,13 @@
 #pragma once
-// Writes JSON text straight into a string, for the step channels at 200 messages a second. Writes
-// null for NaN and infinity, and valid UTF-8 only.
+// Writes JSON text straight into a string, for the step channels at 200 messages a second. NaN and
+// infinity are not numbers there: such a field is left out, an element null. Writes valid UTF-8
+// only.
 
 #include <charconv>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -73,9 +75,16 @@ class JsonWriter {
   /// One entry of an object.
   template <class T>
   JsonWriter& field(std::string_view name, const T& content) {
+    if constexpr (std::floating_point<T>) {
+      if (!std::isfinite(content)) return *this;
+    }
     return key(name).value(content);
   }
-  JsonWriter& null_field(std::string_view name) { return key(name).null(); }
+  /// Left out if there is no content.
+  template <class T>
+  JsonWriter& field(std::string_view name, const std::optional<T>& content) {
+    return content ? field(name, *content) : *this;
+  }
 
  private:
   JsonWriter& begin(char bracket) {

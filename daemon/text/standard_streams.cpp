@@ -21,17 +21,44 @@ int report_error(const char* program, std::string_view message, int status) {
   return status;
 }
 
-int report_usage_error(const char* program, std::string_view what) {
-  return report_error(program, one_line(what, 500) + "; see " + program + " --help");
+namespace {
+
+std::string unknown(const char* kind, const std::string& word,
+                    const std::vector<std::string_view>& known) {
+  const std::string meant(nearest_name(word, known));
+  return std::string("unknown ") + kind + " '" + one_line(word) + "'" +
+         (meant.empty() ? "" : "; did you mean '" + meant + "'?");
 }
 
-std::string unknown_subcommand(int argc, char** argv, const std::vector<std::string>& subcommands) {
-  if (argc < 2 || argv[1][0] == '-') return {};
-  const std::string word = argv[1];
-  if (std::find(subcommands.begin(), subcommands.end(), word) != subcommands.end()) return {};
-  const std::string meant(nearest_name(word, {subcommands.begin(), subcommands.end()}));
-  return "unknown subcommand '" + one_line(word) + "'" +
-         (meant.empty() ? "" : "; did you mean '" + meant + "'?");
+/// The first argument that looks like an option and is none of `command`; empty: there is none.
+std::string unknown_option(int argc, char** argv, const Subcommand& command) {
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string_view(argv[i]).find('='));
+    if (word == "--") return {};
+    if (!word.starts_with("--") || std::ranges::count(command.options, word) > 0) continue;
+    return unknown("option", word, {command.options.begin(), command.options.end()});
+  }
+  return {};
+}
+
+}  // namespace
+
+int report_usage_error(const char* program, std::string_view what, int argc, char** argv,
+                       const std::vector<Subcommand>& known) {
+  std::string help = program, better;
+  const std::string first = argc < 2 ? "" : argv[1];
+  const auto command = std::ranges::find(known, first, &Subcommand::name);
+  if (command != known.end()) {
+    help += " " + first;
+    better = unknown_option(argc, argv, *command);
+  } else if (!first.empty() && first[0] != '-') {
+    std::vector<std::string_view> names;
+    names.reserve(known.size());
+    for (const Subcommand& each : known) names.emplace_back(each.name);
+    better = unknown("subcommand", first, names);
+  }
+  return report_error(program,
+                      one_line(better.empty() ? what : better, 500) + "; see " + help + " --help");
 }
 
 int run_program(const char* program, const std::function<int()>& run) {

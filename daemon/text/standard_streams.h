@@ -12,12 +12,17 @@ namespace tp100::text {
 /// Writes "PROGRAM: message" on standard error. `message` is one line. Returns `status`.
 int report_error(const char* program, std::string_view message, int status = 2);
 
-/// Same for a wrong command line, with a pointer to --help; `what` may be any text. Returns 2.
-int report_usage_error(const char* program, std::string_view what);
+/// A subcommand and the names of its options, each with its dashes.
+struct Subcommand {
+  std::string name;
+  std::vector<std::string> options;
+};
 
-/// The error for a first argument that is neither an option nor one of `subcommands`, with the one
-/// that was probably meant; empty if there is no error.
-std::string unknown_subcommand(int argc, char** argv, const std::vector<std::string>& subcommands);
+/// Same for a wrong command line, with a pointer to the --help of the subcommand, if it is one of
+/// `known`. `what`, which may be any text, gives way to an unknown subcommand or option, with the
+/// one that was probably meant. Returns 2.
+int report_usage_error(const char* program, std::string_view what, int argc = 0,
+                       char** argv = nullptr, const std::vector<Subcommand>& known = {});
 
 /// Body of a program's main(): claims the standard streams, calls `run` and returns its exit
 /// status. A SetupError is a user error: status 2. Any other exception is a defect: status 3.

@@ -30,7 +30,7 @@ namespace {
 /// have). The same run gives the same text except for figures that depend on the machine.
 struct CampaignRun {
   std::string json;
-  bool refused = false;
+  std::string refused;  ///< the reason; empty: it was driven
 };
 using Json = nlohmann::ordered_json;
 
@@ -66,14 +66,14 @@ CampaignRun drive(const PlannedRun& run, const std::string& record) {
   try {
     json["result"] = figures_of(run, record);
   } catch (const SetupError& error) {
-    done.refused = true;
-    json["refused"] = error.what();
+    json["refused"] = done.refused = error.what();
   }
   done.json = json.dump() + "\n";
   return done;
 }
 
 constexpr std::size_t kNamedMissing = 5;
+constexpr unsigned long long kNamedRefused = 5;
 
 // Of a line of --todo: well below what a system takes as one argument.
 constexpr std::size_t kRangesALine = 4000;
@@ -190,11 +190,12 @@ void take(const CampaignFolder& folder, const CampaignSpec& spec, std::uint64_t 
   // A file may have been edited in the meantime.
   folder.require(origin_of(spec));
   folder.put(index, run.json);
-  ++tally.driven;
-  if (!run.refused) return;
-  ++tally.refused;
-  std::fprintf(stderr, "tp100-sim: run %llu refused: %s", static_cast<unsigned long long>(index),
-               run.json.c_str());
+  if (run.refused.empty()) {
+    ++tally.driven;
+  } else if (++tally.refused <= kNamedRefused) {
+    std::fprintf(stderr, "tp100-sim: run %llu refused: %s\n",
+                 static_cast<unsigned long long>(index), run.refused.c_str());
+  }
 }
 
 }  // namespace
@@ -212,6 +213,9 @@ int run_campaign(const CampaignCommand& command) {
   for (const Range& range : ranges)
     for (std::uint64_t index = range.first; index <= range.second; ++index)
       take(folder, spec, index, command.record, tally);
+  if (tally.refused > kNamedRefused)
+    std::fprintf(stderr, "tp100-sim: %llu more runs refused; `merge` lists each with its reason\n",
+                 tally.refused - kNamedRefused);
   std::printf("%s: %llu runs driven, %llu were done before, %llu refused\n", command.out.c_str(),
               tally.driven, tally.done_before, tally.refused);
   return tally.refused > 0 ? 1 : 0;

@@ -188,13 +188,13 @@ std::string merge_page(const Merged& merged, const std::string& spec_text) {
   std::vector<std::string> charts;
   charts.reserve(figures.size());
   for (const MergedFigure* figure : figures) charts.push_back(distribution(*figure, merged));
-  page.figures(charts, "How the figures spread");
+  page.figures(charts, "Distributions");
   if (!merged.groups.empty()) {
-    page.heading("By what was listed");
+    page.heading("By listed value");
     page.table(group_rows(merged, figures), "Each value of each list, over all others");
   }
   if (const Rows rows = correlation_rows(figures); rows.size() > 1) {
-    page.heading("What goes with what");
+    page.heading("Correlations");
     page.table(rows, "Spearman's rank correlation of sampled numbers and figures");
   }
   page.heading("Worst completed runs");

@@ -51,9 +51,10 @@ struct DemoCommand {
   bool headless = false;
 };
 
-/// Starts `tp100-sim robot` and `tp100d run`, waits for the course to end, at most three times more
-/// if the machine stood still meanwhile, then prints the scored table. Returns 0 if both the live
-/// and the scored run were completed. Throws SetupError.
+/// Starts `tp100-sim robot` and `tp100d run`, opens the page where there is a screen, and stays
+/// until the daemon is ended; before that prints the scored table. Headless: waits for the course
+/// to end, at most three times more if the machine stood still meanwhile, then prints the table.
+/// Returns 0 if both the live and the scored run were completed. Throws SetupError.
 int run_demo(const DemoCommand& command);
 
 }  // namespace tp100::sim

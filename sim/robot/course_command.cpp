@@ -38,6 +38,8 @@ int run_course(const CourseCommand& command) {
       config::world_option(command.world, loaded.configuration.parameters.world.kind);
   if (loaded.files.world == bridge::WorldKind::kFiles)
     throw SetupError("world files: have no place in virtual time; use udp or internal");
+  // Before the drive: not only after it would somebody learn that there is no such place.
+  if (!command.out.empty()) text::make_folder(command.out);
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);

@@ -29,9 +29,13 @@ namespace {
 /// terminated when this program ends in whatever way.
 class Child {
  public:
-  /// Starts arguments[0]. `quiet`: its standard output goes nowhere. Throws SetupError; a program
-  /// that cannot be executed says so itself and ends with status 127.
-  Child(const std::vector<std::string>& arguments, bool quiet);
+  /// Starts arguments[0]. Throws SetupError; a program that cannot be executed says so itself and
+  /// ends with status 127.
+  struct Ways {
+    bool quiet = false;  ///< its standard output goes nowhere
+    bool apart = false;  ///< the terminal's Ctrl-C does not reach it
+  };
+  Child(const std::vector<std::string>& arguments, Ways ways);
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -52,7 +56,7 @@ int exit_status(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-Child::Child(const std::vector<std::string>& arguments, bool quiet) {
+Child::Child(const std::vector<std::string>& arguments, Ways ways) {
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -63,7 +67,8 @@ Child::Child(const std::vector<std::string>& arguments, bool quiet) {
   if (pid_ > 0) return;
   // The parent may have ended before it could be asked for the signal.
   if (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 || getppid() != parent) _exit(127);
-  if (quiet) dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
+  if (ways.apart) setpgid(0, 0);
+  if (ways.quiet) dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
   execv(argv[0], argv.data());
   std::perror(argv[0]);
   _exit(127);
@@ -173,6 +178,16 @@ LiveRun judged(int status, const nlohmann::json& daemon, const nlohmann::json& r
   return run;
 }
 
+/// Opens the user's browser, where there is a screen.
+void show(const std::string& page) {
+  const bool screen =
+      std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+  const char* const opener = "/usr/bin/xdg-open";
+  if (page.empty() || !screen || !fs::exists(opener)) return;
+  Child browser({opener, page}, {.quiet = true, .apart = true});
+  browser.wait();
+}
+
 LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::string& robot_name) {
   const TemporaryFolder folder;
   const std::string link = (folder.path() / "tp100").string();
@@ -180,18 +195,45 @@ LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::s
   Child robot({(programs / "tp100-sim").string(), "robot", "--link", link, "--robot", robot_name,
                "--board", command.options.board, "--course", command.course, "--seed",
                std::to_string(command.options.seed), "--stats", robot_stats.string()},
-              command.headless);
+              {.quiet = command.headless, .apart = true});
   wait_for(link, robot);
   // Without --go the daemon waits for the user after a broken link.
-  Child bridge({(programs / "tp100d").string(), "run", "--port", link, "--course", command.course,
-                "--robot", robot_name, "--stats", stats.string(), "--go"},
-               command.headless);
+  std::vector<std::string> arguments = {(programs / "tp100d").string(),
+                                        "run",
+                                        "--port",
+                                        link,
+                                        "--course",
+                                        command.course,
+                                        "--robot",
+                                        robot_name,
+                                        "--stats",
+                                        stats.string(),
+                                        "--go"};
+  if (!command.headless) arguments.emplace_back("--stay");
+  Child bridge(arguments, {.quiet = command.headless});
   const std::string page = page_of(stats, bridge);
   if (!page.empty()) std::printf("demo: watch it at %s\n", page.c_str());
+  if (!command.headless) {
+    // Ctrl-C ends the daemon, which disarms first.
+    std::signal(SIGINT, SIG_IGN);
+    show(page);
+    std::printf(
+        "demo: stays after the run. Drive again: Start on the page, or the word go and Enter here; "
+        "Enter alone is STOP; Ctrl-C ends the demo\n");
+  }
   std::fflush(stdout);
   const int status = bridge.wait();
   robot.stop();
   return judged(status, figures_of(stats), figures_of(robot_stats));
+}
+
+int run_scored(const DemoCommand& command) {
+  std::printf("demo: this course, robot and seed in virtual time, scored against exact truth\n");
+  std::fflush(stdout);
+  CourseCommand scored;
+  scored.options = command.options;
+  scored.course = command.course;
+  return run_course(scored);
 }
 
 }  // namespace
@@ -208,6 +250,10 @@ int run_demo(const DemoCommand& command) {
   std::printf("demo: an emulated %s TP100 and the daemon, joined by a serial line, drive %s\n",
               loaded.robot.name.c_str(), course.name.c_str());
   std::fflush(stdout);
+  if (!command.headless) {
+    const int scored_status = run_scored(command);
+    return drive(command, programs, robot_name).status == 0 && scored_status == 0 ? 0 : 1;
+  }
   LiveRun live = drive(command, programs, robot_name);
   for (int again = 0; paused(live) && again < kMaxAgain; ++again) {
     std::printf("demo: the machine stood still for %.0f ms, which ended the run; drives again\n",
@@ -216,13 +262,7 @@ int run_demo(const DemoCommand& command) {
     live = drive(command, programs, robot_name);
   }
   std::printf("demo: live run %s\n\n", live.status == 0 ? "completed" : "failed");
-  std::printf(
-      "demo: the same course, robot and seed in virtual time, scored against exact truth\n");
-  std::fflush(stdout);
-  CourseCommand scored;
-  scored.options = command.options;
-  scored.course = command.course;
-  const int scored_status = run_course(scored);
+  const int scored_status = run_scored(command);
   if (paused(live)) {
     std::printf(
         "demo: the live run failed %d times because the machine stood still, at last for "

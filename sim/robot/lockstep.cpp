@@ -241,6 +241,8 @@ void Lockstep::step_host() {
   longest_step_ = std::max(longest_step_, took);
   ++steps_;
   publish();
+  // As a recording has them: before this step's command counts as sent.
+  result_.link = cycle_.session().counters();
   for (const link::SessionEvent& event : cycle_.session().take_events())
     if (settings_.on_session_event) settings_.on_session_event(event, cycle_.session().hello());
   if (plugged()) robot_.receive(cycle_.session().output(), now);
@@ -251,6 +253,7 @@ void Lockstep::step_host() {
       result_.baselines.gyro_bias_radps = measured_.bias_radps();
     }
     record(out.snapshot);
+    if (camera_) result_.camera = report::camera_figures(out.snapshot.filter);
   }
 }
 
@@ -286,6 +289,7 @@ report::RunResult Lockstep::run() {
   begin_ns_ = -1;
   result_.points.clear();
   result_.disturbances.clear();
+  result_.camera = {};
   bool started = false;
   std::int64_t end_ns = 0;
   RunState state = RunState::kIdle;
@@ -331,7 +335,6 @@ void Lockstep::judge(RunState state, std::int64_t end_ns) {
 }
 
 void Lockstep::count(std::chrono::duration<double> wall) {
-  result_.link = cycle_.session().counters();
   result_.realtime_factor = to_s(robot_.now_ns()) / wall.count();
   const auto spent_s = [](std::chrono::nanoseconds time) { return to_s(time.count()); };
   const double physics_s = spent_s(robot_.spent().physics);
@@ -343,14 +346,6 @@ void Lockstep::count(std::chrono::duration<double> wall) {
                   {"mean_step_us", static_cast<double>(step_time_.count()) * 1e-3 /
                                        static_cast<double>(std::max<std::uint64_t>(steps_, 1))},
                   {"max_step_us", static_cast<double>(longest_step_.count()) * 1e-3}};
-  if (camera_) {
-    const FilterFigures& fused = cycle_.outputs().snapshot.filter;
-    result_.camera = {.used = fused.camera_used,
-                      .rejected = fused.camera_rejected,
-                      .recoveries = fused.recoveries,
-                      .judged = fused.nis_count,
-                      .nis_mean = fused.nis_mean};
-  }
   if (world_) {
     const worlds::PeerCounters& world = world_->counters();
     result_.loop.insert(result_.loop.end(),

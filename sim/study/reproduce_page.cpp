@@ -277,7 +277,7 @@ std::string reproduction_page(const Reproduction& what) {
   }
   if (!what.real.empty()) write_real(page, what.real);
   page.heading("Every figure with its limit");
-  page.table(judged_rows(what), "Limits are ours. Red: does not hold.");
+  page.table(judged_rows(what), "Limits are ours. Red: limit exceeded.");
   return page.text();
 }
 

@@ -59,7 +59,7 @@ TEST_F(Report, ARunThatNeverBeganHasNoFigures) {
   const Json json = metrics();
   EXPECT_EQ(json["cause"], "the run never began");
   for (const char* name :
-       {"model", "odometry", "baselines", "tracking", "estimated", "differences"})
+       {"model", "odometry", "baselines", "tracking", "slope", "estimated", "differences"})
     EXPECT_TRUE(json.at(name).is_null()) << name;
   EXPECT_THAT(text("report.html"), HasSubstr("The run never began: there is nothing to judge"));
 }
@@ -69,7 +69,7 @@ TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
   ASSERT_EQ(report(), "");
   const Json json = metrics();
   EXPECT_FALSE(json["truth"]);
-  for (const char* name : {"model", "odometry", "baselines", "tracking"})
+  for (const char* name : {"model", "odometry", "baselines", "tracking", "slope"})
     EXPECT_TRUE(json.at(name).is_null());
   EXPECT_TRUE(json["differences"]["model_from_odometry"].contains("max_m"));
   EXPECT_EQ(json["recording"]["steps"], 400);

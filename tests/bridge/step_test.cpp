@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -95,7 +96,8 @@ class StepTest : public testing::Test {
     ClockState clock;
     clock.valid = true;
     const Outputs& out =
-        step({.samples = connected_ ? std::span<const Sample>(samples_) : std::span<const Sample>(),
+        step({.restart = std::exchange(restart_, {}),
+              .samples = connected_ ? std::span<const Sample>(samples_) : std::span<const Sample>(),
               .requests = requests,
               .changes = std::exchange(changes_, {}),
               .session = connected_ ? SessionState::kReady : SessionState::kClosed,
@@ -128,6 +130,7 @@ class StepTest : public testing::Test {
   std::shared_ptr<const course::Course> course_;
   std::vector<Sample> samples_ = std::vector<Sample>(1);
   std::span<const ParameterChange> changes_{};  // of the next tick
+  BoundedList<CarriedState, 1> restart_{};      // ... too
   HostNs now_ = 0;
   bool connected_ = true;
   std::uint32_t session_ = 1;
@@ -206,6 +209,74 @@ TEST_F(StepTest, TheSteeringPoseChangesOnlyAtRest) {
   const Outputs& out = tick(step, robot);
   EXPECT_EQ(out.snapshot.steering, PoseSource::kModel);
   EXPECT_EQ(out.command.pose.x_m, out.snapshot.estimates[PoseSource::kModel].pose.x_m);
+}
+
+// On the first line, on the arc, in the middle of the turn on the spot and on the last line.
+TEST_F(StepTest, GoesOnFromWhereARunWasStopped) {
+  KinematicRobot whole(parameters_);
+  Step undisturbed(parameters_, course_);
+  start(undisturbed, whole);
+  ASSERT_EQ(run(undisturbed, whole, 60.0), RunState::kFinished);
+  const double took_s = to_s(now_);
+  const OperatorRequest stop = OperatorRequest::kStop, go_on = OperatorRequest::kGoOn;
+  int turning = 0;
+  for (double share = 0.2; share < 0.95; share += 0.05) {
+    auto step = std::make_unique<Step>(parameters_, course_);
+    KinematicRobot robot(parameters_);
+    start(*step, robot);
+    ASSERT_EQ(run(*step, robot, share * took_s), RunState::kRunning);
+    tick(*step, robot, std::span(&stop, 1));
+    run(*step, robot, 1.0);
+    for (int i = 0; i < 100; ++i) tick(*step, robot);
+    ASSERT_FALSE(robot.armed) << "nothing goes on by itself";
+    const Snapshot stopped = tick(*step, robot).snapshot;
+    ASSERT_EQ(stopped.run_state, RunState::kAborted);
+    if (stopped.world.yaw_rad > 0.3 && stopped.world.yaw_rad < 1.2 && stopped.progress_m > 0.7)
+      ++turning;
+    if (share > 0.5) {
+      // As a step begins anew at rest: with what it carries alone.
+      const CarriedState carried = step->carried();
+      step = std::make_unique<Step>(parameters_, course_);
+      restart_.push(carried);
+    }
+    tick(*step, robot, std::span(&go_on, 1));
+    double least_m = 1e9;
+    RunState state = RunState::kArming;
+    while (state == RunState::kArming || state == RunState::kRunning) {
+      const Snapshot& snapshot = tick(*step, robot).snapshot;
+      state = snapshot.run_state;
+      if (state == RunState::kRunning) least_m = std::min(least_m, snapshot.progress_m);
+    }
+    EXPECT_EQ(state, RunState::kFinished) << share << " " << stopped.progress_m;
+    EXPECT_GE(least_m, stopped.progress_m - 1e-3) << share;
+    EXPECT_NEAR(robot.x_m, whole.x_m, 0.02) << share;
+    EXPECT_NEAR(robot.y_m, whole.y_m, 0.02) << share;
+    EXPECT_NEAR(wrap_angle(robot.yaw_rad - whole.yaw_rad), 0.0, 0.05) << share;
+  }
+  EXPECT_GE(turning, 1);
+}
+
+TEST_F(StepTest, GoesOnFromNowhereElse) {
+  const OperatorRequest go_on = OperatorRequest::kGoOn;
+  const auto stays = [&](Step& step, KinematicRobot& robot, RunState state) {
+    tick(step, robot, std::span(&go_on, 1));
+    for (int i = 0; i < 400; ++i) {
+      EXPECT_EQ(tick(step, robot).snapshot.run_state, state);
+      EXPECT_FALSE(robot.armed);
+    }
+  };
+  Step step(parameters_, course_);
+  KinematicRobot robot(parameters_);
+  run(step, robot, 1.0);
+  stays(step, robot, RunState::kIdle);
+  start(step, robot);
+  ASSERT_EQ(run(step, robot, 60.0), RunState::kFinished);
+  for (int i = 0; i < 100; ++i) tick(step, robot);
+  stays(step, robot, RunState::kFinished);
+  const OperatorRequest stop = OperatorRequest::kStop;
+  tick(step, robot, std::span(&stop, 1));
+  EXPECT_EQ(tick(step, robot).snapshot.faults, fault_bit(Fault::stop_requested));
+  stays(step, robot, RunState::kFinished);
 }
 
 TEST_F(StepTest, NothingMovesWithoutAStartAndWhoIsArmedIsStopped) {

@@ -167,6 +167,18 @@ TEST_F(Campaign, ARunThatCannotBeDrivenIsToldAndNotTriedAgain) {
   EXPECT_THAT(merge.output, HasSubstr("1 runs were refused"));
 }
 
+TEST_F(Campaign, ManyRefusedRunsAreFolded) {
+  write("spec.toml", "runs = 12\ncourse = \"" + folder_.file("short.toml") +
+                         "\"\n"
+                         "[robot_values]\nemulated.body.friction = { list = [77.0] }\n");
+  const Finished all = drive("a");
+  EXPECT_EQ(all.status, 1);
+  EXPECT_EQ(lines(all.output), 7u) << all.output;
+  EXPECT_THAT(all.output, HasSubstr("run 0 refused: "));
+  EXPECT_THAT(all.output, HasSubstr("7 more runs refused"));
+  EXPECT_THAT(all.output, HasSubstr("0 runs driven, 0 were done before, 12 refused"));
+}
+
 TEST_F(Campaign, ARecordedRunIsReplayedBitForBit) {
   const Finished one = drive("a", {"--index", "1", "--record", folder_.file("recordings")});
   ASSERT_EQ(one.status, 0) << one.output;

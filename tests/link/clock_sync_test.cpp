@@ -328,6 +328,22 @@ TEST(ClockSync, WireTimesThatCannotBeRightAreNotExact) {
   EXPECT_GE(sync.state_at(now).uncertainty_us, 150.0);
 }
 
+TEST(ClockSync, ExchangesThatContradictEachOtherAreNotExact) {
+  ClockSync sync;
+  HostNs now = kNsPerS;
+  sync.reset(now);
+  // Each way takes 50 us; then the device's clock is found 400 us ahead.
+  for (int i = 0; i < 12; ++i) {
+    now = sync.next_ns();
+    sync.asked(static_cast<std::uint16_t>(i), now, 0);
+    const DeviceUs device = (now + 50 * kNsPerUs) / kNsPerUs + (i < 11 ? 0 : 400);
+    now += 100 * kNsPerUs;
+    EXPECT_EQ(sync.answered(static_cast<std::uint16_t>(i), device, device, now, 0),
+              ClockSync::Verdict::kAccepted);
+  }
+  EXPECT_GE(sync.state().uncertainty_us, 45.0);
+}
+
 TEST(ClockSync, UncertaintyGrowsWithoutReplies) {
   ClockSync sync;
   sync.reset(0);

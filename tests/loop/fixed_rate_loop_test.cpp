@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -9,6 +10,32 @@
 #include <mutex>
 #include <string>
 #include <vector>
+
+#include "../link/pty_pair.h"
+
+// The linker wraps read and poll: the calls of the loop for the watched descriptor are counted.
+namespace {
+std::atomic<int> watched{-1};
+std::atomic<int> empty_reads{0}, polls{0};
+}  // namespace
+
+extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier): the names that the linker asks for.
+ssize_t __real_read(int fd, void* buffer, size_t size);
+int __real_poll(pollfd* of, nfds_t count, int timeout);
+
+ssize_t __wrap_read(int fd, void* buffer, size_t size) {
+  const ssize_t n = __real_read(fd, buffer, size);
+  if (fd == watched && n < 0) ++empty_reads;
+  return n;
+}
+
+int __wrap_poll(pollfd* of, nfds_t count, int timeout) {
+  for (nfds_t i = 0; i < count; ++i) polls += of[i].fd == watched;
+  return __real_poll(of, count, timeout);
+}
+// NOLINTEND(bugprone-reserved-identifier)
+}
 
 namespace tp100::loop {
 namespace {
@@ -151,6 +178,48 @@ TEST(FixedRateLoop, GivesALostPortBackAndTakesTheNext) {
     loop.request_stop();
     loop.join();
     EXPECT_EQ(echo.after_write_too_late, 0u);
+  }
+}
+
+// Either would wait for a worker of the kernel that runs at ordinary priority.
+TEST(FixedRateLoop, NeitherReadsAnEmptyTerminalNorPollsIt) {
+  for (const bool robot_paced : {false, true}) {
+    for (const bool prompt : {false, true}) {
+      Echo echo;
+      echo.prompt = prompt;
+      PtyPair pty;
+      const int near = ::open(pty.near().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+      ASSERT_GE(near, 0);
+      LoopSettings set = settings();
+      set.robot_paced = robot_paced;
+      FixedRateLoop loop(set, echo);
+      watched = near;
+      empty_reads = polls = 0;
+      loop.start();
+      ASSERT_TRUE(loop.offer({near, 1}));
+      std::string back;
+      for (const char* word : {"how", "are", "you"}) {
+        pty.write({reinterpret_cast<const std::uint8_t*>(word), 3});
+        EXPECT_TRUE(eventually([&] {
+          for (const std::uint8_t byte : pty.read()) back += static_cast<char>(byte);
+          return back.ends_with(word);
+        }));
+        const std::uint64_t steps = echo.steps;
+        EXPECT_TRUE(eventually([&] { return echo.steps > steps + 10; }));
+      }
+      EXPECT_EQ(back, "howareyou");
+      EXPECT_EQ(polls, 0);
+      // At most one for each word, where it arrived between its announcement and the read.
+      EXPECT_LE(empty_reads, 3);
+      pty.close();
+      LostPort lost;
+      EXPECT_TRUE(eventually([&] { return loop.take_lost(lost); }));
+      EXPECT_EQ(lost.end, PortEnd::kHungUp);
+      loop.request_stop();
+      loop.join();
+      watched = -1;
+      ::close(near);
+    }
   }
 }
 

@@ -1,3 +1,5 @@
+#include "loop/port_wait.h"
+
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -6,7 +8,6 @@
 
 #include "core/clock.h"
 #include "core/error.h"
-#include "loop/pacing.h"
 
 namespace tp100::loop {
 namespace {
@@ -15,7 +16,10 @@ constexpr HostNs kSpareNs = 500 * kNsPerUs;
 
 class PortWaits : public ::testing::Test {
  protected:
-  PortWaits() { EXPECT_EQ(::pipe(ends_.data()), 0); }
+  PortWaits() {
+    EXPECT_EQ(::pipe(ends_.data()), 0);
+    wait_.watch(ends_[0]);
+  }
   ~PortWaits() override {
     ::close(ends_[0]);
     hang_up();
@@ -29,7 +33,7 @@ class PortWaits : public ::testing::Test {
     if (ends_[1] >= 0) ::close(ends_[1]);
     ends_[1] = -1;
   }
-  bool readable(HostNs until) { return wait_.readable(ends_[0], until); }
+  bool readable(HostNs until) { return wait_.readable(until); }
   /// Polls until the deadline, like the loop; returns the number of polls.
   int wait_out(HostNs until) {
     int asked = 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -31,9 +32,15 @@ void expect_readable(const Json& schema, const std::string& where, bool in_array
   }
 }
 
-// Expects that the schema describes all fields of `message`.
+// Expects that the schema describes all fields of `message`, and that the message validates.
 void expect_described(const Json& schema, const Json& message, const std::string& where) {
-  if (message.is_null()) return;
+  const std::string type = schema["type"];
+  EXPECT_TRUE(type == "object"   ? message.is_object()
+              : type == "array"  ? message.is_array()
+              : type == "number" ? message.is_number()
+              : type == "string" ? message.is_string()
+                                 : message.is_boolean())
+      << where << " is " << message << ", not of type " << type;
   if (schema["type"] == "object") {
     for (const auto& [name, content] : message.items()) {
       ASSERT_TRUE(schema["properties"].contains(name)) << where << "." << name;
@@ -96,8 +103,28 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
       {"/course", messages.course()},
       {"/state", state_message(0, {}, {}, example_subject())},
       {"/event", messages.event({})},
+      {"/link", link_message(0.5, {})},
+      {"/loop", loop_message(0.5, {}, {})},
+      {"/recording", recording_message({})},
+      {"/client", clients_message({})},
+  };
+  // Neither a sample, a course, a truth, a robot nor a finite number.
+  StepRecord nothing;
+  nothing.snapshot.cross_track_m = nothing.snapshot.estimates[PoseSource::kModel].pose.x_m =
+      nothing.snapshot.filter.variance_x_m2 = std::numeric_limits<double>::quiet_NaN();
+  const Messages without({}, {});
+  const std::map<std::string, std::string> least = {
+      {"/estimate", without.estimate(nothing, std::nullopt)},
+      {"/sample", without.sample({}, 0)},
+      {"/command", without.command(nothing)},
+      {"/slip", without.slip(nothing)},
+      {"/course", without.course()},
+      {"/state", state_message(0, {}, {}, {})},
   };
   for (const ChannelText& text : channel_texts()) {
+    for (const auto& [topic, message] : least)
+      if (topic == text.topic)
+        expect_described(Json::parse(text.schema), Json::parse(message), topic);
     const auto found = examples.find(text.topic);
     if (found != examples.end())
       expect_described(Json::parse(text.schema), Json::parse(found->second), text.topic);

@@ -51,7 +51,9 @@ TEST(ParameterText, TheListHasUnitAndLimits) {
   const auto json = nlohmann::json::parse(parameters_message({kGain, kSteering}))["parameters"];
   EXPECT_EQ(json[0]["unit"], "1/m");
   EXPECT_EQ(json[0]["max"], 200.0);
-  EXPECT_TRUE(json[1]["max"].is_null());
+  EXPECT_FALSE(json[1].contains("max"));
+  for (const auto& one : json)
+    for (const auto& [name, content] : one.items()) EXPECT_FALSE(content.is_null()) << name;
   EXPECT_EQ(json[1]["choices"][1], "fused");
 }
 

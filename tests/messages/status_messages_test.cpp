@@ -32,7 +32,7 @@ TEST(StateMessage, TheTimeOfAStopIsOnlyThereWhenItIsKnown) {
     return Json::parse(state_message(0, example_clock(), state, example_subject()))["stop"];
   };
   EXPECT_EQ(stop()["status"], "none");
-  EXPECT_TRUE(stop()["requested_t_s"].is_null());
+  EXPECT_FALSE(stop().contains("requested_t_s"));
   state.stop = {.count = 1,
                 .latched = true,
                 .by = "viewer 3",
@@ -41,7 +41,7 @@ TEST(StateMessage, TheTimeOfAStopIsOnlyThereWhenItIsKnown) {
                 .acknowledged_ms = 14.0};
   EXPECT_EQ(stop()["status"], "not_acknowledged");
   EXPECT_EQ(stop()["requested_t_s"], 3.0);
-  EXPECT_TRUE(stop()["acknowledged_ms"].is_null());
+  EXPECT_FALSE(stop().contains("acknowledged_ms"));
   state.stop.status = StopFigures::Status::kAcknowledged;
   EXPECT_EQ(stop()["acknowledged_ms"], 14.0);
 }

@@ -29,6 +29,8 @@ TEST_F(BadInput, UsageErrors) {
   expect_refused({"tp100d"}, "--help");
   expect_refused({"tp100d", "fly"}, "--help");
   expect_refused({"tp100d", "run", "--no-such-option"}, "--help");
+  expect_refused({"tp100d", "run", "--cours", "3"},
+                 "did you mean '--course'?; see tp100d run --help");
   expect_refused({"tp100d", "run", "--setup", "moon"}, "moon");
   expect_refused({"tp100-sim", "course"}, "--help");
   expect_refused({"tp100-sim", "course", "1-curve", "--runs", "0"}, "--runs");
@@ -47,7 +49,12 @@ TEST_F(BadInput, MissingFiles) {
                  "none.csv");
   expect_refused({"tp100-sim", "course", "9-moon"}, "9-moon");
   expect_refused({"tp100-sim", "course", "1-curve", "--robot", "r2d2"}, "r2d2");
+  expect_refused({"tp100d", "report", folder_.path().string()}, "name a recording or its folder");
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+  // A damaged recording is no table of speeds.
+  expect_refused({"tp100d", "replay", write("junk.mcap", "junk"), "--out", folder_.file("o.csv")},
+                 "recording");
+  expect_refused({"tp100-sim", "course", "3", "--out", "/proc/x"}, "/proc/x");
 }
 
 TEST_F(BadInput, MissingPort) {

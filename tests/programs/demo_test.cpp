@@ -91,6 +91,24 @@ TEST_F(Demo, ADemoThatIsStoppedDoesNotDriveAgain) {
   EXPECT_EQ(demo.output().find("drives again"), std::string::npos) << demo.output();
 }
 
+TEST_F(Demo, WithoutHeadlessItStaysAndSaysHowToGoOn) {
+  Process demo({"/usr/bin/env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY",
+                TP100_BINARY_DIR "/bin/tp100-sim", "demo", "--course", short_course(folder_)});
+  ASSERT_TRUE(demo.wait_for("scored against exact truth")) << demo.output();
+  ASSERT_TRUE(demo.wait_for("demo: stays after the run. Drive again: Start on the page"))
+      << demo.output();
+  // Whatever ends the run on a busy machine.
+  ASSERT_TRUE(demo.wait_for("running -> ")) << demo.output();
+  ASSERT_TRUE(demo.wait_for("Enter alone is STOP")) << demo.output();
+  // Ctrl-C goes to the demo, too, which has to wait for the daemon's disarm.
+  demo.signal(SIGINT);
+  const pid_t daemon = child_of(demo.pid(), "/tp100d");
+  ASSERT_GT(daemon, 0) << demo.output();
+  ::kill(daemon, SIGINT);
+  EXPECT_GE(demo.wait(), 0);
+  EXPECT_LT(demo.wait(), 128) << demo.output();
+}
+
 TEST_F(Demo, AKilledDemoTakesItsRobotAndItsDaemonWithIt) {
   Adoption adoption;
   // What a killed program leaves in the folder of temporary files goes with the test's folder.

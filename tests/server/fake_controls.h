@@ -16,6 +16,10 @@ class FakeControls : public Controls {
     ++starts;
     return {};
   }
+  std::string go_on() override {
+    ++go_ons;
+    return {};
+  }
   std::string hold() override {
     ++holds;
     return {};
@@ -46,7 +50,7 @@ class FakeControls : public Controls {
   messages::RecordingFigures recording() override { return record; }
   StartConsent start_consent() override { return consent; }
 
-  std::atomic<int> starts{0}, holds{0}, stops{0};
+  std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0};
   std::mutex mutex;
   std::vector<std::pair<std::string, messages::ParameterValue>> sets;
   std::string set_refusal;

@@ -255,6 +255,29 @@ TEST_F(RequestHandlerTest, StartNeedsARobotThatIsReadyAndIdle) {
   step(ready());
   EXPECT_EQ(answer_of(call(1).binaries.at(0)), Json::parse(R"({"accepted":true})"));
   EXPECT_EQ(controls_.starts, 1);
+  EXPECT_EQ(controls_.go_ons, 0);
+}
+
+TEST_F(RequestHandlerTest, AStartSaysWhereTheRobotStands) {
+  const auto message = [&](const char* request) -> std::string {
+    const Heard heard = call(1, request);
+    return heard.texts.empty() ? "" : std::string(heard.texts[0]["message"]);
+  };
+  StepRecord record = ready();
+  record.snapshot.progress_m = 0.0;
+  step(record);
+  EXPECT_THAT(message(R"({"from":"here"})"), HasSubstr("no run ended on its way"));
+  record.snapshot.run_state = RunState::kAborted;
+  record.snapshot.progress_m = 0.1;
+  step(record);
+  for (const char* bad : {R"({"from":"there"})", R"({"from":1})"})
+    EXPECT_THAT(message(bad), HasSubstr("from is \"start\"")) << bad;
+  EXPECT_THAT(message(R"({"x":1})"), HasSubstr("no argument 'x'"));
+  EXPECT_EQ(controls_.starts + controls_.go_ons, 0);
+  EXPECT_EQ(message(R"({"from":"here"})"), "");
+  EXPECT_EQ(controls_.go_ons, 1);
+  EXPECT_EQ(message(R"({"from":"start"})"), "");
+  EXPECT_EQ(controls_.starts, 1);
 }
 
 TEST_F(RequestHandlerTest, StopIsAnsweredWhenTheRobotHasAnswered) {

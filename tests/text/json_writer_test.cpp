@@ -31,9 +31,10 @@ TEST(JsonWriter, WritesNestedObjectsAndArrays) {
       .null()
       .end_array()
       .field("c", "d")
-      .null_field("e")
+      .field("e", std::optional<int>())
+      .field("f", std::nan(""))
       .end_object();
-  EXPECT_EQ(text, R"({"a":1,"b":[true,{},null],"c":"d","e":null})");
+  EXPECT_EQ(text, R"({"a":1,"b":[true,{},null],"c":"d"})");
 }
 
 TEST(JsonWriter, EveryDoubleComesBackExactly) {

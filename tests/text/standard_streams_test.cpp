@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <initializer_list>
+#include <string>
+#include <vector>
 
 namespace tp100::text {
 namespace {
@@ -44,6 +46,29 @@ TEST(StandardStreamsDeathTest, SoIsOneThatFailedEarlier) {
     std::_Exit(finish_standard_output("prog", 0));
   };
   EXPECT_EXIT(end(), testing::ExitedWithCode(2), "cannot be written");
+}
+
+TEST(UsageError, NamesWhatWasMeantAndTheRightHelp) {
+  const std::vector<Subcommand> known = {{"run", {"--course", "--port"}}, {"replay", {"--out"}}};
+  const auto told = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "prog");
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(report_usage_error("prog", "what", static_cast<int>(argv.size()), argv.data(), known),
+              2);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(told({"run", "--cours", "3"}),
+            "prog: unknown option '--cours'; did you mean '--course'?; see prog run --help\n");
+  EXPECT_EQ(told({"run", "--cours=3"}),
+            "prog: unknown option '--cours'; did you mean '--course'?; see prog run --help\n");
+  EXPECT_EQ(told({"run", "--zzz"}), "prog: unknown option '--zzz'; see prog run --help\n");
+  EXPECT_EQ(told({"run", "--port"}), "prog: what; see prog run --help\n");
+  EXPECT_EQ(told({"run", "--", "--cours"}), "prog: what; see prog run --help\n");
+  EXPECT_EQ(told({"rum"}),
+            "prog: unknown subcommand 'rum'; did you mean 'run'?; see prog --help\n");
+  EXPECT_EQ(told({}), "prog: what; see prog --help\n");
 }
 
 }  // namespace

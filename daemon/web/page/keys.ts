@@ -6,6 +6,8 @@ export interface Keys {
   hold(): void;
   camera(index: number): void;
   nextCamera(): void;
+  /** Shows the list of keys. */
+  keys(): void;
   /** Steps through a recording; nothing while live. */
   step(direction: 1 | -1): void;
 }
@@ -30,6 +32,7 @@ export function listen(keys: Keys): void {
       else if (event.key === 'h' && !event.repeat) keys.hold();
       else if (event.key === 'c') keys.nextCamera();
       else if (event.key >= '1' && event.key <= '4') keys.camera(Number(event.key) - 1);
+      else if (event.key === '?') keys.keys();
       else if (event.key === '[') keys.step(-1);
       else if (event.key === ']') keys.step(1);
     },

@@ -13,6 +13,7 @@ import { h, setAttribute, setText } from '../panel/dom.ts';
 import { Drawer } from '../panel/drawer.ts';
 import { EventLog } from '../panel/event_log.ts';
 import { Histogram } from '../panel/histogram.ts';
+import { keyList } from '../panel/key_list.ts';
 import { LinkTable } from '../panel/link_table.ts';
 import { Notice } from '../panel/notice.ts';
 import { Numbers } from '../panel/numbers.ts';
@@ -46,7 +47,9 @@ const kTopics: Topic[] = [
 ];
 const kResend_ms = 250;
 const kNumbers_ms = 100;
-const kPlots_ms = 50;
+/** At most 30 images a second; a frame that is due within half of a display's period is not put off. */
+const kView_ms = 1000 / 30 - 8;
+const kPlots_ms = 100;
 const kChips_ms = 200;
 const kWindow_s = 60;
 
@@ -143,14 +146,16 @@ function look(store: Store): void {
   histogram.reset();
 }
 
-function command(name: Command): void {
-  client.call(name).catch((error: unknown) => {
+function command(name: Command | 'start', request: unknown = {}): void {
+  client.call(name, request).catch((error: unknown) => {
     notice.say(error instanceof Error ? error.message : String(error), performance.now());
   });
 }
 
 const stopPanel = new StopPanel(pressStop);
-const controls = new Controls(command);
+const controls = new Controls(command, (from) => {
+  command('start', { from });
+});
 const status = new StatusBar();
 const notice = new Notice();
 const viewport = new Viewport();
@@ -173,6 +178,7 @@ const drawer = new Drawer([
   { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
+  { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
 ]);
 
 const badge = h('span', { class: 'badge' });
@@ -205,6 +211,7 @@ listen({
   hold: () => { controls.pressHold(); },
   camera: (index) => { viewport.set(kModes[index] ?? 'free'); },
   nextCamera: () => { viewport.next(); },
+  keys: () => { drawer.select('keys'); },
   step: (direction) => { transport.step(direction); },
 });
 
@@ -220,13 +227,16 @@ function identity(): void {
 }
 
 let last_ms = performance.now();
-const due = { numbers: 0, plots: 0, chips: 0 };
+const due = { view: 0, numbers: 0, plots: 0, chips: 0 };
 function frame(now_ms: number): void {
-  const dt_s = Math.min((now_ms - last_ms) / 1000, 0.5);
-  last_ms = now_ms;
   stopPanel.show(stop.view(performance.now()));
-  player?.tick(dt_s);
-  viewport.draw(shown, dt_s);
+  if (now_ms >= due.view) {
+    due.view = now_ms + kView_ms;
+    const dt_s = Math.min((now_ms - last_ms) / 1000, 0.5);
+    last_ms = now_ms;
+    player?.tick(dt_s);
+    viewport.draw(shown, dt_s);
+  }
   if (now_ms >= due.numbers) {
     due.numbers = now_ms + kNumbers_ms;
     numbers.show(shown);
@@ -241,7 +251,7 @@ function frame(now_ms: number): void {
     due.chips = now_ms + kChips_ms;
     status.show(live, client.ready);
     controls.show(live, client.ready, metadata.commands !== 'stop');
-    notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms);
+    notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms, shown !== live);
     histogram.show(shown);
     drawer.show();
     identity();

@@ -1,27 +1,34 @@
 // Start, hold and record. What moves the robot is confirmed if the daemon requires it; what stops
 // it never is.
 import { bytes, clock } from '../state/format.ts';
+import type { State } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
+import { StartQuestion, type Place } from './start_question.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
 
-export type Command = 'start' | 'hold' | 'record_start' | 'record_stop';
+export type Command = 'hold' | 'record_start' | 'record_stop';
 
 const kConfirm_ms = 3000;
+const kNoRights = 'This daemon takes no commands from here but STOP (server.commands)';
 
 export class Controls {
   readonly element = h('div', { class: 'controls', role: 'group', 'aria-label': 'Run' });
   private readonly start = button('start', 'play', 'Start', 'r');
   private readonly hold = button('hold', 'pause', 'Hold', 'h');
   private readonly record = button('record', 'record', 'Record', '');
+  private readonly question: StartQuestion;
   private confirmUntil_ms = 0;
+  private state: State | undefined;
   private needsConfirmation = true;
   private recording = false;
 
   constructor(
     private readonly send: (command: Command) => void,
+    private readonly sendStart: (from: Place) => void,
     private readonly now: () => number = () => performance.now(),
   ) {
-    this.element.append(this.start.button, this.hold.button, this.record.button);
+    this.question = new StartQuestion(this.sendStart);
+    this.element.append(this.start.button, this.hold.button, this.record.button, this.question.element);
     this.start.button.addEventListener('click', () => {
       this.pressStart();
     });
@@ -34,14 +41,18 @@ export class Controls {
   }
 
   pressStart(): void {
-    if (this.start.button.disabled) return;
+    if (this.start.button.disabled || this.question.open) return;
+    if (this.state?.go_on_from !== undefined) {
+      this.question.ask(this.state);
+      return;
+    }
     const now_ms = this.now();
     if (this.needsConfirmation && now_ms > this.confirmUntil_ms) {
       this.confirmUntil_ms = now_ms + kConfirm_ms;
       return;
     }
     this.confirmUntil_ms = 0;
-    this.send('start');
+    this.sendStart('start');
   }
 
   pressHold(): void {
@@ -50,6 +61,7 @@ export class Controls {
 
   /** STOP was pressed: cancels an unconfirmed start. */
   forget(): void {
+    this.question.close();
     this.confirmUntil_ms = 0;
   }
 
@@ -58,10 +70,13 @@ export class Controls {
     const fresh = connected && mayCommand && state !== undefined && !store.stale('/state');
     this.needsConfirmation = state?.confirm_start !== false;
     const confirm = this.now() < this.confirmUntil_ms;
-    this.start.button.disabled = !(fresh && state.can.start);
+    const mayStart = fresh && state.can.start;
+    this.start.button.disabled = !mayStart;
+    this.state = state;
+    this.question.show(state, mayStart);
     setClass(this.start.button, 'confirm', confirm);
-    setText(this.start.label, confirm ? 'Really?' : 'Start');
-    const why = !mayCommand ? 'Commands are taken from the daemon\u2019s own machine only' : (state?.why_not_start ?? '');
+    setText(this.start.label, confirm ? 'Press again' : 'Start');
+    const why = !mayCommand ? kNoRights : (state?.why_not_start ?? '');
     setAttribute(this.start.button, 'title', why === '' ? 'Start the course (r)' : why);
     this.hold.button.disabled = !(fresh && state.can.hold);
 

@@ -45,7 +45,11 @@ export class Drawer {
     this.pages[this.current]?.show();
   }
 
-  choose(index: number): void {
+  select(id: string): void {
+    this.choose(this.pages.findIndex((page) => page.id === id));
+  }
+
+  private choose(index: number): void {
     this.current = index;
     this.pages.forEach((page, i) => {
       const chosen = i === index;

@@ -19,7 +19,7 @@ export class LinkTable {
     if (link !== undefined) {
       this.group('Link', store.stale('/link'), [
         ['port', link.port],
-        ['robot', link.kind],
+        ['robot', link.kind ?? '\u2013'],
         ['firmware', link.firmware ?? '\u2013'],
         ['session', link.session],
         ['samples', `${fixed(link.samples_hz, 1)} Hz`],

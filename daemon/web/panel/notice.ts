@@ -1,48 +1,90 @@
-// One line over the view: the most severe current problem, with what to do.
+// Below the view: the most severe current problem, with what to do, and all others on request.
 import type { Store } from '../state/store.ts';
-import { h, setAttribute, setText } from './dom.ts';
+import { h, icon, setAttribute, setText } from './dom.ts';
 
 const kAnswer_ms = 6000;
 
+interface Problem {
+  level: 'bad' | 'warn';
+  what: string;
+  todo: string;
+}
+
 export class Notice {
   readonly element = h('div', { class: 'notice', role: 'status', 'data-level': 'none' });
-  private readonly what = h('strong');
-  private readonly todo = h('span');
+  private readonly list = h('ul', { id: 'notice-list' });
+  private readonly more = h('button', { type: 'button', id: 'notice-more', 'aria-controls': 'notice-list', 'aria-expanded': 'false' });
+  private readonly close = h('button', { type: 'button', id: 'notice-close', 'aria-label': 'Close this notice' }, icon('close'));
   private answer = '';
   private answerUntil_ms = 0;
+  private all: Problem[] = [];
+  private open = false;
+  /** What was closed; something else opens the notice again. */
+  private closed = '';
+  private shown = '';
 
   constructor() {
-    this.element.append(this.what, this.todo);
+    this.element.append(this.list, this.more, this.close);
+    this.more.addEventListener('click', () => {
+      this.open = !this.open;
+      this.render();
+    });
+    this.close.addEventListener('click', () => {
+      this.closed = text(this.all);
+      this.answerUntil_ms = 0;
+      this.render();
+    });
   }
 
   /** The daemon's answer to a request of this page; shown for a few seconds. */
   say(text: string, now_ms: number): void {
     this.answer = text;
     this.answerUntil_ms = now_ms + kAnswer_ms;
+    this.closed = '';
   }
 
-  show(store: Store, connected: boolean, retryIn_s: number, now_ms: number): void {
-    const state = store.get('/state');
-    const fault = state?.faults.find((one) => one.name !== 'stop_requested');
-    if (!connected) {
-      this.set('bad', 'No connection to tp100d', retryIn_s > 0 ? 'trying again' : 'connecting');
-    } else if (now_ms < this.answerUntil_ms) {
-      this.set('warn', this.answer, '');
-    } else if (fault !== undefined) {
-      const more = (state?.faults.length ?? 1) - 1;
-      this.set('bad', fault.cause + (more > 0 ? ` (+${more})` : ''), fault.fix);
-    } else if (state !== undefined && store.stale('/state')) {
-      this.set('bad', 'The daemon is silent', 'what is grey is old');
-    } else if (state !== undefined && state.session !== 'ready') {
-      this.set('warn', 'No robot', state.why_not_start);
-    } else {
-      this.set('none', '', '');
+  /** `replaying`: the view shows a recording, which needs no robot. */
+  show(store: Store, connected: boolean, retryIn_s: number, now_ms: number, replaying: boolean): void {
+    this.all = problems(store, connected, retryIn_s, replaying);
+    if (connected && now_ms < this.answerUntil_ms) this.all.unshift({ level: 'warn', what: this.answer, todo: '' });
+    this.render();
+  }
+
+  private render(): void {
+    if (this.closed !== '' && this.closed !== text(this.all)) this.closed = '';
+    const visible = this.closed === '' ? this.all : [];
+    const rows = this.open ? visible : visible.slice(0, 1);
+    const key = text(rows);
+    if (key !== this.shown) {
+      this.shown = key;
+      this.list.replaceChildren(...rows.map(({ what, todo }) => h('li', {}, h('strong', {}, what), ' ', h('span', {}, todo))));
     }
+    setAttribute(this.element, 'data-level', rows[0]?.level ?? 'none');
+    const others = visible.length - 1;
+    this.more.hidden = others < 1;
+    setText(this.more, this.open ? 'less' : `+${others}`);
+    setAttribute(this.more, 'aria-label', this.open ? 'Show the first notice only' : `Show ${others} more`);
+    setAttribute(this.more, 'aria-expanded', String(this.open));
   }
+}
 
-  private set(level: string, what: string, todo: string): void {
-    setAttribute(this.element, 'data-level', level);
-    setText(this.what, what);
-    setText(this.todo, todo);
+const text = (all: Problem[]): string => JSON.stringify(all);
+
+/** The most severe first. */
+function problems(store: Store, connected: boolean, retryIn_s: number, replaying: boolean): Problem[] {
+  if (!connected) return [{ level: 'bad', what: 'No connection to tp100d', todo: retryIn_s > 0 ? 'trying again' : 'connecting' }];
+  const state = store.get('/state');
+  if (state === undefined) return [];
+  const all: Problem[] = [];
+  if (store.stale('/state')) all.push({ level: 'bad', what: 'The daemon is silent', todo: 'grey values are old' });
+  if (state.session !== 'ready' && !replaying) {
+    const link = store.get('/link');
+    const port = link === undefined || link.port === '' ? 'No robot' : `No robot on ${link.port}`;
+    const note = (link?.note ?? '').replace(`${link?.port ?? ''}: `, '');
+    all.push({ level: 'warn', what: port, todo: state.session === 'closed' ? note : state.why_not_start });
   }
+  // After a run that came to its end, a fault says why the next one cannot begin, not that this one failed.
+  const level = state.run === 'finished' ? 'warn' : 'bad';
+  for (const fault of state.faults) if (fault.name !== 'stop_requested') all.push({ level, what: fault.cause, todo: fault.fix });
+  return all;
 }

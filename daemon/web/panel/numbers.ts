@@ -19,14 +19,14 @@ const kFigures: Figure[] = [
   // Nose-up reads as a climb.
   {
     id: 'climb',
-    label: 'climb',
+    label: 'pitch, nose up',
     unit: '°',
     topic: '/estimate',
     text: (store) => degrees(store.pose === undefined ? null : -store.pose.pitch_rad, 1),
   },
   {
     id: 'cross-track',
-    label: 'off path',
+    label: 'cross-track',
     unit: 'mm',
     topic: '/estimate',
     text: (store) => millimetres(store.get('/estimate')?.cross_track_m, 1),

@@ -42,7 +42,7 @@ export class ParameterTable {
 
   private row(parameter: Parameter): HTMLElement {
     const changed = parameter.value !== parameter.default;
-    const limits = parameter.min === null ? parameter.choices.join(' ') : `${parameter.min} \u2026 ${parameter.max ?? ''}`;
+    const limits = typeof parameter.min === 'number' ? `${parameter.min} \u2026 ${parameter.max ?? ''}` : parameter.choices.join(' ');
     return h(
       'tr',
       { class: [parameter.live ? 'live' : '', changed ? 'changed' : ''].join(' ').trim() },

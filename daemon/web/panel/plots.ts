@@ -51,7 +51,7 @@ export class Plots {
         decimals: 1,
         soft: [-4, 4],
         curves: [
-          { label: 'off path', column: 'cross_track_mm', colour: '#d7dee7' },
+          { label: 'cross-track', column: 'cross_track_mm', colour: '#d7dee7' },
           { label: 'heading °', column: 'heading_error_deg', colour: '#b79cf0' },
         ],
       }),

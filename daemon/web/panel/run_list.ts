@@ -65,7 +65,7 @@ export class RunList {
     } catch {
       this.shown = '';
       this.empty.hidden = !this.table.hidden;
-      this.empty.textContent = 'The list of runs cannot be had now.';
+      this.empty.textContent = 'The list of runs is not available now.';
     }
   }
 

@@ -3,8 +3,8 @@ import { clock, count, duration, fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setText } from './dom.ts';
 
-/** good, waiting, warning, bad or none: the colour of a chip's lamp. */
-type Lamp = 'good' | 'wait' | 'warn' | 'bad' | 'none';
+/** Of a chip. */
+type Lamp = 'good' | 'done' | 'wait' | 'warn' | 'bad' | 'none';
 
 class Chip {
   readonly element: HTMLElement;
@@ -29,7 +29,7 @@ class Chip {
   }
 }
 
-const kRunLamps: Record<string, Lamp> = { idle: 'none', arming: 'wait', running: 'good', finished: 'good', aborted: 'bad' };
+const kRunLamps: Record<string, Lamp> = { idle: 'none', arming: 'wait', running: 'good', finished: 'done', aborted: 'bad' };
 
 export class StatusBar {
   readonly element = h('div', { class: 'chips' });
@@ -79,7 +79,7 @@ export class StatusBar {
       this.run.show('bad', state.run, 'motors on', 'The motors are on, though no run is under way');
       return;
     }
-    this.run.show(kRunLamps[state.run] ?? 'none', state.run, state.run_s === null ? '' : clock(state.run_s), state.why_not_start);
+    this.run.show(kRunLamps[state.run] ?? 'none', state.run, typeof state.run_s === 'number' ? clock(state.run_s) : '', state.why_not_start);
   }
 
   private showLink(store: Store, connected: boolean): void {
@@ -94,7 +94,7 @@ export class StatusBar {
     }
     const bad_hz = link.lost_hz + link.bad_hz;
     const title =
-      `${link.kind} robot on ${link.port}, firmware ${link.firmware ?? 'unknown'}; ` +
+      `${link.kind ?? 'unknown'} robot on ${link.port}, firmware ${link.firmware ?? 'unknown'}; ` +
       `${count(link.counters.lost)} samples lost, ${count(link.counters.crc_errors)} CRC errors, ` +
       `${count(link.counters.reconnects)} reconnects`;
     if (link.session !== 'ready') {

@@ -48,8 +48,12 @@ export class Viewport {
       key.append(button);
     }
     this.element.append(this.stage, key, modes);
-    this.view = this.make('free');
-    this.set(this.webgl ? 'free' : 'map');
+    // A processor that draws in three dimensions has little left for the robot's loop.
+    const drawnBy = webglDrawnBy();
+    if (drawnBy === 'nothing') this.withoutWebgl();
+    const first = drawnBy === 'card' ? 'free' : 'map';
+    this.view = this.make(first);
+    this.set(this.view instanceof MapView ? 'map' : first);
     new ResizeObserver(() => {
       this.view.resize();
     }).observe(this.stage);
@@ -111,10 +115,6 @@ export class Viewport {
 
   private scene(mode: Mode): View | undefined {
     if (mode === 'map' || !this.webgl) return undefined;
-    if (!hasWebgl()) {
-      this.withoutWebgl();
-      return undefined;
-    }
     try {
       return new SceneView(
         () => {
@@ -148,8 +148,11 @@ export class Viewport {
 }
 
 /** Checked first, because the scene's library logs errors to the console. */
-function hasWebgl(): boolean {
+function webglDrawnBy(): 'card' | 'processor' | 'nothing' {
   const context = document.createElement('canvas').getContext('webgl2');
-  context?.getExtension('WEBGL_lose_context')?.loseContext();
-  return context !== null;
+  if (context === null) return 'nothing';
+  const info = context.getExtension('WEBGL_debug_renderer_info');
+  const name = String(context.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER));
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'processor' : 'card';
 }

@@ -3,6 +3,7 @@ import type { Course, Pose, RobotShape } from '../state/messages.ts';
 import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
 import { bounds, footprint, inside, onStadium, rampLength, stadiumLength, type Point2 } from './geometry.ts';
+import { Moved } from './moved.ts';
 import * as palette from './palette.ts';
 import { kDefaultShape } from './robot_model.ts';
 import type { View } from './view.ts';
@@ -37,7 +38,7 @@ export class MapView implements View {
   private course: Course | undefined;
   private projection: Projection = { scale: 100, left: 0, top: 0 };
   private ratio = 1;
-  private drawn = '';
+  private readonly moved = new Moved();
 
   setCourse(course: Course | undefined): void {
     this.course = course;
@@ -46,12 +47,12 @@ export class MapView implements View {
 
   // A map has one point of view.
   setCamera(_mode: CameraMode): void {
-    this.drawn = '';
+    this.moved.reset();
   }
 
   show(name: EstimateName, visible: boolean): void {
     this.visible[name] = visible;
-    this.drawn = '';
+    this.moved.reset();
   }
 
   resize(): void {
@@ -65,10 +66,8 @@ export class MapView implements View {
 
   draw(store: Store): void {
     const estimate = store.get('/estimate');
-    const key = `${store.received['/estimate'] ?? 0} ${store.pose?.x_m ?? 0} ${kEstimates.map((name) => store.path_histories[name].length).join()}`;
     const context = this.element.getContext('2d');
-    if (context === null || key === this.drawn) return;
-    this.drawn = key;
+    if (context === null || !this.moved.check(store)) return;
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.drawImage(this.ground, 0, 0);
     for (const name of kEstimates) {
@@ -87,7 +86,7 @@ export class MapView implements View {
     if (estimate === undefined) return;
     for (const name of kEstimates) {
       const pose = estimate[name];
-      if (pose === null || name === estimate.steering || !this.visible[name]) continue;
+      if (!pose || name === estimate.steering || !this.visible[name]) continue;
       this.polygon(context, footprint(place(pose), this.shape.length_m, this.shape.width_m));
       context.strokeStyle = palette.kEstimateColours[name];
       context.lineWidth = 1.5 * this.ratio;
@@ -99,7 +98,7 @@ export class MapView implements View {
   }
 
   reset(): void {
-    this.drawn = '';
+    this.moved.reset();
   }
 
   dispose(): void {
@@ -156,7 +155,7 @@ export class MapView implements View {
     if (context === null) return;
     const { width, height } = this.ground;
     this.projection = fit(this.course, width, height);
-    this.drawn = '';
+    this.moved.reset();
     context.fillStyle = palette.kFloor;
     context.fillRect(0, 0, width, height);
     this.grid(context);

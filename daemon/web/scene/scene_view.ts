@@ -6,6 +6,7 @@ import { CameraRig, type CameraMode } from './camera_rig.ts';
 import { CourseModel } from './course_model.ts';
 import { bounds } from './geometry.ts';
 import { kEstimateColours, kSky } from './palette.ts';
+import { Moved } from './moved.ts';
 import { Pace } from './pace.ts';
 import { Ribbon } from './ribbon.ts';
 import { GhostModel, kDefaultShape, RobotModel } from './robot_model.ts';
@@ -31,7 +32,7 @@ export class SceneView implements View {
   private readonly pace = new Pace();
   private level = 0;
   private lag_s = 0;
-  private shown = -1;
+  private readonly moved = new Moved();
   private changed = true;
 
   /** Throws if there is no WebGL. `lost`: the graphics card went away. */
@@ -80,6 +81,7 @@ export class SceneView implements View {
       this.scene.add(this.robot.group);
       this.ghosts = this.makeGhosts();
     }
+    this.moved.reset();
     this.changed = true;
   }
 
@@ -90,7 +92,7 @@ export class SceneView implements View {
 
   show(name: EstimateName, visible: boolean): void {
     this.visible[name] = visible;
-    this.shown = -1;
+    this.moved.reset();
   }
 
   draw(store: Store, dt_s: number): void {
@@ -104,9 +106,7 @@ export class SceneView implements View {
       ribbon.mesh.visible = this.visible[name];
     }
     const estimate = store.get('/estimate');
-    const received = store.received['/estimate'] ?? 0;
-    if (received !== this.shown) {
-      this.shown = received;
+    if (this.moved.check(store)) {
       this.changed = true;
       this.robot.group.visible = estimate !== undefined;
       if (estimate !== undefined) this.robot.set(estimate[estimate.steering], store.leftTrack_m, store.rightTrack_m);
@@ -117,9 +117,9 @@ export class SceneView implements View {
         if (pose) ghost.set(pose);
       }
     }
-    const moved = this.rig.update(store.pose, this.lag_s);
+    const turned = this.rig.update(store.pose, this.lag_s);
     this.lag_s = 0;
-    if (!moved && !this.changed) return;
+    if (!turned && !this.changed) return;
     this.changed = false;
     this.renderer.render(this.scene, this.rig.camera);
     this.pace.drawn(now_ms);
@@ -128,7 +128,7 @@ export class SceneView implements View {
   }
 
   reset(): void {
-    this.shown = -1;
+    this.moved.reset();
     for (const name of kEstimates) this.ribbons[name].reset();
   }
 

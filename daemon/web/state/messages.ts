@@ -1,4 +1,5 @@
-// The daemon's channels as types (daemon/messages/CHANNELS.md). SI units, REP-103 frames; null: not known.
+// The daemon's channels as types (daemon/messages/CHANNELS.md). SI units, REP-103 frames. What is not known is
+// left out; recordings of older versions have null there.
 
 export interface Pose {
   x_m: number;
@@ -19,7 +20,7 @@ export interface FusedPose extends MovingPose {
   sd_x_m: number;
   sd_y_m: number;
   sd_yaw_rad: number;
-  camera_age_us: number | null;
+  camera_age_us?: number | null;
 }
 
 export type Steering = 'model' | 'odometry' | 'fused';
@@ -27,19 +28,19 @@ export type Steering = 'model' | 'odometry' | 'fused';
 export interface Estimate {
   t_s: number;
   step: number;
-  age_us: number | null;
+  age_us?: number | null;
   steering: Steering;
   model: MovingPose;
   odometry: MovingPose;
   fused: FusedPose;
-  truth: (Pose & { age_us: number }) | null;
-  reference: { x_m: number; y_m: number; yaw_rad: number } | null;
+  truth?: (Pose & { age_us: number }) | null;
+  reference?: { x_m: number; y_m: number; yaw_rad: number } | null;
   pitch_source: string;
   tracks: {
     left_mps: number;
     right_mps: number;
-    left_commanded_mps: number | null;
-    right_commanded_mps: number | null;
+    left_commanded_mps?: number | null;
+    right_commanded_mps?: number | null;
   };
   cross_track_m: number;
   heading_error_rad: number;
@@ -55,7 +56,7 @@ export interface Slip {
   fused_left: number;
   fused_right: number;
   gyro_bias_radps: number;
-  slope_rad: number | null;
+  slope_rad?: number | null;
 }
 
 export interface Distribution {
@@ -74,14 +75,16 @@ export interface Link {
   session: Session;
   quality: 'good' | 'poor' | 'lost';
   port: string;
-  kind: 'physical' | 'emulated';
-  firmware: string | null;
+  note?: string;
+  /** Known once a board was heard. */
+  kind?: 'physical' | 'emulated';
+  firmware?: string | null;
   samples_hz: number;
   lost_hz: number;
   bad_hz: number;
   in_bytes_ps: number;
   out_bytes_ps: number;
-  round_trip_us: number | null;
+  round_trip_us?: number | null;
   clock: { valid: boolean; drift_ppm: number; uncertainty_us: number };
   sample_age_us: Distribution;
   counters: Record<string, number>;
@@ -119,27 +122,29 @@ export interface StopState {
   count: number;
   latched: boolean;
   by: string;
-  requested_t_s: number | null;
+  requested_t_s?: number | null;
   status: 'none' | 'pending' | 'acknowledged' | 'not_acknowledged';
-  acknowledged_ms: number | null;
+  acknowledged_ms?: number | null;
 }
 
 export interface State {
   t_s: number;
   run: Run;
   session: Session;
-  robot_state: string | null;
+  robot_state?: string | null;
   motors_on: boolean;
-  run_s: number | null;
-  progress_m: number | null;
-  length_m: number | null;
+  run_s?: number | null;
+  progress_m?: number | null;
+  length_m?: number | null;
   course: string;
   robot: string;
   setup: string;
   steering: Steering;
   world: string;
-  battery_v: number | null;
+  battery_v?: number | null;
   can: { start: boolean; hold: boolean; stop: boolean; record: boolean };
+  /** Where the robot is believed to be, if the last run ended on its way. */
+  go_on_from?: { x_m: number; y_m: number; yaw_rad: number };
   why_not_start: string;
   /** Not in recordings of older versions. */
   confirm_start?: boolean;
@@ -209,7 +214,7 @@ export interface Course {
   blocks: Block[];
   surfaces: Surface[];
   disturbances: { at_m: number; sideways_m: number; yaw_rad: number; duration_s: number }[];
-  fence: Fence | null;
+  fence?: Fence | null;
   robot: RobotShape;
 }
 
@@ -228,8 +233,8 @@ export interface Parameter {
   default: number | boolean | string;
   type: 'number' | 'integer' | 'boolean' | 'text' | 'choice';
   unit: string;
-  min: number | null;
-  max: number | null;
+  min?: number | null;
+  max?: number | null;
   choices: string[];
   meaning: string;
   live: boolean;

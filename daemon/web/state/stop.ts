@@ -62,7 +62,7 @@ export class StopButton {
   /** The state from /state. */
   received(state: StopState): void {
     this.daemon = state;
-    if (state.acknowledged_ms !== null) this.lastTook_ms = state.acknowledged_ms;
+    this.lastTook_ms = state.acknowledged_ms ?? this.lastTook_ms;
     if (this.press_?.received !== true) return;
     // Acknowledged late, or started again, which ends every STOP.
     if (state.status === 'acknowledged' || !state.latched) this.press_ = undefined;

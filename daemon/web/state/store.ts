@@ -128,7 +128,7 @@ export class Store {
     }
     for (const name of kEstimates) {
       const pose = next[name];
-      if (pose !== null) this.path_histories[name].add(pose.x_m, pose.y_m, pose.z_m);
+      if (pose) this.path_histories[name].add(pose.x_m, pose.y_m, pose.z_m);
     }
     this.series.push(row(next, this.latest['/slip']));
   }
@@ -165,7 +165,7 @@ function row(estimate: Estimate, slip: Slip | undefined): number[] {
   const { model, odometry, fused, truth, tracks } = estimate;
   const deg = (value_rad: number | undefined): number => ((value_rad ?? NaN) * 180) / Math.PI;
   const error_mm = (pose: Pose): number =>
-    truth === null ? NaN : 1000 * Math.hypot(pose.x_m - truth.x_m, pose.y_m - truth.y_m);
+    truth ? 1000 * Math.hypot(pose.x_m - truth.x_m, pose.y_m - truth.y_m) : NaN;
   return [
     estimate.t_s,
     deg(estimate.desired_yaw_rad),

@@ -76,10 +76,11 @@ export async function alive(page: Page): Promise<void> {
 
 /**
  * Starts the robot if it is at standstill, at its end or because a busy machine stopped it. The first press asks for
- * confirmation; the next call confirms.
+ * confirmation, or where the robot stands; the next call confirms, or says at the start.
  */
 export async function goOn(page: Page): Promise<void> {
-  if (['aborted', 'idle', 'finished'].includes(await run(page)) && (await page.isEnabled('#start'))) await page.click('#start');
+  if (await page.isVisible('#start-placed')) await page.click('#start-placed');
+  else if (['aborted', 'idle', 'finished'].includes(await run(page)) && (await page.isEnabled('#start'))) await page.click('#start');
 }
 
 /** Waits until the run is `wanted`; starts it again as often as necessary. */

@@ -68,10 +68,12 @@ describe('without a mouse', () => {
     await driveUntil(page, 'running');
     await page.keyboard.press('h');
     await until(async () => (await run(page)) === 'idle', 'it holds');
-    // After a run, a start must be confirmed, also by key.
+    // After a run that ended on its way, a start asks where the robot stands, also by key.
     await page.keyboard.press('r');
-    await page.waitForFunction(() => document.querySelector('#start')?.textContent === 'Really?');
-    await page.keyboard.press('r');
+    await page.waitForFunction(() => document.querySelector('#question-text')?.textContent.includes('along the course') === true);
+    await page.keyboard.press('Tab');
+    expect(await page.evaluate(() => document.activeElement?.id)).toBe('start-placed');
+    await page.keyboard.press('Enter');
     await until(async () => ['arming', 'running'].includes(await run(page)), 'it starts');
     await page.keyboard.press('Escape');
     await until(async () => (await page.textContent('.stop-line'))?.startsWith('robot stopped') === true, 'it stops');

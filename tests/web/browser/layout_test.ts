@@ -61,6 +61,7 @@ async function shifts(page: Page, during_ms: number): Promise<string[]> {
 describe('the layout', () => {
   it('fits into every screen with STOP in sight', async () => {
     const page = await setting.open(kScreens[0]);
+    await page.click('#camera-free');
     await alive(page);
     for (const { width, height } of kScreens) {
       await page.setViewportSize({ width, height });

@@ -65,14 +65,22 @@ describe('STOP', () => {
     await says(other, /^robot stopped in [\d.]+ ms$/);
     await page.bringToFront();
 
-    // The stop is latched: afterwards a start must be confirmed.
+    // The stop is latched: afterwards a start asks where the robot stands, and STOP takes the question away.
     await until(async () => page.isEnabled('#start'), 'start is possible');
-    const question = page.waitForFunction(() => document.querySelector('#start')?.textContent === 'Really?');
+    const way_m = async (): Promise<number> => parseFloat((await page.textContent('.timeline-way')) ?? '');
+    const stopped_m = await way_m();
     await page.click('#start');
-    await question;
-    expect(await run(page)).not.toBe('running');
+    await page.waitForSelector('#start-here');
+    await picture(page, 'question');
+    expect(await page.textContent('#question-text')).toContain(`${stopped_m.toFixed(2)} of 4.06 m along the course`);
+    await page.keyboard.press('Space');
+    await page.waitForSelector('#start-here', { state: 'hidden' });
+    expect(await run(page)).toBe('aborted');
+    await until(async () => page.isEnabled('#start'), 'start is possible again');
     await page.click('#start');
-    await running(page);
+    await page.click('#start-here');
+    await until(async () => (await run(page)) === 'running', 'it goes on', () => run(page));
+    expect(await way_m()).toBeGreaterThanOrEqual(stopped_m);
     await says(page, /space or esc/);
 
     await other.keyboard.press('Space');
@@ -90,9 +98,9 @@ describe('STOP', () => {
     await page.keyboard.press('Escape');
     await says(page, /^robot stopped in/);
     // The space key stops the robot, but must not also press the button that has the focus.
-    await page.focus('#camera-map');
+    await page.focus('#camera-free');
     await page.keyboard.press('Space');
-    expect(await page.getAttribute('#camera-map', 'aria-pressed')).toBe('false');
+    expect(await page.getAttribute('#camera-free', 'aria-pressed')).toBe('false');
     await says(page, /^robot stopped in/);
     await page.focus('#stop');
     await page.keyboard.press('Enter');

@@ -1,0 +1,19 @@
+// Every key of the page.
+import { h } from './dom.ts';
+
+const kKeys: [key: string, meaning: string][] = [
+  ['space, esc', 'STOP'],
+  ['r', 'start; asks for confirmation, or where the robot stands'],
+  ['h', 'hold: ends the run and disarms'],
+  ['1, 2, 3, 4', 'view: chase, top, free, map'],
+  ['c', 'next view'],
+  ['[, ]', 'step through a recording'],
+  ['?', 'this list'],
+  ['tab, arrows', 'from control to control; between the tabs'],
+];
+
+export function keyList(): HTMLElement {
+  const list = h('dl', { class: 'keys' });
+  for (const [key, meaning] of kKeys) list.append(h('dt', {}, h('kbd', {}, key)), h('dd', {}, meaning));
+  return list;
+}

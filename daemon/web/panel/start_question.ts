@@ -1,0 +1,62 @@
+// A start after a run that ended on its way: does the robot stand at the course's start again, or
+// does it go on from where it is believed to be? Nothing moves before one of them is chosen.
+import { degrees, fixed } from '../state/format.ts';
+import type { State } from '../state/messages.ts';
+import { h, setText } from './dom.ts';
+
+export type Place = 'start' | 'here';
+
+export class StartQuestion {
+  readonly element = h('div', { class: 'question', role: 'dialog', 'aria-labelledby': 'question-text', hidden: '' });
+  private readonly text = h('p', { id: 'question-text' });
+  private readonly first: HTMLButtonElement;
+
+  constructor(chosen: (from: Place) => void) {
+    const button = (id: string, text: string, press: () => void): HTMLButtonElement => {
+      const element = h('button', { type: 'button', class: 'control', id }, text);
+      element.addEventListener('click', () => {
+        this.close();
+        press();
+      });
+      return element;
+    };
+    this.first = button('start-cancel', 'Cancel', () => undefined);
+    this.element.append(
+      this.text,
+      this.first,
+      button('start-placed', 'Placed back at the start: start there', () => {
+        chosen('start');
+      }),
+      button('start-here', 'Go on from here', () => {
+        chosen('here');
+      }),
+    );
+  }
+
+  get open(): boolean {
+    return !this.element.hidden;
+  }
+
+  ask(state: State): void {
+    this.element.hidden = false;
+    this.show(state, true);
+    this.first.focus();
+  }
+
+  close(): void {
+    this.element.hidden = true;
+  }
+
+  /** Closes by itself when the question is no longer one. */
+  show(state: State | undefined, mayStart: boolean): void {
+    if (!this.open) return;
+    const at = state?.go_on_from;
+    if (at === undefined || !mayStart) {
+      this.close();
+      return;
+    }
+    const place = `x ${fixed(at.x_m, 2)} m, y ${fixed(at.y_m, 2)} m, yaw ${degrees(at.yaw_rad, 0)}\u00b0`;
+    const along = `${fixed(state?.progress_m, 2)} of ${fixed(state?.length_m, 2)} m along the course`;
+    setText(this.text, `The last run ended on its way. The robot is believed to be at ${place}, ${along}. Where is it now?`);
+  }
+}
