@@ -7,7 +7,7 @@ const Frame = preload("res://frame.gd")
 const FRICTION := 0.9
 const SWEEPS := 6         # over all contacts, each tick
 const CONTACTS := 32
-const ROD_LIFT_M := 0.0003
+const ROD_LIFT_M := 0.0015
 const HULL := 6           # its index among the shapes
 
 var left_mps := 0.0   # speeds of the tracks' surfaces
