@@ -17,7 +17,6 @@ var frame := Frame.new()
 var terrain: Spatial
 var body: RigidBody
 var view: Node
-var shown := false     # there is a display, so the engine must not wait for a datagram
 
 var session := -1
 var owner_of_pose := false
@@ -40,11 +39,10 @@ func _ready() -> void:
 	add_child(terrain)
 	terrain.build(settings.course, shape)
 	PhysicsServer.set_active(false)
-	shown = OS.get_name() != "Server"
-	if shown:
+	if OS.get_name() != "Server":
 		view = View.new()
 		add_child(view)
-		view.build(settings, terrain)
+		view.build(settings)
 	if not open_port():
 		return
 	print("listening at %s:%d" % [settings.host, settings.port])
@@ -68,9 +66,11 @@ func open_port() -> bool:
 	fail("%s: no free port from 20000 to 32000; give one with --listen" % settings.host)
 	return false
 
-# With a display each turn of the engine looks for datagrams; without, it waits for one. Physics ticks only while a
+# In a window each turn of the engine looks for datagrams; otherwise it waits for one. Physics ticks only while a
 # pose's time has to pass: the engine's time is that of the poses.
 func _physics_process(_delta: float) -> void:
+	if view != null:
+		view.turn()
 	if not pending.empty():
 		if ticks_left > 0:
 			ticks_left -= 1
@@ -78,9 +78,13 @@ func _physics_process(_delta: float) -> void:
 		PhysicsServer.set_active(false)
 		answer_by_body(pending)
 		pending = {}
+	var waits: bool = view == null or not view.film.empty()
 	while pending.empty():
+		if view != null and view.image_due:
+			return
 		if udp.get_available_packet_count() == 0:
-			if shown:
+			if not waits:
+				OS.delay_usec(500)
 				return
 			udp.wait()
 		var datagram := udp.get_packet()
@@ -210,3 +214,10 @@ func answer(message: Dictionary, z_m: float, rpy: Array, surface: String) -> voi
 	send(out)
 	if view != null:
 		view.robot_at(at, message, frame)
+
+# Space presses STOP; it stays pressed until R.
+func _unhandled_key_input(event: InputEventKey) -> void:
+	if event.pressed and event.scancode == KEY_SPACE:
+		stopped = true
+	elif event.pressed and event.scancode == KEY_R:
+		stopped = false
