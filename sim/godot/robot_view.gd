@@ -1,7 +1,7 @@
 # A TP100 to look at: hull, two running tracks, Arduino Mega, marker. Origin: the reference point; -z is forward.
 extends Spatial
 
-const PADS := 26  # of each track
+const PADS := 38  # of each track
 
 var spacing_m: float
 var radius_m: float

@@ -49,6 +49,7 @@ func build(settings: Dictionary) -> void:
 	add_child(ghost)
 	ghost.build(shape, Color(YELLOW.r, YELLOW.g, YELLOW.b, 0.35))
 	ghost.visible = false
+	camera.current = true
 	camera.fov = 50
 	camera.near = 0.01
 	add_child(camera)
@@ -68,13 +69,13 @@ func add_lights() -> void:
 	sun.rotation_degrees = Vector3(-55, 35, 0)
 	sun.shadow_enabled = true
 	sun.directional_shadow_max_distance = 4.0
-	sun.light_energy = 0.9
+	sun.light_energy = 0.55
 	add_child(sun)
 	var air = Environment.new()
 	air.background_mode = Environment.BG_COLOR
 	air.background_color = Color(0.72, 0.8, 0.88)
 	air.ambient_light_color = Color(0.85, 0.9, 1.0)
-	air.ambient_light_energy = 0.55
+	air.ambient_light_energy = 0.4
 	var world = WorldEnvironment.new()
 	world.environment = air
 	add_child(world)
