@@ -1,0 +1,188 @@
+# Floor, ramps, blocks and surfaces of a course as the engine's shapes, and how the robot rests on them.
+extends Spatial
+
+const Frame = preload("res://frame.gd")
+
+# Collision layers: what carries the robot, and what only has a name.
+const GROUND := 1
+const SURFACE := 2
+const RAY_SPACING_M := 0.004
+const RAY_TOP_M := 3.0
+# A shape this high above the tracks' underside cannot be climbed: it stops the hull.
+const TOO_HIGH_M := 0.045
+const COLOURS = {"ramp": Color(0.62, 0.52, 0.38), "block": Color(0.5, 0.52, 0.56)}
+
+var length_m: float
+var gauge_m: float
+var spacing_m: float
+var radius_m: float
+var com_forward_m: float
+var half: int        # rays from the robot's middle to one end of its tracks
+var wheel: PoolRealArray  # lift of a wheel's underside at each ray from its axle
+
+func build(course: Dictionary, shape: Dictionary) -> void:
+	spacing_m = shape.get("axle_spacing_m", 0.133)
+	radius_m = shape.get("wheel_radius_m", 0.026)
+	gauge_m = shape.get("gauge_m", 0.155)
+	length_m = shape.get("length_m", 0.185)
+	com_forward_m = shape.get("com_forward_m", 0.0)
+	half = int(ceil((spacing_m / 2 + radius_m) / RAY_SPACING_M))
+	var reach := int(floor(radius_m / RAY_SPACING_M))
+	for i in range(-reach, reach + 1):
+		wheel.append(sqrt(radius_m * radius_m - pow(i * RAY_SPACING_M, 2)) - radius_m)
+	var slab := BoxShape.new()
+	slab.extents = Vector3(20, 0.5, 20)
+	add_shape(slab, Transform(Basis(), Vector3(0, -0.5, 0)), GROUND, {"kind": "floor"})
+	for block in course.get("block", []):
+		add_prism(block, [[0, 0], [0, block.height_m], [block.depth_m, block.height_m], [block.depth_m, 0]], "block")
+	for ramp in course.get("ramp", []):
+		var up: float = ramp.height_m / tan(deg2rad(ramp.up_deg))
+		var down: float = ramp.height_m / tan(deg2rad(ramp.down_deg))
+		add_prism(ramp, [[0, 0], [up, ramp.height_m], [up + ramp.top_m, ramp.height_m], [up + ramp.top_m + down, 0]], "ramp")
+	# The last of several surfaces lies on top.
+	var top := 1.0
+	for surface in course.get("surface", []):
+		var box := BoxShape.new()
+		box.extents = Vector3(surface.width_m / 2, 0.0005, surface.length_m / 2)
+		var at := transform_of(surface)
+		at.origin.y = top
+		top += 0.01
+		add_shape(box, at, SURFACE, {"kind": "surface", "name": surface.name})
+		add_sheet(surface)
+
+static func transform_of(piece: Dictionary) -> Transform:
+	return Transform(Frame.basis(0, 0, deg2rad(piece.get("heading_deg", 0.0))), Frame.to_engine(piece.x_m, piece.y_m, 0))
+
+func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> void:
+	var body := StaticBody.new()
+	var collision := CollisionShape.new()
+	collision.shape = shape
+	body.add_child(collision)
+	body.transform = at
+	body.collision_layer = layer
+	body.collision_mask = 0
+	var smooth := PhysicsMaterial.new()
+	smooth.friction = 0.0  # traction is the tracked body's own
+	body.physics_material_override = smooth
+	body.set_meta("about", about)
+	add_child(body)
+
+# A profile [along, height] that is as wide as the piece, centred on its place.
+func add_prism(piece: Dictionary, profile: Array, kind: String) -> void:
+	var middle: float = profile[-1][0] / 2
+	var side: float = piece.width_m / 2
+	var points := PoolVector3Array()
+	for across in [side, -side]:
+		for p in profile:
+			points.append(Frame.to_engine(p[0] - middle, across, p[1]))
+	var convex := ConvexPolygonShape.new()
+	convex.points = points
+	convex.margin = 0.001
+	add_shape(convex, transform_of(piece), GROUND, {"kind": kind, "height_m": piece.height_m})
+	var surface := SurfaceTool.new()
+	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
+	for quad in [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 3, 2, 1], [4, 5, 6, 7]]:
+		for i in [0, 1, 2, 0, 2, 3]:
+			surface.add_vertex(points[quad[i]])
+	surface.generate_normals()
+	show_mesh(surface.commit(), transform_of(piece), COLOURS[kind])
+
+func add_sheet(piece: Dictionary) -> void:
+	var sheet := PlaneMesh.new()
+	sheet.size = Vector2(piece.width_m, piece.length_m)
+	var at := transform_of(piece)
+	at.origin.y = 0.0008
+	show_mesh(sheet, at, Color(0.45, 0.6, 0.72))
+
+func show_mesh(mesh: Mesh, at: Transform, colour: Color) -> void:
+	var instance := MeshInstance.new()
+	var material := SpatialMaterial.new()
+	material.albedo_color = colour
+	material.roughness = 0.9
+	material.params_cull_mode = SpatialMaterial.CULL_DISABLED
+	instance.mesh = mesh
+	instance.material_override = material
+	instance.transform = at
+	add_child(instance)
+
+# Height of the ground from the middle's ray -half to +half, along one track.
+func profile(space: PhysicsDirectSpaceState, middle: Vector3, along: Vector3) -> PoolRealArray:
+	var heights := PoolRealArray()
+	for i in range(-half, half + 1):
+		var from := middle + along * (i * RAY_SPACING_M)
+		from.y = RAY_TOP_M
+		var hit := space.intersect_ray(from, from - Vector3(0, 2 * RAY_TOP_M, 0), [], GROUND)
+		heights.append(hit.position.y if hit else 0.0)
+	return heights
+
+# The lowest line of one track's axles, whose wheels and belt must clear the profile: [height above the wheel
+# radius at the middle, climb angle]. The line rests where it carries the centre of mass.
+func rest(heights: PoolRealArray) -> Array:
+	var first: float = heights[0]
+	var level := true
+	for h in heights:
+		if h != first:
+			level = false
+			break
+	if level:
+		return [first, 0.0]
+	var reach := (wheel.size() - 1) / 2
+	var climb := 0.0
+	var height := 0.0
+	for _pass in range(2):  # the axles' distance on the floor depends on the climb
+		var axle := int(round(spacing_m / 2 * cos(climb) / RAY_SPACING_M))
+		var lowest := {}
+		for i in range(-axle, axle + 1):
+			var best := -1e9
+			for k in range(-reach, reach + 1):
+				var at := i + k + half
+				if at >= 0 and at < heights.size():
+					best = max(best, heights[at] + wheel[k + reach])
+			lowest[i] = best
+		# The upper hull's edge over the centre of mass: of all lines through a point behind it and one ahead, the
+		# highest there.
+		var mass := int(round(com_forward_m / RAY_SPACING_M))
+		var mass_height := -1e9
+		for i in range(-axle, mass + 1):
+			for j in range(max(mass, i + 1), axle + 1):
+				var slope: float = (lowest[j] - lowest[i]) / (j - i)
+				var there: float = lowest[i] + slope * (mass - i)
+				if there > mass_height:
+					mass_height = there
+					climb = atan(slope / RAY_SPACING_M)
+					height = lowest[i] - slope * i
+	return [height, climb]
+
+# How the robot rests at a place: {z_m, pitch_rad, roll_rad, surface}.
+func stand(space: PhysicsDirectSpaceState, x_m: float, y_m: float, yaw_rad: float) -> Dictionary:
+	var attitude := Frame.basis(0, 0, yaw_rad)
+	var middle := Frame.to_engine(x_m, y_m, 0)
+	var aside := -attitude.x * (gauge_m / 2)
+	var left := rest(profile(space, middle + aside, -attitude.z))
+	var right := rest(profile(space, middle - aside, -attitude.z))
+	var from := middle + Vector3(0, RAY_TOP_M, 0)
+	var hit := space.intersect_ray(from, middle, [], SURFACE)
+	return {
+		"z_m": (left[0] + right[0]) / 2,
+		"pitch_rad": -(left[1] + right[1]) / 2,
+		"roll_rad": atan2(left[0] - right[0], gauge_m),
+		"surface": hit.collider.get_meta("about").name if hit else ""}
+
+# What the tracks and the hull touch at a pose: {step_m, blocked}.
+func touch(space: PhysicsDirectSpaceState, at: Transform, shape: Dictionary) -> Dictionary:
+	var query := PhysicsShapeQueryParameters.new()
+	var box := BoxShape.new()
+	box.margin = 0.001
+	box.extents = Vector3((gauge_m + 0.045) / 2, 0.02, length_m / 2 + 0.002)
+	query.set_shape(box)
+	query.collision_mask = GROUND
+	query.transform = at * Transform(Basis(), Vector3(0, 0.019, 0))
+	var step_m := 0.0
+	for found in space.intersect_shape(query):
+		var about: Dictionary = found.collider.get_meta("about")
+		if about.kind == "block":
+			step_m = max(step_m, about.height_m)
+	# The hull's front, above what the tracks can climb.
+	box.extents = Vector3(gauge_m / 2, 0.005, 0.005)
+	query.transform = at * Transform(Basis(), Vector3(0, TOO_HIGH_M + 0.005, -length_m / 2))
+	return {"step_m": min(step_m, 1.0), "blocked": not space.intersect_shape(query, 1).empty()}

@@ -1,0 +1,268 @@
+# What a person sees: the robot, its ghost, three paths, figures and cameras; or the images of a film.
+# Blue is the course's path, red the robot in this world, yellow the real robot on its own flat floor.
+extends Spatial
+
+const Frame = preload("res://frame.gd")
+const RobotView = preload("res://robot_view.gd")
+
+const FRAME_MS := 33
+const PATH_SPACING_M := 0.01
+const PATH_WIDTH_M := 0.008
+const MOST_POINTS := 20000
+const BLUE := Color(0.1, 0.3, 0.95)
+const RED := Color(0.9, 0.1, 0.1)
+const YELLOW := Color(0.98, 0.8, 0.05)
+
+var robot: Spatial
+var ghost: Spatial
+var camera = Camera.new()
+var label = Label.new()
+var reference = []        # the course's path, [x, y] in metres
+var driven = {}           # colour name: {points, geometry}
+var middle = Vector3()    # of the fence
+var mode = "chase"
+var film = ""             # folder of images
+var film_step_s = 0.0
+var next_image_s = -1.0
+var image_due = false
+var images = 0
+var drawn_ms = 0
+var run = -1
+var shift = Transform2D() # from the real robot's floor to this world
+var last_s = 0.0
+var title = ""
+var free_yaw = 0.6
+var free_pitch = -0.6
+
+func build(settings: Dictionary) -> void:
+	title = settings.title
+	film = settings.get("film", "")
+	film_step_s = settings.get("film_step_s", 0.08)
+	mode = settings.get("camera", "chase")
+	add_lights()
+	add_floor(settings.course.fence)
+	var shape: Dictionary = settings.robot.get("shape", {})
+	robot = RobotView.new()
+	add_child(robot)
+	robot.build(shape)
+	ghost = RobotView.new()
+	add_child(ghost)
+	ghost.build(shape, Color(YELLOW.r, YELLOW.g, YELLOW.b, 0.35))
+	ghost.visible = false
+	camera.current = true
+	camera.fov = 50
+	camera.near = 0.01
+	add_child(camera)
+	trace_course(settings.course)
+	for colour in [["red", RED, 0.004], ["yellow", YELLOW, 0.003]]:
+		driven[colour[0]] = {"points": [], "geometry": ribbon(colour[1]), "lift": colour[2]}
+	var canvas = CanvasLayer.new()
+	label.rect_position = Vector2(14, 10)
+	label.add_color_override("font_color", Color(0.05, 0.05, 0.1))
+	canvas.add_child(label)
+	add_child(canvas)
+	place_camera(1.0)
+	VisualServer.render_loop_enabled = film.empty()
+
+func add_lights() -> void:
+	var sun = DirectionalLight.new()
+	sun.rotation_degrees = Vector3(-55, 35, 0)
+	sun.shadow_enabled = true
+	sun.directional_shadow_max_distance = 4.0
+	sun.light_energy = 0.55
+	add_child(sun)
+	var air = Environment.new()
+	air.background_mode = Environment.BG_COLOR
+	air.background_color = Color(0.72, 0.8, 0.88)
+	air.ambient_light_color = Color(0.85, 0.9, 1.0)
+	air.ambient_light_energy = 0.4
+	var world = WorldEnvironment.new()
+	world.environment = air
+	add_child(world)
+
+# The paper's floor is marked in squares of 10 cm.
+func add_floor(fence: Dictionary) -> void:
+	var image = Image.new()
+	image.create(128, 128, false, Image.FORMAT_RGB8)
+	image.fill(Color(0.86, 0.86, 0.83))
+	image.lock()
+	for i in 128:
+		for k in 2:
+			image.set_pixel(i, k, Color(0.6, 0.62, 0.62))
+			image.set_pixel(k, i, Color(0.6, 0.62, 0.62))
+	image.unlock()
+	image.generate_mipmaps()
+	var texture = ImageTexture.new()
+	texture.create_from_image(image, Texture.FLAG_MIPMAPS | Texture.FLAG_FILTER | Texture.FLAG_REPEAT | Texture.FLAG_ANISOTROPIC_FILTER)
+	var material = SpatialMaterial.new()
+	material.albedo_texture = texture
+	material.roughness = 1.0
+	material.uv1_scale = Vector3(60, 60, 1)
+	var plane = PlaneMesh.new()
+	plane.size = Vector2(6, 6)
+	var instance = MeshInstance.new()
+	instance.mesh = plane
+	instance.material_override = material
+	add_child(instance)
+	middle = Frame.to_engine((fence.min_x_m + fence.max_x_m) / 2, (fence.min_y_m + fence.max_y_m) / 2, 0)
+	# The fence as four rails.
+	var x = [fence.min_x_m, fence.max_x_m]
+	var y = [fence.min_y_m, fence.max_y_m]
+	var rails = ribbon(Color(0.35, 0.35, 0.38))
+	draw_ribbon(rails, [[x[0], y[0], 0], [x[1], y[0], 0], [x[1], y[1], 0], [x[0], y[1], 0], [x[0], y[0], 0]], 0.002)
+
+func ribbon(colour: Color) -> ImmediateGeometry:
+	var geometry = ImmediateGeometry.new()
+	var material = SpatialMaterial.new()
+	material.flags_unshaded = true
+	material.albedo_color = colour
+	material.params_cull_mode = SpatialMaterial.CULL_DISABLED
+	geometry.material_override = material
+	geometry.cast_shadow = GeometryInstance.SHADOW_CASTING_SETTING_OFF
+	add_child(geometry)
+	return geometry
+
+func draw_ribbon(geometry: ImmediateGeometry, points: Array, lift_m: float) -> void:
+	geometry.clear()
+	if points.size() < 2:
+		return
+	geometry.begin(Mesh.PRIMITIVE_TRIANGLE_STRIP)
+	for i in points.size():
+		var before: Array = points[max(i - 1, 0)]
+		var after: Array = points[min(i + 1, points.size() - 1)]
+		var across = Vector2(before[1] - after[1], after[0] - before[0]).normalized() * (PATH_WIDTH_M / 2)
+		for side in [-1, 1]:
+			geometry.add_vertex(Frame.to_engine(points[i][0] + side * across.x, points[i][1] + side * across.y,
+					points[i][2] + lift_m))
+	geometry.end()
+
+func trace_course(course: Dictionary) -> void:
+	var start: Dictionary = course.get("start", {})
+	var x: float = start.get("x_m", 0.0)
+	var y: float = start.get("y_m", 0.0)
+	var yaw = deg2rad(start.get("yaw_deg", 0.0))
+	var points = [[x, y, 0.0]]
+	for segment in course.segment:
+		var turn = deg2rad(segment.get("angle_deg", 0.0))
+		var length: float = segment.get("length_m", 0.0)
+		if segment.type == "arc":
+			length = segment.radius_m * abs(turn)
+		var steps = int(ceil(length / PATH_SPACING_M))
+		for _i in steps:
+			yaw += turn / steps / 2
+			x += length / steps * cos(yaw)
+			y += length / steps * sin(yaw)
+			yaw += turn / steps / 2
+			if points.size() < MOST_POINTS:
+				points.append([x, y, 0.0])
+		if steps == 0:
+			yaw += turn
+	reference = points
+	draw_ribbon(ribbon(BLUE), points, 0.002)
+
+func cross_track_m(x_m: float, y_m: float) -> float:
+	var best = 1e9
+	for p in reference:
+		best = min(best, Vector2(p[0] - x_m, p[1] - y_m).length_squared())
+	return sqrt(best)
+
+func extend(colour: String, x_m: float, y_m: float, z_m: float) -> void:
+	var path: Dictionary = driven[colour]
+	var points: Array = path.points
+	if points.size() > 0 and Vector2(points[-1][0] - x_m, points[-1][1] - y_m).length() < PATH_SPACING_M:
+		return
+	if points.size() < MOST_POINTS:
+		points.append([x_m, y_m, z_m])
+	draw_ribbon(path.geometry, points, path.lift)
+
+# The robot as just answered to this pose.
+func robot_at(at: Transform, message: Dictionary, frame: Reference) -> void:
+	var on_floor: Array = frame.place_from(message.floor.pos)
+	var floor_yaw: float = frame.yaw_from(message.floor.yaw)
+	var rpy = Frame.angles(at.basis)
+	var x = -at.origin.z
+	var y = -at.origin.x
+	if int(message.run) != run:
+		run = int(message.run)
+		for colour in driven:
+			driven[colour].points.clear()
+		var from = Transform2D(floor_yaw, Vector2(on_floor[0], on_floor[1]))
+		shift = Transform2D(rpy[2], Vector2(x, y)) * from.affine_inverse()
+		next_image_s = message.timestamp
+	var passed_s = clamp(message.timestamp - last_s, 0.0, 0.1)
+	last_s = message.timestamp
+	robot.transform = at
+	robot.roll(0, message.tracks.l / frame.length() * passed_s)
+	robot.roll(1, message.tracks.r / frame.length() * passed_s)
+	var real = shift.xform(Vector2(on_floor[0], on_floor[1]))
+	ghost.visible = true
+	ghost.transform = Transform(Frame.basis(0, 0, floor_yaw + shift.get_rotation()), Frame.to_engine(real.x, real.y, 0))
+	extend("red", x, y, at.origin.y)
+	extend("yellow", real.x, real.y, 0.0)
+	image_due = image_due or (not film.empty() and next_image_s >= 0 and last_s >= next_image_s)
+	if film.empty() and OS.get_ticks_msec() - drawn_ms < FRAME_MS:
+		return
+	label.text = "%s    %s    %.1f s\ncross-track error %.1f cm    height %.1f cm    pitch %.1f deg    roll %.1f deg\ntracks %.3f  %.3f m/s    ahead of it on the real floor %.1f cm\nblue: course    red: robot in this world    yellow: real robot on its flat floor" % [
+			title, message.get("mode", ""), last_s, 100 * cross_track_m(x, y), 100 * at.origin.y, -rad2deg(rpy[1]),
+			rad2deg(rpy[0]), message.tracks.l / frame.length(), message.tracks.r / frame.length(),
+			100 * (real - Vector2(x, y)).length()]
+	place_camera(0.08)
+
+func place_camera(share: float) -> void:
+	match mode:
+		"top":
+			camera.transform = Transform(Basis(Vector3.RIGHT, -PI / 2), middle + Vector3(0, 2.5, 0))
+		"free":
+			camera.transform.basis = Basis(Vector3.UP, free_yaw) * Basis(Vector3.RIGHT, free_pitch)
+		_:
+			var flat = Vector3(-robot.transform.basis.z.x, 0, -robot.transform.basis.z.z).normalized()
+			var wanted = robot.transform.origin - flat * 0.5 + flat.cross(Vector3.UP) * 0.28 + Vector3(0, 0.36, 0)
+			camera.translation = camera.translation.linear_interpolate(wanted, share)
+			camera.look_at(robot.transform.origin + flat * 0.12 + Vector3(0, 0.02, 0), Vector3.UP)
+
+# Once per turn of the engine: draws at 30 Hz, so that answers do not wait for the picture; of a film exactly what is due.
+func turn() -> void:
+	if not film.empty():
+		if VisualServer.render_loop_enabled:
+			save_image()
+		VisualServer.render_loop_enabled = image_due
+		return
+	var due = OS.get_ticks_msec() - drawn_ms >= FRAME_MS
+	VisualServer.render_loop_enabled = due
+	if due:
+		drawn_ms = OS.get_ticks_msec()
+		fly()
+
+func save_image() -> void:
+	var image = get_viewport().get_texture().get_data()
+	image.flip_y()
+	image.save_png("%s/%05d.png" % [film, images])
+	images += 1
+	image_due = false
+	next_image_s += film_step_s
+
+func fly() -> void:
+	if mode != "free":
+		return
+	var wish = Vector3(
+			int(Input.is_key_pressed(KEY_D)) - int(Input.is_key_pressed(KEY_A)), 0,
+			int(Input.is_key_pressed(KEY_S)) - int(Input.is_key_pressed(KEY_W)))
+	camera.translation += camera.transform.basis * wish * 0.02
+	place_camera(1.0)
+
+func _unhandled_input(event: InputEvent) -> void:
+	if event is InputEventKey and event.pressed and not event.echo:
+		match event.scancode:
+			KEY_1:
+				mode = "chase"
+			KEY_2:
+				mode = "top"
+			KEY_3:
+				free_yaw = camera.rotation.y
+				free_pitch = camera.rotation.x
+				mode = "free"
+		place_camera(1.0)
+	elif event is InputEventMouseMotion and mode == "free" and event.button_mask & BUTTON_MASK_RIGHT:
+		free_yaw -= event.relative.x * 0.005
+		free_pitch = clamp(free_pitch - event.relative.y * 0.005, -1.5, 1.5)
+		place_camera(1.0)

@@ -1,0 +1,135 @@
+// The engine's project sim/godot as the external world of the real programs, without a display.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "process.h"
+#include "support/paths.h"
+
+namespace tp100::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Runs scripts/godot.
+class Engine {
+ public:
+  explicit Engine(const std::string& course, const std::string& listen = "127.0.0.1:0")
+      : process_({TP100_SOURCE_DIR "/scripts/godot", "--headless", "--course", course, "--listen",
+                  listen}) {
+    EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
+    process_.wait_for("\n");
+    const std::string& text = process_.output();
+    const std::size_t at = text.find("127.0.0.1:");
+    if (at != std::string::npos) address_ = text.substr(at, text.find('\n', at) - at);
+  }
+  const std::string& address() const { return address_; }
+
+ private:
+  Process process_;
+  std::string address_;
+};
+
+class Godot : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Finished setup = run({TP100_SOURCE_DIR "/scripts/setup", "godot"});
+    if (setup.status != 0) GTEST_SKIP() << "Godot cannot be installed here: " << setup.output;
+  }
+  std::string config(const std::string& world) const {
+    const std::string path = folder_.file("config.toml");
+    std::ofstream(path) << "[world]\n" << world;
+    return path;
+  }
+  /// The figures of a lockstep run in the engine; `name` is the folder for the run's poses.
+  nlohmann::json drive(const Engine& engine, const std::string& course,
+                       const std::string& authority, const std::string& name = "run") {
+    const Finished driven = run(
+        {"tp100-sim", "course", course, "--json", "--world", "udp:" + engine.address(), "--config",
+         config("authority = \"" + authority + "\"\n"), "--out", folder_.file(name)});
+    EXPECT_EQ(driven.status, 0) << driven.output;
+    auto figures = nlohmann::json::parse(driven.output, nullptr, false);
+    return figures.is_object() ? figures : nlohmann::json::object();
+  }
+  std::string poses(const std::string& name) const {
+    std::ifstream file(folder_.file(name + "/3-end-loaded-1.csv"));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  TemporaryFolder folder_;
+};
+
+double number(const nlohmann::json& figures, const char* group, const char* name) {
+  return figures.value(nlohmann::json::json_pointer(std::string("/") + group + "/" + name), 1e9);
+}
+
+class GodotCourses : public Godot, public testing::WithParamInterface<const char*> {};
+
+TEST_P(GodotCourses, AreDrivenOverTheEnginesRays) {
+  const Engine engine(GetParam());
+  const nlohmann::json figures = drive(engine, GetParam(), "bridge");
+  EXPECT_TRUE(figures.value("completed", false)) << figures;
+  EXPECT_LE(number(figures, "odometry", "max_position_error_m"), 0.05);
+  EXPECT_LE(number(figures, "tracking", "max_cross_track_m"), 0.05);
+  EXPECT_EQ(number(figures, "loop", "world_missing"), 0);
+}
+
+// What the tracks do on the real floor and in the engine differs by the friction, so the bounds are
+// wider.
+TEST_P(GodotCourses, AreDrivenByTheEnginesPhysics) {
+  const Engine engine(GetParam());
+  const nlohmann::json figures = drive(engine, GetParam(), "world");
+  EXPECT_TRUE(figures.value("completed", false)) << figures;
+  EXPECT_LE(number(figures, "odometry", "max_position_error_m"), 0.08);
+  EXPECT_LE(number(figures, "tracking", "max_cross_track_m"), 0.08);
+  EXPECT_EQ(number(figures, "loop", "world_missing"), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Papers, GodotCourses,
+                         testing::Values("1-straight", "1-curve", "1-sharp", "2", "3"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           for (char& letter : name)
+                             if (letter == '-') letter = '_';
+                           return name;
+                         });
+
+TEST_F(Godot, GivesTheSamePosesToTheBitEveryTime) {
+  const Engine engine("3");
+  drive(engine, "3", "bridge", "first");
+  drive(engine, "3", "bridge", "second");
+  EXPECT_FALSE(poses("first").empty());
+  EXPECT_TRUE(poses("first") == poses("second"));
+}
+
+TEST_F(Godot, NamesACourseThatIsNotThere) {
+  Process engine({TP100_SOURCE_DIR "/scripts/godot", "--headless", "--course", "nowhere"});
+  EXPECT_EQ(engine.wait(), 2);
+  EXPECT_THAT(engine.output(), HasSubstr("give a file or a name in config/courses"));
+}
+
+TEST_F(Godot, LostEndsTheRunAndANewOneIsWelcome) {
+  Process robot({"tp100-sim", "robot", "--link", folder_.file("tp100")});
+  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
+  auto engine = std::make_unique<Engine>("1-straight");
+  const std::string address = engine->address();
+  Process bridge({"tp100d", "run", "--port", folder_.file("tp100"), "--course", "1-straight",
+                  "--world", "udp:" + address, "--config", config("timeout_ms = 1000\n")});
+  ASSERT_TRUE(bridge.wait_for("world: welcomed by sim/godot")) << bridge.output();
+  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
+  engine.reset();
+  ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
+  EXPECT_TRUE(robot.wait_for("motors off")) << robot.output();
+  const Engine anew("1-straight", address);
+  EXPECT_TRUE(bridge.wait_for("world: welcomed")) << bridge.output();
+  EXPECT_THAT(bridge.output(), HasSubstr("world_lost"));
+}
+
+}  // namespace
+}  // namespace tp100::test
