@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/angle.h"
+
 namespace tp100::estimation {
 namespace {
 
@@ -11,6 +13,7 @@ namespace {
 constexpr double kWarmingDegc = 1.0;
 // Two windows of the same turn: what the wheelbase gets wrong is the same in both.
 constexpr double kSameTurnRadps = 0.05;
+constexpr double kLevelGroundRad = 1.0 * kRadPerDeg;
 
 }  // namespace
 
@@ -72,8 +75,11 @@ void Odometry::resume(const CarriedEstimate& carried) {
 }
 
 void Odometry::compare_tracks_with_gyro() {
-  // On an obstacle the tracks do not show the turn.
-  if (!motion_.gyro || motion_.ground.hold_slip) {
+  // On slopes and obstacles the tracks do not show the turn.
+  const Ground& ground = motion_.ground;
+  const bool level =
+      std::abs(ground.pitch_rad) < kLevelGroundRad && std::abs(ground.roll_rad) < kLevelGroundRad;
+  if (!motion_.gyro || ground.hold_slip || !level) {
     residual_window_ = disturbance_window_ = Window{};
     last_residual_ = Residual{};
     return;

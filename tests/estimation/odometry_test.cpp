@@ -147,6 +147,25 @@ TEST_F(WarmingGyro, IsNotMadeWorseByAnUnevenFloor) {
   }
 }
 
+// On a ramp one track carries more and slips more: that is no drift of the gyro.
+TEST_F(OdometryTest, SlopesTeachNothingOfTheGyro) {
+  Odometry odometry(tracks_, noise_);
+  rest(odometry, 0.02);
+  odometry.begin({});
+  drive(odometry, 0.1, 0.0, 0.02, 60.0);
+  const double bias_radps = odometry.state().mean[kBias];
+  for (int i = 0; i < 4000; ++i) {
+    now_ += kPeriod;
+    odometry.advance({.end_ns = now_,
+                      .dt_s = kDt,
+                      .tracks = {0.125, 0.125 * (1.0 + 1e-6 * i)},
+                      .gyro_z_radps = 0.02,
+                      .gyro = true,
+                      .ground = {.pitch_rad = -0.2, .slip = {0.2, 0.2}}});
+  }
+  EXPECT_NEAR(odometry.state().mean[kBias], bias_radps, 1e-5);
+}
+
 // What the wheelbase gets wrong must not pull the heading away from a gyro that was at rest before.
 TEST_F(OdometryTest, InTurnsTheGyroKnowsBetter) {
   Odometry odometry(tracks_, noise_);
