@@ -13,7 +13,7 @@ namespace tp100::estimation {
 class SlipWalk {
  public:
   static constexpr std::size_t kCandidates = 8;
-  /// Per root metre: from a floor as even as a drawing to gravel.
+  /// Per root metre: from an even floor to gravel.
   static constexpr std::array<double, kCandidates> kStepsRtm{3e-5, 1e-4, 3e-4, 1e-3,
                                                              3e-3, 1e-2, 3e-2, 1e-1};
   using LogLikelihoods = std::array<double, kCandidates>;
