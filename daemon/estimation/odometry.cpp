@@ -13,6 +13,8 @@ namespace {
 constexpr double kWarmingDegc = 1.0;
 // Two windows of the same turn: what the wheelbase gets wrong is the same in both.
 constexpr double kSameTurnRadps = 0.05;
+// A robot that drives, some mm/s at least.
+constexpr double kDrivesRadps = 0.05;
 constexpr double kLevelGroundRad = 1.0 * kRadPerDeg;
 
 }  // namespace
@@ -100,25 +102,27 @@ void Odometry::compare_tracks_with_gyro() {
     residual_window_ = Window{};
     last_residual_ = Residual{};
   } else if (residual_window_.length_s() >= noise.residual_window_s) {
-    motion_.has_residual = true;
-    motion_.residual = residual_window_.take();
-    learn_slip_walk();
+    take_residual(residual_window_.take());
   }
 }
 
-void Odometry::learn_slip_walk() {
+// A robot that stands may be carried, and tracks that turn it on the spot do not show their slip.
+void Odometry::take_residual(const Residual& now) {
   const auto yaw_radps = [](const Residual& of) {
     return of.gyro_z_radps - (of.right_radps - of.left_radps);
   };
   const auto both_radps = [](const Residual& of) { return of.right_radps + of.left_radps; };
-  const Residual& now = motion_.residual;
   const Residual before = std::exchange(last_residual_, now);
+  if (std::abs(both_radps(now)) < kDrivesRadps) return;
+  motion_.has_residual = true;
+  motion_.residual = now;
   motion_.turn_change =
       model_.turn_ratio(state_.mean, now) - model_.turn_ratio(state_.mean, before);
-  const double both = (both_radps(now) + both_radps(before)) / 2.0;
+
+  const double both = std::abs(both_radps(now) + both_radps(before)) / 2.0;
+  const double faster = std::abs(both_radps(now) - both_radps(before));
   const double turned = std::abs(now.gyro_z_radps - before.gyro_z_radps);
-  if (std::abs(both_radps(now) - both_radps(before)) > 0.2 * both || turned > kSameTurnRadps)
-    return;
+  if (faster > 0.2 * both || turned > kSameTurnRadps) return;
   const FilterParameters& noise = model_.noise();
   const double noise_radps =
       std::sqrt(2.0) * model_.residual_sd_radps(motion_) + noise.residual_share * turned;

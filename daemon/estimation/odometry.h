@@ -68,7 +68,7 @@ class Odometry {
 
   void restart_from(const FilterState& state);
   void compare_tracks_with_gyro();
-  void learn_slip_walk();
+  void take_residual(const Residual& now);
 
   MotionModel model_;
   FilterState state_;

@@ -147,6 +147,32 @@ TEST_F(WarmingGyro, IsNotMadeWorseByAnUnevenFloor) {
   }
 }
 
+// For minutes, as a robot does before a run; forward, backward and on the spot afterwards.
+TEST_F(OdometryTest, ARobotThatStoodForLongIsKnownAsWellAsBefore) {
+  for (const double speed : {0.1, -0.1, 0.0}) {
+    Odometry odometry(tracks_, noise_);
+    rest(odometry, 0.02);
+    drive(odometry, 0.0, 0.0, 0.02, 120.0);
+    rest(odometry, 0.02);
+    odometry.begin({});
+    drive(odometry, speed, 0.0, 0.02, 30.0);
+    drive(odometry, 0.0, 0.5, 0.02, 1.0);
+    EXPECT_NEAR(odometry.pose().x_m, 30.0 * speed, 1e-3) << speed;
+    EXPECT_NEAR(odometry.pose().yaw_rad, 0.5, 1e-3) << speed;
+    EXPECT_TRUE(odometry.state().covariance.allFinite()) << speed;
+  }
+}
+
+// Whoever switches the robot on may carry it around before it stands.
+TEST_F(OdometryTest, ATurnOfTheCarriedRobotIsNoBias) {
+  Odometry odometry(tracks_, noise_);
+  drive(odometry, 0.0, 0.0, 0.02 + 0.1, 10.0);  // its tracks stand still
+  rest(odometry, 0.02);
+  odometry.begin({});
+  drive(odometry, 0.1, 0.0, 0.02, 10.0);
+  EXPECT_NEAR(odometry.pose().yaw_rad, 0.0, 0.01);
+}
+
 // On a ramp one track carries more and slips more: that is no drift of the gyro.
 TEST_F(OdometryTest, SlopesTeachNothingOfTheGyro) {
   Odometry odometry(tracks_, noise_);
