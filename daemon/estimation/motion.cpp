@@ -19,6 +19,15 @@ constexpr double kMovingMps = 0.002;
 constexpr double kTiltSdMRtrad = 0.01;
 constexpr double kTippingRadps = 0.1;
 
+/// Of the expected distance, what the tracks cover.
+struct Shares {
+  double left, right;
+};
+Shares shares(const StateVector& mean) {
+  return {1.0 - mean[kCommonSlip] - mean[kSlipDifference],
+          1.0 - mean[kCommonSlip] + mean[kSlipDifference]};
+}
+
 }  // namespace
 
 FilterState MotionModel::prior() const {
@@ -40,15 +49,14 @@ model::Turn MotionModel::turn_of(const Motion& motion) const {
 
 TrackSpeeds MotionModel::over_ground(const StateVector& mean, const Motion& motion) const {
   const TrackSpeeds expected = expected_speeds(motion.tracks, motion.ground);
-  return {expected.left_mps * (1.0 - mean[kCommonSlip] - mean[kSlipDifference]),
-          expected.right_mps * (1.0 - mean[kCommonSlip] + mean[kSlipDifference])};
+  const Shares covered = shares(mean);
+  return {expected.left_mps * covered.left, expected.right_mps * covered.right};
 }
 
 model::Slip MotionModel::slip(const StateVector& mean, const Motion& motion) const {
-  Motion unit = motion;
-  unit.tracks = {1.0, 1.0};
-  const TrackSpeeds share = over_ground(mean, unit);
-  return {1.0 - share.left_mps, 1.0 - share.right_mps};
+  const Shares covered = shares(mean);
+  return {1.0 - (1.0 - motion.ground.slip.left) * covered.left,
+          1.0 - (1.0 - motion.ground.slip.right) * covered.right};
 }
 
 Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
@@ -65,8 +73,9 @@ Twist MotionModel::twist(const StateVector& mean, const Motion& motion) const {
 }
 
 double MotionModel::innovation_radps(const StateVector& mean, const Residual& residual) const {
-  const double left = residual.left_radps * (1.0 - mean[kCommonSlip] - mean[kSlipDifference]);
-  const double right = residual.right_radps * (1.0 - mean[kCommonSlip] + mean[kSlipDifference]);
+  const Shares covered = shares(mean);
+  const double left = residual.left_radps * covered.left;
+  const double right = residual.right_radps * covered.right;
   return residual.gyro_z_radps - (right - left) * (1.0 + mean[kTurnGain]) - mean[kBias];
 }
 
@@ -183,17 +192,15 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
       square(noise_.turn_gain_sd) * std::abs(motion.turn_change);
   Measurement<1> residual;
   residual.innovation << innovation_radps(state.mean, seen);
-  const double left_radps =
-      seen.left_radps * (1.0 - state.mean[kCommonSlip] - state.mean[kSlipDifference]);
-  const double right_radps =
-      seen.right_radps * (1.0 - state.mean[kCommonSlip] + state.mean[kSlipDifference]);
+  const Shares covered = shares(state.mean);
   // Nothing along the common slip: what the turn gain explains wrongly would otherwise shorten or
   // lengthen the distance.
   residual.jacobian.setZero();
   residual.jacobian(0, kBias) = 1.0;
   residual.jacobian(0, kSlipDifference) =
       (seen.left_radps + seen.right_radps) * (1.0 + state.mean[kTurnGain]);
-  residual.jacobian(0, kTurnGain) = right_radps - left_radps;
+  residual.jacobian(0, kTurnGain) =
+      seen.right_radps * covered.right - seen.left_radps * covered.left;
   const double rate = std::abs(seen.gyro_z_radps - state.mean[kBias]);
   residual.noise << square(residual_sd_radps(motion) +
                            (noise_.residual_share + motion.slip_walk_rtm) * rate);

@@ -1,6 +1,7 @@
 #include "estimation/odometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,9 @@ constexpr double kSameTurnRadps = 0.05;
 // A robot that drives, some mm/s at least.
 constexpr double kDrivesRadps = 0.05;
 constexpr double kLevelGroundRad = 1.0 * kRadPerDeg;
+
+static_assert(std::tuple_size_v<decltype(CarriedEstimate::mean)> == kStates &&
+              std::tuple_size_v<decltype(CarriedEstimate::covariance)> == kStates * kStates);
 
 }  // namespace
 
