@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/commands.h"
@@ -265,15 +264,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    std::vector<text::Subcommand> known;
-    for (const CLI::App* command :
-         std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{})) {
-      known.push_back({command->get_name(), {}});
-      for (const CLI::Option* option : command->get_options())
-        for (const std::string& name : option->get_lnames())
-          known.back().options.push_back("--" + name);
-    }
-    return text::report_usage_error("tp100d", error.what(), argc, argv, known);
+    return text::report_usage_error("tp100d", error.what(), argc, argv, text::subcommands_of(app));
   }
   return action();
 }

@@ -1,9 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <functional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "sim/campaign/campaign_command.h"
@@ -251,15 +249,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    std::vector<tp100::text::Subcommand> known;
-    for (const CLI::App* command :
-         std::as_const(app).get_subcommands(std::function<bool(const CLI::App*)>{})) {
-      known.push_back({command->get_name(), {}});
-      for (const CLI::Option* option : command->get_options())
-        for (const std::string& name : option->get_lnames())
-          known.back().options.push_back("--" + name);
-    }
-    return tp100::text::report_usage_error("tp100-sim", error.what(), argc, argv, known);
+    return tp100::text::report_usage_error("tp100-sim", error.what(), argc, argv,
+                                           tp100::text::subcommands_of(app));
   }
   if (*course_app) return run_course(course);
   if (*robot_app) return run_robot(robot);
