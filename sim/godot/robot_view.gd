@@ -93,7 +93,7 @@ func marker(at: Vector3) -> void:
 	box(Vector3(0.064, 0.002, 0.064), at - Vector3(0, 0.0015, 0), Color(0.9, 0.9, 0.9))
 	box(Vector3(0.02, 0.016, 0.02), at - Vector3(0, 0.01, 0), Color(0.3, 0.3, 0.3))
 
-# Turns one track's belt (0 left, 1 right) by a distance.
+# Turns one track (0 left, 1 right) by a distance.
 func roll(side: int, distance_m: float) -> void:
 	var straight = spacing_m
 	var bend = PI * radius_m

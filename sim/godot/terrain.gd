@@ -115,7 +115,7 @@ func profile(space: PhysicsDirectSpaceState, middle: Vector3, along: Vector3) ->
 		heights.append(hit.position.y if hit else 0.0)
 	return heights
 
-# The lowest line of one track's axles, whose wheels and belt must clear the profile: [height above the wheel
+# The lowest line of one track's axles, whose wheels and track must clear the profile: [height above the wheel
 # radius at the middle, climb angle]. The line rests where it carries the centre of mass.
 func rest(heights: PoolRealArray) -> Array:
 	var first: float = heights[0]

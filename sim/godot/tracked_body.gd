@@ -77,7 +77,7 @@ func _integrate_forces(state: PhysicsDirectBodyState) -> void:
 	var inverse_inertia := b * Basis(Vector3(diagonal.x, 0, 0), Vector3(0, diagonal.y, 0), Vector3(0, 0, diagonal.z)) * b.transposed()
 	var arms := []
 	var normals := []
-	var belts := []
+	var surface_speeds := []
 	var load_ns := []
 	var given := []
 	var sum_ns := 0.0
@@ -87,10 +87,10 @@ func _integrate_forces(state: PhysicsDirectBodyState) -> void:
 		var local: Vector3 = b.xform_inv(arm)
 		arms.append(arm)
 		normals.append(normal)
-		# The belt runs around its outline: under the body it moves backward.
+		# The track runs around its outline: under the body it moves backward.
 		var along: Vector3 = b.x.cross(normal)
 		var speed := 0.0 if state.get_contact_local_shape(i) == HULL else (left_mps if local.x < 0 else right_mps)
-		belts.append(along.normalized() * speed)
+		surface_speeds.append(along.normalized() * speed)
 		load_ns.append(max(state.get_contact_impulse(i), 0.0))
 		sum_ns += load_ns[-1]
 		given.append(Vector3())
@@ -102,7 +102,7 @@ func _integrate_forces(state: PhysicsDirectBodyState) -> void:
 		for i in contacts:
 			if load_ns[i] == 0.0:
 				continue
-			var slide: Vector3 = v + w.cross(arms[i]) + belts[i]
+			var slide: Vector3 = v + w.cross(arms[i]) + surface_speeds[i]
 			slide -= normals[i] * slide.dot(normals[i])
 			var speed := slide.length()
 			if speed < 1e-7:

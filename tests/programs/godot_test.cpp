@@ -69,27 +69,23 @@ double number(const nlohmann::json& figures, const char* group, const char* name
   return figures.value(nlohmann::json::json_pointer(std::string("/") + group + "/" + name), 1e9);
 }
 
-class GodotCourses : public Godot, public testing::WithParamInterface<const char*> {};
+class GodotCourses : public Godot, public testing::WithParamInterface<const char*> {
+ protected:
+  void expect_driven(const std::string& course, const std::string& authority, double most_m) {
+    const Engine engine(course);
+    const nlohmann::json figures = drive(engine, course, authority);
+    EXPECT_TRUE(figures.value("completed", false)) << figures;
+    EXPECT_LE(number(figures, "odometry", "max_position_error_m"), most_m);
+    EXPECT_LE(number(figures, "tracking", "max_cross_track_m"), most_m);
+    EXPECT_EQ(number(figures, "loop", "world_missing"), 0);
+  }
+};
 
-TEST_P(GodotCourses, AreDrivenOverTheEnginesRays) {
-  const Engine engine(GetParam());
-  const nlohmann::json figures = drive(engine, GetParam(), "bridge");
-  EXPECT_TRUE(figures.value("completed", false)) << figures;
-  EXPECT_LE(number(figures, "odometry", "max_position_error_m"), 0.05);
-  EXPECT_LE(number(figures, "tracking", "max_cross_track_m"), 0.05);
-  EXPECT_EQ(number(figures, "loop", "world_missing"), 0);
-}
+TEST_P(GodotCourses, AreDrivenOverTheEnginesRays) { expect_driven(GetParam(), "bridge", 0.05); }
 
 // What the tracks do on the real floor and in the engine differs by the friction, so the bounds are
 // wider.
-TEST_P(GodotCourses, AreDrivenByTheEnginesPhysics) {
-  const Engine engine(GetParam());
-  const nlohmann::json figures = drive(engine, GetParam(), "world");
-  EXPECT_TRUE(figures.value("completed", false)) << figures;
-  EXPECT_LE(number(figures, "odometry", "max_position_error_m"), 0.08);
-  EXPECT_LE(number(figures, "tracking", "max_cross_track_m"), 0.08);
-  EXPECT_EQ(number(figures, "loop", "world_missing"), 0);
-}
+TEST_P(GodotCourses, AreDrivenByTheEnginesPhysics) { expect_driven(GetParam(), "world", 0.08); }
 
 INSTANTIATE_TEST_SUITE_P(Papers, GodotCourses,
                          testing::Values("1-straight", "1-curve", "1-sharp", "2", "3"),
