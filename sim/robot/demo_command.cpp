@@ -29,12 +29,12 @@ namespace {
 /// terminated when this program ends in whatever way.
 class Child {
  public:
-  /// Starts arguments[0]. Throws SetupError; a program that cannot be executed says so itself and
-  /// ends with status 127.
   struct Ways {
     bool quiet = false;  ///< its standard output goes nowhere
     bool apart = false;  ///< the terminal's Ctrl-C does not reach it
   };
+  /// Starts arguments[0]. Throws SetupError; a program that cannot be executed says so itself and
+  /// ends with status 127.
   Child(const std::vector<std::string>& arguments, Ways ways);
   ~Child();
   Child(const Child&) = delete;
