@@ -30,11 +30,20 @@ void add_body(CLI::App& app, std::string& body) {
       ->type_name("BODY");
 }
 
+void add_floor(CLI::App& app, std::string& floor) {
+  app.add_option("--floor", floor,
+                 "even, or uneven: the seed draws friction and slip over the floor, tension of the "
+                 "tracks, payload and battery as the robot file's [emulated.variation] describes "
+                 "(default: the robot file's floor)")
+      ->type_name("FLOOR");
+}
+
 void add_common(CLI::App& app, Options& options) {
   app.add_option("--board", options.board, "What runs the firmware: native or avr")
       ->type_name("BOARD")
       ->capture_default_str();
   add_body(app, options.body);
+  add_floor(app, options.floor);
   app.add_option("--robot", options.robot, "Name in config/robots or file (default: end-loaded)")
       ->type_name("ROBOT");
   app.add_option("--setup", options.setup, "stand, flat or terrain (default: flat)")
@@ -132,7 +141,8 @@ int run(int argc, char** argv) {
   reproduce_app
       ->add_option("--part", reproduce.part,
                    "paper (reference robot), state (slopes and steps, camera noise), robots (all "
-                   "others), sampled (robots of stated ranges), held-out (courses that are not "
+                   "others), uneven (floors drawn by the seed), sampled (robots of stated ranges), "
+                   "held-out (courses that are not "
                    "bundled), real (measured data of real robots), avr (course 3 on the image) or "
                    "all")
       ->type_name("PART")
@@ -165,6 +175,7 @@ int run(int argc, char** argv) {
       ->type_name("BOARD")
       ->capture_default_str();
   add_body(*calibrate_app, calibrate.options.body);
+  add_floor(*calibrate_app, calibrate.options.floor);
   calibrate_app
       ->add_option("--robot", calibrate.options.robot,
                    "Name in config/robots or file (default: end-loaded)")

@@ -87,6 +87,31 @@ inline constexpr std::array<EnumName<ContactLaw>, 2> kContactLawNames = {{
 }};
 constexpr const char* to_string(ContactLaw law) { return name_in(kContactLawNames, law); }
 
+/// Whether an emulated robot's floor is the same everywhere and every run begins alike.
+enum class Floor {
+  kEven,    ///< yes: a seed draws sensor noise and where tracks and samples begin
+  kUneven,  ///< no: a seed draws what EmulatedVariation describes, too
+};
+
+/// Names as in options, files and results.
+inline constexpr std::array<EnumName<Floor>, 2> kFloorNames = {{
+    {Floor::kEven, "even"},
+    {Floor::kUneven, "uneven"},
+}};
+constexpr const char* to_string(Floor floor) { return name_in(kFloorNames, floor); }
+
+/// What a seed draws of floor and robot where the floor is uneven. The values are ours: no
+/// measurement of such a floor is known to us.
+struct EmulatedVariation {
+  double friction_sd = 0.08;    ///< over the floor, in parts of the friction
+  double slip_sd = 0.01;        ///< over the floor, added to the track deficit; `ode` only
+  double correlation_m = 0.3;   ///< distance within which the floor is much the same
+  double tile_m = 0.0;          ///< side of square tiles that differ from each other; 0: none
+  double tension_sd = 0.005;    ///< of each track deficit, from run to run; `ode` only
+  double payload_sd_m = 0.002;  ///< of the centre of mass, forward and to the left
+  double battery_sd_v = 0.2;    ///< below full_v at the start
+};
+
 /// The ground under the tracks by the contact law `shear`, which reads neither creep nor track
 /// deficit nor lift of the middle. Sizes, mass, friction and worn stretches are EmulatedBody's.
 struct EmulatedShear {
@@ -139,7 +164,9 @@ struct EmulatedBattery {
 
 struct Emulated {
   ContactLaw contact_law = ContactLaw::kOde;
+  Floor floor = Floor::kEven;
   EmulatedBody body{};
+  EmulatedVariation variation{};
   EmulatedShear shear{};
   EmulatedMotor motor{};
   EmulatedEncoder encoder{};

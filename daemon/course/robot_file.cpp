@@ -143,6 +143,45 @@ std::span<const text::Key<EmulatedBody>> body_keys() {
   return kKeys;
 }
 
+std::span<const text::Key<EmulatedVariation>> variation_keys() {
+  using T = EmulatedVariation;
+  static const std::array<text::Key<T>, 7> kKeys = {{
+      {"friction_sd",
+       &T::friction_sd,
+       {0, 0.3},
+       "Standard deviation of the friction over the floor, relative to it"},
+      {"slip_sd",
+       &T::slip_sd,
+       {0, 0.1},
+       "Standard deviation over the floor of what is added to the slip of a track; only for "
+       "contact_law \"ode\""},
+      {"correlation_m",
+       &T::correlation_m,
+       {0.02, 20},
+       "Distance within which the floor is much the same"},
+      {"tile_m",
+       &T::tile_m,
+       {0, 20},
+       "Side of square tiles; half of the variance is then from tile to tile, with a jump at each "
+       "joint. 0: no tiles"},
+      {"tension_sd",
+       &T::tension_sd,
+       {0, 0.1},
+       "Standard deviation of either track's deficit from run to run; only for contact_law "
+       "\"ode\""},
+      {"payload_sd_m",
+       &T::payload_sd_m,
+       {0, 0.01},
+       "Standard deviation of the centre of mass from run to run, forward and to the left"},
+      {"battery_sd_v",
+       &T::battery_sd_v,
+       {0, 1},
+       "The battery begins below its full voltage, by the magnitude of a normal number with this "
+       "standard deviation"},
+  }};
+  return kKeys;
+}
+
 // Wong, Theory of Ground Vehicles, tables 2.3 and 2.4: K 1 cm on firm sandy terrain, 2.5 cm on
 // loose sand, 2.5 to 5 cm on fresh snow; cohesion 0 to 1 kPa of dry sand, 3 to 70 kPa of clays;
 // resistance of tracks 0.03 of the weight on hard ground to 0.25 on soft. Rubber on a hard floor
@@ -252,13 +291,18 @@ std::span<const text::Key<EmulatedBattery>> battery_keys() {
 }
 
 std::span<const text::Key<Emulated>> emulated_keys() {
-  static const std::array<text::Key<Emulated>, 2> kKeys = {{
+  static const std::array<text::Key<Emulated>, 3> kKeys = {{
       {"clock_ppm", &Emulated::clock_ppm, {-20000, 20000}, "Error of the Mega's resonator"},
       {"contact_law",
        text::enum_choice<Emulated, &Emulated::contact_law, kContactLawNames>(),
        {},
        "Contact between tracks and ground, also chosen by --body: \"ode\", rigid bodies, or "
        "\"shear\", shear stress that builds up along the track, on level ground only"},
+      {"floor",
+       text::enum_choice<Emulated, &Emulated::floor, kFloorNames>(),
+       {},
+       "Whether the floor is the same everywhere, also chosen by --floor: \"even\", or "
+       "\"uneven\", drawn by the seed as [emulated.variation] describes"},
   }};
   return kKeys;
 }
@@ -313,6 +357,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   text::TomlTable drive = root.table("drive");
   text::TomlTable emulated = root.table("emulated");
   text::TomlTable body = emulated.table("body");
+  text::TomlTable variation = emulated.table("variation");
   text::TomlTable shear = emulated.table("shear");
   text::TomlTable motor = emulated.table("motor");
   text::TomlTable encoder = emulated.table("encoder");
@@ -325,6 +370,7 @@ Robot parse_robot(const std::string& text, const std::string& file) {
   text::read_keys(drive, drive_keys(), robot.drive);
   text::read_keys(emulated, emulated_keys(), robot.emulated);
   text::read_keys(body, body_keys(), robot.emulated.body);
+  text::read_keys(variation, variation_keys(), robot.emulated.variation);
   text::read_keys(shear, shear_keys(), robot.emulated.shear);
   text::read_keys(motor, motor_keys(), robot.emulated.motor);
   text::read_keys(encoder, encoder_keys(), robot.emulated.encoder);
@@ -378,6 +424,7 @@ std::string write_robot(const Robot& robot, const std::string& note) {
          "section.\n" +
          section("emulated", emulated_keys(), emulated).substr(1) +
          section("emulated.body", body_keys(), emulated.body) +
+         section("emulated.variation", variation_keys(), emulated.variation) +
          section("emulated.shear", shear_keys(), emulated.shear) +
          section("emulated.motor", motor_keys(), emulated.motor) +
          section("emulated.encoder", encoder_keys(), emulated.encoder) +

@@ -96,6 +96,7 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
   Json json = {{"course", run.course}, {"board", run.board}, {"robot", run.robot},
                {"setup", run.setup},   {"seed", run.seed},   {"completed", run.completed}};
   if (!run.body.empty()) json["body"] = run.body;
+  if (!run.floor.empty()) json["floor"] = run.floor;
   if (!run.completed) json["cause"] = run.cause;
   json["duration_s"] = run.duration_s;
   json["realtime_factor"] = run.realtime_factor;

@@ -62,7 +62,8 @@ inline CameraFigures camera_figures(const FilterFigures& filter) {
 /// One run. `points` runs from the first to the last step of the course, ascending in time.
 struct RunResult {
   std::string course, board, robot, setup;
-  std::string body;  ///< of an emulated robot: contact law; empty in recordings
+  std::string body;   ///< of an emulated robot: contact law; empty in recordings
+  std::string floor;  ///< of an emulated robot: even or uneven; empty in recordings
   std::uint64_t seed = 0;
   bool finished = false;    ///< the controller reached the end of the course
   bool completed = false;   ///< ... and the true end lies within 15 cm of the path's

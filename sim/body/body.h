@@ -45,9 +45,9 @@ class Body {
 };
 
 /// The body with the contact law of `values`, at `start`: on the floor, or with height and tilt if
-/// `start` is on `terrain`. `on_stand`: the tracks spin free and the body does not move. Throws
-/// SetupError if that body cannot stand on this terrain.
+/// `start` is on `terrain`. `on_stand`: the tracks spin free and the body does not move. `seed`
+/// draws the floor where it is uneven. Throws SetupError if that body cannot stand on this terrain.
 std::unique_ptr<Body> make_body(const course::Emulated& values, const Pose& start, bool on_stand,
-                                const course::Terrain& terrain = {});
+                                const course::Terrain& terrain = {}, std::uint64_t seed = 1);
 
 }  // namespace tp100::sim

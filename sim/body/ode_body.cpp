@@ -140,8 +140,8 @@ void copy(const Eigen::Vector3d& from, std::array<double, 3>& to) {
 }  // namespace
 
 struct OdeBody::World {
-  World(const course::EmulatedBody& v, bool stand, const course::Terrain& t)
-      : values(v), on_stand(stand), terrain(t), tracks(v, t), feedback(kMaxContacts) {}
+  World(const course::EmulatedBody& v, bool stand, const course::Terrain& t, const UnevenFloor& f)
+      : values(v), on_stand(stand), terrain(t), floor(f), tracks(v, t), feedback(kMaxContacts) {}
 
   /// From the reference point to the centre of mass, body frame.
   Eigen::Vector3d arm_m() const {
@@ -157,6 +157,7 @@ struct OdeBody::World {
   course::EmulatedBody values;
   bool on_stand;
   course::Terrain terrain;
+  UnevenFloor floor;
   Tracks tracks;
   OdeWorld ode;
   dBodyID body = nullptr;
@@ -175,8 +176,8 @@ struct OdeBody::World {
 };
 
 OdeBody::OdeBody(const course::EmulatedBody& values, const Pose& start, bool on_stand,
-                 const course::Terrain& terrain)
-    : world_(std::make_unique<World>(values, on_stand, terrain)) {
+                 const course::Terrain& terrain, const UnevenFloor& floor)
+    : world_(std::make_unique<World>(values, on_stand, terrain, floor)) {
   world_->create(start);
 }
 OdeBody::~OdeBody() = default;
@@ -251,9 +252,10 @@ void OdeBody::World::touch(double left_mps, double right_mps) {
   for (std::size_t i = 0; i < std::min(contacts.size(), kMaxContacts); ++i) {
     const TrackContact& at = contacts[i];
     const course::Surface* surface = terrain.surface_at(at.point_m.x(), at.point_m.y());
+    const FloorVariation ground = floor.at(at.point_m.x(), at.point_m.y());
     const Eigen::Vector3d forward = forward_at(at.normal, rotation);
     const double deficit = (at.left ? values.track_deficit_left : values.track_deficit_right) +
-                           (surface == nullptr ? 0.0 : surface->slip_offset);
+                           (surface == nullptr ? 0.0 : surface->slip_offset) + ground.slip_offset;
     const Eigen::Vector3d track = forward * ((at.left ? left_mps : right_mps) * (1.0 - deficit));
     Eigen::Vector3d slip = velocity + rate.cross(at.point_m - position) - track;
     slip -= at.normal * at.normal.dot(slip);
@@ -267,6 +269,7 @@ void OdeBody::World::touch(double left_mps, double right_mps) {
                            dContactApprox1;
     contact.surface.mu = contact.surface.mu2 =
         values.friction * (surface == nullptr ? 1.0 : surface->friction_factor) *
+        ground.friction_factor *
         (slick(at.left, rotation.col(0).dot(at.point_m - position)) ? values.slick_factor : 1.0);
     contact.surface.soft_erp = kErp;
     contact.surface.soft_cfm = kCfm * lighter;

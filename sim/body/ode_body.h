@@ -8,6 +8,7 @@
 #include "course/robot.h"
 #include "course/terrain.h"
 #include "sim/body/body.h"
+#include "sim/body/uneven_floor.h"
 
 namespace tp100::sim {
 
@@ -17,7 +18,7 @@ class OdeBody final : public Body {
  public:
   /// As make_body has it, on any terrain.
   OdeBody(const course::EmulatedBody& values, const Pose& start, bool on_stand,
-          const course::Terrain& terrain = {});
+          const course::Terrain& terrain = {}, const UnevenFloor& floor = {});
   ~OdeBody() override;
   OdeBody(OdeBody&&) noexcept;
 

@@ -43,11 +43,12 @@ void refuse(const char* what, const course::Place& place) {
 }  // namespace
 
 ShearBody::ShearBody(const course::Emulated& values, const Pose& start, bool on_stand,
-                     const course::Terrain& terrain)
+                     const course::Terrain& terrain, const UnevenFloor& floor)
     : body_(values.body),
       shear_(values.shear),
       on_stand_(on_stand),
       terrain_(terrain),
+      floor_(floor),
       inertia_kgm2_(values.body.mass_kg *
                     (values.body.length_m * values.body.length_m +
                      values.body.width_m * values.body.width_m) /
@@ -77,7 +78,8 @@ double ShearBody::friction_at(const Track& track, std::size_t shoe,
                               const Vector2d& ground_m) const {
   const course::Surface* surface =
       terrain_.surfaces.empty() ? nullptr : terrain_.surface_at(ground_m.x(), ground_m.y());
-  double friction = body_.friction * (surface == nullptr ? 1.0 : surface->friction_factor);
+  double friction = body_.friction * (surface == nullptr ? 1.0 : surface->friction_factor) *
+                    floor_.at(ground_m.x(), ground_m.y()).friction_factor;
   if (body_.slick_m > 0.0) {
     const double length_m = pitch_m_ * static_cast<double>(track.stress.size());
     const double along_m = pitch_m_ * static_cast<double>(shoe) + track.wear_m;

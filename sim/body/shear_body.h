@@ -15,6 +15,7 @@
 #include "course/robot.h"
 #include "course/terrain.h"
 #include "sim/body/body.h"
+#include "sim/body/uneven_floor.h"
 
 namespace tp100::sim {
 
@@ -29,10 +30,10 @@ namespace tp100::sim {
 /// from where it was and is not given back. A shoe that enters the contact starts with s = 0.
 class ShearBody final : public Body {
  public:
-  /// As make_body has it. Of a surface only the friction counts. Throws SetupError for ramps and
-  /// blocks.
+  /// As make_body has it. Of a surface and of an uneven floor only the friction counts. Throws
+  /// SetupError for ramps and blocks.
   ShearBody(const course::Emulated& values, const Pose& start, bool on_stand,
-            const course::Terrain& terrain = {});
+            const course::Terrain& terrain = {}, const UnevenFloor& floor = {});
 
   void step(double left_track_mps, double right_track_mps) override;
   void turn_tracks(double left_m, double right_m) override;
@@ -74,6 +75,7 @@ class ShearBody final : public Body {
   course::EmulatedShear shear_;
   bool on_stand_;
   course::Terrain terrain_;
+  UnevenFloor floor_;
   double inertia_kgm2_;
   double pitch_m_;  // from shoe to shoe
   Track left_, right_;

@@ -82,11 +82,12 @@ struct ChoiceKey {
   const char* standard;
 };
 // In alphabetical order, as all variables are.
-constexpr std::array<ChoiceKey, 7> kChoices = {{{"board", "native"},
+constexpr std::array<ChoiceKey, 8> kChoices = {{{"board", "native"},
                                                 {"body", ""},
                                                 {"camera", ""},
                                                 {"course", nullptr},
                                                 {"faults", ""},
+                                                {"floor", ""},
                                                 {"robot", ""},
                                                 {"setup", ""}}};
 
@@ -199,6 +200,7 @@ PlannedRun plan(const CampaignSpec& spec, std::uint64_t index) {
     if (variable.name == "camera") run.camera = value;
     if (variable.name == "course") run.course = value;
     if (variable.name == "faults") run.faults = words(value);
+    if (variable.name == "floor") run.options.floor = value;
     if (variable.name == "robot") run.options.robot = value;
     if (variable.name == "setup") run.options.setup = value;
   }

@@ -60,7 +60,7 @@ struct CampaignSpec {
   std::uint64_t runs = 0;
   std::uint64_t seed = 1;         ///< run i has the seed `seed` + i
   std::string config;             ///< configuration that the values are changed in; empty: defaults
-  std::vector<Variable> choices;  ///< board, body, camera, course, faults, robot, setup
+  std::vector<Variable> choices;  ///< board, body, camera, course, faults, floor, robot, setup
   std::vector<Variable> configuration;  ///< keys of tp100.toml
   std::vector<Variable> robot;          ///< keys of the robot's file
 };

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "sim/board/avr_board.h"
 #include "sim/board/native_board.h"
+#include "sim/body/uneven_floor.h"
 
 namespace tp100::sim {
 namespace {
@@ -109,19 +110,23 @@ const char* to_string(BoardKind board) {
 }
 
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
-    : body_(make_body(settings.values, settings.start, settings.on_stand, settings.terrain)),
-      left_motor_(settings.values.motor, settings.values.motor.left_gain),
-      right_motor_(settings.values.motor, settings.values.motor.right_gain),
-      left_encoder_(settings.values.encoder, 0, kLeftEncoder),
-      right_encoder_(settings.values.encoder, 2, kRightEncoder),
-      imu_(settings.values.imu, stream(settings.seed, 3)),
-      battery_(settings.values.battery),
+    : EmulatedRobot(settings, drawn(settings.values, stream(settings.seed, 7))) {}
+
+EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings, const course::Emulated& values)
+    : body_(make_body(values, settings.start, settings.on_stand, settings.terrain,
+                      stream(settings.seed, 8))),
+      left_motor_(values.motor, values.motor.left_gain),
+      right_motor_(values.motor, values.motor.right_gain),
+      left_encoder_(values.encoder, 0, kLeftEncoder),
+      right_encoder_(values.encoder, 2, kRightEncoder),
+      imu_(values.imu, stream(settings.seed, 3)),
+      battery_(values.battery),
       faults_(settings.faults, 10'000'000'000LL / settings.baud, stream(settings.seed, 6)),
       bus_(imu_),
       board_(make_board(settings, bus_)),
       to_board_(settings.baud) {
-  body_->turn_tracks(track_phase_m(settings.values.body, stream(settings.seed, 4)),
-                     track_phase_m(settings.values.body, stream(settings.seed, 5)));
+  body_->turn_tracks(track_phase_m(values.body, stream(settings.seed, 4)),
+                     track_phase_m(values.body, stream(settings.seed, 5)));
 }
 
 EmulatedRobot::~EmulatedRobot() = default;

@@ -101,6 +101,8 @@ class EmulatedRobot {
   const SpentTime& spent() const { return spent_; }
 
  private:
+  /// `values`: those of this run, drawn by its seed.
+  EmulatedRobot(const EmulatedRobotSettings& settings, const course::Emulated& values);
   /// Applies the faults of sensors and board that are due now.
   void inject();
 

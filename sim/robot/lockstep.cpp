@@ -140,6 +140,7 @@ Lockstep::Lockstep(const LockstepSettings& settings)
   result_.course = settings.course.name;
   result_.board = to_string(settings.board);
   result_.body = to_string(settings.robot.emulated.contact_law);
+  result_.floor = to_string(settings.robot.emulated.floor);
   result_.robot = settings.robot.name;
   result_.setup = bridge::to_string(settings.setup);
   result_.seed = settings.seed;

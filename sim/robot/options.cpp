@@ -18,14 +18,21 @@ bridge::Setup setup_kind(const std::string& name) {
                    ": not a set-up; use stand, flat or terrain");
 }
 
-/// What the options change in the robot's file. --body is a value like any other, so that
-/// recordings have it, too.
+/// What the options change in the robot's file. --body and --floor are values like any other, so
+/// that recordings have them, too.
 text::NamedValues robot_values(const Options& options) {
   text::NamedValues values = options.robot_values;
-  if (options.body.empty()) return values;
-  if (!value_in(course::kContactLawNames, options.body))
-    throw SetupError("--body " + text::one_line(options.body) + ": not a body; use ode or shear");
-  values.emplace_back("emulated.contact_law", options.body);
+  if (!options.body.empty()) {
+    if (!value_in(course::kContactLawNames, options.body))
+      throw SetupError("--body " + text::one_line(options.body) + ": not a body; use ode or shear");
+    values.emplace_back("emulated.contact_law", options.body);
+  }
+  if (!options.floor.empty()) {
+    if (!value_in(course::kFloorNames, options.floor))
+      throw SetupError("--floor " + text::one_line(options.floor) +
+                       ": not a floor; use even or uneven");
+    values.emplace_back("emulated.floor", options.floor);
+  }
   return values;
 }
 

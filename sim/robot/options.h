@@ -19,6 +19,7 @@ namespace tp100::sim {
 struct Options {
   std::string board = "native";
   std::string body;    ///< ode or shear; empty: the robot file's contact_law
+  std::string floor;   ///< even or uneven; empty: the robot file's
   std::string robot;   ///< bundled name or file; empty: the configuration's
   std::string config;  ///< file; empty: defaults
   std::string setup;   ///< empty: the configuration's

@@ -1,8 +1,10 @@
 #include "sim/study/reproduce.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "core/angle.h"
 #include "core/error.h"
@@ -119,6 +121,17 @@ void drive_robots(const ReproduceCommand& command, Reproduction& what) {
   }
 }
 
+/// Every robot where each seed draws floor, tension, payload and battery.
+void drive_uneven(const ReproduceCommand& command, Reproduction& what) {
+  for (const std::string& name : course::bundled_names(course::Bundled::kRobots)) {
+    course::Robot robot = robot_named(name);
+    robot.emulated.floor = course::Floor::kUneven;
+    for (const char* kind : {"1-straight", "1-curve", "1-sharp"})
+      what.studies.push_back(
+          study(trial_of(command, load_course(kind), robot, bridge::Setup::kFlat), kind, false));
+  }
+}
+
 void drive_sampled(const ReproduceCommand& command, Reproduction& what) {
   for (int i = 0; i < command.sampled; ++i) {
     const std::uint64_t number = kSampledNumber + command.seed + static_cast<std::uint64_t>(i);
@@ -191,11 +204,12 @@ int run_reproduce(const ReproduceCommand& command) {
   const bool shear = reference.emulated.contact_law == course::ContactLaw::kShear;
   const bool all = command.part == "all";
   const auto wanted = [&](const char* part) { return (all && !shear) || command.part == part; };
-  if (!all && command.part != "paper" && command.part != "state" && command.part != "robots" &&
-      command.part != "sampled" && command.part != "held-out" && command.part != "real" &&
-      command.part != "avr")
+  constexpr std::array<std::string_view, 8> kParts = {"paper",   "state",    "robots", "uneven",
+                                                      "sampled", "held-out", "real",   "avr"};
+  if (!all && std::ranges::find(kParts, command.part) == kParts.end())
     throw SetupError("--part " + command.part +
-                     ": unknown; give paper, state, robots, sampled, held-out, real, avr or all");
+                     ": unknown; give paper, state, robots, uneven, sampled, held-out, real, avr "
+                     "or all");
   if (shear && !all)
     throw SetupError("--part " + command.part +
                      ": --body shear has courses and robots of its own; leave --part out");
@@ -211,6 +225,7 @@ int run_reproduce(const ReproduceCommand& command) {
       what.studies.push_back(study);
   }
   if (wanted("robots")) drive_robots(command, what);
+  if (wanted("uneven")) drive_uneven(command, what);
   if (wanted("sampled")) drive_sampled(command, what);
   if (wanted("held-out")) drive_held_out(command, what);
   if (wanted("real")) study_real_robots(what);

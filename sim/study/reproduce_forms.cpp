@@ -28,7 +28,8 @@ Rows form_rows(const Reproduction& what) {
   };
   std::map<std::string, std::vector<const CourseStudy*>> robots;
   for (const CourseStudy& study : what.studies)
-    if (study.setup == "flat" && !study.forms.empty()) robots[study.robot].push_back(&study);
+    if (study.setup == "flat" && !study.forms.empty())
+      robots[study.robot + (study.uneven ? ", uneven" : "")].push_back(&study);
   for (const auto& [robot, studies] : robots) {
     rows.push_back({robot});
     for (const model::ModelForm& form : model::kBaselines) add(studies, form.key);
@@ -57,9 +58,10 @@ Rows error_rows(const Reproduction& what) {
   const auto cm = [](double metres) { return two_places(metres * report::kCmPerM); };
   for (const CourseStudy& study : what.studies)
     for (const auto& [form, e] : study.forms)
-      rows.push_back({study.course, study.robot, study.setup, form, cm(e.max_position_error_m),
-                      cm(e.mean_position_error_m), cm(e.rms_position_error_m),
-                      cm(e.final_position_error_m), two_places(e.max_yaw_error_rad * kDegPerRad)});
+      rows.push_back(
+          {study.course, study.robot, study.setup + (study.uneven ? ", uneven floor" : ""), form,
+           cm(e.max_position_error_m), cm(e.mean_position_error_m), cm(e.rms_position_error_m),
+           cm(e.final_position_error_m), two_places(e.max_yaw_error_rad * kDegPerRad)});
   return rows;
 }
 
@@ -86,7 +88,7 @@ std::string forms_table(const Reproduction& what) {
       "largest error in % of the distance on the flat floor, median / worst course:\n";
   for (const std::vector<report::Cell>& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::size_t width = std::max<std::size_t>(rows[0][i].text.size(), 14);
+      const std::size_t width = std::max<std::size_t>(rows[0][i].text.size(), i == 0 ? 20 : 14);
       out += text::format("%-*s", static_cast<int>(width) + 1, row[i].text.c_str());
     }
     out += "\n";

@@ -35,8 +35,8 @@ std::string paper_max_cm(const std::string& course) {
 Rows judged_rows(const Reproduction& what) {
   Rows rows = {{"course", "robot", "set-up, board", "figure", "limit", "median", "95 %", "unit"}};
   for (const CourseStudy& study : what.studies) {
-    const std::string where =
-        study.setup + ", " + (study.blind.empty() ? study.board : study.blind);
+    const std::string where = study.setup + (study.uneven ? ", uneven floor, " : ", ") +
+                              (study.blind.empty() ? study.board : study.blind);
     if (study.completed != study.runs)
       rows.push_back({study.course,
                       study.robot,
@@ -298,9 +298,14 @@ std::string reproduction_json(const Reproduction& what) {
   }
   for (const CourseStudy& study : what.studies) {
     nlohmann::ordered_json one = {
-        {"course", study.course},        {"robot", study.robot}, {"setup", study.setup},
-        {"board", study.board},          {"runs", study.runs},   {"completed", study.completed},
-        {"distance_m", study.distance_m}};
+        {"course", study.course},
+        {"robot", study.robot},
+        {"setup", study.setup},
+        {"board", study.board},
+        {"runs", study.runs},
+        {"completed", study.completed},
+        {"distance_m", study.distance_m},
+        {"floor", to_string(study.uneven ? course::Floor::kUneven : course::Floor::kEven)}};
     one["model_mse"] = {{"x_m2", study.mse_x_m2.median},
                         {"y_m2", study.mse_y_m2.median},
                         {"yaw_rad2", study.mse_yaw_rad2.median}};

@@ -89,6 +89,11 @@ constexpr std::array kLimits = {
     Limits{"2", 1.0, -1.0, {0.002, 0.015}, {0.015, 0.07}},
     Limits{"3", 1.0, 1.5, {0.003, 0.015}, {0.015, 0.07}},
 };
+// On a floor that every seed draws anew, what was fitted elsewhere is off by what slip and tension
+// vary, extension or not.
+constexpr FormLimits kUneven = {0.03, 0.08};
+constexpr double kUnevenTracking = 1.35;  // of the limit on an even floor
+constexpr double kUnevenOdometryDegPerMin = 3.0;
 // Where obstacles are real: tracks slip on them as no encoder shows, and eqs 1-5 know no slope.
 constexpr double kTerrainReference = 0.02, kTerrainOthers = 0.03;
 
@@ -113,7 +118,9 @@ class Judge {
 
 void judge_forms(Judge& judge, const Limits& limits, const CourseStudy& study, bool reference) {
   const bool flat = study.setup == "flat";
-  const FormLimits& of_distance = reference ? limits.reference : limits.others;
+  const FormLimits& of_distance = study.uneven ? kUneven
+                                  : reference  ? limits.reference
+                                               : limits.others;
   const double on_terrain = reference ? kTerrainReference : kTerrainOthers;
   const double distance_cm = cm(study.distance_m);
   if (errors_of(study, model::kBaselines[model::kEqsPrinted].key) != nullptr)
@@ -134,13 +141,14 @@ void judge_forms(Judge& judge, const Limits& limits, const CourseStudy& study, b
               [](const TrialRun& r) { return r.model_rms_yaw_rad * kDegPerRad; });
 }
 
-void judge_odometry(Judge& judge, const Limits& limits, double distance_m) {
+void judge_odometry(Judge& judge, const Limits& limits, const CourseStudy& study) {
   // A slide leaves no trace in encoders and gyro.
   if (limits.kind == "2") return;
-  judge.add("odometry max", "cm", cm(kOdometryShare * distance_m), [](const TrialRun& r) {
+  judge.add("odometry max", "cm", cm(kOdometryShare * study.distance_m), [](const TrialRun& r) {
     return cm(r.figures.estimates[PoseSource::kOdometry]->max_position_error_m);
   });
-  judge.add("odometry yaw drift", "deg/min", limits.kind == "3" ? -1.0 : 1.5,
+  const double drift = study.uneven ? kUnevenOdometryDegPerMin : 1.5;
+  judge.add("odometry yaw drift", "deg/min", limits.kind == "3" ? -1.0 : drift,
             [](const TrialRun& r) {
               return r.figures.estimates[PoseSource::kOdometry]->max_yaw_error_rad * kDegPerRad /
                      std::max(r.result.duration_s / 60.0, 1.0 / 3.0);
@@ -199,13 +207,13 @@ std::vector<FormErrors> forms_of(const std::vector<TrialRun>& runs) {
   return forms;
 }
 
-void judge_tracking(Judge& judge, const Limits& limits) {
+void judge_tracking(Judge& judge, const Limits& limits, bool uneven) {
   if (limits.kind == "2") {
     judge.add("tracking: slowest recovery from a disturbance", "s", 2.5,
               [](const TrialRun& r) { return r.slowest_recovery_s; });
     return;
   }
-  judge.add("tracking max", "cm", limits.tracking_cm,
+  judge.add("tracking max", "cm", limits.tracking_cm * (uneven ? kUnevenTracking : 1.0),
             [](const TrialRun& r) { return cm(r.figures.tracking.max_cross_track_m); });
 }
 
@@ -258,6 +266,7 @@ CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
   result.robot = trial.robot.name;
   result.setup = bridge::to_string(trial.setup);
   result.board = to_string(trial.board);
+  result.uneven = trial.robot.emulated.floor == course::Floor::kUneven;
   result.runs = static_cast<int>(runs.size());
   result.completed = completed(runs);
   result.distance_m = course::Path(trial.course).length_m();
@@ -275,10 +284,10 @@ CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
   if (!blind && !stand) {
     result.forms = forms_of(runs);
     judge_forms(judge, limits, result, reference);
-    judge_odometry(judge, limits, result.distance_m);
+    judge_odometry(judge, limits, result);
   }
   if (!stand) judge_fused(judge, limits, blind);
-  if (!blind) judge_tracking(judge, limits);
+  if (!blind) judge_tracking(judge, limits, result.uneven);
   result.mse_x_m2 = spread_of(
       runs, [](const TrialRun& r) { return r.figures.estimates[PoseSource::kModel]->mse_x_m2; });
   result.mse_y_m2 = spread_of(

@@ -72,7 +72,8 @@ struct FormErrors {
 /// Every run of one robot on one course in one set-up, and the figures that are judged.
 struct CourseStudy {
   std::string course, robot, setup, board;
-  std::string blind;  ///< when the camera saw nothing; empty: never
+  bool uneven = false;  ///< the seeds drew the floor
+  std::string blind;    ///< when the camera saw nothing; empty: never
   int runs = 0, completed = 0;
   double distance_m = 0.0;
   std::vector<Judged> judged;

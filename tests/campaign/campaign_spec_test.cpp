@@ -57,6 +57,13 @@ TEST(CampaignSpec, TheBodyIsAChoice) {
   EXPECT_EQ(plan(of, 1).sampled.at(0).first, "body");
 }
 
+TEST(CampaignSpec, TheFloorIsAChoice) {
+  const CampaignSpec of =
+      spec("runs = 2\ncourse = \"1-curve\"\nfloor = { list = [\"even\", \"uneven\"] }");
+  EXPECT_EQ(load(plan(of, 0).options).robot.emulated.floor, course::Floor::kEven);
+  EXPECT_EQ(load(plan(of, 1).options).robot.emulated.floor, course::Floor::kUneven);
+}
+
 TEST(CampaignSpec, ValuesReachConfigurationAndRobot) {
   const CampaignSpec of = spec(
       "runs = 2\ncourse = \"3\"\nfaults = \"drop:0.1@2 jitter:5\"\n"

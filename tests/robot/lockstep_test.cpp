@@ -88,6 +88,40 @@ INSTANTIATE_TEST_SUITE_P(NightlyNative, Courses, testing::ValuesIn(cases("native
 INSTANTIATE_TEST_SUITE_P(Avr, Courses, testing::ValuesIn(cases("avr", 1)), course_case_name);
 INSTANTIATE_TEST_SUITE_P(NightlyAvr, Courses, testing::ValuesIn(cases("avr", 5)), course_case_name);
 
+TEST(Options, TheFloorIsAValueOfTheRobotsFile) {
+  Options options;
+  EXPECT_EQ(load(options).robot.emulated.floor, course::Floor::kEven);
+  options.floor = "uneven";
+  const Loaded loaded = load(options);
+  EXPECT_EQ(loaded.robot.emulated.floor, course::Floor::kUneven);
+  EXPECT_NE(loaded.files.robot.text.find("floor = 'uneven'"), std::string::npos);
+  options.floor = "bumpy";
+  try {
+    load(options);
+    FAIL();
+  } catch (const SetupError& error) {
+    EXPECT_STREQ(error.what(), "--floor bumpy: not a floor; use even or uneven");
+  }
+}
+
+// On an even floor seeds change noise only, and the model's error is the same in all of them.
+TEST(Lockstep, ASeedDrawsAnUnevenFloorAndRepeatsIt) {
+  LockstepSettings run = settings("1-straight", "end-loaded");
+  const auto error_cm = [&](course::Floor floor, std::uint64_t seed) {
+    run.robot.emulated.floor = floor;
+    run.seed = seed;
+    const report::RunResult result = run_lockstep(run);
+    EXPECT_TRUE(result.completed) << result.cause;
+    EXPECT_EQ(result.floor, to_string(floor));
+    return report::figures(result, run.course).estimates[PoseSource::kModel]->max_position_error_m *
+           100.0;
+  };
+  EXPECT_NEAR(error_cm(course::Floor::kEven, 1), error_cm(course::Floor::kEven, 2), 0.02);
+  const double uneven_cm = error_cm(course::Floor::kUneven, 1);
+  EXPECT_GT(std::abs(uneven_cm - error_cm(course::Floor::kUneven, 2)), 0.2);
+  EXPECT_EQ(uneven_cm, error_cm(course::Floor::kUneven, 1));
+}
+
 TEST(Lockstep, TheDeviceClockWrapsWithoutAJumpOnTheImage) {
   LockstepSettings run = settings("1-curve", "end-loaded", "avr");
   // The run starts ten seconds before the wrap, at a multiple of the step of the board's timer.

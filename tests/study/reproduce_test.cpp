@@ -67,6 +67,24 @@ TEST(HeldOut, TheSameSeedDrawsTheSameCourse) {
   EXPECT_THROW(held_out_course("4", 1), SetupError);
 }
 
+// The short form of `tp100-sim reproduce --part uneven`.
+TEST(UnevenFloor, SeedsSpreadTheModelsErrorAndTheCameraKeepsThePose) {
+  Trial trial = one_run(load_course("1-straight"));
+  trial.runs = 4;
+  const CourseStudy even = study(trial, "1-straight", true);
+  trial.robot.emulated.floor = course::Floor::kUneven;
+  const CourseStudy uneven = study(trial, "1-straight", true);
+  EXPECT_FALSE(even.uneven);
+  EXPECT_TRUE(uneven.uneven);
+  EXPECT_EQ(uneven.completed, 4);
+  for (const Judged& one : uneven.judged) EXPECT_TRUE(one.holds()) << one.what << one.ours.median;
+  const report::PoseErrors *model_even = errors_of(even, model::kExtendedForm.key),
+                           *model_uneven = errors_of(uneven, model::kExtendedForm.key);
+  ASSERT_NE(model_even, nullptr);
+  ASSERT_NE(model_uneven, nullptr);
+  EXPECT_GT(model_uneven->max_position_error_m, 5.0 * model_even->max_position_error_m);
+}
+
 TEST(SampledRobot, IsARobotThatAFileCouldHold) {
   const course::Robot reference = load({}).robot;
   for (std::uint64_t number = 0; number < 200; ++number) {
