@@ -57,19 +57,14 @@ constexpr double kBackwardsMps = 0.02;
 constexpr double kOpposedRad = 6.0 * kRadPerDeg;
 constexpr double kAskedRadps = 0.3;
 constexpr double kTurningRadps = 0.15;
+// At least so fast does a turn end that is asked to reverse.
+constexpr double kReversalRadps2 = 2.5;
 // A robot at standstill turns by its tracks alone.
 constexpr double kSlowestMps = 0.02;
 
 bool against(double duty, double track_mps) {
   return std::abs(duty) > kFullyDriven && std::abs(track_mps) > kBackwardsMps &&
          duty * track_mps < 0;
-}
-
-// Tracks swapped together with their encoders: only the turn shows it.
-bool opposed(const Observation& seen, double wheelbase_m) {
-  const double asked = (seen.commanded_right_mps - seen.commanded_left_mps) / wheelbase_m;
-  return std::abs(asked) > kAskedRadps && std::abs(seen.encoder_yaw_rate_radps) > kTurningRadps &&
-         asked * seen.encoder_yaw_rate_radps < 0.0;
 }
 
 double mean_mps(const Observation& seen) {
@@ -96,24 +91,30 @@ bool DutyMonitor::update(double duty, double track_mps, const Load& load, double
   const double above = size - motor_.dead_band;
   const double beyond_mps = std::max(0.0, mps - kBeyond * learnt_mps_);
   const double usual = motor_.feed_forward * (gain_ * (mps - beyond_mps) + kMaxGain * beyond_mps);
-  const double margin =
-      kMarginDuty + kMarginShare * usual + kTurningDuty * turning_ / kFullTurning +
-      kDutyPerSlopeRad * std::abs(load.pitch_rad) + (obstacle_s_ > 0.0 ? kObstacleDuty : 0.0);
+  const double turn_duty = kTurningDuty * turning_ / kFullTurning;
+  const double margin = kMarginDuty + kMarginShare * usual + turn_duty +
+                        kDutyPerSlopeRad * std::abs(load.pitch_rad) +
+                        (obstacle_s_ > 0.0 ? kObstacleDuty : 0.0);
   const double unexplained = above - usual - margin;
   missing_m_ =
       std::max(0.0, missing_m_ + std::min(unexplained / motor_.feed_forward, kMaxMps) * dt_s);
-  learn(above, mps, load, dt_s);
+  learn(above, mps, turn_duty, load, dt_s);
   return missing_m_ > kMissingM;
 }
 
-void DutyMonitor::learn(double above_dead_band, double track_mps, const Load& load, double dt_s) {
+void DutyMonitor::learn(double above_dead_band, double track_mps, double turn_duty,
+                        const Load& load, double dt_s) {
   const bool free =
       turning_ < kStraight && std::abs(load.pitch_rad) < kLevelRad && obstacle_s_ <= 0.0;
   const bool even =
       track_mps > kMinMps && track_mps > kSlowest * slow_mps_ && track_mps < kFastest * slow_mps_;
   if (!free || !even) return;
+  const auto gain_at = [&](double duty) {
+    return std::clamp(duty / (motor_.feed_forward * track_mps), kMinGain, kMaxGain);
+  };
+  // A small turn loads one track and relieves the other: what it explains teaches nothing.
   const double gain =
-      std::clamp(above_dead_band / (motor_.feed_forward * track_mps), kMinGain, kMaxGain);
+      std::clamp(gain_, gain_at(above_dead_band - turn_duty), gain_at(above_dead_band + turn_duty));
   const double towards = std::min(1.0, dt_s / kGainDownS);
   if (gain < gain_) {
     gain_ += (gain - gain_) * towards;
@@ -160,11 +161,25 @@ bool tilted(const Sample& sample, const Parameters& parameters) {
 
 void Monitor::restart() {
   heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
-  opposed_rad_ = 0.0;
+  opposed_rad_ = running_on_radps_ = 0.0;
   left_duty_.restart();
   right_duty_.restart();
   turn_.restart();
   jumps_.restart();
+}
+
+// Tracks swapped together with their encoders: only the turn shows it.
+bool Monitor::turns_against(const Observation& seen) {
+  const double asked = (seen.commanded_right_mps - seen.commanded_left_mps) / wheelbase_m_;
+  const double turned = std::abs(seen.encoder_yaw_rate_radps);
+  const bool against = asked * seen.encoder_yaw_rate_radps < 0.0;
+  // A turn that the command has just reversed goes on for a moment.
+  running_on_radps_ =
+      against ? std::max(0.0, running_on_radps_ - kReversalRadps2 * seen.dt_s) : turned;
+  opposed_rad_ = against && std::abs(asked) > kAskedRadps && turned > kTurningRadps
+                     ? opposed_rad_ + std::max(0.0, turned - running_on_radps_) * seen.dt_s
+                     : 0.0;
+  return opposed_rad_ > kOpposedRad;
 }
 
 bool Monitor::duty_disagrees(const Observation& seen) {
@@ -198,9 +213,7 @@ FaultMask Monitor::update(const Observation& seen) {
   raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
                         dt, kHeadingS),
         Fault::heading);
-  opposed_rad_ =
-      opposed(seen, wheelbase_m_) ? opposed_rad_ + std::abs(seen.encoder_yaw_rate_radps) * dt : 0.0;
-  raise(opposed_rad_ > kOpposedRad, Fault::heading);
+  raise(turns_against(seen), Fault::heading);
   raise(tilt_.update(tilted(sample, parameters_), dt, kTiltS), Fault::tilt);
   raise(seen.pose.x_m < fence_.min_x_m || seen.pose.x_m > fence_.max_x_m ||
             seen.pose.y_m < fence_.min_y_m || seen.pose.y_m > fence_.max_y_m,

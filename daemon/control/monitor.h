@@ -46,7 +46,8 @@ class DutyMonitor {
   double missing_m() const { return missing_m_; }
 
  private:
-  void learn(double above_dead_band, double track_mps, const Load& load, double dt_s);
+  void learn(double above_dead_band, double track_mps, double turn_duty, const Load& load,
+             double dt_s);
 
   // Greatest factor over the robot's file that is learnt; a run begins with it.
   static constexpr double kMaxGain = 1.4;
@@ -169,6 +170,7 @@ class Monitor {
   FaultMask update(const Observation& seen);
 
  private:
+  bool turns_against(const Observation& seen);
   bool duty_disagrees(const Observation& seen);
   bool turn_disagrees(const Observation& seen);
 
@@ -179,7 +181,8 @@ class Monitor {
   DutyMonitor left_duty_, right_duty_;
   TurnBalance turn_;
   JumpMonitor jumps_;
-  double opposed_rad_ = 0.0;  ///< rotation against the command
+  double opposed_rad_ = 0.0;       ///< rotation against the command
+  double running_on_radps_ = 0.0;  ///< turn rate that a reversal explains
   Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_;
 };
 

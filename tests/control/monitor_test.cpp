@@ -200,6 +200,43 @@ TEST_F(EncoderMonitorTest, ATurnThatIsTurnedBackRunsOnForAMoment) {
   }
 }
 
+// Between two arcs of which one turns back, tracks at their limit need a quarter of a second.
+TEST_F(EncoderMonitorTest, ATurnAtTheFullRateMayBeTurnedBack) {
+  for (const double side : {1.0, -1.0}) {
+    monitor_.restart();
+    drive(0.0);
+    double radps = 1.2;
+    for (int i = 0; i < 400; ++i) {
+      const bool back = i >= 200;
+      if (back) radps = std::max(-1.2, radps - 4.0 * seen_.dt_s);
+      seen_.commanded_right_mps = side * (back ? -0.16 : 0.16);
+      seen_.commanded_left_mps = -seen_.commanded_right_mps;
+      seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = side * radps;
+      seen_.right_mps = 0.137 * side * radps;
+      seen_.left_mps = -seen_.right_mps;
+      sample_.right_duty = 3.4 * seen_.right_mps;
+      sample_.left_duty = -sample_.right_duty;
+      ASSERT_EQ(monitor_.update(seen_), 0u) << i;
+    }
+  }
+}
+
+// Steering loads one track and relieves the other, in turn: both gains are those between.
+TEST_F(EncoderMonitorTest, SmallTurnsOnAStraightTeachNoLowerGain) {
+  const double usual = sample_.left_duty;
+  for (int i = 0; i < 40; ++i) {
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = side * 0.02;
+    sample_.left_duty = usual - side * 0.035;
+    sample_.right_duty = usual + side * 0.035;
+    EXPECT_EQ(run(0.5), 0u) << i;
+  }
+  seen_.gyro_yaw_rate_radps = seen_.encoder_yaw_rate_radps = 0.073;
+  sample_.left_duty = usual - 0.15;
+  sample_.right_duty = usual + 0.15;
+  EXPECT_EQ(run(30.0), 0u);
+}
+
 TEST_F(EncoderMonitorTest, APushIsNone) {
   EXPECT_EQ(run(3.0), 0u);
   seen_.gyro_yaw_rate_radps = 15.0 * kRadPerDeg / 0.3;

@@ -274,6 +274,29 @@ TEST(TrackMonitorAlone, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
   }
 }
 
+// Steering loads a track and relieves it, in turn: its gain is that between both, with which the
+// load of an arc, somewhat larger than the gyro says, is no stall.
+TEST(TrackMonitorAlone, SmallTurnsOnAStraightTeachNoLowerGain) {
+  const wire::Parameters p = Bench::good_parameters();
+  for (const double mps : {0.06, 0.1, 0.16}) {
+    TrackMonitor monitor;
+    double counts = 0.0;
+    const double usual = 0.9 * double{p.feed_forward} * mps;
+    for (int ms = 0; ms < 40'000; ms += 5) {
+      counts += mps * 5e-3 * double{p.counts_per_metre};
+      const bool straight = ms < 15'000;
+      const double load = straight ? 0.04 : 0.14;
+      const double taken = !straight ? 0.16 : ms / 500 % 2 == 0 ? -load : load;
+      const double duty = double{p.dead_band} + usual + taken;
+      ASSERT_EQ(monitor.update(static_cast<std::int16_t>(duty * wire::kFullDuty),
+                               static_cast<std::int32_t>(counts), 5, static_cast<float>(load),
+                               straight, p),
+                TrackMonitor::kGood)
+          << ms << " ms at " << mps << " m/s";
+    }
+  }
+}
+
 TEST(FailSafe, ABlockedTrackIsStalled) {
   Bench bench;
   bench.tracks_follow = true;

@@ -205,15 +205,19 @@ bool TrackMonitor::missing(uint16_t size, int8_t sign, int32_t counts, uint16_t 
   const float most_mps = kMissingM * 1e3f / (kSoonestShare * static_cast<float>(p.stall_ms));
   missing_m_ = larger(0.0f, missing_m_ + smaller(unexplained / p.feed_forward, most_mps) * step_s);
   slow_duty_ += (speed_duty - slow_duty_) * smaller(1.0f, kSlowPerS * step_s);
-  if (free) learn(above, speed_duty, step_s, p);
+  if (free) learn(above, speed_duty, load_duty, step_s, p);
   return missing_m_ > kMissingM;
 }
 
-void TrackMonitor::learn(float above, float speed_duty, float step_s, const wire::Parameters& p) {
+void TrackMonitor::learn(float above, float speed_duty, float load_duty, float step_s,
+                         const wire::Parameters& p) {
   const bool even = speed_duty > kMinMps * p.feed_forward && speed_duty > kSlowest * slow_duty_ &&
                     speed_duty < kFastest * slow_duty_;
   if (!even) return;
-  const float gain = smaller(kMaxGain, larger(kMinGain, above / speed_duty));
+  // A small load may be on this track or on the other: what it explains teaches nothing.
+  const float least = smaller(kMaxGain, larger(kMinGain, (above - load_duty) / speed_duty));
+  const float most = smaller(kMaxGain, larger(kMinGain, (above + load_duty) / speed_duty));
+  const float gain = most < gain_ ? most : larger(least, gain_);
   const float towards = smaller(1.0f, kGainDownPerS * step_s);
   if (gain < gain_) {
     gain_ += (gain - gain_) * towards;

@@ -31,7 +31,8 @@ class TrackMonitor {
   bool jumps_again(int32_t counts, uint16_t dt_ms, const wire::Parameters& parameters);
   bool missing(uint16_t size, int8_t sign, int32_t counts, uint16_t dt_ms, float load_duty,
                bool free, const wire::Parameters& parameters);
-  void learn(float above, float speed_duty, float step_s, const wire::Parameters& parameters);
+  void learn(float above, float speed_duty, float load_duty, float step_s,
+             const wire::Parameters& parameters);
 
   bool known_;
   int32_t last_counts_;
