@@ -13,6 +13,7 @@
 #include "report/run_result.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"
+#include "sim/study/random_study.h"
 #include "sim/study/sampled.h"
 #include "sim/study/shear_study.h"
 #include "sim/study/state_study.h"
@@ -31,6 +32,7 @@ constexpr std::uint64_t kSampledNumber = 7000;
 constexpr int kCalibrationRepeats = 2;
 // The image is slower, and differs from the host's build by less than seeds do.
 constexpr int kImageRuns = 5;
+constexpr int kRandomCoursesARun = 50;
 // Bodies with less grip cannot hold themselves on the step of course 3.
 constexpr double kGripOfCourse3 = 0.85;
 
@@ -204,12 +206,12 @@ int run_reproduce(const ReproduceCommand& command) {
   const bool shear = reference.emulated.contact_law == course::ContactLaw::kShear;
   const bool all = command.part == "all";
   const auto wanted = [&](const char* part) { return (all && !shear) || command.part == part; };
-  constexpr std::array<std::string_view, 8> kParts = {"paper",   "state",    "robots", "uneven",
-                                                      "sampled", "held-out", "real",   "avr"};
+  constexpr std::array<std::string_view, 9> kParts = {
+      "paper", "state", "robots", "uneven", "sampled", "held-out", "real", "avr", "random"};
   if (!all && std::ranges::find(kParts, command.part) == kParts.end())
     throw SetupError("--part " + command.part +
-                     ": unknown; give paper, state, robots, uneven, sampled, held-out, real, avr "
-                     "or all");
+                     ": unknown; give paper, state, robots, uneven, sampled, held-out, real, avr, "
+                     "random or all");
   if (shear && !all)
     throw SetupError("--part " + command.part +
                      ": --body shear has courses and robots of its own; leave --part out");
@@ -230,6 +232,9 @@ int run_reproduce(const ReproduceCommand& command) {
   if (wanted("held-out")) drive_held_out(command, what);
   if (wanted("real")) study_real_robots(what);
   if (wanted("avr")) drive_image(command, what);
+  // Longer than all others together.
+  if (command.part == "random")
+    what.studies.push_back(study_random(command.seed, kRandomCoursesARun * command.runs));
   for (const CourseStudy& study : what.studies) write_trajectories(command.out, study);
   text::write_file(command.out + "/results.json", reproduction_json(what));
   text::write_file(command.out + "/index.html", reproduction_page(what));

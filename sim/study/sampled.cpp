@@ -77,6 +77,57 @@ void add_obstacles(course::Course& course, CourseDraw& draw) {
   course.terrain.ramps.push_back(ramp);
 }
 
+course::Segment random_segment(CourseDraw& draw) {
+  constexpr double kLongestArcM = 2.5;
+  const double kind = draw.between(0.0, 1.0);
+  if (kind < 0.4) return draw.line(0.05, 1.5);
+  if (kind < 0.6) return course::Pivot{draw.sign() * draw.between(5.0, 180.0) * kRadPerDeg};
+  const double radius_m = 0.05 * std::pow(30.0, draw.between(0.0, 1.0));
+  const double most_rad = std::min(2.0 * kPi, kLongestArcM / radius_m);
+  return course::Arc{radius_m, draw.sign() * draw.between(0.1, 1.0) * most_rad};
+}
+
+void add_surfaces(course::Course& course, CourseDraw& draw) {
+  const course::Path path(course);
+  for (double left = draw.between(-1.0, 3.0); left > 0.0; left -= 1.0) {
+    const course::PathPoint at = path.at(draw.between(0.0, path.length_m()));
+    course.terrain.surfaces.push_back({.name = "patch",
+                                       .place = {at.x_m, at.y_m, draw.between(-kPi, kPi)},
+                                       .length_m = draw.between(0.05, 1.0),
+                                       .width_m = draw.between(0.05, 1.0),
+                                       .friction_factor = draw.between(0.6, 1.3),
+                                       .slip_offset = draw.between(-0.03, 0.08)});
+  }
+}
+
+void add_disturbances(course::Course& course, CourseDraw& draw) {
+  const double length_m = course::Path(course).length_m();
+  for (double at_m = draw.between(0.0, 2.0 * length_m); at_m < length_m;
+       at_m += draw.between(1.0, 3.0))
+    course.disturbances.push_back(draw.disturbance(at_m));
+}
+
+/// A block or a ramp in the middle of a line, clear of its ends.
+void add_one_obstacle(course::Course& course, CourseDraw& draw) {
+  const course::Path path(course);
+  for (std::size_t i = 0; i < path.segments().size(); ++i) {
+    const course::PathSegment& segment = path.segments()[i];
+    if (!std::holds_alternative<course::Line>(course.path[i]) || segment.length_m < 1.0) continue;
+    if (draw.sign() < 0.0) continue;
+    const course::PathPoint at = path.at(i, segment.length_m / 2.0);
+    const course::Place place{at.x_m, at.y_m, at.yaw_rad};
+    if (draw.sign() < 0.0) {
+      course.terrain.blocks.push_back(
+          {place, draw.between(0.005, 0.037), draw.between(0.05, 0.2), 0.4});
+    } else {
+      const double up_rad = draw.between(5.0, 30.0) * kRadPerDeg;
+      course.terrain.ramps.push_back(
+          {place, draw.between(0.01, 0.04), up_rad, draw.between(0.0, 0.2), up_rad, 0.4});
+    }
+    return;
+  }
+}
+
 // What a robot file can hold; motors this strong never get there.
 constexpr double kMaxCurrentLimitN = 100.0;
 
@@ -138,6 +189,23 @@ course::Course held_out_course(std::string_view kind, std::uint64_t seed) {
         "no course of kind " + std::string(kind) +
         " to draw; there are 1-straight, 1-curve, 1-sharp, 2, 3, spiral, squares and wide");
   }
+  fence_in(course);
+  return course;
+}
+
+course::Course random_course(std::uint64_t seed) {
+  CourseDraw draw(seed);
+  course::Course course;
+  course.name = "random-" + std::to_string(seed);
+  course.speed_mps = draw.between(0.03, 0.15);
+  course.start = {.x_m = draw.between(-5.0, 5.0),
+                  .y_m = draw.between(-5.0, 5.0),
+                  .yaw_rad = draw.between(-kPi, kPi)};
+  for (double left = draw.between(0.0, 8.0); left > 0.0; left -= 1.0)
+    course.path.push_back(random_segment(draw));
+  add_surfaces(course, draw);
+  add_disturbances(course, draw);
+  add_one_obstacle(course, draw);
   fence_in(course);
   return course;
 }
