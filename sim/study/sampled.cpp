@@ -107,7 +107,21 @@ void add_disturbances(course::Course& course, CourseDraw& draw) {
     course.disturbances.push_back(draw.disturbance(at_m));
 }
 
-/// A block or a ramp in the middle of a line, clear of its ends.
+/// Whether the path comes near a place other than on the segment that it lies on.
+bool passed_again(const course::Path& path, std::size_t on, const course::PathPoint& place) {
+  constexpr double kNearM = 0.5;
+  for (std::size_t i = 0; i < path.segments().size(); ++i) {
+    if (i == on) continue;
+    const double length_m = path.segments()[i].length_m;
+    for (double s_m = 0.0; s_m <= length_m; s_m += kFenceStepM) {
+      const course::PathPoint at = path.at(i, s_m);
+      if (std::hypot(at.x_m - place.x_m, at.y_m - place.y_m) < kNearM) return true;
+    }
+  }
+  return false;
+}
+
+/// A block or a ramp in the middle of a line, clear of its ends and of the rest of the path.
 void add_one_obstacle(course::Course& course, CourseDraw& draw) {
   const course::Path path(course);
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
@@ -115,6 +129,7 @@ void add_one_obstacle(course::Course& course, CourseDraw& draw) {
     if (!std::holds_alternative<course::Line>(course.path[i]) || segment.length_m < 1.0) continue;
     if (draw.sign() < 0.0) continue;
     const course::PathPoint at = path.at(i, segment.length_m / 2.0);
+    if (passed_again(path, i, at)) continue;
     const course::Place place{at.x_m, at.y_m, at.yaw_rad};
     if (draw.sign() < 0.0) {
       course.terrain.blocks.push_back(
