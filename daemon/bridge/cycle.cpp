@@ -92,6 +92,10 @@ void Cycle::request(OperatorRequest request) {
 
 void Cycle::change(const ParameterChange& change) { next_.changes.push(change); }
 
+void Cycle::velocity(const VelocityInput& input) {
+  if (!next_.velocities.push(input)) next_.velocities.back() = input;
+}
+
 void Cycle::camera(const CameraSample& seen) { next_.camera.push(seen); }
 
 void Cycle::world(const WorldSample& received) {
@@ -113,6 +117,7 @@ const bridge::Outputs& Cycle::step(HostNs now) {
   next_.restart.clear();
   next_.requests.clear();
   next_.changes.clear();
+  next_.velocities.clear();
   next_.camera.clear();
   next_.world.clear();
   outputs_ = &step_(inputs_, now);

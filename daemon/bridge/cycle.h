@@ -43,6 +43,8 @@ class Cycle {
   void request(OperatorRequest request);
   /// A parameter changes with the next step. Dropped if too many come.
   void change(const ParameterChange& change);
+  /// What a driver wants; taken by the next step. If too many come, the newest counts.
+  void velocity(const VelocityInput& input);
   /// What the overhead camera saw; taken by the next step. Dropped if too many come.
   void camera(const CameraSample& seen);
   /// Received from an external world; taken by the next step. If too many come, the newest counts,

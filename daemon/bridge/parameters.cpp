@@ -1,6 +1,7 @@
 #include "bridge/parameters.h"
 
 #include <cmath>
+#include <limits>
 
 namespace tp100::bridge {
 namespace {
@@ -54,6 +55,34 @@ StepInputs::Changes live_values(const Parameters& parameters) {
     values.push({parameter, value == nullptr ? static_cast<double>(parameters.steering) : *value});
   }
   return values;
+}
+
+control::DriveModel drive_of(const Parameters& parameters, double speed_mps) {
+  // A pose computed without a turning centre is not steered about one.
+  const bool by_paper = parameters.paper_model && parameters.steering == PoseSource::kModel;
+  return {.speed_mps = speed_mps,
+          .slip_angle_rad = parameters.model.slip_angle_straight_rad,
+          .tracks = by_paper ? paper_parameters(parameters.model) : parameters.model,
+          .limits = {.wheelbase_m = parameters.model.wheelbase_m,
+                     .slip_left = parameters.model.slip_left,
+                     .slip_right = parameters.model.slip_right,
+                     .max_track_mps = parameters.drive.max_track_mps,
+                     .yaw_kp = parameters.drive.yaw_kp,
+                     .max_yaw_radps = parameters.drive.max_yaw_radps}};
+}
+
+course::Fence fence_of(const course::Course* course) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  return course == nullptr ? course::Fence{-kFar, kFar, -kFar, kFar} : course->fence;
+}
+
+control::MonitoredRobot monitored_robot(const Parameters& parameters,
+                                        const course::Course* course) {
+  return {.motor = {parameters.drive.dead_band, parameters.drive.feed_forward},
+          .wheelbase_m = parameters.model.wheelbase_m,
+          .identified = course == nullptr || !course->identifies,
+          .max_counts_per_s =
+              kFastestTrack * parameters.drive.max_track_mps * parameters.drive.counts_per_metre};
 }
 
 }  // namespace tp100::bridge

@@ -5,10 +5,13 @@
 #include <optional>
 #include <string_view>
 
+#include "control/monitor.h"
 #include "control/parameters.h"
+#include "control/tracker.h"
 #include "core/enum_names.h"
 #include "core/estimates.h"
 #include "core/step_record.h"
+#include "course/course.h"
 #include "course/robot.h"
 #include "estimation/parameters.h"
 #include "model/track_parameters.h"
@@ -87,6 +90,13 @@ inline estimation::FilterParameters filter_noise(const Parameters& parameters) {
 inline model::TrackParameters paper_parameters(const model::TrackParameters& values) {
   return {.turning_threshold_radps = values.turning_threshold_radps};
 }
+
+/// The robot on a path at `speed_mps`, with the steering pose in force.
+control::DriveModel drive_of(const Parameters& parameters, double speed_mps);
+/// Without a course no fence.
+course::Fence fence_of(const course::Course* course);
+/// What the monitor compares the robot with; `course` may be null.
+control::MonitoredRobot monitored_robot(const Parameters& parameters, const course::Course* course);
 
 // Changes while the step runs.
 

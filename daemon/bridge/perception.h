@@ -86,6 +86,9 @@ class Perception {
   /// How often the camera contradicted the filter so much that the filter was reset.
   std::uint32_t contradictions() const { return filter_.recoveries(); }
 
+  /// Of the fused estimate.
+  FilterFigures filter_figures(HostNs now) const { return filter_.figures(now); }
+
   /// Writes samples, poses, terrain and attitude at host time `now`.
   void write(Snapshot& snapshot, HostNs now) const;
 

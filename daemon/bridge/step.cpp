@@ -1,6 +1,7 @@
 #include "bridge/step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "bridge/parameters.h"
 #include "bridge/perception.h"
 #include "control/arming.h"
+#include "control/hand_drive.h"
 #include "control/monitor.h"
 #include "control/track_limits.h"
 #include "control/tracker.h"
@@ -24,20 +26,6 @@ constexpr double kNoneTakenS = 0.3;
 // The firmware's own limit is 10 samples.
 constexpr std::uint8_t kOldestImu = 20;
 
-control::DriveModel drive_of(const Parameters& parameters, double speed_mps) {
-  // A pose computed without a turning centre is not steered about one.
-  const bool by_paper = parameters.paper_model && parameters.steering == PoseSource::kModel;
-  return {.speed_mps = speed_mps,
-          .slip_angle_rad = parameters.model.slip_angle_straight_rad,
-          .tracks = by_paper ? paper_parameters(parameters.model) : parameters.model,
-          .limits = {.wheelbase_m = parameters.model.wheelbase_m,
-                     .slip_left = parameters.model.slip_left,
-                     .slip_right = parameters.model.slip_right,
-                     .max_track_mps = parameters.drive.max_track_mps,
-                     .yaw_kp = parameters.drive.yaw_kp,
-                     .max_yaw_radps = parameters.drive.max_yaw_radps}};
-}
-
 }  // namespace
 
 struct Step::State {
@@ -46,17 +34,15 @@ struct Step::State {
         course(std::move(c)),
         seen(parameters, course.get()),
         external(p.world, p.setup),
-        disturbance(p.control) {
-    if (course == nullptr) return;
-    path.emplace(*course);
-    tracker.emplace(p.control, *path, drive_of(p, course->speed_mps));
-    monitor.emplace(
-        p.control, course->fence, tracker->nominal_duration_s(),
-        control::MonitoredRobot{
-            .motor = {p.drive.dead_band, p.drive.feed_forward},
-            .wheelbase_m = p.model.wheelbase_m,
-            .identified = !course->identifies,
-            .max_counts_per_s = kFastestTrack * p.drive.max_track_mps * p.drive.counts_per_metre});
+        disturbance(p.control),
+        hand(course == nullptr ? std::nullopt : std::optional(course->fence)) {
+    if (course != nullptr) {
+      path.emplace(*course);
+      tracker.emplace(p.control, *path, drive_of(p, course->speed_mps));
+    }
+    monitor.emplace(p.control, fence_of(course.get()),
+                    tracker ? tracker->nominal_duration_s() : 0.0,
+                    monitored_robot(p, course.get()));
   }
 
   void resume(const CarriedState& carried);
@@ -68,8 +54,10 @@ struct Step::State {
   bool takes_commands(double dt_s);
   FaultMask aborts(const StepInputs& in, HostNs now, double dt_s);
   StartRefusal refusal(const StepInputs& in, HostNs now) const;
-  void begin_run(HostNs now);
-  void steer(double dt_s);
+  void begin(HostNs now);
+  void steer(HostNs now, double dt_s);
+  void drive_by_hand(HostNs now, double dt_s);
+  void forget_progress_away_from_path();
   void command(const StepInputs& in, HostNs now);
   control::Observation observe(HostNs now, double dt_s) const;
   void publish(StartRefusal refusal, HostNs now);
@@ -82,9 +70,11 @@ struct Step::State {
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
   control::Disturbance disturbance;
+  control::HandDrive hand;
   control::Arming arming;
 
   control::Target target{};
+  bool at_fence = false;
   bool goes_on = false;  // the run that is about to begin, from where the last one ended
   HostNs last_step_ns = 0, run_began_ns = 0;
   std::uint16_t last_taken = 0;
@@ -144,9 +134,8 @@ void Step::State::resume(const CarriedState& carried) {
 }
 
 void Step::State::take_changes(std::span<const ParameterChange> changes) {
-  const RunState run = arming.state();
-  const bool under_way = run == RunState::kArming || run == RunState::kRunning;
-  for (const ParameterChange& change : changes) apply(change, under_way, parameters);
+  const bool busy = under_way(arming.state());
+  for (const ParameterChange& change : changes) apply(change, busy, parameters);
   if (changes.empty()) return;
   seen.steering_changed();
   if (tracker) tracker->retune(parameters.control);
@@ -163,6 +152,11 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
         if (!path || !may_go_on(arming.state(), target.progress_m, path->length_m())) break;
         goes_on = true;
         arming.start();
+        break;
+      case OperatorRequest::kDrive:
+        // A completed path has nothing to go on with.
+        if (arming.state() == RunState::kFinished) target.progress_m = 0.0;
+        arming.drive();
         break;
       case OperatorRequest::kHold:
         arming.hold();
@@ -182,8 +176,7 @@ void Step::State::take_world(std::span<const WorldSample> received, double dt_s)
 
 // After the operator: a start does not override a world that requests a stop.
 void Step::State::heed_stop() {
-  const RunState state = arming.state();
-  if (external.take_stop(state == RunState::kArming || state == RunState::kRunning)) arming.stop();
+  if (external.take_stop(under_way(arming.state()))) arming.stop();
 }
 
 bool Step::State::fresh_sample(HostNs now) const {
@@ -199,7 +192,7 @@ bool Step::State::takes_commands(double dt_s) {
 
 FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
   FaultMask faults = 0;
-  const bool running = arming.state() == RunState::kRunning;
+  const bool running = armed(arming.state());
   if (running && seen.has_sample()) {
     faults = monitor->update(observe(now, dt_s));
     if (!fresh_sample(now))
@@ -213,7 +206,6 @@ FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
 }
 
 StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
-  if (course == nullptr) return StartRefusal::kNoCourse;
   if (in.session != SessionState::kReady) return StartRefusal::kNoSession;
   if (!fresh_sample(now)) return StartRefusal::kNoSample;
   const Sample& sample = seen.sample();
@@ -226,8 +218,11 @@ StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
   return StartRefusal::kNone;
 }
 
-void Step::State::begin_run(HostNs now) {
-  if (goes_on) {
+void Step::State::begin(HostNs now) {
+  if (arming.state() == RunState::kDriving) {
+    seen.go_on();
+    hand.restart(now);
+  } else if (goes_on) {
     seen.go_on();
     tracker->resume(target.progress_m, seen.world_pose().yaw_rad);
   } else {
@@ -253,6 +248,7 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .pitch_rad = seen.pitch_rad(),
           .on_obstacle = seen.on_obstacle(),
           .immobilised = seen.immobilised() || external.blocked(),
+          .by_hand = arming.state() == RunState::kDriving,
           .target = target,
           .commanded_left_mps = out.snapshot.commanded_left_mps,
           .commanded_right_mps = out.snapshot.commanded_right_mps,
@@ -260,7 +256,37 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .dt_s = std::min(dt_s, kLongestSeenS)};
 }
 
-void Step::State::steer(double dt_s) {
+void Step::State::drive_by_hand(HostNs now, double dt_s) {
+  const Pose pose = seen.world_pose();
+  const FilterFigures figures = seen.filter_figures(now);
+  const control::HandCommand wanted = hand.update(
+      {.pose = pose,
+       .measured_yaw_rate_radps = seen.speeds().steering.yaw_rate_radps,
+       .position_sd_m = std::sqrt(std::max(figures.variance_x_m2, figures.variance_y_m2)),
+       .limits = drive_of(parameters, 0.0).limits,
+       .braking_mps2 = parameters.drive.max_track_mps2},
+      parameters.control, now, std::min(dt_s, kLongestSeenS));
+  target.speed_mps = wanted.speed_mps;
+  target.yaw_rate_radps = wanted.yaw_rate_radps;
+  target.desired_yaw_rad = wanted.desired_yaw_rad;
+  target.heading_error_rad = wanted.desired_yaw_rad - pose.yaw_rad;
+  target.recovering = false;
+  at_fence = wanted.at_fence;
+  forget_progress_away_from_path();
+}
+
+// Whoever drives the robot away from where its run ended does not go on from there.
+void Step::State::forget_progress_away_from_path() {
+  if (!path || target.progress_m <= 0.0) return;
+  const Pose pose = seen.world_pose();
+  const course::PathPoint point = path->at(target.progress_m);
+  if (std::hypot(pose.x_m - point.x_m, pose.y_m - point.y_m) > parameters.control.max_cross_track_m)
+    target.progress_m = 0.0;
+}
+
+void Step::State::steer(HostNs now, double dt_s) {
+  at_fence = false;
+  if (arming.state() == RunState::kDriving) return drive_by_hand(now, dt_s);
   const Pose pose = seen.world_pose();
   if (arming.state() == RunState::kRunning) {
     const Speeds& speeds = seen.speeds();
@@ -317,9 +343,11 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
   snapshot.recovering = target.recovering;
   snapshot.steering = parameters.steering;
   snapshot.run_state = arming.state();
-  const bool under_way =
-      snapshot.run_state == RunState::kArming || snapshot.run_state == RunState::kRunning;
-  snapshot.start_refusal = under_way ? StartRefusal::kUnderWay : refusal;
+  snapshot.drive_refusal = snapshot.run_state == RunState::kDriving ? StartRefusal::kDriven
+                           : under_way(snapshot.run_state)          ? StartRefusal::kUnderWay
+                                                                    : refusal;
+  snapshot.start_refusal = course == nullptr ? StartRefusal::kNoCourse : snapshot.drive_refusal;
+  snapshot.at_fence = at_fence;
   snapshot.faults = (seen.has_sample() ? seen.sample().faults : 0) | arming.faults();
 }
 
@@ -338,29 +366,30 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
     s.seen.lose_sample();
   }
   s.take_world(in.world, dt_s);
-  for (const Sample& sample : in.samples)
-    s.seen.take(sample, s.arming.state() == RunState::kRunning);
+  for (const Sample& sample : in.samples) s.seen.take(sample, armed(s.arming.state()));
   for (const CameraSample& sample : in.camera) s.seen.take(sample);
   s.take_changes(in.changes);
   s.take_requests(in.requests);
   s.heed_stop();
+  for (const VelocityInput& input : in.velocities) s.hand.take(input, now);
 
   const FaultMask aborts = s.aborts(in, now, dt_s);
   const StartRefusal refusal = s.refusal(in, now);
-  s.out.request =
-      s.arming.update({.session = in.session,
-                       .sample = s.fresh_sample(now) ? &s.seen.sample() : nullptr,
-                       .refusal = refusal,
-                       .new_session = new_session,
-                       .rebooted = in.robot_rebooted,
-                       .answer = in.answer,
-                       .aborts = aborts,
-                       .path_done = s.arming.state() == RunState::kRunning && s.target.done},
-                      dt_s);
+  s.out.request = s.arming.update(
+      {.session = in.session,
+       .sample = s.fresh_sample(now) ? &s.seen.sample() : nullptr,
+       .refusal = refusal,
+       .new_session = new_session,
+       .rebooted = in.robot_rebooted,
+       .answer = in.answer,
+       .aborts = aborts,
+       .done = s.arming.state() == RunState::kDriving ? s.hand.silent(now)
+                                                      : armed(s.arming.state()) && s.target.done},
+      dt_s);
   s.out.refused = s.arming.refused();
   s.out.disarming = s.arming.disarming();
-  if (s.arming.just_began()) s.begin_run(now);
-  s.steer(dt_s);
+  if (s.arming.just_began()) s.begin(now);
+  s.steer(now, dt_s);
   s.command(in, now);
   s.publish(refusal, now);
   s.external.remember(now, s.seen.steering_pose());

@@ -23,9 +23,14 @@ bool lost(const ArmingInputs& in) {
 
 }  // namespace
 
-void Arming::start() {
-  if (state_ == RunState::kArming || state_ == RunState::kRunning) return;
+void Arming::start() { begin(RunState::kRunning); }
+
+void Arming::drive() { begin(RunState::kDriving); }
+
+void Arming::begin(RunState to) {
+  if (under_way(state_)) return;
   state_ = RunState::kArming;
+  to_ = to;
   faults_ = 0;
   arm_sent_ = false;
   disarming_ = false;
@@ -36,7 +41,7 @@ void Arming::start() {
 
 void Arming::hold() {
   pending_ = RobotRequest::kDisarm;
-  if (state_ != RunState::kArming && state_ != RunState::kRunning) return;
+  if (!under_way(state_)) return;
   state_ = RunState::kIdle;
   begin_disarm();
 }
@@ -65,8 +70,8 @@ void Arming::begin_disarm() {
 }
 
 bool Arming::at_rest() const {
-  return state_ != RunState::kArming && state_ != RunState::kRunning && !disarming_ &&
-         !moves_unasked_ && !on_since_ && pending_ == RobotRequest::kNone && off_due_s_ == 0.0;
+  return !under_way(state_) && !disarming_ && !moves_unasked_ && !on_since_ &&
+         pending_ == RobotRequest::kNone && off_due_s_ == 0.0;
 }
 
 void Arming::resume(RunState state, FaultMask faults) {
@@ -103,6 +108,7 @@ RobotRequest Arming::update(const ArmingInputs& in, double dt_s) {
     case RunState::kArming:
       return arm(in, dt_s);
     case RunState::kRunning:
+    case RunState::kDriving:
       return run(in);
     default:
       return RobotRequest::kNone;
@@ -146,7 +152,7 @@ RobotRequest Arming::arm(const ArmingInputs& in, double dt_s) {
   acknowledged_ = acknowledged_ || in.answer == RequestAnswer::kAcknowledged;
   // Armed by its samples alone, the robot may have been armed by another host, or may still refuse.
   if (acknowledged_ && enabled(*in.sample)) {
-    state_ = RunState::kRunning;
+    state_ = to_;
     just_began_ = true;
   }
   return RobotRequest::kNone;
@@ -165,7 +171,7 @@ RobotRequest Arming::run(const ArmingInputs& in) {
     faults_ |= fault_bit(Fault::not_acknowledged);
   }
   if (faults_ != 0) return end(RunState::kAborted, in);
-  if (in.path_done) return end(RunState::kFinished, in);
+  if (in.done) return end(state_ == RunState::kRunning ? RunState::kFinished : RunState::kIdle, in);
   return RobotRequest::kNone;
 }
 
@@ -190,8 +196,8 @@ void Arming::confirm_off(const ArmingInputs& in, double dt_s) {
 // Judged by the samples' own times: without a sample nothing is known.
 bool Arming::unasked(const ArmingInputs& in, double dt_s) {
   off_due_s_ = std::max(0.0, off_due_s_ - dt_s);
-  const bool asked = state_ == RunState::kRunning || (state_ == RunState::kArming && arm_sent_) ||
-                     off_due_s_ > 0.0;
+  const bool asked =
+      armed(state_) || (state_ == RunState::kArming && arm_sent_) || off_due_s_ > 0.0;
   if (asked || in.sample == nullptr || !motors_on(*in.sample)) {
     on_since_.reset();
     return false;

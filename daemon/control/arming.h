@@ -22,16 +22,18 @@ struct ArmingInputs {
   RequestAnswer answer = RequestAnswer::kNone;  ///< to the last arm or disarm
   FaultMask aborts = 0;                         ///< faults that end a run, or one that is about to
                                                 ///< begin
-  bool path_done = false;
+  bool done = false;  ///< the path is completed, or nobody drives by hand any more
 };
 
-/// Nothing moves before start(); after an abort, a stop or a lost session nothing moves until the
-/// next start(). A start that cannot begin within 3 s is refused. Motors that are on without a
-/// request are stopped in every state. No allocation; safe in the real-time thread.
+/// Nothing moves before start() or drive(); after an abort, a stop or a lost session nothing moves
+/// until the next one. A start that cannot begin within 3 s is refused. Motors that are on without
+/// a request are stopped in every state. No allocation; safe in the real-time thread.
 class Arming {
  public:
   /// The operator's start: arms as soon as no reason refuses it.
   void start();
+  /// The same for driving by hand.
+  void drive();
   /// The operator's hold: ends the run, disarms.
   void hold();
   /// The operator's stop: ends the run and latches STOP on the robot.
@@ -53,10 +55,12 @@ class Arming {
   /// True if a run has ended and the robot has not confirmed yet that its motors are off (for at
   /// most 0.25 s), or if they are on without a request.
   bool disarming() const { return disarming_ || moves_unasked_; }
-  /// What ended the run, the robot's own faults and STOP included; latched until the next start().
+  /// What ended the run, the robot's own faults and STOP included; latched until the next start()
+  /// or drive().
   FaultMask faults() const { return faults_; }
 
  private:
+  void begin(RunState to);
   void begin_disarm();
   void abort(FaultMask faults);
   RobotRequest end(RunState state, const ArmingInputs& in);
@@ -66,6 +70,7 @@ class Arming {
   bool unasked(const ArmingInputs& in, double dt_s);
 
   RunState state_ = RunState::kIdle;
+  RunState to_ = RunState::kRunning;  // what arming leads to
   RobotRequest pending_ = RobotRequest::kNone;
   FaultMask faults_ = 0;
   StartRefusal refused_ = StartRefusal::kNone;

@@ -201,6 +201,22 @@ bool Monitor::turn_disagrees(const Observation& seen) {
                                           mean_mps(seen), seen.on_obstacle, seen.dt_s);
 }
 
+FaultMask Monitor::course_faults(const Observation& seen) {
+  FaultMask faults = 0;
+  const auto raise = [&faults](bool condition, Fault fault) {
+    if (condition) faults |= fault_bit(fault);
+  };
+  raise(seen.target.off_path_m > parameters_.max_cross_track_m, Fault::cross_track);
+  raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
+                        seen.dt_s, kHeadingS),
+        Fault::heading);
+  raise(seen.pose.x_m < fence_.min_x_m || seen.pose.x_m > fence_.max_x_m ||
+            seen.pose.y_m < fence_.min_y_m || seen.pose.y_m > fence_.max_y_m,
+        Fault::fence);
+  raise(seen.elapsed_s > parameters_.time_limit_factor * nominal_duration_s_, Fault::time_limit);
+  return faults;
+}
+
 FaultMask Monitor::update(const Observation& seen) {
   FaultMask faults = 0;
   const auto raise = [&faults](bool condition, Fault fault) {
@@ -209,16 +225,9 @@ FaultMask Monitor::update(const Observation& seen) {
   const double dt = seen.dt_s;
   const Sample& sample = *seen.sample;
 
-  raise(seen.target.off_path_m > parameters_.max_cross_track_m, Fault::cross_track);
-  raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
-                        dt, kHeadingS),
-        Fault::heading);
+  if (!seen.by_hand) faults |= course_faults(seen);
   raise(turns_against(seen), Fault::heading);
   raise(tilt_.update(tilted(sample, parameters_), dt, kTiltS), Fault::tilt);
-  raise(seen.pose.x_m < fence_.min_x_m || seen.pose.x_m > fence_.max_x_m ||
-            seen.pose.y_m < fence_.min_y_m || seen.pose.y_m > fence_.max_y_m,
-        Fault::fence);
-  raise(seen.elapsed_s > parameters_.time_limit_factor * nominal_duration_s_, Fault::time_limit);
   raise(battery_.update(sample.battery_v < parameters_.min_battery_v, dt, kBatteryS),
         Fault::battery_below_minimum);
   raise(stalled_.update(stands(seen.commanded_left_mps, seen.left_mps) ||

@@ -119,6 +119,7 @@ struct Observation {
   double pitch_rad = 0.0;    ///< of the real body
   bool on_obstacle = false;  ///< a real ramp or block
   bool immobilised = false;  ///< the tracks run but the robot does not move
+  bool by_hand = false;      ///< no path, fence or time to keep: see HandDrive
   Target target{};
   double commanded_left_mps = 0.0;  ///< track speeds according to the command
   double commanded_right_mps = 0.0;
@@ -150,7 +151,7 @@ struct MonitoredRobot {
   double max_counts_per_s = 0.0;  ///< of a track, see counts_possible(); 0: any
 };
 
-/// Monitors one run. No allocation; safe in the real-time thread.
+/// Monitors one run, or one drive by hand. No allocation; safe in the real-time thread.
 class Monitor {
  public:
   Monitor(const Parameters& parameters, const course::Fence& fence, double nominal_duration_s,
@@ -171,6 +172,7 @@ class Monitor {
 
  private:
   bool turns_against(const Observation& seen);
+  FaultMask course_faults(const Observation& seen);
   bool duty_disagrees(const Observation& seen);
   bool turn_disagrees(const Observation& seen);
 

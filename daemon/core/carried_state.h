@@ -48,7 +48,7 @@ struct CarriedAttitude {
 
 struct CarriedState {
   std::uint32_t session_number = 0;
-  RunState run_state = RunState::kIdle;  ///< neither arming nor running
+  RunState run_state = RunState::kIdle;  ///< not under_way()
   FaultMask faults = 0;                  ///< latched by the daemon
   /// The values in force of all live parameters.
   BoundedList<ParameterChange, kLiveParameters> parameters{};

@@ -34,8 +34,20 @@ enum class RequestAnswer : std::uint8_t {
 enum class OperatorRequest : std::uint8_t {
   kStart,  ///< arm and begin the course; the robot stands at its start
   kHold,   ///< disarm, keep the session
-  kStop,   ///< latch STOP on the robot; only kStart and kGoOn end it
+  kStop,   ///< latch STOP on the robot; only kStart, kGoOn and kDrive end it
   kGoOn,   ///< as kStart, but from where the last run ended: see may_go_on()
+  kDrive,  ///< arm for driving by hand; the robot is taken to be where it is estimated
+};
+
+/// An older input of a driver is worth nothing: the robot stops.
+inline constexpr HostNs kFreshInputNs = 150 * kNsPerMs;
+
+/// What somebody who drives by hand wants of the robot. It never arms: it counts only while the
+/// robot is driven by hand.
+struct VelocityInput {
+  HostNs at_ns = 0;             ///< when the person gave it
+  double speed_mps = 0.0;       ///< ground speed, backwards negative
+  double yaw_rate_radps = 0.0;  ///< counter-clockwise positive
 };
 
 // A parameter that changes while the bridge runs: an input of the step like any other, so that a

@@ -14,6 +14,8 @@ std::string_view to_string(RunState state) {
       return "finished";
     case RunState::kAborted:
       return "aborted";
+    case RunState::kDriving:
+      return "driving";
   }
   return "unknown";
 }
@@ -42,6 +44,8 @@ std::string_view to_string(StartRefusal refusal) {
       return "the gyro is not still; leave the robot at rest for a second";
     case StartRefusal::kNoWorld:
       return "the external world does not answer; start its program";
+    case StartRefusal::kDriven:
+      return "the robot is driven by hand; release it first";
   }
   return "unknown";
 }

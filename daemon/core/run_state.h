@@ -13,10 +13,19 @@ enum class RunState : std::uint8_t {
   kRunning,   ///< following the course
   kFinished,  ///< path completed, robot disarmed
   kAborted,   ///< a fault ended the run, robot disarmed; its cause is latched
+  kDriving,   ///< driven by hand, on no course
 };
 
 /// Name as printed in `state: A -> B`.
 std::string_view to_string(RunState state);
+
+/// The robot is armed: it follows the course or is driven by hand.
+constexpr bool armed(RunState state) {
+  return state == RunState::kRunning || state == RunState::kDriving;
+}
+
+/// Nothing else can begin: armed, or about to be.
+constexpr bool under_way(RunState state) { return state == RunState::kArming || armed(state); }
 
 /// Whether the last run ended on its way, so that it can go on from where the estimates say that
 /// the robot is. `progress_m`, `length_m`: along the course.
@@ -25,7 +34,7 @@ constexpr bool may_go_on(RunState state, double progress_m, double length_m) {
          progress_m < length_m;
 }
 
-/// The first reason that refuses a start of the course.
+/// The first reason that refuses a start of the course, or driving by hand.
 enum class StartRefusal : std::uint8_t {
   kNone,
   kNoCourse,
@@ -38,6 +47,7 @@ enum class StartRefusal : std::uint8_t {
   kNoImu,         ///< the yaw is the gyro's, and it delivers nothing
   kNotStill,      ///< the gyro's bias is not known: it has not been at rest yet
   kNoWorld,       ///< the external world has not answered in time
+  kDriven,        ///< the robot is driven by hand
 };
 
 /// The reason and what to do, in one line; empty for kNone.

@@ -44,6 +44,8 @@ struct Snapshot {
   PoseSource steering = PoseSource::kOdometry;
   RunState run_state = RunState::kIdle;
   StartRefusal start_refusal = StartRefusal::kNone;  ///< reason that refuses a start now
+  StartRefusal drive_refusal = StartRefusal::kNone;  ///< ... and driving by hand
+  bool at_fence = false;                             ///< the fence limits the speed by hand
   FaultMask faults = 0;                              ///< robot's and daemon's
 };
 

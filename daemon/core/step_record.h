@@ -19,6 +19,7 @@ struct StepInputs {
   using Samples = BoundedList<Sample, 64>;
   using Camera = BoundedList<CameraSample, 8>;
   using Changes = BoundedList<ParameterChange, 8>;
+  using Velocities = BoundedList<VelocityInput, 8>;
 
   BoundedList<CarriedState, 1> restart{};  ///< before anything else, the step begins anew with this
   Samples samples{};                       ///< oldest first; may be empty
@@ -26,6 +27,7 @@ struct StepInputs {
   Camera camera{};                              ///< as they arrived; empty without a camera
   BoundedList<WorldSample, 8> world{};          ///< oldest first; empty without an external world
   Changes changes{};                            ///< oldest first; applied before the requests
+  Velocities velocities{};  ///< oldest first; empty unless the robot is driven by hand
   SessionState session = SessionState::kClosed;
   ClockState clock{};
   std::uint32_t session_number = 0;             ///< +1 each time a session becomes ready

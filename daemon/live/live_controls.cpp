@@ -14,6 +14,8 @@ namespace {
 
 using messages::ParameterText;
 
+// A step has taken a request after this time.
+constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
 constexpr const char* kBusy = "too many requests wait; try again";
 
 struct LiveKey {
@@ -64,6 +66,57 @@ std::string LiveControls::hold() {
 }
 
 void LiveControls::stop() { cycle_.request(OperatorRequest::kStop); }
+
+std::string LiveControls::drive_take(const server::Driver& driver, HostNs now, std::string& token) {
+  const std::lock_guard lock(mutex_);
+  if (ending_) return "the daemon ends";
+  if (!driving(now)) wheel_.clear();
+  const std::optional<std::string> taken = wheel_.take(driver, now);
+  if (!taken) return wheel_.figures(now).by + " drives; ask for a release";
+  // Whoever drove before does so no more.
+  cycle_.velocity({.at_ns = now});
+  if (!cycle_.request(OperatorRequest::kDrive)) {
+    wheel_.clear();
+    return kBusy;
+  }
+  token = *taken;
+  return {};
+}
+
+std::string LiveControls::drive(const server::DriveRequest& request, HostNs now) {
+  const std::lock_guard lock(mutex_);
+  if (!driving(now)) wheel_.clear();
+  const std::optional<VelocityInput> input = wheel_.drive(request, now);
+  if (!input) return "this token does not drive; take the wheel";
+  return cycle_.velocity(*input) ? std::string() : kBusy;
+}
+
+std::string LiveControls::drive_release(const std::string& token, HostNs now) {
+  const std::lock_guard lock(mutex_);
+  if (!wheel_.release(token)) return "this token does not drive";
+  cycle_.velocity({.at_ns = now});
+  // Not the run that somebody else may have started meanwhile.
+  if (cycle_.run_state() == RunState::kRunning) return {};
+  return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
+}
+
+void LiveControls::drive_lost(const std::string& id, HostNs now) {
+  const std::lock_guard lock(mutex_);
+  if (wheel_.lose(id)) cycle_.velocity({.at_ns = now});
+}
+
+messages::DriverFigures LiveControls::driver(HostNs now) {
+  const std::lock_guard lock(mutex_);
+  if (!driving(now)) wheel_.clear();
+  return wheel_.figures(now);
+}
+
+/// Driven by hand, or about to be.
+bool LiveControls::driving(HostNs now) {
+  const RunState state = cycle_.run_state();
+  return state == RunState::kDriving || state == RunState::kArming ||
+         now - wheel_.taken_ns() < kTakesEffectNs;
+}
 
 std::string LiveControls::set(const messages::ParameterText& parameter,
                               const messages::ParameterValue& value) {

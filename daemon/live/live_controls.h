@@ -23,13 +23,18 @@ class LiveControls : public server::Controls {
   LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording)
       : cycle_(cycle), loop_(loop), recording_(recording) {}
 
-  // The server's thread:
+  // The server's thread, or another one whose clients drive:
   std::string start() override { return request_start(OperatorRequest::kStart); }
   std::string go_on() override { return request_start(OperatorRequest::kGoOn); }
   std::string hold() override;
   void stop() override;
   std::string set(const messages::ParameterText& parameter,
                   const messages::ParameterValue& value) override;
+  std::string drive_take(const server::Driver& driver, HostNs now, std::string& token) override;
+  std::string drive(const server::DriveRequest& request, HostNs now) override;
+  std::string drive_release(const std::string& token, HostNs now) override;
+  void drive_lost(const std::string& id, HostNs now) override;
+  messages::DriverFigures driver(HostNs now) override;
   void record_start(const std::string& name, RecordAnswer answer) override;
   void record_stop(RecordAnswer answer) override;
   messages::LoopFigures loop() override;
@@ -50,6 +55,7 @@ class LiveControls : public server::Controls {
 
  private:
   std::string request_start(OperatorRequest request);
+  bool driving(HostNs now);
 
   LiveCycle& cycle_;
   const loop::FixedRateLoop& loop_;
@@ -57,6 +63,7 @@ class LiveControls : public server::Controls {
   std::mutex mutex_;
   messages::PortFigures port_{};
   StartFacts start_{};
+  server::Wheel wheel_;
   std::vector<std::pair<std::string, bool>> privileges_;
   bool ending_ = false;
 };

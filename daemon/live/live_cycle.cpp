@@ -32,6 +32,11 @@ bool LiveCycle::change(const ParameterChange& change) {
   return changes_.push(change);
 }
 
+bool LiveCycle::velocity(const VelocityInput& input) {
+  const std::lock_guard lock(asking_);
+  return velocities_.push(input);
+}
+
 bool LiveCycle::take_status(LiveStatus& status) {
   bool any = false;
   while (statuses_.pop(status)) any = true;
@@ -63,7 +68,10 @@ void LiveCycle::pass_run_state(HostNs now) {
   const FaultMask more = snapshot.faults & ~kRobotFaults & ~faults_;
   faults_ = snapshot.faults & ~kRobotFaults;
   if (!changed && (more == 0 || run_state_ != RunState::kAborted)) return;
-  if (changed) has_run_.store(true, std::memory_order_release);
+  if (changed) {
+    has_run_.store(true, std::memory_order_release);
+    shown_run_state_.store(snapshot.run_state, std::memory_order_release);
+  }
   push(RunChange{.at_ns = now,
                  .from = std::exchange(run_state_, snapshot.run_state),
                  .to = snapshot.run_state,
@@ -99,6 +107,8 @@ void LiveCycle::take_inputs() {
   ParameterChange change;
   for (std::size_t i = 0; i < StepInputs::Changes::kCapacity && changes_.pop(change); ++i)
     cycle_.change(change);
+  VelocityInput velocity;
+  while (velocities_.pop(velocity)) cycle_.velocity(velocity);
   CameraSample seen;
   for (std::size_t i = 0; i < StepInputs::Camera::kCapacity && camera_.pop(seen); ++i)
     cycle_.camera(seen);

@@ -75,6 +75,10 @@ class LiveCycle : public loop::LoopClient {
   bool has_run() const { return has_run_.load(std::memory_order_acquire); }
   /// Any thread but the real-time one. False: too many changes are waiting.
   bool change(const ParameterChange& change);
+  /// Any thread but the real-time one. False: too many inputs are waiting.
+  bool velocity(const VelocityInput& input);
+  /// As of the last step. Any thread.
+  RunState run_state() const { return shown_run_state_.load(std::memory_order_acquire); }
   // One other thread.
   /// Passes on an overhead camera's sample. False: too many are waiting.
   bool camera(const CameraSample& seen) { return camera_.push(seen); }
@@ -123,6 +127,7 @@ class LiveCycle : public loop::LoopClient {
   std::mutex asking_;  // among requesting threads; the real-time thread never takes it
   loop::SpscQueue<Asked, 16> requests_;
   loop::SpscQueue<ParameterChange, StepInputs::Changes::kCapacity> changes_;
+  loop::SpscQueue<VelocityInput, 32> velocities_;
   std::atomic<bool> stop_asked_{false};
   std::atomic<bool> has_run_{false};
   loop::SpscQueue<CameraSample, 32> camera_;  ///< one second of images
@@ -135,6 +140,7 @@ class LiveCycle : public loop::LoopClient {
   std::atomic<std::uint64_t> lost_events_{0};
   std::atomic<std::uint64_t> lost_records_{0};
   RunState run_state_ = RunState::kIdle;
+  std::atomic<RunState> shown_run_state_{RunState::kIdle};
   FaultMask faults_ = 0;  // those that only the daemon latches, as last reported
   HostNs next_status_ns_ = 0;
   bool leave_silent_port_;

@@ -22,7 +22,7 @@ void RunRecordings::end() {
 void RunRecordings::on_run_state(RunState to, HostNs now) {
   if (!on_) return;
   if (to != RunState::kArming) {
-    if (to != RunState::kRunning && own_ != 0) end_ns_ = now + kTailNs;
+    if (!armed(to) && own_ != 0) end_ns_ = now + kTailNs;
     return;
   }
   end_ns_.reset();

@@ -238,8 +238,7 @@ void Supervisor::State::take_signals() {
   signals.async_wait([this](const boost::system::error_code& error, int signal) {
     if (error) return;
     log.info(signal == SIGINT ? "SIGINT" : signal == SIGHUP ? "SIGHUP" : "SIGTERM");
-    const bool under_way = run_state == RunState::kArming || run_state == RunState::kRunning;
-    end(settings.stay && !under_way ? stay_status : 1, "interrupted");
+    end(settings.stay && !under_way(run_state) ? stay_status : 1, "interrupted");
   });
 }
 
@@ -333,6 +332,7 @@ void Supervisor::State::on_session_state(SessionState next) {
 }
 
 void Supervisor::State::on_run_state(const RunChange& change) {
+  const bool by_hand = change.from == RunState::kDriving;
   run_state = change.to;
   terminal->follow(change.to);
   notify_manager();
@@ -346,9 +346,11 @@ void Supervisor::State::on_run_state(const RunChange& change) {
       status = 1;
       figures.result = "aborted";
     }
-    const bool waits = (figures.faults & kRecoverable) != 0 && !settings.go &&
-                       (figures.faults & fault_bit(Fault::moves_unasked)) == 0;
-    stay_status = 1;
+    // Whoever drove by hand may want to drive on.
+    const bool recoverable = by_hand || (figures.faults & kRecoverable) != 0;
+    const bool waits =
+        recoverable && !settings.go && (figures.faults & fault_bit(Fault::moves_unasked)) == 0;
+    if (!by_hand) stay_status = 1;
     if (!waits) return run_ended(1, "aborted");
   }
   if (!ending) terminal->ask();

@@ -41,7 +41,7 @@ class Terminal {
   class Input;
   void take(const std::string& line);
   void press_stop(const std::string& message);
-  bool under_way() const { return run_ == RunState::kArming || run_ == RunState::kRunning; }
+  bool under_way() const { return tp100::under_way(run_); }
 
   Reach reach_;
   SessionState session_ = SessionState::kClosed;

@@ -96,6 +96,13 @@ struct StopFigures {
   double acknowledged_ms = 0.0;
 };
 
+/// Who drives by hand.
+struct DriverFigures {
+  std::string by;        ///< empty: nobody
+  bool fresh = false;    ///< by fresh input
+  std::string asked_by;  ///< who else asked for the wheel just now; empty: nobody
+};
+
 /// Run, session and the operations possible now.
 struct StateFigures {
   RunState run = RunState::kIdle;
@@ -111,6 +118,8 @@ struct StateFigures {
   std::optional<Pose> go_on_from;
   bool can_start = false, can_record = false;
   std::string why_not_start;
+  std::string why_not_drive;
+  DriverFigures driver{};
   bool confirm_start = true;   ///< a start needs the viewer's confirmation
   FaultMask faults = 0;        ///< latched by robot or daemon
   FaultMask robot_faults = 0;  ///< those that the robot's newest sample has

@@ -235,6 +235,7 @@ std::string Messages::estimate(const StepRecord& record, const std::optional<Tru
       .field("heading_error_rad", snapshot.heading_error_rad)
       .field("desired_yaw_rad", snapshot.command.desired_yaw_rad)
       .field("desired_speed_mps", snapshot.command.speed_mps)
+      .field("at_fence", snapshot.at_fence)
       .field("progress_m", snapshot.progress_m)
       .field("recovering", snapshot.recovering)
       .end_object();

@@ -216,6 +216,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .key("can")
       .begin_object()
       .field("start", state.can_start)
+      .field("drive", state.why_not_drive.empty())
       .field("hold", true)
       .field("stop", true)
       .field("record", state.can_record)
@@ -228,7 +229,17 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
         .field("yaw_rad", state.go_on_from->yaw_rad)
         .end_object();
   }
-  json.field("why_not_start", state.why_not_start).field("confirm_start", state.confirm_start);
+  json.field("why_not_start", state.why_not_start)
+      .field("why_not_drive", state.why_not_drive)
+      .field("confirm_start", state.confirm_start);
+  if (!state.driver.by.empty()) {
+    json.key("driver")
+        .begin_object()
+        .field("by", state.driver.by)
+        .field("fresh", state.driver.fresh);
+    if (!state.driver.asked_by.empty()) json.field("asked_by", state.driver.asked_by);
+    json.end_object();
+  }
   write_faults(json, state.faults, state.robot_faults);
   write_stop(json, state.stop, clock);
   json.end_object();

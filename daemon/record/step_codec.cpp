@@ -228,8 +228,7 @@ bool has_device_time(const ClockState& clock, HostNs at) {
 std::optional<std::string> problem_of(const Decoder& decoder, const StepRecord& record) {
   if (auto problem = decoder.problem()) return problem;
   for (const CarriedState& carried : record.inputs.restart) {
-    if (carried.run_state == RunState::kArming || carried.run_state == RunState::kRunning)
-      return "run_state is out of range";
+    if (under_way(carried.run_state)) return "run_state is out of range";
   }
   if (!record.inputs.clock.valid) return std::nullopt;
   const auto& camera = record.inputs.camera;

@@ -89,6 +89,14 @@ void visit_fields(Visitor& v, T& change) {
   v("value", value);
 }
 
+template <class Visitor, MaybeConst<VelocityInput> T>
+void visit_fields(Visitor& v, T& input) {
+  auto& [at, speed, yaw_rate] = input;
+  v("at_ns", at);
+  v("speed_mps", speed);
+  v("yaw_rate_radps", yaw_rate);
+}
+
 template <class Visitor, MaybeConst<ClockState> T>
 void visit_fields(Visitor& v, T& clock) {
   auto& [valid, reference_host, reference, drift, uncertainty] = clock;
@@ -152,7 +160,7 @@ void visit_fields(Visitor& v, T& snapshot) {
   auto& [now, sample, has_sample, age, estimates, filter, world, terrain_contact, left, right,
          slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope, imu_obstacle, command,
          commanded_left, commanded_right, cross_track, heading_error, progress, recovering,
-         steering, run_state, start_refusal, faults] = snapshot;
+         steering, run_state, start_refusal, drive_refusal, at_fence, faults] = snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -182,8 +190,10 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("progress_m", progress);
   v("recovering", recovering);
   v("steering", steering, kPoseSources.back());
-  v("run_state", run_state, RunState::kAborted);
-  v("start_refusal", start_refusal, StartRefusal::kNoWorld);
+  v("run_state", run_state, RunState::kDriving);
+  v("start_refusal", start_refusal, StartRefusal::kDriven);
+  v("drive_refusal", drive_refusal, StartRefusal::kDriven);
+  v("at_fence", at_fence);
   v("faults", faults);
 }
 
@@ -249,14 +259,15 @@ void visit_fields(Visitor& v, T& carried) {
 
 template <class Visitor, MaybeConst<StepInputs> T>
 void visit_fields(Visitor& v, T& inputs) {
-  auto& [restart, samples, requests, camera, world, changes, session, clock, session_number,
-         rebooted, answer] = inputs;
+  auto& [restart, samples, requests, camera, world, changes, velocities, session, clock,
+         session_number, rebooted, answer] = inputs;
   v.list("restart", restart);
   v.list("samples", samples);
-  v.list("requests", requests, OperatorRequest::kGoOn);
+  v.list("requests", requests, OperatorRequest::kDrive);
   v.list("camera", camera);
   v.list("world", world);
   v.list("changes", changes);
+  v.list("velocities", velocities);
   v("session", session, SessionState::kRefused);
   v("clock", clock);
   v("session_number", session_number);

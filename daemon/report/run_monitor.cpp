@@ -17,6 +17,8 @@ const char* name_of(OperatorRequest request) {
       return "STOP";
     case OperatorRequest::kGoOn:
       return "go on";
+    case OperatorRequest::kDrive:
+      return "drive by hand";
   }
   return "unknown";
 }

@@ -10,6 +10,7 @@
 #include "core/time.h"
 #include "messages/figures.h"
 #include "messages/parameter_text.h"
+#include "server/wheel.h"
 
 namespace tp100::server {
 
@@ -28,6 +29,16 @@ class Controls {
   /// `value` has the right type and lies within the limits.
   virtual std::string set(const messages::ParameterText& parameter,
                           const messages::ParameterValue& value) = 0;
+
+  // Driving by hand. Each returns why it is impossible, in one line; empty: done.
+  /// `driver` takes the wheel and the robot is armed; `token` is set.
+  virtual std::string drive_take(const Driver& driver, HostNs now, std::string& token) = 0;
+  virtual std::string drive(const DriveRequest& request, HostNs now) = 0;
+  /// Stops and disarms the robot.
+  virtual std::string drive_release(const std::string& token, HostNs now) = 0;
+  /// The client of that Driver::id is gone: the robot stops if it drove.
+  virtual void drive_lost(const std::string& id, HostNs now) = 0;
+  virtual messages::DriverFigures driver(HostNs now) = 0;
 
   /// Receives why the request failed, in one line, or nothing; and the recording that has begun or
   /// ended. Called once, from any thread, when the disk has finished.

@@ -16,8 +16,6 @@ std::uint64_t bad(const LinkCounters& link) {
 
 constexpr HostNs kStopEventNs = 100 * kNsPerMs;
 
-bool under_way(RunState state) { return state == RunState::kArming || state == RunState::kRunning; }
-
 /// The fields whose change makes a state message due at once.
 std::string key_of(const messages::StateFigures& state) {
   std::string key;
@@ -27,9 +25,11 @@ std::string key_of(const messages::StateFigures& state) {
         state.robot ? static_cast<unsigned>(*state.robot) : 99U,
         static_cast<unsigned>(state.faults), static_cast<unsigned>(state.robot_faults),
         static_cast<unsigned>(state.stop.status), state.stop.latched ? 1U : 0U,
-        state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U, state.confirm_start ? 1U : 0U})
+        state.can_record ? 1U : 0U, state.motors_on ? 1U : 0U, state.confirm_start ? 1U : 0U,
+        state.driver.fresh ? 1U : 0U})
     key += std::to_string(part) + ' ';
-  return key + state.why_not_start;
+  return key + state.why_not_start + '\n' + state.why_not_drive + '\n' + state.driver.by + '\n' +
+         state.driver.asked_by;
 }
 
 }  // namespace
@@ -105,6 +105,7 @@ Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& cont
     return whole_path_history_;
   });
   if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
+  drive_refusal_ = StartRefusal::kNoSession;
   state_.why_not_start = to_string(run_context().course == nullptr ? StartRefusal::kNoCourse
                                                                    : StartRefusal::kNoSession);
 }
@@ -129,9 +130,8 @@ void Publisher::take(const StepRecord& record) {
 void Publisher::update_state(const StepRecord& record) {
   const Snapshot& snapshot = record.snapshot;
   const RunState before = std::exchange(state_.run, snapshot.run_state);
-  if (state_.run == RunState::kRunning && before != RunState::kRunning)
-    run_began_ns_ = record.now_ns;
-  if (state_.run == RunState::kRunning) state_.run_s = to_s(record.now_ns - run_began_ns_);
+  if (armed(state_.run) && !armed(before)) run_began_ns_ = record.now_ns;
+  if (armed(state_.run)) state_.run_s = to_s(record.now_ns - run_began_ns_);
   if (under_way(state_.run)) stop_.under_way(record.now_ns, !under_way(before));
   state_.steering = snapshot.steering;
   state_.session = record.inputs.session;
@@ -146,10 +146,19 @@ void Publisher::update_state(const StepRecord& record) {
   state_.motors_on = snapshot.has_sample && motors_on(snapshot.sample);
   state_.why_not_start = to_string(snapshot.start_refusal);
   state_.can_start = state_.why_not_start.empty();
+  drive_refusal_ = snapshot.drive_refusal;
+}
+
+// A robot that is driven by hand can be taken over from whoever gives no input.
+std::string Publisher::why_not_drive() const {
+  if (drive_refusal_ != StartRefusal::kDriven) return std::string(to_string(drive_refusal_));
+  return state_.driver.fresh ? state_.driver.by + " drives" : std::string();
 }
 
 void Publisher::publish_state(HostNs now, bool always) {
   state_.stop = stop_.figures();
+  state_.driver = controls_.driver(now);
+  state_.why_not_drive = why_not_drive();
   state_.confirm_start = controls_.start_consent() != StartConsent::kNone;
   std::string key = key_of(state_);
   if (!always && key == last_state_key_) return;

@@ -101,6 +101,7 @@ class Publisher {
 
   void publish(messages::Channel channel, HostNs at, std::string json);
   void update_state(const StepRecord& record);
+  std::string why_not_drive() const;
   void publish_state(HostNs now, bool always);
   void publish_recording(HostNs now);
 
@@ -112,6 +113,7 @@ class Publisher {
   messages::PathHistory path_history_;
   StopMonitor stop_;
   messages::StateFigures state_{};
+  StartRefusal drive_refusal_ = StartRefusal::kNone;
   std::shared_ptr<const std::string> whole_path_history_;
   HostNs last_step_ns_ = 0;
   HostNs run_began_ns_ = 0;

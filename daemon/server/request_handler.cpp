@@ -23,6 +23,11 @@ bool is_run_name(const std::string& name) {
          });
 }
 
+Driver driver_of(const Viewer& viewer) {
+  const std::string name = "viewer " + std::to_string(viewer.id());
+  return {.id = name, .name = name};
+}
+
 /// Why a request is refused whose service knows only the argument `known`; empty: it is not.
 std::string unknown_argument(std::string_view known, const std::vector<RequestField>& request) {
   for (const RequestField& field : request)
@@ -63,6 +68,12 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
   add(Service::kRecordStart, "record_start", "tp100.RecordStart", R"({"name":""})",
       R"({"run":""})");
   add(Service::kRecordStop, "record_stop", "tp100.RecordStop", "{}", R"({"run":"","bytes":1})");
+  add(Service::kDriveTake, "drive_take", "tp100.DriveTake", "{}", R"({"token":""})");
+  add(Service::kDrive, "drive", "tp100.Drive",
+      R"({"token":"","speed_mps":0.1,"yaw_rate_radps":0.1,"input_ms":1.5})",
+      R"({"accepted":true})");
+  add(Service::kDriveRelease, "drive_release", "tp100.DriveRelease", R"({"token":""})",
+      R"({"accepted":true})");
   broker_.publish(messages::Channel::kParameter,
                   publisher_.clock().unix_ns(publisher_.clock().start_ns),
                   messages::parameters_message(parameters_));
@@ -106,7 +117,8 @@ bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientM
   return true;
 }
 
-void RequestHandler::leave(const Viewer& viewer) {
+void RequestHandler::leave(const Viewer& viewer, HostNs now) {
+  controls_.drive_lost(driver_of(viewer).id, now);
   std::erase_if(waiting_, [&](const Waiting& each) { return each.viewer_id == viewer.id(); });
   watched_.erase(viewer.id());
 }
@@ -147,7 +159,7 @@ std::string RequestHandler::set(const SetParameters::One& one) {
     return found->name + " cannot be changed while the daemon runs; set it in the file";
   if (!one.value) return found->name + " takes no value of that type";
   const RunState run = publisher_.state().run;
-  if (found->only_at_standstill && (run == RunState::kArming || run == RunState::kRunning))
+  if (found->only_at_standstill && under_way(run))
     return found->name + " cannot be changed during a run";
   std::string why = messages::why_not(*found, *one.value);
   if (why.empty()) why = controls_.set(*found, *one.value);
@@ -203,6 +215,31 @@ std::string RequestHandler::start(const std::vector<RequestField>& request) {
   if (from == "start") return controls_.start();
   return state.go_on_from ? controls_.go_on()
                           : "no run ended on its way; start from the course's start";
+}
+
+std::string RequestHandler::drive_take(const Viewer& viewer, HostNs now, std::string& token) {
+  const Driver driver = driver_of(viewer);
+  // Asked again, whoever drives already gets a new token.
+  const std::string& why = publisher_.state().why_not_drive;
+  const messages::DriverFigures figures = controls_.driver(now);
+  if (!why.empty() && figures.by.empty()) return why;
+  std::string refused = controls_.drive_take(driver, now, token);
+  if (!refused.empty()) return refused;
+  publisher_.take(
+      messages::Event{.at_ns = now, .kind = "run", .text = driver.name + " takes the wheel"});
+  return {};
+}
+
+std::string RequestHandler::drive(const std::vector<RequestField>& request, HostNs now) {
+  std::string why;
+  const std::optional<DriveRequest> input = drive_request(request, why);
+  return input ? controls_.drive(*input, now) : why;
+}
+
+std::string RequestHandler::drive_release(const std::vector<RequestField>& request, HostNs now) {
+  const std::string* token =
+      request.empty() ? nullptr : std::get_if<std::string>(&request.front().value);
+  return token == nullptr ? "token is a text" : controls_.drive_release(*token, now);
 }
 
 std::string RequestHandler::record_start(const std::vector<RequestField>& request,
@@ -273,9 +310,15 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   const auto request = parse_request(call.payload);
   if (!request) return fail("the request must be a JSON object");
 
-  const std::string_view known = service == Service::kStart         ? "from"
-                                 : service == Service::kRecordStart ? "name"
-                                                                    : "";
+  // It has several arguments, and comes fifty times a second.
+  if (service == Service::kDrive) {
+    const std::string refused = drive(*request, now);
+    return refused.empty() ? answer(R"({"accepted":true})") : fail(refused);
+  }
+  const std::string_view known = service == Service::kStart          ? "from"
+                                 : service == Service::kRecordStart  ? "name"
+                                 : service == Service::kDriveRelease ? "token"
+                                                                     : "";
   std::string why = unknown_argument(known, *request);
   if (!why.empty()) return fail(why);
   switch (service) {
@@ -289,7 +332,16 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
     case Service::kRecordStop:
       controls_.record_stop(answer_later(service, viewer, call.call));
       return answer_recorded();
+    case Service::kDriveTake: {
+      std::string token;
+      why = drive_take(*viewer, now, token);
+      return why.empty() ? answer(R"({"token":")" + token + R"("})") : fail(why);
+    }
+    case Service::kDriveRelease:
+      why = drive_release(*request, now);
+      return why.empty() ? answer(R"({"accepted":true})") : fail(why);
     case Service::kStop:
+    case Service::kDrive:
       return;
   }
 }

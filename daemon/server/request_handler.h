@@ -33,13 +33,22 @@ class RequestHandler {
   /// Answers one message. False: it is not a message of the protocol.
   bool handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
               Permission permission, HostNs now);
-  /// Drops the viewer's pending requests.
-  void leave(const Viewer& viewer);
+  /// The viewer is gone: drops its pending requests, and stops the robot that it drives.
+  void leave(const Viewer& viewer, HostNs now);
   /// Call it regularly and after events: answers requests that waited for a STOP or for the disk.
   void tick(HostNs now);
 
  private:
-  enum class Service : std::uint32_t { kStart = 1, kHold, kStop, kRecordStart, kRecordStop };
+  enum class Service : std::uint32_t {
+    kStart = 1,
+    kHold,
+    kStop,
+    kRecordStart,
+    kRecordStop,
+    kDriveTake,
+    kDrive,
+    kDriveRelease
+  };
   struct Waiting {
     std::weak_ptr<Viewer> viewer;
     std::uint32_t viewer_id;
@@ -67,6 +76,9 @@ class RequestHandler {
   void call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs now);
   std::string set(const SetParameters::One& one);
   std::string start(const std::vector<RequestField>& request);
+  std::string drive_take(const Viewer& viewer, HostNs now, std::string& token);
+  std::string drive(const std::vector<RequestField>& request, HostNs now);
+  std::string drive_release(const std::vector<RequestField>& request, HostNs now);
   std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
   Controls::RecordAnswer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
                                       std::uint32_t call) const;

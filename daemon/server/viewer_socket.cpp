@@ -189,7 +189,7 @@ void ViewerSocket::gone() {
   ++shared_.closed;
   shared_.dropped_by_closed += viewer_->outbox().dropped();
   shared_.broker.remove(viewer_);
-  shared_.handler.leave(*viewer_);
+  shared_.handler.leave(*viewer_, monotonic_now());
   shared_.viewers.erase(viewer_->id());
 }
 

@@ -221,7 +221,7 @@ TEST_F(ArmingTest, WithoutAFreshSampleTheRunEnds) {
 
 TEST_F(ArmingTest, CompletionDisarms) {
   begin();
-  in_.path_done = true;
+  in_.done = true;
   EXPECT_EQ(run(1), RobotRequest::kDisarm);
   EXPECT_EQ(arming_.state(), RunState::kFinished);
   EXPECT_TRUE(arming_.disarming());
@@ -236,9 +236,9 @@ TEST_F(ArmingTest, ACompletionThatIsNotConfirmedIsNone) {
   // breaks.
   for (int i = 0; i < 3; ++i) {
     begin();
-    in_.path_done = true;
+    in_.done = true;
     ASSERT_EQ(run(1), RobotRequest::kDisarm);
-    in_.path_done = false;
+    in_.done = false;
     if (i == 0) {
       sample_.state = RobotState::kDisarmed;
       in_.answer = RequestAnswer::kFailed;
@@ -284,7 +284,7 @@ TEST_F(ArmingTest, MotorsThatNobodyAskedForAreStoppedAgainAndAgain) {
 
 TEST_F(ArmingTest, MotorsThatStayOnAfterARunAreStopped) {
   begin();
-  in_.path_done = true;
+  in_.done = true;
   ASSERT_EQ(run(1), RobotRequest::kDisarm);
   in_.answer = RequestAnswer::kFailed;
   EXPECT_EQ(run(80), RobotRequest::kStop);
@@ -330,6 +330,43 @@ TEST_F(ArmingTest, StopIsRequestedInEveryStateAndLatches) {
   EXPECT_EQ(run(1000), RobotRequest::kNone);
   EXPECT_EQ(arming_.state(), RunState::kAborted);
   EXPECT_EQ(arming_.faults(), fault_bit(Fault::stop_requested));
+}
+
+TEST_F(ArmingTest, DrivingByHandArmsLikeARunAndEndsIdle) {
+  connect();
+  arming_.drive();
+  ASSERT_EQ(run(100), RobotRequest::kArm);
+  sample_.state = RobotState::kArmed;
+  in_.answer = RequestAnswer::kAcknowledged;
+  run(1);
+  ASSERT_TRUE(arming_.just_began());
+  ASSERT_EQ(arming_.state(), RunState::kDriving);
+  arming_.start();
+  EXPECT_EQ(arming_.state(), RunState::kDriving) << "a start does not take over";
+  in_.done = true;
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.state(), RunState::kIdle);
+  EXPECT_EQ(arming_.faults(), 0u);
+}
+
+TEST_F(ArmingTest, ARunIsNotTurnedIntoADrive) {
+  begin();
+  arming_.drive();
+  EXPECT_EQ(run(10), RobotRequest::kNone);
+  EXPECT_EQ(arming_.state(), RunState::kRunning);
+}
+
+TEST_F(ArmingTest, ADriveIsAbortedByWhatAbortsARun) {
+  connect();
+  arming_.drive();
+  ASSERT_EQ(run(100), RobotRequest::kArm);
+  sample_.state = RobotState::kArmed;
+  in_.answer = RequestAnswer::kAcknowledged;
+  run(1);
+  in_.aborts = fault_bit(Fault::tilt);
+  EXPECT_EQ(run(1), RobotRequest::kDisarm);
+  EXPECT_EQ(arming_.state(), RunState::kAborted);
+  EXPECT_EQ(arming_.faults(), fault_bit(Fault::tilt));
 }
 
 }  // namespace

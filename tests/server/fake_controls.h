@@ -38,6 +38,25 @@ class FakeControls : public Controls {
     }
     answer(can_record ? "" : "no directory", record);
   }
+  std::string drive_take(const Driver& driver, HostNs now, std::string& token) override {
+    const std::optional<std::string> taken = wheel.take(driver, now);
+    if (!taken) return wheel.figures(now).by + " drives";
+    token = *taken;
+    return {};
+  }
+  std::string drive(const DriveRequest& request, HostNs now) override {
+    const std::optional<VelocityInput> input = wheel.drive(request, now);
+    if (!input) return "this token does not drive";
+    inputs.push_back(*input);
+    return {};
+  }
+  std::string drive_release(const std::string& token, HostNs) override {
+    return wheel.release(token) ? "" : "this token does not drive";
+  }
+  void drive_lost(const std::string& id, HostNs) override {
+    if (wheel.lose(id)) ++drivers_lost;
+  }
+  messages::DriverFigures driver(HostNs now) override { return wheel.figures(now); }
   /// Answers at once or, with `slow_disk`, when a test calls `unanswered`.
   void record_stop(RecordAnswer answer) override {
     record.active = false;
@@ -51,6 +70,9 @@ class FakeControls : public Controls {
   StartConsent start_consent() override { return consent; }
 
   std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0};
+  Wheel wheel;
+  std::vector<VelocityInput> inputs;
+  std::atomic<int> drivers_lost{0};
   std::mutex mutex;
   std::vector<std::pair<std::string, messages::ParameterValue>> sets;
   std::string set_refusal;

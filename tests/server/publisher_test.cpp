@@ -126,6 +126,26 @@ TEST_F(PublisherTest, SaysWhyAStartWouldBeRefusedAndThatTheMotorsAreOn) {
   EXPECT_EQ(received[0]["motors_on"], true);
 }
 
+TEST_F(PublisherTest, SaysWhoDrivesAndWhetherAnotherMay) {
+  record_.snapshot.run_state = RunState::kIdle;
+  record_.snapshot.drive_refusal = StartRefusal::kNone;
+  Json state = run(1.0, messages::Channel::kState).back();
+  EXPECT_EQ(state["can"]["drive"], true);
+  EXPECT_FALSE(state.contains("driver"));
+  controls_.wheel.take({"a", "viewer 1"}, record_.now_ns);
+  controls_.wheel.take({"b", "viewer 2"}, record_.now_ns);
+  record_.snapshot.run_state = RunState::kDriving;
+  record_.snapshot.drive_refusal = StartRefusal::kDriven;
+  state = run(0.05, messages::Channel::kState).back();
+  EXPECT_EQ(state["run"], "driving");
+  EXPECT_EQ(state["can"]["drive"], false);
+  EXPECT_EQ(state["why_not_drive"], "viewer 1 drives");
+  EXPECT_EQ(state["driver"], (Json{{"by", "viewer 1"}, {"fresh", true}, {"asked_by", "viewer 2"}}));
+  state = run(0.2, messages::Channel::kState).back();
+  EXPECT_EQ(state["driver"]["fresh"], false);
+  EXPECT_EQ(state["can"]["drive"], true) << "from a driver without fresh input it can be taken";
+}
+
 TEST_F(PublisherTest, TheLinkHasRatesOfTheLastSecond) {
   const auto received = run(3.0, messages::Channel::kLink);
   EXPECT_NEAR(received.back()["samples_hz"].get<double>(), 200.0, 2.0);

@@ -108,7 +108,8 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
   std::vector<std::string> services;
   for (const Json& service : received.texts[2]["services"]) services.push_back(service["name"]);
   EXPECT_THAT(services,
-              ::testing::ElementsAre("start", "hold", "stop", "record_start", "record_stop"));
+              ::testing::ElementsAre("start", "hold", "stop", "record_start", "record_stop",
+                                     "drive_take", "drive", "drive_release"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
@@ -324,7 +325,7 @@ TEST_F(RequestHandlerTest, StateTellsOfTheStop) {
 }
 
 TEST_F(RequestHandlerTest, ACallOfNothingFails) {
-  for (const std::uint32_t service : {0U, 6U, 4294967295U})
+  for (const std::uint32_t service : {0U, 9U, 4294967295U})
     EXPECT_EQ(call(service).texts[0]["op"], "serviceCallFailure");
   EXPECT_EQ(call(2, "[]").texts[0]["op"], "serviceCallFailure");
   handler_.handle(viewer_, ServiceCall{2, 1, "cbor", "{}"}, Permission::kCommand, kNow);
@@ -377,6 +378,58 @@ TEST_F(RequestHandlerTest, WhatIsNoMessageIsTold) {
   EXPECT_FALSE(handler_.handle(viewer_, Malformed{"why"}, Permission::kCommand, kNow));
   EXPECT_EQ(hear().texts[0]["message"], "why");
   EXPECT_TRUE(handler_.handle(viewer_, Unserved{"fetchAsset"}, Permission::kCommand, kNow));
+}
+
+TEST_F(RequestHandlerTest, TheWheelIsTakenDrivenAndReleased) {
+  step(ready());
+  hear();
+  const Json taken = answer_of(call(6).binaries.at(0));
+  const std::string token = taken.at("token");
+  const auto drive = [&](const std::string& text) {
+    return call(
+        7, R"({"token":")" + text + R"(","speed_mps":0.1,"yaw_rate_radps":-0.2,"input_ms":5})");
+  };
+  EXPECT_EQ(drive(token).binaries.size(), 1U);
+  ASSERT_EQ(controls_.inputs.size(), 1U);
+  EXPECT_EQ(controls_.inputs[0].speed_mps, 0.1);
+  EXPECT_EQ(controls_.inputs[0].yaw_rate_radps, -0.2);
+  EXPECT_EQ(drive("other").texts.at(0)["op"], "serviceCallFailure");
+  EXPECT_EQ(controls_.inputs.size(), 1U);
+  EXPECT_EQ(call(8, R"({"token":"other"})").texts.size(), 1U);
+  EXPECT_EQ(call(8, R"({"token":")" + token + R"("})").binaries.size(), 1U);
+  EXPECT_EQ(drive(token).texts.size(), 1U);
+}
+
+TEST_F(RequestHandlerTest, TheWheelIsNotForViewersWithoutRights) {
+  step(ready());
+  hear();
+  for (std::uint32_t service = 6; service <= 8; ++service)
+    EXPECT_EQ(call(service, "{}", Permission::kStopOnly).texts.size(), 1U) << service;
+  EXPECT_EQ(controls_.wheel.figures(kNow).by, "");
+}
+
+TEST_F(RequestHandlerTest, TheWheelIsRefusedWithTheReasonOfTheStep) {
+  StepRecord record = ready();
+  record.snapshot.drive_refusal = StartRefusal::kNotStill;
+  step(record);
+  hear();
+  EXPECT_EQ(call(6).texts.at(0)["message"], std::string(to_string(StartRefusal::kNotStill)));
+  EXPECT_EQ(call(6, R"({"x":1})").texts.at(0)["message"], "there is no argument 'x'");
+}
+
+TEST_F(RequestHandlerTest, AViewerThatLeavesNoLongerDrives) {
+  step(ready());
+  hear();
+  const std::string token = answer_of(call(6).binaries.at(0)).at("token");
+  handler_.leave(Viewer(
+                     77, [] {}, [] {}),
+                 kNow);
+  EXPECT_EQ(controls_.drivers_lost, 0);
+  handler_.leave(*viewer_, kNow);
+  EXPECT_EQ(controls_.drivers_lost, 1);
+  EXPECT_EQ(call(7, R"({"token":")" + token + R"(","speed_mps":0,"yaw_rate_radps":0,"input_ms":0})")
+                .texts.size(),
+            1U);
 }
 
 }  // namespace

@@ -387,6 +387,22 @@ TEST_F(ServerTest, WhoSendsGarbageIsClosed) {
   }));
 }
 
+// A process that is killed says no goodbye: its socket is closed by the kernel.
+TEST_F(ServerTest, ADriverWhoseProcessIsKilledIsLostAtOnce) {
+  record_.snapshot.run_state = RunState::kIdle;
+  record_.snapshot.drive_refusal = StartRefusal::kNone;
+  start();
+  step();
+  WebClient other = connect();
+  {
+    WebClient driver = connect();
+    driver.call(6);
+    driver.read_until("token");
+    EXPECT_EQ(controls_.drivers_lost, 0);
+  }
+  EXPECT_TRUE(eventually([&] { return controls_.drivers_lost == 1; }));
+}
+
 TEST_F(ServerTest, EndsWithViewersConnected) {
   start();
   WebClient polite = connect(), silent = connect();

@@ -1,0 +1,154 @@
+#include "control/hand_drive.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/angle.h"
+
+namespace tp100::control {
+namespace {
+
+// From a sample to the tracks' reaction to the command that answers it: wire, step and motors.
+constexpr double kDelayS = 0.16;
+// Of the braking in the robot's file; slip and the motors' lag take the rest.
+constexpr double kBrakingShare = 0.4;
+// The yaw is known to within this, and the robot crabs.
+constexpr double kYawErrorRad = 4.0 * kRadPerDeg;
+// Kept from the fence: what the robot moves sideways while it turns on the spot.
+constexpr double kMarginM = 0.01;
+constexpr double kDeviations = 2.0;
+// However uncertain the position is: a robot that was never placed must be driven, too.
+constexpr double kMostMarginM = 0.03;
+// Of the smaller side of the fence.
+constexpr double kMostMarginShare = 0.15;
+
+// Slower than this the robot would creep on and on, or wind up against its friction.
+constexpr double kCreepMps = 0.01;
+
+// The yaw error by which the robot's yaw loop makes up for its lag in a turn. More would be wound
+// up while a track is blocked.
+constexpr double kMaxAheadRad = 8.0 * kRadPerDeg;
+// A slower turn is over.
+constexpr double kTurnOverRadps = 0.05;
+// ... or so slow that one to the other side may begin; or so much faster than commanded that the
+// robot still coasts.
+constexpr double kTurnEndsRadps = 0.12;
+
+/// Towards `to`: away from zero by at most `step`, towards zero at once.
+double eased(double from, double to, double step) {
+  if (from * to <= 0.0) from = 0.0;
+  return std::abs(to) <= std::abs(from) ? to : from + std::clamp(to - from, -step, step);
+}
+
+/// Greatest speed towards an edge at this distance.
+double approach_mps(double distance_m, double braking_mps2) {
+  if (distance_m <= 0.0) return 0.0;
+  const double delay_mps = braking_mps2 * kDelayS;
+  const double mps = std::sqrt(delay_mps * delay_mps + 2.0 * braking_mps2 * distance_m) - delay_mps;
+  return mps < kCreepMps ? 0.0 : mps;
+}
+
+}  // namespace
+
+double speed_inside(double speed_mps, const FenceMotion& motion, const course::Fence& fence) {
+  struct Edge {
+    double outwards_x, outwards_y, distance_m;
+  };
+  const Pose& pose = motion.pose;
+  const std::array<Edge, 4> edges = {{{-1.0, 0.0, pose.x_m - fence.min_x_m},
+                                      {1.0, 0.0, fence.max_x_m - pose.x_m},
+                                      {0.0, -1.0, pose.y_m - fence.min_y_m},
+                                      {0.0, 1.0, fence.max_y_m - pose.y_m}}};
+  const double side_m = std::min(fence.max_x_m - fence.min_x_m, fence.max_y_m - fence.min_y_m);
+  const double margin_m = std::min(
+      {kMarginM + kDeviations * motion.uncertainty_m, kMostMarginM, kMostMarginShare * side_m});
+  const double sign = speed_mps < 0.0 ? -1.0 : 1.0;
+  const double x = sign * std::cos(pose.yaw_rad), y = sign * std::sin(pose.yaw_rad);
+  const double turned_rad = kYawErrorRad + motion.yaw_rate_radps * kDelayS;
+  double most_mps = std::abs(speed_mps);
+  for (const Edge& edge : edges) {
+    const double across = std::clamp(x * edge.outwards_x + y * edge.outwards_y, -1.0, 1.0);
+    const double towards = std::cos(std::max(0.0, std::acos(across) - turned_rad));
+    if (towards <= 0.0) continue;
+    most_mps = std::min(
+        most_mps,
+        approach_mps(edge.distance_m - margin_m, kBrakingShare * motion.braking_mps2) / towards);
+  }
+  return sign * most_mps;
+}
+
+void HandDrive::restart(HostNs now) {
+  newest_ = {.at_ns = now};
+  speed_mps_ = yaw_rate_radps_ = ahead_rad_ = 0.0;
+  holds_yaw_ = false;
+}
+
+void HandDrive::take(const VelocityInput& input, HostNs now) {
+  if (input.at_ns < newest_.at_ns) return;
+  newest_ = input;
+  newest_.at_ns = std::min(input.at_ns, now);
+}
+
+HandCommand HandDrive::update(const HandDriveState& state, const Parameters& parameters, HostNs now,
+                              double dt_s) {
+  const TrackLimits& limits = state.limits;
+  const bool fresh = now - newest_.at_ns <= kFreshInputNs;
+  const double speed = fresh ? newest_.speed_mps : 0.0;
+  const bool creeps = std::abs(speed_mps_) < kCreepMps;
+  // Friction holds a robot that turns on the spot so slowly, and its loops wind up against it.
+  const bool turns = fresh && !(creeps && std::abs(newest_.yaw_rate_radps) < kTurnOverRadps);
+  const double rate = turns ? newest_.yaw_rate_radps : 0.0;
+  speed_mps_ = eased(speed_mps_, std::clamp(speed, -limits.max_track_mps, limits.max_track_mps),
+                     parameters.acceleration_mps2 * dt_s);
+  yaw_rate_radps_ =
+      eased(yaw_rate_radps_, std::clamp(rate, -limits.max_yaw_radps, limits.max_yaw_radps),
+            parameters.pivot_acceleration_radps2 * dt_s);
+  // The turn before ends first: a robot that turns against its command looks miswired.
+  if (yaw_rate_radps_ * state.measured_yaw_rate_radps < 0.0 &&
+      std::abs(state.measured_yaw_rate_radps) > kTurnEndsRadps)
+    yaw_rate_radps_ = 0.0;
+
+  HandCommand out;
+  const double wanted_mps = speed_mps_;
+  if (fence_) {
+    const double turning_radps = std::max(std::abs(turn_asked(ahead_rad_, yaw_rate_radps_, limits)),
+                                          std::abs(state.measured_yaw_rate_radps));
+    speed_mps_ = speed_inside(wanted_mps,
+                              {.pose = state.pose,
+                               .yaw_rate_radps = turning_radps,
+                               .braking_mps2 = state.braking_mps2,
+                               .uncertainty_m = state.position_sd_m},
+                              *fence_);
+    out.at_fence = speed_mps_ != wanted_mps;
+  }
+  out.desired_yaw_rad = desired_yaw(state, dt_s);
+  out.yaw_rate_radps = yaw_rate_radps_;
+  const double turn_radps = turn_asked(ahead_rad_, yaw_rate_radps_, limits);
+  // Where the turn leaves a track nothing for the speed, its own limit must not invent one.
+  const double within = speed_within(speed_mps_, turn_radps, limits);
+  out.speed_mps = within * speed_mps_ > 0.0 ? within : 0.0;
+  return out;
+}
+
+double HandDrive::desired_yaw(const HandDriveState& state, double dt_s) {
+  const double yaw_rad = state.pose.yaw_rad;
+  const bool turns = yaw_rate_radps_ != 0.0;
+  // How far it coasts beyond the command is not to be turned back.
+  const bool coasts =
+      std::abs(state.measured_yaw_rate_radps) > std::abs(yaw_rate_radps_) + kTurnEndsRadps;
+  // Straight on: the yaw to hold is the one at the end of the turn.
+  holds_yaw_ = !turns && std::abs(speed_mps_) >= kCreepMps &&
+               (holds_yaw_ || std::abs(state.measured_yaw_rate_radps) < kTurnOverRadps);
+  if ((turns && !coasts) || holds_yaw_) {
+    ahead_rad_ = std::clamp(ahead_rad_ + last_yaw_rad_ - yaw_rad + yaw_rate_radps_ * dt_s,
+                            -kMaxAheadRad, kMaxAheadRad);
+  } else {
+    ahead_rad_ = 0.0;
+  }
+  last_yaw_rad_ = yaw_rad;
+  return yaw_rad + ahead_rad_;
+}
+
+}  // namespace tp100::control

@@ -1,0 +1,117 @@
+#include "server/wheel.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <random>
+
+#include "text/format.h"
+
+namespace tp100::server {
+namespace {
+
+constexpr std::size_t kMaxName = 64;
+// Beyond what any robot can do; the step limits to what this one can.
+constexpr double kMaxVelocity = 100.0;
+constexpr double kMaxInputMs = 1e15;
+// Clocks of two machines drift apart by less than this.
+constexpr HostNs kDriftDivisor = 1000;
+
+std::string random_token() {
+  std::random_device random;
+  std::string out;
+  for (int i = 0; i < 4; ++i) {
+    std::array<char, 8> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), random(), 16).ptr;
+    out.append(digits.data(), end);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<DriveRequest> drive_request(const std::vector<RequestField>& fields,
+                                          std::string& why) {
+  DriveRequest out;
+  bool has_token = false, has_speed = false, has_rate = false, has_input = false;
+  const auto number = [&](const RequestField& field, double most, double& value, bool& has) {
+    const double* given = std::get_if<double>(&field.value);
+    has = given != nullptr && std::abs(*given) <= most;
+    if (has) value = *given;
+    return has;
+  };
+  for (const RequestField& field : fields) {
+    bool good = true;
+    if (field.name == "token") {
+      const std::string* token = std::get_if<std::string>(&field.value);
+      good = has_token = token != nullptr;
+      if (good) out.token = *token;
+    } else if (field.name == "speed_mps") {
+      good = number(field, kMaxVelocity, out.speed_mps, has_speed);
+    } else if (field.name == "yaw_rate_radps") {
+      good = number(field, kMaxVelocity, out.yaw_rate_radps, has_rate);
+    } else if (field.name == "input_ms") {
+      good = number(field, kMaxInputMs, out.input_ms, has_input);
+    } else {
+      why = "there is no argument '" + text::one_line(field.name, kMaxName) + "'";
+      return std::nullopt;
+    }
+    if (good) continue;
+    why = field.name + (field.name == "token" ? " is a text" : " is a number within its range");
+    return std::nullopt;
+  }
+  if (has_token && has_speed && has_rate && has_input) return out;
+  why = "token, speed_mps, yaw_rate_radps and input_ms are needed";
+  return std::nullopt;
+}
+
+std::optional<std::string> Wheel::take(const Driver& driver, HostNs now) {
+  if (fresh(now) && driver.id != driver_.id) {
+    asking_ = driver;
+    asked_ns_ = now;
+    return std::nullopt;
+  }
+  *this = Wheel{};
+  token_ = random_token();
+  driver_ = driver;
+  taken_ns_ = input_ns_ = heard_ns_ = now;
+  return token_;
+}
+
+std::optional<VelocityInput> Wheel::drive(const DriveRequest& request, HostNs now) {
+  if (!holds(request.token)) return std::nullopt;
+  // The quickest message tells how the clocks stand; a later one was delayed by what it is slower.
+  const HostNs offset_ns = now - from_s(request.input_ms * 1e-3);
+  clock_offset_ns_ =
+      clock_offset_ns_ ? std::min(offset_ns, *clock_offset_ns_ + (now - heard_ns_) / kDriftDivisor)
+                       : offset_ns;
+  heard_ns_ = now;
+  const HostNs at_ns = now - offset_ns + *clock_offset_ns_;
+  input_ns_ = std::max(input_ns_, at_ns);
+  return VelocityInput{at_ns, request.speed_mps, request.yaw_rate_radps};
+}
+
+bool Wheel::release(std::string_view token) {
+  if (!holds(token)) return false;
+  clear();
+  return true;
+}
+
+bool Wheel::lose(std::string_view id) {
+  if (asking_.id == id) asking_ = {};
+  if (token_.empty() || driver_.id != id) return false;
+  clear();
+  return true;
+}
+
+messages::DriverFigures Wheel::figures(HostNs now) const {
+  messages::DriverFigures out;
+  if (token_.empty()) return out;
+  out.by = driver_.name;
+  out.fresh = fresh(now);
+  if (!asking_.id.empty() && now - asked_ns_ <= kAskNs) out.asked_by = asking_.name;
+  return out;
+}
+
+}  // namespace tp100::server

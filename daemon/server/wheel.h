@@ -1,0 +1,74 @@
+#pragma once
+// Who drives by hand: one driver at a time, whatever the clients are. Pure: times are passed in;
+// the caller locks.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/command.h"
+#include "messages/figures.h"
+#include "server/protocol.h"
+
+namespace tp100::server {
+
+/// One input of a driver, as the client sent it.
+struct DriveRequest {
+  std::string token;            ///< of Wheel::take
+  double speed_mps = 0.0;       ///< backwards negative
+  double yaw_rate_radps = 0.0;  ///< counter-clockwise positive
+  double input_ms = 0.0;        ///< when the person gave it, by the client's own clock
+};
+
+/// The request of these fields; nothing, and `why` is set, if one is missing, unknown, of another
+/// type, not finite or out of range.
+std::optional<DriveRequest> drive_request(const std::vector<RequestField>& fields,
+                                          std::string& why);
+
+/// A client that may drive.
+struct Driver {
+  std::string id;    ///< no other client has it
+  std::string name;  ///< for people: "viewer 3"
+};
+
+/// The wheel belongs to whoever took it until he releases it, is lost, or gives no fresh input
+/// while somebody else asks for it.
+class Wheel {
+ public:
+  /// A client that was refused counts as asking for this long.
+  static constexpr HostNs kAskNs = 5 * kNsPerS;
+
+  /// Gives the wheel to `driver` and returns the token; the one before is worth nothing from now
+  /// on. Nothing while another driver's input is fresh, who then sees who asks.
+  std::optional<std::string> take(const Driver& driver, HostNs now);
+  /// The input with the host time at which the person gave it; nothing if the token does not hold
+  /// the wheel. A message that was delayed on its way, or whose time does not go on, is as old as
+  /// the person's input.
+  std::optional<VelocityInput> drive(const DriveRequest& request, HostNs now);
+  /// False: the token does not hold the wheel.
+  bool release(std::string_view token);
+  /// The client is gone. True: it held the wheel.
+  bool lose(std::string_view id);
+  /// Nobody holds the wheel.
+  void clear() { *this = Wheel{}; }
+
+  HostNs taken_ns() const { return taken_ns_; }
+  messages::DriverFigures figures(HostNs now) const;
+
+ private:
+  bool holds(std::string_view token) const { return !token_.empty() && token == token_; }
+  bool fresh(HostNs now) const { return !token_.empty() && now - input_ns_ <= kFreshInputNs; }
+
+  std::string token_;  // empty: nobody drives
+  Driver driver_{};
+  Driver asking_{};
+  HostNs taken_ns_ = 0;
+  HostNs asked_ns_ = 0;
+  HostNs input_ns_ = 0;                    // of the newest input
+  HostNs heard_ns_ = 0;                    // when the newest message arrived
+  std::optional<HostNs> clock_offset_ns_;  // host time - the client's clock
+};
+
+}  // namespace tp100::server

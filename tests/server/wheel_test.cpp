@@ -1,0 +1,160 @@
+#include "server/wheel.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace tp100::server {
+namespace {
+
+const Driver kA{"a", "viewer 1"}, kB{"b", "viewer 2"};
+
+class WheelTest : public testing::Test {
+ protected:
+  std::optional<VelocityInput> drive(const std::string& token, double input_ms) {
+    return wheel_.drive({token, 0.1, 0.2, input_ms}, now_);
+  }
+  void pass(double ms) { now_ += from_s(ms * 1e-3); }
+
+  Wheel wheel_;
+  HostNs now_ = 10 * kNsPerS;
+};
+
+TEST_F(WheelTest, OnlyTheTokenOfTheLastTakeDrives) {
+  EXPECT_FALSE(drive("", 0.0));
+  const std::string first = wheel_.take(kA, now_).value();
+  EXPECT_GE(first.size(), 16U);
+  const std::string again = wheel_.take(kA, now_).value();
+  EXPECT_NE(first, again);
+  EXPECT_FALSE(drive(first, 0.0));
+  const auto input = drive(again, 0.0);
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->speed_mps, 0.1);
+  EXPECT_EQ(input->yaw_rate_radps, 0.2);
+  EXPECT_EQ(input->at_ns, now_);
+}
+
+TEST_F(WheelTest, IsNotGivenAwayWhileTheDriversInputIsFresh) {
+  const std::string token = wheel_.take(kA, now_).value();
+  for (double ms = 0.0; ms < 2000.0; ms += 50.0) {
+    pass(50.0);
+    ASSERT_TRUE(drive(token, ms));
+    EXPECT_FALSE(wheel_.take(kB, now_));
+  }
+  EXPECT_EQ(wheel_.figures(now_).by, "viewer 1");
+  EXPECT_EQ(wheel_.figures(now_).asked_by, "viewer 2");
+  pass(151.0);
+  const auto taken = wheel_.take(kB, now_);
+  ASSERT_TRUE(taken);
+  EXPECT_FALSE(drive(token, 3000.0)) << "two drivers must never mix";
+  EXPECT_EQ(wheel_.figures(now_).by, "viewer 2");
+  EXPECT_EQ(wheel_.figures(now_).asked_by, "");
+}
+
+TEST_F(WheelTest, AnInputWhoseTimeStandsStillGrowsOld) {
+  const std::string token = wheel_.take(kA, now_).value();
+  const HostNs given_ns = now_;
+  for (int i = 0; i < 100; ++i) {
+    const auto input = drive(token, 500.0);
+    ASSERT_TRUE(input);
+    EXPECT_LE(input->at_ns, given_ns + 2 * kNsPerMs);
+    pass(20.0);
+  }
+  EXPECT_FALSE(wheel_.figures(now_).fresh);
+  EXPECT_TRUE(wheel_.take(kB, now_));
+}
+
+TEST_F(WheelTest, AMessageThatWasDelayedIsAsOldAsThePersonsInput) {
+  const std::string token = wheel_.take(kA, now_).value();
+  const HostNs begin_ns = now_;
+  ASSERT_TRUE(drive(token, 1000.0));
+  pass(800.0);
+  const auto late = drive(token, 1100.0);
+  ASSERT_TRUE(late);
+  EXPECT_NEAR(to_s(late->at_ns - begin_ns), 0.1, 0.002);
+}
+
+TEST_F(WheelTest, ClocksThatDriftApartStayTogether) {
+  for (const double rate : {0.9995, 1.0005}) {
+    const std::string token = wheel_.take(kA, now_).value();
+    for (double ms = 0.0; ms < 3600e3; ms += 20.0) {
+      pass(20.0);
+      const auto input = drive(token, ms * rate);
+      ASSERT_TRUE(input);
+      ASSERT_LE(now_ - input->at_ns, 5 * kNsPerMs);
+      ASSERT_LE(input->at_ns, now_);
+    }
+  }
+}
+
+TEST_F(WheelTest, AClientsClockNeverDatesAnInputIntoTheFuture) {
+  const std::string token = wheel_.take(kA, now_).value();
+  for (const double ms : {0.0, 1e15, -1e15, 5.0, 1e15}) {
+    pass(20.0);
+    const auto input = drive(token, ms);
+    ASSERT_TRUE(input);
+    EXPECT_LE(input->at_ns, now_);
+  }
+}
+
+TEST_F(WheelTest, AReleaseOrALostClientLeavesItToNobody) {
+  const std::string token = wheel_.take(kA, now_).value();
+  EXPECT_FALSE(wheel_.release("other"));
+  EXPECT_TRUE(wheel_.release(token));
+  EXPECT_FALSE(wheel_.release(token));
+  EXPECT_FALSE(drive(token, 0.0));
+  EXPECT_EQ(wheel_.figures(now_).by, "");
+  const std::string next = wheel_.take(kB, now_).value();
+  EXPECT_FALSE(wheel_.lose(kA.id));
+  EXPECT_TRUE(drive(next, 0.0));
+  EXPECT_TRUE(wheel_.lose(kB.id));
+  EXPECT_FALSE(drive(next, 1.0));
+}
+
+TEST_F(WheelTest, ARefusedClientAsksForAWhileOrUntilItIsGone) {
+  const std::string token = wheel_.take(kA, now_).value();
+  EXPECT_FALSE(wheel_.take(kB, now_));
+  pass(100.0);
+  EXPECT_EQ(wheel_.figures(now_).asked_by, "viewer 2");
+  pass(5000.0);
+  EXPECT_EQ(wheel_.figures(now_).asked_by, "");
+  ASSERT_TRUE(drive(token, 0.0));
+  EXPECT_FALSE(wheel_.take(kB, now_));
+  EXPECT_FALSE(wheel_.lose(kB.id));
+  EXPECT_EQ(wheel_.figures(now_).asked_by, "");
+}
+
+TEST(DriveRequest, NeedsEveryFieldOfItsTypeAndRangeAndNoOther) {
+  using Fields = std::vector<RequestField>;
+  const Fields good = {{"token", std::string("t")},
+                       {"speed_mps", -0.1},
+                       {"yaw_rate_radps", 0.2},
+                       {"input_ms", 12.0}};
+  std::string why;
+  const auto request = drive_request(good, why);
+  ASSERT_TRUE(request) << why;
+  EXPECT_EQ(request->speed_mps, -0.1);
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    Fields missing = good;
+    missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_FALSE(drive_request(missing, why)) << good[i].name;
+    for (const messages::ParameterValue& value :
+         {messages::ParameterValue(true), messages::ParameterValue(std::string("x")),
+          messages::ParameterValue(std::numeric_limits<double>::quiet_NaN()),
+          messages::ParameterValue(std::numeric_limits<double>::infinity()),
+          messages::ParameterValue(-1e300)}) {
+      if (i == 0 && std::holds_alternative<std::string>(value)) continue;
+      Fields wrong = good;
+      wrong[i].value = value;
+      EXPECT_FALSE(drive_request(wrong, why)) << good[i].name;
+      EXPECT_NE(why.find(good[i].name), std::string::npos) << why;
+    }
+  }
+  Fields more = good;
+  more.push_back({"speed", 1.0});
+  EXPECT_FALSE(drive_request(more, why));
+  EXPECT_EQ(why, "there is no argument 'speed'");
+}
+
+}  // namespace
+}  // namespace tp100::server
