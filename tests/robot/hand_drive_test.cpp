@@ -1,0 +1,206 @@
+// Driving an emulated robot by hand in lockstep, from a viewer's request to the wire.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/replay.h"
+#include "dead_man.h"
+#include "fence_runs.h"
+#include "record/recording.h"
+#include "sim/robot/lockstep_recorder.h"
+#include "support/temporary_folder.h"
+
+namespace tp100::sim {
+namespace {
+
+constexpr std::uint32_t kA = 1, kB = 2;
+
+class HandDriveTest : public ::testing::Test {
+ protected:
+  /// The robot is driven forwards by viewer A for a while.
+  std::string drive_off(HandDriven& drive, double speed_mps = 0.1) {
+    EXPECT_TRUE(drive.wait_until_ready());
+    const std::string token = drive.take(kA);
+    EXPECT_EQ(drive.state(), RunState::kDriving) << token;
+    drive.before_step = [&drive, token, speed_mps](HostNs) {
+      drive.drive(kA, token, speed_mps, 0.0);
+    };
+    drive.step_for(1.0);
+    return token;
+  }
+};
+
+TEST_F(HandDriveTest, TheRobotFollowsTheDriverAndStandsWhereItWasReleased) {
+  HandDriven drive({.loaded = load({})});
+  const std::string token = drive_off(drive);
+  EXPECT_NEAR(drive.record().snapshot.command.speed_mps, 0.1, 1e-9);
+  EXPECT_GT(drive.robot().truth().pose.x_m, 0.04);
+  const double yaw_rad = drive.robot().truth().pose.yaw_rad;
+  drive.before_step = [&](HostNs) { drive.drive(kA, token, 0.0, 0.5); };
+  drive.step_for(2.0);
+  EXPECT_NEAR(drive.robot().truth().pose.yaw_rad - yaw_rad, 0.9, 0.15);
+  drive.before_step = {};
+  EXPECT_TRUE(drive.call(kA, "drive_release", {{"token", token}}).contains("accepted"));
+  drive.step_for(0.5);
+  EXPECT_EQ(drive.state(), RunState::kIdle);
+  EXPECT_FALSE(motors_on(drive.record().snapshot.sample));
+}
+
+TEST_F(HandDriveTest, AnInputAloneNeverArms) {
+  HandDriven drive({.loaded = load({})});
+  ASSERT_TRUE(drive.wait_until_ready());
+  EXPECT_TRUE(drive.drive(kA, "", 0.1, 0.0).contains("refused"));
+  EXPECT_TRUE(drive.drive(kA, "0123", 0.1, 0.0).contains("refused"));
+  // Not even past everything that checks it.
+  drive.before_step = [&](HostNs) { drive.controls().drive({"", 0.1, 0.0, 0.0}, drive.now()); };
+  drive.step_for(1.0);
+  EXPECT_EQ(drive.state(), RunState::kIdle);
+  EXPECT_FALSE(motors_on(drive.record().snapshot.sample));
+}
+
+TEST_F(HandDriveTest, ASecondViewerIsRefusedWithTheDriversNameAndIsSeenToAsk) {
+  HandDriven drive({.loaded = load({})});
+  drive_off(drive);
+  const nlohmann::json answer = drive.call(kB, "drive_take");
+  EXPECT_NE(answer.value("refused", "").find("viewer 1 drives"), std::string::npos) << answer;
+  EXPECT_EQ(drive.shown().driver.by, "viewer 1");
+  EXPECT_EQ(drive.shown().driver.asked_by, "viewer 2");
+  drive.step_for(0.5);
+  EXPECT_NEAR(drive.record().snapshot.command.speed_mps, 0.1, 1e-9) << "the driver goes on";
+}
+
+TEST_F(HandDriveTest, ARunIsNotTakenOverAndADriveIsNotARun) {
+  const auto course = std::make_shared<const course::Course>(load_course("1-straight"));
+  HandDriven drive({.loaded = load({}), .course = course});
+  ASSERT_TRUE(drive.wait_until_ready());
+  drive.request(OperatorRequest::kStart);
+  ASSERT_TRUE(drive.step_until([&] { return drive.state() == RunState::kRunning; }, 1.0));
+  drive.step_for(1.0);
+  EXPECT_EQ(drive.call(kA, "drive_take").value("refused", ""),
+            std::string(to_string(StartRefusal::kUnderWay)));
+  drive.call(kA, "hold");
+  drive.step_for(0.5);
+  const double progress_m = drive.record().snapshot.progress_m;
+  EXPECT_GT(progress_m, 0.0);
+
+  const std::string token = drive_off(drive, -0.05);
+  EXPECT_EQ(drive.call(kB, "start").value("refused", ""),
+            std::string(to_string(StartRefusal::kDriven)));
+  EXPECT_EQ(drive.record().snapshot.progress_m, progress_m) << "still beside its path";
+  drive.before_step = [&](HostNs) { drive.drive(kA, token, 0.0, 1.0); };
+  drive.step_for(2.0);
+  drive.before_step = [&](HostNs) { drive.drive(kA, token, 0.15, 0.0); };
+  drive.step_for(3.0);
+  EXPECT_EQ(drive.state(), RunState::kDriving);
+  EXPECT_EQ(drive.record().snapshot.progress_m, 0.0) << "too far from where the run ended";
+  EXPECT_TRUE(drive.shown().confirm_start);
+}
+
+TEST_F(HandDriveTest, ADriverWhoIsSilentForLongLosesTheRobot) {
+  HandDriven drive({.loaded = load({})});
+  drive_off(drive);
+  drive.before_step = {};
+  drive.step_for(1.5);
+  EXPECT_EQ(drive.state(), RunState::kDriving) << "it only stands";
+  drive.step_for(1.0);
+  EXPECT_EQ(drive.state(), RunState::kIdle);
+  EXPECT_FALSE(motors_on(drive.record().snapshot.sample));
+  EXPECT_EQ(drive.shown().driver.by, "");
+}
+
+TEST_F(HandDriveTest, AStopLatchesAndEndsTheDriversToken) {
+  HandDriven drive({.loaded = load({})});
+  const std::string token = drive_off(drive);
+  drive.call(kB, "stop", nlohmann::json::object(), server::Permission::kStopOnly);
+  drive.step_for(1.0);
+  EXPECT_EQ(drive.state(), RunState::kAborted);
+  EXPECT_FALSE(motors_on(drive.record().snapshot.sample));
+  EXPECT_TRUE(drive.drive(kA, token, 0.1, 0.0).contains("refused"));
+}
+
+TEST_F(HandDriveTest, AViewerWithoutRightsDoesNotDrive) {
+  HandDriven drive({.loaded = load({})});
+  ASSERT_TRUE(drive.wait_until_ready());
+  EXPECT_TRUE(drive.call(kA, "drive_take", nlohmann::json::object(), server::Permission::kStopOnly)
+                  .contains("refused"));
+  drive.step_for(0.5);
+  EXPECT_EQ(drive.state(), RunState::kIdle);
+}
+
+class DeadMan : public ::testing::TestWithParam<std::pair<Loss, const char*>> {};
+
+TEST_P(DeadMan, StopsTheRobotAtOnceOrWhenTheLastInputIsOld) {
+  const LossTimes times = lose_driver(GetParam().first, 10, 1);
+  EXPECT_EQ(times.wrong, "");
+  ASSERT_EQ(times.command_ms.size(), 10U);
+  // At most eight steps lie between two inputs.
+  EXPECT_LE(*std::max_element(times.command_ms.begin(), times.command_ms.end()),
+            is_heard(GetParam().first) ? 50.0 : 160.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Losses, DeadMan, ::testing::ValuesIn(kLosses), [](const auto& tested) {
+  std::string name = tested.param.second;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+});
+
+TEST_F(HandDriveTest, NoSequenceOfCommandsTakesTheCentreOutOfTheFence) {
+  double driven_m = 0.0, at_fence_s = 0.0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const FenceRun run = drive_in_fence(seed, 12.0);
+    EXPECT_LE(run.outside_m, 0.03) << "seed " << seed << ", " << run.what;
+    EXPECT_LE(run.estimated_outside_m, 0.0) << "seed " << seed << ", " << run.what;
+    EXPECT_EQ(run.end, RunState::kDriving) << "seed " << seed << ", " << run.what;
+    driven_m += run.driven_m;
+    at_fence_s += run.at_fence_s;
+  }
+  EXPECT_GT(driven_m, 4.0) << "the robot must really be driven";
+  EXPECT_GT(at_fence_s, 6.0) << "... and against the fence";
+}
+
+TEST_F(HandDriveTest, ARobotOutsideTheFenceOnlyComesIn) {
+  auto course = std::make_shared<course::Course>(load_course("1-straight"));
+  course->terrain = {};
+  course->start = {};
+  course->fence = {0.2, 1.2, -0.5, 0.5};  // the robot stands 20 cm outside, heading inside
+  HandDriven drive({.loaded = load({}), .course = course});
+  const std::string token = drive_off(drive, -0.1);
+  EXPECT_GT(drive.robot().truth().pose.x_m, -0.005) << "backwards is away from it";
+  EXPECT_TRUE(drive.record().snapshot.at_fence);
+  drive.before_step = [&](HostNs) { drive.drive(kA, token, 0.0, 0.5); };
+  drive.step_for(1.0);
+  EXPECT_GT(drive.robot().truth().pose.yaw_rad, 0.3) << "turning on the spot is allowed";
+  drive.before_step = [&](HostNs) { drive.drive(kA, token, 0.1, 0.0); };
+  drive.step_for(5.0);
+  EXPECT_GT(drive.robot().truth().pose.x_m, 0.25);
+}
+
+TEST_F(HandDriveTest, ADriveReplaysBitForBit) {
+  const test::TemporaryFolder folder;
+  Loaded loaded = load({});
+  loaded.files.course = course::read_bundled(course::Bundled::kCourses, "1-straight");
+  const config::RunSetup run = config::parse_run(loaded.files);
+  LockstepRecorder recorder(folder.path().string(), loaded, 1);
+  HandDriven drive({.loaded = loaded, .course = run.course, .sink = &recorder});
+  const std::string token = drive_off(drive);
+  drive.before_step = [&](HostNs) { drive.drive(kA, token, -0.07, 0.4); };
+  drive.step_for(2.0);
+  drive.disconnect(kA);
+  drive.before_step = {};
+  drive.step_for(3.0);
+  recorder.finish();
+
+  const record::Recording recording(recorder.path());
+  std::size_t inputs = 0, driven = 0;
+  const app::Replayed replayed =
+      app::replay_steps(recording, run.parameters, run.course, true, [&](const StepRecord& record) {
+        inputs += record.inputs.velocities.size();
+        if (record.snapshot.run_state == RunState::kDriving) ++driven;
+      });
+  EXPECT_FALSE(replayed.differs_at) << *replayed.differs_at << " " << replayed.difference.field;
+  EXPECT_GT(inputs, 500U);
+  EXPECT_GT(driven, 600U);
+}
+
+}  // namespace
+}  // namespace tp100::sim
