@@ -49,6 +49,7 @@ const began = performance.now();
 const unix0 = BigInt(Date.now()) * 1000000n;
 const t = () => (performance.now() - began) / 1000;
 let run = 'idle', runBegan = 0, runEnded = 0, s = 0, robot = true, recording = null, faults = [], step = 0, lastSample = 0;
+let driver = '';
 let stop = { count: 0, latched: false, by: '', requested_t_s: null, status: 'none', acknowledged_ms: null };
 const lateness = new Array(14).fill(0);
 const parameters = [
@@ -77,15 +78,18 @@ function to(next) {
   if (next === run) return;
   event('run', next === 'aborted' ? 'error' : 'info', `state: ${run} -> ${next}`);
   run = next;
+  if (run !== 'driving') driver = '';
   state();
 }
+const underWay = () => run === 'running' || run === 'driving';
 function state() {
   const why = stop.latched ? '' : !robot ? 'no robot yet' : '';
   publish('/state', {
     t_s: t(), run, session: robot ? 'ready' : 'listening', robot_state: robot ? (run === 'running' ? 'running' : 'disarmed') : null, motors_on: robot && run === 'running',
     run_s: run === 'idle' ? null : (run === 'running' ? t() : runEnded) - runBegan, progress_m: s, length_m: length, course: '3',
     robot: 'end-loaded', setup: 'flat', steering: 'odometry', world: 'internal', battery_v: 7.92,
-    can: { start: robot && run !== 'running', hold: run === 'running', stop: true, record: recording === null }, why_not_start: why, confirm_start: true,
+    can: { start: robot && !underWay(), drive: robot && !underWay(), hold: underWay(), stop: true, record: recording === null }, why_not_start: why, why_not_drive: driver === '' ? why : `${driver} drives`, confirm_start: true,
+    ...(driver === '' ? {} : { driver: { by: driver, fresh: true } }),
     faults: faults.map((name) => ({ name, cause: name === 'link_lost' ? 'the link broke, or no sample arrived for 200 ms' : 'STOP was pressed', fix: 'check the cable; the daemon reconnects by itself, then start again', from: 'robot' })),
     stop,
   });
@@ -95,7 +99,7 @@ function pressStop(by) {
   const at_s = t();
   stop = { count: stop.count + 1, latched: true, by, requested_t_s: at_s, status: 'pending', acknowledged_ms: null };
   event('stop', 'warning', `STOP by ${by}`);
-  if (run === 'running' || run === 'arming') { runEnded = t(); to('aborted'); }
+  if (underWay() || run === 'arming') { runEnded = t(); to('aborted'); }
   state();
   return new Promise((resolve) => {
     const acknowledge = () => {
@@ -116,7 +120,7 @@ function pressStop(by) {
 
 const services = {
   start: () => {
-    if (!robot || run === 'running') throw new Error('no robot yet');
+    if (!robot || underWay()) throw new Error('no robot yet');
     s = 0; faults = []; stop = { ...stop, latched: false, status: 'none' };
     runBegan = runEnded = t();
     to('arming');
@@ -127,6 +131,14 @@ const services = {
   stop: (by) => pressStop(by),
   record_start: () => { recording = { began: t(), run: '20260102-030405-3' }; record(); state(); return { run: recording.run }; },
   record_stop: () => { const { run: name } = recording; recording = null; record(); state(); return { run: name, bytes: 123456 }; },
+  // The mock robot is armed, but does not move.
+  drive_take: (by) => {
+    if (driver !== '' && driver !== by) throw new Error(`${driver} drives`);
+    driver = by; stop = { ...stop, latched: false, status: 'none' }; runBegan = t(); to('driving');
+    return { token: 'mock' };
+  },
+  drive: () => { if (driver === '') throw new Error('this token does not drive'); return { accepted: true }; },
+  drive_release: () => { runEnded = t(); to('idle'); return { accepted: true }; },
 };
 function record() {
   publish('/recording', { available: true, active: recording !== null, run: recording?.run ?? '', file: '', elapsed_s: recording ? t() - recording.began : 0, bytes: 123456, dropped: 0, warning: '' });

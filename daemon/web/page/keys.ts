@@ -4,6 +4,10 @@ export interface Keys {
   stop(): void;
   start(): void;
   hold(): void;
+  /** Takes the wheel. */
+  drive(): void;
+  /** A key that may drive is pressed or let go. True: this page drives, and the key has no other meaning. */
+  driveKey(code: string, down: boolean): boolean;
   camera(index: number): void;
   nextCamera(): void;
   /** Shows the list of keys. */
@@ -28,8 +32,14 @@ export function listen(keys: Keys): void {
         return;
       }
       if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+      if (keys.driveKey(event.code, true)) {
+        event.preventDefault();
+        event.stopPropagation();
+        return;
+      }
       if (event.key === 'r' && !event.repeat) keys.start();
       else if (event.key === 'h' && !event.repeat) keys.hold();
+      else if (event.key === 'm' && !event.repeat) keys.drive();
       else if (event.key === 'c') keys.nextCamera();
       else if (event.key >= '1' && event.key <= '4') keys.camera(Number(event.key) - 1);
       else if (event.key === '?') keys.keys();
@@ -43,6 +53,7 @@ export function listen(keys: Keys): void {
     'keyup',
     (event) => {
       if (event.code === 'Space' && !typing(event.target)) event.preventDefault();
+      keys.driveKey(event.code, false);
     },
     { capture: true },
   );

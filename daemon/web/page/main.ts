@@ -4,12 +4,16 @@ import './base.css';
 import './header.css';
 import './view.css';
 import './plots.css';
+import './drive.css';
 import './drawer.css';
 import './layout.css';
+import { Driver, kPeriod_ms } from '../drive/driver.ts';
+import { Inputs } from '../drive/inputs.ts';
 import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { kSubprotocols } from '../foxglove/codec.ts';
 import { Controls, type Command } from '../panel/controls.ts';
 import { h, setAttribute, setText } from '../panel/dom.ts';
+import { DrivePanel } from '../panel/drive_panel.ts';
 import { Drawer } from '../panel/drawer.ts';
 import { EventLog } from '../panel/event_log.ts';
 import { Histogram } from '../panel/histogram.ts';
@@ -78,6 +82,7 @@ const client = new Client(
     closed: (retry_ms) => {
       retryAt_ms = performance.now() + retry_ms;
       stop.disconnected();
+      driver.lose('the connection to the daemon is lost');
     },
     status: (level, message) => {
       if (level > 0) notice.say(message, performance.now());
@@ -88,6 +93,7 @@ const client = new Client(
 
 function pressStop(): void {
   controls.forget();
+  drive.forget();
   stop.press(performance.now());
   if (client.ready) sendStop();
   else client.retryNow();
@@ -156,6 +162,19 @@ const stopPanel = new StopPanel(pressStop);
 const controls = new Controls(command, (from) => {
   command('start', { from });
 });
+const inputs = new Inputs(
+  () => navigator.getGamepads(),
+  () => performance.now(),
+);
+const driver = new Driver(
+  (service, request) => client.call(service, request),
+  inputs,
+  () => document.visibilityState === 'visible' && document.hasFocus(),
+  (why) => {
+    if (why !== '') notice.say(`Driving by hand: ${why}`, performance.now());
+  },
+);
+const drive = new DrivePanel(driver, inputs);
 const status = new StatusBar();
 const notice = new Notice();
 const viewport = new Viewport();
@@ -192,13 +211,17 @@ const header = h(
   stopPanel.element,
 );
 plots.element.append(histogram.element);
-viewport.element.append(notice.element, transport.element, timeline.element);
+controls.element.append(drive.button);
+viewport.element.append(drive.element, notice.element, transport.element, timeline.element);
 document.body.append(header, h('main', {}, viewport.element, numbers.element, plots.element, drawer.element));
 
 for (const topic of kTopics) {
   client.subscribe(topic, (message) => {
     live.receive(topic, message as never);
-    if (topic === '/state') stop.received((message as State).stop);
+    if (topic === '/state') {
+      stop.received((message as State).stop);
+      driver.received(message as State);
+    }
     else if (topic === '/recording') runs.changed();
     // Only the path driven before; from here on the page draws its own.
     else if (topic === '/path_history') client.unsubscribe(topic);
@@ -209,11 +232,28 @@ listen({
   stop: pressStop,
   start: () => { controls.pressStart(); },
   hold: () => { controls.pressHold(); },
+  drive: () => { drive.press(); },
+  driveKey: (code, down) => driveKey(code, down),
   camera: (index) => { viewport.set(kModes[index] ?? 'free'); },
   nextCamera: () => { viewport.next(); },
   keys: () => { drawer.select('keys'); },
   step: (direction) => { transport.step(direction); },
 });
+
+function driveKey(code: string, down: boolean): boolean {
+  // A key that was let go counts even when this page no longer drives.
+  if (!driver.drives && down) return false;
+  const drives = inputs.key(code, down) && driver.drives;
+  if (drives) driver.tick();
+  return drives;
+}
+
+setInterval(() => { driver.tick(); }, kPeriod_ms);
+for (const gone of ['blur', 'pagehide'] as const) window.addEventListener(gone, () => { driver.leave(); });
+document.addEventListener('visibilitychange', () => {
+  if (document.visibilityState !== 'visible') driver.leave();
+});
+window.addEventListener('gamepaddisconnected', () => { driver.tick(); });
 
 function identity(): void {
   const state = live.get('/state');
@@ -251,6 +291,7 @@ function frame(now_ms: number): void {
     due.chips = now_ms + kChips_ms;
     status.show(live, client.ready);
     controls.show(live, client.ready, metadata.commands !== 'stop');
+    drive.show(live, client.ready, metadata.commands !== 'stop');
     notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms, shown !== live);
     histogram.show(shown);
     drawer.show();

@@ -4,7 +4,9 @@ import { h } from './dom.ts';
 const kKeys: [key: string, meaning: string][] = [
   ['space, esc', 'STOP'],
   ['r', 'start; asks for confirmation, or where the robot stands'],
-  ['h', 'hold: ends the run and disarms'],
+  ['h', 'hold: ends the run or the drive and disarms'],
+  ['m', 'drive by hand: takes the wheel; asks for confirmation'],
+  ['arrows; w, a, s, d', 'while this page drives: forwards, left, backwards, right, as long as they are held'],
   ['1, 2, 3, 4', 'view: chase, top, free, map'],
   ['c', 'next view'],
   ['[, ]', 'step through a recording'],

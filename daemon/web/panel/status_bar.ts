@@ -29,7 +29,7 @@ class Chip {
   }
 }
 
-const kRunLamps: Record<string, Lamp> = { idle: 'none', arming: 'wait', running: 'good', finished: 'done', aborted: 'bad' };
+const kRunLamps: Record<string, Lamp> = { idle: 'none', arming: 'wait', running: 'good', finished: 'done', aborted: 'bad', driving: 'good' };
 
 export class StatusBar {
   readonly element = h('div', { class: 'chips' });
@@ -74,12 +74,14 @@ export class StatusBar {
       this.run.show('none', state?.run ?? '\u2013', 'stale');
       return;
     }
-    const asked = state.run === 'arming' || state.run === 'running';
+    const asked = ['arming', 'running', 'driving'].includes(state.run);
     if (state.motors_on && !asked) {
       this.run.show('bad', state.run, 'motors on', 'The motors are on, though no run is under way');
       return;
     }
-    this.run.show(kRunLamps[state.run] ?? 'none', state.run, typeof state.run_s === 'number' ? clock(state.run_s) : '', state.why_not_start);
+    const since = typeof state.run_s === 'number' ? clock(state.run_s) : '';
+    const detail = state.run === 'driving' && state.driver ? state.driver.by : since;
+    this.run.show(kRunLamps[state.run] ?? 'none', state.run, detail, state.why_not_start);
   }
 
   private showLink(store: Store, connected: boolean): void {

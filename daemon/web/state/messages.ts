@@ -46,6 +46,7 @@ export interface Estimate {
   heading_error_rad: number;
   desired_yaw_rad: number;
   desired_speed_mps: number;
+  at_fence?: boolean;
   progress_m: number;
 }
 
@@ -109,7 +110,7 @@ export interface Loop {
   lost_records: number;
 }
 
-export type Run = 'idle' | 'arming' | 'running' | 'finished' | 'aborted';
+export type Run = 'idle' | 'arming' | 'running' | 'finished' | 'aborted' | 'driving';
 
 export interface Fault {
   name: string;
@@ -142,10 +143,13 @@ export interface State {
   steering: Steering;
   world: string;
   battery_v?: number | null;
-  can: { start: boolean; hold: boolean; stop: boolean; record: boolean };
+  /** `drive` and what follows of driving: not in recordings of older versions. */
+  can: { start: boolean; drive?: boolean; hold: boolean; stop: boolean; record: boolean };
   /** Where the robot is believed to be, if the last run ended on its way. */
   go_on_from?: { x_m: number; y_m: number; yaw_rad: number };
   why_not_start: string;
+  why_not_drive?: string;
+  driver?: { by: string; fresh: boolean; asked_by?: string };
   /** Not in recordings of older versions. */
   confirm_start?: boolean;
   faults: Fault[];

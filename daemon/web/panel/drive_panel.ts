@@ -1,0 +1,191 @@
+// Driving by hand: the button that takes the wheel, and while this page drives the stick, what is
+// wanted and what the robot does.
+import type { Driver } from '../drive/driver.ts';
+import type { Inputs } from '../drive/inputs.ts';
+import { degrees, fixed } from '../state/format.ts';
+import type { State } from '../state/messages.ts';
+import type { Store } from '../state/store.ts';
+import { h, icon, setAttribute, setClass, setText } from './dom.ts';
+
+const kConfirm_ms = 3000;
+const kNoRights = 'This daemon takes no commands from here but STOP (server.commands)';
+const kSources = { none: 'no control held', keys: 'keys', stick: 'stick', gamepad: 'gamepad' };
+
+export class DrivePanel {
+  readonly button = h('button', { type: 'button', id: 'drive', class: 'control', 'aria-keyshortcuts': 'm' });
+  readonly element = h('section', { class: 'drive-panel', 'aria-label': 'Driving by hand', hidden: '' });
+  private readonly label = h('span', { class: 'button-label' }, 'Drive');
+  private readonly stick: Stick;
+  private readonly source = h('p', { class: 'drive-source', role: 'status' });
+  private readonly facts = h('dl', { class: 'drive-facts' });
+  private readonly values = new Map<string, HTMLElement>();
+  private readonly share = h('input', { type: 'range', id: 'drive-share', min: '10', max: '100', step: '5', value: '50', 'aria-label': 'Greatest speed' });
+  private readonly shareText = h('output', { for: 'drive-share' });
+  private readonly asked = h('p', { class: 'drive-asked', role: 'status' });
+  private readonly release = h('button', { type: 'button', class: 'control', id: 'drive-release' }, 'Release');
+  private confirmUntil_ms = 0;
+  private needsConfirmation = true;
+
+  constructor(
+    private readonly driver: Driver,
+    private readonly inputs: Inputs,
+    private readonly now: () => number = () => performance.now(),
+  ) {
+    this.stick = new Stick((at) => {
+      inputs.touch(at);
+      driver.tick();
+    });
+    this.button.append(icon('wheel'), this.label);
+    this.button.addEventListener('click', () => {
+      this.press();
+    });
+    this.release.addEventListener('click', () => {
+      driver.release();
+    });
+    this.share.addEventListener('input', () => {
+      driver.share = this.share.valueAsNumber / 100;
+    });
+    for (const [id, name] of [['speed', 'speed'], ['turn', 'turn']] as const) {
+      const value = h('dd', { id: `drive-${id}` });
+      this.values.set(id, value);
+      this.facts.append(h('dt', {}, name), value);
+    }
+    this.element.append(
+      this.stick.element,
+      h(
+        'div',
+        { class: 'drive-text' },
+        this.source,
+        this.facts,
+        h('label', { class: 'drive-limit', for: 'drive-share' }, 'at most ', this.shareText),
+        this.share,
+        this.asked,
+      ),
+      this.release,
+    );
+  }
+
+  /** Takes the wheel, confirmed if the daemon requires it. It never releases: what starts does not stop. */
+  press(): void {
+    if (this.button.disabled || this.driver.drives) return;
+    const now_ms = this.now();
+    if (this.needsConfirmation && now_ms > this.confirmUntil_ms) {
+      this.confirmUntil_ms = now_ms + kConfirm_ms;
+      return;
+    }
+    this.confirmUntil_ms = 0;
+    void this.driver.take();
+  }
+
+  /** STOP was pressed: cancels an unconfirmed press. */
+  forget(): void {
+    this.confirmUntil_ms = 0;
+  }
+
+  show(store: Store, connected: boolean, mayCommand: boolean): void {
+    const state = store.get('/state');
+    const fresh = connected && mayCommand && state !== undefined && !store.stale('/state');
+    this.showButton(state, fresh, mayCommand);
+    const drives = this.driver.drives;
+    if (this.element.hidden === drives) this.element.hidden = !drives;
+    if (!drives) {
+      this.stick.letGo();
+      return;
+    }
+    const parameters = store.get('/parameter')?.parameters ?? [];
+    const number = (name: string, otherwise: number): number => {
+      const value = parameters.find((parameter) => parameter.name === name)?.value;
+      return typeof value === 'number' ? value : otherwise;
+    };
+    this.driver.limits = {
+      speed_mps: number('robot.drive.max_track_mps', 0.2),
+      yaw_rate_radps: number('robot.drive.max_yaw_radps', 1),
+    };
+    this.showDrive(store, state);
+  }
+
+  private showButton(state: State | undefined, fresh: boolean, mayCommand: boolean): void {
+    this.needsConfirmation = state?.confirm_start !== false;
+    // Another driver can be asked.
+    const other = state?.driver?.fresh === true && !this.driver.drives;
+    this.button.disabled = !(fresh && !this.driver.drives && (state?.can.drive === true || other));
+    const confirm = this.now() < this.confirmUntil_ms;
+    setClass(this.button, 'confirm', confirm);
+    setText(this.label, confirm ? 'Press again' : other ? 'Ask' : 'Drive');
+    const why = !mayCommand ? kNoRights : (state?.why_not_drive ?? '');
+    const title = other ? `${why}: ask for the wheel` : why;
+    setAttribute(this.button, 'title', title === '' ? 'Drive by hand (m)' : title);
+  }
+
+  private showDrive(store: Store, state: State | undefined): void {
+    const wish = this.driver.wish;
+    const estimate = store.get('/estimate');
+    const pose = estimate?.[estimate.steering];
+    const armed = state?.run === 'driving';
+    setClass(this.element, 'frozen', this.inputs.frozen);
+    const source = this.inputs.frozen
+      ? 'gamepad: its values stand still; move the stick'
+      : !armed
+        ? 'arming\u2026'
+        : estimate?.at_fence === true
+          ? 'at the fence'
+          : kSources[wish?.source ?? 'none'];
+    setText(this.source, source);
+    const { speed_mps, yaw_rate_radps } = this.driver.limits;
+    const speed = `${fixed(pose?.vx_mps, 3)} m/s, commanded ${fixed(estimate?.desired_speed_mps, 3)}`;
+    const turn = `${degrees(pose?.yaw_rate_radps, 0)}\u00b0/s, wanted ${degrees((wish?.left ?? 0) * this.driver.share * yaw_rate_radps, 0)}`;
+    const [speedValue, turnValue] = [this.values.get('speed'), this.values.get('turn')];
+    if (speedValue) setText(speedValue, speed);
+    if (turnValue) setText(turnValue, turn);
+    const most = this.driver.share * speed_mps;
+    setText(this.shareText, `${fixed(most, 2)} of ${fixed(speed_mps, 2)} m/s, ${degrees(this.driver.share * yaw_rate_radps, 0)}\u00b0/s`);
+    const by = state?.driver?.asked_by ?? '';
+    setText(this.asked, by === '' ? '' : `${by} asks for the wheel`);
+    this.stick.show(wish?.forward ?? 0, wish?.left ?? 0);
+  }
+}
+
+/** A stick for finger or mouse. It springs back when it is let go. */
+class Stick {
+  readonly element = h('div', { class: 'drive-stick', 'aria-hidden': 'true' });
+  private readonly knob = h('div', { class: 'drive-knob' });
+  private pointer: number | undefined;
+
+  constructor(private readonly moved: (at: { forward: number; left: number } | undefined) => void) {
+    this.element.append(this.knob);
+    this.element.addEventListener('pointerdown', (event) => {
+      if (this.pointer !== undefined || event.button !== 0) return;
+      event.preventDefault();
+      this.pointer = event.pointerId;
+      this.element.setPointerCapture(event.pointerId);
+      this.move(event);
+    });
+    this.element.addEventListener('pointermove', (event) => {
+      if (event.pointerId === this.pointer) this.move(event);
+    });
+    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
+      this.element.addEventListener(end, (event) => {
+        if (event.pointerId === this.pointer) this.letGo();
+      });
+  }
+
+  letGo(): void {
+    if (this.pointer === undefined) return;
+    this.pointer = undefined;
+    this.moved(undefined);
+  }
+
+  show(forward: number, left: number): void {
+    this.knob.style.transform = `translate(${(-75 * left).toFixed(1)}%, ${(-75 * forward).toFixed(1)}%)`;
+  }
+
+  private move(event: PointerEvent): void {
+    const box = this.element.getBoundingClientRect();
+    const radius = box.width / 2;
+    const x = (event.clientX - box.left - radius) / radius;
+    const y = (event.clientY - box.top - radius) / radius;
+    const size = Math.max(1, Math.hypot(x, y));
+    const quiet = (value: number): number => (Math.abs(value) < 0.08 ? 0 : value);
+    this.moved({ forward: quiet(-y / size), left: quiet(-x / size) });
+  }
+}

@@ -1,0 +1,190 @@
+// Driving by hand from the page, with keys, a gamepad and the stick, and every way to let go.
+import type { Page } from 'playwright-core';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { Bus } from './bus.ts';
+import { alive, picture, run, until, type Size } from './cockpit.ts';
+import { Setting } from './setting.ts';
+
+const setting = new Setting();
+let bus: Bus;
+beforeEach(() => {
+  bus = new Bus(setting.pair.url, ['/estimate', '/state']);
+});
+afterEach(() => {
+  bus.close();
+});
+
+const speed_mps = (): number => bus.last('/estimate')?.desired_speed_mps ?? NaN;
+/** Of the right track against the left one, as commanded. */
+const turn_mps = (): number => {
+  const tracks = bus.last('/estimate')?.tracks;
+  return (tracks?.right_commanded_mps ?? NaN) - (tracks?.left_commanded_mps ?? NaN);
+};
+
+/** Ends whatever is under way and takes the wheel. */
+async function takeWheel(page: Page): Promise<void> {
+  await alive(page);
+  if (['arming', 'running'].includes(await run(page))) await page.click('#hold');
+  await until(() => page.isEnabled('#drive'), 'the robot may be driven');
+  await until(async () => {
+    if ((await run(page)) === 'driving' && (await page.isVisible('#drive-release'))) return true;
+    // The first press asks for confirmation. By key, because a click would wait for a button that is no longer enabled.
+    await page.keyboard.press('m');
+    return false;
+  }, 'this page drives');
+}
+
+async function release(page: Page): Promise<void> {
+  await page.click('#drive-release');
+  await until(async () => (await run(page)) === 'idle', 'the robot is disarmed');
+  expect(await page.isVisible('#drive-release')).toBe(false);
+}
+
+/** A gamepad that the test moves. */
+async function plugGamepad(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const pad = { connected: true, timestamp: 0, axes: [0, 0], noise: false };
+    (globalThis as unknown as { pad: typeof pad }).pad = pad;
+    setInterval(() => {
+      if (pad.noise) pad.timestamp += 1;
+    }, 20);
+    navigator.getGamepads = () => [pad as unknown as Gamepad];
+  });
+  await page.reload();
+}
+
+async function pad(page: Page, values: { axes?: number[]; noise?: boolean; connected?: boolean }): Promise<void> {
+  await page.evaluate((values) => {
+    Object.assign((globalThis as unknown as { pad: object }).pad, values);
+  }, values);
+}
+
+describe('driving by hand', () => {
+  it('asks for confirmation, follows the keys as long as they are held, and releases', async () => {
+    const page = await setting.open();
+    await alive(page);
+    if (['arming', 'running'].includes(await run(page))) await page.keyboard.press('h');
+    await until(() => page.isEnabled('#drive'), 'the robot may be driven');
+    await page.keyboard.press('m');
+    await until(async () => (await page.textContent('#drive')) === 'Press again', 'it asks for confirmation');
+    expect(await page.isVisible('#drive-release')).toBe(false);
+    await page.keyboard.press('m');
+    await until(async () => (await run(page)) === 'driving', 'it is driven');
+    expect(await page.isVisible('#drive-release')).toBe(true);
+    await page.keyboard.press('m');
+    expect(await run(page), 'what starts does not stop').toBe('driving');
+
+    await page.keyboard.down('KeyW');
+    await until(() => speed_mps() > 0.05, 'forwards');
+    expect(speed_mps(), 'within half of the limit').toBeLessThanOrEqual(0.1001);
+    await picture(page, 'hand-desktop');
+    await page.keyboard.down('ArrowLeft');
+    await until(() => turn_mps() > 0.05, 'and to the left');
+    await page.keyboard.up('KeyW');
+    await page.keyboard.up('ArrowLeft');
+    await until(() => speed_mps() === 0 && turn_mps() === 0, 'let go');
+    await page.keyboard.down('ArrowDown');
+    await until(() => speed_mps() < -0.02, 'backwards');
+    await page.keyboard.up('ArrowDown');
+    await until(() => speed_mps() === 0, 'let go');
+    expect(bus.last('/state')?.driver?.by).toMatch(/^viewer \d+$/);
+    await release(page);
+    await page.keyboard.down('KeyW');
+    await page.waitForTimeout(300);
+    expect(await run(page), 'a key alone never arms').toBe('idle');
+    await page.keyboard.up('KeyW');
+  });
+
+  it('stops when the page loses the focus, is hidden or is closed', async () => {
+    const page = await setting.open();
+    for (const lose of ['blur', 'hidden'] as const) {
+      await takeWheel(page);
+      await page.keyboard.down('KeyW');
+      await until(() => speed_mps() > 0.03, 'forwards');
+      await page.evaluate((lose) => {
+        if (lose === 'hidden') {
+          Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+          document.dispatchEvent(new Event('visibilitychange'));
+        } else {
+          window.dispatchEvent(new Event('blur'));
+        }
+      }, lose);
+      await until(() => speed_mps() === 0, `a standstill after ${lose}`);
+      await page.waitForTimeout(200);
+      expect(speed_mps(), 'the key that is still held counts no more').toBe(0);
+      await page.keyboard.up('KeyW');
+      if (lose === 'blur') await release(page);
+    }
+    await until(async () => (await run(page)) === 'idle', 'a hidden page loses the robot after a while');
+
+    const other = await setting.open();
+    await takeWheel(other);
+    await other.keyboard.down('KeyW');
+    await until(() => speed_mps() > 0.03, 'forwards');
+    await other.close();
+    await until(() => speed_mps() === 0, 'a standstill after the page is closed');
+    await until(() => bus.last('/state')?.run === 'idle', 'and disarmed after a while');
+  });
+
+  it('takes a gamepad while its values move, and stops when they freeze or it is gone', async () => {
+    const page = await setting.open();
+    await plugGamepad(page);
+    await takeWheel(page);
+    await pad(page, { noise: true });
+    await pad(page, { axes: [0, -1] });
+    await until(() => speed_mps() > 0.03, 'forwards');
+    await pad(page, { noise: false });
+    await until(() => speed_mps() === 0, 'a standstill when its values freeze');
+    await until(async () => (await page.textContent('.drive-source'))?.includes('stand still') === true, 'it says so');
+    await pad(page, { noise: true });
+    await until(() => speed_mps() > 0.03, 'forwards again');
+    await pad(page, { connected: false });
+    await until(() => speed_mps() === 0, 'a standstill when it is gone');
+    await release(page);
+  });
+
+  it('gives the wheel to one page at a time', async () => {
+    const first = await setting.open();
+    await takeWheel(first);
+    const second = await setting.open({ width: 800, height: 600 });
+    await alive(second);
+    await until(async () => (await second.textContent('#drive')) === 'Ask', 'another page can only ask', () =>
+      JSON.stringify([bus.last('/state')?.run, bus.last('/state')?.driver]));
+    await second.keyboard.press('m');
+    await second.keyboard.press('m');
+    await until(async () => (await second.textContent('.notice'))?.includes('drives') === true, 'it is refused with the name');
+    await until(async () => (await first.textContent('.drive-asked'))?.includes('asks for the wheel') === true, 'the driver sees it');
+    expect(await second.isVisible('#drive-release')).toBe(false);
+    await release(first);
+    await takeWheel(second);
+    expect(await first.isVisible('#drive-release')).toBe(false);
+    // STOP is everybody's.
+    await first.keyboard.press('Escape');
+    await until(async () => (await run(second)) === 'aborted', 'stopped');
+    await until(async () => !(await second.isVisible('#drive-release')), 'the drive is over');
+  });
+
+  for (const [name, size] of [
+    ['tablet', { width: 800, height: 1100 }],
+    ['phone', { width: 390, height: 844 }],
+    ['small-phone', { width: 360, height: 640 }],
+  ] as [string, Size][]) {
+    it(`drives by the stick on a ${name}`, async () => {
+      const page = await setting.open(size);
+      await takeWheel(page);
+      await page.locator('.drive-stick').scrollIntoViewIfNeeded();
+      const box = await page.locator('.drive-stick').boundingBox();
+      if (box === null) throw new Error('no stick');
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.1);
+      await until(() => speed_mps() > 0.03, 'forwards');
+      await picture(page, `hand-${name}`);
+      const clipped = await page.evaluate(() => document.documentElement.scrollWidth > window.innerWidth);
+      expect(clipped, 'nothing wider than the screen').toBe(false);
+      await page.mouse.up();
+      await until(() => speed_mps() === 0, 'let go');
+      await release(page);
+    });
+  }
+});
