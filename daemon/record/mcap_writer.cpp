@@ -29,6 +29,16 @@ class Record {
   std::size_t length_at_;
 };
 
+void write_map(ByteWriter& out, const McapMap& entries) {
+  const std::size_t size_at = out.size();
+  out.number<std::uint32_t>(0);
+  for (const auto& [key, value] : entries) {
+    out.text(key);
+    out.text(value);
+  }
+  out.patch(size_at, static_cast<std::uint32_t>(out.size() - size_at - 4));
+}
+
 // Speed matters more than the last tenth of compression; the frame contains its size.
 constexpr int kLevel = 1;
 
@@ -47,13 +57,14 @@ struct McapWriter::Zstd {
   ZSTD_CCtx* context;
 };
 
-McapWriter::McapWriter(RecordingFile& file, std::string_view library, McapCompression compression)
+McapWriter::McapWriter(RecordingFile& file, std::string_view library, McapCompression compression,
+                       std::string_view profile)
     : file_(file) {
   if (compression == McapCompression::kZstd) zstd_ = std::make_unique<Zstd>();
   record_.assign(kMcapMagic.begin(), kMcapMagic.end());
   {
     Record header(record_, McapOp::kHeader);
-    header->text("");
+    header->text(profile);
     header->text(library);
   }
   write(record_);
@@ -84,7 +95,7 @@ std::uint16_t McapWriter::add_schema(const McapSchema& schema) {
 }
 
 std::uint16_t McapWriter::add_channel(std::uint16_t schema, std::string_view topic,
-                                      std::string_view message_encoding) {
+                                      std::string_view message_encoding, const McapMap& metadata) {
   record_.clear();
   const auto id = static_cast<std::uint16_t>(channels_.size());
   {
@@ -93,7 +104,7 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema, std::string_view top
     record->number(schema);
     record->text(topic);
     record->text(message_encoding);
-    record->number<std::uint32_t>(0);  // metadata
+    write_map(*record.operator->(), metadata);
   }
   write(record_);
   ByteWriter(channel_group_.records).bytes(record_);
@@ -135,13 +146,7 @@ void McapWriter::add_metadata(std::string_view name, const McapMap& entries) {
   {
     Record record(record_, McapOp::kMetadata);
     record->text(name);
-    const std::size_t size_at = record_.size();
-    record->number<std::uint32_t>(0);
-    for (const auto& [key, value] : entries) {
-      record->text(key);
-      record->text(value);
-    }
-    record->patch(size_at, static_cast<std::uint32_t>(record_.size() - size_at - 4));
+    write_map(*record.operator->(), entries);
   }
   write(record_);
   Record index(metadata_group_.records, McapOp::kMetadataIndex);

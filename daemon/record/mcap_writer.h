@@ -20,7 +20,7 @@ namespace tp100::record {
 
 struct McapSchema {
   std::string name;
-  std::string encoding;  ///< "jsonschema", or one of our own
+  std::string encoding;  ///< "jsonschema", "ros2msg", or one of our own
   std::string text;
 };
 
@@ -38,13 +38,14 @@ enum class McapCompression { kNone, kZstd };
 class McapWriter {
  public:
   /// Begins `file`, which must be empty and outlive the writer. Errors are reported by the file;
-  /// after one, nothing more is written.
-  McapWriter(RecordingFile& file, std::string_view library, McapCompression compression);
+  /// after one, nothing more is written. `profile`: of MCAP's registry, or empty.
+  McapWriter(RecordingFile& file, std::string_view library, McapCompression compression,
+             std::string_view profile = "");
   ~McapWriter();
 
   std::uint16_t add_schema(const McapSchema& schema);
   std::uint16_t add_channel(std::uint16_t schema, std::string_view topic,
-                            std::string_view message_encoding);
+                            std::string_view message_encoding, const McapMap& metadata = {});
   void attach(const McapAttachment& attachment);
   void add_metadata(std::string_view name, const McapMap& entries);
 
