@@ -19,6 +19,7 @@
 #include "live/supervisor.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
+#include "ros2/participant.h"
 #include "server/server.h"
 #include "terrain/climbable.h"
 #include "text/toml_document.h"
@@ -127,6 +128,11 @@ int run_run(const RunOptions& options) {
   const bool leave_silent_port = !options.wait || configuration.link.port == "auto";
   live::LiveCycle cycle(session, run.parameters, run.course, leave_silent_port);
 
+  const messages::PublishClock clock = read_clocks();
+  // Before memory is locked, and by this thread: the loop's is not ordinary.
+  std::unique_ptr<messages::Sink> ros2;
+  if (configuration.ros2.enabled)
+    ros2 = ros2::join_domain(configuration.ros2, config::run_context_of(run), clock);
   const loop::RealTimeProcess process({.lock_memory = configuration.loop.lock_memory,
                                        .hold_cpu_latency = configuration.loop.hold_cpu_latency});
   loop::FixedRateLoop loop(loop_settings(configuration.loop), cycle);
@@ -147,7 +153,6 @@ int run_run(const RunOptions& options) {
   settings.robot = run.robot.name;
   settings.setup = bridge::to_string(run.parameters.setup);
   settings.process_grants = process.grants();
-  const messages::PublishClock clock = read_clocks();
   live::LiveRecording recording(files, run, clock);
   settings.recording = &recording;
   record::Worker disk;
@@ -166,6 +171,7 @@ int run_run(const RunOptions& options) {
   settings.verbose = options.verbose;
   live::Supervisor supervisor(settings, cycle, loop);
   for (messages::Sink* sink : options.sinks) supervisor.add_sink(*sink);
+  if (ros2 != nullptr) supervisor.add_sink(*ros2);
   try {
     return supervisor.run();
   } catch (const SetupError&) {

@@ -157,6 +157,27 @@ std::span<const Key<ServerConfiguration>> server_keys() {
   return kKeys;
 }
 
+std::span<const Key<Ros2Settings>> ros2_keys() {
+  using T = Ros2Settings;
+  static const std::array<Key<T>, 3> kKeys = {{
+      {"enabled",
+       &T::enabled,
+       {},
+       "Publish poses, IMU, joints, battery, path and state on ROS 2's topics, as node /tp100d"},
+      {"domain",
+       &T::domain,
+       {-1, 232},
+       "Domain of ROS 2; -1: of the environment variable ROS_DOMAIN_ID, or 0 without it"},
+      {"interface",
+       &T::interface,
+       {},
+       "Network interface: lo for this machine only, or the name of another, for example eth0. "
+       "Empty: as the environment variable CYCLONEDDS_URI says, or without it Cyclone DDS's "
+       "choice"},
+  }};
+  return kKeys;
+}
+
 /// Calls visit(section, keys, values) for every section in the order of the file.
 template <class Values, class Visit>
 void for_each_section(Values& configuration, Visit visit) {
@@ -177,6 +198,7 @@ void for_each_section(Values& configuration, Visit visit) {
   visit("world", world_stream_keys(), configuration.world);
   visit("record", record_keys(), configuration.record);
   visit("server", server_keys(), configuration.server);
+  visit("ros2", ros2_keys(), configuration.ros2);
 }
 
 }  // namespace

@@ -88,6 +88,13 @@ struct ServerConfiguration {
   int max_clients = 64;
 };
 
+/// Publishing on ROS 2's topics.
+struct Ros2Settings {
+  bool enabled = false;
+  int domain = -1;               ///< -1: ROS_DOMAIN_ID, or 0 without it
+  std::string interface = "lo";  ///< empty: as CYCLONEDDS_URI says, or Cyclone DDS's own choice
+};
+
 /// Everything that a file can set. Privileges refused by the system are reported, but not fatal.
 struct Configuration {
   std::string robot = "end-loaded";  ///< bundled name or file
@@ -98,6 +105,7 @@ struct Configuration {
   RecordSettings record{};
   WorldSettings world{};  ///< whether there is one is set in the parameters
   ServerConfiguration server{};
+  Ros2Settings ros2{};
   bridge::Parameters parameters{};  ///< model and drive come from the robot: see bridge_parameters
 };
 

@@ -18,7 +18,7 @@ LAYERS = [
     'bridge messages sim/sensors',
     'record sim/board',
     'config sim/faults',
-    'server identify report doctor camera',
+    'server identify report doctor camera ros2',
     'live',
     'app sim/robot',
     'sim/study sim/campaign',

@@ -1,0 +1,257 @@
+#include "ros2/participant.h"
+
+#include <dds/dds.h>
+#include <dds/ddsi/ddsi_serdata.h>
+#include <dds/ddsi/ddsi_sertype.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "ros2/message_types.h"
+#include "ros2/topics.h"
+#include "text/format.h"
+
+namespace tp100::ros2 {
+namespace {
+
+constexpr const char* kNodeName = "tp100d";
+constexpr int kLastDomain = 232;  // by the ports that RTPS derives from the number
+
+// Messages reach Cyclone DDS as CDR: it needs no description of their types but the name.
+
+/// A message; nothing is said of keys, because ROS 2's topics have none.
+struct CdrData : ddsi_serdata {
+  CdrData(const ddsi_sertype* of, ddsi_serdata_kind as, Bytes content)
+      : ddsi_serdata{}, bytes(std::move(content)), size(static_cast<std::uint32_t>(bytes.size())) {
+    ddsi_serdata_init(this, of, as);
+    // Cyclone DDS reads up to a multiple of four.
+    bytes.resize((bytes.size() + 3) / 4 * 4);
+  }
+  static const CdrData& of(const ddsi_serdata* data) { return *static_cast<const CdrData*>(data); }
+  Bytes bytes;
+  std::uint32_t size;
+};
+
+ddsi_serdata* shared(const ddsi_serdata* data, size_t from, size_t size, ddsrt_iovec_t* out) {
+  out->iov_base = const_cast<std::uint8_t*>(CdrData::of(data).bytes.data() + from);
+  out->iov_len = size;
+  return ddsi_serdata_ref(data);
+}
+
+const ddsi_serdata_ops& data_operations() {
+  static const ddsi_serdata_ops kOperations = [] {
+    ddsi_serdata_ops ops{};  // nothing is received: those that read stay null
+    ops.eqkey = [](const ddsi_serdata*, const ddsi_serdata*) { return true; };
+    ops.get_size = [](const ddsi_serdata* data) { return CdrData::of(data).size; };
+    ops.to_ser = [](const ddsi_serdata* data, size_t from, size_t size, void* out) {
+      std::memcpy(out, CdrData::of(data).bytes.data() + from, size);
+    };
+    ops.to_ser_ref = shared;
+    ops.to_ser_unref = [](ddsi_serdata* data, const ddsrt_iovec_t*) { ddsi_serdata_unref(data); };
+    ops.to_untyped = [](const ddsi_serdata* data) -> ddsi_serdata* {
+      auto* key = new CdrData(data->type, SDK_KEY, {});
+      key->type = nullptr;
+      return key;
+    };
+    ops.free = [](ddsi_serdata* data) { delete static_cast<CdrData*>(data); };
+    ops.print = [](const ddsi_sertype*, const ddsi_serdata*, char* out, size_t) -> size_t {
+      *out = '\0';
+      return 0;
+    };
+    ops.get_keyhash = [](const ddsi_serdata*, ddsi_keyhash* out, bool) {
+      std::memset(out, 0, sizeof *out);
+    };
+    return ops;
+  }();
+  return kOperations;
+}
+
+const ddsi_sertype_ops& type_operations() {
+  static const ddsi_sertype_ops kOperations = [] {
+    ddsi_sertype_ops ops{};
+    ops.version = ddsi_sertype_v0;
+    ops.free = [](ddsi_sertype* type) {
+      ddsi_sertype_fini(type);
+      delete type;
+    };
+    // Names and operations are compared before.
+    ops.equal = [](const ddsi_sertype*, const ddsi_sertype*) { return true; };
+    ops.hash = [](const ddsi_sertype*) -> std::uint32_t { return 0; };
+    return ops;
+  }();
+  return kOperations;
+}
+
+dds_domainid_t domain_of(const config::Ros2Settings& settings) {
+  if (settings.domain >= 0) return static_cast<dds_domainid_t>(settings.domain);
+  const char* const variable = std::getenv("ROS_DOMAIN_ID");
+  if (variable == nullptr || *variable == '\0') return 0;
+  int domain = -1;
+  const char* const end = variable + std::strlen(variable);
+  const auto [stopped, error] = std::from_chars(variable, end, domain);
+  if (error != std::errc{} || stopped != end || domain < 0 || domain > kLastDomain)
+    throw SetupError("ROS_DOMAIN_ID=" + text::one_line(variable) +
+                     ": not a domain; use a number from 0 to " + std::to_string(kLastDomain));
+  return static_cast<dds_domainid_t>(domain);
+}
+
+/// Configuration of Cyclone DDS for that interface; without one it is the environment's.
+std::string dds_configuration(const std::string& interface) {
+  if (interface.empty()) {
+    const char* const variable = std::getenv("CYCLONEDDS_URI");
+    return variable == nullptr ? "" : variable;
+  }
+  constexpr std::string_view kOthers = "._-:@";
+  const auto may_be = [&](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           kOthers.find(c) != std::string_view::npos;
+  };
+  if (!std::all_of(interface.begin(), interface.end(), may_be))
+    throw SetupError("ros2.interface = \"" + text::one_line(interface) +
+                     "\": not a network interface; `ip link` lists them");
+  // The loopback interface can multicast where it does not say so.
+  const std::string multicast = interface == "lo" ? " multicast=\"true\"" : "";
+  return "<CycloneDDS><Domain id=\"any\"><General><Interfaces><NetworkInterface name=\"" +
+         interface + "\"" + multicast + "/></Interfaces></General></Domain></CycloneDDS>";
+}
+
+/// Quality of service that ROS 2's own participants give a topic.
+struct QosOf {
+  QosOf(const Qos& qos, const MessageType& type) : dds(dds_create_qos()) {
+    dds_qset_reliability(dds, qos.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
+                         0);
+    dds_qset_history(dds, DDS_HISTORY_KEEP_LAST, qos.depth);
+    if (qos.transient_local) {
+      dds_qset_durability(dds, DDS_DURABILITY_TRANSIENT_LOCAL);
+      dds_qset_durability_service(dds, 0, DDS_HISTORY_KEEP_LAST, qos.depth, DDS_LENGTH_UNLIMITED,
+                                  DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+    }
+    dds_qset_writer_data_lifecycle(dds, false);
+    const dds_data_representation_id_t cdr = DDS_DATA_REPRESENTATION_XCDR1;
+    dds_qset_data_representation(dds, 1, &cdr);
+    const std::string data = "typehash=" + std::string(type.hash) + ";";
+    dds_qset_userdata(dds, data.data(), data.size());
+  }
+  ~QosOf() { dds_delete_qos(dds); }
+  QosOf(const QosOf&) = delete;
+  QosOf& operator=(const QosOf&) = delete;
+  dds_qos_t* dds;
+};
+
+/// One topic's publisher.
+struct Writer {
+  dds_entity_t entity = 0;
+  const ddsi_sertype* type = nullptr;
+
+  /// A reliable message that cannot be kept for a subscriber displaces an older one.
+  void write(Bytes cdr) const { dds_writecdr(entity, new CdrData(type, SDK_DATA, std::move(cdr))); }
+};
+
+rmw_dds_common::Gid gid_of(dds_entity_t entity) {
+  dds_guid_t guid{};
+  dds_get_guid(entity, &guid);
+  rmw_dds_common::Gid gid;
+  std::copy(std::begin(guid.v), std::end(guid.v), gid.data.begin());
+  return gid;
+}
+
+class Participant : public messages::Sink {
+ public:
+  Participant(const config::Ros2Settings& settings, const messages::RunContext& run_context,
+              const messages::PublishClock& clock)
+      : messages_(run_context, clock, false) {
+    const dds_domainid_t domain = domain_of(settings);
+    // What Cyclone DDS says is why it fails.
+    std::string why;
+    dds_set_log_sink(
+        [](void* out, const dds_log_data_t* line) {
+          *static_cast<std::string*>(out) = std::string(line->message, line->size);
+        },
+        &why);
+    domain_ = dds_create_domain(domain, dds_configuration(settings.interface).c_str());
+    dds_qos_t* const qos = dds_create_qos();
+    constexpr std::string_view kEnclave = "enclave=/;";
+    dds_qset_userdata(qos, kEnclave.data(), kEnclave.size());
+    participant_ = domain_ < 0 ? domain_ : dds_create_participant(domain, qos, nullptr);
+    dds_delete_qos(qos);
+    dds_set_log_sink(nullptr, nullptr);
+    if (participant_ < 0) {
+      dds_delete(domain_);
+      throw SetupError("[ros2]: cannot join domain " + std::to_string(domain) + ": " +
+                       (why.empty() ? dds_strretcode(-participant_) : text::one_line(why)) +
+                       "; check ros2.interface and ros2.domain");
+    }
+    try {
+      create_writers();
+    } catch (...) {
+      dds_delete(domain_);
+      throw;
+    }
+    announce();
+    messages_.begin(clock.start_ns, send_);
+  }
+  ~Participant() override { dds_delete(domain_); }
+
+  void take(const StepRecord& record) override { messages_.take(record, send_); }
+
+ private:
+  Writer writer(const char* name, const MessageType& type, const Qos& offered) const {
+    auto* wanted = new ddsi_sertype{};
+    ddsi_sertype_init_flags(wanted, std::string(type.dds_name).c_str(), &type_operations(),
+                            &data_operations(), DDSI_SERTYPE_FLAG_TOPICKIND_NO_KEY);
+    const QosOf qos(offered, type);
+    ddsi_sertype* used = wanted;
+    const dds_entity_t topic =
+        dds_create_topic_sertype(participant_, name, &used, qos.dds, nullptr, nullptr);
+    if (topic < 0) ddsi_sertype_unref(wanted);
+    const dds_entity_t entity =
+        topic < 0 ? topic : dds_create_writer(participant_, topic, qos.dds, nullptr);
+    if (entity < 0)
+      throw SetupError("[ros2]: topic " + std::string(name) + " cannot be published (" +
+                       dds_strretcode(-entity) + "); set ros2.enabled to false");
+    return {entity, used};
+  }
+  void create_writers() {
+    for (const TopicText& topic : topics()) {
+      // The live daemon's time is the wall clock's.
+      if (topic.topic == Topic::kClock) continue;
+      writers_.at(static_cast<std::size_t>(topic.topic)) =
+          writer(("rt" + std::string(topic.name)).c_str(), *topic.type, topic.qos);
+    }
+    discovery_ = writer("ros_discovery_info", rmw_dds_common::ParticipantEntitiesInfo::kType,
+                        {.transient_local = true, .depth = 1});
+  }
+  /// Tells ROS 2's graph of the node and its publishers.
+  void announce() const {
+    rmw_dds_common::NodeEntitiesInfo node{.node_namespace = "/", .node_name = kNodeName};
+    for (const Writer& writer : writers_)
+      if (writer.type != nullptr) node.writer_gid_seq.push_back(gid_of(writer.entity));
+    discovery_.write(serialized(rmw_dds_common::ParticipantEntitiesInfo{
+        .gid = gid_of(participant_), .node_entities_info_seq = {node}}));
+  }
+
+  TopicMessages messages_;
+  dds_entity_t domain_ = 0, participant_ = 0;
+  std::array<Writer, std::tuple_size_v<std::remove_cvref_t<decltype(topics())>>> writers_{};
+  Writer discovery_{};
+  TopicMessages::Send send_ = [this](Topic topic, Bytes cdr) {
+    writers_.at(static_cast<std::size_t>(topic)).write(std::move(cdr));
+  };
+};
+
+}  // namespace
+
+std::unique_ptr<messages::Sink> join_domain(const config::Ros2Settings& settings,
+                                            const messages::RunContext& run_context,
+                                            const messages::PublishClock& clock) {
+  return std::make_unique<Participant>(settings, run_context, clock);
+}
+
+}  // namespace tp100::ros2

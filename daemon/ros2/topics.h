@@ -1,0 +1,71 @@
+#pragma once
+// The ROS 2 topics: their types and qualities of service, and their messages from the results of
+// steps, for the network and for bags alike. Frames are those of REP-105.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "core/step_record.h"
+#include "messages/messages.h"
+#include "ros2/message_type.h"
+
+namespace tp100::ros2 {
+
+enum class Topic : std::uint8_t {
+  kOdometry,
+  kTransforms,
+  kStaticTransforms,
+  kFusedPose,
+  kImu,
+  kJointStates,
+  kBatteryState,
+  kPath,
+  kState,
+  kRobotDescription,
+  kClock,
+};
+
+/// Quality of service that a publisher offers; its history keeps the last `depth` messages.
+struct Qos {
+  bool reliable = true;          ///< else best effort
+  bool transient_local = false;  ///< late subscribers receive what is kept; else volatile
+  int depth = 10;
+};
+
+struct TopicText {
+  Topic topic{};
+  const char* name = "";  ///< with the leading slash
+  const MessageType* type = nullptr;
+  Qos qos{};
+};
+
+/// All topics, in the enum's order.
+const std::array<TopicText, 11>& topics();
+
+/// Messages of a run, each as CDR. One thread, not the real-time one.
+class TopicMessages {
+ public:
+  using Send = std::function<void(Topic topic, Bytes cdr)>;
+
+  /// `virtual_time`: also on /clock. The clock of headers is `clock`'s Unix time.
+  TopicMessages(messages::RunContext run_context, messages::PublishClock clock, bool virtual_time);
+
+  /// Sends what does not change: /robot_description, /tf_static, and /path if there is a course.
+  void begin(HostNs at, const Send& send) const;
+  /// Sends what follows from `record`. The robot's poses and measurements are stamped with the time
+  /// at which they were measured; a step that received no sample sends none of them.
+  void take(const StepRecord& record, const Send& send);
+
+ private:
+  bool state_is_due(const StepRecord& record);
+
+  messages::Messages messages_;
+  bool virtual_time_;
+  HostNs battery_due_ns_ = 0, state_due_ns_ = 0;
+  SessionState session_ = SessionState::kClosed;
+  RunState run_state_ = RunState::kIdle;
+  FaultMask faults_ = 0;
+};
+
+}  // namespace tp100::ros2

@@ -1,0 +1,203 @@
+#include "ros2/topics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <regex>
+
+#include "core/error.h"
+#include "course/bundled_files.h"
+#include "ros2/participant.h"
+#include "ros2/robot_description.h"
+
+namespace tp100::ros2 {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+messages::RunContext on_course_one() {
+  const course::TextFile file = course::read_bundled(course::Bundled::kCourses, "1-straight");
+  messages::RunContext run_context;
+  run_context.course =
+      std::make_shared<const course::Course>(course::parse_course(file.text, file.path));
+  return run_context;
+}
+
+class TopicMessagesTest : public testing::Test {
+ protected:
+  /// The topics of one more step, 5 ms later.
+  std::vector<Topic> step(const std::function<void(StepRecord&)>& edit = [](StepRecord&) {}) {
+    record_.now_ns += 5 * kNsPerMs;
+    record_.inputs.samples.resize(0);
+    record_.inputs.session = SessionState::kReady;
+    edit(record_);
+    std::vector<Topic> sent;
+    messages_.take(record_, [&](Topic topic, Bytes cdr) {
+      sent.push_back(topic);
+      last_[topic] = std::move(cdr);
+    });
+    return sent;
+  }
+  static void add_sample(StepRecord& record) {
+    record.inputs.samples.push(
+        {.measured_ns = record.now_ns - 2 * kNsPerMs, .battery_v = 7.5, .imu_age = 0});
+    record.snapshot.sample = record.inputs.samples[0];
+    record.snapshot.has_sample = true;
+  }
+  double number(Topic topic, std::size_t at) const {
+    double value = 0.0;
+    std::memcpy(&value, last_.at(topic).data() + at, sizeof value);
+    return value;
+  }
+
+  TopicMessages messages_{on_course_one(), {.start_ns = 0, .start_unix_ns = 5 * kNsPerS}, false};
+  StepRecord record_;
+  std::map<Topic, Bytes> last_;
+};
+
+TEST_F(TopicMessagesTest, AStepWithoutASampleHasNoPoseAndNoMeasurement) {
+  step();
+  EXPECT_THAT(step(), IsEmpty());
+  EXPECT_THAT(step(add_sample),
+              ElementsAre(Topic::kImu, Topic::kOdometry, Topic::kTransforms, Topic::kFusedPose,
+                          Topic::kJointStates, Topic::kBatteryState));
+  EXPECT_THAT(step(), IsEmpty());
+}
+
+TEST_F(TopicMessagesTest, AnOldValueOfTheImuIsNoNewMeasurement) {
+  step(add_sample);
+  EXPECT_THAT(
+      step([](StepRecord& record) {
+        add_sample(record);
+        record.inputs.samples[0].imu_age = 1;
+      }),
+      ElementsAre(Topic::kOdometry, Topic::kTransforms, Topic::kFusedPose, Topic::kJointStates));
+}
+
+TEST_F(TopicMessagesTest, EverySampleOfAStepHasAnImuMessage) {
+  step(add_sample);
+  const std::vector<Topic> sent = step([](StepRecord& record) {
+    add_sample(record);
+    add_sample(record);
+  });
+  EXPECT_EQ(std::count(sent.begin(), sent.end(), Topic::kImu), 2);
+  EXPECT_EQ(std::count(sent.begin(), sent.end(), Topic::kOdometry), 1);
+}
+
+TEST_F(TopicMessagesTest, ThePoseIsStampedWhenItsSampleWasMeasured) {
+  step(add_sample);
+  std::int32_t sec = 0;
+  std::uint32_t nanosec = 0;
+  std::memcpy(&sec, last_.at(Topic::kOdometry).data() + 4, 4);
+  std::memcpy(&nanosec, last_.at(Topic::kOdometry).data() + 8, 4);
+  EXPECT_EQ(sec, 5);
+  EXPECT_EQ(nanosec, 3'000'000u);
+}
+
+TEST_F(TopicMessagesTest, StateAndBatteryComeOnceASecondAndTheStateAtAChange) {
+  int states = 0, batteries = 0;
+  const auto count = [&](const std::vector<Topic>& sent) {
+    states += static_cast<int>(std::count(sent.begin(), sent.end(), Topic::kState));
+    batteries += static_cast<int>(std::count(sent.begin(), sent.end(), Topic::kBatteryState));
+  };
+  for (int i = 0; i < 1000; ++i) count(step(add_sample));
+  EXPECT_EQ(states, 5);
+  EXPECT_EQ(batteries, 5);
+  count(step([](StepRecord& record) { record.snapshot.run_state = RunState::kRunning; }));
+  EXPECT_EQ(states, 6);
+  count(
+      step([](StepRecord& record) { record.snapshot.faults = fault_bit(Fault::stop_requested); }));
+  EXPECT_EQ(states, 7);
+}
+
+// `/odom`: header (4 + 8 + "odom"), child ("base_link"), then the pose from byte 40 and its
+// covariance from byte 96.
+TEST_F(TopicMessagesTest, TheOdometrysCovarianceIsTheFiltersWhereBothAreOne) {
+  const auto fused_at = [](double x_m, std::int64_t camera_age_us) {
+    return [=](StepRecord& record) {
+      add_sample(record);
+      record.snapshot.estimates[PoseSource::kOdometry].pose.x_m = 1.5;
+      record.snapshot.estimates[PoseSource::kFused].pose.x_m = x_m;
+      record.snapshot.filter.variance_x_m2 = 0.25;
+      record.snapshot.filter.camera_age_us = camera_age_us;
+    };
+  };
+  step(fused_at(1.5, -1));
+  ASSERT_EQ(number(Topic::kOdometry, 44), 1.5);
+  EXPECT_EQ(number(Topic::kOdometry, 100), 0.25);
+  // With a camera the filter's belongs to another pose.
+  step(fused_at(1.4, 20'000));
+  ASSERT_EQ(number(Topic::kOdometry, 44), 1.5);
+  EXPECT_EQ(number(Topic::kOdometry, 100), 0.0);
+}
+
+TEST_F(TopicMessagesTest, OnlyVirtualTimeHasAClock) {
+  TopicMessages simulated(on_course_one(), {}, true);
+  std::vector<Topic> sent;
+  simulated.take(record_, [&](Topic topic, const Bytes&) { sent.push_back(topic); });
+  EXPECT_THAT(sent, testing::Contains(Topic::kClock));
+  EXPECT_THAT(step(add_sample), testing::Not(testing::Contains(Topic::kClock)));
+}
+
+TEST_F(TopicMessagesTest, WithoutACourseThereIsNoPath) {
+  std::vector<Topic> sent;
+  const auto collect = [&](Topic topic, const Bytes&) { sent.push_back(topic); };
+  messages_.begin(0, collect);
+  EXPECT_THAT(sent, ElementsAre(Topic::kRobotDescription, Topic::kStaticTransforms, Topic::kPath));
+  sent.clear();
+  TopicMessages({}, {}, false).begin(0, collect);
+  EXPECT_THAT(sent, ElementsAre(Topic::kRobotDescription, Topic::kStaticTransforms));
+}
+
+TEST(RobotDescription, HasEveryLinkOnceAndJoinsAllOfThem) {
+  course::Robot robot;
+  robot.name = "a<b";
+  const std::string urdf = robot_description(robot);
+  EXPECT_THAT(urdf, HasSubstr("<robot name=\"a_b\">"));
+  const auto names = [&](const char* pattern) {
+    std::vector<std::string> found;
+    const std::regex expression(pattern);
+    for (std::sregex_iterator at(urdf.begin(), urdf.end(), expression), end; at != end; ++at)
+      found.push_back((*at)[1]);
+    return found;
+  };
+  EXPECT_THAT(names("<link name=\"([^\"]*)\""),
+              ElementsAre(kBaseLink, kImuLink, "left_sprocket", "right_sprocket"));
+  EXPECT_THAT(names("<joint name=\"([^\"]*)\""), ElementsAre("imu_joint", kLeftJoint, kRightJoint));
+  EXPECT_THAT(names("<child link=\"([^\"]*)\""),
+              ElementsAre(kImuLink, "left_sprocket", "right_sprocket"));
+  // Left is positive y.
+  EXPECT_THAT(
+      urdf, HasSubstr("<child link=\"left_sprocket\"/>\n    <origin xyz=\"0.0665 0.0775 0.026\""));
+}
+
+TEST(JoinDomain, RefusesWhatItCannotUseInOneLine) {
+  const auto refusal = [](const config::Ros2Settings& settings) -> std::string {
+    try {
+      join_domain(settings, {}, {});
+    } catch (const SetupError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string why = refusal({.enabled = true, .domain = 0, .interface = "no\"such"});
+  if (why.find("without Cyclone DDS") != std::string::npos) {
+    EXPECT_THAT(why, HasSubstr("install cyclonedds-dev"));
+    return;
+  }
+  EXPECT_THAT(why, HasSubstr("not a network interface"));
+  const std::string missing = refusal({.enabled = true, .domain = 0, .interface = "none0"});
+  EXPECT_THAT(missing, HasSubstr("none0"));
+  EXPECT_THAT(missing, HasSubstr("check ros2.interface"));
+  EXPECT_THAT(missing, testing::Not(HasSubstr("\n")));
+  ::setenv("ROS_DOMAIN_ID", "233", 1);
+  EXPECT_THAT(refusal({.enabled = true}), HasSubstr("ROS_DOMAIN_ID=233: not a domain"));
+  ::unsetenv("ROS_DOMAIN_ID");
+}
+
+}  // namespace
+}  // namespace tp100::ros2
