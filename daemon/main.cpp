@@ -210,12 +210,17 @@ void add_recover(CLI::App& app, Action& action) {
 
 void add_export(CLI::App& app, Action& action) {
   static ExportOptions options;
-  CLI::App* command = app.add_subcommand("export", "Turn recordings into CSV and TUM files");
+  CLI::App* command =
+      app.add_subcommand("export", "Turn recordings into CSV and TUM files, or a ROS 2 bag");
   command->add_option("RUN", options.runs, "Recordings, or their folders")
       ->type_name("RUN")
       ->required();
   command->add_flag("--csv", options.csv, "Only samples.csv and poses.csv");
   command->add_flag("--tum", options.tum, "Only the trajectories, for evo: time x y z qx qy qz qw");
+  command
+      ->add_option("--ros2", options.ros2,
+                   "A bag for ros2 bag, Foxglove and PlotJuggler, instead of CSV and TUM files")
+      ->type_name("FOLDER");
   command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
       ->type_name("FOLDER");
   command->callback([&action] { action = [] { return run_export(options); }; });

@@ -10,8 +10,10 @@
 #include <string_view>
 
 #include "app/commands.h"
+#include "app/replay.h"
 #include "identify/drive_file.h"
 #include "report/run_result.h"
+#include "ros2/bag.h"
 #include "text/atomic_file.h"
 
 namespace tp100::app {
@@ -161,6 +163,12 @@ void export_tum(const Recording& recording, const std::filesystem::path& folder)
   truth.commit();
 }
 
+void export_bag(const Recording& recording, const std::string& folder) {
+  const config::RunSetup run = config::parse_run(recorded_files(recording));
+  for (const std::string& path : ros2::write_bag(recording, config::run_context_of(run), folder))
+    std::printf("%s\n", path.c_str());
+}
+
 void export_run(const std::string& run, const ExportOptions& options) {
   const Recording recording(run);
   if (!recording.whole())
@@ -172,7 +180,8 @@ void export_run(const std::string& run, const ExportOptions& options) {
   const std::filesystem::path folder = options.out.empty()
                                            ? std::filesystem::path(recording.path()).parent_path()
                                            : std::filesystem::path(options.out);
-  text::make_folder(folder);
+  if (!options.ros2.empty()) export_bag(recording, options.ros2);
+  if (options.csv || options.tum) text::make_folder(folder);
   if (options.csv) export_csv(recording, folder);
   if (options.tum) export_tum(recording, folder);
 }
@@ -181,9 +190,11 @@ void export_run(const std::string& run, const ExportOptions& options) {
 
 int run_export(const ExportOptions& options) {
   ExportOptions wanted = options;
-  if (!wanted.csv && !wanted.tum) wanted.csv = wanted.tum = true;
+  if (!wanted.csv && !wanted.tum && wanted.ros2.empty()) wanted.csv = wanted.tum = true;
   if (wanted.runs.size() > 1 && !wanted.out.empty())
     throw SetupError("--out is for one run; without it the files go beside each recording");
+  if (wanted.runs.size() > 1 && !wanted.ros2.empty())
+    throw SetupError("--ros2 is for one run: a bag has one recording");
   for (const std::string& run : wanted.runs) export_run(run, wanted);
   return 0;
 }

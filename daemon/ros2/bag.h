@@ -1,0 +1,18 @@
+#pragma once
+// A recording as a bag of rosbag2: MCAP with the messages of topics.h. Needs no DDS.
+
+#include <string>
+#include <vector>
+
+#include "messages/messages.h"
+#include "record/recording.h"
+
+namespace tp100::ros2 {
+
+/// Writes FOLDER/FOLDER_0.mcap and FOLDER/metadata.yaml, creating the folder if absent; returns
+/// their paths. A recording from virtual time also has /clock. Throws SetupError.
+std::vector<std::string> write_bag(const record::Recording& recording,
+                                   const messages::RunContext& run_context,
+                                   const std::string& folder);
+
+}  // namespace tp100::ros2

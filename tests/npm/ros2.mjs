@@ -1,0 +1,36 @@
+// ROS 2's messages as other authors' packages know them: their definitions and their reader of CDR.
+import { load } from './packages.mjs';
+
+const { ros2jazzy } = load('@foxglove/rosmsg-msgs-common');
+const { MessageReader } = load('@foxglove/rosmsg2-serialization');
+const readers = new Map();
+
+/** The definition of `type`, package/Name, and after it those of all messages within it. */
+export function definitionsOf(type) {
+  const found = new Map();
+  const collect = (name) => {
+    if (found.has(name)) return;
+    found.set(name, ros2jazzy[name]);
+    for (const field of ros2jazzy[name].definitions) if (field.isComplex) collect(field.type);
+  };
+  collect(type);
+  return [...found.values()];
+}
+
+/** The message of `type`, package/msg/Name, in these bytes. */
+export function decode(type, bytes) {
+  if (!readers.has(type)) readers.set(type, new MessageReader(definitionsOf(type.replace('/msg/', '/'))));
+  return readers.get(type).readMessage(bytes);
+}
+
+/** A time of ROS in nanoseconds. */
+export const nanoseconds = (time) => BigInt(time.sec) * 1_000_000_000n + BigInt(time.nanosec ?? time.nsec);
+
+/** Roll, pitch and yaw of a quaternion. */
+export function angles({ x, y, z, w }) {
+  return {
+    roll: Math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
+    pitch: Math.asin(2 * (w * y - z * x)),
+    yaw: Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)),
+  };
+}
