@@ -5,32 +5,12 @@ import { mkdtemp, readFile, readdir, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
+import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
 import { angles, decode, definitionsOf, nanoseconds } from './ros2.mjs';
 
-const { McapIndexedReader } = load('@mcap/core');
-const { decompress } = load('fzstd');
 const { parse } = load('@foxglove/rosmsg');
-const decompressHandlers = { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) };
 const program = (name) => join(process.env.TP100_BIN, name);
-
-async function readMcap(file) {
-  const bytes = await readFile(file);
-  const reader = await McapIndexedReader.Initialize({
-    readable: {
-      size: async () => BigInt(bytes.length),
-      read: async (offset, length) => new Uint8Array(bytes.buffer, bytes.byteOffset + Number(offset), Number(length)),
-    },
-    decompressHandlers,
-  });
-  const topics = new Map();
-  for await (const { channelId, logTime, data } of reader.readMessages({ validateCrcs: true })) {
-    const { topic } = reader.channelsById.get(channelId);
-    if (!topics.has(topic)) topics.set(topic, []);
-    topics.get(topic).push({ logTime, data });
-  }
-  return { reader, topics };
-}
 
 const near = (actual, expected, what, tolerance = 1e-6) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected}`);

@@ -1,0 +1,260 @@
+// The real daemon on ROS 2's topics, received by Fast DDS (ros2_listener), in a network of its own (in_network): what
+// arrives is compared byte by byte with the bag of the same run, whose fields ros2_bag_test.mjs compares.
+import assert from 'node:assert/strict';
+import { execFileSync, spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { readFileSync, readdirSync } from 'node:fs';
+import { mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
+import { cpus, tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import test from 'node:test';
+import { readMcap } from './mcap_file.mjs';
+import { load } from './packages.mjs';
+import { decode } from './ros2.mjs';
+
+const { parse } = load('@foxglove/rosmsg');
+const { MessageReader } = load('@foxglove/rosmsg2-serialization');
+const program = (name) => join(process.env.TP100_BIN, name);
+const limits = { timeout: 120_000 };
+
+// Topic: type, and quality of service: reliable or best effort, transient local or volatile.
+const topics = new Map([
+  ['/odom', ['nav_msgs/msg/Odometry', 'RV']],
+  ['/tf', ['tf2_msgs/msg/TFMessage', 'RV']],
+  ['/tf_static', ['tf2_msgs/msg/TFMessage', 'RT']],
+  ['/pose/fused', ['geometry_msgs/msg/PoseWithCovarianceStamped', 'RV']],
+  ['/imu/data', ['sensor_msgs/msg/Imu', 'BV']],
+  ['/joint_states', ['sensor_msgs/msg/JointState', 'RV']],
+  ['/battery_state', ['sensor_msgs/msg/BatteryState', 'RV']],
+  ['/path', ['nav_msgs/msg/Path', 'RT']],
+  ['/tp100/state', ['diagnostic_msgs/msg/DiagnosticArray', 'RV']],
+  ['/robot_description', ['std_msgs/msg/String', 'RT']],
+]);
+const latched = ['/tf_static', '/path', '/robot_description'];
+const discovery = 'ros_discovery_info';
+const entitiesType = 'rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_';
+const ddsType = (type) => `${type.replace('/msg/', '::msg::dds_::')}_`;
+
+/** A Fast DDS participant and what it has found and received. */
+class Listener {
+  constructor(domain, wanted) {
+    this.found = [];
+    this.waiting = new Set();
+    this.process = spawn(program('ros2_listener'), [String(domain), ...wanted], { stdio: ['pipe', 'pipe', 'inherit'] });
+    createInterface({ input: this.process.stdout }).on('line', (line) => {
+      this.found.push(JSON.parse(line));
+      for (const check of this.waiting) check();
+    });
+  }
+  /** All topics with the quality of service that is offered. */
+  static async ofEverything(domain) {
+    const listener = new Listener(domain, [...[...topics].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`),
+      `${discovery}=${entitiesType}=RT`]);
+    await listener.until(() => listener.found.some(({ listening }) => listening));
+    return listener;
+  }
+  until(condition) {
+    return new Promise((resolve) => {
+      const check = () => {
+        if (!condition()) return;
+        this.waiting.delete(check);
+        resolve();
+      };
+      this.waiting.add(check);
+      check();
+    });
+  }
+  /** Messages of a topic of ROS, as bytes. */
+  messages(topic) {
+    return this.found.filter(({ message }) => message === `rt${topic}`).map(({ cdr }) => Buffer.from(cdr, 'hex'));
+  }
+  async end() {
+    this.process.stdin.end();
+    if (this.process.exitCode === null && this.process.signalCode === null) await once(this.process, 'exit');
+  }
+}
+
+/** An emulated robot, for daemons that `work` starts. */
+async function withRobot(work) {
+  const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
+  const port = join(folder, 'port');
+  const robot = spawn(program('tp100-sim'), ['robot', '--link', port], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const running = [];
+  try {
+    await once(robot.stdout, 'data');
+    await work({
+      folder,
+      /** A daemon with these lines of configuration; `said(pattern)` waits for a line of its log. */
+      async daemon(ros2, options, loop = '') {
+        const file = join(folder, `${running.length}.toml`);
+        await writeFile(file, `[loop]\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n${loop}\n${ros2}\n`);
+        const child = spawn(program('tp100d'), ['run', '--config', file, '--port', port, '--listen', 'off', ...options],
+          { stdio: ['ignore', 'ignore', 'pipe'], env: { ...process.env, ROS_DOMAIN_ID: '42' } });
+        running.push(child);
+        const lines = [], waiting = new Set();
+        createInterface({ input: child.stderr }).on('line', (line) => {
+          lines.push(line);
+          for (const check of waiting) check();
+        });
+        const exit = once(child, 'exit');
+        const said = (pattern) => Promise.race([
+          new Promise((resolve) => {
+            const check = () => { if (lines.some((line) => pattern.test(line))) resolve(); };
+            waiting.add(check);
+            check();
+          }),
+          exit.then(() => assert.match(lines.join('\n'), pattern)),
+        ]);
+        return { child, exit, said, lines };
+      },
+    });
+  } finally {
+    for (const child of [...running, robot]) child.kill('SIGKILL');
+    await rm(folder, { recursive: true, force: true });
+  }
+}
+
+async function bagOf(folder) {
+  const [run] = await readdir(join(folder, 'runs'));
+  execFileSync(program('tp100d'), ['export', join(folder, 'runs', run), '--ros2', join(folder, 'bag')]);
+  return readMcap(join(folder, 'bag', 'bag_0.mcap'));
+}
+
+/** DDS pads a message to a multiple of four bytes. */
+const same = (received, written) => received.length - written.length < 4
+  && received.subarray(0, written.length).equals(written);
+
+/** Milliseconds below which a share of these values are. */
+const percentile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
+
+test('another implementation receives every message of a run', limits, (t) => withRobot(async ({ folder, daemon }) => {
+  const listener = await Listener.ofEverything(42);
+  try {
+    const course = join(folder, 'short.toml');
+    await writeFile(course, 'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.3\n'
+      + '[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n');
+    const run = await daemon('[ros2]\nenabled = true', ['--course', course, '--record', join(folder, 'runs')], 'priority = 0');
+    await run.exit;
+    await listener.end();
+    const { reader, topics: bag } = await bagOf(folder);
+
+    for (const [topic, [, qos]] of topics) {
+      const received = listener.messages(topic), sent = bag.get(topic).map(({ data }) => Buffer.from(data));
+      assert.ok(received.length > 0, topic);
+      if (qos[0] === 'B') {
+        // Some may be lost, but none is altered or repeated.
+        let at = -1;
+        for (const bytes of received) {
+          at = sent.findIndex((each, i) => i > at && same(bytes, each));
+          assert.ok(at >= 0, `${topic}: an unknown message`);
+        }
+        t.diagnostic(`${topic}: ${received.length} of ${sent.length}`);
+        continue;
+      }
+      if (latched.includes(topic)) {
+        // Its stamp is the daemon's start; the bag's is that of its first step.
+        assert.equal(received.length, 1, topic);
+        continue;
+      }
+      // Nothing is lost once both ends have met.
+      const missed = sent.findIndex((each) => same(received[0], each));
+      assert.ok(missed >= 0, `${topic}: an unknown message`);
+      assert.equal(received.length, sent.length - missed, topic);
+      received.forEach((bytes, i) => assert.ok(same(bytes, sent[missed + i]), `${topic} ${i}`));
+      t.diagnostic(`${topic}: ${received.length} of ${sent.length}, ${missed} of them before both ends had met`);
+    }
+    const ages = listener.found.filter(({ message }) => message === 'rt/odom').map((each) => ({
+      network: Number(BigInt(each.received_ns) - BigInt(each.sent_ns)) / 1e6,
+      whole: Number(BigInt(each.received_ns)) / 1e6
+        - (({ sec, nanosec, nsec }) => sec * 1e3 + (nanosec ?? nsec) / 1e6)(decode('nav_msgs/msg/Odometry',
+          Buffer.from(each.cdr, 'hex')).header.stamp),
+    }));
+    for (const kind of ['network', 'whole'])
+      t.diagnostic(`age of /odom, ${kind}: ${[0.5, 0.99].map((share) =>
+        percentile(ages.map((age) => age[kind]), share).toFixed(2)).join(', ')} ms (median, 99 %)`);
+
+    // What is told of each writer is what the bag's channel says.
+    const writers = listener.found.filter(({ writer }) => writer);
+    assert.deepEqual(writers.map(({ topic }) => topic).sort(), [discovery, ...[...topics.keys()].map((name) => `rt${name}`)].sort());
+    for (const channel of reader.channelsById.values()) {
+      const [type, qos] = topics.get(channel.topic);
+      const writer = writers.find(({ topic }) => topic === `rt${channel.topic}`);
+      assert.equal(writer.type, ddsType(type));
+      assert.equal(writer.qos, qos, channel.topic);
+      assert.equal(writer.user_data, `typehash=${channel.metadata.get('topic_type_hash')};`);
+    }
+
+    // The graph of ROS 2: one node that owns all writers but the graph's.
+    const [participant] = listener.found.filter((each) => each.participant);
+    assert.equal(participant.user_data, 'enclave=/;');
+    const line = '='.repeat(80);
+    const entities = new MessageReader(parse(
+      `Gid gid\nNodeEntitiesInfo[] node_entities_info_seq\n${line}\nMSG: rmw_dds_common/Gid\nuint8[16] data\n${line}\n`
+      + 'MSG: rmw_dds_common/NodeEntitiesInfo\nstring node_namespace\nstring node_name\nGid[] reader_gid_seq\nGid[] writer_gid_seq\n',
+      { ros2: true }));
+    const graph = listener.found.filter(({ message }) => message === discovery);
+    assert.equal(graph.length, 1);
+    const info = entities.readMessage(Buffer.from(graph[0].cdr, 'hex'));
+    const hex = ({ data }) => Buffer.from(data).toString('hex');
+    assert.equal(hex(info.gid), participant.participant);
+    assert.deepEqual(info.node_entities_info_seq.map((node) => [node.node_namespace, node.node_name]), [['/', 'tp100d']]);
+    assert.deepEqual(info.node_entities_info_seq[0].writer_gid_seq.map(hex).sort(),
+      writers.filter(({ topic }) => topic !== discovery).map(({ writer }) => writer).sort());
+  } finally {
+    await listener.end();
+  }
+}));
+
+test('who comes late receives what is latched', limits, () => withRobot(async ({ daemon }) => {
+  // The key goes before the environment's domain.
+  const run = await daemon('[ros2]\nenabled = true\ndomain = 3', ['--course', '1-straight', '--stay', '--wait'], 'priority = 0');
+  await run.said(/state: syncing -> ready/);
+  const listener = await Listener.ofEverything(3);
+  const strict = new Listener(3, ['rt/imu/data=sensor_msgs::msg::dds_::Imu_=RV', 'rt/odom=nav_msgs::msg::dds_::Odometry_=RT']);
+  try {
+    await listener.until(() => [...topics.keys()].every((topic) => listener.messages(topic).length > 0));
+    for (const topic of latched) {
+      assert.equal(listener.messages(topic).length, 1, topic);
+      const value = decode(topics.get(topic)[0], listener.messages(topic)[0]);
+      if (topic === '/path') assert.ok(value.poses.length > 50);
+    }
+    // Qualities of service that are not offered are refused as DDS prescribes.
+    await strict.until(() => ['rt/imu/data', 'rt/odom'].every((topic) =>
+      strict.found.some(({ incompatible }) => incompatible === topic)));
+    assert.ok(!strict.found.some(({ message }) => message));
+  } finally {
+    await Promise.all([listener.end(), strict.end()]);
+  }
+}));
+
+test('threads of DDS have neither the scheduling nor the processor of the loop', limits, () => withRobot(async ({ daemon }) => {
+  const run = await daemon('[ros2]\nenabled = true', ['--stay', '--wait'], 'priority = 1\ncpu = 0');
+  await run.said(/state: syncing -> ready/);
+  const folder = `/proc/${run.child.pid}/task`;
+  const threads = readdirSync(folder).map((id) => ({
+    name: readFileSync(join(folder, id, 'comm'), 'utf8').trim(),
+    // From the third field on; the name before may have spaces.
+    policy: readFileSync(join(folder, id, 'stat'), 'utf8').split(') ').at(-1).split(' ')[38],
+    processors: /Cpus_allowed_list:\s*(\S+)/.exec(readFileSync(join(folder, id, 'status'), 'utf8'))[1],
+  }));
+  const text = JSON.stringify(threads);
+  assert.ok(threads.some(({ name }) => name === 'recv'), text);
+  assert.ok(threads.filter(({ policy }) => policy === '1').length <= 1, text);
+  if (cpus().length > 1) assert.equal(threads.filter(({ processors }) => processors === '0').length, 1, text);
+}));
+
+test('nobody is on the network unless it is switched on', limits, () => withRobot(async ({ daemon }) => {
+  const listener = await Listener.ofEverything(42);
+  try {
+    const off = await daemon('', ['--duration', '2'], 'priority = 0');
+    await off.exit;
+    assert.ok(!listener.found.some(({ participant, writer }) => participant || writer));
+    // The same with it: the listener would have seen the first.
+    const on = await daemon('[ros2]\nenabled = true', ['--duration', '2'], 'priority = 0');
+    await on.exit;
+    assert.equal(listener.found.filter(({ participant }) => participant).length, 1);
+  } finally {
+    await listener.end();
+  }
+}));
