@@ -64,7 +64,8 @@ install(FILES ${debian}/copyright ${documents}/changelog.gz DESTINATION share/do
 # In the folders of the source tree: they point at each other.
 foreach(page README.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE.md daemon/GLOSSARY.md
     daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md daemon/messages/CHANNELS.md
-    daemon/record/RECORDINGS.md daemon/report/RESULTS.md daemon/server/THREATS.md daemon/worlds/WORLD.md
+    daemon/record/RECORDINGS.md daemon/report/RESULTS.md daemon/ros2/ROS2.md daemon/server/THREATS.md
+    daemon/worlds/WORLD.md
     firmware/FIRST_DRIVE.md firmware/PROTOCOL.md firmware/WIRING.md sim/CI.md sim/campaign/CAMPAIGNS.md
     sim/faults/FAULTS.md tests/PROOF.md tests/data/real/README.md)
   cmake_path(GET page PARENT_PATH folder)
