@@ -120,6 +120,10 @@ int run(int argc, char** argv) {
                    "Where its detections go, udp:PORT or udp:HOST:PORT (default: udp:47100)")
       ->type_name("ADDRESS");
   robot_app
+      ->add_flag("--ros2{lo}", robot.ros2,
+                 "The true pose on ROS 2's topic /ground_truth; =INTERFACE: network interface")
+      ->type_name("INTERFACE");
+  robot_app
       ->add_option("--stats", robot.stats,
                    "Write its figures to FILE in the end: samples, longest pause of this machine")
       ->type_name("FILE");

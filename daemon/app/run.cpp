@@ -19,7 +19,7 @@
 #include "live/supervisor.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
-#include "ros2/participant.h"
+#include "ros2/publisher.h"
 #include "server/server.h"
 #include "terrain/climbable.h"
 #include "text/toml_document.h"
@@ -130,9 +130,9 @@ int run_run(const RunOptions& options) {
 
   const messages::PublishClock clock = read_clocks();
   // Before memory is locked, and by this thread: the loop's is not ordinary.
-  std::unique_ptr<messages::Sink> ros2;
+  std::optional<ros2::Publisher> ros2;
   if (configuration.ros2.enabled)
-    ros2 = ros2::join_domain(configuration.ros2, config::run_context_of(run), clock);
+    ros2.emplace(configuration.ros2, config::run_context_of(run), clock);
   const loop::RealTimeProcess process({.lock_memory = configuration.loop.lock_memory,
                                        .hold_cpu_latency = configuration.loop.hold_cpu_latency});
   loop::FixedRateLoop loop(loop_settings(configuration.loop), cycle);
@@ -171,7 +171,7 @@ int run_run(const RunOptions& options) {
   settings.verbose = options.verbose;
   live::Supervisor supervisor(settings, cycle, loop);
   for (messages::Sink* sink : options.sinks) supervisor.add_sink(*sink);
-  if (ros2 != nullptr) supervisor.add_sink(*ros2);
+  if (ros2) supervisor.add_sink(*ros2);
   try {
     return supervisor.run();
   } catch (const SetupError&) {

@@ -49,12 +49,13 @@ std::string quoted(const std::string& text) {
 
 class Bag {
  public:
-  Bag(const std::string& path, const messages::RunContext& run_context, bool virtual_time)
+  Bag(const std::string& path, const messages::RunContext& run_context, bool simulated)
       : file_(path),
         writer_(file_, "tp100 " + run_context.version, record::McapCompression::kZstd, "ros2") {
     std::map<const MessageType*, std::uint16_t> schemas;
     for (const TopicText& topic : topics()) {
-      if (topic.topic == Topic::kClock && !virtual_time) continue;
+      const bool live = std::ranges::find(kLiveTopics, topic.topic) != kLiveTopics.end();
+      if (!live && !simulated) continue;
       const auto [schema, is_new] = schemas.emplace(topic.type, std::uint16_t{});
       if (is_new)
         schema->second = writer_.add_schema(
@@ -142,21 +143,27 @@ std::vector<std::string> write_bag(const record::Recording& recording,
   const fs::path place = fs::weakly_canonical(folder);
   const std::string path = (fs::path(folder) / (place.filename().string() + "_0.mcap")).string();
   const std::string metadata = (fs::path(folder) / "metadata.yaml").string();
-  const bool virtual_time = recording.fact("program").starts_with("tp100-sim");
+  const bool simulated = recording.fact("program").starts_with("tp100-sim");
   const messages::PublishClock clock{.start_ns = recording.start_ns(),
                                      .start_unix_ns = number(recording.fact("start_unix_ns"))};
-  Bag bag(path, run_context, virtual_time);
-  TopicMessages messages(run_context, clock, virtual_time);
+  Bag bag(path, run_context, simulated);
+  TopicMessages messages(run_context, clock, simulated);
   HostNs now = recording.start_ns();
   const TopicMessages::Send write = [&](Topic topic, const Bytes& cdr) {
     bag.write(topic, clock.unix_ns(now), cdr);
   };
   bool begun = false;
-  recording.visit({.step = [&](const StepRecord& record) {
-    now = record.now_ns;
-    if (!std::exchange(begun, true)) messages.begin(now, write);
-    messages.take(record, write);
-  }});
+  recording.visit({.step =
+                       [&](const StepRecord& record) {
+                         now = record.now_ns;
+                         if (!std::exchange(begun, true)) messages.begin(now, write);
+                         messages.take(record, write);
+                       },
+                   .truth =
+                       [&](HostNs at, const Pose& truth) {
+                         if (simulated)
+                           write(Topic::kGroundTruth, ground_truth(clock.unix_ns(at), truth));
+                       }});
   bag.finish();
   text::write_file(metadata, bag.metadata());
   return {path, metadata};

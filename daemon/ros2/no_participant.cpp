@@ -3,12 +3,14 @@
 
 namespace tp100::ros2 {
 
-std::unique_ptr<messages::Sink> join_domain(const config::Ros2Settings&,
-                                            const messages::RunContext&,
-                                            const messages::PublishClock&) {
+struct Participant::State {};
+
+Participant::Participant(const config::Ros2Settings&, const std::string&, std::span<const Topic>) {
   throw SetupError(
-      "ros2.enabled: this tp100d was built without Cyclone DDS; install cyclonedds-dev and build "
-      "it again, or set it to false");
+      "ROS 2's topics: this program was built without Cyclone DDS; install cyclonedds-dev and "
+      "build it again, or leave out ros2.enabled and --ros2");
 }
+Participant::~Participant() = default;
+void Participant::write(Topic, Bytes) {}
 
 }  // namespace tp100::ros2

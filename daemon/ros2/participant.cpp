@@ -6,23 +6,21 @@
 #include <pthread.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
 #include "ros2/message_types.h"
-#include "ros2/topics.h"
 #include "text/format.h"
 
 namespace tp100::ros2 {
 namespace {
 
-constexpr const char* kNodeName = "tp100d";
 constexpr int kLastDomain = 232;  // by the ports that RTPS derives from the number
 
 // Messages reach Cyclone DDS as CDR: it needs no description of their types but the name.
@@ -185,12 +183,30 @@ rmw_dds_common::Gid gid_of(dds_entity_t entity) {
   return gid;
 }
 
-class Participant : public messages::Sink {
- public:
-  Participant(const config::Ros2Settings& settings, const messages::RunContext& run_context,
-              const messages::PublishClock& clock)
-      : messages_(run_context, clock, false) {
-    const dds_domainid_t domain = domain_of(settings);
+}  // namespace
+
+struct Participant::State {
+  State(const config::Ros2Settings& settings, const std::string& node,
+        std::span<const Topic> published) {
+    join(settings);
+    try {
+      for (const Topic topic : published) {
+        const TopicText& text = topics().at(static_cast<std::size_t>(topic));
+        writers.emplace(topic, writer("rt" + std::string(text.name), *text.type, text.qos));
+      }
+      announce(node);
+    } catch (...) {
+      dds_delete(domain);
+      throw;
+    }
+  }
+  ~State() { dds_delete(domain); }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  void join(const config::Ros2Settings& settings) {
+    const dds_domainid_t number = domain_of(settings);
+    const std::string configuration = dds_configuration(settings.interface);
     // What Cyclone DDS says is why it fails.
     std::string why;
     dds_set_log_sink(
@@ -199,83 +215,55 @@ class Participant : public messages::Sink {
         },
         &why);
     const SmallStacks stacks;
-    domain_ = dds_create_domain(domain, dds_configuration(settings.interface).c_str());
+    domain = dds_create_domain(number, configuration.c_str());
     dds_qos_t* const qos = dds_create_qos();
     constexpr std::string_view kEnclave = "enclave=/;";
     dds_qset_userdata(qos, kEnclave.data(), kEnclave.size());
-    participant_ = domain_ < 0 ? domain_ : dds_create_participant(domain, qos, nullptr);
+    participant = domain < 0 ? domain : dds_create_participant(number, qos, nullptr);
     dds_delete_qos(qos);
     dds_set_log_sink(nullptr, nullptr);
-    if (participant_ < 0) {
-      dds_delete(domain_);
-      throw SetupError("[ros2]: cannot join domain " + std::to_string(domain) + ": " +
-                       (why.empty() ? dds_strretcode(-participant_) : text::one_line(why)) +
-                       "; check ros2.interface and ros2.domain");
-    }
-    try {
-      create_writers();
-    } catch (...) {
-      dds_delete(domain_);
-      throw;
-    }
-    announce();
-    messages_.begin(clock.start_ns, send_);
+    if (participant >= 0) return;
+    if (domain >= 0) dds_delete(domain);
+    throw SetupError("[ros2]: cannot join domain " + std::to_string(number) + ": " +
+                     (why.empty() ? dds_strretcode(-participant) : text::one_line(why)) +
+                     "; check ros2.interface and ros2.domain");
   }
-  ~Participant() override { dds_delete(domain_); }
-
-  void take(const StepRecord& record) override { messages_.take(record, send_); }
-
- private:
-  Writer writer(const char* name, const MessageType& type, const Qos& offered) const {
+  Writer writer(const std::string& name, const MessageType& type, const Qos& offered) const {
     auto* wanted = new ddsi_sertype{};
     ddsi_sertype_init_flags(wanted, std::string(type.dds_name).c_str(), &type_operations(),
                             &data_operations(), DDSI_SERTYPE_FLAG_TOPICKIND_NO_KEY);
     const QosOf qos(offered, type);
     ddsi_sertype* used = wanted;
     const dds_entity_t topic =
-        dds_create_topic_sertype(participant_, name, &used, qos.dds, nullptr, nullptr);
+        dds_create_topic_sertype(participant, name.c_str(), &used, qos.dds, nullptr, nullptr);
     if (topic < 0) ddsi_sertype_unref(wanted);
     const dds_entity_t entity =
-        topic < 0 ? topic : dds_create_writer(participant_, topic, qos.dds, nullptr);
+        topic < 0 ? topic : dds_create_writer(participant, topic, qos.dds, nullptr);
     if (entity < 0)
-      throw SetupError("[ros2]: topic " + std::string(name) + " cannot be published (" +
+      throw SetupError("[ros2]: topic " + name + " cannot be published (" +
                        dds_strretcode(-entity) + "); set ros2.enabled to false");
     return {entity, used};
   }
-  void create_writers() {
-    for (const TopicText& topic : topics()) {
-      // The live daemon's time is the wall clock's.
-      if (topic.topic == Topic::kClock) continue;
-      writers_.at(static_cast<std::size_t>(topic.topic)) =
-          writer(("rt" + std::string(topic.name)).c_str(), *topic.type, topic.qos);
-    }
-    discovery_ = writer("ros_discovery_info", rmw_dds_common::ParticipantEntitiesInfo::kType,
-                        {.transient_local = true, .depth = 1});
-  }
   /// Tells ROS 2's graph of the node and its publishers.
-  void announce() const {
-    rmw_dds_common::NodeEntitiesInfo node{.node_namespace = "/", .node_name = kNodeName};
-    for (const Writer& writer : writers_)
-      if (writer.type != nullptr) node.writer_gid_seq.push_back(gid_of(writer.entity));
-    discovery_.write(serialized(rmw_dds_common::ParticipantEntitiesInfo{
-        .gid = gid_of(participant_), .node_entities_info_seq = {node}}));
+  void announce(const std::string& node) {
+    graph = writer("ros_discovery_info", rmw_dds_common::ParticipantEntitiesInfo::kType,
+                   {.transient_local = true, .depth = 1});
+    rmw_dds_common::NodeEntitiesInfo entities{.node_namespace = "/", .node_name = node};
+    for (const auto& [topic, writer] : writers)
+      entities.writer_gid_seq.push_back(gid_of(writer.entity));
+    graph.write(serialized(rmw_dds_common::ParticipantEntitiesInfo{
+        .gid = gid_of(participant), .node_entities_info_seq = {entities}}));
   }
 
-  TopicMessages messages_;
-  dds_entity_t domain_ = 0, participant_ = 0;
-  std::array<Writer, std::tuple_size_v<std::remove_cvref_t<decltype(topics())>>> writers_{};
-  Writer discovery_{};
-  TopicMessages::Send send_ = [this](Topic topic, Bytes cdr) {
-    writers_.at(static_cast<std::size_t>(topic)).write(std::move(cdr));
-  };
+  dds_entity_t domain = 0, participant = 0;
+  std::map<Topic, Writer> writers;
+  Writer graph{};
 };
 
-}  // namespace
-
-std::unique_ptr<messages::Sink> join_domain(const config::Ros2Settings& settings,
-                                            const messages::RunContext& run_context,
-                                            const messages::PublishClock& clock) {
-  return std::make_unique<Participant>(settings, run_context, clock);
-}
+Participant::Participant(const config::Ros2Settings& settings, const std::string& node,
+                         std::span<const Topic> published)
+    : state_(std::make_unique<State>(settings, node, published)) {}
+Participant::~Participant() = default;
+void Participant::write(Topic topic, Bytes cdr) { state_->writers.at(topic).write(std::move(cdr)); }
 
 }  // namespace tp100::ros2

@@ -1,21 +1,34 @@
 #pragma once
-// The daemon as a participant of a ROS 2 domain, without ROS: any ROS 2 program finds a node
-// /tp100d with the topics of topics.h.
+// A participant of a ROS 2 domain, without ROS: any ROS 2 program finds a node with these topics.
 
 #include <memory>
+#include <span>
+#include <string>
 
 #include "config/configuration.h"
-#include "messages/messages.h"
-#include "messages/sink.h"
+#include "core/bytes.h"
+#include "ros2/topics.h"
 
 namespace tp100::ros2 {
 
-/// Joins the domain and returns what publishes each step, in the thread that calls it; publishing
-/// does not wait for subscribers. The threads that it starts have the caller's scheduling and
-/// processors: to be called from an ordinary thread, before the real-time loop starts. Throws
-/// SetupError: no such interface or domain, or this build has no DDS.
-std::unique_ptr<messages::Sink> join_domain(const config::Ros2Settings& settings,
-                                            const messages::RunContext& run_context,
-                                            const messages::PublishClock& clock);
+class Participant {
+ public:
+  /// Joins the domain as `node`, which publishes these topics. The threads that it starts have the
+  /// caller's scheduling and processors: to be called from an ordinary thread, before a real-time
+  /// loop starts. Throws SetupError: no such interface or domain, or this build has no DDS.
+  Participant(const config::Ros2Settings& settings, const std::string& node,
+              std::span<const Topic> published);
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  /// Publishes a message as TopicMessages makes it, on one of the topics. Allocates, and waits for
+  /// no subscriber: one that is slow misses the older of the messages that are kept. One thread.
+  void write(Topic topic, Bytes cdr);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace tp100::ros2

@@ -186,8 +186,8 @@ diagnostic_msgs::DiagnosticStatus link_status(const StepRecord& record,
 
 }  // namespace
 
-const std::array<TopicText, 11>& topics() {
-  static const std::array<TopicText, 11> kTopics = {{
+const std::array<TopicText, kTopicCount>& topics() {
+  static const std::array<TopicText, kTopicCount> kTopics = {{
       {Topic::kOdometry, "/odom", &nav_msgs::Odometry::kType, {}},
       {Topic::kTransforms, "/tf", &tf2_msgs::TFMessage::kType, {.depth = 100}},
       {Topic::kStaticTransforms,
@@ -204,9 +204,15 @@ const std::array<TopicText, 11>& topics() {
        "/robot_description",
        &std_msgs::String::kType,
        {.transient_local = true, .depth = 1}},
+      {Topic::kGroundTruth, "/ground_truth", &geometry_msgs::PoseStamped::kType, {}},
       {Topic::kClock, "/clock", &rosgraph_msgs::Clock::kType, {.reliable = false, .depth = 1}},
   }};
   return kTopics;
+}
+
+Bytes ground_truth(std::uint64_t unix_ns, const Pose& pose) {
+  return serialized(
+      geometry_msgs::PoseStamped{.header = {time_of(unix_ns), kMap}, .pose = pose_of(pose)});
 }
 
 TopicMessages::TopicMessages(messages::RunContext run_context, messages::PublishClock clock,

@@ -3,6 +3,7 @@
 // steps, for the network and for bags alike. Frames are those of REP-105.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -23,8 +24,10 @@ enum class Topic : std::uint8_t {
   kPath,
   kState,
   kRobotDescription,
+  kGroundTruth,
   kClock,
 };
+inline constexpr std::size_t kTopicCount = static_cast<std::size_t>(Topic::kClock) + 1;
 
 /// Quality of service that a publisher offers; its history keeps the last `depth` messages.
 struct Qos {
@@ -41,7 +44,16 @@ struct TopicText {
 };
 
 /// All topics, in the enum's order.
-const std::array<TopicText, 11>& topics();
+const std::array<TopicText, kTopicCount>& topics();
+
+/// Of the live daemon: all but those of simulations.
+inline constexpr std::array kLiveTopics = {
+    Topic::kOdometry, Topic::kTransforms,      Topic::kStaticTransforms, Topic::kFusedPose,
+    Topic::kImu,      Topic::kJointStates,     Topic::kBatteryState,     Topic::kPath,
+    Topic::kState,    Topic::kRobotDescription};
+
+/// Message of /ground_truth: the robot's true pose in the course's world.
+Bytes ground_truth(std::uint64_t unix_ns, const Pose& pose);
 
 /// Messages of a run, each as CDR. One thread, not the real-time one.
 class TopicMessages {

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,6 +25,8 @@
 #include "link/udp.h"
 #include "loop/pacing.h"
 #include "loop/real_time.h"
+#include "ros2/participant.h"
+#include "ros2/topics.h"
 #include "sim/robot/commands.h"
 #include "sim/robot/emulated_robot.h"
 #include "sim/robot/pty.h"
@@ -257,6 +260,29 @@ std::optional<CameraStream> camera_stream(const RobotCommand& command, const Loa
   return std::optional<CameraStream>(std::in_place, camera, to, command.options.seed);
 }
 
+/// The true pose on ROS 2's topic, at the rate of samples.
+class TruthTopic {
+ public:
+  explicit TruthTopic(const std::string& interface)
+      : participant_({.enabled = true, .interface = interface}, "tp100_sim",
+                     std::array{ros2::Topic::kGroundTruth}) {}
+  /// Call it once per physics step, at whose end in host time the body had this pose.
+  void look(HostNs at, const Pose& truth) {
+    if (at < due_ns_) return;
+    due_ns_ = at + kPeriodNs;
+    std::timespec wall{};
+    std::timespec_get(&wall, TIME_UTC);
+    const HostNs unix_ns = HostNs{wall.tv_sec} * kNsPerS + wall.tv_nsec - (monotonic_now() - at);
+    participant_.write(ros2::Topic::kGroundTruth,
+                       ros2::ground_truth(static_cast<std::uint64_t>(unix_ns), truth));
+  }
+
+ private:
+  static constexpr HostNs kPeriodNs = 5 * kNsPerMs;
+  ros2::Participant participant_;
+  HostNs due_ns_ = 0;
+};
+
 void print_place(const Pose& truth) {
   std::printf("robot: stands at x %.4f m, y %.4f m, yaw %.2f deg\n", truth.x_m, truth.y_m,
               truth.yaw_rad * kDegPerRad);
@@ -286,6 +312,8 @@ int run_robot(const RobotCommand& command) {
                        .blank = command.blank,
                        .faults = faults});
   std::optional<CameraStream> camera = camera_stream(command, loaded, course.fence);
+  std::optional<TruthTopic> truth_topic;
+  if (!command.ros2.empty()) truth_topic.emplace(command.ros2);
   Cable cable(robot, command.link);
   DisturbanceInjector disturbance_injector(course.disturbances);
   const loop::RealTimeProcess process({});
@@ -323,6 +351,7 @@ int run_robot(const RobotCommand& command) {
     cable.from_host();
     cable.to_host(robot.advance());
     if (camera) camera->look(robot.truth().pose, robot.now_ns(), begin_ns, monotonic_now());
+    if (truth_topic) truth_topic->look(begin_ns + robot.now_ns(), robot.truth().pose);
     if (disturbance_injector.update(robot) != nullptr) {
       std::printf("robot: a disturbance pushes the robot\n");
       std::fflush(stdout);

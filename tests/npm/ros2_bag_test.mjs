@@ -56,8 +56,8 @@ async function bagOf(options, work) {
 
 test('the bag is what rosbag2 reads', () => bagOf([], async ({ reader, topics, types, metadata }) => {
   assert.equal(reader.header.profile, 'ros2');
-  assert.deepEqual([...types.keys()].sort(), ['/battery_state', '/clock', '/imu/data', '/joint_states', '/odom', '/path',
-    '/pose/fused', '/robot_description', '/tf', '/tf_static', '/tp100/state']);
+  assert.deepEqual([...types.keys()].sort(), ['/battery_state', '/clock', '/ground_truth', '/imu/data', '/joint_states', '/odom',
+    '/path', '/pose/fused', '/robot_description', '/tf', '/tf_static', '/tp100/state']);
   for (const channel of reader.channelsById.values()) {
     const schema = reader.schemasById.get(channel.schemaId);
     assert.equal(channel.messageEncoding, 'cdr');
@@ -195,6 +195,13 @@ for (const camera of [false, true])
         (match) => match && ['arming', 'running', 'finished'].includes(match[2])).map((match) => match[2]);
       assert.deepEqual(runs.filter((run) => run !== 'idle'), changes);
 
+      const truth = new Map(json('/truth').map(({ value }) => [value.host_ns, value]));
+      assert.equal(messages('/ground_truth').length, truth.size);
+      for (const { value } of messages('/ground_truth')) {
+        // Virtual time begins at zero on both clocks.
+        nearPose(value.pose, truth.get(Number(nanoseconds(value.header.stamp))), '/ground_truth');
+        assert.equal(value.header.frame_id, 'map');
+      }
       for (const { logTime, value } of messages('/clock')) assert.equal(nanoseconds(value.clock), logTime);
       const [{ value: fixed }] = messages('/tf_static');
       assert.deepEqual(fixed.transforms.map(({ header, child_frame_id: child }) => [header.frame_id, child]),

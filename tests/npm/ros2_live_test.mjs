@@ -11,7 +11,7 @@ import { createInterface } from 'node:readline';
 import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
-import { decode } from './ros2.mjs';
+import { decode, nanoseconds } from './ros2.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { MessageReader } = load('@foxglove/rosmsg2-serialization');
@@ -75,11 +75,12 @@ class Listener {
   }
 }
 
-/** An emulated robot, for daemons that `work` starts. */
-async function withRobot(work) {
+/** An emulated robot with these options, for daemons that `work` starts. */
+async function withRobot(work, more = []) {
   const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
   const port = join(folder, 'port');
-  const robot = spawn(program('tp100-sim'), ['robot', '--link', port], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const env = { ...process.env, ROS_DOMAIN_ID: '42' };
+  const robot = spawn(program('tp100-sim'), ['robot', '--link', port, ...more], { stdio: ['ignore', 'pipe', 'inherit'], env });
   const running = [];
   try {
     await once(robot.stdout, 'data');
@@ -90,7 +91,7 @@ async function withRobot(work) {
         const file = join(folder, `${running.length}.toml`);
         await writeFile(file, `[loop]\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n${loop}\n${ros2}\n`);
         const child = spawn(program('tp100d'), ['run', '--config', file, '--port', port, '--listen', 'off', ...options],
-          { stdio: ['ignore', 'ignore', 'pipe'], env: { ...process.env, ROS_DOMAIN_ID: '42' } });
+          { stdio: ['ignore', 'ignore', 'pipe'], env });
         running.push(child);
         const lines = [], waiting = new Set();
         createInterface({ input: child.stderr }).on('line', (line) => {
@@ -166,9 +167,8 @@ test('another implementation receives every message of a run', limits, (t) => wi
     }
     const ages = listener.found.filter(({ message }) => message === 'rt/odom').map((each) => ({
       network: Number(BigInt(each.received_ns) - BigInt(each.sent_ns)) / 1e6,
-      whole: Number(BigInt(each.received_ns)) / 1e6
-        - (({ sec, nanosec, nsec }) => sec * 1e3 + (nanosec ?? nsec) / 1e6)(decode('nav_msgs/msg/Odometry',
-          Buffer.from(each.cdr, 'hex')).header.stamp),
+      whole: Number(BigInt(each.received_ns)
+        - nanoseconds(decode('nav_msgs/msg/Odometry', Buffer.from(each.cdr, 'hex')).header.stamp)) / 1e6,
     }));
     for (const kind of ['network', 'whole'])
       t.diagnostic(`age of /odom, ${kind}: ${[0.5, 0.99].map((share) =>
@@ -243,6 +243,36 @@ test('threads of DDS have neither the scheduling nor the processor of the loop',
   assert.ok(threads.filter(({ policy }) => policy === '1').length <= 1, text);
   if (cpus().length > 1) assert.equal(threads.filter(({ processors }) => processors === '0').length, 1, text);
 }));
+
+test('the emulated robot tells where it truly is', limits, () => withRobot(async ({ daemon }) => {
+  const listener = new Listener(42, ['rt/ground_truth=geometry_msgs::msg::dds_::PoseStamped_=RV',
+    'rt/odom=nav_msgs::msg::dds_::Odometry_=RV']);
+  try {
+    const run = await daemon('[ros2]\nenabled = true', ['--course', '1-straight', '--duration', '8'], 'priority = 0');
+    await run.exit;
+    await listener.end();
+    const poses = (topic, type) => listener.messages(topic).map((bytes) => {
+      const { header, pose } = decode(type, bytes);
+      return { at: Number(nanoseconds(header.stamp)) / 1e9, position: (pose.pose ?? pose).position, frame: header.frame_id };
+    });
+    const truth = poses('/ground_truth', 'geometry_msgs/msg/PoseStamped');
+    assert.ok(truth.every(({ frame }) => frame === 'map'));
+    const odometry = poses('/odom', 'nav_msgs/msg/Odometry');
+    let compared = 0;
+    for (const { at, position } of odometry) {
+      const near = truth.find((each) => Math.abs(each.at - at) < 0.004);
+      if (near === undefined) continue;
+      ++compared;
+      assert.ok(Math.hypot(near.position.x - position.x, near.position.y - position.y) < 0.05,
+        `at ${at}: ${JSON.stringify([near.position, position])}`);
+    }
+    assert.ok(compared > odometry.length / 2, `${compared} of ${odometry.length}`);
+    assert.ok(odometry.at(-1).position.x > 0.01, 'it drove');
+    assert.equal(listener.found.filter(({ participant }) => participant).length, 2);
+  } finally {
+    await listener.end();
+  }
+}, ['--ros2']));
 
 test('nobody is on the network unless it is switched on', limits, () => withRobot(async ({ daemon }) => {
   const listener = await Listener.ofEverything(42);

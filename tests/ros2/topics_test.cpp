@@ -175,10 +175,10 @@ TEST(RobotDescription, HasEveryLinkOnceAndJoinsAllOfThem) {
       urdf, HasSubstr("<child link=\"left_sprocket\"/>\n    <origin xyz=\"0.0665 0.0775 0.026\""));
 }
 
-TEST(JoinDomain, RefusesWhatItCannotUseInOneLine) {
+TEST(Participant, RefusesWhatItCannotUseInOneLine) {
   const auto refusal = [](const config::Ros2Settings& settings) -> std::string {
     try {
-      join_domain(settings, {}, {});
+      Participant(settings, "test", kLiveTopics);
     } catch (const SetupError& error) {
       return error.what();
     }
