@@ -115,10 +115,16 @@ std::string dds_configuration(const std::string& interface) {
   if (!std::all_of(interface.begin(), interface.end(), may_be))
     throw SetupError("ros2.interface = \"" + text::one_line(interface) +
                      "\": not a network interface; `ip link` lists them");
-  // The loopback interface can multicast where it does not say so.
-  const std::string multicast = interface == "lo" ? " multicast=\"true\"" : "";
+  // The loopback interface multicasts where it does not say so; where it cannot, participants are
+  // found at the ports that ROS 2's own look at, too.
+  const bool local = interface == "lo";
   return "<CycloneDDS><Domain id=\"any\"><General><Interfaces><NetworkInterface name=\"" +
-         interface + "\"" + multicast + "/></Interfaces></General></Domain></CycloneDDS>";
+         interface + "\"" + (local ? " multicast=\"true\"" : "") + "/></Interfaces></General>" +
+         (local ? "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
+                  "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+                  "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery>"
+                : "") +
+         "</Domain></CycloneDDS>";
 }
 
 /// Threads started during its lifetime have small stacks. Where memory is locked, each takes its

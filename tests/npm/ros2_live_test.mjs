@@ -38,10 +38,12 @@ const ddsType = (type) => `${type.replace('/msg/', '::msg::dds_::')}_`;
 
 /** A Fast DDS participant and what it has found and received. */
 class Listener {
-  constructor(domain, wanted) {
+  /** `under`: a command to run it by. */
+  constructor(domain, wanted, under = []) {
     this.found = [];
     this.waiting = new Set();
-    this.process = spawn(program('ros2_listener'), [String(domain), ...wanted], { stdio: ['pipe', 'pipe', 'inherit'] });
+    const [command, ...more] = [...under, program('ros2_listener'), String(domain), ...wanted];
+    this.process = spawn(command, more, { stdio: ['pipe', 'pipe', 'inherit'] });
     createInterface({ input: this.process.stdout }).on('line', (line) => {
       this.found.push(JSON.parse(line));
       for (const check of this.waiting) check();
@@ -288,3 +290,46 @@ test('nobody is on the network unless it is switched on', limits, () => withRobo
     await listener.end();
   }
 }));
+
+/** Calls `work` with a command that runs another one on a second host, at the other end of the network eth0. */
+async function withSecondHost(work) {
+  const ip = (...options) => execFileSync('ip', options);
+  const host = spawn('unshare', ['--net', 'cat'], { stdio: ['pipe', 'pipe', 'inherit'] });
+  try {
+    // It echoes once it is in its own network.
+    host.stdin.write('there\n');
+    await once(host.stdout, 'data');
+    const under = ['nsenter', '--target', String(host.pid), '--net'];
+    ip('link', 'add', 'eth0', 'type', 'veth', 'peer', 'name', 'eth0', 'netns', String(host.pid));
+    ip('address', 'add', '10.0.0.1/24', 'dev', 'eth0');
+    ip('link', 'set', 'eth0', 'up');
+    for (const options of ['link set lo up', 'address add 10.0.0.2/24 dev eth0', 'link set eth0 up', 'route add default dev eth0'])
+      execFileSync(under[0], [...under.slice(1), 'ip', ...options.split(' ')]);
+    await work(under);
+  } finally {
+    host.stdin.end();
+    await once(host, 'exit');
+  }
+}
+
+test('another host sees what is published on its network, and nothing of this machine alone', limits, () =>
+  withSecondHost((under) => withRobot(async ({ daemon }) => {
+    const odometry = ['rt/odom=nav_msgs::msg::dds_::Odometry_=RV'];
+    const there = new Listener(42, odometry, under), here = new Listener('42@127.0.0.1', odometry);
+    try {
+      const local = await daemon('[ros2]\nenabled = true', ['--stay', '--wait'], 'priority = 0');
+      await here.until(() => here.messages('/odom').length > 400);
+      local.child.kill('SIGTERM');
+      await local.exit;
+      assert.ok(!there.found.some(({ participant }) => participant));
+      const open = await daemon('[ros2]\nenabled = true\ninterface = "eth0"', ['--stay', '--wait'], 'priority = 0');
+      await there.until(() => there.messages('/odom').length > 400);
+      open.child.kill('SIGTERM');
+      await open.exit;
+      // Each step once, in order.
+      const stamps = there.messages('/odom').map((bytes) => nanoseconds(decode('nav_msgs/msg/Odometry', bytes).header.stamp));
+      stamps.forEach((stamp, i) => assert.ok(i === 0 || stamp > stamps[i - 1]));
+    } finally {
+      await Promise.all([there.end(), here.end()]);
+    }
+  })));

@@ -134,10 +134,13 @@ int main(int argc, char** argv) {
   participant_qos.transport().use_builtin_transports = false;
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->receiveBufferSize = kLargest;
+  const std::string domain = argv[1];
+  if (const std::size_t at = domain.find('@'); at != std::string::npos)
+    udp->interfaceWhiteList.push_back(domain.substr(at + 1));
   participant_qos.transport().user_transports.push_back(udp);
   auto* const factory = fast::DomainParticipantFactory::get_instance();
   auto* const participant =
-      factory->create_participant(static_cast<fast::DomainId_t>(std::stoul(argv[1])),
+      factory->create_participant(static_cast<fast::DomainId_t>(std::stoul(domain)),
                                   participant_qos, &discovery, fast::StatusMask::none());
   auto* const subscriber = participant->create_subscriber(fast::SUBSCRIBER_QOS_DEFAULT);
   for (int i = 2; i < argc; ++i) {
