@@ -169,7 +169,7 @@ struct ExportOptions {
   std::vector<std::string> runs;  ///< recordings or their folders
   bool csv = false;               ///< samples.csv (as identify reads it), poses.csv
   bool tum = false;               ///< model.tum, odometry.tum, fused.tum, truth.tum
-  std::string ros2;               ///< folder of a rosbag2 bag; empty: none. For one run only
+  std::string ros2{};             ///< folder of a rosbag2 bag; empty: none. For one run only
   std::string out;                ///< folder; empty: beside the recording. For one run only
 };
 

@@ -109,7 +109,10 @@ def main():
     messages = read(pathlib.Path(sys.argv[1]).read_text(encoding='utf-8'))
     header = ['// Generated from definitions.msg.', '#pragma once', '#include <array>', '#include <cstdint>',
               '#include <string>', '#include <tuple>', '#include <vector>', '', '#include "ros2/message_type.h"', '']
-    pathlib.Path(sys.argv[2]).write_text('\n'.join(header + [cpp(name, messages) for name in messages]), encoding='utf-8')
+    text, path = '\n'.join(header + [cpp(name, messages) for name in messages]), pathlib.Path(sys.argv[2])
+    # Unchanged, nothing is compiled anew.
+    if not path.exists() or path.read_text(encoding='utf-8') != text:
+        path.write_text(text, encoding='utf-8')
 
 
 if __name__ == '__main__':

@@ -20,7 +20,7 @@ struct RobotCommand {
   std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
   std::string stats;   ///< file for figures of the run, written at its end; empty: none
   std::string course;  ///< start pose and disturbances come from it; empty: origin
-  std::string ros2;    ///< network interface for the true pose on ROS 2's topic; empty: none
+  std::string ros2{};  ///< network interface for the true pose on ROS 2's topic; empty: none
 };
 
 /// Runs until SIGINT or SIGTERM. Returns the exit status. Throws SetupError.
