@@ -96,7 +96,8 @@ def cpp(name, messages):
     constants = [field for field in messages[name] if field['value']]
     fields = [field for field in messages[name] if not field['value']]
     out = [f'namespace tp100::ros2::{package} {{', f'struct {short} {{']
-    out += [f'  static constexpr {cpp_type(one, messages)} {one["name"]} = {one["value"]};' for one in constants]
+    out += [f'  static constexpr {cpp_type(one, messages)} k{one["name"].title().replace("_", "")} = {one["value"]};'
+            for one in constants]
     out += [f'  {cpp_type(one, messages)} {one["name"]}{{}};' for one in fields]
     out += [f'  auto fields() const {{ return std::tie({", ".join(one["name"] for one in fields)}); }}',
             f'  static constexpr MessageType kType{{"{full(name)}", "{package}::msg::dds_::{short}_",',

@@ -50,7 +50,7 @@ class CdrWriter {
   template <class Message>
   requires requires(const Message& message) { message.fields(); }
   void put(const Message& message) {
-    std::apply([this](const auto&... fields) { (put(fields), ...); }, message.fields());
+    std::apply([this](const auto&... fields) { (this->put(fields), ...); }, message.fields());
   }
 
  private:

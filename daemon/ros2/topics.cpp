@@ -134,7 +134,7 @@ diagnostic_msgs::DiagnosticStatus run_status(const StepRecord& record,
                                              const messages::RunContext& run_context) {
   using Status = diagnostic_msgs::DiagnosticStatus;
   const Snapshot& snapshot = record.snapshot;
-  Status status{.level = Status::OK,
+  Status status{.level = Status::kOk,
                 .name = "tp100d: run",
                 .message = std::string(to_string(snapshot.run_state)),
                 .hardware_id = run_context.robot.name};
@@ -143,7 +143,7 @@ diagnostic_msgs::DiagnosticStatus run_status(const StepRecord& record,
   while (const auto fault = first_fault(faults)) {
     const FaultText& text = describe(*fault);
     if (names.empty()) {
-      status.level = Status::ERROR;
+      status.level = Status::kError;
       status.message += ": " + std::string(text.cause) + "; " + std::string(text.fix);
     }
     names += (names.empty() ? "" : " ") + std::string(text.name);
@@ -168,9 +168,9 @@ diagnostic_msgs::DiagnosticStatus link_status(const StepRecord& record,
   const SessionState session = record.inputs.session;
   const bool ready = session == SessionState::kReady;
   const bool none = session == SessionState::kClosed || session == SessionState::kRefused;
-  Status status{.level = ready  ? Status::OK
-                         : none ? Status::ERROR
-                                : Status::WARN,
+  Status status{.level = ready  ? Status::kOk
+                         : none ? Status::kError
+                                : Status::kWarn,
                 .name = "tp100d: link",
                 .message = std::string(to_string(session)),
                 .hardware_id = run_context.robot.name};
