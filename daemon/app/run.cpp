@@ -16,12 +16,14 @@
 #include "live/live_recording.h"
 #include "live/recording_policies.h"
 #include "live/service_notice.h"
+#include "live/setup_changer.h"
+#include "live/setup_files.h"
+#include "live/setup_list.h"
 #include "live/supervisor.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
 #include "ros2/publisher.h"
 #include "server/server.h"
-#include "terrain/climbable.h"
 #include "text/toml_document.h"
 #include "web/bundle.h"
 
@@ -41,9 +43,12 @@ config::RunFiles files_of(const RunOptions& options) {
   const config::Configuration configuration =
       config::parse_configuration(files.configuration.text, files.configuration.path);
   const std::string& course = options.course.empty() ? configuration.course : options.course;
-  if (!course.empty()) files.course = course::read_bundled(course::Bundled::kCourses, course);
-  files.robot = course::read_bundled(course::Bundled::kRobots,
-                                     options.robot.empty() ? configuration.robot : options.robot);
+  const std::string library = live::library_folder(configuration.library);
+  if (!course.empty())
+    files.course = live::read_setup_file(course::Bundled::kCourses, course, library);
+  files.robot =
+      live::read_setup_file(course::Bundled::kRobots,
+                            options.robot.empty() ? configuration.robot : options.robot, library);
   files.setup = options.setup.empty() ? configuration.parameters.setup : setup_of(options.setup);
   files.world = config::world_option(options.world, configuration.parameters.world.kind);
   return files;
@@ -56,10 +61,7 @@ config::RunSetup setup_run(const config::RunFiles& files, const RunOptions& opti
   if (options.world.starts_with("udp:")) run.configuration.world.address = options.world;
   if (!options.listen.empty()) run.configuration.server.listen = options.listen;
   if (!options.record.empty()) run.configuration.record.directory = options.record;
-  if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
-  if (!run.configuration.camera.listen.empty() && run.parameters.setup == bridge::Setup::kStand) {
-    throw SetupError("--camera: on a stand it sees a robot that stands still; leave it out");
-  }
+  live::require_fit(run);
   return run;
 }
 
@@ -95,6 +97,7 @@ std::optional<server::PageFile> page_file(std::string_view path) {
 std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
                                             const messages::PublishClock& clock,
                                             live::LiveControls& controls,
+                                            const live::SetupChanger& setup,
                                             server::Listener listener) {
   const config::ServerConfiguration& settings = run.configuration.server;
   server::ServerSettings out;
@@ -104,6 +107,7 @@ std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
   out.max_clients = static_cast<std::size_t>(settings.max_clients);
   out.runs_folder = run.configuration.record.directory;
   out.page = page_file;
+  out.setup = [&setup](std::string_view path) { return setup.content(path); };
   out.listener = std::move(listener);
   return std::make_unique<server::Server>(
       std::move(out), messages::Messages(config::run_context_of(run), clock),
@@ -159,14 +163,16 @@ int run_run(const RunOptions& options) {
   settings.disk = &disk;
   live::BlackBox black_box(configuration.record, recording);
   settings.black_box = &black_box;
-  live::LiveControls controls(cycle, loop, recording);
+  live::SetupChanger setup({files, run}, cycle);
+  live::LiveControls controls(cycle, loop, recording, setup);
   const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
                             std::string_view json) { recording.hear(channel, unix_ns, json); };
-  const std::unique_ptr<server::Server> server = make_server(run, clock, controls, listener);
+  const std::unique_ptr<server::Server> server = make_server(run, clock, controls, setup, listener);
   // With --stay each run gets a recording of its own.
   if (!configuration.record.directory.empty() && !options.stay) recording.begin();
   settings.server = server.get();
   settings.controls = &controls;
+  settings.setup_changer = &setup;
   settings.stay = options.stay;
   settings.verbose = options.verbose;
   live::Supervisor supervisor(settings, cycle, loop);

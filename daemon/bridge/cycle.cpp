@@ -105,6 +105,18 @@ void Cycle::world(const WorldSample& received) {
   next_.world.back().stop = stop;
 }
 
+bool Cycle::change_setup(SetupChange& change, HostNs now) {
+  if (!step_.changeable()) return false;
+  next_.restart.clear();
+  next_.restart.push(step_.carried_anew(change.place, now));
+  restarted_ns_ = now;
+  if (!change.step) return true;
+  std::swap(step_, *change.step);
+  outputs_ = &none_;  // the others belong to the old step
+  if (change.parameters) session_.use(*change.parameters, now);
+  return true;
+}
+
 const bridge::Outputs& Cycle::step(HostNs now) {
   next_.samples.assign(session_.take_samples());
   next_.session = session_.state();

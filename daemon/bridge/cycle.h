@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "bridge/step.h"
 #include "core/step_record.h"
@@ -22,6 +23,14 @@ link::SessionSettings session_settings(const bridge::Parameters& parameters,
 /// Name of a field of wire::Parameters by its index, as a refusal reports it; "unknown" beyond the
 /// last.
 const char* parameter_name(unsigned index);
+
+/// What an operator changes between two runs.
+struct SetupChange {
+  std::optional<Step> step{};  ///< with another course, robot or set-up
+  /// Of that step, if they are others than the robot has: a new session begins.
+  std::optional<wire::Parameters> parameters{};
+  std::optional<Pose> place{};  ///< where the robot is now
+};
 
 class Cycle {
  public:
@@ -50,6 +59,12 @@ class Cycle {
   /// Received from an external world; taken by the next step. If too many come, the newest counts,
   /// and a stop in any of them.
   void world(const WorldSample& received);
+  /// Makes the change: the next step begins anew with it, which is an input of that step. The old
+  /// step is then in `change`, to be freed elsewhere. False, and nothing is changed: there is a
+  /// run, the robot moves, or an external world is in use (Step::changeable).
+  bool change_setup(SetupChange& change, HostNs now);
+  /// Number of steps so far.
+  std::uint64_t steps() const { return steps_; }
   /// One cycle: session time, step, command. The reference stays valid until the next call.
   const bridge::Outputs& step(HostNs now);
   /// Motors off for good (the program ends): from now on the step cannot arm. See

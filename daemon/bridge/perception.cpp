@@ -57,7 +57,7 @@ void Perception::begin(const Pose& start, HostNs now) {
 }
 
 bool Perception::at_rest() const {
-  return (standstill_.still() || !has_sample_) && slope_.state() == Slope::kFlat &&
+  return at_standstill() && slope_.state() == Slope::kFlat &&
          obstacle_class_.state() == Obstacle::kNone && terrain_contacts_.level();
 }
 
@@ -75,6 +75,16 @@ void Perception::carry(CarriedState& state) const {
   state.attitude = attitude_.carried();
   state.gyro_bias_radps = standstill_.bias_radps();
   state.gyro_bias_known = standstill_.bias_known();
+}
+
+void Perception::carry_level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const {
+  carry(state);
+  state.virtual_x_m = state.virtual_y_m = state.virtual_turn_rad = 0.0;
+  state.model.z_m = state.model.roll_rad = state.model.pitch_rad = 0.0;
+  if (!at) return;
+  state.model = {.x_m = at->x_m, .y_m = at->y_m, .yaw_rad = at->yaw_rad};
+  state.odometry = odometry_.carried_from(state.model);
+  state.filter = filter_.carried_from(state.model, now);
 }
 
 void Perception::resume(const CarriedState& state) {

@@ -3,6 +3,7 @@
 // traction.
 
 #include <cstdint>
+#include <optional>
 
 #include "bridge/parameters.h"
 #include "bridge/terrain_contacts.h"
@@ -48,8 +49,12 @@ class Perception {
   void go_on() { traction_estimator_.restart(); }
   /// At standstill on level ground, or there is no session: resume() loses nothing of use.
   bool at_rest() const;
+  /// At standstill, or there is no session: the robot may be moved by hand.
+  bool at_standstill() const { return standstill_.still() || !has_sample_; }
   /// Writes what resume() takes.
   void carry(CarriedState& state) const;
+  /// The same for a robot on level ground that is at `at`, or where the estimates say.
+  void carry_level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const;
   /// As after construction, with this state.
   void resume(const CarriedState& state);
   /// The steering pose in `parameters` has changed.

@@ -100,6 +100,11 @@ Step::Step(const Parameters& parameters, std::shared_ptr<const course::Course> c
 }
 Step::~Step() = default;
 Step::Step(Step&&) noexcept = default;
+Step& Step::operator=(Step&&) noexcept = default;
+
+double Step::nominal_duration_s() const {
+  return state_->tracker ? state_->tracker->nominal_duration_s() : 0.0;
+}
 
 bool Step::at_rest() const {
   const State& s = *state_;
@@ -116,6 +121,24 @@ CarriedState Step::carried() const {
   carried.cross_track_m = s.target.cross_track_m;
   carried.progress_m = s.target.progress_m;
   s.seen.carry(carried);
+  return carried;
+}
+
+bool Step::changeable() const {
+  const State& s = *state_;
+  return s.parameters.world.kind == WorldKind::kInternal && s.arming.at_rest() &&
+         s.seen.at_standstill();
+}
+
+CarriedState Step::carried_anew(const std::optional<Pose>& at, HostNs now) const {
+  const State& s = *state_;
+  CarriedState carried;
+  carried.session_number = s.session_number;
+  carried.run_state = s.arming.state();
+  if (carried.run_state == RunState::kFinished) carried.run_state = RunState::kIdle;
+  carried.faults = s.arming.faults();
+  carried.parameters = live_values(s.parameters);
+  s.seen.carry_level(at, now, carried);
   return carried;
 }
 

@@ -14,13 +14,18 @@ using text::Key;
 
 std::span<const Key<Configuration>> run_keys() {
   using T = Configuration;
-  static const std::array<Key<T>, 2> kKeys = {{
+  static const std::array<Key<T>, 3> kKeys = {{
       {"robot", &T::robot, {}, "Robot: a name from config/robots or the path of a robot file"},
       {"course",
        &T::course,
        {},
        "Course: a name from config/courses or the path of a course file; empty: poses only, the "
        "robot stands still"},
+      {"library",
+       &T::library,
+       {},
+       "Folder of your own files, with subfolders courses and robots: their names are valid above, "
+       "and the page saves there. Empty: $XDG_DATA_HOME/tp100 or ~/.local/share/tp100"},
   }};
   return kKeys;
 }

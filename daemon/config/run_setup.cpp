@@ -5,17 +5,37 @@
 
 namespace tp100::config {
 
-RunSetup parse_run(const RunFiles& files) {
-  RunSetup run;
-  run.configuration = parse_configuration(files.configuration.text, files.configuration.path);
+namespace {
+
+/// All but the configuration.
+void parse_rest(const RunFiles& files, RunSetup& run) {
   run.configuration.parameters.setup = files.setup;
   run.configuration.parameters.world.kind = files.world;
   run.robot = course::parse_robot(files.robot.text, files.robot.path);
+  run.course.reset();
   if (!files.course.text.empty())
     run.course = std::make_shared<const course::Course>(
         course::parse_course(files.course.text, files.course.path));
   run.parameters = bridge_parameters(run.configuration, run.robot);
+}
+
+}  // namespace
+
+RunSetup parse_run(const RunFiles& files) {
+  RunSetup run;
+  run.configuration = parse_configuration(files.configuration.text, files.configuration.path);
+  parse_rest(files, run);
   return run;
+}
+
+LoadedRun with_files(const LoadedRun& run, const course::TextFile& course,
+                     const course::TextFile& robot, bridge::Setup setup) {
+  LoadedRun out = run;
+  out.files.course = course;
+  out.files.robot = robot;
+  out.files.setup = setup;
+  parse_rest(out.files, out.setup);
+  return out;
 }
 
 WorldRun world_run(const RunSetup& run) {

@@ -30,8 +30,19 @@ struct RunSetup {
   bridge::Parameters parameters{};
 };
 
+/// Both together, as they are in force at one time.
+struct LoadedRun {
+  RunFiles files;
+  RunSetup setup;
+};
+
 /// Parses the files. Throws SetupError.
 RunSetup parse_run(const RunFiles& files);
+
+/// The run with other files of course and robot and another set-up, and otherwise unchanged: the
+/// configuration file is not read again. Throws SetupError.
+LoadedRun with_files(const LoadedRun& run, const course::TextFile& course,
+                     const course::TextFile& robot, bridge::Setup setup);
 
 /// The run's data for the interfaces to an external world.
 WorldRun world_run(const RunSetup& run);

@@ -45,7 +45,7 @@ void Odometry::restart_from(const FilterState& state) {
   last_residual_ = Residual{};
 }
 
-void Odometry::begin(const Pose& start) {
+FilterState Odometry::state_at(const Pose& start) const {
   FilterState state = state_;
   state.mean.head<3>() << start.x_m, start.y_m, start.yaw_rad;
   state.covariance.topRows<3>().setZero();
@@ -53,8 +53,10 @@ void Odometry::begin(const Pose& start) {
   const FilterParameters& noise = model_.noise();
   state.covariance(kX, kX) = state.covariance(kY, kY) = square(noise.start_sd_m);
   state.covariance(kYaw, kYaw) = square(noise.start_sd_rad);
-  restart_from(state);
+  return state;
 }
+
+void Odometry::begin(const Pose& start) { restart_from(state_at(start)); }
 
 void Odometry::interrupt() {
   FilterState state = state_;
@@ -62,14 +64,18 @@ void Odometry::interrupt() {
   restart_from(state);
 }
 
-CarriedEstimate Odometry::carried() const {
+CarriedEstimate Odometry::carry(const FilterState& state) const {
   CarriedEstimate carried;
-  Eigen::Map<StateVector>(carried.mean.data()) = state_.mean;
+  Eigen::Map<StateVector>(carried.mean.data()) = state.mean;
   // It is symmetric: the order does not matter.
-  Eigen::Map<StateMatrix>(carried.covariance.data()) = state_.covariance;
+  Eigen::Map<StateMatrix>(carried.covariance.data()) = state.covariance;
   carried.slip_walk = slip_walk_.log_likelihoods();
   return carried;
 }
+
+CarriedEstimate Odometry::carried() const { return carry(state_); }
+
+CarriedEstimate Odometry::carried_from(const Pose& start) const { return carry(state_at(start)); }
 
 void Odometry::resume(const CarriedEstimate& carried) {
   restart_from({Eigen::Map<const StateVector>(carried.mean.data()),

@@ -35,6 +35,8 @@ class Odometry {
   /// The samples were interrupted (a new session, a new boot): the time between is unknown.
   void interrupt();
   CarriedEstimate carried() const;
+  /// The same, as if begin() had been called.
+  CarriedEstimate carried_from(const Pose& start) const;
   /// As after construction, with this state.
   void resume(const CarriedEstimate& carried);
 
@@ -66,6 +68,8 @@ class Odometry {
     double length_s_ = 0.0;
   };
 
+  FilterState state_at(const Pose& start) const;
+  CarriedEstimate carry(const FilterState& state) const;
   void restart_from(const FilterState& state);
   void compare_tracks_with_gyro();
   void take_residual(const Residual& now);

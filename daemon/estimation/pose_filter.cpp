@@ -31,11 +31,19 @@ PoseFilter::PoseFilter(const model::TrackParameters& tracks, const FilterParamet
                        const CameraParameters& camera, const CameraPlace& place)
     : odometry_(tracks, noise), camera_(camera, place), shared_sd_m_(camera.constant_sd_m) {}
 
+bool PoseFilter::camera_sees(HostNs now) const {
+  return camera_known_ && now - camera_ns_ < kFreshNs;
+}
+
+double PoseFilter::branch_of(const Pose& start) const {
+  return std::round((start.yaw_rad - state().mean[kYaw]) / (2.0 * kPi)) * 2.0 * kPi;
+}
+
 void PoseFilter::begin(const Pose& start, HostNs now) {
   nis_ = NisMean{};
   used_ = rejected_ = recoveries_ = 0;
-  if (camera_known_ && now - camera_ns_ < kFreshNs) {
-    branch_rad_ = std::round((start.yaw_rad - state().mean[kYaw]) / (2.0 * kPi)) * 2.0 * kPi;
+  if (camera_sees(now)) {
+    branch_rad_ = branch_of(start);
     return;
   }
   branch_rad_ = 0.0;
@@ -62,6 +70,19 @@ CarriedFilter PoseFilter::carried() const {
                       .camera_used = used_,
                       .camera_rejected = rejected_,
                       .recoveries = recoveries_};
+  return state;
+}
+
+CarriedFilter PoseFilter::carried_from(const Pose& start, HostNs now) const {
+  CarriedFilter state = carried();
+  state.nis_sum = 0.0;
+  state.nis_count = state.camera_used = state.camera_rejected = state.recoveries = 0;
+  if (camera_sees(now)) {
+    state.branch_rad = branch_of(start);
+    return state;
+  }
+  state.branch_rad = 0.0;
+  state.estimate = odometry_.carried_from(start);
   return state;
 }
 

@@ -81,6 +81,8 @@ class PoseFilter {
   void interrupt();
 
   CarriedFilter carried() const;
+  /// The same, as if begin() had been called.
+  CarriedFilter carried_from(const Pose& start, HostNs now) const;
   /// As after construction, with this state. Camera samples from before it will be rejected.
   void resume(const CarriedFilter& state);
 
@@ -105,6 +107,8 @@ class PoseFilter {
  private:
   static constexpr std::size_t kWaiting = 4;
 
+  bool camera_sees(HostNs now) const;
+  double branch_of(const Pose& start) const;
   void apply_waiting();
   bool apply(const CameraSample& seen);
 

@@ -23,6 +23,7 @@ class EncoderCount {
   /// Greatest counts per second of a track; 0: unlimited.
   explicit EncoderCount(double max_per_s) : max_per_s_(max_per_s) {}
 
+  void set_limit(double max_per_s) { max_per_s_ = max_per_s; }
   /// A new boot: the count begins with the next value.
   void forget() { known_ = false; }
   /// Takes the board's count, `dt_s` after the last one. False: it jumped (a glitch on the
@@ -53,6 +54,11 @@ class SampleIntake {
   SampleIntake(LinkCounters& counters, double max_counts_per_s)
       : counters_(counters), left_(max_counts_per_s), right_(max_counts_per_s) {}
 
+  /// Another limit of a track, of a robot with other values.
+  void set_limit(double max_counts_per_s) {
+    left_.set_limit(max_counts_per_s);
+    right_.set_limit(max_counts_per_s);
+  }
   /// A new session: the next sample is the first one. Counts continue unless the boot is new.
   void begin(bool new_boot);
   /// Takes one sample with its extended device time. False if it is out of order or not plausible.

@@ -59,6 +59,17 @@ void Session::close(HostNs now) {
   enter(SessionState::kClosed, now);
 }
 
+void Session::use(const wire::Parameters& parameters, HostNs now) {
+  settings_.parameters = parameters;
+  intake_.set_limit(max_counts_per_s(parameters));
+  // A board that refused the old ones may take these.
+  if (!connected() && !(state_ == SessionState::kRefused && known_boot_)) return;
+  // At once, as the robot is not to blame: without commands it latches a fault after 200 ms.
+  end_session(now);
+  next_hello_ns_ = not_before_ns_ = now;
+  enter(SessionState::kHello, now);
+}
+
 void Session::receive(std::span<const std::uint8_t> bytes, HostNs now) {
   counters_.bytes_in += bytes.size();
   if (state_ == SessionState::kClosed) return;

@@ -43,6 +43,9 @@ class Session {
   void open(HostNs now);
   /// The port is gone.
   void close(HostNs now);
+  /// Other parameters for the robot, whose nonce and token are ignored: sent in a new session with
+  /// it, which begins now if there is a robot. Never while its motors may run.
+  void use(const wire::Parameters& parameters, HostNs now);
 
   /// Takes received bytes; `now` is the time at which the last of them was read.
   void receive(std::span<const std::uint8_t> bytes, HostNs now);

@@ -25,6 +25,8 @@ class FirstSession {
   void on_state(SessionState state, HostNs now);
   /// Time passes. Throws SetupError if no session was established in time.
   void check(HostNs now) const;
+  /// The robot file is another one now.
+  void expect(std::string robot) { robot_ = std::move(robot); }
   /// The program ends: nothing is an error from now on.
   void stop() { over_ = true; }
 

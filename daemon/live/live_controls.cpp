@@ -16,6 +16,7 @@ using messages::ParameterText;
 
 // A step has taken a request after this time.
 constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
+constexpr const char* kChanging = "course, robot or place are being changed; try again";
 constexpr const char* kBusy = "too many requests wait; try again";
 
 struct LiveKey {
@@ -58,6 +59,7 @@ messages::Durations durations(const Histogram& histogram) {
 std::string LiveControls::request_start(OperatorRequest request) {
   const std::lock_guard lock(mutex_);
   if (ending_) return "the daemon ends";
+  if (setup_.changing()) return kChanging;
   return cycle_.request(request) ? std::string() : kBusy;
 }
 
@@ -70,6 +72,7 @@ void LiveControls::stop() { cycle_.request(OperatorRequest::kStop); }
 std::string LiveControls::drive_take(const server::Driver& driver, HostNs now, std::string& token) {
   const std::lock_guard lock(mutex_);
   if (ending_) return "the daemon ends";
+  if (setup_.changing()) return kChanging;
   if (!driving(now)) wheel_.clear();
   const std::optional<std::string> taken = wheel_.take(driver, now);
   if (!taken) return wheel_.figures(now).by + " drives; ask for a release";

@@ -11,6 +11,7 @@
 #include "core/command.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
+#include "live/setup_changer.h"
 #include "loop/fixed_rate_loop.h"
 #include "messages/parameter_text.h"
 #include "server/controls.h"
@@ -20,8 +21,9 @@ namespace tp100::live {
 class LiveControls : public server::Controls {
  public:
   /// All must outlive the controls.
-  LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording)
-      : cycle_(cycle), loop_(loop), recording_(recording) {}
+  LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording,
+               SetupChanger& setup)
+      : cycle_(cycle), loop_(loop), recording_(recording), setup_(setup) {}
 
   // The server's thread, or another one whose clients drive:
   std::string start() override { return request_start(OperatorRequest::kStart); }
@@ -37,6 +39,18 @@ class LiveControls : public server::Controls {
   messages::DriverFigures driver(HostNs now) override;
   void record_start(const std::string& name, RecordAnswer answer) override;
   void record_stop(RecordAnswer answer) override;
+  void choose(const server::SetupChoice& choice, Answer answer) override {
+    setup_.choose(choice, std::move(answer));
+  }
+  void place(const std::optional<Pose>& at, Answer answer) override {
+    setup_.place(at, std::move(answer));
+  }
+  void save_file(const server::SetupFile& file, Answer answer) override {
+    setup_.save(file, answer);
+  }
+  void delete_file(const server::SetupFile& file, Answer answer) override {
+    setup_.remove(file, answer);
+  }
   messages::LoopFigures loop() override;
   messages::PortFigures port() override;
   messages::RecordingFigures recording() override;
@@ -60,6 +74,7 @@ class LiveControls : public server::Controls {
   LiveCycle& cycle_;
   const loop::FixedRateLoop& loop_;
   LiveRecording& recording_;
+  SetupChanger& setup_;
   std::mutex mutex_;
   messages::PortFigures port_{};
   StartFacts start_{};

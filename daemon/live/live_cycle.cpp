@@ -50,7 +50,7 @@ bool LiveCycle::received(std::span<const std::uint8_t> bytes, HostNs now) {
 }
 
 void LiveCycle::step(HostNs now) {
-  take_inputs();
+  take_inputs(now);
   cycle_.step(now);
 }
 
@@ -98,7 +98,26 @@ void LiveCycle::record() {
   }
 }
 
-void LiveCycle::take_inputs() {
+// Before the requests of the same step, and never in a step that has any: a start that was pressed
+// for the old course must not begin the new one.
+void LiveCycle::take_setup(HostNs now) {
+  SetupRequest* request = setup_asked_.load(std::memory_order_acquire);
+  if (request == nullptr) return;
+  const bool given_up = shutting_down_ || under_way(run_state_) || now > request->until_ns;
+  if (!given_up) {
+    if (requests_.read_available() > 0 || stop_asked_.load(std::memory_order_acquire)) return;
+    if (!cycle_.change_setup(request->change, now)) return;
+    request->made = true;
+    request->step = cycle_.steps() + 1;
+    // From now on a person starts, and nothing by itself.
+    if (request->change.step) has_run_.store(true, std::memory_order_release);
+  }
+  setup_asked_.store(nullptr, std::memory_order_relaxed);
+  setup_done_.store(request, std::memory_order_release);
+}
+
+void LiveCycle::take_inputs(HostNs now) {
+  take_setup(now);
   Asked asked;
   while (requests_.pop(asked)) {
     if (shutting_down_ || (asked.only_first && has_run())) continue;

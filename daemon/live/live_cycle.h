@@ -52,6 +52,15 @@ struct SampleLatency {
   Histogram age;   ///< sum of both
 };
 
+/// An operator's change of the set-up on its way through the loop.
+struct SetupRequest {
+  bridge::SetupChange change{};
+  HostNs until_ns = 0;  ///< later it is not made any more
+  // Written by the loop:
+  bool made = false;
+  std::uint64_t step = 0;  ///< the first with the change, by StepRecord::step
+};
+
 class LiveCycle : public loop::LoopClient {
  public:
   /// Steps that may wait for the other thread: half a second at 1 kHz, 5 MB.
@@ -79,6 +88,15 @@ class LiveCycle : public loop::LoopClient {
   bool velocity(const VelocityInput& input);
   /// As of the last step. Any thread.
   RunState run_state() const { return shown_run_state_.load(std::memory_order_acquire); }
+  /// Passes a change to the loop, which makes it when the robot stands still, unless a run begins
+  /// first. It is the loop's until setup_done() returns it; only then pass the next one.
+  void change_setup(SetupRequest& request) {
+    setup_asked_.store(&request, std::memory_order_release);
+  }
+  /// The request that the loop has finished with, whether made or not; null: none. It is returned
+  /// before the record of its first step can be taken.
+  SetupRequest* setup_done() const { return setup_done_.load(std::memory_order_acquire); }
+  void release_setup() { setup_done_.store(nullptr, std::memory_order_relaxed); }
   // One other thread.
   /// Passes on an overhead camera's sample. False: too many are waiting.
   bool camera(const CameraSample& seen) { return camera_.push(seen); }
@@ -115,7 +133,8 @@ class LiveCycle : public loop::LoopClient {
     bool only_first = false;
   };
 
-  void take_inputs();
+  void take_inputs(HostNs now);
+  void take_setup(HostNs now);
   void time_sample(HostNs now);
   void pass_events();
   void pass_run_state(HostNs now);
@@ -128,6 +147,8 @@ class LiveCycle : public loop::LoopClient {
   loop::SpscQueue<Asked, 16> requests_;
   loop::SpscQueue<ParameterChange, StepInputs::Changes::kCapacity> changes_;
   loop::SpscQueue<VelocityInput, 32> velocities_;
+  std::atomic<SetupRequest*> setup_asked_{nullptr};
+  std::atomic<SetupRequest*> setup_done_{nullptr};
   std::atomic<bool> stop_asked_{false};
   std::atomic<bool> has_run_{false};
   loop::SpscQueue<CameraSample, 32> camera_;  ///< one second of images

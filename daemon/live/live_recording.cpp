@@ -83,32 +83,46 @@ std::string make_run_folder(const std::string& directory, const std::string& nam
 
 LiveRecording::LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
                              const messages::PublishClock& clock)
-    : files_(files), run_(run), clock_(clock), recorder_(recorder_settings(run.configuration)) {}
+    : settings_(run.configuration.record),
+      clock_(clock),
+      run_(std::make_shared<const config::LoadedRun>(config::LoadedRun{files, run})),
+      recorder_(recorder_settings(run.configuration)) {}
+
+void LiveRecording::change_setup(std::shared_ptr<const config::LoadedRun> run, std::uint64_t next) {
+  // As one: no recording begins between these with the old files.
+  const std::lock_guard lock(mutex_);
+  recorder_.ask_end(0, [](const std::string&) {});
+  recorder_.forget(next);
+  run_ = std::move(run);
+  // They name the old course.
+  in_force_.clear();
+}
 
 record::Recorder::Make LiveRecording::make(const std::string& directory, const std::string& name,
                                            HostNs now, const record::McapMap& facts) const {
   const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(now));
-  return [this, directory, name, facts, unix_ns] {
-    const auto max_mb = static_cast<std::uint64_t>(run_.configuration.record.max_mb);
+  return [clock = clock_, max_mb = static_cast<std::uint64_t>(settings_.max_mb), run = run_,
+          directory, name, facts, unix_ns] {
     return std::make_unique<record::RecordingWriter>(
         record::RecordingSettings{.path = make_run_folder(directory, name, unix_ns) + "/run.mcap",
                                   .max_bytes = max_mb * 1'000'000,
-                                  .clock = clock_},
-        config::run_facts(files_, run_, facts));
+                                  .clock = clock},
+        config::run_facts(run->files, run->setup, facts));
   };
 }
 
 std::uint64_t LiveRecording::start(const std::string& name, Answer answer) {
-  const std::string& directory = run_.configuration.record.directory;
+  const std::string& directory = settings_.directory;
   if (directory.empty()) {
     answer("nothing can be recorded: give --record or set record.directory");
     return 0;
   }
-  const std::string& course = run_.course == nullptr ? std::string("poses") : run_.course->name;
   const HostNs now = monotonic_now();
   const std::lock_guard lock(mutex_);
+  const course::Course* course = run_->setup.course.get();
+  const std::string usual = course == nullptr ? "poses" : course->name;
   const std::uint64_t number = recorder_.ask_begin(
-      make(directory, name.empty() ? course : name, now, {{"program", "tp100d run"}}),
+      make(directory, name.empty() ? usual : name, now, {{"program", "tp100d run"}}),
       std::move(answer));
   if (number == 0) return 0;
   for (const auto& [channel, json] : in_force_) recorder_.message(channel, now, json);
@@ -117,11 +131,12 @@ std::uint64_t LiveRecording::start(const std::string& name, Answer answer) {
 
 std::uint64_t LiveRecording::start_black_box(const std::string& fault, HostNs now,
                                              record::Recorder::Ended ended) {
-  const std::string directory = black_box_directory(run_.configuration.record);
+  const std::string directory = black_box_directory(settings_);
   if (directory.empty()) {
     ended({.warning = "no folder for it: set record.black_box_directory, or 0 for black_box_s"});
     return 0;
   }
+  const std::lock_guard lock(mutex_);
   return recorder_.ask_look_back(
       make(directory, "black-box-" + fault, now, {{"program", "tp100d run"}, {"black_box", fault}}),
       std::move(ended));
@@ -151,7 +166,7 @@ void LiveRecording::discard() {
 
 messages::RecordingFigures LiveRecording::figures() const {
   const record::RecordingStatus status = recorder_.status();
-  return {.available = !run_.configuration.record.directory.empty(),
+  return {.available = !settings_.directory.empty(),
           .active = status.active,
           .run = fs::path(status.path).parent_path().filename(),
           .file = status.path,

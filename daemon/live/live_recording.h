@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -24,8 +25,7 @@ inline constexpr HostNs kTailNs = kNsPerS;
 
 class LiveRecording : public messages::Sink {
  public:
-  /// Records nothing yet. `run` and its configuration must outlive this. Throws SetupError:
-  /// record.directory cannot be created.
+  /// Records nothing yet. Throws SetupError: record.directory cannot be created.
   LiveRecording(const config::RunFiles& files, const config::RunSetup& run,
                 const messages::PublishClock& clock);
 
@@ -51,6 +51,9 @@ class LiveRecording : public messages::Sink {
   void hear(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
 
   // Called by the thread that drains the steps.
+  /// From step number `next` on, which is taken next and begins anew, they are of `run`: its files
+  /// go with the recordings that begin later. A running recording ends here.
+  void change_setup(std::shared_ptr<const config::LoadedRun> run, std::uint64_t next);
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
 
@@ -63,13 +66,14 @@ class LiveRecording : public messages::Sink {
   void discard();
 
  private:
+  /// Call it with the mutex held.
   record::Recorder::Make make(const std::string& directory, const std::string& name, HostNs now,
                               const record::McapMap& facts) const;
 
-  const config::RunFiles& files_;
-  const config::RunSetup& run_;
+  const config::RecordSettings settings_;
   messages::PublishClock clock_;
-  std::mutex mutex_;                                   // guards what follows
+  std::mutex mutex_;  // guards what follows
+  std::shared_ptr<const config::LoadedRun> run_;
   std::map<messages::Channel, std::string> in_force_;  // the last message of each latched channel
   record::Recorder recorder_;
 };

@@ -1,17 +1,16 @@
 #include "live/supervisor.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 // Asio 1.74 uses std::exchange without including it.
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <utility>
 
 #include "core/clock.h"
 #include "core/start_rule.h"
+#include "live/end_signals.h"
 #include "live/event_log.h"
 #include "live/first_session.h"
 #include "live/link_monitor.h"
@@ -29,9 +28,6 @@ namespace asio = boost::asio;
 
 constexpr auto kTick = std::chrono::milliseconds(10);
 constexpr HostNs kStatsPeriodNs = kNsPerS;
-// Longest wait for disks at the end of the program; the unit's TimeoutStopSec is longer.
-constexpr auto kDiskPatience = std::chrono::seconds(5);
-constexpr auto kDiskLook = std::chrono::milliseconds(100);
 // Faults after which the robot may return: without --go the daemon waits for a new start.
 constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
                                    fault_bit(Fault::stop_requested) | fault_bit(Fault::world_lost);
@@ -51,7 +47,6 @@ struct Supervisor::State {
         first_session(connector, s.connector, s.robot),
         run_recordings(*s.recording, s.stay && s.recording->figures().available),
         stats(s.stats_path, *s.disk),
-        signals(context),
         timer(context) {}
 
   int run();
@@ -60,6 +55,7 @@ struct Supervisor::State {
   void take_events();
   void take_status(HostNs now);
   void take_records();
+  void change_setup(const SetupChanger::Made& made);
   void note_link();
   void on_session_state(SessionState state);
   void on_session(const SessionReport& report);
@@ -68,7 +64,6 @@ struct Supervisor::State {
   void begin_serving();
   void notify_manager();
   void serve(const SessionReport& report);
-  void take_signals();
   void end(int exit_status, const std::string& result);
   void take_figures();
   void take_notes();
@@ -85,8 +80,8 @@ struct Supervisor::State {
   FirstSession first_session;
   RunRecordings run_recordings;
   StatsFile stats;
-  asio::signal_set signals;
   asio::steady_timer timer;
+  std::unique_ptr<EndSignals> signals;
   std::unique_ptr<Terminal> terminal;
   std::vector<messages::Sink*> sinks;
   LinkMonitor link_monitor;
@@ -123,7 +118,10 @@ int Supervisor::State::run() {
   sinks.push_back(settings.black_box);
   sinks.push_back(settings.server);
   figures.page = settings.server->url();
-  take_signals();
+  signals = std::make_unique<EndSignals>(context, [this](const char* signal) {
+    log.info(signal);
+    end(settings.stay && !under_way(run_state) ? stay_status : 1, "interrupted");
+  });
   if (!settings.camera.listen.empty()) {
     camera = std::make_unique<CameraPort>(
         context, settings.camera, [this](const CameraSample& seen) { return cycle.camera(seen); });
@@ -157,16 +155,7 @@ int Supervisor::State::run() {
 
 // The robot is disarmed: now waiting for disks is allowed, for a limited time.
 void Supervisor::State::finish_files() {
-  const auto deadline = std::chrono::steady_clock::now() + kDiskPatience;
-  // Each wait is short, so that the watchdog is fed between them.
-  const auto wait = [&](const auto& done_by) {
-    for (std::uint64_t cycles = loop.statistics().cycles.load() + 1;; ++cycles) {
-      const auto now = std::chrono::steady_clock::now();
-      if (done_by(now + kDiskLook)) return true;
-      if (now >= deadline) return false;
-      notice.alive(cycles, monotonic_now());
-    }
-  };
+  LastWait wait(notice, loop.statistics().cycles.load());
   // The recording must include the last messages.
   settings.server->flush();
   settings.black_box->finish();
@@ -223,25 +212,6 @@ void Supervisor::State::serve(const SessionReport& report) {
                                 .ran_before = settings.ran_before});
 }
 
-void Supervisor::State::take_signals() {
-  // A log reader that goes away must not end a run without a disarm.
-  std::signal(SIGPIPE, SIG_IGN);
-  // Reaching the file size limit is an error like any other.
-  std::signal(SIGXFSZ, SIG_IGN);
-  signals.add(SIGINT);
-  signals.add(SIGTERM);
-  // The terminal was closed; under nohup the signal is already ignored.
-  struct sigaction hang_up {};
-  if (::sigaction(SIGHUP, nullptr, &hang_up) == 0 && hang_up.sa_handler == SIG_DFL) {
-    signals.add(SIGHUP);
-  }
-  signals.async_wait([this](const boost::system::error_code& error, int signal) {
-    if (error) return;
-    log.info(signal == SIGINT ? "SIGINT" : signal == SIGHUP ? "SIGHUP" : "SIGTERM");
-    end(settings.stay && !under_way(run_state) ? stay_status : 1, "interrupted");
-  });
-}
-
 void Supervisor::State::schedule_tick() {
   timer.expires_after(kTick);
   timer.async_wait([this](const boost::system::error_code& error) {
@@ -252,6 +222,7 @@ void Supervisor::State::schedule_tick() {
 void Supervisor::State::tick() {
   const HostNs now = monotonic_now();
   take_records();
+  settings.setup_changer->tick();
   take_events();
   note_link();
   first_session.check(now);
@@ -266,7 +237,7 @@ void Supervisor::State::tick() {
   if (ending && loop.ended()) {
     if (camera != nullptr) camera->stop();
     world->stop();
-    signals.cancel();
+    signals->cancel();
     return;
   }
   if (now >= next_stats_ns) {
@@ -311,9 +282,34 @@ void Supervisor::State::take_status(HostNs now) {
 
 void Supervisor::State::take_records() {
   while (const StepRecord* record = cycle.front_record()) {
+    if (const auto made = settings.setup_changer->take(*record)) change_setup(*made);
     for (messages::Sink* sink : sinks) sink->take(*record);
     cycle.release_record();
   }
+}
+
+// Before the first step with the change goes anywhere.
+void Supervisor::State::change_setup(const SetupChanger::Made& made) {
+  const messages::Event event{.at_ns = monotonic_now(), .kind = "setup", .text = made.text};
+  if (made.run != nullptr) {
+    const config::RunSetup& run = made.run->setup;
+    figures.course = settings.course = run.course == nullptr ? "" : run.course->name;
+    figures.robot = settings.robot = run.robot.name;
+    figures.setup = settings.setup = bridge::to_string(run.parameters.setup);
+    const bool goes_on = settings.recording->number() != 0 && !settings.stay;
+    settings.black_box->finish();
+    settings.recording->change_setup(made.run, made.step);
+    const messages::RunContext run_context = config::run_context_of(run);
+    settings.server->change_setup(run_context, parameter_list(run.configuration, run.robot));
+    for (messages::Sink* sink : sinks) sink->take_setup(run_context, event.at_ns);
+    if (goes_on) settings.recording->start({}, [](const std::string&) {});
+    first_session.expect(settings.robot);
+    terminal->follow(settings.course);
+    notify_manager();
+  }
+  log.words({event});
+  settings.server->take(event);
+  settings.setup_changer->finish();
 }
 
 void Supervisor::State::on_session_state(SessionState next) {

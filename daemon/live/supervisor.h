@@ -16,6 +16,7 @@
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
 #include "live/recording_policies.h"
+#include "live/setup_changer.h"
 #include "loop/fixed_rate_loop.h"
 #include "messages/sink.h"
 #include "record/worker.h"
@@ -38,11 +39,12 @@ struct SupervisorSettings {
   bool verbose = false;  ///< log the loop's timing once a second
   bool stay = false;     ///< stay on after the end of a run
   // Never null; they must outlive the supervisor.
-  LiveRecording* recording = nullptr;  ///< gets every step
-  BlackBox* black_box = nullptr;       ///< gets every step
-  record::Worker* disk = nullptr;      ///< writes --stats
-  server::Server* server = nullptr;    ///< started and fed here
-  LiveControls* controls = nullptr;    ///< of the server
+  LiveRecording* recording = nullptr;     ///< gets every step
+  BlackBox* black_box = nullptr;          ///< gets every step
+  record::Worker* disk = nullptr;         ///< writes --stats
+  server::Server* server = nullptr;       ///< started and fed here
+  LiveControls* controls = nullptr;       ///< of the server
+  SetupChanger* setup_changer = nullptr;  ///< of the controls
 };
 
 class Supervisor {

@@ -32,6 +32,8 @@ class Terminal {
 
   void follow(SessionState session) { session_ = session; }
   void follow(RunState run) { run_ = run; }
+  /// Another course is in force; empty: none.
+  void follow(const std::string& course) { reach_.course = course; }
   /// Asks for a start, if one is possible; only input typed from now on counts.
   void ask();
   /// Stops reading input.

@@ -42,6 +42,10 @@ void PathHistory::append(Strip& strip, const Pose& pose) {
     const Point& last = strip.points.back();
     const double moved = std::hypot(point.x_m - last.x_m, point.y_m - last.y_m);
     if (!(moved >= kSpacingM)) return;
+    if (moved > kJumpM) {
+      strip = {};
+      replace_ = true;
+    }
   }
   strip.points.push_back(point);
   if (strip.points.size() <= kMaxPoints) return;

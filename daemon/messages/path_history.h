@@ -14,10 +14,13 @@ namespace tp100::messages {
 class PathHistory {
  public:
   static constexpr double kSpacingM = 0.01;
+  static constexpr double kJumpM = 0.3;  ///< farther between two steps: the robot was placed there
   static constexpr std::size_t kMaxPoints = 4000;  ///< per strip; then every second one is dropped
 
   /// Takes the poses of one step; the beginning of a run clears the strips.
   void add(const Snapshot& snapshot);
+  /// Forgets all points.
+  void clear();
   /// foxglove.SceneUpdate with the points since the last call; empty: none.
   std::string take_update(const PublishClock& clock, HostNs now);
   /// foxglove.SceneUpdate with everything that take_update() has returned so far.
@@ -29,7 +32,6 @@ class PathHistory {
     std::size_t given = 0;
   };
   void append(Strip& strip, const Pose& pose);
-  void clear();
   std::string message(const PublishClock& clock, HostNs now, bool all) const;
 
   std::array<Strip, kPoseSources.size()> strips_{};

@@ -8,6 +8,8 @@
 
 namespace tp100::messages {
 
+struct RunContext;
+
 /// Called from one thread, never the real-time one, in the order of the steps. A sink must not
 /// block: it would delay every other sink and the operator. Slow work belongs in a thread of its
 /// own.
@@ -22,6 +24,11 @@ class Sink {
   virtual void take_truth(HostNs at, const Pose& truth) {
     (void)at;
     (void)truth;
+  }
+  /// From the next record on, another course, robot or set-up is in force; at host time `at`.
+  virtual void take_setup(const RunContext& run_context, HostNs at) {
+    (void)run_context;
+    (void)at;
   }
   /// A disturbance of the robot began at `at`, if that is known from outside.
   virtual void take_disturbance(HostNs at) { (void)at; }

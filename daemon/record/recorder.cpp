@@ -25,13 +25,14 @@ constexpr std::size_t kMaxRequests = 16;
 constexpr std::uint64_t kMaxBeforeLookBack = 50'000'000;
 constexpr const char* kSlow = "the disk has not served earlier requests; try again later";
 
-/// Request to begin a recording or, without `make`, to end it.
+/// Request to begin a recording or, without `make`, to end it, or to forget what was before a step.
 struct Request {
   std::uint64_t number = 0;
   Recorder::Make make{};
   Recorder::Answer answer = [](const std::string&) {};
   std::uint64_t dropped = 0;  // before it
   Recorder::Ended ended{};    // of a recording that looks back
+  std::uint64_t forget = 0;   // the steps before this one; 0: none
 };
 
 constexpr double Pose::*kPose[] = {&Pose::x_m,      &Pose::y_m,       &Pose::z_m,
@@ -140,10 +141,16 @@ struct Recorder::State {
       request = std::move(requests.front());
       requests.pop_front();
     }
+    if (request.forget != 0) return forget(request.forget);
     const std::string why = request.make ? begin(request) : finish();
     request.answer(why);
     if (request.make && why.empty()) write_before();
     if (!why.empty() && request.ended) request.ended({.warning = why});
+  }
+  void forget(std::uint64_t next) {
+    if (history) history->forget(next);
+    recent.take();
+    steps = 0;
   }
   std::string begin(const Request& request) {
     try {
@@ -291,7 +298,7 @@ Recorder::~Recorder() {
   state_->thread.join();
 }
 
-std::uint64_t Recorder::ask_begin(Make make, Answer answer) {
+std::uint64_t Recorder::ask_begin(Make make, const Answer& answer) {
   std::string why;
   {
     const std::lock_guard lock(state_->mutex);
@@ -302,7 +309,7 @@ std::uint64_t Recorder::ask_begin(Make make, Answer answer) {
   return 0;
 }
 
-std::uint64_t Recorder::ask_look_back(Make make, Ended ended) {
+std::uint64_t Recorder::ask_look_back(Make make, const Ended& ended) {
   std::string why;
   {
     const std::lock_guard lock(state_->mutex);
@@ -326,6 +333,11 @@ void Recorder::ask_end(std::uint64_t number, Answer answer) {
     }
   }
   answer(why);
+}
+
+void Recorder::forget(std::uint64_t next) {
+  const std::lock_guard lock(state_->mutex);
+  state_->request({.forget = next});
 }
 
 void Recorder::begin(Make make) {

@@ -45,6 +45,12 @@ void StepHistory::add(const StepRecord& record) {
   if (newest_.open.size() >= kBlockBytes) close_block();
 }
 
+void StepHistory::forget(std::uint64_t next) {
+  before_ = {};
+  newest_ = Span{};
+  newest_.first = next;
+}
+
 void StepHistory::close_block() {
   Span& span = newest_;
   span.bytes += span.open.size();

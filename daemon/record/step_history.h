@@ -30,6 +30,8 @@ class StepHistory {
 
   /// The first step is number 1.
   void add(const StepRecord& record);
+  /// The steps so far belong to another step than those from number `next` on, which begins anew.
+  void forget(std::uint64_t next);
   /// Passes the inputs of all steps that are needed before step `first`, oldest first, in blocks
   /// (step_codec.h). Returns why they are incomplete, in words, or nothing. Above `max_bytes`
   /// nothing is passed.

@@ -11,6 +11,6 @@ Participant::Participant(const config::Ros2Settings&, const std::string&, std::s
       "build it again, or leave out ros2.enabled and --ros2");
 }
 Participant::~Participant() = default;
-void Participant::write(Topic, Bytes) {}
+void Participant::write(Topic, Bytes) {}  // NOLINT(performance-unnecessary-value-param)
 
 }  // namespace tp100::ros2

@@ -13,12 +13,19 @@ class Publisher : public messages::Sink {
   /// Joins the domain: see Participant.
   Publisher(const config::Ros2Settings& settings, const messages::RunContext& run_context,
             const messages::PublishClock& clock)
-      : messages_(run_context, clock, false), participant_(settings, "tp100d", kLiveTopics) {
+      : clock_(clock),
+        messages_(run_context, clock, false),
+        participant_(settings, "tp100d", kLiveTopics) {
     messages_.begin(clock.start_ns, send_);
   }
   void take(const StepRecord& record) override { messages_.take(record, send_); }
+  void take_setup(const messages::RunContext& run_context, HostNs at) override {
+    messages_ = TopicMessages(run_context, clock_, false);
+    messages_.begin(at, send_);
+  }
 
  private:
+  messages::PublishClock clock_;
   TopicMessages messages_;
   Participant participant_;
   TopicMessages::Send send_ = [this](Topic topic, Bytes cdr) {

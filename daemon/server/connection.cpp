@@ -150,6 +150,7 @@ void Connection::ask_disk() {
   HttpSources sources{.page = {},
                       .runs_folder = shared_.sources.runs_folder,
                       .runs = shared_.sources.runs,
+                      .setup = shared_.sources.setup,
                       .active_run = [run = shared_.sources.active_run()] { return run; },
                       .health = {}};
   const auto found = std::make_shared<HttpAnswer>();

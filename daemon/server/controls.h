@@ -4,8 +4,10 @@
 // block: neither on a disk nor on a lock that is held by a thread waiting for one.
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "core/pose.h"
 #include "core/start_rule.h"
 #include "core/time.h"
 #include "messages/figures.h"
@@ -13,6 +15,21 @@
 #include "server/wheel.h"
 
 namespace tp100::server {
+
+/// What an operator chooses; what is not named stays.
+struct SetupChoice {
+  std::optional<std::string> course;  ///< a name of the list; empty: none
+  std::optional<std::string> robot;   ///< a name of the list
+  std::optional<std::string> setup;   ///< stand, flat or terrain
+};
+
+/// One of the user's own files.
+struct SetupFile {
+  bool is_robot = false;  ///< else a course
+  std::string name;
+  std::string text{};
+  bool replace = false;  ///< an existing one
+};
 
 class Controls {
  public:
@@ -46,6 +63,15 @@ class Controls {
       std::function<void(const std::string& why, const messages::RecordingFigures& recorded)>;
   virtual void record_start(const std::string& name, RecordAnswer answer) = 0;
   virtual void record_stop(RecordAnswer answer) = 0;
+
+  /// Receives why the request failed, in one line, or nothing; and its answer as JSON. Called once,
+  /// from any thread.
+  using Answer = std::function<void(const std::string& why, const std::string& json)>;
+  virtual void choose(const SetupChoice& choice, Answer answer) = 0;
+  /// The robot is at `at`, or without it at the course's start.
+  virtual void place(const std::optional<Pose>& at, Answer answer) = 0;
+  virtual void save_file(const SetupFile& file, Answer answer) = 0;
+  virtual void delete_file(const SetupFile& file, Answer answer) = 0;
 
   // Figures known outside the server; cheap enough to be polled.
   virtual messages::LoopFigures loop() = 0;

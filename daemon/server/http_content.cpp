@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "text/atomic_file.h"
 #include "text/json_writer.h"
 
 namespace tp100::server {
@@ -42,13 +43,7 @@ const Ending* ending_of(std::string_view file) {
   return nullptr;
 }
 
-bool is_name(std::string_view name) {
-  return !name.empty() && name.size() <= kMaxFileName && name.front() != '.' &&
-         std::all_of(name.begin(), name.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                  c == '-' || c == '_' || c == '.';
-         });
-}
+bool is_name(std::string_view name) { return text::is_file_name(name, kMaxFileName); }
 
 struct File {
   std::string name;
@@ -141,6 +136,11 @@ constexpr std::string_view kReportPolicy =
 
 constexpr std::string_view kRunList = "/api/runs";
 constexpr std::string_view kRuns = "/runs/";
+constexpr std::string_view kSetupList = "/api/setup";
+
+bool is_setup(std::string_view path) {
+  return path == kSetupList || path.starts_with("/courses/") || path.starts_with("/robots/");
+}
 
 std::string_view path_of(std::string_view target) {
   return target.substr(0, target.find_first_of("?#"));
@@ -290,7 +290,7 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> byte_range(std::string_vi
 
 bool needs_disk(std::string_view target) {
   const std::string_view path = path_of(target);
-  return path == kRunList || path.starts_with(kRuns);
+  return path == kRunList || path.starts_with(kRuns) || is_setup(path);
 }
 
 HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
@@ -304,6 +304,13 @@ HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
   if (path == kRunList)
     return json_answer(sources.runs->json(sources.runs_folder, sources.active_run()));
   if (path.starts_with(kRuns)) return file_answer(request, path.substr(kRuns.size()), sources);
+  if (is_setup(path)) {
+    std::optional<std::string> content;
+    if (sources.setup) content = sources.setup(path);
+    if (!content) return http_text(404, "no such file");
+    return path == kSetupList ? json_answer(std::move(*content))
+                              : http_text(200, std::move(*content));
+  }
   if (const auto file = sources.page ? sources.page(path) : std::nullopt)
     return page_answer(*file, request.none_match);
   return http_text(404, "nothing is served at this address");

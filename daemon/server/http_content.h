@@ -85,11 +85,16 @@ struct HttpAnswer {
   std::uint64_t length = 0;  ///< of the body, wherever it is
 };
 
+/// Returns the content of /api/setup, /courses/NAME.toml and /robots/NAME.toml, or nothing. It may
+/// wait for the disk, in another thread than the server's.
+using SetupContent = std::function<std::optional<std::string>(std::string_view path)>;
+
 /// Sources of the content.
 struct HttpSources {
   Page page;
   std::string runs_folder;  ///< empty: none
   std::shared_ptr<RunList> runs = std::make_shared<RunList>();
+  SetupContent setup;                       ///< empty: none
   std::function<std::string()> active_run;  ///< the run being recorded; empty: none
   std::function<std::string()> health;      ///< JSON
 };

@@ -93,10 +93,7 @@ Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& cont
       messages_(std::move(messages)),
       step_messages_(messages_, false),
       controls_(controls) {
-  const HostNs at = clock().start_ns;
-  publish(messages::Channel::kCourse, at, messages_.course());
-  publish(messages::Channel::kPath, at, messages_.path_poses(at));
-  publish(messages::Channel::kScene, at, messages_.scene(at));
+  publish_setup(clock().start_ns);
   broker_.catch_up(messages::Channel::kPathHistory, [this](std::uint64_t& unix_ns) {
     unix_ns = clock().unix_ns(last_step_ns_);
     if (whole_path_history_ == nullptr)
@@ -104,10 +101,26 @@ Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& cont
           std::make_shared<const std::string>(path_history_.whole(clock(), last_step_ns_));
     return whole_path_history_;
   });
-  if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
   drive_refusal_ = StartRefusal::kNoSession;
   state_.why_not_start = to_string(run_context().course == nullptr ? StartRefusal::kNoCourse
                                                                    : StartRefusal::kNoSession);
+}
+
+void Publisher::publish_setup(HostNs at) {
+  publish(messages::Channel::kCourse, at, messages_.course());
+  publish(messages::Channel::kPath, at, messages_.path_poses(at));
+  publish(messages::Channel::kScene, at, messages_.scene(at));
+  state_.length_m.reset();
+  if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
+}
+
+void Publisher::change_setup(messages::RunContext run_context, HostNs now) {
+  messages_ = messages::Messages(std::move(run_context), clock());
+  path_history_.clear();
+  publish_setup(now);
+  state_.progress_m = 0.0;
+  state_.go_on_from.reset();
+  publish_state(now, true);
 }
 
 void Publisher::publish(messages::Channel channel, HostNs at, std::string json) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "server/services.h"
+#include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
@@ -11,29 +13,27 @@ namespace tp100::server {
 namespace {
 
 constexpr std::size_t kMaxWaiting = 1024;
-constexpr std::size_t kMaxRunName = 64;
+constexpr std::size_t kMaxShownName = 64;
 constexpr HostNs kSettleNs = 500 * kNsPerMs;
+constexpr const char* kUnderWay = "a run is under way, or somebody drives by hand; stop it first";
 constexpr const char* kSteering = "estimation.steering";
-
-bool is_run_name(const std::string& name) {
-  return !name.empty() && name.size() <= kMaxRunName && name.front() != '.' &&
-         std::all_of(name.begin(), name.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                  c == '-' || c == '_' || c == '.';
-         });
-}
 
 Driver driver_of(const Viewer& viewer) {
   const std::string name = "viewer " + std::to_string(viewer.id());
   return {.id = name, .name = name};
 }
 
-/// Why a request is refused whose service knows only the argument `known`; empty: it is not.
-std::string unknown_argument(std::string_view known, const std::vector<RequestField>& request) {
-  for (const RequestField& field : request)
-    if (field.name != known)
-      return "there is no argument '" + text::one_line(field.name, kMaxRunName) + "'";
-  return {};
+/// The answer of a recording request: its run, and with `bytes` its size.
+Controls::RecordAnswer recorded(Controls::Answer answer, bool bytes) {
+  return [answer = std::move(answer), bytes](const std::string& why,
+                                             const messages::RecordingFigures& recording) {
+    std::string json;
+    text::JsonWriter writer(json);
+    writer.begin_object().field("run", recording.run);
+    if (bytes) writer.field("bytes", recording.bytes);
+    writer.end_object();
+    answer(why, json);
+  };
 }
 
 std::string stop_answer(const messages::StopFigures& stop) {
@@ -56,24 +56,6 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
       controls_(controls),
       parameters_(std::move(parameters)),
       session_id_(std::move(session_id)) {
-  const auto add = [&](Service service, const char* name, const std::string& type,
-                       const std::string& request, const std::string& response) {
-    services_.push_back({static_cast<std::uint32_t>(service), name, type,
-                         messages::schema_of(type + "Request", request),
-                         messages::schema_of(type + "Response", response)});
-  };
-  add(Service::kStart, "start", "tp100.Start", R"({"from":""})", R"({"accepted":true})");
-  add(Service::kHold, "hold", "tp100.Hold", "{}", R"({"accepted":true})");
-  add(Service::kStop, "stop", "tp100.Stop", "{}", R"({"acknowledged":true,"acknowledged_ms":1.5})");
-  add(Service::kRecordStart, "record_start", "tp100.RecordStart", R"({"name":""})",
-      R"({"run":""})");
-  add(Service::kRecordStop, "record_stop", "tp100.RecordStop", "{}", R"({"run":"","bytes":1})");
-  add(Service::kDriveTake, "drive_take", "tp100.DriveTake", "{}", R"({"token":""})");
-  add(Service::kDrive, "drive", "tp100.Drive",
-      R"({"token":"","speed_mps":0.1,"yaw_rate_radps":0.1,"input_ms":1.5})",
-      R"({"accepted":true})");
-  add(Service::kDriveRelease, "drive_release", "tp100.DriveRelease", R"({"token":""})",
-      R"({"accepted":true})");
   broker_.publish(messages::Channel::kParameter,
                   publisher_.clock().unix_ns(publisher_.clock().start_ns),
                   messages::parameters_message(parameters_));
@@ -91,7 +73,7 @@ void RequestHandler::greet(Viewer& viewer, Permission permission) const {
   }};
   viewer.reply(server_info(session_id_, metadata));
   viewer.reply(advertise(broker_.channels()));
-  viewer.reply(advertise_services(services_));
+  viewer.reply(advertise_services(services()));
 }
 
 bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
@@ -115,6 +97,18 @@ bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientM
     return false;
   }
   return true;
+}
+
+void RequestHandler::change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
+  for (messages::ParameterText& next : parameters) {
+    const auto old =
+        std::find_if(parameters_.begin(), parameters_.end(),
+                     [&](const messages::ParameterText& each) { return each.name == next.name; });
+    if (next.live && old != parameters_.end()) next.value = old->value;
+  }
+  parameters_ = std::move(parameters);
+  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
+                  messages::parameters_message(parameters_));
 }
 
 void RequestHandler::leave(const Viewer& viewer, HostNs now) {
@@ -154,12 +148,11 @@ std::string RequestHandler::set(const SetParameters::One& one) {
       std::find_if(parameters_.begin(), parameters_.end(),
                    [&](const messages::ParameterText& each) { return each.name == one.name; });
   if (found == parameters_.end())
-    return "there is no parameter '" + text::one_line(one.name, kMaxRunName) + "'";
+    return "there is no parameter '" + text::one_line(one.name, kMaxShownName) + "'";
   if (!found->live)
     return found->name + " cannot be changed while the daemon runs; set it in the file";
   if (!one.value) return found->name + " takes no value of that type";
-  const RunState run = publisher_.state().run;
-  if (found->only_at_standstill && under_way(run))
+  if (found->only_at_standstill && under_way())
     return found->name + " cannot be changed during a run";
   std::string why = messages::why_not(*found, *one.value);
   if (why.empty()) why = controls_.set(*found, *one.value);
@@ -247,7 +240,7 @@ std::string RequestHandler::record_start(const std::vector<RequestField>& reques
   std::string name;
   for (const RequestField& field : request) {
     const std::string* text = std::get_if<std::string>(&field.value);
-    if (text == nullptr || !(text->empty() || is_run_name(*text)))
+    if (text == nullptr || !(text->empty() || text::is_file_name(*text)))
       return "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
     name = *text;
   }
@@ -255,36 +248,33 @@ std::string RequestHandler::record_start(const std::vector<RequestField>& reques
   return {};
 }
 
-Controls::RecordAnswer RequestHandler::answer_later(Service service,
-                                                    const std::shared_ptr<Viewer>& viewer,
-                                                    std::uint32_t call) const {
+bool RequestHandler::under_way() const { return tp100::under_way(publisher_.state().run); }
+
+Controls::Answer RequestHandler::answer_later(Service service,
+                                              const std::shared_ptr<Viewer>& viewer,
+                                              std::uint32_t call) const {
   return [arrivals = arrivals_, service, weak = std::weak_ptr(viewer), call](
-             const std::string& why, const messages::RecordingFigures& recording) {
+             const std::string& why, const std::string& json) {
     const std::lock_guard lock(arrivals->mutex);
-    arrivals->recorded.push_back({service, weak, call, why, recording});
+    arrivals->results.push_back({service, weak, call, why, json});
   };
 }
 
-void RequestHandler::answer_recorded() {
-  std::vector<Recorded> all;
+void RequestHandler::answer_results() {
+  std::vector<Result> all;
   {
     const std::lock_guard lock(arrivals_->mutex);
-    all.swap(arrivals_->recorded);
+    all.swap(arrivals_->results);
   }
-  for (const Recorded& each : all) {
+  for (const Result& each : all) {
     const auto viewer = each.viewer.lock();
     if (viewer == nullptr) continue;
     const auto service = static_cast<std::uint32_t>(each.service);
-    if (!each.why.empty()) {
+    if (each.why.empty()) {
+      viewer->reply(service_response(service, each.call, each.json), true);
+    } else {
       viewer->reply(service_failure(service, each.call, each.why));
-      continue;
     }
-    std::string json;
-    text::JsonWriter writer(json);
-    writer.begin_object().field("run", each.recording.run);
-    if (each.service == Service::kRecordStop) writer.field("bytes", each.recording.bytes);
-    writer.end_object();
-    viewer->reply(service_response(service, each.call, json), true);
   }
 }
 
@@ -302,7 +292,7 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   const auto answer = [&](const std::string& json) {
     viewer->reply(service_response(call.service, call.call, json), true);
   };
-  if (call.service == 0 || call.service > services_.size())
+  if (call.service == 0 || call.service > services().size())
     return fail("there is no service " + std::to_string(call.service));
   if (permission != Permission::kCommand)
     return fail("only stop is taken from this client (server.commands)");
@@ -310,40 +300,57 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   const auto request = parse_request(call.payload);
   if (!request) return fail("the request must be a JSON object");
 
-  // It has several arguments, and comes fifty times a second.
-  if (service == Service::kDrive) {
-    const std::string refused = drive(*request, now);
-    return refused.empty() ? answer(R"({"accepted":true})") : fail(refused);
-  }
-  const std::string_view known = service == Service::kStart          ? "from"
-                                 : service == Service::kRecordStart  ? "name"
-                                 : service == Service::kDriveRelease ? "token"
-                                                                     : "";
-  std::string why = unknown_argument(known, *request);
+  std::string why = unknown_argument(service, *request);
   if (!why.empty()) return fail(why);
+  const auto later = [&] { return answer_later(service, viewer, call.call); };
   switch (service) {
     case Service::kStart:
     case Service::kHold:
       why = service == Service::kStart ? start(*request) : controls_.hold();
       return why.empty() ? answer(R"({"accepted":true})") : fail(why);
     case Service::kRecordStart:
-      why = record_start(*request, answer_later(service, viewer, call.call));
-      return why.empty() ? answer_recorded() : fail(why);
+      why = record_start(*request, recorded(later(), false));
+      break;
     case Service::kRecordStop:
-      controls_.record_stop(answer_later(service, viewer, call.call));
-      return answer_recorded();
+      controls_.record_stop(recorded(later(), true));
+      break;
+    case Service::kChoose: {
+      SetupChoice choice;
+      why = read_choice(*request, choice);
+      if (why.empty() && under_way()) why = kUnderWay;
+      if (why.empty()) controls_.choose(choice, later());
+      break;
+    }
+    case Service::kPlace: {
+      std::optional<Pose> at;
+      why = read_place(*request, at);
+      if (why.empty() && under_way()) why = kUnderWay;
+      if (why.empty()) controls_.place(at, later());
+      break;
+    }
+    case Service::kFileSave:
+    case Service::kFileDelete: {
+      SetupFile file;
+      why = read_file(*request, file);
+      if (!why.empty()) break;
+      if (service == Service::kFileSave) controls_.save_file(file, later());
+      if (service == Service::kFileDelete) controls_.delete_file(file, later());
+      break;
+    }
     case Service::kDriveTake: {
       std::string token;
       why = drive_take(*viewer, now, token);
       return why.empty() ? answer(R"({"token":")" + token + R"("})") : fail(why);
     }
+    case Service::kDrive:
     case Service::kDriveRelease:
-      why = drive_release(*request, now);
+      why = service == Service::kDrive ? drive(*request, now) : drive_release(*request, now);
       return why.empty() ? answer(R"({"accepted":true})") : fail(why);
     case Service::kStop:
-    case Service::kDrive:
       return;
   }
+  if (!why.empty()) return fail(why);
+  answer_results();
 }
 
 void RequestHandler::call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call,
@@ -374,7 +381,7 @@ void RequestHandler::settle(HostNs now) {
 
 void RequestHandler::tick(HostNs now) {
   settle(now);
-  answer_recorded();
+  answer_results();
   if (waiting_.empty()) return;
   const messages::StopFigures& stop = publisher_.stop().figures();
   if (stop.status == messages::StopFigures::Status::kPending) return;

@@ -13,6 +13,7 @@
 #include "server/controls.h"
 #include "server/protocol.h"
 #include "server/publisher.h"
+#include "server/services.h"
 
 namespace tp100::server {
 
@@ -33,39 +34,31 @@ class RequestHandler {
   /// Answers one message. False: it is not a message of the protocol.
   bool handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
               Permission permission, HostNs now);
+  /// Another course, robot or set-up is in force: these are its parameters. Those that viewers may
+  /// set keep their values.
+  void change_setup(std::vector<messages::ParameterText> parameters, HostNs now);
   /// The viewer is gone: drops its pending requests, and stops the robot that it drives.
   void leave(const Viewer& viewer, HostNs now);
   /// Call it regularly and after events: answers requests that waited for a STOP or for the disk.
   void tick(HostNs now);
 
  private:
-  enum class Service : std::uint32_t {
-    kStart = 1,
-    kHold,
-    kStop,
-    kRecordStart,
-    kRecordStop,
-    kDriveTake,
-    kDrive,
-    kDriveRelease
-  };
   struct Waiting {
     std::weak_ptr<Viewer> viewer;
     std::uint32_t viewer_id;
     std::uint32_t call;
   };
-  /// The result of a recording request, posted by the thread that waits for the disk, possibly when
-  /// the handler is gone.
-  struct Recorded {
+  /// The result of a request that another thread carries out, possibly when the handler is gone.
+  struct Result {
     Service service;
     std::weak_ptr<Viewer> viewer;
     std::uint32_t call;
     std::string why;
-    messages::RecordingFigures recording;
+    std::string json;
   };
   struct Arrivals {
     std::mutex mutex;
-    std::vector<Recorded> recorded;
+    std::vector<Result> results;
   };
 
   void on(Viewer& viewer, const GetParameters& wanted) const;
@@ -80,9 +73,10 @@ class RequestHandler {
   std::string drive(const std::vector<RequestField>& request, HostNs now);
   std::string drive_release(const std::vector<RequestField>& request, HostNs now);
   std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
-  Controls::RecordAnswer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
-                                      std::uint32_t call) const;
-  void answer_recorded();
+  bool under_way() const;
+  Controls::Answer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
+                                std::uint32_t call) const;
+  void answer_results();
   void settle(HostNs now);
   void parameter_changed(const messages::ParameterText& parameter, HostNs now);
   std::vector<const messages::ParameterText*> select(const std::vector<std::string>& names) const;
@@ -92,7 +86,6 @@ class RequestHandler {
   Controls& controls_;
   std::vector<messages::ParameterText> parameters_;
   std::string session_id_;
-  std::vector<ServiceText> services_;
   std::vector<Waiting> waiting_;
   std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
   HostNs settle_ns_ = 0;  // a parameter change is under way until then

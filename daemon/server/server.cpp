@@ -121,6 +121,7 @@ struct Server::State {
                .disk = disk} {
     shared.sources.page = shared.settings.page;
     shared.sources.runs_folder = shared.settings.runs_folder;
+    shared.sources.setup = shared.settings.setup;
     shared.sources.active_run = [this] {
       const messages::RecordingFigures recording = controls.recording();
       return recording.active ? recording.run : std::string();
@@ -314,6 +315,16 @@ const std::string& Server::note() const { return state_->note; }
 
 void Server::start() {
   state_->thread = std::thread([this] { state_->run(); });
+}
+
+void Server::change_setup(messages::RunContext run_context,
+                          std::vector<messages::ParameterText> parameters) {
+  asio::post(state_->context,
+             [this, m = std::move(run_context), p = std::move(parameters)]() mutable {
+               const HostNs now = monotonic_now();
+               state_->publisher.change_setup(std::move(m), now);
+               state_->handler.change_setup(std::move(p), now);
+             });
 }
 
 void Server::take(const StepRecord& record) {

@@ -26,6 +26,7 @@ struct ServerSettings {
   config::CommandsFrom commands = config::CommandsFrom::kLocal;
   std::size_t max_clients = 64;
   std::string runs_folder;  ///< empty: none
+  SetupContent setup;       ///< empty: none
   Page page;
   Listener listener;  ///< called from the constructor and the server's thread; must not block
 };
@@ -47,6 +48,9 @@ class Server : public messages::Sink {
   void start();
 
   // Call these from any one thread, never the real-time one; they never wait for a client.
+  /// Another course, robot or set-up is in force with the steps that follow. Viewers stay.
+  void change_setup(messages::RunContext run_context,
+                    std::vector<messages::ParameterText> parameters);
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
   void take(const messages::Event& event);

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -143,6 +144,14 @@ void write_file(const std::string& path, std::string_view content, Flush flush) 
   FileReplacement file(path);
   file.write(content);
   file.commit(flush);
+}
+
+bool is_file_name(std::string_view name, std::size_t most) {
+  return !name.empty() && name.size() <= most && name.front() != '.' &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '-' || c == '_' || c == '.';
+         });
 }
 
 void make_folder(const std::string& path) {

@@ -35,6 +35,10 @@ class FileReplacement {
   std::unique_ptr<State> state_;
 };
 
+/// Whether a file may have a name that came from elsewhere, and be created in a folder of the
+/// program's: letters, digits, '-', '_' and '.', at most `most`, no '.' first.
+bool is_file_name(std::string_view name, std::size_t most = 64);
+
 /// Creates the folder for results and its parents if absent; empty is the working folder. Throws
 /// SetupError.
 void make_folder(const std::string& path);

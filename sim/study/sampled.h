@@ -20,9 +20,9 @@ namespace tp100::sim {
 course::Course held_out_course(std::string_view kind, std::uint64_t seed);
 
 /// A course of the whole format: one to eight lines of 5 cm to 1.5 m, arcs of 5 cm to 1.5 m radius
-/// and up to a full circle, and turns on the spot of up to 180 deg, at 3 to 15 cm/s, from any start;
-/// with disturbances, up to three surfaces, and a block or a ramp that only one line of the path
-/// crosses. It may be more than a robot can drive.
+/// and up to a full circle, and turns on the spot of up to 180 deg, at 3 to 15 cm/s, from any
+/// start; with disturbances, up to three surfaces, and a block or a ramp that only one line of the
+/// path crosses. It may be more than a robot can drive.
 course::Course random_course(std::uint64_t seed);
 
 /// One property in which sampled robots differ: uniform between `low` and `high`.

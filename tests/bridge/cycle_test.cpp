@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "../link/scripted_robot.h"
+#include "core/faults.h"
+#include "course/course.h"
 #include "firmware/track_monitor.h"
 #include "model/track_model.h"
 #include "support/alloc_count.h"
@@ -195,6 +197,100 @@ TEST(Cycle, NamesEveryParameterThatARobotCanRefuse) {
   EXPECT_STREQ(parameter_name(0), "boot_nonce");
   EXPECT_STREQ(parameter_name(3), "wheelbase_m");
   EXPECT_STREQ(parameter_name(99), "unknown");
+}
+
+std::shared_ptr<const course::Course> short_line(const std::string& name) {
+  return std::make_shared<const course::Course>(course::parse_course(
+      "speed_mps = 0.1\n[start]\nx_m = 0.5\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
+      "[fence]\nmin_x_m = -1\nmax_x_m = 2\nmin_y_m = -1\nmax_y_m = 1\n",
+      name));
+}
+
+TEST(Cycle, PlacesARobotThatStandsStill) {
+  CycleBench bench;
+  bench.run(2000);
+  SetupChange change{.place = Pose{.x_m = 1.5, .y_m = -0.5, .yaw_rad = 7.0}};
+  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
+  bench.run(100);
+  EXPECT_EQ(bench.cycle.session().state(), SessionState::kReady);
+  for (const PoseSource source : kPoseSources) {
+    const Pose& pose = bench.cycle.outputs().snapshot.estimates[source].pose;
+    EXPECT_NEAR(pose.x_m, 1.5, 1e-6);
+    EXPECT_NEAR(pose.y_m, -0.5, 1e-6);
+    EXPECT_NEAR(pose.yaw_rad, 7.0, 1e-3) << "with all its turns";
+  }
+}
+
+TEST(Cycle, ChangesTheCourseAndKeepsSessionAndPlace) {
+  CycleBench bench;
+  bench.run(2000);
+  SetupChange place{.place = Pose{.x_m = 0.2, .yaw_rad = 0.1}};
+  ASSERT_TRUE(bench.cycle.change_setup(place, bench.now));
+  bench.run(1000);
+  EXPECT_EQ(bench.cycle.outputs().snapshot.start_refusal, StartRefusal::kNoCourse);
+  SetupChange change;
+  change.step.emplace(Parameters{}, short_line("a.toml"));
+  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
+  bench.run(5);
+  EXPECT_EQ(bench.cycle.inputs().restart.size(), 1u) << "a recording may begin here";
+  bench.run(1000);
+  EXPECT_EQ(bench.cycle.session().session_number(), 1u);
+  EXPECT_EQ(bench.robot.received.parameters.size(), 1u);
+  const Snapshot& snapshot = bench.cycle.outputs().snapshot;
+  EXPECT_EQ(snapshot.start_refusal, StartRefusal::kNone);
+  EXPECT_NEAR(snapshot.world.x_m, 0.2, 1e-6);
+  bench.cycle.request(OperatorRequest::kStart);
+  bench.run(300);
+  EXPECT_EQ(snapshot.run_state, RunState::kRunning);
+}
+
+TEST(Cycle, ChangesNothingDuringARunOrWhileTheRobotMoves) {
+  CycleBench bench;
+  bench.run(2000);
+  SetupChange change;
+  change.step.emplace(Parameters{}, short_line("a.toml"));
+  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
+  bench.run(1000);
+  bench.cycle.request(OperatorRequest::kStart);
+  SetupChange next{.place = Pose{}};
+  bench.run(10);
+  EXPECT_FALSE(bench.cycle.change_setup(next, bench.now)) << "arming";
+  bench.run(500);
+  ASSERT_EQ(bench.cycle.outputs().snapshot.run_state, RunState::kRunning);
+  EXPECT_FALSE(bench.cycle.change_setup(next, bench.now)) << "running";
+  bench.cycle.request(OperatorRequest::kHold);
+  bench.robot.metres_per_s = 0.1;
+  bench.run(1000);
+  EXPECT_FALSE(bench.cycle.change_setup(next, bench.now)) << "pushed by hand";
+  bench.robot.metres_per_s = 0.0;
+  bench.run(1500);
+  EXPECT_TRUE(bench.cycle.change_setup(next, bench.now));
+}
+
+TEST(Cycle, AnotherRobotsParametersReachTheRobot) {
+  CycleBench bench;
+  bench.run(2000);
+  Parameters other;
+  other.model.wheelbase_m = 0.77;
+  SetupChange change{.parameters = session_settings(other).parameters};
+  change.step.emplace(other, nullptr);
+  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
+  bench.run(1000);
+  EXPECT_EQ(bench.cycle.session().state(), SessionState::kReady);
+  ASSERT_EQ(bench.robot.received.parameters.size(), 2u);
+  EXPECT_FLOAT_EQ(bench.robot.received.parameters[1].wheelbase_m, 0.77F);
+}
+
+TEST(Cycle, AChangeDoesNotEndWhatIsLatched) {
+  CycleBench bench;
+  bench.run(2000);
+  bench.cycle.request(OperatorRequest::kStop);
+  bench.run(1000);
+  SetupChange change{.place = Pose{}};
+  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
+  bench.run(100);
+  EXPECT_EQ(bench.cycle.outputs().snapshot.run_state, RunState::kAborted);
+  EXPECT_NE(bench.cycle.outputs().snapshot.faults & fault_bit(Fault::stop_requested), 0u);
 }
 
 }  // namespace

@@ -277,5 +277,26 @@ TEST_F(PoseFilterTest, AllocatesNothing) {
   EXPECT_EQ(count.calls(), 0u);
 }
 
+// A robot is placed by hand: both ways must lead to the same estimates, with and without a camera.
+TEST_F(PoseFilterTest, CarriedFromAPlaceIsAsIfARunBeganThere) {
+  for (const bool camera : {false, true}) {
+    PoseFilter begun = filter();
+    for (int i = 0; i < 400; ++i) {
+      begun.advance(interval(0.1, 0.2));
+      if (camera && i % 10 == 0) begun.camera(seen(begun.pose()));
+    }
+    const Pose place{.x_m = 3.0, .y_m = -1.0, .yaw_rad = 8.0};
+    PoseFilter carried = filter();
+    carried.resume(begun.carried_from(place, now_));
+    begun.begin(place, now_);
+    EXPECT_EQ(carried.state().mean, begun.state().mean) << camera;
+    EXPECT_EQ(carried.state().covariance, begun.state().covariance) << camera;
+    EXPECT_EQ(carried.pose().yaw_rad, begun.pose().yaw_rad) << camera;
+    EXPECT_EQ(carried.figures(now_).camera_used, begun.figures(now_).camera_used) << camera;
+    EXPECT_EQ(std::abs(begun.pose().x_m - place.x_m) < 1e-9, !camera)
+        << "a camera that sees the robot knows better where it is";
+  }
+}
+
 }  // namespace
 }  // namespace tp100::estimation

@@ -245,6 +245,52 @@ TEST(Session, ShakesHandsAgainWhenTheRobotLostTheHost) {
   EXPECT_THAT(bench.states, ::testing::EndsWith("ready parameters syncing ready"));
 }
 
+TEST(Session, OtherParametersGoToTheSameBootInANewSession) {
+  SessionBench bench;
+  bench.connect();
+  wire::Parameters other = SessionBench::settings().parameters;
+  other.wheelbase_m = 0.77F;
+  bench.session.use(other, bench.now);
+  bench.run(500);
+  EXPECT_EQ(bench.robot.received.parameters.back().wheelbase_m, 0.77F);
+  EXPECT_EQ(bench.robot.received.parameters.back().boot_nonce, bench.robot.boot_nonce);
+  EXPECT_EQ(bench.session.counters().reboots, 0u);
+  EXPECT_EQ(bench.session.session_number(), 2u);
+  EXPECT_THAT(bench.states, ::testing::EndsWith("ready hello parameters syncing ready"));
+}
+
+// Without commands the robot would latch a fault after 200 ms.
+TEST(Session, ChangesInQuickSuccessionAreNotSlowedDown) {
+  SessionBench bench;
+  bench.connect();
+  for (int i = 0; i < 5; ++i) {
+    bench.session.use(SessionBench::settings().parameters, bench.now);
+    bench.run(20);
+    EXPECT_EQ(bench.session.state(), SessionState::kSyncing) << i;
+  }
+}
+
+TEST(Session, ARobotThatRefusedItsParametersTakesOthers) {
+  SessionBench bench;
+  bench.robot.parameters_result = wire::Result::kOutOfRange;
+  bench.connect();
+  ASSERT_EQ(bench.session.state(), SessionState::kRefused);
+  bench.robot.parameters_result = wire::Result::kAccepted;
+  bench.session.use(SessionBench::settings().parameters, bench.now);
+  bench.run(500);
+  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+}
+
+TEST(Session, OtherParametersWithoutARobotWaitForOne) {
+  SessionBench bench;
+  wire::Parameters other = SessionBench::settings().parameters;
+  other.wheelbase_m = 0.77F;
+  bench.session.use(other, bench.now);
+  EXPECT_EQ(bench.session.state(), SessionState::kClosed);
+  bench.connect();
+  EXPECT_EQ(bench.robot.received.parameters.back().wheelbase_m, 0.77F);
+}
+
 TEST(Session, RepeatsParametersUntilTheyAreAcknowledged) {
   SessionBench bench;
   bench.robot.answers_parameters = false;

@@ -146,5 +146,84 @@ TEST(LiveCycle, ASlowReaderCostsRecordsAndNothingElse) {
   EXPECT_EQ(bench.front(), LiveCycle::kWaitingRecords + 31);
 }
 
+TEST(LiveCycle, AChangeOfTheCourseNeitherLocksNorAllocates) {
+  LiveBench bench(line());
+  bench.steps(400);
+  for (int i = 0; i < 4; ++i) {
+    // A sanitizer looks into a type that it meets for the first time, by calls of the system.
+    bench.watched = i > 0;
+    SetupRequest request{.until_ns = bench.now + kNsPerS};
+    request.change.step.emplace(bridge::Parameters{}, line());
+    request.change.parameters = bridge::session_settings({}).parameters;
+    bench.cycle.change_setup(request);
+    bench.steps(300);
+    ASSERT_EQ(bench.cycle.setup_done(), &request);
+    EXPECT_TRUE(request.made);
+    bench.cycle.release_setup();
+  }
+  EXPECT_EQ(bench.duty.heap, 0u);
+  EXPECT_EQ(bench.duty.locks, 0u);
+  EXPECT_EQ(bench.duty.first_system_call, -1);
+}
+
+TEST(LiveCycle, AChangeIsReturnedBeforeTheRecordOfItsFirstStep) {
+  LiveBench bench(line());
+  bench.steps(400);
+  SetupRequest request{.until_ns = bench.now + kNsPerS};
+  request.change.step.emplace(bridge::Parameters{}, line());
+  bench.cycle.change_setup(request);
+  bench.step();
+  ASSERT_EQ(bench.cycle.setup_done(), &request);
+  const StepRecord* record = bench.cycle.front_record();
+  ASSERT_NE(record, nullptr);
+  EXPECT_EQ(record->step, request.step);
+  EXPECT_EQ(record->inputs.restart.size(), 1u);
+}
+
+// Pressed for the old course, it must not begin the new one.
+TEST(LiveCycle, AStartBeforeAChangeBeginsTheOldCourseAndTheChangeIsNotMade) {
+  LiveBench bench(line());
+  bench.steps(400);
+  SetupRequest request{.until_ns = bench.now + kNsPerS};
+  request.change.step.emplace(bridge::Parameters{}, nullptr);
+  bench.cycle.request(OperatorRequest::kStart);
+  bench.cycle.change_setup(request);
+  bench.steps(100);
+  EXPECT_EQ(bench.cycle.setup_done(), &request);
+  EXPECT_FALSE(request.made);
+  EXPECT_EQ(bench.arms(), 1u);
+}
+
+TEST(LiveCycle, AChangeIsGivenUpIfTheRobotDoesNotComeToRest) {
+  LiveBench bench(line());
+  bench.steps(400);
+  bench.robot.metres_per_s = 0.1;
+  bench.steps(100);
+  SetupRequest request{.until_ns = bench.now + kNsPerS};
+  request.change.place = Pose{};
+  bench.cycle.change_setup(request);
+  bench.steps(150);
+  EXPECT_EQ(bench.cycle.setup_done(), nullptr);
+  bench.steps(100);
+  EXPECT_EQ(bench.cycle.setup_done(), &request);
+  EXPECT_FALSE(request.made);
+}
+
+TEST(LiveCycle, AfterAChangeOfTheCourseNothingStartsByItself) {
+  LiveBench bench;
+  bench.steps(400);
+  SetupRequest request{.until_ns = bench.now + kNsPerS};
+  request.change.step.emplace(bridge::Parameters{}, line());
+  bench.cycle.change_setup(request);
+  bench.steps(100);
+  ASSERT_TRUE(request.made);
+  bench.cycle.request_first_start();
+  bench.steps(200);
+  EXPECT_EQ(bench.arms(), 0u);
+  bench.cycle.request(OperatorRequest::kStart);
+  bench.steps(200);
+  EXPECT_EQ(bench.arms(), 1u);
+}
+
 }  // namespace
 }  // namespace tp100::live

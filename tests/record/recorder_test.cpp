@@ -419,5 +419,43 @@ TEST_F(RecorderTest, AfterAFileThatCannotBeMadeTheNextOneMay) {
   EXPECT_NE(recorder.number(), 0U);
 }
 
+// The course has changed: its step cannot be replayed from inputs of the step before.
+TEST_F(RecorderTest, WhatIsForgottenIsInNoLaterRecording) {
+  Recorder recorder({.history = HistorySettings{}, .look_back_ns = kNsPerS, .blocking = true});
+  feed(recorder, 1, 100);
+  recorder.forget(101);
+  feed(recorder, 101, 120);
+  recorder.begin(settings("later.mcap"), facts());
+  feed(recorder, 121, 130);
+  ASSERT_TRUE(recorder.end());
+  EXPECT_EQ(steps_before(folder_.file("later.mcap")), numbers(101, 120));
+
+  recorder.forget(131);
+  feed(recorder, 131, 140);
+  recorder.ask_look_back(
+      [&] { return std::make_unique<RecordingWriter>(settings("box.mcap"), facts()); },
+      [](const RecordingStatus&) {});
+  feed(recorder, 141, 150);
+  ASSERT_TRUE(recorder.end());
+  std::vector<std::uint64_t> steps;
+  Recording(folder_.file("box.mcap")).visit({.step = [&](const StepRecord& record) {
+    steps.push_back(record.step);
+  }});
+  EXPECT_EQ(steps, numbers(131, 150));
+  EXPECT_EQ(steps_before(folder_.file("box.mcap")), numbers(1, 0));
+}
+
+TEST_F(RecorderTest, ARecordingMayBeginRightAfterWhatIsForgotten) {
+  Recorder recorder({.history = HistorySettings{}, .blocking = true});
+  feed(recorder, 1, 100);
+  recorder.forget(101);
+  recorder.begin(settings(), facts());
+  feed(recorder, 101, 110);
+  ASSERT_TRUE(recorder.end());
+  EXPECT_EQ(recorder.status().warning, "");
+  EXPECT_EQ(steps_in(Recording(folder_.file("run.mcap"))), 10u);
+  EXPECT_EQ(steps_before(folder_.file("run.mcap")), numbers(1, 0));
+}
+
 }  // namespace
 }  // namespace tp100::record

@@ -12,6 +12,7 @@
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
+#include "live/setup_changer.h"
 #include "messages/sink.h"
 #include "server/request_handler.h"
 #include "sim/robot/emulated_robot.h"
@@ -37,7 +38,8 @@ class HandDriven {
                run_.course, false),
         loop_({}, cycle_),
         recording_(files_, run_, {}),
-        controls_(cycle_, loop_, recording_),
+        setup_({files_, run_}, cycle_),
+        controls_(cycle_, loop_, recording_, setup_),
         publisher_(broker_, messages::Messages(context(), {}), controls_),
         handler_(broker_, publisher_, controls_, {}, "session"),
         robot_({.values = settings.loaded.robot.emulated,
@@ -192,6 +194,7 @@ class HandDriven {
   live::LiveCycle cycle_;
   loop::FixedRateLoop loop_;  // not started: the test is the loop
   live::LiveRecording recording_;
+  live::SetupChanger setup_;
   live::LiveControls controls_;
   server::Broker broker_{messages::channel_texts()};
   server::Publisher publisher_;

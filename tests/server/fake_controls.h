@@ -64,6 +64,22 @@ class FakeControls : public Controls {
     const std::lock_guard lock(mutex);
     unanswered = std::move(answer);
   }
+  void choose(const SetupChoice& choice, Answer answer) override {
+    choices.push_back(choice);
+    answer(change_refusal, R"({"course":"3","robot":"worn","setup":"flat"})");
+  }
+  void place(const std::optional<Pose>& at, Answer answer) override {
+    places.push_back(at);
+    answer(change_refusal, R"({"x_m":0.0,"y_m":0.0,"yaw_rad":0.0})");
+  }
+  void save_file(const SetupFile& file, Answer answer) override {
+    saved.push_back(file);
+    answer(change_refusal, R"({"name":"mine"})");
+  }
+  void delete_file(const SetupFile& file, Answer answer) override {
+    deleted.push_back(file);
+    answer(change_refusal, R"({"name":"mine"})");
+  }
   messages::LoopFigures loop() override { return {}; }
   messages::PortFigures port() override { return {"/dev/ttyACM0", true, "0.1.0"}; }
   messages::RecordingFigures recording() override { return record; }
@@ -76,6 +92,10 @@ class FakeControls : public Controls {
   std::mutex mutex;
   std::vector<std::pair<std::string, messages::ParameterValue>> sets;
   std::string set_refusal;
+  std::vector<SetupChoice> choices;
+  std::vector<std::optional<Pose>> places;
+  std::vector<SetupFile> saved, deleted;
+  std::string change_refusal;
   bool can_record = false, slow_disk = false;
   RecordAnswer unanswered;
   StartConsent consent = StartConsent::kEnter;

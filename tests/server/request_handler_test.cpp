@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "../messages/fixtures.h"
 #include "fake_controls.h"
@@ -72,6 +73,10 @@ class RequestHandlerTest : public ::testing::Test {
     handler_.handle(viewer_, ServiceCall{service, 9, "json", payload}, permission, now);
     return hear();
   }
+  Heard call(Service service, const std::string& payload = "{}",
+             Permission permission = Permission::kCommand) {
+    return call(static_cast<std::uint32_t>(service), payload, permission);
+  }
   void step(const StepRecord& record) {
     publisher_.take(record);
     handler_.tick(record.now_ns);
@@ -109,7 +114,8 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
   for (const Json& service : received.texts[2]["services"]) services.push_back(service["name"]);
   EXPECT_THAT(services,
               ::testing::ElementsAre("start", "hold", "stop", "record_start", "record_stop",
-                                     "drive_take", "drive", "drive_release"));
+                                     "drive_take", "drive", "drive_release", "choose", "place",
+                                     "file_save", "file_delete"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
@@ -236,12 +242,18 @@ TEST_F(RequestHandlerTest, TheStepHasTheLastWord) {
 TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
   step(ready());
   const Permission only = Permission::kStopOnly;
-  for (const std::uint32_t service : {1U, 2U, 4U, 5U})
+  for (const std::uint32_t service : {1U, 2U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U})
     EXPECT_EQ(call(service, "{}", only).texts[0]["op"], "serviceCallFailure");
   say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})", only);
   EXPECT_EQ(controls_.starts, 0);
   EXPECT_EQ(controls_.holds, 0);
   EXPECT_TRUE(controls_.sets.empty());
+  call(Service::kChoose, R"({"course":"3"})", only);
+  call(Service::kPlace, R"({"at":"start"})", only);
+  call(Service::kFileSave, R"({"kind":"course","name":"a","text":""})", only);
+  call(Service::kFileDelete, R"({"kind":"course","name":"a"})", only);
+  EXPECT_TRUE(controls_.choices.empty() && controls_.places.empty());
+  EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty());
   call(3, "{}", only);
   EXPECT_EQ(controls_.stops, 1);
 }
@@ -279,6 +291,85 @@ TEST_F(RequestHandlerTest, AStartSaysWhereTheRobotStands) {
   EXPECT_EQ(controls_.go_ons, 1);
   EXPECT_EQ(message(R"({"from":"start"})"), "");
   EXPECT_EQ(controls_.starts, 1);
+}
+
+TEST_F(RequestHandlerTest, WhatIsChosenIsPassedOnUnlessARunIsUnderWay) {
+  step(ready());
+  const Json answer =
+      answer_of(call(Service::kChoose, R"({"course":"3","setup":"flat"})").binaries.at(0));
+  EXPECT_EQ(answer["course"], "3");
+  ASSERT_EQ(controls_.choices.size(), 1U);
+  EXPECT_EQ(controls_.choices[0].course, "3");
+  EXPECT_EQ(controls_.choices[0].robot, std::nullopt) << "what is not named stays";
+  EXPECT_EQ(controls_.choices[0].setup, "flat");
+  controls_.change_refusal = "mine.toml:3:1: unknown key 'x'";
+  EXPECT_EQ(call(Service::kChoose, R"({"course":"mine"})").texts[0]["message"],
+            controls_.change_refusal);
+
+  for (const RunState run : {RunState::kArming, RunState::kRunning, RunState::kDriving}) {
+    StepRecord record = ready();
+    record.snapshot.run_state = run;
+    step(record);
+    EXPECT_THAT(std::string(call(Service::kChoose, R"({"course":"3"})").texts[0]["message"]),
+                HasSubstr("a run is under way"));
+    EXPECT_THAT(std::string(call(Service::kPlace, R"({"at":"start"})").texts[0]["message"]),
+                HasSubstr("a run is under way"));
+  }
+  EXPECT_EQ(controls_.choices.size(), 2U);
+  EXPECT_TRUE(controls_.places.empty());
+}
+
+TEST_F(RequestHandlerTest, ARobotIsPlacedAtTheStartOrAtAPose) {
+  step(ready());
+  call(Service::kPlace, R"({"at":"start"})");
+  call(Service::kPlace, R"({"x_m":1.5,"y_m":-2,"yaw_rad":0.5})");
+  ASSERT_EQ(controls_.places.size(), 2U);
+  EXPECT_FALSE(controls_.places[0]);
+  ASSERT_TRUE(controls_.places[1]);
+  EXPECT_EQ(controls_.places[1]->x_m, 1.5);
+  EXPECT_EQ(controls_.places[1]->y_m, -2.0);
+  EXPECT_EQ(controls_.places[1]->yaw_rad, 0.5);
+}
+
+TEST_F(RequestHandlerTest, ArgumentsOfTheSetupServicesAreChecked) {
+  step(ready());
+  struct Bad {
+    Service service;
+    const char* request;
+    const char* why;
+  };
+  for (const Bad& bad :
+       {Bad{Service::kChoose, "{}", "name a course"},
+        {Service::kChoose, R"({"course":3})", "are names"},
+        {Service::kChoose, R"({"curse":"3"})", "no argument 'curse'"},
+        {Service::kPlace, "{}", "give x_m"},
+        {Service::kPlace, R"({"at":"end"})", "give x_m"},
+        {Service::kPlace, R"({"x_m":1,"y_m":1})", "give x_m"},
+        {Service::kPlace, R"({"x_m":1,"y_m":1,"yaw_rad":"1"})", "give x_m"},
+        {Service::kPlace, R"({"x_m":101,"y_m":1,"yaw_rad":1})", "from -100 to 100"},
+        {Service::kPlace, R"({"x_m":1e999,"y_m":1,"yaw_rad":1})", "JSON"},
+        {Service::kPlace, R"({"at":"start","x_m":1,"y_m":1})", "give x_m"},
+        {Service::kFileSave, R"({"kind":"word","name":"a","text":""})", "kind is"},
+        {Service::kFileSave, R"({"kind":"course","name":"../a","text":""})", "name takes"},
+        {Service::kFileSave, R"({"kind":"course","name":".a","text":""})", "name takes"},
+        {Service::kFileSave, R"({"kind":"course","text":""})", "name takes"},
+        {Service::kFileSave, R"({"kind":"course","name":"a","text":"","replace":1})", "replace"},
+        {Service::kFileDelete, R"({"kind":"course","name":"a","text":""})", "no argument 'text'"}})
+    EXPECT_THAT(std::string(call(bad.service, bad.request).texts.at(0)["message"]),
+                HasSubstr(bad.why))
+        << bad.request;
+  EXPECT_TRUE(controls_.choices.empty() && controls_.places.empty());
+  EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty());
+}
+
+TEST_F(RequestHandlerTest, OtherParametersKeepWhatViewersHaveSet) {
+  say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})");
+  std::vector<messages::ParameterText> next = parameters();
+  next[1].value = 400.0;
+  handler_.change_setup(next, kNow);
+  const Json values = say(R"({"op":"getParameters","parameterNames":[]})").texts.at(0);
+  EXPECT_EQ(values["parameters"][0]["value"], 20.0);
+  EXPECT_EQ(values["parameters"][1]["value"], 400.0);
 }
 
 TEST_F(RequestHandlerTest, StopIsAnsweredWhenTheRobotHasAnswered) {
@@ -325,7 +416,7 @@ TEST_F(RequestHandlerTest, StateTellsOfTheStop) {
 }
 
 TEST_F(RequestHandlerTest, ACallOfNothingFails) {
-  for (const std::uint32_t service : {0U, 9U, 4294967295U})
+  for (const std::uint32_t service : {0U, 13U, 4294967295U})
     EXPECT_EQ(call(service).texts[0]["op"], "serviceCallFailure");
   EXPECT_EQ(call(2, "[]").texts[0]["op"], "serviceCallFailure");
   handler_.handle(viewer_, ServiceCall{2, 1, "cbor", "{}"}, Permission::kCommand, kNow);

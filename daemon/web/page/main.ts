@@ -6,12 +6,14 @@ import './view.css';
 import './plots.css';
 import './drive.css';
 import './drawer.css';
+import './courses.css';
 import './layout.css';
 import { Driver, kPeriod_ms } from '../drive/driver.ts';
 import { Inputs } from '../drive/inputs.ts';
 import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { kSubprotocols } from '../foxglove/codec.ts';
 import { Controls, type Command } from '../panel/controls.ts';
+import { CourseList } from '../panel/course_list.ts';
 import { h, setAttribute, setText } from '../panel/dom.ts';
 import { DrivePanel } from '../panel/drive_panel.ts';
 import { Drawer } from '../panel/drawer.ts';
@@ -22,6 +24,7 @@ import { LinkTable } from '../panel/link_table.ts';
 import { Notice } from '../panel/notice.ts';
 import { Numbers } from '../panel/numbers.ts';
 import { ParameterTable } from '../panel/parameter_table.ts';
+import { PlaceDrawing } from '../panel/place_drawing.ts';
 import { Plots } from '../panel/plots.ts';
 import { RunList } from '../panel/run_list.ts';
 import { StatusBar } from '../panel/status_bar.ts';
@@ -158,6 +161,20 @@ function command(name: Command | 'start', request: unknown = {}): void {
   });
 }
 
+function mayCommand(): boolean {
+  return metadata.commands !== 'stop';
+}
+
+/** A pose is drawn on the map of the robot, not of a recording. */
+function drawPlace(on: boolean): void {
+  if (on) {
+    backToLive();
+    viewport.set('map');
+  }
+  placing.show(on);
+  courses.drawing(on);
+}
+
 const stopPanel = new StopPanel(pressStop);
 const controls = new Controls(command, (from) => {
   command('start', { from });
@@ -191,9 +208,19 @@ const parameters = new ParameterTable((name, value) => {
   client.setParameter(name, value);
 });
 const links = new LinkTable();
+const courses = new CourseList((call) => client.call(call.name, call.request), drawPlace);
+const placing = new PlaceDrawing(
+  (at) => viewport.world(at),
+  () => live.pose?.yaw_rad ?? 0,
+  (pose) => {
+    placing.show(false);
+    courses.placed(pose);
+  },
+);
 
 const drawer = new Drawer([
   { id: 'events', title: 'Events', element: events.element, show: () => { events.show(shown); } },
+  { id: 'courses', title: 'Courses', element: courses.element, show: () => { courses.show(live, client.ready, mayCommand()); } },
   { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
@@ -212,7 +239,7 @@ const header = h(
 );
 plots.element.append(histogram.element);
 controls.element.append(drive.button);
-viewport.element.append(drive.element, notice.element, transport.element, timeline.element);
+viewport.element.append(placing.element, drive.element, notice.element, transport.element, timeline.element);
 document.body.append(header, h('main', {}, viewport.element, numbers.element, plots.element, drawer.element));
 
 for (const topic of kTopics) {
@@ -290,8 +317,8 @@ function frame(now_ms: number): void {
   if (now_ms >= due.chips) {
     due.chips = now_ms + kChips_ms;
     status.show(live, client.ready);
-    controls.show(live, client.ready, metadata.commands !== 'stop');
-    drive.show(live, client.ready, metadata.commands !== 'stop');
+    controls.show(live, client.ready, mayCommand());
+    drive.show(live, client.ready, mayCommand());
     notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms, shown !== live);
     histogram.show(shown);
     drawer.show();

@@ -1,5 +1,6 @@
 // The view of the course: 3-D where WebGL works, else a map, with its legend and cameras.
 import { kCameraModes } from '../scene/camera_rig.ts';
+import type { Point2 } from '../scene/geometry.ts';
 import { MapView } from '../scene/map_view.ts';
 import * as palette from '../scene/palette.ts';
 import { SceneView } from '../scene/scene_view.ts';
@@ -74,6 +75,11 @@ export class Viewport {
   next(): void {
     const all: readonly Mode[] = this.webgl ? kModes : ['map'];
     this.set(all[(all.indexOf(this.mode) + 1) % all.length] ?? 'map');
+  }
+
+  /** World coordinates of a point of the map; undefined while there is none. */
+  world(at: Point2): Point2 | undefined {
+    return this.view instanceof MapView ? this.view.world(at) : undefined;
   }
 
   draw(store: Store, dt_s: number): void {

@@ -105,6 +105,12 @@ export class MapView implements View {
     this.element.remove();
   }
 
+  /** World coordinates of a point of the element, in its own pixels. */
+  world(at: Point2): Point2 {
+    const { scale, left, top } = this.projection;
+    return { x: (at.x * this.ratio - left) / scale, y: (top - at.y * this.ratio) / scale };
+  }
+
   private get shape(): RobotShape {
     return this.course?.robot ?? kDefaultShape;
   }

@@ -144,10 +144,11 @@ describe('driving by hand', () => {
   });
 
   it('gives the wheel to one page at a time', async () => {
-    const first = await setting.open();
-    await takeWheel(first);
+    // The slow part first: a driver who is not heard for 2 s, because another page opens, is none any more.
     const second = await setting.open({ width: 800, height: 600 });
     await alive(second);
+    const first = await setting.open();
+    await takeWheel(first);
     await until(async () => (await second.textContent('#drive')) === 'Ask', 'another page can only ask', () =>
       JSON.stringify([bus.last('/state')?.run, bus.last('/state')?.driver]));
     await second.keyboard.press('m');

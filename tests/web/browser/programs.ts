@@ -100,11 +100,11 @@ export class Pair {
     public daemon: Program,
   ) {}
 
-  static async start(options: string[] = [], listen = '127.0.0.1:0'): Promise<Pair> {
+  static async start(options: string[] = [], listen = '127.0.0.1:0', configuration = ''): Promise<Pair> {
     const folder = await mkdtemp(join(tmpdir(), 'tp100-web-'));
     // Scheduling is real-time where allowed, as for users: a browser that draws without a graphics card leaves no
     // processor free. The other settings only matter for measurements of latency.
-    await writeFile(join(folder, 'tp100.toml'), '[loop]\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n');
+    await writeFile(join(folder, 'tp100.toml'), `library = "${folder}/library"\n[loop]\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n${configuration}`);
     const course = (await readFile(kCourse3, 'utf8')).replace(/^speed_mps = .*$/m, `speed_mps = ${kSpeed_mps}`);
     await writeFile(join(folder, '3.toml'), course);
     const robot = new Program('tp100-sim', ['robot', '--link', join(folder, 'robot'), '--course', join(folder, '3.toml')]);

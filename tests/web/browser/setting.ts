@@ -11,6 +11,8 @@ export interface Wishes {
   flags?: string[];
   /** Options for the daemon. */
   options?: string[];
+  /** More of its configuration file. */
+  configuration?: string;
 }
 
 /** Is made once in a file or in a `describe`; browser and programs start and end with it. */
@@ -21,9 +23,9 @@ export class Setting {
   /** Errors that the browser may report in a test that causes failures on purpose. */
   expected: RegExp | undefined;
 
-  constructor({ each = false, flags = [], options = [] }: Wishes = {}) {
+  constructor({ each = false, flags = [], options = [], configuration = '' }: Wishes = {}) {
     const start = async (): Promise<void> => {
-      this.pair_ = await Pair.start(options);
+      this.pair_ = await Pair.start(options, undefined, configuration);
     };
     const end = async (): Promise<void> => {
       await this.pair_?.end();

@@ -1,0 +1,251 @@
+#include "live/setup_changer.h"
+
+#include <utility>
+#include <vector>
+
+#include "bridge/cycle.h"
+#include "core/angle.h"
+#include "core/clock.h"
+#include "core/error.h"
+#include "live/setup_list.h"
+#include "text/format.h"
+#include "text/json_writer.h"
+
+namespace tp100::live {
+namespace {
+
+using course::Bundled;
+
+// A robot that was stopped has come to rest, and the gyro has seen it, in less.
+constexpr HostNs kPatienceNs = 3 * kNsPerS;
+constexpr const char* kBusyDisk = "the disk does not answer; try again later";
+
+struct FieldList {
+  template <class T>
+  void field(const char* /*name*/, const T& value) {
+    all.push_back(static_cast<double>(value));
+  }
+  std::vector<double> all{};
+};
+
+/// All but nonce and token, which are the session's.
+std::vector<double> fields(wire::Parameters parameters) {
+  parameters.boot_nonce = parameters.token = 0;
+  FieldList list;
+  parameters.visit(list);
+  return list.all;
+}
+
+wire::Parameters wire_parameters(const config::RunSetup& run) {
+  return bridge::session_settings(run.parameters, run.course.get()).parameters;
+}
+
+std::string course_name(const config::LoadedRun& run) {
+  return run.setup.course == nullptr ? "" : run.setup.course->name;
+}
+
+std::string names_json(const config::LoadedRun& run) {
+  std::string text;
+  text::JsonWriter(text)
+      .begin_object()
+      .field("course", course_name(run))
+      .field("robot", run.setup.robot.name)
+      .field("setup", bridge::to_string(run.setup.parameters.setup))
+      .end_object();
+  return text;
+}
+
+std::string pose_json(const Pose& pose) {
+  std::string text;
+  text::JsonWriter(text)
+      .begin_object()
+      .field("x_m", pose.x_m)
+      .field("y_m", pose.y_m)
+      .field("yaw_rad", pose.yaw_rad)
+      .end_object();
+  return text;
+}
+
+std::string name_json(const std::string& name) {
+  std::string text;
+  text::JsonWriter(text).begin_object().field("name", name).end_object();
+  return text;
+}
+
+Bundled kind_of(const server::SetupFile& file) {
+  return file.is_robot ? Bundled::kRobots : Bundled::kCourses;
+}
+
+}  // namespace
+
+SetupChanger::SetupChanger(config::LoadedRun run, LiveCycle& cycle)
+    : cycle_(cycle),
+      files_(library_folder(run.setup.configuration.library), run.files),
+      run_(std::make_shared<const config::LoadedRun>(std::move(run))) {}
+
+std::shared_ptr<const config::LoadedRun> SetupChanger::run() const {
+  const std::lock_guard lock(mutex_);
+  return run_;
+}
+
+bool SetupChanger::changing() const {
+  const std::lock_guard lock(mutex_);
+  return answer_ != nullptr;
+}
+
+void SetupChanger::choose(const server::SetupChoice& choice, Answer answer) {
+  ask({.choice = choice}, std::move(answer));
+}
+
+void SetupChanger::place(const std::optional<Pose>& at, Answer answer) {
+  ask({.places = true, .at = at}, std::move(answer));
+}
+
+void SetupChanger::ask(Asked asked, Answer answer) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (answer_ == nullptr) answer_ = std::exchange(answer, {});
+  }
+  if (answer != nullptr) return answer("another change is under way; try again", "");
+  const bool posted = disk_.post([this, asked = std::move(asked)] {
+    std::unique_ptr<SetupRequest> request;
+    try {
+      request = make(asked);
+    } catch (const SetupError& error) {
+      return end(error.what());
+    }
+    request->until_ns = monotonic_now() + kPatienceNs;
+    const std::lock_guard lock(mutex_);
+    request_ = std::move(request);
+    cycle_.change_setup(*request_);
+  });
+  if (!posted) end(kBusyDisk);
+}
+
+// The step is built here: in the loop nothing is allocated.
+std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
+  const std::shared_ptr<const config::LoadedRun> now = run();
+  if (now->setup.parameters.world.kind != bridge::WorldKind::kInternal)
+    throw SetupError(
+        "an external world is in use (world.kind), which holds the robot's place: restart tp100d");
+  auto request = std::make_unique<SetupRequest>();
+  if (asked.places) {
+    if (!asked.at && now->setup.course == nullptr)
+      throw SetupError("there is no course, and so no start; choose a course");
+    const Pose at = asked.at ? *asked.at : now->setup.course->start;
+    request->change.place = at;
+    const std::lock_guard lock(mutex_);
+    next_.reset();
+    json_ = pose_json(at);
+    text_ =
+        text::format("placed at (%.3f, %.3f) m, %.1f deg", at.x_m, at.y_m, at.yaw_rad * kDegPerRad);
+    return request;
+  }
+  const auto file = [&](Bundled kind, const std::optional<std::string>& name,
+                        const course::TextFile& present) {
+    if (!name) return present;
+    return name->empty() && kind == Bundled::kCourses ? course::TextFile{}
+                                                      : files_.read(kind, *name);
+  };
+  const auto setup = asked.choice.setup ? bridge::setup_named(*asked.choice.setup)
+                                        : std::optional(now->files.setup);
+  if (!setup) throw SetupError("setup is \"stand\", \"flat\" or \"terrain\"");
+  const auto next = std::make_shared<const config::LoadedRun>(
+      config::with_files(*now, file(Bundled::kCourses, asked.choice.course, now->files.course),
+                         file(Bundled::kRobots, asked.choice.robot, now->files.robot), *setup));
+  require_fit(next->setup);
+  request->change.step.emplace(next->setup.parameters, next->setup.course);
+  const wire::Parameters parameters = wire_parameters(next->setup);
+  if (fields(parameters) != fields(wire_parameters(now->setup)))
+    request->change.parameters = parameters;
+  const std::lock_guard lock(mutex_);
+  next_ = next;
+  json_ = names_json(*next);
+  const std::string course = course_name(*next);
+  text_ = (course.empty() ? "no course" : "course " + course) + ", robot " +
+          next->setup.robot.name + ", set-up " + bridge::to_string(*setup);
+  return request;
+}
+
+std::optional<SetupChanger::Made> SetupChanger::take(const StepRecord& next) {
+  const SetupRequest* done = cycle_.setup_done();
+  if (done == nullptr || !done->made || next.step < done->step) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  if (next_ != nullptr) run_ = next_;
+  return Made{next_, text_, done->step};
+}
+
+void SetupChanger::finish() { end({}); }
+
+void SetupChanger::tick() {
+  const SetupRequest* done = cycle_.setup_done();
+  if (done != nullptr && !done->made)
+    end("the robot did not stand still within 3 s, or a run began: nothing is changed");
+}
+
+// Frees the old step.
+void SetupChanger::end(const std::string& why) {
+  std::unique_ptr<SetupRequest> freed;
+  Answer answer;
+  std::string json;
+  {
+    const std::lock_guard lock(mutex_);
+    cycle_.release_setup();
+    freed = std::move(request_);
+    answer = std::exchange(answer_, {});
+    json = json_;
+    next_.reset();
+  }
+  answer(why, json);
+}
+
+template <class Job>
+void SetupChanger::on_disk(const Answer& answer, Job job) {
+  const bool posted = disk_.post([answer, job] {
+    std::string json;
+    try {
+      json = job();
+    } catch (const SetupError& error) {
+      return answer(error.what(), "");
+    }
+    answer("", json);
+  });
+  if (!posted) answer(kBusyDisk, "");
+}
+
+void SetupChanger::save(const server::SetupFile& file, const Answer& answer) {
+  on_disk(answer, [this, file] {
+    files_.save(kind_of(file), file.name, file.text, file.replace);
+    return name_json(file.name);
+  });
+}
+
+void SetupChanger::remove(const server::SetupFile& file, const Answer& answer) {
+  on_disk(answer, [this, file] {
+    const std::shared_ptr<const config::LoadedRun> now = run();
+    const std::string used = file.is_robot ? now->setup.robot.name : course_name(*now);
+    if (file.name == used) throw SetupError(used + " is in use; choose another one first");
+    files_.remove(kind_of(file), file.name);
+    return name_json(file.name);
+  });
+}
+
+std::optional<std::string> SetupChanger::content(std::string_view path) const {
+  if (path == "/api/setup") return setup_list(files_, *run());
+  constexpr std::string_view kEnding = ".toml";
+  for (const auto& [folder, kind] :
+       {std::pair<std::string_view, Bundled>{"/courses/", Bundled::kCourses},
+        {"/robots/", Bundled::kRobots}}) {
+    if (!path.starts_with(folder) || !path.ends_with(kEnding)) continue;
+    path.remove_prefix(folder.size());
+    path.remove_suffix(kEnding.size());
+    try {
+      return files_.read(kind, std::string(path)).text;
+    } catch (const SetupError&) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace tp100::live

@@ -1,0 +1,81 @@
+#pragma once
+// Changes course, robot, set-up or the robot's place while the daemon runs and no run is under way:
+// reads and checks the files and builds the new step in a thread of its own, hands it to the loop
+// and takes the old one back.
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "config/run_setup.h"
+#include "live/live_cycle.h"
+#include "live/setup_files.h"
+#include "record/worker.h"
+#include "server/controls.h"
+
+namespace tp100::live {
+
+class SetupChanger {
+ public:
+  using Answer = server::Controls::Answer;
+
+  /// `run`: in force in `cycle`, which must outlive the changer.
+  SetupChanger(config::LoadedRun run, LiveCycle& cycle);
+
+  // Any thread; none of these waits for the disk.
+  /// Answers when the loop has made the change, with what is then in force.
+  void choose(const server::SetupChoice& choice, Answer answer);
+  /// The robot is at `at`, or without it at the course's start.
+  void place(const std::optional<Pose>& at, Answer answer);
+  void save(const server::SetupFile& file, const Answer& answer);
+  void remove(const server::SetupFile& file, const Answer& answer);
+  /// Whether a change of course, robot or set-up is on its way: then no run may be started.
+  bool changing() const;
+
+  /// GET of /api/setup, /courses/NAME.toml and /robots/NAME.toml; nothing: no such file. Waits for
+  /// the disk; any thread.
+  std::optional<std::string> content(std::string_view path) const;
+
+  // The thread that drains the steps:
+  /// A change that the loop has made.
+  struct Made {
+    std::shared_ptr<const config::LoadedRun> run;  ///< null: only the place has changed
+    std::string text;                              ///< of the event
+    std::uint64_t step = 0;                        ///< the first with it
+  };
+  /// Call it with each record before any other takes it: returns the change whose first step it is.
+  /// Then call finish().
+  std::optional<Made> take(const StepRecord& next);
+  /// The change is in force everywhere: answers.
+  void finish();
+  /// Answers a change that the loop did not make. Call it regularly.
+  void tick();
+
+ private:
+  struct Asked {
+    server::SetupChoice choice{};
+    bool places = false;
+    std::optional<Pose> at{};
+  };
+  void ask(Asked asked, Answer answer);
+  std::unique_ptr<SetupRequest> make(const Asked& asked);
+  void end(const std::string& why);
+  template <class Job>
+  void on_disk(const Answer& answer, Job job);
+  std::shared_ptr<const config::LoadedRun> run() const;
+
+  LiveCycle& cycle_;
+  const SetupFiles files_;
+  mutable std::mutex mutex_;  // guards what follows; never held while waiting for a disk
+  std::shared_ptr<const config::LoadedRun> run_;
+  std::shared_ptr<const config::LoadedRun> next_;  // of the change under way; null: place only
+  std::string json_;                               // its answer
+  std::string text_;                               // its event
+  Answer answer_;                                  // set: a change is under way
+  std::unique_ptr<SetupRequest> request_;          // is the loop's
+  record::Worker disk_;                            // declared last: its jobs use the others
+};
+
+}  // namespace tp100::live

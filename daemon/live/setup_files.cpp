@@ -1,0 +1,153 @@
+#include "live/setup_files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "core/error.h"
+#include "course/course.h"
+#include "course/robot.h"
+#include "text/atomic_file.h"
+#include "text/format.h"
+#include "text/standard_streams.h"
+
+namespace tp100::live {
+namespace {
+
+namespace fs = std::filesystem;
+using course::Bundled;
+
+constexpr std::size_t kMaxName = 64;
+constexpr std::size_t kMaxOwn = 500;
+constexpr const char* kEnding = ".toml";
+
+const char* noun(Bundled kind) { return kind == Bundled::kCourses ? "course" : "robot"; }
+
+bool bundled(Bundled kind, const std::string& name) {
+  const std::vector<std::string> names = course::bundled_names(kind);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// No link: the folder may hold files of the user only.
+bool is_plain_file(const fs::path& path) {
+  std::error_code error;
+  return fs::symlink_status(path, error).type() == fs::file_type::regular;
+}
+
+std::string own_folder(const std::string& library, Bundled kind) {
+  return library + (kind == Bundled::kCourses ? "/courses" : "/robots");
+}
+
+std::string own_path(const std::string& library, Bundled kind, const std::string& name) {
+  return own_folder(library, kind) + "/" + name + kEnding;
+}
+
+}  // namespace
+
+std::string library_folder(const std::string& configured) {
+  if (!configured.empty()) return configured;
+  if (const std::string data = text::environment_variable("XDG_DATA_HOME"); !data.empty())
+    return data + "/tp100";
+  const std::string home = text::environment_variable("HOME");
+  return home.empty() ? home : home + "/.local/share/tp100";
+}
+
+course::TextFile read_setup_file(Bundled kind, const std::string& name_or_path,
+                                 const std::string& library) {
+  std::error_code error;
+  const bool named = text::is_file_name(name_or_path) && !fs::exists(name_or_path, error);
+  if (!named || bundled(kind, name_or_path)) return course::read_bundled(kind, name_or_path);
+  const std::string own = library.empty() ? library : own_path(library, kind, name_or_path);
+  return is_plain_file(own) ? course::read_text_file(own)
+                            : course::read_bundled(kind, name_or_path);
+}
+
+SetupFiles::SetupFiles(std::string library, const config::RunFiles& given)
+    : library_(std::move(library)), course_(given.course), robot_(given.robot) {}
+
+const course::TextFile& SetupFiles::given(Bundled kind) const {
+  return kind == Bundled::kCourses ? course_ : robot_;
+}
+
+std::vector<SetupFiles::Entry> SetupFiles::list(Bundled kind) const {
+  std::vector<Entry> entries;
+  const auto add = [&](const std::string& name, From from) {
+    const bool known = std::any_of(entries.begin(), entries.end(),
+                                   [&](const Entry& each) { return each.name == name; });
+    if (!known) entries.push_back({name, from});
+  };
+  // One that was named, not given as a file, is found below.
+  const std::string& at = given(kind).path;
+  const std::string name = course::file_stem(at);
+  const bool listed = (bundled(kind, name) && at.starts_with(course::config_directory())) ||
+                      (!library_.empty() && at == own_path(library_, kind, name));
+  if (!at.empty() && !listed) add(name, From::kGiven);
+  for (const std::string& each : course::bundled_names(kind)) add(each, From::kBundled);
+  std::error_code error;
+  std::size_t own = 0;
+  if (!library_.empty()) {
+    for (fs::directory_iterator file(own_folder(library_, kind), error), end;
+         !error && file != end && own < kMaxOwn; file.increment(error)) {
+      const std::string stem = file->path().stem().string();
+      if (file->path().extension() != kEnding || !text::is_file_name(stem) ||
+          !is_plain_file(file->path()))
+        continue;
+      add(stem, From::kOwn);
+      ++own;
+    }
+  }
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.name < b.name; });
+  return entries;
+}
+
+course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {
+  for (const Entry& entry : list(kind)) {
+    if (entry.name != name) continue;
+    if (entry.from == From::kGiven) return given(kind);
+    course::TextFile file = entry.from == From::kBundled
+                                ? course::read_bundled(kind, name + kEnding)
+                                : course::read_text_file(own_path(library_, kind, name));
+    file.path = name + kEnding;
+    return file;
+  }
+  throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind) +
+                   "; GET /api/setup lists them");
+}
+
+void SetupFiles::save(Bundled kind, const std::string& name, const std::string& content,
+                      bool replace) const {
+  if (!text::is_file_name(name))
+    throw SetupError("name takes letters, digits, '-', '_' and '.', at most 64, no '.' first");
+  if (library_.empty())
+    throw SetupError("there is no folder for your own files: set library in the configuration");
+  for (const Entry& entry : list(kind)) {
+    if (entry.name != name) continue;
+    if (entry.from != From::kOwn)
+      throw SetupError(name + " is not one of your own files; give it another name");
+    if (!replace) throw SetupError(name + " exists already; replace it, or give another name");
+  }
+  if (kind == Bundled::kCourses) {
+    course::parse_course(content, name + kEnding);
+  } else {
+    course::parse_robot(content, name + kEnding);
+  }
+  text::make_folder(own_folder(library_, kind));
+  text::write_file(own_path(library_, kind, name), content);
+}
+
+void SetupFiles::remove(Bundled kind, const std::string& name) const {
+  for (const Entry& entry : list(kind)) {
+    if (entry.name != name) continue;
+    if (entry.from != From::kOwn)
+      throw SetupError(name + " is not one of your own files and cannot be deleted");
+    std::error_code error;
+    if (fs::remove(own_path(library_, kind, name), error) && !error) return;
+    throw SetupError(name + ": cannot be deleted (" + error.message() + ")");
+  }
+  throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind));
+}
+
+}  // namespace tp100::live

@@ -1,0 +1,63 @@
+#pragma once
+// The course and robot files among which an operator chooses: those that the program was started
+// with, the bundled ones, and the user's own in a folder that may be written.
+
+#include <string>
+#include <vector>
+
+#include "config/run_setup.h"
+#include "course/bundled_files.h"
+
+namespace tp100::live {
+
+/// The user's folder: `configured` (key library), else $XDG_DATA_HOME/tp100 or
+/// ~/.local/share/tp100; empty if there is no home directory.
+std::string library_folder(const std::string& configured);
+
+/// `name_or_path` as in the configuration: a file, a bundled name or the name of a file in the
+/// user's folder. Throws SetupError.
+course::TextFile read_setup_file(course::Bundled kind, const std::string& name_or_path,
+                                 const std::string& library);
+
+/// Names are unique within a kind: a file that the program was started with comes before a bundled
+/// one, and that before the user's. Functions wait for the disk; any thread.
+class SetupFiles {
+ public:
+  enum class From { kGiven, kBundled, kOwn };
+  struct Entry {
+    std::string name;
+    From from = From::kBundled;
+  };
+
+  /// `library`: as library_folder() returns it.
+  SetupFiles(std::string library, const config::RunFiles& given);
+
+  /// Whether there is a folder to save into.
+  bool may_save() const { return !library_.empty(); }
+  /// Sorted by name; at most 500 of the user's own.
+  std::vector<Entry> list(course::Bundled kind) const;
+  /// Its path is NAME.toml, unless it was given: viewers get no path of this machine. Throws
+  /// SetupError.
+  course::TextFile read(course::Bundled kind, const std::string& name) const;
+  /// Checks the text as `tp100d check` does, and writes the user's file of that name, whole or not
+  /// at all. Throws SetupError: the text's first error as NAME.toml:line:column, a name that is not
+  /// permitted or belongs to a file that is not the user's, or, without `replace`, an existing one.
+  void save(course::Bundled kind, const std::string& name, const std::string& text,
+            bool replace) const;
+  /// Removes one of the user's files. Throws SetupError.
+  void remove(course::Bundled kind, const std::string& name) const;
+
+ private:
+  const course::TextFile& given(course::Bundled kind) const;
+
+  std::string library_;
+  course::TextFile course_, robot_;  ///< as given
+};
+
+constexpr const char* to_string(SetupFiles::From from) {
+  return from == SetupFiles::From::kGiven     ? "given"
+         : from == SetupFiles::From::kBundled ? "bundled"
+                                              : "own";
+}
+
+}  // namespace tp100::live

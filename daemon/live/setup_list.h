@@ -1,0 +1,21 @@
+#pragma once
+// The files among which an operator chooses, as JSON for viewers (CHANNELS.md, GET /api/setup).
+
+#include <string>
+
+#include "config/run_setup.h"
+#include "live/setup_files.h"
+
+namespace tp100::live {
+
+/// Most points of a course's outline.
+inline constexpr std::size_t kMaxOutline = 200;
+
+/// Throws SetupError if the course, the robot and the set-up of this run do not fit together.
+void require_fit(const config::RunSetup& run);
+
+/// All files with what a viewer shows of them, and whether each fits the rest of `run`, which is in
+/// force. Waits for the disk.
+std::string setup_list(const SetupFiles& files, const config::LoadedRun& run);
+
+}  // namespace tp100::live

@@ -1,0 +1,153 @@
+#include "server/services.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "messages/messages.h"
+#include "text/atomic_file.h"
+#include "text/format.h"
+
+namespace tp100::server {
+namespace {
+
+constexpr std::size_t kMaxShownArgument = 64;
+constexpr double kMaxPlaceM = 100.0, kMaxYawRad = 100.0;
+
+struct Row {
+  Service service;
+  const char* name;
+  const char* type;
+  std::vector<std::string_view> arguments;
+  const char* request;  ///< examples of both, from which the schemas are made
+  const char* response;
+};
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> kRows = {
+      {Service::kStart, "start", "Start", {"from"}, R"({"from":""})", R"({"accepted":true})"},
+      {Service::kHold, "hold", "Hold", {}, "{}", R"({"accepted":true})"},
+      {Service::kStop, "stop", "Stop", {}, "{}", R"({"acknowledged":true,"acknowledged_ms":1.5})"},
+      {Service::kRecordStart,
+       "record_start",
+       "RecordStart",
+       {"name"},
+       R"({"name":""})",
+       R"({"run":""})"},
+      {Service::kRecordStop, "record_stop", "RecordStop", {}, "{}", R"({"run":"","bytes":1})"},
+      {Service::kDriveTake, "drive_take", "DriveTake", {}, "{}", R"({"token":""})"},
+      {Service::kDrive,
+       "drive",
+       "Drive",
+       {"token", "speed_mps", "yaw_rate_radps", "input_ms"},
+       R"({"token":"","speed_mps":0.1,"yaw_rate_radps":0.1,"input_ms":1.5})",
+       R"({"accepted":true})"},
+      {Service::kDriveRelease,
+       "drive_release",
+       "DriveRelease",
+       {"token"},
+       R"({"token":""})",
+       R"({"accepted":true})"},
+      {Service::kChoose,
+       "choose",
+       "Choose",
+       {"course", "robot", "setup"},
+       R"({"course":"","robot":"","setup":""})",
+       R"({"course":"","robot":"","setup":""})"},
+      {Service::kPlace,
+       "place",
+       "Place",
+       {"at", "x_m", "y_m", "yaw_rad"},
+       R"({"at":"","x_m":1.5,"y_m":1.5,"yaw_rad":1.5})",
+       R"({"x_m":1.5,"y_m":1.5,"yaw_rad":1.5})"},
+      {Service::kFileSave,
+       "file_save",
+       "FileSave",
+       {"kind", "name", "text", "replace"},
+       R"({"kind":"","name":"","text":"","replace":true})",
+       R"({"name":""})"},
+      {Service::kFileDelete,
+       "file_delete",
+       "FileDelete",
+       {"kind", "name"},
+       R"({"kind":"","name":""})",
+       R"({"name":""})"},
+  };
+  return kRows;
+}
+
+/// The text of an argument; nothing: there is none, or it is no text.
+std::optional<std::string> text_of(const Arguments& arguments, std::string_view name) {
+  for (const RequestField& field : arguments)
+    if (const auto* text = std::get_if<std::string>(&field.value); text && field.name == name)
+      return *text;
+  return std::nullopt;
+}
+
+/// Whether every argument is a text, but for a truth value of that name.
+bool texts_only(const Arguments& arguments, std::string_view truth = {}) {
+  return std::all_of(arguments.begin(), arguments.end(), [&](const RequestField& field) {
+    return field.name == truth ? std::holds_alternative<bool>(field.value)
+                               : std::holds_alternative<std::string>(field.value);
+  });
+}
+
+}  // namespace
+
+const std::vector<ServiceText>& services() {
+  static const std::vector<ServiceText> kServices = [] {
+    std::vector<ServiceText> all;
+    for (const Row& row : rows()) {
+      const std::string type = std::string("tp100.") + row.type;
+      all.push_back({static_cast<std::uint32_t>(row.service), row.name, type,
+                     messages::schema_of(type + "Request", row.request),
+                     messages::schema_of(type + "Response", row.response)});
+    }
+    return all;
+  }();
+  return kServices;
+}
+
+std::string unknown_argument(Service service, const Arguments& arguments) {
+  const auto& known = rows().at(static_cast<std::size_t>(service) - 1).arguments;
+  for (const RequestField& field : arguments)
+    if (std::ranges::find(known, field.name) == known.end())
+      return "there is no argument '" + text::one_line(field.name, kMaxShownArgument) + "'";
+  return {};
+}
+
+std::string read_choice(const Arguments& arguments, SetupChoice& choice) {
+  if (!texts_only(arguments)) return "course, robot and setup are names";
+  choice = {text_of(arguments, "course"), text_of(arguments, "robot"), text_of(arguments, "setup")};
+  return arguments.empty() ? "name a course, robot or setup" : "";
+}
+
+std::string read_place(const Arguments& arguments, std::optional<Pose>& at) {
+  if (arguments.size() == 1 && text_of(arguments, "at") == "start") return {};
+  at.emplace();
+  std::size_t given = 0;
+  for (const RequestField& field : arguments) {
+    const double* number = std::get_if<double>(&field.value);
+    const bool angle = field.name == "yaw_rad";
+    if (number == nullptr || !(std::abs(*number) <= (angle ? kMaxYawRad : kMaxPlaceM))) break;
+    (angle ? at->yaw_rad : field.name == "x_m" ? at->x_m : at->y_m) = *number;
+    ++given;
+  }
+  if (given == 3 && arguments.size() == 3) return {};
+  return "give x_m, y_m and yaw_rad, each from -100 to 100, or {\"at\":\"start\"}";
+}
+
+std::string read_file(const Arguments& arguments, SetupFile& file) {
+  const std::string kind = text_of(arguments, "kind").value_or("");
+  if (!texts_only(arguments, "replace") || (kind != "course" && kind != "robot"))
+    return "kind is \"course\" or \"robot\", name and text are texts, replace is true or false";
+  file.is_robot = kind == "robot";
+  file.name = text_of(arguments, "name").value_or("");
+  file.text = text_of(arguments, "text").value_or("");
+  for (const RequestField& field : arguments)
+    if (const bool* replace = std::get_if<bool>(&field.value)) file.replace = *replace;
+  if (text::is_file_name(file.name)) return {};
+  return "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
+}
+
+}  // namespace tp100::server

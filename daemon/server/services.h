@@ -1,0 +1,46 @@
+#pragma once
+// The services of the protocol, and the arguments of their requests: what is wrong with them. Pure.
+// Treats them as hostile.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pose.h"
+#include "server/controls.h"
+#include "server/protocol.h"
+
+namespace tp100::server {
+
+using Arguments = std::vector<RequestField>;
+
+enum class Service : std::uint32_t {
+  kStart = 1,
+  kHold,
+  kStop,
+  kRecordStart,
+  kRecordStop,
+  kDriveTake,
+  kDrive,
+  kDriveRelease,
+  kChoose,
+  kPlace,
+  kFileSave,
+  kFileDelete,
+};
+
+/// All of them, in the enum's order.
+const std::vector<ServiceText>& services();
+
+// Each returns why the arguments are refused, in one line; empty: they are not.
+/// Whether the service knows their names.
+std::string unknown_argument(Service service, const Arguments& arguments);
+/// Of choose.
+std::string read_choice(const Arguments& arguments, SetupChoice& choice);
+/// Of place; nothing: at the course's start.
+std::string read_place(const Arguments& arguments, std::optional<Pose>& at);
+/// Of file_save and file_delete.
+std::string read_file(const Arguments& arguments, SetupFile& file);
+
+}  // namespace tp100::server

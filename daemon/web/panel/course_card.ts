@@ -1,0 +1,99 @@
+// A course as a card: its outline with obstacles, its figures, and what can be done with it.
+import { footprint } from '../scene/geometry.ts';
+import * as palette from '../scene/palette.ts';
+import { facts, type CourseEntry, type Piece } from '../state/setup.ts';
+import { h } from './dom.ts';
+
+const kMargin_m = 0.12;
+
+export interface CardActions {
+  choose(course: CourseEntry): void;
+  remove(course: CourseEntry): void;
+}
+
+export function courseCard(course: CourseEntry, actions: CardActions): HTMLElement {
+  const choose = h('button', { type: 'button', class: 'control card-choose' }, course.in_force ? 'In use' : 'Choose');
+  choose.dataset.fixed = String(course.in_force || course.why_not !== '');
+  choose.setAttribute('aria-label', `Choose course ${course.name}`);
+  choose.addEventListener('click', () => {
+    actions.choose(course);
+  });
+  const buttons = h('div', { class: 'card-buttons' }, choose);
+  if (course.from !== 'given') buttons.append(h('a', { href: `/courses/${course.name}.toml`, download: '' }, 'file'));
+  if (course.from === 'own') buttons.append(deleteButton(course, actions));
+  const card = h(
+    'li',
+    { class: 'card', id: `course-${course.name}` },
+    thumbnail(course),
+    h(
+      'div',
+      { class: 'card-text' },
+      h('h3', {}, course.name, ...(course.from === 'own' ? [h('span', { class: 'card-own' }, ' yours')] : [])),
+      h('p', { class: 'card-about' }, course.description ?? ''),
+      h('p', { class: 'card-facts' }, facts(course)),
+    ),
+    buttons,
+  );
+  if (course.in_force) card.setAttribute('aria-current', 'true');
+  if (course.why_not !== '') card.append(h('p', { class: 'card-why' }, course.why_not));
+  return card;
+}
+
+/** Asks once more before anything is lost. */
+function deleteButton(course: CourseEntry, actions: CardActions): HTMLElement {
+  const button = h('button', { type: 'button', class: 'link card-delete' }, 'delete');
+  button.dataset.fixed = String(course.in_force);
+  button.addEventListener('click', () => {
+    if (button.textContent === 'delete') button.textContent = 'really delete';
+    else actions.remove(course);
+  });
+  button.addEventListener('blur', () => {
+    button.textContent = 'delete';
+  });
+  return button;
+}
+
+/** The outline in a fixed frame, x to the right, y up. */
+function thumbnail(course: CourseEntry): SVGSVGElement {
+  const image = svg('svg', { class: 'card-outline', role: 'img', 'aria-label': `Outline of course ${course.name}` });
+  const outline = course.outline ?? [];
+  if (outline.length === 0) return image;
+  const pieces = (list: Piece[] | undefined): { x: number; y: number }[][] =>
+    (list ?? []).map((piece) => footprint(piece, piece.length_m, piece.width_m));
+  const obstacles = [...pieces(course.ramps), ...pieces(course.blocks)];
+  const all = [...outline.map(({ x_m, y_m }) => ({ x: x_m, y: y_m })), ...obstacles.flat()];
+  const [xs, ys] = [all.map(({ x }) => x), all.map(({ y }) => y)];
+  const [left, top] = [Math.min(...xs) - kMargin_m, Math.max(...ys) + kMargin_m];
+  const width = Math.max(...xs) + kMargin_m - left;
+  const height = top - Math.min(...ys) + kMargin_m;
+  image.setAttribute('viewBox', `${left} ${-top} ${width} ${height}`);
+  const points = (list: { x: number; y: number }[]): string => list.map(({ x, y }) => `${x.toFixed(3)},${(-y).toFixed(3)}`).join(' ');
+  const fill = (list: { x: number; y: number }[][], colour: string): void => {
+    for (const corners of list) image.append(svg('polygon', { points: points(corners), fill: colour }));
+  };
+  fill(pieces(course.surfaces), palette.kSurface);
+  fill(obstacles, palette.kObstacle);
+  const line = outline.map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));
+  image.append(
+    svg('polyline', {
+      points: points(line),
+      fill: 'none',
+      stroke: palette.kPath,
+      'stroke-width': '1.5',
+      'stroke-linejoin': 'round',
+      'vector-effect': 'non-scaling-stroke',
+    }),
+  );
+  const start = course.start;
+  if (start !== undefined) {
+    const size = 0.05 * Math.max(width, height);
+    image.append(svg('circle', { cx: String(start.x_m), cy: String(-start.y_m), r: String(size), fill: palette.kEstimateColours.fused }));
+  }
+  return image;
+}
+
+function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Record<string, string>): SVGElementTagNameMap[K] {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  return element;
+}

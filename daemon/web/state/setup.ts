@@ -1,0 +1,89 @@
+// The files among which an operator chooses: GET /api/setup.
+import type { Fence, Place } from './messages.ts';
+
+export interface Piece extends Place {
+  length_m: number;
+  width_m: number;
+  height_m: number;
+}
+
+export type From = 'given' | 'bundled' | 'own';
+
+/** Fields of the course are missing if its file cannot be read; `why_not` says why. */
+export interface CourseEntry {
+  name: string;
+  from: From;
+  in_force: boolean;
+  why_not: string;
+  description?: string;
+  identifies?: boolean;
+  length_m?: number;
+  duration_s?: number;
+  disturbances?: number;
+  start?: { x_m: number; y_m: number; yaw_rad: number };
+  fence?: Fence;
+  outline?: { x_m: number; y_m: number }[];
+  ramps?: Piece[];
+  blocks?: Piece[];
+  surfaces?: Piece[];
+}
+
+export interface RobotEntry {
+  name: string;
+  from: From;
+  in_force: boolean;
+  why_not: string;
+  description?: string;
+}
+
+export interface SetupList {
+  course: string;
+  robot: string;
+  setup: string;
+  setups: string[];
+  may_save: boolean;
+  courses: CourseEntry[];
+  robots: RobotEntry[];
+}
+
+/** What a viewer asks of the daemon about them. */
+export type SetupCall =
+  | { name: 'choose'; request: { course?: string; robot?: string; setup?: string } }
+  | { name: 'place'; request: { at: 'start' } | { x_m: number; y_m: number; yaw_rad: number } }
+  | { name: 'file_save'; request: { kind: FileKind; name: string; text: string; replace?: boolean } }
+  | { name: 'file_delete'; request: { kind: FileKind; name: string } };
+
+export type FileKind = 'course' | 'robot';
+
+/** One message to the daemon takes 64 KiB with everything around the text. */
+export const kMaxText = 60_000;
+
+/** Which kind of file this is, by the tables that only one of them has. */
+export function kindOf(text: string): FileKind {
+  const robot = /^\s*\[(model|shape|drive|emulated)\b/m.test(text);
+  return robot && !/^\s*\[\[segment\]\]/m.test(text) ? 'robot' : 'course';
+}
+
+/** A name that the daemon takes, made from a file's. */
+export function nameOf(file: string): string {
+  return file
+    .replace(/\.toml$/i, '')
+    .replace(/[^A-Za-z0-9._-]+/g, '-')
+    .replace(/^[.-]+/, '')
+    .slice(0, 64);
+}
+
+/** 4.06 m, 42 s, 1 ramp, 1 block, 2 disturbances. */
+export function facts(course: CourseEntry): string {
+  const many = (count: number | undefined, one: string): string[] =>
+    count === undefined || count === 0 ? [] : [`${count} ${one}${count === 1 ? '' : 's'}`];
+  if (course.length_m === undefined) return '';
+  return [
+    `${course.length_m.toFixed(2)} m`,
+    ...(course.duration_s === undefined ? [] : [`${course.duration_s.toFixed(0)} s`]),
+    ...many(course.ramps?.length, 'ramp'),
+    ...many(course.blocks?.length, 'block'),
+    ...many(course.surfaces?.length, 'surface'),
+    ...many(course.disturbances, 'disturbance'),
+  ].join(' \u00b7 ');
+}

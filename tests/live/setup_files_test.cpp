@@ -1,0 +1,179 @@
+#include "live/setup_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "../support/temporary_folder.h"
+#include "core/error.h"
+#include "live/setup_list.h"
+
+namespace tp100::live {
+namespace {
+
+namespace fs = std::filesystem;
+using course::Bundled;
+using Json = nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr const char* kLine =
+    "description = \"a line\"\nspeed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
+    "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
+
+class SetupFilesTest : public ::testing::Test {
+ protected:
+  static std::string why_not(const std::function<void()>& action) {
+    try {
+      action();
+    } catch (const SetupError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  std::string save(const std::string& name, const std::string& text, bool replace = false) {
+    return why_not([&] { files_.save(Bundled::kCourses, name, text, replace); });
+  }
+  std::string remove(const std::string& name) {
+    return why_not([&] { files_.remove(Bundled::kCourses, name); });
+  }
+  bool listed(const std::string& name, SetupFiles::From from) const {
+    for (const SetupFiles::Entry& entry : files_.list(Bundled::kCourses))
+      if (entry.name == name) return entry.from == from;
+    return false;
+  }
+  void write(const std::string& file, const std::string& text) const {
+    fs::create_directories(folder_.path() / "courses");
+    std::ofstream(folder_.path() / "courses" / file) << text;
+  }
+  std::size_t own_files() const {
+    const fs::path courses = folder_.path() / "courses";
+    if (!fs::exists(courses)) return 0;
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(courses), fs::directory_iterator{}));
+  }
+
+  test::TemporaryFolder folder_;
+  SetupFiles files_{folder_.path().string(), {}};
+};
+
+TEST_F(SetupFilesTest, SavesOnesOwnAndReplacesThemOnlyWhenAsked) {
+  EXPECT_EQ(save("mine", kLine), "");
+  EXPECT_TRUE(listed("mine", SetupFiles::From::kOwn));
+  EXPECT_EQ(files_.read(Bundled::kCourses, "mine").text, kLine);
+  EXPECT_THAT(save("mine", std::string(kLine) + "# 2\n"), HasSubstr("exists already"));
+  EXPECT_EQ(files_.read(Bundled::kCourses, "mine").text, kLine);
+  EXPECT_EQ(save("mine", std::string(kLine) + "# 2\n", true), "");
+  EXPECT_THAT(files_.read(Bundled::kCourses, "mine").text, HasSubstr("# 2"));
+  EXPECT_EQ(own_files(), 1u) << "no temporary file stays";
+  EXPECT_EQ(remove("mine"), "");
+  EXPECT_EQ(own_files(), 0u);
+}
+
+TEST_F(SetupFilesTest, ATextWithAnErrorIsRefusedWithItsLineAndColumn) {
+  EXPECT_EQ(save("mine", "speed_mps = 0.1\nspeed = 3\n").find("mine.toml:"), 0u);
+  EXPECT_THAT(save("mine", std::string(kLine) + "[[ramp]]\nx = 1\n"), HasSubstr("mine.toml:"));
+  std::string leaves = kLine;
+  leaves.replace(leaves.find("0.3"), 3, "3.0");
+  EXPECT_THAT(save("mine", leaves), HasSubstr("the path leaves the fence"));
+  EXPECT_EQ(own_files(), 0u);
+}
+
+TEST_F(SetupFilesTest, BundledFilesAreNeitherReplacedNorDeleted) {
+  EXPECT_THAT(save("3", kLine, true), HasSubstr("not one of your own"));
+  EXPECT_THAT(remove("3"), HasSubstr("cannot be deleted"));
+  EXPECT_THAT(remove("nothing"), HasSubstr("no such course"));
+  EXPECT_TRUE(listed("3", SetupFiles::From::kBundled));
+}
+
+TEST_F(SetupFilesTest, NamesStayInTheFolder) {
+  for (const char* name : {"", ".", "..", "../a", "a/b", "/tmp/a", ".hidden", "a b", "a\nb"}) {
+    EXPECT_THAT(save(name, kLine), HasSubstr("name takes")) << name;
+    EXPECT_NE(why_not([&] { files_.read(Bundled::kCourses, name); }), "") << name;
+  }
+  EXPECT_NE(save(std::string(65, 'a'), kLine), "");
+  EXPECT_EQ(own_files(), 0u);
+}
+
+TEST_F(SetupFilesTest, LinksAndOtherFilesAreNotListed) {
+  write("note.txt", kLine);
+  fs::create_symlink("/etc/passwd", folder_.path() / "courses" / "link.toml");
+  fs::create_directory(folder_.path() / "courses" / "folder.toml");
+  for (const char* name : {"note", "link", "folder"})
+    EXPECT_FALSE(listed(name, SetupFiles::From::kOwn)) << name;
+}
+
+TEST_F(SetupFilesTest, AFileThatWasGivenStaysAndHidesOthersOfItsName) {
+  config::RunFiles given;
+  given.course = {"/somewhere/3.toml", kLine};
+  const SetupFiles files(folder_.path().string(), given);
+  EXPECT_EQ(files.read(Bundled::kCourses, "3").text, kLine);
+  EXPECT_THAT(why_not([&] { files.save(Bundled::kCourses, "3", kLine, true); }),
+              HasSubstr("not one of your own"));
+}
+
+TEST_F(SetupFilesTest, OnesOwnNameIsValidInTheConfigurationToo) {
+  write("mine.toml", kLine);
+  const std::string library = folder_.path().string();
+  EXPECT_EQ(read_setup_file(Bundled::kCourses, "mine", library).text, kLine);
+  EXPECT_THAT(read_setup_file(Bundled::kCourses, "3", library).path, HasSubstr("courses/3.toml"));
+  EXPECT_THAT(why_not([&] { read_setup_file(Bundled::kCourses, "nothing", library); }),
+              HasSubstr("no such course"));
+}
+
+class SetupListTest : public SetupFilesTest {
+ protected:
+  SetupListTest() {
+    run_.files.robot = course::read_bundled(Bundled::kRobots, "end-loaded");
+    run_.files.course = course::read_bundled(Bundled::kCourses, "3");
+    run_.setup = config::parse_run(run_.files);
+  }
+  Json list() const { return Json::parse(setup_list(files_, run_)); }
+  static Json entry(const Json& all, const std::string& name) {
+    for (const Json& each : all)
+      if (each["name"] == name) return each;
+    ADD_FAILURE() << name << " is not listed";
+    return {};
+  }
+  config::LoadedRun run_;
+};
+
+TEST_F(SetupListTest, SaysOfACourseWhatIsToBeShown) {
+  const Json all = list();
+  EXPECT_EQ(all["course"], "3");
+  EXPECT_EQ(all["robot"], "end-loaded");
+  EXPECT_EQ(all["setups"], Json({"stand", "flat", "terrain"}));
+  const Json course = entry(all["courses"], "3");
+  EXPECT_EQ(course["from"], "bundled");
+  EXPECT_EQ(course["in_force"], true);
+  EXPECT_EQ(course["why_not"], "");
+  EXPECT_NEAR(course["length_m"], 4.0566, 1e-4);
+  EXPECT_NEAR(course["duration_s"], 41.5, 0.1);
+  EXPECT_EQ(course["ramps"].size(), 1u);
+  EXPECT_EQ(course["blocks"].size(), 1u);
+  EXPECT_LE(course["outline"].size(), kMaxOutline);
+  EXPECT_EQ(course["outline"][0], Json({{"x_m", 0.0}, {"y_m", 0.0}}));
+  EXPECT_EQ(entry(all["robots"], "worn")["in_force"], false);
+  EXPECT_EQ(entry(all["courses"], "calibrate-spin-left")["length_m"], 0.0);
+}
+
+TEST_F(SetupListTest, SaysWhyACourseDoesNotFitTheRobot) {
+  write("wall.toml", std::string(kLine) +
+                         "[[block]]\nx_m = 0.2\ny_m = 0.0\nheight_m = 0.3\ndepth_m = 0.1\n"
+                         "width_m = 0.4\n");
+  write("torn.toml", "speed_mps = \n");
+  std::string fast = kLine;
+  fast.replace(fast.find("0.1"), 3, "0.3");
+  write("fast.toml", fast);
+  const Json all = list();
+  EXPECT_THAT(std::string(entry(all["courses"], "wall")["why_not"]), HasSubstr("block"));
+  EXPECT_THAT(std::string(entry(all["courses"], "torn")["why_not"]), HasSubstr("torn.toml:1:"));
+  EXPECT_THAT(std::string(entry(all["courses"], "fast")["why_not"]), HasSubstr("max_track_mps"));
+  EXPECT_EQ(all.dump().find(folder_.path().string()), std::string::npos)
+      << "viewers get no path of this machine";
+}
+
+}  // namespace
+}  // namespace tp100::live
