@@ -13,6 +13,7 @@
 #include "sim/board/avr_core.h"
 #include "sim/board/avr_pins.h"
 #include "sim/board/avr_uart.h"
+#include "sim/body/seed.h"
 
 namespace tp100::sim {
 namespace {

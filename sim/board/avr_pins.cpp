@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "sim/board/avr_core.h"
+#include "sim/body/seed.h"
 
 namespace tp100::sim {
 namespace {

@@ -10,6 +10,7 @@
 #include "firmware/battery.h"
 #include "firmware/firmware.h"
 #include "firmware/quadrature.h"
+#include "sim/body/seed.h"
 
 namespace tp100::sim {
 namespace {

@@ -3,19 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/body/seed.h"
+
 namespace tp100::sim {
 namespace {
-
-// SplitMix64's finaliser.
-std::uint64_t mixed(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-  return z ^ (z >> 31);
-}
-
-std::uint64_t numbered(std::uint64_t seed, std::uint64_t number) {
-  return mixed(seed + (number + 1) * 0x9E3779B97F4A7C15ULL);
-}
 
 /// In [0, 1).
 double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }

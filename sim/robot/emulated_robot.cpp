@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "sim/board/avr_board.h"
 #include "sim/board/native_board.h"
+#include "sim/body/seed.h"
 #include "sim/body/uneven_floor.h"
 
 namespace tp100::sim {
@@ -14,12 +15,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Independent streams from one seed (SplitMix64's finaliser).
+// Independent streams from one seed.
 std::uint64_t stream(std::uint64_t seed, std::uint64_t number) {
-  std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + number * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-  return z ^ (z >> 31);
+  return mix((seed - 1) * kSeedStep + number * 0xBF58476D1CE4E5B9U);
 }
 
 constexpr std::int64_t kNsPerUs = 1000;
