@@ -1,6 +1,5 @@
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <thread>
 
@@ -81,10 +80,8 @@ loop::LoopSettings loop_settings(const config::LoopConfiguration& settings) {
 }
 
 messages::PublishClock read_clocks() {
-  std::timespec wall{};
-  std::timespec_get(&wall, TIME_UTC);
-  return {.start_ns = monotonic_now(),
-          .start_unix_ns = std::int64_t{wall.tv_sec} * kNsPerS + wall.tv_nsec};
+  const std::int64_t start_unix_ns = unix_now_ns();
+  return {.start_ns = monotonic_now(), .start_unix_ns = start_unix_ns};
 }
 
 std::optional<server::PageFile> page_file(std::string_view path) {

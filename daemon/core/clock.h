@@ -15,4 +15,11 @@ inline HostNs monotonic_now() {
   return static_cast<HostNs>(now.tv_sec) * kNsPerS + now.tv_nsec;
 }
 
+/// Unix time now, by the wall clock, which may jump. [ns]
+inline std::int64_t unix_now_ns() {
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * kNsPerS + now.tv_nsec;
+}
+
 }  // namespace tp100

@@ -270,15 +270,12 @@ class TruthTopic {
   void look(HostNs at, const Pose& truth) {
     if (at < due_ns_) return;
     due_ns_ = at + kPeriodNs;
-    std::timespec wall{};
-    std::timespec_get(&wall, TIME_UTC);
-    const HostNs unix_ns = HostNs{wall.tv_sec} * kNsPerS + wall.tv_nsec - (monotonic_now() - at);
-    participant_.write(ros2::Topic::kGroundTruth,
-                       ros2::ground_truth(static_cast<std::uint64_t>(unix_ns), truth));
+    participant_.write(ros2::Topic::kGroundTruth, ros2::ground_truth(clock_.unix_ns(at), truth));
   }
 
  private:
   static constexpr HostNs kPeriodNs = 5 * kNsPerMs;
+  const messages::PublishClock clock_{.start_ns = monotonic_now(), .start_unix_ns = unix_now_ns()};
   ros2::Participant participant_;
   HostNs due_ns_ = 0;
 };
