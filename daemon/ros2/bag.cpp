@@ -12,6 +12,7 @@
 #include "record/mcap_writer.h"
 #include "ros2/topics.h"
 #include "text/atomic_file.h"
+#include "text/json_writer.h"
 
 namespace tp100::ros2 {
 namespace {
@@ -33,18 +34,11 @@ std::string qos_text(const Qos& qos) {
          "  avoid_ros_namespace_conventions: false";
 }
 
-/// `text` in double quotes, as YAML.
+/// `text` in double quotes: what JSON writes is YAML, too.
 std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '\n') {
-      out += "\\n";
-    } else {
-      if (c == '"' || c == '\\') out += '\\';
-      out += c;
-    }
-  }
-  return out + "\"";
+  std::string out;
+  text::JsonWriter(out).value(text);
+  return out;
 }
 
 class Bag {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <string>
@@ -17,6 +16,7 @@
 #include "core/error.h"
 #include "ros2/message_types.h"
 #include "text/format.h"
+#include "text/standard_streams.h"
 
 namespace tp100::ros2 {
 namespace {
@@ -90,11 +90,11 @@ const ddsi_sertype_ops& type_operations() {
 
 dds_domainid_t domain_of(const config::Ros2Settings& settings) {
   if (settings.domain >= 0) return static_cast<dds_domainid_t>(settings.domain);
-  const char* const variable = std::getenv("ROS_DOMAIN_ID");
-  if (variable == nullptr || *variable == '\0') return 0;
+  const std::string variable = text::environment_variable("ROS_DOMAIN_ID");
+  if (variable.empty()) return 0;
   int domain = -1;
-  const char* const end = variable + std::strlen(variable);
-  const auto [stopped, error] = std::from_chars(variable, end, domain);
+  const char* const end = variable.data() + variable.size();
+  const auto [stopped, error] = std::from_chars(variable.data(), end, domain);
   if (error != std::errc{} || stopped != end || domain < 0 || domain > kLastDomain)
     throw SetupError("ROS_DOMAIN_ID=" + text::one_line(variable) +
                      ": not a domain; use a number from 0 to " + std::to_string(kLastDomain));
@@ -103,10 +103,7 @@ dds_domainid_t domain_of(const config::Ros2Settings& settings) {
 
 /// Configuration of Cyclone DDS for that interface; without one it is the environment's.
 std::string dds_configuration(const std::string& interface) {
-  if (interface.empty()) {
-    const char* const variable = std::getenv("CYCLONEDDS_URI");
-    return variable == nullptr ? "" : variable;
-  }
+  if (interface.empty()) return text::environment_variable("CYCLONEDDS_URI");
   constexpr std::string_view kOthers = "._-:@";
   const auto may_be = [&](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
