@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <random>
 
 namespace tp100::server {
 namespace {
@@ -77,6 +79,17 @@ bool origin_allowed(std::string_view origin, std::string_view host, const Access
   const std::string wanted = lower(origin);
   return wanted == "http://" + lower(host) || wanted == "https://" + lower(host) ||
          contains(rules.origins, wanted);
+}
+
+std::string random_name() {
+  std::random_device random;
+  std::string out;
+  for (int i = 0; i < 4; ++i) {
+    char digits[9];
+    const auto end = std::to_chars(digits, digits + sizeof digits, random(), 16).ptr;
+    out.append(digits, end);
+  }
+  return out;
 }
 
 }  // namespace tp100::server

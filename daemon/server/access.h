@@ -1,5 +1,6 @@
 #pragma once
-// Who may view and who may command: checks Host and Origin of a request against the settings. Pure.
+// Who may view and who may command: checks Host and Origin of a request against the settings. Pure,
+// but for random_name().
 
 #include <string>
 #include <string_view>
@@ -26,5 +27,8 @@ bool fetch_site_allowed(std::string_view site);
 /// `origin` is the page's own ("http://" + host) or one of the rules. An absent origin is allowed:
 /// browsers always send it with WebSockets, so it is no browser's.
 bool origin_allowed(std::string_view origin, std::string_view host, const AccessRules& rules);
+
+/// A name that nobody can guess: of a session, or the token of a driver.
+std::string random_name();
 
 }  // namespace tp100::server

@@ -11,13 +11,13 @@
 #include <future>
 #include <mutex>
 #include <optional>
-#include <random>
 #include <thread>
 #include <utility>
 
 #include "core/clock.h"
 #include "core/error.h"
 #include "messages/status_messages.h"
+#include "server/access.h"
 #include "server/connection.h"
 #include "server/viewer_socket.h"
 #include "text/json_writer.h"
@@ -57,17 +57,6 @@ Address parse_address(const std::string& text) {
   }
   throw SetupError("--listen " + text +
                    ": not an address; use ADDRESS:PORT like 127.0.0.1:8765, auto or off");
-}
-
-std::string random_name() {
-  std::random_device random;
-  std::string out;
-  for (int i = 0; i < 4; ++i) {
-    char digits[9];
-    const auto end = std::to_chars(digits, digits + sizeof digits, random(), 16).ptr;
-    out.append(digits, end);
-  }
-  return out;
 }
 
 /// Steps on their way to the server's thread: a ring of whole records that drops the oldest.

@@ -1,11 +1,9 @@
 #include "server/wheel.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <random>
 
+#include "server/access.h"
 #include "text/format.h"
 
 namespace tp100::server {
@@ -17,17 +15,6 @@ constexpr double kMaxVelocity = 100.0;
 constexpr double kMaxInputMs = 1e15;
 // Clocks of two machines drift apart by less than this.
 constexpr HostNs kDriftDivisor = 1000;
-
-std::string random_token() {
-  std::random_device random;
-  std::string out;
-  for (int i = 0; i < 4; ++i) {
-    std::array<char, 8> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), random(), 16).ptr;
-    out.append(digits.data(), end);
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -73,7 +60,7 @@ std::optional<std::string> Wheel::take(const Driver& driver, HostNs now) {
     return std::nullopt;
   }
   *this = Wheel{};
-  token_ = random_token();
+  token_ = random_name();
   driver_ = driver;
   taken_ns_ = input_ns_ = heard_ns_ = now;
   return token_;
