@@ -2,6 +2,10 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include "core/error.h"
+#include "core/sample.h"
 
 namespace tp100::bridge {
 namespace {
@@ -57,6 +61,21 @@ StepInputs::Changes live_values(const Parameters& parameters) {
   return values;
 }
 
+void require_consistent(const Parameters& parameters, const course::Course* course) {
+  if (course != nullptr && course->speed_mps > parameters.drive.max_track_mps) {
+    throw SetupError("course " + course->name + ": speed_mps " + std::to_string(course->speed_mps) +
+                     " is above this robot's drive.max_track_mps " +
+                     std::to_string(parameters.drive.max_track_mps) +
+                     "; lower the course's speed or use another robot");
+  }
+  if (parameters.world.owns_pose && parameters.world.kind != WorldKind::kInternal &&
+      parameters.setup == Setup::kTerrain) {
+    throw SetupError(
+        "world.authority = \"world\": on set-up terrain the robot is where it really is; use flat "
+        "or stand, or authority = \"bridge\"");
+  }
+}
+
 control::DriveModel drive_of(const Parameters& parameters, double speed_mps) {
   // A pose computed without a turning centre is not steered about one.
   const bool by_paper = parameters.paper_model && parameters.steering == PoseSource::kModel;
@@ -82,7 +101,7 @@ control::MonitoredRobot monitored_robot(const Parameters& parameters,
           .wheelbase_m = parameters.model.wheelbase_m,
           .identified = course == nullptr || !course->identifies,
           .max_counts_per_s =
-              kFastestTrack * parameters.drive.max_track_mps * parameters.drive.counts_per_metre};
+              max_counts_per_s(parameters.drive.max_track_mps, parameters.drive.counts_per_metre)};
 }
 
 }  // namespace tp100::bridge

@@ -77,8 +77,7 @@ void Perception::carry(CarriedState& state) const {
   state.gyro_bias_known = standstill_.bias_known();
 }
 
-void Perception::carry_level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const {
-  carry(state);
+void Perception::level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const {
   state.virtual_x_m = state.virtual_y_m = state.virtual_turn_rad = 0.0;
   state.model.z_m = state.model.roll_rad = state.model.pitch_rad = 0.0;
   if (!at) return;

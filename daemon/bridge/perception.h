@@ -53,8 +53,8 @@ class Perception {
   bool at_standstill() const { return standstill_.still() || !has_sample_; }
   /// Writes what resume() takes.
   void carry(CarriedState& state) const;
-  /// The same for a robot on level ground that is at `at`, or where the estimates say.
-  void carry_level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const;
+  /// Changes what carry() wrote to a robot on level ground that is at `at`, or where it was.
+  void level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const;
   /// As after construction, with this state.
   void resume(const CarriedState& state);
   /// The steering pose in `parameters` has changed.

@@ -13,7 +13,6 @@
 #include "control/monitor.h"
 #include "control/track_limits.h"
 #include "control/tracker.h"
-#include "core/error.h"
 #include "core/sample.h"
 
 namespace tp100::bridge {
@@ -49,15 +48,14 @@ struct Step::State {
   void take_changes(std::span<const ParameterChange> changes);
   void take_requests(std::span<const OperatorRequest> requests);
   void take_world(std::span<const WorldSample> received, double dt_s);
-  void heed_stop();
   bool fresh_sample(HostNs now) const;
   bool takes_commands(double dt_s);
   FaultMask aborts(const StepInputs& in, HostNs now, double dt_s);
   StartRefusal refusal(const StepInputs& in, HostNs now) const;
   void begin(HostNs now);
   void steer(HostNs now, double dt_s);
+  void aim(double desired_yaw_rad, double yaw_rate_radps, double speed_mps);
   void drive_by_hand(HostNs now, double dt_s);
-  void forget_progress_away_from_path();
   void command(const StepInputs& in, HostNs now);
   control::Observation observe(HostNs now, double dt_s) const;
   void publish(StartRefusal refusal, HostNs now);
@@ -84,18 +82,7 @@ struct Step::State {
 };
 
 Step::Step(const Parameters& parameters, std::shared_ptr<const course::Course> course) {
-  if (course != nullptr && course->speed_mps > parameters.drive.max_track_mps) {
-    throw SetupError("course " + course->name + ": speed_mps " + std::to_string(course->speed_mps) +
-                     " is above this robot's drive.max_track_mps " +
-                     std::to_string(parameters.drive.max_track_mps) +
-                     "; lower the course's speed or use another robot");
-  }
-  if (parameters.world.owns_pose && parameters.world.kind != WorldKind::kInternal &&
-      parameters.setup == Setup::kTerrain) {
-    throw SetupError(
-        "world.authority = \"world\": on set-up terrain the robot is where it really is; use flat "
-        "or stand, or authority = \"bridge\"");
-  }
+  require_consistent(parameters, course.get());
   state_ = std::make_unique<State>(parameters, std::move(course));
 }
 Step::~Step() = default;
@@ -131,15 +118,11 @@ bool Step::changeable() const {
 }
 
 CarriedState Step::carried_anew(const std::optional<Pose>& at, HostNs now) const {
-  const State& s = *state_;
-  CarriedState carried;
-  carried.session_number = s.session_number;
-  carried.run_state = s.arming.state();
-  if (carried.run_state == RunState::kFinished) carried.run_state = RunState::kIdle;
-  carried.faults = s.arming.faults();
-  carried.parameters = live_values(s.parameters);
-  s.seen.carry_level(at, now, carried);
-  return carried;
+  CarriedState anew = carried();
+  if (anew.run_state == RunState::kFinished) anew.run_state = RunState::kIdle;
+  anew.cross_track_m = anew.progress_m = 0.0;
+  state_->seen.level(at, now, anew);
+  return anew;
 }
 
 // Tracker, monitor and disturbance restart with each run.
@@ -195,11 +178,6 @@ void Step::State::take_world(std::span<const WorldSample> received, double dt_s)
   for (const WorldSample& one : received) external.take(one);
   external.wait(std::min(dt_s, kLongestSeenS));
   seen.set_external_terrain({external.ground(), external.transform()});
-}
-
-// After the operator: a start does not override a world that requests a stop.
-void Step::State::heed_stop() {
-  if (external.take_stop(under_way(arming.state()))) arming.stop();
 }
 
 bool Step::State::fresh_sample(HostNs now) const {
@@ -279,6 +257,15 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .dt_s = std::min(dt_s, kLongestSeenS)};
 }
 
+// Without a path.
+void Step::State::aim(double desired_yaw_rad, double yaw_rate_radps, double speed_mps) {
+  target.speed_mps = speed_mps;
+  target.yaw_rate_radps = yaw_rate_radps;
+  target.desired_yaw_rad = desired_yaw_rad;
+  target.heading_error_rad = desired_yaw_rad - seen.world_pose().yaw_rad;
+  target.recovering = false;
+}
+
 void Step::State::drive_by_hand(HostNs now, double dt_s) {
   const Pose pose = seen.world_pose();
   const FilterFigures figures = seen.filter_figures(now);
@@ -289,19 +276,10 @@ void Step::State::drive_by_hand(HostNs now, double dt_s) {
        .limits = drive_of(parameters, 0.0).limits,
        .braking_mps2 = parameters.drive.max_track_mps2},
       parameters.control, now, std::min(dt_s, kLongestSeenS));
-  target.speed_mps = wanted.speed_mps;
-  target.yaw_rate_radps = wanted.yaw_rate_radps;
-  target.desired_yaw_rad = wanted.desired_yaw_rad;
-  target.heading_error_rad = wanted.desired_yaw_rad - pose.yaw_rad;
-  target.recovering = false;
+  aim(wanted.desired_yaw_rad, wanted.yaw_rate_radps, wanted.speed_mps);
   at_fence = wanted.at_fence;
-  forget_progress_away_from_path();
-}
-
-// Whoever drives the robot away from where its run ended does not go on from there.
-void Step::State::forget_progress_away_from_path() {
+  // Whoever drives the robot away from where its run ended does not go on from there.
   if (!path || target.progress_m <= 0.0) return;
-  const Pose pose = seen.world_pose();
   const course::PathPoint point = path->at(target.progress_m);
   if (std::hypot(pose.x_m - point.x_m, pose.y_m - point.y_m) > parameters.control.max_cross_track_m)
     target.progress_m = 0.0;
@@ -322,11 +300,7 @@ void Step::State::steer(HostNs now, double dt_s) {
     target = tracker->update(pose, speeds.steering, dt_s, disturbed);
     return;
   }
-  target.speed_mps = 0.0;
-  target.yaw_rate_radps = 0.0;
-  target.desired_yaw_rad = pose.yaw_rad;
-  target.heading_error_rad = 0.0;
-  target.recovering = false;
+  aim(pose.yaw_rad, 0.0, 0.0);
 }
 
 void Step::State::command(const StepInputs& in, HostNs now) {
@@ -393,7 +367,8 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   for (const CameraSample& sample : in.camera) s.seen.take(sample);
   s.take_changes(in.changes);
   s.take_requests(in.requests);
-  s.heed_stop();
+  // After the operator: a start does not override a world that requests a stop.
+  if (s.external.take_stop(under_way(s.arming.state()))) s.arming.stop();
   for (const VelocityInput& input : in.velocities) s.hand.take(input, now);
 
   const FaultMask aborts = s.aborts(in, now, dt_s);

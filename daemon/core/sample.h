@@ -80,9 +80,11 @@ struct WorldSample {
 
 // Greatest distance that a track can travel between two samples.
 
-/// Limit of a track's speed, whether driven, pushed or rolling down a ramp, as a multiple of the
-/// drive's limit.
-inline constexpr double kFastestTrack = 3.0;
+/// Counts per second of a track, whether driven, pushed or rolling down a ramp: beyond any.
+constexpr double max_counts_per_s(double max_track_mps, double counts_per_metre) {
+  constexpr double kFastest = 3.0;  // times the drive's limit
+  return kFastest * max_track_mps * counts_per_metre;
+}
 
 /// True if a track can have made so many counts in `dt_s`; always true if `max_per_s` is 0.
 inline bool counts_possible(double counts, double max_per_s, double dt_s) {

@@ -31,16 +31,16 @@ bool known(std::uint8_t board) {
          board == static_cast<std::uint8_t>(wire::Board::kNative);
 }
 
-double max_counts_per_s(const wire::Parameters& parameters) {
-  return kFastestTrack * static_cast<double>(parameters.max_track_mps) *
-         static_cast<double>(parameters.counts_per_metre);
+double fastest_of(const wire::Parameters& parameters) {
+  return max_counts_per_s(static_cast<double>(parameters.max_track_mps),
+                          static_cast<double>(parameters.counts_per_metre));
 }
 
 }  // namespace
 
 Session::Session(const SessionSettings& settings)
     : settings_(settings),
-      intake_(counters_, max_counts_per_s(settings.parameters)),
+      intake_(counters_, fastest_of(settings.parameters)),
       clock_(settings.baud, settings.clock_answer_ns, output_, counters_) {}
 
 void Session::open(HostNs now) {
@@ -61,7 +61,7 @@ void Session::close(HostNs now) {
 
 void Session::use(const wire::Parameters& parameters, HostNs now) {
   settings_.parameters = parameters;
-  intake_.set_limit(max_counts_per_s(parameters));
+  intake_.set_limit(fastest_of(parameters));
   // A board that refused the old ones may take these.
   if (!connected() && !(state_ == SessionState::kRefused && known_boot_)) return;
   // At once, as the robot is not to blame: without commands it latches a fault after 200 ms.
@@ -375,11 +375,7 @@ void Session::end_session(HostNs now) {
 
 void Session::back_off(HostNs now) {
   if (!in_session()) return;
-  if (taken_ >= kLasted) {
-    retry_ns_ = 0;
-  } else {
-    retry_ns_ = std::clamp(2 * retry_ns_, kFirstRetryNs, kLongestRetryNs);
-  }
+  retry_ns_ = taken_ >= kLasted ? 0 : std::clamp(2 * retry_ns_, kFirstRetryNs, kLongestRetryNs);
   not_before_ns_ = now + retry_ns_;
 }
 
