@@ -42,12 +42,6 @@ double distance_m(const std::vector<course::PathPoint>& path,
   return least_m;
 }
 
-bool disturbed(const report::RunResult& run, const report::TrajectoryPoint& point) {
-  return point.recovering || std::ranges::any_of(run.disturbances, [&](const auto& window) {
-           return point.t_s >= window.begin_s && point.t_s <= window.end_s + kRecoveryS;
-         });
-}
-
 }  // namespace
 
 RandomDrive drive_random(std::uint64_t seed) {
@@ -75,7 +69,7 @@ RandomDrive drive_random(std::uint64_t seed) {
   drive.cause = run.cause;
   const std::vector<course::PathPoint> path = points_of(course::Path(trial.course));
   for (const report::TrajectoryPoint& point : run.points)
-    if (!disturbed(run, point))
+    if (!point.recovering && !disturbed(run, point.t_s, kRecoveryS))
       drive.deviation_m = std::max(drive.deviation_m, distance_m(path, point));
   const double reported_m = runs.front().figures.tracking.max_cross_track_m;
   if (drive.deviation_m > kUnnoticedM)

@@ -23,13 +23,6 @@ constexpr double kAfterwardsS = 0.1;
 // The effect of a disturbance on an estimate ends once the camera has shown it.
 constexpr double kSeenAfterS = 0.3;
 
-bool disturbed(const report::RunResult& run, double t_s) {
-  return std::any_of(run.disturbances.begin(), run.disturbances.end(),
-                     [t_s](const auto& disturbance) {
-                       return t_s >= disturbance.begin_s && t_s <= disturbance.end_s + kSeenAfterS;
-                     });
-}
-
 void judge_fused(TrialRun& run) {
   double leaning_until_s = -1.0;
   double squares_m2 = 0.0, squares_rad2 = 0.0;
@@ -41,7 +34,7 @@ void judge_fused(TrialRun& run) {
       leaning_until_s = point.t_s + kAfterwardsS;
     double& largest =
         point.t_s <= leaning_until_s ? run.fused_max_obstacle_m : run.fused_max_flat_m;
-    if (disturbed(run.result, point.t_s)) continue;
+    if (disturbed(run.result, point.t_s, kSeenAfterS)) continue;
     largest = std::max(largest, error_m);
     const double yaw_rad = wrap_angle(fused.yaw_rad - point.truth.yaw_rad);
     squares_m2 += error_m * error_m;
@@ -218,6 +211,12 @@ void judge_tracking(Judge& judge, const Limits& limits, bool uneven) {
 }
 
 }  // namespace
+
+bool disturbed(const report::RunResult& run, double t_s, double after_s) {
+  return std::ranges::any_of(run.disturbances, [&](const report::DisturbanceWindow& window) {
+    return t_s >= window.begin_s && t_s <= window.end_s + after_s;
+  });
+}
 
 const report::PoseErrors* errors_of(const CourseStudy& study, std::string_view form) {
   const auto found = std::ranges::find(study.forms, form, &FormErrors::form);

@@ -44,6 +44,9 @@ struct TrialRun {
   double slowest_recovery_s = 0.0;  ///< infinite if it never recovered
 };
 
+/// Whether the robot is being pushed at `t_s`, or was until `after_s` ago.
+bool disturbed(const report::RunResult& run, double t_s, double after_s);
+
 /// All runs, one after the other.
 std::vector<TrialRun> run_trial(const Trial& trial);
 
