@@ -29,15 +29,15 @@ class ArmingTest : public testing::Test {
     in_.refusal = StartRefusal::kNone;
     sample_.state = RobotState::kDisarmed;
   }
-  void begin() {
+  void begin(RunState to = RunState::kRunning) {
     connect();
-    arming_.start();
+    to == RunState::kDriving ? arming_.drive() : arming_.start();
     ASSERT_EQ(run(100), RobotRequest::kArm);
     sample_.state = RobotState::kArmed;
     in_.answer = RequestAnswer::kAcknowledged;
     ASSERT_EQ(run(1), RobotRequest::kNone);
     ASSERT_TRUE(arming_.just_began());
-    ASSERT_EQ(arming_.state(), RunState::kRunning);
+    ASSERT_EQ(arming_.state(), to);
   }
 
   /// The robot has obeyed the disarm and confirms it.
@@ -333,14 +333,7 @@ TEST_F(ArmingTest, StopIsRequestedInEveryStateAndLatches) {
 }
 
 TEST_F(ArmingTest, DrivingByHandArmsLikeARunAndEndsIdle) {
-  connect();
-  arming_.drive();
-  ASSERT_EQ(run(100), RobotRequest::kArm);
-  sample_.state = RobotState::kArmed;
-  in_.answer = RequestAnswer::kAcknowledged;
-  run(1);
-  ASSERT_TRUE(arming_.just_began());
-  ASSERT_EQ(arming_.state(), RunState::kDriving);
+  begin(RunState::kDriving);
   arming_.start();
   EXPECT_EQ(arming_.state(), RunState::kDriving) << "a start does not take over";
   in_.done = true;
@@ -357,12 +350,7 @@ TEST_F(ArmingTest, ARunIsNotTurnedIntoADrive) {
 }
 
 TEST_F(ArmingTest, ADriveIsAbortedByWhatAbortsARun) {
-  connect();
-  arming_.drive();
-  ASSERT_EQ(run(100), RobotRequest::kArm);
-  sample_.state = RobotState::kArmed;
-  in_.answer = RequestAnswer::kAcknowledged;
-  run(1);
+  begin(RunState::kDriving);
   in_.aborts = fault_bit(Fault::tilt);
   EXPECT_EQ(run(1), RobotRequest::kDisarm);
   EXPECT_EQ(arming_.state(), RunState::kAborted);

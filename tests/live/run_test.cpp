@@ -23,6 +23,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 #include "link/transport.h"
+#include "live_command.h"
 #include "pty_robot.h"
 
 namespace tp100::live {
@@ -71,30 +72,11 @@ class Run : public ::testing::Test {
     log_ = testing::internal::GetCapturedStderr();
     return status;
   }
-  std::string stats() const {
-    std::ostringstream text;
-    text << std::ifstream(stats_path()).rdbuf();
-    return text.str();
-  }
-  static bool soon(const std::function<bool()>& condition) {
-    for (int i = 0; i < 4000; ++i) {
-      if (condition()) return true;
-      std::this_thread::sleep_for(5ms);
-    }
-    return false;
-  }
+  std::string stats() const { return content_of(stats_path().string()); }
   // Port of the page; waits until it is served.
   std::string page() const {
-    static const std::string kBefore = "http://127.0.0.1:";
-    std::string served;
-    const bool any = soon([&] {
-      const std::string text = stats();
-      const std::size_t at = text.find(kBefore), end = text.find('/', at + kBefore.size());
-      if (end == std::string::npos || at == std::string::npos) return false;
-      served = text.substr(at + kBefore.size(), end - at - kBefore.size());
-      return true;
-    });
-    if (!any) throw std::runtime_error("no page is served");
+    std::string served = page_of(stats_path().string());
+    if (served.empty()) throw std::runtime_error("no page is served");
     return served;
   }
   // Expects that the statistics file contains `word`.

@@ -15,9 +15,9 @@
 
 #include "../server/web_client.h"
 #include "../support/temporary_folder.h"
-#include "app/commands.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
+#include "live_command.h"
 #include "pty_robot.h"
 #include "record/recording.h"
 #include "server/services.h"
@@ -61,36 +61,11 @@ class SetupChange : public ::testing::Test {
   }
   ~SetupChange() override { robot_.reset(); }
 
-  /// Runs the command while `script` runs in parallel; the end of the script ends the command.
-  void run(const std::function<void()>& script) {
-    std::thread beside([&] {
-      try {
-        script();
-      } catch (const std::exception& error) {
-        ADD_FAILURE() << error.what();
-      }
-      ::kill(::getpid(), SIGTERM);
-    });
-    testing::internal::CaptureStderr();
-    try {
-      app::run_run(options_);
-    } catch (const SetupError& error) {
-      ADD_FAILURE() << error.what();
-    }
-    beside.join();
-    log_ = testing::internal::GetCapturedStderr();
-  }
+  void run(const std::function<void()>& script) { log_ = run_beside(options_, script).log; }
   std::string page() const {
-    static const std::string kBefore = "http://127.0.0.1:";
-    for (int i = 0; i < 4000; ++i) {
-      std::ifstream file(options_.stats);
-      const std::string text{std::istreambuf_iterator<char>(file), {}};
-      const std::size_t at = text.find(kBefore), end = text.find('/', at + kBefore.size());
-      if (at != std::string::npos && end != std::string::npos)
-        return text.substr(at + kBefore.size(), end - at - kBefore.size());
-      std::this_thread::sleep_for(5ms);
-    }
-    throw std::runtime_error("no page");
+    const std::string served = page_of(options_.stats);
+    if (served.empty()) throw std::runtime_error("no page");
+    return served;
   }
   /// The answer to a service request, or its failure.
   static std::string ask(server::WebClient& viewer, char service, const std::string& request) {

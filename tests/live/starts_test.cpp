@@ -13,8 +13,7 @@
 #include "../server/web_client.h"
 #include "../support/notify_socket.h"
 #include "../support/temporary_folder.h"
-#include "app/commands.h"
-#include "core/error.h"
+#include "live_command.h"
 #include "pty_robot.h"
 
 namespace tp100::live {
@@ -75,36 +74,14 @@ class Starts : public ::testing::Test {
   }
   ~Starts() override { robot_.reset(); }
 
-  /// Runs the command while `script` runs in parallel; the end of the script ends the command.
   void run(const std::function<void()>& script) {
-    std::thread beside([&] {
-      try {
-        script();
-      } catch (const std::exception& error) {
-        ADD_FAILURE() << error.what();
-      }
-      ::kill(::getpid(), SIGTERM);
-    });
-    testing::internal::CaptureStderr();
-    try {
-      status_ = app::run_run(options_);
-    } catch (const SetupError& error) {
-      ADD_FAILURE() << error.what();
-    }
-    beside.join();
-    log_ = testing::internal::GetCapturedStderr();
+    const Ended ended = run_beside(options_, script);
+    status_ = ended.status;
+    log_ = ended.log;
   }
   void with_board(wire::Board board) {
     robot_->with([&](ScriptedRobot& robot) { robot.board = static_cast<std::uint8_t>(board); });
     robot_->plug_in();
-  }
-  static bool soon(const std::function<bool()>& condition, std::chrono::seconds limit = 20s) {
-    const auto end = std::chrono::steady_clock::now() + limit;
-    while (std::chrono::steady_clock::now() < end) {
-      if (condition()) return true;
-      std::this_thread::sleep_for(5ms);
-    }
-    return false;
   }
   std::size_t arms() {
     return robot_->with([](ScriptedRobot& robot) { return robot.received.arms.size(); });
@@ -151,23 +128,8 @@ class Starts : public ::testing::Test {
     }
     return false;
   }
-  std::string stats() const {
-    std::ostringstream text;
-    text << std::ifstream(options_.stats).rdbuf();
-    return text.str();
-  }
-  std::string page() const {
-    static const std::string kBefore = "http://127.0.0.1:";
-    std::string served;
-    soon([&] {
-      const std::string text = stats();
-      const std::size_t at = text.find(kBefore), end = text.find('/', at + kBefore.size());
-      if (end == std::string::npos || at == std::string::npos) return false;
-      served = text.substr(at + kBefore.size(), end - at - kBefore.size());
-      return true;
-    });
-    return served;
-  }
+  std::string stats() const { return content_of(options_.stats); }
+  std::string page() const { return page_of(options_.stats); }
 
   test::TemporaryFolder folder_;
   Keyboard keyboard_;
