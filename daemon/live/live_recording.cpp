@@ -111,7 +111,7 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
   };
 }
 
-std::uint64_t LiveRecording::start(const std::string& name, Answer answer) {
+std::uint64_t LiveRecording::start(const std::string& name, const Answer& answer) {
   const std::string& directory = settings_.directory;
   if (directory.empty()) {
     answer("nothing can be recorded: give --record or set record.directory");
@@ -122,15 +122,14 @@ std::uint64_t LiveRecording::start(const std::string& name, Answer answer) {
   const course::Course* course = run_->setup.course.get();
   const std::string usual = course == nullptr ? "poses" : course->name;
   const std::uint64_t number = recorder_.ask_begin(
-      make(directory, name.empty() ? usual : name, now, {{"program", "tp100d run"}}),
-      std::move(answer));
+      make(directory, name.empty() ? usual : name, now, {{"program", "tp100d run"}}), answer);
   if (number == 0) return 0;
   for (const auto& [channel, json] : in_force_) recorder_.message(channel, now, json);
   return number;
 }
 
 std::uint64_t LiveRecording::start_black_box(const std::string& fault, HostNs now,
-                                             record::Recorder::Ended ended) {
+                                             const record::Recorder::Ended& ended) {
   const std::string directory = black_box_directory(settings_);
   if (directory.empty()) {
     ended({.warning = "no folder for it: set record.black_box_directory, or 0 for black_box_s"});
@@ -139,7 +138,7 @@ std::uint64_t LiveRecording::start_black_box(const std::string& fault, HostNs no
   const std::lock_guard lock(mutex_);
   return recorder_.ask_look_back(
       make(directory, "black-box-" + fault, now, {{"program", "tp100d run"}, {"black_box", fault}}),
-      std::move(ended));
+      ended);
 }
 
 void LiveRecording::stop(std::uint64_t number, Answer answer) {

@@ -34,13 +34,13 @@ class LiveRecording : public messages::Sink {
   // Any thread; none of these waits for the disk.
   /// Begins a recording in a new folder of record.directory; an empty `name` means the course's.
   /// Returns its number; 0: refused, and the answer tells why.
-  std::uint64_t start(const std::string& name, Answer answer);
+  std::uint64_t start(const std::string& name, const Answer& answer);
   /// Ends recording `number`, or the current one if that is 0.
   void stop(std::uint64_t number, Answer answer);
   /// Begins a recording in black_box_directory() that is record.black_box_s long kTailNs later. It
   /// makes way for any other. `ended`: see record::Recorder. 0: refused.
   std::uint64_t start_black_box(const std::string& fault, HostNs now,
-                                record::Recorder::Ended ended);
+                                const record::Recorder::Ended& ended);
   /// Number of the recording that is running or requested, except of black boxes; 0: none.
   std::uint64_t number() const;
   messages::RecordingFigures figures() const;
