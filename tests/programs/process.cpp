@@ -81,7 +81,16 @@ bool Process::wait_for(const std::string& text) {
   return false;
 }
 
-void Process::signal(int number) { kill(pid_, number); }
+void Process::signal(int number) {
+  signalled_ = true;
+  kill(pid_, number);
+}
+
+bool Process::asks_to_start_again() const {
+  const std::size_t aborted = output_.find("-> aborted");
+  return aborted != std::string::npos &&
+         output_.find("type go and press Enter", aborted) != std::string::npos;
+}
 
 int Process::wait() {
   const auto deadline = Clock::now() + 120s;
@@ -92,6 +101,7 @@ int Process::wait() {
       status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
       break;
     }
+    if (!signalled_ && asks_to_start_again()) break;
     read_some(10ms);
   }
   output();

@@ -30,17 +30,20 @@ class Process {
   /// Sends a signal.
   void signal(int number);
   /// Waits for the end. Returns the exit status, 128 + signal if the program was killed, or -1
-  /// after two minutes.
+  /// after two minutes. A daemon whose run was aborted asks a person to start again: unless a
+  /// signal was sent it would never end, and -1 is returned at once.
   int wait();
   /// Everything printed so far.
   const std::string& output();
 
  private:
   bool read_some(std::chrono::milliseconds patience);
+  bool asks_to_start_again() const;
 
   pid_t pid_ = -1;
   int pipe_ = -1;
   int status_ = -1;
+  bool signalled_ = false;
   std::string output_;
   std::size_t searched_ = 0;
 };
