@@ -152,7 +152,8 @@ void Connection::ask_disk() {
                       .runs = shared_.sources.runs,
                       .setup = shared_.sources.setup,
                       .active_run = [run = shared_.sources.active_run()] { return run; },
-                      .health = {}};
+                      .health = {},
+                      .metrics = {}};
   const auto found = std::make_shared<HttpAnswer>();
   const bool asked =
       shared_.disk.post([self = shared_from_this(), question = ++question_, found,

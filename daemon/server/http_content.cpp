@@ -146,11 +146,15 @@ std::string_view path_of(std::string_view target) {
   return target.substr(0, target.find_first_of("?#"));
 }
 
-HttpAnswer json_answer(std::string json) {
-  HttpAnswer answer = http_text(200, std::move(json));
-  answer.type = "application/json";
+HttpAnswer fresh_answer(std::string text, std::string type) {
+  HttpAnswer answer = http_text(200, std::move(text));
+  answer.type = std::move(type);
   answer.headers.emplace_back("Cache-Control", "no-store");
   return answer;
+}
+
+HttpAnswer json_answer(std::string json) {
+  return fresh_answer(std::move(json), "application/json");
 }
 
 HttpAnswer page_answer(const PageFile& file, std::string_view none_match) {
@@ -301,6 +305,8 @@ HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
   }
   const std::string_view path = path_of(request.target);
   if (path == "/healthz") return json_answer(sources.health());
+  if (path == "/metrics")
+    return fresh_answer(sources.metrics(), "text/plain; version=0.0.4; charset=utf-8");
   if (path == kRunList)
     return json_answer(sources.runs->json(sources.runs_folder, sources.active_run()));
   if (path.starts_with(kRuns)) return file_answer(request, path.substr(kRuns.size()), sources);

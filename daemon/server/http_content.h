@@ -97,6 +97,7 @@ struct HttpSources {
   SetupContent setup;                       ///< empty: none
   std::function<std::string()> active_run;  ///< the run being recorded; empty: none
   std::function<std::string()> health;      ///< JSON
+  std::function<std::string()> metrics;     ///< as Prometheus reads them
 };
 
 /// Whether the answer to `target` is read from the disk, so that http_answer() may block.

@@ -16,6 +16,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "messages/prometheus.h"
 #include "messages/status_messages.h"
 #include "server/access.h"
 #include "server/connection.h"
@@ -116,6 +117,7 @@ struct Server::State {
       return recording.active ? recording.run : std::string();
     };
     shared.sources.health = [this] { return health(); };
+    shared.sources.metrics = [this] { return metrics(); };
     listen();
   }
 
@@ -129,6 +131,7 @@ struct Server::State {
   void stop();
   void await_goodbyes();
   std::string health() const;
+  std::string metrics() const;
   messages::ClientsFigures clients(HostNs now) const;
 
   Controls& controls;
@@ -260,6 +263,16 @@ std::string Server::State::health() const {
       .field("clients", shared.viewers.size())
       .end_object();
   return text;
+}
+
+std::string Server::State::metrics() const {
+  const messages::LoopFigures loop = controls.loop();
+  return messages::prometheus_text({.state = publisher.state(),
+                                    .loop = loop,
+                                    .link = publisher.link(loop),
+                                    .recording = controls.recording(),
+                                    .clients = clients(monotonic_now())},
+                                   publisher.run_context());
 }
 
 void Server::State::run() {

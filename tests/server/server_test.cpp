@@ -147,6 +147,9 @@ TEST_F(ServerTest, ServesThePageAndSaysHowItIs) {
     return http_get(port_, "GET /healthz HTTP/1.0\r\nHost: localhost\r\n\r\n")
                .find(R"("run":"running")") != std::string::npos;
   }));
+  EXPECT_THAT(http_get(port_, "GET /metrics HTTP/1.0\r\nHost: localhost\r\n\r\n"),
+              ::testing::AllOf(HasSubstr("version=0.0.4"),
+                               HasSubstr("tp100_run_state{state=\"running\"} 1\n")));
 }
 
 TEST_F(ServerTest, KeepsAConnectionForMoreRequests) {
