@@ -51,7 +51,7 @@ install(DIRECTORY tests/data/real DESTINATION share/tp100)
 install(FILES config/systemd/tp100d@.service DESTINATION lib/systemd/system)
 install(FILES config/systemd/tp100.conf DESTINATION lib/sysusers.d)
 install(FILES config/udev/65-tp100.rules DESTINATION lib/udev/rules.d)
-install(FILES config/udev/64-tp100-bridges.rules DESTINATION share/doc/tp100/examples)
+install(FILES config/udev/64-tp100-bridges.rules scripts/tp100_client.py DESTINATION share/doc/tp100/examples)
 install(FILES config/tp100.toml DESTINATION /etc/tp100)
 
 set(debian ${CMAKE_SOURCE_DIR}/scripts/debian)

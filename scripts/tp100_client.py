@@ -1,0 +1,329 @@
+#!/usr/bin/python3
+"""A client of tp100d for programs in Python: one file to copy beside yours.
+
+Needs Python 3.9 and websocket-client (Debian: python3-websocket). The daemon's channels and services are described in
+daemon/messages/CHANNELS.md; this file speaks the protocol, knows a few of them by name and gives access to all.
+
+    from tp100_client import Robot
+
+    with Robot("127.0.0.1:8765") as robot:
+        robot.start()                               # as the page's button; raises Refused with the reason
+        print(robot.pose())                         # {"x_m": ..., "y_m": ..., "yaw_rad": ...}
+        print(robot.wait_for_end())                 # "finished" or "aborted"
+
+        with robot.drive_by_hand() as wheel:        # nothing else may drive meanwhile
+            wheel.drive(speed_mps=0.1, yaw_rate_radps=0.0, duration_s=2.0)
+
+        for message in robot.messages("/estimate", duration_s=1.0):
+            print(message["odometry"]["x_m"])
+
+As a program:  tp100_client.py [--at HOST:PORT] pose | state | start | stop | wait | drive SPEED YAW_RATE SECONDS
+It ends with status 0, with 1 if the daemon refuses or a run is aborted, with 2 if there is no daemon.
+"""
+import argparse
+import json
+import queue
+import struct
+import sys
+import threading
+import time
+
+import websocket
+
+SUBPROTOCOLS = ["foxglove.sdk.v1", "foxglove.websocket.v1"]
+# The daemon asks for 20 to 50 inputs a second.
+INPUT_PERIOD_S = 0.03
+
+
+class Refused(Exception):
+    """The daemon refused a request; the text is its reason."""
+
+
+class Lost(Exception):
+    """There is no daemon, or the connection to it ended."""
+
+
+class Robot:
+    """A connection to a tp100d. Its methods may be called from several threads."""
+
+    def __init__(self, at="127.0.0.1:8765", timeout_s=5.0):
+        """`at`: HOST:PORT. `timeout_s`: how long a request waits for its answer. Raises Lost."""
+        self._timeout_s = timeout_s
+        self._lock = threading.Lock()
+        self._channels, self._services = {}, {}
+        self._kept, self._readers, self._calls = {}, {}, {}
+        self._known = threading.Event()
+        self._next = 1
+        self._ended = ""
+        try:
+            self._socket = websocket.create_connection(f"ws://{at}/", subprotocols=SUBPROTOCOLS, timeout=timeout_s)
+        except (OSError, websocket.WebSocketException) as error:
+            raise Lost(f"no tp100d answers at {at}: {error}; start it, or give its address") from error
+        self._socket.settimeout(None)
+        threading.Thread(target=self._receive, daemon=True).start()
+        if not self._known.wait(timeout_s):
+            self.close()
+            raise Lost(f"what answers at {at} is no tp100d")
+        self._subscribe("/state")
+        self._subscribe("/estimate")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        """Ends the connection. A robot that this client drives by hand stops."""
+        self._socket.close()
+
+    # What the robot does.
+
+    def state(self):
+        """The newest message of /state: run, session, faults, battery, what is possible and why not."""
+        return self._newest("/state")
+
+    def estimate(self):
+        """The newest message of /estimate: the poses, the tracks, the deviation from the path."""
+        return self._newest("/estimate")
+
+    def pose(self, source=None):
+        """{"x_m", "y_m", "yaw_rad"}; `source`: "model", "odometry", "fused" or "truth", without it the one that steers."""
+        estimate = self.estimate()
+        pose = estimate.get(source or estimate["steering"])
+        if pose is None:
+            raise Refused(f"there is no pose {source}")
+        return {name: pose[name] for name in ("x_m", "y_m", "yaw_rad")}
+
+    def messages(self, topic, duration_s=None):
+        """Yields the messages of any channel as they come, for `duration_s` or for ever. Raises Lost."""
+        reader = queue.Queue()
+        self._subscribe(topic, reader)
+        until_s = None if duration_s is None else time.monotonic() + duration_s
+        try:
+            while True:
+                left_s = None if until_s is None else until_s - time.monotonic()
+                if left_s is not None and left_s <= 0.0:
+                    return
+                try:
+                    message = reader.get(timeout=left_s)
+                except queue.Empty:
+                    return
+                if message is None:
+                    raise Lost(self._ended)
+                yield message
+        finally:
+            with self._lock:
+                self._readers[topic].remove(reader)
+
+    def wait_for_end(self, timeout_s=None):
+        """Waits until no run is under way. Returns "finished", "aborted" or "idle"; raises TimeoutError."""
+        for message in self.messages("/state", timeout_s):
+            if message["run"] not in ("arming", "running", "driving"):
+                return message["run"]
+        raise TimeoutError(f"the run is still under way after {timeout_s} s")
+
+    # What a person may ask.
+
+    def call(self, service, wait_s=None, **request):
+        """Calls any service with its arguments by name; returns its answer. Raises Refused and Lost."""
+        with self._lock:
+            if service not in self._services:
+                raise Refused(f"the daemon has no service {service}")
+            number, self._next = self._next, self._next + 1
+            answer = self._calls[number] = queue.Queue(1)
+        head = struct.pack("<BIII", 2, self._services[service], number, 4) + b"json"
+        self._send(head + json.dumps(request).encode(), websocket.ABNF.OPCODE_BINARY)
+        try:
+            result = answer.get(timeout=wait_s or self._timeout_s)
+        except queue.Empty:
+            raise Lost(f"no answer to {service}") from None
+        finally:
+            with self._lock:
+                del self._calls[number]
+        if result is None:
+            raise Lost(self._ended)
+        if isinstance(result, str):
+            raise Refused(result)
+        return result
+
+    def start(self, where="start", patience_s=3.0):
+        """Starts the course, from its "start" or from "here", where the last run ended; returns once the run is under
+        way. The robot moves: asking a person first is the caller's duty. `patience_s`: for a robot that is still coming
+        to rest, and for the run to begin."""
+        self._when_possible("start", patience_s)
+        self.call("start", **{"from": where})
+        for message in self.messages("/state", patience_s):
+            if message["run"] in ("arming", "running"):
+                return
+        raise Refused("the daemon accepted the start, and no run began: " + self.state()["why_not_start"])
+
+    def stop(self):
+        """Stops the robot, whoever drives it. Returns True once the robot has acknowledged."""
+        return self.call("stop")["acknowledged"]
+
+    def drive_by_hand(self, patience_s=3.0):
+        """Arms the robot and takes the wheel: `with robot.drive_by_hand() as wheel: wheel.drive(...)`. `patience_s`: for
+        a robot that is still coming to rest."""
+        self._when_possible("drive", patience_s)
+        return Wheel(self)
+
+    def _when_possible(self, what, patience_s):
+        # The request itself tells why it is impossible.
+        next((True for message in self.messages("/state", patience_s) if message["can"][what]), False)
+
+    # The protocol.
+
+    def _send(self, data, opcode):
+        try:
+            self._socket.send(data, opcode)
+        except (OSError, websocket.WebSocketException) as error:
+            raise Lost(f"the connection ended: {error}") from error
+
+    def _subscribe(self, topic, reader=None):
+        with self._lock:
+            if topic not in self._channels:
+                raise Refused(f"the daemon has no channel {topic}")
+            new = topic not in self._readers
+            readers = self._readers.setdefault(topic, [])
+            if reader is not None:
+                readers.append(reader)
+                if topic in self._kept:
+                    reader.put(self._kept[topic])
+            number = self._channels[topic]
+        if new:
+            request = {"op": "subscribe", "subscriptions": [{"id": number, "channelId": number}]}
+            self._send(json.dumps(request), websocket.ABNF.OPCODE_TEXT)
+
+    def _newest(self, topic):
+        until_s = time.monotonic() + self._timeout_s
+        while time.monotonic() < until_s:
+            with self._lock:
+                if self._ended:
+                    raise Lost(self._ended)
+                if topic in self._kept:
+                    return self._kept[topic]
+            time.sleep(0.005)
+        raise Lost(f"no message on {topic}")
+
+    def _receive(self):
+        why = "the daemon ended the connection"
+        try:
+            while True:
+                opcode, data = self._socket.recv_data()
+                if opcode == websocket.ABNF.OPCODE_TEXT:
+                    self._take_text(json.loads(data))
+                elif opcode == websocket.ABNF.OPCODE_BINARY:
+                    self._take_binary(data)
+                elif opcode == websocket.ABNF.OPCODE_CLOSE:
+                    break
+        except (OSError, ValueError, websocket.WebSocketException) as error:
+            why = f"the connection ended: {error}"
+        with self._lock:
+            self._ended = why
+            waiting = list(self._calls.values()) + [reader for all in self._readers.values() for reader in all]
+        for one in waiting:
+            one.put(None)
+
+    def _take_text(self, message):
+        operation = message.get("op")
+        if operation == "advertise":
+            self._channels.update({channel["topic"]: channel["id"] for channel in message["channels"]})
+        elif operation == "advertiseServices":
+            self._services.update({service["name"]: service["id"] for service in message["services"]})
+            self._known.set()
+        elif operation == "serviceCallFailure":
+            self._answer(message["callId"], message["message"])
+
+    def _take_binary(self, data):
+        if data[0] == 1:
+            number, _ = struct.unpack_from("<IQ", data, 1)
+            message = json.loads(data[13:])
+            with self._lock:
+                topic = next(name for name, known in self._channels.items() if known == number)
+                self._kept[topic] = message
+                readers = list(self._readers.get(topic, ()))
+            for reader in readers:
+                reader.put(message)
+        elif data[0] == 3:
+            _, number, length = struct.unpack_from("<III", data, 1)
+            self._answer(number, json.loads(data[13 + length:] or b"{}"))
+
+    def _answer(self, number, result):
+        with self._lock:
+            waiting = self._calls.get(number)
+        if waiting is not None:
+            waiting.put(result)
+
+
+class Wheel:
+    """The robot is armed and driven by this program. Without a call of drive() for 150 ms it stands still."""
+
+    def __init__(self, robot):
+        self._robot = robot
+        self._token = robot.call("drive_take")["token"]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.release()
+
+    def drive(self, speed_mps, yaw_rate_radps, duration_s=0.0):
+        """Asks for a ground speed and a turn (counter-clockwise positive), once or again and again for `duration_s`.
+        Raises Refused if this program does not drive any more."""
+        until_s = time.monotonic() + duration_s
+        while True:
+            now_s = time.monotonic()
+            self._robot.call("drive", token=self._token, speed_mps=speed_mps, yaw_rate_radps=yaw_rate_radps,
+                             input_ms=now_s * 1e3)
+            if now_s + INPUT_PERIOD_S > until_s:
+                return
+            time.sleep(INPUT_PERIOD_S)
+
+    def release(self):
+        """Stops and disarms the robot."""
+        try:
+            self._robot.call("drive_release", token=self._token)
+        except Refused:
+            pass  # another client drives, or the drive has ended
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Asks a running tp100d.")
+    parser.add_argument("--at", default="127.0.0.1:8765", metavar="HOST:PORT")
+    parser.add_argument("what", choices=["pose", "state", "start", "stop", "wait", "drive"])
+    parser.add_argument("numbers", nargs="*", type=float, metavar="SPEED YAW_RATE SECONDS")
+    arguments = parser.parse_args()
+    if len(arguments.numbers) != (3 if arguments.what == "drive" else 0):
+        parser.error("only drive takes numbers: the speed [m/s], the yaw rate [rad/s] and how long [s]")
+    try:
+        with Robot(arguments.at) as robot:
+            if arguments.what == "pose":
+                print(json.dumps(robot.pose()))
+            elif arguments.what == "state":
+                print(json.dumps(robot.state()))
+            elif arguments.what == "start":
+                robot.start()
+            elif arguments.what == "stop":
+                acknowledged = robot.stop()
+                print("acknowledged" if acknowledged else "the robot has not acknowledged it yet")
+                return 0 if acknowledged else 1
+            elif arguments.what == "wait":
+                ended = robot.wait_for_end()
+                print(ended)
+                return 1 if ended == "aborted" else 0
+            else:
+                with robot.drive_by_hand() as wheel:
+                    wheel.drive(*arguments.numbers)
+        return 0
+    except Refused as refusal:
+        print(f"tp100_client: {refusal}", file=sys.stderr)
+        return 1
+    except Lost as error:
+        print(f"tp100_client: {error}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+"""client_test.py BIN: scripts/tp100_client.py against the real programs in BIN, as a program of its user would run it."""
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path += [os.path.join(ROOT, "scripts"), os.path.join(ROOT, "tests", "support")]
+sys.dont_write_bytecode = True
+from verdict import check  # noqa: E402
+import tp100_client  # noqa: E402
+
+CLIENT = os.path.join(ROOT, "scripts", "tp100_client.py")
+COURSE = """[[segment]]
+type = "line"
+length_m = 0.5
+[fence]
+min_x_m = -1
+max_x_m = 2
+min_y_m = -1
+max_y_m = 1
+"""
+
+
+def started(folder, name, *command):
+    """A program with its output in a file. It ends with this test, in whatever way that ends."""
+    with open(os.path.join(folder, name), "w", encoding="utf-8") as log:
+        return subprocess.Popen(["setpriv", "--pdeathsig", "KILL", *command], stdin=subprocess.DEVNULL, stdout=log,
+                                stderr=subprocess.STDOUT)
+
+
+def when(what, condition, patience_s=60.0):
+    """The first true value of the condition."""
+    until_s = time.monotonic() + patience_s
+    while time.monotonic() < until_s:
+        if value := condition():
+            return value
+        time.sleep(0.02)
+    return check(False, f"{what} did not happen within {patience_s} s")
+
+
+def page(stats):
+    try:
+        with open(stats, encoding="utf-8") as file:
+            return json.load(file)["page"].removeprefix("http://").rstrip("/")
+    except (OSError, ValueError):
+        return ""
+
+
+def refused(call):
+    """The reason of a refusal."""
+    try:
+        call()
+    except tp100_client.Refused as refusal:
+        return str(refusal)
+    return check(False, "was not refused")
+
+
+def distance(a, b):
+    return math.hypot(a["x_m"] - b["x_m"], a["y_m"] - b["y_m"])
+
+
+def drives(at):
+    with tp100_client.Robot(at) as robot, tp100_client.Robot(at) as other:
+        check("no service" in refused(lambda: robot.call("fly")), "an unknown service is named")
+        # The first run on an emulator's port begins by itself.
+        when("the run", lambda: robot.state()["run"] != "idle")
+        check("under way" in refused(lambda: robot.start(patience_s=0.0)), "a second start is refused")
+        check(robot.wait_for_end(60.0) == "finished", f"the course is completed: {robot.state()}")
+        check(abs(robot.pose()["x_m"] - 0.5) < 0.05, f"the pose is the course's end: {robot.pose()}")
+        check(robot.estimate()["progress_m"] > 0.45, "the estimate tells the progress")
+
+        before = robot.pose("odometry")
+        with robot.drive_by_hand() as wheel:
+            wheel.drive(0.1, 0.0, 0.2)
+            check("drives" in refused(lambda: other.drive_by_hand(0.0)), "one driver at a time")
+            wheel.drive(0.1, 0.0, 1.5)
+            check(robot.state()["run"] == "driving", "the state tells who drives")
+        check(robot.wait_for_end(10.0) == "idle", "released, the robot is disarmed")
+        check(0.05 < distance(before, robot.pose("odometry")) < 0.4, "it has moved by hand")
+
+        robot.start(patience_s=20.0)
+        check(other.stop(), "the robot acknowledges STOP")
+        check(robot.wait_for_end(10.0) == "aborted", "STOP ends the run")
+        check([fault["name"] for fault in robot.state()["faults"]] == ["stop_requested"], "its fault is in force")
+        check(sum(1 for _ in robot.messages("/estimate", 0.5)) > 20, "a channel is read as it comes")
+
+
+def says(status, *arguments):
+    ended = subprocess.run([CLIENT, *arguments], capture_output=True, text=True, check=False, timeout=60)
+    check(ended.returncode == status, f"{arguments}: status {ended.returncode}\n{ended.stdout}{ended.stderr}")
+    return ended.stdout + ended.stderr
+
+
+def main():
+    programs = sys.argv[1]
+    with tempfile.TemporaryDirectory(prefix="tp100-client-") as folder:
+        course, link, stats = (os.path.join(folder, name) for name in ("short.toml", "robot", "stats.json"))
+        with open(course, "w", encoding="utf-8") as file:
+            file.write(COURSE)
+        body = started(folder, "robot.log", programs + "/tp100-sim", "robot", "--link", link, "--course", course)
+        when("the robot", lambda: os.path.exists(link))
+        daemon = started(folder, "daemon.log", programs + "/tp100d", "run", "--port", link, "--course", course, "--stay",
+                         "--listen", "127.0.0.1:0", "--stats", stats)
+        try:
+            at = when("the page", lambda: page(stats))
+            drives(at)
+            check("x_m" in json.loads(says(0, "--at", at, "pose")), "prints the pose")
+            check(json.loads(says(0, "--at", at, "state"))["run"] == "aborted", "prints the state")
+            check(says(0, "--at", at, "stop") == "acknowledged\n", "stops")
+            watched = tp100_client.Robot(at)
+            daemon.send_signal(signal.SIGTERM)
+            daemon.wait(30)
+            when("the loss", lambda: lost(watched.state))
+            check("no tp100d answers" in says(2, "--at", at, "pose"), "without a daemon it says what to do")
+        except BaseException:
+            with open(os.path.join(folder, "daemon.log"), encoding="utf-8") as log:
+                print(log.read())
+            raise
+        finally:
+            for program in (daemon, body):
+                program.kill()
+                program.wait()
+
+
+def lost(call):
+    try:
+        call()
+    except tp100_client.Lost:
+        return True
+    return False
+
+
+if __name__ == "__main__":
+    main()
