@@ -301,11 +301,8 @@ ReplayModel replay_model(const std::string& name) {
     names.push_back(to_string(source));
     others += (source == kPoseSources.back() ? " or " : ", ") + std::string(names.back());
   }
-  const std::string_view meant = text::nearest_name(name, names);
-  throw SetupError(
-      "--model '" + text::one_line(name) + "' is unknown" +
-      (meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?") +
-      "; use paper, extended" + others);
+  throw SetupError("--model '" + text::one_line(name) + "' is unknown" +
+                   text::suggestion(name, names) + "; use paper, extended" + others);
 }
 
 std::string replay_csv(const std::string& text, const std::string& file, ReplayModel model,

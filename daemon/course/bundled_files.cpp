@@ -8,6 +8,8 @@
 #include <optional>
 #include <system_error>
 
+#include "text/format.h"
+
 namespace tp100::course {
 namespace {
 
@@ -106,7 +108,9 @@ TextFile read_bundled(Bundled folder, const std::string& name_or_path) {
     return read_text_file(
         (fs::path(config_directory()) / folder_name(folder) / (stem + ".toml")).string());
   }
-  std::string message = name_or_path + ": no such " + noun(folder) + "; give a file or one of";
+  std::string message = name_or_path + ": no such " + noun(folder) +
+                        text::suggestion(stem, {names.begin(), names.end()}) +
+                        "; give a file or one of";
   for (const std::string& name : names) message += " " + name;
   throw SetupError(message);
 }

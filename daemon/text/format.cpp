@@ -92,4 +92,9 @@ std::string_view nearest_name(std::string_view name,
   return best;
 }
 
+std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates) {
+  const std::string meant(nearest_name(name, candidates));
+  return meant.empty() ? std::string() : "; did you mean '" + meant + "'?";
+}
+
 }  // namespace tp100::text

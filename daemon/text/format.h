@@ -24,4 +24,7 @@ std::string number_text(double value);
 std::string_view nearest_name(std::string_view name,
                               const std::vector<std::string_view>& candidates);
 
+/// "; did you mean 'worn'?" with the nearest_name(), or nothing.
+std::string suggestion(std::string_view name, const std::vector<std::string_view>& candidates);
+
 }  // namespace tp100::text

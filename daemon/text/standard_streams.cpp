@@ -25,9 +25,7 @@ namespace {
 
 std::string unknown(const char* kind, const std::string& word,
                     const std::vector<std::string_view>& known) {
-  const std::string meant(nearest_name(word, known));
-  return std::string("unknown ") + kind + " '" + one_line(word) + "'" +
-         (meant.empty() ? "" : "; did you mean '" + meant + "'?");
+  return std::string("unknown ") + kind + " '" + one_line(word) + "'" + suggestion(word, known);
 }
 
 /// The first argument that looks like an option and is none of `command`; empty: there is none.
@@ -39,6 +37,27 @@ std::string unknown_option(int argc, char** argv, const Subcommand& command) {
     return unknown("option", word, {command.options.begin(), command.options.end()});
   }
   return {};
+}
+
+/// What CLI11 says of `argv`, in the words of our other messages.
+std::string reworded(std::string_view what, int argc, char** argv) {
+  constexpr std::string_view kNoNumber = "Could not convert: ";
+  constexpr std::string_view kUnexpected = "The following argument was not expected: ";
+  if (what.starts_with(kNoNumber)) {
+    const std::string_view rest = what.substr(kNoNumber.size());
+    const std::size_t at = rest.find(" = ");
+    if (at != std::string_view::npos)
+      return std::string(rest.substr(0, at)) + " " + std::string(rest.substr(at + 3)) +
+             ": not a number";
+  }
+  if (!what.starts_with(kUnexpected)) return std::string(what);
+  const std::string word(what.substr(kUnexpected.size()));
+  for (int i = 2; i < argc; ++i) {
+    const std::string before = argv[i - 1];
+    if (argv[i] == word && before.starts_with("--"))
+      return word + ": unexpected argument; did you mean '" + before + "=" + word + "'?";
+  }
+  return word + ": unexpected argument";
 }
 
 }  // namespace
@@ -57,8 +76,8 @@ int report_usage_error(const char* program, std::string_view what, int argc, cha
     for (const Subcommand& each : known) names.emplace_back(each.name);
     better = unknown("subcommand", first, names);
   }
-  return report_error(program,
-                      one_line(better.empty() ? what : better, 500) + "; see " + help + " --help");
+  return report_error(program, one_line(better.empty() ? reworded(what, argc, argv) : better, 500) +
+                                   "; see " + help + " --help");
 }
 
 int run_program(const char* program, const std::function<int()>& run) {

@@ -125,9 +125,7 @@ const FaultText& kind_named(std::string_view name, std::string_view whole) {
     if (text.name == name) return text;
     names.push_back(text.name);
   }
-  const std::string_view meant = text::nearest_name(std::string(name), names);
-  refuse(whole,
-         "no such fault" + (meant.empty() ? "" : "; did you mean '" + std::string(meant) + "'?"));
+  refuse(whole, "no such fault" + text::suggestion(name, names));
 }
 
 bool take_word(std::string_view word, FaultWord kind, PlannedFault& fault) {

@@ -19,6 +19,7 @@
 #include "sim/study/state_study.h"
 #include "terrain/climbable.h"
 #include "text/atomic_file.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -209,8 +210,9 @@ int run_reproduce(const ReproduceCommand& command) {
   constexpr std::array<std::string_view, 9> kParts = {
       "paper", "state", "robots", "uneven", "sampled", "held-out", "real", "avr", "random"};
   if (!all && std::ranges::find(kParts, command.part) == kParts.end())
-    throw SetupError("--part " + command.part +
-                     ": unknown; give paper, state, robots, uneven, sampled, held-out, real, avr, "
+    throw SetupError("--part " + text::one_line(command.part) + ": unknown" +
+                     text::suggestion(command.part, {kParts.begin(), kParts.end()}) +
+                     "; give paper, state, robots, uneven, sampled, held-out, real, avr, "
                      "random or all");
   if (shear && !all)
     throw SetupError("--part " + command.part +

@@ -48,6 +48,8 @@ TEST_F(BundledFiles, RefusesADirectory) {
 TEST_F(BundledFiles, AnUnknownNameListsWhatThereIs) {
   EXPECT_THAT(failure(Bundled::kCourses, "no-such-course"),
               ::testing::HasSubstr("no-such-course: no such course; give a file or one of"));
+  EXPECT_THAT(failure(Bundled::kRobots, "wron"),
+              ::testing::HasSubstr("wron: no such robot; did you mean 'worn'?; give a file or"));
 }
 
 TEST_F(BundledFiles, FindsTheDataOfRealRobots) {

@@ -50,12 +50,12 @@ TEST(StandardStreamsDeathTest, SoIsOneThatFailedEarlier) {
 
 TEST(UsageError, NamesWhatWasMeantAndTheRightHelp) {
   const std::vector<Subcommand> known = {{"run", {"--course", "--port"}}, {"replay", {"--out"}}};
-  const auto told = [&](std::vector<std::string> arguments) {
+  const auto told = [&](std::vector<std::string> arguments, const char* what = "what") {
     arguments.insert(arguments.begin(), "prog");
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     testing::internal::CaptureStderr();
-    EXPECT_EQ(report_usage_error("prog", "what", static_cast<int>(argv.size()), argv.data(), known),
+    EXPECT_EQ(report_usage_error("prog", what, static_cast<int>(argv.size()), argv.data(), known),
               2);
     return testing::internal::GetCapturedStderr();
   };
@@ -69,6 +69,13 @@ TEST(UsageError, NamesWhatWasMeantAndTheRightHelp) {
   EXPECT_EQ(told({"rum"}),
             "prog: unknown subcommand 'rum'; did you mean 'run'?; see prog --help\n");
   EXPECT_EQ(told({}), "prog: what; see prog --help\n");
+  EXPECT_EQ(told({"run", "--port", "x"}, "Could not convert: --port = x"),
+            "prog: --port x: not a number; see prog run --help\n");
+  const char* unexpected = "The following argument was not expected: low";
+  EXPECT_EQ(told({"run", "--port", "low"}, unexpected),
+            "prog: low: unexpected argument; did you mean '--port=low'?; see prog run --help\n");
+  EXPECT_EQ(told({"run", "low"}, unexpected),
+            "prog: low: unexpected argument; see prog run --help\n");
 }
 
 }  // namespace
