@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::bridge {
 namespace {
@@ -52,7 +53,7 @@ bool ExternalWorld::is_of_run_before(const WorldSample& received) {
   if (step == nullptr) return true;
   const Pose& here = step->steering;
   awaits_start_ =
-      std::hypot(received.pose.x_m - here.x_m, received.pose.y_m - here.y_m) > kAtStartM ||
+      magnitude(received.pose.x_m - here.x_m, received.pose.y_m - here.y_m) > kAtStartM ||
       std::abs(wrap_angle(received.pose.yaw_rad - here.yaw_rad)) > kAtStartRad;
   return awaits_start_;
 }

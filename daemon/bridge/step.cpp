@@ -13,6 +13,7 @@
 #include "control/monitor.h"
 #include "control/track_limits.h"
 #include "control/tracker.h"
+#include "core/arithmetic.h"
 #include "core/sample.h"
 
 namespace tp100::bridge {
@@ -281,7 +282,7 @@ void Step::State::drive_by_hand(HostNs now, double dt_s) {
   // Whoever drives the robot away from where its run ended does not go on from there.
   if (!path || target.progress_m <= 0.0) return;
   const course::PathPoint point = path->at(target.progress_m);
-  if (std::hypot(pose.x_m - point.x_m, pose.y_m - point.y_m) > parameters.control.max_cross_track_m)
+  if (magnitude(pose.x_m - point.x_m, pose.y_m - point.y_m) > parameters.control.max_cross_track_m)
     target.progress_m = 0.0;
 }
 

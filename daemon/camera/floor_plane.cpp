@@ -6,6 +6,8 @@
 #include <opencv2/calib3d.hpp>
 #include <vector>
 
+#include "core/arithmetic.h"
+
 namespace tp100::camera {
 namespace {
 
@@ -27,7 +29,7 @@ bool on_a_line(std::span<const FloorPoint> points) {
     yy += d.y * d.y;
   }
   const double half = (xx + yy) / 2.0;
-  const double spread = std::hypot((xx - yy) / 2.0, xy);
+  const double spread = magnitude((xx - yy) / 2.0, xy);
   return !(half - spread > kThinnest * kThinnest * (half + spread));
 }
 

@@ -5,6 +5,7 @@
 #include <opencv2/core/persistence.hpp>
 #include <span>
 
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "text/key.h"
@@ -94,7 +95,7 @@ bool sound(const Lens& lens) {
       const cv::Point2d pixel(lens.width_px * i / static_cast<double>(kSteps),
                               lens.height_px * j / static_cast<double>(kSteps));
       const cv::Point2d back = lens.pixel(lens.ray(pixel));
-      if (!(std::hypot(back.x - pixel.x, back.y - pixel.y) < 0.05)) return false;
+      if (!(magnitude(back.x - pixel.x, back.y - pixel.y) < 0.05)) return false;
     }
   }
   return true;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::control {
 
@@ -95,7 +96,7 @@ Corner::Spot Corner::reference(double turned_rad) const {
 }
 
 double Corner::distance_m(const Spot& spot) const {
-  const double to_corner = std::hypot(spot.x_m, spot.y_m);
+  const double to_corner = magnitude(spot.x_m, spot.y_m);
   const double c = std::cos(angle_rad_), s = std::sin(angle_rad_);
   const double to_first = spot.x_m < 0.0 ? std::abs(spot.y_m) : to_corner;
   const double to_second =

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/lqr.h"
+#include "core/arithmetic.h"
 
 namespace tp100::control {
 namespace {
@@ -61,7 +62,7 @@ class PurePursuit final : public Law {
     const double left_m = errors.ahead.left_m - errors.cross_track_m;
     const double forward = c * errors.ahead.along_m + s * left_m;
     const double sideways = -s * errors.ahead.along_m + c * left_m;
-    const double distance = std::max(std::hypot(forward, sideways), parameters_.pursuit_min_m);
+    const double distance = std::max(magnitude(forward, sideways), parameters_.pursuit_min_m);
     // A point behind the robot is treated as if it were abeam.
     const double y = forward < 0.0 ? std::copysign(distance, sideways)
                                    : std::clamp(sideways, -distance, distance);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arithmetic.h"
 #include "core/sample.h"
 
 namespace tp100::control {
@@ -154,7 +155,7 @@ bool JumpMonitor::update(const Sample& sample) {
 }
 
 bool tilted(const Sample& sample, const Parameters& parameters) {
-  const double horizontal = std::hypot(sample.accel_mps2[0], sample.accel_mps2[1]);
+  const double horizontal = magnitude(sample.accel_mps2[0], sample.accel_mps2[1]);
   return sample.imu_age == 0 &&
          std::atan2(horizontal, sample.accel_mps2[2]) > parameters.max_tilt_rad;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::control {
 namespace {
@@ -78,7 +79,7 @@ void Progress::reproject(double x_m, double y_m, double window_m) {
     const double about_m = here_m - segment.begin.s_m;
     const double offset_m = std::clamp(path_.project(i, x_m, y_m, about_m), from_m, to_m);
     const course::PathPoint point = path_.at(i, offset_m);
-    const double distance_m = std::hypot(x_m - point.x_m, y_m - point.y_m);
+    const double distance_m = magnitude(x_m - point.x_m, y_m - point.y_m);
     if (distance_m >= nearest_m) continue;
     nearest_m = distance_m;
     index_ = i;

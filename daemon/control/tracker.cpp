@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::control {
 namespace {
@@ -169,7 +170,7 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   const double c = std::cos(here.yaw_rad);
   const double s = std::sin(here.yaw_rad);
   target_.cross_track_m = -s * (pose.x_m - here.x_m) + c * (pose.y_m - here.y_m);
-  target_.off_path_m = std::hypot(pose.x_m - here.x_m, pose.y_m - here.y_m);
+  target_.off_path_m = magnitude(pose.x_m - here.x_m, pose.y_m - here.y_m);
   target_.progress_m = here.s_m;
   recovery_.update(target_.cross_track_m, wrap_angle(pose.yaw_rad - here.yaw_rad), dt_s);
 

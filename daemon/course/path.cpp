@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::course {
 namespace {
@@ -124,7 +125,7 @@ double Path::distance(double x_m, double y_m, double s_from, double s_to) const 
     const PathPoint begin = along(segment.begin, from);
     const double length = to - from;
     const PathPoint near = along(begin, nearest_offset(begin, length, x_m, y_m, length / 2.0));
-    best = std::min(best, std::hypot(x_m - near.x_m, y_m - near.y_m));
+    best = std::min(best, magnitude(x_m - near.x_m, y_m - near.y_m));
   }
   return best;
 }

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::estimation {
 namespace {
 
 double roll_of(const AttitudeFilter::Vector& a) { return std::atan2(a[1], a[2]); }
 double pitch_of(const AttitudeFilter::Vector& a) {
-  return std::atan2(-a[0], std::hypot(a[1], a[2]));
+  return std::atan2(-a[0], magnitude(a[1], a[2]));
 }
 // 80 mg, the worst case of the MPU6050's data sheet; a steeper standstill is a slope.
 constexpr double kWorstOffsetRad = 4.6 * kRadPerDeg;
@@ -23,7 +24,7 @@ constexpr double kMinCosPitch = 0.2;
 constexpr double kGravityMps2 = 9.80665;
 constexpr AttitudeFilter::Vector kUpright{0.0, 0.0, kGravityMps2};
 
-double norm(const AttitudeFilter::Vector& a) { return std::hypot(a[0], a[1], a[2]); }
+double norm(const AttitudeFilter::Vector& a) { return magnitude(a[0], a[1], a[2]); }
 
 }  // namespace
 

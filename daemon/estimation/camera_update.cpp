@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::estimation {
 namespace {
@@ -44,7 +45,7 @@ Eigen::Vector3d expected_marker(const Eigen::Vector3d& pose, const Ground& groun
 
 bool CameraUpdate::contradicted(const Eigen::Vector3d& innovation) {
   const Eigen::Vector3d change = innovation - contradiction_;
-  const bool same_story = std::hypot(change[0], change[1]) < kSameStoryM &&
+  const bool same_story = magnitude(change[0], change[1]) < kSameStoryM &&
                           std::abs(wrap_angle(change[2])) < kSameStoryRad;
   contradictions_ = contradictions_ > 0 && same_story ? contradictions_ + 1 : 1;
   contradiction_ = innovation;
@@ -61,7 +62,7 @@ CameraVerdict CameraUpdate::apply(FilterState& state, const CameraSample& seen,
   measured.jacobian.setZero();
   measured.jacobian.leftCols<3>().setIdentity();
   const double attitude_sd_rad =
-      std::hypot(ground.hold_slip ? kClimbingSdRad : 0.0, ground.tilt_radps * kAttitudeLateS);
+      magnitude(ground.hold_slip ? kClimbingSdRad : 0.0, ground.tilt_radps * kAttitudeLateS);
   const double leaning_sd_m = camera_.marker_height_m * attitude_sd_rad;
   const double place_variance = square(camera_.position_sd_m) + square(leaning_sd_m) +
                                 square(twist.vx_mps * camera_.time_sd_s);

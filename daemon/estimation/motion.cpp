@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arithmetic.h"
 #include "estimation/kalman.h"
 
 namespace tp100::estimation {
@@ -87,7 +88,7 @@ double MotionModel::turn_ratio(const StateVector& mean, const Residual& residual
 double MotionModel::residual_sd_radps(const Motion& motion) const {
   const double edge_radps =
       noise_.edge_m / (turn_of(motion).wheelbase_m * noise_.residual_window_s);
-  return std::hypot(noise_.residual_sd_radps, kEdgeSd * edge_radps);
+  return magnitude(noise_.residual_sd_radps, kEdgeSd * edge_radps);
 }
 
 void MotionModel::predict(FilterState& state, const Motion& motion) const {

@@ -2,9 +2,9 @@
 // One run in a fit: its motion, its images, and its own unknowns.
 
 #include <array>
-#include <cmath>
 #include <vector>
 
+#include "core/arithmetic.h"
 #include "identify/drive.h"
 #include "identify/drive_motion.h"
 
@@ -13,7 +13,7 @@ namespace tp100::identify {
 /// An image minus the predicted pose, in the world.
 struct Residual {
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
-  double off_m() const { return std::hypot(x_m, y_m); }
+  double off_m() const { return magnitude(x_m, y_m); }
   double off_rad() const { return std::abs(yaw_rad); }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/statistics.h"
 
 namespace tp100::identify {
@@ -184,7 +185,7 @@ double ModelFit::take_measured(const FittedRun& run, const Poses& poses, RunSums
   const HandMeasured& m = run.measured;
   const double tape = settings_.tape_sd_m, protractor = settings_.protractor_sd_rad;
   if (m.distance_m && *m.distance_m > kNoDirectionM)
-    take(*m.distance_m, tape, [](const Pose& end) { return std::hypot(end.x_m, end.y_m); });
+    take(*m.distance_m, tape, [](const Pose& end) { return magnitude(end.x_m, end.y_m); });
   if (m.ahead_m) take(*m.ahead_m, tape, [](const Pose& end) { return end.x_m; });
   if (m.left_m) take(*m.left_m, tape, [](const Pose& end) { return end.y_m; });
   if (!m.turned_rad) return cost;

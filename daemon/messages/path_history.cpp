@@ -1,10 +1,10 @@
 #include "messages/path_history.h"
 
 #include <array>
-#include <cmath>
 #include <span>
 #include <utility>
 
+#include "core/arithmetic.h"
 #include "messages/messages.h"
 
 namespace tp100::messages {
@@ -40,7 +40,7 @@ void PathHistory::append(Strip& strip, const Pose& pose) {
   const Point point{pose.x_m, pose.y_m, pose.z_m + kLiftM};
   if (!strip.points.empty()) {
     const Point& last = strip.points.back();
-    const double moved = std::hypot(point.x_m - last.x_m, point.y_m - last.y_m);
+    const double moved = magnitude(point.x_m - last.x_m, point.y_m - last.y_m);
     if (!(moved >= kSpacingM)) return;
     if (moved > kJumpM) {
       strip = {};

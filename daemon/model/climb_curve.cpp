@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 
 namespace tp100::model {
@@ -84,7 +85,7 @@ void check_climb(const ClimbGeometry& g, const BlockShape& block) {
                      "; its limit is " + millimetres(limit) +
                      ": lower the block or the robot's centre of mass");
   }
-  const double nose = std::hypot(g.axle_spacing_m - g.com_forward_m, g.wheel_radius_m);
+  const double nose = magnitude(g.axle_spacing_m - g.com_forward_m, g.wheel_radius_m);
   if (block.height_m - g.wheel_radius_m >= nose) {
     throw SetupError("step climb: behind a block of " + millimetres(block.height_m) +
                      " this robot falls on its nose; below " +
@@ -133,7 +134,7 @@ ClimbCurve::ClimbCurve(const ClimbGeometry& geometry, const BlockShape& block, R
 // that axle.
 double ClimbCurve::edge_angle(double flat_m) const {
   const double radius = geometry_.wheel_radius_m;
-  const double sine = (block_.height_m - radius) / std::hypot(flat_m, radius);
+  const double sine = (block_.height_m - radius) / magnitude(flat_m, radius);
   return std::asin(std::min(sine, 1.0)) + std::atan2(radius, flat_m);
 }
 
@@ -184,7 +185,7 @@ Lean ClimbCurve::wrap(double travel_m) const {
   const double wrapped = kPi / 2.0 - (marks_.wrap_end - travel_m) / radius;
   const double along = spacing + radius * std::cos(wrapped), up = radius * std::sin(wrapped);
   Lean lean;
-  lean.angle_rad = std::asin(over / std::hypot(along, up)) + std::atan2(up, along);
+  lean.angle_rad = std::asin(over / magnitude(along, up)) + std::atan2(up, along);
   const double elevation = wrapped - lean.angle_rad;
   lean.rate_radpm =
       std::cos(elevation) / (spacing * std::cos(lean.angle_rad) + radius * std::cos(elevation));

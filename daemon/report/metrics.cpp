@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/pose.h"
 
 namespace tp100::report {
@@ -69,8 +70,8 @@ DisturbanceResponse recovery(const std::vector<TrajectoryPoint>& points,
     if (points[i].t_s > disturbance.end_s && deviations[i].left != disturbed_left)
       result.overshoot_m = std::max(result.overshoot_m, deviations[i].cross_track_m);
     if (i > window.begin)
-      driven_m += std::hypot(points[i].world.x_m - points[i - 1].world.x_m,
-                             points[i].world.y_m - points[i - 1].world.y_m);
+      driven_m += magnitude(points[i].world.x_m - points[i - 1].world.x_m,
+                            points[i].world.y_m - points[i - 1].world.y_m);
   }
   const double gained_m = points[last].progress_m - points[window.begin].progress_m;
   result.shortcut_m = std::max(0.0, gained_m - driven_m);
@@ -155,7 +156,7 @@ Deviation deviation(const course::Path& path, const Pose& pose, double progress_
                    std::max(part.from_m - segment.begin.s_m, 0.0), part.to_m - segment.begin.s_m);
     const course::PathPoint near = path.at(i, offset_m);
     const double dx = pose.x_m - near.x_m, dy = pose.y_m - near.y_m;
-    const double distance = std::hypot(dx, dy);
+    const double distance = magnitude(dx, dy);
     if (distance > result.cross_track_m + kCornerM) continue;
     result.yaw_rad = std::min(result.yaw_rad, yaw_error(segment, near, pose.yaw_rad));
     if (segment.kind == course::PathSegment::Kind::kPivot || distance >= nearest_m) continue;
@@ -232,7 +233,7 @@ class Tally {
   void add(const Pose& truth, const Pose& estimate) {
     const double dx = estimate.x_m - truth.x_m, dy = estimate.y_m - truth.y_m;
     const double dyaw = wrap_angle(estimate.yaw_rad - truth.yaw_rad);
-    const double error = std::hypot(dx, dy);
+    const double error = magnitude(dx, dy);
     ++count_;
     sum_ += error;
     squares_x_ += dx * dx;

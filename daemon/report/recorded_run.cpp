@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/arithmetic.h"
 #include "course/path.h"
 #include "report/run_monitor.h"
 
@@ -254,7 +255,7 @@ void Reader::judge() {
     const course::Path path(*run_.run_context.course);
     const course::PathPoint goal = path.at(path.segments().size() - 1, path.length_m());
     const Pose& end = result.points.back().world;
-    if (std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m) > kEndToleranceM)
+    if (magnitude(end.x_m - goal.x_m, end.y_m - goal.y_m) > kEndToleranceM)
       result.cause = "ended too far from the end of the path";
   }
   result.completed = result.cause.empty();

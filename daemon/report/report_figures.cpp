@@ -1,10 +1,10 @@
 #include "report/report_figures.h"
 
 #include <array>
-#include <cmath>
 #include <functional>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "course/path.h"
 #include "report/html_page.h"
 #include "report/metrics.h"
@@ -42,7 +42,7 @@ ChartSeries planned(const course::Course& course) {
 }
 
 double distance_cm(const Pose& a, const Pose& b) {
-  return kCmPerM * std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+  return kCmPerM * magnitude(a.x_m - b.x_m, a.y_m - b.y_m);
 }
 
 std::vector<PoseSource> estimates_of(const RecordedRun& run) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/arithmetic.h"
 #include "record/step_fields.h"
 #include "report/result_text.h"
 #include "report/run_result.h"
@@ -31,7 +32,7 @@ Difference model_from_odometry(const RecordedRun& run) {
   for (const TrajectoryPoint& point : run.result.points) {
     const Pose& model = point.estimates[PoseSource::kModel];
     const Pose& odometry = point.estimates[PoseSource::kOdometry];
-    difference.final_m = std::hypot(model.x_m - odometry.x_m, model.y_m - odometry.y_m);
+    difference.final_m = magnitude(model.x_m - odometry.x_m, model.y_m - odometry.y_m);
     difference.max_m = std::max(difference.max_m, difference.final_m);
   }
   return difference;

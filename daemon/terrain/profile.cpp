@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/arithmetic.h"
+
 namespace tp100::terrain {
 namespace {
 
@@ -35,7 +37,7 @@ Outline outline_of(const course::Ramp& ramp) {
             {half - ramp.down_length_m(), ramp.height_m},
             {half, 0.0}}},
           ramp.width_m / 2.0,
-          std::hypot(half, ramp.width_m / 2.0)};
+          magnitude(half, ramp.width_m / 2.0)};
 }
 
 Outline outline_of(const course::Block& block) {
@@ -43,7 +45,7 @@ Outline outline_of(const course::Block& block) {
   return {block.place,
           {{{-half, 0.0}, {-half, block.height_m}, {half, block.height_m}, {half, 0.0}}},
           block.width_m / 2.0,
-          std::hypot(half, block.width_m / 2.0)};
+          magnitude(half, block.width_m / 2.0)};
 }
 
 Profile::Profile(const Outline& outline, double x_m, double y_m, double cos_yaw, double sin_yaw) {

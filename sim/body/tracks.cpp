@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/arithmetic.h"
+
 namespace tp100::sim {
 namespace {
 
@@ -96,7 +98,7 @@ Obstacle::Obstacle(const course::Place& place, const std::vector<Vector2d>& prof
     for (const Vector2d& point : profile) corners.push_back(at(point, side));
     faces_.push_back(face_of(std::move(corners), left * side));
   }
-  radius_m_ = std::hypot(profile.back().x(), width_m / 2.0);
+  radius_m_ = magnitude(profile.back().x(), width_m / 2.0);
 }
 
 bool Obstacle::near(double x_m, double y_m, double reach_m) const {

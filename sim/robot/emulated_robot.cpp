@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "sim/board/avr_board.h"
 #include "sim/board/native_board.h"
@@ -187,7 +188,7 @@ const course::Disturbance* DisturbanceInjector::update(EmulatedRobot& robot) {
   if (next_ >= disturbances_.size()) return nullptr;
   const Pose& pose = robot.truth().pose;
   // The disturbance's own motion is not part of the distance.
-  if (started_ && !robot.disturbed()) driven_m_ += std::hypot(pose.x_m - x_m_, pose.y_m - y_m_);
+  if (started_ && !robot.disturbed()) driven_m_ += magnitude(pose.x_m - x_m_, pose.y_m - y_m_);
   started_ = true;
   x_m_ = pose.x_m;
   y_m_ = pose.y_m;

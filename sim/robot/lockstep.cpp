@@ -12,6 +12,7 @@
 #include "bridge/cycle.h"
 #include "bridge/external_world.h"
 #include "bridge/terrain_contacts.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "core/faults.h"
 #include "sim/robot/emulated_robot.h"
@@ -320,7 +321,7 @@ void Lockstep::judge(RunState state, std::int64_t end_ns) {
   const Pose end = begin_ns_ < 0 || (stand() && result_.points.empty()) ? settings_.course.start
                    : stand() ? result_.points.back().world
                              : behind_.of(truth_now());
-  const double miss_m = std::hypot(end.x_m - goal.x_m, end.y_m - goal.y_m);
+  const double miss_m = magnitude(end.x_m - goal.x_m, end.y_m - goal.y_m);
   result_.finished = state == RunState::kFinished;
   result_.completed = result_.finished && miss_m <= kEndToleranceM;
   result_.cause.clear();

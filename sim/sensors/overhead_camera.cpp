@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::sim {
 namespace {
@@ -69,7 +70,7 @@ void OverheadCamera::look(const Pose& truth, std::int64_t now_ns) {
   }
   const double seen_s = due_s - first_frame_s_ - values_.blind_from_s;
   const bool outside =
-      values_.view_m > 0.0 && std::hypot(truth.x_m - x_m_, truth.y_m - y_m_) > values_.view_m;
+      values_.view_m > 0.0 && magnitude(truth.x_m - x_m_, truth.y_m - y_m_) > values_.view_m;
   if (dropped || outside || (seen_s >= 0.0 && seen_s < values_.blind_s)) return;
   std::int64_t at_ns = now_ns + from_s(delay_s);
   if (!under_way_.empty()) at_ns = std::max(at_ns, under_way_.back().at_ns);

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/time.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
@@ -118,7 +119,7 @@ class DeviationFromHealthy {
   static constexpr std::size_t kEverySteps = 10;
 
   double distance(const Pose& is, std::size_t i) const {
-    return std::hypot(is.x_m - healthy_[i].x_m, is.y_m - healthy_[i].y_m);
+    return magnitude(is.x_m - healthy_[i].x_m, is.y_m - healthy_[i].y_m);
   }
   double turned(const Pose& is, std::size_t i) const {
     return std::abs(wrap_angle(is.yaw_rad - healthy_[i].yaw_rad));

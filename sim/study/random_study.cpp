@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/path.h"
@@ -38,7 +39,7 @@ double distance_m(const std::vector<course::PathPoint>& path,
   double least_m = std::numeric_limits<double>::infinity();
   for (const course::PathPoint& at : path)
     if (std::abs(at.s_m - point.progress_m) <= kWindowM)
-      least_m = std::min(least_m, std::hypot(at.x_m - point.world.x_m, at.y_m - point.world.y_m));
+      least_m = std::min(least_m, magnitude(at.x_m - point.world.x_m, at.y_m - point.world.y_m));
   return least_m;
 }
 

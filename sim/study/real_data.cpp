@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "text/csv_reader.h"
 
@@ -43,7 +44,7 @@ RealMotion window(const text::CsvTable& table, std::size_t begin, std::size_t en
     if (change("step") != 0.0) throw SetupError(table.where(i) + ": step changes in a window");
     motion.speeds.push_back(
         {mean("left_wheel_mps"), mean("right_wheel_mps"), mean("gyro_z_radps")});
-    motion.path_m += std::hypot(change("x_m"), change("y_m"));
+    motion.path_m += magnitude(change("x_m"), change("y_m"));
     motion.truth[2] += wrap_angle(change("yaw_rad"));
   }
   motion.truth[0] = table["x_m"][end - 1] - table["x_m"][begin];

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::sim {
 namespace {
@@ -122,7 +123,7 @@ std::vector<double> window_figures(const SlipForm& form, const SlipConstants& co
   double error_m = 0.0, path_m = 0.0, error_rad = 0.0;
   for (const RealMotion& motion : motions) {
     const std::array<double, 3> here = predicted(constants, form, motion);
-    error_m += std::hypot(here[0] - motion.truth[0], here[1] - motion.truth[1]);
+    error_m += magnitude(here[0] - motion.truth[0], here[1] - motion.truth[1]);
     error_rad += std::abs(here[2] - motion.truth[2]);
     path_m += motion.path_m;
   }

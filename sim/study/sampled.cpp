@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/path.h"
 
@@ -115,7 +116,7 @@ bool passed_again(const course::Path& path, std::size_t on, const course::PathPo
     const double length_m = path.segments()[i].length_m;
     for (double s_m = 0.0; s_m <= length_m; s_m += kFenceStepM) {
       const course::PathPoint at = path.at(i, s_m);
-      if (std::hypot(at.x_m - place.x_m, at.y_m - place.y_m) < kNearM) return true;
+      if (magnitude(at.x_m - place.x_m, at.y_m - place.y_m) < kNearM) return true;
     }
   }
   return false;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/course.h"
 #include "course/path.h"
@@ -29,7 +30,7 @@ void judge_fused(TrialRun& run) {
   std::size_t count = 0;
   for (const report::TrajectoryPoint& point : run.result.points) {
     const Pose& fused = point.estimates[PoseSource::kFused];
-    const double error_m = std::hypot(fused.x_m - point.truth.x_m, fused.y_m - point.truth.y_m);
+    const double error_m = magnitude(fused.x_m - point.truth.x_m, fused.y_m - point.truth.y_m);
     if (std::abs(point.truth.pitch_rad) > kLeansRad || point.truth.z_m > kLiftedM)
       leaning_until_s = point.t_s + kAfterwardsS;
     double& largest =

@@ -1,0 +1,24 @@
+#pragma once
+// What decides the last bits of a result, and what keeps them equal on every processor. Sums,
+// products and square roots are rounded alike everywhere (IEEE 754; the build neither fuses nor
+// vectorises them). The C library's functions are rounded by its version and by whether the
+// processor fuses multiplication and addition (FMA); with FMA those that are used here give equal
+// bits on x86-64 and 64-bit ARM, but for std::hypot and std::cbrt, which are therefore not used.
+
+#include <cmath>
+#include <string>
+
+#include "core/arithmetic.h"
+
+namespace tp100 {
+
+/// Length of a vector whose square a double can hold.
+inline double magnitude(double x, double y) { return std::sqrt(x * x + y * y); }
+inline double magnitude(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
+
+/// Kind of this processor, version of the C library and whether its functions use FMA, as in
+/// "x86_64, glibc 2.36 with FMA". Results may differ in their last bits between programs with
+/// different texts, or of different versions.
+std::string arithmetic();
+
+}  // namespace tp100

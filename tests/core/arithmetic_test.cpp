@@ -1,0 +1,67 @@
+#include "core/arithmetic.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace tp100 {
+namespace {
+
+TEST(Arithmetic, NamesProcessorLibraryAndFma) {
+  EXPECT_THAT(arithmetic(),
+              testing::MatchesRegex("(x86_64|aarch64), glibc 2\\.[0-9]+ with(out)? FMA"));
+}
+
+TEST(Magnitude, IsTheLengthOfAVector) {
+  EXPECT_EQ(magnitude(3.0, -4.0), 5.0);
+  EXPECT_EQ(magnitude(-2.0, 3.0, 6.0), 7.0);
+  EXPECT_EQ(magnitude(0.0, 0.0), 0.0);
+  EXPECT_EQ(magnitude(1e9, 0.0), 1e9);
+}
+
+TEST(Magnitude, IsNotFused) {
+  // The square has a last bit that a fused sum keeps.
+  constexpr double kX = 1.0 + 0x1p-30, kY = 0x1p-27;
+  const double squares = kX * kX;
+  EXPECT_EQ(magnitude(kX, kY), std::sqrt(squares + kY * kY));
+}
+
+/// One number of the last bits of `function` at 20 000 places.
+template <class Function>
+std::uint64_t last_bits(Function function) {
+  std::uint64_t hash = 14695981039346656037u, state = 1;
+  const auto place = [&] {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state >> 11) * 0x1p-52 - 1.0;
+  };
+  for (int i = 0; i < 20'000; ++i) {
+    const double x = place(), y = place();
+    hash = (hash ^ std::bit_cast<std::uint64_t>(function(x, y))) * 1099511628211u;
+  }
+  return hash;
+}
+
+// glibc's functions with FMA round alike on both kinds of processor: their bits are pinned. Those
+// without are others.
+TEST(Arithmetic, TheTextSaysWhatBitsTheFunctionsGive) {
+  volatile double one = 1.0;  // the compiler rounds by rules of its own
+  const auto bits = last_bits([&](double x, double y) {
+    x *= one;
+    return std::sin(9.0 * x) + std::cos(9.0 * y) + std::tan(x) + std::asin(x) + std::acos(y) +
+           std::atan(9.0 * x) + std::atan2(x, y) + std::exp(x) + std::log(2.0 + y) +
+           std::pow(2.0 + x, y) + std::fmod(9.0 * x, y);
+  });
+  if (arithmetic().find("glibc 2.36 with FMA") == std::string::npos) {
+    if (arithmetic().find("glibc 2.36 ") == std::string::npos)
+      GTEST_SKIP() << arithmetic() << ": the bits are those of glibc 2.36";
+    EXPECT_NE(bits, 5244883692887111494u);
+  } else {
+    EXPECT_EQ(bits, 5244883692887111494u);
+  }
+}
+
+}  // namespace
+}  // namespace tp100
