@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "core/angle.h"
+#include "core/arithmetic.h"
 #include "course/bundled_files.h"
 #include "estimation/odometry.h"
 #include "estimation/standstill.h"
@@ -147,6 +148,25 @@ Row row_of(const text::CsvTable& table, std::size_t i) {
   return row;
 }
 
+void compare(const StepRecord& recorded, const StepRecord& computed, Replayed& result) {
+  if (!result.differs_at) {
+    auto difference = record::first_difference(recorded, computed);
+    if (!difference) return;
+    result.differs_at = recorded.step;
+    result.differs_ns = recorded.now_ns;
+    result.difference = std::move(*difference);
+  }
+  result.largest.add(recorded, computed);
+}
+
+std::string shown(const record::LargestDifference& largest) {
+  std::array<char, 120> text{};
+  std::snprintf(text.data(), text.size(),
+                "the largest difference is %.2g m, %.2g rad and %.2g in other results",
+                largest.length_m, largest.angle_rad, largest.other);
+  return text.data();
+}
+
 }  // namespace
 
 config::RunFiles recorded_files(const Recording& recording) {
@@ -198,13 +218,7 @@ Replayed replay_steps(const Recording& recording, const bridge::Parameters& para
     computed->command_valid = out.command_valid;
     computed->request = out.request;
     computed->snapshot = out.snapshot;
-    if (verify) {
-      if (auto difference = record::first_difference(recorded, *computed)) {
-        result.differs_at = recorded.step;
-        result.difference = std::move(*difference);
-        throw Enough{};
-      }
-    }
+    if (verify) compare(recorded, *computed, result);
     ++result.steps;
     each(*computed);
   };
@@ -245,8 +259,28 @@ int run_replay_recording(const ReplayOptions& options) {
       });
 
   const std::string& path = recording.path();
+  const std::string recorded_on = text::one_line(recording.fact(config::kArithmeticFact), 60);
+  // Recordings without this fact are taken for this processor's.
+  const bool elsewhere = !recorded_on.empty() && recorded_on != arithmetic();
+  const std::string processors =
+      elsewhere ? "recorded on " + recorded_on + ", replayed on " + arithmetic() : "";
+  const bool differs =
+      elsewhere ? !result.largest.within(kRounding) : result.differs_at.has_value();
   if (!recording.whole())
     std::printf("%s: cut off at %s\n", path.c_str(), seconds(result.last_ns - start).c_str());
+  if (differs) {
+    std::fprintf(stderr, "tp100d: %s: step %llu after %s: %s is %s, recorded %s (version %s)\n",
+                 path.c_str(), static_cast<unsigned long long>(*result.differs_at),
+                 seconds(result.differs_ns - start).c_str(), result.difference.field.c_str(),
+                 result.difference.computed.c_str(), result.difference.recorded.c_str(),
+                 text::one_line(recording.fact("version"), 20).c_str());
+    if (elsewhere)
+      std::fprintf(stderr, "tp100d: %s: more than rounding: %s%s; %s\n", path.c_str(),
+                   shown(result.largest).c_str(),
+                   result.largest.decided ? ", and a decision or a count differs" : "",
+                   processors.c_str());
+    return 1;
+  }
   if (result.gap_before) {
     std::fprintf(stderr,
                  "tp100d: %s: steps %s to %s are missing; what follows cannot be replayed\n",
@@ -254,19 +288,14 @@ int run_replay_recording(const ReplayOptions& options) {
                  std::to_string(*result.gap_before - 1).c_str());
     return 1;
   }
-  if (result.differs_at) {
-    std::fprintf(stderr, "tp100d: %s: step %llu after %s: %s is %s, recorded %s (version %s)\n",
-                 path.c_str(), static_cast<unsigned long long>(*result.differs_at),
-                 seconds(result.last_ns - start).c_str(), result.difference.field.c_str(),
-                 result.difference.computed.c_str(), result.difference.recorded.c_str(),
-                 text::one_line(recording.fact("version"), 20).c_str());
-    return 1;
-  }
   out.commit();
-  std::printf("%s: %llu steps replayed, %s\n", path.c_str(),
-              static_cast<unsigned long long>(result.steps - result.before),
-              verify ? "every pose and command as recorded, bit for bit"
-                     : "with other parameters than recorded");
+  const std::string verdict = !verify ? "with other parameters than recorded"
+                              : !result.differs_at
+                                  ? "every pose and command as recorded, bit for bit"
+                                  : shown(result.largest);
+  std::printf("%s: %llu steps replayed, %s%s\n", path.c_str(),
+              static_cast<unsigned long long>(result.steps - result.before), verdict.c_str(),
+              elsewhere ? (" (" + processors + ")").c_str() : "");
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // `tp100d replay` of a recording: runs its inputs through the step again and checks whether every
-// pose and command is reproduced bit for bit.
+// pose and command is reproduced: bit for bit, or, if it was recorded on another kind of processor
+// (core/arithmetic.h), but for rounding.
 
 #include <functional>
 #include <optional>
@@ -10,7 +11,7 @@
 #include "bridge/step.h"
 #include "config/run_setup.h"
 #include "record/recording.h"
-#include "record/step_codec.h"
+#include "record/step_difference.h"
 
 namespace tp100::app {
 
@@ -26,18 +27,24 @@ struct Replayed {
   /// First step after missing ones; they end the replay, since the state after them is unknown.
   std::optional<std::uint64_t> gap_before;
   std::optional<std::uint64_t> differs_at;  ///< number of the first step with another result
+  HostNs differs_ns = 0;                    ///< its time
   record::StepDifference difference{};
+  record::LargestDifference largest{};  ///< of all steps
 };
 
+/// Results of another kind of processor that are closer than this, in m and rad, differ by
+/// rounding.
+inline constexpr double kRounding = 1e-9;
+
 /// Feeds the recorded inputs to a step with these parameters and course. `each` receives the
-/// recorded inputs with the results of the replay. `verify`: compares the results and stops at the
-/// first difference.
+/// recorded inputs with the results of the replay. `verify`: compares the results.
 Replayed replay_steps(const record::Recording& recording, const bridge::Parameters& parameters,
                       std::shared_ptr<const course::Course> course, bool verify,
                       const std::function<void(const StepRecord&)>& each);
 
-/// The command for a recording. 0: every result was reproduced (or other parameters were
-/// requested); 1: not, or steps are missing, and nothing is written. Throws SetupError. The poses
+/// The command for a recording. 0: every result was reproduced, on another kind of processor within
+/// kRounding (or other parameters were requested); 1: not, or steps are missing, and nothing is
+/// written. Throws SetupError. The poses
 /// are those of `options.model`, else the steering pose, with one row per step that received a
 /// sample.
 int run_replay_recording(const ReplayOptions& options);

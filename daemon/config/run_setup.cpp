@@ -1,5 +1,6 @@
 #include "config/run_setup.h"
 
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "text/toml_document.h"
 
@@ -77,7 +78,8 @@ record::RunFacts run_facts(const RunFiles& files, const RunSetup& run,
   facts.facts = {{"course", run.course == nullptr ? "" : run.course->name},
                  {"robot", run.robot.name},
                  {"setup", facts.run_context.setup},
-                 {"world", bridge::to_string(files.world)}};
+                 {"world", bridge::to_string(files.world)},
+                 {kArithmeticFact, arithmetic()}};
   facts.facts.insert(facts.facts.end(), more.begin(), more.end());
   const auto attach = [&facts](const char* name, const course::TextFile& file) {
     facts.files.push_back(

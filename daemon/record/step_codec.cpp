@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <type_traits>
 
@@ -166,58 +164,6 @@ class SchemaWriter {
   }
 };
 
-template <class T>
-std::string shown(T value) {
-  std::array<char, 40> digits{};
-  if constexpr (std::same_as<T, bool>) return value ? "true" : "false";
-  const auto end = [&] {
-    if constexpr (std::integral<T>)
-      return std::to_chars(digits.data(), digits.data() + digits.size(), +value).ptr;
-    else
-      return std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  }();
-  return {digits.data(), end};
-}
-
-/// Lists names and texts of all results in order. Slow: only for records known to differ.
-class Lister {
- public:
-  template <class T>
-  void operator()(const char* name, const T& value) {
-    if constexpr (Scalar<T>) {
-      entries.push_back({prefix_ + name, shown(value), bits(value)});
-    } else {
-      const std::string outer = prefix_;
-      prefix_ += std::string(name) + ".";
-      visit_fields(*this, value);
-      prefix_ = outer;
-    }
-  }
-  template <std::size_t N>
-  void operator()(const char* name, const std::array<double, N>& values) {
-    for (const double value : values) (*this)(name, value);
-  }
-  template <class T>
-  void operator()(const char* name, T value, T) {
-    (*this)(name, static_cast<std::uint8_t>(value));
-  }
-
-  struct Entry {
-    std::string field, value;
-    std::uint64_t bits;
-  };
-  std::vector<Entry> entries;
-
- private:
-  template <class T>
-  static std::uint64_t bits(T value) {
-    std::uint64_t out = 0;
-    std::memcpy(&out, &value, sizeof value);
-    return out;
-  }
-  std::string prefix_;
-};
-
 /// The first exchanges on a busy machine may yield any drift, but device time is host time divided
 /// by 1 + drift.
 bool has_device_time(const ClockState& clock, HostNs at) {
@@ -238,13 +184,6 @@ std::optional<std::string> problem_of(const Decoder& decoder, const StepRecord& 
       }))
     return "drift is out of range";
   return std::nullopt;
-}
-
-template <class Visitor>
-void visit_results(Visitor& visitor, const StepRecord& record) {
-  visitor("command_valid", record.command_valid);
-  visitor("request", record.request, RobotRequest::kStop);
-  visitor("snapshot", record.snapshot);
 }
 
 }  // namespace
@@ -298,25 +237,6 @@ const std::string& inputs_schema() {
     return writer.text + "]}";
   }();
   return kText;
-}
-
-std::optional<StepDifference> first_difference(const StepRecord& recorded,
-                                               const StepRecord& computed) {
-  thread_local Bytes a, b;
-  a.clear();
-  b.clear();
-  Encoder first(a), second(b);
-  visit_results(first, recorded);
-  visit_results(second, computed);
-  if (a == b) return std::nullopt;
-  Lister was, is;
-  visit_results(was, recorded);
-  visit_results(is, computed);
-  for (std::size_t i = 0; i < was.entries.size(); ++i) {
-    if (was.entries[i].bits != is.entries[i].bits)
-      return StepDifference{was.entries[i].field, was.entries[i].value, is.entries[i].value};
-  }
-  return std::nullopt;
 }
 
 }  // namespace tp100::record

@@ -39,16 +39,4 @@ std::optional<std::string> decode_inputs(std::span<const std::uint8_t>& block, S
 const std::string& step_schema();
 const std::string& inputs_schema();
 
-/// One result that differs from the recorded one.
-struct StepDifference {
-  std::string field;     ///< dotted name
-  std::string recorded;  ///< as text; doubles with all digits
-  std::string computed;
-};
-
-/// The first difference, bit by bit, between the results (command_valid, request, snapshot) of two
-/// records.
-std::optional<StepDifference> first_difference(const StepRecord& recorded,
-                                               const StepRecord& computed);
-
 }  // namespace tp100::record

@@ -283,16 +283,21 @@ void visit_inputs(Visitor& v, T& record) {
   visit_fields(v, record.inputs);
 }
 
+template <class Visitor, MaybeConst<StepRecord> T>
+void visit_results(Visitor& v, T& record) {
+  v("command_valid", record.command_valid);
+  v("request", record.request, RobotRequest::kStop);
+  v("snapshot", record.snapshot);
+}
+
 /// Inputs first, then the link's counters, then the results of the step.
 template <class Visitor, MaybeConst<StepRecord> T>
 void visit_fields(Visitor& v, T& record) {
-  // A new field here belongs in visit_inputs or below, too.
+  // A new field here belongs in visit_inputs, visit_results or below, too.
   auto& [now, step, inputs, link, command_valid, request, snapshot] = record;
   visit_inputs(v, record);
   v("link", link);
-  v("command_valid", command_valid);
-  v("request", request, RobotRequest::kStop);
-  v("snapshot", snapshot);
+  visit_results(v, record);
 }
 
 }  // namespace tp100::record

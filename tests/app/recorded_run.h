@@ -16,7 +16,8 @@ namespace tp100::app {
 
 /// Records two seconds of course 1-curve at 200 steps per second; a parameter changes after one
 /// second. `edit` may change a record before it is recorded, or drop it by returning false. The
-/// recording begins after `begin_at` steps.
+/// recording begins after `begin_at` steps. `facts` are further ones, or stand in place of those
+/// that a run has of itself.
 inline void record_run(
     const std::string& path,
     const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },
@@ -27,8 +28,12 @@ inline void record_run(
   const config::RunSetup run = config::parse_run(files);
   record::Recorder recorder({.history = record::HistorySettings{}, .blocking = true});
   const auto begin = [&] {
-    recorder.begin({.path = path, .compress = compress, .clock = {kNsPerS, 0}},
-                   config::run_facts(files, run, facts));
+    record::RunFacts all = config::run_facts(files, run, {});
+    for (const auto& fact : facts) {
+      std::erase_if(all.facts, [&](const auto& own) { return own.first == fact.first; });
+      all.facts.push_back(fact);
+    }
+    recorder.begin({.path = path, .compress = compress, .clock = {kNsPerS, 0}}, all);
   };
   ScriptedRobot robot;
   bridge::Cycle cycle(bridge::session_settings(run.parameters), run.parameters, run.course);

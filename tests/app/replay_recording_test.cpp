@@ -6,6 +6,7 @@
 #include "../record/random_record.h"
 #include "app/commands.h"
 #include "app/replay.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "recorded_run.h"
 #include "support/temporary_folder.h"
@@ -98,6 +99,60 @@ TEST_F(ReplayRecording, AWrongCommandIsFound) {
     return true;
   });
   EXPECT_EQ(replayed().difference.field, "snapshot.command.expiry_us");
+}
+
+// What another kind of processor, as the recording names it, may have rounded otherwise.
+class ReplayElsewhere : public ReplayRecording {
+ protected:
+  void record(const std::function<void(Snapshot&)>& edit) const {
+    record_run(file(),
+               [&](StepRecord& record) {
+                 if (record.step == 250 || record.step == 300) edit(record.snapshot);
+                 return true;
+               },
+               {{config::kArithmeticFact, "pdp11, glibc 2.36 without FMA"}});
+  }
+  /// Replays; returns what it printed on both streams.
+  std::string replay(int status) const {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_replay(options()), status);
+    const std::string said = testing::internal::GetCapturedStdout();
+    return said + testing::internal::GetCapturedStderr();
+  }
+  const std::string processors_ =
+      "recorded on pdp11, glibc 2.36 without FMA, replayed on " + arithmetic();
+};
+
+TEST_F(ReplayElsewhere, SaysTheLargestDifferenceOfLastBits) {
+  record([](Snapshot& snapshot) {
+    snapshot.estimates[PoseSource::kOdometry].pose.y_m += 0x1p-50;
+    snapshot.command.desired_yaw_rad += 0x1p-51;
+  });
+  EXPECT_THAT(replay(0), HasSubstr("400 steps replayed, the largest difference is 8.9e-16 m, "
+                                   "4.4e-16 rad and 0 in other results (" +
+                                   processors_ + ")"));
+  EXPECT_TRUE(std::filesystem::exists(poses()));
+}
+
+TEST_F(ReplayElsewhere, SaysSoIfEveryBitIsTheSame) {
+  record([](Snapshot&) {});
+  EXPECT_THAT(replay(0), HasSubstr("bit for bit (" + processors_ + ")"));
+}
+
+TEST_F(ReplayElsewhere, MoreThanRoundingIsADifference) {
+  record([](Snapshot& snapshot) { snapshot.estimates[PoseSource::kOdometry].pose.y_m += 1e-8; });
+  const std::string said = replay(1);
+  EXPECT_THAT(said,
+              HasSubstr("step 250 after 1.250 s: snapshot.odometry.y_m is 0, recorded 1e-08"));
+  EXPECT_THAT(said, HasSubstr("more than rounding: the largest difference is 1e-08 m, 0 rad"));
+  EXPECT_THAT(said, HasSubstr(processors_));
+  EXPECT_FALSE(std::filesystem::exists(poses()));
+}
+
+TEST_F(ReplayElsewhere, AnotherDecisionIsADifference) {
+  record([](Snapshot& snapshot) { snapshot.recovering = !snapshot.recovering; });
+  EXPECT_THAT(replay(1), HasSubstr("a decision or a count differs; " + processors_));
 }
 
 TEST_F(ReplayRecording, AMissingStepEndsTheReplay) {

@@ -11,6 +11,7 @@
 #include "bridge/step.h"
 #include "config/run_setup.h"
 #include "record/step_codec.h"
+#include "record/step_difference.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
 
