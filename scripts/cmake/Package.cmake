@@ -5,6 +5,18 @@ if(TP100_SANITIZE OR TP100_FUZZ OR NOT TP100_BUILD_FIRMWARE)
 endif()
 
 set(manual ${CMAKE_BINARY_DIR}/manual)
+# Where programs can be run from.
+set(runnable ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+if(CMAKE_CROSSCOMPILING)
+  set(runnable ${CMAKE_BINARY_DIR}/emulated)
+  list(JOIN CMAKE_CROSSCOMPILING_EMULATOR "' '" emulator)
+  foreach(program tp100d tp100-sim tp100-camera)
+    file(WRITE ${runnable}/${program}
+      "#!/bin/sh\nexec '${emulator}' '${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${program}' \"$@\"\n")
+    file(CHMOD ${runnable}/${program} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+      WORLD_READ WORLD_EXECUTE)
+  endforeach()
+endif()
 # Scripts that are installed as tp100-NAME, and the program beside each that says its version.
 set(scripts flash campaign)
 set(program_of_flash tp100d)
@@ -17,7 +29,7 @@ if(PYTHON3)
   set(written)
   file(GLOB writer CONFIGURE_DEPENDS scripts/manual*.py)
   foreach(program tp100d tp100-sim tp100-flash tp100-campaign)
-    set(path ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${program})
+    set(path ${runnable}/${program})
     set(outputs ${manual}/${program}.1.gz ${manual}/${program}.bash ${manual}/_${program})
     set(on ${program})
     set(before)
@@ -26,8 +38,7 @@ if(PYTHON3)
       set(path ${manual}/bin/${program})
       set(beside ${program_of_${name}})
       set(on scripts/${name} ${beside})
-      set(before COMMAND ${CMAKE_COMMAND} -E create_symlink ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${beside}
-        ${manual}/bin/${beside})
+      set(before COMMAND ${CMAKE_COMMAND} -E create_symlink ${runnable}/${beside} ${manual}/bin/${beside})
     endif()
     add_custom_command(OUTPUT ${outputs} ${before}
       COMMAND ${PYTHON3} -B ${CMAKE_SOURCE_DIR}/scripts/manual.py ${path} ${manual}
@@ -90,6 +101,11 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+if(CMAKE_CROSSCOMPILING)
+  set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${TP100_DEBIAN_ARCHITECTURE})
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_SYSROOT}/lib/${CMAKE_LIBRARY_ARCHITECTURE}
+    ${CMAKE_SYSROOT}/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE})
+endif()
 # systemd-sysusers, udevadm and userdel are for the maintainer scripts.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "systemd | systemd-standalone-sysusers | systemd-sysusers, passwd")
 # GNU parallel is for tp100-campaign.

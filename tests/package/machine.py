@@ -29,9 +29,10 @@ def release():
 
 
 class Machine:
-    """A folder that contains a Debian; it is removed at the end."""
+    """A folder that contains a Debian; it is removed at the end. Of another architecture than this machine's only if the
+    kernel runs its programs."""
 
-    def __init__(self):
+    def __init__(self, architecture=None):
         need(("debootstrap", "debootstrap"), ("systemd-nspawn", "systemd-container"))
         if os.geteuid() != 0:
             skip("only root can make another Debian; run it as root")
@@ -40,7 +41,8 @@ class Machine:
         self.folder = tempfile.mkdtemp(prefix="tp100-machine-")
         # Every user in the machine must be able to use its root folder.
         os.chmod(self.folder, 0o755)
-        made = subprocess.run(["debootstrap", "--variant=minbase", release(), self.folder, mirror()], text=True,
+        of = [f"--arch={architecture}"] if architecture else []
+        made = subprocess.run(["debootstrap", "--variant=minbase", *of, release(), self.folder, mirror()], text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
         if made.returncode != 0:
             self.close()

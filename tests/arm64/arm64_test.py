@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""arm64_test.py STEP BUILD: one test of what is built for 64-bit ARM, by the side of this machine's build."""
+import glob
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.append(os.path.join(os.path.dirname(HERE), "package"))
+from host import ROOT, check, need, package, run, skip  # noqa: E402
+from install_test import CONFIG, left, newer  # noqa: E402
+from machine import Machine  # noqa: E402
+
+ARM64 = ROOT + "/build/arm64"
+# Programs that qemu-user runs (scripts/cmake/Package.cmake).
+EMULATED = ARM64 + "/emulated/"
+FLAT = ("1-straight", "1-curve", "1-sharp", "2", "3")
+# ODE's own build fuses on ARM, so that the emulated robot differs from the first step on.
+LARGEST_DIFFERENCE = 1e-9
+BINFMT = "/proc/sys/fs/binfmt_misc"
+
+
+def make(_build):
+    need(("apt-get", "apt"))
+    print(run(ROOT + "/scripts/package", "--arch", "arm64")[-2000:])
+    deb = package(ARM64)
+    check(run("dpkg-deb", "-f", deb, "Architecture").strip() == "arm64", f"{deb}: of another architecture")
+    depends = run("dpkg-deb", "-f", deb, "Depends")
+    for library in ("libc6 (>= ", "libode8", "libserialport0", "libsimavr2", "libstdc++6", "libzstd1"):
+        check(library in depends, f"the package does not depend on {library}: {depends}")
+    there = run("dpkg-deb", "-c", deb)
+    for path in ("bin/tp100d", "bin/tp100-sim", "share/tp100/tp100.hex", "share/man/man1/tp100d.1.gz",
+                 "share/bash-completion/completions/tp100-sim", "share/zsh/vendor-completions/_tp100-flash"):
+        check(f" ./usr/{path}\n" in there, f"the package has no /usr/{path}")
+
+
+def unit(_build):
+    print(run(ROOT + "/scripts/build", "arm64")[-500:])
+    tested = run("ctest", "--preset", "arm64", "--label-regex", "^unit$", "--label-exclude", "^(all|nightly|realtime)$",
+                 "--parallel", str(os.cpu_count()), "--output-on-failure", cwd=ROOT)
+    print(tested[-1500:])
+    ran = int(tested.rsplit(" tests failed out of ", 1)[1].split()[0])
+    check(ran > 1000, f"only {ran} unit tests ran")
+
+
+def results(program, course):
+    """Everything that a course gives, by name, but what tells of this machine's time."""
+    def flat(value, name):
+        if isinstance(value, dict):
+            for key, inner in value.items():
+                if "time" not in key and key != "loop":
+                    yield from flat(inner, f"{name}.{key}")
+        elif isinstance(value, list):
+            for i, inner in enumerate(value):
+                yield from flat(inner, f"{name}[{i}]")
+        else:
+            yield name.removeprefix("."), value
+    return dict(flat(json.loads(run(program, "course", course, "--json")), ""))
+
+
+def courses(build):
+    for course in FLAT:
+        ours = results(build + "/bin/tp100-sim", course)
+        began = time.monotonic()
+        theirs = results(EMULATED + "tp100-sim", course)
+        took_s = time.monotonic() - began
+        check(ours.keys() == theirs.keys(), f"{course}: other results: {ours.keys() ^ theirs.keys()}")
+        check(ours["completed"] is True, f"{course}: not completed")
+        largest, where, differ = 0.0, "", 0
+        for name, value in ours.items():
+            differ += value != theirs[name]
+            if isinstance(value, (int, float)) and not isinstance(value, bool):
+                apart = abs(value - theirs[name])
+                if apart > largest:
+                    largest, where = apart, name
+            else:
+                check(value == theirs[name], f"{course}: {name} is {theirs[name]}, here {value}")
+        print(f"{course}: {differ} of {len(ours)} results differ, by {largest:.2g} at most ({where}); {took_s:.1f} s")
+        check(largest <= LARGEST_DIFFERENCE, f"{course}: {where} differs by {largest}")
+
+
+def replay(build):
+    """Recordings of either processor give the same bits on the other."""
+    ours, theirs = build + "/bin/", EMULATED
+    fma = " fma " in open("/proc/cpuinfo", encoding="utf-8").read()
+    with tempfile.TemporaryDirectory() as folder:
+        for name, recorder, player in (("theirs", theirs, ours), ("ours", ours, theirs), ("own", theirs, theirs)):
+            run(recorder + "tp100-sim", "course", "3", "--camera", "--setup", "terrain", "--record", f"{folder}/{name}")
+            recording = glob.glob(f"{folder}/{name}/*/run.mcap")[0]
+            said = run(player + "tp100d", "replay", recording, "--out", folder + "/poses.csv")
+            print(said)
+            elsewhere = "recorded on " in said and ", replayed on " in said
+            check(elsewhere == (name != "own"), f"{name}: another kind of processor is not named: {said}")
+            # Without FMA the last bits are others, and replay says by how much.
+            verdict = "bit for bit" if fma or name == "own" else "the largest difference is "
+            check(verdict in said, f"{name}: not {verdict}: {said}")
+
+
+class Emulation:
+    """The kernel runs programs of ARM by qemu-user as long as this exists."""
+
+    def __init__(self):
+        self.mounted = self.registered = False
+        if os.path.exists(BINFMT + "/qemu-aarch64"):
+            return
+        need(("qemu-aarch64-static", "arm64"))
+        if os.geteuid() != 0:
+            skip("only root can have the kernel run programs of ARM; run it as root, or install binfmt-support")
+        if not os.path.exists(BINFMT + "/register"):
+            mounted = subprocess.run(["mount", "-t", "binfmt_misc", "binfmt_misc", BINFMT], stderr=subprocess.PIPE,
+                                     text=True, check=False)
+            if mounted.returncode != 0:
+                skip(f"this kernel runs no programs by an interpreter (binfmt_misc): {mounted.stderr.strip()}")
+            self.mounted = True
+        with open("/usr/lib/binfmt.d/qemu-aarch64.conf", encoding="utf-8") as file:
+            line = file.read().strip()
+        with open(BINFMT + "/register", "w", encoding="utf-8") as file:
+            file.write(line)
+        self.registered = True
+
+    def close(self):
+        if self.registered:
+            with open(BINFMT + "/qemu-aarch64", "w", encoding="utf-8") as file:
+                file.write("-1")
+        if self.mounted:
+            subprocess.run(["umount", BINFMT], check=False)
+
+
+def install(_build):
+    """Install, service files, upgrade, remove and purge in a Debian of the architecture. Its programs, the maintainer
+    scripts among them, are run by qemu-user. The service is not started: an emulator has no real time."""
+    deb = package(ARM64)
+    emulation = Emulation()
+    machine = None
+    try:
+        machine = Machine("arm64")
+        check(machine.shell("dpkg --print-architecture; uname -m").split() == ["arm64", "aarch64"], "not an arm64 root")
+        shutil.copy(deb, machine.path("/srv/tp100.deb"))
+        newer(deb, machine.path("/srv"))
+        apt = "apt-get -qq -y -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "
+        machine.shell(f"apt-get -qq update; {apt} install --no-install-recommends /srv/tp100.deb udev")
+        machine.shell("dpkg --verify tp100; systemd-analyze verify --man=no tp100d@tp100.service")
+        said = machine.shell("""
+          test "$(id -nG tp100)" = "tp100 dialout"
+          ! udevadm test /sys/class/mem/null 2>&1 | grep tp100.rules:
+          tp100d --version; tp100d check /etc/tp100/tp100.toml
+          as='setpriv --reuid=tp100 --regid=tp100 --init-groups env XDG_STATE_HOME=/tmp'
+          $as tp100-sim course 1-curve --board avr --record /tmp/runs
+          $as tp100d replay /tmp/runs/* --out /tmp/poses.csv""")
+        print(said)
+        check("completed" in said and "bit for bit" in said, f"the course as tp100: {said}")
+        machine.write(CONFIG, "# of its user\n")
+        machine.shell(f"{apt} install --no-install-recommends /srv/newer.deb")
+        check(machine.read(CONFIG) == "# of its user\n", f"the upgrade changed {CONFIG}")
+        machine.shell(f"{apt} remove tp100; test -e {CONFIG}; test ! -e /usr/bin/tp100d")
+        machine.shell(f"rm -rf /tmp/runs; {apt} purge tp100")
+        check(not (still := left(machine).strip()), f"after the purge there is still:\n{still}")
+        print("installed, driven, upgraded, removed, purged")
+    finally:
+        if machine:
+            machine.close()
+        emulation.close()
+
+
+STEPS = {step.__name__: step for step in (make, unit, courses, replay, install)}
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3 or sys.argv[1] not in STEPS:
+        sys.exit(f"usage: arm64_test.py {'|'.join(STEPS)} BUILD")
+    STEPS[sys.argv[1]](sys.argv[2])
