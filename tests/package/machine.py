@@ -29,8 +29,8 @@ def release():
 
 
 class Machine:
-    """A folder that contains a Debian; it is removed at the end. Of another architecture than this machine's only if the
-    kernel runs its programs."""
+    """A folder that contains a Debian; it is removed at the end. It may be of another architecture whose programs the
+    kernel runs."""
 
     def __init__(self, architecture=None):
         need(("debootstrap", "debootstrap"), ("systemd-nspawn", "systemd-container"))
