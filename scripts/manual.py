@@ -15,7 +15,7 @@ EXIT_STATUS = (("0", "done, and within limits"), ("1", "the run failed or broke 
 FILES = (("/etc/tp100/NAME.toml", "configuration of the service tp100d@NAME"),
          ("/usr/share/tp100", "courses, robots and cameras by name, every key of the configuration, and the firmware"),
          ("/var/lib/tp100/NAME", "what the service writes: the seconds around a fault"))
-SEE_ALSO = ("tp100d", "tp100-campaign", "tp100-flash", "tp100-sim")
+SEE_ALSO = ("tp100d", "tp100-camera", "tp100-campaign", "tp100-flash", "tp100-sim")
 
 
 def roff(text):

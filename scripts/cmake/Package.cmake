@@ -1,7 +1,15 @@
-# The Debian package: `cpack` in the build folder, or scripts/package. Man pages and completion are written from
-# what the programs' --help says.
+# The Debian packages: `cpack` in the build folder, or scripts/package. tp100-camera is a package of its own, so that a
+# robot's host need not carry OpenCV. Man pages and completion are written from what the programs' --help says.
 if(TP100_SANITIZE OR TP100_FUZZ OR NOT TP100_BUILD_FIRMWARE)
   return()
+endif()
+
+# A component is a binary package; what is installed below is of tp100 unless it says otherwise.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME tp100)
+set(programs tp100d tp100-sim)
+set(component_of_tp100-camera camera)
+if(TARGET tp100-camera)
+  list(APPEND programs tp100-camera)
 endif()
 
 set(manual ${CMAKE_BINARY_DIR}/manual)
@@ -28,7 +36,11 @@ find_program(PYTHON3 python3)
 if(PYTHON3)
   set(written)
   file(GLOB writer CONFIGURE_DEPENDS scripts/manual*.py)
-  foreach(program tp100d tp100-sim tp100-flash tp100-campaign)
+  foreach(program IN LISTS programs ITEMS tp100-flash tp100-campaign)
+    set(component ${CMAKE_INSTALL_DEFAULT_COMPONENT_NAME})
+    if(component_of_${program})
+      set(component ${component_of_${program}})
+    endif()
     set(path ${runnable}/${program})
     set(outputs ${manual}/${program}.1.gz ${manual}/${program}.bash ${manual}/_${program})
     set(on ${program})
@@ -44,9 +56,10 @@ if(PYTHON3)
       COMMAND ${PYTHON3} -B ${CMAKE_SOURCE_DIR}/scripts/manual.py ${path} ${manual}
       DEPENDS ${on} ${writer} VERBATIM)
     list(APPEND written ${outputs})
-    install(FILES ${manual}/${program}.1.gz DESTINATION share/man/man1)
-    install(FILES ${manual}/${program}.bash DESTINATION share/bash-completion/completions RENAME ${program})
-    install(FILES ${manual}/_${program} DESTINATION share/zsh/vendor-completions)
+    install(FILES ${manual}/${program}.1.gz DESTINATION share/man/man1 COMPONENT ${component})
+    install(FILES ${manual}/${program}.bash DESTINATION share/bash-completion/completions RENAME ${program}
+      COMPONENT ${component})
+    install(FILES ${manual}/_${program} DESTINATION share/zsh/vendor-completions COMPONENT ${component})
   endforeach()
   add_custom_target(tp100_manual ALL DEPENDS ${written})
 else()
@@ -57,7 +70,7 @@ install(TARGETS tp100d tp100-sim DESTINATION bin)
 install(PROGRAMS ${manual}/bin/tp100-flash ${manual}/bin/tp100-campaign DESTINATION bin)
 install(FILES ${CMAKE_BINARY_DIR}/firmware/tp100.hex DESTINATION share/tp100)
 install(DIRECTORY config/campaigns config/courses config/robots config/cameras DESTINATION share/tp100)
-install(FILES config/tp100.toml config/view.toml DESTINATION share/tp100)
+install(FILES config/tp100.toml DESTINATION share/tp100)
 install(DIRECTORY tests/data/real DESTINATION share/tp100)
 install(FILES config/systemd/tp100d@.service DESTINATION lib/systemd/system)
 install(FILES config/systemd/tp100.conf DESTINATION lib/sysusers.d)
@@ -84,6 +97,13 @@ foreach(page README.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE
 endforeach()
 install(FILES daemon/web/cockpit.png DESTINATION share/doc/tp100/daemon/web)
 install(FILES daemon/web/dist/licences.txt DESTINATION share/doc/tp100 RENAME page-licences.txt)
+if(TARGET tp100-camera)
+  install(TARGETS tp100-camera DESTINATION bin COMPONENT camera)
+  # The page again: a host that carries the camera need not carry the robot.
+  install(FILES ${debian}/copyright ${documents}/changelog.gz daemon/camera/CAMERA.md
+    DESTINATION share/doc/tp100-camera COMPONENT camera)
+  install(FILES config/view.toml DESTINATION share/tp100 COMPONENT camera)
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME tp100)
@@ -106,14 +126,23 @@ if(CMAKE_CROSSCOMPILING)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_SYSROOT}/lib/${CMAKE_LIBRARY_ARCHITECTURE}
     ${CMAKE_SYSROOT}/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE})
 endif()
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+# The first line of each description is its summary.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL tp100)
+
+set(CPACK_DEBIAN_TP100_PACKAGE_NAME tp100)
 # systemd-sysusers, udevadm and userdel are for the maintainer scripts.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "systemd | systemd-standalone-sysusers | systemd-sysusers, passwd")
+set(CPACK_DEBIAN_TP100_PACKAGE_DEPENDS "systemd | systemd-standalone-sysusers | systemd-sysusers, passwd")
 # GNU parallel is for tp100-campaign.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "avrdude, parallel, udev")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "arduino-core-avr")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "real-time bridge and emulator for the TP100 crawler")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-"tp100d reads encoder and IMU frames from an Arduino Mega over USB serial at up
+set(CPACK_DEBIAN_TP100_PACKAGE_RECOMMENDS "avrdude, parallel, udev")
+set(CPACK_DEBIAN_TP100_PACKAGE_SUGGESTS "arduino-core-avr, tp100-camera")
+set(CPACK_DEBIAN_TP100_PACKAGE_CONTROL_EXTRA
+  ${documents}/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
+set(CPACK_DEBIAN_TP100_DESCRIPTION
+"real-time bridge and emulator for the TP100 crawler
+tp100d reads encoder and IMU frames from an Arduino Mega over USB serial at up
 to 1 kHz, integrates a slip-compensated skid-steer model and returns the pose
 and a trajectory controller's yaw command. It shows a page, records MCAP files
 and runs as a service, one instance for each robot.
@@ -122,7 +151,16 @@ tp100-sim is an emulated robot: the same firmware on a rigid body with tracks,
 over a wire with real byte times. tp100-campaign drives it thousands of times,
 by GNU parallel or on a Slurm cluster. tp100-flash writes the firmware that
 comes with the package to a Mega; for that it needs avrdude.")
-set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
-  ${documents}/conffiles ${debian}/postinst ${debian}/prerm ${debian}/postrm)
-set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+if(TARGET tp100-camera)
+  list(APPEND CPACK_COMPONENTS_ALL camera)
+  set(CPACK_DEBIAN_CAMERA_PACKAGE_NAME tp100-camera)
+  set(CPACK_DEBIAN_CAMERA_PACKAGE_SUGGESTS tp100)
+  set(CPACK_DEBIAN_CAMERA_DESCRIPTION
+"overhead camera for the TP100 crawler
+tp100-camera finds a printed marker on the robot in the images of a camera, a
+video or a folder and sends its pose on the floor to tp100d, on this machine or
+another, as UDP datagrams; or it writes them as a TUM file. It calibrates the
+lens and prints the markers.")
+endif()
 include(CPack)

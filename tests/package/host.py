@@ -20,8 +20,14 @@ def run(*command, **more):
     return verdict.run(*command, **more)[1]
 
 
-def package(build):
-    """The only .deb of this build."""
-    found = glob.glob(os.path.join(build, "package", "tp100_*.deb"))
-    check(len(found) == 1, f"{build}/package: one tp100_*.deb expected, found {found}")
+def package(build, name="tp100"):
+    """The only .deb of this name in this build."""
+    found = glob.glob(os.path.join(build, "package", name + "_*.deb"))
+    check(len(found) == 1, f"{build}/package: one {name}_*.deb expected, found {found}")
     return found[0]
+
+
+def packages(build):
+    """Each .deb of this build by its name: tp100, and tp100-camera if the build has it."""
+    has_camera = os.path.exists(os.path.join(build, "bin", "tp100-camera"))
+    return {name: package(build, name) for name in ["tp100"] + ["tp100-camera"] * has_camera}

@@ -4,7 +4,7 @@ import re
 import shutil
 import subprocess
 
-from host import check, package, run, skip
+from host import check, packages, run, skip
 from machine import Machine
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -82,16 +82,30 @@ def left(machine):
       grep -s tp100 /etc/passwd /etc/group /etc/shadow /etc/gshadow /var/lib/dpkg/status || true""")
 
 
+def watch_marker(machine, apt):
+    """Installs the camera beside the bridge, draws the marker and reads it from an image, and removes it again."""
+    said = machine.shell(f"""
+      ! dpkg -l 'libopencv*' | grep ^ii
+      {apt} install --no-install-recommends /srv/tp100-camera.deb
+      tp100-camera --print-marker /srv/marker.svg; grep -c '<svg' /srv/marker.svg
+      tp100-camera --print-marker /srv/marker.svg --view /usr/share/tp100/view.toml
+      {apt} purge tp100-camera; {apt} autoremove --purge; tp100d --version""")
+    print(said)
+
+
 def install(build):
-    deb = package(build)
+    debs = packages(build)
     if os.path.exists(verdict_file(build)):
         os.remove(verdict_file(build))
     machine = Machine()
     try:
-        shutil.copy(deb, machine.path("/srv/tp100.deb"))
-        newer(deb, machine.path("/srv"))
+        for name, deb in debs.items():
+            shutil.copy(deb, machine.path(f"/srv/{name}.deb"))
+        newer(debs["tp100"], machine.path("/srv"))
         apt = "apt-get -qq -y -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "
         machine.shell(f"apt-get -qq update; {apt} install --no-install-recommends /srv/tp100.deb arduino-core-avr udev")
+        if "tp100-camera" in debs:
+            watch_marker(machine, apt)
         machine.shell("systemd-analyze verify --man=no tp100d@tp100.service")
         # The message names file and line of a rule with a syntax error.
         machine.shell("! udevadm test /sys/class/mem/null 2>&1 | grep tp100.rules:")

@@ -5,7 +5,7 @@ import os
 import sys
 import tempfile
 
-from host import ROOT, check, need, package, run
+from host import ROOT, check, need, package, packages, run
 from install_test import install, rights
 from setup_test import setup
 
@@ -18,11 +18,13 @@ def make(build):
             os.remove(os.path.join(folder, old))
     need(("dpkg-shlibdeps", "dpkg-dev"))
     run("cpack", cwd=build)
-    deb = package(build)
-    version = run("dpkg-deb", "-f", deb, "Version").strip()
     written = run("dpkg-parsechangelog", "-l", ROOT + "/scripts/debian/changelog", "-S", "Version").strip()
-    check(version == written, f"scripts/debian/changelog is of version {written}, the package of {version}")
-    there = run("dpkg-deb", "-c", deb)
+    for name, deb in packages(build).items():
+        version = run("dpkg-deb", "-f", deb, "Version").strip()
+        check(version == written, f"scripts/debian/changelog is of version {written}, {name} of {version}")
+        depends = run("dpkg-deb", "-f", deb, "Depends")
+        check(("libopencv" in depends) == (name == "tp100-camera"), f"{name} depends on: {depends}")
+    there = run("dpkg-deb", "-c", package(build))
     for path in ("bin/tp100-campaign", "share/doc/tp100/README.md", "share/doc/tp100/config/TUTORIALS.md",
                  "share/doc/tp100/examples/64-tp100-bridges.rules"):
         check(f" ./usr/{path}\n" in there, f"the package has no /usr/{path}")
@@ -30,7 +32,7 @@ def make(build):
 
 def lintian(build):
     need(("lintian", "lintian"))
-    print(run("lintian", "--allow-root", "--fail-on", "error,warning", package(build)))
+    print(run("lintian", "--allow-root", "--fail-on", "error,warning", *packages(build).values()))
 
 
 def exposure(_build):
@@ -49,16 +51,19 @@ def words(shell_script, line):
 
 def completion(build):
     with tempfile.TemporaryDirectory() as at:
-        run("dpkg-deb", "-x", package(build), at)
+        for deb in packages(build).values():
+            run("dpkg-deb", "-x", deb, at)
         scripts = at + "/usr/share/bash-completion/completions/"
         for line, offered in (("tp100d ", "identify"), ("tp100d re", "replay"), ("tp100d run --set", "--setup"),
                               ("tp100d run --setup ", "terrain"), ("tp100-sim robot --board a", "avr"),
                               ("tp100-flash --dry", "--dry-run"), ("tp100-flash --port a", "auto"),
                               ("tp100-campaign --eng", "--engine"), ("tp100-campaign --engine s", "slurm"),
-                              ("tp100d check /etc/pass", "/etc/passwd")):
+                              ("tp100d check /etc/pass", "/etc/passwd"), ("tp100-camera --print", "--print-marker")):
+            if not os.path.exists(at + "/usr/bin/" + line.split(" ", maxsplit=1)[0]):
+                continue
             got = words(scripts + line.split(" ", maxsplit=1)[0], line)
             check(offered in got, f"bash offers {got} after '{line}', not {offered}")
-        for program in ("tp100d", "tp100-sim", "tp100-flash", "tp100-campaign"):
+        for program in sorted(os.listdir(at + "/usr/bin")):
             page = gzip.open(f"{at}/usr/share/man/man1/{program}.1.gz", "rt").read()
             check("\n" + program.replace("-", "\\-") + " \\- " in page, f"{program}: no whatis line")
             need(("zsh", "zsh"))
