@@ -30,6 +30,10 @@ const char* board_name(std::uint8_t board) {
       return "Mega 2560";
     case wire::Board::kNative:
       return "native";
+    case wire::Board::kFakeRobot:
+      return "Mega 2560 with the robot simulated inside the board (FAKE_ROBOT)";
+    case wire::Board::kRp2040:
+      return "Raspberry Pi Pico";
     case wire::Board::kUnknown:
       break;
   }

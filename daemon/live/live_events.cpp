@@ -35,6 +35,10 @@ const char* board_name(std::uint8_t board) {
       return "a Mega 2560";
     case wire::Board::kNative:
       return "an emulated board";
+    case wire::Board::kFakeRobot:
+      return "a Mega 2560 with the robot simulated inside the board (FAKE_ROBOT)";
+    case wire::Board::kRp2040:
+      return "a Raspberry Pi Pico";
     default:
       return "an unknown board";
   }

@@ -54,7 +54,13 @@ enum class Type : uint8_t {
   kSyncRequest = 0x47,
 };
 
-enum class Board : uint8_t { kUnknown = 0, kMega2560 = 1, kNative = 2 };
+enum class Board : uint8_t {
+  kUnknown = 0,
+  kMega2560 = 1,
+  kNative = 2,     ///< the firmware in a program of the host
+  kFakeRobot = 3,  ///< a Mega that simulates its robot (FAKE_ROBOT): nothing outside it moves
+  kRp2040 = 4,     ///< a Raspberry Pi Pico
+};
 
 /// Robot states, in the order in which a session passes them.
 enum class State : uint8_t {
