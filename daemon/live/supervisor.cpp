@@ -204,7 +204,7 @@ void Supervisor::State::serve(const SessionReport& report) {
   const bool greeted = report.hello.boot_nonce != 0;
   const bool emulator = greeted && is_emulator(connector.pseudo_terminal(), report.hello.board);
   settings.controls->set_port({.path = connector.path(),
-                               .physical = !emulator,
+                               .kind = robot_kind(connector.pseudo_terminal(), report.hello.board),
                                .firmware = greeted ? firmware_text(report.hello) : std::string()});
   settings.controls->set_start({.emulator = emulator,
                                 .go = settings.go,

@@ -13,6 +13,7 @@
 #include "core/link_state.h"
 #include "core/run_state.h"
 #include "core/sample.h"
+#include "core/start_rule.h"
 #include "core/time.h"
 
 namespace tp100::messages {
@@ -70,9 +71,9 @@ struct LoopFigures {
 /// The port in use.
 struct PortFigures {
   std::string path;
-  bool physical = true;  ///< unless it is proved to be an emulator's; known once a board was heard
-  std::string firmware = {};  ///< empty: no board was heard yet
-  std::string note = {};      ///< last line about the search for the port, as in the log
+  RobotKind kind = RobotKind::kPhysical;  ///< known once a board was heard
+  std::string firmware = {};              ///< empty: no board was heard yet
+  std::string note = {};  ///< last line about the search for the port, as in the log
 };
 
 /// The link over the last second.

@@ -146,8 +146,7 @@ std::string link_message(double t_s, const LinkFigures& link) {
       .field("port", link.port.path)
       .field("note", link.port.note);
   if (!link.port.firmware.empty())
-    json.field("kind", link.port.physical ? "physical" : "emulated")
-        .field("firmware", link.port.firmware);
+    json.field("kind", to_string(link.port.kind)).field("firmware", link.port.firmware);
   json.field("samples_hz", link.samples_hz)
       .field("lost_hz", link.lost_hz)
       .field("bad_hz", link.bad_hz)

@@ -68,7 +68,8 @@ endif()
 
 install(TARGETS tp100d tp100-sim DESTINATION bin)
 install(PROGRAMS ${manual}/bin/tp100-flash ${manual}/bin/tp100-campaign DESTINATION bin)
-install(FILES ${CMAKE_BINARY_DIR}/firmware/tp100.hex DESTINATION share/tp100)
+install(FILES ${CMAKE_BINARY_DIR}/firmware/tp100.hex ${CMAKE_BINARY_DIR}/firmware/tp100_fake.hex
+  DESTINATION share/tp100)
 install(DIRECTORY config/campaigns config/courses config/robots config/cameras DESTINATION share/tp100)
 install(FILES config/tp100.toml DESTINATION share/tp100)
 install(DIRECTORY tests/data/real DESTINATION share/tp100)

@@ -1,5 +1,6 @@
-# cmake -D SKETCH=<tp100.ino> -D WORK=<folder> -P arduino_sketch.cmake: compiles the sketch as the Arduino
-# IDE does, every warning on. Fails if a source of ours warns or the image is above its budget.
+# cmake -D SKETCH=<tp100.ino> -D WORK=<folder> [-D FAKE_ROBOT=ON] -P arduino_sketch.cmake: compiles the sketch as the
+# Arduino IDE does, every warning on; FAKE_ROBOT: after its line in options.h was uncommented. Fails if a source of ours
+# warns, the image is above its budget, or it is not the one that was asked for.
 set(ARDUINO /usr/share/arduino/hardware)
 find_program(BUILDER arduino-builder)
 if(NOT BUILDER)
@@ -9,6 +10,18 @@ endif()
 # What is compiled already would not warn again.
 file(REMOVE_RECURSE ${WORK}/build)
 file(MAKE_DIRECTORY ${WORK}/build ${WORK}/cache)
+if(FAKE_ROBOT)
+  cmake_path(GET SKETCH PARENT_PATH original)
+  file(REMOVE_RECURSE ${WORK}/tp100)
+  file(COPY ${original} DESTINATION ${WORK})
+  set(SKETCH ${WORK}/tp100/tp100.ino)
+  file(READ ${WORK}/tp100/options.h options)
+  string(REPLACE "\n// #define FAKE_ROBOT\n" "\n#define FAKE_ROBOT\n" fake "${options}")
+  if(fake STREQUAL options)
+    message(FATAL_ERROR "${original}/options.h has no line to uncomment")
+  endif()
+  file(WRITE ${WORK}/tp100/options.h "${fake}")
+endif()
 cmake_path(GET BUILDER PARENT_PATH bin)
 execute_process(
   COMMAND ${BUILDER} -compile -warnings all -ide-version 10819 -fqbn arduino:avr:mega:cpu=atmega2560
@@ -34,4 +47,10 @@ foreach(line IN LISTS lines)
 endforeach()
 
 set(IMAGE ${WORK}/build/tp100.ino.elf)
+execute_process(COMMAND avr-nm -C ${IMAGE} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+if(NOT FAKE_ROBOT STREQUAL "ON" AND symbols MATCHES "FakeMegaHal")
+  message(FATAL_ERROR "${IMAGE} simulates its robot")
+elseif(FAKE_ROBOT AND NOT symbols MATCHES "FakeMegaHal")
+  message(FATAL_ERROR "${IMAGE} does not simulate its robot")
+endif()
 include(${CMAKE_CURRENT_LIST_DIR}/../../firmware/image/budget.cmake)

@@ -25,7 +25,7 @@ def make(build):
         depends = run("dpkg-deb", "-f", deb, "Depends")
         check(("libopencv" in depends) == (name == "tp100-camera"), f"{name} depends on: {depends}")
     there = run("dpkg-deb", "-c", package(build))
-    for path in ("bin/tp100-campaign", "share/doc/tp100/README.md", "share/doc/tp100/config/TUTORIALS.md",
+    for path in ("bin/tp100-campaign", "share/doc/tp100/README.md", "share/doc/tp100/config/TUTORIALS.md", "share/tp100/tp100_fake.hex",
                  "share/doc/tp100/examples/64-tp100-bridges.rules"):
         check(f" ./usr/{path}\n" in there, f"the package has no /usr/{path}")
 

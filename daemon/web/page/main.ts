@@ -34,7 +34,7 @@ import { Transport } from '../panel/transport.ts';
 import { kModes, Viewport } from '../panel/viewport.ts';
 import { Player } from '../replay/player.ts';
 import { loadRecording } from '../replay/recording.ts';
-import type { State, Topic } from '../state/messages.ts';
+import type { Link, State, Topic } from '../state/messages.ts';
 import { StopButton } from '../state/stop.ts';
 import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
@@ -282,6 +282,11 @@ document.addEventListener('visibilitychange', () => {
 });
 window.addEventListener('gamepaddisconnected', () => { driver.tick(); });
 
+/** What the robot on the port is; empty while it is not known. */
+function robotText(kind?: Link['kind']): string {
+  return kind === 'simulated' ? 'simulated inside the board' : kind ?? '';
+}
+
 function identity(): void {
   const state = live.get('/state');
   const parts = [state?.robot ?? metadata.robot, state?.setup ?? metadata.setup].filter(Boolean);
@@ -289,7 +294,7 @@ function identity(): void {
   const title = state === undefined ? 'TP100' : `${state.run} \u00b7 TP100`;
   if (document.title !== title) document.title = title;
   const kind = live.get('/link')?.kind;
-  setText(badge, kind ?? '');
+  setText(badge, robotText(kind));
   setAttribute(badge, 'data-kind', kind ?? '');
 }
 

@@ -78,7 +78,7 @@ export interface Link {
   port: string;
   note?: string;
   /** Known once a board was heard. */
-  kind?: 'physical' | 'emulated';
+  kind?: 'physical' | 'emulated' | 'simulated';
   firmware?: string | null;
   samples_hz: number;
   lost_hz: number;

@@ -22,7 +22,7 @@
 namespace tp100 {
 namespace firmware {
 
-class MegaHal final : public Hal {
+class MegaHal : public Hal {
  public:
   MegaHal() : battery_mv_(0), conversion_(0), nonce_(0) {}
 

@@ -10,9 +10,7 @@ const uint8_t kSampleRateDivider = 0x19;
 const uint8_t kConfig = 0x1A;
 const uint8_t kGyroConfig = 0x1B;
 const uint8_t kAccelConfig = 0x1C;
-const uint8_t kAccelXHigh = 0x3B;
 const uint8_t kPowerManagement1 = 0x6B;
-const uint8_t kWhoAmI = 0x75;
 
 struct Setting {
   uint8_t reg;
@@ -90,7 +88,7 @@ void Imu::update() {
 }
 
 bool Imu::read(ImuValues& values) {
-  uint8_t bytes[14];
+  uint8_t bytes[kMeasuredBytes];
   if (!hal_.i2c_read(kAddress, kAccelXHigh, bytes, sizeof bytes)) return false;
   const uint8_t* from = bytes;
   for (uint8_t i = 0; i < 3; ++i, from += 2) {

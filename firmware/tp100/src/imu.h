@@ -18,6 +18,10 @@ struct ImuValues {
 class Imu {
  public:
   static const uint8_t kAddress = 0x68;
+  static const uint8_t kWhoAmI = 0x75;
+  /// First of the registers that hold what was measured, and their number.
+  static const uint8_t kAccelXHigh = 0x3B;
+  static const uint8_t kMeasuredBytes = 14;
   static const uint8_t kNever = 255;
 
   explicit Imu(Hal& hal);

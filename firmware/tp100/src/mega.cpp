@@ -5,13 +5,22 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
+#include "../options.h"
 #include "firmware.h"
+#if defined(FAKE_ROBOT)
+#include "fake_mega.h"
+#else
 #include "hal_mega.h"
+#endif
 #include "work_flag.h"
 
 namespace {
 
+#if defined(FAKE_ROBOT)
+tp100::firmware::FakeMegaHal hal;
+#else
 tp100::firmware::MegaHal hal;
+#endif
 tp100::firmware::Firmware robot(hal);
 
 }  // namespace
