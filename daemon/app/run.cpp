@@ -14,6 +14,7 @@
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
 #include "live/recording_policies.h"
+#include "live/ros2_node.h"
 #include "live/service_notice.h"
 #include "live/setup_changer.h"
 #include "live/setup_files.h"
@@ -21,7 +22,6 @@
 #include "live/supervisor.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
-#include "ros2/publisher.h"
 #include "server/server.h"
 #include "text/toml_document.h"
 #include "web/bundle.h"
@@ -131,9 +131,7 @@ int run_run(const RunOptions& options) {
 
   const messages::PublishClock clock = read_clocks();
   // Before memory is locked, and by this thread: the loop's is not ordinary.
-  std::optional<ros2::Publisher> ros2;
-  if (configuration.ros2.enabled)
-    ros2.emplace(configuration.ros2, config::run_context_of(run), clock);
+  const std::unique_ptr<ros2::Participant> participant = live::ros2_participant(configuration);
   const loop::RealTimeProcess process({.lock_memory = configuration.loop.lock_memory,
                                        .hold_cpu_latency = configuration.loop.hold_cpu_latency});
   loop::FixedRateLoop loop(loop_settings(configuration.loop), cycle);
@@ -172,9 +170,14 @@ int run_run(const RunOptions& options) {
   settings.setup_changer = &setup;
   settings.stay = options.stay;
   settings.verbose = options.verbose;
+  std::optional<live::Ros2Node> ros2;
+  if (participant) {
+    ros2.emplace(*participant, config::run_context_of(run), clock, cycle, controls,
+                 live::why_no_ros2_requests(configuration));
+    settings.ros2 = &*ros2;
+  }
   live::Supervisor supervisor(settings, cycle, loop);
   for (messages::Sink* sink : options.sinks) supervisor.add_sink(*sink);
-  if (ros2) supervisor.add_sink(*ros2);
   try {
     return supervisor.run();
   } catch (const SetupError&) {

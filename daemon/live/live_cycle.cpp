@@ -90,6 +90,12 @@ void LiveCycle::time_sample(HostNs now) {
 }
 
 void LiveCycle::record() {
+  if (more_records_ != nullptr) {
+    if (StepRecord* slot = more_records_->free_slot()) {
+      cycle_.record(*slot);
+      more_records_->publish();
+    }
+  }
   if (StepRecord* slot = records_.free_slot()) {
     cycle_.record(*slot);
     records_.publish();

@@ -108,6 +108,9 @@ class LiveCycle : public loop::LoopClient {
   /// The oldest step not released yet, valid until release; null: none.
   const StepRecord* front_record() const { return records_.front(); }
   void release_record() { records_.release(); }
+  /// From now on each step also goes to this ring, whose reader may be sooner than the other one,
+  /// or miss steps. It must outlive the loop. Call it before the loop starts.
+  void also_record(loop::SlotRing<StepRecord>& ring) { more_records_ = &ring; }
   /// Steps dropped because the ring was full; StepRecord::step has a gap there.
   std::uint64_t lost_records() const { return lost_records_.load(std::memory_order_relaxed); }
   /// Events dropped because the ring was full.
@@ -156,6 +159,7 @@ class LiveCycle : public loop::LoopClient {
   loop::SpscQueue<LiveEvent, 256> events_;
   loop::SpscQueue<LiveStatus, 4> statuses_;
   loop::SlotRing<StepRecord> records_{kWaitingRecords};
+  loop::SlotRing<StepRecord>* more_records_ = nullptr;
   SampleLatency sample_latency_;
   HostNs received_ns_ = 0;  // last read that returned bytes
   std::atomic<std::uint64_t> lost_events_{0};

@@ -56,7 +56,7 @@ struct Supervisor::State {
   void take_status(HostNs now);
   void take_records();
   void change_setup(const SetupChanger::Made& made);
-  void note_link();
+  void take_words();
   void on_session_state(SessionState state);
   void on_session(const SessionReport& report);
   void on_run_state(const RunChange& change);
@@ -117,6 +117,7 @@ int Supervisor::State::run() {
   sinks.push_back(settings.recording);
   sinks.push_back(settings.black_box);
   sinks.push_back(settings.server);
+  if (settings.ros2 != nullptr) sinks.push_back(settings.ros2);
   figures.page = settings.server->url();
   signals = std::make_unique<EndSignals>(context, [this](const char* signal) {
     log.info(signal);
@@ -224,7 +225,7 @@ void Supervisor::State::tick() {
   take_records();
   settings.setup_changer->tick();
   take_events();
-  note_link();
+  take_words();
   first_session.check(now);
   connector.tick(now);
   take_status(now);
@@ -383,8 +384,9 @@ void Supervisor::State::take_figures() {
   stats.write(figures);
 }
 
-void Supervisor::State::note_link() {
-  const std::vector<messages::Event> words = link_monitor.take_words();
+void Supervisor::State::take_words() {
+  std::vector<messages::Event> words = link_monitor.take_words();
+  if (settings.ros2 != nullptr) settings.ros2->take_words(words);
   log.words(words);
   for (const messages::Event& word : words) settings.server->take(word);
 }

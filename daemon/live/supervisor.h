@@ -16,6 +16,7 @@
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
 #include "live/recording_policies.h"
+#include "live/ros2_node.h"
 #include "live/setup_changer.h"
 #include "loop/fixed_rate_loop.h"
 #include "messages/sink.h"
@@ -45,6 +46,8 @@ struct SupervisorSettings {
   server::Server* server = nullptr;       ///< started and fed here
   LiveControls* controls = nullptr;       ///< of the server
   SetupChanger* setup_changer = nullptr;  ///< of the controls
+
+  Ros2Node* ros2 = nullptr;  ///< null: none; must outlive the supervisor
 };
 
 class Supervisor {

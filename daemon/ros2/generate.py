@@ -99,7 +99,8 @@ def cpp(name, messages):
     out += [f'  static constexpr {cpp_type(one, messages)} k{one["name"].title().replace("_", "")} = {one["value"]};'
             for one in constants]
     out += [f'  {cpp_type(one, messages)} {one["name"]}{{}};' for one in fields]
-    out += [f'  auto fields() const {{ return std::tie({", ".join(one["name"] for one in fields)}); }}',
+    tie = f'{{ return std::tie({", ".join(one["name"] for one in fields)}); }}'
+    out += [f'  auto fields() const {tie}', f'  auto fields() {tie}',
             f'  static constexpr MessageType kType{{"{full(name)}", "{package}::msg::dds_::{short}_",',
             f'    "{type_hash(name, messages)}",',
             f'    R"({schema(name, messages)})"}};', '};', f'}}  // namespace tp100::ros2::{package}', '']

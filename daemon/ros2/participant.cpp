@@ -3,9 +3,11 @@
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_serdata.h>
 #include <dds/ddsi/ddsi_sertype.h>
+#include <dds/ddsi/q_radmin.h>
 #include <pthread.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <map>
@@ -38,6 +40,37 @@ struct CdrData : ddsi_serdata {
   std::uint32_t size;
 };
 
+// More than any message has that is taken; of a longer one nothing is kept.
+constexpr std::size_t kLargestTaken = 4096;
+
+/// A message of the network, in fragments that may overlap.
+ddsi_serdata* received(const ddsi_sertype* type, ddsi_serdata_kind kind, const nn_rdata* fragments,
+                       size_t size) {
+  Bytes bytes;
+  if (size <= kLargestTaken) bytes.resize(size);
+  std::size_t filled = 0;
+  for (; fragments != nullptr && !bytes.empty(); fragments = fragments->nextfrag) {
+    const std::size_t end = std::min<std::size_t>(fragments->maxp1, size);
+    if (end <= filled) continue;
+    const unsigned char* const payload =
+        NN_RMSG_PAYLOADOFF(fragments->rmsg, NN_RDATA_PAYLOAD_OFF(fragments));
+    std::memcpy(bytes.data() + filled, payload + (filled - fragments->min), end - filled);
+    filled = end;
+  }
+  return new CdrData(type, kind, std::move(bytes));
+}
+
+/// A message of this process's own domain.
+ddsi_serdata* received_at_once(const ddsi_sertype* type, ddsi_serdata_kind kind,
+                               ddsrt_msg_iovlen_t count, const ddsrt_iovec_t* parts, size_t size) {
+  Bytes bytes;
+  for (std::size_t i = 0; i < count && size <= kLargestTaken; ++i) {
+    const auto* const from = static_cast<const std::uint8_t*>(parts[i].iov_base);
+    bytes.insert(bytes.end(), from, from + std::min(parts[i].iov_len, size - bytes.size()));
+  }
+  return new CdrData(type, kind, std::move(bytes));
+}
+
 ddsi_serdata* shared(const ddsi_serdata* data, size_t from, size_t size, ddsrt_iovec_t* out) {
   out->iov_base = const_cast<std::uint8_t*>(CdrData::of(data).bytes.data() + from);
   out->iov_len = size;
@@ -46,7 +79,12 @@ ddsi_serdata* shared(const ddsi_serdata* data, size_t from, size_t size, ddsrt_i
 
 const ddsi_serdata_ops& data_operations() {
   static const ddsi_serdata_ops kOperations = [] {
-    ddsi_serdata_ops ops{};  // nothing is received: those that read stay null
+    ddsi_serdata_ops ops{};  // messages are taken as CDR: those that make samples of it stay null
+    ops.from_ser = received;
+    ops.from_ser_iov = received_at_once;
+    ops.from_keyhash = [](const ddsi_sertype* type, const ddsi_keyhash*) -> ddsi_serdata* {
+      return new CdrData(type, SDK_KEY, {});
+    };
     ops.eqkey = [](const ddsi_serdata*, const ddsi_serdata*) { return true; };
     ops.get_size = [](const ddsi_serdata* data) { return CdrData::of(data).size; };
     ops.to_ser = [](const ddsi_serdata* data, size_t from, size_t size, void* out) {
@@ -178,6 +216,34 @@ struct Writer {
   void write(Bytes cdr) const { dds_writecdr(entity, new CdrData(type, SDK_DATA, std::move(cdr))); }
 };
 
+/// One topic's reader.
+struct Reader {
+  Input input{};
+  dds_entity_t entity = 0;
+
+  void take(const std::function<void(const Received&)>& receive) const {
+    std::array<ddsi_serdata*, kAtOnce> messages{};
+    std::array<dds_sample_info_t, kAtOnce> infos{};
+    const dds_return_t count =
+        dds_takecdr(entity, messages.data(), kAtOnce, infos.data(), DDS_ANY_STATE);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(count, 0)); ++i) {
+      const dds_sample_info_t& info = infos[i];
+      const CdrData& data = CdrData::of(messages[i]);
+      if (info.valid_data || info.instance_state == DDS_IST_NOT_ALIVE_NO_WRITERS)
+        receive({.input = input,
+                 .writer = info.publication_handle,
+                 .written_ns = info.source_timestamp,
+                 .cdr = info.valid_data ? std::span(data.bytes).first(data.size)
+                                        : std::span<const std::uint8_t>{},
+                 .gone = !info.valid_data});
+      ddsi_serdata_unref(messages[i]);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kAtOnce = 16;
+};
+
 rmw_dds_common::Gid gid_of(dds_entity_t entity) {
   dds_guid_t guid{};
   dds_get_guid(entity, &guid);
@@ -190,12 +256,16 @@ rmw_dds_common::Gid gid_of(dds_entity_t entity) {
 
 struct Participant::State {
   State(const config::Ros2Settings& settings, const std::string& node,
-        std::span<const Topic> published) {
+        std::span<const Topic> published, std::span<const Input> taken) {
     join(settings);
     try {
       for (const Topic topic : published) {
         const TopicText& text = topics().at(static_cast<std::size_t>(topic));
         writers.emplace(topic, writer("rt" + std::string(text.name), *text.type, text.qos));
+      }
+      for (const Input input : taken) {
+        const InputText& text = inputs().at(static_cast<std::size_t>(input));
+        readers.push_back({input, reader("rt" + std::string(text.name), *text.type, text.qos)});
       }
       announce(node);
     } catch (...) {
@@ -231,42 +301,57 @@ struct Participant::State {
                      (why.empty() ? dds_strretcode(-participant) : text::one_line(why)) +
                      "; check ros2.interface and ros2.domain");
   }
-  Writer writer(const std::string& name, const MessageType& type, const Qos& offered) const {
+  /// A topic of that type, and the type that it has in this domain.
+  std::pair<dds_entity_t, const ddsi_sertype*> topic(const std::string& name,
+                                                     const MessageType& type) const {
     auto* wanted = new ddsi_sertype{};
     ddsi_sertype_init_flags(wanted, std::string(type.dds_name).c_str(), &type_operations(),
                             &data_operations(), DDSI_SERTYPE_FLAG_TOPICKIND_NO_KEY);
-    const QosOf qos(offered, type);
     ddsi_sertype* used = wanted;
-    const dds_entity_t topic =
-        dds_create_topic_sertype(participant, name.c_str(), &used, qos.dds, nullptr, nullptr);
-    if (topic < 0) ddsi_sertype_unref(wanted);
     const dds_entity_t entity =
-        topic < 0 ? topic : dds_create_writer(participant, topic, qos.dds, nullptr);
-    if (entity < 0)
-      throw SetupError("[ros2]: topic " + name + " cannot be published (" +
-                       dds_strretcode(-entity) + "); set ros2.enabled to false");
-    return {entity, used};
+        dds_create_topic_sertype(participant, name.c_str(), &used, nullptr, nullptr, nullptr);
+    if (entity < 0) ddsi_sertype_unref(wanted);
+    return {checked(entity, name), used};
   }
-  /// Tells ROS 2's graph of the node and its publishers.
+  Writer writer(const std::string& name, const MessageType& type, const Qos& offered) const {
+    const auto [of, used] = topic(name, type);
+    const QosOf qos(offered, type);
+    return {checked(dds_create_writer(participant, of, qos.dds, nullptr), name), used};
+  }
+  dds_entity_t reader(const std::string& name, const MessageType& type, const Qos& wanted) const {
+    const QosOf qos(wanted, type);
+    return checked(dds_create_reader(participant, topic(name, type).first, qos.dds, nullptr), name);
+  }
+  static dds_entity_t checked(dds_entity_t entity, const std::string& name) {
+    if (entity >= 0) return entity;
+    throw SetupError("[ros2]: topic " + name + " is impossible (" + dds_strretcode(-entity) +
+                     "); set ros2.enabled to false");
+  }
+  /// Tells ROS 2's graph of the node, its publishers and subscriptions.
   void announce(const std::string& node) {
     graph = writer("ros_discovery_info", rmw_dds_common::ParticipantEntitiesInfo::kType,
                    {.transient_local = true, .depth = 1});
     rmw_dds_common::NodeEntitiesInfo entities{.node_namespace = "/", .node_name = node};
     for (const auto& [topic, writer] : writers)
       entities.writer_gid_seq.push_back(gid_of(writer.entity));
+    for (const Reader& reader : readers) entities.reader_gid_seq.push_back(gid_of(reader.entity));
     graph.write(serialized(rmw_dds_common::ParticipantEntitiesInfo{
         .gid = gid_of(participant), .node_entities_info_seq = {entities}}));
   }
 
   dds_entity_t domain = 0, participant = 0;
   std::map<Topic, Writer> writers;
+  std::vector<Reader> readers;
   Writer graph{};
 };
 
 Participant::Participant(const config::Ros2Settings& settings, const std::string& node,
-                         std::span<const Topic> published)
-    : state_(std::make_unique<State>(settings, node, published)) {}
+                         std::span<const Topic> published, std::span<const Input> taken)
+    : state_(std::make_unique<State>(settings, node, published, taken)) {}
 Participant::~Participant() = default;
 void Participant::write(Topic topic, Bytes cdr) { state_->writers.at(topic).write(std::move(cdr)); }
+void Participant::take(const std::function<void(const Received&)>& receive) {
+  for (const Reader& reader : state_->readers) reader.take(receive);
+}
 
 }  // namespace tp100::ros2

@@ -1,23 +1,26 @@
 #pragma once
 // A participant of a ROS 2 domain, without ROS: any ROS 2 program finds a node with these topics.
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 
 #include "config/configuration.h"
 #include "core/bytes.h"
+#include "ros2/inputs.h"
 #include "ros2/topics.h"
 
 namespace tp100::ros2 {
 
 class Participant {
  public:
-  /// Joins the domain as `node`, which publishes these topics. The threads that it starts have the
-  /// caller's scheduling and processors: to be called from an ordinary thread, before a real-time
-  /// loop starts. Throws SetupError: no such interface or domain, or this build has no DDS.
+  /// Joins the domain as `node`, which publishes and takes these topics. The threads that it starts
+  /// have the caller's scheduling and processors: to be called from an ordinary thread, before a
+  /// real-time loop starts. Throws SetupError: no such interface or domain, or this build has no
+  /// DDS.
   Participant(const config::Ros2Settings& settings, const std::string& node,
-              std::span<const Topic> published);
+              std::span<const Topic> published, std::span<const Input> taken = {});
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
@@ -25,6 +28,9 @@ class Participant {
   /// Publishes a message as TopicMessages makes it, on one of the topics. Allocates, and waits for
   /// no subscriber: one that is slow misses the older of the messages that are kept. One thread.
   void write(Topic topic, Bytes cdr);
+  /// Calls `receive` for what has arrived since the last call, of each topic in order; of more than
+  /// a few at once the newest. One thread.
+  void take(const std::function<void(const Received&)>& receive);
 
  private:
   struct State;

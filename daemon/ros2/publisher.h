@@ -1,5 +1,7 @@
 #pragma once
-// The daemon as node /tp100d of a ROS 2 domain: every topic but those of simulations.
+// The results of steps on the topics of a participant.
+
+#include <utility>
 
 #include "messages/sink.h"
 #include "ros2/participant.h"
@@ -10,24 +12,30 @@ namespace tp100::ros2 {
 /// Publishes what follows from each step, in the thread that calls it.
 class Publisher : public messages::Sink {
  public:
-  /// Joins the domain: see Participant.
-  Publisher(const config::Ros2Settings& settings, const messages::RunContext& run_context,
-            const messages::PublishClock& clock)
-      : clock_(clock),
-        messages_(run_context, clock, false),
-        participant_(settings, "tp100d", kLiveTopics) {
+  /// `participant`, which publishes kLiveTopics, and with `virtual_time` also kVirtualTopics, must
+  /// outlive the publisher.
+  Publisher(Participant& participant, messages::RunContext run_context,
+            const messages::PublishClock& clock, bool virtual_time)
+      : participant_(participant),
+        clock_(clock),
+        virtual_time_(virtual_time),
+        messages_(std::move(run_context), clock, virtual_time) {
     messages_.begin(clock.start_ns, send_);
   }
   void take(const StepRecord& record) override { messages_.take(record, send_); }
+  void take_truth(HostNs at, const Pose& truth) override {
+    if (virtual_time_) send_(Topic::kGroundTruth, ground_truth(clock_.unix_ns(at), truth));
+  }
   void take_setup(const messages::RunContext& run_context, HostNs at) override {
-    messages_ = TopicMessages(run_context, clock_, false);
+    messages_ = TopicMessages(run_context, clock_, virtual_time_);
     messages_.begin(at, send_);
   }
 
  private:
+  Participant& participant_;
   messages::PublishClock clock_;
+  bool virtual_time_;
   TopicMessages messages_;
-  Participant participant_;
   TopicMessages::Send send_ = [this](Topic topic, Bytes cdr) {
     participant_.write(topic, std::move(cdr));
   };

@@ -14,7 +14,6 @@
 namespace tp100::ros2 {
 namespace {
 
-constexpr const char* kMap = "map";
 constexpr const char* kOdom = "odom";
 
 constexpr HostNs kSlowPeriodNs = kNsPerS;  // of battery and state

@@ -13,6 +13,9 @@
 
 namespace tp100::ros2 {
 
+/// The course's frame: of poses that do not drift.
+inline constexpr const char* kMap = "map";
+
 enum class Topic : std::uint8_t {
   kOdometry,
   kTransforms,
@@ -51,6 +54,9 @@ inline constexpr std::array kLiveTopics = {
     Topic::kOdometry, Topic::kTransforms,      Topic::kStaticTransforms, Topic::kFusedPose,
     Topic::kImu,      Topic::kJointStates,     Topic::kBatteryState,     Topic::kPath,
     Topic::kState,    Topic::kRobotDescription};
+
+/// Of simulations, beside those.
+inline constexpr std::array kVirtualTopics = {Topic::kGroundTruth, Topic::kClock};
 
 /// Message of /ground_truth: the robot's true pose in the course's world.
 Bytes ground_truth(std::uint64_t unix_ns, const Pose& pose);

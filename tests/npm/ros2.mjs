@@ -2,8 +2,8 @@
 import { load } from './packages.mjs';
 
 const { ros2jazzy } = load('@foxglove/rosmsg-msgs-common');
-const { MessageReader } = load('@foxglove/rosmsg2-serialization');
-const readers = new Map();
+const { MessageReader, MessageWriter } = load('@foxglove/rosmsg2-serialization');
+const readers = new Map(), writers = new Map();
 
 /** The definition of `type`, package/Name, and after it those of all messages within it. */
 export function definitionsOf(type) {
@@ -21,6 +21,12 @@ export function definitionsOf(type) {
 export function decode(type, bytes) {
   if (!readers.has(type)) readers.set(type, new MessageReader(definitionsOf(type.replace('/msg/', '/'))));
   return readers.get(type).readMessage(bytes);
+}
+
+/** The bytes of a message of `type`, package/msg/Name; fields that are left out are zero. */
+export function encode(type, message) {
+  if (!writers.has(type)) writers.set(type, new MessageWriter(definitionsOf(type.replace('/msg/', '/'))));
+  return writers.get(type).writeMessage(message);
 }
 
 /** A time of ROS in nanoseconds. */

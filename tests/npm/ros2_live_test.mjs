@@ -1,122 +1,20 @@
-// The real daemon on ROS 2's topics, received by Fast DDS (ros2_listener), in a network of its own (in_network): what
+// The real daemon on ROS 2's topics, received by Fast DDS (ros2_peer), in a network of its own (in_network): what
 // arrives is compared byte by byte with the bag of the same run, whose fields ros2_bag_test.mjs compares.
 import assert from 'node:assert/strict';
-import { execFileSync, spawn } from 'node:child_process';
-import { once } from 'node:events';
+import { execFileSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
-import { mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
-import { cpus, tmpdir } from 'node:os';
+import { readdir, writeFile } from 'node:fs/promises';
+import { cpus } from 'node:os';
 import { join } from 'node:path';
-import { createInterface } from 'node:readline';
 import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
+import { Peer, ddsType, discovery, latched, percentile, program, topics, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { MessageReader } = load('@foxglove/rosmsg2-serialization');
-const program = (name) => join(process.env.TP100_BIN, name);
 const limits = { timeout: 120_000 };
-
-// Topic: type, and quality of service: reliable or best effort, transient local or volatile.
-const topics = new Map([
-  ['/odom', ['nav_msgs/msg/Odometry', 'RV']],
-  ['/tf', ['tf2_msgs/msg/TFMessage', 'RV']],
-  ['/tf_static', ['tf2_msgs/msg/TFMessage', 'RT']],
-  ['/pose/fused', ['geometry_msgs/msg/PoseWithCovarianceStamped', 'RV']],
-  ['/imu/data', ['sensor_msgs/msg/Imu', 'BV']],
-  ['/joint_states', ['sensor_msgs/msg/JointState', 'RV']],
-  ['/battery_state', ['sensor_msgs/msg/BatteryState', 'RV']],
-  ['/path', ['nav_msgs/msg/Path', 'RT']],
-  ['/tp100/state', ['diagnostic_msgs/msg/DiagnosticArray', 'RV']],
-  ['/robot_description', ['std_msgs/msg/String', 'RT']],
-]);
-const latched = ['/tf_static', '/path', '/robot_description'];
-const discovery = 'ros_discovery_info';
-const entitiesType = 'rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_';
-const ddsType = (type) => `${type.replace('/msg/', '::msg::dds_::')}_`;
-
-/** A Fast DDS participant and what it has found and received. */
-class Listener {
-  /** `under`: a command to run it by. */
-  constructor(domain, wanted, under = []) {
-    this.found = [];
-    this.waiting = new Set();
-    const [command, ...more] = [...under, program('ros2_listener'), String(domain), ...wanted];
-    this.process = spawn(command, more, { stdio: ['pipe', 'pipe', 'inherit'] });
-    createInterface({ input: this.process.stdout }).on('line', (line) => {
-      this.found.push(JSON.parse(line));
-      for (const check of this.waiting) check();
-    });
-  }
-  /** All topics with the quality of service that is offered. */
-  static async ofEverything(domain) {
-    const listener = new Listener(domain, [...[...topics].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`),
-      `${discovery}=${entitiesType}=RT`]);
-    await listener.until(() => listener.found.some(({ listening }) => listening));
-    return listener;
-  }
-  until(condition) {
-    return new Promise((resolve) => {
-      const check = () => {
-        if (!condition()) return;
-        this.waiting.delete(check);
-        resolve();
-      };
-      this.waiting.add(check);
-      check();
-    });
-  }
-  /** Messages of a topic of ROS, as bytes. */
-  messages(topic) {
-    return this.found.filter(({ message }) => message === `rt${topic}`).map(({ cdr }) => Buffer.from(cdr, 'hex'));
-  }
-  async end() {
-    this.process.stdin.end();
-    if (this.process.exitCode === null && this.process.signalCode === null) await once(this.process, 'exit');
-  }
-}
-
-/** An emulated robot with these options, for daemons that `work` starts. */
-async function withRobot(work, more = []) {
-  const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
-  const port = join(folder, 'port');
-  const env = { ...process.env, ROS_DOMAIN_ID: '42' };
-  const robot = spawn(program('tp100-sim'), ['robot', '--link', port, ...more], { stdio: ['ignore', 'pipe', 'inherit'], env });
-  const running = [];
-  try {
-    await once(robot.stdout, 'data');
-    await work({
-      folder,
-      /** A daemon with these lines of configuration; `said(pattern)` waits for a line of its log. */
-      async daemon(ros2, options, loop = '') {
-        const file = join(folder, `${running.length}.toml`);
-        await writeFile(file, `[loop]\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n${loop}\n${ros2}\n`);
-        const child = spawn(program('tp100d'), ['run', '--config', file, '--port', port, '--listen', 'off', ...options],
-          { stdio: ['ignore', 'ignore', 'pipe'], env });
-        running.push(child);
-        const lines = [], waiting = new Set();
-        createInterface({ input: child.stderr }).on('line', (line) => {
-          lines.push(line);
-          for (const check of waiting) check();
-        });
-        const exit = once(child, 'exit');
-        const said = (pattern) => Promise.race([
-          new Promise((resolve) => {
-            const check = () => { if (lines.some((line) => pattern.test(line))) resolve(); };
-            waiting.add(check);
-            check();
-          }),
-          exit.then(() => assert.match(lines.join('\n'), pattern)),
-        ]);
-        return { child, exit, said, lines };
-      },
-    });
-  } finally {
-    for (const child of [...running, robot]) child.kill('SIGKILL');
-    await rm(folder, { recursive: true, force: true });
-  }
-}
 
 async function bagOf(folder) {
   const [run] = await readdir(join(folder, 'runs'));
@@ -128,11 +26,8 @@ async function bagOf(folder) {
 const same = (received, written) => received.length - written.length < 4
   && received.subarray(0, written.length).equals(written);
 
-/** Milliseconds below which a share of these values are. */
-const percentile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1))];
-
 test('another implementation receives every message of a run', limits, (t) => withRobot(async ({ folder, daemon }) => {
-  const listener = await Listener.ofEverything(42);
+  const listener = await Peer.ofEverything(42);
   try {
     const course = join(folder, 'short.toml');
     await writeFile(course, 'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.3\n'
@@ -212,8 +107,8 @@ test('who comes late receives what is latched', limits, () => withRobot(async ({
   // The key goes before the environment's domain.
   const run = await daemon('[ros2]\nenabled = true\ndomain = 3', ['--course', '1-straight', '--stay', '--wait'], 'priority = 0');
   await run.said(/state: syncing -> ready/);
-  const listener = await Listener.ofEverything(3);
-  const strict = new Listener(3, ['rt/imu/data=sensor_msgs::msg::dds_::Imu_=RV', 'rt/odom=nav_msgs::msg::dds_::Odometry_=RT']);
+  const listener = await Peer.ofEverything(3);
+  const strict = new Peer(3, ['rt/imu/data=sensor_msgs::msg::dds_::Imu_=RV', 'rt/odom=nav_msgs::msg::dds_::Odometry_=RT']);
   try {
     await listener.until(() => [...topics.keys()].every((topic) => listener.messages(topic).length > 0));
     for (const topic of latched) {
@@ -247,7 +142,7 @@ test('threads of DDS have neither the scheduling nor the processor of the loop',
 }));
 
 test('the emulated robot tells where it truly is', limits, () => withRobot(async ({ daemon }) => {
-  const listener = new Listener(42, ['rt/ground_truth=geometry_msgs::msg::dds_::PoseStamped_=RV',
+  const listener = new Peer(42, ['rt/ground_truth=geometry_msgs::msg::dds_::PoseStamped_=RV',
     'rt/odom=nav_msgs::msg::dds_::Odometry_=RV']);
   try {
     const run = await daemon('[ros2]\nenabled = true', ['--course', '1-straight', '--duration', '8'], 'priority = 0');
@@ -277,7 +172,7 @@ test('the emulated robot tells where it truly is', limits, () => withRobot(async
 }, ['--ros2']));
 
 test('nobody is on the network unless it is switched on', limits, () => withRobot(async ({ daemon }) => {
-  const listener = await Listener.ofEverything(42);
+  const listener = await Peer.ofEverything(42);
   try {
     const off = await daemon('', ['--duration', '2'], 'priority = 0');
     await off.exit;
@@ -291,31 +186,10 @@ test('nobody is on the network unless it is switched on', limits, () => withRobo
   }
 }));
 
-/** Calls `work` with a command that runs another one on a second host, at the other end of the network eth0. */
-async function withSecondHost(work) {
-  const ip = (...options) => execFileSync('ip', options);
-  const host = spawn('unshare', ['--net', 'cat'], { stdio: ['pipe', 'pipe', 'inherit'] });
-  try {
-    // It echoes once it is in its own network.
-    host.stdin.write('there\n');
-    await once(host.stdout, 'data');
-    const under = ['nsenter', '--target', String(host.pid), '--net'];
-    ip('link', 'add', 'eth0', 'type', 'veth', 'peer', 'name', 'eth0', 'netns', String(host.pid));
-    ip('address', 'add', '10.0.0.1/24', 'dev', 'eth0');
-    ip('link', 'set', 'eth0', 'up');
-    for (const options of ['link set lo up', 'address add 10.0.0.2/24 dev eth0', 'link set eth0 up', 'route add default dev eth0'])
-      execFileSync(under[0], [...under.slice(1), 'ip', ...options.split(' ')]);
-    await work(under);
-  } finally {
-    host.stdin.end();
-    await once(host, 'exit');
-  }
-}
-
 test('another host sees what is published on its network, and nothing of this machine alone', limits, () =>
   withSecondHost((under) => withRobot(async ({ daemon }) => {
     const odometry = ['rt/odom=nav_msgs::msg::dds_::Odometry_=RV'];
-    const there = new Listener(42, odometry, under), here = new Listener('42@127.0.0.1', odometry);
+    const there = new Peer(42, odometry, under), here = new Peer('42@127.0.0.1', odometry);
     try {
       const local = await daemon('[ros2]\nenabled = true', ['--stay', '--wait'], 'priority = 0');
       await here.until(() => here.messages('/odom').length > 400);

@@ -1,18 +1,22 @@
-// ros2_listener DOMAIN TOPIC=TYPE=QOS...: receives topics with Fast DDS, an implementation that
-// shares nothing with the daemon's. Writes a line of JSON for each participant, each writer and
-// each message that it finds, and ends when standard input does. QOS: R reliable or B best effort,
-// followed by T transient local or V volatile.
+// ros2_peer DOMAIN [+]TOPIC=TYPE=QOS...: receives topics, and with a plus publishes them, with Fast
+// DDS, an implementation that shares nothing with the daemon's. Writes a line of JSON for each
+// participant, each writer, each message and each match of a topic of its own. A line "TOPIC=TYPE
+// HEX" on standard input is a message to publish; it ends when standard input does. QOS: R reliable
+// or B best effort, followed by T transient local or V volatile.
 
 #include <fastcdr/Cdr.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/DataWriterListener.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
@@ -20,6 +24,8 @@
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <functional>
+#include <iostream>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -50,6 +56,13 @@ std::string hex(const std::uint8_t* bytes, std::size_t size) {
   return out;
 }
 
+std::vector<std::uint8_t> bytes_of(const std::string& text) {
+  std::vector<std::uint8_t> out;
+  for (std::size_t i = 0; i + 1 < text.size(); i += 2)
+    out.push_back(static_cast<std::uint8_t>(std::stoul(text.substr(i, 2), nullptr, 16)));
+  return out;
+}
+
 std::string guid_text(const rtps::GUID_t& guid) {
   return hex(guid.guidPrefix.value, 12) + hex(guid.entityId.value, 4);
 }
@@ -69,14 +82,22 @@ class RawType : public fast::TopicDataType {
     auto_fill_type_information(false);
     auto_fill_type_object(false);
   }
-  bool serialize(void*, rtps::SerializedPayload_t*) override { return false; }
+  bool serialize(void* in, rtps::SerializedPayload_t* payload) override {
+    const auto& bytes = *static_cast<const std::vector<std::uint8_t>*>(in);
+    std::memcpy(payload->data, bytes.data(), bytes.size());
+    payload->length = static_cast<std::uint32_t>(bytes.size());
+    payload->encapsulation = CDR_LE;
+    return true;
+  }
   bool deserialize(rtps::SerializedPayload_t* payload, void* out) override {
     static_cast<std::vector<std::uint8_t>*>(out)->assign(payload->data,
                                                          payload->data + payload->length);
     return true;
   }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void*) override {
-    return [] { return kLargest; };
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
+    return [data] {
+      return static_cast<std::uint32_t>(static_cast<std::vector<std::uint8_t>*>(data)->size());
+    };
   }
   void* createData() override { return new std::vector<std::uint8_t>; }
   void deleteData(void* data) override { delete static_cast<std::vector<std::uint8_t>*>(data); }
@@ -124,11 +145,32 @@ class Messages : public fast::DataReaderListener {
   }
 };
 
+class Matches : public fast::DataWriterListener {
+ public:
+  void on_publication_matched(fast::DataWriter* writer,
+                              const fast::PublicationMatchedStatus& status) override {
+    print("{\"matched\":\"" + writer->get_topic()->get_name() + "=" +
+          writer->get_topic()->get_type_name() +
+          "\",\"count\":" + std::to_string(status.current_count) + "}");
+  }
+};
+
+/// Quality of service of a reader or writer.
+template <class AnyQos>
+AnyQos with(AnyQos qos, const std::string& wanted) {
+  qos.reliability().kind =
+      wanted[0] == 'R' ? fast::RELIABLE_RELIABILITY_QOS : fast::BEST_EFFORT_RELIABILITY_QOS;
+  qos.durability().kind =
+      wanted[1] == 'T' ? fast::TRANSIENT_LOCAL_DURABILITY_QOS : fast::VOLATILE_DURABILITY_QOS;
+  return qos;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   Discovery discovery;
   Messages messages;
+  Matches matches;
   fast::DomainParticipantQos participant_qos = fast::PARTICIPANT_QOS_DEFAULT;
   // Without shared memory, which would leave files behind.
   participant_qos.transport().use_builtin_transports = false;
@@ -143,25 +185,34 @@ int main(int argc, char** argv) {
       factory->create_participant(static_cast<fast::DomainId_t>(std::stoul(domain)),
                                   participant_qos, &discovery, fast::StatusMask::none());
   auto* const subscriber = participant->create_subscriber(fast::SUBSCRIBER_QOS_DEFAULT);
+  auto* const publisher = participant->create_publisher(fast::PUBLISHER_QOS_DEFAULT);
+  std::map<std::string, fast::DataWriter*> writers;
   for (int i = 2; i < argc; ++i) {
-    const std::string argument = argv[i];
+    const bool publishes = argv[i][0] == '+';
+    const std::string argument = argv[i] + (publishes ? 1 : 0);
     const std::size_t first = argument.find('='), second = argument.rfind('=');
     const std::string name = argument.substr(0, first), qos = argument.substr(second + 1);
     const fast::TypeSupport type(new RawType(argument.substr(first + 1, second - first - 1)));
     type.register_type(participant);
     auto* const topic =
         participant->create_topic(name, type.get_type_name(), fast::TOPIC_QOS_DEFAULT);
-    fast::DataReaderQos reader = fast::DATAREADER_QOS_DEFAULT;
-    reader.reliability().kind =
-        qos[0] == 'R' ? fast::RELIABLE_RELIABILITY_QOS : fast::BEST_EFFORT_RELIABILITY_QOS;
-    reader.durability().kind =
-        qos[1] == 'T' ? fast::TRANSIENT_LOCAL_DURABILITY_QOS : fast::VOLATILE_DURABILITY_QOS;
+    if (topic == nullptr) return 1;
+    if (publishes) {
+      auto* const writer =
+          publisher->create_datawriter(topic, with(fast::DATAWRITER_QOS_DEFAULT, qos), &matches);
+      if (writer == nullptr) return 1;
+      writers[argument.substr(0, second)] = writer;
+      continue;
+    }
+    fast::DataReaderQos reader = with(fast::DATAREADER_QOS_DEFAULT, qos);
     reader.history().kind = fast::KEEP_ALL_HISTORY_QOS;
-    if (topic == nullptr || subscriber->create_datareader(topic, reader, &messages) == nullptr)
-      return 1;
+    if (subscriber->create_datareader(topic, reader, &messages) == nullptr) return 1;
   }
   print("{\"listening\":true}");
-  for (char c = 0; ::read(STDIN_FILENO, &c, 1) > 0;) {
+  for (std::string line; std::getline(std::cin, line);) {
+    const std::size_t space = line.find(' ');
+    std::vector<std::uint8_t> bytes = bytes_of(line.substr(space + 1));
+    writers.at(line.substr(0, space))->write(&bytes);
   }
   participant->delete_contained_entities();
   factory->delete_participant(participant);

@@ -1,0 +1,90 @@
+#include "live/ros2_node.h"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/clock.h"
+#include "loop/pacing.h"
+
+namespace tp100::live {
+namespace {
+
+// The loop wakes no other thread: this one looks again and again.
+constexpr HostNs kPollNs = kNsPerMs / 2;
+// A node whose thread does not run for this long at 200 Hz misses steps.
+constexpr std::size_t kWaitingSteps = 64;
+
+constexpr std::array kInputs = {ros2::Input::kVelocity, ros2::Input::kVelocityStamped,
+                                ros2::Input::kDrive, ros2::Input::kInitialPose};
+
+}  // namespace
+
+std::string why_no_ros2_requests(const config::Configuration& configuration) {
+  const config::CommandsFrom from = configuration.server.commands;
+  if (from == config::CommandsFrom::kNone) return "server.commands is \"none\"";
+  if (from == config::CommandsFrom::kLocal && configuration.ros2.interface != "lo")
+    return "server.commands is \"local\", and ros2.interface is not lo";
+  return {};
+}
+
+std::unique_ptr<ros2::Participant> ros2_participant(const config::Configuration& configuration) {
+  if (!configuration.ros2.enabled) return nullptr;
+  const bool taken = why_no_ros2_requests(configuration).empty();
+  return std::make_unique<ros2::Participant>(
+      configuration.ros2, "tp100d", ros2::kLiveTopics,
+      taken ? std::span<const ros2::Input>(kInputs) : std::span<const ros2::Input>());
+}
+
+Ros2Node::Ros2Node(ros2::Participant& participant, messages::RunContext run_context,
+                   const messages::PublishClock& clock, LiveCycle& cycle,
+                   server::Controls& controls, const std::string& why_no_requests)
+    : participant_(participant),
+      publisher_(participant, std::move(run_context), clock, false),
+      requests_(controls),
+      steps_(kWaitingSteps),
+      thread_([this] { run(); }) {
+  ::pthread_setname_np(thread_.native_handle(), "ros2");
+  cycle.also_record(steps_);
+  requests_.say(clock.start_ns, why_no_requests.empty()
+                                    ? "ROS 2 may drive (/tp100/drive, /cmd_vel)"
+                                    : "ROS 2 may not drive: " + why_no_requests);
+}
+
+Ros2Node::~Ros2Node() {
+  stop_.store(true, std::memory_order_relaxed);
+  thread_.join();
+}
+
+void Ros2Node::take_setup(const messages::RunContext& run_context, HostNs at) {
+  const std::lock_guard lock(mutex_);
+  next_.emplace(run_context, at);
+}
+
+void Ros2Node::publish() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (next_) publisher_.take_setup(next_->first, next_->second);
+    next_.reset();
+  }
+  while (const StepRecord* step = steps_.front()) {
+    publisher_.take(*step);
+    requests_.observe(*step);
+    steps_.release();
+  }
+}
+
+void Ros2Node::run() {
+  HostNs next_ns = monotonic_now();
+  while (!stop_.load(std::memory_order_relaxed)) {
+    publish();
+    const HostNs now = monotonic_now();
+    participant_.take([&](const ros2::Received& received) { requests_.take(received, now); });
+    next_ns = std::max(next_ns + kPollNs, monotonic_now());
+    loop::sleep_until(next_ns);
+  }
+  publish();
+}
+
+}  // namespace tp100::live

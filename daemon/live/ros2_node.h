@@ -1,0 +1,60 @@
+#pragma once
+// The daemon as node /tp100d of a ROS 2 domain, in a thread of its own: publishes each step soon
+// after it was made, and passes on what other nodes ask for.
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "config/configuration.h"
+#include "live/live_cycle.h"
+#include "live/ros2_requests.h"
+#include "loop/rings.h"
+#include "messages/sink.h"
+#include "ros2/participant.h"
+#include "ros2/publisher.h"
+
+namespace tp100::live {
+
+/// Why no node may ask for anything, in one line; empty: each on the participant's network may.
+std::string why_no_ros2_requests(const config::Configuration& configuration);
+
+/// The daemon's participant; null: switched off. Throws SetupError; see ros2::Participant.
+std::unique_ptr<ros2::Participant> ros2_participant(const config::Configuration& configuration);
+
+class Ros2Node : public messages::Sink {
+ public:
+  /// Starts the thread. `why_no_requests` is for the log; empty: requests are taken. All others
+  /// must outlive the node, and so must the node the loop that `cycle` is in.
+  Ros2Node(ros2::Participant& participant, messages::RunContext run_context,
+           const messages::PublishClock& clock, LiveCycle& cycle, server::Controls& controls,
+           const std::string& why_no_requests);
+  /// Publishes what is left.
+  ~Ros2Node() override;
+
+  // One other thread, which drains the cycle's steps:
+  /// Nothing: the node's thread receives the steps itself, and earlier.
+  void take(const StepRecord&) override {}
+  void take_setup(const messages::RunContext& run_context, HostNs at) override;
+  /// Appends what happened since the last call, for log and viewers.
+  void take_words(std::vector<messages::Event>& words) { requests_.take_words(words); }
+
+ private:
+  void run();
+  void publish();
+
+  ros2::Participant& participant_;
+  ros2::Publisher publisher_;
+  Ros2Requests requests_;
+  loop::SlotRing<StepRecord> steps_;
+  std::mutex mutex_;  // guards next_
+  std::optional<std::pair<messages::RunContext, HostNs>> next_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;  // declared last: it uses the others
+};
+
+}  // namespace tp100::live

@@ -1,0 +1,101 @@
+#include "ros2/inputs.h"
+
+#include <cmath>
+#include <initializer_list>
+
+#include "ros2/message_types.h"
+#include "text/format.h"
+
+namespace tp100::ros2 {
+namespace {
+
+// Beyond what any robot can do, and any room has.
+constexpr double kMaxVelocity = 100.0, kMaxPlaceM = 100.0;
+constexpr double kQuaternionError = 0.01;
+constexpr std::int64_t kMaxStampNs = std::int64_t{1} << 62U;
+constexpr std::size_t kMaxShownFrame = 64;
+
+bool finite(std::initializer_list<double> values) {
+  for (const double value : values)
+    if (!std::isfinite(value)) return false;
+  return true;
+}
+
+bool finite(const geometry_msgs::Vector3& v) { return finite({v.x, v.y, v.z}); }
+
+std::string not_a(const Received& received) {
+  return "no " + std::string(inputs().at(static_cast<std::size_t>(received.input)).type->name) +
+         " in little-endian CDR";
+}
+
+std::optional<VelocityRequest> velocity_of(const geometry_msgs::Twist& twist, std::int64_t stamp_ns,
+                                           std::string& why) {
+  if (finite(twist.linear) && finite(twist.angular) && std::abs(twist.linear.x) <= kMaxVelocity &&
+      std::abs(twist.angular.z) <= kMaxVelocity)
+    return VelocityRequest{twist.linear.x, twist.angular.z, stamp_ns};
+  why = "a velocity is not finite, or above 100 m/s or rad/s";
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::array<InputText, kInputCount>& inputs() {
+  // Of velocities the newest counts; an old one must not be sent again.
+  static const std::array<InputText, kInputCount> kInputs = {{
+      {Input::kVelocity, "/cmd_vel", &geometry_msgs::Twist::kType, {.reliable = false}},
+      {Input::kVelocityStamped,
+       "/cmd_vel",
+       &geometry_msgs::TwistStamped::kType,
+       {.reliable = false}},
+      {Input::kDrive, "/tp100/drive", &std_msgs::Bool::kType, {}},
+      {Input::kInitialPose, "/initialpose", &geometry_msgs::PoseWithCovarianceStamped::kType, {}},
+  }};
+  return kInputs;
+}
+
+std::optional<VelocityRequest> read_velocity(const Received& received, std::string& why) {
+  if (received.input == Input::kVelocity) {
+    if (const auto twist = deserialized<geometry_msgs::Twist>(received.cdr))
+      return velocity_of(*twist, received.written_ns, why);
+  } else if (const auto stamped = deserialized<geometry_msgs::TwistStamped>(received.cdr)) {
+    const builtin_interfaces::Time& stamp = stamped->header.stamp;
+    const std::int64_t stamp_ns = stamp.sec * kNsPerS + stamp.nanosec;
+    return velocity_of(stamped->twist, stamp_ns == 0 ? received.written_ns : stamp_ns, why);
+  }
+  why = not_a(received);
+  return std::nullopt;
+}
+
+std::optional<bool> read_drive(const Received& received, std::string& why) {
+  const auto message = deserialized<std_msgs::Bool>(received.cdr);
+  if (message) return message->data;
+  why = not_a(received);
+  return std::nullopt;
+}
+
+std::optional<Pose> read_pose(const Received& received, std::string& why) {
+  const auto message = deserialized<geometry_msgs::PoseWithCovarianceStamped>(received.cdr);
+  if (!message) {
+    why = not_a(received);
+    return std::nullopt;
+  }
+  const std::string& frame = message->header.frame_id;
+  if (!frame.empty() && frame != kMap) {
+    why = "a pose in frame '" + text::one_line(frame, kMaxShownFrame) + "'; give it in 'map'";
+    return std::nullopt;
+  }
+  const geometry_msgs::Point& at = message->pose.pose.position;
+  const geometry_msgs::Quaternion& q = message->pose.pose.orientation;
+  const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  if (!finite({at.x, at.y, at.z, norm}) || std::abs(at.x) > kMaxPlaceM ||
+      std::abs(at.y) > kMaxPlaceM || std::abs(norm - 1.0) > kQuaternionError) {
+    why = "a pose that is not finite, farther than 100 m, or without a unit quaternion";
+    return std::nullopt;
+  }
+  return Pose{
+      .x_m = at.x,
+      .y_m = at.y,
+      .yaw_rad = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+}
+
+}  // namespace tp100::ros2

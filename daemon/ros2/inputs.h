@@ -1,0 +1,62 @@
+#pragma once
+// What ROS 2's programs may ask of the daemon: the topics that it takes, and the meaning of their
+// messages. Pure. Treats messages as hostile.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/bytes.h"
+#include "core/pose.h"
+#include "core/time.h"
+#include "ros2/topics.h"
+
+namespace tp100::ros2 {
+
+enum class Input : std::uint8_t {
+  kVelocity,         ///< /cmd_vel, without a stamp
+  kVelocityStamped,  ///< /cmd_vel, stamped
+  kDrive,            ///< /tp100/drive: take the wheel, or release it
+  kInitialPose,      ///< /initialpose
+};
+inline constexpr std::size_t kInputCount = static_cast<std::size_t>(Input::kInitialPose) + 1;
+
+struct InputText {
+  Input input{};
+  const char* name = "";  ///< with the leading slash; two types may have one name
+  const MessageType* type = nullptr;
+  Qos qos{};  ///< that is requested
+};
+
+/// All of them, in the enum's order.
+const std::array<InputText, kInputCount>& inputs();
+
+/// A message as it arrived.
+struct Received {
+  Input input{};
+  std::uint64_t writer = 0;     ///< no other writer of this domain has it
+  std::int64_t written_ns = 0;  ///< by the writer's own clock
+  std::span<const std::uint8_t> cdr{};
+  bool gone = false;  ///< no message: no writer is left on this topic
+};
+
+/// A velocity that somebody wants.
+struct VelocityRequest {
+  double speed_mps = 0.0;       ///< backwards negative
+  double yaw_rate_radps = 0.0;  ///< counter-clockwise positive
+  std::int64_t stamp_ns = 0;    ///< when it was wanted, by the clock of who wants it
+};
+
+// Each returns nothing if the message is none of the input's type, whole, with finite numbers in
+// their ranges; `why` is then set, in one line.
+/// Of kVelocity, and kVelocityStamped, whose stamp counts unless it is 0. Only linear.x and
+/// angular.z have a meaning for tracks.
+std::optional<VelocityRequest> read_velocity(const Received& received, std::string& why);
+/// Of kDrive.
+std::optional<bool> read_drive(const Received& received, std::string& why);
+/// Of kInitialPose: x, y and yaw in `map`.
+std::optional<Pose> read_pose(const Received& received, std::string& why);
+
+}  // namespace tp100::ros2
