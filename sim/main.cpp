@@ -98,6 +98,11 @@ int run(int argc, char** argv) {
       ->add_option("--record", course.record,
                    "Folder for recordings; each run gets a folder of its own in it")
       ->type_name("FOLDER");
+  course_app
+      ->add_flag("--ros2{lo}", course.ros2,
+                 "All of ROS 2's topics, /clock and /ground_truth, at most as fast as real time; "
+                 "=INTERFACE: network interface")
+      ->type_name("INTERFACE");
   course_app->add_flag("--json", course.json, "One JSON object a line instead of tables");
 
   RobotCommand robot;

@@ -54,9 +54,13 @@ void LiveCycle::step(HostNs now) {
   cycle_.step(now);
 }
 
+void LiveCycle::wrote(HostNs) {
+  if (first_records_ != nullptr) record(*first_records_);
+}
+
 void LiveCycle::after_write(HostNs now) {
   time_sample(now);
-  record();
+  if (!record(records_)) lost_records_.fetch_add(1, std::memory_order_relaxed);
   pass_events();
   pass_run_state(now);
   publish(now);
@@ -89,19 +93,12 @@ void LiveCycle::time_sample(HostNs now) {
   sample_latency_.age.add(now - measured_ns);
 }
 
-void LiveCycle::record() {
-  if (more_records_ != nullptr) {
-    if (StepRecord* slot = more_records_->free_slot()) {
-      cycle_.record(*slot);
-      more_records_->publish();
-    }
-  }
-  if (StepRecord* slot = records_.free_slot()) {
-    cycle_.record(*slot);
-    records_.publish();
-  } else {
-    lost_records_.fetch_add(1, std::memory_order_relaxed);
-  }
+bool LiveCycle::record(loop::SlotRing<StepRecord>& ring) {
+  StepRecord* slot = ring.free_slot();
+  if (slot == nullptr) return false;
+  cycle_.record(*slot);
+  ring.publish();
+  return true;
 }
 
 // Before the requests of the same step, and never in a step that has any: a start that was pressed

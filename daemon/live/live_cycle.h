@@ -108,9 +108,9 @@ class LiveCycle : public loop::LoopClient {
   /// The oldest step not released yet, valid until release; null: none.
   const StepRecord* front_record() const { return records_.front(); }
   void release_record() { records_.release(); }
-  /// From now on each step also goes to this ring, whose reader may be sooner than the other one,
-  /// or miss steps. It must outlive the loop. Call it before the loop starts.
-  void also_record(loop::SlotRing<StepRecord>& ring) { more_records_ = &ring; }
+  /// Each step also goes to this ring, and to it first; while it is full, steps are not in it. It
+  /// must outlive the loop. Call it before the loop starts.
+  void record_first(loop::SlotRing<StepRecord>& ring) { first_records_ = &ring; }
   /// Steps dropped because the ring was full; StepRecord::step has a gap there.
   std::uint64_t lost_records() const { return lost_records_.load(std::memory_order_relaxed); }
   /// Events dropped because the ring was full.
@@ -122,6 +122,7 @@ class LiveCycle : public loop::LoopClient {
   void closed(HostNs now) override { cycle_.session().close(now); }
   bool received(std::span<const std::uint8_t> bytes, HostNs now) override;
   void step(HostNs now) override;
+  void wrote(HostNs now) override;
   void after_write(HostNs now) override;
   std::span<const std::uint8_t> output() override { return cycle_.session().output(); }
   void written(std::size_t n) override { cycle_.session().written(n); }
@@ -142,7 +143,7 @@ class LiveCycle : public loop::LoopClient {
   void pass_events();
   void pass_run_state(HostNs now);
   void push(const LiveEvent& event);
-  void record();
+  bool record(loop::SlotRing<StepRecord>& ring);
   void publish(HostNs now);
 
   bridge::Cycle cycle_;
@@ -159,7 +160,7 @@ class LiveCycle : public loop::LoopClient {
   loop::SpscQueue<LiveEvent, 256> events_;
   loop::SpscQueue<LiveStatus, 4> statuses_;
   loop::SlotRing<StepRecord> records_{kWaitingRecords};
-  loop::SlotRing<StepRecord>* more_records_ = nullptr;
+  loop::SlotRing<StepRecord>* first_records_ = nullptr;
   SampleLatency sample_latency_;
   HostNs received_ns_ = 0;  // last read that returned bytes
   std::atomic<std::uint64_t> lost_events_{0};

@@ -11,8 +11,11 @@
 namespace tp100::live {
 namespace {
 
-// The loop wakes no other thread: this one looks again and again.
-constexpr HostNs kPollNs = kNsPerMs / 2;
+// The loop wakes no other thread. This one looks when the next step must have been made, which is
+// not when the loop itself wakes; and if it was not, again and again.
+constexpr HostNs kAfterStepNs = 300 * kNsPerUs;
+constexpr HostNs kAgainNs = kNsPerMs / 2;
+constexpr HostNs kLongestNs = 5 * kNsPerMs;
 // A node whose thread does not run for this long at 200 Hz misses steps.
 constexpr std::size_t kWaitingSteps = 64;
 
@@ -46,7 +49,7 @@ Ros2Node::Ros2Node(ros2::Participant& participant, messages::RunContext run_cont
       steps_(kWaitingSteps),
       thread_([this] { run(); }) {
   ::pthread_setname_np(thread_.native_handle(), "ros2");
-  cycle.also_record(steps_);
+  cycle.record_first(steps_);
   requests_.say(clock.start_ns, why_no_requests.empty()
                                     ? "ROS 2 may drive (/tp100/drive, /cmd_vel)"
                                     : "ROS 2 may not drive: " + why_no_requests);
@@ -62,26 +65,29 @@ void Ros2Node::take_setup(const messages::RunContext& run_context, HostNs at) {
   next_.emplace(run_context, at);
 }
 
-void Ros2Node::publish() {
+/// When to look for the next step.
+HostNs Ros2Node::publish() {
   {
     const std::lock_guard lock(mutex_);
     if (next_) publisher_.take_setup(next_->first, next_->second);
     next_.reset();
   }
+  HostNs period_ns = 0;
   while (const StepRecord* step = steps_.front()) {
     publisher_.take(*step);
     requests_.observe(*step);
+    period_ns = step->now_ns - std::exchange(last_step_ns_, step->now_ns);
     steps_.release();
   }
+  return std::max(last_step_ns_ + std::min(period_ns, kLongestNs) + kAfterStepNs,
+                  monotonic_now() + kAgainNs);
 }
 
 void Ros2Node::run() {
-  HostNs next_ns = monotonic_now();
   while (!stop_.load(std::memory_order_relaxed)) {
-    publish();
+    const HostNs next_ns = publish();
     const HostNs now = monotonic_now();
     participant_.take([&](const ros2::Received& received) { requests_.take(received, now); });
-    next_ns = std::max(next_ns + kPollNs, monotonic_now());
     loop::sleep_until(next_ns);
   }
   publish();

@@ -45,7 +45,7 @@ class Ros2Node : public messages::Sink {
 
  private:
   void run();
-  void publish();
+  HostNs publish();
 
   ros2::Participant& participant_;
   ros2::Publisher publisher_;
@@ -53,6 +53,7 @@ class Ros2Node : public messages::Sink {
   loop::SlotRing<StepRecord> steps_;
   std::mutex mutex_;  // guards next_
   std::optional<std::pair<messages::RunContext, HostNs>> next_;
+  HostNs last_step_ns_ = 0;  // the node's thread only
   std::atomic<bool> stop_{false};
   std::thread thread_;  // declared last: it uses the others
 };

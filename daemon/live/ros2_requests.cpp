@@ -30,7 +30,7 @@ void Ros2Requests::say(HostNs now, const std::string& text) {
 
 void Ros2Requests::note(Note kind, HostNs now, const std::string& text) {
   if (now < quiet_until_ns_[kind]) return;
-  quiet_until_ns_[kind] = now + kQuietNs;
+  quiet_until_ns_[kind] = now + (kind < kVelocityRefused ? kQuietNs : kRefusedQuietNs);
   words_->add({.at_ns = now,
                .kind = "client",
                .level = messages::Event::Level::kWarning,
@@ -58,7 +58,7 @@ void Ros2Requests::take(const ros2::Received& received, HostNs now) {
       if (const auto at = ros2::read_pose(received, why)) return place(*at, now);
       break;
   }
-  note(kRefused, now,
+  note(received.input == ros2::Input::kDrive ? kDriveRefused : kPoseRefused, now,
        std::string(ros2::inputs().at(static_cast<std::size_t>(received.input)).name) +
            " refused: " + why);
 }
@@ -83,7 +83,7 @@ void Ros2Requests::drive(bool wanted, HostNs now) {
   writer_ = 0;
   token_.clear();
   if (why.empty()) why = controls_.drive_take(driver(), now, token_);
-  if (!why.empty()) return note(kRefused, now, "/tp100/drive refused: " + why);
+  if (!why.empty()) return note(kDriveRefused, now, "/tp100/drive refused: " + why);
   say(now, std::string(kTopic) + " takes the wheel");
 }
 
@@ -102,7 +102,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
     return note(kOtherWriter, now, "/cmd_vel has a second writer, which is ignored");
   std::string why;
   const auto wanted = ros2::read_velocity(received, why);
-  if (!wanted) return note(kRefused, now, "/cmd_vel refused: " + why);
+  if (!wanted) return note(kVelocityRefused, now, "/cmd_vel refused: " + why);
   writer_ = received.writer;
   writer_input_ = received.input;
   why = controls_.drive({.token = token_,
@@ -117,7 +117,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
 
 void Ros2Requests::place(const Pose& at, HostNs now) {
   if (under_way(run_state_))
-    return note(kRefused, now,
+    return note(kPoseRefused, now,
                 "/initialpose refused: a run is under way, or somebody drives by hand; stop it "
                 "first");
   controls_.place(at, [words = words_, now](const std::string& why, const std::string&) {

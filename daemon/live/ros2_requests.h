@@ -17,8 +17,8 @@ namespace tp100::live {
 
 class Ros2Requests {
  public:
-  /// One line of a kind is enough for this long.
-  static constexpr HostNs kQuietNs = 10 * kNsPerS;
+  /// One line about a stream that is ignored is enough for this long, and one about a refusal.
+  static constexpr HostNs kQuietNs = 10 * kNsPerS, kRefusedQuietNs = kNsPerS;
 
   /// `controls` must outlive all requests that it was passed.
   explicit Ros2Requests(server::Controls& controls) : controls_(controls) {}
@@ -41,7 +41,15 @@ class Ros2Requests {
     std::mutex mutex;
     std::vector<messages::Event> all;
   };
-  enum Note : std::uint8_t { kRefused, kNotTaken, kOtherWriter, kRepeated, kCount };
+  enum Note : std::uint8_t {
+    kNotTaken,
+    kOtherWriter,
+    kRepeated,
+    kVelocityRefused,
+    kDriveRefused,
+    kPoseRefused,
+    kCount
+  };
 
   void drive(bool wanted, HostNs now);
   void velocity(const ros2::Received& received, HostNs now);

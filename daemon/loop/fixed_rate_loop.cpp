@@ -78,6 +78,7 @@ void FixedRateLoop::run() {
     const HostNs stepped = monotonic_now();
     statistics_.compute.add(stepped - now);
     if (port_.fd >= 0) write(stepped);
+    client_.wrote(now);
     pending_ns_ = now;
     cycle_ns_ = monotonic_now() - began;
     // The kernel's worker that transmits the answer may need this processor.

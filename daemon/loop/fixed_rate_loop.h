@@ -1,7 +1,7 @@
 #pragma once
 // The real-time thread: owns the descriptor while it works and makes one cycle per period: read →
-// received → step → write → deferred work; the latter after a pause if the robot paces the loop.
-// Ports are passed through lock-free queues; nothing here wakes another thread.
+// received → step → write → wrote → deferred work; the latter after a pause if the robot paces the
+// loop. Ports are passed through lock-free queues; nothing here wakes another thread.
 
 #include <atomic>
 #include <cstddef>
@@ -73,6 +73,9 @@ class LoopClient {
   virtual bool received(std::span<const std::uint8_t> bytes, HostNs now) = 0;
   /// One cycle, up to the bytes to write.
   virtual void step(HostNs now) = 0;
+  /// Right after the write, in every cycle: a few microseconds at most, because the kernel may need
+  /// the processor to transmit what was written. `now` as in step().
+  virtual void wrote(HostNs now) { (void)now; }
   /// The rest of the cycle, after the write: work that the robot does not wait for. If the robot
   /// paces the loop, up to half a period later, but before the next read or step. `now` as in
   /// step().

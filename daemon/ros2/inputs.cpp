@@ -30,6 +30,10 @@ std::string not_a(const Received& received) {
 
 std::optional<VelocityRequest> velocity_of(const geometry_msgs::Twist& twist, std::int64_t stamp_ns,
                                            std::string& why) {
+  if (stamp_ns <= 0 || stamp_ns >= kMaxStampNs) {
+    why = "a velocity without the time at which it was sent";
+    return std::nullopt;
+  }
   if (finite(twist.linear) && finite(twist.angular) && std::abs(twist.linear.x) <= kMaxVelocity &&
       std::abs(twist.angular.z) <= kMaxVelocity)
     return VelocityRequest{twist.linear.x, twist.angular.z, stamp_ns};

@@ -37,6 +37,7 @@ struct CourseCommand {
   int runs = 1;
   std::string record;  ///< folder for recordings; empty: none
   std::string out;     ///< folder for results; empty: none
+  std::string ros2{};  ///< network interface for ROS 2's topics; empty: none
   bool json = false;
 };
 

@@ -1,11 +1,16 @@
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <vector>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "identify/drive_file.h"
+#include "loop/pacing.h"
 #include "report/metrics.h"
 #include "report/result_text.h"
 #include "report/run_result.h"
+#include "ros2/publisher.h"
 #include "sim/robot/commands.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/lockstep_recorder.h"
@@ -13,6 +18,32 @@
 
 namespace tp100::sim {
 namespace {
+
+/// All topics of a run in virtual time, which goes at most as fast as real time: what others follow
+/// by their own means must not outrun them.
+class VirtualTopics : public messages::Sink {
+ public:
+  /// Waits for nobody: who comes later gets what is latched.
+  VirtualTopics(ros2::Participant& participant, const messages::RunContext& run_context)
+      : publisher_(participant, run_context, {}, true) {}
+  void take(const StepRecord& record) override {
+    loop::sleep_until(began_ns_ + record.now_ns);
+    publisher_.take(record);
+  }
+  void take_truth(HostNs at, const Pose& truth) override { publisher_.take_truth(at, truth); }
+
+ private:
+  ros2::Publisher publisher_;
+  const HostNs began_ns_ = monotonic_now();
+};
+
+std::unique_ptr<ros2::Participant> participant_of(const CourseCommand& command) {
+  if (command.ros2.empty()) return nullptr;
+  std::vector<ros2::Topic> published(ros2::kLiveTopics.begin(), ros2::kLiveTopics.end());
+  published.insert(published.end(), ros2::kVirtualTopics.begin(), ros2::kVirtualTopics.end());
+  return std::make_unique<ros2::Participant>(
+      config::Ros2Settings{.enabled = true, .interface = command.ros2}, "tp100_sim", published);
+}
 
 void write_results(const std::string& folder, const report::RunResult& result,
                    const std::string& json, const identify::RecordedDrive& drive) {
@@ -40,6 +71,7 @@ int run_course(const CourseCommand& command) {
     throw SetupError("world files: have no place in virtual time; use udp or internal");
   // Before the drive: not only after it would somebody learn that there is no such place.
   if (!command.out.empty()) text::make_folder(command.out);
+  const std::unique_ptr<ros2::Participant> participant = participant_of(command);
   bool all_completed = true;
   for (int i = 0; i < command.runs; ++i) {
     const std::uint64_t seed = command.options.seed + static_cast<std::uint64_t>(i);
@@ -49,6 +81,10 @@ int run_course(const CourseCommand& command) {
     messages::SinkList sinks;
     if (!command.out.empty()) sinks.add(drive);
     if (recorder) sinks.add(*recorder);
+    std::optional<VirtualTopics> topics;
+    if (participant)
+      sinks.add(
+          topics.emplace(*participant, config::run_context_of(config::parse_run(loaded.files))));
     const report::RunResult result =
         run_lockstep({.course = course,
                       .robot = loaded.robot,

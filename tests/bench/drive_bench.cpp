@@ -36,16 +36,18 @@ int main(int argc, char** argv) {
     return 2;
   }
   int status = 0;
-  for (const auto& [loss, name] : kLosses) {
-    const LossTimes times = lose_driver(loss, std::atoi(argv[1]), 1);
-    if (!times.wrong.empty()) {
-      std::fprintf(stderr, "drive_bench: %s: %s\n", name, times.wrong.c_str());
-      status = 1;
+  for (const auto& [client, by] : kClients)
+    for (const auto& [loss, loss_name] : kLosses) {
+      const LossTimes times = lose_driver(loss, std::atoi(argv[1]), 1, client);
+      const std::string name = std::string(by) + ", " + loss_name;
+      if (!times.wrong.empty()) {
+        std::fprintf(stderr, "drive_bench: %s: %s\n", name.c_str(), times.wrong.c_str());
+        status = 1;
+      }
+      print(name + ": command of standstill on the wire", times.command_ms, "ms");
+      print(name + ": duties below the dead band", times.duty_ms, "ms");
+      print(name + ": robot stands", times.standing_ms, "ms");
     }
-    print(std::string(name) + ": command of standstill on the wire", times.command_ms, "ms");
-    print(std::string(name) + ": duties below the dead band", times.duty_ms, "ms");
-    print(std::string(name) + ": robot stands", times.standing_ms, "ms");
-  }
   std::vector<double> outside_mm, estimated_mm, error_mm, driven_m, at_fence_s;
   double aborted = 0.0;
   for (int seed = 1; seed <= std::atoi(argv[2]); ++seed) {

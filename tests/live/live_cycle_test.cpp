@@ -28,6 +28,7 @@ class LiveBench {
       if (watched) watch.emplace(duty);
       cycle.received(bytes, now);
       cycle.step(now);
+      cycle.wrote(now);
       cycle.after_write(now);
     }
     robot.hear(cycle.output(), now);
@@ -64,12 +65,17 @@ std::shared_ptr<const course::Course> line() {
 
 TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
   LiveBench bench;
+  loop::SlotRing<StepRecord> first(8);
+  bench.cycle.record_first(first);
   bench.watched = true;
   for (int i = 0; i < 400; ++i) {
     if (i % 50 == 20) bench.cycle.request(OperatorRequest::kHold);
     bench.step();
     while (bench.cycle.front_record() != nullptr) bench.cycle.release_record();
+    // Full for most of the time.
+    if (i % 50 == 0 && first.front() != nullptr) first.release();
   }
+  EXPECT_NE(first.front(), nullptr);
   EXPECT_EQ(bench.duty.heap, 0u);
   EXPECT_EQ(bench.duty.locks, 0u);
   EXPECT_EQ(bench.duty.first_system_call, -1);
@@ -144,6 +150,24 @@ TEST(LiveCycle, ASlowReaderCostsRecordsAndNothingElse) {
   while (bench.front() != 0) bench.cycle.release_record();
   bench.step();
   EXPECT_EQ(bench.front(), LiveCycle::kWaitingRecords + 31);
+}
+
+TEST(LiveCycle, TheFirstReaderHasAStepBeforeTheOtherOneAndMayMissSome) {
+  LiveBench bench;
+  loop::SlotRing<StepRecord> first(4);
+  bench.cycle.record_first(first);
+  for (int i = 0; i < 10; ++i) bench.step();
+  bench.cycle.step(bench.now + 1);
+  for (std::uint64_t step = 1; step <= 4; ++step, first.release())
+    ASSERT_EQ(first.front()->step, step);
+  EXPECT_EQ(first.front(), nullptr);
+  bench.cycle.wrote(bench.now + 1);
+  ASSERT_NE(first.front(), nullptr);
+  EXPECT_EQ(first.front()->step, 11u);
+  EXPECT_EQ(bench.cycle.lost_records(), 0u);
+  for (std::uint64_t step = 1; step <= 10; ++step, bench.cycle.release_record())
+    ASSERT_EQ(bench.front(), step);
+  EXPECT_EQ(bench.front(), 0u);
 }
 
 TEST(LiveCycle, AChangeOfTheCourseNeitherLocksNorAllocates) {

@@ -1,45 +1,73 @@
 // The robot driven over ROS 2's topics by Fast DDS (ros2_peer), in a network of its own (in_network).
 import assert from 'node:assert/strict';
+import { join } from 'node:path';
 import test from 'node:test';
-import { angles, decode } from './ros2.mjs';
-import { Peer, ddsType, withRobot } from './ros2_network.mjs';
+import { Driver, loseDriver, losses, movedAfter, pause } from './ros2_driver.mjs';
+import { Peer, ddsType, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const limits = { timeout: 120_000 };
-const odometry = 'nav_msgs/msg/Odometry', twist = 'geometry_msgs/msg/Twist', bool = 'std_msgs/msg/Bool';
-const wanted = [`rt/odom=${ddsType(odometry)}=RV`, `+rt/cmd_vel=${ddsType(twist)}=RV`, `+rt/tp100/drive=${ddsType(bool)}=RV`];
-
-const pause = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
-
-/** Where the robot is, by the newest /odom. */
-function place(peer) {
-  const { pose } = decode(odometry, peer.messages('/odom').at(-1)).pose;
-  return { ...pose.position, yaw: angles(pose.orientation).yaw };
-}
+const on = '[ros2]\nenabled = true';
+const stays = ['--stay', '--wait'];
 
 test('a node drives the robot through waypoints', limits, (t) => withRobot(async ({ daemon }) => {
-  const peer = new Peer(42, wanted);
-  try {
-    const run = await daemon('[ros2]\nenabled = true', ['--stay', '--wait'], 'priority = 0');
-    await run.said(/state: syncing -> ready/);
-    await Promise.all([peer.matched('/cmd_vel', twist), peer.matched('/tp100/drive', bool)]);
-    await pause(3000);
-    peer.publish('/tp100/drive', bool, { data: true });
-    await run.said(/ROS 2 \/cmd_vel takes the wheel/);
-    for (const [x, y] of [[0.3, 0], [0.3, 0.2], [0, 0.2]]) {
-      for (;;) {
-        const at = place(peer);
-        const away = Math.hypot(x - at.x, y - at.y);
-        if (away < 0.03) break;
-        const off = Math.atan2(y - at.y, x - at.x) - at.yaw;
-        const turn = Math.atan2(Math.sin(off), Math.cos(off));
-        peer.publish('/cmd_vel', twist, {
-          linear: { x: Math.abs(turn) < 0.3 ? 0.1 : 0 }, angular: { z: Math.max(-0.8, Math.min(0.8, 2 * turn)) },
-        });
-        await pause(25);
-      }
-      t.diagnostic(`reached ${JSON.stringify(place(peer))}`);
-    }
-  } finally {
-    await peer.end();
-  }
+  const run = await daemon(on, stays);
+  const driver = new Driver(run);
+  await driver.take();
+  for (const [x, y] of [[0.2, 0], [0.2, 0.2], [0, 0.2]])
+    t.diagnostic(`reached ${JSON.stringify(await driver.driveTo(x, y))}`);
+  await driver.peer.end();
+}));
+
+test('the robot is told to stop within 250 ms after the last message of a driver that is lost', limits, (t) =>
+  withSecondHost((under) => withRobot(async ({ folder, daemon }) => {
+    const record = join(folder, 'runs');
+    const run = await daemon(`${on}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record]);
+    const times = [];
+    for (const loss of Object.keys(losses))
+      for (const each of await loseDriver(run, loss, 1, { under })) times.push({ loss, ...each });
+    run.child.kill('SIGTERM');
+    await run.exit;
+    (await movedAfter(record, times)).forEach((ms, i) => {
+      t.diagnostic(`${times[i].loss}: ${ms.toFixed(0)} ms`);
+      assert.ok(ms < 250, `${times[i].loss}: the robot was told to move for ${ms} ms`);
+    });
+  })));
+
+test('no node of another machine drives unless server.commands says so', limits, () => withRobot(async ({ daemon }) => {
+  const peer = new Peer(42, ['+rt/cmd_vel=geometry_msgs::msg::dds_::Twist_=RV', 'rt/odom=nav_msgs::msg::dds_::Odometry_=RV']);
+  const never = await daemon(`${on}\n[server]\ncommands = "none"`, stays);
+  await never.said(/ROS 2 may not drive: server.commands is "none"/);
+  await peer.until(() => peer.messages('/odom').length > 200);
+  assert.ok(!peer.found.some(({ matched, count }) => matched && count > 0));
+  never.child.kill('SIGTERM');
+  await never.exit;
+  const here = await daemon(on, stays);
+  await here.said(/ROS 2 may drive/);
+  await peer.matched('/cmd_vel', 'geometry_msgs/msg/Twist');
+  await peer.end();
+}));
+
+test('a node places the robot, and what is no message is refused', limits, () => withRobot(async ({ daemon }) => {
+  const pose = 'geometry_msgs/msg/PoseWithCovarianceStamped';
+  const run = await daemon(on, stays);
+  const driver = new Driver(run);
+  const peer = new Peer(42, [`+rt/initialpose=${ddsType(pose)}=RV`, `+rt/cmd_vel=${ddsType('geometry_msgs/msg/Twist')}=RV`]);
+  await run.said(/state: syncing -> ready/);
+  await peer.matched('/initialpose', pose);
+  const at = (frame_id) => ({ header: { frame_id }, pose: { pose: { position: { x: 0.5, y: -0.25 }, orientation: { z: Math.SQRT1_2, w: Math.SQRT1_2 } } } });
+  peer.publish('/initialpose', pose, at('odom'));
+  await run.said(/\/initialpose refused: a pose in frame 'odom'/);
+  await pause(2000);
+  peer.publish('/initialpose', pose, at('map'));
+  await run.said(/placed at \(0\.500, -0\.250\) m, 90\.0 deg/);
+  await driver.peer.until(() => driver.peer.messages('/odom').length > 0 && Math.abs(driver.place().x - 0.5) < 0.01
+    && Math.abs(driver.place().yaw - Math.PI / 2) < 0.01);
+  // Big-endian, cut short, too long, 64 KB, nothing at all; NaN.
+  await driver.take();
+  for (const cdr of ['00000000', '00010000', `00010000${'00'.repeat(40)}`, `00010000${'00'.repeat(60)}`, `00010000${'ff'.repeat(65000)}`, '00',
+    `00010000${'ff'.repeat(48)}`])
+    peer.process.stdin.write(`rt/cmd_vel=geometry_msgs::msg::dds_::Twist_ ${cdr}\n`);
+  await run.said(/\/cmd_vel refused: no geometry_msgs\/msg\/Twist in little-endian CDR/);
+  await driver.driveTo(0.5, -0.15);
+  await Promise.all([driver.peer.end(), peer.end()]);
 }));

@@ -10,7 +10,7 @@ import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
-import { Peer, ddsType, discovery, latched, percentile, program, topics, withRobot, withSecondHost } from './ros2_network.mjs';
+import { Peer, ddsType, discovery, latched, ordinary, percentile, program, topics, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { MessageReader } = load('@foxglove/rosmsg2-serialization');
@@ -32,7 +32,7 @@ test('another implementation receives every message of a run', limits, (t) => wi
     const course = join(folder, 'short.toml');
     await writeFile(course, 'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.3\n'
       + '[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n');
-    const run = await daemon('[ros2]\nenabled = true', ['--course', course, '--record', join(folder, 'runs')], 'priority = 0');
+    const run = await daemon('[ros2]\nenabled = true', ['--course', course, '--record', join(folder, 'runs')]);
     await run.exit;
     await listener.end();
     const { reader, topics: bag } = await bagOf(folder);
@@ -105,7 +105,7 @@ test('another implementation receives every message of a run', limits, (t) => wi
 
 test('who comes late receives what is latched', limits, () => withRobot(async ({ daemon }) => {
   // The key goes before the environment's domain.
-  const run = await daemon('[ros2]\nenabled = true\ndomain = 3', ['--course', '1-straight', '--stay', '--wait'], 'priority = 0');
+  const run = await daemon('[ros2]\nenabled = true\ndomain = 3', ['--course', '1-straight', '--stay', '--wait']);
   await run.said(/state: syncing -> ready/);
   const listener = await Peer.ofEverything(3);
   const strict = new Peer(3, ['rt/imu/data=sensor_msgs::msg::dds_::Imu_=RV', 'rt/odom=nav_msgs::msg::dds_::Odometry_=RT']);
@@ -126,7 +126,7 @@ test('who comes late receives what is latched', limits, () => withRobot(async ({
 }));
 
 test('threads of DDS have neither the scheduling nor the processor of the loop', limits, () => withRobot(async ({ daemon }) => {
-  const run = await daemon('[ros2]\nenabled = true', ['--stay', '--wait'], 'priority = 1\ncpu = 0');
+  const run = await daemon('[ros2]\nenabled = true', ['--stay', '--wait'], ordinary.replace('priority = 0', 'priority = 1\ncpu = 0'));
   await run.said(/state: syncing -> ready/);
   const folder = `/proc/${run.child.pid}/task`;
   const threads = readdirSync(folder).map((id) => ({
@@ -145,7 +145,7 @@ test('the emulated robot tells where it truly is', limits, () => withRobot(async
   const listener = new Peer(42, ['rt/ground_truth=geometry_msgs::msg::dds_::PoseStamped_=RV',
     'rt/odom=nav_msgs::msg::dds_::Odometry_=RV']);
   try {
-    const run = await daemon('[ros2]\nenabled = true', ['--course', '1-straight', '--duration', '8'], 'priority = 0');
+    const run = await daemon('[ros2]\nenabled = true', ['--course', '1-straight', '--duration', '8']);
     await run.exit;
     await listener.end();
     const poses = (topic, type) => listener.messages(topic).map((bytes) => {
@@ -174,11 +174,11 @@ test('the emulated robot tells where it truly is', limits, () => withRobot(async
 test('nobody is on the network unless it is switched on', limits, () => withRobot(async ({ daemon }) => {
   const listener = await Peer.ofEverything(42);
   try {
-    const off = await daemon('', ['--duration', '2'], 'priority = 0');
+    const off = await daemon('', ['--duration', '2']);
     await off.exit;
     assert.ok(!listener.found.some(({ participant, writer }) => participant || writer));
     // The same with it: the listener would have seen the first.
-    const on = await daemon('[ros2]\nenabled = true', ['--duration', '2'], 'priority = 0');
+    const on = await daemon('[ros2]\nenabled = true', ['--duration', '2']);
     await on.exit;
     assert.equal(listener.found.filter(({ participant }) => participant).length, 1);
   } finally {
@@ -191,12 +191,12 @@ test('another host sees what is published on its network, and nothing of this ma
     const odometry = ['rt/odom=nav_msgs::msg::dds_::Odometry_=RV'];
     const there = new Peer(42, odometry, under), here = new Peer('42@127.0.0.1', odometry);
     try {
-      const local = await daemon('[ros2]\nenabled = true', ['--stay', '--wait'], 'priority = 0');
+      const local = await daemon('[ros2]\nenabled = true', ['--stay', '--wait']);
       await here.until(() => here.messages('/odom').length > 400);
       local.child.kill('SIGTERM');
       await local.exit;
       assert.ok(!there.found.some(({ participant }) => participant));
-      const open = await daemon('[ros2]\nenabled = true\ninterface = "eth0"', ['--stay', '--wait'], 'priority = 0');
+      const open = await daemon('[ros2]\nenabled = true\ninterface = "eth0"', ['--stay', '--wait']);
       await there.until(() => there.messages('/odom').length > 400);
       open.child.kill('SIGTERM');
       await open.exit;

@@ -84,6 +84,9 @@ export class Peer {
   }
 }
 
+/** Keys of [loop] beside which other programs run as well. */
+export const ordinary = 'priority = 0\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false';
+
 /** An emulated robot with these options, for daemons that `work` starts. */
 export async function withRobot(work, more = []) {
   const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
@@ -96,9 +99,9 @@ export async function withRobot(work, more = []) {
     await work({
       folder,
       /** A daemon with these lines of configuration; `said(pattern)` waits for a line of its log. */
-      async daemon(ros2, options, loop = '') {
+      async daemon(ros2, options, loop = ordinary) {
         const file = join(folder, `${running.length}.toml`);
-        await writeFile(file, `[loop]\nlock_memory = false\nspin_us = 0\nhold_cpu_latency = false\n${loop}\n${ros2}\n`);
+        await writeFile(file, `[loop]\n${loop}\n${ros2}\n`);
         const child = start(program('tp100d'), ['run', '--config', file, '--port', port, '--listen', 'off', ...options],
           { stdio: ['ignore', 'ignore', 'pipe'], env });
         running.push(child);

@@ -12,11 +12,11 @@ namespace tp100::sim {
 
 /// Ways to lose the driver. A process that is killed closes its socket like any other.
 enum class Loss {
-  kSocketClosed,
-  kSilence,      ///< no message any more: cable cut, page hung, tab suspended
-  kFrozenInput,  ///< messages go on, the person's input does not
-  kDelayed,      ///< messages arrive a second late, all at once
-  kTakenOver,    ///< another viewer takes the wheel as soon as it gets it
+  kSocketClosed,  ///< or the writer is gone
+  kSilence,       ///< no message any more: cable cut, page hung, tab suspended
+  kFrozenInput,   ///< messages go on, the person's input does not
+  kDelayed,       ///< messages arrive a second late, all at once
+  kTakenOver,     ///< another viewer takes the wheel as soon as it gets it
   kReleased,
   kZeroInput,  ///< what the page sends when it is hidden or loses the focus
   kStopped,    ///< another viewer presses STOP
@@ -38,6 +38,14 @@ inline bool is_heard(Loss loss) {
          loss == Loss::kStopped;
 }
 
+/// How a driver reaches the daemon.
+enum class Client { kViewer, kRos2, kRos2Stamped };
+inline constexpr std::array<std::pair<Client, const char*>, 3> kClients = {{
+    {Client::kViewer, "viewer"},
+    {Client::kRos2, "Twist"},
+    {Client::kRos2Stamped, "TwistStamped"},
+}};
+
 /// Since the last fresh input of the driver, in virtual time.
 struct LossTimes {
   std::vector<double> command_ms;  ///< a command of standstill is on the wire, and no other follows
@@ -52,7 +60,8 @@ inline bool asks_for_standstill(const StepRecord& record) {
          command.desired_yaw_rad == command.pose.yaw_rad;
 }
 
-inline LossTimes lose_driver(Loss loss, int trials, std::uint64_t seed) {
+inline LossTimes lose_driver(Loss loss, int trials, std::uint64_t seed,
+                             Client client = Client::kViewer) {
   constexpr double kWatchS = 1.2;
   constexpr std::uint32_t kDriver = 1, kOther = 2;
   std::mt19937_64 random(seed);
@@ -69,7 +78,8 @@ inline LossTimes lose_driver(Loss loss, int trials, std::uint64_t seed) {
       fail(trial, "the robot never became ready");
       break;
     }
-    const std::string token = drive.take(kDriver);
+    const bool ros2 = client != Client::kViewer;
+    const std::string token = ros2 ? drive.take_by_ros2() : drive.take(kDriver);
     if (drive.state() != RunState::kDriving) {
       fail(trial, "the robot never was driven: " + token);
       break;
@@ -78,11 +88,17 @@ inline LossTimes lose_driver(Loss loss, int trials, std::uint64_t seed) {
     const double rate_radps = between(-1.0, 1.0);
     const HostNs period_ns = static_cast<HostNs>(1 + random() % 8) * HandDriven::kPeriodNs;
     HostNs last_input_ns = 0, next_ns = 0;
+    // Whether it is refused, as far as the client learns.
+    const auto give = [&](double speed, double rate, double age_s = 0.0) {
+      if (!ros2) return drive.drive(kDriver, token, speed, rate, age_s).contains("refused");
+      drive.receive_velocity(speed, rate, age_s, 1, client == Client::kRos2Stamped);
+      return drive.controls().driver(drive.now()).by != "ROS 2 /cmd_vel";
+    };
     const auto send = [&] {
       if (drive.now() < next_ns) return;
       next_ns = drive.now() + period_ns;
       last_input_ns = drive.now();
-      drive.drive(kDriver, token, speed_mps, rate_radps);
+      give(speed_mps, rate_radps);
     };
     drive.before_step = [&](HostNs) { send(); };
     drive.step_for(between(0.6, 1.2));
@@ -95,34 +111,36 @@ inline LossTimes lose_driver(Loss loss, int trials, std::uint64_t seed) {
       const bool first = !std::exchange(lost, true);
       switch (loss) {
         case Loss::kSocketClosed:
-          if (first) drive.disconnect(kDriver);
+          if (first && !ros2) drive.disconnect(kDriver);
+          if (first && ros2)
+            drive.writers_gone(client == Client::kRos2Stamped ? ros2::Input::kVelocityStamped
+                                                              : ros2::Input::kVelocity);
           break;
         case Loss::kSilence:
           break;
         case Loss::kFrozenInput:
           if (now >= next_ns) {
             next_ns = now + period_ns;
-            drive.drive(kDriver, token, speed_mps, rate_radps, to_s(now - last_input_ns));
+            give(speed_mps, rate_radps, to_s(now - last_input_ns));
           }
           break;
         case Loss::kDelayed:
           if (now - last_input_ns >= kNsPerS && next_ns == 0) {
             next_ns = now;
             for (HostNs age_ns = 990 * kNsPerMs; age_ns > kFreshInputNs; age_ns -= period_ns)
-              drive.drive(kDriver, token, speed_mps, rate_radps, to_s(age_ns));
+              give(speed_mps, rate_radps, to_s(age_ns));
           }
           break;
         case Loss::kTakenOver:
           if (next_ns == 0 && drive.call(kOther, "drive_take").contains("token")) next_ns = now;
-          if (next_ns != 0 &&
-              !drive.drive(kDriver, token, speed_mps, rate_radps).contains("refused"))
-            fail(trial, "two drivers at once");
+          if (next_ns != 0 && !give(speed_mps, rate_radps)) fail(trial, "two drivers at once");
           break;
         case Loss::kReleased:
-          if (first) drive.call(kDriver, "drive_release", {{"token", token}});
+          if (first && ros2) drive.receive_drive(false);
+          if (first && !ros2) drive.call(kDriver, "drive_release", {{"token", token}});
           break;
         case Loss::kZeroInput:
-          if (first) drive.drive(kDriver, token, 0.0, 0.0);
+          if (first) give(0.0, 0.0);
           break;
         case Loss::kStopped:
           if (first) drive.call(kOther, "stop");

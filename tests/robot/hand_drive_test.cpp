@@ -1,7 +1,9 @@
 // Driving an emulated robot by hand in lockstep, from a viewer's request to the wire.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "app/replay.h"
 #include "dead_man.h"
@@ -12,6 +14,8 @@
 
 namespace tp100::sim {
 namespace {
+
+using ::testing::HasSubstr;
 
 constexpr std::uint32_t kA = 1, kB = 2;
 
@@ -127,22 +131,114 @@ TEST_F(HandDriveTest, AViewerWithoutRightsDoesNotDrive) {
   EXPECT_EQ(drive.state(), RunState::kIdle);
 }
 
-class DeadMan : public ::testing::TestWithParam<std::pair<Loss, const char*>> {};
+class DeadMan : public ::testing::TestWithParam<
+                    std::tuple<std::pair<Client, const char*>, std::pair<Loss, const char*>>> {};
 
 TEST_P(DeadMan, StopsTheRobotAtOnceOrWhenTheLastInputIsOld) {
-  const LossTimes times = lose_driver(GetParam().first, 10, 1);
+  const Loss loss = std::get<1>(GetParam()).first;
+  const LossTimes times = lose_driver(loss, 10, 1, std::get<0>(GetParam()).first);
   EXPECT_EQ(times.wrong, "");
   ASSERT_EQ(times.command_ms.size(), 10U);
   // At most eight steps lie between two inputs.
   EXPECT_LE(*std::max_element(times.command_ms.begin(), times.command_ms.end()),
-            is_heard(GetParam().first) ? 50.0 : 160.0);
+            is_heard(loss) ? 50.0 : 160.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Losses, DeadMan, ::testing::ValuesIn(kLosses), [](const auto& tested) {
-  std::string name = tested.param.second;
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Losses, DeadMan,
+                         ::testing::Combine(::testing::ValuesIn(kClients),
+                                            ::testing::ValuesIn(kLosses)),
+                         [](const auto& tested) {
+                           std::string name = std::string(std::get<0>(tested.param).second) + "_" +
+                                              std::get<1>(tested.param).second;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+// Velocities that stream on while nobody took the wheel, or after a STOP.
+TEST_F(HandDriveTest, VelocitiesOfRos2NeverArm) {
+  HandDriven drive({.loaded = load({})});
+  ASSERT_TRUE(drive.wait_until_ready());
+  drive.before_step = [&](HostNs) { drive.receive_velocity(0.1, 0.2); };
+  drive.step_for(1.0);
+  EXPECT_EQ(drive.state(), RunState::kIdle);
+  EXPECT_THAT(drive.said(), HasSubstr("send true on /tp100/drive"));
+  EXPECT_THAT(drive.take_by_ros2(), HasSubstr("takes the wheel"));
+  drive.step_for(0.5);
+  EXPECT_EQ(drive.state(), RunState::kDriving);
+  EXPECT_EQ(drive.shown().driver.by, "ROS 2 /cmd_vel");
+  EXPECT_FALSE(asks_for_standstill(drive.record()));
+  drive.call(kA, "stop");
+  drive.step_for(1.0);
+  EXPECT_EQ(drive.state(), RunState::kAborted);
+  // Nor does a true that is repeated.
+  drive.before_step = [&](HostNs) {
+    drive.receive_drive(true);
+    drive.receive_velocity(0.1, 0.2);
+  };
+  drive.step_for(1.0);
+  EXPECT_EQ(drive.state(), RunState::kAborted);
+  EXPECT_THAT(drive.said(), HasSubstr("send false, then true"));
+  drive.before_step = {};
+  EXPECT_THAT(drive.take_by_ros2(), HasSubstr("takes the wheel"));
+  EXPECT_EQ(drive.state(), RunState::kDriving);
+}
+
+TEST_F(HandDriveTest, AViewerAndRos2NeverDriveAtOnce) {
+  HandDriven drive({.loaded = load({})});
+  ASSERT_TRUE(drive.wait_until_ready());
+  const std::string token = drive.take(kA);
+  drive.before_step = [&](HostNs) {
+    drive.drive(kA, token, 0.1, 0.0);
+    drive.receive_velocity(-0.1, 0.0);
+  };
+  drive.step_for(0.2);
+  EXPECT_THAT(drive.take_by_ros2(), HasSubstr("viewer 1 drives"));
+  drive.step_for(0.3);
+  EXPECT_GT(drive.record().snapshot.command.speed_mps, 0.0);
+  drive.before_step = [&](HostNs) { drive.receive_velocity(-0.1, 0.0); };
+  drive.step_for(0.3);
+  EXPECT_TRUE(asks_for_standstill(drive.record()));
+  EXPECT_THAT(drive.take_by_ros2(), HasSubstr("takes the wheel"));
+  drive.step_for(0.3);
+  EXPECT_LT(drive.record().snapshot.command.speed_mps, 0.0);
+  EXPECT_THAT(drive.call(kA, "drive_take").value("refused", ""),
+              HasSubstr("ROS 2 /cmd_vel drives"));
+}
+
+TEST_F(HandDriveTest, ASecondWriterOfVelocitiesIsIgnored) {
+  HandDriven drive({.loaded = load({})});
+  ASSERT_TRUE(drive.wait_until_ready());
+  drive.take_by_ros2();
+  drive.before_step = [&](HostNs) {
+    drive.receive_velocity(0.1, 0.0, 0.0, 1);
+    drive.receive_velocity(-0.1, 0.0, 0.0, 2);
+    drive.receive_velocity(-0.1, 0.0, 0.0, 1, true);
+  };
+  drive.after_step = [&](const StepRecord& record) {
+    EXPECT_GE(record.snapshot.command.speed_mps, 0.0);
+  };
+  drive.step_for(0.5);
+  EXPECT_GT(drive.record().snapshot.command.speed_mps, 0.0);
+  EXPECT_THAT(drive.said(), HasSubstr("second writer"));
+  // Nor does it drive on for the first one, which is lost.
+  drive.before_step = [&](HostNs) { drive.receive_velocity(0.1, 0.0, 0.0, 2); };
+  drive.step_for(0.3);
+  EXPECT_TRUE(asks_for_standstill(drive.record()));
+}
+
+TEST_F(HandDriveTest, AVelocityThatIsNoNumberCountsAsNone) {
+  HandDriven drive({.loaded = load({})});
+  ASSERT_TRUE(drive.wait_until_ready());
+  drive.take_by_ros2();
+  drive.before_step = [&](HostNs) { drive.receive_velocity(0.1, 0.0); };
+  drive.step_for(0.3);
+  drive.before_step = [&](HostNs) {
+    drive.receive_velocity(std::numeric_limits<double>::quiet_NaN(), 0.0);
+  };
+  drive.step_for(0.3);
+  EXPECT_TRUE(asks_for_standstill(drive.record()));
+  EXPECT_THAT(drive.said(), HasSubstr("/cmd_vel refused: a velocity is not finite"));
+}
 
 TEST_F(HandDriveTest, NoSequenceOfCommandsTakesTheCentreOutOfTheFence) {
   double driven_m = 0.0, at_fence_s = 0.0;

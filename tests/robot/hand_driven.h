@@ -12,8 +12,10 @@
 #include "live/live_controls.h"
 #include "live/live_cycle.h"
 #include "live/live_recording.h"
+#include "live/ros2_requests.h"
 #include "live/setup_changer.h"
 #include "messages/sink.h"
+#include "ros2/message_types.h"
 #include "server/request_handler.h"
 #include "sim/robot/emulated_robot.h"
 #include "sim/robot/options.h"
@@ -144,6 +146,52 @@ class HandDriven {
                  {"yaw_rate_radps", yaw_rate_radps},
                  {"input_ms", (to_s(now()) - age_s) * 1e3}});
   }
+  /// A message of a ROS 2 node, which its writer sent `age_s` ago.
+  template <class Message>
+  void receive(ros2::Input input, const Message& message, double age_s = 0.0,
+               std::uint64_t writer = 1) {
+    ros2_.take({.input = input,
+                .writer = writer,
+                .written_ns = kWriterClockNs + now() - from_s(age_s),
+                .cdr = ros2::serialized(message)},
+               now());
+  }
+  /// What the writer of /cmd_vel wants, as TwistStamped if `stamped`.
+  void receive_velocity(double speed_mps, double yaw_rate_radps, double age_s = 0.0,
+                        std::uint64_t writer = 1, bool stamped = false) {
+    ros2::geometry_msgs::Twist twist{};
+    twist.linear.x = speed_mps;
+    twist.angular.z = yaw_rate_radps;
+    if (!stamped) return receive(ros2::Input::kVelocity, twist, age_s, writer);
+    const HostNs at_ns = kWriterClockNs + now() - from_s(age_s);
+    receive(ros2::Input::kVelocityStamped,
+            ros2::geometry_msgs::TwistStamped{
+                .header = {.stamp = {.sec = static_cast<std::int32_t>(at_ns / kNsPerS),
+                                     .nanosec = static_cast<std::uint32_t>(at_ns % kNsPerS)}},
+                .twist = twist},
+            0.0, writer);
+  }
+  void receive_drive(bool wanted) {
+    receive(ros2::Input::kDrive, ros2::std_msgs::Bool{.data = wanted});
+  }
+  /// No writer is left on that topic.
+  void writers_gone(ros2::Input input) { ros2_.take({.input = input, .gone = true}, now()); }
+  /// ROS 2 takes the wheel, and the robot is armed; else what was said.
+  std::string take_by_ros2() {
+    receive_drive(false);
+    said();
+    receive_drive(true);
+    step_until([&] { return state() == RunState::kDriving; }, 1.0);
+    return said();
+  }
+  /// What was said of ROS 2's requests since the last call.
+  std::string said() {
+    std::vector<messages::Event> words;
+    ros2_.take_words(words);
+    std::string text;
+    for (const messages::Event& word : words) text += word.text + "\n";
+    return text;
+  }
   /// The /state as a viewer sees it.
   const messages::StateFigures& shown() {
     publisher_.tick(now());
@@ -175,6 +223,9 @@ class HandDriven {
     }
     return viewer;
   }
+  // By a clock of its own.
+  static constexpr HostNs kWriterClockNs = 1'700'000'000 * kNsPerS;
+
   void take_results() {
     record_ = *cycle_.front_record();
     cycle_.release_record();
@@ -184,6 +235,7 @@ class HandDriven {
     live::LiveStatus status;
     cycle_.take_status(status);
     publisher_.take(record_);
+    ros2_.observe(record_);
     handler_.tick(now());
     if (after_step) after_step(record_);
     if (sink_ != nullptr) sink_->take(record_);
@@ -196,6 +248,7 @@ class HandDriven {
   live::LiveRecording recording_;
   live::SetupChanger setup_;
   live::LiveControls controls_;
+  live::Ros2Requests ros2_{controls_};
   server::Broker broker_{messages::channel_texts()};
   server::Publisher publisher_;
   server::RequestHandler handler_;

@@ -1,8 +1,9 @@
 // ros2_peer DOMAIN [+]TOPIC=TYPE=QOS...: receives topics, and with a plus publishes them, with Fast
 // DDS, an implementation that shares nothing with the daemon's. Writes a line of JSON for each
 // participant, each writer, each message and each match of a topic of its own. A line "TOPIC=TYPE
-// HEX" on standard input is a message to publish; it ends when standard input does. QOS: R reliable
-// or B best effort, followed by T transient local or V volatile.
+// HEX" on standard input is a message to publish; it ends when standard input does. DOMAIN is a
+// number, @ADDRESS after it an address to be restricted to, and a final "quiet" keeps the messages'
+// lines to the end. QOS: R reliable or B best effort, followed by T transient local or V volatile.
 
 #include <fastcdr/Cdr.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
@@ -127,13 +128,17 @@ class Discovery : public fast::DomainParticipantListener {
 
 class Messages : public fast::DataReaderListener {
  public:
+  explicit Messages(bool quiet) : quiet_(quiet) {}
+  void print_kept() const {
+    for (const std::string& line : kept_) print(line);
+  }
   void on_data_available(fast::DataReader* reader) override {
     std::vector<std::uint8_t> bytes;
     fast::SampleInfo info;
     while (reader->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
       if (!info.valid_data) continue;
       const auto now = std::chrono::system_clock::now().time_since_epoch();
-      print("{\"message\":\"" + reader->get_topicdescription()->get_name() + "\",\"sent_ns\":" +
+      write("{\"message\":\"" + reader->get_topicdescription()->get_name() + "\",\"sent_ns\":" +
             std::to_string(info.source_timestamp.to_ns()) + ",\"received_ns\":" +
             std::to_string(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()) +
             ",\"cdr\":\"" + hex(bytes.data(), bytes.size()) + "\"}");
@@ -143,6 +148,16 @@ class Messages : public fast::DataReaderListener {
                                      const fast::RequestedIncompatibleQosStatus&) override {
     print("{\"incompatible\":\"" + reader->get_topicdescription()->get_name() + "\"}");
   }
+
+ private:
+  void write(const std::string& line) {
+    if (!quiet_) return print(line);
+    const std::lock_guard lock(mutex_);
+    kept_.push_back(line);
+  }
+  bool quiet_;
+  std::mutex mutex_;
+  std::vector<std::string> kept_;
 };
 
 class Matches : public fast::DataWriterListener {
@@ -169,14 +184,14 @@ AnyQos with(AnyQos qos, const std::string& wanted) {
 
 int main(int argc, char** argv) {
   Discovery discovery;
-  Messages messages;
+  const std::string domain = argv[1];
+  Messages messages(domain.ends_with("quiet"));
   Matches matches;
   fast::DomainParticipantQos participant_qos = fast::PARTICIPANT_QOS_DEFAULT;
   // Without shared memory, which would leave files behind.
   participant_qos.transport().use_builtin_transports = false;
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->receiveBufferSize = kLargest;
-  const std::string domain = argv[1];
   if (const std::size_t at = domain.find('@'); at != std::string::npos)
     udp->interfaceWhiteList.push_back(domain.substr(at + 1));
   participant_qos.transport().user_transports.push_back(udp);
@@ -214,6 +229,7 @@ int main(int argc, char** argv) {
     std::vector<std::uint8_t> bytes = bytes_of(line.substr(space + 1));
     writers.at(line.substr(0, space))->write(&bytes);
   }
+  messages.print_kept();
   participant->delete_contained_entities();
   factory->delete_participant(participant);
   return 0;

@@ -1,0 +1,121 @@
+// A node of ROS 2 that drives the robot, ways to lose it, and how long the robot is told to move after that.
+import { execFileSync } from 'node:child_process';
+import { readdir } from 'node:fs/promises';
+import { join } from 'node:path';
+import { readMcap } from './mcap_file.mjs';
+import { angles, decode } from './ros2.mjs';
+import { Peer, ddsType } from './ros2_network.mjs';
+
+const odometry = 'nav_msgs/msg/Odometry', bool = 'std_msgs/msg/Bool';
+export const twist = 'geometry_msgs/msg/Twist', twistStamped = 'geometry_msgs/msg/TwistStamped';
+const periodMs = 25;
+
+export const pause = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
+
+export class Driver {
+  /** `under`: a command to run it by. */
+  constructor(run, { domain = 42, type = twist, under = [] } = {}) {
+    this.run = run;
+    this.type = type;
+    this.peer = new Peer(domain, [`rt/odom=${ddsType(odometry)}=RV`, `+rt/cmd_vel=${ddsType(type)}=RV`, `+rt/tp100/drive=${ddsType(bool)}=RV`], under);
+  }
+  /** Takes the wheel as soon as the daemon permits it. */
+  async take() {
+    await Promise.all([this.peer.matched('/cmd_vel', this.type), this.peer.matched('/tp100/drive', bool)]);
+    const taken = () => this.run.lines.filter((line) => /ROS 2 \/cmd_vel takes the wheel/.test(line)).length;
+    for (const before = taken(); taken() === before;) {
+      this.peer.publish('/tp100/drive', bool, { data: false });
+      this.peer.publish('/tp100/drive', bool, { data: true });
+      await pause(200);
+    }
+  }
+  /** Sends one velocity; `stamp_ms`: when it was wanted. */
+  drive(speed_mps, rate_radps, stamp_ms = Date.now()) {
+    const velocity = { linear: { x: speed_mps }, angular: { z: rate_radps } };
+    const stamp = { sec: Math.floor(stamp_ms / 1000), nanosec: Math.round(stamp_ms % 1000 * 1e6) };
+    this.peer.publish('/cmd_vel', this.type, this.type === twist ? velocity : { header: { stamp, frame_id: 'base_link' }, twist: velocity });
+  }
+  /** Drives steadily; the time of the last message. */
+  async driveFor(ms, speed_mps, rate_radps) {
+    let last = 0;
+    for (const end = Date.now() + ms; Date.now() < end;) {
+      last = Date.now();
+      this.drive(speed_mps, rate_radps);
+      await pause(periodMs);
+    }
+    return last;
+  }
+  /** Where the robot is, by the newest /odom. */
+  place() {
+    const { pose } = decode(odometry, this.peer.messages('/odom').at(-1)).pose;
+    return { ...pose.position, yaw: angles(pose.orientation).yaw };
+  }
+  /** Drives to within 3 cm of a point. */
+  async driveTo(x, y) {
+    for (;;) {
+      const at = this.place();
+      if (Math.hypot(x - at.x, y - at.y) < 0.03) return at;
+      const off = Math.atan2(y - at.y, x - at.x) - at.yaw;
+      const turn = Math.atan2(Math.sin(off), Math.cos(off));
+      this.drive(Math.abs(turn) < 0.3 ? 0.1 : 0, Math.max(-0.8, Math.min(0.8, 2 * turn)));
+      await pause(periodMs);
+    }
+  }
+}
+
+/** Ways to lose the driver in real time, each for a second; the driver is ended after that. */
+export const losses = {
+  'silence': () => pause(1000),
+  'writer killed': async (driver) => {
+    driver.peer.kill();
+    await pause(1000);
+  },
+  'writer frozen': async (driver) => {
+    driver.peer.process.kill('SIGSTOP');
+    await pause(1000);
+    driver.peer.kill();
+  },
+  // Messages go on, what they were made of does not.
+  'frozen stamp': async (driver, last) => {
+    for (const end = Date.now() + 1000; Date.now() < end; await pause(periodMs)) driver.drive(0.1, 0.3, last);
+  },
+  // The other end of the network goes on sending.
+  'link cut': async (driver) => {
+    execFileSync('ip', ['link', 'set', 'eth0', 'down']);
+    await driver.driveFor(1000, 0.1, 0.3);
+    execFileSync('ip', ['link', 'set', 'eth0', 'up']);
+  },
+};
+
+/** Loses a driver `trials` times; the times of the last fresh messages [ms], each with that of the end of the trial. */
+export async function loseDriver(run, loss, trials, settings) {
+  const times = [];
+  let driver;
+  for (let i = 0; i < trials; ++i) {
+    driver ??= new Driver(run, { ...settings, type: loss === 'frozen stamp' ? twistStamped : twist });
+    await driver.take();
+    const last = await driver.driveFor(400 + Math.random() * 300, 0.05 + Math.random() * 0.1, Math.random() - 0.5);
+    await losses[loss](driver, last);
+    times.push({ last, end: Date.now() });
+    if (loss === 'silence') continue;
+    driver.peer.kill();
+    driver = undefined;
+  }
+  driver?.peer.kill();
+  return times;
+}
+
+/** Milliseconds after `last` up to which the recording's commands ask for motion, for each of these times. */
+export async function movedAfter(folder, times) {
+  const [run] = await readdir(folder);
+  const { topics } = await readMcap(join(folder, run, 'run.mcap'));
+  const moving = topics.get('/command').filter(({ data }) => {
+    const { speed_mps, yaw_rate_radps } = JSON.parse(Buffer.from(data).toString());
+    return speed_mps !== 0 || yaw_rate_radps !== 0;
+  }).map(({ logTime }) => Number(logTime) / 1e6);
+  return times.map(({ last, end }) => {
+    // It drove before.
+    if (!moving.some((at) => at > last - 200 && at <= last)) throw new Error(`the robot was not driven before ${last}`);
+    return Math.max(0, ...moving.filter((at) => at > last && at < end).map((at) => at - last));
+  });
+}

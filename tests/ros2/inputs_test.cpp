@@ -1,0 +1,203 @@
+#include "ros2/inputs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/angle.h"
+#include "ros2/message_types.h"
+
+namespace tp100::ros2 {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+class InputsTest : public testing::Test {
+ protected:
+  template <class Message>
+  Received received(Input input, const Message& message) {
+    bytes_ = serialized(message);
+    return {.input = input, .writer = 7, .written_ns = 5 * kNsPerS, .cdr = bytes_};
+  }
+  static geometry_msgs::PoseWithCovarianceStamped pose(double x_m, double yaw_rad,
+                                                       const char* frame = "map") {
+    geometry_msgs::PoseWithCovarianceStamped out{.header = {.frame_id = frame}};
+    out.pose.pose.position.x = x_m;
+    out.pose.pose.orientation = {.z = std::sin(yaw_rad / 2), .w = std::cos(yaw_rad / 2)};
+    return out;
+  }
+  Bytes bytes_;
+  std::string why_;
+};
+
+TEST_F(InputsTest, AreInTheOrderOfTheirEnum) {
+  std::size_t i = 0;
+  for (const InputText& input : inputs()) EXPECT_EQ(static_cast<std::size_t>(input.input), i++);
+}
+
+TEST_F(InputsTest, AVelocityIsAsOldAsItsMessageOrItsStamp) {
+  const geometry_msgs::Twist twist{.linear = {.x = 0.1}, .angular = {.z = -0.5}};
+  auto wanted = read_velocity(received(Input::kVelocity, twist), why_);
+  ASSERT_TRUE(wanted) << why_;
+  EXPECT_EQ(wanted->speed_mps, 0.1);
+  EXPECT_EQ(wanted->yaw_rate_radps, -0.5);
+  EXPECT_EQ(wanted->stamp_ns, 5 * kNsPerS);
+  geometry_msgs::TwistStamped stamped{.twist = twist};
+  wanted = read_velocity(received(Input::kVelocityStamped, stamped), why_);
+  ASSERT_TRUE(wanted) << why_;
+  EXPECT_EQ(wanted->stamp_ns, 5 * kNsPerS) << "a stamp of 0 is none";
+  stamped.header = {.stamp = {.sec = 3, .nanosec = 4}, .frame_id = "base_link"};
+  wanted = read_velocity(received(Input::kVelocityStamped, stamped), why_);
+  ASSERT_TRUE(wanted) << why_;
+  EXPECT_EQ(wanted->yaw_rate_radps, -0.5);
+  EXPECT_EQ(wanted->stamp_ns, 3 * kNsPerS + 4);
+}
+
+TEST_F(InputsTest, AVelocityThatIsNotFiniteOrHasNoTimeIsRefused) {
+  const auto refused = [&](const geometry_msgs::Twist& twist) {
+    return !read_velocity(received(Input::kVelocity, twist), why_);
+  };
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity(), -101.0}) {
+    EXPECT_TRUE(refused({.linear = {.x = bad}})) << bad;
+    EXPECT_TRUE(refused({.angular = {.z = bad}})) << bad;
+  }
+  EXPECT_TRUE(refused({.linear = {.y = kNan}}));
+  EXPECT_THAT(why_, HasSubstr("not finite"));
+  for (const std::int64_t bad :
+       {std::int64_t{0}, std::int64_t{-1}, std::numeric_limits<std::int64_t>::max()}) {
+    Received message = received(Input::kVelocity, geometry_msgs::Twist{});
+    message.written_ns = bad;
+    EXPECT_FALSE(read_velocity(message, why_)) << bad;
+  }
+}
+
+TEST_F(InputsTest, APoseIsOfTheMapAndAUnitQuaternion) {
+  const auto at = read_pose(received(Input::kInitialPose, pose(1.5, 100 * kRadPerDeg)), why_);
+  ASSERT_TRUE(at) << why_;
+  EXPECT_EQ(at->x_m, 1.5);
+  EXPECT_NEAR(at->yaw_rad, 100 * kRadPerDeg, 1e-12);
+  EXPECT_TRUE(read_pose(received(Input::kInitialPose, pose(1.5, 0.0, "")), why_));
+  EXPECT_FALSE(read_pose(received(Input::kInitialPose, pose(1.5, 0.0, "od\nom")), why_));
+  EXPECT_THAT(why_, HasSubstr("give it in 'map'"));
+  EXPECT_THAT(why_, testing::Not(HasSubstr("\n")));
+  for (const double bad : {kNan, 101.0})
+    EXPECT_FALSE(read_pose(received(Input::kInitialPose, pose(bad, 0.0)), why_)) << bad;
+  auto no_rotation = pose(0.0, 0.0);
+  no_rotation.pose.pose.orientation = {};
+  EXPECT_FALSE(read_pose(received(Input::kInitialPose, no_rotation), why_));
+}
+
+/// A value of every kind that CDR has.
+diagnostic_msgs::DiagnosticArray everything() {
+  return {.header = {.stamp = {.sec = -1, .nanosec = 2}, .frame_id = "map"},
+          .status = {{.level = 1,
+                      .name = "",
+                      .message = "two",
+                      .values = {{.key = "a", .value = "b"}, {.key = "cd", .value = ""}}},
+                     {.level = 2}}};
+}
+
+TEST(CdrReading, GivesWhatWasWritten) {
+  const Bytes bytes = serialized(everything());
+  const auto read = deserialized<diagnostic_msgs::DiagnosticArray>(bytes);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(serialized(*read), bytes);
+  nav_msgs::Odometry odometry{.child_frame_id = "base_link"};
+  odometry.pose.covariance[35] = 0.25;
+  odometry.twist.twist.angular.z = -3.0;
+  const auto again = deserialized<nav_msgs::Odometry>(serialized(odometry));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->pose.covariance[35], 0.25);
+  EXPECT_EQ(again->twist.twist.angular.z, -3.0);
+}
+
+TEST(CdrReading, RefusesEveryTruncationAndWhatIsTooLong) {
+  const Bytes whole = serialized(everything());
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(deserialized<diagnostic_msgs::DiagnosticArray>(std::span(whole).first(size)))
+        << size;
+  // Up to three bytes of padding are DDS's.
+  Bytes longer = whole;
+  longer.resize(whole.size() + 3);
+  EXPECT_TRUE(deserialized<diagnostic_msgs::DiagnosticArray>(longer));
+  longer.resize(whole.size() + 4);
+  EXPECT_FALSE(deserialized<diagnostic_msgs::DiagnosticArray>(longer));
+}
+
+TEST(CdrReading, RefusesOtherEncodings) {
+  Bytes bytes = serialized(geometry_msgs::Twist{});
+  for (int i = 0; i < 256; ++i) {
+    bytes[1] = static_cast<std::uint8_t>(i);
+    EXPECT_EQ(deserialized<geometry_msgs::Twist>(bytes).has_value(), i == 1) << i;
+  }
+  bytes[1] = 1;
+  bytes[0] = 1;
+  EXPECT_FALSE(deserialized<geometry_msgs::Twist>(bytes));
+}
+
+TEST(CdrReading, RefusesLengthsThatTheBytesDoNotHave) {
+  // Text and sequence of 4 GB; a text without its zero; a truth value of 2.
+  EXPECT_FALSE(deserialized<std_msgs::String>(Bytes{0, 1, 0, 0, 255, 255, 255, 255, 'a', 0, 0, 0}));
+  EXPECT_FALSE(
+      deserialized<tf2_msgs::TFMessage>(Bytes{0, 1, 0, 0, 255, 255, 255, 255, 1, 2, 3, 4}));
+  EXPECT_FALSE(deserialized<std_msgs::String>(Bytes{0, 1, 0, 0, 2, 0, 0, 0, 'a', 'b'}));
+  EXPECT_TRUE(deserialized<std_msgs::String>(Bytes{0, 1, 0, 0, 2, 0, 0, 0, 'a', 0}));
+  EXPECT_FALSE(deserialized<std_msgs::Bool>(Bytes{0, 1, 0, 0, 2}));
+  EXPECT_TRUE(deserialized<std_msgs::Bool>(Bytes{0, 1, 0, 0, 1}));
+}
+
+// Whatever changes on the way: what is accepted is finite and in its range.
+TEST_F(InputsTest, WhateverArrivesIsRefusedOrInItsRange) {
+  std::mt19937_64 random(1);
+  int accepted = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    Received message;
+    switch (random() % 4) {
+      case 0:
+        message = received(Input::kVelocity, geometry_msgs::Twist{.linear = {.x = 0.1}});
+        break;
+      case 1:
+        message = received(Input::kVelocityStamped,
+                           geometry_msgs::TwistStamped{.header = {.frame_id = "base_link"}});
+        break;
+      case 2:
+        message = received(Input::kDrive, std_msgs::Bool{.data = true});
+        break;
+      default:
+        message = received(Input::kInitialPose, pose(0.5, 1.0));
+    }
+    const std::size_t changes = random() % 4;
+    for (std::size_t n = 0; n < changes; ++n)
+      bytes_[random() % bytes_.size()] = static_cast<std::uint8_t>(random());
+    if (random() % 4 == 0) bytes_.resize(random() % (bytes_.size() + 8));
+    message.cdr = bytes_;
+    why_.clear();
+    bool taken = false;
+    if (message.input == Input::kDrive) {
+      taken = read_drive(message, why_).has_value();
+    } else if (message.input == Input::kInitialPose) {
+      const auto at = read_pose(message, why_);
+      taken = at.has_value();
+      const Pose pose_read = at.value_or(Pose{});
+      EXPECT_TRUE(std::abs(pose_read.x_m) <= 100.0 && std::isfinite(pose_read.yaw_rad));
+    } else {
+      const auto wanted = read_velocity(message, why_);
+      taken = wanted.has_value();
+      const VelocityRequest read = wanted.value_or(VelocityRequest{.stamp_ns = 1});
+      EXPECT_TRUE(std::abs(read.speed_mps) <= 100.0 && std::abs(read.yaw_rate_radps) <= 100.0);
+      EXPECT_GT(read.stamp_ns, 0);
+    }
+    EXPECT_EQ(taken, why_.empty());
+    accepted += taken ? 1 : 0;
+  }
+  EXPECT_GT(accepted, 2'000);
+  EXPECT_LT(accepted, 19'000);
+}
+
+}  // namespace
+}  // namespace tp100::ros2
