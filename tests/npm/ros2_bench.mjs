@@ -1,12 +1,14 @@
-// ros2_bench.mjs SECONDS ROUNDS: what ROS 2's topics cost and how soon they arrive, as JSON rows. Run it in_network.
+// ros2_bench.mjs SECONDS ROUNDS TRIALS: how soon ROS 2's topics arrive, what they cost, and how soon the robot is told to
+// stop when its driver is lost, as JSON rows; 0 leaves a part out. Run it in_network.
 import { execFileSync } from 'node:child_process';
 import { readFile, readdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { readMcap } from './mcap_file.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
-import { Peer, latched, percentile, program, topics, withRobot } from './ros2_network.mjs';
+import { loseDriver, losses, movedAfter } from './ros2_driver.mjs';
+import { Peer, latched, percentile, program, topics, withRobot, withSecondHost } from './ros2_network.mjs';
 
-const [seconds, rounds] = process.argv.slice(2).map(Number);
+const [seconds, rounds, trials] = process.argv.slice(2).map(Number);
 const print = (row) => console.log(JSON.stringify(row));
 const on = '[ros2]\nenabled = true';
 
@@ -87,5 +89,18 @@ async function measureLoop() {
   }
 }
 
+/** Each way to lose a driver of another machine. */
+const measureLosses = () => withSecondHost((under) => withRobot(async ({ folder, daemon }) => {
+  for (const loss of Object.keys(losses)) {
+    const record = join(folder, loss);
+    const run = await daemon(`${on}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record], '');
+    const times = await loseDriver(run, loss, trials, { under });
+    run.child.kill('SIGTERM');
+    await run.exit;
+    printTimes(`${loss}: told to move after the last message`, await movedAfter(record, times), 'ms');
+  }
+}));
+
 if (seconds > 0) for (const pacing of ['host', 'robot']) await measureTopics(pacing);
 if (rounds > 0) await measureLoop();
+if (trials > 0) await measureLosses();

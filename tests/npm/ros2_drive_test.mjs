@@ -13,7 +13,7 @@ test('a node drives the robot through waypoints', limits, (t) => withRobot(async
   const run = await daemon(on, stays);
   const driver = new Driver(run);
   await driver.take();
-  for (const [x, y] of [[0.2, 0], [0.2, 0.2], [0, 0.2]])
+  for (const [x, y] of [[0.2, 0], [0.2, 0.2]])
     t.diagnostic(`reached ${JSON.stringify(await driver.driveTo(x, y))}`);
   await driver.peer.end();
 }));

@@ -2,15 +2,16 @@
 // arrives is compared byte by byte with the bag of the same run, whose fields ros2_bag_test.mjs compares.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { once } from 'node:events';
 import { readFileSync, readdirSync } from 'node:fs';
-import { readdir, writeFile } from 'node:fs/promises';
-import { cpus } from 'node:os';
+import { mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
+import { cpus, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { readMcap } from './mcap_file.mjs';
 import { load } from './packages.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
-import { Peer, ddsType, discovery, latched, ordinary, percentile, program, topics, withRobot, withSecondHost } from './ros2_network.mjs';
+import { Peer, ddsType, discovery, latched, ordinary, percentile, program, start, topics, withRobot, withSecondHost } from './ros2_network.mjs';
 
 const { parse } = load('@foxglove/rosmsg');
 const { MessageReader } = load('@foxglove/rosmsg2-serialization');
@@ -22,6 +23,9 @@ async function bagOf(folder) {
   return readMcap(join(folder, 'bag', 'bag_0.mcap'));
 }
 
+const shortCourse = 'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.3\n'
+  + '[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n';
+
 /** DDS pads a message to a multiple of four bytes. */
 const same = (received, written) => received.length - written.length < 4
   && received.subarray(0, written.length).equals(written);
@@ -30,8 +34,7 @@ test('another implementation receives every message of a run', limits, (t) => wi
   const listener = await Peer.ofEverything(42);
   try {
     const course = join(folder, 'short.toml');
-    await writeFile(course, 'description = "short"\nspeed_mps = 0.1\n[[segment]]\ntype = "line"\nlength_m = 0.3\n'
-      + '[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n');
+    await writeFile(course, shortCourse);
     const run = await daemon('[ros2]\nenabled = true', ['--course', course, '--record', join(folder, 'runs')]);
     await run.exit;
     await listener.end();
@@ -185,6 +188,40 @@ test('nobody is on the network unless it is switched on', limits, () => withRobo
     await listener.end();
   }
 }));
+
+test('a course in virtual time is on the topics as it is in its bag, with /clock and the truth', limits, async () => {
+  const folder = await mkdtemp(join(tmpdir(), 'tp100-npm-'));
+  const simulated = new Map([...topics, ['/clock', ['rosgraph_msgs/msg/Clock', 'BV']], ['/ground_truth', ['geometry_msgs/msg/PoseStamped', 'RV']]]);
+  const listener = new Peer(42, [...simulated].map(([name, [type, qos]]) => `rt${name}=${ddsType(type)}=${qos}`));
+  try {
+    await listener.until(() => listener.found.some(({ listening }) => listening));
+    const course = join(folder, 'short.toml');
+    await writeFile(course, shortCourse);
+    const simulation = start(program('tp100-sim'), ['course', course, '--ros2', '--record', join(folder, 'runs')],
+      { stdio: ['ignore', 'ignore', 'inherit'], env: { ...process.env, ROS_DOMAIN_ID: '42' } });
+    assert.deepEqual(await once(simulation, 'exit'), [0, null]);
+    await listener.end();
+    const { topics: bag } = await bagOf(folder);
+    for (const [topic, [, qos]] of simulated) {
+      const received = listener.messages(topic), sent = bag.get(topic).map(({ data }) => Buffer.from(data));
+      assert.ok(received.length > 0, topic);
+      if (latched.includes(topic)) continue;
+      const missed = sent.findIndex((each) => same(received[0], each));
+      assert.ok(missed >= 0, `${topic}: an unknown message`);
+      if (qos[0] === 'B') continue;
+      assert.equal(received.length, sent.length - missed, topic);
+      received.forEach((bytes, i) => assert.ok(same(bytes, sent[missed + i]), `${topic} ${i}`));
+    }
+    const clock = listener.messages('/clock').map((bytes) => nanoseconds(decode('rosgraph_msgs/msg/Clock', bytes).clock));
+    clock.forEach((at, i) => assert.ok(i === 0 || at > clock[i - 1]));
+    // Virtual time goes no faster than the real one.
+    const times = listener.found.filter(({ message }) => message === 'rt/clock').map(({ received_ns }) => BigInt(received_ns));
+    assert.ok(times.at(-1) - times[0] > (clock.at(-1) - clock[0]) * 9n / 10n);
+  } finally {
+    await listener.end();
+    await rm(folder, { recursive: true, force: true });
+  }
+});
 
 test('another host sees what is published on its network, and nothing of this machine alone', limits, () =>
   withSecondHost((under) => withRobot(async ({ daemon }) => {
