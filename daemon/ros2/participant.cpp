@@ -5,12 +5,16 @@
 #include <dds/ddsi/ddsi_sertype.h>
 #include <dds/ddsi/q_radmin.h>
 #include <pthread.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -162,6 +166,31 @@ std::string dds_configuration(const std::string& interface) {
          "</Domain></CycloneDDS>";
 }
 
+/// Descriptors of this process that are datagram sockets.
+std::set<int> datagram_sockets() {
+  std::set<int> out;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    const int fd = std::stoi(entry.path().filename().string());
+    int type = 0;
+    socklen_t size = sizeof type;
+    if (::getsockopt(fd, SOL_SOCKET, SO_TYPE, &type, &size) == 0 && type == SOCK_DGRAM)
+      out.insert(fd);
+  }
+  return out;
+}
+
+/// Cyclone DDS sends through one interface but listens at all addresses. From now on what was
+/// opened since `before` receives nothing of other machines.
+void receive_of_this_machine_only(const std::set<int>& before) {
+  constexpr std::string_view kDevice = "lo";
+  for (const int fd : datagram_sockets())
+    if (!before.contains(fd) && ::setsockopt(fd, SOL_SOCKET, SO_BINDTODEVICE, kDevice.data(),
+                                             socklen_t{kDevice.size()}) != 0)
+      throw SetupError("[ros2]: the sockets cannot be kept to lo (" +
+                       std::string(std::strerror(errno)) +
+                       "), and would receive from other machines; set ros2.enabled to false");
+}
+
 /// Threads started during its lifetime have small stacks. Where memory is locked, each takes its
 /// whole stack from the machine: 8 MB by default, of which those of Cyclone DDS need little.
 class SmallStacks {
@@ -257,8 +286,10 @@ rmw_dds_common::Gid gid_of(dds_entity_t entity) {
 struct Participant::State {
   State(const config::Ros2Settings& settings, const std::string& node,
         std::span<const Topic> published, std::span<const Input> taken) {
+    const std::set<int> before = datagram_sockets();
     join(settings);
     try {
+      if (settings.interface == "lo") receive_of_this_machine_only(before);
       for (const Topic topic : published) {
         const TopicText& text = topics().at(static_cast<std::size_t>(topic));
         writers.emplace(topic, writer("rt" + std::string(text.name), *text.type, text.qos));

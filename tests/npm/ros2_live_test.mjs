@@ -223,18 +223,34 @@ test('a course in virtual time is on the topics as it is in its bag, with /clock
   }
 });
 
+/** Of these ports of 10.0.0.1, those at which nobody listens to another host; `under`: a command of that host. */
+const closedPorts = (under, ports) => JSON.parse(execFileSync(under[0], [...under.slice(1), process.execPath, '-e', `
+  const { createSocket } = require('node:dgram');
+  const closed = [];
+  for (const port of ${JSON.stringify(ports)}) {
+    const socket = createSocket('udp4');
+    socket.on('error', () => closed.push(port));
+    socket.connect(port, '10.0.0.1', () => socket.send('x'));
+    setTimeout(() => socket.close(), 300);
+  }
+  setTimeout(() => console.log(JSON.stringify(closed)), 500);`]));
+
 test('another host sees what is published on its network, and nothing of this machine alone', limits, () =>
   withSecondHost((under) => withRobot(async ({ daemon }) => {
+    // Of domain 42: where participants announce themselves, and the first one's own.
+    const ports = [17900, 17901, 17910, 17911];
     const odometry = ['rt/odom=nav_msgs::msg::dds_::Odometry_=RV'];
     const there = new Peer(42, odometry, under), here = new Peer('42@127.0.0.1', odometry);
     try {
       const local = await daemon('[ros2]\nenabled = true', ['--stay', '--wait']);
       await here.until(() => here.messages('/odom').length > 400);
+      assert.ok(!there.found.some(({ participant }) => participant));
+      assert.deepEqual(closedPorts(under, ports), ports);
       local.child.kill('SIGTERM');
       await local.exit;
-      assert.ok(!there.found.some(({ participant }) => participant));
       const open = await daemon('[ros2]\nenabled = true\ninterface = "eth0"', ['--stay', '--wait']);
       await there.until(() => there.messages('/odom').length > 400);
+      assert.deepEqual(closedPorts(under, ports.slice(0, 2)), []);
       open.child.kill('SIGTERM');
       await open.exit;
       // Each step once, in order.
