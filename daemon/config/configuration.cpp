@@ -146,8 +146,8 @@ std::span<const Key<ServerConfiguration>> server_keys() {
       {"commands",
        text::enum_choice<T, &T::commands, kCommandsFromNames>(),
        {},
-       "Viewers whose commands are accepted: those on this machine (local), all or none. STOP is "
-       "accepted from every viewer"},
+       "Viewers, and nodes of ROS 2, whose commands are accepted: those on this machine (local; of "
+       "nodes, only if ros2.interface is lo), all or none. STOP is accepted from every viewer"},
       {"origins",
        &T::origins,
        {},
@@ -168,7 +168,8 @@ std::span<const Key<Ros2Settings>> ros2_keys() {
       {"enabled",
        &T::enabled,
        {},
-       "Publish poses, IMU, joints, battery, path and state on ROS 2's topics, as node /tp100d"},
+       "Publish poses, IMU, joints, battery, path and state on ROS 2's topics, as node /tp100d, and "
+       "take /cmd_vel from it as server.commands permits"},
       {"domain",
        &T::domain,
        {-1, 232},
