@@ -87,7 +87,7 @@ execute_process(COMMAND gzip -9nc INPUT_FILE ${debian}/changelog OUTPUT_FILE ${d
   COMMAND_ERROR_IS_FATAL ANY)
 install(FILES ${debian}/copyright ${documents}/changelog.gz DESTINATION share/doc/tp100)
 # In the folders of the source tree: they point at each other.
-foreach(page README.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE.md daemon/GLOSSARY.md
+foreach(page README.md config/CONTAINER.md config/SERVICE.md config/TUTORIALS.md daemon/ARCHITECTURE.md daemon/GLOSSARY.md
     daemon/REFERENCE.md daemon/camera/CAMERA.md daemon/control/EXTENDING.md daemon/messages/CHANNELS.md
     daemon/record/RECORDINGS.md daemon/report/RESULTS.md daemon/ros2/ROS2.md daemon/server/THREATS.md
     daemon/worlds/WORLD.md

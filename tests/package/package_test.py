@@ -5,6 +5,7 @@ import os
 import sys
 import tempfile
 
+from container_test import container
 from host import ROOT, check, need, package, packages, run
 from install_test import install, rights
 from setup_test import setup
@@ -70,7 +71,7 @@ def completion(build):
             run("zsh", "-n", f"{at}/usr/share/zsh/vendor-completions/_{program}")
 
 
-STEPS = {step.__name__: step for step in (make, lintian, exposure, completion, install, rights, setup)}
+STEPS = {step.__name__: step for step in (make, lintian, exposure, completion, container, install, rights, setup)}
 
 if __name__ == "__main__":
     if len(sys.argv) != 3 or sys.argv[1] not in STEPS:

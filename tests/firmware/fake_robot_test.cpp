@@ -1,0 +1,90 @@
+#include "firmware/fake_robot.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "firmware/imu.h"
+
+namespace tp100::firmware {
+namespace {
+
+constexpr double kCountsPerM = 11140.0;
+
+class FakeRobotTest : public testing::Test {
+ protected:
+  void run(std::int16_t left, std::int16_t right, int ms) {
+    for (int i = 0; i < ms; ++i) robot.step(left, right);
+  }
+  std::int16_t word(std::size_t index) {
+    std::array<std::uint8_t, Imu::kMeasuredBytes> bytes{};
+    EXPECT_TRUE(robot.imu_read(Imu::kAddress, Imu::kAccelXHigh, bytes.data(), Imu::kMeasuredBytes));
+    return static_cast<std::int16_t>(bytes[2 * index] << 8 | bytes[2 * index + 1]);
+  }
+  double mean(std::size_t index) {
+    double sum = 0.0;
+    for (int i = 0; i < 200; ++i) sum += word(index);
+    return sum / 200.0;
+  }
+
+  FakeRobot robot;
+};
+
+TEST_F(FakeRobotTest, ATrackRunsAsItsDutySaysAboveTheDeadBandAndBothWays) {
+  run(90, -90, 1000);
+  EXPECT_EQ(robot.left_counts(), 0);
+  EXPECT_EQ(robot.right_counts(), 0);
+  run(430, -430, 1000);
+  const std::int32_t left = robot.left_counts();
+  const std::int32_t right = robot.right_counts();
+  run(430, -430, 1000);
+  // (0.43 - 0.09) / 3.4 m/s.
+  EXPECT_NEAR(robot.left_counts() - left, 0.1 * kCountsPerM, 10.0);
+  EXPECT_NEAR(robot.right_counts() - right, -0.1 * kCountsPerM, 10.0);
+}
+
+TEST_F(FakeRobotTest, FollowsWithALagAndComesToRest) {
+  run(1000, 1000, 64);
+  const double speed_mps = (910.0 / 3400.0);
+  // After one time constant a first-order lag has covered 1/e of it.
+  EXPECT_NEAR(robot.left_counts(), 0.064 * speed_mps * kCountsPerM / std::exp(1.0), 8.0);
+  run(0, 0, 1000);
+  const std::int32_t rest = robot.left_counts();
+  run(0, 0, 10'000);
+  EXPECT_EQ(robot.left_counts(), rest);
+}
+
+TEST_F(FakeRobotTest, TurnsByTheDifferenceOfItsTracks) {
+  const double bias = mean(6);
+  run(430, 770, 1000);
+  // 0.1 m/s between the tracks, 16 % slip, over 0.2742 m.
+  const double radps = 0.84 * 0.1 / 0.2742;
+  EXPECT_NEAR(mean(6) - bias, radps * 57.29578 * 32.8, 5.0);
+  EXPECT_NEAR(mean(2), 8192.0, 5.0);
+}
+
+TEST_F(FakeRobotTest, FeelsThatItSpeedsUp) {
+  run(430, 430, 20);
+  word(0);
+  const std::int32_t before = robot.left_counts();
+  run(430, 430, 5);
+  EXPECT_GT(robot.left_counts(), before);
+  // exp(-20/64) of 0.1 m/s in 64 ms, less the slip; the noise has at most 24 steps.
+  EXPECT_NEAR(word(0), 0.84 * 0.1 / 0.064 * std::exp(-22.5 / 64.0) * 8192.0 / 9.80665, 60.0);
+}
+
+TEST_F(FakeRobotTest, ItsSensorsAreNeverStillAndAnswerOnlyAtTheirAddress) {
+  int same = 0;
+  for (int i = 0; i < 1000; ++i) {
+    same += word(6) == word(6) && word(0) == word(0) && word(1) == word(1) && word(4) == word(4);
+  }
+  EXPECT_LT(same, 10);
+  std::uint8_t identity = 0;
+  EXPECT_TRUE(robot.imu_read(Imu::kAddress, Imu::kWhoAmI, &identity, 1));
+  EXPECT_EQ(identity, std::uint8_t{Imu::kAddress});
+  EXPECT_FALSE(robot.imu_read(0x69, Imu::kWhoAmI, &identity, 1));
+}
+
+}  // namespace
+}  // namespace tp100::firmware
