@@ -38,6 +38,13 @@ TEST(Greeting, NamesBoardFirmwareAndProtocol) {
                                std::to_string(wire::kProtocolVersion));
 }
 
+TEST(Greeting, SaysThatTheRobotIsSimulatedInsideTheBoard) {
+  auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
+  bytes[9] = static_cast<std::uint8_t>(wire::Board::kFakeRobot);
+  EXPECT_THAT(read_greeting(bytes.data(), bytes.size()).text,
+              HasSubstr("robot simulated inside the board"));
+}
+
 TEST(Greeting, OfAnotherVersionNamesBothAndAsksForFlashing) {
   const auto other = payload(wire::kProtocolVersion + 1, 0xABCD);
   // Only the first nine bytes of a hello are guaranteed in every version.

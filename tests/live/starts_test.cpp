@@ -292,6 +292,18 @@ TEST_F(Starts, AMegasHelloBehindAPtyWaitsForEnter) {
   EXPECT_THAT(log_, HasSubstr("ready; press Enter to start course 1-straight"));
 }
 
+TEST_F(Starts, ABoardThatSimulatesItsRobotIsCalledSoAndWaitsForEnter) {
+  with_board(wire::Board::kFakeRobot);
+  run([&] {
+    ASSERT_TRUE(ready());
+    ASSERT_TRUE(after_commands(200));
+    EXPECT_EQ(arms(), 0u);
+    keyboard_.enter();
+    ASSERT_TRUE(soon([this] { return moves(); }));
+  });
+  EXPECT_THAT(log_, HasSubstr("with the robot simulated inside the board"));
+}
+
 TEST_F(Starts, ABoardThatNobodyKnowsWaitsForEnter) {
   with_board(wire::Board::kUnknown);
   run([&] {

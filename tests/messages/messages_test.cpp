@@ -9,6 +9,7 @@
 #include "core/angle.h"
 #include "fixtures.h"
 #include "messages/foxglove.h"
+#include "messages/status_messages.h"
 
 namespace tp100::messages {
 namespace {
@@ -161,6 +162,18 @@ TEST_F(MessagesTest, ALogLineHoldsCauseAndFix) {
   EXPECT_EQ(json["level"], 4);
   EXPECT_EQ(json["timestamp"]["sec"], 1001);
   EXPECT_EQ(Json::parse(messages_.event(event))["level"], "error");
+}
+
+TEST(Messages, TheLinkSaysWhatKindOfRobotItIsOnceABoardWasHeard) {
+  LinkFigures link;
+  EXPECT_FALSE(nlohmann::json::parse(link_message(0.5, link)).contains("kind"));
+  link.port.firmware = "0.1.0";
+  for (const auto& [kind, name] : {std::pair{RobotKind::kPhysical, "physical"},
+                                   {RobotKind::kEmulated, "emulated"},
+                                   {RobotKind::kSimulated, "simulated"}}) {
+    link.port.kind = kind;
+    EXPECT_EQ(nlohmann::json::parse(link_message(0.5, link))["kind"], name);
+  }
 }
 
 }  // namespace

@@ -90,7 +90,10 @@ void FakeRobot::measure(uint8_t* bytes) {
       noise(),
       static_cast<int16_t>(lsb(rate_radps * kGyroLsbPerRadps) + kGyroBias + noise()),
   };
-  for (uint8_t i = 0; i < sizeof values / sizeof values[0]; ++i) put(bytes + 2 * i, values[i]);
+  for (const int16_t value : values) {
+    put(bytes, value);
+    bytes += sizeof value;
+  }
 }
 
 // -3 to 3, middle values more often.
