@@ -27,16 +27,8 @@ constexpr HostNs kArmLifeNs = OneShotRequest::kLimitNs;
 /// Whether this version knows the kind of board. An unknown one may drive if it speaks the
 /// protocol, after a warning.
 bool known(std::uint8_t board) {
-  switch (static_cast<wire::Board>(board)) {
-    case wire::Board::kMega2560:
-    case wire::Board::kNative:
-    case wire::Board::kFakeRobot:
-    case wire::Board::kRp2040:
-      return true;
-    case wire::Board::kUnknown:
-      break;
-  }
-  return false;
+  return board >= static_cast<std::uint8_t>(wire::Board::kMega2560) &&
+         board <= static_cast<std::uint8_t>(wire::Board::kRp2040);
 }
 
 double fastest_of(const wire::Parameters& parameters) {
