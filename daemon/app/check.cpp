@@ -19,7 +19,7 @@ namespace {
 
 using Word = std::pair<std::string_view, FileKind>;
 
-constexpr std::array<Word, 39> kWords = {{
+constexpr std::array<Word, 40> kWords = {{
     {"robot", FileKind::kConfiguration},
     {"course", FileKind::kConfiguration},
     {"setup", FileKind::kConfiguration},
@@ -36,6 +36,7 @@ constexpr std::array<Word, 39> kWords = {{
     {"block", FileKind::kCourse},
     {"surface", FileKind::kCourse},
     {"fence", FileKind::kCourse},
+    {"keep_out", FileKind::kCourse},
     {"shape", FileKind::kRobot},
     {"drive", FileKind::kRobot},
     {"emulated", FileKind::kRobot},

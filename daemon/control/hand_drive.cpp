@@ -1,8 +1,8 @@
 #include "control/hand_drive.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "core/angle.h"
@@ -50,33 +50,71 @@ double approach_mps(double distance_m, double braking_mps2) {
   return mps < kCreepMps ? 0.0 : mps;
 }
 
+/// The way out of where the robot may be, and how far it is; negative: the robot is outside.
+struct WayOut {
+  double x, y;
+  double distance_m;
+};
+
+/// The greatest speed in a direction, limited by one edge after the other.
+struct Approach {
+  double x, y;  // direction of the motion
+  double turned_rad;
+  double margin_m;
+  double braking_mps2;
+  double most_mps;
+
+  void limit(const WayOut& way) {
+    const double across = std::clamp(x * way.x + y * way.y, -1.0, 1.0);
+    const double towards = std::cos(std::max(0.0, std::acos(across) - turned_rad));
+    if (towards <= 0.0) return;
+    most_mps = std::min(most_mps, approach_mps(way.distance_m - margin_m, braking_mps2) / towards);
+  }
+
+  /// Inside of a polygon, or outside of it. While the robot is on its wrong side, the nearest edge
+  /// is the way back.
+  void limit(const course::Polygon& polygon, const Pose& pose, bool inside) {
+    const bool right = course::contains(polygon, pose.x_m, pose.y_m) == inside;
+    WayOut nearest{0.0, 0.0, -std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const course::Vertex point = course::nearest_on_edge(polygon, i, pose.x_m, pose.y_m);
+      const double dx = point.x_m - pose.x_m, dy = point.y_m - pose.y_m;
+      const double distance_m = std::hypot(dx, dy);
+      // On the edge no way leads to it: any is as good.
+      if (distance_m == 0.0) continue;
+      if (right) {
+        limit({dx / distance_m, dy / distance_m, distance_m});
+      } else if (-distance_m > nearest.distance_m) {
+        nearest = {-dx / distance_m, -dy / distance_m, -distance_m};
+      }
+    }
+    if (!right) limit(nearest);
+  }
+};
+
 }  // namespace
 
 double speed_inside(double speed_mps, const FenceMotion& motion, const course::Fence& fence) {
-  struct Edge {
-    double outwards_x, outwards_y, distance_m;
-  };
   const Pose& pose = motion.pose;
-  const std::array<Edge, 4> edges = {{{-1.0, 0.0, pose.x_m - fence.min_x_m},
-                                      {1.0, 0.0, fence.max_x_m - pose.x_m},
-                                      {0.0, -1.0, pose.y_m - fence.min_y_m},
-                                      {0.0, 1.0, fence.max_y_m - pose.y_m}}};
   const double side_m = std::min(fence.max_x_m - fence.min_x_m, fence.max_y_m - fence.min_y_m);
-  const double margin_m = std::min(
-      {kMarginM + kDeviations * motion.uncertainty_m, kMostMarginM, kMostMarginShare * side_m});
   const double sign = speed_mps < 0.0 ? -1.0 : 1.0;
-  const double x = sign * std::cos(pose.yaw_rad), y = sign * std::sin(pose.yaw_rad);
-  const double turned_rad = kYawErrorRad + motion.yaw_rate_radps * kDelayS;
-  double most_mps = std::abs(speed_mps);
-  for (const Edge& edge : edges) {
-    const double across = std::clamp(x * edge.outwards_x + y * edge.outwards_y, -1.0, 1.0);
-    const double towards = std::cos(std::max(0.0, std::acos(across) - turned_rad));
-    if (towards <= 0.0) continue;
-    most_mps = std::min(
-        most_mps,
-        approach_mps(edge.distance_m - margin_m, kBrakingShare * motion.braking_mps2) / towards);
+  Approach approach{.x = sign * std::cos(pose.yaw_rad),
+                    .y = sign * std::sin(pose.yaw_rad),
+                    .turned_rad = kYawErrorRad + motion.yaw_rate_radps * kDelayS,
+                    .margin_m = std::min({kMarginM + kDeviations * motion.uncertainty_m,
+                                          kMostMarginM, kMostMarginShare * side_m}),
+                    .braking_mps2 = kBrakingShare * motion.braking_mps2,
+                    .most_mps = std::abs(speed_mps)};
+  if (fence.corners.empty()) {
+    approach.limit({-1.0, 0.0, pose.x_m - fence.min_x_m});
+    approach.limit({1.0, 0.0, fence.max_x_m - pose.x_m});
+    approach.limit({0.0, -1.0, pose.y_m - fence.min_y_m});
+    approach.limit({0.0, 1.0, fence.max_y_m - pose.y_m});
+  } else {
+    approach.limit(fence.corners, pose, true);
   }
-  return sign * most_mps;
+  for (const course::Polygon& area : fence.keep_out) approach.limit(area, pose, false);
+  return sign * approach.most_mps;
 }
 
 void HandDrive::restart(HostNs now) {

@@ -21,6 +21,9 @@ constexpr double kObstacleS = 1.0;
 // A load decays more slowly than it rises.
 constexpr double kTurningFallPerS = 0.5;
 
+// The robot itself gives up after 200 ms without a valid command.
+constexpr double kNoneTakenS = 0.3;
+
 // A gain is learnt from a track that runs evenly and freely, not from one that brakes; quickly
 // downwards, but upwards only as fast as a battery sags, or a fault would be learnt.
 constexpr double kMinGain = 0.7;
@@ -161,7 +164,7 @@ bool tilted(const Sample& sample, const Parameters& parameters) {
 }
 
 void Monitor::restart() {
-  heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = Lasting{};
+  heading_ = tilt_ = battery_ = stalled_ = against_duty_ = disagreement_ = none_taken_ = Lasting{};
   opposed_rad_ = running_on_radps_ = 0.0;
   left_duty_.restart();
   right_duty_.restart();
@@ -211,9 +214,7 @@ FaultMask Monitor::course_faults(const Observation& seen) {
   raise(heading_.update(std::abs(seen.target.heading_error_rad) > parameters_.max_heading_error_rad,
                         seen.dt_s, kHeadingS),
         Fault::heading);
-  raise(seen.pose.x_m < fence_.min_x_m || seen.pose.x_m > fence_.max_x_m ||
-            seen.pose.y_m < fence_.min_y_m || seen.pose.y_m > fence_.max_y_m,
-        Fault::fence);
+  raise(!course::contains(fence_, seen.pose.x_m, seen.pose.y_m), Fault::fence);
   raise(seen.elapsed_s > parameters_.time_limit_factor * nominal_duration_s_, Fault::time_limit);
   return faults;
 }
@@ -247,6 +248,9 @@ FaultMask Monitor::update(const Observation& seen) {
         Fault::gyro_against_encoders);
   raise(turn_disagrees(seen), Fault::gyro_against_encoders);
   raise(seen.immobilised, Fault::immobilised);
+  const bool none_taken = seen.commanded && sample.last_command == last_taken_;
+  last_taken_ = sample.last_command;
+  raise(none_taken_.update(none_taken, dt, kNoneTakenS), Fault::command_timeout);
   return faults;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Conditions that end a run, each with its own fault.
 
+#include <cstdint>
+
 #include "control/parameters.h"
 #include "control/tracker.h"
 #include "core/angle.h"
@@ -120,6 +122,7 @@ struct Observation {
   bool on_obstacle = false;  ///< a real ramp or block
   bool immobilised = false;  ///< the tracks run but the robot does not move
   bool by_hand = false;      ///< no path, fence or time to keep: see HandDrive
+  bool commanded = false;    ///< a command went out in the last step
   Target target{};
   double commanded_left_mps = 0.0;  ///< track speeds according to the command
   double commanded_right_mps = 0.0;
@@ -185,7 +188,8 @@ class Monitor {
   JumpMonitor jumps_;
   double opposed_rad_ = 0.0;       ///< rotation against the command
   double running_on_radps_ = 0.0;  ///< turn rate that a reversal explains
-  Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_;
+  std::uint16_t last_taken_ = 0;   ///< command that the robot took
+  Lasting heading_, tilt_, battery_, stalled_, against_duty_, disagreement_, none_taken_;
 };
 
 }  // namespace tp100::control

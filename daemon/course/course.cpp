@@ -31,6 +31,9 @@ Course mirrored(const Course& course) {
   for (Surface& surface : other.terrain.surfaces) mirror(surface.place);
   other.fence.min_y_m = -course.fence.max_y_m;
   other.fence.max_y_m = -course.fence.min_y_m;
+  for (Vertex& corner : other.fence.corners) corner.y_m = -corner.y_m;
+  for (Polygon& area : other.fence.keep_out)
+    for (Vertex& corner : area) corner.y_m = -corner.y_m;
   return other;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/pose.h"
+#include "course/fence.h"
 #include "course/terrain.h"
 
 namespace tp100::course {
@@ -33,11 +34,6 @@ struct Disturbance {
   double sideways_m;  ///< in the robot's own y direction
   double yaw_rad;
   double duration_s;  ///< the push is spread over this time
-};
-
-/// Axis-aligned bounds of the reference point in the world frame.
-struct Fence {
-  double min_x_m, max_x_m, min_y_m, max_y_m;
 };
 
 /// One course. The path starts at `start` and is followed at `speed_mps`.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -17,6 +18,9 @@ constexpr text::Range kLength{0.001, 100.0};
 constexpr double kSmallestAngleDeg = 0.1;
 
 constexpr std::size_t kMaxPieces = 50;
+constexpr std::size_t kMaxCorners = 100;
+constexpr double kFenceStepM = 0.005;
+constexpr int kMinFenceSteps = 180, kMaxFenceSteps = 20000;
 constexpr text::Range kHeading{-3600.0, 3600.0};
 constexpr text::Range kHeight{0.001, 0.5};
 constexpr text::Range kSize{0.01, 20.0};
@@ -104,12 +108,39 @@ Pose start_of(text::TomlTable table) {
   return start;
 }
 
-Fence fence_of(text::TomlTable table) {
+Polygon polygon_of(text::TomlTable& table) {
+  Polygon polygon;
+  for (const auto& [x_m, y_m] : table.pairs("corners_m", kPlace)) polygon.push_back({x_m, y_m});
+  if (polygon.size() < 3) table.fail("corners_m", "'corners_m' needs at least three corners");
+  if (polygon.size() > kMaxCorners) table.fail("corners_m", "more than 100 corners");
+  if (crosses_itself(polygon)) table.fail("corners_m", "the edges of 'corners_m' cross or touch");
+  return polygon;
+}
+
+/// A rectangle, or a polygon with its bounds.
+Fence boundary_of(text::TomlTable table) {
+  if (table.has("corners_m")) {
+    Fence fence{kPlace.max, kPlace.min, kPlace.max, kPlace.min, polygon_of(table)};
+    for (const Vertex& corner : fence.corners) {
+      fence.min_x_m = std::min(fence.min_x_m, corner.x_m);
+      fence.max_x_m = std::max(fence.max_x_m, corner.x_m);
+      fence.min_y_m = std::min(fence.min_y_m, corner.y_m);
+      fence.max_y_m = std::max(fence.max_y_m, corner.y_m);
+    }
+    return fence;
+  }
   const auto [min_x_m, max_x_m, min_y_m, max_y_m] =
       table.required_numbers({"min_x_m", "max_x_m", "min_y_m", "max_y_m"}, kPlace);
   const Fence fence{min_x_m, max_x_m, min_y_m, max_y_m};
   if (fence.min_x_m >= fence.max_x_m) table.fail("max_x_m", "'max_x_m' must exceed 'min_x_m'");
   if (fence.min_y_m >= fence.max_y_m) table.fail("max_y_m", "'max_y_m' must exceed 'min_y_m'");
+  return fence;
+}
+
+Fence fence_of(text::TomlTable& root) {
+  Fence fence = boundary_of(root.table("fence"));
+  fence.keep_out =
+      read<Polygon>(root, "keep_out", [](text::TomlTable table) { return polygon_of(table); });
   return fence;
 }
 
@@ -128,13 +159,15 @@ Disturbance disturbance_of(text::TomlTable table, double length_m, double after_
 }
 
 void require_inside(const Path& path, const Fence& fence, const text::TomlTable& table) {
-  constexpr int kSteps = 180;
+  // A rectangle is left by none of a line, and by an arc for longer than a step.
+  const bool rectangle = fence.corners.empty() && fence.keep_out.empty();
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
     const PathSegment& segment = path.segments()[i];
-    for (int step = 0; step <= kSteps; ++step) {
-      const PathPoint point = path.at(i, segment.length_m * step / kSteps);
-      if (point.x_m < fence.min_x_m || point.x_m > fence.max_x_m || point.y_m < fence.min_y_m ||
-          point.y_m > fence.max_y_m)
+    const int fine = rectangle ? 0 : static_cast<int>(segment.length_m / kFenceStepM);
+    const int steps = std::clamp(fine, kMinFenceSteps, kMaxFenceSteps);
+    for (int step = 0; step <= steps; ++step) {
+      const PathPoint point = path.at(i, segment.length_m * step / steps);
+      if (!contains(fence, point.x_m, point.y_m))
         table.fail("fence", "the path leaves the fence at (" + text::number_text(point.x_m) + ", " +
                                 text::number_text(point.y_m) + ") m, " +
                                 text::number_text(point.s_m) + " m from its start");
@@ -157,7 +190,7 @@ Course parse_course(const std::string& text, const std::string& file) {
   const std::vector<text::TomlTable> segments = root.tables("segment");
   const std::vector<text::TomlTable> disturbances = root.tables("disturbance");
   course.terrain = terrain_of(root);
-  course.fence = fence_of(root.table("fence"));
+  course.fence = fence_of(root);
   // A mistyped table name is reported before the missing table.
   if (segments.empty()) {
     root.finish();

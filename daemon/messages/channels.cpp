@@ -128,7 +128,7 @@ std::shared_ptr<const course::Course> full_course() {
       {.place = {}, .height_m = 0.1, .up_rad = 0.5, .top_m = 0.1, .down_rad = 0.5, .width_m = 0.4}};
   course.terrain.blocks = {{.place = {}, .height_m = 0.1, .depth_m = 0.1, .width_m = 0.4}};
   course.terrain.surfaces = {{.name = "ice", .place = {}, .length_m = 0.1, .width_m = 0.1}};
-  course.fence = {-1, 1, -1, 1};
+  course.fence = {-1, 1, -1, 1, {}, {{{0, 0}, {1, 0}, {0, 1}}}};
   return std::make_shared<const course::Course>(std::move(course));
 }
 

@@ -175,6 +175,13 @@ void write_robot(text::JsonWriter& json, const course::Robot& robot) {
       .end_object();
 }
 
+void write_polygon(text::JsonWriter& json, const course::Polygon& polygon) {
+  json.begin_array();
+  for (const course::Vertex& corner : polygon)
+    json.begin_object().field("x_m", corner.x_m).field("y_m", corner.y_m).end_object();
+  json.end_array();
+}
+
 }  // namespace
 
 std::vector<course::PathPoint> path_points(const course::Path& path) {
@@ -349,8 +356,17 @@ std::string Messages::course() const {
         .field("max_x_m", course.fence.max_x_m)
         .field("min_y_m", course.fence.min_y_m)
         .field("max_y_m", course.fence.max_y_m)
-        .end_object();
+        .key("corners");
+    write_polygon(json, course::corners_of(course.fence));
+    json.end_object();
   }
+  json.key("keep_out").begin_array();
+  for (const course::Polygon& area : course.fence.keep_out) {
+    json.begin_object().key("corners");
+    write_polygon(json, area);
+    json.end_object();
+  }
+  json.end_array();
   write_robot(json, run_context_.robot);
   json.end_object();
   return text;

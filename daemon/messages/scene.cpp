@@ -70,15 +70,18 @@ void write_course(text::JsonWriter& json, const Messages& messages, std::uint64_
   write_entity(json, {.id = "course/path", .lines = line_strip(points, 0.006, kPathColour)}, at);
 
   const course::Course& course = *messages.run_context().course;
-  const course::Fence& fence = course.fence;
-  const std::vector<Point> corners = {{fence.min_x_m, fence.min_y_m, 0},
-                                      {fence.max_x_m, fence.min_y_m, 0},
-                                      {fence.max_x_m, fence.max_y_m, 0},
-                                      {fence.min_x_m, fence.max_y_m, 0},
-                                      {fence.min_x_m, fence.min_y_m, 0}};
-  write_entity(json, {.id = "course/fence", .lines = line_strip(corners, 0.004, kFenceColour)}, at);
-
+  const auto write_border = [&](const std::string& id, const course::Polygon& polygon) {
+    std::vector<Point> corners;
+    for (const course::Vertex& corner : polygon) corners.push_back({corner.x_m, corner.y_m, 0});
+    corners.push_back(corners.front());
+    write_entity(json, {.id = id, .lines = line_strip(corners, 0.004, kFenceColour)}, at);
+  };
+  write_border("course/fence", course::corners_of(course.fence));
   std::size_t number = 0;
+  for (const course::Polygon& area : course.fence.keep_out)
+    write_border("course/keep_out/" + std::to_string(number++), area);
+
+  number = 0;
   for (const course::Ramp& ramp : course.terrain.ramps)
     write_entity(
         json, {.id = "course/ramp/" + std::to_string(number++), .triangles = ramp_triangles(ramp)},

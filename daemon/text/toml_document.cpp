@@ -345,6 +345,21 @@ std::vector<TomlValue> TomlTable::values(std::string_view key) {
   return values;
 }
 
+std::vector<std::array<double, 2>> TomlTable::pairs(std::string_view key, Range range) {
+  std::vector<std::array<double, 2>> pairs;
+  const toml::node* node = state_->ask(key);
+  if (!node) return pairs;
+  if (!node->is_array()) state_->wrong_type(key, *node, "an array of pairs, [[x, y], ...]");
+  for (const toml::node& one : *node->as_array()) {
+    const toml::array* pair = one.as_array();
+    if (pair == nullptr || pair->size() != 2)
+      state_->wrong_type(key, one, "a pair of numbers, [x, y]");
+    pairs.push_back(
+        {state_->number(key, (*pair)[0], range), state_->number(key, (*pair)[1], range)});
+  }
+  return pairs;
+}
+
 bool TomlTable::holds_table(std::string_view key) const {
   const toml::node* node = state_->table ? state_->table->get(key) : nullptr;
   return node && node->is_table();

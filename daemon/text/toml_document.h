@@ -62,6 +62,8 @@ class TomlTable {
   TomlValue required_value(std::string_view key);
   /// An array of them; absent reads as empty.
   std::vector<TomlValue> values(std::string_view key);
+  /// An array of pairs of numbers, [[x, y], ...]; absent reads as empty.
+  std::vector<std::array<double, 2>> pairs(std::string_view key, Range range);
   /// Whether the value of `key` is a table. Does not mark the key as known.
   bool holds_table(std::string_view key) const;
   /// Sub-table; an absent one reads as empty.

@@ -182,6 +182,29 @@ TEST_F(FenceLimit, AnUncertainPositionKeepsAwayButNeverTakesTheWholeFence) {
   EXPECT_EQ(inside(0.0, 0.0, 0.0, 0.2, 0.0, 100.0), 0.2);
 }
 
+TEST_F(FenceLimit, ACornerOfAPolygonIsAnEdgeLikeAnyOther) {
+  const double rectangle = inside(0.93, 0.1, 20.0, 0.2);
+  fence_.corners = course::corners_of(fence_);
+  EXPECT_NEAR(inside(0.93, 0.1, 20.0, 0.2), rectangle, 1e-9);
+  // A dent from above, with its tip at (0, 0).
+  fence_.corners = {{-1.0, -0.5}, {1.0, -0.5}, {1.0, 0.5}, {0.2, 0.5},
+                    {0.0, 0.0},   {-0.2, 0.5}, {-1.0, 0.5}};
+  EXPECT_EQ(inside(-0.005, 0.0, 0.0, 0.2), 0.0) << "at the tip";
+  EXPECT_EQ(inside(-0.005, 0.0, 0.0, -0.2), -0.2);
+  EXPECT_LT(inside(-0.1, 0.0, 0.0, 0.2), 0.2);
+  EXPECT_EQ(inside(0.0, 0.3, 90.0, 0.1), 0.0) << "in the dent, deeper";
+  EXPECT_EQ(inside(0.02, 0.1, -15.0, 0.1), 0.1) << "in the dent, the short way out";
+}
+
+TEST_F(FenceLimit, KeepOutAreasAreNotEntered) {
+  fence_.keep_out = {{{0.0, -0.1}, {0.3, -0.1}, {0.3, 0.1}, {0.0, 0.1}}};
+  EXPECT_EQ(inside(-0.005, 0.0, 0.0, 0.2), 0.0);
+  EXPECT_EQ(inside(-0.005, 0.0, 180.0, 0.2), 0.2) << "away from it";
+  EXPECT_EQ(inside(-0.6, 0.0, 0.0, 0.2), 0.2) << "far from it";
+  EXPECT_EQ(inside(0.02, 0.0, 0.0, 0.2), 0.0) << "inside of it, deeper";
+  EXPECT_EQ(inside(0.02, 0.0, 180.0, 0.2), 0.2) << "inside of it, the short way out";
+}
+
 TEST_F(FenceLimit, NeverReversesNorSpeedsUp) {
   std::mt19937 random(1);
   std::uniform_real_distribution<> any(-1.0, 1.0);

@@ -88,6 +88,46 @@ TEST(CourseFile, RefusesValuesThatMakeNoPath) {
               HasSubstr("missing key 'segment.type'"));
 }
 
+TEST(CourseFile, ReadsAFenceWithCornersAndAreasToKeepOutOf) {
+  const Course course =
+      parse_course(kLine +
+                       "[fence]\ncorners_m = [[-1, -1], [3, -1], [3, 1], [1.0, 0.5], [-1, 1]]\n"
+                       "[[keep_out]]\ncorners_m = [[0, -0.9], [1, -0.9], [1, -0.5]]\n",
+                   "c.toml");
+  EXPECT_EQ(course.fence.corners.size(), 5U);
+  EXPECT_EQ(course.fence.corners[3].y_m, 0.5);
+  EXPECT_EQ(course.fence.max_x_m, 3.0);
+  EXPECT_EQ(course.fence.min_y_m, -1.0);
+  ASSERT_EQ(course.fence.keep_out.size(), 1U);
+  EXPECT_EQ(course.fence.keep_out[0][2].y_m, -0.5);
+}
+
+TEST(CourseFile, RefusesPolygonsThatAreNone) {
+  const auto fence = [](const std::string& corners) {
+    return course_error(kLine + "[fence]\ncorners_m = " + corners + "\n");
+  };
+  EXPECT_THAT(fence("[[0, 0], [1, 1]]"), HasSubstr("at least three corners"));
+  EXPECT_THAT(fence("[[-1, -1], [3, 1], [3, -1], [-1, 1]]"), HasSubstr(":5:"));
+  EXPECT_THAT(fence("[[-1, -1], [3, 1], [3, -1], [-1, 1]]"), HasSubstr("cross or touch"));
+  EXPECT_THAT(fence("[[-1, -1, 0], [3, 1], [3, -1]]"), HasSubstr("a pair of numbers"));
+  EXPECT_THAT(fence("[-1, -1, 3, 1]"), HasSubstr("a pair of numbers"));
+  EXPECT_THAT(fence("[[-1, \"a\"], [3, 1], [3, -1]]"), HasSubstr("number"));
+  EXPECT_THAT(fence("3"), HasSubstr("array of pairs"));
+  EXPECT_THAT(fence("[[-1, -1], [3, -1], [300, 1]]"), HasSubstr("300"));
+  EXPECT_THAT(fence("[[-1, -1], [3, -1], [3, 1], [-1, 1]]\nmin_x_m = -1"),
+              HasSubstr("unknown key 'fence.min_x_m'"));
+  EXPECT_THAT(course_error(kLine + kFence + "[[keep_out]]\nx_m = 1\n"), HasSubstr("corners"));
+}
+
+TEST(CourseFile, RefusesAPathThatMeetsAKeepOutAreaOrADent) {
+  EXPECT_THAT(course_error(kLine + kFence +
+                           "[[keep_out]]\ncorners_m = [[0.5, -0.1], [0.51, -0.1], [0.505, 0.1]]\n"),
+              HasSubstr("leaves the fence at (0.5"));
+  EXPECT_THAT(course_error(kLine + "[fence]\ncorners_m = [[-1, -1], [3, -1], [3, 1], [0.6, 1], "
+                                   "[0.6, -0.5], [0.5, 1], [-1, 1]]\n"),
+              HasSubstr("leaves the fence at"));
+}
+
 TEST(CourseFile, RefusesAFenceThatThePathLeaves) {
   EXPECT_THAT(course_error("[[segment]]\ntype = 'arc'\nradius_m = 0.6\nangle_deg = 180\n" + kFence),
               HasSubstr("leaves the fence at"));

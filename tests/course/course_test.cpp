@@ -17,7 +17,7 @@ TEST(Mirror, TurnsLeftIntoRightAndNothingElse) {
   course.terrain.ramps.push_back({{0.7, -0.8, 0.3}, 0.08, 0.4, 0.2, 0.5, 0.4});
   course.terrain.blocks.push_back({{1.2, -0.8, 0.3}, 0.037, 0.1, 0.4});
   course.terrain.surfaces.push_back({"felt", {0.1, 0.2, 0.3}, 1.0, 1.0, 1.0, 0.1});
-  course.fence = {-1.0, 2.0, -0.5, 1.5};
+  course.fence = {-1.0, 2.0, -0.5, 1.5, {}, {{{0.1, 0.2}, {0.3, 0.2}, {0.1, 0.4}}}};
   const Course other = mirrored(course);
   const Path path(course), mirror(other);
   for (double s = 0.0; s < path.length_m(); s += 0.05) {
@@ -31,6 +31,7 @@ TEST(Mirror, TurnsLeftIntoRightAndNothingElse) {
   EXPECT_EQ(other.terrain.blocks[0].place.heading_rad, -0.3);
   EXPECT_EQ(other.fence.min_y_m, -1.5);
   EXPECT_EQ(other.fence.max_y_m, 0.5);
+  EXPECT_EQ(other.fence.keep_out.at(0).at(2).y_m, -0.4);
   const Course back = mirrored(other);
   EXPECT_EQ(back.terrain.surfaces[0].place.y_m, 0.2);
   EXPECT_EQ(back.start.yaw_rad, 0.2);
