@@ -11,6 +11,7 @@
 #include "control/arming.h"
 #include "control/hand_drive.h"
 #include "control/monitor.h"
+#include "control/pause.h"
 #include "control/track_limits.h"
 #include "control/tracker.h"
 #include "core/arithmetic.h"
@@ -21,8 +22,6 @@ namespace {
 
 // In a longer gap between two steps nothing was observed: it does not count towards durations.
 constexpr double kLongestSeenS = 0.05;
-// The robot itself gives up after 200 ms without a valid command.
-constexpr double kNoneTakenS = 0.3;
 // The firmware's own limit is 10 samples.
 constexpr std::uint8_t kOldestImu = 20;
 
@@ -50,7 +49,6 @@ struct Step::State {
   void take_requests(std::span<const OperatorRequest> requests);
   void take_world(std::span<const WorldSample> received, double dt_s);
   bool fresh_sample(HostNs now) const;
-  bool takes_commands(double dt_s);
   FaultMask aborts(const StepInputs& in, HostNs now, double dt_s);
   StartRefusal refusal(const StepInputs& in, HostNs now) const;
   void begin(HostNs now);
@@ -71,13 +69,12 @@ struct Step::State {
   control::Disturbance disturbance;
   control::HandDrive hand;
   control::Arming arming;
+  control::Pause pause;
 
   control::Target target{};
   bool at_fence = false;
   bool goes_on = false;  // the run that is about to begin, from where the last one ended
   HostNs last_step_ns = 0, run_began_ns = 0;
-  std::uint16_t last_taken = 0;
-  double none_taken_s = 0.0;
   std::uint32_t session_number = 0;
   Outputs out{};
 };
@@ -129,8 +126,7 @@ CarriedState Step::carried_anew(const std::optional<Pose>& at, HostNs now) const
 // Tracker, monitor and disturbance restart with each run.
 void Step::State::resume(const CarriedState& carried) {
   last_step_ns = run_began_ns = 0;
-  last_taken = 0;
-  none_taken_s = 0.0;
+  pause.restart();
   session_number = carried.session_number;
   arming.resume(carried.run_state, carried.faults);
   target = {};
@@ -168,6 +164,12 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
       case OperatorRequest::kHold:
         arming.hold();
         break;
+      case OperatorRequest::kPause:
+        if (arming.state() == RunState::kRunning) pause.begin();
+        break;
+      case OperatorRequest::kResume:
+        pause.end();
+        break;
       case OperatorRequest::kStop:
         arming.stop();
         break;
@@ -185,13 +187,6 @@ bool Step::State::fresh_sample(HostNs now) const {
   return seen.has_sample() && to_s(now - seen.sample().measured_ns) <= parameters.sample_timeout_s;
 }
 
-bool Step::State::takes_commands(double dt_s) {
-  const bool taken = seen.sample().last_command != last_taken || !out.command_valid;
-  last_taken = seen.sample().last_command;
-  none_taken_s = taken ? 0.0 : none_taken_s + std::min(dt_s, kLongestSeenS);
-  return none_taken_s < kNoneTakenS;
-}
-
 FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
   FaultMask faults = 0;
   const bool running = armed(arming.state());
@@ -199,7 +194,6 @@ FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
     faults = monitor->update(observe(now, dt_s));
     if (!fresh_sample(now))
       faults |= fault_bit(in.samples.empty() ? Fault::link_lost : Fault::samples_stale);
-    if (!takes_commands(dt_s)) faults |= fault_bit(Fault::command_timeout);
     if (seen.gyro_steers() && seen.sample().imu_age > kOldestImu)
       faults |= fault_bit(Fault::imu_stale);
   }
@@ -235,7 +229,7 @@ void Step::State::begin(HostNs now) {
   disturbance.restart(seen.contradictions());
   monitor->restart();
   run_began_ns = now;
-  none_taken_s = 0.0;
+  pause.restart();
 }
 
 control::Observation Step::State::observe(HostNs now, double dt_s) const {
@@ -251,10 +245,11 @@ control::Observation Step::State::observe(HostNs now, double dt_s) const {
           .on_obstacle = seen.on_obstacle(),
           .immobilised = seen.immobilised() || external.blocked(),
           .by_hand = arming.state() == RunState::kDriving,
+          .commanded = out.command_valid,
           .target = target,
           .commanded_left_mps = out.snapshot.commanded_left_mps,
           .commanded_right_mps = out.snapshot.commanded_right_mps,
-          .elapsed_s = to_s(now - run_began_ns),
+          .elapsed_s = to_s(now - run_began_ns) - pause.total_s(),
           .dt_s = std::min(dt_s, kLongestSeenS)};
 }
 
@@ -298,6 +293,7 @@ void Step::State::steer(HostNs now, double dt_s) {
          .tracks_radps = gyro ? speeds.encoder_yaw_rate_radps : 0.0,
          .contradictions = parameters.steering == PoseSource::kFused ? seen.contradictions() : 0},
         dt_s);
+    tracker->pause(pause.active());
     target = tracker->update(pose, speeds.steering, dt_s, disturbed);
     return;
   }
@@ -346,6 +342,7 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
                                                                     : refusal;
   snapshot.start_refusal = course == nullptr ? StartRefusal::kNoCourse : snapshot.drive_refusal;
   snapshot.at_fence = at_fence;
+  snapshot.pause_left_s = snapshot.run_state == RunState::kRunning ? pause.left_s() : 0.0;
   snapshot.faults = (seen.has_sample() ? seen.sample().faults : 0) | arming.faults();
 }
 
@@ -368,6 +365,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   for (const CameraSample& sample : in.camera) s.seen.take(sample);
   s.take_changes(in.changes);
   s.take_requests(in.requests);
+  if (s.pause.update(dt_s) && s.arming.state() == RunState::kRunning) s.arming.hold();
   // After the operator: a start does not override a world that requests a stop.
   if (s.external.take_stop(under_way(s.arming.state()))) s.arming.stop();
   for (const VelocityInput& input : in.velocities) s.hand.take(input, now);

@@ -17,6 +17,11 @@ class PivotProfile {
   void begin(const course::PathSegment& segment, double most_radps);
   /// After begin(): the robot has turned to `yaw_rad` already.
   void begin_at(double yaw_rad) { yaw_rad_ += wrap_angle(yaw_rad - yaw_rad_); }
+  /// The robot stands at `yaw_rad` before the turn is over; the next update() begins from rest.
+  void halt_at(double yaw_rad) {
+    begin_at(yaw_rad);
+    rate_radps_ = 0.0;
+  }
   /// One step; never faster than allows a stop at the end.
   void update(const Parameters& parameters, double dt_s);
 

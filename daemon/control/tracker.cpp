@@ -98,6 +98,7 @@ Tracker::Tracker(const Parameters& parameters, const course::Path& path, const D
 void Tracker::restart() {
   progress_.restart();
   recovery_.restart();
+  paused_ = false;
   commanded_mps_ = 0.0;
   target_ = Target{};
   begin_segment();
@@ -181,6 +182,10 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
     if (settled(twist, true, dt_s)) next_segment();
     return;
   }
+  if (paused_ && commanded_mps_ <= parameters_.acceleration_mps2 * dt_s) {
+    stand(pose.yaw_rad);
+    return;
+  }
   steer(pose, twist, here, left_m, dt_s);
 }
 
@@ -213,7 +218,8 @@ double Tracker::crab_rad(double curvature_1pm) const {
 void Tracker::steer(const Pose& pose, const Twist& twist, const course::PathPoint& here,
                     double left_m, double dt_s) {
   const double cap_mps = speed_cap(left_m);
-  const double speed_mps = std::min(cap_mps, commanded_mps_ + parameters_.acceleration_mps2 * dt_s);
+  const double step_mps = parameters_.acceleration_mps2 * dt_s;
+  const double speed_mps = std::min(cap_mps, commanded_mps_ + (paused_ ? -step_mps : step_mps));
 
   const course::PathPoint ahead = progress_.ahead(law_->look_ahead_m(speed_mps));
   const double c = std::cos(here.yaw_rad), s = std::sin(here.yaw_rad);
@@ -257,6 +263,11 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
   const double reach_m = corner().reach_m();
   target_.off_path_m = path_.distance(pose.x_m, pose.y_m, target_.progress_m - reach_m,
                                       target_.progress_m + reach_m);
+  if (paused_ && !pivot_.arrived()) {
+    pivot_.halt_at(pose.yaw_rad);
+    stand(pose.yaw_rad);
+    return;
+  }
   pivot_.update(parameters_, dt_s);
   target_.desired_yaw_rad = pivot_.yaw_rad();
   target_.yaw_rate_radps = pivot_.rate_radps();

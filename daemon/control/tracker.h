@@ -100,6 +100,8 @@ class Tracker {
   void restart();
   /// To where an earlier run ended: Target::progress_m, and the robot's yaw.
   void resume(double progress_m, double yaw_rad);
+  /// While paused, the robot slows down on the path to a standstill and stays there.
+  void pause(bool paused) { paused_ = paused; }
   /// One step of `dt_s` with the steering pose and twist. Whole turns of the pose's yaw change
   /// nothing, except that the desired yaw of a stopping robot is on the pose's branch. `disturbed`:
   /// the robot is being pushed, see Disturbance.
@@ -136,6 +138,7 @@ class Tracker {
   double settled_s_ = 0.0;
   double waited_s_ = 0.0;
   bool stopping_ = false;
+  bool paused_ = false;
   Target target_{};
 };
 

@@ -32,11 +32,13 @@ enum class RequestAnswer : std::uint8_t {
 
 /// What an operator (keyboard, page, --go, signal) asks of the bridge.
 enum class OperatorRequest : std::uint8_t {
-  kStart,  ///< arm and begin the course; the robot stands at its start
-  kHold,   ///< disarm, keep the session
-  kStop,   ///< latch STOP on the robot; only kStart, kGoOn and kDrive end it
-  kGoOn,   ///< as kStart, but from where the last run ended: see may_go_on()
-  kDrive,  ///< arm for driving by hand; the robot is taken to be where it is estimated
+  kStart,   ///< arm and begin the course; the robot stands at its start
+  kHold,    ///< disarm, keep the session
+  kStop,    ///< latch STOP on the robot; only kStart, kGoOn and kDrive end it
+  kGoOn,    ///< as kStart, but from where the last run ended: see may_go_on()
+  kDrive,   ///< arm for driving by hand; the robot is taken to be where it is estimated
+  kPause,   ///< slow down on the course to a standstill; the robot stays armed
+  kResume,  ///< go on with a run that pauses
 };
 
 /// An older input of a driver is worth nothing: the robot stops.

@@ -46,7 +46,8 @@ struct Snapshot {
   StartRefusal start_refusal = StartRefusal::kNone;  ///< reason that refuses a start now
   StartRefusal drive_refusal = StartRefusal::kNone;  ///< ... and driving by hand
   bool at_fence = false;                             ///< the fence limits the speed by hand
-  FaultMask faults = 0;                              ///< robot's and daemon's
+  double pause_left_s = 0.0;  ///< the run pauses, and ends after this time; 0: it does not pause
+  FaultMask faults = 0;       ///< robot's and daemon's
 };
 
 }  // namespace tp100

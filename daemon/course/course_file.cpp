@@ -168,9 +168,10 @@ void require_inside(const Path& path, const Fence& fence, const text::TomlTable&
     for (int step = 0; step <= steps; ++step) {
       const PathPoint point = path.at(i, segment.length_m * step / steps);
       if (!contains(fence, point.x_m, point.y_m))
-        table.fail("fence", "the path leaves the fence at (" + text::number_text(point.x_m) + ", " +
-                                text::number_text(point.y_m) + ") m, " +
-                                text::number_text(point.s_m) + " m from its start");
+        table.fail(
+            "fence",
+            text::format("the path leaves the fence at (%.3f, %.3f) m, %.3f m from its start",
+                         point.x_m, point.y_m, point.s_m));
     }
   }
 }

@@ -63,8 +63,8 @@ std::string LiveControls::request_start(OperatorRequest request) {
   return cycle_.request(request) ? std::string() : kBusy;
 }
 
-std::string LiveControls::hold() {
-  return cycle_.request(OperatorRequest::kHold) ? std::string() : kBusy;
+std::string LiveControls::request(OperatorRequest request) {
+  return cycle_.request(request) ? std::string() : kBusy;
 }
 
 void LiveControls::stop() { cycle_.request(OperatorRequest::kStop); }

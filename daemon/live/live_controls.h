@@ -28,7 +28,9 @@ class LiveControls : public server::Controls {
   // The server's thread, or another one whose clients drive:
   std::string start() override { return request_start(OperatorRequest::kStart); }
   std::string go_on() override { return request_start(OperatorRequest::kGoOn); }
-  std::string hold() override;
+  std::string hold() override { return request(OperatorRequest::kHold); }
+  std::string pause() override { return request(OperatorRequest::kPause); }
+  std::string resume() override { return request(OperatorRequest::kResume); }
   void stop() override;
   std::string set(const messages::ParameterText& parameter,
                   const messages::ParameterValue& value) override;
@@ -51,6 +53,9 @@ class LiveControls : public server::Controls {
   void delete_file(const server::SetupFile& file, Answer answer) override {
     setup_.remove(file, answer);
   }
+  void check_file(const server::SetupFile& file, Answer answer) override {
+    setup_.check(file, answer);
+  }
   messages::LoopFigures loop() override;
   messages::PortFigures port() override;
   messages::RecordingFigures recording() override;
@@ -68,6 +73,7 @@ class LiveControls : public server::Controls {
   void end();
 
  private:
+  std::string request(OperatorRequest request);
   std::string request_start(OperatorRequest request);
   bool driving(HostNs now);
 

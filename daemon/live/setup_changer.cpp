@@ -230,6 +230,12 @@ void SetupChanger::remove(const server::SetupFile& file, const Answer& answer) {
   });
 }
 
+void SetupChanger::check(const server::SetupFile& file, const Answer& answer) {
+  on_disk(answer, [this, file] {
+    return checked_file(*run(), kind_of(file), {file.name + ".toml", file.text});
+  });
+}
+
 std::optional<std::string> SetupChanger::content(std::string_view path) const {
   if (path == "/api/setup") return setup_list(files_, *run());
   constexpr std::string_view kEnding = ".toml";

@@ -31,6 +31,7 @@ class SetupChanger {
   void place(const std::optional<Pose>& at, Answer answer);
   void save(const server::SetupFile& file, const Answer& answer);
   void remove(const server::SetupFile& file, const Answer& answer);
+  void check(const server::SetupFile& file, const Answer& answer);
   /// Whether a change of course, robot or set-up is on its way: then no run may be started.
   bool changing() const;
 

@@ -1,12 +1,17 @@
 #include "live/setup_list.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <system_error>
 
 #include "bridge/step.h"
 #include "core/error.h"
+#include "course/course.h"
 #include "course/path.h"
+#include "course/robot.h"
 #include "messages/messages.h"
 #include "terrain/climbable.h"
 #include "text/json_writer.h"
@@ -74,6 +79,34 @@ void write_course(text::JsonWriter& json, const course::Course& course) {
   json.end_array();
 }
 
+config::LoadedRun with_file(const config::LoadedRun& run, Bundled kind,
+                            const course::TextFile& file) {
+  return kind == Bundled::kCourses
+             ? config::with_files(run, file, run.files.robot, run.files.setup)
+             : config::with_files(run, run.files.course, file, run.files.setup);
+}
+
+/// Throws SetupError if the run's files do not fit together.
+void write_fit(text::JsonWriter& json, const config::RunSetup& run, bool is_course) {
+  const bridge::Step step(run.parameters, run.course);
+  if (is_course) json.field("duration_s", step.nominal_duration_s());
+  require_fit(run);
+}
+
+/// `message` without its place in the file, which is written: "NAME:line:column: what".
+std::string_view write_place(text::JsonWriter& json, std::string_view message,
+                             std::string_view name) {
+  unsigned line = 0, column = 0;
+  if (!message.starts_with(name) || !message.substr(name.size()).starts_with(':')) return message;
+  const char* const end = message.data() + message.size();
+  const auto [after_line, no_line] = std::from_chars(message.data() + name.size() + 1, end, line);
+  if (no_line != std::errc() || after_line == end || *after_line != ':') return message;
+  const auto [after, no_column] = std::from_chars(after_line + 1, end, column);
+  if (no_column != std::errc() || end - after < 2 || *after != ':') return message;
+  json.field("line", line).field("column", column);
+  return message.substr(static_cast<std::size_t>(after - message.data()) + 2);
+}
+
 void write_entry(text::JsonWriter& json, const SetupFiles& files, const config::LoadedRun& run,
                  Bundled kind, const SetupFiles::Entry& entry) {
   json.begin_object().field("name", entry.name).field("from", to_string(entry.from));
@@ -84,17 +117,13 @@ void write_entry(text::JsonWriter& json, const SetupFiles& files, const config::
                                   : run.setup.robot.name == entry.name;
   try {
     const course::TextFile file = files.read(kind, entry.name);
-    const config::LoadedRun with =
-        config::with_files(run, is_course ? file : run.files.course,
-                           is_course ? run.files.robot : file, run.files.setup);
+    const config::LoadedRun with = with_file(run, kind, file);
     if (is_course) {
       write_course(json, *with.setup.course);
     } else {
       json.field("description", with.setup.robot.description);
     }
-    const bridge::Step step(with.setup.parameters, with.setup.course);
-    if (is_course) json.field("duration_s", step.nominal_duration_s());
-    require_fit(with.setup);
+    write_fit(json, with.setup, is_course);
   } catch (const SetupError& error) {
     why = error.what();
   }
@@ -128,6 +157,31 @@ std::string setup_list(const SetupFiles& files, const config::LoadedRun& run) {
     json.end_array();
   }
   json.end_object();
+  return text;
+}
+
+std::string checked_file(const config::LoadedRun& run, Bundled kind, const course::TextFile& file) {
+  const bool is_course = kind == Bundled::kCourses;
+  std::string text, why;
+  text::JsonWriter json(text);
+  json.begin_object();
+  try {
+    if (is_course) {
+      const course::Path path(course::parse_course(file.text, file.path));
+      json.field("length_m", path.length_m());
+    } else {
+      course::parse_robot(file.text, file.path);
+    }
+    json.field("error", "");
+    try {
+      write_fit(json, with_file(run, kind, file).setup, is_course);
+    } catch (const SetupError& misfit) {
+      why = misfit.what();
+    }
+  } catch (const SetupError& error) {
+    json.field("error", write_place(json, error.what(), file.path));
+  }
+  json.field("why_not", why).end_object();
   return text;
 }
 

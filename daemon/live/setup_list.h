@@ -18,4 +18,10 @@ void require_fit(const config::RunSetup& run);
 /// force. Waits for the disk.
 std::string setup_list(const SetupFiles& files, const config::LoadedRun& run);
 
+/// What is wrong with a file that may be only a draft, as JSON (CHANNELS.md, file_check): its first
+/// error with its place, else whether it fits the rest of `run`, and a course's length and time.
+/// Reads nothing.
+std::string checked_file(const config::LoadedRun& run, course::Bundled kind,
+                         const course::TextFile& file);
+
 }  // namespace tp100::live

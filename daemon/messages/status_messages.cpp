@@ -216,10 +216,13 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .begin_object()
       .field("start", state.can_start)
       .field("drive", state.why_not_drive.empty())
+      .field("pause", state.run == RunState::kRunning && state.pause_left_s == 0.0)
+      .field("resume", state.pause_left_s > 0.0)
       .field("hold", true)
       .field("stop", true)
       .field("record", state.can_record)
       .end_object();
+  if (state.pause_left_s > 0.0) json.field("pause_left_s", state.pause_left_s);
   if (state.go_on_from) {
     json.key("go_on_from")
         .begin_object()

@@ -160,7 +160,8 @@ void visit_fields(Visitor& v, T& snapshot) {
   auto& [now, sample, has_sample, age, estimates, filter, world, terrain_contact, left, right,
          slip_left, slip_right, gyro_bias, imu_roll, imu_pitch, imu_slope, imu_obstacle, command,
          commanded_left, commanded_right, cross_track, heading_error, progress, recovering,
-         steering, run_state, start_refusal, drive_refusal, at_fence, faults] = snapshot;
+         steering, run_state, start_refusal, drive_refusal, at_fence, pause_left, faults] =
+      snapshot;
   v("now_ns", now);
   v("sample", sample);
   v("has_sample", has_sample);
@@ -194,6 +195,7 @@ void visit_fields(Visitor& v, T& snapshot) {
   v("start_refusal", start_refusal, StartRefusal::kDriven);
   v("drive_refusal", drive_refusal, StartRefusal::kDriven);
   v("at_fence", at_fence);
+  v("pause_left_s", pause_left);
   v("faults", faults);
 }
 
@@ -263,7 +265,7 @@ void visit_fields(Visitor& v, T& inputs) {
          session_number, rebooted, answer] = inputs;
   v.list("restart", restart);
   v.list("samples", samples);
-  v.list("requests", requests, OperatorRequest::kDrive);
+  v.list("requests", requests, OperatorRequest::kResume);
   v.list("camera", camera);
   v.list("world", world);
   v.list("changes", changes);

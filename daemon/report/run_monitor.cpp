@@ -19,6 +19,10 @@ const char* name_of(OperatorRequest request) {
       return "go on";
     case OperatorRequest::kDrive:
       return "drive by hand";
+    case OperatorRequest::kPause:
+      return "pause";
+    case OperatorRequest::kResume:
+      return "resume";
   }
   return "unknown";
 }

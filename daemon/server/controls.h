@@ -41,6 +41,9 @@ class Controls {
   /// Where the last run ended.
   virtual std::string go_on() = 0;
   virtual std::string hold() = 0;
+  /// Of a run on the course.
+  virtual std::string pause() = 0;
+  virtual std::string resume() = 0;
   /// Cannot be refused.
   virtual void stop() = 0;
   /// `value` has the right type and lies within the limits.
@@ -72,6 +75,8 @@ class Controls {
   virtual void place(const std::optional<Pose>& at, Answer answer) = 0;
   virtual void save_file(const SetupFile& file, Answer answer) = 0;
   virtual void delete_file(const SetupFile& file, Answer answer) = 0;
+  /// Answers with what is wrong with the text; writes nothing.
+  virtual void check_file(const SetupFile& file, Answer answer) = 0;
 
   // Figures known outside the server; cheap enough to be polled.
   virtual messages::LoopFigures loop() = 0;

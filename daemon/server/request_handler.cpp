@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "server/services.h"
-#include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
@@ -34,16 +33,6 @@ Controls::RecordAnswer recorded(Controls::Answer answer, bool bytes) {
     writer.end_object();
     answer(why, json);
   };
-}
-
-std::string stop_answer(const messages::StopFigures& stop) {
-  std::string text;
-  text::JsonWriter json(text);
-  const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
-  json.begin_object().field("acknowledged", acknowledged);
-  if (acknowledged) json.field("acknowledged_ms", stop.acknowledged_ms);
-  json.end_object();
-  return text;
 }
 
 }  // namespace
@@ -196,18 +185,25 @@ void RequestHandler::parameter_changed(const messages::ParameterText& parameter,
 }
 
 std::string RequestHandler::start(const std::vector<RequestField>& request) {
-  std::string from = "start";
-  for (const RequestField& field : request) {
-    const std::string* text = std::get_if<std::string>(&field.value);
-    if (text == nullptr || (*text != "start" && *text != "here"))
-      return "from is \"start\", the course's, or \"here\", where the last run ended";
-    from = *text;
-  }
+  bool here = false;
+  std::string why = read_start(request, here);
+  if (!why.empty()) return why;
   const messages::StateFigures& state = publisher_.state();
   if (!state.can_start) return state.why_not_start;
-  if (from == "start") return controls_.start();
+  if (!here) return controls_.start();
   return state.go_on_from ? controls_.go_on()
                           : "no run ended on its way; start from the course's start";
+}
+
+std::string RequestHandler::pause(const Viewer& viewer, bool on, HostNs now) {
+  const messages::StateFigures& state = publisher_.state();
+  if (state.run != RunState::kRunning) return "no run is under way";
+  if ((state.pause_left_s > 0.0) == on)
+    return on ? "the run is paused already" : "the run is not paused";
+  std::string why = on ? controls_.pause() : controls_.resume();
+  const std::string text = driver_of(viewer).name + (on ? " pauses" : " resumes") + " the run";
+  if (why.empty()) publisher_.take(messages::Event{.at_ns = now, .kind = "run", .text = text});
+  return why;
 }
 
 std::string RequestHandler::drive_take(const Viewer& viewer, HostNs now, std::string& token) {
@@ -225,7 +221,7 @@ std::string RequestHandler::drive_take(const Viewer& viewer, HostNs now, std::st
 
 std::string RequestHandler::drive(const std::vector<RequestField>& request, HostNs now) {
   std::string why;
-  const std::optional<DriveRequest> input = drive_request(request, why);
+  const auto input = drive_request(request, why);
   return input ? controls_.drive(*input, now) : why;
 }
 
@@ -238,14 +234,9 @@ std::string RequestHandler::drive_release(const std::vector<RequestField>& reque
 std::string RequestHandler::record_start(const std::vector<RequestField>& request,
                                          Controls::RecordAnswer answer) {
   std::string name;
-  for (const RequestField& field : request) {
-    const std::string* text = std::get_if<std::string>(&field.value);
-    if (text == nullptr || !(text->empty() || text::is_file_name(*text)))
-      return "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
-    name = *text;
-  }
-  controls_.record_start(name, std::move(answer));
-  return {};
+  std::string why = read_record_name(request, name);
+  if (why.empty()) controls_.record_start(name, std::move(answer));
+  return why;
 }
 
 bool RequestHandler::under_way() const { return tp100::under_way(publisher_.state().run); }
@@ -292,6 +283,9 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   const auto answer = [&](const std::string& json) {
     viewer->reply(service_response(call.service, call.call, json), true);
   };
+  const auto accept = [&](const std::string& refused) {
+    return refused.empty() ? answer(R"({"accepted":true})") : fail(refused);
+  };
   if (call.service == 0 || call.service > services().size())
     return fail("there is no service " + std::to_string(call.service));
   if (permission != Permission::kCommand)
@@ -305,9 +299,12 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
   const auto later = [&] { return answer_later(service, viewer, call.call); };
   switch (service) {
     case Service::kStart:
+      return accept(start(*request));
     case Service::kHold:
-      why = service == Service::kStart ? start(*request) : controls_.hold();
-      return why.empty() ? answer(R"({"accepted":true})") : fail(why);
+      return accept(controls_.hold());
+    case Service::kPause:
+    case Service::kResume:
+      return accept(pause(*viewer, service == Service::kPause, now));
     case Service::kRecordStart:
       why = record_start(*request, recorded(later(), false));
       break;
@@ -329,12 +326,14 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
       break;
     }
     case Service::kFileSave:
-    case Service::kFileDelete: {
+    case Service::kFileDelete:
+    case Service::kFileCheck: {
       SetupFile file;
       why = read_file(*request, file);
       if (!why.empty()) break;
       if (service == Service::kFileSave) controls_.save_file(file, later());
       if (service == Service::kFileDelete) controls_.delete_file(file, later());
+      if (service == Service::kFileCheck) controls_.check_file(file, later());
       break;
     }
     case Service::kDriveTake: {
@@ -343,9 +342,9 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
       return why.empty() ? answer(R"({"token":")" + token + R"("})") : fail(why);
     }
     case Service::kDrive:
+      return accept(drive(*request, now));
     case Service::kDriveRelease:
-      why = service == Service::kDrive ? drive(*request, now) : drive_release(*request, now);
-      return why.empty() ? answer(R"({"accepted":true})") : fail(why);
+      return accept(drive_release(*request, now));
     case Service::kStop:
       return;
   }

@@ -69,6 +69,7 @@ class RequestHandler {
   void call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs now);
   std::string set(const SetParameters::One& one);
   std::string start(const std::vector<RequestField>& request);
+  std::string pause(const Viewer& viewer, bool on, HostNs now);
   std::string drive_take(const Viewer& viewer, HostNs now, std::string& token);
   std::string drive(const std::vector<RequestField>& request, HostNs now);
   std::string drive_release(const std::vector<RequestField>& request, HostNs now);

@@ -7,11 +7,14 @@
 #include "messages/messages.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
+#include "text/json_writer.h"
 
 namespace tp100::server {
 namespace {
 
 constexpr std::size_t kMaxShownArgument = 64;
+constexpr const char* kNameRule =
+    "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
 constexpr double kMaxPlaceM = 100.0, kMaxYawRad = 100.0;
 
 struct Row {
@@ -72,6 +75,14 @@ const std::vector<Row>& rows() {
        {"kind", "name"},
        R"({"kind":"","name":""})",
        R"({"name":""})"},
+      {Service::kFileCheck,
+       "file_check",
+       "FileCheck",
+       {"kind", "name", "text"},
+       R"({"kind":"","name":"","text":""})",
+       R"({"error":"","line":1,"column":1,"why_not":"","length_m":1.5,"duration_s":1.5})"},
+      {Service::kPause, "pause", "Pause", {}, "{}", R"({"accepted":true})"},
+      {Service::kResume, "resume", "Resume", {}, "{}", R"({"accepted":true})"},
   };
   return kRows;
 }
@@ -116,6 +127,21 @@ std::string unknown_argument(Service service, const Arguments& arguments) {
   return {};
 }
 
+std::string read_start(const Arguments& arguments, bool& here) {
+  if (arguments.empty()) return {};
+  const std::optional<std::string> from = text_of(arguments, "from");
+  here = from == "here";
+  return here || from == "start"
+             ? ""
+             : "from is \"start\", the course's, or \"here\", where the last run ended";
+}
+
+std::string read_record_name(const Arguments& arguments, std::string& name) {
+  name = text_of(arguments, "name").value_or("");
+  const bool wrong = !texts_only(arguments) || !(name.empty() || text::is_file_name(name));
+  return wrong ? kNameRule : "";
+}
+
 std::string read_choice(const Arguments& arguments, SetupChoice& choice) {
   if (!texts_only(arguments)) return "course, robot and setup are names";
   choice = {text_of(arguments, "course"), text_of(arguments, "robot"), text_of(arguments, "setup")};
@@ -147,7 +173,17 @@ std::string read_file(const Arguments& arguments, SetupFile& file) {
   for (const RequestField& field : arguments)
     if (const bool* replace = std::get_if<bool>(&field.value)) file.replace = *replace;
   if (text::is_file_name(file.name)) return {};
-  return "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
+  return kNameRule;
+}
+
+std::string stop_answer(const messages::StopFigures& stop) {
+  std::string text;
+  text::JsonWriter json(text);
+  const bool acknowledged = stop.status == messages::StopFigures::Status::kAcknowledged;
+  json.begin_object().field("acknowledged", acknowledged);
+  if (acknowledged) json.field("acknowledged_ms", stop.acknowledged_ms);
+  json.end_object();
+  return text;
 }
 
 }  // namespace tp100::server

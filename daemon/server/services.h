@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/pose.h"
+#include "messages/figures.h"
 #include "server/controls.h"
 #include "server/protocol.h"
 
@@ -28,6 +29,9 @@ enum class Service : std::uint32_t {
   kPlace,
   kFileSave,
   kFileDelete,
+  kFileCheck,
+  kPause,
+  kResume,
 };
 
 /// All of them, in the enum's order.
@@ -36,11 +40,18 @@ const std::vector<ServiceText>& services();
 // Each returns why the arguments are refused, in one line; empty: they are not.
 /// Whether the service knows their names.
 std::string unknown_argument(Service service, const Arguments& arguments);
+/// Of start; `here`: where the last run ended.
+std::string read_start(const Arguments& arguments, bool& here);
+/// Of record_start; it may stay empty.
+std::string read_record_name(const Arguments& arguments, std::string& name);
 /// Of choose.
 std::string read_choice(const Arguments& arguments, SetupChoice& choice);
 /// Of place; nothing: at the course's start.
 std::string read_place(const Arguments& arguments, std::optional<Pose>& at);
-/// Of file_save and file_delete.
+/// Of file_save, file_delete and file_check.
 std::string read_file(const Arguments& arguments, SetupFile& file);
+
+/// The response of stop.
+std::string stop_answer(const messages::StopFigures& stop);
 
 }  // namespace tp100::server

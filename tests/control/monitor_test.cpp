@@ -37,8 +37,9 @@ class MonitorTest : public testing::TestWithParam<Case> {
   Sample sample_{};
   Observation seen_{};
   double lasted_s_ = 0.0;
-  Monitor monitor_{Parameters{}, course::Fence{-1.0, 1.0, -1.0, 1.0}, 20.0,
-                   MonitoredRobot{.motor = {.dead_band = 0.09, .feed_forward = 3.4}}};
+  Monitor monitor_{Parameters{},
+                   course::Fence{-1.0, 1.0, -1.0, 1.0, {}, {{{0.5, 0.5}, {0.9, 0.5}, {0.5, 0.9}}}},
+                   20.0, MonitoredRobot{.motor = {.dead_band = 0.09, .feed_forward = 3.4}}};
 };
 
 TEST_P(MonitorTest, AHealthyRunGoesOnAndTheCorruptedOneEndsWithItsOwnCause) {
@@ -60,6 +61,10 @@ INSTANTIATE_TEST_SUITE_P(
                          }},
                     Case{"Fence", Fault::fence, 0.0,
                          [](Observation& o, Sample&) { o.pose.y_m = 1.01; }},
+                    Case{"KeepOut", Fault::fence, 0.0,
+                         [](Observation& o, Sample&) { o.pose.x_m = o.pose.y_m = 0.6; }},
+                    Case{"CommandsNotTaken", Fault::command_timeout, 0.3,
+                         [](Observation& o, Sample&) { o.commanded = true; }},
                     Case{"TimeLimit", Fault::time_limit, 0.0,
                          [](Observation& o, Sample&) { o.elapsed_s = 60.1; }},
                     Case{"StalledTrack", Fault::stalled_track, 1.0,

@@ -175,5 +175,25 @@ TEST_F(SetupListTest, SaysWhyACourseDoesNotFitTheRobot) {
       << "viewers get no path of this machine";
 }
 
+TEST(CheckedFile, NamesTheFirstErrorWithItsPlaceOrTheLengthAndTime) {
+  const config::LoadedRun run;
+  const auto check = [&](const std::string& text) {
+    return Json::parse(checked_file(run, Bundled::kCourses, {"mine.toml", text}));
+  };
+  std::string text = kLine;
+  text.replace(text.find("0.3"), 3, "300");
+  const Json bad = check(text);
+  EXPECT_EQ(bad["line"], 5);
+  EXPECT_GT(bad["column"], 0);
+  EXPECT_THAT(std::string(bad["error"]), ::testing::StartsWith("'segment.length_m' is 300"));
+  EXPECT_FALSE(bad.contains("length_m"));
+  const Json right = check(kLine);
+  EXPECT_EQ(right["error"], "");
+  EXPECT_NEAR(right["length_m"], 0.3, 1e-9);
+  EXPECT_FALSE(right.contains("line"));
+  EXPECT_NE(check("")["error"], "");
+  EXPECT_NE(check("a = [")["error"], "");
+}
+
 }  // namespace
 }  // namespace tp100::live

@@ -20,6 +20,14 @@ class FakeControls : public Controls {
     ++go_ons;
     return {};
   }
+  std::string pause() override {
+    ++pauses;
+    return {};
+  }
+  std::string resume() override {
+    ++resumes;
+    return {};
+  }
   std::string hold() override {
     ++holds;
     return {};
@@ -76,6 +84,10 @@ class FakeControls : public Controls {
     saved.push_back(file);
     answer(change_refusal, R"({"name":"mine"})");
   }
+  void check_file(const SetupFile& file, Answer answer) override {
+    checked.push_back(file);
+    answer(change_refusal, R"({"error":"","why_not":""})");
+  }
   void delete_file(const SetupFile& file, Answer answer) override {
     deleted.push_back(file);
     answer(change_refusal, R"({"name":"mine"})");
@@ -85,7 +97,7 @@ class FakeControls : public Controls {
   messages::RecordingFigures recording() override { return record; }
   StartConsent start_consent() override { return consent; }
 
-  std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0};
+  std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0}, pauses{0}, resumes{0};
   Wheel wheel;
   std::vector<VelocityInput> inputs;
   std::atomic<int> drivers_lost{0};
@@ -94,7 +106,7 @@ class FakeControls : public Controls {
   std::string set_refusal;
   std::vector<SetupChoice> choices;
   std::vector<std::optional<Pose>> places;
-  std::vector<SetupFile> saved, deleted;
+  std::vector<SetupFile> saved, deleted, checked;
   std::string change_refusal;
   bool can_record = false, slow_disk = false;
   RecordAnswer unanswered;

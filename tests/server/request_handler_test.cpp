@@ -115,7 +115,7 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
   EXPECT_THAT(services,
               ::testing::ElementsAre("start", "hold", "stop", "record_start", "record_stop",
                                      "drive_take", "drive", "drive_release", "choose", "place",
-                                     "file_save", "file_delete"));
+                                     "file_save", "file_delete", "file_check", "pause", "resume"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
@@ -317,6 +317,36 @@ TEST_F(RequestHandlerTest, WhatIsChosenIsPassedOnUnlessARunIsUnderWay) {
   }
   EXPECT_EQ(controls_.choices.size(), 2U);
   EXPECT_TRUE(controls_.places.empty());
+}
+
+TEST_F(RequestHandlerTest, ARunIsPausedAndResumed) {
+  step(ready());
+  EXPECT_EQ(call(Service::kPause, "{}").texts[0]["message"], "no run is under way");
+  StepRecord record = ready();
+  record.snapshot.run_state = RunState::kRunning;
+  step(record);
+  EXPECT_EQ(call(Service::kResume, "{}").texts[0]["message"], "the run is not paused");
+  call(Service::kPause, "{}");
+  EXPECT_EQ(controls_.pauses, 1);
+  record.snapshot.pause_left_s = 119.0;
+  step(record);
+  EXPECT_EQ(call(Service::kPause, "{}").texts[0]["message"], "the run is paused already");
+  call(Service::kResume, "{}");
+  EXPECT_EQ(controls_.resumes, 1);
+  EXPECT_EQ(controls_.pauses, 1);
+}
+
+TEST_F(RequestHandlerTest, ADraftIsCheckedAlsoDuringARun) {
+  StepRecord record = ready();
+  record.snapshot.run_state = RunState::kRunning;
+  step(record);
+  call(Service::kFileCheck, R"({"kind":"course","name":"mine","text":"x"})");
+  ASSERT_EQ(controls_.checked.size(), 1U);
+  EXPECT_EQ(controls_.checked[0].text, "x");
+  EXPECT_TRUE(controls_.saved.empty());
+  EXPECT_THAT(
+      std::string(call(Service::kFileCheck, R"({"kind":"map","name":"mine"})").texts[0]["message"]),
+      HasSubstr("kind is"));
 }
 
 TEST_F(RequestHandlerTest, ARobotIsPlacedAtTheStartOrAtAPose) {
