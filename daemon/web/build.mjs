@@ -27,7 +27,7 @@ for (const file of ['index.html', 'favicon.svg']) {
   await copyFile(join(here, 'page', file), join(out, file));
 }
 
-const parts = ['three', 'uplot', 'fzstd', '@fontsource/b612'];
+const parts = ['three', 'uplot', 'fzstd', 'toml-eslint-parser', '@fontsource/b612'];
 let licences = 'The cockpit page contains these works.\n';
 for (const part of parts) {
   const folder = join(here, 'node_modules', part);

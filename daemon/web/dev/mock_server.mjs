@@ -88,7 +88,7 @@ function state() {
     t_s: t(), run, session: robot ? 'ready' : 'listening', robot_state: robot ? (run === 'running' ? 'running' : 'disarmed') : null, motors_on: robot && run === 'running',
     run_s: run === 'idle' ? null : (run === 'running' ? t() : runEnded) - runBegan, progress_m: s, length_m: length, course: '3',
     robot: 'end-loaded', setup: 'flat', steering: 'odometry', world: 'internal', battery_v: 7.92,
-    can: { start: robot && !underWay(), drive: robot && !underWay(), hold: underWay(), stop: true, record: recording === null }, why_not_start: why, why_not_drive: driver === '' ? why : `${driver} drives`, confirm_start: true,
+    can: { start: robot && !underWay(), drive: robot && !underWay(), pause: false, resume: false, hold: underWay(), stop: true, record: recording === null }, why_not_start: why, why_not_drive: driver === '' ? why : `${driver} drives`, confirm_start: true,
     ...(driver === '' ? {} : { driver: { by: driver, fresh: true } }),
     faults: faults.map((name) => ({ name, cause: name === 'link_lost' ? 'the link broke, or no sample arrived for 200 ms' : 'STOP was pressed', fix: 'check the cable; the daemon reconnects by itself, then start again', from: 'robot' })),
     stop,

@@ -4,6 +4,8 @@ export interface Keys {
   stop(): void;
   start(): void;
   hold(): void;
+  /** Pauses or resumes a run. */
+  pause(): void;
   /** Takes the wheel. */
   drive(): void;
   /** A key that may drive is pressed or let go. True: this page drives, and the key has no other meaning. */
@@ -39,6 +41,7 @@ export function listen(keys: Keys): void {
       }
       if (event.key === 'r' && !event.repeat) keys.start();
       else if (event.key === 'h' && !event.repeat) keys.hold();
+      else if (event.key === 'p' && !event.repeat) keys.pause();
       else if (event.key === 'm' && !event.repeat) keys.drive();
       else if (event.key === 'c') keys.nextCamera();
       else if (event.key >= '1' && event.key <= '4') keys.camera(Number(event.key) - 1);

@@ -7,7 +7,9 @@ import './plots.css';
 import './drive.css';
 import './drawer.css';
 import './courses.css';
+import './draw.css';
 import './layout.css';
+import { CourseEditor } from '../draw/editor.ts';
 import { Driver, kPeriod_ms } from '../drive/driver.ts';
 import { Inputs } from '../drive/inputs.ts';
 import { Client, type ServerInfo } from '../foxglove/client.ts';
@@ -35,6 +37,7 @@ import { kModes, Viewport } from '../panel/viewport.ts';
 import { Player } from '../replay/player.ts';
 import { loadRecording } from '../replay/recording.ts';
 import type { Link, State, Topic } from '../state/messages.ts';
+import type { SetupCall } from '../state/setup.ts';
 import { StopButton } from '../state/stop.ts';
 import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
@@ -175,6 +178,17 @@ function drawPlace(on: boolean): void {
   courses.drawing(on);
 }
 
+/** A course is drawn on the map, in the place of the list of courses. */
+function drawCourse(on: boolean): void {
+  if (on) {
+    backToLive();
+    placing.show(false);
+    viewport.set('map');
+  }
+  courses.element.hidden = on;
+  document.body.classList.toggle('drawing', on);
+}
+
 const stopPanel = new StopPanel(pressStop);
 const controls = new Controls(command, (from) => {
   command('start', { from });
@@ -208,7 +222,10 @@ const parameters = new ParameterTable((name, value) => {
   client.setParameter(name, value);
 });
 const links = new LinkTable();
-const courses = new CourseList((call) => client.call(call.name, call.request), drawPlace);
+const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
+const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);
+const courses = new CourseList(ask, drawPlace, editor);
+const coursesPage = h('div', {}, courses.element, editor.element);
 const placing = new PlaceDrawing(
   (at) => viewport.world(at),
   () => live.pose?.yaw_rad ?? 0,
@@ -220,7 +237,7 @@ const placing = new PlaceDrawing(
 
 const drawer = new Drawer([
   { id: 'events', title: 'Events', element: events.element, show: () => { events.show(shown); } },
-  { id: 'courses', title: 'Courses', element: courses.element, show: () => { courses.show(live, client.ready, mayCommand()); } },
+  { id: 'courses', title: 'Courses', element: coursesPage, show: () => { courses.show(live, client.ready, mayCommand()); } },
   { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
@@ -239,7 +256,7 @@ const header = h(
 );
 plots.element.append(histogram.element);
 controls.element.append(drive.button);
-viewport.element.append(placing.element, drive.element, notice.element, transport.element, timeline.element);
+viewport.element.append(editor.stage.element, placing.element, drive.element, notice.element, transport.element, timeline.element);
 document.body.append(header, h('main', {}, viewport.element, numbers.element, plots.element, drawer.element));
 
 for (const topic of kTopics) {
@@ -259,6 +276,7 @@ listen({
   stop: pressStop,
   start: () => { controls.pressStart(); },
   hold: () => { controls.pressHold(); },
+  pause: () => { controls.pressPause(); },
   drive: () => { drive.press(); },
   driveKey: (code, down) => driveKey(code, down),
   camera: (index) => { viewport.set(kModes[index] ?? 'free'); },
@@ -308,6 +326,7 @@ function frame(now_ms: number): void {
     last_ms = now_ms;
     player?.tick(dt_s);
     viewport.draw(shown, dt_s);
+    editor.tick(now_ms, courses.changeable);
   }
   if (now_ms >= due.numbers) {
     due.numbers = now_ms + kNumbers_ms;

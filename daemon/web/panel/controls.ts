@@ -6,7 +6,7 @@ import type { Store } from '../state/store.ts';
 import { StartQuestion, type Place } from './start_question.ts';
 import { h, icon, setAttribute, setClass, setText } from './dom.ts';
 
-export type Command = 'hold' | 'record_start' | 'record_stop';
+export type Command = 'hold' | 'pause' | 'resume' | 'record_start' | 'record_stop';
 
 const kConfirm_ms = 3000;
 const kNoRights = 'This daemon takes no commands from here but STOP (server.commands)';
@@ -14,7 +14,8 @@ const kNoRights = 'This daemon takes no commands from here but STOP (server.comm
 export class Controls {
   readonly element = h('div', { class: 'controls', role: 'group', 'aria-label': 'Run' });
   private readonly start = button('start', 'play', 'Start', 'r');
-  private readonly hold = button('hold', 'pause', 'Hold', 'h');
+  private readonly pause = button('pause', 'pause', 'Pause', 'p');
+  private readonly hold = button('hold', 'square', 'Hold', 'h');
   private readonly record = button('record', 'record', 'Record', '');
   private readonly question: StartQuestion;
   private confirmUntil_ms = 0;
@@ -28,9 +29,12 @@ export class Controls {
     private readonly now: () => number = () => performance.now(),
   ) {
     this.question = new StartQuestion(this.sendStart);
-    this.element.append(this.start.button, this.hold.button, this.record.button, this.question.element);
+    this.element.append(this.start.button, this.pause.button, this.hold.button, this.record.button, this.question.element);
     this.start.button.addEventListener('click', () => {
       this.pressStart();
+    });
+    this.pause.button.addEventListener('click', () => {
+      this.pressPause();
     });
     this.hold.button.addEventListener('click', () => {
       this.pressHold();
@@ -53,6 +57,11 @@ export class Controls {
     }
     this.confirmUntil_ms = 0;
     this.sendStart('start');
+  }
+
+  /** Pauses a run that drives, resumes one that pauses. */
+  pressPause(): void {
+    if (!this.pause.button.disabled) this.send(this.state?.pause_left_s === undefined ? 'pause' : 'resume');
   }
 
   pressHold(): void {
@@ -78,6 +87,15 @@ export class Controls {
     setText(this.start.label, confirm ? 'Press again' : 'Start');
     const why = !mayCommand ? kNoRights : (state?.why_not_start ?? '');
     setAttribute(this.start.button, 'title', why === '' ? 'Start the course (r)' : why);
+    const left_s = state?.pause_left_s;
+    // In the place of a start, which a run has no use for.
+    const runs = state?.can.pause === true || state?.can.resume === true;
+    this.start.button.hidden = runs;
+    this.pause.button.hidden = !runs;
+    this.pause.button.disabled = !(fresh && runs);
+    setClass(this.pause.button, 'confirm', left_s !== undefined);
+    setText(this.pause.label, left_s === undefined ? 'Pause' : 'Resume');
+    setAttribute(this.pause.button, 'title', left_s === undefined ? 'Stand still on the path, armed (p)' : `Go on (p); the run ends in ${left_s.toFixed(0)} s`);
     this.hold.button.disabled = !(fresh && state.can.hold);
 
     const recording = store.get('/recording');

@@ -9,6 +9,8 @@ const kMargin_m = 0.12;
 export interface CardActions {
   choose(course: CourseEntry): void;
   remove(course: CourseEntry): void;
+  /** Opens its file to draw on. */
+  edit(course: CourseEntry): void;
 }
 
 export function courseCard(course: CourseEntry, actions: CardActions): HTMLElement {
@@ -18,7 +20,12 @@ export function courseCard(course: CourseEntry, actions: CardActions): HTMLEleme
   choose.addEventListener('click', () => {
     actions.choose(course);
   });
-  const buttons = h('div', { class: 'card-buttons' }, choose);
+  const edit = h('button', { type: 'button', class: 'link card-edit', 'aria-label': `Edit course ${course.name}` }, 'edit');
+  edit.dataset.fixed = 'false';
+  edit.addEventListener('click', () => {
+    actions.edit(course);
+  });
+  const buttons = h('div', { class: 'card-buttons' }, choose, edit);
   if (course.from !== 'given') buttons.append(h('a', { href: `/courses/${course.name}.toml`, download: '' }, 'file'));
   if (course.from === 'own') buttons.append(deleteButton(course, actions));
   const card = h(

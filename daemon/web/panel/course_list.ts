@@ -2,6 +2,7 @@
 import type { State } from '../state/messages.ts';
 import { kindOf, kMaxText, nameOf, type CourseEntry, type FileKind, type RobotEntry, type SetupCall, type SetupList } from '../state/setup.ts';
 import type { Store } from '../state/store.ts';
+import type { CourseEditor } from '../draw/editor.ts';
 import { courseCard } from './course_card.ts';
 import { h, setAttribute, setText } from './dom.ts';
 
@@ -23,6 +24,7 @@ export class CourseList {
   private readonly placeStart = h('button', { type: 'button', class: 'control', id: 'place-start' }, 'Place at start');
   private readonly placeMap = h('button', { type: 'button', class: 'control', id: 'place-map', 'aria-pressed': 'false' }, 'Place on the map');
   private readonly upload = h('button', { type: 'button', class: 'control', id: 'upload' }, 'Upload');
+  private readonly drawNew = h('button', { type: 'button', class: 'control', id: 'draw-new' }, 'Draw a course');
   private readonly file = h('input', { type: 'file', accept: '.toml', 'aria-label': 'Course or robot file', hidden: '' });
   private readonly why = h('p', { class: 'courses-why', role: 'status' });
   private readonly said = h('p', { class: 'courses-said', role: 'alert' });
@@ -39,6 +41,7 @@ export class CourseList {
     private readonly ask: Ask,
     /** Shows the map and lets a pose be drawn on it, or ends that. */
     private readonly drawPlace: (on: boolean) => void,
+    private readonly editor: CourseEditor,
     private readonly now: () => number = () => performance.now(),
   ) {
     this.element.append(
@@ -50,6 +53,7 @@ export class CourseList {
         this.placeStart,
         this.placeMap,
         this.upload,
+        this.drawNew,
         this.file,
       ),
       this.why,
@@ -71,6 +75,9 @@ export class CourseList {
     });
     this.upload.addEventListener('click', () => {
       this.file.click();
+    });
+    this.drawNew.addEventListener('click', () => {
+      this.editor.openNew(this.list?.courses.map(({ name }) => name) ?? []);
     });
     this.file.addEventListener('change', () => {
       const file = this.file.files?.[0];
@@ -99,6 +106,11 @@ export class CourseList {
     void this.load();
   }
 
+  /** Whether the daemon takes a change now. */
+  get changeable(): boolean {
+    return this.mayChange;
+  }
+
   /** A pose was drawn on the map, or drawing has ended without one. */
   placed(pose: { x_m: number; y_m: number; yaw_rad: number } | undefined): void {
     setAttribute(this.placeMap, 'aria-pressed', 'false');
@@ -114,6 +126,7 @@ export class CourseList {
     const on = this.mayChange && this.list !== undefined;
     for (const control of [this.robots, this.setups, this.placeMap]) control.disabled = !on;
     this.placeStart.disabled = !on || this.list?.course === '';
+    this.drawNew.disabled = this.list === undefined;
     this.upload.disabled = this.replace.disabled = !on || this.list?.may_save !== true;
     setAttribute(this.upload, 'title', this.list?.may_save === false ? 'There is no folder for your files: set library in the configuration' : 'A course or robot file (TOML)');
     for (const button of this.cards.querySelectorAll('button')) button.disabled = !on || button.dataset.fixed === 'true';
@@ -148,6 +161,9 @@ export class CourseList {
     const rank = (course: CourseEntry): number => Number(course.identifies === true) - Number(course.from !== 'bundled');
     const courses = [...list.courses].sort((a, b) => rank(a) - rank(b));
     const actions = {
+      edit: (course: CourseEntry): void => {
+        void this.edit(course);
+      },
       choose: ({ name }: CourseEntry): void => {
         void this.change({ name: 'choose', request: { course: name } });
       },
@@ -157,6 +173,17 @@ export class CourseList {
     };
     this.cards.replaceChildren(...courses.map((course) => courseCard(course, actions)));
     this.enable();
+  }
+
+  private async edit({ name, from }: CourseEntry): Promise<void> {
+    try {
+      const response = await fetch(`/courses/${name}.toml`, { cache: 'no-store' });
+      if (!response.ok) throw new Error(`${name} cannot be read: ${response.statusText}`);
+      const own = from === 'own';
+      this.editor.open(own ? name : `${name}-mine`, await response.text(), own);
+    } catch (error: unknown) {
+      this.say(error instanceof Error ? error.message : String(error));
+    }
   }
 
   /** Asks the daemon; true: done. */

@@ -1,6 +1,6 @@
 // The view of the course: 3-D where WebGL works, else a map, with its legend and cameras.
 import { kCameraModes } from '../scene/camera_rig.ts';
-import type { Point2 } from '../scene/geometry.ts';
+import type { Bounds, Point2 } from '../scene/geometry.ts';
 import { MapView } from '../scene/map_view.ts';
 import * as palette from '../scene/palette.ts';
 import { SceneView } from '../scene/scene_view.ts';
@@ -23,6 +23,8 @@ export class Viewport {
   private webgl = true;
   private course: Course | undefined;
   private courseShown = -1;
+  private drafted = false;
+  private frame: Bounds | undefined;
 
   constructor() {
     const modes = h('div', { class: 'modes', role: 'group', 'aria-label': 'Camera' });
@@ -82,12 +84,30 @@ export class Viewport {
     return this.view instanceof MapView ? this.view.world(at) : undefined;
   }
 
+  /** The point of the map of a place of the floor; undefined while there is none. */
+  pixel(at: Point2): Point2 | undefined {
+    return this.view instanceof MapView ? this.view.point(at) : undefined;
+  }
+
+  /** Shows a draft in that frame instead of the course in force; without one the course again. */
+  draft(course: Course | undefined, frame: Bounds | undefined): void {
+    this.drafted = course !== undefined;
+    this.frame = frame;
+    if (course === undefined) this.courseShown = -1;
+    else this.setCourse(course);
+  }
+
+  private setCourse(course: Course | undefined): void {
+    this.course = course;
+    if (this.view instanceof MapView) this.view.setCourse(course, this.frame);
+    else this.view.setCourse(course);
+  }
+
   draw(store: Store, dt_s: number): void {
     const received = store.received['/course'] ?? 0;
-    if (received !== this.courseShown) {
+    if (received !== this.courseShown && !this.drafted) {
       this.courseShown = received;
-      this.course = store.get('/course');
-      this.view.setCourse(this.course);
+      this.setCourse(store.get('/course'));
     }
     const truth = this.toggles.get('truth');
     if (truth) setClass(truth, 'absent', !store.get('/estimate')?.truth);
@@ -114,7 +134,8 @@ export class Viewport {
     this.stage.replaceChildren(view.element);
     view.element.setAttribute('aria-hidden', 'true');
     view.resize();
-    view.setCourse(this.course);
+    if (view instanceof MapView) view.setCourse(this.course, this.frame);
+    else view.setCourse(this.course);
     for (const name of this.hidden) view.show(name, false);
     return view;
   }

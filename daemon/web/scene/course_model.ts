@@ -14,7 +14,7 @@ import {
   RingGeometry,
 } from 'three';
 import type { Course, Place } from '../state/messages.ts';
-import { blockProfile, bounds, drape, footprint, rampProfile } from './geometry.ts';
+import { blockProfile, bounds, drape, fenceOf, keepOutOf, rampProfile } from './geometry.ts';
 import * as palette from './palette.ts';
 import { Ribbon } from './ribbon.ts';
 import { dispose, solid } from './solid.ts';
@@ -53,11 +53,9 @@ export class CourseModel {
       lay(body, block);
       this.group.add(body);
     }
-    if (course.fence) {
-      const { min_x_m, max_x_m, min_y_m, max_y_m } = course.fence;
-      const middle = { x_m: (min_x_m + max_x_m) / 2, y_m: (min_y_m + max_y_m) / 2, heading_rad: 0 };
-      const corners = footprint(middle, max_x_m - min_x_m, max_y_m - min_y_m).flatMap(({ x, y }) => [x, y, 0.001]);
-      this.group.add(new LineLoop(lineGeometry(corners), new LineBasicMaterial({ color: palette.kFence })));
+    for (const border of [fenceOf(course), ...keepOutOf(course)]) {
+      const corners = border.flatMap(({ x, y }) => [x, y, 0.001]);
+      if (corners.length > 0) this.group.add(new LineLoop(lineGeometry(corners), new LineBasicMaterial({ color: palette.kFence })));
     }
     if (course.path.length > 1) {
       const points = drape(course);

@@ -161,6 +161,25 @@ export interface Bounds {
   max_y: number;
 }
 
+/** The corners of a course's fence; none without a fence. */
+export function fenceOf(course: Course | undefined): Point2[] {
+  const fence = course?.fence;
+  if (!fence) return [];
+  if (fence.corners !== undefined) return fence.corners.map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));
+  const { min_x_m, max_x_m, min_y_m, max_y_m } = fence;
+  return [
+    { x: min_x_m, y: min_y_m },
+    { x: max_x_m, y: min_y_m },
+    { x: max_x_m, y: max_y_m },
+    { x: min_x_m, y: max_y_m },
+  ];
+}
+
+/** The corners of each keep-out area. */
+export function keepOutOf(course: Course | undefined): Point2[][] {
+  return (course?.keep_out ?? []).map(({ corners }) => corners.map(({ x_m, y_m }) => ({ x: x_m, y: y_m })));
+}
+
 /** What a course covers: fence, path and obstacles; an arena of 2 m by 1.2 m without a course. */
 export function bounds(course: Course | undefined): Bounds {
   const box: Bounds = { min_x: Infinity, max_x: -Infinity, min_y: Infinity, max_y: -Infinity };
@@ -173,11 +192,7 @@ export function bounds(course: Course | undefined): Bounds {
   for (const point of course?.path ?? []) cover(point.x_m, point.y_m);
   for (const ramp of course?.ramps ?? []) for (const { x, y } of footprint(ramp, rampLength(ramp), ramp.width_m)) cover(x, y);
   for (const block of course?.blocks ?? []) for (const { x, y } of footprint(block, block.depth_m, block.width_m)) cover(x, y);
-  const fence = course?.fence;
-  if (fence) {
-    cover(fence.min_x_m, fence.min_y_m);
-    cover(fence.max_x_m, fence.max_y_m);
-  }
+  for (const { x, y } of fenceOf(course)) cover(x, y);
   if (box.min_x > box.max_x) return { min_x: -1, max_x: 1, min_y: -0.6, max_y: 0.6 };
   return box;
 }

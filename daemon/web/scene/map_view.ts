@@ -2,7 +2,7 @@
 import type { Course, Pose, RobotShape } from '../state/messages.ts';
 import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
-import { bounds, footprint, inside, onStadium, rampLength, stadiumLength, type Point2 } from './geometry.ts';
+import { bounds, fenceOf, footprint, inside, keepOutOf, onStadium, rampLength, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
 import { Moved } from './moved.ts';
 import * as palette from './palette.ts';
 import { kDefaultShape } from './robot_model.ts';
@@ -19,8 +19,7 @@ export interface Projection {
 }
 
 /** The largest projection of a box that fits a canvas. */
-export function fit(course: Course | undefined, width: number, height: number): Projection {
-  const box = bounds(course);
+export function fit(box: Bounds, width: number, height: number): Projection {
   const across = box.max_x - box.min_x + 2 * kMargin_m;
   const up = box.max_y - box.min_y + 2 * kMargin_m;
   const scale = Math.min(width / across, height / up);
@@ -36,12 +35,15 @@ export class MapView implements View {
   private readonly ground = document.createElement('canvas');
   private readonly visible: Record<EstimateName, boolean> = { model: true, odometry: true, fused: true, truth: true };
   private course: Course | undefined;
+  private frame: Bounds | undefined;
   private projection: Projection = { scale: 100, left: 0, top: 0 };
   private ratio = 1;
   private readonly moved = new Moved();
 
-  setCourse(course: Course | undefined): void {
+  /** `frame`: what to show instead of the course's bounds. */
+  setCourse(course: Course | undefined, frame?: Bounds): void {
     this.course = course;
+    this.frame = frame;
     this.paintGround();
   }
 
@@ -111,6 +113,12 @@ export class MapView implements View {
     return { x: (at.x * this.ratio - left) / scale, y: (top - at.y * this.ratio) / scale };
   }
 
+  /** The point of the element, in its own pixels, of a place of the floor. */
+  point(at: Point2): Point2 {
+    const { x, y } = this.pixel(at.x, at.y);
+    return { x: x / this.ratio, y: y / this.ratio };
+  }
+
   private get shape(): RobotShape {
     return this.course?.robot ?? kDefaultShape;
   }
@@ -160,7 +168,7 @@ export class MapView implements View {
     const context = this.ground.getContext('2d');
     if (context === null) return;
     const { width, height } = this.ground;
-    this.projection = fit(this.course, width, height);
+    this.projection = fit(this.frame ?? bounds(this.course), width, height);
     this.moved.reset();
     context.fillStyle = palette.kFloor;
     context.fillRect(0, 0, width, height);
@@ -190,17 +198,15 @@ export class MapView implements View {
       context.fill();
       context.stroke();
     }
-    if (course.fence) {
-      const { min_x_m, max_x_m, min_y_m, max_y_m } = course.fence;
-      this.polygon(context, [
-        { x: min_x_m, y: min_y_m },
-        { x: max_x_m, y: min_y_m },
-        { x: max_x_m, y: max_y_m },
-        { x: min_x_m, y: max_y_m },
-      ]);
-      context.strokeStyle = palette.kFence;
+    context.strokeStyle = palette.kFence;
+    for (const area of keepOutOf(course)) {
+      this.polygon(context, area);
+      context.fillStyle = palette.kKeepOut;
+      context.fill();
       context.stroke();
     }
+    this.polygon(context, fenceOf(course));
+    context.stroke();
     context.setLineDash([6 * this.ratio, 5 * this.ratio]);
     context.strokeStyle = palette.kPath;
     context.lineWidth = 1.5 * this.ratio;

@@ -18,6 +18,7 @@ export const kFloor = '#0b131d';
 export const kGrid = '#212d3b';
 export const kGridBold = '#34465a';
 export const kFence = '#4a5868';
+export const kKeepOut = '#3a1d26';
 export const kObstacle = '#6b7785';
 export const kObstacleEdge = '#aeb9c6';
 export const kSurface = '#37506b';

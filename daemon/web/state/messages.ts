@@ -144,7 +144,9 @@ export interface State {
   world: string;
   battery_v?: number | null;
   /** `drive` and what follows of driving: not in recordings of older versions. */
-  can: { start: boolean; drive?: boolean; hold: boolean; stop: boolean; record: boolean };
+  /** The run pauses, and ends after this time. */
+  pause_left_s?: number;
+  can: { start: boolean; drive?: boolean; pause?: boolean; resume?: boolean; hold: boolean; stop: boolean; record: boolean };
   /** Where the robot is believed to be, if the last run ended on its way. */
   go_on_from?: { x_m: number; y_m: number; yaw_rad: number };
   why_not_start: string;
@@ -200,11 +202,14 @@ export interface RobotShape {
   shoe_width_m: number;
 }
 
+/** The bounds of the polygon. */
 export interface Fence {
   min_x_m: number;
   max_x_m: number;
   min_y_m: number;
   max_y_m: number;
+  /** Missing in older recordings, where it is a rectangle. */
+  corners?: { x_m: number; y_m: number }[];
 }
 
 export interface Course {
@@ -219,6 +224,8 @@ export interface Course {
   surfaces: Surface[];
   disturbances: { at_m: number; sideways_m: number; yaw_rad: number; duration_s: number }[];
   fence?: Fence | null;
+  /** Missing in older recordings. */
+  keep_out?: { corners: { x_m: number; y_m: number }[] }[];
   robot: RobotShape;
 }
 

@@ -51,7 +51,19 @@ export type SetupCall =
   | { name: 'choose'; request: { course?: string; robot?: string; setup?: string } }
   | { name: 'place'; request: { at: 'start' } | { x_m: number; y_m: number; yaw_rad: number } }
   | { name: 'file_save'; request: { kind: FileKind; name: string; text: string; replace?: boolean } }
-  | { name: 'file_delete'; request: { kind: FileKind; name: string } };
+  | { name: 'file_delete'; request: { kind: FileKind; name: string } }
+  | { name: 'file_check'; request: { kind: FileKind; name: string; text: string } };
+
+/** What is wrong with the text of a course file: nothing, if `error` is empty. */
+export interface CourseCheck {
+  error: string;
+  line?: number;
+  column?: number;
+  /** Does not fit the robot or the set-up in force. */
+  why_not: string;
+  length_m?: number;
+  duration_s?: number;
+}
 
 export type FileKind = 'course' | 'robot';
 

@@ -1,0 +1,194 @@
+// The text of a course file and its pieces. An edit replaces, inserts or removes only what it is about: comments, order
+// and layout of everything else stay as they were written.
+import { parseTOML, type AST } from 'toml-eslint-parser';
+
+export type Value = number | string | boolean | Value[];
+
+/** Tables that a file may have many of. */
+export type PieceTable = 'segment' | 'ramp' | 'block' | 'surface' | 'disturbance' | 'keep_out';
+
+/** A table: its values by key, and where they stand. */
+export interface Piece {
+  readonly table: string;
+  /** Among the tables of its name. */
+  readonly index: number;
+  readonly values: Readonly<Record<string, Value>>;
+  /** Of each value, in the text. */
+  readonly ranges: Readonly<Record<string, readonly [number, number]>>;
+  /** From its header to its last value; undefined: it is not written as a table of its own. */
+  readonly range: readonly [number, number] | undefined;
+}
+
+type Path = (string | number)[];
+
+export class CourseText {
+  private readonly pieces_ = new Map<string, Piece[]>();
+
+  /** Throws a SyntaxError for text that is not TOML. */
+  constructor(readonly text: string) {
+    const [root] = parseTOML(text, { tomlVersion: '1.0.0' }).body;
+    this.take([], root.body.filter((each) => each.type === 'TOMLKeyValue'), undefined);
+    for (const each of root.body) {
+      if (each.type === 'TOMLTable') this.take(each.resolvedKey, each.body, each.range);
+    }
+  }
+
+  /** All tables of that name, in the file's order. */
+  all(table: PieceTable): readonly Piece[] {
+    return this.pieces_.get(table) ?? [];
+  }
+
+  /** The table of that name, or the keys outside of any table; empty if the file has none. */
+  one(table: 'start' | 'fence' | ''): Piece {
+    return this.pieces_.get(table)?.[0] ?? { table, index: 0, values: {}, ranges: {}, range: undefined };
+  }
+
+  /** The text with other values of a piece. */
+  with(piece: Piece, values: Readonly<Record<string, Value>>): string {
+    const missing: string[] = [];
+    const edits: { from: number; to: number; text: string }[] = [];
+    for (const [key, value] of Object.entries(values)) {
+      const range = piece.ranges[key];
+      if (range === undefined) missing.push(line(key, value));
+      else if (!same(piece.values[key], value)) edits.push({ from: range[0], to: range[1], text: written(value) });
+    }
+    if (missing.length > 0) edits.push(this.inserted(piece, missing));
+    // From the end, so that the places of the others stay.
+    edits.sort((a, b) => b.from - a.from);
+    return edits.reduce((text, { from, to, text: by }) => text.slice(0, from) + by + text.slice(to), this.text);
+  }
+
+  /** The text with one more table, after `after` or the last one of its name. */
+  added(table: PieceTable, values: Readonly<Record<string, Value>>, after: Piece | undefined = this.all(table).at(-1)): string {
+    const body = block(`[[${table}]]`, values);
+    if (after !== undefined && after.range === undefined) throw inOneLine(after);
+    const fence = this.one('fence').range;
+    const at = after?.range !== undefined ? this.lineEnd(after.range[1]) : fence === undefined ? this.text.length : this.above(fence[0]);
+    return joined(this.text.slice(0, at), body, this.text.slice(at));
+  }
+
+  /** The text with one more table before the one of its name that is there. */
+  addedBefore(table: PieceTable, index: number, values: Readonly<Record<string, Value>>): string {
+    const range = this.all(table)[index]?.range;
+    if (range === undefined) return this.added(table, values);
+    const at = this.above(range[0]);
+    return joined(this.text.slice(0, at), block(`[[${table}]]`, values), this.text.slice(at));
+  }
+
+  /** The text with other values in the place of keys of a piece. */
+  replaced(piece: Piece, keys: readonly string[], values: Readonly<Record<string, Value>>): string {
+    const lines = keys.flatMap((key) => piece.ranges[key]?.[0] ?? []).map((at) => this.text.lastIndexOf('\n', at) + 1);
+    const first = Math.min(...lines);
+    if (!Number.isFinite(first) || piece.range === undefined) throw inOneLine(piece);
+    let text = this.text;
+    for (const at of lines.sort((a, b) => b - a)) text = text.slice(0, at) + text.slice(this.lineEnd(at));
+    return text.slice(0, first) + Object.entries(values).map(([key, value]) => line(key, value)).join('') + text.slice(first);
+  }
+
+  /** The text without a piece, without the comments that stand right above it. */
+  removed(piece: Piece): string {
+    if (piece.range === undefined) throw inOneLine(piece);
+    const from = this.above(piece.range[0]);
+    let to = this.lineEnd(piece.range[1]);
+    while (this.text[to] === '\n' || this.text.startsWith('\r\n', to)) to += this.text[to] === '\n' ? 1 : 2;
+    return this.text.slice(0, from) + this.text.slice(to);
+  }
+
+  private take(path: Path, body: readonly AST.TOMLKeyValue[], range: AST.Range | undefined): void {
+    const values: Record<string, Value> = {};
+    const ranges: Record<string, readonly [number, number]> = {};
+    const inner: [Path, readonly AST.TOMLKeyValue[]][] = [];
+    for (const each of body) {
+      const key = each.key.keys.map((part) => (part.type === 'TOMLBare' ? part.name : part.value));
+      if (each.value.type === 'TOMLInlineTable') inner.push([[...path, ...key], each.value.body]);
+      else if (each.value.type === 'TOMLArray' && each.value.elements[0]?.type === 'TOMLInlineTable') {
+        each.value.elements.forEach((element, i) => {
+          if (element.type === 'TOMLInlineTable') inner.push([[...path, ...key, i], element.body]);
+        });
+      } else {
+        const value = valueOf(each.value);
+        if (value === undefined) continue;
+        // start.x_m = 1
+        const [table, name] = path.length === 0 && key.length === 2 ? [key[0], key[1]] : [undefined, key.join('.')];
+        if (name === undefined) continue;
+        if (table === undefined) {
+          values[name] = value;
+          ranges[name] = each.value.range;
+        } else inner.push([[table], [{ ...each, key: { ...each.key, keys: each.key.keys.slice(1) } }]]);
+      }
+    }
+    this.add(String(path[0] ?? ''), values, ranges, range);
+    for (const [at, entries] of inner) this.take(at, entries, undefined);
+  }
+
+  private add(table: string, values: Record<string, Value>, ranges: Piece['ranges'], range: Piece['range']): void {
+    const list = this.pieces_.get(table) ?? [];
+    list.push({ table, index: list.length, values, ranges, range });
+    this.pieces_.set(table, list);
+  }
+
+  private inserted(piece: Piece, lines: readonly string[]): { from: number; to: number; text: string } {
+    const only = piece.table === 'start' || piece.table === 'fence';
+    if (only && Object.keys(piece.values).length === 0 && piece.range === undefined) {
+      const at = this.above(this.all('segment')[0]?.range?.[0] ?? this.text.length);
+      return { from: at, to: at, text: `[${piece.table}]\n${lines.join('')}\n` };
+    }
+    if (piece.range === undefined && piece.table !== '') throw inOneLine(piece);
+    const last = Math.max(piece.range?.[1] ?? 0, ...Object.values(piece.ranges).map(([, end]) => end));
+    const at = last === 0 ? 0 : this.lineEnd(last);
+    const text = at > 0 && this.text[at - 1] !== '\n' ? `\n${lines.join('')}` : lines.join('');
+    return { from: at, to: at, text };
+  }
+
+  /** The beginning of the comment lines right above a place. */
+  private above(at: number): number {
+    let from = this.text.lastIndexOf('\n', at - 1) + 1;
+    for (;;) {
+      const before = this.text.lastIndexOf('\n', from - 2) + 1;
+      if (from === 0 || !/^[ \t]*#/.test(this.text.slice(before, from))) return from;
+      from = before;
+    }
+  }
+
+  /** Behind the line of a place. */
+  private lineEnd(at: number): number {
+    const end = this.text.indexOf('\n', at);
+    return end < 0 ? this.text.length : end + 1;
+  }
+}
+
+function joined(before: string, body: string, after: string): string {
+  const gap = before === '' || /\n\s*\n$/.test(before) ? '' : before.endsWith('\n') ? '\n' : '\n\n';
+  const end = after === '' || /^\r?\n/.test(after) ? '' : '\n';
+  return before + gap + body + end + after;
+}
+
+function inOneLine(piece: Piece): Error {
+  return new Error(`${piece.table} is not written as a table of its own: change it in the text`);
+}
+
+function valueOf(node: AST.TOMLContentNode): Value | undefined {
+  if (node.type === 'TOMLArray') return node.elements.map(valueOf).filter((each) => each !== undefined);
+  if (node.type !== 'TOMLValue') return undefined;
+  return typeof node.value === 'object' ? undefined : node.value;
+}
+
+function same(a: Value | undefined, b: Value): boolean {
+  return a !== undefined && written(a) === written(b);
+}
+
+function block(header: string, values: Readonly<Record<string, Value>>): string {
+  return `${header}\n${Object.entries(values).map(([key, value]) => line(key, value)).join('')}`;
+}
+
+function line(key: string, value: Value): string {
+  return `${key} = ${written(value)}\n`;
+}
+
+/** As a person writes it: millimetres and thousandths of a degree at most, and numbers with a point. */
+export function written(value: Value): string {
+  if (Array.isArray(value)) return `[${value.map(written).join(', ')}]`;
+  if (typeof value !== 'number') return JSON.stringify(value);
+  const text = String(Number(value.toFixed(3)) + 0);
+  return text.includes('.') ? text : `${text}.0`;
+}

@@ -1,0 +1,37 @@
+// The values of the selected piece as numbers to type.
+import { h } from '../panel/dom.ts';
+import { kValues, type Selected } from './draft.ts';
+import type { Piece, PieceTable, Value } from './course_text.ts';
+
+/** What a table may hold beside what it was written with. */
+const kOf: Record<string, Record<string, Value>> = {
+  ...kValues,
+  '': { description: '', speed_mps: 0.1 },
+  start: { x_m: 0, y_m: 0, yaw_deg: 0 },
+};
+const kTitles: Record<string, string> = { '': 'course', keep_out: 'keep-out area' };
+
+/** The fields of a piece; `set` is called with each value that was typed. */
+export function fields(piece: Piece, set: (key: string, value: Value) => void): HTMLElement {
+  const many = piece.table in kValues;
+  const title = `${kTitles[piece.table] ?? piece.table}${many ? ` ${piece.index + 1}` : ''}`;
+  const form = h('div', { class: 'draw-fields', role: 'group', 'aria-label': title }, h('h3', {}, title));
+  const known = kOf[piece.table as PieceTable] ?? {};
+  for (const key of new Set([...Object.keys(piece.values), ...Object.keys(known)])) {
+    const value = piece.values[key] ?? known[key];
+    if (value === undefined || Array.isArray(value) || typeof value === 'boolean' || key === 'type') continue;
+    const number = typeof value === 'number';
+    const input = h('input', { type: number ? 'number' : 'text', name: key, step: 'any', value: String(value) });
+    input.addEventListener('change', () => {
+      const typed = number ? Number(input.value) : input.value;
+      if (input.value !== '' && (!number || Number.isFinite(typed))) set(key, typed);
+    });
+    form.append(h('label', {}, `${key} `, input));
+  }
+  return form;
+}
+
+/** Tells whether the fields shown are of that piece with these values. */
+export function signature(course: Piece, selected: Selected | undefined, piece: Piece | undefined): string {
+  return JSON.stringify([course.values, selected, piece?.values]);
+}

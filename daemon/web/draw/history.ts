@@ -1,0 +1,42 @@
+// The states of a text that is edited, one for each finished change.
+const kMost = 200;
+
+export class History {
+  private texts: string[] = [''];
+  private at = 0;
+
+  /** Another file. */
+  restart(text: string): void {
+    this.texts = [text];
+    this.at = 0;
+  }
+
+  /** A change is finished. */
+  add(text: string): void {
+    if (text === this.text) return;
+    this.texts = [...this.texts.slice(0, this.at + 1), text].slice(-kMost);
+    this.at = this.texts.length - 1;
+  }
+
+  get text(): string {
+    return this.texts[this.at] ?? '';
+  }
+
+  get canUndo(): boolean {
+    return this.at > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.at + 1 < this.texts.length;
+  }
+
+  undo(): string {
+    if (this.canUndo) this.at--;
+    return this.text;
+  }
+
+  redo(): string {
+    if (this.canRedo) this.at++;
+    return this.text;
+  }
+}
