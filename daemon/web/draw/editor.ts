@@ -253,6 +253,8 @@ export class CourseEditor {
     }
     this.handles_ = handles(this.course);
     this.changed = true;
+    // The next key may come before the next image.
+    if (this.active) this.stage.draw(this.handles_, this.selected);
   }
 
   private fit(): void {
