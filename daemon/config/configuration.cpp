@@ -137,7 +137,7 @@ std::span<const Key<CameraSettings>> camera_stream_keys() {
 
 std::span<const Key<ServerConfiguration>> server_keys() {
   using T = ServerConfiguration;
-  static const std::array<Key<T>, 5> kKeys = {{
+  static const std::array<Key<T>, 6> kKeys = {{
       {"listen",
        &T::listen,
        {},
@@ -158,6 +158,11 @@ std::span<const Key<ServerConfiguration>> server_keys() {
        {},
        "Names of this machine, in addition to its addresses and localhost, separated by spaces"},
       {"max_clients", &T::max_clients, {1, 256}, "Largest number of viewers at the same time"},
+      {"plot",
+       &T::plot,
+       {},
+       "Where to send every step as a JSON datagram, for a plotting program such as PlotJuggler: "
+       "udp:PORT for this machine or udp:ADDRESS:PORT; empty: nowhere"},
   }};
   return kKeys;
 }

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/arithmetic.h"
-
 namespace tp100 {
 
 /// Length of a vector whose square a double can hold.
