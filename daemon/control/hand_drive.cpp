@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::control {
 namespace {
@@ -79,7 +80,7 @@ struct Approach {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const course::Vertex point = course::nearest_on_edge(polygon, i, pose.x_m, pose.y_m);
       const double dx = point.x_m - pose.x_m, dy = point.y_m - pose.y_m;
-      const double distance_m = std::hypot(dx, dy);
+      const double distance_m = magnitude(dx, dy);
       // On the edge no way leads to it: any is as good.
       if (distance_m == 0.0) continue;
       if (right) {
