@@ -26,6 +26,7 @@ async function openCourses(size?: Size): Promise<Page> {
 
 /** Ends a run that has begun by itself. */
 async function stopped(page: Page): Promise<void> {
+  // A busy machine may have ended it already.
   await until(async () => ['running', 'aborted', 'finished'].includes(await run(page)), 'the run has begun by itself');
   await page.click('#stop');
   await until(async () => (await page.textContent('.courses-why')) === '', 'a change is possible');
