@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 
+#include "core/angle.h"
+#include "course/fence.h"
 #include "hand_driven.h"
 
 namespace tp100::sim {
@@ -23,8 +28,29 @@ struct FenceRun {
 };
 
 inline double outside_m(const Pose& pose, const course::Fence& fence) {
-  return std::max({fence.min_x_m - pose.x_m, pose.x_m - fence.max_x_m, fence.min_y_m - pose.y_m,
-                   pose.y_m - fence.max_y_m});
+  double out_m = std::max({fence.min_x_m - pose.x_m, pose.x_m - fence.max_x_m,
+                           fence.min_y_m - pose.y_m, pose.y_m - fence.max_y_m});
+  for (const course::Polygon& area : fence.keep_out) {
+    double edge_m = 1e9;
+    for (std::size_t i = 0; i < area.size(); ++i) {
+      const course::Vertex point = course::nearest_on_edge(area, i, pose.x_m, pose.y_m);
+      edge_m = std::min(edge_m, std::hypot(point.x_m - pose.x_m, point.y_m - pose.y_m));
+    }
+    out_m = std::max(out_m, course::contains(area, pose.x_m, pose.y_m) ? edge_m : -edge_m);
+  }
+  return out_m;
+}
+
+/// Corners of a dented area beside the start, in a direction that follows from `seed`.
+inline course::Polygon area_beside_start(std::uint64_t seed) {
+  std::mt19937_64 random(seed + 1000);
+  const double angle = std::uniform_real_distribution<>(-kPi, kPi)(random);
+  const double c = std::cos(angle), s = std::sin(angle);
+  course::Polygon area;
+  for (const auto& [ahead_m, left_m] :
+       {std::pair{0.12, -0.15}, {0.32, -0.15}, {0.22, 0.0}, {0.32, 0.15}, {0.12, 0.15}})
+    area.push_back({c * ahead_m - s * left_m, s * ahead_m + c * left_m});
+  return area;
 }
 
 /// One drive of `duration_s` on a floor, robot and fence that follow from `seed`.
@@ -47,6 +73,12 @@ inline FenceRun drive_in_fence(std::uint64_t seed, double duration_s) {
   const double x_m = between(0.15, 0.85) * width_m, y_m = between(0.15, 0.85) * height_m;
   course->fence = {-x_m, width_m - x_m, -y_m, height_m - y_m};
   std::string what = options.robot;
+  if (seed % 3 == 0) {
+    course->fence.keep_out = {area_beside_start(seed)};
+    what += ", keep-out area";
+  }
+  // A polygon is the same fence.
+  if (seed % 4 == 0) course->fence.corners = course::corners_of(course->fence);
   if (seed % 2 == 0) {
     course::Surface surface;
     surface.friction_factor = between(0.5, 1.0);
