@@ -84,19 +84,24 @@ export const losses = {
     execFileSync('ip', ['link', 'set', 'eth0', 'down']);
     await driver.driveFor(1000, 0.1, 0.3);
     execFileSync('ip', ['link', 'set', 'eth0', 'up']);
+    // A participant that begins before the other end has noticed does not use it.
+    await pause(1000);
   },
 };
 
-/** Loses a driver `trials` times; the times of the last fresh messages [ms], each with that of the end of the trial. */
+/** Loses a driver `trials` times; the times of the last fresh messages [ms], each with begin and end of its trial. */
 export async function loseDriver(run, loss, trials, settings) {
   const times = [];
   let driver;
   for (let i = 0; i < trials; ++i) {
     driver ??= new Driver(run, { ...settings, type: loss === 'frozen stamp' ? twistStamped : twist });
     await driver.take();
-    const last = await driver.driveFor(400 + Math.random() * 300, 0.05 + Math.random() * 0.1, Math.random() - 0.5);
+    const begin = Date.now();
+    let last = await driver.driveFor(400 + Math.random() * 300, 0.05 + Math.random() * 0.1, Math.random() - 0.5);
     await losses[loss](driver, last);
-    times.push({ last, end: Date.now() });
+    // Where it lives on, it knows when it sent the last one.
+    if (loss === 'silence') last = Math.max(...driver.peer.found.map(({ written_ns }) => (written_ns ?? 0) / 1e6));
+    times.push({ begin, last, end: Date.now() });
     if (loss === 'silence') continue;
     driver.peer.kill();
     driver = undefined;
@@ -113,9 +118,8 @@ export async function movedAfter(folder, times) {
     const { speed_mps, yaw_rate_radps } = JSON.parse(Buffer.from(data).toString());
     return speed_mps !== 0 || yaw_rate_radps !== 0;
   }).map(({ logTime }) => Number(logTime) / 1e6);
-  return times.map(({ last, end }) => {
-    // It drove before.
-    if (!moving.some((at) => at > last - 200 && at <= last)) throw new Error(`the robot was not driven before ${last}`);
+  return times.map(({ begin, last, end }) => {
+    if (!moving.some((at) => at > begin && at <= last)) throw new Error(`the robot was not driven before ${last}`);
     return Math.max(0, ...moving.filter((at) => at > last && at < end).map((at) => at - last));
   });
 }

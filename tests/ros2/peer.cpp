@@ -1,6 +1,7 @@
 // ros2_peer DOMAIN [+]TOPIC=TYPE=QOS...: receives topics, and with a plus publishes them, with Fast
 // DDS, an implementation that shares nothing with the daemon's. Writes a line of JSON for each
-// participant, each writer, each message and each match of a topic of its own. A line "TOPIC=TYPE
+// participant, each writer, each message, each match of a topic of its own and each message that it
+// has published. A line "TOPIC=TYPE
 // HEX" on standard input is a message to publish; it ends when standard input does. DOMAIN is a
 // number, @ADDRESS after it an address to be restricted to, and a final "quiet" keeps the messages'
 // lines to the end. QOS: R reliable or B best effort, followed by T transient local or V volatile.
@@ -44,6 +45,11 @@ void print(const std::string& line) {
   const std::lock_guard lock(mutex);
   std::puts(line.c_str());
   std::fflush(stdout);
+}
+
+std::int64_t unix_ns() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
 std::string hex(const std::uint8_t* bytes, std::size_t size) {
@@ -137,11 +143,10 @@ class Messages : public fast::DataReaderListener {
     fast::SampleInfo info;
     while (reader->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK) {
       if (!info.valid_data) continue;
-      const auto now = std::chrono::system_clock::now().time_since_epoch();
-      write("{\"message\":\"" + reader->get_topicdescription()->get_name() + "\",\"sent_ns\":" +
-            std::to_string(info.source_timestamp.to_ns()) + ",\"received_ns\":" +
-            std::to_string(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()) +
-            ",\"cdr\":\"" + hex(bytes.data(), bytes.size()) + "\"}");
+      write("{\"message\":\"" + reader->get_topicdescription()->get_name() +
+            "\",\"sent_ns\":" + std::to_string(info.source_timestamp.to_ns()) +
+            ",\"received_ns\":" + std::to_string(unix_ns()) + ",\"cdr\":\"" +
+            hex(bytes.data(), bytes.size()) + "\"}");
     }
   }
   void on_requested_incompatible_qos(fast::DataReader* reader,
@@ -228,6 +233,7 @@ int main(int argc, char** argv) {
     const std::size_t space = line.find(' ');
     std::vector<std::uint8_t> bytes = bytes_of(line.substr(space + 1));
     writers.at(line.substr(0, space))->write(&bytes);
+    print("{\"written_ns\":" + std::to_string(unix_ns()) + "}");
   }
   messages.print_kept();
   participant->delete_contained_entities();
