@@ -63,7 +63,8 @@ export class Driver {
   }
 }
 
-/** Ways to lose the driver in real time, each for a second; the driver is ended after that. */
+/** Ways to lose the driver in real time, each for a second; the driver is ended after that. Where it is back before, its
+ * loss's end is returned. */
 export const losses = {
   'silence': () => pause(1000),
   'writer killed': async (driver) => {
@@ -82,10 +83,11 @@ export const losses = {
   // The other end of the network goes on sending.
   'link cut': async (driver) => {
     execFileSync('ip', ['link', 'set', 'eth0', 'down']);
-    await driver.driveFor(1000, 0.1, 0.3);
+    const end = await driver.driveFor(1000, 0.1, 0.3);
     execFileSync('ip', ['link', 'set', 'eth0', 'up']);
     // A participant that begins before the other end has noticed does not use it.
     await pause(1000);
+    return end;
   },
 };
 
@@ -98,10 +100,10 @@ export async function loseDriver(run, loss, trials, settings) {
     await driver.take();
     const begin = Date.now();
     let last = await driver.driveFor(400 + Math.random() * 300, 0.05 + Math.random() * 0.1, Math.random() - 0.5);
-    await losses[loss](driver, last);
+    const end = await losses[loss](driver, last) ?? Date.now();
     // Where it lives on, it knows when it sent the last one.
     if (loss === 'silence') last = Math.max(...driver.peer.found.map(({ written_ns }) => (written_ns ?? 0) / 1e6));
-    times.push({ begin, last, end: Date.now() });
+    times.push({ begin, last, end });
     if (loss === 'silence') continue;
     driver.peer.kill();
     driver = undefined;
