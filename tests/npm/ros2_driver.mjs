@@ -21,13 +21,20 @@ export class Driver {
   }
   /** Takes the wheel as soon as the daemon permits it. */
   async take() {
+    this.ended = this.drivesEnded();
     await Promise.all([this.peer.matched('/cmd_vel', this.type), this.peer.matched('/tp100/drive', bool)]);
     const taken = () => this.run.lines.filter((line) => /ROS 2 \/cmd_vel takes the wheel/.test(line)).length;
-    for (const before = taken(); taken() === before;) {
+    // Refused, the log says so at once; asked again too soon, what was taken would be released.
+    for (const before = taken(), askMs = 2000; taken() === before;) {
       this.peer.publish('/tp100/drive', bool, { data: false });
       this.peer.publish('/tp100/drive', bool, { data: true });
-      await pause(200);
+      const refused = () => this.run.lines.filter((line) => /\/tp100\/drive refused/.test(line)).length;
+      const refusedBefore = refused();
+      for (const end = Date.now() + askMs; Date.now() < end && taken() === before && refused() === refusedBefore;) await pause(25);
     }
+  }
+  drivesEnded() {
+    return this.run.lines.filter((line) => /state: driving -> /.test(line)).length;
   }
   /** Sends one velocity; `stamp_ms`: when it was wanted. */
   drive(speed_mps, rate_radps, stamp_ms = Date.now()) {
@@ -50,9 +57,10 @@ export class Driver {
     const { pose } = decode(odometry, this.peer.messages('/odom').at(-1)).pose;
     return { ...pose.position, yaw: angles(pose.orientation).yaw };
   }
-  /** Drives to within 3 cm of a point. */
+  /** Drives to within 3 cm of a point; on a machine that stood still meanwhile, by another drive. */
   async driveTo(x, y) {
     for (;;) {
+      if (this.drivesEnded() > this.ended) await this.take();
       const at = this.place();
       if (Math.hypot(x - at.x, y - at.y) < 0.03) return at;
       const off = Math.atan2(y - at.y, x - at.x) - at.yaw;
