@@ -93,7 +93,7 @@ class FakeControls : public Controls {
     answer(change_refusal, R"({"name":"mine"})");
   }
   messages::LoopFigures loop() override { return {}; }
-  messages::PortFigures port() override { return {"/dev/ttyACM0", true, "0.1.0"}; }
+  messages::PortFigures port() override { return {"/dev/ttyACM0", RobotKind::kPhysical, "0.1.0"}; }
   messages::RecordingFigures recording() override { return record; }
   StartConsent start_consent() override { return consent; }
 
