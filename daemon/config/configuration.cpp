@@ -173,7 +173,8 @@ std::span<const Key<Ros2Settings>> ros2_keys() {
       {"enabled",
        &T::enabled,
        {},
-       "Publish poses, IMU, joints, battery, path and state on ROS 2's topics, as node /tp100d, and "
+       "Publish poses, IMU, joints, battery, path and state on ROS 2's topics, as node /tp100d, "
+       "and "
        "take /cmd_vel from it as server.commands permits"},
       {"domain",
        &T::domain,
