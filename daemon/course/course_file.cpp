@@ -131,7 +131,7 @@ Fence boundary_of(text::TomlTable table) {
   }
   const auto [min_x_m, max_x_m, min_y_m, max_y_m] =
       table.required_numbers({"min_x_m", "max_x_m", "min_y_m", "max_y_m"}, kPlace);
-  const Fence fence{min_x_m, max_x_m, min_y_m, max_y_m};
+  Fence fence{min_x_m, max_x_m, min_y_m, max_y_m};
   if (fence.min_x_m >= fence.max_x_m) table.fail("max_x_m", "'max_x_m' must exceed 'min_x_m'");
   if (fence.min_y_m >= fence.max_y_m) table.fail("max_y_m", "'max_y_m' must exceed 'min_y_m'");
   return fence;
