@@ -135,7 +135,7 @@ describe('a course', () => {
     await page.keyboard.press('Shift+ArrowRight');
     await page.keyboard.press('ArrowRight');
     expect(await fileText(page)).toContain('length_m = 0.71\n');
-    expect(await page.inputValue('.draw input[name=length_m]')).toBe('0.71');
+    await until(async () => (await page.inputValue('.draw input[name=length_m]')) === '0.71', 'the field follows');
     await page.focus('#draw-block');
     await page.keyboard.press('Enter');
     await page.waitForSelector('[data-handle="block-0"]');
