@@ -137,9 +137,11 @@ StepRecord full_record() {
   StepRecord record;
   record.command_valid = true;
   record.inputs.clock.valid = true;
-  record.inputs.samples.push(Sample{});
+  Sample sample;
+  sample.faults = fault_bit(Fault::stop_requested);
+  record.inputs.samples.push(sample);
   record.snapshot.has_sample = true;
-  record.snapshot.sample.faults = fault_bit(Fault::stop_requested);
+  record.snapshot.sample = sample;
   record.snapshot.filter.camera_age_us = 1;
   return record;
 }
