@@ -108,6 +108,8 @@ export async function withRobot(work, more = []) {
         const lines = [], waiting = new Set();
         createInterface({ input: child.stderr }).on('line', (line) => {
           lines.push(line);
+          // On a busy machine a run may be aborted; the daemon would then wait for somebody who starts it again.
+          if (/state: running -> aborted/.test(line) && !options.includes('--stay')) child.kill('SIGTERM');
           for (const check of waiting) check();
         });
         const exit = once(child, 'exit');
