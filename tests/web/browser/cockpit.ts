@@ -3,7 +3,7 @@ import { existsSync } from 'node:fs';
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium, type Browser, type Page } from 'playwright-core';
+import { chromium, errors, type Browser, type Page } from 'playwright-core';
 import { bin } from './programs.ts';
 
 const kChromium = process.env.TP100_CHROMIUM ?? '/usr/bin/chromium';
@@ -74,13 +74,22 @@ export async function alive(page: Page): Promise<void> {
   await until(() => drawn(page), 'a robot');
 }
 
+/** Presses a button that may go before it is pressed, because the state changes meanwhile: then it is not pressed. */
+async function press(page: Page, button: string): Promise<void> {
+  try {
+    await page.click(button, { timeout: 2000 });
+  } catch (error: unknown) {
+    if (!(error instanceof errors.TimeoutError)) throw error;
+  }
+}
+
 /**
  * Starts the robot if it is at standstill, at its end or because a busy machine stopped it. The first press asks for
  * confirmation, or where the robot stands; the next call confirms, or says at the start.
  */
 export async function goOn(page: Page): Promise<void> {
-  if (await page.isVisible('#start-placed')) await page.click('#start-placed');
-  else if (['aborted', 'idle', 'finished'].includes(await run(page)) && (await page.isEnabled('#start'))) await page.click('#start');
+  if (await page.isVisible('#start-placed')) await press(page, '#start-placed');
+  else if (['aborted', 'idle', 'finished'].includes(await run(page)) && (await page.isEnabled('#start'))) await press(page, '#start');
 }
 
 /** Waits until the run is `wanted`; starts it again as often as necessary. */
