@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "text/toml_document.h"
+#include "text/unit.h"
 
 namespace tp100::text {
 

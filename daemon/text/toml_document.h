@@ -26,9 +26,6 @@ struct Range {
 /// Size limit of a TOML file, bytes. Ours are below 20 kB.
 inline constexpr std::size_t kMaxTomlSize = 1 << 18;
 
-/// Unit of a key, by the suffix of its name (speed_mps: "m/s"); empty if it has none.
-std::string_view unit_of(std::string_view key);
-
 /// A value of any of the simple types.
 using TomlValue = std::variant<bool, long long, double, std::string>;
 
