@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "core/board.h"
 #include "core/clock.h"
 #include "core/faults.h"
 #include "core/time.h"
@@ -23,22 +24,6 @@ namespace tp100::doctor {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-const char* board_name(std::uint8_t board) {
-  switch (static_cast<wire::Board>(board)) {
-    case wire::Board::kMega2560:
-      return "Mega 2560";
-    case wire::Board::kNative:
-      return "native";
-    case wire::Board::kFakeRobot:
-      return "Mega 2560 with the robot simulated inside the board (FAKE_ROBOT)";
-    case wire::Board::kRp2040:
-      return "Raspberry Pi Pico";
-    case wire::Board::kUnknown:
-      break;
-  }
-  return "unknown";
-}
 
 /// The first hello before `deadline`; an empty text if none arrives.
 Greeting listen(const link::Port& port, Clock::time_point deadline) {
@@ -76,7 +61,7 @@ Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
                     hello.protocol == wire::kProtocolVersion && hello.schema == wire::kSchemaHash;
   std::array<char, 200> text{};
   if (ours) {
-    std::snprintf(text.data(), text.size(), "board %s, firmware %u.%u.%u, protocol %u",
+    std::snprintf(text.data(), text.size(), "%s, firmware %u.%u.%u, protocol %u",
                   board_name(hello.board), hello.firmware[0], hello.firmware[1], hello.firmware[2],
                   hello.protocol);
   } else {

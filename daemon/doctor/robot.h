@@ -45,7 +45,7 @@ struct Visit {
   bool bootloader = false;    ///< the bootloader of a silent board answered
   std::string greeting{};     ///< text of the hello; empty: none
   bool ours = false;          ///< firmware for this program
-  bool emulator = false;      ///< see core/start_rule.h
+  bool emulator = false;      ///< is_emulator() of core/board.h
   std::string refused{};      ///< the parameter that the firmware refused; empty: none
   bool ready = false;         ///< samples arrived and the clocks are synchronized
   std::uint64_t reboots = 0;

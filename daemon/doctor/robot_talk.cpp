@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/faults.h"
 #include "core/histogram.h"
-#include "core/start_rule.h"
+#include "core/board.h"
 #include "doctor/hello.h"
 
 namespace tp100::doctor {

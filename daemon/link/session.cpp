@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/board.h"
 #include "core/sample.h"
 
 namespace tp100::link {
@@ -23,13 +24,6 @@ constexpr HostNs kParametersPeriodNs = 100 * kNsPerMs;
 // After kHostSilenceMs of silence the robot considers the host lost.
 constexpr HostNs kKeepAliveNs = 400 * kNsPerMs;
 constexpr HostNs kArmLifeNs = OneShotRequest::kLimitNs;
-
-/// Whether this version knows the kind of board. An unknown one may drive if it speaks the
-/// protocol, after a warning.
-bool known(std::uint8_t board) {
-  return board >= static_cast<std::uint8_t>(wire::Board::kMega2560) &&
-         board <= static_cast<std::uint8_t>(wire::Board::kRp2040);
-}
 
 double fastest_of(const wire::Parameters& parameters) {
   return max_counts_per_s(static_cast<double>(parameters.max_track_mps),
@@ -151,7 +145,7 @@ void Session::on_hello(HostNs now) {
   }
   if (reboot) events_.note(Rebooted{}, now);
   events_.note(HelloReceived{}, now);
-  if (!known(hello.board)) {
+  if (!is_known_board(hello.board)) {
     ++counters_.unknown_board;
     events_.note(UnknownBoard{hello.board}, now);
   }

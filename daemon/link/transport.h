@@ -30,7 +30,7 @@ class Port {
   int fd() const { return fd_; }
   const std::string& path() const { return path_; }
   /// By the kernel's device number, whatever the port's name. It may belong to an emulator, or have
-  /// a robot behind it: see core/start_rule.h.
+  /// a robot behind it: see core/board.h.
   bool pseudo_terminal() const { return pseudo_terminal_; }
   /// Discards unsent bytes, so that closing does not wait for a peer that does not read.
   void close();

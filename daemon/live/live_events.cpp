@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "core/angle.h"
+#include "core/board.h"
 #include "core/faults.h"
 #include "text/format.h"
 
@@ -26,21 +27,6 @@ const char* request_name(wire::Type type) {
       return "stop";
     default:
       return "request";
-  }
-}
-
-const char* board_name(std::uint8_t board) {
-  switch (static_cast<wire::Board>(board)) {
-    case wire::Board::kMega2560:
-      return "a Mega 2560";
-    case wire::Board::kNative:
-      return "an emulated board";
-    case wire::Board::kFakeRobot:
-      return "a Mega 2560 with the robot simulated inside the board (FAKE_ROBOT)";
-    case wire::Board::kRp2040:
-      return "a Raspberry Pi Pico";
-    default:
-      return "an unknown board";
   }
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/clock.h"
-#include "core/start_rule.h"
+#include "core/board.h"
 #include "live/end_signals.h"
 #include "live/event_log.h"
 #include "live/first_session.h"

@@ -13,7 +13,7 @@
 #include "core/link_state.h"
 #include "core/run_state.h"
 #include "core/sample.h"
-#include "core/start_rule.h"
+#include "core/board.h"
 #include "core/time.h"
 
 namespace tp100::messages {

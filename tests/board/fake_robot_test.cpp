@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "bridge/cycle.h"
-#include "core/start_rule.h"
+#include "core/board.h"
 #include "sim/board/avr_board.h"
 #include "sim/robot/options.h"
 #include "support/paths.h"

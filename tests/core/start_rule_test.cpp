@@ -5,31 +5,6 @@
 namespace tp100 {
 namespace {
 
-constexpr auto kMega = static_cast<std::uint8_t>(wire::Board::kMega2560);
-constexpr auto kNative = static_cast<std::uint8_t>(wire::Board::kNative);
-constexpr auto kFake = static_cast<std::uint8_t>(wire::Board::kFakeRobot);
-constexpr auto kUnknown = static_cast<std::uint8_t>(wire::Board::kUnknown);
-
-TEST(StartRule, APortIsPhysicalUnlessPtyAndHelloProveAnEmulator) {
-  EXPECT_TRUE(is_emulator(true, kNative));
-  // A pty may be a serial server with a real robot behind it, or the robot may be a user's own.
-  EXPECT_FALSE(is_emulator(true, kMega));
-  EXPECT_FALSE(is_emulator(true, kUnknown));
-  EXPECT_FALSE(is_emulator(true, 77));
-  EXPECT_FALSE(is_emulator(false, kNative));
-  EXPECT_FALSE(is_emulator(false, kMega));
-}
-
-TEST(StartRule, ARobotInsideItsBoardIsShownAsSimulatedButStartsAsARealOne) {
-  EXPECT_EQ(robot_kind(true, kNative), RobotKind::kEmulated);
-  EXPECT_EQ(robot_kind(false, kNative), RobotKind::kPhysical);
-  EXPECT_EQ(robot_kind(false, kMega), RobotKind::kPhysical);
-  for (const bool pseudo_terminal : {false, true}) {
-    EXPECT_EQ(robot_kind(pseudo_terminal, kFake), RobotKind::kSimulated);
-    EXPECT_FALSE(is_emulator(pseudo_terminal, kFake));
-  }
-}
-
 TEST(StartRule, OnlyTheFirstRunStartsByItselfAndNeverAsAService) {
   EXPECT_EQ(start_consent({}), StartConsent::kEnter);
   EXPECT_EQ(start_consent({.emulator = true}), StartConsent::kNone);

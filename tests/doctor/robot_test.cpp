@@ -17,7 +17,7 @@ Visit good_visit() {
   visit.port = "/dev/ttyACM0";
   visit.bytes_in = 9000;
   visit.frames_in = 200;
-  visit.greeting = "board Mega 2560, firmware 0.1.0, protocol 1";
+  visit.greeting = "a Mega 2560, firmware 0.1.0, protocol 1";
   visit.ours = true;
   visit.ready = true;
   visit.battery_v = 7.9;

@@ -78,7 +78,7 @@ TEST_F(Doctor, FindsNothingThatKeepsAGoodRobotFromDriving) {
   const Examined examined = examine();
   EXPECT_EQ(examined.status, 0) << examined.report.dump();
   EXPECT_EQ(examined.report.at("errors"), 0);
-  EXPECT_THAT(examined.line("firmware"), HasSubstr("ok firmware: board native, firmware 0.1.0"));
+  EXPECT_THAT(examined.line("firmware"), HasSubstr("ok firmware: an emulated board, firmware 0.1.0"));
   const Finished here = run({"tp100d", "doctor", "--port", std::filesystem::relative(port())});
   EXPECT_EQ(here.status, 0) << "the port's relative path must work: " << here.output;
   for (const char* name :
@@ -396,7 +396,7 @@ TEST_F(Doctor, ExaminesTheFirmwareItself) {
   start_robot({"--board", "avr"});
   const Examined examined = examine();
   EXPECT_EQ(examined.status, 0) << examined.report.dump();
-  EXPECT_THAT(examined.line("firmware"), HasSubstr("ok firmware: board Mega 2560"));
+  EXPECT_THAT(examined.line("firmware"), HasSubstr("ok firmware: a Mega 2560"));
 }
 
 TEST_F(Doctor, FindsABoardWithNothingButItsBootloader) {

@@ -54,7 +54,7 @@ TEST_F(FlashEmulatedMega, ABlankBoardSaysHelloOnlyOnceItIsFlashed) {
   const Finished flashed = flash();
   EXPECT_EQ(flashed.status, 0) << flashed.output;
   EXPECT_THAT(flashed.output, HasSubstr("bytes of flash verified"));
-  EXPECT_THAT(flashed.output, HasSubstr("board Mega 2560, " + firmware_version()));
+  EXPECT_THAT(flashed.output, HasSubstr("a Mega 2560, " + firmware_version()));
 
   // The image is still there after another reset.
   const Finished again = hello("10");

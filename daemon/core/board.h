@@ -1,0 +1,67 @@
+#pragma once
+// The board that a hello names, and what moves when its robot drives. Pure.
+
+#include <cstdint>
+
+#include "wire/messages.h"
+
+namespace tp100 {
+
+/// Name for people with its article; "an unknown board" for a kind that this version does not know.
+/// `board`: as in the hello.
+constexpr const char* board_name(std::uint8_t board) {
+  switch (static_cast<wire::Board>(board)) {
+    case wire::Board::kMega2560:
+      return "a Mega 2560";
+    case wire::Board::kNative:
+      return "an emulated board";
+    case wire::Board::kFakeRobot:
+      return "a Mega 2560 with the robot simulated inside the board (FAKE_ROBOT)";
+    case wire::Board::kRp2040:
+      return "a Raspberry Pi Pico";
+    case wire::Board::kUnknown:
+      break;
+  }
+  return "an unknown board";
+}
+
+/// Whether this version knows the kind of board. An unknown one may drive if it speaks the
+/// protocol, after a warning.
+constexpr bool is_known_board(std::uint8_t board) {
+  return board >= static_cast<std::uint8_t>(wire::Board::kMega2560) &&
+         board <= static_cast<std::uint8_t>(wire::Board::kRp2040);
+}
+
+/// A port is physical unless this proves otherwise: a pseudo-terminal alone may be a serial server
+/// with a robot behind it. `board`: as the hello of the session says.
+constexpr bool is_emulator(bool pseudo_terminal, std::uint8_t board) {
+  return pseudo_terminal && board == static_cast<std::uint8_t>(wire::Board::kNative);
+}
+
+/// What moves when it drives, as shown to people. The consent to a start does not depend on it: a
+/// board that simulates its robot is on a real port, and is treated as a real robot.
+enum class RobotKind : std::uint8_t {
+  kPhysical,
+  kEmulated,   ///< is_emulator()
+  kSimulated,  ///< the firmware simulates its robot inside the board (FAKE_ROBOT)
+};
+
+/// As in messages.
+constexpr const char* to_string(RobotKind kind) {
+  switch (kind) {
+    case RobotKind::kPhysical:
+      return "physical";
+    case RobotKind::kEmulated:
+      return "emulated";
+    case RobotKind::kSimulated:
+      return "simulated";
+  }
+  return "unknown";
+}
+
+constexpr RobotKind robot_kind(bool pseudo_terminal, std::uint8_t board) {
+  if (board == static_cast<std::uint8_t>(wire::Board::kFakeRobot)) return RobotKind::kSimulated;
+  return is_emulator(pseudo_terminal, board) ? RobotKind::kEmulated : RobotKind::kPhysical;
+}
+
+}  // namespace tp100
