@@ -202,6 +202,12 @@ toml::table parse(const std::string& text, const std::string& file) {
   }
 }
 
+std::string written(const toml::table& root) {
+  std::ostringstream out;
+  out << root << "\n";
+  return out.str();
+}
+
 /// The table that contains the last part of `name`; created if absent.
 toml::table& holder_of(toml::table& root, std::string_view& name, const std::string& file) {
   toml::table* table = &root;
@@ -227,9 +233,14 @@ std::string with_values(const std::string& text, const std::string& file,
     toml::table& table = holder_of(root, name, file);
     std::visit([&](const auto& one) { table.insert_or_assign(name, one); }, value);
   }
-  std::ostringstream out;
-  out << root << "\n";
-  return out.str();
+  return written(root);
+}
+
+std::string without_keys(const std::string& text, const std::string& file,
+                         const std::vector<std::string_view>& names) {
+  toml::table root = parse(text, file);
+  for (const std::string_view name : names) root.erase(name);
+  return written(root);
 }
 
 TomlDocument::TomlDocument(const std::string& text, const std::string& file) {

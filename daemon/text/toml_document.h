@@ -92,6 +92,11 @@ using NamedValues = std::vector<std::pair<std::string, TomlValue>>;
 std::string with_values(const std::string& text, const std::string& file,
                         const NamedValues& values);
 
+/// `text` without these keys of its root, tables among them; comments are lost. Throws SetupError:
+/// text that is not TOML.
+std::string without_keys(const std::string& text, const std::string& file,
+                         const std::vector<std::string_view>& names);
+
 /// A parsed file.
 class TomlDocument {
  public:

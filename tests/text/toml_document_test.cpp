@@ -215,6 +215,22 @@ TEST(WithValues, APathThroughAValueIsRefused) {
   }
 }
 
+TEST(WithoutKeys, OtherValuesStay) {
+  const std::string text = without_keys(
+      "# note\nspeed = 0.1\nname = 'x'\n[start]\nx = 1\n[[segment]]\ny = 2\n[[segment]]\n"
+      "[fence]\ncorners = [[0.1, -2.5e-7], [3, 4]]\n",
+      "f.toml", {"name", "segment", "start", "none"});
+  EXPECT_EQ(told(text,
+                 [](TomlTable& t) {
+                   EXPECT_EQ(t.keys(), (std::vector<std::string>{"fence", "speed"}));
+                   EXPECT_EQ(t.required_value("speed"), TomlValue(0.1));
+                   const auto corners = t.table("fence").pairs("corners", {-10.0, 10.0});
+                   EXPECT_EQ(corners, (std::vector<std::array<double, 2>>{{0.1, -2.5e-7}, {3, 4}}));
+                 }),
+            "");
+  EXPECT_THROW(without_keys("a = ", "f.toml", {}), SetupError);
+}
+
 TEST(TomlDocument, AnyCorruptionGivesOneLineOrNone) {
   const std::string good =
       "description = \"x\"\nspeed_mps = 0.1\n[start]\nx_m = 1e-3\n[[segment]]\ntype = 'line'\n";
