@@ -12,6 +12,9 @@
 
 namespace tp100::course {
 
+/// Shorter segments are none.
+inline constexpr double kSmallestLengthM = 0.001, kSmallestTurnDeg = 0.1;
+
 /// Straight segment. [m]
 struct Line {
   double length_m;

@@ -14,8 +14,7 @@ constexpr std::size_t kMaxSegments = 1000;
 constexpr std::size_t kMaxDisturbances = 100;
 constexpr text::Range kPlace{-100.0, 100.0};
 constexpr text::Range kAngle{-3600.0, 3600.0};
-constexpr text::Range kLength{0.001, 100.0};
-constexpr double kSmallestAngleDeg = 0.1;
+constexpr text::Range kLength{kSmallestLengthM, 100.0};
 
 constexpr std::size_t kMaxPieces = 50;
 constexpr std::size_t kMaxCorners = 100;
@@ -85,9 +84,9 @@ Terrain terrain_of(text::TomlTable& root) {
 
 double turn_rad(text::TomlTable& table) {
   const double angle_deg = table.required_number("angle_deg", kAngle);
-  if (std::abs(angle_deg) < kSmallestAngleDeg)
+  if (std::abs(angle_deg) < kSmallestTurnDeg)
     table.fail("angle_deg", "'angle_deg' is " + text::number_text(angle_deg) +
-                                ", smallest turn is " + text::number_text(kSmallestAngleDeg) +
+                                ", smallest turn is " + text::number_text(kSmallestTurnDeg) +
                                 " deg to either side");
   return angle_deg * kRadPerDeg;
 }
