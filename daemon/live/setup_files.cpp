@@ -104,7 +104,10 @@ std::vector<SetupFiles::Entry> SetupFiles::list(Bundled kind) const {
 }
 
 course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {
-  for (const Entry& entry : list(kind)) {
+  const std::vector<Entry> entries = list(kind);
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries) {
+    names.push_back(entry.name);
     if (entry.name != name) continue;
     if (entry.from == From::kGiven) return given(kind);
     course::TextFile file = entry.from == From::kBundled
@@ -114,7 +117,7 @@ course::TextFile SetupFiles::read(Bundled kind, const std::string& name) const {
     return file;
   }
   throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind) +
-                   "; GET /api/setup lists them");
+                   text::suggestion(name, names) + "; GET /api/setup lists them");
 }
 
 void SetupFiles::save(Bundled kind, const std::string& name, const std::string& content,

@@ -97,6 +97,12 @@ TEST_F(SetupFilesTest, NamesStayInTheFolder) {
   EXPECT_EQ(own_files(), 0u);
 }
 
+TEST_F(SetupFilesTest, ANameThatIsNoneComesWithTheNearest) {
+  write("my-room.toml", kLine);
+  EXPECT_EQ(why_not([&] { files_.read(Bundled::kCourses, "my-romo"); }),
+            "my-romo: no such course; did you mean 'my-room'?; GET /api/setup lists them");
+}
+
 TEST_F(SetupFilesTest, LinksAndOtherFilesAreNotListed) {
   write("note.txt", kLine);
   fs::create_symlink("/etc/passwd", folder_.path() / "courses" / "link.toml");
