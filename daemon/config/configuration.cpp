@@ -147,7 +147,7 @@ std::span<const Key<ServerConfiguration>> server_keys() {
        text::enum_choice<T, &T::commands, kCommandsFromNames>(),
        {},
        "Viewers, and nodes of ROS 2, whose commands are accepted: those on this machine (local; of "
-       "nodes, only if ros2.interface is lo), all or none. STOP is accepted from every viewer"},
+       "nodes, only if ros2.interface is lo), all or none. STOP is accepted from everybody"},
       {"origins",
        &T::origins,
        {},
@@ -174,8 +174,7 @@ std::span<const Key<Ros2Settings>> ros2_keys() {
        &T::enabled,
        {},
        "Publish poses, IMU, joints, battery, path and state on ROS 2's topics, as node /tp100d, "
-       "and "
-       "take /cmd_vel from it as server.commands permits"},
+       "and take velocities, goals and names of courses as server.commands permits"},
       {"domain",
        &T::domain,
        {-1, 232},

@@ -19,8 +19,11 @@ constexpr HostNs kLongestNs = 5 * kNsPerMs;
 // Steps that wait while the thread does not run; on a busy machine that can last half a second.
 constexpr std::size_t kWaitingSteps = 256;
 
+// A STOP is taken from everybody.
 constexpr std::array kInputs = {ros2::Input::kVelocity, ros2::Input::kVelocityStamped,
-                                ros2::Input::kDrive, ros2::Input::kInitialPose};
+                                ros2::Input::kDrive,    ros2::Input::kInitialPose,
+                                ros2::Input::kGoal,     ros2::Input::kCourse,
+                                ros2::Input::kStop};
 
 }  // namespace
 
@@ -34,10 +37,10 @@ std::string why_no_ros2_requests(const config::Configuration& configuration) {
 
 std::unique_ptr<ros2::Participant> ros2_participant(const config::Configuration& configuration) {
   if (!configuration.ros2.enabled) return nullptr;
+  const std::span<const ros2::Input> all(kInputs);
   const bool taken = why_no_ros2_requests(configuration).empty();
-  return std::make_unique<ros2::Participant>(
-      configuration.ros2, "tp100d", ros2::kLiveTopics,
-      taken ? std::span<const ros2::Input>(kInputs) : std::span<const ros2::Input>());
+  return std::make_unique<ros2::Participant>(configuration.ros2, "tp100d", ros2::kLiveTopics,
+                                             taken ? all : all.last(1));
 }
 
 Ros2Node::Ros2Node(ros2::Participant& participant, messages::RunContext run_context,
@@ -51,7 +54,8 @@ Ros2Node::Ros2Node(ros2::Participant& participant, messages::RunContext run_cont
   ::pthread_setname_np(thread_.native_handle(), "ros2");
   cycle.record_first(steps_);
   requests_.say(clock.start_ns, why_no_requests.empty()
-                                    ? "ROS 2 may drive (/tp100/drive, /cmd_vel)"
+                                    ? "ROS 2 may drive (/tp100/drive, /cmd_vel) and start "
+                                      "(/goal_pose, /tp100/course)"
                                     : "ROS 2 may not drive: " + why_no_requests);
 }
 
@@ -60,13 +64,20 @@ Ros2Node::~Ros2Node() {
   thread_.join();
 }
 
+void Ros2Node::take_words(std::vector<messages::Event>& words, server::Server& server) {
+  requests_.take_words(words);
+  if (requests_.take_stop()) server.stop_pressed("ROS 2 /tp100/stop");
+}
+
 void Ros2Node::take_setup(const messages::RunContext& run_context, HostNs at) {
+  requests_.set_course(run_context.course == nullptr ? "" : run_context.course->name);
   const std::lock_guard lock(mutex_);
   next_.emplace(run_context, at);
 }
 
 /// When to look for the next step.
 HostNs Ros2Node::publish() {
+  if (const auto answer = requests_.take_answer()) publisher_.answer(*answer);
   {
     const std::lock_guard lock(mutex_);
     if (next_) publisher_.take_setup(next_->first, next_->second);

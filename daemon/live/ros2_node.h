@@ -17,10 +17,12 @@
 #include "messages/sink.h"
 #include "ros2/participant.h"
 #include "ros2/publisher.h"
+#include "server/server.h"
 
 namespace tp100::live {
 
-/// Why no node may ask for anything, in one line; empty: each on the participant's network may.
+/// Why no node may ask for anything but STOP, in one line; empty: each on the participant's network
+/// may.
 std::string why_no_ros2_requests(const config::Configuration& configuration);
 
 /// The daemon's participant; null: switched off. Throws SetupError; see ros2::Participant.
@@ -40,8 +42,8 @@ class Ros2Node : public messages::Sink {
   /// Nothing: the node's thread receives the steps itself, and earlier.
   void take(const StepRecord&) override {}
   void take_setup(const messages::RunContext& run_context, HostNs at) override;
-  /// Appends what happened since the last call, for log and viewers.
-  void take_words(std::vector<messages::Event>& words) { requests_.take_words(words); }
+  /// Appends what happened since the last call, for log and viewers; the server hears of a STOP.
+  void take_words(std::vector<messages::Event>& words, server::Server& server);
 
  private:
   void run();

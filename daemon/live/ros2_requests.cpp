@@ -1,45 +1,102 @@
 #include "live/ros2_requests.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
+
+#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::live {
 namespace {
 
 constexpr const char* kTopic = "ROS 2 /cmd_vel";
 constexpr std::size_t kMostWords = 64;
+constexpr const char* kUnderWay = "a run is under way, or somebody drives by hand; stop it first";
+// How far a robot at standstill may seem to move until it starts for its goal.
+constexpr double kMostMovedM = 0.01, kMostTurnedRad = 2.0 * kRadPerDeg;
 
 server::Driver driver() { return {.id = kTopic, .name = kTopic}; }
 
+std::string name_of(ros2::Input input) {
+  return ros2::inputs().at(static_cast<std::size_t>(input)).name;
+}
+
+messages::Event refusal(HostNs now, const std::string& text) {
+  return {.at_ns = now,
+          .kind = "client",
+          .level = messages::Event::Level::kWarning,
+          .text = "ROS 2: " + text};
+}
+
+/// Without its place in a file that nobody has written.
+std::string of_goal(const std::string& why) {
+  const bool placed = why.starts_with(std::string(course::kGoalCourse) + ".toml:");
+  return placed ? why.substr(why.find(": ") + 2) : why;
+}
+
 }  // namespace
 
-void Ros2Requests::Words::add(messages::Event event) {
+void Ros2Requests::Shared::say(messages::Event event, bool answers) {
   const std::lock_guard lock(mutex);
-  if (all.size() < kMostWords) all.push_back(std::move(event));
+  if (answers) answer = event;
+  if (words.size() < kMostWords) words.push_back(std::move(event));
 }
 
 void Ros2Requests::take_words(std::vector<messages::Event>& words) {
-  const std::lock_guard lock(words_->mutex);
-  std::ranges::move(std::exchange(words_->all, {}), std::back_inserter(words));
+  const std::lock_guard lock(shared_->mutex);
+  std::ranges::move(std::exchange(shared_->words, {}), std::back_inserter(words));
+}
+
+std::optional<messages::Event> Ros2Requests::take_answer() {
+  const std::lock_guard lock(shared_->mutex);
+  return std::exchange(shared_->answer, std::nullopt);
+}
+
+bool Ros2Requests::take_stop() {
+  const std::lock_guard lock(shared_->mutex);
+  return std::exchange(shared_->stopped, false);
+}
+
+void Ros2Requests::set_course(const std::string& name) {
+  const std::lock_guard lock(shared_->mutex);
+  shared_->course = name;
 }
 
 void Ros2Requests::say(HostNs now, const std::string& text) {
-  words_->add({.at_ns = now, .kind = "run", .text = text});
+  shared_->say({.at_ns = now, .kind = "run", .text = text}, false);
+}
+
+void Ros2Requests::reply(HostNs now, const std::string& text) {
+  shared_->say({.at_ns = now, .kind = "run", .text = text}, true);
 }
 
 void Ros2Requests::note(Note kind, HostNs now, const std::string& text) {
   if (now < quiet_until_ns_[kind]) return;
   quiet_until_ns_[kind] = now + (kind < kVelocityRefused ? kQuietNs : kRefusedQuietNs);
-  words_->add({.at_ns = now,
-               .kind = "client",
-               .level = messages::Event::Level::kWarning,
-               .text = "ROS 2: " + text});
+  shared_->say(refusal(now, text), true);
+}
+
+void Ros2Requests::refuse(ros2::Input input, HostNs now, const std::string& why) {
+  // By input.
+  constexpr std::array<Note, ros2::kInputCount> kNotes = {
+      kVelocityRefused, kVelocityRefused, kDriveRefused, kPoseRefused,
+      kGoalRefused,     kCourseRefused,   kStopped};
+  note(kNotes.at(static_cast<std::size_t>(input)), now, name_of(input) + " refused: " + why);
 }
 
 void Ros2Requests::observe(const StepRecord& record) {
   drive_refusal_ = record.snapshot.drive_refusal;
   run_state_ = record.snapshot.run_state;
+  at_ = record.snapshot.world;
+  if (!start_) return;
+  // A person's request, or a STOP.
+  if (record.now_ns > start_->asked_ns && !record.inputs.requests.empty()) {
+    refuse(start_->input, record.now_ns, "another request came meanwhile");
+    return start_.reset();
+  }
+  go_on(*start_, record.snapshot, record.now_ns);
 }
 
 void Ros2Requests::take(const ros2::Received& received, HostNs now) {
@@ -57,10 +114,22 @@ void Ros2Requests::take(const ros2::Received& received, HostNs now) {
       if (received.gone) return;
       if (const auto at = ros2::read_pose(received, why)) return place(*at, now);
       break;
+    case ros2::Input::kGoal:
+      if (received.gone) return;
+      if (const auto to = ros2::read_pose(received, why))
+        return start(received, {.goal = course::Goal{.from = at_, .to = *to}}, now);
+      break;
+    case ros2::Input::kCourse:
+      if (received.gone) return;
+      if (const auto name = ros2::read_course(received, why))
+        return start(received, {.course = *name}, now);
+      break;
+    case ros2::Input::kStop:
+      // Whatever is in the message.
+      if (!received.gone) stop(now);
+      return;
   }
-  note(received.input == ros2::Input::kDrive ? kDriveRefused : kPoseRefused, now,
-       std::string(ros2::inputs().at(static_cast<std::size_t>(received.input)).name) +
-           " refused: " + why);
+  refuse(received.input, now, why);
 }
 
 // Only a change to true takes the wheel and so arms: a stream of it must not arm again whenever a
@@ -69,7 +138,7 @@ void Ros2Requests::drive(bool wanted, HostNs now) {
   const bool before = std::exchange(drive_wanted_, wanted);
   if (!wanted) {
     if (!token_.empty() && controls_.drive_release(token_, now).empty())
-      say(now, std::string(kTopic) + " releases the wheel");
+      reply(now, std::string(kTopic) + " releases the wheel");
     token_.clear();
     return;
   }
@@ -83,8 +152,8 @@ void Ros2Requests::drive(bool wanted, HostNs now) {
   writer_ = 0;
   token_.clear();
   if (why.empty()) why = controls_.drive_take(driver(), now, token_);
-  if (!why.empty()) return note(kDriveRefused, now, "/tp100/drive refused: " + why);
-  say(now, std::string(kTopic) + " takes the wheel");
+  if (!why.empty()) return refuse(ros2::Input::kDrive, now, why);
+  reply(now, std::string(kTopic) + " takes the wheel");
 }
 
 void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
@@ -93,7 +162,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
     if (token_.empty() || writer_ == 0 || writer_input_ != received.input) return;
     controls_.drive_lost(driver().id, now);
     token_.clear();
-    return say(now, std::string(kTopic) + " is gone");
+    return reply(now, std::string(kTopic) + " is gone");
   }
   if (token_.empty())
     return note(kNotTaken, now,
@@ -102,7 +171,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
     return note(kOtherWriter, now, "/cmd_vel has a second writer, which is ignored");
   std::string why;
   const auto wanted = ros2::read_velocity(received, why);
-  if (!wanted) return note(kVelocityRefused, now, "/cmd_vel refused: " + why);
+  if (!wanted) return refuse(received.input, now, why);
   writer_ = received.writer;
   writer_input_ = received.input;
   why = controls_.drive({.token = token_,
@@ -112,21 +181,76 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
                         now);
   if (why.empty() || controls_.driver(now).by == driver().name) return;
   token_.clear();
-  say(now, std::string(kTopic) + " drives no more");
+  reply(now, std::string(kTopic) + " drives no more");
 }
 
 void Ros2Requests::place(const Pose& at, HostNs now) {
-  if (under_way(run_state_))
-    return note(kPoseRefused, now,
-                "/initialpose refused: a run is under way, or somebody drives by hand; stop it "
-                "first");
-  controls_.place(at, [words = words_, now](const std::string& why, const std::string&) {
-    if (why.empty()) return;
-    words->add({.at_ns = now,
-                .kind = "client",
-                .level = messages::Event::Level::kWarning,
-                .text = "ROS 2: /initialpose refused: " + why});
+  if (under_way(run_state_)) return refuse(ros2::Input::kInitialPose, now, kUnderWay);
+  controls_.place(at, [shared = shared_, now](const std::string& why, const std::string&) {
+    if (!why.empty()) shared->say(refusal(now, "/initialpose refused: " + why), true);
   });
+}
+
+// What a person does on the page: choose, and then start.
+void Ros2Requests::start(const ros2::Received& received, const server::SetupChoice& choice,
+                         HostNs now) {
+  HostNs& silent_until_ns = silent_until_ns_.at(static_cast<std::size_t>(received.input));
+  if (now < std::exchange(silent_until_ns, now + kSilenceNs))
+    return note(kRepeated, now,
+                name_of(received.input) + " is repeated and starts nothing; send it once");
+  std::string why;
+  if (start_) {
+    why = name_of(start_->input) + " is about to start the robot";
+  } else if (under_way(run_state_)) {
+    why = kUnderWay;
+  } else if (ros2::in_time(received, why)) {
+    why = to_string(drive_refusal_);
+  }
+  if (!why.empty()) return refuse(received.input, now, why);
+  const std::uint32_t number = ++choices_;
+  start_ = {.number = number, .input = received.input, .choice = choice, .asked_ns = now};
+  controls_.choose(choice,
+                   [shared = shared_, number](const std::string& refused, const std::string&) {
+                     const std::lock_guard lock(shared->mutex);
+                     shared->choice = {number, refused};
+                   });
+}
+
+void Ros2Requests::go_on(Start& start, const Snapshot& snapshot, HostNs now) {
+  std::string why;
+  if (start.until_ns == 0) {
+    const std::lock_guard lock(shared_->mutex);
+    if (shared_->choice.first != start.number) return;
+    why = shared_->choice.second;
+    start.until_ns = now + kPatienceNs;
+  }
+  if (why.empty() && snapshot.start_refusal != StartRefusal::kNone && now < start.until_ns) return;
+  if (why.empty()) why = why_not(start, snapshot);
+  if (why.empty()) why = controls_.start();
+  const ros2::Input input = std::exchange(start_, std::nullopt)->input;
+  if (!why.empty()) return refuse(input, now, of_goal(why));
+  reply(now, "ROS 2 " + name_of(input) + " starts the robot");
+}
+
+std::string Ros2Requests::why_not(const Start& start, const Snapshot& snapshot) const {
+  const std::optional<course::Goal>& goal = start.choice.goal;
+  {
+    const std::lock_guard lock(shared_->mutex);
+    if (shared_->course != (goal ? course::kGoalCourse : *start.choice.course))
+      return "another course was chosen meanwhile";
+  }
+  if (goal && (magnitude(at_.x_m - goal->from.x_m, at_.y_m - goal->from.y_m) > kMostMovedM ||
+               std::abs(wrap_angle(at_.yaw_rad - goal->from.yaw_rad)) > kMostTurnedRad))
+    return "the robot has moved since; send it again";
+  return std::string(to_string(snapshot.start_refusal));
+}
+
+void Ros2Requests::stop(HostNs now) {
+  controls_.stop();
+  start_.reset();
+  note(kStopped, now, "/tp100/stop: STOP");
+  const std::lock_guard lock(shared_->mutex);
+  shared_->stopped = true;
 }
 
 }  // namespace tp100::live

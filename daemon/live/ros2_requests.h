@@ -5,7 +5,9 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/step_record.h"
@@ -19,27 +21,42 @@ class Ros2Requests {
  public:
   /// One line about a stream that is ignored is enough for this long, and one about a refusal.
   static constexpr HostNs kQuietNs = 10 * kNsPerS, kRefusedQuietNs = kNsPerS;
+  /// A message that starts the robot has none of its topic before it for this long: what a node
+  /// repeats starts nothing again after a STOP.
+  static constexpr HostNs kSilenceNs = 2 * kNsPerS;
+  /// A start that cannot begin this long after its course is in force is refused.
+  static constexpr HostNs kPatienceNs = 3 * kNsPerS;
 
   /// `controls` must outlive all requests that it was passed.
   explicit Ros2Requests(server::Controls& controls) : controls_(controls) {}
 
   // One thread, not the real-time one.
-  /// A step: whether the robot may be driven or placed follows from the last one.
+  /// A step: whether the robot may start, be driven or be placed follows from the last one.
   void observe(const StepRecord& record);
   void take(const ros2::Received& received, HostNs now);
+  /// The newest answer to a node, once.
+  std::optional<messages::Event> take_answer();
 
   // Any thread:
+  /// The course that is in force; empty: none. Call it before the choice of it is answered.
+  void set_course(const std::string& name);
   /// A line for log and viewers.
   void say(HostNs now, const std::string& text);
   /// Appends the lines since the last call.
   void take_words(std::vector<messages::Event>& words);
+  /// Whether there was a STOP since the last call.
+  bool take_stop();
 
  private:
-  /// Receives lines from threads of the controls, which may outlive these requests.
-  struct Words {
-    void add(messages::Event event);
+  /// What threads of the controls write, which may outlive these requests.
+  struct Shared {
+    void say(messages::Event event, bool answers);
     std::mutex mutex;
-    std::vector<messages::Event> all;
+    std::vector<messages::Event> words;
+    std::optional<messages::Event> answer;
+    std::string course;
+    std::pair<std::uint32_t, std::string> choice;  ///< number of the choice that was answered; why
+    bool stopped = false;
   };
   enum Note : std::uint8_t {
     kNotTaken,
@@ -48,23 +65,44 @@ class Ros2Requests {
     kVelocityRefused,
     kDriveRefused,
     kPoseRefused,
+    kGoalRefused,
+    kCourseRefused,
+    kStopped,
     kCount
+  };
+  /// A start whose course is being chosen.
+  struct Start {
+    std::uint32_t number = 0;  ///< of the choice
+    ros2::Input input{};
+    server::SetupChoice choice;
+    HostNs asked_ns = 0;
+    HostNs until_ns = 0;  ///< 0: the choice was not answered yet
   };
 
   void drive(bool wanted, HostNs now);
   void velocity(const ros2::Received& received, HostNs now);
   void place(const Pose& at, HostNs now);
+  void start(const ros2::Received& received, const server::SetupChoice& choice, HostNs now);
+  void go_on(Start& start, const Snapshot& snapshot, HostNs now);
+  std::string why_not(const Start& start, const Snapshot& snapshot) const;
+  void stop(HostNs now);
+  void reply(HostNs now, const std::string& text);
   void note(Note kind, HostNs now, const std::string& text);
+  void refuse(ros2::Input input, HostNs now, const std::string& why);
 
   server::Controls& controls_;
-  std::shared_ptr<Words> words_ = std::make_shared<Words>();
+  std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
   std::array<HostNs, kCount> quiet_until_ns_{};
   StartRefusal drive_refusal_ = StartRefusal::kNoSession;
   RunState run_state_ = RunState::kIdle;
+  Pose at_{};                  // in the course's world
   bool drive_wanted_ = false;  // as last received
   std::string token_;          // empty: ROS 2 does not drive
   std::uint64_t writer_ = 0;   // whose velocities count; 0: the next one's
   ros2::Input writer_input_{};
+  std::optional<Start> start_;
+  std::uint32_t choices_ = 0;
+  std::array<HostNs, ros2::kInputCount> silent_until_ns_{};  // of inputs that start
 };
 
 }  // namespace tp100::live

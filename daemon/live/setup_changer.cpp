@@ -150,9 +150,11 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
   const auto setup = asked.choice.setup ? bridge::setup_named(*asked.choice.setup)
                                         : std::optional(now->files.setup);
   if (!setup) throw SetupError("setup is \"stand\", \"flat\" or \"terrain\"");
-  const auto next = std::make_shared<const config::LoadedRun>(
-      config::with_files(*now, file(Bundled::kCourses, asked.choice.course, now->files.course),
-                         file(Bundled::kRobots, asked.choice.robot, now->files.robot), *setup));
+  const course::TextFile course =
+      asked.choice.goal ? course::course_to(now->files.course, *asked.choice.goal)
+                        : file(Bundled::kCourses, asked.choice.course, now->files.course);
+  const auto next = std::make_shared<const config::LoadedRun>(config::with_files(
+      *now, course, file(Bundled::kRobots, asked.choice.robot, now->files.robot), *setup));
   require_fit(next->setup);
   request->change.step.emplace(next->setup.parameters, next->setup.course);
   const wire::Parameters parameters = wire_parameters(next->setup);
@@ -161,9 +163,9 @@ std::unique_ptr<SetupRequest> SetupChanger::make(const Asked& asked) {
   const std::lock_guard lock(mutex_);
   next_ = next;
   json_ = names_json(*next);
-  const std::string course = course_name(*next);
-  text_ = (course.empty() ? "no course" : "course " + course) + ", robot " +
-          next->setup.robot.name + ", set-up " + bridge::to_string(*setup);
+  const std::string name = course_name(*next);
+  text_ = (name.empty() ? "no course" : "course " + name) + ", robot " + next->setup.robot.name +
+          ", set-up " + bridge::to_string(*setup);
   return request;
 }
 

@@ -386,7 +386,7 @@ void Supervisor::State::take_figures() {
 
 void Supervisor::State::take_words() {
   std::vector<messages::Event> words = link_monitor.take_words();
-  if (settings.ros2 != nullptr) settings.ros2->take_words(words);
+  if (settings.ros2 != nullptr) settings.ros2->take_words(words, *settings.server);
   log.words(words);
   for (const messages::Event& word : words) settings.server->take(word);
 }

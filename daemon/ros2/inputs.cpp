@@ -13,7 +13,7 @@ namespace {
 constexpr double kMaxVelocity = 100.0, kMaxPlaceM = 100.0;
 constexpr double kQuaternionError = 0.01;
 constexpr std::int64_t kMaxStampNs = std::int64_t{1} << 62U;
-constexpr std::size_t kMaxShownFrame = 64;
+constexpr std::size_t kMaxShown = 64, kLongestName = 64;
 
 bool finite(std::initializer_list<double> values) {
   for (const double value : values)
@@ -41,6 +41,26 @@ std::optional<VelocityRequest> velocity_of(const geometry_msgs::Twist& twist, st
   return std::nullopt;
 }
 
+std::optional<Pose> pose_of(const std_msgs::Header& header, const geometry_msgs::Pose& pose,
+                            std::string& why) {
+  if (!header.frame_id.empty() && header.frame_id != kMap) {
+    why = "a pose in frame '" + text::one_line(header.frame_id, kMaxShown) + "'; give it in 'map'";
+    return std::nullopt;
+  }
+  const geometry_msgs::Point& at = pose.position;
+  const geometry_msgs::Quaternion& q = pose.orientation;
+  const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  if (!finite({at.x, at.y, at.z, norm}) || std::abs(at.x) > kMaxPlaceM ||
+      std::abs(at.y) > kMaxPlaceM || std::abs(norm - 1.0) > kQuaternionError) {
+    why = "a pose that is not finite, farther than 100 m, or without a unit quaternion";
+    return std::nullopt;
+  }
+  return Pose{
+      .x_m = at.x,
+      .y_m = at.y,
+      .yaw_rad = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+}
+
 }  // namespace
 
 const std::array<InputText, kInputCount>& inputs() {
@@ -53,6 +73,9 @@ const std::array<InputText, kInputCount>& inputs() {
        {.reliable = false}},
       {Input::kDrive, "/tp100/drive", &std_msgs::Bool::kType, {}},
       {Input::kInitialPose, "/initialpose", &geometry_msgs::PoseWithCovarianceStamped::kType, {}},
+      {Input::kGoal, "/goal_pose", &geometry_msgs::PoseStamped::kType, {}},
+      {Input::kCourse, "/tp100/course", &std_msgs::String::kType, {}},
+      {Input::kStop, "/tp100/stop", &std_msgs::Empty::kType, {}},
   }};
   return kInputs;
 }
@@ -78,28 +101,37 @@ std::optional<bool> read_drive(const Received& received, std::string& why) {
 }
 
 std::optional<Pose> read_pose(const Received& received, std::string& why) {
-  const auto message = deserialized<geometry_msgs::PoseWithCovarianceStamped>(received.cdr);
-  if (!message) {
-    why = not_a(received);
-    return std::nullopt;
+  if (received.input == Input::kGoal) {
+    if (const auto goal = deserialized<geometry_msgs::PoseStamped>(received.cdr))
+      return pose_of(goal->header, goal->pose, why);
+  } else if (const auto at = deserialized<geometry_msgs::PoseWithCovarianceStamped>(received.cdr)) {
+    return pose_of(at->header, at->pose.pose, why);
   }
-  const std::string& frame = message->header.frame_id;
-  if (!frame.empty() && frame != kMap) {
-    why = "a pose in frame '" + text::one_line(frame, kMaxShownFrame) + "'; give it in 'map'";
-    return std::nullopt;
+  why = not_a(received);
+  return std::nullopt;
+}
+
+std::optional<std::string> read_course(const Received& received, std::string& why) {
+  const auto message = deserialized<std_msgs::String>(received.cdr);
+  if (message && !message->data.empty() && message->data.size() <= kLongestName)
+    return message->data;
+  why = message ? "the name of a course has 1 to 64 characters" : not_a(received);
+  return std::nullopt;
+}
+
+bool in_time(const Received& received, std::string& why) {
+  if (received.written_ns <= 0 || received.written_ns >= kMaxStampNs) {
+    why = "the message does not say when it was sent";
+    return false;
   }
-  const geometry_msgs::Point& at = message->pose.pose.position;
-  const geometry_msgs::Quaternion& q = message->pose.pose.orientation;
-  const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  if (!finite({at.x, at.y, at.z, norm}) || std::abs(at.x) > kMaxPlaceM ||
-      std::abs(at.y) > kMaxPlaceM || std::abs(norm - 1.0) > kQuaternionError) {
-    why = "a pose that is not finite, farther than 100 m, or without a unit quaternion";
-    return std::nullopt;
-  }
-  return Pose{
-      .x_m = at.x,
-      .y_m = at.y,
-      .yaw_rad = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+  const std::int64_t age_ns = received.taken_ns - received.written_ns;
+  if (age_ns <= kMostLateNs && age_ns >= -kMostLateNs) return true;
+  why = text::format(
+      "sent %.1f s ago by the clock of its sender, and no more than 2 s count; send it again, or "
+      "set "
+      "both machines' clocks",
+      to_s(age_ns));
+  return false;
 }
 
 }  // namespace tp100::ros2

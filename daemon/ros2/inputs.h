@@ -20,8 +20,11 @@ enum class Input : std::uint8_t {
   kVelocityStamped,  ///< /cmd_vel, stamped
   kDrive,            ///< /tp100/drive: take the wheel, or release it
   kInitialPose,      ///< /initialpose
+  kGoal,             ///< /goal_pose: start a course that leads there
+  kCourse,           ///< /tp100/course: start the course of that name
+  kStop,             ///< /tp100/stop: last, so that it undoes what arrives with it
 };
-inline constexpr std::size_t kInputCount = static_cast<std::size_t>(Input::kInitialPose) + 1;
+inline constexpr std::size_t kInputCount = static_cast<std::size_t>(Input::kStop) + 1;
 
 struct InputText {
   Input input{};
@@ -37,7 +40,8 @@ const std::array<InputText, kInputCount>& inputs();
 struct Received {
   Input input{};
   std::uint64_t writer = 0;     ///< no other writer of this domain has it
-  std::int64_t written_ns = 0;  ///< by the writer's own clock
+  std::int64_t written_ns = 0;  ///< Unix time by the writer's own clock
+  std::int64_t taken_ns = 0;    ///< the same by ours
   std::span<const std::uint8_t> cdr{};
   bool gone = false;  ///< no message: no writer is left on this topic
 };
@@ -56,7 +60,14 @@ struct VelocityRequest {
 std::optional<VelocityRequest> read_velocity(const Received& received, std::string& why);
 /// Of kDrive.
 std::optional<bool> read_drive(const Received& received, std::string& why);
-/// Of kInitialPose: x, y and yaw in `map`.
+/// Of kInitialPose and kGoal: x, y and yaw in `map`.
 std::optional<Pose> read_pose(const Received& received, std::string& why);
+/// Of kCourse.
+std::optional<std::string> read_course(const Received& received, std::string& why);
+
+/// How far the clock of a writer that starts the robot may be off, and how late its message may be.
+inline constexpr std::int64_t kMostLateNs = 2 * kNsPerS;
+/// Whether the message is no older than that; else `why` is set.
+bool in_time(const Received& received, std::string& why);
 
 }  // namespace tp100::ros2

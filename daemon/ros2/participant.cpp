@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "ros2/message_types.h"
 #include "text/format.h"
@@ -262,6 +263,7 @@ struct Reader {
         receive({.input = input,
                  .writer = info.publication_handle,
                  .written_ns = info.source_timestamp,
+                 .taken_ns = unix_now_ns(),
                  .cdr = info.valid_data ? std::span(data.bytes).first(data.size)
                                         : std::span<const std::uint8_t>{},
                  .gone = !info.valid_data});

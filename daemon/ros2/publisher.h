@@ -27,9 +27,12 @@ class Publisher : public messages::Sink {
     if (virtual_time_) send_(Topic::kGroundTruth, ground_truth(clock_.unix_ns(at), truth));
   }
   void take_setup(const messages::RunContext& run_context, HostNs at) override {
-    messages_ = TopicMessages(run_context, clock_, virtual_time_);
+    messages_.change_setup(run_context);
     messages_.begin(at, send_);
   }
+
+  /// What was answered to a node.
+  void answer(const messages::Event& answer) { messages_.answer(answer); }
 
  private:
   Participant& participant_;

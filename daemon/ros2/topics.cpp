@@ -183,6 +183,14 @@ diagnostic_msgs::DiagnosticStatus link_status(const StepRecord& record,
   return status;
 }
 
+diagnostic_msgs::DiagnosticStatus answer_status(const messages::Event& answer) {
+  using Status = diagnostic_msgs::DiagnosticStatus;
+  const bool refused = answer.level != messages::Event::Level::kInfo;
+  return {.level = refused ? Status::kWarn : Status::kOk,
+          .name = "tp100d: answer",
+          .message = answer.text};
+}
+
 }  // namespace
 
 const std::array<TopicText, kTopicCount>& topics() {
@@ -217,6 +225,16 @@ Bytes ground_truth(std::uint64_t unix_ns, const Pose& pose) {
 TopicMessages::TopicMessages(messages::RunContext run_context, messages::PublishClock clock,
                              bool virtual_time)
     : messages_(std::move(run_context), clock), virtual_time_(virtual_time) {}
+
+void TopicMessages::change_setup(messages::RunContext run_context) {
+  messages_ = messages::Messages(std::move(run_context), messages_.clock());
+  state_due_ns_ = 0;
+}
+
+void TopicMessages::answer(const messages::Event& answer) {
+  answer_ = answer;
+  state_due_ns_ = 0;
+}
 
 void TopicMessages::begin(HostNs at, const Send& send) const {
   const auto stamp = time_of(messages_.clock().unix_ns(at));
@@ -271,11 +289,12 @@ void TopicMessages::take(const StepRecord& record, const Send& send) {
       send(Topic::kBatteryState, serialized(battery_of(base, snapshot.sample)));
     }
   }
-  if (state_is_due(record))
-    send(Topic::kState,
-         serialized(diagnostic_msgs::DiagnosticArray{
-             .header = {.stamp = stamp(now)},
-             .status = {run_status(record, run_context), link_status(record, run_context)}}));
+  if (!state_is_due(record)) return;
+  diagnostic_msgs::DiagnosticArray state{
+      .header = {.stamp = stamp(now)},
+      .status = {run_status(record, run_context), link_status(record, run_context)}};
+  if (answer_) state.status.push_back(answer_status(*answer_));
+  send(Topic::kState, serialized(state));
 }
 
 }  // namespace tp100::ros2

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "core/step_record.h"
 #include "messages/messages.h"
@@ -69,6 +70,11 @@ class TopicMessages {
   /// `virtual_time`: also on /clock. The clock of headers is `clock`'s Unix time.
   TopicMessages(messages::RunContext run_context, messages::PublishClock clock, bool virtual_time);
 
+  /// Another course, robot or set-up is in force; begin() sends what is of it.
+  void change_setup(messages::RunContext run_context);
+  /// What the daemon last answered to a node: the next message of /tp100/state has it, and all
+  /// after it.
+  void answer(const messages::Event& answer);
   /// Sends what does not change: /robot_description, /tf_static, and /path if there is a course.
   void begin(HostNs at, const Send& send) const;
   /// Sends what follows from `record`. The robot's poses and measurements are stamped with the time
@@ -79,6 +85,7 @@ class TopicMessages {
   bool state_is_due(const StepRecord& record);
 
   messages::Messages messages_;
+  std::optional<messages::Event> answer_;
   bool virtual_time_;
   HostNs battery_due_ns_ = 0, state_due_ns_ = 0;
   SessionState session_ = SessionState::kClosed;

@@ -10,6 +10,7 @@
 #include "core/pose.h"
 #include "core/start_rule.h"
 #include "core/time.h"
+#include "course/goal.h"
 #include "messages/figures.h"
 #include "messages/parameter_text.h"
 #include "server/wheel.h"
@@ -18,9 +19,10 @@ namespace tp100::server {
 
 /// What an operator chooses; what is not named stays.
 struct SetupChoice {
-  std::optional<std::string> course;  ///< a name of the list; empty: none
-  std::optional<std::string> robot;   ///< a name of the list
-  std::optional<std::string> setup;   ///< stand, flat or terrain
+  std::optional<std::string> course{};  ///< a name of the list; empty: none
+  std::optional<std::string> robot{};   ///< a name of the list
+  std::optional<std::string> setup{};   ///< stand, flat or terrain
+  std::optional<course::Goal> goal{};   ///< in place of a name: the course that leads to it
 };
 
 /// One of the user's own files.

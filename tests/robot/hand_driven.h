@@ -153,6 +153,7 @@ class HandDriven {
     ros2_.take({.input = input,
                 .writer = writer,
                 .written_ns = kWriterClockNs + now() - from_s(age_s),
+                .taken_ns = kWriterClockNs + now(),
                 .cdr = ros2::serialized(message)},
                now());
   }

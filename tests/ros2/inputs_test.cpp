@@ -92,6 +92,69 @@ TEST_F(InputsTest, APoseIsOfTheMapAndAUnitQuaternion) {
   EXPECT_FALSE(read_pose(received(Input::kInitialPose, no_rotation), why_));
 }
 
+TEST_F(InputsTest, AGoalIsAPoseOfTheMap) {
+  const auto goal = [](double x_m, double yaw_rad, const std::string& frame) {
+    geometry_msgs::PoseStamped out{.header = {.frame_id = frame}};
+    out.pose.position.x = x_m;
+    out.pose.orientation = {.z = std::sin(yaw_rad / 2), .w = std::cos(yaw_rad / 2)};
+    return out;
+  };
+  for (const char* frame : {"map", ""}) {
+    const auto at = read_pose(received(Input::kGoal, goal(-2.5, -3.0, frame)), why_);
+    ASSERT_TRUE(at) << why_;
+    EXPECT_EQ(at->x_m, -2.5);
+    EXPECT_NEAR(at->yaw_rad, -3.0, 1e-12);
+  }
+  for (const std::string& frame : {std::string("odom"), std::string("/map"),
+                                   std::string("map\0", 4), std::string(9999, 'm')}) {
+    EXPECT_FALSE(read_pose(received(Input::kGoal, goal(0.0, 0.0, frame)), why_));
+    EXPECT_THAT(why_, HasSubstr("give it in 'map'"));
+    EXPECT_LT(why_.size(), 120u);
+  }
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity(), -1e300, 101.0}) {
+    EXPECT_FALSE(read_pose(received(Input::kGoal, goal(bad, 0.0, "map")), why_)) << bad;
+    auto turned = goal(0.0, 0.0, "map");
+    turned.pose.orientation.x = bad;
+    EXPECT_FALSE(read_pose(received(Input::kGoal, turned), why_)) << bad;
+  }
+  // Another type under that name.
+  EXPECT_FALSE(read_pose(received(Input::kGoal, pose(0.0, 0.0)), why_));
+  EXPECT_EQ(why_, "no geometry_msgs/msg/PoseStamped in little-endian CDR");
+  EXPECT_FALSE(read_pose(received(Input::kInitialPose, goal(0.0, 0.0, "map")), why_));
+}
+
+TEST_F(InputsTest, ACourseHasANameOf64CharactersAtMost) {
+  const auto name_of = [&](const std::string& name) {
+    return read_course(received(Input::kCourse, std_msgs::String{.data = name}), why_);
+  };
+  EXPECT_EQ(name_of("1-sharp"), "1-sharp");
+  EXPECT_TRUE(name_of(std::string(64, 'a')));
+  for (const std::string& bad : {std::string(), std::string(65, 'a'), std::string(1 << 20, 'a')}) {
+    EXPECT_FALSE(name_of(bad));
+    EXPECT_EQ(why_, "the name of a course has 1 to 64 characters");
+  }
+  EXPECT_FALSE(read_course(received(Input::kCourse, std_msgs::Bool{}), why_));
+}
+
+TEST_F(InputsTest, AStartIsAtMostTwoSecondsOld) {
+  Received message = received(Input::kCourse, std_msgs::String{.data = "3"});
+  const auto in_time_after = [&](std::int64_t ns) {
+    message.taken_ns = message.written_ns + ns;
+    return in_time(message, why_);
+  };
+  EXPECT_TRUE(in_time_after(0));
+  EXPECT_TRUE(in_time_after(kMostLateNs));
+  EXPECT_TRUE(in_time_after(-kMostLateNs));
+  EXPECT_FALSE(in_time_after(-kMostLateNs - 1));
+  EXPECT_FALSE(in_time_after(7 * kNsPerS));
+  EXPECT_THAT(why_, HasSubstr("sent 7.0 s ago"));
+  for (const std::int64_t bad : {std::int64_t{0}, std::numeric_limits<std::int64_t>::min(),
+                                 std::numeric_limits<std::int64_t>::max()}) {
+    message.written_ns = bad;
+    EXPECT_FALSE(in_time(message, why_)) << bad;
+  }
+}
+
 /// A value of every kind that CDR has.
 diagnostic_msgs::DiagnosticArray everything() {
   return {.header = {.stamp = {.sec = -1, .nanosec = 2}, .frame_id = "map"},
@@ -157,7 +220,7 @@ TEST_F(InputsTest, WhateverArrivesIsRefusedOrInItsRange) {
   int accepted = 0;
   for (int i = 0; i < 20'000; ++i) {
     Received message;
-    switch (random() % 4) {
+    switch (random() % 6) {
       case 0:
         message = received(Input::kVelocity, geometry_msgs::Twist{.linear = {.x = 0.1}});
         break;
@@ -167,6 +230,14 @@ TEST_F(InputsTest, WhateverArrivesIsRefusedOrInItsRange) {
         break;
       case 2:
         message = received(Input::kDrive, std_msgs::Bool{.data = true});
+        break;
+      case 3:
+        message =
+            received(Input::kGoal, geometry_msgs::PoseStamped{.header = {.frame_id = "map"},
+                                                              .pose = {.orientation = {.w = 1.0}}});
+        break;
+      case 4:
+        message = received(Input::kCourse, std_msgs::String{.data = "1-sharp"});
         break;
       default:
         message = received(Input::kInitialPose, pose(0.5, 1.0));
@@ -180,7 +251,11 @@ TEST_F(InputsTest, WhateverArrivesIsRefusedOrInItsRange) {
     bool taken = false;
     if (message.input == Input::kDrive) {
       taken = read_drive(message, why_).has_value();
-    } else if (message.input == Input::kInitialPose) {
+    } else if (message.input == Input::kCourse) {
+      const auto name = read_course(message, why_);
+      taken = name.has_value();
+      EXPECT_LE(name.value_or("").size(), 64u);
+    } else if (message.input == Input::kInitialPose || message.input == Input::kGoal) {
       const auto at = read_pose(message, why_);
       taken = at.has_value();
       const Pose pose_read = at.value_or(Pose{});

@@ -38,6 +38,8 @@ TEST(MessageType, HashesAreThoseOfRos2) {
        "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"},
       {&std_msgs::String::kType,
        "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"},
+      {&std_msgs::Empty::kType,
+       "RIHS01_20b625256f32d5dbc0d04fee44f43c41e51c70d3502f84b4a08e7a9c26a96312"},
       {&rmw_dds_common::ParticipantEntitiesInfo::kType,
        "RIHS01_91a0593bacdcc50ea9bdcf849a938b128412cc1ea821245c663bcd26f83c295e"},
   };

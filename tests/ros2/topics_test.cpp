@@ -114,6 +114,23 @@ TEST_F(TopicMessagesTest, StateAndBatteryComeOnceASecondAndTheStateAtAChange) {
   EXPECT_EQ(states, 7);
 }
 
+TEST_F(TopicMessagesTest, TheStateHasTheLastAnswerAndComesWithEachNewOne) {
+  const auto has = [&](const std::string& text) {
+    const Bytes& cdr = last_.at(Topic::kState);
+    return std::search(cdr.begin(), cdr.end(), text.begin(), text.end()) != cdr.end();
+  };
+  step(add_sample);
+  EXPECT_FALSE(has("tp100d: answer"));
+  step(add_sample);
+  messages_.answer({.level = messages::Event::Level::kWarning, .text = "/goal_pose refused: why"});
+  EXPECT_THAT(step(), ElementsAre(Topic::kState));
+  EXPECT_TRUE(has("tp100d: answer") && has("/goal_pose refused: why"));
+  EXPECT_THAT(step(), IsEmpty());
+  messages_.change_setup(on_course_one());
+  EXPECT_THAT(step(), ElementsAre(Topic::kState));
+  EXPECT_TRUE(has("/goal_pose refused: why"));
+}
+
 // `/odom`: header (4 + 8 + "odom"), child ("base_link"), then the pose from byte 40 and its
 // covariance from byte 96.
 TEST_F(TopicMessagesTest, TheOdometrysCovarianceIsTheFiltersWhereBothAreOne) {

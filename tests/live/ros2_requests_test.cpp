@@ -1,0 +1,267 @@
+// What starts the robot over ROS 2, and STOP. Driving: tests/robot/hand_drive_test.cpp.
+#include "live/ros2_requests.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "../server/fake_controls.h"
+#include "ros2/message_types.h"
+
+namespace tp100::live {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Whose choices are answered when the test says so.
+class SlowControls : public server::FakeControls {
+ public:
+  void choose(const server::SetupChoice& choice, Answer answer) override {
+    choices.push_back(choice);
+    answers.push_back(std::move(answer));
+  }
+  std::string start() override {
+    ++starts;
+    return why_not_start;
+  }
+  std::vector<Answer> answers;
+  std::string why_not_start;
+};
+
+class Ros2RequestsTest : public ::testing::Test {
+ protected:
+  Ros2RequestsTest() { step(); }
+
+  /// A step of the robot, 5 ms later.
+  void step(const std::function<void(StepRecord&)>& edit = [](StepRecord&) {}) {
+    now_ += 5 * kNsPerMs;
+    record_.now_ns = now_;
+    record_.inputs.requests.resize(0);
+    edit(record_);
+    requests_.observe(record_);
+  }
+  void wait(HostNs ns) {
+    for (const HostNs end = now_ + ns; now_ < end;) step();
+  }
+  void refuse_starts(StartRefusal why) {
+    step([&](StepRecord& record) {
+      record.snapshot.start_refusal = record.snapshot.drive_refusal = why;
+    });
+  }
+  template <class Message>
+  void send(ros2::Input input, const Message& message, HostNs age_ns = 0) {
+    const Bytes cdr = ros2::serialized(message);
+    requests_.take({.input = input,
+                    .writer = 1,
+                    .written_ns = kNsPerS * 1'000 + now_ - age_ns,
+                    .taken_ns = kNsPerS * 1'000 + now_,
+                    .cdr = cdr},
+                   now_);
+  }
+  void send_goal(double x_m, double y_m, HostNs age_ns = 0) {
+    ros2::geometry_msgs::PoseStamped goal{.header = {.frame_id = "map"}};
+    goal.pose = {.position = {.x = x_m, .y = y_m}, .orientation = {.w = 1.0}};
+    send(ros2::Input::kGoal, goal, age_ns);
+  }
+  void send_course(const std::string& name) {
+    send(ros2::Input::kCourse, ros2::std_msgs::String{.data = name});
+  }
+  /// The choice is in force, or refused.
+  void answer(const std::string& course, const std::string& why = "") {
+    if (why.empty()) requests_.set_course(course);
+    std::exchange(controls_.answers.back(), {})(why, "{}");
+  }
+  /// What was said since the last call.
+  std::string said() {
+    std::vector<messages::Event> words;
+    requests_.take_words(words);
+    std::string text;
+    for (const messages::Event& word : words) text += word.text + "\n";
+    return text;
+  }
+
+  SlowControls controls_;
+  Ros2Requests requests_{controls_};
+  StepRecord record_;
+  HostNs now_ = 0;
+};
+
+TEST_F(Ros2RequestsTest, AGoalChoosesTheCourseToItAndStartsIt) {
+  step([](StepRecord& record) { record.snapshot.world = {.x_m = 0.5, .yaw_rad = 1.0}; });
+  send_goal(1.0, 2.0);
+  ASSERT_EQ(controls_.choices.size(), 1u);
+  ASSERT_TRUE(controls_.choices[0].goal);
+  EXPECT_EQ(controls_.choices[0].goal->from.x_m, 0.5);
+  EXPECT_EQ(controls_.choices[0].goal->to.y_m, 2.0);
+  step();
+  EXPECT_EQ(controls_.starts, 0) << "the course is not in force yet";
+  answer("goal");
+  step();
+  EXPECT_EQ(controls_.starts, 1);
+  EXPECT_EQ(said(), "ROS 2 /goal_pose starts the robot\n");
+  wait(kNsPerS);
+  EXPECT_EQ(controls_.starts, 1);
+}
+
+TEST_F(Ros2RequestsTest, ACourseIsStartedByItsName) {
+  send_course("1-sharp");
+  EXPECT_EQ(controls_.choices.at(0).course, "1-sharp");
+  answer("1-sharp");
+  step();
+  EXPECT_EQ(controls_.starts, 1);
+  const auto answered = requests_.take_answer();
+  ASSERT_TRUE(answered);
+  EXPECT_EQ(answered->text, "ROS 2 /tp100/course starts the robot");
+  EXPECT_EQ(answered->level, messages::Event::Level::kInfo);
+  EXPECT_FALSE(requests_.take_answer());
+}
+
+TEST_F(Ros2RequestsTest, WhatTheChoiceRefusesIsSaid) {
+  send_goal(9.0, 0.0);
+  answer("goal", "goal.toml:7:1: the path leaves the fence at (1.800, 0.000) m");
+  step();
+  EXPECT_EQ(said(), "ROS 2: /goal_pose refused: the path leaves the fence at (1.800, 0.000) m\n");
+  EXPECT_EQ(requests_.take_answer()->level, messages::Event::Level::kWarning);
+  send_course("1-shrap");
+  answer("", "1-shrap: no such course; did you mean '1-sharp'?");
+  wait(kNsPerS);
+  send_course("");
+  EXPECT_EQ(controls_.choices.size(), 2u);
+  EXPECT_EQ(controls_.starts, 0);
+}
+
+TEST_F(Ros2RequestsTest, WhereThePagesStartIsRefusedNothingIsChosen) {
+  refuse_starts(StartRefusal::kNoSession);
+  send_goal(1.0, 0.0);
+  EXPECT_EQ(said(), "ROS 2: /goal_pose refused: no robot yet\n");
+  refuse_starts(StartRefusal::kDriven);
+  send_course("3");
+  step([](StepRecord& record) { record.snapshot.run_state = RunState::kRunning; });
+  wait(kNsPerS);
+  send_course("3");
+  EXPECT_THAT(controls_.choices, IsEmpty());
+  EXPECT_EQ(controls_.starts, 0);
+}
+
+TEST_F(Ros2RequestsTest, AStartThatCannotBeginSoonIsRefused) {
+  send_course("3");
+  answer("3");
+  refuse_starts(StartRefusal::kNotStill);
+  wait(2 * kNsPerS);
+  EXPECT_EQ(controls_.starts, 0);
+  EXPECT_EQ(said(), "");
+  wait(2 * kNsPerS);
+  EXPECT_EQ(said(),
+            "ROS 2: /tp100/course refused: the gyro is not still; leave the robot at rest for a "
+            "second\n");
+  refuse_starts(StartRefusal::kNone);
+  wait(kNsPerS);
+  EXPECT_EQ(controls_.starts, 0);
+  // Sooner, it begins.
+  wait(2 * kNsPerS);
+  send_course("3");
+  answer("3");
+  refuse_starts(StartRefusal::kNotStill);
+  wait(kNsPerS);
+  refuse_starts(StartRefusal::kNone);
+  EXPECT_EQ(controls_.starts, 1);
+}
+
+// As after a STOP: what a node repeats must not start the robot again.
+TEST_F(Ros2RequestsTest, AMessageThatIsRepeatedStartsOnce) {
+  for (int i = 0; i < 60; ++i) {
+    send_goal(1.0, 0.0);
+    if (i == 0) answer("goal");
+    wait(kNsPerS);
+  }
+  EXPECT_EQ(controls_.choices.size(), 1u);
+  EXPECT_EQ(controls_.starts, 1);
+  EXPECT_THAT(said(), HasSubstr("/goal_pose is repeated and starts nothing"));
+  wait(Ros2Requests::kSilenceNs);
+  send_goal(1.0, 0.0);
+  EXPECT_EQ(controls_.choices.size(), 2u);
+}
+
+TEST_F(Ros2RequestsTest, AMessageThatCameLateStartsNothing) {
+  send_goal(1.0, 0.0, 3 * kNsPerS);
+  EXPECT_THAT(controls_.choices, IsEmpty());
+  EXPECT_THAT(said(), HasSubstr("/goal_pose refused: sent 3.0 s ago by the clock of its sender"));
+}
+
+TEST_F(Ros2RequestsTest, WhoeverAsksMeanwhileEndsTheStart) {
+  for (const OperatorRequest other :
+       {OperatorRequest::kStop, OperatorRequest::kHold, OperatorRequest::kDrive}) {
+    wait(Ros2Requests::kSilenceNs);
+    send_course("3");
+    step([&](StepRecord& record) { record.inputs.requests.push(other); });
+    answer("3");
+    wait(kNsPerS);
+    EXPECT_EQ(controls_.starts, 0);
+    EXPECT_THAT(said(), HasSubstr("another request came meanwhile"));
+  }
+}
+
+TEST_F(Ros2RequestsTest, AStartIsOfItsOwnCourseAndPlaceOnly) {
+  send_course("3");
+  answer("3");
+  requests_.set_course("2");
+  step();
+  EXPECT_THAT(said(), HasSubstr("another course was chosen meanwhile"));
+  send_goal(1.0, 0.0);
+  answer("goal");
+  step([](StepRecord& record) { record.snapshot.world.x_m += 0.02; });
+  EXPECT_EQ(controls_.starts, 0);
+  // An answer of before is none to what is asked now.
+  wait(Ros2Requests::kSilenceNs);
+  send_course("3");
+  step([](StepRecord& record) { record.inputs.requests.push(OperatorRequest::kHold); });
+  wait(Ros2Requests::kSilenceNs);
+  send_course("3");
+  requests_.set_course("3");
+  controls_.answers.at(2)("", "{}");
+  wait(kNsPerS);
+  EXPECT_EQ(controls_.starts, 0);
+  answer("3");
+  step();
+  EXPECT_EQ(controls_.starts, 1);
+}
+
+TEST_F(Ros2RequestsTest, AStopNeedsNoMessageThatIsRightAndEndsAStart) {
+  send_course("3");
+  send(ros2::Input::kStop, ros2::std_msgs::String{.data = "not empty"});
+  answer("3");
+  wait(kNsPerS);
+  EXPECT_EQ(controls_.stops, 1);
+  EXPECT_EQ(controls_.starts, 0);
+  EXPECT_TRUE(requests_.take_stop());
+  EXPECT_FALSE(requests_.take_stop());
+  requests_.take({.input = ros2::Input::kStop}, now_);
+  EXPECT_EQ(controls_.stops, 2);
+  requests_.take({.input = ros2::Input::kStop, .gone = true}, now_);
+  EXPECT_EQ(controls_.stops, 2);
+  EXPECT_THAT(said(), HasSubstr("/tp100/stop: STOP"));
+}
+
+TEST_F(Ros2RequestsTest, ARefusalHidesNoneOfAnotherTopic) {
+  requests_.take({.input = ros2::Input::kGoal}, now_);
+  send_course("");
+  EXPECT_THAT(said(),
+              testing::AllOf(HasSubstr("/goal_pose refused"), HasSubstr("/tp100/course refused")));
+}
+
+TEST_F(Ros2RequestsTest, WhatIsRefusedAgainAndAgainIsSaidOnceASecond) {
+  for (int i = 0; i < 1'000; ++i) {
+    requests_.take({.input = ros2::Input::kGoal, .writer = 1}, now_);
+    step();
+  }
+  const std::string all = said();
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 5);
+  EXPECT_THAT(all, HasSubstr("/goal_pose refused: no geometry_msgs/msg/PoseStamped"));
+}
+
+}  // namespace
+}  // namespace tp100::live
