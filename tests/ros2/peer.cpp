@@ -31,6 +31,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -218,8 +219,11 @@ int main(int argc, char** argv) {
         participant->create_topic(name, type.get_type_name(), fast::TOPIC_QOS_DEFAULT);
     if (topic == nullptr) return 1;
     if (publishes) {
-      auto* const writer =
-          publisher->create_datawriter(topic, with(fast::DATAWRITER_QOS_DEFAULT, qos), &matches);
+      fast::DataWriterQos offered = with(fast::DATAWRITER_QOS_DEFAULT, qos);
+      // As of another version of the type: what counts is what is received.
+      constexpr std::string_view kOther = "typehash=RIHS01_00;";
+      offered.user_data().data_vec({kOther.begin(), kOther.end()});
+      auto* const writer = publisher->create_datawriter(topic, offered, &matches);
       if (writer == nullptr) return 1;
       writers[argument.substr(0, second)] = writer;
       continue;

@@ -1,0 +1,122 @@
+// The robot started over ROS 2's topics by Fast DDS (ros2_peer), in a network of its own (in_network).
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readdir } from 'node:fs/promises';
+import { join } from 'node:path';
+import test from 'node:test';
+import { angles, decode } from './ros2.mjs';
+import { pause } from './ros2_driver.mjs';
+import { Peer, ddsType, program, withRobot } from './ros2_network.mjs';
+
+const limits = { timeout: 240_000 };
+const on = '[ros2]\nenabled = true';
+const pose = 'geometry_msgs/msg/PoseStamped', string = 'std_msgs/msg/String', empty = 'std_msgs/msg/Empty';
+const diagnostics = 'diagnostic_msgs/msg/DiagnosticArray', fused = 'geometry_msgs/msg/PoseWithCovarianceStamped';
+const silenceMs = 2100;
+const busy = /refused: (no robot|no fresh sample|the gyro|the robot|another request)|state: (arming|running) -> (aborted|idle)/;
+
+/** A node that starts the robot, and what the daemon's log says of it. */
+class Starter {
+  constructor(run) {
+    this.run = run;
+    this.asked = new Map();
+    this.peer = new Peer(42, [`+rt/goal_pose=${ddsType(pose)}=RV`, `+rt/tp100/course=${ddsType(string)}=RV`,
+      `+rt/tp100/stop=${ddsType(empty)}=RV`, `rt/tp100/state=${ddsType(diagnostics)}=RV`, `rt/pose/fused=${ddsType(fused)}=RV`,
+      `rt/ground_truth=${ddsType(pose)}=RV`]);
+  }
+  /** Asks, once that is no repetition, until the log has that line; again where a busy machine ends the run or its start. */
+  async ask(topic, type, message, answer) {
+    await this.peer.matched(topic, type);
+    for (let line = ''; !answer.test(line);) {
+      for (const next = (this.asked.get(topic) ?? 0) + silenceMs; Date.now() < next;) await pause(25);
+      const before = this.run.lines.length;
+      this.peer.publish(topic, type, message);
+      this.asked.set(topic, Date.now());
+      line = await this.said(new RegExp(`${answer.source}|${busy.source}`), before);
+    }
+  }
+  async said(pattern, from) {
+    for (;;) {
+      const line = this.run.lines.slice(from).find((each) => pattern.test(each));
+      if (line !== undefined) return line;
+      await pause(25);
+    }
+  }
+  goal(x, y, yaw, answer, frame_id = 'map') {
+    return this.ask('/goal_pose', pose, { header: { frame_id },
+      pose: { position: { x, y }, orientation: { z: Math.sin(yaw / 2), w: Math.cos(yaw / 2) } } }, answer);
+  }
+  course(data, answer) {
+    return this.ask('/tp100/course', string, { data }, answer);
+  }
+  stop() {
+    return this.ask('/tp100/stop', empty, {}, /\/tp100\/stop: STOP|-> aborted/);
+  }
+  /** The answer in the newest /tp100/state. */
+  answer() {
+    const newest = this.peer.messages('/tp100/state').at(-1);
+    return newest && decode(diagnostics, newest).status.find(({ name }) => name === 'tp100d: answer');
+  }
+}
+const withStarter = (work) => withRobot(async ({ folder, daemon }) => {
+  const records = join(folder, 'runs');
+  const run = await daemon(on, ['--stay', '--wait', '--course', '1-straight', '--record', records]);
+  const starter = new Starter(run);
+  // The first run begins by itself.
+  await run.said(/state: arming -> running/);
+  await starter.stop();
+  await run.said(/state: running -> aborted/);
+  await work(starter, run);
+  await starter.peer.end();
+  run.child.kill('SIGTERM');
+  await run.exit;
+  // Bit for bit, whatever course it was.
+  for (const record of await readdir(records)) execFileSync(program('tp100d'), ['replay', join(records, record), '--out', join(folder, 'again')], { stdio: 'ignore' });
+}, ['--ros2']);
+
+test('a node sends the robot to a goal, and then on a course by its name', limits, (t) => withStarter(async (starter, run) => {
+  const [x, y, yaw] = [0.5, 0.3, 2.0];
+  await starter.goal(x, y, yaw, /state: running -> finished/);
+  assert.ok(run.lines.some((line) => /course goal, robot/.test(line)));
+  for (const [topic, type] of [['/pose/fused', fused], ['/ground_truth', pose]]) {
+    const message = decode(type, starter.peer.messages(topic).at(-1));
+    const at = message.pose.pose ?? message.pose;
+    const off = { m: Math.hypot(at.position.x - x, at.position.y - y), rad: Math.abs(angles(at.orientation).yaw - yaw) };
+    t.diagnostic(`${topic}: ${(off.m * 1000).toFixed(1)} mm, ${(off.rad * 180 / Math.PI).toFixed(2)} deg from the goal`);
+    assert.ok(off.m < 0.05 && off.rad < 0.1, `${topic}: ${JSON.stringify(at)}`);
+  }
+  const from = run.lines.length;
+  await starter.course('1-curve', /state: arming -> running/);
+  await starter.stop();
+  await starter.said(/state: running -> aborted/, from);
+  assert.ok(run.lines.some((line) => /course 1-curve, robot/.test(line)));
+}));
+
+test('what starts no run is refused with its reason', limits, () => withStarter(async (starter, run) => {
+  await starter.course('1-shrap', /\/tp100\/course refused: 1-shrap: no such course; did you mean '1-sharp'/);
+  await starter.peer.until(() => starter.answer()?.message.includes("did you mean '1-sharp'"));
+  assert.equal(starter.answer().level, 1);
+  await starter.goal(5, 0, 0, /\/goal_pose refused: the path leaves the fence at \(1\.8/);
+  await starter.goal(0.5, 0, 0, /\/goal_pose refused: a pose in frame 'odom'; give it in 'map'/, 'odom');
+  await starter.goal(NaN, 0, 0, /\/goal_pose refused: a pose that is not finite/);
+  // Nothing, other types, big-endian, 64 KB; of two refusals within a second the log has one.
+  const none = /\/goal_pose refused: no geometry_msgs\/msg\/PoseStamped in little-endian CDR/;
+  for (; !run.lines.some((line) => none.test(line)); await pause(500))
+    for (const cdr of ['00', '00010000', '00000000', `00010000${'00'.repeat(56)}`, `00010000${'ff'.repeat(65000)}`])
+      starter.peer.process.stdin.write(`rt/goal_pose=${ddsType(pose)} ${cdr}\n`);
+  // A type of another name is not received at all.
+  const other = new Peer(42, ['+rt/goal_pose=geometry_msgs::msg::dds_::Pose_=RV', `+rt/tp100/stop=${ddsType(empty)}=RV`]);
+  await other.matched('/tp100/stop', empty);
+  assert.ok(!other.found.some(({ matched, count }) => matched?.startsWith('rt/goal_pose') && count > 0));
+  await other.end();
+}));
+
+test('where nothing else is taken from nodes, a STOP is', limits, () => withRobot(async ({ daemon }) => {
+  const run = await daemon(`${on}\n[server]\ncommands = "none"`, ['--stay', '--wait', '--course', '1-straight']);
+  const starter = new Starter(run);
+  await run.said(/state: arming -> running/);
+  await starter.stop();
+  await run.said(/state: running -> aborted/);
+  assert.ok(!starter.peer.found.some(({ matched, count }) => matched?.startsWith('rt/goal_pose') && count > 0));
+  await starter.peer.end();
+}));
