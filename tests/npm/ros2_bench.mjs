@@ -1,5 +1,5 @@
-// ros2_bench.mjs SECONDS ROUNDS TRIALS: how soon ROS 2's topics arrive, what they cost, and how soon the robot is told to
-// stop when its driver is lost, as JSON rows; 0 leaves a part out. Run it in_network.
+// ros2_bench.mjs SECONDS ROUNDS TRIALS [LOSS]: how soon ROS 2's topics arrive, what they cost, and how soon the robot is
+// told to stop when its driver is lost, in each way or in that one, as JSON rows; 0 leaves a part out. Run it in_network.
 import { execFileSync } from 'node:child_process';
 import { readFile, readdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -8,7 +8,9 @@ import { decode, nanoseconds } from './ros2.mjs';
 import { loseDriver, losses, movedAfter } from './ros2_driver.mjs';
 import { Peer, latched, percentile, program, topics, withRobot, withSecondHost } from './ros2_network.mjs';
 
-const [seconds, rounds, trials] = process.argv.slice(2).map(Number);
+const [seconds, rounds, trials] = process.argv.slice(2, 5).map(Number);
+const ways = process.argv[5] ? [process.argv[5]] : Object.keys(losses);
+if (ways.some((way) => !(way in losses))) throw new Error(`no way to lose a driver: ${ways}; there is: ${Object.keys(losses).join(', ')}`);
 const print = (row) => console.log(JSON.stringify(row));
 const on = '[ros2]\nenabled = true';
 
@@ -91,7 +93,7 @@ async function measureLoop() {
 
 /** Each way to lose a driver of another machine. */
 const measureLosses = () => withSecondHost((under) => withRobot(async ({ folder, daemon }) => {
-  for (const loss of Object.keys(losses)) {
+  for (const loss of ways) {
     const record = join(folder, loss);
     const run = await daemon(`${on}\ninterface = "eth0"\n[server]\ncommands = "all"`, ['--wait', '--record', record], '');
     const times = await loseDriver(run, loss, trials, { under });
