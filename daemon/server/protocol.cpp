@@ -199,8 +199,11 @@ std::optional<std::vector<RequestField>> parse_request(std::string_view text) {
   if (text.empty()) return fields;
   const std::optional<Json> json = parse(text);
   if (!json) return std::nullopt;
-  for (const auto& [name, content] : json->items())
-    if (auto value = parameter_value(content)) fields.push_back({name, std::move(*value)});
+  for (const auto& [name, content] : json->items()) {
+    fields.push_back({name, RequestField::Other{}});
+    if (auto value = parameter_value(content))
+      std::visit([&](auto& plain) { fields.back().value = std::move(plain); }, *value);
+  }
   return fields;
 }
 

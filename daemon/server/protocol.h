@@ -67,11 +67,12 @@ using ClientMessage = std::variant<Subscribe, Unsubscribe, GetParameters, SetPar
 ClientMessage parse_text(std::string_view text);
 ClientMessage parse_binary(std::span<const std::uint8_t> bytes);
 
-/// Fields of a JSON object of plain values, for service requests; nothing if `text` is no object.
-/// Nested values are left out.
+/// Fields of a JSON object, for service requests; nothing if `text` is no object.
 struct RequestField {
+  struct Other {};  ///< null, a list or an object: no argument is one
+  using Value = std::variant<double, bool, std::string, Other>;
   std::string name;
-  messages::ParameterValue value;
+  Value value;
 };
 std::optional<std::vector<RequestField>> parse_request(std::string_view text);
 

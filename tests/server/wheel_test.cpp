@@ -138,11 +138,11 @@ TEST(DriveRequest, NeedsEveryFieldOfItsTypeAndRangeAndNoOther) {
     Fields missing = good;
     missing.erase(missing.begin() + static_cast<std::ptrdiff_t>(i));
     EXPECT_FALSE(drive_request(missing, why)) << good[i].name;
-    for (const messages::ParameterValue& value :
-         {messages::ParameterValue(true), messages::ParameterValue(std::string("x")),
-          messages::ParameterValue(std::numeric_limits<double>::quiet_NaN()),
-          messages::ParameterValue(std::numeric_limits<double>::infinity()),
-          messages::ParameterValue(-1e300)}) {
+    for (const RequestField::Value& value :
+         {RequestField::Value(true), RequestField::Value(std::string("x")),
+          RequestField::Value(std::numeric_limits<double>::quiet_NaN()),
+          RequestField::Value(std::numeric_limits<double>::infinity()),
+          RequestField::Value(-1e300)}) {
       if (i == 0 && std::holds_alternative<std::string>(value)) continue;
       Fields wrong = good;
       wrong[i].value = value;
