@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "config/parameter_file.h"
 #include "core/angle.h"
 #include "course/robot.h"
 #include "text/key.h"
@@ -235,14 +236,14 @@ std::optional<ParameterChange> change_for(const ParameterText& parameter,
 
 std::vector<ParameterText> parameter_list(const config::Configuration& configuration,
                                           const course::Robot& robot) {
-  std::vector<text::KeyText> keys = config::configuration_keys(configuration);
-  for (text::KeyText& key : course::robot_keys(robot)) keys.push_back(std::move(key));
   std::vector<ParameterText> out;
-  for (text::KeyText& key : keys) {
+  for (text::KeyText& key : config::configuration_keys(configuration)) {
     const LiveKey* live = live_key(key.name);
     const bool only_at_standstill = live != nullptr && live->parameter == LiveParameter::kSteering;
-    out.push_back({std::move(key), live != nullptr, only_at_standstill});
+    const bool may_save = config::may_save(key);
+    out.push_back({std::move(key), live != nullptr, only_at_standstill, may_save});
   }
+  for (text::KeyText& key : course::robot_keys(robot)) out.push_back({std::move(key)});
   return out;
 }
 

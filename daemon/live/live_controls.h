@@ -56,6 +56,12 @@ class LiveControls : public server::Controls {
   void check_file(const server::SetupFile& file, Answer answer) override {
     setup_.check(file, answer);
   }
+  void save_parameters(const server::ParameterSave& asked, Answer answer) override {
+    setup_.save_parameters(asked, answer);
+  }
+  void restore_parameters(bool check, Answer answer) override {
+    setup_.restore_parameters(check, answer);
+  }
   messages::LoopFigures loop() override;
   messages::PortFigures port() override;
   messages::RecordingFigures recording() override;

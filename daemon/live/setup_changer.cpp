@@ -1,19 +1,24 @@
 #include "live/setup_changer.h"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "bridge/cycle.h"
+#include "config/parameter_file.h"
 #include "core/angle.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "live/setup_list.h"
+#include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
 namespace tp100::live {
 namespace {
 
+namespace fs = std::filesystem;
 using course::Bundled;
 
 // A robot that was stopped has come to rest, and the gyro has seen it, in less.
@@ -74,6 +79,60 @@ std::string name_json(const std::string& name) {
 
 Bundled kind_of(const server::SetupFile& file) {
   return file.is_robot ? Bundled::kRobots : Bundled::kCourses;
+}
+
+std::string kept_path(const std::string& path) { return path + ".bak"; }
+
+bool is_file(const std::string& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// Throws SetupError if a daemon that is started with this configuration alone could not find its
+/// files, or they do not fit together.
+void require_start(const course::TextFile& configuration) {
+  const config::Configuration read =
+      config::parse_configuration(configuration.text, configuration.path);
+  const std::string library = library_folder(read.library);
+  config::RunFiles files{.configuration = configuration,
+                         .robot = read_setup_file(Bundled::kRobots, read.robot, library),
+                         .course = {},
+                         .setup = read.parameters.setup,
+                         .world = read.parameters.world.kind};
+  if (!read.course.empty()) files.course = read_setup_file(Bundled::kCourses, read.course, library);
+  require_fit(config::parse_run(files));
+}
+
+/// Unless `check`, puts `next` in the place of the configuration file, and that into FILE.bak.
+/// Returns the answer.
+std::string replaced(const course::TextFile& now, const std::string& next, bool check) {
+  const auto differences = config::parameter_differences(now, {now.path, next});
+  for (const config::ParameterDifference& each : differences)
+    if (each.name == "robot" || each.name == "course" || each.name == "setup") {
+      require_start({now.path, next});
+      break;
+    }
+  const bool written = !check && next != now.text;
+  if (written) {
+    text::write_file(kept_path(now.path), now.text);
+    text::write_file(now.path, next);
+  }
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object()
+      .field("file", fs::path(now.path).filename().string())
+      .field("written", written)
+      .field("may_restore", is_file(kept_path(now.path)))
+      .key("differences")
+      .begin_array();
+  for (const config::ParameterDifference& each : differences)
+    json.begin_object()
+        .field("name", each.name)
+        .field("before", each.before)
+        .field("after", each.after)
+        .end_object();
+  json.end_array().end_object();
+  return text;
 }
 
 }  // namespace
@@ -235,6 +294,31 @@ void SetupChanger::remove(const server::SetupFile& file, const Answer& answer) {
 void SetupChanger::check(const server::SetupFile& file, const Answer& answer) {
   on_disk(answer, [this, file] {
     return checked_file(*run(), kind_of(file), {file.name + ".toml", file.text});
+  });
+}
+
+course::TextFile SetupChanger::configuration_file() const {
+  const std::string path = run()->files.configuration.path;
+  if (path.empty())
+    throw SetupError("tp100d has no configuration file to save into: start it with --config FILE");
+  if (!is_file(path))
+    throw SetupError(fs::path(path).filename().string() + ": is no file any more");
+  return course::read_text_file(path);
+}
+
+void SetupChanger::save_parameters(const server::ParameterSave& asked, const Answer& answer) {
+  on_disk(answer, [this, asked] {
+    const course::TextFile now = configuration_file();
+    return replaced(now, config::with_parameters(now, asked.values), asked.check);
+  });
+}
+
+void SetupChanger::restore_parameters(bool check, const Answer& answer) {
+  on_disk(answer, [this, check] {
+    const course::TextFile now = configuration_file();
+    if (!is_file(kept_path(now.path)))
+      throw SetupError("nothing was saved yet: there is no file to restore");
+    return replaced(now, course::read_text_file(kept_path(now.path)).text, check);
   });
 }
 

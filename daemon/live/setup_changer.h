@@ -32,6 +32,10 @@ class SetupChanger {
   void save(const server::SetupFile& file, const Answer& answer);
   void remove(const server::SetupFile& file, const Answer& answer);
   void check(const server::SetupFile& file, const Answer& answer);
+  /// Of the configuration file as it is on the disk then; what it replaces is kept as FILE.bak.
+  void save_parameters(const server::ParameterSave& asked, const Answer& answer);
+  /// Exchanges the configuration file and FILE.bak.
+  void restore_parameters(bool check, const Answer& answer);
   /// Whether a change of course, robot or set-up is on its way: then no run may be started.
   bool changing() const;
 
@@ -66,6 +70,7 @@ class SetupChanger {
   template <class Job>
   void on_disk(const Answer& answer, Job job);
   std::shared_ptr<const config::LoadedRun> run() const;
+  course::TextFile configuration_file() const;
 
   LiveCycle& cycle_;
   const SetupFiles files_;

@@ -85,6 +85,7 @@ std::string parameters_message(const std::vector<ParameterText>& parameters) {
         .field("meaning", parameter.meaning)
         .field("live", parameter.live)
         .field("when", parameter.only_at_standstill ? "not running" : "always")
+        .field("may_save", parameter.may_save)
         .end_object();
   }
   json.end_array().end_object();

@@ -15,6 +15,7 @@ using ParameterValue = text::KeyText::Value;
 struct ParameterText : text::KeyText {
   bool live = false;                ///< can be set while the daemon runs
   bool only_at_standstill = false;  ///< ... but not during a run
+  bool may_save = false;            ///< a viewer may save it into the configuration file
 };
 
 /// Why `value` is not allowed for that parameter; empty if it is: right type, finite, in range.

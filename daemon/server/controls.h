@@ -6,6 +6,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/pose.h"
 #include "core/start_rule.h"
@@ -31,6 +33,12 @@ struct SetupFile {
   std::string name;
   std::string text{};
   bool replace = false;  ///< an existing one
+};
+
+/// Parameters for the configuration file; names, types and limits are right.
+struct ParameterSave {
+  std::vector<std::pair<std::string, messages::ParameterValue>> values{};
+  bool check = false;  ///< says what would change, and writes nothing
 };
 
 class Controls {
@@ -79,6 +87,9 @@ class Controls {
   virtual void delete_file(const SetupFile& file, Answer answer) = 0;
   /// Answers with what is wrong with the text; writes nothing.
   virtual void check_file(const SetupFile& file, Answer answer) = 0;
+  virtual void save_parameters(const ParameterSave& asked, Answer answer) = 0;
+  /// Exchanges the configuration file and the one that the last save has kept.
+  virtual void restore_parameters(bool check, Answer answer) = 0;
 
   // Figures known outside the server; cheap enough to be polled.
   virtual messages::LoopFigures loop() = 0;

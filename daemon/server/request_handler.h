@@ -74,6 +74,8 @@ class RequestHandler {
   std::string drive(const std::vector<RequestField>& request, HostNs now);
   std::string drive_release(const std::vector<RequestField>& request, HostNs now);
   std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
+  std::string save_parameters(const std::vector<RequestField>& request, Controls::Answer answer);
+  std::string restore_parameters(const std::vector<RequestField>& request, Controls::Answer answer);
   bool under_way() const;
   Controls::Answer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
                                 std::uint32_t call) const;

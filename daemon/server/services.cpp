@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kMaxShownArgument = 64;
 constexpr const char* kNameRule =
     "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
+constexpr const char* kSaved = R"({"file":"","written":true,"may_restore":true,)"
+                               R"("differences":[{"name":"","before":"","after":""}]})";
 constexpr double kMaxPlaceM = 100.0, kMaxYawRad = 100.0;
 
 struct Row {
@@ -83,6 +85,18 @@ const std::vector<Row>& rows() {
        R"({"error":"","line":1,"column":1,"why_not":"","length_m":1.5,"duration_s":1.5})"},
       {Service::kPause, "pause", "Pause", {}, "{}", R"({"accepted":true})"},
       {Service::kResume, "resume", "Resume", {}, "{}", R"({"accepted":true})"},
+      {Service::kParametersSave,
+       "parameters_save",
+       "ParametersSave",
+       {},
+       R"({"check":true})",
+       kSaved},
+      {Service::kParametersRestore,
+       "parameters_restore",
+       "ParametersRestore",
+       {"check"},
+       R"({"check":true})",
+       kSaved},
   };
   return kRows;
 }
@@ -120,6 +134,8 @@ const std::vector<ServiceText>& services() {
 }
 
 std::string unknown_argument(Service service, const Arguments& arguments) {
+  // Its arguments are parameters.
+  if (service == Service::kParametersSave) return {};
   const auto& known = rows().at(static_cast<std::size_t>(service) - 1).arguments;
   for (const RequestField& field : arguments)
     if (std::ranges::find(known, field.name) == known.end())
@@ -174,6 +190,48 @@ std::string read_file(const Arguments& arguments, SetupFile& file) {
     if (const bool* replace = std::get_if<bool>(&field.value)) file.replace = *replace;
   if (text::is_file_name(file.name)) return {};
   return kNameRule;
+}
+
+std::string read_check(const Arguments& arguments, bool& check) {
+  if (arguments.empty()) return {};
+  const bool* value = std::get_if<bool>(&arguments.front().value);
+  if (value == nullptr) return "check is true or false";
+  check = *value;
+  return {};
+}
+
+std::string read_parameters(const Arguments& arguments,
+                            const std::vector<messages::ParameterText>& known,
+                            ParameterSave& asked) {
+  for (const RequestField& field : arguments) {
+    if (field.name == "check") {
+      std::string why = read_check({field}, asked.check);
+      if (!why.empty()) return why;
+      continue;
+    }
+    const auto found = std::ranges::find(known, field.name, &messages::ParameterText::name);
+    if (found == known.end())
+      return "there is no parameter '" + text::one_line(field.name, kMaxShownArgument) + "'";
+    if (!found->may_save)
+      return field.name + (field.name.starts_with("robot.")
+                               ? " is a value of the robot's file; change it there"
+                               : " is not saved for viewers; set it in the file");
+    messages::ParameterValue value;
+    if (const auto* number = std::get_if<double>(&field.value)) value = *number;
+    if (const auto* flag = std::get_if<bool>(&field.value)) value = *flag;
+    if (const auto* words = std::get_if<std::string>(&field.value)) {
+      value = *words;
+      const bool name = found->type == messages::ParameterText::Type::kText;
+      if (name && !words->empty() && !text::is_file_name(*words))
+        return field.name + ": " + kNameRule;
+    }
+    if (std::holds_alternative<RequestField::Other>(field.value))
+      return field.name + " takes no value of that type";
+    std::string why = messages::why_not(*found, value);
+    if (!why.empty()) return why;
+    asked.values.emplace_back(field.name, std::move(value));
+  }
+  return asked.values.empty() ? "name parameters and their values" : "";
 }
 
 std::string stop_answer(const messages::StopFigures& stop) {

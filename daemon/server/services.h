@@ -32,6 +32,8 @@ enum class Service : std::uint32_t {
   kFileCheck,
   kPause,
   kResume,
+  kParametersSave,
+  kParametersRestore,
 };
 
 /// All of them, in the enum's order.
@@ -50,6 +52,13 @@ std::string read_choice(const Arguments& arguments, SetupChoice& choice);
 std::string read_place(const Arguments& arguments, std::optional<Pose>& at);
 /// Of file_save, file_delete and file_check.
 std::string read_file(const Arguments& arguments, SetupFile& file);
+
+/// Of parameters_save: names of `known` that may be saved, each with a value that it takes.
+std::string read_parameters(const Arguments& arguments,
+                            const std::vector<messages::ParameterText>& known,
+                            ParameterSave& asked);
+/// Of parameters_restore.
+std::string read_check(const Arguments& arguments, bool& check);
 
 /// The response of stop.
 std::string stop_answer(const messages::StopFigures& stop);

@@ -34,7 +34,9 @@ constexpr char kStart = number_of(server::Service::kStart),
                kStop = number_of(server::Service::kStop),
                kChoose = number_of(server::Service::kChoose),
                kPlace = number_of(server::Service::kPlace),
-               kSave = number_of(server::Service::kFileSave);
+               kSave = number_of(server::Service::kFileSave),
+               kSaveParameters = number_of(server::Service::kParametersSave),
+               kRestoreParameters = number_of(server::Service::kParametersRestore);
 
 class SetupChange : public ::testing::Test {
  protected:
@@ -206,6 +208,44 @@ TEST_F(SetupChange, WithAnExternalWorldNothingIsChanged) {
     EXPECT_THAT(ask(viewer, kPlace, R"({"at":"start"})"), HasSubstr("external world"));
   });
   fs::current_path(before);
+}
+
+TEST_F(SetupChange, ParametersAreSavedIntoTheFileAndTakenBack) {
+  const std::string original = content_of(options_.config), kept = options_.config + ".bak";
+  run([&] {
+    server::WebClient viewer(page());
+    EXPECT_THAT(ask(viewer, kRestoreParameters, "{}"), HasSubstr("nothing was saved yet"));
+    const std::string request = R"("control.preview_s":0.08,"loop.priority":0})";
+    const std::string difference =
+        R"("differences":[{"name":"control.preview_s","before":"0.06","after":"0.08"}]})";
+    EXPECT_THAT(
+        ask(viewer, kSaveParameters, R"({"check":true,)" + request),
+        HasSubstr(R"("file":"config.toml","written":false,"may_restore":false,)" + difference));
+    EXPECT_EQ(content_of(options_.config), original);
+    EXPECT_THAT(ask(viewer, kSaveParameters, "{" + request),
+                HasSubstr(R"("written":true,"may_restore":true,)" + difference));
+    const std::string saved = content_of(options_.config);
+    EXPECT_EQ(saved, original + "\n[control]\npreview_s = 0.08\n");
+    EXPECT_EQ(content_of(kept), original);
+    // The same again changes nothing, and keeps what can be restored.
+    EXPECT_THAT(ask(viewer, kSaveParameters, "{" + request), HasSubstr(R"("written":false)"));
+    EXPECT_EQ(content_of(kept), original);
+    EXPECT_THAT(ask(viewer, kSaveParameters, R"({"course":"no-such"})"), HasSubstr("no-such"));
+    EXPECT_THAT(ask(viewer, kSaveParameters, R"({"robot":"worn","course":"1-curve"})"),
+                HasSubstr(R"("written":true)"));
+    EXPECT_THAT(content_of(options_.config), HasSubstr("robot = \"worn\"\n"));
+    EXPECT_THAT(ask(viewer, kRestoreParameters, R"({"check":true})"),
+                HasSubstr(R"({"name":"robot","before":"\"worn\"","after":"\"end-loaded\""})"));
+    EXPECT_THAT(ask(viewer, kRestoreParameters, "{}"), HasSubstr(R"("written":true)"));
+    EXPECT_EQ(content_of(options_.config), saved);
+    // What somebody else writes meanwhile stays, unless it is wrong.
+    std::ofstream(options_.config) << original << "# by hand\n";
+    EXPECT_THAT(ask(viewer, kSaveParameters, "{" + request), HasSubstr(R"("written":true)"));
+    EXPECT_EQ(content_of(options_.config), original + "# by hand\n\n[control]\npreview_s = 0.08\n");
+    std::ofstream(options_.config) << "[control]\npreview = 1\n";
+    EXPECT_THAT(ask(viewer, kSaveParameters, "{" + request), HasSubstr("unknown key"));
+    EXPECT_EQ(content_of(options_.config), "[control]\npreview = 1\n");
+  });
 }
 
 }  // namespace

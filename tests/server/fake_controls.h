@@ -88,6 +88,14 @@ class FakeControls : public Controls {
     checked.push_back(file);
     answer(change_refusal, R"({"error":"","why_not":""})");
   }
+  void save_parameters(const ParameterSave& asked, Answer answer) override {
+    parameters_saved.push_back(asked);
+    answer(change_refusal, R"({"file":"tp100.toml","written":true,"differences":[]})");
+  }
+  void restore_parameters(bool check, Answer answer) override {
+    restored.push_back(check);
+    answer(change_refusal, R"({"file":"tp100.toml","written":true,"differences":[]})");
+  }
   void delete_file(const SetupFile& file, Answer answer) override {
     deleted.push_back(file);
     answer(change_refusal, R"({"name":"mine"})");
@@ -107,6 +115,8 @@ class FakeControls : public Controls {
   std::vector<SetupChoice> choices;
   std::vector<std::optional<Pose>> places;
   std::vector<SetupFile> saved, deleted, checked;
+  std::vector<ParameterSave> parameters_saved;
+  std::vector<bool> restored;
   std::string change_refusal;
   bool can_record = false, slow_disk = false;
   RecordAnswer unanswered;

@@ -27,8 +27,25 @@ std::vector<messages::ParameterText> parameters() {
             .standard = 16.0,
             .unit = "1/m",
             .range = {0.0, 200.0}},
+           true,
+           false,
            true},
-          {{.name = "loop.rate_hz", .value = 200.0, .standard = 200.0, .range = {50.0, 1000.0}}},
+          {{.name = "loop.rate_hz", .value = 200.0, .standard = 200.0, .range = {50.0, 1000.0}},
+           false,
+           false,
+           true},
+          {{.name = "server.listen",
+            .type = messages::ParameterText::Type::kText,
+            .value = std::string(),
+            .standard = std::string()}},
+          {{.name = "course",
+            .type = messages::ParameterText::Type::kText,
+            .value = std::string(),
+            .standard = std::string()},
+           false,
+           false,
+           true},
+          {{.name = "robot.model.wheelbase_m", .value = 0.2, .standard = 0.2, .range = {0.1, 1.0}}},
           {{.name = "estimation.steering",
             .type = messages::ParameterText::Type::kChoice,
             .value = std::string("odometry"),
@@ -115,7 +132,8 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
   EXPECT_THAT(services,
               ::testing::ElementsAre("start", "hold", "stop", "record_start", "record_stop",
                                      "drive_take", "drive", "drive_release", "choose", "place",
-                                     "file_save", "file_delete", "file_check", "pause", "resume"));
+                                     "file_save", "file_delete", "file_check", "pause", "resume",
+                                     "parameters_save", "parameters_restore"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
@@ -153,7 +171,7 @@ TEST_F(RequestHandlerTest, AViewerThatLeftGetsNothingMore) {
 
 TEST_F(RequestHandlerTest, ParametersAreListed) {
   const Heard all = say(R"({"op":"getParameters","parameterNames":[],"id":"q"})");
-  EXPECT_EQ(all.texts[0]["parameters"].size(), 3U);
+  EXPECT_EQ(all.texts[0]["parameters"].size(), 6U);
   EXPECT_EQ(all.texts[0]["id"], "q");
   const Heard one = say(R"({"op":"getParameters","parameterNames":["loop.rate_hz","none"]})");
   EXPECT_EQ(one.texts[0]["parameters"].size(), 1U);
@@ -551,6 +569,77 @@ TEST_F(RequestHandlerTest, AViewerThatLeavesNoLongerDrives) {
   EXPECT_EQ(call(7, R"({"token":")" + token + R"(","speed_mps":0,"yaw_rate_radps":0,"input_ms":0})")
                 .texts.size(),
             1U);
+}
+
+TEST_F(RequestHandlerTest, ParametersAreSavedIfTheyMayBeAndTakeTheValue) {
+  const Heard saved = call(Service::kParametersSave, R"({"control.gain":12.5,"course":"3"})");
+  ASSERT_EQ(saved.binaries.size(), 1U);
+  EXPECT_EQ(answer_of(saved.binaries[0])["file"], "tp100.toml");
+  ASSERT_EQ(controls_.parameters_saved.size(), 1U);
+  EXPECT_FALSE(controls_.parameters_saved[0].check);
+  ASSERT_EQ(controls_.parameters_saved[0].values.size(), 2U);
+  EXPECT_EQ(controls_.parameters_saved[0].values[0].first, "control.gain");
+  EXPECT_EQ(controls_.parameters_saved[0].values[0].second, messages::ParameterValue(12.5));
+  call(Service::kParametersSave, R"({"check":true,"course":""})");
+  EXPECT_TRUE(controls_.parameters_saved.at(1).check);
+  call(Service::kParametersRestore, R"({"check":true})");
+  call(Service::kParametersRestore, "");
+  EXPECT_THAT(controls_.restored, ::testing::ElementsAre(true, false));
+}
+
+TEST_F(RequestHandlerTest, HostileParametersToSaveAreRefusedByName) {
+  const auto refused = [&](const char* request) {
+    const Heard received = call(Service::kParametersSave, request);
+    return received.texts.empty() ? std::string()
+                                  : received.texts[0].value("message", std::string());
+  };
+  EXPECT_EQ(refused("{}"), "name parameters and their values");
+  EXPECT_EQ(refused(R"({"check":true})"), "name parameters and their values");
+  EXPECT_EQ(refused(R"({"check":1,"control.gain":1})"), "check is true or false");
+  EXPECT_EQ(refused(R"({"control.gian":1})"), "there is no parameter 'control.gian'");
+  EXPECT_EQ(refused(R"({"a\nb":1})"), "there is no parameter 'a?b'");
+  EXPECT_THAT(refused(R"({"server.listen":"0.0.0.0:80"})"),
+              HasSubstr("server.listen is not saved"));
+  EXPECT_THAT(refused(R"({"robot.model.wheelbase_m":0.3})"), HasSubstr("the robot's file"));
+  EXPECT_THAT(refused(R"({"control.gain":201})"), HasSubstr("control.gain ranges from 0 to 200"));
+  EXPECT_THAT(refused(R"({"control.gain":"12"})"), HasSubstr("control.gain takes a number"));
+  for (const char* other : {"null", "[1]", "{}"})
+    EXPECT_EQ(refused((R"({"control.gain":)" + std::string(other) + "}").c_str()),
+              "control.gain takes no value of that type");
+  EXPECT_EQ(refused(R"({"control.gain":NaN})"), "the request must be a JSON object");
+  EXPECT_NE(refused(R"({"control.gain":1e999})"), "");
+  for (const char* name : {R"(a\nb)", "../x", "/etc/passwd", R"(a\u0000)"})
+    EXPECT_THAT(refused((R"({"course":")" + std::string(name) + "\"}").c_str()),
+                HasSubstr("course: name takes letters"));
+  EXPECT_NE(call(Service::kParametersRestore, R"({"check":null})").texts.size(), 0U);
+  EXPECT_NE(call(Service::kParametersRestore, R"({"file":"x"})").texts.size(), 0U);
+  EXPECT_TRUE(controls_.parameters_saved.empty());
+  EXPECT_TRUE(controls_.restored.empty());
+  const Heard viewer =
+      call(Service::kParametersSave, R"({"control.gain":1})", Permission::kStopOnly);
+  EXPECT_THAT(viewer.texts.at(0)["message"], HasSubstr("server.commands"));
+  EXPECT_TRUE(controls_.parameters_saved.empty());
+}
+
+TEST_F(RequestHandlerTest, DuringARunOnlyWhatIsInForceAtOnceIsSaved) {
+  StepRecord record = ready();
+  record.snapshot.run_state = RunState::kRunning;
+  step(record);
+  EXPECT_EQ(call(Service::kParametersSave, R"({"control.gain":1})").binaries.size(), 1U);
+  EXPECT_EQ(call(Service::kParametersSave, R"({"check":true,"loop.rate_hz":100})").binaries.size(),
+            1U);
+  const Heard refused = call(Service::kParametersSave, R"({"control.gain":1,"loop.rate_hz":100})");
+  EXPECT_THAT(refused.texts.at(0)["message"], HasSubstr("loop.rate_hz takes effect when"));
+  EXPECT_THAT(call(Service::kParametersRestore, "{}").texts.at(0)["message"],
+              HasSubstr("not during a run"));
+  EXPECT_EQ(controls_.parameters_saved.size(), 2U);
+  EXPECT_TRUE(controls_.restored.empty());
+}
+
+TEST_F(RequestHandlerTest, AnArgumentThatIsNoPlainValueIsNotOverlooked) {
+  EXPECT_NE(call(Service::kStart, R"({"from":{}})").texts.size(), 0U);
+  EXPECT_NE(call(Service::kHold, R"({"x":null})").texts.size(), 0U);
+  EXPECT_EQ(controls_.starts + controls_.holds, 0);
 }
 
 }  // namespace

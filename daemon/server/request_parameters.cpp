@@ -1,0 +1,144 @@
+// What RequestHandler does about parameters.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "server/request_handler.h"
+#include "text/format.h"
+#include "text/json_writer.h"
+
+namespace tp100::server {
+namespace {
+
+constexpr std::size_t kMaxShownName = 64;
+constexpr HostNs kSettleNs = 500 * kNsPerMs;
+constexpr const char* kSteering = "estimation.steering";
+
+}  // namespace
+
+void RequestHandler::change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
+  for (messages::ParameterText& next : parameters) {
+    const auto old =
+        std::find_if(parameters_.begin(), parameters_.end(),
+                     [&](const messages::ParameterText& each) { return each.name == next.name; });
+    if (next.live && old != parameters_.end()) next.value = old->value;
+  }
+  parameters_ = std::move(parameters);
+  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
+                  messages::parameters_message(parameters_));
+}
+
+std::vector<const messages::ParameterText*> RequestHandler::select(
+    const std::vector<std::string>& names) const {
+  std::vector<const messages::ParameterText*> out;
+  for (const messages::ParameterText& parameter : parameters_) {
+    if (names.empty() || std::find(names.begin(), names.end(), parameter.name) != names.end())
+      out.push_back(&parameter);
+  }
+  return out;
+}
+
+void RequestHandler::on(Viewer& viewer, const GetParameters& wanted) const {
+  viewer.reply(parameter_values(select(wanted.names), wanted.id));
+}
+
+void RequestHandler::on(Viewer& viewer, const WatchParameters& wanted) {
+  // Keeps existing names only, so that a client cannot make this grow.
+  std::set<std::string>& names = watched_[viewer.id()];
+  for (const messages::ParameterText* parameter : select(wanted.names)) {
+    if (wanted.watch) {
+      names.insert(parameter->name);
+    } else {
+      names.erase(parameter->name);
+    }
+  }
+}
+
+std::string RequestHandler::set(const SetParameters::One& one) {
+  const auto found =
+      std::find_if(parameters_.begin(), parameters_.end(),
+                   [&](const messages::ParameterText& each) { return each.name == one.name; });
+  if (found == parameters_.end())
+    return "there is no parameter '" + text::one_line(one.name, kMaxShownName) + "'";
+  if (!found->live)
+    return found->name + " cannot be changed while the daemon runs; set it in the file";
+  if (!one.value) return found->name + " takes no value of that type";
+  if (found->only_at_standstill && under_way())
+    return found->name + " cannot be changed during a run";
+  std::string why = messages::why_not(*found, *one.value);
+  if (why.empty()) why = controls_.set(*found, *one.value);
+  if (why.empty()) found->value = *one.value;
+  return why;
+}
+
+void RequestHandler::on(Viewer& viewer, const SetParameters& wanted, Permission permission,
+                        HostNs now) {
+  std::vector<std::string> names;
+  for (const SetParameters::One& one : wanted.parameters) {
+    names.push_back(one.name);
+    const std::string why = permission == Permission::kCommand
+                                ? set(one)
+                                : "parameters are not taken from this client (server.commands)";
+    if (!why.empty()) {
+      viewer.say(StatusLevel::kError, why);
+      continue;
+    }
+    settle_ns_ = now + kSettleNs;
+    for (const messages::ParameterText* parameter : select({one.name}))
+      parameter_changed(*parameter, now);
+  }
+  if (!names.empty()) viewer.reply(parameter_values(select(names), wanted.id));
+}
+
+void RequestHandler::parameter_changed(const messages::ParameterText& parameter, HostNs now) {
+  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
+                  messages::parameters_message(parameters_));
+  std::string value;
+  std::visit([&](const auto& content) { text::JsonWriter(value).value(content); }, parameter.value);
+  publisher_.take(
+      messages::Event{.at_ns = now, .kind = "parameter", .text = parameter.name + " = " + value});
+  const std::array<const messages::ParameterText*, 1> changed = {&parameter};
+  const std::string message = parameter_values(changed, "");
+  for (const auto& viewer : broker_.viewers()) {
+    const auto watched = watched_.find(viewer->id());
+    if (watched != watched_.end() && watched->second.contains(parameter.name))
+      viewer->reply(message);
+  }
+}
+
+// The step decides: a run may have begun before a change of the steering pose reached it.
+void RequestHandler::settle(HostNs now) {
+  if (now < settle_ns_) return;
+  for (messages::ParameterText& parameter : parameters_) {
+    if (parameter.name != kSteering || publisher_.last_step_ns() == 0) continue;
+    const messages::ParameterValue used = std::string(to_string(publisher_.state().steering));
+    if (parameter.value == used) continue;
+    parameter.value = used;
+    parameter_changed(parameter, now);
+  }
+}
+
+std::string RequestHandler::save_parameters(const std::vector<RequestField>& request,
+                                            Controls::Answer answer) {
+  ParameterSave asked;
+  std::string why = read_parameters(request, parameters_, asked);
+  if (!why.empty()) return why;
+  if (!asked.check && under_way()) {
+    for (const auto& [name, value] : asked.values)
+      if (!select({name}).front()->live)
+        return name + " takes effect when tp100d is started again, and is not saved during a run";
+  }
+  controls_.save_parameters(asked, std::move(answer));
+  return {};
+}
+
+std::string RequestHandler::restore_parameters(const std::vector<RequestField>& request,
+                                               Controls::Answer answer) {
+  bool check = false;
+  std::string why = read_check(request, check);
+  if (why.empty() && !check && under_way()) why = "not during a run; stop it first";
+  if (why.empty()) controls_.restore_parameters(check, std::move(answer));
+  return why;
+}
+
+}  // namespace tp100::server

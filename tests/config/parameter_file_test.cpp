@@ -1,0 +1,176 @@
+#include "config/parameter_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "config/configuration.h"
+#include "core/error.h"
+
+namespace tp100::config {
+namespace {
+
+using testing::HasSubstr;
+using text::KeyText;
+using Value = KeyText::Value;
+
+std::string edited(const std::string& text, const ParameterValues& values) {
+  try {
+    return with_parameters({"tp100.toml", text}, values);
+  } catch (const SetupError& error) {
+    return std::string("refused: ") + error.what();
+  }
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// A value of the parameter, as a file holds it: ten digits.
+Value some_value(const KeyText& key, std::mt19937& random) {
+  const auto below = [&](std::size_t count) { return random() % count; };
+  switch (key.type) {
+    case KeyText::Type::kNumber: {
+      std::uniform_real_distribution<double> within(key.range.min, key.range.max);
+      const double value = below(8) == 0 ? key.range.max : within(random);
+      return std::strtod(text::toml_number(value).c_str(), nullptr);
+    }
+    case KeyText::Type::kInteger:
+      return std::floor(
+          std::uniform_real_distribution<double>(key.range.min, key.range.max)(random));
+    case KeyText::Type::kBoolean:
+      return below(2) == 0;
+    case KeyText::Type::kText: {
+      static const std::vector<std::string> kTexts = {
+          "", "plain", "a \"quoted\" \\ one", "two\nlines", "# no comment", "gr\xc3\xbc\xc3\x9f"};
+      return kTexts[below(kTexts.size())];
+    }
+    case KeyText::Type::kChoice:
+      break;
+  }
+  return key.choices[below(key.choices.size())];
+}
+
+/// Equal as far as a file tells: angles are converted and back.
+bool same(const Value& a, const Value& b) {
+  const double* x = std::get_if<double>(&a);
+  const double* y = std::get_if<double>(&b);
+  return x && y ? std::abs(*x - *y) <= 1e-12 * std::abs(*y) : a == b;
+}
+
+TEST(ParameterFile, AnyValuesOfAllParametersReadBackAndNoOtherByteChanges) {
+  std::mt19937 random(11);
+  const std::vector<KeyText> keys = configuration_keys({});
+  for (int round = 0; round < 60; ++round) {
+    // A commented file that lacks some keys and is written by hand.
+    std::string text;
+    for (std::string line : lines_of(write_configuration({}))) {
+      const bool has_key = line.find(" = ") != line.npos && !line.starts_with('#');
+      if (has_key && random() % 4 == 0) continue;
+      if (has_key && random() % 4 == 0) line = "  " + line + "\t# mine, \xc3\xa4";
+      text += line + (round % 3 == 1 ? "\r\n" : "\n");
+    }
+    if (round % 3 == 2) text.pop_back();
+
+    ParameterValues values;
+    std::map<std::string, Value> wanted;
+    for (const KeyText& key : keys) {
+      const Value value = some_value(key, random);
+      if (random() % 2 == 0) continue;
+      values.emplace_back(key.name, value);
+      wanted[key.name] = value;
+    }
+    const std::string result = edited(text, values);
+    const auto before = configuration_keys(parse_configuration(text, "f"));
+    const auto after = configuration_keys(parse_configuration(result, "f"));
+    ASSERT_EQ(after.size(), keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const auto found = wanted.find(keys[i].name);
+      EXPECT_TRUE(same(after[i].value, found == wanted.end() ? before[i].value : found->second))
+          << keys[i].name;
+    }
+
+    // Every old line is there, in order; of a changed one, what stands around the value.
+    const std::vector<std::string> next = lines_of(result);
+    std::size_t at = 0;
+    std::string table;
+    for (const std::string& line : lines_of(text)) {
+      if (line.starts_with('[')) table = line.substr(1, line.find(']') - 1) + ".";
+      const std::size_t equals = line.find(" = ");
+      const std::string name = equals == line.npos
+                                   ? ""
+                                   : table + line.substr(line.find_first_not_of(' '),
+                                                         equals - line.find_first_not_of(' '));
+      const bool changed = !line.starts_with('#') && wanted.contains(name);
+      const std::size_t note = line.find("\t# mine");
+      const auto matches = [&](const std::string& candidate) {
+        if (!changed) return candidate == line;
+        return candidate.starts_with(line.substr(0, equals + 3)) &&
+               (note == line.npos || candidate.ends_with(line.substr(note)));
+      };
+      while (at < next.size() && !matches(next[at])) ++at;
+      ASSERT_LT(at, next.size()) << "lost: " << line;
+      ++at;
+    }
+    EXPECT_LE(next.size(), lines_of(text).size() + wanted.size());
+  }
+}
+
+TEST(ParameterFile, DifferencesAreOfValuesNotOfText) {
+  const course::TextFile before{"f", "# note\n[control]\npreview_s = 0.05\n"};
+  const course::TextFile after{
+      "f", "course = \"3\"\n[control]\npreview_s = 5e-2 # same\nmax_approach_deg = 20\n"};
+  const auto differences = parameter_differences(before, after);
+  ASSERT_EQ(differences.size(), 2u);
+  EXPECT_EQ(differences[0].name, "course");
+  EXPECT_EQ(differences[0].before, "\"\"");
+  EXPECT_EQ(differences[0].after, "\"3\"");
+  EXPECT_EQ(differences[1].name, "control.max_approach_deg");
+  EXPECT_EQ(differences[1].before, "24.0");
+  EXPECT_EQ(differences[1].after, "20.0");
+}
+
+TEST(ParameterFile, HostileNamesAndValuesAreRefusedByName) {
+  const std::string file = "[control]\npreview_s = 0.05\n";
+  EXPECT_THAT(edited(file, {{"control.nonsense", 1.0}}), HasSubstr("has no 'control.nonsense'"));
+  EXPECT_THAT(edited(file, {{"", 1.0}}), HasSubstr("has no ''"));
+  EXPECT_THAT(edited(file, {{"control", 1.0}}), HasSubstr("has no 'control'"));
+  EXPECT_THAT(edited(file, {{"a\nb", 1.0}}), HasSubstr("has no 'a?b'"));
+  EXPECT_THAT(edited(file, {{"robot.model.wheelbase_m", 0.2}}), HasSubstr("has no"));
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity(), -1.0, 1e300})
+    EXPECT_THAT(edited(file, {{"control.preview_s", bad}}), HasSubstr("'control.preview_s' is"))
+        << bad;
+  EXPECT_THAT(edited(file, {{"loop.spin_us", std::nan("")}}), HasSubstr("loop.spin_us takes no"));
+  EXPECT_THAT(edited(file, {{"loop.spin_us", 1.5}}), HasSubstr("loop.spin_us takes no value"));
+  EXPECT_THAT(edited(file, {{"control.preview_s", std::string("1")}}),
+              HasSubstr("preview_s takes"));
+  EXPECT_THAT(edited(file, {{"control.law", std::string("bang\nbang")}}),
+              HasSubstr("'control.law' is 'bang?bang'"));
+  EXPECT_THAT(edited("[control]\npreview_s = 7\n", {{"control.preview_s", 0.1}}),
+              HasSubstr("allowed 0 to 1"))
+      << "a file that is wrong already is not touched";
+}
+
+TEST(ParameterFile, WhoReachesTheDaemonAndWhichFilesItOpensIsNotSaved) {
+  std::vector<std::string> kept;
+  for (const KeyText& key : configuration_keys({}))
+    if (!may_save(key)) kept.push_back(key.name);
+  for (const char* name :
+       {"server.commands", "server.max_clients", "ros2.enabled", "library", "link.port",
+        "record.directory", "camera.listen", "world.address", "world.encoder_file"})
+    EXPECT_THAT(kept, testing::Contains(name));
+  for (const char* name : {"robot", "course", "setup", "control.preview_s", "loop.rate_hz"})
+    EXPECT_THAT(kept, testing::Not(testing::Contains(name)));
+}
+
+}  // namespace
+}  // namespace tp100::config
