@@ -25,7 +25,7 @@ import { keyList } from '../panel/key_list.ts';
 import { LinkTable } from '../panel/link_table.ts';
 import { Notice } from '../panel/notice.ts';
 import { Numbers } from '../panel/numbers.ts';
-import { ParameterTable } from '../panel/parameter_table.ts';
+import { ParameterPanel } from '../panel/parameter_panel.ts';
 import { PlaceDrawing } from '../panel/place_drawing.ts';
 import { Plots } from '../panel/plots.ts';
 import { RunList } from '../panel/run_list.ts';
@@ -218,9 +218,12 @@ const runs = new RunList((file, run) => {
   void replay(file.url, run.run);
 });
 const transport = new Transport(backToLive);
-const parameters = new ParameterTable((name, value) => {
-  client.setParameter(name, value);
-});
+const parameters = new ParameterPanel(
+  (name, value) => {
+    client.setParameter(name, value);
+  },
+  (service, request) => client.call(service, request),
+);
 const links = new LinkTable();
 const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
 const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);
@@ -239,7 +242,7 @@ const drawer = new Drawer([
   { id: 'events', title: 'Events', element: events.element, show: () => { events.show(shown); } },
   { id: 'courses', title: 'Courses', element: coursesPage, show: () => { courses.show(live, client.ready, mayCommand()); } },
   { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
-  { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live); } },
+  { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live, client.ready, mayCommand()); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
   { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
 ]);

@@ -1,5 +1,5 @@
 // Tabs under the view; keyboard as usual for tabs: arrows move, the selected one is shown.
-import { h, setAttribute } from './dom.ts';
+import { h, setAttribute, setText } from './dom.ts';
 
 export interface Page {
   id: string;
@@ -30,7 +30,13 @@ export class Drawer {
       return tab;
     });
     list.append(...this.tabs);
-    this.element.append(list);
+    const size = h('button', { type: 'button', id: 'drawer-size', 'aria-pressed': 'false', title: 'More room for these pages' }, 'larger');
+    size.addEventListener('click', () => {
+      const large = document.body.classList.toggle('large-drawer');
+      setAttribute(size, 'aria-pressed', String(large));
+      setText(size, large ? 'smaller' : 'larger');
+    });
+    this.element.append(h('div', { class: 'drawer-head' }, list, size));
     for (const page of pages) {
       setAttribute(page.element, 'id', `page-${page.id}`);
       setAttribute(page.element, 'role', 'tabpanel');

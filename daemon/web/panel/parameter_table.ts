@@ -1,89 +1,142 @@
-// Parameters with unit, limits and default; those that can change while the daemon runs have a
-// field.
+// Parameters by the tables of the file, each with meaning, unit, limits and default. Live ones change at once; others that
+// may be saved are kept until Save, and are in force from the next start.
 import type { Parameter } from '../state/messages.ts';
+import { grouped, limits, matches, type ParameterEdits, read, shown, type Value } from '../state/parameters.ts';
 import type { Store } from '../state/store.ts';
 import { h } from './dom.ts';
 
-export type SetParameter = (name: string, value: number | boolean | string) => void;
+export type SetParameter = (name: string, value: Value) => void;
 
 export class ParameterTable {
-  readonly element = h('div', { class: 'parameters', tabindex: '0' });
-  private readonly filter = h('input', { type: 'search', placeholder: 'filter', 'aria-label': 'Filter parameters' });
-  private readonly body = h('tbody');
+  readonly element = h('div', { class: 'parameter-list' });
+  readonly filter = h('input', { type: 'search', placeholder: 'search', 'aria-label': 'Search parameters' });
+  private readonly none = h('p', { class: 'empty', hidden: '' }, 'No parameter matches.');
   private shown = -1;
-  private rows: { text: string; row: HTMLElement }[] = [];
+  private groups: { element: HTMLElement; rows: { parameter: Parameter; row: HTMLElement }[] }[] = [];
 
-  constructor(private readonly set: SetParameter) {
-    const head = ['parameter', 'value', 'unit', 'limits', 'default', 'meaning'].map((title) => h('th', { scope: 'col' }, title));
-    this.element.append(this.filter, h('table', {}, h('thead', {}, h('tr', {}, ...head)), this.body));
+  constructor(
+    private readonly edits: ParameterEdits,
+    private readonly set: SetParameter,
+    /** An edit was made or taken back. */
+    private readonly edited: () => void,
+  ) {
     this.filter.addEventListener('input', () => {
       this.narrow();
     });
   }
 
+  /** Shows anew what edits and file are, too. */
+  refresh(): void {
+    this.shown = -1;
+  }
+
   show(store: Store): void {
     const received = store.received['/parameter'] ?? 0;
-    if (received === this.shown || this.element.contains(document.activeElement?.closest('td') ?? null)) return;
+    if (received === this.shown || this.element.contains(document.activeElement?.closest('.parameter-value') ?? null)) return;
     this.shown = received;
-    const all = [...(store.get('/parameter')?.parameters ?? [])];
-    all.sort((a, b) => Number(b.live) - Number(a.live));
-    this.rows = all.map((parameter) => ({
-      text: `${parameter.name} ${parameter.meaning}`.toLowerCase(),
-      row: this.row(parameter),
-    }));
-    this.body.replaceChildren(...this.rows.map(({ row }) => row));
+    this.groups = grouped(store.get('/parameter')?.parameters ?? []).map(([table, parameters]) => {
+      const rows = parameters.map((parameter) => ({ parameter, row: this.row(parameter) }));
+      const heading = h('h3', {}, table, ...(table.startsWith('robot.') ? [h('span', {}, ' of the robot\u2019s file')] : []));
+      return { element: h('section', { 'aria-label': table }, heading, ...rows.map(({ row }) => row)), rows };
+    });
+    this.element.replaceChildren(this.none, ...this.groups.map(({ element }) => element));
     this.narrow();
   }
 
   private narrow(): void {
-    const wanted = this.filter.value.trim().toLowerCase();
-    for (const { text, row } of this.rows) row.hidden = !text.includes(wanted);
+    const wanted = this.filter.value.trim();
+    let any = false;
+    for (const { element, rows } of this.groups) {
+      let some = false;
+      for (const { parameter, row } of rows) {
+        row.hidden = !matches(parameter, wanted);
+        some ||= !row.hidden;
+      }
+      element.hidden = !some;
+      any ||= some;
+    }
+    this.none.hidden = any;
   }
 
   private row(parameter: Parameter): HTMLElement {
+    const edit = this.edits.get(parameter.name);
+    const file = this.edits.file(parameter.name);
     const changed = parameter.value !== parameter.default;
-    const limits = typeof parameter.min === 'number' ? `${parameter.min} \u2026 ${parameter.max ?? ''}` : parameter.choices.join(' ');
+    const why = h('p', { class: 'parameter-why', role: 'alert' });
+    const facts = [limits(parameter), `default ${shown(parameter.default)}`].filter(Boolean).join(' \u00b7 ');
+    const when = parameter.live ? (parameter.when === 'not running' ? 'at once, not during a run' : 'at once') : '';
     return h(
-      'tr',
-      { class: [parameter.live ? 'live' : '', changed ? 'changed' : ''].join(' ').trim() },
-      h('th', { scope: 'row' }, parameter.name),
-      h('td', { class: 'figure' }, parameter.live ? this.field(parameter) : String(parameter.value)),
-      h('td', {}, parameter.unit),
-      h('td', { class: 'figure' }, limits),
-      h('td', { class: 'figure' }, String(parameter.default)),
-      h('td', { class: 'meaning' }, parameter.meaning, parameter.live && parameter.when === 'not running' ? ' (not during a run)' : ''),
+      'div',
+      { class: ['parameter', parameter.live ? 'live' : '', changed ? 'changed' : '', edit === undefined ? '' : 'edited'].filter(Boolean).join(' '), 'data-name': parameter.name },
+      h(
+        'div',
+        { class: 'parameter-about' },
+        h('strong', {}, parameter.name),
+        ...(when === '' ? [] : [h('span', { class: 'parameter-when' }, when)]),
+        h('p', {}, parameter.meaning),
+        h('p', { class: 'parameter-limits' }, facts),
+        ...(file === undefined ? [] : [h('p', { class: 'parameter-file' }, `in the file: ${file}`)]),
+        why,
+      ),
+      h(
+        'div',
+        { class: 'parameter-value' },
+        parameter.live || parameter.may_save === true ? this.field(parameter, edit ?? parameter.value, why) : h('output', {}, shown(parameter.value)),
+        h('span', { class: 'parameter-unit' }, parameter.unit),
+        ...(edit === undefined ? [] : [this.back(parameter)]),
+      ),
     );
   }
 
-  private field(parameter: Parameter): HTMLElement {
+  private back(parameter: Parameter): HTMLElement {
+    const button = h('button', { type: 'button', class: 'link', 'aria-label': `Take back ${parameter.name}` }, `back to ${shown(parameter.value)}`);
+    button.addEventListener('click', () => {
+      this.edits.drop(parameter.name);
+      this.refresh();
+      this.edited();
+    });
+    return button;
+  }
+
+  private take(parameter: Parameter, value: Value): void {
+    if (parameter.live) {
+      this.set(parameter.name, value);
+      return;
+    }
+    this.edits.set(parameter, value);
+    this.refresh();
+    this.edited();
+  }
+
+  private field(parameter: Parameter, value: Value, why: HTMLElement): HTMLElement {
     if (parameter.type === 'choice') {
       const select = h('select', { 'aria-label': parameter.name });
       for (const choice of parameter.choices) select.append(h('option', { value: choice }, choice));
-      select.value = String(parameter.value);
+      select.value = String(value);
       select.addEventListener('change', () => {
-        this.set(parameter.name, select.value);
         select.blur();
+        this.take(parameter, select.value);
       });
       return select;
     }
     if (parameter.type === 'boolean') {
       const check = h('input', { type: 'checkbox', 'aria-label': parameter.name });
-      check.checked = parameter.value === true;
+      check.checked = value === true;
       check.addEventListener('change', () => {
-        this.set(parameter.name, check.checked);
+        check.blur();
+        this.take(parameter, check.checked);
       });
       return check;
     }
-    const input = h('input', { 'aria-label': parameter.name, inputmode: 'decimal', size: '8' });
-    input.value = String(parameter.value);
-    const number = parameter.type === 'number' || parameter.type === 'integer';
+    const text = parameter.type === 'text';
+    const input = h('input', { 'aria-label': parameter.name, inputmode: text ? 'text' : 'decimal', size: '8' });
+    input.value = text ? String(value) : shown(value);
     input.addEventListener('change', () => {
-      const value = number ? Number(input.value) : input.value;
-      const outside =
-        number &&
-        (input.value.trim() === '' || !Number.isFinite(value) || Number(value) < (parameter.min ?? -Infinity) || Number(value) > (parameter.max ?? Infinity));
-      input.setAttribute('aria-invalid', String(outside));
-      if (!outside) this.set(parameter.name, value);
+      const typed = read(parameter, input.value);
+      const wrong = 'why' in typed;
+      input.setAttribute('aria-invalid', String(wrong));
+      why.textContent = wrong ? typed.why : '';
+      if (!wrong) this.take(parameter, typed.value);
     });
     input.addEventListener('keydown', (event) => {
       if (event.key === 'Enter') input.blur();

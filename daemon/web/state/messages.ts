@@ -250,6 +250,8 @@ export interface Parameter {
   meaning: string;
   live: boolean;
   when: 'always' | 'not running';
+  /** Not in recordings of older versions. */
+  may_save?: boolean;
 }
 
 export interface ParameterList {
