@@ -153,7 +153,8 @@ void Connection::ask_disk() {
                       .setup = shared_.sources.setup,
                       .active_run = [run = shared_.sources.active_run()] { return run; },
                       .health = {},
-                      .metrics = {}};
+                      .metrics = {},
+                      .history = {}};
   const auto found = std::make_shared<HttpAnswer>();
   const bool asked =
       shared_.disk.post([self = shared_from_this(), question = ++question_, found,

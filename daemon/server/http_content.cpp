@@ -136,6 +136,7 @@ constexpr std::string_view kReportPolicy =
 
 constexpr std::string_view kRunList = "/api/runs";
 constexpr std::string_view kRuns = "/runs/";
+constexpr std::string_view kHistory = "/api/history/";
 constexpr std::string_view kSetupList = "/api/setup";
 
 bool is_setup(std::string_view path) {
@@ -307,6 +308,11 @@ HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
   if (path == "/healthz") return json_answer(sources.health());
   if (path == "/metrics")
     return fresh_answer(sources.metrics(), "text/plain; version=0.0.4; charset=utf-8");
+  if (path.starts_with(kHistory)) {
+    std::optional<std::string> content;
+    if (sources.history) content = sources.history(path.substr(kHistory.size()));
+    return content ? json_answer(std::move(*content)) : http_text(404, "no history of that topic");
+  }
   if (path == kRunList)
     return json_answer(sources.runs->json(sources.runs_folder, sources.active_run()));
   if (path.starts_with(kRuns)) return file_answer(request, path.substr(kRuns.size()), sources);

@@ -98,6 +98,8 @@ struct HttpSources {
   std::function<std::string()> active_run;  ///< the run being recorded; empty: none
   std::function<std::string()> health;      ///< JSON
   std::function<std::string()> metrics;     ///< as Prometheus reads them
+  /// A JSON array by the topic without its slash, or nothing; empty: none.
+  std::function<std::optional<std::string>(std::string_view topic)> history;
 };
 
 /// Whether the answer to `target` is read from the disk, so that http_answer() may block.

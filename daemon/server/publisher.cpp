@@ -124,6 +124,7 @@ void Publisher::change_setup(messages::RunContext run_context, HostNs now) {
 }
 
 void Publisher::publish(messages::Channel channel, HostNs at, std::string json) {
+  history_.take(channel, at, json);
   broker_.publish(channel, clock().unix_ns(at), std::move(json));
 }
 
@@ -133,7 +134,10 @@ void Publisher::take(const StepRecord& record) {
   path_history_.add(record.snapshot);
   update_state(record);
   step_messages_.take(
-      record, [this](messages::Channel channel) { return broker_.wanted(channel); },
+      record,
+      [&](messages::Channel channel) {
+        return broker_.wanted(channel) || history_.due(channel, record.now_ns);
+      },
       [this](messages::Channel channel, HostNs at, std::string json) {
         publish(channel, at, std::move(json));
       });

@@ -14,6 +14,7 @@
 #include "messages/path_history.h"
 #include "server/broker.h"
 #include "server/controls.h"
+#include "server/history.h"
 
 namespace tp100::server {
 
@@ -82,6 +83,7 @@ class Publisher {
   void tick(HostNs now);
 
   const messages::StateFigures& state() const { return state_; }
+  const History& history() const { return history_; }
   const StopMonitor& stop() const { return stop_; }
   /// The link over the last second, with the port.
   messages::LinkFigures link(const messages::LoopFigures& loop) const;
@@ -115,6 +117,7 @@ class Publisher {
   messages::StepMessages step_messages_;
   Controls& controls_;
   LinkMeter link_;
+  History history_;
   messages::PathHistory path_history_;
   StopMonitor stop_;
   messages::StateFigures state_{};

@@ -118,6 +118,9 @@ struct Server::State {
     };
     shared.sources.health = [this] { return health(); };
     shared.sources.metrics = [this] { return metrics(); };
+    shared.sources.history = [this](std::string_view topic) {
+      return publisher.history().json(topic);
+    };
     listen();
   }
 

@@ -29,6 +29,7 @@ import { ParameterPanel } from '../panel/parameter_panel.ts';
 import { PlaceDrawing } from '../panel/place_drawing.ts';
 import { Plots } from '../panel/plots.ts';
 import { RunList } from '../panel/run_list.ts';
+import { SignalPanel } from '../panel/signal_panel.ts';
 import { StatusBar } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
 import { Timeline } from '../panel/timeline.ts';
@@ -36,7 +37,7 @@ import { Transport } from '../panel/transport.ts';
 import { kModes, Viewport } from '../panel/viewport.ts';
 import { Player } from '../replay/player.ts';
 import { loadRecording } from '../replay/recording.ts';
-import type { Link, State, Topic } from '../state/messages.ts';
+import type { Estimate, Link, Slip, State, Topic } from '../state/messages.ts';
 import type { SetupCall } from '../state/setup.ts';
 import { StopButton } from '../state/stop.ts';
 import { kHistory_s, Store } from '../state/store.ts';
@@ -133,6 +134,7 @@ async function replay(url: string, run: string): Promise<void> {
     // Data of a recording does not age.
     player = new Player(frames, new Store(() => 0));
     transport.open(run, player);
+    signals.look(player.frames);
     look(player.store);
     player.playing = true;
   } catch (error: unknown) {
@@ -146,6 +148,7 @@ function backToLive(): void {
   loading?.abort();
   player = undefined;
   transport.close();
+  signals.look(undefined);
   look(live);
 }
 
@@ -224,6 +227,16 @@ const parameters = new ParameterPanel(
   },
   (service, request) => client.call(service, request),
 );
+/** What the daemon said before this page was opened, by topic; asked once. */
+const pasts = new Map<string, Promise<readonly unknown[]>>();
+function past(topic: string): Promise<readonly unknown[]> {
+  const known = pasts.get(topic) ?? fetch(`/api/history${topic}`).then((answer) => (answer.ok ? (answer.json() as Promise<unknown[]>) : []));
+  pasts.set(topic, known);
+  // Later it is the present that was missed.
+  setTimeout(() => pasts.delete(topic), 1000);
+  return known;
+}
+const signals = new SignalPanel(past);
 const links = new LinkTable();
 const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
 const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);
@@ -242,6 +255,7 @@ const drawer = new Drawer([
   { id: 'events', title: 'Events', element: events.element, show: () => { events.show(shown); } },
   { id: 'courses', title: 'Courses', element: coursesPage, show: () => { courses.show(live, client.ready, mayCommand()); } },
   { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
+  { id: 'signals', title: 'Signals', element: signals.element, show: () => { signals.show(shown); } },
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live, client.ready, mayCommand()); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
   { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
@@ -265,6 +279,7 @@ document.body.append(header, h('main', {}, viewport.element, numbers.element, pl
 for (const topic of kTopics) {
   client.subscribe(topic, (message) => {
     live.receive(topic, message as never);
+    signals.receive(topic, message);
     if (topic === '/state') {
       stop.received((message as State).stop);
       driver.received(message as State);
@@ -273,6 +288,25 @@ for (const topic of kTopics) {
     // Only the path driven before; from here on the page draws its own.
     else if (topic === '/path_history') client.unsubscribe(topic);
   });
+}
+
+Promise.all([past('/estimate'), past('/slip')]).then(
+  ([estimates, slips]) => { live.before(estimates as Estimate[], slips as Slip[]); },
+  () => undefined,
+);
+
+/** Channels of every step that nothing but a signal needs. */
+const kOnDemand = ['/sample', '/command'];
+const demanded = new Set<string>();
+function demand(): void {
+  for (const topic of kOnDemand) {
+    const needed = drawer.selected === 'signals' || signals.needs(topic);
+    if (needed === demanded.has(topic)) continue;
+    if (needed) client.subscribe(topic, (message) => { signals.receive(topic, message); });
+    else client.unsubscribe(topic);
+    if (needed) demanded.add(topic);
+    else demanded.delete(topic);
+  }
 }
 
 listen({
@@ -349,6 +383,7 @@ function frame(now_ms: number): void {
     notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms, shown !== live);
     histogram.show(shown);
     drawer.show();
+    demand();
     identity();
   }
   requestAnimationFrame(frame);

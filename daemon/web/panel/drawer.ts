@@ -51,6 +51,10 @@ export class Drawer {
     this.pages[this.current]?.show();
   }
 
+  get selected(): string {
+    return this.pages[this.current]?.id ?? '';
+  }
+
   select(id: string): void {
     this.choose(this.pages.findIndex((page) => page.id === id));
   }

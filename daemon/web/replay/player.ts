@@ -13,7 +13,7 @@ export class Player {
 
   /** `frames` in order of time; not empty. */
   constructor(
-    private readonly frames: readonly Frame[],
+    readonly frames: readonly Frame[],
     readonly store: Store,
   ) {
     // Messages before the first pose (course, path) belong to the beginning.

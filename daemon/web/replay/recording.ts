@@ -8,6 +8,8 @@ const kKept: Partial<Record<Topic, [capacity: number, interval_s: number]>> = {
   '/course': [4, 0],
   '/estimate': [20_000, 0.0199],
   '/slip': [8_000, 0.049],
+  '/sample': [15_000, 0.0399],
+  '/command': [15_000, 0.0399],
   '/state': [8_000, 0],
   '/event': [2_000, 0],
   '/link': [2_000, 0.19],

@@ -293,10 +293,17 @@ export interface SceneUpdate {
   entities: { id: string; lines: { points: { x: number; y: number; z: number }[] }[] }[];
 }
 
+/** What the page knows only as signals. */
+export interface Figures {
+  t_s: number;
+}
+
 /** The message type of each of our channels. */
 export interface Channels {
   '/estimate': Estimate;
   '/slip': Slip;
+  '/sample': Figures;
+  '/command': Figures;
   '/link': Link;
   '/loop': Loop;
   '/state': State;

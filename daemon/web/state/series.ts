@@ -19,6 +19,11 @@ export class Series {
     return this.filled;
   }
 
+  /** Oldest time; NaN without rows. */
+  get first_s(): number {
+    return this.filled === 0 ? NaN : (this.columns[0]?.[this.end - this.filled] ?? NaN);
+  }
+
   /** Newest time; NaN without rows. */
   get last_s(): number {
     return this.filled === 0 ? NaN : (this.columns[0]?.[this.end - 1] ?? NaN);
@@ -41,6 +46,16 @@ export class Series {
     }
     this.end++;
     this.filled = Math.min(this.filled + 1, this.capacity);
+  }
+
+  /** Rows from before what is there; later ones are left out. */
+  before(rows: Iterable<readonly number[]>): void {
+    const kept = this.since(-Infinity).map((column) => column.slice());
+    const count = this.filled;
+    const first_s = count === 0 ? Infinity : this.first_s;
+    this.clear();
+    for (const row of rows) if ((row[0] ?? NaN) < first_s) this.push(row);
+    for (let i = 0; i < count; i++) this.push(kept.map((column) => column[i] ?? NaN));
   }
 
   clear(): void {

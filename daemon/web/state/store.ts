@@ -41,6 +41,8 @@ const kJump_m = 0.5;
 const kStale_ms: Record<Topic, number> = {
   '/estimate': 400,
   '/slip': 600,
+  '/sample': 400,
+  '/command': 400,
   '/link': 1000,
   '/loop': 1500,
   '/state': 1000,
@@ -100,6 +102,17 @@ export class Store {
   get pose(): Pose | undefined {
     const estimate = this.latest['/estimate'];
     return estimate?.[estimate.steering];
+  }
+
+  /** What the daemon said before this page was opened. */
+  before(estimates: readonly Estimate[], slips: readonly Slip[]): void {
+    let next = 0;
+    this.series.before(
+      estimates.map((estimate) => {
+        while ((slips[next + 1]?.t_s ?? Infinity) <= estimate.t_s) next++;
+        return row(estimate, slips[next]);
+      }),
+    );
   }
 
   /** Resets the store, but not the message counts, so that every view updates. */

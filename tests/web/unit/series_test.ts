@@ -38,4 +38,14 @@ describe('Series', () => {
     series.push([1]);
     expect(series.since(0)[1]?.[0]).toBeNaN();
   });
+
+  it('takes rows from before what is there, and leaves out later ones', () => {
+    const series = new Series(2, 4);
+    for (const t_s of [5, 6]) series.push([t_s, 10 * t_s]);
+    series.before([[1, 10], [3, 30], [5, 0], [9, 0]]);
+    expect([...(series.since(-Infinity)[1] ?? [])]).toEqual([10, 30, 50, 60]);
+    const empty = new Series(2, 4);
+    empty.before([[1, 10]]);
+    expect(empty.length).toBe(1);
+  });
 });

@@ -1,0 +1,248 @@
+// The Signals tab: any numeric fields of the channels as diagrams, live or of a recording.
+import { csv, isSignalTopic, search, Signals, topicOf, unitOf, kSignalHistory_s } from '../state/signals.ts';
+import type { Frame } from '../replay/recording.ts';
+import type { Store } from '../state/store.ts';
+import { h, setAttribute, setText } from './dom.ts';
+import { SignalChart, type TimeRange } from './signal_chart.ts';
+
+const kRemembered = 'tp100.signals';
+const kMost = 8;
+const kListed = 80;
+const kShortest_s = 1;
+const kWindow_s = 60;
+/** Of a recording everything is kept that the recording has. */
+const kRows = 20_000;
+
+/** The messages of a topic before this page was opened, as the daemon has them. */
+export type Past = (topic: string) => Promise<readonly unknown[]>;
+
+export class SignalPanel {
+  readonly element = h('div', { class: 'signals', tabindex: '0' });
+  private readonly search = h('input', { type: 'search', placeholder: 'search fields', 'aria-label': 'Search signals' });
+  private readonly list = h('ul', { class: 'signal-list' });
+  private readonly chosen = h('summary', {});
+  private readonly chooser = h('details', { class: 'signal-chooser', open: '' }, this.chosen, this.search, this.list);
+  private readonly pauseButton = button('signals-pause', 'Pause', 'Stop and go on');
+  private readonly charts_ = h('div', { class: 'signal-charts' });
+  private readonly live = new Signals();
+  private signals = this.live;
+  private charts: SignalChart[] = [];
+  private window_s = kWindow_s;
+  private fixed: TimeRange | undefined;
+  private now_s = NaN;
+  private listed = '';
+  private frames: readonly Frame[] | undefined;
+
+  constructor(private readonly past: Past) {
+    const shorter = button('signals-in', '+', 'Shorter time');
+    const longer = button('signals-out', '\u2212', 'Longer time');
+    const table = button('signals-csv', 'CSV', 'Save the shown values as a table');
+    const image = button('signals-png', 'PNG', 'Save the diagrams as a picture');
+    this.element.append(
+      this.chooser,
+      h('div', { class: 'signal-view' }, h('div', { class: 'signal-tools' }, longer, shorter, this.pauseButton, table, image), this.charts_),
+    );
+    this.search.addEventListener('input', () => { this.showList(); });
+    shorter.addEventListener('click', () => { this.scale(0.5); });
+    longer.addEventListener('click', () => { this.scale(2); });
+    this.pauseButton.addEventListener('click', () => {
+      const { from_s, to_s } = this.range;
+      // What comes from now on is not shown.
+      const end_s = this.now_s > from_s ? Math.min(to_s, this.now_s) : to_s;
+      this.fixed = this.fixed === undefined ? { from_s, to_s: end_s } : undefined;
+      this.draw();
+    });
+    table.addEventListener('click', () => { this.saveTable(); });
+    image.addEventListener('click', () => { this.saveImage(); });
+    for (const name of remembered()) this.choose(name);
+    // On a phone the diagrams need the room.
+    if (this.live.names.length > 0 && innerWidth < 700) this.chooser.removeAttribute('open');
+  }
+
+  /** A live message. */
+  receive(topic: string, message: unknown): void {
+    this.live.receive(topic, message);
+  }
+
+  /** Whether a channel must be received for what is chosen. */
+  needs(topic: string): boolean {
+    return this.live.names.some((name) => topicOf(name) === topic);
+  }
+
+  /** Shows a recording, or with undefined the robot again. */
+  look(frames: readonly Frame[] | undefined): void {
+    const names = this.live.names;
+    this.signals = this.live;
+    this.fixed = undefined;
+    if (frames !== undefined) {
+      this.signals = new Signals(kRows, 0);
+      for (const name of names) this.signals.choose(name);
+      for (const { topic, message } of frames) this.signals.receive(topic, message);
+      const span_s = (frames.at(-1)?.time_s ?? 0) - (frames[0]?.time_s ?? 0);
+      this.window_s = Math.min(Math.max(span_s, kShortest_s), kSignalHistory_s);
+    } else {
+      this.window_s = kWindow_s;
+    }
+    this.frames = frames;
+    this.rebuild();
+  }
+
+  show(store: Store): void {
+    this.now_s = store.get('/estimate')?.t_s ?? NaN;
+    this.showList();
+    this.draw();
+  }
+
+  private get range(): TimeRange {
+    if (this.fixed !== undefined) return this.fixed;
+    const to_s = Number.isFinite(this.now_s) ? this.now_s : 0;
+    const firsts = this.signals.names.map((name) => this.signals.of(name)?.first_s ?? NaN).filter(Number.isFinite);
+    // What began less than a window ago begins at the left edge.
+    const from_s = Math.max(to_s - this.window_s, Math.min(to_s, ...firsts));
+    return { from_s, to_s: Math.max(to_s, from_s + this.window_s) };
+  }
+
+  private scale(factor: number): void {
+    if (this.fixed === undefined) {
+      this.window_s = Math.min(Math.max(this.window_s * factor, kShortest_s), kSignalHistory_s);
+    } else {
+      const { from_s, to_s } = this.fixed;
+      const half_s = Math.min(Math.max(((to_s - from_s) * factor) / 2, kShortest_s / 20), kSignalHistory_s);
+      const middle_s = (from_s + to_s) / 2;
+      this.fixed = { from_s: middle_s - half_s, to_s: middle_s + half_s };
+    }
+    this.draw();
+  }
+
+  private choose(name: string): void {
+    if (!isSignalTopic(topicOf(name)) || this.live.names.length >= kMost) return;
+    this.live.choose(name);
+    if (this.signals !== this.live) {
+      this.signals.choose(name);
+      this.signals.before(name, (this.frames ?? []).filter(({ topic }) => topic === topicOf(name)).map(({ message }) => message));
+    }
+    this.past(topicOf(name)).then(
+      (messages) => { this.live.before(name, messages); },
+      () => undefined,
+    );
+    this.rebuild();
+  }
+
+  private drop(name: string): void {
+    this.live.drop(name);
+    this.signals.drop(name);
+    this.rebuild();
+  }
+
+  /** The diagrams of what is chosen: one for each unit. */
+  private rebuild(): void {
+    const byUnit = new Map<string, string[]>();
+    for (const name of this.live.names) {
+      const unit = unitOf(name);
+      byUnit.set(unit, [...(byUnit.get(unit) ?? []), name]);
+    }
+    for (const chart of this.charts) chart.destroy();
+    this.charts = [...byUnit].map(([unit, names]) => new SignalChart(names, unit, (range) => {
+      this.fixed = range;
+      this.draw();
+    }));
+    this.charts_.replaceChildren(
+      ...(this.charts.length === 0 ? [h('p', { class: 'empty' }, `Choose up to ${kMost} fields; those of one unit share a diagram. Drag over a diagram to see a part of the time.`)] : this.charts.map((chart) => chart.element)),
+    );
+    localStorage.setItem(kRemembered, JSON.stringify(this.live.names));
+    this.listed = '';
+    this.showList();
+    this.draw();
+  }
+
+  private draw(): void {
+    setText(this.pauseButton, this.fixed === undefined ? 'Pause' : 'Go on');
+    setAttribute(this.pauseButton, 'aria-pressed', String(this.fixed !== undefined));
+    if (this.element.hidden) return;
+    const range = this.range;
+    for (const chart of this.charts) chart.show(this.signals, range, this.now_s);
+  }
+
+  private showList(): void {
+    const chosen = this.live.names;
+    const found = search([...new Set([...this.live.fields, ...this.signals.fields, ...chosen])].sort(), this.search.value.trim());
+    const first = [...found.filter((name) => chosen.includes(name)), ...found.filter((name) => !chosen.includes(name))].slice(0, kListed);
+    const key = `${first.join()} ${chosen.join()} ${found.length}`;
+    if (key === this.listed) return;
+    this.listed = key;
+    setText(this.chosen, `Fields (${chosen.length} chosen)`);
+    this.list.replaceChildren(...first.map((name) => this.item(name, chosen)), ...(found.length > first.length ? [h('li', { class: 'empty' }, `${found.length - first.length} more: search`)] : []));
+  }
+
+  private item(name: string, chosen: readonly string[]): HTMLElement {
+    const check = h('input', { type: 'checkbox', 'aria-label': name });
+    check.checked = chosen.includes(name);
+    check.disabled = !check.checked && chosen.length >= kMost;
+    check.addEventListener('change', () => {
+      if (check.checked) this.choose(name);
+      else this.drop(name);
+    });
+    const unit = unitOf(name);
+    return h('li', {}, h('label', {}, check, name, ...(unit === '' ? [] : [h('span', { class: 'plot-unit' }, unit)])));
+  }
+
+  private saveTable(): void {
+    const { from_s, to_s } = this.range;
+    const columns = this.live.names.map((name) => {
+      const [times = new Float64Array(), values = new Float64Array()] = this.signals.of(name)?.since(-Infinity) ?? [];
+      const inside = [...times.keys()].filter((i) => (times[i] ?? NaN) >= from_s && (times[i] ?? NaN) <= to_s);
+      return { name, times: Float64Array.from(inside, (i) => times[i] ?? NaN), values: Float64Array.from(inside, (i) => values[i] ?? NaN) };
+    });
+    save('signals.csv', new Blob([csv(columns)], { type: 'text/csv' }));
+  }
+
+  private saveImage(): void {
+    const first = this.charts[0]?.image;
+    if (first === undefined) return;
+    const scale = devicePixelRatio;
+    const head = 22 * scale;
+    const canvas = h('canvas');
+    canvas.width = first.width;
+    canvas.height = this.charts.reduce((height, { image }) => height + image.height + head, 0);
+    const context = canvas.getContext('2d');
+    if (context === null) return;
+    context.fillStyle = '#0f151c';
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.font = `${12 * scale}px B612, sans-serif`;
+    context.textBaseline = 'middle';
+    let y = 0;
+    for (const chart of this.charts) {
+      let x = 8 * scale;
+      chart.names.forEach((name, i) => {
+        const text = `${name}${chart.unit === '' ? '' : ` ${chart.unit}`}`;
+        context.fillStyle = chart.colour(i);
+        context.fillText(text, x, y + head / 2);
+        x += context.measureText(text).width + 16 * scale;
+      });
+      context.drawImage(chart.image, 0, y + head);
+      y += chart.image.height + head;
+    }
+    canvas.toBlob((blob) => {
+      if (blob !== null) save('signals.png', blob);
+    });
+  }
+}
+
+function button(id: string, text: string, title: string): HTMLButtonElement {
+  return h('button', { type: 'button', class: 'control', id, title }, text);
+}
+
+function save(name: string, content: Blob): void {
+  const url = URL.createObjectURL(content);
+  h('a', { href: url, download: name }).click();
+  setTimeout(() => { URL.revokeObjectURL(url); }, 10_000);
+}
+
+function remembered(): string[] {
+  try {
+    const names: unknown = JSON.parse(localStorage.getItem(kRemembered) ?? '[]');
+    return Array.isArray(names) ? names.filter((name) => typeof name === 'string').slice(0, kMost) : [];
+  } catch {
+    return [];
+  }
+}
