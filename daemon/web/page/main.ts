@@ -14,6 +14,7 @@ import { Driver, kPeriod_ms } from '../drive/driver.ts';
 import { Inputs } from '../drive/inputs.ts';
 import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { kSubprotocols } from '../foxglove/codec.ts';
+import { AlertChoice } from '../panel/alert_choice.ts';
 import { Controls, type Command } from '../panel/controls.ts';
 import { CourseList } from '../panel/course_list.ts';
 import { h, setAttribute, setText } from '../panel/dom.ts';
@@ -167,6 +168,11 @@ function command(name: Command | 'start', request: unknown = {}): void {
   });
 }
 
+/** The Unix time of t_s = 0, of the daemon or of the recording. */
+function began_unix_s(): number | undefined {
+  return player === undefined ? Number(metadata.start_unix_ns ?? NaN) / 1e9 || undefined : player.began_unix_s;
+}
+
 function mayCommand(): boolean {
   return metadata.commands !== 'stop';
 }
@@ -216,7 +222,8 @@ const timeline = new Timeline();
 const numbers = new Numbers();
 const plots = new Plots();
 const histogram = new Histogram();
-const events = new EventLog();
+const alertChoice = new AlertChoice((text) => { notice.say(text, performance.now()); });
+const events = new EventLog(alertChoice.elements);
 const runs = new RunList((file, run) => {
   void replay(file.url, run.run);
 });
@@ -252,11 +259,11 @@ const placing = new PlaceDrawing(
 );
 
 const drawer = new Drawer([
-  { id: 'events', title: 'Events', element: events.element, show: () => { events.show(shown); } },
+  { id: 'events', title: 'Events', element: events.element, show: () => { events.show(shown, began_unix_s()); } },
   { id: 'courses', title: 'Courses', element: coursesPage, show: () => { courses.show(live, client.ready, mayCommand()); } },
   { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
-  { id: 'signals', title: 'Signals', element: signals.element, show: () => { signals.show(shown); } },
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live, client.ready, mayCommand()); } },
+  { id: 'signals', title: 'Signals', element: signals.element, show: () => { signals.show(shown); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
   { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
 ]);
@@ -280,6 +287,7 @@ for (const topic of kTopics) {
   client.subscribe(topic, (message) => {
     live.receive(topic, message as never);
     signals.receive(topic, message);
+    alertChoice.alerts.received(topic, message, live);
     if (topic === '/state') {
       stop.received((message as State).stop);
       driver.received(message as State);

@@ -1,39 +1,68 @@
-// Events, newest first.
-import { clock } from '../state/format.ts';
+// Events, newest first: by the wall clock where it is known, filtered by level and by words.
+import { clock, wallClock } from '../state/format.ts';
 import type { Event } from '../state/messages.ts';
 import { kEvents, type Store } from '../state/store.ts';
 import { h } from './dom.ts';
 
+const kLevels = ['info', 'warning', 'error'];
+
 export class EventLog {
   readonly element = h('div', { class: 'events', tabindex: '0' });
   private readonly list = h('ol', { class: 'event-list', role: 'log' });
+  private readonly level = h('select', { 'aria-label': 'Level of events' });
+  private readonly search = h('input', { type: 'search', placeholder: 'search', 'aria-label': 'Search events' });
+  private readonly none = h('p', { class: 'empty', hidden: '' }, 'No event matches.');
   private shown: Event[] = [];
   private source: Store | undefined;
+  private began_unix_s: number | undefined;
 
-  constructor() {
-    this.element.append(this.list);
+  /** `more`: further elements of the bar. */
+  constructor(more: readonly HTMLElement[] = []) {
+    ['all events', 'warnings, errors', 'errors'].forEach((text, i) => {
+      this.level.append(h('option', { value: String(i) }, text));
+    });
+    for (const element of [this.level, this.search]) element.addEventListener('input', () => { this.narrow(); });
+    this.element.append(h('div', { class: 'events-bar' }, this.level, this.search, ...more), this.list, this.none);
   }
 
-  show(store: Store): void {
-    if (store !== this.source || store.events.length === 0) {
+  /** `began_unix_s`: the Unix time of t_s = 0; undefined: not known, or the time is virtual. */
+  show(store: Store, began_unix_s: number | undefined): void {
+    if (store !== this.source || store.events.length === 0 || began_unix_s !== this.began_unix_s) {
       this.source = store;
+      this.began_unix_s = began_unix_s;
       this.shown = [];
       this.list.replaceChildren();
     }
     const last = this.shown.at(-1);
     const from = last === undefined ? 0 : store.events.lastIndexOf(last) + 1;
-    for (const event of store.events.slice(from)) this.list.prepend(row(event));
+    if (from === store.events.length) return;
+    for (const event of store.events.slice(from)) this.list.prepend(row(event, began_unix_s));
     while (this.list.children.length > kEvents) this.list.lastElementChild?.remove();
     this.shown = store.events.slice(-1);
+    this.narrow();
+  }
+
+  private narrow(): void {
+    const words = this.search.value.trim().toLowerCase().split(/\s+/);
+    let any = this.list.children.length === 0;
+    for (const element of this.list.children) {
+      if (!(element instanceof HTMLElement)) continue;
+      const text = element.textContent.toLowerCase();
+      element.hidden = kLevels.indexOf(element.dataset.level ?? '') < Number(this.level.value) || !words.every((word) => text.includes(word));
+      any ||= !element.hidden;
+    }
+    this.none.hidden = any;
   }
 }
 
-function row(event: Event): HTMLElement {
+function row(event: Event, began_unix_s: number | undefined): HTMLElement {
   const what = [event.cause, event.fix].filter((text) => text !== '').join(' \u2014 ');
+  const since = clock(event.t_s);
+  const time = began_unix_s === undefined ? since : wallClock(began_unix_s + event.t_s);
   return h(
     'li',
     { class: 'event', 'data-level': event.level, 'data-kind': event.kind },
-    h('time', {}, clock(event.t_s)),
+    h('time', { title: `${since} since the start of tp100d` }, time),
     h('span', { class: 'event-kind' }, event.kind),
     h('span', { class: 'event-text' }, event.text, ...(what === '' ? [] : [h('span', { class: 'event-cause' }, what)])),
   );

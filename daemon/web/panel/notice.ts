@@ -1,4 +1,5 @@
 // Below the view: the most severe current problem, with what to do, and all others on request.
+import { fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, icon, setAttribute, setText } from './dom.ts';
 
@@ -86,5 +87,7 @@ function problems(store: Store, connected: boolean, retryIn_s: number, replaying
   // After a run that came to its end, a fault says why the next one cannot begin, not that this one failed.
   const level = state.run === 'finished' ? 'warn' : 'bad';
   for (const fault of state.faults) if (fault.name !== 'stop_requested') all.push({ level, what: fault.cause, todo: fault.fix });
+  if (store.battery.low && !replaying)
+    all.push({ level: 'warn', what: 'The battery is low', todo: `below ${fixed(store.battery.limit_v, 2)} V a run is aborted; charge it before the next one` });
   return all;
 }

@@ -80,6 +80,7 @@ export class Numbers {
     for (const { figure, tile, value } of this.rows) {
       setText(value, figure.text(store));
       setClass(tile, 'stale', store.stale(figure.topic));
+      if (figure.id === 'battery') setClass(tile, 'low', store.battery.low);
     }
   }
 }

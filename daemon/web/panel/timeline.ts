@@ -2,6 +2,7 @@
 import { clock, fixed } from '../state/format.ts';
 import type { Course, Place } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
+import { timeLeft_s } from '../state/time_left.ts';
 import { h, setClass, setText } from './dom.ts';
 
 export class Timeline {
@@ -11,12 +12,13 @@ export class Timeline {
   private readonly fill = h('i', { class: 'strip-fill' });
   private readonly marks = h('div', { class: 'strip-marks' });
   private readonly time = h('output', { class: 'timeline-time' });
+  private readonly left = h('output', { class: 'timeline-left', title: 'Time that the run will about still take' });
   private readonly way = h('output', { class: 'timeline-way' });
   private courseShown = -1;
 
   constructor() {
     this.strip.append(this.fill, this.marks);
-    this.element.append(this.name, this.strip, this.way, this.time);
+    this.element.append(this.name, this.strip, this.way, this.left, this.time);
   }
 
   show(store: Store): void {
@@ -33,6 +35,8 @@ export class Timeline {
     const transform = `scaleX(${share.toFixed(4)})`;
     if (this.fill.style.transform !== transform) this.fill.style.transform = transform;
     setText(this.way, length_m > 0 ? `${fixed(progress_m, 2)} / ${fixed(length_m, 2)} m` : '\u2013');
+    const left_s = timeLeft_s(state, course);
+    setText(this.left, left_s === undefined ? '' : `${clock(Math.ceil(left_s)).replace(/\.\d$/, '')} left`);
     setText(this.time, clock(state?.run_s ?? 0));
     setClass(this.element, 'stale', store.stale('/estimate'));
   }

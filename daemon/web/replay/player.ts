@@ -3,6 +3,9 @@ import type { Channels, Topic } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
 import type { Frame } from './recording.ts';
 
+/** The year 2001: virtual time begins at zero. */
+const kPlausible_unix_s = 1e9;
+
 export class Player {
   readonly begin_s: number;
   readonly end_s: number;
@@ -30,6 +33,13 @@ export class Player {
   /** Since the beginning. */
   get position_s(): number {
     return this.at_s - this.begin_s;
+  }
+
+  /** The Unix time of t_s = 0; undefined: the recording's time is virtual. */
+  get began_unix_s(): number | undefined {
+    const first = this.frames.find((frame) => frame.topic === '/estimate');
+    const began_s = (first?.time_s ?? 0) - ((first?.message as { t_s?: number } | undefined)?.t_s ?? 0);
+    return began_s > kPlausible_unix_s ? began_s : undefined;
   }
 
   seek(time_s: number): void {

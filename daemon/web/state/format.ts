@@ -47,6 +47,11 @@ export function clock(value_s: number | null | undefined): string {
   return `${Math.floor(seconds / 60)}:${two(seconds % 60)}.${tenths % 10}`;
 }
 
+/** 14:03:07, of the viewer's own zone. */
+export function wallClock(unix_s: number): string {
+  return new Date(1000 * unix_s).toTimeString().slice(0, 8);
+}
+
 export function bytes(value: number | null | undefined): string {
   if (!isKnown(value)) return kUnknown;
   const units = ['B', 'kB', 'MB', 'GB'];

@@ -219,6 +219,7 @@ export interface Course {
   length_m: number;
   start: { x_m: number; y_m: number; yaw_rad: number };
   path: PathPoint[];
+  segments?: { kind: string; from_m: number; to_m: number; angle_rad: number }[];
   ramps: Ramp[];
   blocks: Block[];
   surfaces: Surface[];

@@ -1,6 +1,7 @@
 // All data that the views draw, from the channels of one source: the live daemon or a recording.
 // Its memory is bounded.
 import type { Channels, Estimate, Event, Pose, SceneUpdate, Slip, State, Topic } from './messages.ts';
+import { BatteryWatch } from './battery.ts';
 import { Series } from './series.ts';
 import { PathHistory } from './path_history.ts';
 
@@ -64,6 +65,7 @@ export class Store {
     truth: new PathHistory(),
   };
   readonly events: Event[] = [];
+  readonly battery = new BatteryWatch();
   /** Distance of each track. */
   leftTrack_m = 0;
   rightTrack_m = 0;
@@ -157,6 +159,8 @@ export class Store {
   private state(next: State): void {
     const began = next.run === 'running' && this.latest['/state']?.run === 'arming';
     if (began) this.clearTrails();
+    const limit = this.latest['/parameter']?.parameters.find(({ name }) => name === 'control.min_battery_v')?.value;
+    this.battery.take(next.t_s, next.battery_v, typeof limit === 'number' ? limit : undefined);
   }
 
   /** The path driven before this viewer connected. */
