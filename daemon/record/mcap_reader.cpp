@@ -12,6 +12,7 @@
 
 #include "core/bytes.h"
 #include "record/mcap_format.h"
+#include "record/recording_file.h"
 
 namespace tp100::record {
 namespace {
@@ -160,6 +161,7 @@ void McapReader::State::open() {
     throw SetupError(path + ": cannot be read (" + std::strerror(errno) +
                      "); name a recording or its folder, as tp100d run --record makes them");
   if (!S_ISREG(status.st_mode)) throw SetupError(path + ": not a file; give a recording");
+  mark_in_use(descriptor);
   size = static_cast<std::uint64_t>(status.st_size);
   Bytes buffer;
   if (size < kMcapMagic.size() ||

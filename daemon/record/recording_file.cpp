@@ -1,6 +1,7 @@
 #include "record/recording_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -21,6 +22,7 @@ RecordingFile::RecordingFile(std::string path) : path_(std::move(path)) {
   if (descriptor_ < 0)
     throw SetupError(path_ + ": cannot be written (" + std::strerror(errno) +
                      "); check folder, permission and free space");
+  mark_in_use(descriptor_);
 }
 
 RecordingFile::~RecordingFile() { ::close(descriptor_); }
@@ -55,6 +57,17 @@ std::uint64_t RecordingFile::room() const {
     room = std::min<std::uint64_t>(room,
                                    limit.rlim_cur - std::min<std::uint64_t>(size_, limit.rlim_cur));
   return room;
+}
+
+void mark_in_use(int descriptor) { ::flock(descriptor, LOCK_SH | LOCK_NB); }
+
+UsedFile::UsedFile(const std::string& path)
+    : descriptor_(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {
+  if (descriptor_ >= 0) mark_in_use(descriptor_);
+}
+
+UsedFile::~UsedFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 void remove_recording(const std::string& path) {

@@ -33,6 +33,23 @@ class RecordingFile {
   std::uint64_t size_ = 0;
 };
 
+/// Tells other programs that the open file is in use until it is closed (a shared flock), so that
+/// nobody deletes it; readers and writers of recordings do so. A disk without such locks is left
+/// alone.
+void mark_in_use(int descriptor);
+
+/// A recording that is in use for as long as this exists; a missing one is no error.
+class UsedFile {
+ public:
+  explicit UsedFile(const std::string& path);
+  ~UsedFile();
+  UsedFile(const UsedFile&) = delete;
+  UsedFile& operator=(const UsedFile&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 /// Removes a recording, and its folder if that is empty then; a missing one is no error.
 void remove_recording(const std::string& path);
 

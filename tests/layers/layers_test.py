@@ -17,7 +17,7 @@ LAYERS = [
     'terrain control sim/body',
     'bridge messages sim/sensors',
     'record sim/board',
-    'config sim/faults',
+    'config runs sim/faults',
     'server identify report doctor camera ros2',
     'live',
     'app sim/robot',

@@ -1,0 +1,247 @@
+#include "runs/run_archive.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "record/recording_file.h"
+#include "text/format.h"
+#include "text/json_writer.h"
+
+namespace tp100::runs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto kFresh = std::chrono::seconds(1);
+constexpr const char* kBusyDisk = "the disk does not answer; try again later";
+
+void write_run(text::JsonWriter& json, const Run& run, bool active) {
+  json.begin_object()
+      .field("run", run.folder)
+      .field("name", run.note.name)
+      .field("note", run.note.note)
+      .field("tags", run.note.tags)
+      .field("keep", run.note.keep)
+      .field("note_error", run.note_error)
+      .field("modified_unix_s", run.recorded_unix_s)
+      .field("bytes", run.bytes)
+      .field("active", active)
+      .key("files")
+      .begin_array();
+  for (const RunFile& file : run.files)
+    json.begin_object()
+        .field("name", file.name)
+        .field("bytes", file.bytes)
+        .field("url", "/runs/" + run.folder + "/" + file.name)
+        .field("kind", kind_of(file.name).kind)
+        .end_object();
+  json.end_array().end_object();
+}
+
+/// A folder of its own within `folder`, which no list shows; removed at the end.
+class WorkFolder {
+ public:
+  /// Throws SetupError.
+  explicit WorkFolder(const std::string& folder) : path_(folder + "/.report-XXXXXX") {
+    if (::mkdtemp(path_.data()) == nullptr)
+      throw SetupError(std::string("no folder for the report can be made: ") +
+                       std::strerror(errno));
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// Puts a file in the place of another, or of a link. Throws SetupError.
+void move_file(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error)
+    throw SetupError(to.filename().string() + ": cannot be kept beside the run (" +
+                     error.message() + ")");
+}
+
+std::string without(std::string text, const std::string& part) {
+  for (std::size_t at; (at = text.find(part)) != std::string::npos;) text.erase(at, part.size());
+  return text;
+}
+
+void require_run(const std::vector<Run>& runs, const std::string& name, const std::string& active) {
+  const auto found =
+      std::find_if(runs.begin(), runs.end(), [&](const Run& each) { return each.folder == name; });
+  if (found == runs.end())
+    throw SetupError(text::one_line(name) + ": no such run; GET /api/runs lists them");
+  if (name == active) throw SetupError(name + " is being recorded; end the recording first");
+  if (!found->has_recording) throw SetupError(name + ": has no recording run.mcap");
+}
+
+}  // namespace
+
+std::string RunArchive::json() {
+  const std::string active = settings_.active();
+  std::uint64_t changes = 0;
+  std::string making;
+  {
+    const std::lock_guard lock(mutex_);
+    const bool known = active == active_ && changes_ == listed_;
+    if (!json_.empty() && known && std::chrono::steady_clock::now() - read_ < kFresh) return json_;
+    changes = changes_;
+    making = making_;
+  }
+  const std::vector<Run> runs = list_runs(settings_.folder);
+  std::uint64_t bytes = 0;
+  for (const Run& run : runs) bytes += run.bytes;
+  std::string text;
+  text::JsonWriter json(text);
+  const std::string name = fs::path(settings_.folder + "/").parent_path().filename();
+  json.begin_object()
+      .field("directory", settings_.folder.empty() ? "" : name)
+      .field("bytes", bytes)
+      .field("free_bytes", free_bytes(settings_.folder))
+      .field("quota_bytes", settings_.quota_bytes)
+      .field("making", making)
+      .key("runs")
+      .begin_array();
+  for (std::size_t i = 0; i < std::min(runs.size(), kMaxListedRuns); ++i)
+    write_run(json, runs[i], !active.empty() && runs[i].folder == active);
+  json.end_array().end_object();
+  const std::lock_guard lock(mutex_);
+  json_ = text;
+  active_ = active;
+  listed_ = changes;
+  // The time after reading, so that a slow disk is not read continuously.
+  read_ = std::chrono::steady_clock::now();
+  return text;
+}
+
+void RunArchive::changed() {
+  const std::lock_guard lock(mutex_);
+  ++changes_;
+}
+
+template <class Job>
+void RunArchive::on_disk(const Answer& answer, Job job) {
+  const bool posted = disk_.post([this, answer, job] {
+    std::string json;
+    try {
+      json = job();
+    } catch (const SetupError& error) {
+      return answer(without(error.what(), settings_.folder + "/"), "");
+    }
+    changed();
+    answer("", json);
+  });
+  if (!posted) answer(kBusyDisk, "");
+}
+
+void RunArchive::change_note(const std::string& run, const RunNoteChange& change,
+                             const Answer& answer) {
+  on_disk(answer, [this, run, change] {
+    const RunNote note = runs::change_note(settings_.folder, run, change);
+    std::string text;
+    text::JsonWriter(text)
+        .begin_object()
+        .field("run", run)
+        .field("name", note.name)
+        .field("note", note.note)
+        .field("tags", note.tags)
+        .field("keep", note.keep)
+        .end_object();
+    return text;
+  });
+}
+
+void RunArchive::remove(const std::string& run, const Answer& answer) {
+  on_disk(answer, [this, run] {
+    if (run == settings_.active()) throw SetupError(run + " is being recorded; end that first");
+    delete_run(settings_.folder, run);
+    std::string text;
+    text::JsonWriter(text).begin_object().field("run", run).end_object();
+    return text;
+  });
+}
+
+void RunArchive::report(const std::string& run, const Answer& answer) {
+  ask_report(run, "", answer);
+}
+
+void RunArchive::compare(const std::string& run, const std::string& with, const Answer& answer) {
+  ask_report(run, with, answer);
+}
+
+void RunArchive::ask_report(const std::string& run, const std::string& with, const Answer& answer) {
+  std::string busy;
+  {
+    const std::lock_guard lock(mutex_);
+    busy = making_;
+    if (busy.empty()) {
+      making_ = run.empty() ? "?" : run;
+      ++changes_;
+    }
+  }
+  if (!busy.empty())
+    return answer("a report of " + text::one_line(busy) +
+                      " is being made; try again when it is "
+                      "done",
+                  "");
+  const bool posted = reports_.post([this, run, with, answer] {
+    std::string url, why;
+    try {
+      url = make(run, with);
+    } catch (const SetupError& error) {
+      why = without(without(error.what(), settings_.folder + "/"), "tp100d: ");
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      making_.clear();
+      ++changes_;
+    }
+    std::string text;
+    text::JsonWriter(text).begin_object().field("run", run).field("url", url).end_object();
+    answer(why, text);
+  });
+  if (!posted) answer(kBusyDisk, "");
+}
+
+std::string RunArchive::make(const std::string& run, const std::string& with) {
+  const std::vector<Run> runs = list_runs(settings_.folder);
+  const std::string active = settings_.active();
+  require_run(runs, run, active);
+  if (!with.empty()) require_run(runs, with, active);
+  if (with == run) throw SetupError("compare needs two different runs");
+  // Until the program has opened it.
+  const record::UsedFile used(settings_.folder + "/" + run + "/run.mcap");
+  const record::UsedFile other(settings_.folder + "/" + (with.empty() ? run : with) + "/run.mcap");
+  const WorkFolder work(settings_.folder);
+  std::vector<std::string> arguments = {settings_.program, with.empty() ? "report" : "compare",
+                                        "--background",    "--out",
+                                        work.path(),       settings_.folder + "/" + run};
+  if (!with.empty()) arguments.push_back(settings_.folder + "/" + with);
+  if (const std::string why = process_.run(arguments, settings_.limit); !why.empty())
+    throw SetupError(why);
+  const fs::path beside = fs::path(settings_.folder) / run;
+  if (!with.empty()) {
+    const std::string name = "compare-" + with + ".html";
+    move_file(fs::path(work.path()) / "compare.html", beside / name);
+    return "/runs/" + run + "/" + name;
+  }
+  std::error_code error;
+  for (fs::directory_iterator at(work.path(), error), end; !error && at != end; at.increment(error))
+    move_file(at->path(), beside / at->path().filename());
+  return "/runs/" + run + "/report.html";
+}
+
+}  // namespace tp100::runs

@@ -1,0 +1,71 @@
+#pragma once
+// The recorded runs as viewers see and manage them: list, notes, deletion, reports. Disks and
+// programs are waited for in threads of its own.
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+
+#include "record/worker.h"
+#include "runs/report_process.h"
+#include "runs/run_folder.h"
+
+namespace tp100::runs {
+
+/// Most runs listed; older ones are left out.
+inline constexpr std::size_t kMaxListedRuns = 500;
+
+struct ArchiveSettings {
+  std::string folder;             ///< empty: nothing is recorded
+  std::uint64_t quota_bytes = 0;  ///< as shown; 0: none
+  std::string program;            ///< tp100d, which makes reports
+  /// The run being recorded; empty: none. Any thread.
+  std::function<std::string()> active = [] { return std::string(); };
+  std::chrono::milliseconds limit = std::chrono::minutes(10);  ///< for one report
+};
+
+class RunArchive {
+ public:
+  /// Receives why the request failed, in one line, or nothing; and its answer as JSON. Called once,
+  /// from any thread, also at the archive's end.
+  using Answer = std::function<void(const std::string& why, const std::string& json)>;
+
+  explicit RunArchive(ArchiveSettings settings) : settings_(std::move(settings)) {}
+  /// Ends a report that is being made.
+  ~RunArchive() { process_.stop(); }
+
+  /// The answer to GET /api/runs (CHANNELS.md), as of the last second and after every change made
+  /// here. Contains names only, no paths. Waits for the disk; any thread.
+  std::string json();
+
+  // Any thread; none of these waits for the disk.
+  void change_note(const std::string& run, const RunNoteChange& change, const Answer& answer);
+  void remove(const std::string& run, const Answer& answer);
+  /// Makes report.html, metrics.json and the figures of a run in its folder.
+  void report(const std::string& run, const Answer& answer);
+  /// Makes compare-WITH.html in the folder of `run`.
+  void compare(const std::string& run, const std::string& with, const Answer& answer);
+
+ private:
+  template <class Job>
+  void on_disk(const Answer& answer, Job job);
+  /// `with`: empty for a report.
+  void ask_report(const std::string& run, const std::string& with, const Answer& answer);
+  std::string make(const std::string& run, const std::string& with);
+  void changed();
+
+  const ArchiveSettings settings_;
+  std::mutex mutex_;    // guards what follows; never held while waiting for a disk or a program
+  std::string making_;  // the run that is reported; empty: none
+  std::string json_;    // the newest list
+  std::string active_;  // as it says
+  std::chrono::steady_clock::time_point read_{};
+  std::uint64_t changes_ = 0, listed_ = 0;  // made here; known to the list
+  ReportProcess process_;
+  // Declared last: their jobs use the others.
+  record::Worker disk_, reports_;
+};
+
+}  // namespace tp100::runs

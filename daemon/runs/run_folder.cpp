@@ -1,0 +1,235 @@
+#include "runs/run_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "core/error.h"
+#include "text/atomic_file.h"
+#include "text/format.h"
+
+namespace tp100::runs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxFiles = 100;  // listed per run
+constexpr std::size_t kMaxEntries = 20'000;
+constexpr std::size_t kMaxNoteFile = 16'384;
+constexpr const char* kRecordingFile = "run.mcap";
+
+constexpr std::array<FileKind, 8> kKinds = {{
+    {kRunNoteFile, "note", "text/plain; charset=utf-8"},
+    {".mcap", "recording", "application/octet-stream"},
+    {".html", "report", "text/html; charset=utf-8"},
+    {".json", "metrics", "application/json"},
+    {".csv", "table", "text/csv; charset=utf-8"},
+    {".tum", "trajectory", "text/plain; charset=utf-8"},
+    {".svg", "figure", "image/svg+xml"},
+    {".toml", "other", "text/plain; charset=utf-8"},
+}};
+constexpr FileKind kOther = {"", "other", "application/octet-stream"};
+
+double seconds(const timespec& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+bool is_folder(const fs::path& path) {
+  struct stat status {};
+  return ::lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+/// Of a regular file, not of what a link names. Throws SetupError.
+RunNote read_note(const fs::path& path) {
+  std::string text(kMaxNoteFile + 1, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kMaxNoteFile)
+    throw SetupError(std::string(kRunNoteFile) + ": too long; write a shorter one");
+  return parse_run_note(text, kRunNoteFile);
+}
+
+/// False: not a folder of its own.
+bool look_at(const fs::path& folder, Run& run) {
+  if (!is_folder(folder)) return false;
+  struct stat status {};
+  double newest_s = 0.0, recording_s = 0.0;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!is_run_name(name) || ::lstat(at->path().c_str(), &status) != 0) continue;
+    if (name == kRunNoteFile) {
+      run.has_note = true;
+      try {
+        if (!S_ISREG(status.st_mode)) throw SetupError(name + ": not a file");
+        run.note = read_note(at->path());
+      } catch (const SetupError& wrong) {
+        run.note_error = wrong.what();
+      }
+    }
+    if (!S_ISREG(status.st_mode)) continue;
+    const auto bytes = static_cast<std::uint64_t>(status.st_size);
+    if (run.files.size() < kMaxFiles) run.files.push_back({name, bytes});
+    run.bytes += bytes;
+    newest_s = std::max(newest_s, seconds(status.st_mtim));
+    if (name != kRecordingFile) continue;
+    run.has_recording = true;
+    recording_s = seconds(status.st_mtim);
+  }
+  if (newest_s == 0.0 && ::lstat(folder.c_str(), &status) == 0) newest_s = seconds(status.st_mtim);
+  run.recorded_unix_s = run.has_recording ? recording_s : newest_s;
+  std::sort(run.files.begin(), run.files.end(),
+            [](const RunFile& a, const RunFile& b) { return a.name < b.name; });
+  return true;
+}
+
+/// The path of a run's folder. Throws SetupError.
+fs::path run_path(const std::string& folder, const std::string& run) {
+  fs::path path = fs::path(folder) / run;
+  if (folder.empty() || !is_run_name(run) || !is_folder(path))
+    throw SetupError(text::one_line(run) + ": no such run; GET /api/runs lists them");
+  return path;
+}
+
+/// A recording that nobody else uses, and that nobody can mark as in use from here on.
+class OwnRecording {
+ public:
+  /// Throws SetupError.
+  OwnRecording(const fs::path& path, const std::string& run)
+      : fd_(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)) {
+    struct stat status {};
+    std::string why;
+    if (fd_ < 0 || ::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode))
+      why = ": has no run.mcap, so it may be something else; delete it by hand";
+    else if (::flock(fd_, LOCK_EX | LOCK_NB) != 0)
+      why = ": is open: it is being recorded, replayed, reported or downloaded; try again later";
+    if (why.empty()) return;
+    if (fd_ >= 0) ::close(fd_);
+    throw SetupError(run + why);
+  }
+  ~OwnRecording() { ::close(fd_); }
+  OwnRecording(const OwnRecording&) = delete;
+  OwnRecording& operator=(const OwnRecording&) = delete;
+
+ private:
+  int fd_;
+};
+
+}  // namespace
+
+bool is_run_name(std::string_view name) { return text::is_file_name(name, kMaxFileName); }
+
+const FileKind& kind_of(std::string_view file) {
+  for (const FileKind& each : kKinds)
+    if (each.end == kRunNoteFile ? file == each.end : file.ends_with(each.end)) return each;
+  return kOther;
+}
+
+std::vector<Run> list_runs(const std::string& folder) {
+  std::vector<Run> runs;
+  std::error_code error;
+  std::size_t seen = 0;
+  if (folder.empty()) return runs;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (++seen > kMaxEntries) break;
+    Run run{.folder = at->path().filename().string()};
+    if (is_run_name(run.folder) && look_at(at->path(), run)) runs.push_back(std::move(run));
+  }
+  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
+    return std::pair(a.recorded_unix_s, a.folder) > std::pair(b.recorded_unix_s, b.folder);
+  });
+  return runs;
+}
+
+RunNote change_note(const std::string& folder, const std::string& run,
+                    const RunNoteChange& change) {
+  const fs::path path = run_path(folder, run);
+  Run found;
+  look_at(path, found);
+  // One that cannot be read is replaced.
+  RunNote note = changed(found.note, change);
+  if (const std::string why = why_not(note); !why.empty()) throw SetupError(why);
+  const fs::path file = path / kRunNoteFile;
+  // Written directly, a link or a pipe would lead elsewhere.
+  const fs::file_status status = fs::symlink_status(file);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw SetupError(run + "/" + kRunNoteFile + ": not a file; delete it by hand");
+  std::error_code error;
+  if (!note.empty())
+    text::write_file(file.string(), write_run_note(note));
+  else if (!fs::remove(file, error) && error)
+    throw SetupError(run + "/" + kRunNoteFile + ": cannot be deleted (" + error.message() + ")");
+  return note;
+}
+
+void delete_run(const std::string& folder, const std::string& run) {
+  const fs::path path = run_path(folder, run);
+  const OwnRecording own(path / kRecordingFile, run);
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
+    if (is_folder(at->path()))
+      throw SetupError(run + ": there is a folder in it, " +
+                       text::one_line(at->path().filename().string()) + "; delete it by hand");
+    files.push_back(at->path());
+  }
+  // The note, which keeps it, goes last.
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return std::pair(a.filename() == kRunNoteFile, a) < std::pair(b.filename() == kRunNoteFile, b);
+  });
+  for (const fs::path& file : files)
+    if (!error) fs::remove(file, error);
+  if (!error) fs::remove(path, error);
+  if (error)
+    throw SetupError(run + ": cannot be deleted (" + error.message() +
+                     "); check the folder's permissions");
+}
+
+Room make_room(const std::string& folder, std::uint64_t most_bytes) {
+  Room room;
+  std::vector<Run> runs = list_runs(folder);
+  std::size_t noted = 0;
+  std::string failure;
+  for (const Run& run : runs) room.bytes += run.bytes;
+  std::reverse(runs.begin(), runs.end());
+  for (const Run& run : runs) {
+    if (room.bytes <= most_bytes) return room;
+    if (run.has_note) {
+      ++noted;
+      continue;
+    }
+    try {
+      delete_run(folder, run.folder);
+      room.deleted.push_back(run.folder);
+      room.bytes -= run.bytes;
+    } catch (const SetupError& error) {
+      if (failure.empty()) failure = error.what();
+    }
+  }
+  if (room.bytes > most_bytes)
+    room.why_not =
+        text::format(
+            "the recordings have %.0f MB, more than the %.0f MB of "
+            "record.quota_mb: %zu have a name, note or tags",
+            static_cast<double>(room.bytes) * 1e-6, static_cast<double>(most_bytes) * 1e-6, noted) +
+        (failure.empty() ? "; delete some" : "; " + failure);
+  return room;
+}
+
+std::uint64_t free_bytes(const std::string& folder) {
+  struct statvfs disk {};
+  return ::statvfs(folder.c_str(), &disk) == 0 ? disk.f_bavail * disk.f_frsize : 0;
+}
+
+}  // namespace tp100::runs

@@ -1,0 +1,67 @@
+#pragma once
+// The folder of recordings (record.directory) as it is on the disk: a folder for each run.
+// Everything found there is treated as hostile: names are checked, no link is followed. Functions
+// wait for the disk; any thread.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runs/run_note.h"
+
+namespace tp100::runs {
+
+inline constexpr std::size_t kMaxFileName = 128;
+/// Of a run or of one of its files: letters, digits, '-', '_' and '.', no '.' first.
+bool is_run_name(std::string_view name);
+
+/// What a file of a run is, by the end of its name.
+struct FileKind {
+  std::string_view end;  ///< ".mcap"
+  std::string_view kind;
+  std::string_view media_type;
+};
+const FileKind& kind_of(std::string_view file);
+
+struct RunFile {
+  std::string name;
+  std::uint64_t bytes = 0;
+};
+
+struct Run {
+  std::string folder;            ///< its name, not its path
+  double recorded_unix_s = 0.0;  ///< when its recording, or else its newest file, was last written
+  std::uint64_t bytes = 0;       ///< of all its files
+  std::vector<RunFile> files{};  ///< sorted by name, at most 100
+  bool has_recording = false;
+  bool has_note = false;
+  RunNote note{};
+  std::string note_error{};  ///< why the note cannot be read, in one line, or empty
+};
+
+/// All runs, newest first; an absent folder counts as empty.
+std::vector<Run> list_runs(const std::string& folder);
+
+/// Changes the note of a run; one that is empty then is removed. Returns the new one. Throws
+/// SetupError: no such run, text that is not taken, or the disk.
+RunNote change_note(const std::string& folder, const std::string& run, const RunNoteChange& change);
+
+/// Deletes a run with all its files. Throws SetupError, and deletes nothing: no such run, its
+/// recording is open somewhere (record/recording_file.h, mark_in_use), it has none, or there is a
+/// folder in it.
+void delete_run(const std::string& folder, const std::string& run);
+
+struct Room {
+  std::vector<std::string> deleted{};
+  std::uint64_t bytes = 0;  ///< of all runs afterwards
+  std::string why_not{};    ///< why that is still more than permitted, in one line, or empty
+};
+/// Deletes the oldest runs without a note, as delete_run() does, until all together are at most
+/// `most_bytes`.
+Room make_room(const std::string& folder, std::uint64_t most_bytes);
+
+/// Free space on the disk of the folder; 0: not known.
+std::uint64_t free_bytes(const std::string& folder);
+
+}  // namespace tp100::runs

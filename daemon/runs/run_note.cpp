@@ -1,0 +1,73 @@
+#include "runs/run_note.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "text/json_writer.h"
+#include "text/key.h"
+
+namespace tp100::runs {
+namespace {
+
+std::span<const text::Key<RunNote>> keys() {
+  using T = RunNote;
+  static const std::array<text::Key<T>, 4> kKeys = {{
+      {"name", &T::name, {}, "Name of the run"},
+      {"tags", &T::tags, {}, "Words between spaces, to find it by"},
+      {"note", &T::note, {}, "What there is to say of it"},
+      {"keep", &T::keep, {}, "Keep it, whatever record.quota_mb says"},
+  }};
+  return kKeys;
+}
+
+/// Also no line break, unless `lines`.
+bool is_text(std::string_view text, bool lines) {
+  while (!text.empty()) {
+    const std::size_t length = text::utf8_length(text);
+    const auto first = static_cast<unsigned char>(text.front());
+    const bool control = first < 0x20 || first == 0x7f;
+    if (length == 0 || (control && !(lines && (first == '\n' || first == '\t')))) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+}  // namespace
+
+RunNote changed(RunNote note, const RunNoteChange& change) {
+  note.name = change.name.value_or(note.name);
+  note.note = change.note.value_or(note.note);
+  note.tags = change.tags.value_or(note.tags);
+  note.keep = change.keep.value_or(note.keep);
+  return note;
+}
+
+std::string why_not(const RunNote& note) {
+  const auto wrong = [](const char* what, std::string_view text, std::size_t most, bool lines) {
+    if (text.size() <= most && is_text(text, lines)) return std::string();
+    return std::string(what) + " takes text without control characters, at most " +
+           std::to_string(most) + " bytes";
+  };
+  std::string why = wrong("name", note.name, kMaxRunName, false);
+  if (why.empty()) why = wrong("tags", note.tags, kMaxTags, false);
+  if (why.empty()) why = wrong("note", note.note, kMaxNote, true);
+  return why;
+}
+
+RunNote parse_run_note(const std::string& text, const std::string& file) {
+  const text::TomlDocument document(text, file);
+  text::TomlTable root = document.root();
+  RunNote note;
+  text::read_keys(root, keys(), note);
+  root.finish();
+  if (const std::string why = why_not(note); !why.empty()) root.fail("", why);
+  return note;
+}
+
+std::string write_run_note(const RunNote& note) {
+  return text::toml_comment("What people say of this run; the page of tp100d shows and edits it.") +
+         "\n" + text::write_keys(keys(), note);
+}
+
+}  // namespace tp100::runs

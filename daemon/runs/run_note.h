@@ -1,0 +1,38 @@
+#pragma once
+// What people say of a recorded run: a name, a note, tags. Kept as run.toml beside the recording. A
+// run with this file is never deleted by itself (run_folder.h).
+
+#include <optional>
+#include <string>
+
+namespace tp100::runs {
+
+inline constexpr const char* kRunNoteFile = "run.toml";
+inline constexpr std::size_t kMaxRunName = 80, kMaxTags = 200, kMaxNote = 2000;  ///< bytes
+
+struct RunNote {
+  std::string name{};  ///< one line
+  std::string note{};  ///< may have several lines
+  std::string tags{};  ///< words between spaces
+  bool keep = false;   ///< not deleted, even without anything else
+
+  bool empty() const { return name.empty() && note.empty() && tags.empty() && !keep; }
+};
+
+/// What changes; the rest stays.
+struct RunNoteChange {
+  std::optional<std::string> name{}, note{}, tags{};
+  std::optional<bool> keep{};
+};
+RunNote changed(RunNote note, const RunNoteChange& change);
+
+/// Why these texts are not taken, in one line: too long, not UTF-8, control characters; empty: they
+/// are.
+std::string why_not(const RunNote& note);
+
+/// Throws SetupError (file:line:column). `file` is only used in messages.
+RunNote parse_run_note(const std::string& text, const std::string& file);
+/// A file that parse_run_note() reads back.
+std::string write_run_note(const RunNote& note);
+
+}  // namespace tp100::runs

@@ -1,0 +1,204 @@
+#include "runs/run_archive.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "../support/temporary_folder.h"
+
+namespace tp100::runs {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The answer to a request.
+struct Answered {
+  std::string why;
+  Json json;
+};
+
+class RunArchiveTest : public ::testing::Test {
+ protected:
+  RunArchiveTest() {
+    for (const char* name : {"a", "b"}) write(std::string("runs/") + name + "/run.mcap", "0123");
+    settings_ = {.folder = folder_.file("runs"),
+                 .quota_bytes = 5'000'000,
+                 .program = folder_.file("tp100d"),
+                 .active = [this] { return active_; }};
+    // Stands in for `tp100d report --background --out FOLDER RUN`, and compare.
+    program("echo page > $4/report.html; echo '{}' > $4/metrics.json; echo page > $4/compare.html");
+  }
+  void write(const std::string& path, const std::string& text) const {
+    fs::create_directories(fs::path(folder_.file(path)).parent_path());
+    test::write_bytes(folder_.file(path), text);
+  }
+  void program(const std::string& script) const {
+    write("tp100d", "#!/bin/sh\n" + script + "\n");
+    ::chmod(folder_.file("tp100d").c_str(), 0700);
+  }
+  RunArchive& archive() {
+    if (!archive_) archive_.emplace(settings_);
+    return *archive_;
+  }
+  /// Calls `ask` with an answer, and waits for it.
+  static Answered asked(const std::function<void(const RunArchive::Answer&)>& ask) {
+    const auto promise = std::make_shared<std::promise<Answered>>();
+    ask([promise](const std::string& why, const std::string& json) {
+      promise->set_value({why, json.empty() ? Json() : Json::parse(json)});
+    });
+    return promise->get_future().get();
+  }
+  Answered report(const std::string& run) {
+    return asked([&](const auto& answer) { archive().report(run, answer); });
+  }
+  Answered compare(const std::string& run, const std::string& with) {
+    return asked([&](const auto& answer) { archive().compare(run, with, answer); });
+  }
+  Answered remove(const std::string& run) {
+    return asked([&](const auto& answer) { archive().remove(run, answer); });
+  }
+  bool there(const std::string& path) const { return fs::exists(folder_.file("runs/" + path)); }
+
+  test::TemporaryFolder folder_;
+  std::string active_;
+  ArchiveSettings settings_;
+  std::optional<RunArchive> archive_;
+};
+
+TEST_F(RunArchiveTest, ListsRunsWithoutAPath) {
+  active_ = "b";
+  write("runs/a/run.toml", "name = \"Wet\"\ntags = \"x y\"\n");
+  const std::string text = archive().json();
+  EXPECT_THAT(text, Not(HasSubstr(folder_.path().string())));
+  const Json list = Json::parse(text);
+  EXPECT_EQ(list["directory"], "runs");
+  EXPECT_GT(list["free_bytes"], 0);
+  EXPECT_EQ(list["quota_bytes"], 5'000'000);
+  EXPECT_GT(list["bytes"], 8);
+  for (const Json& run : list["runs"]) {
+    EXPECT_EQ(run["active"], run["run"] == "b");
+    EXPECT_EQ(run["name"], run["run"] == "a" ? "Wet" : "");
+    EXPECT_EQ(run["files"][0]["url"], "/runs/" + std::string(run["run"]) + "/run.mcap");
+    EXPECT_EQ(run["files"][0]["kind"], "recording");
+  }
+  EXPECT_EQ(list["runs"].size(), 2U);
+}
+
+TEST_F(RunArchiveTest, WithoutAFolderThereAreNoRuns) {
+  settings_.folder.clear();
+  EXPECT_EQ(Json::parse(archive().json())["directory"], "");
+  EXPECT_THAT(report("a").why, HasSubstr("no such run"));
+  EXPECT_THAT(remove("a").why, HasSubstr("no such run"));
+}
+
+TEST_F(RunArchiveTest, TheListIsReadFromTheDiskOnceASecondAndAfterAChange) {
+  const auto count = [&] { return Json::parse(archive().json())["runs"].size(); };
+  // If the machine pauses for a second in between, nothing can be compared, so the check is
+  // repeated.
+  for (bool seen = false; !seen;) {
+    const auto began = std::chrono::steady_clock::now();
+    const std::size_t before = count();
+    write("runs/" + std::to_string(before) + "/run.mcap", "");
+    const std::size_t after = count();
+    seen = std::chrono::steady_clock::now() - began < 1s;
+    if (seen) {
+      EXPECT_EQ(after, before);
+    }
+    while (count() == before) std::this_thread::sleep_for(10ms);
+  }
+  const std::size_t before = count();
+  EXPECT_EQ(remove("a").why, "");
+  EXPECT_EQ(count(), before - 1);
+  active_ = "b";
+  write("runs/more/run.mcap", "");
+  EXPECT_EQ(count(), before);
+}
+
+TEST_F(RunArchiveTest, AReportIsKeptBesideItsRun) {
+  const Answered answer = report("a");
+  EXPECT_EQ(answer.why, "");
+  EXPECT_EQ(answer.json["url"], "/runs/a/report.html");
+  EXPECT_TRUE(there("a/report.html") && there("a/metrics.json"));
+  for (const auto& each : fs::directory_iterator(folder_.file("runs")))
+    EXPECT_FALSE(each.path().filename().string().starts_with(".")) << each.path();
+}
+
+TEST_F(RunArchiveTest, AComparisonIsNamedAfterTheOtherRun) {
+  EXPECT_EQ(compare("a", "b").json["url"], "/runs/a/compare-b.html");
+  EXPECT_TRUE(there("a/compare-b.html"));
+  EXPECT_FALSE(there("a/report.html"));
+  EXPECT_THAT(compare("a", "a").why, HasSubstr("two different"));
+  EXPECT_THAT(compare("a", "../a").why, HasSubstr("no such run"));
+}
+
+TEST_F(RunArchiveTest, AReportReplacesALinkInsteadOfFollowingIt) {
+  write("secret", "secret");
+  fs::create_symlink(folder_.file("secret"), folder_.file("runs/a/report.html"));
+  EXPECT_EQ(report("a").why, "");
+  EXPECT_EQ(test::read_bytes(folder_.file("secret")), "secret");
+  EXPECT_FALSE(fs::is_symlink(folder_.file("runs/a/report.html")));
+}
+
+TEST_F(RunArchiveTest, AFailureIsSaidWithoutAPathAndAnotherReportMayFollow) {
+  program("echo \"tp100d: $5/run.mcap: not a recording (no MCAP file)\" >&2; exit 2");
+  EXPECT_EQ(report("a").why, "a/run.mcap: not a recording (no MCAP file)");
+  EXPECT_FALSE(there("a/report.html"));
+  for (const char* name : {"..", "", "none", "/etc"})
+    EXPECT_THAT(report(name).why, HasSubstr("no such run")) << name;
+  active_ = "a";
+  EXPECT_THAT(report("a").why, HasSubstr("is being recorded"));
+  EXPECT_THAT(remove("a").why, HasSubstr("is being recorded"));
+  EXPECT_TRUE(there("a/run.mcap"));
+}
+
+TEST_F(RunArchiveTest, OneReportIsMadeAtATimeAndItsRunIsNotDeleted) {
+  const std::string begun = folder_.file("begun"), go = folder_.file("go");
+  program("touch " + begun + "; while [ ! -e " + go + " ]; do sleep 0.01; done");
+  const auto first = std::make_shared<std::promise<std::string>>();
+  archive().report("a",
+                   [first](const std::string& why, const std::string&) { first->set_value(why); });
+  while (!fs::exists(begun)) std::this_thread::sleep_for(1ms);
+  EXPECT_THAT(report("b").why, HasSubstr("a report of a is being made"));
+  EXPECT_EQ(Json::parse(archive().json())["making"], "a");
+  EXPECT_THAT(remove("a").why, HasSubstr("is open"));
+  write("go", "");
+  EXPECT_EQ(first->get_future().get(), "");
+  EXPECT_EQ(Json::parse(archive().json())["making"], "");
+  EXPECT_EQ(report("b").why, "");
+}
+
+TEST_F(RunArchiveTest, AReportEndsWithTheDaemon) {
+  const std::string begun = folder_.file("begun");
+  program("touch " + begun + "; exec sleep 600");
+  const auto first = std::make_shared<std::promise<std::string>>();
+  archive().report("a",
+                   [first](const std::string& why, const std::string&) { first->set_value(why); });
+  while (!fs::exists(begun)) std::this_thread::sleep_for(1ms);
+  archive_.reset();
+  EXPECT_EQ(first->get_future().get(), "the daemon ends");
+}
+
+TEST_F(RunArchiveTest, ANoteIsAnsweredAsItIsThen) {
+  const Answered answer = asked(
+      [&](const auto& reply) { archive().change_note("a", {.name = "Wet", .keep = true}, reply); });
+  EXPECT_EQ(answer.json,
+            Json::parse(R"({"run":"a","name":"Wet","note":"","tags":"","keep":true})"));
+  const Answered refused =
+      asked([&](const auto& reply) { archive().change_note("a", {.name = "a\nb"}, reply); });
+  EXPECT_THAT(refused.why, HasSubstr("name takes"));
+}
+
+}  // namespace
+}  // namespace tp100::runs
