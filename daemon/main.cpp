@@ -235,6 +235,8 @@ void add_report(CLI::App& app, Action& action) {
       ->required();
   command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
       ->type_name("FOLDER");
+  command->add_flag("--background", options.background,
+                    "Give way to every other program, and end with the one that started this one");
   command->callback([&action] { action = [] { return run_report(options); }; });
 }
 
@@ -246,6 +248,8 @@ void add_compare(CLI::App& app, Action& action) {
       ->required();
   command->add_option("--out", options.out, "Folder to write compare.html to (default: here)")
       ->type_name("FOLDER");
+  command->add_flag("--background", options.background,
+                    "Give way to every other program, and end with the one that started this one");
   command->callback([&action] { action = [] { return run_compare(options); }; });
 }
 

@@ -181,7 +181,12 @@ int run_export(const ExportOptions& options);
 struct ReportOptions {
   std::vector<std::string> runs;  ///< recordings or their folders
   std::string out;                ///< folder; empty: beside the recording. For one run only
+  bool background = false;        ///< see become_background()
 };
+
+/// Gives way to every other program, and ends with the one that started this one: for a report that
+/// is made while a robot drives.
+void become_background();
 
 /// Writes report.html, metrics.json and a .svg for each figure. Throws SetupError.
 int run_report(const ReportOptions& options);
@@ -189,6 +194,7 @@ int run_report(const ReportOptions& options);
 struct CompareOptions {
   std::vector<std::string> runs;  ///< two to twenty
   std::string out = ".";          ///< folder, created if absent
+  bool background = false;        ///< see become_background()
 };
 
 /// Writes compare.html, compare.json (the metrics of each run) and a .svg for each figure. Throws

@@ -1,5 +1,11 @@
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -55,7 +61,18 @@ std::string name_of(const std::string& path, std::set<std::string>& taken) {
 
 }  // namespace
 
+// Each may be refused, and the report is made all the same.
+void become_background() {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::setpriority(PRIO_PROCESS, 0, 19);
+  const sched_param priority{};
+  ::sched_setscheduler(0, SCHED_IDLE, &priority);
+  // If memory runs out, it is this program that the kernel ends.
+  std::ofstream("/proc/self/oom_score_adj") << 1000;
+}
+
 int run_report(const ReportOptions& options) {
+  if (options.background) become_background();
   if (options.runs.size() > 1 && !options.out.empty())
     throw SetupError("--out is for one run; without it the files go beside each recording");
   for (const std::string& path : options.runs) {
@@ -73,6 +90,7 @@ int run_report(const ReportOptions& options) {
 }
 
 int run_compare(const CompareOptions& options) {
+  if (options.background) become_background();
   if (options.runs.size() < 2 || options.runs.size() > kMaxRuns)
     throw SetupError("compare: give two to " + std::to_string(kMaxRuns) + " recordings");
   std::vector<report::ComparedRun> runs;
