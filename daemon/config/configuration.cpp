@@ -98,7 +98,7 @@ std::span<const Key<LoopConfiguration>> loop_keys() {
 
 std::span<const Key<RecordSettings>> record_keys() {
   using T = RecordSettings;
-  static const std::array<Key<T>, 4> kKeys = {{
+  static const std::array<Key<T>, 5> kKeys = {{
       {"directory",
        &T::directory,
        {},
@@ -108,6 +108,12 @@ std::span<const Key<RecordSettings>> record_keys() {
        &T::max_mb,
        {1, 1000000},
        "Size at which a recording is ended with a warning; the run continues"},
+      {"quota_mb",
+       &T::quota_mb,
+       {0, 100000000},
+       "Before a recording begins, the oldest runs in the folder are deleted until all together "
+       "are at most this large; never one with a name, note or tags, and never one that is open. "
+       "0: nothing is deleted"},
       {"black_box_s",
        &T::black_box_s,
        {0, 60},

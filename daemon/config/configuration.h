@@ -69,6 +69,7 @@ struct LoopConfiguration {
 struct RecordSettings {
   std::string directory{};  ///< each run gets its own folder in it; empty: nothing is recorded
   int max_mb = 2000;
+  int quota_mb = 0;                   ///< of all runs in `directory`; 0: none
   double black_box_s = 10.0;          ///< kept for a fault (live/black_box.h); 0: none
   std::string black_box_directory{};  ///< empty: `directory`, or the user's state folder
 };

@@ -11,6 +11,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "record/recording_file.h"
+#include "runs/run_folder.h"
 #include "text/standard_streams.h"
 
 namespace tp100::live {
@@ -29,6 +30,17 @@ std::string date_and_time(std::int64_t unix_ns) {
 
 /// Channels of events; the other channels hold a state.
 bool happens(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLog; }
+
+/// What is to be said of it, in one line, or nothing.
+std::string words_for(const runs::Room& room) {
+  std::string text;
+  if (!room.deleted.empty()) {
+    text = "deleted to stay within record.quota_mb:";
+    for (const std::string& run : room.deleted) text += " " + run;
+  }
+  if (!room.why_not.empty()) text += (text.empty() ? "" : "; ") + room.why_not;
+  return text;
+}
 
 [[noreturn]] void fail(const std::string& folder, const std::error_code& error) {
   throw SetupError(folder + ": cannot create the folder (" + error.message() +
@@ -99,10 +111,16 @@ void LiveRecording::change_setup(std::shared_ptr<const config::LoadedRun> run, s
 }
 
 record::Recorder::Make LiveRecording::make(const std::string& directory, const std::string& name,
-                                           HostNs now, const record::McapMap& facts) const {
+                                           HostNs now, const record::McapMap& facts,
+                                           int quota_mb) const {
   const auto unix_ns = static_cast<std::int64_t>(clock_.unix_ns(now));
   return [clock = clock_, max_mb = static_cast<std::uint64_t>(settings_.max_mb), run = run_,
-          directory, name, facts, unix_ns] {
+          directory, name, facts, unix_ns, quota_mb, note = note_] {
+    if (quota_mb > 0) {
+      const std::uint64_t most_bytes = static_cast<std::uint64_t>(quota_mb) * 1'000'000;
+      std::string text = words_for(runs::make_room(directory, most_bytes));
+      if (!text.empty()) note->set(std::move(text));
+    }
     return std::make_unique<record::RecordingWriter>(
         record::RecordingSettings{.path = make_run_folder(directory, name, unix_ns) + "/run.mcap",
                                   .max_bytes = max_mb * 1'000'000,
@@ -121,8 +139,10 @@ std::uint64_t LiveRecording::start(const std::string& name, const Answer& answer
   const std::lock_guard lock(mutex_);
   const course::Course* course = run_->setup.course.get();
   const std::string usual = course == nullptr ? "poses" : course->name;
-  const std::uint64_t number = recorder_.ask_begin(
-      make(directory, name.empty() ? usual : name, now, {{"program", "tp100d run"}}), answer);
+  const std::uint64_t number =
+      recorder_.ask_begin(make(directory, name.empty() ? usual : name, now,
+                               {{"program", "tp100d run"}}, settings_.quota_mb),
+                          answer);
   if (number == 0) return 0;
   for (const auto& [channel, json] : in_force_) recorder_.message(channel, now, json);
   return number;
@@ -136,9 +156,9 @@ std::uint64_t LiveRecording::start_black_box(const std::string& fault, HostNs no
     return 0;
   }
   const std::lock_guard lock(mutex_);
-  return recorder_.ask_look_back(
-      make(directory, "black-box-" + fault, now, {{"program", "tp100d run"}, {"black_box", fault}}),
-      ended);
+  return recorder_.ask_look_back(make(directory, "black-box-" + fault, now,
+                                      {{"program", "tp100d run"}, {"black_box", fault}}, 0),
+                                 ended);
 }
 
 void LiveRecording::stop(std::uint64_t number, Answer answer) {
@@ -173,6 +193,15 @@ messages::RecordingFigures LiveRecording::figures() const {
           .bytes = status.bytes,
           .dropped = status.dropped,
           .warning = status.warning};
+}
+
+void LiveRecording::take_words(std::vector<messages::Event>& words) {
+  std::string text = note_->take();
+  if (text.empty()) return;
+  words.push_back({.at_ns = monotonic_now(),
+                   .kind = "recording",
+                   .level = messages::Event::Level::kWarning,
+                   .text = std::move(text)});
 }
 
 double LiveRecording::cpu_s() const { return recorder_.status().cpu_s; }

@@ -8,9 +8,12 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "config/run_setup.h"
+#include "live/event_log.h"
 #include "messages/figures.h"
+#include "messages/messages.h"
 #include "messages/sink.h"
 #include "record/recorder.h"
 
@@ -44,6 +47,8 @@ class LiveRecording : public messages::Sink {
   /// Number of the recording that is running or requested, except of black boxes; 0: none.
   std::uint64_t number() const;
   messages::RecordingFigures figures() const;
+  /// Appends what record.quota_mb has deleted, or why it could not, since the last call.
+  void take_words(std::vector<messages::Event>& words);
   /// CPU time used by recordings [s].
   double cpu_s() const;
   /// Takes a message of a channel (server::Listener) and records it if it cannot be derived from
@@ -66,12 +71,13 @@ class LiveRecording : public messages::Sink {
   void discard();
 
  private:
-  /// Call it with the mutex held.
+  /// `quota_mb`: as record.quota_mb, applied first; 0: none. Call it with the mutex held.
   record::Recorder::Make make(const std::string& directory, const std::string& name, HostNs now,
-                              const record::McapMap& facts) const;
+                              const record::McapMap& facts, int quota_mb) const;
 
   const config::RecordSettings settings_;
   messages::PublishClock clock_;
+  const std::shared_ptr<Note> note_ = std::make_shared<Note>();
   std::mutex mutex_;  // guards what follows
   std::shared_ptr<const config::LoadedRun> run_;
   std::map<messages::Channel, std::string> in_force_;  // the last message of each latched channel

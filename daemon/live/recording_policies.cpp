@@ -1,13 +1,28 @@
 #include "live/recording_policies.h"
 
+#include <filesystem>
 #include <utility>
 
+#include "core/error.h"
 #include "core/faults.h"
-#include "record/recording_file.h"
+#include "runs/run_folder.h"
 #include "text/format.h"
 
 namespace tp100::live {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// Not one that somebody keeps or has open, and no other files in the folder.
+void forget(const fs::path& run) {
+  std::error_code error;
+  if (fs::exists(run / runs::kRunNoteFile, error)) return;
+  try {
+    runs::delete_run(run.parent_path(), run.filename());
+  } catch (const SetupError&) {
+    return;
+  }
+}
 
 void ignore(const std::string&) {}
 
@@ -62,12 +77,11 @@ void BlackBox::finish() {
   if (own_ != 0) recording_.stop(std::exchange(own_, 0), ignore);
 }
 
-// Other files in the folder are left alone.
 void BlackBox::Written::add(const std::string& fault, const record::RecordingStatus& status) {
   if (!status.path.empty()) {
     files.push_back(status.path);
     if (files.size() > kMaxFiles) {
-      record::remove_recording(files.front());
+      forget(fs::path(files.front()).parent_path());
       files.pop_front();
     }
   }

@@ -376,8 +376,7 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 void Supervisor::State::take_figures() {
   if (camera != nullptr) figures.camera = camera->counters();
   figures.world = world->figures();
-  const messages::RecordingFigures was = std::move(figures.recording);
-  figures.recording = settings.recording->figures();
+  const auto was = std::exchange(figures.recording, settings.recording->figures());
   figures.recording_cpu_s = settings.recording->cpu_s();
   log.recording(was, figures.recording);
   figures.loop = settings.controls->loop();
@@ -386,6 +385,7 @@ void Supervisor::State::take_figures() {
 
 void Supervisor::State::take_words() {
   std::vector<messages::Event> words = link_monitor.take_words();
+  settings.recording->take_words(words);
   if (settings.ros2 != nullptr) settings.ros2->take_words(words, *settings.server);
   log.words(words);
   for (const messages::Event& word : words) settings.server->take(word);

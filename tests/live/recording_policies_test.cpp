@@ -137,6 +137,41 @@ TEST_F(BlackBoxTest, EveryNewFaultIsWrittenAndTheOldestGo) {
   for (const std::string& file : first) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
+TEST_F(BlackBoxTest, OneThatSomebodyNotedStays) {
+  const auto fail = [this] {
+    drive(0.5);
+    drive(1.5, fault_bit(Fault::link_lost));
+    recording().finish(std::chrono::steady_clock::time_point::max());
+  };
+  fail();
+  const std::string noted = written().at(0);
+  std::ofstream(fs::path(noted).parent_path() / "run.toml") << "name = \"look here\"\n";
+  for (std::size_t i = 0; i < BlackBox::kMaxFiles + 1; ++i) fail();
+  finish();
+  EXPECT_THAT(written(), SizeIs(BlackBox::kMaxFiles + 1));
+  EXPECT_TRUE(fs::exists(noted));
+}
+
+TEST_F(BlackBoxTest, ARecordingMakesRoomForItselfAndSaysSo) {
+  run_.configuration.record.directory = folder_.file("runs");
+  run_.configuration.record.quota_mb = 1;
+  for (const char* name : {"old", "noted"}) {
+    fs::create_directories(folder_.file("runs/") + name);
+    std::ofstream(folder_.file("runs/") + name + "/run.mcap") << std::string(900'000, 'x');
+  }
+  std::ofstream(folder_.file("runs/noted/run.toml")) << "keep = true\n";
+  drive(0.1);
+  recording().begin();
+  EXPECT_FALSE(fs::exists(folder_.file("runs/old")));
+  EXPECT_TRUE(fs::exists(folder_.file("runs/noted")));
+  std::vector<messages::Event> words;
+  recording().take_words(words);
+  recording().take_words(words);
+  ASSERT_THAT(words, SizeIs(1));
+  EXPECT_EQ(words[0].text, "deleted to stay within record.quota_mb: old");
+  finish();
+}
+
 TEST_F(BlackBoxTest, AProgramThatEndsWritesWhatItHas) {
   drive(0.5);
   drive(0.1, fault_bit(Fault::link_lost));
