@@ -17,7 +17,12 @@ daemon/messages/CHANNELS.md; this file speaks the protocol, knows a few of them 
         for message in robot.messages("/estimate", duration_s=1.0):
             print(message["odometry"]["x_m"])
 
+        run = robot.runs()[0]["run"]                # the newest recording
+        robot.note_run(run, name="wet floor", tags="lab wet")
+        print(robot.report_run(run))                # the address of its report
+
 As a program:  tp100_client.py [--at HOST:PORT] pose | state | start | stop | wait | drive SPEED YAW_RATE SECONDS
+                   | runs | name RUN NAME | delete RUN | report RUN | compare RUN RUN
 It ends with status 0, with 1 if the daemon refuses or a run is aborted, with 2 if there is no daemon.
 """
 import argparse
@@ -27,12 +32,15 @@ import struct
 import sys
 import threading
 import time
+import urllib.request
 
 import websocket
 
 SUBPROTOCOLS = ["foxglove.sdk.v1", "foxglove.websocket.v1"]
 # The daemon asks for 20 to 50 inputs a second.
 INPUT_PERIOD_S = 0.03
+# The daemon ends a report that takes longer.
+REPORT_S = 600.0
 
 
 class Refused(Exception):
@@ -49,6 +57,7 @@ class Robot:
     def __init__(self, at="127.0.0.1:8765", timeout_s=5.0):
         """`at`: HOST:PORT. `timeout_s`: how long a request waits for its answer. Raises Lost."""
         self._timeout_s = timeout_s
+        self._page = f"http://{at}"
         self._lock = threading.Lock()
         self._channels, self._services = {}, {}
         self._kept, self._readers, self._calls = {}, {}, {}
@@ -167,6 +176,32 @@ class Robot:
         a robot that is still coming to rest."""
         self._when_possible("drive", patience_s)
         return Wheel(self)
+
+    # Its recordings.
+
+    def runs(self):
+        """The recorded runs, newest first: "run", "name", "note", "tags", "bytes", "active", "files" and more."""
+        try:
+            with urllib.request.urlopen(f"{self._page}/api/runs", timeout=self._timeout_s) as answer:
+                return json.load(answer)["runs"]
+        except (OSError, ValueError) as error:
+            raise Lost(f"no list of runs: {error}") from error
+
+    def note_run(self, run, **changes):
+        """Changes "name", "note", "tags" (words) or "keep" of a run; what is not named stays. Returns all of them."""
+        return self.call("run_note", run=run, **changes)
+
+    def delete_run(self, run):
+        """Deletes a run with all its files."""
+        self.call("run_delete", run=run)
+
+    def report_run(self, run):
+        """Makes the report of a run beside it, and returns its address."""
+        return self._page + self.call("run_report", wait_s=REPORT_S, run=run)["url"]
+
+    def compare_runs(self, run, other):
+        """Makes the page that compares two runs, beside the first, and returns its address."""
+        return self._page + self.call("run_compare", wait_s=REPORT_S, run=run, **{"with": other})["url"]
 
     def _when_possible(self, what, patience_s):
         # The request itself tells why it is impossible.
@@ -289,34 +324,75 @@ class Wheel:
             pass  # another client drives, or the drive has ended
 
 
+def pose(robot):
+    print(json.dumps(robot.pose()))
+
+
+def state(robot):
+    print(json.dumps(robot.state()))
+
+
+def start(robot):
+    robot.start()
+
+
+def stop(robot):
+    acknowledged = robot.stop()
+    print("acknowledged" if acknowledged else "the robot has not acknowledged it yet")
+    return 0 if acknowledged else 1
+
+
+def wait(robot):
+    ended = robot.wait_for_end()
+    print(ended)
+    return 1 if ended == "aborted" else 0
+
+
+def drive(robot, speed_mps, yaw_rate_radps, duration_s):
+    with robot.drive_by_hand() as wheel:
+        wheel.drive(float(speed_mps), float(yaw_rate_radps), float(duration_s))
+
+
+def runs(robot):
+    for run in robot.runs():
+        print("\t".join([run["run"], str(run["bytes"]), run["name"], run["tags"]]))
+
+
+def name(robot, run, new):
+    robot.note_run(run, name=new)
+
+
+def delete(robot, run):
+    robot.delete_run(run)
+
+
+def report(robot, run):
+    print(robot.report_run(run))
+
+
+def compare(robot, run, other):
+    print(robot.compare_runs(run, other))
+
+
+COMMANDS = {each.__name__: each for each in (pose, state, start, stop, wait, drive, runs, name, delete, report, compare)}
+
+
 def main():
     parser = argparse.ArgumentParser(description="Asks a running tp100d.")
     parser.add_argument("--at", default="127.0.0.1:8765", metavar="HOST:PORT")
-    parser.add_argument("what", choices=["pose", "state", "start", "stop", "wait", "drive"])
-    parser.add_argument("numbers", nargs="*", type=float, metavar="SPEED YAW_RATE SECONDS")
-    arguments = parser.parse_args()
-    if len(arguments.numbers) != (3 if arguments.what == "drive" else 0):
-        parser.error("only drive takes numbers: the speed [m/s], the yaw rate [rad/s] and how long [s]")
+    parser.add_argument("what", choices=list(COMMANDS))
+    parser.add_argument("arguments", nargs="*", help="drive: speed [m/s], yaw rate [rad/s] and how long [s]; "
+                                                     "name, delete, report, compare: runs as runs lists them")
+    given = parser.parse_args()
+    command = COMMANDS[given.what]
+    wanted = command.__code__.co_varnames[1:command.__code__.co_argcount]
+    if len(given.arguments) != len(wanted):
+        parser.error(f"{given.what} takes {' '.join(wanted) or 'nothing'}")
     try:
-        with Robot(arguments.at) as robot:
-            if arguments.what == "pose":
-                print(json.dumps(robot.pose()))
-            elif arguments.what == "state":
-                print(json.dumps(robot.state()))
-            elif arguments.what == "start":
-                robot.start()
-            elif arguments.what == "stop":
-                acknowledged = robot.stop()
-                print("acknowledged" if acknowledged else "the robot has not acknowledged it yet")
-                return 0 if acknowledged else 1
-            elif arguments.what == "wait":
-                ended = robot.wait_for_end()
-                print(ended)
-                return 1 if ended == "aborted" else 0
-            else:
-                with robot.drive_by_hand() as wheel:
-                    wheel.drive(*arguments.numbers)
-        return 0
+        with Robot(given.at) as robot:
+            return command(robot, *given.arguments) or 0
+    except ValueError as error:
+        parser.error(str(error))
     except Refused as refusal:
         print(f"tp100_client: {refusal}", file=sys.stderr)
         return 1

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -23,6 +24,7 @@
 #include "live/supervisor.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
+#include "runs/run_archive.h"
 #include "server/server.h"
 #include "text/toml_document.h"
 #include "web/bundle.h"
@@ -91,11 +93,24 @@ std::optional<server::PageFile> page_file(std::string_view path) {
   return server::PageFile{file->mime, file->bytes, file->etag, file->encoding};
 }
 
+runs::ArchiveSettings archive_settings(const config::RecordSettings& settings,
+                                       const live::LiveRecording& recording) {
+  std::error_code unknown;
+  const auto programs = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
+  return {.folder = settings.directory,
+          .quota_bytes = static_cast<std::uint64_t>(settings.quota_mb) * 1'000'000,
+          .program = programs / "tp100d",
+          .active = [&recording] {
+            const messages::RecordingFigures figures = recording.figures();
+            return figures.active ? figures.run : std::string();
+          }};
+}
+
 // Connects the page and the viewers' requests to the live loop.
 std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
                                             const messages::PublishClock& clock,
                                             live::LiveControls& controls,
-                                            const live::SetupChanger& setup,
+                                            const live::SetupChanger& setup, runs::RunArchive& runs,
                                             server::Listener listener) {
   const config::ServerConfiguration& settings = run.configuration.server;
   server::ServerSettings out;
@@ -104,6 +119,7 @@ std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
   out.commands = settings.commands;
   out.max_clients = static_cast<std::size_t>(settings.max_clients);
   out.runs_folder = run.configuration.record.directory;
+  out.runs = [&runs] { return runs.json(); };
   out.page = page_file;
   out.setup = [&setup](std::string_view path) { return setup.content(path); };
   out.listener = std::move(listener);
@@ -160,10 +176,12 @@ int run_run(const RunOptions& options) {
   live::BlackBox black_box(configuration.record, recording);
   settings.black_box = &black_box;
   live::SetupChanger setup({files, run}, cycle);
-  live::LiveControls controls(cycle, loop, recording, setup);
+  runs::RunArchive runs(archive_settings(configuration.record, recording));
+  live::LiveControls controls(cycle, loop, recording, setup, runs);
   const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
                             std::string_view json) { recording.hear(channel, unix_ns, json); };
-  const std::unique_ptr<server::Server> server = make_server(run, clock, controls, setup, listener);
+  const std::unique_ptr<server::Server> server =
+      make_server(run, clock, controls, setup, runs, listener);
   // With --stay each run gets a recording of its own.
   if (!configuration.record.directory.empty() && !options.stay) recording.begin();
   settings.server = server.get();

@@ -153,6 +153,19 @@ void LiveControls::record_stop(RecordAnswer answer) {
   });
 }
 
+void LiveControls::manage_run(const server::RunRequest& request, Answer answer) {
+  switch (request.what) {
+    case server::RunRequest::What::kNote:
+      return runs_.change_note(request.run, request.note, answer);
+    case server::RunRequest::What::kDelete:
+      return runs_.remove(request.run, answer);
+    case server::RunRequest::What::kReport:
+      return runs_.report(request.run, answer);
+    case server::RunRequest::What::kCompare:
+      return runs_.compare(request.run, request.with, answer);
+  }
+}
+
 messages::LoopFigures LiveControls::loop() {
   const loop::LoopStatistics& statistics = loop_.statistics();
   messages::LoopFigures out;

@@ -14,6 +14,7 @@
 #include "live/setup_changer.h"
 #include "loop/fixed_rate_loop.h"
 #include "messages/parameter_text.h"
+#include "runs/run_archive.h"
 #include "server/controls.h"
 
 namespace tp100::live {
@@ -22,8 +23,8 @@ class LiveControls : public server::Controls {
  public:
   /// All must outlive the controls.
   LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording,
-               SetupChanger& setup)
-      : cycle_(cycle), loop_(loop), recording_(recording), setup_(setup) {}
+               SetupChanger& setup, runs::RunArchive& runs)
+      : cycle_(cycle), loop_(loop), recording_(recording), setup_(setup), runs_(runs) {}
 
   // The server's thread, or another one whose clients drive:
   std::string start() override { return request_start(OperatorRequest::kStart); }
@@ -62,6 +63,7 @@ class LiveControls : public server::Controls {
   void restore_parameters(bool check, Answer answer) override {
     setup_.restore_parameters(check, answer);
   }
+  void manage_run(const server::RunRequest& request, Answer answer) override;
   messages::LoopFigures loop() override;
   messages::PortFigures port() override;
   messages::RecordingFigures recording() override;
@@ -87,6 +89,7 @@ class LiveControls : public server::Controls {
   const loop::FixedRateLoop& loop_;
   LiveRecording& recording_;
   SetupChanger& setup_;
+  runs::RunArchive& runs_;
   std::mutex mutex_;
   messages::PortFigures port_{};
   StartFacts start_{};

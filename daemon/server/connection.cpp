@@ -151,7 +151,6 @@ void Connection::ask_disk() {
                       .runs_folder = shared_.sources.runs_folder,
                       .runs = shared_.sources.runs,
                       .setup = shared_.sources.setup,
-                      .active_run = [run = shared_.sources.active_run()] { return run; },
                       .health = {},
                       .metrics = {},
                       .history = {}};

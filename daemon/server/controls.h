@@ -15,6 +15,7 @@
 #include "course/goal.h"
 #include "messages/figures.h"
 #include "messages/parameter_text.h"
+#include "runs/run_note.h"
 #include "server/wheel.h"
 
 namespace tp100::server {
@@ -39,6 +40,15 @@ struct SetupFile {
 struct ParameterSave {
   std::vector<std::pair<std::string, messages::ParameterValue>> values{};
   bool check = false;  ///< says what would change, and writes nothing
+};
+
+/// What is done with a recorded run.
+struct RunRequest {
+  enum class What { kNote, kDelete, kReport, kCompare };
+  What what = What::kNote;
+  std::string run{};
+  std::string with{};          ///< of kCompare: another run
+  runs::RunNoteChange note{};  ///< of kNote
 };
 
 class Controls {
@@ -90,6 +100,7 @@ class Controls {
   virtual void save_parameters(const ParameterSave& asked, Answer answer) = 0;
   /// Exchanges the configuration file and the one that the last save has kept.
   virtual void restore_parameters(bool check, Answer answer) = 0;
+  virtual void manage_run(const RunRequest& request, Answer answer) = 0;
 
   // Figures known outside the server; cheap enough to be polled.
   virtual messages::LoopFigures loop() = 0;

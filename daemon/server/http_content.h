@@ -2,10 +2,8 @@
 // Answers an HTTP request, from method and target: the page, the list of runs and their files. No
 // socket.
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,30 +13,11 @@
 
 namespace tp100::server {
 
-/// Most runs listed; older ones are left out.
-inline constexpr std::size_t kMaxListedRuns = 500;
-
-/// The answer to GET /api/runs, read from the disk at most once a second per query. One thread,
-/// which may wait for the disk.
-class RunList {
- public:
-  /// `active`: the run being recorded; empty: none. An absent folder counts as empty. Contains
-  /// folder names only, no paths.
-  const std::string& json(const std::string& folder, const std::string& active);
-
- private:
-  std::string folder_, active_, json_;
-  std::chrono::steady_clock::time_point read_{};
-};
-
 /// Opens a regular file of a run for reading; -1: no such file may be read. Names consist of
-/// letters, digits, '-', '_' and '.', do not begin with '.', and no link is followed. The caller
-/// closes it.
+/// letters, digits, '-', '_' and '.', do not begin with '.', and no link is followed. It is
+/// in use (record/recording_file.h) until the caller closes it.
 int open_run_file(const std::string& folder, std::string_view run, std::string_view file,
                   std::uint64_t& size);
-
-/// Content type by the file name's extension.
-std::string_view content_type(std::string_view file);
 
 /// One file of the page; lives as long as the program.
 struct PageFile {
@@ -89,15 +68,17 @@ struct HttpAnswer {
 /// wait for the disk, in another thread than the server's.
 using SetupContent = std::function<std::optional<std::string>(std::string_view path)>;
 
+/// The list of runs as JSON. It may wait for the disk, in another thread than the server's.
+using RunList = std::function<std::string()>;
+
 /// Sources of the content.
 struct HttpSources {
   Page page;
-  std::string runs_folder;  ///< empty: none
-  std::shared_ptr<RunList> runs = std::make_shared<RunList>();
-  SetupContent setup;                       ///< empty: none
-  std::function<std::string()> active_run;  ///< the run being recorded; empty: none
-  std::function<std::string()> health;      ///< JSON
-  std::function<std::string()> metrics;     ///< as Prometheus reads them
+  std::string runs_folder;               ///< empty: none
+  RunList runs;                          ///< empty: none
+  SetupContent setup;                    ///< empty: none
+  std::function<std::string()> health;   ///< JSON
+  std::function<std::string()> metrics;  ///< as Prometheus reads them
   /// A JSON array by the topic without its slash, or nothing; empty: none.
   std::function<std::optional<std::string>(std::string_view topic)> history;
 };

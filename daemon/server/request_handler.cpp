@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "server/services.h"
-#include "text/format.h"
 #include "text/json_writer.h"
 
 namespace tp100::server {
@@ -249,6 +248,15 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
     case Service::kParametersRestore:
       why = restore_parameters(*request, later());
       break;
+    case Service::kRunNote:
+    case Service::kRunDelete:
+    case Service::kRunReport:
+    case Service::kRunCompare: {
+      RunRequest run;
+      why = read_run(service, *request, run);
+      if (why.empty()) controls_.manage_run(run, later());
+      break;
+    }
     case Service::kDriveTake: {
       std::string token;
       why = drive_take(*viewer, now, token);

@@ -111,11 +111,8 @@ struct Server::State {
                .disk = disk} {
     shared.sources.page = shared.settings.page;
     shared.sources.runs_folder = shared.settings.runs_folder;
+    shared.sources.runs = shared.settings.runs;
     shared.sources.setup = shared.settings.setup;
-    shared.sources.active_run = [this] {
-      const messages::RecordingFigures recording = controls.recording();
-      return recording.active ? recording.run : std::string();
-    };
     shared.sources.health = [this] { return health(); };
     shared.sources.metrics = [this] { return metrics(); };
     shared.sources.history = [this](std::string_view topic) {

@@ -26,6 +26,7 @@ struct ServerSettings {
   config::CommandsFrom commands = config::CommandsFrom::kLocal;
   std::size_t max_clients = 64;
   std::string runs_folder;  ///< empty: none
+  RunList runs;             ///< empty: none
   SetupContent setup;       ///< empty: none
   Page page;
   Listener listener;  ///< called from the constructor and the server's thread; must not block

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "messages/messages.h"
+#include "runs/run_folder.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/json_writer.h"
@@ -97,6 +98,25 @@ const std::vector<Row>& rows() {
        {"check"},
        R"({"check":true})",
        kSaved},
+      {Service::kRunNote,
+       "run_note",
+       "RunNote",
+       {"run", "name", "note", "tags", "keep"},
+       R"({"run":"","name":"","note":"","tags":"","keep":true})",
+       R"({"run":"","name":"","note":"","tags":"","keep":true})"},
+      {Service::kRunDelete, "run_delete", "RunDelete", {"run"}, R"({"run":""})", R"({"run":""})"},
+      {Service::kRunReport,
+       "run_report",
+       "RunReport",
+       {"run"},
+       R"({"run":""})",
+       R"({"run":"","url":""})"},
+      {Service::kRunCompare,
+       "run_compare",
+       "RunCompare",
+       {"run", "with"},
+       R"({"run":"","with":""})",
+       R"({"run":"","url":""})"},
   };
   return kRows;
 }
@@ -232,6 +252,28 @@ std::string read_parameters(const Arguments& arguments,
     asked.values.emplace_back(field.name, std::move(value));
   }
   return asked.values.empty() ? "name parameters and their values" : "";
+}
+
+std::string read_run(Service service, const Arguments& arguments, RunRequest& request) {
+  using What = RunRequest::What;
+  if (!texts_only(arguments, "keep"))
+    return "run, with, name, note and tags are texts, keep is true or false";
+  request.what = service == Service::kRunNote     ? What::kNote
+                 : service == Service::kRunDelete ? What::kDelete
+                 : service == Service::kRunReport ? What::kReport
+                                                  : What::kCompare;
+  request.run = text_of(arguments, "run").value_or("");
+  request.with = text_of(arguments, "with").value_or("");
+  request.note = {.name = text_of(arguments, "name"),
+                  .note = text_of(arguments, "note"),
+                  .tags = text_of(arguments, "tags")};
+  for (const RequestField& field : arguments)
+    if (const bool* keep = std::get_if<bool>(&field.value)) request.note.keep = *keep;
+  const bool compares = request.what == What::kCompare;
+  if (!runs::is_run_name(request.run) || (compares && !runs::is_run_name(request.with)))
+    return compares ? "run and with are names of runs, as GET /api/runs lists them"
+                    : "run is the name of a run, as GET /api/runs lists it";
+  return runs::why_not(runs::changed({}, request.note));
 }
 
 std::string stop_answer(const messages::StopFigures& stop) {

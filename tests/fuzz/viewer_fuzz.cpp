@@ -80,7 +80,7 @@ void request(std::string_view text) {
   HttpSources sources;
   sources.page = [](std::string_view) { return std::nullopt; };
   sources.runs_folder = "/nowhere";
-  sources.active_run = [] { return std::string(); };
+  sources.runs = [] { return std::string("{}"); };
   sources.health = [] { return std::string("{}"); };
   const std::size_t end = text.find('\n');
   const std::string_view more = end == text.npos ? std::string_view() : text.substr(end + 1);

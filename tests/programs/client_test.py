@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import urllib.request
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path += [os.path.join(ROOT, "scripts"), os.path.join(ROOT, "tests", "support")]
@@ -91,6 +92,21 @@ def drives(at):
         check(sum(1 for _ in robot.messages("/estimate", 0.5)) > 20, "a channel is read as it comes")
 
 
+def manages(at):
+    with tp100_client.Robot(at) as robot:
+        finished = when("both recordings", lambda: [run for run in robot.runs() if not run["active"]][1:])[-1]["run"]
+        check(robot.note_run(finished, name="first", tags="a b")["tags"] == "a b", "a note is taken")
+        check(robot.note_run(finished, note="good")["name"] == "first", "what is not named stays")
+        address = says(0, "--at", at, "report", finished).strip()
+        with urllib.request.urlopen(address, timeout=60) as page_of_it:
+            check(b"</html>" in page_of_it.read(), "the report is a page")
+        check(f"{finished}\t" in says(0, "--at", at, "runs") and "first\ta b" in says(0, "--at", at, "runs"), "are listed")
+        check("no such run" in says(1, "--at", at, "report", "none"), "a refusal is said")
+        check("name of a run" in refused(lambda: robot.delete_run("../" + finished)), "no path is taken")
+        robot.delete_run(finished)
+        check(finished not in [run["run"] for run in robot.runs()], "is deleted")
+
+
 def says(status, *arguments):
     ended = subprocess.run([CLIENT, *arguments], capture_output=True, text=True, check=False, timeout=60)
     check(ended.returncode == status, f"{arguments}: status {ended.returncode}\n{ended.stdout}{ended.stderr}")
@@ -106,10 +122,11 @@ def main():
         body = started(folder, "robot.log", programs + "/tp100-sim", "robot", "--link", link, "--course", course)
         when("the robot", lambda: os.path.exists(link))
         daemon = started(folder, "daemon.log", programs + "/tp100d", "run", "--port", link, "--course", course, "--stay",
-                         "--listen", "127.0.0.1:0", "--stats", stats)
+                         "--listen", "127.0.0.1:0", "--stats", stats, "--record", os.path.join(folder, "runs"))
         try:
             at = when("the page", lambda: page(stats))
             drives(at)
+            manages(at)
             check("x_m" in json.loads(says(0, "--at", at, "pose")), "prints the pose")
             check(json.loads(says(0, "--at", at, "state"))["run"] == "aborted", "prints the state")
             check(says(0, "--at", at, "stop") == "acknowledged\n", "stops")

@@ -41,7 +41,7 @@ class HandDriven {
         loop_({}, cycle_),
         recording_(files_, run_, {}),
         setup_({files_, run_}, cycle_),
-        controls_(cycle_, loop_, recording_, setup_),
+        controls_(cycle_, loop_, recording_, setup_, runs_),
         publisher_(broker_, messages::Messages(context(), {}), controls_),
         handler_(broker_, publisher_, controls_, {}, "session"),
         robot_({.values = settings.loaded.robot.emulated,
@@ -248,6 +248,7 @@ class HandDriven {
   loop::FixedRateLoop loop_;  // not started: the test is the loop
   live::LiveRecording recording_;
   live::SetupChanger setup_;
+  runs::RunArchive runs_{{}};
   live::LiveControls controls_;
   live::Ros2Requests ros2_{controls_};
   server::Broker broker_{messages::channel_texts()};

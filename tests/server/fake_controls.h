@@ -100,6 +100,10 @@ class FakeControls : public Controls {
     deleted.push_back(file);
     answer(change_refusal, R"({"name":"mine"})");
   }
+  void manage_run(const RunRequest& request, Answer answer) override {
+    managed.push_back(request);
+    answer(change_refusal, R"({"run":"a"})");
+  }
   messages::LoopFigures loop() override { return {}; }
   messages::PortFigures port() override { return {"/dev/ttyACM0", RobotKind::kPhysical, "0.1.0"}; }
   messages::RecordingFigures recording() override { return record; }
@@ -117,6 +121,7 @@ class FakeControls : public Controls {
   std::vector<SetupFile> saved, deleted, checked;
   std::vector<ParameterSave> parameters_saved;
   std::vector<bool> restored;
+  std::vector<RunRequest> managed;
   std::string change_refusal;
   bool can_record = false, slow_disk = false;
   RecordAnswer unanswered;

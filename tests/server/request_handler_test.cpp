@@ -133,7 +133,8 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
               ::testing::ElementsAre("start", "hold", "stop", "record_start", "record_stop",
                                      "drive_take", "drive", "drive_release", "choose", "place",
                                      "file_save", "file_delete", "file_check", "pause", "resume",
-                                     "parameters_save", "parameters_restore"));
+                                     "parameters_save", "parameters_restore", "run_note",
+                                     "run_delete", "run_report", "run_compare"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
@@ -260,7 +261,8 @@ TEST_F(RequestHandlerTest, TheStepHasTheLastWord) {
 TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
   step(ready());
   const Permission only = Permission::kStopOnly;
-  for (const std::uint32_t service : {1U, 2U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U})
+  for (const std::uint32_t service :
+       {1U, 2U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 16U, 17U, 18U, 19U})
     EXPECT_EQ(call(service, "{}", only).texts[0]["op"], "serviceCallFailure");
   say(R"({"op":"setParameters","parameters":[{"name":"control.gain","value":20}]})", only);
   EXPECT_EQ(controls_.starts, 0);
@@ -271,7 +273,10 @@ TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
   call(Service::kFileSave, R"({"kind":"course","name":"a","text":""})", only);
   call(Service::kFileDelete, R"({"kind":"course","name":"a"})", only);
   EXPECT_TRUE(controls_.choices.empty() && controls_.places.empty());
-  EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty());
+  for (const Service service : {Service::kRunNote, Service::kRunDelete, Service::kRunReport})
+    call(service, R"({"run":"a"})", only);
+  call(Service::kRunCompare, R"({"run":"a","with":"b"})", only);
+  EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty() && controls_.managed.empty());
   call(3, "{}", only);
   EXPECT_EQ(controls_.stops, 1);
 }
@@ -408,6 +413,53 @@ TEST_F(RequestHandlerTest, ArgumentsOfTheSetupServicesAreChecked) {
         << bad.request;
   EXPECT_TRUE(controls_.choices.empty() && controls_.places.empty());
   EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty());
+}
+
+TEST_F(RequestHandlerTest, ARunIsNamedReportedComparedAndDeleted) {
+  const Heard named = call(Service::kRunNote, R"({"run":"a","name":"","tags":"wet","keep":false})");
+  EXPECT_EQ(answer_of(named.binaries.at(0))["run"], "a");
+  call(Service::kRunReport, R"({"run":"a"})");
+  call(Service::kRunCompare, R"({"run":"a","with":"b"})");
+  call(Service::kRunDelete, R"({"run":"a"})");
+  ASSERT_EQ(controls_.managed.size(), 4U);
+  EXPECT_EQ(controls_.managed[0].note.name, "");
+  EXPECT_EQ(controls_.managed[0].note.note, std::nullopt);
+  EXPECT_EQ(controls_.managed[0].note.tags, "wet");
+  EXPECT_EQ(controls_.managed[0].note.keep, false);
+  EXPECT_EQ(controls_.managed[1].what, RunRequest::What::kReport);
+  EXPECT_EQ(controls_.managed[2].with, "b");
+  EXPECT_EQ(controls_.managed[3].what, RunRequest::What::kDelete);
+  controls_.change_refusal = "is open";
+  EXPECT_EQ(call(Service::kRunDelete, R"({"run":"a"})").texts.at(0)["message"], "is open");
+}
+
+TEST_F(RequestHandlerTest, ArgumentsOfTheServicesOfRunsAreChecked) {
+  const std::string long_name(129, 'a');
+  for (const std::string& name :
+       {std::string("../a"), std::string(), std::string("."), std::string("a/b"),
+        std::string("a\\u0000b"), std::string("gr\xC3\xBCn"), long_name}) {
+    for (const Service service : {Service::kRunNote, Service::kRunDelete, Service::kRunReport})
+      EXPECT_THAT(std::string(call(service, R"({"run":")" + name + R"("})").texts.at(0)["message"]),
+                  HasSubstr("run is the name of a run"));
+    EXPECT_THAT(std::string(call(Service::kRunCompare, R"({"run":"a","with":")" + name + R"("})")
+                                .texts.at(0)["message"]),
+                HasSubstr("names of runs"));
+  }
+  struct Bad {
+    Service service;
+    const char* request;
+    const char* why;
+  };
+  for (const Bad& bad : {Bad{Service::kRunNote, R"({"run":"a","name":1})", "are texts"},
+                         {Service::kRunNote, R"({"run":"a","keep":"yes"})", "are texts"},
+                         {Service::kRunNote, R"({"run":"a","name":"a\u0000b"})", "name takes"},
+                         {Service::kRunNote, R"({"run":"a","tags":"a\nb"})", "tags takes"},
+                         {Service::kRunDelete, R"({"run":"a","with":"b"})", "no argument 'with'"},
+                         {Service::kRunCompare, R"({"run":"a"})", "names of runs"}})
+    EXPECT_THAT(std::string(call(bad.service, bad.request).texts.at(0)["message"]),
+                HasSubstr(bad.why))
+        << bad.request;
+  EXPECT_TRUE(controls_.managed.empty());
 }
 
 TEST_F(RequestHandlerTest, OtherParametersKeepWhatViewersHaveSet) {

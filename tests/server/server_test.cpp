@@ -21,6 +21,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "fake_controls.h"
+#include "runs/run_folder.h"
 #include "server/connection.h"
 #include "support/temporary_folder.h"
 #include "web_client.h"
@@ -315,6 +316,7 @@ TEST_F(ServerTest, StopDoesNotWaitForADiskThatEndsARecording) {
 }
 
 TEST_F(ServerTest, APageOfAnotherSiteCannotLoadWhatItMayNotSee) {
+  settings_.runs = [] { return std::string("{}"); };
   start();
   const auto ask = [&](const std::string& target, const std::string& head) {
     return http_head(port_, "GET " + target + " HTTP/1.1\r\nHost: 127.0.0.1\r\n" + head +
@@ -338,6 +340,9 @@ TEST_F(ServerTest, APageOfAnotherSiteCannotLoadWhatItMayNotSee) {
 TEST_F(ServerTest, StopComesThroughBesideManyWhoReadRuns) {
   test::TemporaryFolder folder;
   settings_.runs_folder = folder.path();
+  settings_.runs = [path = std::string(folder.path())] {
+    return "{\"files\":" + std::to_string(runs::list_runs(path).size()) + "}";
+  };
   for (int i = 0; i < 200; ++i) {
     const std::string run = folder.file(std::to_string(i));
     std::filesystem::create_directory(run);

@@ -1,4 +1,4 @@
-// What RequestHandler does about parameters.
+// The part of RequestHandler that reads, sets, watches, saves and restores parameters.
 #include <algorithm>
 #include <array>
 #include <utility>
