@@ -209,7 +209,10 @@ LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::s
                                         "--stats",
                                         stats.string(),
                                         "--go"};
-  if (!command.headless) arguments.emplace_back("--stay");
+  if (!command.headless)
+    for (const std::string& each : {std::string("--stay"), std::string("--record"),
+                                    (folder.path() / "runs").string()})
+      arguments.push_back(each);
   Child bridge(arguments, {.quiet = command.headless});
   const std::string page = page_of(stats, bridge);
   if (!page.empty()) std::printf("demo: watch it at %s\n", page.c_str());
@@ -219,7 +222,7 @@ LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::s
     show(page);
     std::printf(
         "demo: stays after the run. Drive again: Start on the page, or the word go and Enter here; "
-        "Enter alone is STOP; Ctrl-C ends the demo\n");
+        "Enter alone is STOP; Ctrl-C ends the demo, and removes its recordings\n");
   }
   std::fflush(stdout);
   const int status = bridge.wait();
