@@ -220,7 +220,7 @@ const http = createServer(async (request, response) => {
   if (request.url === '/api/runs') {
     const file = (kind, n, size) => ({ name: n, bytes: size, url: `/runs/20260102-030405-3/${n}`, kind });
     response.setHeader('Content-Type', 'application/json');
-    response.end(JSON.stringify({ directory: '/var/lib/tp100/runs', runs: [{ run: '20260102-030405-3', modified_unix_s: 1767323045, bytes: 12_345_678, active: false, files: [file('recording', 'run.mcap', 12_000_000), file('report', 'report.html', 640_000), file('metrics', 'metrics.json', 2100)] }] }));
+    response.end(JSON.stringify({ directory: 'runs', bytes: 12_345_678, free_bytes: 20e9, quota_bytes: 1e9, making: '', runs: [{ name: '', note: '', tags: '', keep: false, note_error: '', run: '20260102-030405-3', modified_unix_s: 1767323045, bytes: 12_345_678, active: false, files: [file('recording', 'run.mcap', 12_000_000), file('report', 'report.html', 640_000), file('metrics', 'metrics.json', 2100)] }] }));
     return;
   }
   if (request.url.endsWith('run.mcap')) {

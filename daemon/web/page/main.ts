@@ -8,6 +8,7 @@ import './drive.css';
 import './drawer.css';
 import './courses.css';
 import './draw.css';
+import './runs.css';
 import './layout.css';
 import { CourseEditor } from '../draw/editor.ts';
 import { Driver, kPeriod_ms } from '../drive/driver.ts';
@@ -70,6 +71,8 @@ const live = new Store();
 let shown = live;
 let player: Player | undefined;
 let loading: AbortController | undefined;
+/** The run that is replayed; empty: none. */
+let replayed = '';
 const stop = new StopButton();
 let metadata: ServerInfo['metadata'] = {};
 let retryAt_ms = 0;
@@ -129,6 +132,7 @@ function sendStop(): void {
 async function replay(url: string, run: string): Promise<void> {
   loading?.abort();
   const mine = (loading = new AbortController());
+  replayed = run;
   transport.loading(run, 0);
   try {
     const frames = await loadRecording(url, (share) => { transport.loading(run, share); }, mine.signal);
@@ -148,6 +152,7 @@ async function replay(url: string, run: string): Promise<void> {
 function backToLive(): void {
   loading?.abort();
   player = undefined;
+  replayed = '';
   transport.close();
   signals.look(undefined);
   look(live);
@@ -224,9 +229,12 @@ const plots = new Plots();
 const histogram = new Histogram();
 const alertChoice = new AlertChoice((text) => { notice.say(text, performance.now()); });
 const events = new EventLog(alertChoice.elements);
-const runs = new RunList((file, run) => {
-  void replay(file.url, run.run);
-});
+const runs = new RunList(
+  (file, run) => {
+    void replay(file.url, run.run);
+  },
+  (call) => client.call(call.name, call.request),
+);
 const transport = new Transport(backToLive);
 const parameters = new ParameterPanel(
   (name, value) => {
@@ -261,7 +269,7 @@ const placing = new PlaceDrawing(
 const drawer = new Drawer([
   { id: 'events', title: 'Events', element: events.element, show: () => { events.show(shown, began_unix_s()); } },
   { id: 'courses', title: 'Courses', element: coursesPage, show: () => { courses.show(live, client.ready, mayCommand()); } },
-  { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(); } },
+  { id: 'runs', title: 'Runs', element: runs.element, show: () => { runs.show(client.ready && mayCommand(), replayed); } },
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live, client.ready, mayCommand()); } },
   { id: 'signals', title: 'Signals', element: signals.element, show: () => { signals.show(shown); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },

@@ -2,7 +2,7 @@
 import { footprint } from '../scene/geometry.ts';
 import * as palette from '../scene/palette.ts';
 import { facts, type CourseEntry, type Piece } from '../state/setup.ts';
-import { h } from './dom.ts';
+import { confirmed, h } from './dom.ts';
 
 const kMargin_m = 0.12;
 
@@ -50,12 +50,8 @@ export function courseCard(course: CourseEntry, actions: CardActions): HTMLEleme
 function deleteButton(course: CourseEntry, actions: CardActions): HTMLElement {
   const button = h('button', { type: 'button', class: 'link card-delete' }, 'delete');
   button.dataset.fixed = String(course.in_force);
-  button.addEventListener('click', () => {
-    if (button.textContent === 'delete') button.textContent = 'really delete';
-    else actions.remove(course);
-  });
-  button.addEventListener('blur', () => {
-    button.textContent = 'delete';
+  confirmed(button, 'really delete', () => {
+    actions.remove(course);
   });
   return button;
 }

@@ -27,6 +27,18 @@ export function setAttribute(element: Element, name: string, value: string): voi
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
+/** Before anything is lost the button asks once more: the first press changes its text, the second acts. */
+export function confirmed(button: HTMLButtonElement, question: string, act: () => void): void {
+  const text = button.textContent;
+  button.addEventListener('click', () => {
+    if (button.textContent === text) setText(button, question);
+    else act();
+  });
+  button.addEventListener('blur', () => {
+    setText(button, text);
+  });
+}
+
 /** One of a fixed set of symbols, drawn, because fonts lack them. */
 export function icon(name: keyof typeof kIcons): SVGSVGElement {
   const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');

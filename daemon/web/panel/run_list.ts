@@ -1,43 +1,76 @@
-// The runs that the daemon has recorded, with their reports and files.
+// The runs that the daemon has recorded: named, reported, compared, replayed, deleted.
 import { bytes } from '../state/format.ts';
-import { h } from './dom.ts';
-
-export interface RunFile {
-  name: string;
-  bytes: number;
-  url: string;
-  kind: string;
-}
-
-export interface RunEntry {
-  run: string;
-  modified_unix_s: number;
-  bytes: number;
-  active: boolean;
-  files: RunFile[];
-}
+import { titleOf, type RunCall, type RunEntry, type RunFile, type RunsList } from '../state/runs.ts';
+import { h, setClass, setText } from './dom.ts';
+import { noteForm, runRow, type RunActions } from './run_row.ts';
 
 const kRefresh_ms = 5000;
+const kCompared = 2;
+
+export type AskRun = (call: RunCall) => Promise<unknown>;
 
 export class RunList {
   readonly element = h('div', { class: 'runs', tabindex: '0' });
   private readonly body = h('tbody');
   private readonly empty = h('p', { class: 'empty' });
   private readonly table: HTMLElement;
-  private next_ms = 0;
+  private readonly room = h('span', { class: 'runs-room' });
+  private readonly compareButton = h('button', { type: 'button', class: 'control', id: 'compare' }, 'Compare');
+  /** What another page has made. */
+  private readonly busy = h('span', { class: 'runs-room' });
+  private readonly said = h('p', { class: 'runs-said', role: 'status' });
+  private readonly rows = new Map<string, { text: string; element: HTMLTableRowElement }>();
+  private readonly chosen = new Set<string>();
+  private readonly actions: RunActions;
+  private list: RunsList | undefined;
   private shown = '';
+  private next_ms = 0;
+  private mayCommand = false;
+  private replayed = '';
+  private editing: string | undefined;
+  /** What is being made, since when. */
+  private making: { what: string; since_ms: number } | undefined;
 
   constructor(
-    private readonly open: (file: RunFile, run: RunEntry) => void,
+    replay: (file: RunFile, run: RunEntry) => void,
+    private readonly ask: AskRun,
     private readonly now: () => number = () => performance.now(),
   ) {
-    const head = ['run', 'recorded', 'size', ''].map((title) => h('th', { scope: 'col' }, title));
+    const head = ['', 'run', 'recorded', 'size', ''].map((title) => h('th', { scope: 'col' }, title));
     this.table = h('table', {}, h('thead', {}, h('tr', {}, ...head)), this.body);
-    this.element.append(this.table, this.empty);
+    this.element.append(h('div', { class: 'runs-bar' }, this.room, this.compareButton, this.busy, this.said), this.table, this.empty);
     this.table.hidden = true;
+    this.compareButton.addEventListener('click', () => {
+      // In the order of the list: the newest is compared with the one before.
+      const [run, other] = (this.list?.runs ?? []).filter(({ run }) => this.chosen.has(run));
+      if (run !== undefined && other !== undefined)
+        void this.make(`the comparison of ${titleOf(run)} with ${titleOf(other)}`, { name: 'run_compare', request: { run: run.run, with: other.run } });
+    });
+    this.actions = {
+      replay,
+      report: (run) => {
+        void this.make(`the report of ${titleOf(run)}`, { name: 'run_report', request: { run: run.run } });
+      },
+      edit: ({ run }) => {
+        this.edit(run);
+      },
+      remove: ({ run }) => {
+        void this.change({ name: 'run_delete', request: { run } });
+      },
+      choose: ({ run }, on) => {
+        if (on) this.chosen.add(run);
+        else this.chosen.delete(run);
+        this.enable();
+      },
+    };
   }
 
-  show(): void {
+  /** Draws the tab's content; reloads the list from time to time. `replayed`: the run that this page replays. */
+  show(mayCommand: boolean, replayed: string): void {
+    this.mayCommand = mayCommand;
+    this.replayed = replayed;
+    this.enable();
+    if (this.making !== undefined) setText(this.said, `Making ${this.making.what} \u2026 ${((this.now() - this.making.since_ms) / 1000).toFixed(0)} s`);
     if (this.now() < this.next_ms) return;
     this.next_ms = this.now() + kRefresh_ms;
     void this.load();
@@ -48,6 +81,17 @@ export class RunList {
     this.next_ms = 0;
   }
 
+  private enable(): void {
+    const busy = this.making !== undefined || (this.list?.making ?? '') !== '';
+    this.compareButton.disabled = !this.mayCommand || busy || this.chosen.size !== kCompared;
+    this.compareButton.title = this.chosen.size === kCompared ? '' : 'Choose two runs';
+    for (const button of this.body.querySelectorAll<HTMLButtonElement>('.run-deed')) {
+      const run = button.closest('tr')?.dataset.run;
+      const replayed = button.classList.contains('run-delete') && run === this.replayed;
+      button.disabled = !this.mayCommand || button.dataset.fixed === 'true' || replayed || (busy && button.classList.contains('run-make'));
+    }
+  }
+
   private async load(): Promise<void> {
     try {
       const response = await fetch('/api/runs', { cache: 'no-store' });
@@ -55,13 +99,7 @@ export class RunList {
       const text = await response.text();
       if (text === this.shown) return;
       this.shown = text;
-      const { runs, directory } = JSON.parse(text) as { runs: RunEntry[]; directory: string };
-      this.body.replaceChildren(...runs.map((run) => this.row(run)));
-      this.table.hidden = runs.length === 0;
-      this.empty.hidden = runs.length > 0;
-      this.empty.textContent = directory
-        ? `No runs in ${directory} yet. Press Record, or start tp100d with --record.`
-        : 'Nothing is recorded: start tp100d with --record DIR.';
+      this.build((this.list = JSON.parse(text) as RunsList));
     } catch {
       this.shown = '';
       this.empty.hidden = !this.table.hidden;
@@ -69,28 +107,123 @@ export class RunList {
     }
   }
 
-  private row(run: RunEntry): HTMLElement {
-    const links = h('td', { class: 'run-files' });
-    for (const file of run.files) {
-      if (file.kind === 'recording') {
-        const open = h('button', { type: 'button', class: 'link' }, 'replay');
-        open.addEventListener('click', () => {
-          this.open(file, run);
-        });
-        links.append(open);
-      }
-      const link = h('a', { href: file.url, title: `${file.name}, ${bytes(file.bytes)}` }, file.kind === 'other' ? file.name : file.kind);
-      if (file.kind === 'report' || file.kind === 'figure') link.target = '_blank';
-      else link.setAttribute('download', '');
-      links.append(link);
+  private build(list: RunsList): void {
+    const { runs, directory } = list;
+    const known = new Set(runs.map(({ run }) => run));
+    for (const run of [...this.rows.keys()]) if (!known.has(run)) this.rows.delete(run);
+    for (const run of [...this.chosen]) if (!known.has(run)) this.chosen.delete(run);
+    const elements = runs.map((run) => this.row(run));
+    // A row that stays keeps the focus and what is open in it.
+    const same = elements.length === this.body.children.length;
+    if (!same || elements.some((each, i) => this.body.children[i] !== each)) {
+      if (same) elements.forEach((each, i) => { if (this.body.children[i] !== each) this.body.children[i]?.replaceWith(each); });
+      else this.body.replaceChildren(...elements);
     }
-    return h(
-      'tr',
-      run.active ? { class: 'active' } : {},
-      h('td', {}, run.run),
-      h('td', {}, run.active ? 'recording' : new Date(1000 * run.modified_unix_s).toLocaleString()),
-      h('td', { class: 'figure' }, bytes(run.bytes)),
-      links,
-    );
+    this.table.hidden = runs.length === 0;
+    this.empty.hidden = runs.length > 0;
+    this.empty.textContent = directory
+      ? `No runs in ${directory} yet. Press Record, or start tp100d with --record.`
+      : 'Nothing is recorded: start tp100d with --record DIR.';
+    setText(this.room, directory === '' ? '' : roomText(list));
+    this.compareButton.hidden = runs.length < kCompared;
+    setText(this.busy, list.making === '' || this.making !== undefined ? '' : `A report of ${list.making} is being made.`);
+    this.enable();
   }
+
+  private row(run: RunEntry): HTMLTableRowElement {
+    const text = JSON.stringify(run);
+    const old = this.rows.get(run.run);
+    if (old !== undefined && (old.text === text || this.editing === run.run)) return old.element;
+    const element = runRow(run, this.chosen.has(run.run), this.actions);
+    this.rows.set(run.run, { text, element });
+    return element;
+  }
+
+  private edit(name: string): void {
+    if (this.editing !== undefined) this.endEdit();
+    const run = this.list?.runs.find((each) => each.run === name);
+    const old = this.rows.get(name)?.element;
+    if (run === undefined || old === undefined) return;
+    const end = (): void => {
+      this.endEdit();
+    };
+    const element = noteForm(
+      run,
+      (note) => {
+        void this.change({ name: 'run_note', request: note }).then((done) => {
+          if (done) this.endEdit();
+        });
+      },
+      end,
+    );
+    old.replaceWith(element);
+    this.editing = name;
+    this.rows.set(name, { text: '', element });
+    element.querySelector('input')?.focus();
+  }
+
+  private endEdit(): void {
+    const name = this.editing;
+    this.editing = undefined;
+    const run = this.list?.runs.find((each) => each.run === name);
+    const old = name === undefined ? undefined : this.rows.get(name);
+    if (run === undefined || old === undefined) return;
+    this.rows.delete(run.run);
+    old.element.replaceWith(this.row(run));
+    this.reload();
+  }
+
+  private reload(): void {
+    this.shown = '';
+    this.next_ms = 0;
+  }
+
+  /** Asks the daemon; true: done. */
+  private async change(call: RunCall): Promise<boolean> {
+    this.say('');
+    try {
+      await this.ask(call);
+      return true;
+    } catch (error: unknown) {
+      this.fail(error);
+      return false;
+    } finally {
+      this.reload();
+    }
+  }
+
+  /** Has a page made, and opens it in a tab of its own; a browser that does not permit that shows the link. */
+  private async make(what: string, call: RunCall): Promise<void> {
+    this.making = { what, since_ms: this.now() };
+    this.say('');
+    this.enable();
+    try {
+      const { url } = (await this.ask(call)) as { url: string };
+      const link = h('a', { href: url, target: '_blank', rel: 'noopener', id: 'made' }, `Open ${what}`);
+      this.making = undefined;
+      this.said.replaceChildren(link);
+      window.open(url, '_blank', 'noopener');
+    } catch (error: unknown) {
+      this.making = undefined;
+      this.fail(error, `${what} is not made: `);
+    } finally {
+      this.reload();
+    }
+  }
+
+  private fail(error: unknown, what = ''): void {
+    this.say(what + (error instanceof Error ? error.message : String(error)), true);
+  }
+
+  private say(text: string, bad = false): void {
+    setText(this.said, text);
+    setClass(this.said, 'bad', bad);
+  }
+}
+
+/** 12 runs, 340 MB of at most 1000 MB; 20 GB free. */
+function roomText({ runs, bytes: used, quota_bytes, free_bytes }: RunsList): string {
+  const count = runs.length === 1 ? '1 run' : `${runs.length} runs`;
+  const most = quota_bytes > 0 ? ` of at most ${bytes(quota_bytes)}` : '';
+  return `${count}, ${bytes(used)}${most} \u00b7 ${bytes(free_bytes)} free`;
 }

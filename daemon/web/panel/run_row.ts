@@ -1,0 +1,127 @@
+// One run of the list: what it is, and what can be done with it.
+import { bytes } from '../state/format.ts';
+import { reportOf, titleOf, type RunEntry, type RunFile, type RunNote } from '../state/runs.ts';
+import { confirmed, h } from './dom.ts';
+
+export interface RunActions {
+  replay(file: RunFile, run: RunEntry): void;
+  report(run: RunEntry): void;
+  edit(run: RunEntry): void;
+  remove(run: RunEntry): void;
+  choose(run: RunEntry, on: boolean): void;
+}
+
+const kComparison = /^compare-(.+)\.html$/;
+
+export function runRow(run: RunEntry, chosen: boolean, actions: RunActions): HTMLTableRowElement {
+  const box = h('input', { type: 'checkbox', 'aria-label': `Compare ${titleOf(run)}` });
+  box.checked = chosen;
+  box.disabled = run.active;
+  box.addEventListener('change', () => {
+    actions.choose(run, box.checked);
+  });
+  const row = h(
+    'tr',
+    { 'data-run': run.run },
+    h('td', { class: 'run-box' }, box),
+    h('td', { class: 'run-what' }, ...about(run)),
+    h('td', { class: 'run-when' }, run.active ? 'recording' : new Date(1000 * run.modified_unix_s).toLocaleString()),
+    h('td', { class: 'figure run-size' }, bytes(run.bytes)),
+    h('td', {}, h('div', { class: 'run-files' }, ...deeds(run, actions), ...files(run))),
+  );
+  if (run.active) row.classList.add('active');
+  return row;
+}
+
+function about(run: RunEntry): HTMLElement[] {
+  const all = [h('span', { class: 'run-title' }, titleOf(run))];
+  const line = (name: string, text: string): void => {
+    if (text !== '') all.push(h('span', { class: name }, text));
+  };
+  for (const tag of run.tags.split(' ')) line('run-tag', tag);
+  if (run.keep) line('run-tag', 'kept');
+  if (run.name !== '') line('run-id', run.run);
+  line('run-note', run.note);
+  line('run-bad', run.note_error);
+  return all;
+}
+
+/** A button that commands the daemon: off without the right to; `fixed`: always off. */
+function deed(text: string, label: string, fixed: boolean, act: () => void): HTMLButtonElement {
+  const button = h('button', { type: 'button', class: 'link run-deed', 'aria-label': label }, text);
+  button.dataset.fixed = String(fixed);
+  button.addEventListener('click', act);
+  return button;
+}
+
+function deeds(run: RunEntry, actions: RunActions): HTMLElement[] {
+  const title = titleOf(run);
+  const recording = run.files.find(({ name }) => name === 'run.mcap');
+  const report = reportOf(run);
+  const all: HTMLElement[] = [];
+  if (report !== undefined) all.push(h('a', { class: 'run-report', href: report.url, target: '_blank', rel: 'noopener', 'aria-label': `Report of ${title}` }, 'report'));
+  else if (recording !== undefined) {
+    const make = deed('make report', `Make the report of ${title}`, run.active, () => {
+      actions.report(run);
+    });
+    make.classList.add('run-make');
+    all.push(make);
+  }
+  if (recording !== undefined) {
+    const open = h('button', { type: 'button', class: 'link', 'aria-label': `Replay ${title}` }, 'replay');
+    open.addEventListener('click', () => {
+      actions.replay(recording, run);
+    });
+    all.push(open);
+  }
+  for (const { name, url } of run.files) {
+    const other = kComparison.exec(name)?.[1];
+    if (other !== undefined) all.push(h('a', { href: url, target: '_blank', rel: 'noopener', title: `with ${other}` }, 'comparison'));
+  }
+  all.push(
+    deed('edit', `Name and note of ${title}`, false, () => {
+      actions.edit(run);
+    }),
+  );
+  const remove = h('button', { type: 'button', class: 'link run-deed run-delete', 'aria-label': `Delete ${title}` }, 'delete');
+  remove.dataset.fixed = String(run.active || recording === undefined);
+  confirmed(remove, 'really delete', () => {
+    actions.remove(run);
+  });
+  return [...all, remove];
+}
+
+/** Every file, to download. */
+function files(run: RunEntry): HTMLElement[] {
+  const links = run.files
+    .filter(({ kind }) => kind !== 'note')
+    .map(({ name, url, bytes: size }) => h('a', { href: url, download: '', title: bytes(size) }, name));
+  if (links.length === 0) return [];
+  return [h('details', { class: 'run-more' }, h('summary', {}, links.length === 1 ? '1 file' : `${links.length} files`), ...links)];
+}
+
+/** The form in the place of a row. */
+export function noteForm(run: RunEntry, save: (note: RunNote) => void, cancel: () => void): HTMLTableRowElement {
+  const name = h('input', { type: 'text', name: 'run-name', maxlength: '80', value: run.name });
+  const tags = h('input', { type: 'text', name: 'run-tags', maxlength: '200', value: run.tags, placeholder: 'words' });
+  const note = h('textarea', { name: 'run-note', rows: '2', maxlength: '2000', 'aria-label': 'Note' }, run.note);
+  const keep = h('input', { type: 'checkbox', name: 'run-keep' });
+  keep.checked = run.keep;
+  const back = h('button', { type: 'button', class: 'control' }, 'Cancel');
+  back.addEventListener('click', cancel);
+  const form = h(
+    'form',
+    { class: 'run-form', 'aria-label': `Name and note of ${titleOf(run)}` },
+    h('label', {}, 'name ', name),
+    h('label', {}, 'tags ', tags),
+    h('label', {}, keep, ' keep'),
+    note,
+    h('button', { type: 'submit', class: 'control run-save' }, 'Save'),
+    back,
+  );
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    save({ run: run.run, name: name.value.trim(), tags: tags.value.trim().replace(/\s+/g, ' '), note: note.value.trim(), keep: keep.checked });
+  });
+  return h('tr', { class: 'run-edited' }, h('td', { colspan: '5' }, form));
+}
