@@ -39,6 +39,7 @@ import { Transport } from '../panel/transport.ts';
 import { kModes, Viewport } from '../panel/viewport.ts';
 import { Player } from '../replay/player.ts';
 import { loadRecording } from '../replay/recording.ts';
+import { past } from '../state/past.ts';
 import type { Estimate, Link, Slip, State, Topic } from '../state/messages.ts';
 import type { SetupCall } from '../state/setup.ts';
 import { StopButton } from '../state/stop.ts';
@@ -242,15 +243,6 @@ const parameters = new ParameterPanel(
   },
   (service, request) => client.call(service, request),
 );
-/** What the daemon said before this page was opened, by topic; asked once. */
-const pasts = new Map<string, Promise<readonly unknown[]>>();
-function past(topic: string): Promise<readonly unknown[]> {
-  const known = pasts.get(topic) ?? fetch(`/api/history${topic}`).then((answer) => (answer.ok ? (answer.json() as Promise<unknown[]>) : []));
-  pasts.set(topic, known);
-  // Later it is the present that was missed.
-  setTimeout(() => pasts.delete(topic), 1000);
-  return known;
-}
 const signals = new SignalPanel(past);
 const links = new LinkTable();
 const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
