@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "config/configuration.h"
 #include "config/run_setup.h"
+#include "config/setup_files.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
@@ -19,7 +20,6 @@
 #include "live/ros2_node.h"
 #include "live/service_notice.h"
 #include "live/setup_changer.h"
-#include "live/setup_files.h"
 #include "live/setup_list.h"
 #include "live/supervisor.h"
 #include "loop/fixed_rate_loop.h"
@@ -45,12 +45,12 @@ config::RunFiles files_of(const RunOptions& options) {
   const config::Configuration configuration =
       config::parse_configuration(files.configuration.text, files.configuration.path);
   const std::string& course = options.course.empty() ? configuration.course : options.course;
-  const std::string library = live::library_folder(configuration.library);
+  const std::string library = config::library_folder(configuration.library);
   if (!course.empty())
-    files.course = live::read_setup_file(course::Bundled::kCourses, course, library);
+    files.course = config::read_setup_file(course::Bundled::kCourses, course, library);
   files.robot =
-      live::read_setup_file(course::Bundled::kRobots,
-                            options.robot.empty() ? configuration.robot : options.robot, library);
+      config::read_setup_file(course::Bundled::kRobots,
+                              options.robot.empty() ? configuration.robot : options.robot, library);
   files.setup = options.setup.empty() ? configuration.parameters.setup : setup_of(options.setup);
   files.world = config::world_option(options.world, configuration.parameters.world.kind);
   return files;

@@ -93,13 +93,14 @@ bool is_file(const std::string& path) {
 void require_start(const course::TextFile& configuration) {
   const config::Configuration read =
       config::parse_configuration(configuration.text, configuration.path);
-  const std::string library = library_folder(read.library);
+  const std::string library = config::library_folder(read.library);
   config::RunFiles files{.configuration = configuration,
-                         .robot = read_setup_file(Bundled::kRobots, read.robot, library),
+                         .robot = config::read_setup_file(Bundled::kRobots, read.robot, library),
                          .course = {},
                          .setup = read.parameters.setup,
                          .world = read.parameters.world.kind};
-  if (!read.course.empty()) files.course = read_setup_file(Bundled::kCourses, read.course, library);
+  if (!read.course.empty())
+    files.course = config::read_setup_file(Bundled::kCourses, read.course, library);
   require_fit(config::parse_run(files));
 }
 
@@ -139,7 +140,7 @@ std::string replaced(const course::TextFile& now, const std::string& next, bool 
 
 SetupChanger::SetupChanger(config::LoadedRun run, LiveCycle& cycle)
     : cycle_(cycle),
-      files_(library_folder(run.setup.configuration.library), run.files),
+      files_(config::library_folder(run.setup.configuration.library), run.files),
       run_(std::make_shared<const config::LoadedRun>(std::move(run))) {}
 
 std::shared_ptr<const config::LoadedRun> SetupChanger::run() const {

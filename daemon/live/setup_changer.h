@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "config/run_setup.h"
+#include "config/setup_files.h"
 #include "live/live_cycle.h"
-#include "live/setup_files.h"
 #include "record/worker.h"
 #include "server/controls.h"
 
@@ -73,7 +73,7 @@ class SetupChanger {
   course::TextFile configuration_file() const;
 
   LiveCycle& cycle_;
-  const SetupFiles files_;
+  const config::SetupFiles files_;
   mutable std::mutex mutex_;  // guards what follows; never held while waiting for a disk
   std::shared_ptr<const config::LoadedRun> run_;
   std::shared_ptr<const config::LoadedRun> next_;  // of the change under way; null: place only

@@ -107,8 +107,9 @@ std::string_view write_place(text::JsonWriter& json, std::string_view message,
   return message.substr(static_cast<std::size_t>(after - message.data()) + 2);
 }
 
-void write_entry(text::JsonWriter& json, const SetupFiles& files, const config::LoadedRun& run,
-                 Bundled kind, const SetupFiles::Entry& entry) {
+void write_entry(text::JsonWriter& json, const config::SetupFiles& files,
+                 const config::LoadedRun& run, Bundled kind,
+                 const config::SetupFiles::Entry& entry) {
   json.begin_object().field("name", entry.name).field("from", to_string(entry.from));
   std::string why;
   const bool is_course = kind == Bundled::kCourses;
@@ -138,7 +139,7 @@ void require_fit(const config::RunSetup& run) {
   if (run.course != nullptr) terrain::require_climbable(*run.course, run.robot);
 }
 
-std::string setup_list(const SetupFiles& files, const config::LoadedRun& run) {
+std::string setup_list(const config::SetupFiles& files, const config::LoadedRun& run) {
   std::string text;
   text::JsonWriter json(text);
   const auto& setup = run.setup;
@@ -152,7 +153,7 @@ std::string setup_list(const SetupFiles& files, const config::LoadedRun& run) {
   json.end_array().field("may_save", files.may_save());
   for (const Bundled kind : {Bundled::kCourses, Bundled::kRobots}) {
     json.key(kind == Bundled::kCourses ? "courses" : "robots").begin_array();
-    for (const SetupFiles::Entry& entry : files.list(kind))
+    for (const config::SetupFiles::Entry& entry : files.list(kind))
       write_entry(json, files, run, kind, entry);
     json.end_array();
   }

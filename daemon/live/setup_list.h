@@ -4,7 +4,7 @@
 #include <string>
 
 #include "config/run_setup.h"
-#include "live/setup_files.h"
+#include "config/setup_files.h"
 
 namespace tp100::live {
 
@@ -16,7 +16,7 @@ void require_fit(const config::RunSetup& run);
 
 /// All files with what a viewer shows of them, and whether each fits the rest of `run`, which is in
 /// force. Waits for the disk.
-std::string setup_list(const SetupFiles& files, const config::LoadedRun& run);
+std::string setup_list(const config::SetupFiles& files, const config::LoadedRun& run);
 
 /// What is wrong with a file that may be only a draft, as JSON (CHANNELS.md, file_check): its first
 /// error with its place, else whether it fits the rest of `run`, and a course's length and time.

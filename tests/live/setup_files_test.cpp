@@ -1,4 +1,4 @@
-#include "live/setup_files.h"
+#include "config/setup_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +15,9 @@ namespace tp100::live {
 namespace {
 
 namespace fs = std::filesystem;
+using config::library_folder;
+using config::read_setup_file;
+using config::SetupFiles;
 using course::Bundled;
 using Json = nlohmann::json;
 using ::testing::HasSubstr;

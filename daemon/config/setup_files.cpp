@@ -1,4 +1,4 @@
-#include "live/setup_files.h"
+#include "config/setup_files.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -13,7 +13,7 @@
 #include "text/format.h"
 #include "text/standard_streams.h"
 
-namespace tp100::live {
+namespace tp100::config {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,7 +64,7 @@ course::TextFile read_setup_file(Bundled kind, const std::string& name_or_path,
                             : course::read_bundled(kind, name_or_path);
 }
 
-SetupFiles::SetupFiles(std::string library, const config::RunFiles& given)
+SetupFiles::SetupFiles(std::string library, const RunFiles& given)
     : library_(std::move(library)), course_(given.course), robot_(given.robot) {}
 
 const course::TextFile& SetupFiles::given(Bundled kind) const {
@@ -153,4 +153,4 @@ void SetupFiles::remove(Bundled kind, const std::string& name) const {
   throw SetupError(text::one_line(name, kMaxName) + ": no such " + noun(kind));
 }
 
-}  // namespace tp100::live
+}  // namespace tp100::config

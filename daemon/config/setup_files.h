@@ -8,7 +8,7 @@
 #include "config/run_setup.h"
 #include "course/bundled_files.h"
 
-namespace tp100::live {
+namespace tp100::config {
 
 /// The user's folder: `configured` (key library), else $XDG_DATA_HOME/tp100 or
 /// ~/.local/share/tp100; empty if there is no home directory.
@@ -30,7 +30,7 @@ class SetupFiles {
   };
 
   /// `library`: as library_folder() returns it.
-  SetupFiles(std::string library, const config::RunFiles& given);
+  SetupFiles(std::string library, const RunFiles& given);
 
   /// Whether there is a folder to save into.
   bool may_save() const { return !library_.empty(); }
@@ -60,4 +60,4 @@ constexpr const char* to_string(SetupFiles::From from) {
                                               : "own";
 }
 
-}  // namespace tp100::live
+}  // namespace tp100::config
