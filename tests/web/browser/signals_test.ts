@@ -122,8 +122,9 @@ describe('signals', () => {
     await page.keyboard.press('Escape');
     await until(async () => ['aborted', 'finished'].includes(await run(page)), 'the run is over');
     await page.click('#tab-runs');
-    await until(() => page.locator('.runs button.link').first().isVisible(), 'a recording', () => page.textContent('.runs'));
-    await page.locator('.runs button.link').first().click();
+    const replay = page.locator('.runs').getByText('replay').first();
+    await until(() => replay.isVisible(), 'a recording', () => page.textContent('.runs'));
+    await replay.click();
     await until(() => page.evaluate(() => document.body.classList.contains('replaying')), 'it is replayed');
     await page.click('#tab-signals');
     await known(page, 1);
