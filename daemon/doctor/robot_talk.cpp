@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "bridge/cycle.h"
+#include "core/board.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/faults.h"
 #include "core/histogram.h"
-#include "core/board.h"
 #include "doctor/hello.h"
 
 namespace tp100::doctor {

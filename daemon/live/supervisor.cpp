@@ -8,8 +8,8 @@
 #include <chrono>
 #include <utility>
 
-#include "core/clock.h"
 #include "core/board.h"
+#include "core/clock.h"
 #include "live/end_signals.h"
 #include "live/event_log.h"
 #include "live/first_session.h"

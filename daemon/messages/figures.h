@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/board.h"
 #include "core/estimates.h"
 #include "core/faults.h"
 #include "core/link_state.h"
 #include "core/run_state.h"
 #include "core/sample.h"
-#include "core/board.h"
 #include "core/time.h"
 
 namespace tp100::messages {

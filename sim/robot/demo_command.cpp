@@ -210,8 +210,8 @@ LiveRun drive(const DemoCommand& command, const fs::path& programs, const std::s
                                         stats.string(),
                                         "--go"};
   if (!command.headless)
-    for (const std::string& each : {std::string("--stay"), std::string("--record"),
-                                    (folder.path() / "runs").string()})
+    for (const std::string& each :
+         {std::string("--stay"), std::string("--record"), (folder.path() / "runs").string()})
       arguments.push_back(each);
   Child bridge(arguments, {.quiet = command.headless});
   const std::string page = page_of(stats, bridge);

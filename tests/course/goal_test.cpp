@@ -150,7 +150,8 @@ TEST(GoalCourse, OutsideOfTheFenceIsRefused) {
               HasSubstr("the path leaves the fence at (3"));
   EXPECT_EQ(why_not(kEverything, {.x_m = 2.5, .y_m = -2.9}, {.x_m = 3.9, .y_m = -2.9}), "");
   EXPECT_THAT(why_not(kEverything, {.x_m = 5.0}, {}), HasSubstr("the path leaves the fence"));
-  EXPECT_THAT(why_not(kFree, {.x_m = -99.0}, {.x_m = 99.0}), HasSubstr("'segment.length_m' is 198"));
+  EXPECT_THAT(why_not(kFree, {.x_m = -99.0}, {.x_m = 99.0}),
+              HasSubstr("'segment.length_m' is 198"));
   EXPECT_THAT(why_not("", {}, {.x_m = 1.0}), HasSubstr("choose a course"));
   // Random ones: refused exactly if the goal is outside, for the fence is convex.
   constexpr const char* kSquare =

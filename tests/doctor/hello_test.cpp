@@ -34,8 +34,8 @@ TEST(Greeting, NamesBoardFirmwareAndProtocol) {
   const auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
   const Greeting greeting = read_greeting(bytes.data(), bytes.size());
   EXPECT_TRUE(greeting.ours);
-  EXPECT_EQ(greeting.text, "a Mega 2560, firmware 3.20.100, protocol " +
-                               std::to_string(wire::kProtocolVersion));
+  EXPECT_EQ(greeting.text,
+            "a Mega 2560, firmware 3.20.100, protocol " + std::to_string(wire::kProtocolVersion));
 }
 
 TEST(Greeting, SaysThatTheRobotIsSimulatedInsideTheBoard) {

@@ -78,7 +78,8 @@ TEST_F(Doctor, FindsNothingThatKeepsAGoodRobotFromDriving) {
   const Examined examined = examine();
   EXPECT_EQ(examined.status, 0) << examined.report.dump();
   EXPECT_EQ(examined.report.at("errors"), 0);
-  EXPECT_THAT(examined.line("firmware"), HasSubstr("ok firmware: an emulated board, firmware 0.1.0"));
+  EXPECT_THAT(examined.line("firmware"),
+              HasSubstr("ok firmware: an emulated board, firmware 0.1.0"));
   const Finished here = run({"tp100d", "doctor", "--port", std::filesystem::relative(port())});
   EXPECT_EQ(here.status, 0) << "the port's relative path must work: " << here.output;
   for (const char* name :
