@@ -21,11 +21,17 @@ const turn_mps = (): number => {
   return (tracks?.right_commanded_mps ?? NaN) - (tracks?.left_commanded_mps ?? NaN);
 };
 
-/** Ends whatever is under way and takes the wheel. */
-async function takeWheel(page: Page): Promise<void> {
+/** Ends the run, which begins by itself and perhaps only now, near its start: at its end the fence is near. */
+async function mayDrive(page: Page): Promise<void> {
   await alive(page);
-  if (['arming', 'running'].includes(await run(page))) await page.click('#hold');
-  await until(() => page.isEnabled('#drive'), 'the robot may be driven');
+  await until(async () => {
+    if (['arming', 'running'].includes(await run(page))) await page.keyboard.press('h');
+    return page.isEnabled('#drive');
+  }, 'the robot may be driven');
+}
+
+async function takeWheel(page: Page): Promise<void> {
+  await mayDrive(page);
   await until(async () => {
     if ((await run(page)) === 'driving' && (await page.isVisible('#drive-release'))) return true;
     // The first press asks for confirmation. By key, because a click would wait for a button that is no longer enabled.
@@ -62,9 +68,7 @@ async function pad(page: Page, values: { axes?: number[]; noise?: boolean; conne
 describe('driving by hand', () => {
   it('asks for confirmation, follows the keys as long as they are held, and releases', async () => {
     const page = await setting.open();
-    await alive(page);
-    if (['arming', 'running'].includes(await run(page))) await page.keyboard.press('h');
-    await until(() => page.isEnabled('#drive'), 'the robot may be driven');
+    await mayDrive(page);
     await page.keyboard.press('m');
     await until(async () => (await page.textContent('#drive')) === 'Press again', 'it asks for confirmation');
     expect(await page.isVisible('#drive-release')).toBe(false);
