@@ -51,6 +51,10 @@ struct RunRequest {
   runs::RunNoteChange note{};  ///< of kNote
 };
 
+/// Why what needs a robot at rest is refused.
+inline constexpr const char* kUnderWay =
+    "a run is under way, or somebody drives by hand; stop it first";
+
 class Controls {
  public:
   virtual ~Controls() = default;

@@ -1,9 +1,10 @@
-// The part of RequestHandler that reads, sets, watches, saves and restores parameters.
+#include "server/parameter_requests.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "server/request_handler.h"
+#include "server/services.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
@@ -16,7 +17,23 @@ constexpr const char* kSteering = "estimation.steering";
 
 }  // namespace
 
-void RequestHandler::change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
+ParameterRequests::ParameterRequests(Broker& broker, Publisher& publisher, Controls& controls,
+                                     std::vector<messages::ParameterText> parameters)
+    : broker_(broker),
+      publisher_(publisher),
+      controls_(controls),
+      parameters_(std::move(parameters)) {
+  publish(publisher_.clock().start_ns);
+}
+
+void ParameterRequests::publish(HostNs now) {
+  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
+                  messages::parameters_message(parameters_));
+}
+
+bool ParameterRequests::under_way() const { return tp100::under_way(publisher_.state().run); }
+
+void ParameterRequests::change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
   for (messages::ParameterText& next : parameters) {
     const auto old =
         std::find_if(parameters_.begin(), parameters_.end(),
@@ -24,11 +41,10 @@ void RequestHandler::change_setup(std::vector<messages::ParameterText> parameter
     if (next.live && old != parameters_.end()) next.value = old->value;
   }
   parameters_ = std::move(parameters);
-  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
-                  messages::parameters_message(parameters_));
+  publish(now);
 }
 
-std::vector<const messages::ParameterText*> RequestHandler::select(
+std::vector<const messages::ParameterText*> ParameterRequests::select(
     const std::vector<std::string>& names) const {
   std::vector<const messages::ParameterText*> out;
   for (const messages::ParameterText& parameter : parameters_) {
@@ -38,11 +54,11 @@ std::vector<const messages::ParameterText*> RequestHandler::select(
   return out;
 }
 
-void RequestHandler::on(Viewer& viewer, const GetParameters& wanted) const {
+void ParameterRequests::get(Viewer& viewer, const GetParameters& wanted) const {
   viewer.reply(parameter_values(select(wanted.names), wanted.id));
 }
 
-void RequestHandler::on(Viewer& viewer, const WatchParameters& wanted) {
+void ParameterRequests::watch(Viewer& viewer, const WatchParameters& wanted) {
   // Keeps existing names only, so that a client cannot make this grow.
   std::set<std::string>& names = watched_[viewer.id()];
   for (const messages::ParameterText* parameter : select(wanted.names)) {
@@ -54,7 +70,7 @@ void RequestHandler::on(Viewer& viewer, const WatchParameters& wanted) {
   }
 }
 
-std::string RequestHandler::set(const SetParameters::One& one) {
+std::string ParameterRequests::set_one(const SetParameters::One& one) {
   const auto found =
       std::find_if(parameters_.begin(), parameters_.end(),
                    [&](const messages::ParameterText& each) { return each.name == one.name; });
@@ -71,14 +87,13 @@ std::string RequestHandler::set(const SetParameters::One& one) {
   return why;
 }
 
-void RequestHandler::on(Viewer& viewer, const SetParameters& wanted, Permission permission,
-                        HostNs now) {
+void ParameterRequests::set(Viewer& viewer, const SetParameters& wanted, bool may_command,
+                            HostNs now) {
   std::vector<std::string> names;
   for (const SetParameters::One& one : wanted.parameters) {
     names.push_back(one.name);
-    const std::string why = permission == Permission::kCommand
-                                ? set(one)
-                                : "parameters are not taken from this client (server.commands)";
+    const std::string why =
+        may_command ? set_one(one) : "parameters are not taken from this client (server.commands)";
     if (!why.empty()) {
       viewer.say(StatusLevel::kError, why);
       continue;
@@ -90,9 +105,8 @@ void RequestHandler::on(Viewer& viewer, const SetParameters& wanted, Permission 
   if (!names.empty()) viewer.reply(parameter_values(select(names), wanted.id));
 }
 
-void RequestHandler::parameter_changed(const messages::ParameterText& parameter, HostNs now) {
-  broker_.publish(messages::Channel::kParameter, publisher_.clock().unix_ns(now),
-                  messages::parameters_message(parameters_));
+void ParameterRequests::parameter_changed(const messages::ParameterText& parameter, HostNs now) {
+  publish(now);
   std::string value;
   std::visit([&](const auto& content) { text::JsonWriter(value).value(content); }, parameter.value);
   publisher_.take(
@@ -107,7 +121,7 @@ void RequestHandler::parameter_changed(const messages::ParameterText& parameter,
 }
 
 // The step decides: a run may have begun before a change of the steering pose reached it.
-void RequestHandler::settle(HostNs now) {
+void ParameterRequests::settle(HostNs now) {
   if (now < settle_ns_) return;
   for (messages::ParameterText& parameter : parameters_) {
     if (parameter.name != kSteering || publisher_.last_step_ns() == 0) continue;
@@ -118,8 +132,8 @@ void RequestHandler::settle(HostNs now) {
   }
 }
 
-std::string RequestHandler::save_parameters(const std::vector<RequestField>& request,
-                                            Controls::Answer answer) {
+std::string ParameterRequests::save(const std::vector<RequestField>& request,
+                                    Controls::Answer answer) {
   ParameterSave asked;
   std::string why = read_parameters(request, parameters_, asked);
   if (!why.empty()) return why;
@@ -132,8 +146,8 @@ std::string RequestHandler::save_parameters(const std::vector<RequestField>& req
   return {};
 }
 
-std::string RequestHandler::restore_parameters(const std::vector<RequestField>& request,
-                                               Controls::Answer answer) {
+std::string ParameterRequests::restore(const std::vector<RequestField>& request,
+                                       Controls::Answer answer) {
   bool check = false;
   std::string why = read_check(request, check);
   if (why.empty() && !check && under_way()) why = "not during a run; stop it first";

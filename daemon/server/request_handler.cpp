@@ -11,7 +11,6 @@ namespace tp100::server {
 namespace {
 
 constexpr std::size_t kMaxWaiting = 1024;
-constexpr const char* kUnderWay = "a run is under way, or somebody drives by hand; stop it first";
 
 Driver driver_of(const Viewer& viewer) {
   const std::string name = "viewer " + std::to_string(viewer.id());
@@ -39,12 +38,8 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
     : broker_(broker),
       publisher_(publisher),
       controls_(controls),
-      parameters_(std::move(parameters)),
-      session_id_(std::move(session_id)) {
-  broker_.publish(messages::Channel::kParameter,
-                  publisher_.clock().unix_ns(publisher_.clock().start_ns),
-                  messages::parameters_message(parameters_));
-}
+      parameters_(broker, publisher, controls, std::move(parameters)),
+      session_id_(std::move(session_id)) {}
 
 void RequestHandler::greet(Viewer& viewer, Permission permission) const {
   const messages::RunContext& run_context = publisher_.run_context();
@@ -68,11 +63,11 @@ bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientM
   } else if (const auto* unsubscribe = std::get_if<Unsubscribe>(&message)) {
     broker_.unsubscribe(*viewer, *unsubscribe);
   } else if (const auto* get = std::get_if<GetParameters>(&message)) {
-    on(*viewer, *get);
+    parameters_.get(*viewer, *get);
   } else if (const auto* set = std::get_if<SetParameters>(&message)) {
-    on(*viewer, *set, permission, now);
+    parameters_.set(*viewer, *set, permission == Permission::kCommand, now);
   } else if (const auto* watch = std::get_if<WatchParameters>(&message)) {
-    on(*viewer, *watch);
+    parameters_.watch(*viewer, *watch);
   } else if (const auto* call = std::get_if<ServiceCall>(&message)) {
     on(viewer, *call, permission, now);
   } else if (const auto* unserved = std::get_if<Unserved>(&message)) {
@@ -87,7 +82,7 @@ bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientM
 void RequestHandler::leave(const Viewer& viewer, HostNs now) {
   controls_.drive_lost(driver_of(viewer).id, now);
   std::erase_if(waiting_, [&](const Waiting& each) { return each.viewer_id == viewer.id(); });
-  watched_.erase(viewer.id());
+  parameters_.leave(viewer);
 }
 
 std::string RequestHandler::start(const std::vector<RequestField>& request) {
@@ -243,10 +238,10 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
       break;
     }
     case Service::kParametersSave:
-      why = save_parameters(*request, later());
+      why = parameters_.save(*request, later());
       break;
     case Service::kParametersRestore:
-      why = restore_parameters(*request, later());
+      why = parameters_.restore(*request, later());
       break;
     case Service::kRunNote:
     case Service::kRunDelete:
@@ -288,7 +283,7 @@ void RequestHandler::call_stop(const std::shared_ptr<Viewer>& viewer, std::uint3
 }
 
 void RequestHandler::tick(HostNs now) {
-  settle(now);
+  parameters_.settle(now);
   answer_results();
   if (waiting_.empty()) return;
   const messages::StopFigures& stop = publisher_.stop().figures();

@@ -2,15 +2,15 @@
 // Answers clients' messages: subscriptions, parameters, services. Checks everything that could
 // reach the robot. No socket; one thread; time is passed in.
 
-#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/broker.h"
 #include "server/controls.h"
+#include "server/parameter_requests.h"
 #include "server/protocol.h"
 #include "server/publisher.h"
 #include "server/services.h"
@@ -34,9 +34,10 @@ class RequestHandler {
   /// Answers one message. False: it is not a message of the protocol.
   bool handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
               Permission permission, HostNs now);
-  /// Another course, robot or set-up is in force: these are its parameters. Those that viewers may
-  /// set keep their values.
-  void change_setup(std::vector<messages::ParameterText> parameters, HostNs now);
+  /// See ParameterRequests.
+  void change_setup(std::vector<messages::ParameterText> parameters, HostNs now) {
+    parameters_.change_setup(std::move(parameters), now);
+  }
   /// The viewer is gone: drops its pending requests, and stops the robot that it drives.
   void leave(const Viewer& viewer, HostNs now);
   /// Call it regularly and after events: answers requests that waited for a STOP or for the disk.
@@ -61,38 +62,27 @@ class RequestHandler {
     std::vector<Result> results;
   };
 
-  void on(Viewer& viewer, const GetParameters& wanted) const;
-  void on(Viewer& viewer, const SetParameters& wanted, Permission permission, HostNs now);
-  void on(Viewer& viewer, const WatchParameters& wanted);
   void on(const std::shared_ptr<Viewer>& viewer, const ServiceCall& call, Permission permission,
           HostNs now);
   void call_stop(const std::shared_ptr<Viewer>& viewer, std::uint32_t call, HostNs now);
-  std::string set(const SetParameters::One& one);
   std::string start(const std::vector<RequestField>& request);
   std::string pause(const Viewer& viewer, bool on, HostNs now);
   std::string drive_take(const Viewer& viewer, HostNs now, std::string& token);
   std::string drive(const std::vector<RequestField>& request, HostNs now);
   std::string drive_release(const std::vector<RequestField>& request, HostNs now);
   std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
-  std::string save_parameters(const std::vector<RequestField>& request, Controls::Answer answer);
-  std::string restore_parameters(const std::vector<RequestField>& request, Controls::Answer answer);
   bool under_way() const;
   Controls::Answer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,
                                 std::uint32_t call) const;
   void answer_results();
-  void settle(HostNs now);
-  void parameter_changed(const messages::ParameterText& parameter, HostNs now);
-  std::vector<const messages::ParameterText*> select(const std::vector<std::string>& names) const;
 
   Broker& broker_;
   Publisher& publisher_;
   Controls& controls_;
-  std::vector<messages::ParameterText> parameters_;
+  ParameterRequests parameters_;
   std::string session_id_;
   std::vector<Waiting> waiting_;
   std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
-  HostNs settle_ns_ = 0;  // a parameter change is under way until then
-  std::map<std::uint32_t, std::set<std::string>> watched_;  // parameters, by viewer
 };
 
 }  // namespace tp100::server
