@@ -122,9 +122,10 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
       if (!text.empty()) note->set(std::move(text));
     }
     return std::make_unique<record::RecordingWriter>(
-        record::RecordingSettings{.path = make_run_folder(directory, name, unix_ns) + "/run.mcap",
-                                  .max_bytes = max_mb * 1'000'000,
-                                  .clock = clock},
+        record::RecordingSettings{
+            .path = make_run_folder(directory, name, unix_ns) + "/" + record::kRecordingFile,
+            .max_bytes = max_mb * 1'000'000,
+            .clock = clock},
         config::run_facts(run->files, run->setup, facts));
   };
 }

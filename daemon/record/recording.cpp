@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "record/recording_file.h"
 #include "record/recording_writer.h"
 #include "record/step_codec.h"
 #include "text/toml_document.h"
@@ -118,7 +119,7 @@ class Distributor : public McapHandler {
 
 std::string recording_file(const std::string& path) {
   std::error_code error;
-  return std::filesystem::is_directory(path, error) ? path + "/run.mcap" : path;
+  return std::filesystem::is_directory(path, error) ? path + "/" + kRecordingFile : path;
 }
 
 bool is_recording(const std::string& path) {

@@ -7,6 +7,9 @@
 
 namespace tp100::record {
 
+/// Name of a recording in the folder of its run.
+inline constexpr const char* kRecordingFile = "run.mcap";
+
 class RecordingFile {
  public:
   /// Creates the file, or truncates an existing one. Throws SetupError.

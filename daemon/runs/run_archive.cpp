@@ -223,8 +223,10 @@ std::string RunArchive::make(const std::string& run, const std::string& with) {
   if (!with.empty()) require_run(runs, with, active);
   if (with == run) throw SetupError("compare needs two different runs");
   // Until the program has opened it.
-  const record::UsedFile used(settings_.folder + "/" + run + "/run.mcap");
-  const record::UsedFile other(settings_.folder + "/" + (with.empty() ? run : with) + "/run.mcap");
+  const auto recording = [this](const std::string& of) {
+    return settings_.folder + "/" + of + "/" + record::kRecordingFile;
+  };
+  const record::UsedFile used(recording(run)), other(recording(with.empty() ? run : with));
   const WorkFolder work(settings_.folder);
   std::vector<std::string> arguments = {settings_.program, with.empty() ? "report" : "compare",
                                         "--background",    "--out",

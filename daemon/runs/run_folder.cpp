@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "record/recording_file.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
 
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxFiles = 100;  // listed per run
 constexpr std::size_t kMaxEntries = 20'000;
 constexpr std::size_t kMaxNoteFile = 16'384;
-constexpr const char* kRecordingFile = "run.mcap";
+using record::kRecordingFile;
 
 constexpr std::array<FileKind, 8> kKinds = {{
     {kRunNoteFile, "note", "text/plain; charset=utf-8"},

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/faults.h"
+#include "record/recording_file.h"
 
 namespace tp100::sim {
 namespace {
@@ -19,7 +20,7 @@ record::RunFacts facts_of(const Loaded& loaded, const config::RunSetup& run, std
 record::RecordingSettings settings_of(const std::string& folder, const config::RunSetup& run,
                                       std::uint64_t seed) {
   return {.path = folder + "/" + run.course->name + "-" + run.robot.name + "-" +
-                  std::to_string(seed) + "/run.mcap",
+                  std::to_string(seed) + "/" + record::kRecordingFile,
           .max_bytes = std::uint64_t{1'000'000} *
                        static_cast<std::uint64_t>(run.configuration.record.max_mb)};
 }
