@@ -38,11 +38,23 @@ export class Peer {
   constructor(domain, wanted, under = []) {
     this.found = [];
     this.waiting = new Set();
-    const [command, ...more] = [...under, program('ros2_peer'), String(domain), ...wanted];
-    this.process = start(command, more, { stdio: ['pipe', 'pipe', 'inherit'] });
+    this.command = [...under, program('ros2_peer'), String(domain), ...wanted];
+    this.start();
+  }
+  start() {
+    const [command, ...options] = this.command;
+    this.process = start(command, options, { stdio: ['pipe', 'pipe', 'inherit'] });
+    this.process.stdin.on('error', () => {});
     createInterface({ input: this.process.stdout }).on('line', (line) => {
       this.found.push(JSON.parse(line));
       for (const check of this.waiting) check();
+    });
+    // Fast DDS 2.9.1 may send to a participant that it has just discovered before it has opened a channel to it, and ends
+    // itself (https://github.com/eProsima/Fast-DDS/pull/3169).
+    this.process.once('exit', (code, signal) => {
+      if (signal !== 'SIGABRT') return;
+      this.found = this.found.filter(({ matched }) => matched === undefined);
+      this.start();
     });
   }
   /** All topics with the quality of service that is offered. */

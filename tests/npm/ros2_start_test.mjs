@@ -13,6 +13,7 @@ const on = '[ros2]\nenabled = true';
 const pose = 'geometry_msgs/msg/PoseStamped', string = 'std_msgs/msg/String', empty = 'std_msgs/msg/Empty';
 const diagnostics = 'diagnostic_msgs/msg/DiagnosticArray', fused = 'geometry_msgs/msg/PoseWithCovarianceStamped';
 const silenceMs = 2100;
+const unheardMs = 3000;
 const busy = /refused: (no robot|no fresh sample|the gyro|the robot|another request)|state: (arming|running) -> (aborted|idle)/;
 
 /** A node that starts the robot, and what the daemon's log says of it. */
@@ -24,7 +25,10 @@ class Starter {
       `+rt/tp100/stop=${ddsType(empty)}=RV`, `rt/tp100/state=${ddsType(diagnostics)}=RV`, `rt/pose/fused=${ddsType(fused)}=RV`,
       `rt/ground_truth=${ddsType(pose)}=RV`]);
   }
-  /** Asks, once that is no repetition, until the log has that line; again where a busy machine ends the run or its start. */
+  /**
+   * Asks, once that is no repetition, until the log has that line; again where a busy machine ends the run or its start, and
+   * where nothing comes of it: the daemon's reader may have met this writer only after the message.
+   */
   async ask(topic, type, message, answer) {
     await this.peer.matched(topic, type);
     for (let line = ''; !answer.test(line);) {
@@ -32,13 +36,15 @@ class Starter {
       const before = this.run.lines.length;
       this.peer.publish(topic, type, message);
       this.asked.set(topic, Date.now());
-      line = await this.said(new RegExp(`${answer.source}|${busy.source}`), before);
+      line = await this.said(new RegExp(`${answer.source}|${busy.source}`), before, unheardMs);
     }
   }
-  async said(pattern, from) {
-    for (;;) {
-      const line = this.run.lines.slice(from).find((each) => pattern.test(each));
+  /** The first such line; empty if `unheard` ms later there is none of a request or a state either. */
+  async said(pattern, from, unheard = Infinity) {
+    for (const asked = Date.now();;) {
+      const lines = this.run.lines.slice(from), line = lines.find((each) => pattern.test(each));
       if (line !== undefined) return line;
+      if (Date.now() - asked > unheard && !lines.some((each) => /ROS 2|STOP|state:|course /.test(each))) return '';
       await pause(25);
     }
   }
