@@ -21,9 +21,9 @@ constexpr double kYawErrorRad = 4.0 * kRadPerDeg;
 constexpr double kMarginM = 0.01;
 constexpr double kDeviations = 2.0;
 // However uncertain the position is: a robot that was never placed must be driven, too.
-constexpr double kMostMarginM = 0.03;
+constexpr double kMaxMarginM = 0.03;
 // Of the smaller side of the fence.
-constexpr double kMostMarginShare = 0.15;
+constexpr double kMaxMarginShare = 0.15;
 
 // Slower than this the robot would creep on and on, or wind up against its friction.
 constexpr double kCreepMps = 0.01;
@@ -103,7 +103,7 @@ double speed_inside(double speed_mps, const FenceMotion& motion, const course::F
                     .y = sign * std::sin(pose.yaw_rad),
                     .turned_rad = kYawErrorRad + motion.yaw_rate_radps * kDelayS,
                     .margin_m = std::min({kMarginM + kDeviations * motion.uncertainty_m,
-                                          kMostMarginM, kMostMarginShare * side_m}),
+                                          kMaxMarginM, kMaxMarginShare * side_m}),
                     .braking_mps2 = kBrakingShare * motion.braking_mps2,
                     .most_mps = std::abs(speed_mps)};
   if (fence.corners.empty()) {

@@ -12,10 +12,9 @@ namespace tp100::live {
 namespace {
 
 constexpr const char* kTopic = "ROS 2 /cmd_vel";
-constexpr std::size_t kMostWords = 64;
-constexpr const char* kUnderWay = "a run is under way, or somebody drives by hand; stop it first";
+constexpr std::size_t kMaxWords = 64;
 // How far a robot at standstill may seem to move until it starts for its goal.
-constexpr double kMostMovedM = 0.01, kMostTurnedRad = 2.0 * kRadPerDeg;
+constexpr double kMaxMovedM = 0.01, kMaxTurnedRad = 2.0 * kRadPerDeg;
 
 server::Driver driver() { return {.id = kTopic, .name = kTopic}; }
 
@@ -41,7 +40,7 @@ std::string of_goal(const std::string& why) {
 void Ros2Requests::Shared::say(messages::Event event, bool answers) {
   const std::lock_guard lock(mutex);
   if (answers) answer = event;
-  if (words.size() < kMostWords) words.push_back(std::move(event));
+  if (words.size() < kMaxWords) words.push_back(std::move(event));
 }
 
 void Ros2Requests::take_words(std::vector<messages::Event>& words) {
@@ -185,7 +184,7 @@ void Ros2Requests::velocity(const ros2::Received& received, HostNs now) {
 }
 
 void Ros2Requests::place(const Pose& at, HostNs now) {
-  if (under_way(run_state_)) return refuse(ros2::Input::kInitialPose, now, kUnderWay);
+  if (under_way(run_state_)) return refuse(ros2::Input::kInitialPose, now, server::kUnderWay);
   controls_.place(at, [shared = shared_, now](const std::string& why, const std::string&) {
     if (!why.empty()) shared->say(refusal(now, "/initialpose refused: " + why), true);
   });
@@ -202,7 +201,7 @@ void Ros2Requests::start(const ros2::Received& received, const server::SetupChoi
   if (start_) {
     why = name_of(start_->input) + " is about to start the robot";
   } else if (under_way(run_state_)) {
-    why = kUnderWay;
+    why = server::kUnderWay;
   } else if (ros2::in_time(received, why)) {
     why = to_string(drive_refusal_);
   }
@@ -239,8 +238,8 @@ std::string Ros2Requests::why_not(const Start& start, const Snapshot& snapshot) 
     if (shared_->course != (goal ? course::kGoalCourse : *start.choice.course))
       return "another course was chosen meanwhile";
   }
-  if (goal && (magnitude(at_.x_m - goal->from.x_m, at_.y_m - goal->from.y_m) > kMostMovedM ||
-               std::abs(wrap_angle(at_.yaw_rad - goal->from.yaw_rad)) > kMostTurnedRad))
+  if (goal && (magnitude(at_.x_m - goal->from.x_m, at_.y_m - goal->from.y_m) > kMaxMovedM ||
+               std::abs(wrap_angle(at_.yaw_rad - goal->from.yaw_rad)) > kMaxTurnedRad))
     return "the robot has moved since; send it again";
   return std::string(to_string(snapshot.start_refusal));
 }

@@ -125,7 +125,7 @@ bool in_time(const Received& received, std::string& why) {
     return false;
   }
   const std::int64_t age_ns = received.taken_ns - received.written_ns;
-  if (age_ns <= kMostLateNs && age_ns >= -kMostLateNs) return true;
+  if (age_ns <= kMaxAgeNs && age_ns >= -kMaxAgeNs) return true;
   why = text::format(
       "sent %.1f s ago by the clock of its sender, and no more than 2 s count; send it again, or "
       "set "

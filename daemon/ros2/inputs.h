@@ -66,7 +66,7 @@ std::optional<Pose> read_pose(const Received& received, std::string& why);
 std::optional<std::string> read_course(const Received& received, std::string& why);
 
 /// How far the clock of a writer that starts the robot may be off, and how late its message may be.
-inline constexpr std::int64_t kMostLateNs = 2 * kNsPerS;
+inline constexpr std::int64_t kMaxAgeNs = 2 * kNsPerS;
 /// Whether the message is no older than that; else `why` is set.
 bool in_time(const Received& received, std::string& why);
 

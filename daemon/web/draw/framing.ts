@@ -5,7 +5,7 @@ import type { Course } from '../state/messages.ts';
 /** Of a small course there is room around it, to draw on. */
 const kRoom_m = 0.2;
 const kLeast_m = 1.2;
-const kMost_m = 200;
+const kMaxSize_m = 200;
 
 export function frameOf(course: Course): Bounds {
   const box = bounds(course);
@@ -18,6 +18,6 @@ export function frameOf(course: Course): Bounds {
 export function zoomed(box: Bounds, factor: number): Bounds {
   const [x, y] = [(box.min_x + box.max_x) / 2, (box.min_y + box.max_y) / 2];
   const [wide, high] = [(factor * (box.max_x - box.min_x)) / 2, (factor * (box.max_y - box.min_y)) / 2];
-  if (Math.max(wide, high) > kMost_m / 2 || Math.min(wide, high) < kRoom_m) return box;
+  if (Math.max(wide, high) > kMaxSize_m / 2 || Math.min(wide, high) < kRoom_m) return box;
   return { min_x: x - wide, max_x: x + wide, min_y: y - high, max_y: y + high };
 }

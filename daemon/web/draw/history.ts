@@ -1,5 +1,5 @@
 // The states of a text that is edited, one for each finished change.
-const kMost = 200;
+const kMaxStates = 200;
 
 export class History {
   private texts: string[] = [''];
@@ -14,7 +14,7 @@ export class History {
   /** A change is finished. */
   add(text: string): void {
     if (text === this.text) return;
-    this.texts = [...this.texts.slice(0, this.at + 1), text].slice(-kMost);
+    this.texts = [...this.texts.slice(0, this.at + 1), text].slice(-kMaxStates);
     this.at = this.texts.length - 1;
   }
 

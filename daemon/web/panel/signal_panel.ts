@@ -6,7 +6,7 @@ import { h, setAttribute, setText } from './dom.ts';
 import { SignalChart, type TimeRange } from './signal_chart.ts';
 
 const kRemembered = 'tp100.signals';
-const kMost = 8;
+const kMaxFields = 8;
 const kListed = 80;
 const kShortest_s = 1;
 const kWindow_s = 60;
@@ -115,7 +115,7 @@ export class SignalPanel {
   }
 
   private choose(name: string): void {
-    if (!isSignalTopic(topicOf(name)) || this.live.names.length >= kMost) return;
+    if (!isSignalTopic(topicOf(name)) || this.live.names.length >= kMaxFields) return;
     this.live.choose(name);
     if (this.signals !== this.live) {
       this.signals.choose(name);
@@ -147,7 +147,7 @@ export class SignalPanel {
       this.draw();
     }));
     this.charts_.replaceChildren(
-      ...(this.charts.length === 0 ? [h('p', { class: 'empty' }, `Choose up to ${kMost} fields; those of one unit share a diagram. Drag over a diagram to see a part of the time.`)] : this.charts.map((chart) => chart.element)),
+      ...(this.charts.length === 0 ? [h('p', { class: 'empty' }, `Choose up to ${kMaxFields} fields; those of one unit share a diagram. Drag over a diagram to see a part of the time.`)] : this.charts.map((chart) => chart.element)),
     );
     localStorage.setItem(kRemembered, JSON.stringify(this.live.names));
     this.listed = '';
@@ -177,7 +177,7 @@ export class SignalPanel {
   private item(name: string, chosen: readonly string[]): HTMLElement {
     const check = h('input', { type: 'checkbox', 'aria-label': name });
     check.checked = chosen.includes(name);
-    check.disabled = !check.checked && chosen.length >= kMost;
+    check.disabled = !check.checked && chosen.length >= kMaxFields;
     check.addEventListener('change', () => {
       if (check.checked) this.choose(name);
       else this.drop(name);
@@ -241,7 +241,7 @@ function save(name: string, content: Blob): void {
 function remembered(): string[] {
   try {
     const names: unknown = JSON.parse(localStorage.getItem(kRemembered) ?? '[]');
-    return Array.isArray(names) ? names.filter((name) => typeof name === 'string').slice(0, kMost) : [];
+    return Array.isArray(names) ? names.filter((name) => typeof name === 'string').slice(0, kMaxFields) : [];
   } catch {
     return [];
   }

@@ -15,7 +15,7 @@ import type { View } from './view.ts';
 
 const kHistoryWidth_m = 0.007;
 const kHistoryLift_m: Record<EstimateName, number> = { model: 0.002, odometry: 0.0025, fused: 0.003, truth: 0.0035 };
-const kMostPixels = 2;
+const kMaxPixelRatio = 2;
 
 export class SceneView implements View {
   readonly element: HTMLCanvasElement;
@@ -135,7 +135,7 @@ export class SceneView implements View {
   resize(): void {
     const { clientWidth, clientHeight } = this.element.parentElement ?? this.element;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(this.level > 1 ? 0.6 : Math.min(window.devicePixelRatio, kMostPixels));
+    this.renderer.setPixelRatio(this.level > 1 ? 0.6 : Math.min(window.devicePixelRatio, kMaxPixelRatio));
     this.renderer.setSize(clientWidth, clientHeight);
     this.rig.resize(clientWidth / clientHeight);
     this.changed = true;
