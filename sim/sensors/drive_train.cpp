@@ -35,7 +35,10 @@ void Motor::step(double duty, double battery_v, double load_n) {
   force_n_ = duty == 0.0 ? 0.0
                          : std::clamp(volts * values_.stall_n_per_v - damping_nspm_ * track_mps_,
                                       -values_.current_limit_n, values_.current_limit_n);
-  const double driving_n = force_n_ - load_n;
+  // Motor and ground exchange speed and force one step apart. With the last force alone, a track at
+  // standstill may move to and fro for ever, with a period of two steps, which the mean cancels.
+  const double driving_n = force_n_ - 0.5 * (load_n + last_load_n_);
+  last_load_n_ = load_n;
   // Coulomb friction takes what it needs to stop the track within this step, and no more than it
   // has.
   const double to_rest_n = -(track_mps_ * inertia_kg_ / kStepS + driving_n);

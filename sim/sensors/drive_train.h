@@ -29,9 +29,9 @@ class Motor {
   /// `gain`: this motor's strength against the nominal one.
   Motor(const course::EmulatedMotor& values, double gain);
 
-  /// Advances one step at `duty` (-1..1) from a battery at `battery_v`, while the ground pushes the
-  /// body forward with `load_n` through this track. At duty 0 the driver is off and the motor
-  /// coasts.
+  /// Advances one step at `duty` (-1..1) from a battery at `battery_v`; `load_n` is the force that
+  /// the ground exerted on the body through this track in the step before, forward positive. At duty
+  /// 0 the driver is off and the motor coasts.
   void step(double duty, double battery_v, double load_n);
 
   double track_mps() const { return track_mps_; }
@@ -45,6 +45,7 @@ class Motor {
   double inertia_kg_;
   double track_mps_ = 0.0;
   double force_n_ = 0.0;
+  double last_load_n_ = 0.0;
 };
 
 }  // namespace tp100::sim

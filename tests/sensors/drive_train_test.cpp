@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
-#include "sim/body/ode_body.h"
+#include "course/bundled_files.h"
+#include "sim/body/body.h"
 
 namespace tp100::sim {
 namespace {
@@ -14,17 +16,19 @@ namespace {
 struct DriveTrain {
   explicit DriveTrain(const course::EmulatedMotor& motor = {})
       : left(motor, 1.0), right(motor, 1.0) {}
+  explicit DriveTrain(const course::Emulated& values)
+      : body(make_body(values, {}, false)), left(values.motor, 1.0), right(values.motor, 1.0) {}
 
   void run(double left_duty, double right_duty, int steps) {
     for (int i = 0; i < steps; ++i) {
-      left.step(left_duty, battery.volts(), body.state().left_load_n);
-      right.step(right_duty, battery.volts(), body.state().right_load_n);
+      left.step(left_duty, battery.volts(), body->state().left_load_n);
+      right.step(right_duty, battery.volts(), body->state().right_load_n);
       battery.step(std::abs(left.force_n()) + std::abs(right.force_n()));
-      body.step(left.track_mps(), right.track_mps());
+      body->step(left.track_mps(), right.track_mps());
     }
   }
 
-  OdeBody body{{}, {}, false};
+  std::unique_ptr<Body> body = make_body({}, {}, false);
   Battery battery{{}};
   Motor left, right;
 };
@@ -34,7 +38,7 @@ TEST(DriveTrain, TopTrackSpeedIsThatOfTheRealKind) {
   robot.run(1.0, 1.0, 1500);
   EXPECT_GT(robot.left.track_mps(), 0.14);
   EXPECT_LT(robot.left.track_mps(), 0.30);
-  EXPECT_NEAR(robot.body.state().velocity_mps[0], 0.84 * robot.left.track_mps(), 1e-3);
+  EXPECT_NEAR(robot.body->state().velocity_mps[0], 0.84 * robot.left.track_mps(), 1e-3);
 }
 
 TEST(DriveTrain, ASpinTakesBothMotorsAndSagsTheBattery) {
@@ -51,7 +55,7 @@ TEST(DriveTrain, BelowTheDeadBandNothingMoves) {
   DriveTrain robot;
   robot.run(0.06, -0.06, 1000);
   EXPECT_EQ(robot.left.track_mps(), 0.0);
-  EXPECT_NEAR(robot.body.state().pose.yaw_rad, 0.0, 1e-6);
+  EXPECT_NEAR(robot.body->state().pose.yaw_rad, 0.0, 1e-6);
 }
 
 TEST(DriveTrain, AQuickMotorDoesNotFightTheBody) {
@@ -63,6 +67,34 @@ TEST(DriveTrain, AQuickMotorDoesNotFightTheBody) {
   for (int i = 0; i < 200; ++i) {
     robot.run(-0.6, 0.6, 1);
     ASSERT_NEAR(robot.right.track_mps(), settled, 1e-4);
+  }
+}
+
+// A spin, a straight line or any curve, ended at once or by a ramp: the robot stands still 2 s
+// after it.
+TEST(DriveTrain, EveryStopEndsAtRest) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (const std::string& name : course::bundled_names(course::Bundled::kRobots)) {
+    const std::string text = course::read_bundled(course::Bundled::kRobots, name).text;
+    const course::Emulated values = course::parse_robot(text, name).emulated;
+    for (int run = 0; run < 12; ++run) {
+      DriveTrain robot(values);
+      const double left = any(random);
+      const double right = run % 3 == 0 ? left : run % 3 == 1 ? -left : any(random);
+      robot.run(left, right, 400);
+      for (int step = run % 2 == 0 ? 0 : 400; step > 0; --step)
+        robot.run(left * step / 400.0, right * step / 400.0, 1);
+      robot.run(0.0, 0.0, 2000);
+      double tracks_m = 0.0, turned_rad = 0.0;
+      for (int step = 0; step < 500; ++step) {
+        robot.run(0.0, 0.0, 1);
+        tracks_m += (std::abs(robot.left.track_mps()) + std::abs(robot.right.track_mps())) * 1e-3;
+        turned_rad += std::abs(robot.body->state().rate_radps[2]) * 1e-3;
+      }
+      EXPECT_LT(tracks_m, 1e-6) << name << ", duties " << left << ' ' << right;
+      EXPECT_LT(turned_rad, 5e-5) << name << ", duties " << left << ' ' << right;
+    }
   }
 }
 
