@@ -19,8 +19,8 @@
 namespace tp100::sim {
 namespace {
 
-// Half of ODE's default: 1.6 times as fast, and the difference in the courses' ends is within the
-// spread of the seeds.
+// Half of ODE's default, 1.5 times as fast. The largest errors on the courses differ from those of
+// 40 iterations by less than 0.4 mm; with 6 iterations by up to 9 mm.
 constexpr int kSolverIterations = 10;
 
 /// One world with its contact joints.
