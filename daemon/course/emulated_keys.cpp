@@ -61,7 +61,7 @@ std::span<const text::Key<EmulatedBody>> body_keys() {
 
 std::span<const text::Key<EmulatedVariation>> variation_keys() {
   using T = EmulatedVariation;
-  static const std::array<text::Key<T>, 7> kKeys = {{
+  static const std::array<text::Key<T>, 10> kKeys = {{
       {"friction_sd",
        &T::friction_sd,
        {0, 0.3},
@@ -94,6 +94,15 @@ std::span<const text::Key<EmulatedVariation>> variation_keys() {
        {0, 1},
        "The battery begins below its full voltage, by the magnitude of a normal number with this "
        "standard deviation"},
+      {"placed_sd_m",
+       &T::placed_sd_m,
+       {0, 0.1},
+       "Standard deviation of x and y where a person puts the robot down; 0: exactly at the start"},
+      {"placed_sd_rad", &T::placed_sd_rad, {0, 0.2}, "Standard deviation of the heading there"},
+      {"gyro_scale_sd",
+       &T::gyro_scale_sd,
+       {0, 0.03},
+       "Standard deviation of the gyro's scale error from run to run"},
   }};
   return kKeys;
 }

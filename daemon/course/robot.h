@@ -110,6 +110,9 @@ struct EmulatedVariation {
   double tension_sd = 0.005;    ///< of each track deficit, from run to run; `ode` only
   double payload_sd_m = 0.002;  ///< of the centre of mass, forward and to the left
   double battery_sd_v = 0.2;    ///< below full_v at the start
+  double placed_sd_m = 0.0;     ///< of x and of y, where a person puts it down; 0: at the start
+  double placed_sd_rad = 0.0;
+  double gyro_scale_sd = 0.0;  ///< of the gyro's scale, from run to run
 };
 
 /// The ground under the tracks by the contact law `shear`, which reads neither creep nor track

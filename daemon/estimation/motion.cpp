@@ -29,6 +29,17 @@ Shares shares(const StateVector& mean) {
           1.0 - mean[kCommonSlip] + mean[kSlipDifference]};
 }
 
+/// Adds to the uncertainty of the pose, which bias and slip no longer explain.
+void forget_place(FilterState& state, double sd_m, double sd_rad) {
+  constexpr Eigen::Index kPose = kYaw + 1;
+  StateMatrix& p = state.covariance;
+  p.topRows<kPose>().rightCols<kStates - kPose>().setZero();
+  p.bottomRows<kStates - kPose>().leftCols<kPose>().setZero();
+  p(kX, kX) += square(sd_m);
+  p(kY, kY) += square(sd_m);
+  p(kYaw, kYaw) += square(sd_rad);
+}
+
 }  // namespace
 
 FilterState MotionModel::prior() const {
@@ -186,7 +197,8 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
     rest.noise << square(motion.rest.sd_radps);
     update(state, rest);
   }
-  if (motion.disturbed) disturb(state);
+  // It was the gyro that saw the turn: its yaw is still known.
+  if (motion.disturbed) forget_place(state, noise_.pushed_sd_m, noise_.pushed_sd_rad);
   if (!motion.has_residual) return;
   const Residual& seen = motion.residual;
   state.covariance(kTurnGain, kTurnGain) +=
@@ -211,13 +223,7 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
 }
 
 void MotionModel::disturb(FilterState& state) const {
-  constexpr Eigen::Index kPose = kYaw + 1;
-  StateMatrix& p = state.covariance;
-  p.topRows<kPose>().rightCols<kStates - kPose>().setZero();
-  p.bottomRows<kStates - kPose>().leftCols<kPose>().setZero();
-  p(kX, kX) += square(noise_.disturbed_sd_m);
-  p(kY, kY) += square(noise_.disturbed_sd_m);
-  p(kYaw, kYaw) += square(noise_.disturbed_sd_rad);
+  forget_place(state, noise_.disturbed_sd_m, noise_.disturbed_sd_rad);
 }
 
 }  // namespace tp100::estimation

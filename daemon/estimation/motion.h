@@ -89,7 +89,8 @@ class MotionModel {
   void predict(FilterState& state, const Motion& motion) const;
   /// Applies what is known at the interval's end: standstill, residual, disturbance.
   void measure(FilterState& state, const Motion& motion) const;
-  /// Adds the pose uncertainty of a disturbance; bias and slip are kept.
+  /// The robot may have been carried or turned unseen: adds to the uncertainty of the pose. Bias
+  /// and slip are kept.
   void disturb(FilterState& state) const;
 
  private:

@@ -37,7 +37,11 @@ struct FilterParameters {
   double disturbance_radps = 0.5;      ///< tracks against gyro above this: the robot is turned from
                                        ///< outside
   double disturbance_window_s = 0.05;  ///< ... over this long
-  double disturbed_sd_m = 0.05;        ///< added to the pose after a disturbance or a contradiction
+  double pushed_sd_m = 0.015;          ///< added to the place by each such window
+  double pushed_sd_rad =
+      0.25 * kRadPerDeg;         ///< ... and to the yaw: whoever pushes a robot tilts it
+  double disturbed_sd_m = 0.05;  ///< added to the pose where samples were missing, and after a
+                                 ///< camera contradicted it
   double disturbed_sd_rad = 15.0 * kRadPerDeg;
 };
 

@@ -333,6 +333,22 @@ std::vector<Pose> baseline_poses(const RunResult& run, const model::ModelForm& f
   return poses;
 }
 
+Coverage coverage(const std::vector<TrajectoryPoint>& points) {
+  constexpr double kDeviations = 2.0;
+  double position = 0.0, yaw = 0.0;
+  const auto within = [](double error, double sd) {
+    return std::abs(error) <= kDeviations * sd ? 1.0 : 0.0;
+  };
+  for (const TrajectoryPoint& point : points) {
+    const Pose& fused = point.estimates[PoseSource::kFused];
+    position += 0.5 * (within(fused.x_m - point.truth.x_m, point.fused_sd.x_m) +
+                       within(fused.y_m - point.truth.y_m, point.fused_sd.y_m));
+    yaw += within(wrap_angle(fused.yaw_rad - point.truth.yaw_rad), point.fused_sd.yaw_rad);
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(points.size(), 1));
+  return {position / count, yaw / count};
+}
+
 RunFigures figures(const RunResult& run, const course::Course& course) {
   const course::Path path(course);
   RunFigures result;
@@ -359,6 +375,7 @@ RunFigures figures(const RunResult& run, const course::Course& course) {
   // In other set-ups the obstacles are not on the floor.
   result.slope =
       slope_figures(run.points, run.setup == "terrain" ? course.terrain : course::Terrain{});
+  if (run.setup != "stand") result.within_2_sd = coverage(run.points);
   return result;
 }
 

@@ -83,6 +83,14 @@ struct TrackingErrors {
   int false_alarms = 0;  ///< disturbances that the controller detected although there was none
 };
 
+/// In what share of the instants the true pose lay within two standard deviations of the fused
+/// one, by the filter's own figures. 0.95 if they are true and errors are normal.
+struct Coverage {
+  double position = 0.0;  ///< x and y, each counted by itself
+  double yaw = 0.0;
+};
+Coverage coverage(const std::vector<TrajectoryPoint>& points);
+
 /// All figures of one run.
 struct RunFigures {
   /// From start to end, disturbances included; of a source that is blind to them, piece by piece
@@ -93,6 +101,7 @@ struct RunFigures {
   model::PerBaseline<std::optional<PoseErrors>> baselines{};
   TrackingErrors tracking{};
   SlopeFigures slope{};
+  std::optional<Coverage> within_2_sd{};  ///< nothing on a stand
 };
 
 /// Selects the pose of a point to evaluate.

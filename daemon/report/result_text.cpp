@@ -111,6 +111,9 @@ std::string result_json(const RunResult& run, const RunFigures& figures) {
       json["baselines"][model::kBaselines[i].key] = json_of(*figures.baselines[i]);
   json["tracking"] = json_of(figures.tracking);
   json["slope"] = json_of(figures.slope);
+  if (figures.within_2_sd)
+    json["within_2_sd"] = {{"position", figures.within_2_sd->position},
+                           {"yaw", figures.within_2_sd->yaw}};
   if (run.points.empty())
     for (const char* name : {"baselines", "tracking", "slope"}) json[name] = nullptr;
   if (run.has_camera) json["camera"] = json_of(run.camera);
@@ -220,6 +223,10 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
       tracking.max_cross_track_m * kCmPerM, tracking.rms_cross_track_m * kCmPerM,
       tracking.max_yaw_error_rad * kDegPerRad);
   text += recovery_rows(tracking);
+  if (figures.within_2_sd)
+    text += format("true pose within 2 sd of %s: %.0f %% of x and y, %.0f %% of yaw\n",
+                   run.has_camera ? "the fused pose" : "odometry",
+                   100.0 * figures.within_2_sd->position, 100.0 * figures.within_2_sd->yaw);
   if (run.has_camera) text += camera_row(run.camera);
   text += slope_rows(figures.slope);
   text += format("link: %llu samples, %llu lost, %llu with a wrong CRC\n\n",

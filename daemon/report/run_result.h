@@ -16,6 +16,16 @@
 
 namespace tp100::report {
 
+/// Standard deviations of a pose, by the filter that estimates it.
+struct PoseSd {
+  double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
+};
+
+inline PoseSd pose_sd(const FilterFigures& filter) {
+  return {std::sqrt(filter.variance_x_m2), std::sqrt(filter.variance_y_m2),
+          std::sqrt(filter.variance_yaw_rad2)};
+}
+
 /// One instant of a run; all poses belong to the same time. World frame; yaw may exceed [-pi, pi].
 struct TrajectoryPoint {
   double t_s = 0.0;  ///< from the start of the run
@@ -23,6 +33,7 @@ struct TrajectoryPoint {
   Pose world{};      ///< in the course's world, judged against the path; behind `truth` by the
                      ///< distance that virtual obstacles cost
   PerSource<Pose> estimates{};  ///< of use where RunResult::has_estimate()
+  PoseSd fused_sd{};            ///< of the fused pose, which is odometry's without a camera
   double progress_m =
       0.0;  ///< along the path, as estimated by the controller; distinguishes crossing segments
   bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet

@@ -53,6 +53,10 @@ enum Stream : std::uint64_t {
   kForward,
   kLeft,
   kBattery,
+  kPlacedX,
+  kPlacedY,
+  kPlacedYaw,
+  kGyroScale,
 };
 
 constexpr double kLeastFriction = 0.1;  // of the mean
@@ -98,7 +102,18 @@ course::Emulated drawn(const course::Emulated& values, std::uint64_t seed) {
   robot.body.com_forward_m += sample(variation.payload_sd_m, kForward);
   robot.body.com_left_m += sample(variation.payload_sd_m, kLeft);
   robot.battery.full_v -= std::abs(sample(variation.battery_sd_v, kBattery));
+  robot.imu.gyro_scale_error += sample(variation.gyro_scale_sd, kGyroScale);
   return robot;
+}
+
+Pose placed(const Pose& start, const course::Emulated& values, std::uint64_t seed) {
+  if (values.floor == course::Floor::kEven) return start;
+  Pose pose = start;
+  const course::EmulatedVariation& variation = values.variation;
+  pose.x_m += variation.placed_sd_m * normal(numbered(seed, kPlacedX));
+  pose.y_m += variation.placed_sd_m * normal(numbered(seed, kPlacedY));
+  pose.yaw_rad += variation.placed_sd_rad * normal(numbered(seed, kPlacedYaw));
+  return pose;
 }
 
 }  // namespace tp100::sim

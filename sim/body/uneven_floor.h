@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/pose.h"
 #include "course/robot.h"
 
 namespace tp100::sim {
@@ -32,8 +33,11 @@ class UnevenFloor {
   double cos_ = 1.0, sin_ = 0.0, origin_x_m_ = 0.0, origin_y_m_ = 0.0;  // of the lattice
 };
 
-/// The robot as it is in the run with this seed: tension of the tracks, payload and battery. As it
-/// is in its file if the floor is even.
+/// The robot as it is in the run with this seed: tension of the tracks, payload, battery and scale
+/// of the gyro. As it is in its file if the floor is even.
 course::Emulated drawn(const course::Emulated& values, std::uint64_t seed);
+
+/// Where the robot stands that was to be placed at `start`; there exactly if the floor is even.
+Pose placed(const Pose& start, const course::Emulated& values, std::uint64_t seed);
 
 }  // namespace tp100::sim

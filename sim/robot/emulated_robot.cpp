@@ -112,8 +112,8 @@ EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
     : EmulatedRobot(settings, drawn(settings.values, stream(settings.seed, 7))) {}
 
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings, const course::Emulated& values)
-    : body_(make_body(values, settings.start, settings.on_stand, settings.terrain,
-                      stream(settings.seed, 8))),
+    : body_(make_body(values, placed(settings.start, values, stream(settings.seed, 7)),
+                      settings.on_stand, settings.terrain, stream(settings.seed, 8))),
       left_motor_(values.motor, values.motor.left_gain),
       right_motor_(values.motor, values.motor.right_gain),
       left_encoder_(values.encoder, 0, kLeftEncoder),

@@ -13,6 +13,7 @@
 #include "report/run_result.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"
+#include "sim/study/covariance_study.h"
 #include "sim/study/random_study.h"
 #include "sim/study/sampled.h"
 #include "sim/study/shear_study.h"
@@ -207,22 +208,24 @@ int run_reproduce(const ReproduceCommand& command) {
   const bool shear = reference.emulated.contact_law == course::ContactLaw::kShear;
   const bool all = command.part == "all";
   const auto wanted = [&](const char* part) { return (all && !shear) || command.part == part; };
-  constexpr std::array<std::string_view, 9> kParts = {
-      "paper", "state", "robots", "uneven", "sampled", "held-out", "real", "avr", "random"};
+  constexpr std::array<std::string_view, 10> kParts = {
+      "paper",   "state",    "robots", "uneven", "covariance",
+      "sampled", "held-out", "real",   "avr",    "random"};
   if (!all && std::ranges::find(kParts, command.part) == kParts.end())
     throw SetupError("--part " + text::one_line(command.part) + ": unknown" +
                      text::suggestion(command.part, {kParts.begin(), kParts.end()}) +
-                     "; give paper, state, robots, uneven, sampled, held-out, real, avr, "
-                     "random or all");
-  if (shear && !all)
+                     "; give paper, state, robots, uneven, covariance, sampled, held-out, "
+                     "real, avr, random or all");
+  if (shear && !all && command.part != "covariance")
     throw SetupError("--part " + command.part +
-                     ": --body shear has courses and robots of its own; leave --part out");
+                     ": --body shear has courses and robots of its own; leave --part out, "
+                     "or give covariance");
   text::make_folder(command.out);
   Reproduction what;
   what.reference = reference;
   what.runs = command.runs;
   what.seed = command.seed;
-  if (shear) what.studies = study_shear(command.out, command.seed, command.runs);
+  if (shear && all) what.studies = study_shear(command.out, command.seed, command.runs);
   if (wanted("paper")) drive_paper(command, what);
   if (wanted("state")) {
     for (const CourseStudy& study : study_state(what.reference, command.seed, command.runs))
@@ -234,6 +237,8 @@ int run_reproduce(const ReproduceCommand& command) {
   if (wanted("held-out")) drive_held_out(command, what);
   if (wanted("real")) study_real_robots(what);
   if (wanted("avr")) drive_image(command, what);
+  if (command.part == "covariance")
+    what.studies = study_covariance(command.body, command.out, command.seed, command.runs);
   // Longer than all others together.
   if (command.part == "random")
     what.studies.push_back(study_random(command.seed, kRandomCoursesARun * command.runs));

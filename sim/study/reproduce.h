@@ -17,9 +17,9 @@ namespace tp100::sim {
 
 struct ReproduceCommand {
   std::string out = "reproduce";  ///< folder
-  std::string part =
-      "all";  ///< paper, state, robots, uneven, sampled, held-out, real, avr, random or all
-  std::string body{};  ///< ode or shear; empty: ode. Shear: study_shear alone
+  std::string part = "all";  ///< paper, state, robots, uneven, covariance, sampled, held-out, real,
+                             ///< avr, random or all
+  std::string body{};  ///< ode or shear; empty: ode. Shear: study_shear or study_covariance alone
   std::uint64_t seed = 1;
   int runs = 10;
   int sampled = 10;  ///< robots to draw, each driven with one seed

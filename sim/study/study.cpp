@@ -229,7 +229,7 @@ std::vector<TrialRun> run_trial(const Trial& trial) {
   settings.robot = trial.robot;
   settings.setup = trial.setup;
   settings.board = trial.board;
-  if (trial.setup != bridge::Setup::kStand) {
+  if (trial.camera && trial.setup != bridge::Setup::kStand) {
     settings.camera = course::EmulatedCamera{};
     settings.camera->blind_from_s = trial.blind_from_s;
     settings.camera->blind_s = trial.blind_s;

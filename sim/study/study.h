@@ -20,8 +20,8 @@ inline constexpr std::array kPaperCourses = {"1-straight", "1-curve", "1-sharp",
 /// Speed of the tracks where slip is measured against slope, and on blocks. [m/s]
 inline constexpr double kSlopeTrackMps = 0.10;
 
-/// One course, one robot, seeds `first_seed` and following, with the overhead camera (but not on a
-/// stand), steered by the fused pose (on a stand by odometry).
+/// One course, one robot, seeds `first_seed` and following, steered by the fused pose; on a stand
+/// and without a camera by odometry.
 struct Trial {
   course::Course course{};
   course::Robot robot{};
@@ -30,6 +30,7 @@ struct Trial {
   std::uint64_t first_seed = 1;
   int runs = 10;
   bool both_directions = true;  ///< each seed on the mirrored course too
+  bool camera = true;           ///< an overhead camera looks on; never on a stand
   double blind_from_s = 0.0;    ///< the camera sees nothing from here, since its first image ...
   double blind_s = 0.0;         ///< ... for this long
 };

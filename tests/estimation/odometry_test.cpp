@@ -215,5 +215,20 @@ TEST_F(OdometryTest, ATurnThatTheTracksDidNotMakeIsFollowed) {
   }
 }
 
+// The gyro saw the turn of a push; how far the robot was moved, nothing has seen.
+TEST_F(OdometryTest, APushLeavesTheHeadingKnownAndThePlaceUnknown) {
+  Odometry odometry(tracks_, noise_);
+  rest(odometry, 0.02);
+  odometry.begin({});
+  drive(odometry, 0.1, 0.0, 0.02, 2.0);
+  const auto sd = [&](Eigen::Index of) { return std::sqrt(odometry.state().covariance(of, of)); };
+  const double before_m = sd(kX), before_rad = sd(kYaw);
+  drive(odometry, 0.1, 0.0, 0.02 + 0.9, 0.3);
+  drive(odometry, 0.1, 0.0, 0.02, 1.0);
+  EXPECT_GT(sd(kX), before_m + 0.02);
+  EXPECT_LT(sd(kX), before_m + 0.08);
+  EXPECT_LT(sd(kYaw), before_rad + 1.0 * kRadPerDeg);
+}
+
 }  // namespace
 }  // namespace tp100::estimation

@@ -35,6 +35,24 @@ course::Course straight(double length_m) {
   return course;
 }
 
+TEST(Coverage, IsTheShareWithinTwoStandardDeviations) {
+  std::vector<TrajectoryPoint> points(4);
+  for (TrajectoryPoint& one : points) {
+    one.fused_sd = {.x_m = 0.01, .y_m = 0.02, .yaw_rad = 0.1};
+    one.truth.yaw_rad = kPi;
+  }
+  points[0].truth.x_m = 0.019;
+  points[1].truth.x_m = -0.021;
+  points[2].truth.y_m = 0.039;
+  points[3].truth.y_m = -0.041;
+  // The same direction, a turn apart.
+  points[0].estimates[PoseSource::kFused].yaw_rad = -kPi - 0.19;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    points[i].estimates[PoseSource::kFused].yaw_rad = kPi + 0.21;
+  EXPECT_EQ(coverage(points).position, 0.75);
+  EXPECT_EQ(coverage(points).yaw, 0.25);
+}
+
 TEST(PoseErrors, FollowEquation8AndMeanSquares) {
   const std::vector<TrajectoryPoint> points = {
       point(0, pose(0, 0), pose(0, 0)),

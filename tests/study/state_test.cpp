@@ -6,6 +6,7 @@
 #include "report/metrics.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
+#include "sim/study/covariance_study.h"
 #include "sim/study/state_study.h"
 
 namespace tp100::sim {
@@ -85,6 +86,27 @@ TEST(CameraNoise, IsWhatTheFilterAssumesOnRobotsOfEveryKind) {
     const Consistency c = consistency(robot, 1.0);
     EXPECT_GT(c.mean, 3.0 - c.half_band - kCautious) << robot;
     EXPECT_LT(c.mean, 3.0 + c.half_band) << robot;
+  }
+}
+
+// The short form of `tp100-sim reproduce --part covariance`.
+TEST(Covariance, HoldsTheTruthAboutAsOftenAsItSays) {
+  for (const bool camera : {false, true}) {
+    double position = 0.0, yaw = 0.0;
+    const std::vector<TrialRun> runs = run_trial({.course = load_course("2"),
+                                                  .robot = placed_by_hand(load({}).robot, true),
+                                                  .runs = 16,
+                                                  .both_directions = false,
+                                                  .camera = camera});
+    for (const TrialRun& run : runs) {
+      position += run.figures.within_2_sd->position / 16.0;
+      yaw += run.figures.within_2_sd->yaw / 16.0;
+    }
+    EXPECT_GT(position, 0.88) << camera;
+    EXPECT_GT(yaw, 0.88) << camera;
+    EXPECT_LT(yaw, 0.995) << camera;
+    // A camera's constant error of 1.5 mm is never beyond it, whatever its direction.
+    EXPECT_LT(position, camera ? 1.01 : 0.999);
   }
 }
 
