@@ -1,158 +1,76 @@
 #include "report/html_page.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <cstdlib>
 
-#include "text/format.h"
+#include "report/colours.h"
 
 namespace tp100::report {
 namespace {
 
-constexpr const char* kStyle =
-    "body{font:15px/1.5 system-ui,sans-serif;max-width:1040px;margin:2em auto;padding:0 1em;"
-    "color:#222}table{border-collapse:collapse;margin:1em 0;font-variant-numeric:tabular-nums}"
-    "th,td{padding:.2em .7em;border-bottom:1px solid #ddd;text-align:right}"
-    "th:first-child,td:first-child{text-align:left}caption,figcaption{text-align:left;"
-    "color:#555;padding:.3em 0}th{border-bottom:2px solid #888}.missed{color:#b00020;"
-    "font-weight:bold}figure{margin:1em 0}figure svg{max-width:100%;height:auto}";
+// A page with fewer headings is seen at a glance.
+constexpr std::size_t kFewHeadings = 3;
 
-using text::format;
-
-constexpr double kLeft = 58, kRight = 12, kTop = 30, kBottom = 44;
-constexpr std::size_t kMaxPointsOfSeries = 1500;
-constexpr int kMaxTicks = 7;
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  void widen() {
-    if (low > high) low = 0.0, high = 1.0;
-    // A range below a millionth of the values exceeds their printed digits.
-    const double least = std::max(std::abs(low), std::abs(high)) * 1e-6;
-    const double margin =
-        high - low > least ? (high - low) * 0.05 : std::max(std::abs(low) * 0.1, 1e-3);
-    low -= margin;
-    high += margin;
-  }
-  void grow_to(double span) {
-    const double more = std::max(0.0, span - (high - low)) / 2.0;
-    low -= more;
-    high += more;
-  }
+struct Scheme {
+  const char *selector, *end, *properties;
+  const char* Colour::*colour;
 };
+// The dark one as the live page (daemon/web/page/base.css); paper is light.
+constexpr Scheme kSchemes[] = {
+    {":root{color-scheme:light dark;", "}\n",
+     "--panel:#f3f5f7;--line:#d3d9df;--text:#1b2127;--dim:#55606b;--good:#12733d;--bad:#b3201a;"
+     "--link:#1c61bd;",
+     &Colour::light},
+    {"@media screen and (prefers-color-scheme:dark){:root{", "}}\n",
+     "--panel:#0f151c;--line:#212c38;--text:#d7dee7;--dim:#8793a1;--good:#3ad07c;--bad:#ff6f4d;"
+     "--link:#9cc7ff;",
+     &Colour::dark}};
 
-double tick_step(double span) {
-  const double rough = span / kMaxTicks;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= rough) return factor * power;
-  return 10.0 * power;
-}
-
-/// Round values within a range.
-std::vector<double> ticks(const Range& range) {
-  const double step = tick_step(range.high - range.low);
-  const double first = std::ceil(range.low / step);
-  const auto count =
-      static_cast<std::size_t>(std::max(0.0, std::floor(range.high / step) - first + 1.0));
-  std::vector<double> values(count);
-  for (std::size_t i = 0; i < count; ++i) values[i] = (first + static_cast<double>(i)) * step;
-  return values;
-}
-
-class Frame {
- public:
-  explicit Frame(const Chart& chart)
-      : width_(chart.width_px - kLeft - kRight), height_(chart.height_px - kTop - kBottom) {
-    for (const ChartSeries& series : chart.series) {
-      for (const auto& [x, y] : series.points) {
-        x_.add(x);
-        y_.add(y);
-      }
-    }
-    x_.widen();
-    y_.widen();
-    if (!chart.equal_scale) return;
-    const double scale = std::max((x_.high - x_.low) / width_, (y_.high - y_.low) / height_);
-    x_.grow_to(scale * width_);
-    y_.grow_to(scale * height_);
-  }
-  double x(double value) const { return kLeft + (value - x_.low) / (x_.high - x_.low) * width_; }
-  double y(double value) const { return kTop + (y_.high - value) / (y_.high - y_.low) * height_; }
-
-  std::string axes() const {
-    std::string out =
-        format("<rect x='%.0f' y='%.0f' width='%.0f' height='%.0f' fill='none' stroke='#999'/>",
-               kLeft, kTop, width_, height_);
-    for (const double v : ticks(x_))
-      out += format(
-          "<path d='M%.1f %.1fv%.1f' stroke='#e4e4e4'/><text x='%.1f' y='%.1f' "
-          "text-anchor='middle'>%g</text>",
-          x(v), kTop, height_, x(v), kTop + height_ + 15, v);
-    for (const double v : ticks(y_))
-      out += format(
-          "<path d='M%.1f %.1fh%.1f' stroke='#e4e4e4'/><text x='%.1f' y='%.1f' "
-          "text-anchor='end'>%g</text>",
-          kLeft, y(v), width_, kLeft - 5, y(v) + 4, v);
-    return out;
-  }
-  double middle_x() const { return kLeft + width_ / 2; }
-  double middle_y() const { return kTop + height_ / 2; }
-
- private:
-  double width_, height_;
-  Range x_, y_;
-};
-
-std::string line(const Frame& frame, const ChartSeries& series) {
-  const std::size_t every = series.points.size() / kMaxPointsOfSeries + 1;
-  std::string path;
-  bool pen_down = false;
-  for (std::size_t i = 0; i < series.points.size(); ++i) {
-    const bool last = i + 1 == series.points.size();
-    if (i % every != 0 && !last) continue;
-    const auto [x, y] = series.points[i];
-    if (!std::isfinite(x) || !std::isfinite(y)) {
-      pen_down = false;
-      continue;
-    }
-    path += format("%c%.1f %.1f", pen_down ? 'L' : 'M', frame.x(x), frame.y(y));
-    pen_down = true;
-  }
-  return format("<path fill='none' stroke='%s' stroke-width='1.6'%s d='", series.colour.c_str(),
-                series.dashed ? " stroke-dasharray='5 4'" : "") +
-         path + "'/>";
-}
-
-std::string dots(const Frame& frame, const ChartSeries& series) {
+/// The colours of the page, and those of figures in their place.
+std::string colours() {
   std::string out;
-  for (const auto& [x, y] : series.points)
-    if (std::isfinite(x) && std::isfinite(y))
-      out += format("<circle cx='%.1f' cy='%.1f' r='3' fill='%s'/>", frame.x(x), frame.y(y),
-                    series.colour.c_str());
+  for (const Scheme& scheme : kSchemes) {
+    out += scheme.selector;
+    for (const Colour& colour : kColours)
+      out += std::string("--") + colour.name + ":" + colour.*scheme.colour + ";";
+    out += std::string("--") + kGround.name + ":" + kGround.*scheme.colour + ";";
+    out += std::string(scheme.properties) + scheme.end;
+  }
+  for (const Colour& colour : kColours)
+    for (const char* property : {"stroke", "fill"})
+      out += std::string("svg [") + property + "='" + colour.light + "']{" + property + ":var(--" +
+             colour.name + ")}\n";
   return out;
 }
 
-std::string legend(const Chart& chart) {
-  std::string out;
-  double y = kTop + 14;
-  for (const ChartSeries& series : chart.series) {
-    if (series.name.empty()) continue;
-    out +=
-        format("<path d='M%.0f %.0fh16' stroke='%s' stroke-width='2'%s/><text x='%.0f' y='%.0f'>",
-               kLeft + 8, y - 4, series.colour.c_str(),
-               series.dashed ? " stroke-dasharray='5 4'" : "", kLeft + 28, y);
-    out += escaped(series.name) + "</text>";
-    y += 15;
-  }
-  return out;
+/// A number, alone or with more words behind it, or a place holder.
+bool numeric(const std::string& text) {
+  if (text.empty() || text == "-" || text == "never") return true;
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return end != text.c_str() && (*end == '\0' || *end == ' ');
 }
+
+/// Columns but the first with something else than numbers below the head.
+std::vector<bool> text_columns(const Rows& rows) {
+  std::vector<bool> columns;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    columns.resize(std::max(columns.size(), rows[i].size()));
+    for (std::size_t j = 1; j < rows[i].size(); ++j)
+      if (!numeric(rows[i][j].text)) columns[j] = true;
+  }
+  return columns;
+}
+
+std::string classes(const Cell& cell, bool is_text) {
+  std::string names = cell.mark == Mark::kMissed   ? "missed"
+                      : cell.mark == Mark::kBetter ? "better"
+                                                   : "";
+  if (is_text) names += names.empty() ? "t" : " t";
+  return names.empty() ? "" : " class='" + names + "'";
+}
+
+std::string anchor(std::size_t heading) { return "part-" + std::to_string(heading + 1); }
 
 }  // namespace
 
@@ -182,58 +100,75 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-void HtmlPage::heading(const std::string& text) { body_ += "<h2>" + escaped(text) + "</h2>\n"; }
+void HtmlPage::verdict(bool good, const std::string& text) {
+  body_ +=
+      std::string("<p class='verdict ") + (good ? "good" : "bad") + "'>" + escaped(text) + "</p>\n";
+}
+
+void HtmlPage::facts(const std::vector<std::pair<std::string, Cell>>& list) {
+  body_ += "<dl>\n";
+  for (const auto& [name, value] : list)
+    body_ += "<dt>" + escaped(name) + "</dt><dd" + classes(value, false) + ">" +
+             escaped(value.text) + "</dd>\n";
+  body_ += "</dl>\n";
+}
+
+void HtmlPage::heading(const std::string& text) {
+  body_ += "<h2 id='" + anchor(headings_.size()) + "'>" + escaped(text) + "</h2>\n";
+  headings_.push_back(text);
+}
+
 void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + escaped(text) + "</p>\n"; }
 
 void HtmlPage::table(const Rows& rows, const std::string& caption) {
-  body_ += "<table><caption>" + escaped(caption) + "</caption>\n";
+  const std::vector<bool> texts = text_columns(rows);
+  // A box that scrolls has to be within reach of the keyboard.
+  body_ += "<div class='scroll' tabindex='0' role='group' aria-label='" + escaped(caption) +
+           "'><table><caption>" + escaped(caption) + "</caption>\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string tag = i == 0 ? "th" : "td";
-    body_ += "<tr>";
-    for (const Cell& cell : rows[i])
-      body_ += "<" + tag + (cell.missed ? " class='missed'>" : ">") + escaped(cell.text) + "</" +
-               tag + ">";
-    body_ += "</tr>\n";
+    body_ += i == 0 ? "<thead><tr>" : "<tr>";
+    for (std::size_t j = 0; j < rows[i].size(); ++j) {
+      const Cell& cell = rows[i][j];
+      const bool is_text = j < texts.size() && texts[j];
+      // The corner above the names of the rows is no head.
+      const std::string& as = cell.text.empty() ? "td" : tag;
+      body_ += "<" + as + (as == "th" ? " scope='col'" : "") + classes(cell, is_text) + ">" +
+               escaped(cell.text) + "</" + as + ">";
+    }
+    body_ += i == 0 ? "</tr></thead>\n" : "</tr>\n";
   }
-  body_ += "</table>\n";
+  body_ += "</table></div>\n";
 }
 
 void HtmlPage::figures(const std::vector<std::string>& svgs, const std::string& caption) {
-  body_ += "<figure>";
+  body_ += svgs.size() > 1 ? "<figure class='wide'>" : "<figure>";
   for (const std::string& figure : svgs) body_ += figure;
   body_ += "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
 void HtmlPage::folded(const std::string& name, const std::string& text) {
-  body_ += "<details><summary>" + escaped(name) + "</summary><pre>" + escaped(text) +
+  body_ += "<details><summary>" + escaped(name) + "</summary><pre tabindex='0'>" + escaped(text) +
            "</pre></details>\n";
 }
 
 std::string HtmlPage::text() const {
-  return "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>" + escaped(title_) +
-         "</title><style>" + kStyle + "</style></head><body>\n<h1>" + escaped(title_) + "</h1>\n" +
-         body_ + "</body></html>\n";
-}
-
-std::string svg(const Chart& chart) {
-  const Frame frame(chart);
-  std::string out = format(
-      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %d %d' width='%d' height='%d' "
-      "font-family='sans-serif' font-size='11'>",
-      chart.width_px, chart.height_px, chart.width_px, chart.height_px);
-  out += "<rect width='100%' height='100%' fill='white'/>" + frame.axes();
-  for (const ChartSeries& series : chart.series)
-    out += series.marks ? dots(frame, series) : line(frame, series);
-  out += legend(chart);
-  out += format("<text x='%.0f' y='18' text-anchor='middle' font-size='13'>", frame.middle_x()) +
-         escaped(chart.title) + "</text>";
-  out += format("<text x='%.0f' y='%d' text-anchor='middle'>", frame.middle_x(),
-                chart.height_px - 10) +
-         escaped(chart.x_label) + "</text>";
-  out += format("<text transform='translate(14 %.0f) rotate(-90)' text-anchor='middle'>",
-                frame.middle_y()) +
-         escaped(chart.y_label) + "</text></svg>\n";
-  return out;
+  std::string contents;
+  if (headings_.size() >= kFewHeadings) {
+    contents = "<nav aria-label='Contents'>";
+    for (std::size_t i = 0; i < headings_.size(); ++i)
+      contents += "<a href='#" + anchor(i) + "'>" + escaped(headings_[i]) + "</a>";
+    contents += "</nav>\n";
+  }
+  // Contents come after verdict and facts, before the first part.
+  const std::size_t first = std::min(body_.find("<h2 "), body_.size());
+  return "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
+         "content='width=device-width,initial-scale=1'><title>" +
+         escaped(title_) + "</title><style>\n" + colours() + kPageStyle +
+         "</style></head><body><main>\n<h1>" + escaped(title_) + "</h1>\n" +
+         body_.substr(0, first) + contents + body_.substr(first) +
+         "</main>\n<script>addEventListener('beforeprint',()=>document.querySelectorAll('details')"
+         ".forEach(d=>d.open=true))</script></body></html>\n";
 }
 
 }  // namespace tp100::report

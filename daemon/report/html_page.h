@@ -1,6 +1,6 @@
 #pragma once
-// One offline HTML page: headings, paragraphs, tables and figures, no external references. And line
-// charts as SVG for it.
+// One offline HTML page for screens of every width, light and dark, and for paper: verdict, facts,
+// headings with a table of contents, paragraphs, tables and figures; no external references.
 
 #include <concepts>
 #include <string>
@@ -12,15 +12,21 @@ namespace tp100::report {
 /// `text` with HTML's and SVG's five special characters escaped.
 std::string escaped(const std::string& text);
 
+/// How a cell is shown. What it means is in its text or its column as well.
+enum class Mark { kNone, kMissed, kBetter };
+
 /// One cell of a table.
 struct Cell {
   /// From anything that makes a string.
   template <class Text>
   requires std::constructible_from<std::string, Text> Cell(Text&& content, bool is_missed = false)
-      : text(std::forward<Text>(content)), missed(is_missed) {}
+      : Cell(std::forward<Text>(content), is_missed ? Mark::kMissed : Mark::kNone) {}
+  template <class Text>
+  requires std::constructible_from<std::string, Text> Cell(Text&& content, Mark shown_as)
+      : text(std::forward<Text>(content)), mark(shown_as) {}
 
   std::string text;
-  bool missed = false;  ///< limit broken: shown in red
+  Mark mark = Mark::kNone;  ///< kMissed: limit broken, in red; kBetter: in green
 };
 /// The first row is the head.
 using Rows = std::vector<std::vector<Cell>>;
@@ -29,11 +35,19 @@ class HtmlPage {
  public:
   explicit HtmlPage(std::string title) : title_(std::move(title)) {}
 
+  /// What the page comes to, in one sentence; to be called first.
+  void verdict(bool good, const std::string& text);
+  /// Names and values, below each other.
+  void facts(const std::vector<std::pair<std::string, Cell>>& list);
+  /// Also an entry of the table of contents.
   void heading(const std::string& text);
   void paragraph(const std::string& text);
+  /// Columns of numbers are aligned to the right. A table wider than the screen scrolls in itself.
   void table(const Rows& rows, const std::string& caption);
-  /// Figures side by side; each is an SVG.
+  /// Figures side by side under one caption; each is an SVG.
   void figures(const std::vector<std::string>& svgs, const std::string& caption);
+  /// One figure; those that follow each other stand side by side where there is room.
+  void figure(const std::string& svg, const std::string& caption) { figures({svg}, caption); }
 
   /// A verbatim text, collapsed under its name.
   void folded(const std::string& name, const std::string& text);
@@ -45,26 +59,10 @@ class HtmlPage {
  private:
   std::string title_;
   std::string body_;
+  std::vector<std::string> headings_;
 };
 
-/// Line charts as SVG: one string, no script, no external references; for pages and papers.
-struct ChartSeries {
-  std::string name = {};    ///< in the legend; empty: none
-  std::string colour = {};  ///< SVG syntax, e.g. "#c0392b"
-  std::vector<std::pair<double, double>> points = {};
-  bool dashed = false;
-  bool marks = false;  ///< a dot at every point, no line
-};
-
-struct Chart {
-  std::string title = {}, x_label = {}, y_label = {};
-  std::vector<ChartSeries> series = {};
-  bool equal_scale = false;  ///< a map: one metre has the same length in both directions
-  int width_px = 460, height_px = 300;
-};
-
-/// Draws the chart; points that are not finite interrupt their line. Long series are thinned to
-/// what the image can show.
-std::string svg(const Chart& chart);
+/// Layout of the page (html_page.css); colours as custom properties.
+extern const char* const kPageStyle;
 
 }  // namespace tp100::report

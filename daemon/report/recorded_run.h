@@ -109,7 +109,8 @@ struct RecordedRun {
   std::map<std::string, std::string> facts;                ///< program, version, ...
   std::vector<std::pair<std::string, std::string>> files;  ///< name and text, as they were loaded
   RecordedContext run_context{};
-  bool whole = true;  ///< false: the file was cut off
+  std::int64_t written_unix_s = 0;  ///< date of the file; 0: not known
+  bool whole = true;                ///< false: the file was cut off
 
   RunResult result{};              ///< `truth` of a point is only set if has_truth
   bool has_truth = false;          ///< every point has it
@@ -126,6 +127,9 @@ struct RecordedRun {
   std::vector<RunEvent> events;
   std::uint64_t more_events = 0;  ///< not listed
 };
+
+/// Whether the steps kept to a clock: in virtual time every step is exactly a period.
+inline bool in_real_time(const RecordedRun& run) { return run.jitter.max_us > 0.0; }
 
 /// Reads all of `recording`. Throws SetupError.
 RecordedRun read_run(const record::Recording& recording, const RecordedContext& run_context);

@@ -1,5 +1,5 @@
 // A recorded run in three dimensions on a plain canvas: no WebGL, no network. `tp100Replay` is called with
-// the canvas' box and the data that replay_view.cpp writes.
+// the canvas' box and the data that replay_view.cpp writes. Colours are the page's.
 function tp100Replay(box, run) {
   'use strict';
   const canvas = box.querySelector('canvas');
@@ -9,7 +9,8 @@ function tp100Replay(box, run) {
   const speed = box.querySelector('select');
   const clock = box.querySelector('output');
   const follow = box.querySelector('input[type=checkbox]');
-  const colours = run.colours;
+  const style = getComputedStyle(document.documentElement);
+  const colour = (name) => style.getPropertyValue('--' + name);
   const frames = run.frames;
   const eye = { turn: -2.2, tilt: 0.75, distance: run.size * 1.3 + 0.5, x: run.middle[0], y: run.middle[1], z: 0 };
   let now = 0;
@@ -90,9 +91,8 @@ function tp100Replay(box, run) {
     const from = (v) => Math.floor((v - reach) / step) * step;
     for (let i = 0; i * step <= 2 * reach + step; ++i) {
       const x = from(run.middle[0]) + i * step, y = from(run.middle[1]) + i * step;
-      const colour = 'rgba(0,0,0,.10)';
-      line([[x, from(run.middle[1]), 0], [x, run.middle[1] + reach, 0]], colour, 1);
-      line([[from(run.middle[0]), y, 0], [run.middle[0] + reach, y, 0]], colour, 1);
+      line([[x, from(run.middle[1]), 0], [x, run.middle[1] + reach, 0]], colour('line'), 1);
+      line([[from(run.middle[0]), y, 0], [run.middle[0] + reach, y, 0]], colour('line'), 1);
     }
   }
   function obstacles() {
@@ -150,15 +150,15 @@ function tp100Replay(box, run) {
     const i = frameAt(now);
     const frame = { robot: frames.robot[i], left: frames.left[i], right: frames.right[i] };
     if (follow.checked) [eye.x, eye.y, eye.z] = frame.robot;
-    draw.fillStyle = '#f4f6f7';
+    draw.fillStyle = colour('ground');
     draw.fillRect(0, 0, canvas.width, canvas.height);
     ground();
     fill(obstacles());
-    line(run.path.map(([x, y]) => [x, y, 0.002]), colours.path, 3, [8, 6]);
+    line(run.path.map(([x, y]) => [x, y, 0.002]), colour('path'), 3, [8, 6]);
     for (const name of run.path_histories)
-      line(frames[name].slice(0, i + 1).map((p) => p && [p[0], p[1], p[2] + 0.004]), colours[name], 2);
+      line(frames[name].slice(0, i + 1).map((p) => p && [p[0], p[1], p[2] + 0.004]), colour(name), 2);
     robot(frame);
-    if (run.path_histories.includes('truth') && frames.truth[i]) footprint(frames.truth[i], colours.truth);
+    if (run.path_histories.includes('truth') && frames.truth[i]) footprint(frames.truth[i], colour('truth'));
     clock.value = now.toFixed(1) + ' s';
     slider.value = String(now);
   }
@@ -198,6 +198,7 @@ function tp100Replay(box, run) {
     eye.distance = Math.min(200, Math.max(0.2, eye.distance * Math.exp(event.deltaY * 1e-3)));
     show();
   }, { passive: false });
+  matchMedia('screen and (prefers-color-scheme: dark)').addEventListener('change', show);
   now = Number(slider.max);
   show();
 }

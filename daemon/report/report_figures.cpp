@@ -1,12 +1,13 @@
 #include "report/report_figures.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core/angle.h"
 #include "core/arithmetic.h"
 #include "course/path.h"
-#include "report/html_page.h"
+#include "report/chart.h"
 #include "report/metrics.h"
 
 namespace tp100::report {
@@ -35,6 +36,13 @@ ChartSeries map_of(const RecordedRun& run, ChartSeries series,
   return series;
 }
 
+/// Below the estimates, which it would hide or be hidden by.
+ChartSeries truth_series() {
+  ChartSeries series = empty_series("truth", kTruthColour);
+  series.broad = true;
+  return series;
+}
+
 ChartSeries planned(const course::Course& course) {
   ChartSeries series = empty_series("path", kPathColour, true);
   series.points = path_line(course);
@@ -60,27 +68,29 @@ Figure path_figure(const RecordedRun& run) {
   Chart chart{.title = "Path", .x_label = "x [m]", .y_label = "y [m]", .equal_scale = true};
   if (run.run_context.course != nullptr) chart.series.push_back(planned(*run.run_context.course));
   if (run.has_truth)
-    chart.series.push_back(map_of(run, empty_series("truth", kTruthColour),
+    chart.series.push_back(map_of(run, truth_series(),
                                   [](const TrajectoryPoint& p) -> const Pose& { return p.truth; }));
   for (const PoseSource source : estimates_of(run))
     chart.series.push_back(
         map_of(run, series_of(source),
                [&](const TrajectoryPoint& p) -> const Pose& { return p.estimates[source]; }));
-  return {"path", svg(chart), "Where the robot was, as the path, the truth and the estimates say."};
+  return {
+      "path", svg(chart),
+      "Where the robot was: the truth, if known, is the broad band, estimates are lines on it."};
 }
 
 Figure yaw_figure(const RecordedRun& run) {
   Chart chart{.title = "Yaw", .x_label = "time [s]", .y_label = "yaw [deg]"};
   if (run.has_truth)
     chart.series.push_back(over_time(
-        run, empty_series("truth", kTruthColour),
+        run, truth_series(),
         [](const TrajectoryPoint& p, const RunMoment&) { return p.truth.yaw_rad * kDegPerRad; }));
   for (const PoseSource source : estimates_of(run))
     chart.series.push_back(
         over_time(run, series_of(source), [&](const TrajectoryPoint& p, const RunMoment&) {
           return p.estimates[source].yaw_rad * kDegPerRad;
         }));
-  return {"yaw", svg(chart), "Yaw."};
+  return {"yaw", svg(chart), "Yaw, counted on beyond a full turn."};
 }
 
 Figure error_figure(const RecordedRun& run) {
@@ -108,7 +118,7 @@ Figure tracking_figure(const RecordedRun& run) {
               .x_label = "time [s]",
               .y_label = "left of the path [cm]"};
   chart.series.push_back(over_time(
-      run, empty_series("", colour_of(PoseSource::kOdometry)),
+      run, empty_series("", kValueColour),
       [](const TrajectoryPoint&, const RunMoment& m) { return m.cross_track_m * kCmPerM; }));
   return {"tracking", svg(chart), "The steering pose against the path."};
 }
@@ -116,10 +126,10 @@ Figure tracking_figure(const RecordedRun& run) {
 Figure slip_figure(const RecordedRun& run) {
   Chart chart{.title = "Slip in use", .x_label = "time [s]", .y_label = "slip ratio"};
   chart.series.push_back(
-      over_time(run, empty_series("left", colour_of(PoseSource::kModel)),
+      over_time(run, empty_series("left", kLeftColour),
                 [](const TrajectoryPoint&, const RunMoment& m) { return m.slip_left; }));
   chart.series.push_back(
-      over_time(run, empty_series("right", colour_of(PoseSource::kOdometry)),
+      over_time(run, empty_series("right", kRightColour),
                 [](const TrajectoryPoint&, const RunMoment& m) { return m.slip_right; }));
   return {"slip", svg(chart), "Slip ratios that the model used."};
 }
@@ -127,7 +137,7 @@ Figure slip_figure(const RecordedRun& run) {
 Figure jitter_figure(const RecordedRun& run) {
   Chart chart{.title = "Jitter", .x_label = "time [s]", .y_label = "|step - period| [us]"};
   chart.series.push_back(
-      over_time(run, empty_series("", colour_of(PoseSource::kOdometry)),
+      over_time(run, empty_series("", kValueColour),
                 [](const TrajectoryPoint&, const RunMoment& m) { return m.jitter_us; }));
   return {"jitter", svg(chart), "Time between two steps against the loop's period."};
 }
@@ -135,24 +145,21 @@ Figure jitter_figure(const RecordedRun& run) {
 Figure climb_figure(const RecordedRun& run) {
   Chart chart{.title = "Climb angle", .x_label = "time [s]", .y_label = "nose up [deg]"};
   if (run.has_truth)
-    chart.series.push_back(over_time(run, empty_series("truth", kTruthColour),
-                                     [](const TrajectoryPoint& p, const RunMoment&) {
-                                       return -p.truth.pitch_rad * kDegPerRad;
-                                     }));
-  chart.series.push_back(
-      over_time(run, empty_series("robot in the course's world", colour_of(PoseSource::kModel)),
-                [](const TrajectoryPoint&, const RunMoment& m) {
-                  return -m.steering_world.pitch_rad * kDegPerRad;
-                }));
+    chart.series.push_back(
+        over_time(run, truth_series(), [](const TrajectoryPoint& p, const RunMoment&) {
+          return -p.truth.pitch_rad * kDegPerRad;
+        }));
+  chart.series.push_back(over_time(run, empty_series("robot in the course's world", kValueColour),
+                                   [](const TrajectoryPoint&, const RunMoment& m) {
+                                     return -m.steering_world.pitch_rad * kDegPerRad;
+                                   }));
   return {"climb", svg(chart),
           "Where obstacles are virtual, the truth lies on the flat floor below them."};
 }
 
-/// A colour for each of several runs.
+/// A colour for each of several runs; dashed where colours repeat.
 ChartSeries series_of(const ComparedRun& run, std::size_t i) {
-  static constexpr std::array<const char*, 8> kColours = {
-      "#1f5fbf", "#c0392b", "#2e8b3d", "#8e44ad", "#d68910", "#117a8b", "#7b4a1e", "#444444"};
-  return empty_series(run.name, kColours[i % kColours.size()], i >= kColours.size());
+  return empty_series(run.name, colour_of_run(i), i >= kRunColours);
 }
 
 const Pose& shown_pose(const RecordedRun& run, const TrajectoryPoint& point) {
@@ -186,9 +193,11 @@ std::vector<std::pair<double, double>> path_line(const course::Course& course) {
 std::vector<Figure> figures_of(const RecordedRun& run) {
   std::vector<Figure> figures = {path_figure(run),     yaw_figure(run),  error_figure(run),
                                  tracking_figure(run), slip_figure(run), jitter_figure(run)};
-  if (run.run_context.course == nullptr)
-    std::erase_if(figures, [](const Figure& figure) { return figure.name == "tracking"; });
-  else if (!run.run_context.course->terrain.flat())
+  std::erase_if(figures, [&](const Figure& figure) {
+    return (figure.name == "tracking" && run.run_context.course == nullptr) ||
+           (figure.name == "jitter" && !in_real_time(run));
+  });
+  if (run.run_context.course != nullptr && !run.run_context.course->terrain.flat())
     figures.push_back(climb_figure(run));
   return figures;
 }
@@ -217,14 +226,24 @@ std::vector<Figure> figures_of(const std::vector<ComparedRun>& runs) {
   } errors[] = {{"model-errors", "Model: distance from the truth",
                  "The model, only of runs whose truth is known.", PoseSource::kModel},
                 {"odometry-errors", "Odometry: distance from the truth",
-                 "Odometry, of the same runs.", PoseSource::kOdometry}};
-  for (const auto& one : errors)
-    figures.push_back(compared(
-        runs, {one.name, {}, one.caption},
-        {.title = one.title, .x_label = "time [s]", .y_label = "distance [cm]"},
-        [&](const RecordedRun& run, const TrajectoryPoint& p, const RunMoment&) {
-          return run.has_truth ? distance_cm(p.estimates[one.source], p.truth) : std::nan("");
-        }));
+                 "Odometry, of the same runs.", PoseSource::kOdometry},
+                {"fused-errors", "Fused pose: distance from the truth",
+                 "The fused pose, of those of the runs that had a camera.", PoseSource::kFused}};
+  const auto shown = [&](PoseSource source) {
+    return std::ranges::any_of(
+        runs, [&](const ComparedRun& one) { return one.run.result.has_estimate(source); });
+  };
+  for (const auto& one : errors) {
+    if (!shown(one.source)) continue;
+    figures.push_back(
+        compared(runs, {one.name, {}, one.caption},
+                 {.title = one.title, .x_label = "time [s]", .y_label = "distance [cm]"},
+                 [&](const RecordedRun& run, const TrajectoryPoint& p, const RunMoment&) {
+                   return run.has_truth && run.result.has_estimate(one.source)
+                              ? distance_cm(p.estimates[one.source], p.truth)
+                              : std::nan("");
+                 }));
+  }
   figures.push_back(compared(runs, {"trackings", {}, "The steering pose against the path."},
                              {.title = "Cross-track, as the controller saw it",
                               .x_label = "time [s]",
@@ -232,10 +251,13 @@ std::vector<Figure> figures_of(const std::vector<ComparedRun>& runs) {
                              [](const RecordedRun&, const TrajectoryPoint&, const RunMoment& m) {
                                return m.cross_track_m * kCmPerM;
                              }));
-  figures.push_back(compared(
-      runs, {"jitters", {}, "Time between two steps against the loop's period."},
-      {.title = "Jitter", .x_label = "time [s]", .y_label = "|step - period| [us]"},
-      [](const RecordedRun&, const TrajectoryPoint&, const RunMoment& m) { return m.jitter_us; }));
+  if (std::ranges::any_of(runs, [](const ComparedRun& one) { return in_real_time(one.run); }))
+    figures.push_back(
+        compared(runs, {"jitters", {}, "Time between two steps against the loop's period."},
+                 {.title = "Jitter", .x_label = "time [s]", .y_label = "|step - period| [us]"},
+                 [](const RecordedRun&, const TrajectoryPoint&, const RunMoment& m) {
+                   return m.jitter_us;
+                 }));
   return figures;
 }
 

@@ -1,23 +1,15 @@
 #pragma once
 // The figures of recorded runs as SVG, for one run or several overlaid.
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "report/colours.h"
 #include "report/recorded_run.h"
 
 namespace tp100::report {
-
-// One colour per pose, in every figure.
-inline constexpr const char* kPathColour = "#8a8a8a";
-inline constexpr const char* kTruthColour = "#2e8b3d";
-constexpr const char* colour_of(PoseSource source) {
-  constexpr std::array kColours = {"#c0392b", "#1f5fbf", "#8e44ad", "#d68910", "#117a8b"};
-  return kColours[static_cast<std::size_t>(source) % kColours.size()];
-}
 
 /// The course's path as a line, x and y. [m]
 std::vector<std::pair<double, double>> path_line(const course::Course& course);

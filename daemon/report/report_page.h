@@ -20,7 +20,4 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
                          const std::vector<std::optional<RunFigures>>& judged,
                          const std::vector<Figure>& figures);
 
-/// The function `tp100Replay` of the 3-D view (replay_view.js).
-extern const char* const kReplayScript;
-
 }  // namespace tp100::report

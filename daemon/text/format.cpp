@@ -5,6 +5,7 @@
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
+#include <ctime>
 #include <stdexcept>
 
 namespace tp100::text {
@@ -67,6 +68,14 @@ std::string format(const char* pattern, ...) {
   va_end(arguments);
   if (size < 0) throw std::runtime_error(std::string("cannot be formatted: ") + pattern);
   return text;
+}
+
+std::string utc_minute(std::int64_t unix_s) {
+  const auto seconds = static_cast<std::time_t>(unix_s);
+  std::tm day{};
+  if (::gmtime_r(&seconds, &day) == nullptr) return "unknown";
+  return format("%04d-%02d-%02d %02d:%02d UTC", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday,
+                day.tm_hour, day.tm_min);
 }
 
 std::string_view nearest_name(std::string_view name,

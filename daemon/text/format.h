@@ -2,6 +2,7 @@
 // Text of messages to the user: numbers, foreign text, the name that was probably meant.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ std::string number_text(double value);
 
 /// As printf prints it, however long. Throws std::runtime_error if printf cannot.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
+
+/// Seconds since 1970 as "2026-05-31 14:05 UTC".
+std::string utc_minute(std::int64_t unix_s);
 
 /// The name that the user probably meant: the candidate whose name in an earlier version was
 /// `name`, or the one with the smallest edit distance to `name` (insert, delete, replace, swap

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "report/chart.h"
 #include "report/html_page.h"
 #include "sim/campaign/merge.h"
 

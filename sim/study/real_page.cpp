@@ -3,7 +3,8 @@
 #include <string>
 
 #include "core/angle.h"
-#include "report/report_figures.h"
+#include "report/chart.h"
+#include "report/html_page.h"
 #include "sim/study/real_study.h"
 #include "text/format.h"
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/angle.h"
+#include "report/chart.h"
 #include "report/html_page.h"
 #include "report/report_figures.h"
 #include "report/result_text.h"
@@ -344,8 +345,9 @@ std::string reproduction_table(const Reproduction& what) {
     constexpr std::array kWidths = {-24, -14, -26, -42, 8, 8, 8, -8};
     for (std::size_t i = 0; i < row.size(); ++i)
       out += format("%s%*s", i == 0 ? "" : " ", kWidths[i], row[i].text.c_str());
-    const bool missed =
-        std::any_of(row.begin(), row.end(), [](const report::Cell& cell) { return cell.missed; });
+    const bool missed = std::any_of(row.begin(), row.end(), [](const report::Cell& cell) {
+      return cell.mark == report::Mark::kMissed;
+    });
     out += missed ? " DOES NOT HOLD\n" : "\n";
   }
   out += forms_table(what);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
+#include <set>
 
 #include "../record/random_record.h"
 #include "app/commands.h"
@@ -45,9 +47,21 @@ class Report : public testing::Test {
 /// The page contains no address except SVG's XML namespace, which no browser fetches.
 void expect_offline(std::string page) {
   const std::string svg = "http://www.w3.org/2000/svg";
-  for (std::size_t at = 0; (at = page.find(svg)) != std::string::npos;) page.erase(at, svg.size());
+  // Links within the page are none.
+  for (const std::string& harmless : {svg, std::string("href='#")})
+    for (std::size_t at = 0; (at = page.find(harmless)) != std::string::npos;)
+      page.erase(at, harmless.size());
   EXPECT_THAT(page, AllOf(Not(HasSubstr("://")), Not(HasSubstr("src=")), Not(HasSubstr("href=")),
                           Not(HasSubstr("@import")), Not(HasSubstr("url("))));
+}
+
+/// No two figures or tables of the page have the same caption.
+void expect_captions_once(const std::string& page) {
+  const std::regex caption("<(caption|figcaption)>(.*?)</");
+  std::set<std::string> seen;
+  for (std::sregex_iterator at(page.begin(), page.end(), caption), end; at != end; ++at)
+    EXPECT_TRUE(seen.insert((*at)[2].str()).second) << (*at)[2];
+  EXPECT_GE(seen.size(), 3u);
 }
 
 TEST_F(Report, ARunThatNeverBeganHasNoFigures) {
@@ -79,8 +93,22 @@ TEST_F(Report, WithoutTruthNothingIsCalledAnError) {
   EXPECT_THAT(page, HasSubstr("run: idle -&gt; arming"));
   EXPECT_THAT(page, HasSubstr("robot.toml"));
   expect_offline(page);
+  expect_captions_once(page);
   for (const char* name : {"path.svg", "yaw.svg", "error.svg", "tracking.svg", "slip.svg"})
     EXPECT_THAT(text(name), testing::StartsWith("<svg")) << name;
+}
+
+TEST_F(Report, SaysFirstWhatWasDrivenWithWhatAndWhatItCameTo) {
+  record_run(file());
+  ASSERT_EQ(report(), "");
+  const std::string page = text("report.html");
+  const std::string top = page.substr(0, page.find("<h2"));
+  EXPECT_THAT(top, HasSubstr("<p class='verdict "));
+  for (const char* fact : {"driven", "course", "robot", "set-up, board", "seed", "steered by",
+                           "driven with", "duration", "truth"})
+    EXPECT_THAT(top, HasSubstr("<dt>" + std::string(fact) + "</dt>"));
+  EXPECT_THAT(top, HasSubstr("<dd>5</dd>")) << "the seed";
+  EXPECT_THAT(top, HasSubstr(" UTC"));
 }
 
 TEST_F(Report, StepsThatAreMissingAreTold) {
@@ -152,6 +180,28 @@ TEST_F(Report, NoChangeOfAFileDoesAnyHarm) {
   }
 }
 
+TEST_F(Report, AComparisonSaysWhatIsBetterOrWorseThanTheFirstRun) {
+  const auto with_cross_track = [&](const std::string& name, double cross_track_m) {
+    record_run(folder_.file(name), [&](StepRecord& record) {
+      record.snapshot.cross_track_m = cross_track_m;
+      return true;
+    });
+    return folder_.file(name);
+  };
+  const std::string base = with_cross_track("base.mcap", 0.02);
+  const std::string better = with_cross_track("better.mcap", 0.015);
+  const std::string worse = with_cross_track("worse.mcap", -0.0312);
+  const std::string out = folder_.file("out");
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_compare({.runs = {base, better, worse}, .out = out}), 0);
+  testing::internal::GetCapturedStdout();
+  const std::string page = test::read_bytes(out + "/compare.html");
+  EXPECT_THAT(page, HasSubstr("base: base"));
+  EXPECT_THAT(page, HasSubstr("<td>2.00</td><td>1.50</td><td class='better'>-0.50 cm better</td>"
+                              "<td>3.12</td><td class='missed'>+1.12 cm worse</td>"));
+  EXPECT_THAT(page, HasSubstr("<td>0 same</td>"));
+}
+
 TEST_F(Report, ComparesSeveralRunsAndNamesThemApart) {
   record_run(file());
   const std::string out = folder_.file("out");
@@ -162,6 +212,7 @@ TEST_F(Report, ComparesSeveralRunsAndNamesThemApart) {
   const std::string page = test::read_bytes(out + "/compare.html");
   EXPECT_THAT(page, AllOf(HasSubstr(name + " (2)"), HasSubstr(name + " (3)")));
   expect_offline(page);
+  expect_captions_once(page);
   EXPECT_EQ(Json::parse(test::read_bytes(out + "/compare.json"))["runs"].size(), 3u);
   EXPECT_THAT(test::read_bytes(out + "/paths.svg"), HasSubstr(name + " (3)"));
   EXPECT_THROW(run_compare({.runs = {file()}, .out = out}), SetupError);

@@ -1,11 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "core/angle.h"
 #include "core/statistics.h"
+#include "report/colours.h"
 #include "report/html_page.h"
 #include "report/run_result.h"
 
@@ -40,48 +44,6 @@ TEST(Tum, TurnsAnglesIntoAQuaternion) {
   EXPECT_THAT(tum_line(0.0, {.pitch_rad = kPi / 2}), HasSubstr(" 0.707106781 0.000000000 0.7"));
 }
 
-TEST(SvgChart, DrawsEverySeriesAndBreaksLinesWhereThereIsNothing) {
-  const std::string picture =
-      svg({.title = "a < b",
-           .x_label = "x",
-           .y_label = "y",
-           .series = {{.name = "one",
-                       .colour = "#123456",
-                       .points = {{0, 0}, {1, 1}, {2, kNone}, {3, 1}, {4, 0}}},
-                      {.name = "two", .colour = "red", .points = {{0, 1}}, .marks = true}}});
-  EXPECT_THAT(picture, HasSubstr("a &lt; b"));
-  EXPECT_THAT(picture, HasSubstr("stroke='#123456'"));
-  EXPECT_THAT(picture, HasSubstr("<circle"));
-  EXPECT_THAT(picture, Not(HasSubstr("nan")));
-  const auto at = picture.find("d='M", picture.find("#123456"));
-  const std::string path = picture.substr(at, picture.find("'/>", at) - at);
-  EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 2);
-}
-
-TEST(SvgChart, OfNothingIsStillAPicture) {
-  EXPECT_THAT(svg({}), testing::AllOf(HasSubstr("</svg>"), Not(HasSubstr("inf"))));
-}
-
-TEST(SvgChart, ValuesThatHardlyDifferStillHaveAxes) {
-  for (const double x : {1e6, -1e6, 1e-9, 0.0})
-    EXPECT_THAT(svg({.series = {{.points = {{x, x}, {x + 1e-10, x + 1e-10}}}}}),
-                HasSubstr("</svg>"));
-}
-
-TEST(SvgChart, AMapHasOneScale) {
-  const std::string picture =
-      svg({.series = {{.colour = "blue", .points = {{0, 0}, {1, 0}, {1, 1}}}},
-           .equal_scale = true,
-           .width_px = 700,
-           .height_px = 300});
-  double x0, y0, x1, y1, x2, y2;
-  const auto at = picture.find("d='M", picture.find("stroke='blue'"));
-  ASSERT_EQ(std::sscanf(picture.c_str() + at, "d='M%lf %lfL%lf %lfL%lf %lf", &x0, &y0, &x1, &y1,
-                        &x2, &y2),
-            6);
-  EXPECT_NEAR(x1 - x0, y1 - y2, 0.3);
-}
-
 TEST(HtmlPage, EscapesWhatItIsGivenAndMarksWhatDoesNotHold) {
   HtmlPage page("a & b");
   page.table({{"head"}, {Cell("1.0", true)}, {"<script>"}, {"!"}}, "caption");
@@ -89,6 +51,80 @@ TEST(HtmlPage, EscapesWhatItIsGivenAndMarksWhatDoesNotHold) {
   EXPECT_THAT(page.text(), HasSubstr("<td class='missed'>1.0</td>"));
   EXPECT_THAT(page.text(), HasSubstr("&lt;script&gt;"));
   EXPECT_THAT(page.text(), Not(HasSubstr("http")));
+}
+
+TEST(HtmlPage, HasVerdictAndFactsAboveItsContents) {
+  HtmlPage page("title");
+  page.verdict(false, "Not completed: tilt.");
+  page.facts({{"robot", "a < b"}, {"steps", Cell("3 missing", true)}});
+  for (const char* part : {"Errors", "Figures", "Settings"}) page.heading(part);
+  const std::string text = page.text();
+  EXPECT_THAT(text, HasSubstr("<dt>robot</dt><dd>a &lt; b</dd>"));
+  EXPECT_THAT(text, HasSubstr("<dd class='missed'>3 missing</dd>"));
+  EXPECT_THAT(text, HasSubstr("<a href='#part-2'>Figures</a>"));
+  EXPECT_THAT(text, HasSubstr("<h2 id='part-2'>Figures</h2>"));
+  const auto at = [&](const char* part) { return text.find(part); };
+  EXPECT_LT(at("Not completed"), at("<dl>"));
+  EXPECT_LT(at("<dl>"), at("<nav"));
+  EXPECT_LT(at("<nav"), at("<h2"));
+}
+
+TEST(HtmlPage, OfFewPartsHasNoContents) {
+  HtmlPage page("title");
+  page.heading("Only");
+  EXPECT_THAT(page.text(), Not(HasSubstr("<nav")));
+}
+
+TEST(HtmlPage, FitsEveryScreenAndPaper) {
+  HtmlPage page("title");
+  page.table({{"a"}, {"1"}}, "caption");
+  for (const char* part :
+       {"name='viewport'", "prefers-color-scheme:dark", "@media print", "<div class='scroll' "})
+    EXPECT_THAT(page.text(), HasSubstr(part));
+}
+
+TEST(HtmlPage, AlignsColumnsOfWordsToTheLeft) {
+  HtmlPage page("title");
+  page.table({{"", "number", "words"}, {"a", "-1.5 cm", "1-curve"}, {"b", "-", "2026-01-02"}},
+             "caption");
+  EXPECT_THAT(page.text(), HasSubstr("<td></td><th scope='col'>number</th>"
+                                     "<th scope='col' class='t'>words</th>"));
+  EXPECT_THAT(page.text(), HasSubstr("<td>a</td><td>-1.5 cm</td><td class='t'>1-curve</td>"));
+}
+
+/// WCAG 2's relative luminance of "#rrggbb".
+double luminance(const char* colour) {
+  double sum = 0.0;
+  for (const auto& [at, weight] : {std::pair{std::size_t{1}, 0.2126}, {3, 0.7152}, {5, 0.0722}}) {
+    const double part = std::stoi(std::string(colour).substr(at, 2), nullptr, 16) / 255.0;
+    sum += weight * (part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+  }
+  return sum;
+}
+
+double contrast(const char* a, const char* b) {
+  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+  return (high + 0.05) / (low + 0.05);
+}
+
+TEST(Colours, AreReadableOnPaperAndInTheDark) {
+  EXPECT_NEAR(contrast("#000000", "#ffffff"), 21.0, 1e-9);
+  for (const Colour& colour : kColours) {
+    EXPECT_GE(contrast(colour.light, kGround.light), 4.5) << colour.name;
+    EXPECT_GE(contrast(colour.dark, kGround.dark), 4.5) << colour.name;
+  }
+}
+
+TEST(Colours, AreOneForEachThing) {
+  for (const Colour& one : kColours)
+    EXPECT_EQ(std::ranges::count(kColours, std::string(one.light),
+                                 [](const Colour& other) { return std::string(other.light); }),
+              1)
+        << one.name;
+  HtmlPage page("title");
+  for (const PoseSource source : kPoseSources)
+    EXPECT_THAT(page.text(), HasSubstr("svg [stroke='" + std::string(colour_of(source)) +
+                                       "']{stroke:var(--" + std::string(to_string(source)) + ")}"));
 }
 
 }  // namespace

@@ -12,5 +12,10 @@ TEST(Format, PrintsAsPrintfDoesHoweverLongItIs) {
   EXPECT_EQ(format("%s.", is_long.c_str()), is_long + ".");
 }
 
+TEST(Format, TellsSecondsSince1970AsADate) {
+  EXPECT_EQ(utc_minute(0), "1970-01-01 00:00 UTC");
+  EXPECT_EQ(utc_minute(1780236300), "2026-05-31 14:05 UTC");
+}
+
 }  // namespace
 }  // namespace tp100::text

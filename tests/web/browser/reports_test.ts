@@ -1,0 +1,108 @@
+// The offline pages that the programs write, opened from their files at the sizes and in the schemes of their readers.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import axe from 'axe-core';
+import * as palette from '../../../daemon/web/scene/palette.ts';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { openBrowser, openPage, type Size } from './cockpit.ts';
+import { bin } from './programs.ts';
+
+const kDesktop: Size = { width: 1280, height: 900 };
+const kPhone: Size = { width: 390, height: 844 };
+
+let folder = '';
+let browser: Browser;
+
+const run = (name: string, ...args: string[]): void => {
+  execFileSync(join(bin, name), args, { cwd: folder, stdio: ['ignore', 'ignore', 'inherit'] });
+};
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'tp100-reports-'));
+  browser = await openBrowser();
+  run('tp100-sim', 'course', '1-straight', '--camera', '--runs', '2', '--record', 'runs', '--json');
+  run('tp100d', 'report', 'runs/1-straight-end-loaded-1');
+  run('tp100d', 'compare', 'runs/1-straight-end-loaded-1', 'runs/1-straight-end-loaded-2', '--out', 'compared');
+});
+
+afterAll(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** Findings of axe that keep somebody from reading the page. */
+async function findings(page: Page): Promise<string[]> {
+  await page.evaluate(axe.source);
+  return page.evaluate(async () => {
+    const { violations } = await (window as unknown as { axe: typeof axe }).axe.run();
+    return violations
+      .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+      .map(({ id, nodes }) => `${id}: ${nodes[0]?.html ?? ''}`);
+  });
+}
+
+/** Opens a page of the folder, which must ask for nothing but its own file. */
+async function open(file: string, size: Size, scheme: 'light' | 'dark'): Promise<{ page: Page; complaints: string[] }> {
+  const complaints: string[] = [];
+  const page = await openPage(browser, 'about:blank', complaints, size);
+  page.on('request', (request) => {
+    if (!request.url().startsWith('file:')) complaints.push(`asks for ${request.url()}`);
+  });
+  await page.emulateMedia({ colorScheme: scheme });
+  await page.goto(`file://${join(folder, file)}`);
+  return { page, complaints };
+}
+
+const kPages = [
+  ['the report of a run', 'runs/1-straight-end-loaded-1/report.html'],
+  ['the comparison of runs', 'compared/compare.html'],
+] as const;
+
+describe.each(kPages)('%s', (_, file) => {
+  it.each([
+    ['light', kDesktop],
+    ['dark', kDesktop],
+    ['light', kPhone],
+    ['dark', kPhone],
+  ] as const)('can be read by everybody, %s, at %o', async (scheme, size) => {
+    const { page, complaints } = await open(file, size, scheme);
+    expect(await findings(page)).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(size.width);
+    expect(complaints).toEqual([]);
+    await page.close();
+  });
+
+  it('has every caption once, and a title and names of both axes on every chart', async () => {
+    const { page } = await open(file, kDesktop, 'light');
+    const captions = await page.locator('caption, figcaption').allTextContents();
+    expect(new Set(captions).size).toBe(captions.length);
+    for (const title of await page.locator('figure > svg').evaluateAll((all) => all.map((one) => one.getAttribute('aria-label'))))
+      expect(title).toBeTruthy();
+    await page.close();
+  });
+
+  it('is printed dark on white, whatever the screen has', async () => {
+    const { page } = await open(file, kDesktop, 'dark');
+    const ground = (): Promise<string> => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    expect(await ground()).toBe('rgb(10, 14, 19)');
+    await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+    expect(await ground()).toBe('rgb(255, 255, 255)');
+    await page.close();
+  });
+});
+
+it('in the dark has the colours of the live page', async () => {
+  const { page } = await open(kPages[0][1], kDesktop, 'dark');
+  const colours: Record<string, string> = {
+    path: palette.kPath,
+    left: palette.kLeft,
+    right: palette.kRight,
+    ...palette.kEstimateColours,
+  };
+  for (const [name, colour] of Object.entries(colours))
+    expect(await page.evaluate((of) => getComputedStyle(document.documentElement).getPropertyValue(`--${of}`), name)).toBe(colour);
+  await page.close();
+});
