@@ -1,7 +1,6 @@
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 
 #include <csignal>
 #include <cstdio>
@@ -26,12 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxRuns = 20;
 
-/// 0: not known.
-std::int64_t written_unix_s(const std::string& file) {
-  struct stat status {};
-  return ::stat(file.c_str(), &status) == 0 ? status.st_mtim.tv_sec : 0;
-}
-
 report::RecordedRun read(const std::string& path) {
   const record::Recording recording(path);
   const config::RunSetup setup = config::parse_run(recorded_files(recording));
@@ -41,7 +34,7 @@ report::RecordedRun read(const std::string& path) {
                   .steering = setup.parameters.steering,
                   .rate_hz = setup.configuration.loop.rate_hz,
                   .turning_threshold_radps = setup.parameters.model.turning_threshold_radps});
-  run.written_unix_s = written_unix_s(run.path);
+  run.written_unix_s = text::written_unix_s(run.path);
   if (!run.whole)
     std::fprintf(stderr, "tp100d: %s: was cut off; reported up to there\n", run.path.c_str());
   return run;

@@ -62,11 +62,15 @@ std::vector<bool> text_columns(const Rows& rows) {
   return columns;
 }
 
+// A text of more characters gets the room of a paragraph.
+constexpr std::size_t kLongText = 60;
+
 std::string classes(const Cell& cell, bool is_text) {
   std::string names = cell.mark == Mark::kMissed   ? "missed"
                       : cell.mark == Mark::kBetter ? "better"
                                                    : "";
   if (is_text) names += names.empty() ? "t" : " t";
+  if (is_text && cell.text.size() > kLongText) names += " long";
   return names.empty() ? "" : " class='" + names + "'";
 }
 

@@ -163,4 +163,9 @@ void make_folder(const std::string& path) {
                      "); give another --out");
 }
 
+std::int64_t written_unix_s(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? status.st_mtim.tv_sec : 0;
+}
+
 }  // namespace tp100::text

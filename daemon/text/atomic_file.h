@@ -1,6 +1,7 @@
 #pragma once
-// Writes a result file completely or not at all.
+// Writes a result file completely or not at all; what is known of files besides their content.
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -42,5 +43,8 @@ bool is_file_name(std::string_view name, std::size_t most = 64);
 /// Creates the folder for results and its parents if absent; empty is the working folder. Throws
 /// SetupError.
 void make_folder(const std::string& path);
+
+/// When the file was last written, in seconds since 1970; 0: not known.
+std::int64_t written_unix_s(const std::string& path);
 
 }  // namespace tp100::text

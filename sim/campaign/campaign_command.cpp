@@ -21,6 +21,7 @@
 #include "sim/robot/lockstep.h"
 #include "sim/robot/lockstep_recorder.h"
 #include "text/atomic_file.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -167,6 +168,48 @@ Merged merge_folder(const CampaignFolder& folder, const CampaignSpec& spec) {
   return merge(spec, std::move(runs));
 }
 
+std::string text_of(const text::TomlValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return text->empty() ? "none" : *text;
+  return std::visit([](const auto& one) { return Json(one).dump(); }, value);
+}
+
+std::string text_of(const Variable& variable) {
+  if (const auto* value = std::get_if<text::TomlValue>(&variable.source)) return text_of(*value);
+  if (const auto* uniform = std::get_if<Uniform>(&variable.source))
+    return text::format("%g to %g, evenly", uniform->low, uniform->high);
+  if (const auto* normal = std::get_if<Normal>(&variable.source))
+    return text::format("%g, normal with sd %g", normal->mean, normal->sd);
+  std::string text;
+  for (const text::TomlValue& value : std::get<List>(variable.source))
+    text += (text.empty() ? "each of: " : ", ") + text_of(value);
+  return text;
+}
+
+/// An empty name: what the files say; of a camera, none.
+bool is_default(const Variable& variable) {
+  const auto* value = std::get_if<text::TomlValue>(&variable.source);
+  return value != nullptr && *value == text::TomlValue(std::string());
+}
+
+/// What was driven, when and with what, for the page.
+std::vector<std::pair<std::string, std::string>> facts_of(const CampaignFolder& folder,
+                                                          const CampaignSpec& spec) {
+  std::vector<std::pair<std::string, std::string>> facts;
+  const std::string origin_path = folder.path() + "/origin.txt";
+  if (const std::int64_t begun = text::written_unix_s(origin_path); begun > 0) {
+    facts.emplace_back("begun", text::utc_minute(begun));
+    const Origin origin = read_origin(course::read_text_file(origin_path).text);
+    if (const auto program = origin.find("program"); program != origin.end())
+      facts.emplace_back("driven with", program->second);
+  }
+  facts.emplace_back("seeds", std::to_string(spec.seed) + " to " +
+                                  std::to_string(spec.seed + spec.runs - 1) + ", one a run");
+  for (const auto* variables : {&spec.choices, &spec.configuration, &spec.robot})
+    for (const Variable& variable : *variables)
+      if (!is_default(variable)) facts.emplace_back(variable.name, text_of(variable));
+  return facts;
+}
+
 std::string missing_text(const Merged& merged) {
   std::string text = std::to_string(merged.missing.size()) + " of " + std::to_string(merged.asked) +
                      " runs are missing (";
@@ -227,7 +270,8 @@ int run_merge(const std::string& path) {
   const Merged merged = merge_folder(folder, spec);
   text::write_file(path + "/merged.json", merged_json(merged));
   text::write_file(path + "/runs.csv", merged_csv(merged));
-  text::write_file(path + "/index.html", merge_page(merged, folder.spec_text()));
+  text::write_file(path + "/index.html",
+                   merge_page(merged, folder.spec_text(), facts_of(folder, spec)));
   const std::size_t refused = merged.runs.size() - merged.driven;
   std::printf("%s: %zu of %zu driven runs completed; page: %s/index.html\n", path.c_str(),
               merged.completed, merged.driven, path.c_str());

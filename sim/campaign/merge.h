@@ -71,7 +71,8 @@ std::string merged_csv(const Merged& merged);
 
 // The merged campaign as one offline page.
 
-/// `spec_text` is shown as it is. Pure.
-std::string merge_page(const Merged& merged, const std::string& spec_text);
+/// `spec_text` is shown as it is; `facts` say what was driven, when and with what. Pure.
+std::string merge_page(const Merged& merged, const std::string& spec_text,
+                       const std::vector<std::pair<std::string, std::string>>& facts = {});
 
 }  // namespace tp100::sim

@@ -1,80 +1,68 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
-#include "report/chart.h"
 #include "report/html_page.h"
 #include "sim/campaign/merge.h"
+#include "sim/campaign/shown_figures.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
 
 using report::Rows;
+using text::format;
 
 // A page of more is none that anybody reads; merged.json has all.
 constexpr std::size_t kListed = 500;
+constexpr std::size_t kMaxScatters = 24;
 
-constexpr const char* kColour = "#1f5fbf";
-// The figures shown first; the rest is in merged.json and runs.csv.
-constexpr std::array<const char*, 8> kMain = {"model.max_position_error_m",
-                                              "odometry.max_position_error_m",
-                                              "fused.max_position_error_m",
-                                              "tracking.max_cross_track_m",
-                                              "tracking.max_yaw_error_rad",
-                                              "tracking.recovery_s",
-                                              "duration_s",
-                                              "link.lost"};
-
-std::string number(double value) {
-  if (!std::isfinite(value)) return "never";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
-
-std::string with_interval(double value, const Interval& interval) {
-  if (!interval) return number(value);
-  return number(value) + " (" + number(interval->first) + " to " + number(interval->second) + ")";
-}
-
-std::vector<const MergedFigure*> main_figures(const Merged& merged) {
-  std::vector<const MergedFigure*> found;
-  for (const char* name : kMain)
-    for (const MergedFigure& figure : merged.figures)
-      if (figure.name == name) found.push_back(&figure);
-  return found;
-}
+std::string percent(double share) { return format("%.3g", 100.0 * share); }
 
 std::string completion(const Merged& merged) {
-  std::string text = std::to_string(merged.asked) + " runs asked for, " +
-                     std::to_string(merged.missing.size()) + " missing, " +
-                     std::to_string(merged.runs.size() - merged.driven) + " refused; " +
-                     std::to_string(merged.completed) + " of " + std::to_string(merged.driven) +
+  std::string text = std::to_string(merged.completed) + " of " + std::to_string(merged.driven) +
                      " driven runs completed their course";
-  if (merged.driven == 0) return text + ".";
-  const auto [low, high] = share_interval(merged.completed, merged.driven);
-  return text + ": 95 % interval of the share " + number(100.0 * low) + " to " +
-         number(100.0 * high) + " %.";
+  if (merged.driven > 0) {
+    const auto [low, high] = share_interval(merged.completed, merged.driven);
+    text += " (95 % interval of the share: " + percent(low) + " to " + percent(high) + " %)";
+  }
+  return text + "; " + std::to_string(merged.asked) + " asked for, " +
+         std::to_string(merged.missing.size()) + " missing, " +
+         std::to_string(merged.runs.size() - merged.driven) + " refused.";
 }
 
-Rows figure_rows(const std::vector<const MergedFigure*>& figures) {
-  Rows rows = {{"figure", "runs", "mean", "5 %", "median", "95 %", "99 %", "largest"}};
-  for (const MergedFigure* figure : figures) {
-    const Summary& of = figure->summary;
+bool all_completed(const Merged& merged) {
+  return merged.completed == merged.asked && merged.missing.empty();
+}
+
+/// Drives the run again, beside the campaign's folder of runs.
+std::string command(std::uint64_t index) {
+  return "tp100-sim campaign spec.toml --out again --index " + std::to_string(index) +
+         " --record again";
+}
+
+Rows figure_rows(const std::vector<ShownFigure>& figures) {
+  Rows rows = {
+      {"figure", "runs", "mean", "5 %", "median", "95 %", "99 %", "largest", "in merged.json"}};
+  for (const ShownFigure& figure : figures) {
+    const Summary& of = figure.merged->summary;
     rows.push_back(
-        {figure->name, std::to_string(of.count), with_interval(of.mean, of.mean_interval)});
+        {figure.with_unit(), std::to_string(of.count), figure.text(of.mean, of.mean_interval)});
     for (const Percentile& percentile : of.percentiles)
-      rows.back().push_back(with_interval(percentile.value, percentile.interval));
-    rows.back().push_back(number(of.most));
+      rows.back().push_back(figure.text(percentile.value, percentile.interval));
+    rows.back().push_back(figure.text(of.most));
+    rows.back().emplace_back(figure.name);
   }
   return rows;
 }
 
+/// Numbers to four digits; merged.json has all.
 std::string sampled_text(const MergedRun& run) {
   std::string sampled;
-  for (const auto& [name, text] : run.sampled)
-    sampled += (sampled.empty() ? "" : ", ") + name + " " + text;
+  for (const auto& [name, text] : run.sampled) {
+    const auto number = run.sampled_numbers.find(name);
+    sampled += (sampled.empty() ? "" : ", ") + name + " " +
+               (number == run.sampled_numbers.end() ? text : format("%.4g", number->second));
+  }
   return sampled;
 }
 
@@ -85,12 +73,13 @@ Rows cause_rows(const Merged& merged) {
 }
 
 Rows failed_rows(const std::vector<const MergedRun*>& failed) {
-  Rows rows = {{"run", "seed", "cause", "sampled"}};
+  Rows rows = {{"run", "seed", "cause", "sampled", "to drive it again"}};
   for (std::size_t i = 0; i < std::min(failed.size(), kListed); ++i)
     rows.push_back({std::to_string(failed[i]->index),
                     std::to_string(failed[i]->seed),
                     {failed[i]->cause, true},
-                    sampled_text(*failed[i])});
+                    sampled_text(*failed[i]),
+                    command(failed[i]->index)});
   return rows;
 }
 
@@ -106,42 +95,124 @@ void add_failed(report::HtmlPage& page, const Merged& merged) {
                                       : "Every failed run; no figure below counts them");
 }
 
-Rows worst_rows(const std::vector<const MergedFigure*>& figures, const Merged& merged) {
-  Rows rows = {{"figure", "value", "run", "seed", "sampled"}};
-  for (const MergedFigure* figure : figures)
-    for (const auto& [index, value] : figure->worst) {
-      const MergedRun& run = merged.run(index);
-      rows.push_back({figure->name, number(value), std::to_string(index), std::to_string(run.seed),
-                      sampled_text(run)});
-    }
-  return rows;
+void add_spreads(report::HtmlPage& page, const std::vector<ShownFigure>& figures,
+                 const Merged& merged) {
+  if (figures.empty()) return;
+  page.heading("Spread");
+  page.paragraph(
+      "Box plots over the completed runs, their number in brackets: box from the first to the "
+      "third quartile with the median in it, whiskers from 5 to 95 %, a dot for each run beyond "
+      "them. Below all runs those of each listed value, over all others.");
+  for (const ShownFigure& figure : figures)
+    page.figure(spread_chart(figure, merged), figure.with_unit() + ", by listed value");
 }
 
-Rows group_rows(const Merged& merged, const std::vector<const MergedFigure*>& figures) {
-  Rows rows = {{"variable", "value", "completed", "figure", "median", "95 %"}};
-  for (const MergedGroup& group : merged.groups) {
-    const std::string completed =
-        std::to_string(group.completed) + " of " + std::to_string(group.driven);
-    for (const MergedFigure* figure : figures) {
-      const auto of = group.figures.find(figure->name);
-      if (of == group.figures.end()) continue;
-      const std::vector<Percentile>& percentiles = of->second.percentiles;
-      rows.push_back({group.variable, group.value.empty() ? "(none)" : group.value, completed,
-                      figure->name, with_interval(percentiles[1].value, percentiles[1].interval),
-                      with_interval(percentiles[2].value, percentiles[2].interval)});
+/// A table for each list: a row for each of its values.
+void add_groups(report::HtmlPage& page, const Merged& merged,
+                const std::vector<ShownFigure>& figures) {
+  if (merged.groups.empty()) return;
+  page.heading("By listed value");
+  page.paragraph("Median / 95 % of each figure; their intervals are in merged.json.");
+  Rows rows;
+  for (std::size_t i = 0; i < merged.groups.size(); ++i) {
+    const MergedGroup& group = merged.groups[i];
+    if (rows.empty()) {
+      rows = {{"value", "completed"}};
+      for (const ShownFigure& figure : figures) rows[0].emplace_back(figure.with_unit());
     }
-    if (group.completed == 0)
-      rows.push_back({group.variable, group.value, completed, "-", "-", "-"});
+    rows.push_back({group.value.empty() ? "(none)" : group.value,
+                    std::to_string(group.completed) + " of " + std::to_string(group.driven)});
+    for (const ShownFigure& figure : figures) {
+      const auto of = group.figures.find(figure.name);
+      if (of == group.figures.end()) {
+        rows.back().emplace_back("-");
+        continue;
+      }
+      const std::vector<Percentile>& percentiles = of->second.percentiles;
+      rows.back().push_back(figure.text(percentiles[1].value) + " / " +
+                            figure.text(percentiles[2].value));
+    }
+    if (i + 1 < merged.groups.size() && merged.groups[i + 1].variable == group.variable) continue;
+    page.table(rows, "By " + group.variable);
+    rows.clear();
+  }
+}
+
+/// A row for each sampled number, a column for each figure.
+Rows correlation_rows(const std::vector<ShownFigure>& figures) {
+  Rows rows = {{"sampled"}};
+  for (const ShownFigure& figure : figures) rows[0].emplace_back(figure.title);
+  std::map<std::string, std::map<std::string, double>> by_sampled;
+  for (const ShownFigure& figure : figures)
+    for (const auto& [sampled, value] : figure.merged->correlations)
+      by_sampled[sampled][figure.name] = value;
+  for (const auto& [sampled, values] : by_sampled) {
+    rows.push_back({sampled});
+    for (const ShownFigure& figure : figures) {
+      const auto found = values.find(figure.name);
+      if (found == values.end())
+        rows.back().emplace_back("-");
+      else
+        rows.back().push_back(
+            format("%+.2f%s", found->second,
+                   is_strong(found->second, figure.merged->summary.count) ? " strong" : ""));
+    }
   }
   return rows;
 }
 
-Rows correlation_rows(const std::vector<const MergedFigure*>& figures) {
-  Rows rows = {{"sampled", "figure", "rank correlation"}};
-  for (const MergedFigure* figure : figures)
-    for (const auto& [name, value] : figure->correlations)
-      rows.push_back({name, figure->name, number(value)});
+void add_correlations(report::HtmlPage& page, const std::vector<ShownFigure>& figures,
+                      const Merged& merged) {
+  const Rows rows = correlation_rows(figures);
+  if (rows.size() == 1) return;
+  page.heading("Correlations");
+  page.table(rows,
+             "Spearman's rank correlation of sampled numbers and figures; \"-\": one of the "
+             "two never changes");
+  struct Strong {
+    const ShownFigure* figure;
+    std::string sampled;
+    double value;
+  };
+  std::vector<Strong> strong;
+  for (const ShownFigure& figure : figures)
+    for (const auto& [sampled, value] : figure.merged->correlations)
+      if (is_strong(value, figure.merged->summary.count))
+        strong.push_back({&figure, sampled, value});
+  std::stable_sort(strong.begin(), strong.end(), [](const Strong& a, const Strong& b) {
+    return std::abs(a.value) > std::abs(b.value);
+  });
+  std::string text = std::string(kStrongRule) + " ";
+  text +=
+      strong.empty() ? "None is." : "Each strong one has a chart with a dot for each completed run";
+  if (strong.size() > kMaxScatters)
+    text += format("; the strongest %zu of %zu are shown", kMaxScatters, strong.size());
+  page.paragraph(text + (strong.empty() ? "" : "."));
+  strong.resize(std::min(strong.size(), kMaxScatters));
+  for (const Strong& one : strong)
+    page.figure(correlation_chart(*one.figure, one.sampled, one.value, merged),
+                std::string(one.figure->title) + " against " + one.sampled);
+}
+
+Rows worst_rows(const ShownFigure& figure, const Merged& merged) {
+  Rows rows = {
+      {"value [" + std::string(figure.unit) + "]", "run", "seed", "sampled", "to drive it again"}};
+  for (const auto& [index, value] : figure.merged->worst) {
+    const MergedRun& run = merged.run(index);
+    rows.push_back({figure.text(value), std::to_string(index), std::to_string(run.seed),
+                    sampled_text(run), command(index)});
+  }
   return rows;
+}
+
+void add_worst(report::HtmlPage& page, const std::vector<ShownFigure>& figures,
+               const Merged& merged) {
+  page.heading("Worst completed runs");
+  page.paragraph(
+      std::string("The largest values of each figure") +
+      (merged.failed().empty() ? "" : "; worse than these are the failed runs, above") +
+      ". The commands drive a run again in this folder, and record it for tp100d report.");
+  for (const ShownFigure& figure : figures) page.table(worst_rows(figure, merged), figure.title);
 }
 
 Rows refused_rows(const Merged& merged) {
@@ -155,59 +226,29 @@ Rows refused_rows(const Merged& merged) {
   return rows;
 }
 
-/// Share of the runs that stay below a value.
-std::string distribution(const MergedFigure& figure, const Merged& merged) {
-  std::vector<double> values;
-  for (const MergedRun& run : merged.runs)
-    if (const auto found = run.figures.find(figure.name);
-        run.completed && found != run.figures.end() && std::isfinite(found->second))
-      values.push_back(found->second);
-  std::sort(values.begin(), values.end());
-  report::ChartSeries series{.colour = kColour};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    series.points.emplace_back(
-        values[i], 100.0 * static_cast<double>(i + 1) / static_cast<double>(figure.summary.count));
-  return report::svg({.title = figure.name,
-                      .x_label = figure.name,
-                      .y_label = "runs that stay below [%]",
-                      .series = {series}});
-}
-
 }  // namespace
 
-std::string merge_page(const Merged& merged, const std::string& spec_text) {
+std::string merge_page(const Merged& merged, const std::string& spec_text,
+                       const std::vector<std::pair<std::string, std::string>>& facts) {
   report::HtmlPage page("Campaign");
-  page.paragraph(completion(merged));
+  page.verdict(all_completed(merged), completion(merged));
+  page.facts({facts.begin(), facts.end()});
   page.paragraph(
       "Figures are those of completed runs, against the emulated body's exact pose; in brackets 95 "
-      "% intervals. Every figure is in merged.json, every run in runs.csv. A single run is driven "
-      "again, recorded, by tp100-sim campaign spec.toml --out OTHER --index RUN --record FOLDER.");
+      "% intervals. Every figure is in merged.json, every run in runs.csv.");
   add_failed(page, merged);
-  const std::vector<const MergedFigure*> figures = main_figures(merged);
+  const std::vector<ShownFigure> figures = shown_figures(merged);
   page.heading("Figures");
   page.table(figure_rows(figures), "Over all completed runs");
-  std::vector<std::string> charts;
-  charts.reserve(figures.size());
-  for (const MergedFigure* figure : figures) charts.push_back(distribution(*figure, merged));
-  page.figures(charts, "Distributions");
-  if (!merged.groups.empty()) {
-    page.heading("By listed value");
-    page.table(group_rows(merged, figures), "Each value of each list, over all others");
-  }
-  if (const Rows rows = correlation_rows(figures); rows.size() > 1) {
-    page.heading("Correlations");
-    page.table(rows, "Spearman's rank correlation of sampled numbers and figures");
-  }
-  page.heading("Worst completed runs");
-  page.table(
-      worst_rows(figures, merged),
-      merged.failed().empty()
-          ? "The largest values of each figure"
-          : "The largest values of each figure; worse than these are the failed runs, above");
+  add_spreads(page, figures, merged);
+  add_groups(page, merged, figures);
+  add_correlations(page, figures, merged);
+  add_worst(page, figures, merged);
   if (const Rows rows = refused_rows(merged); rows.size() > 1) {
     page.heading("Refused");
     page.table(rows, "Runs whose sampled values no robot or configuration can have");
   }
+  page.heading("Specification");
   page.folded("spec.toml", spec_text);
   return page.text();
 }

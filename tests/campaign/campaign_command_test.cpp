@@ -87,6 +87,8 @@ TEST_F(Campaign, InAnyOrderAndBySeveralProgramsAtOnceComesOutTheSame) {
   EXPECT_EQ(merged_a, merged("b"));
   EXPECT_EQ(read("a/runs.csv"), read("b/runs.csv"));
   EXPECT_THAT(read("a/index.html"), HasSubstr("6 of 6 driven runs completed"));
+  EXPECT_THAT(read("a/index.html"), HasSubstr("<dt>driven with</dt><dd>tp100-sim "));
+  EXPECT_THAT(read("a/index.html"), HasSubstr("<dt>begun</dt>"));
 }
 
 TEST_F(Campaign, KilledInTheMiddleIsTakenUpWhereItWas) {

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include "sim/campaign/shown_figures.h"
 
 namespace tp100::sim {
 namespace {
@@ -161,6 +164,47 @@ TEST(Merge, ThePageHasTablesAndChartsForWhatThereIs) {
                            "rank correlation", "Worst completed runs", "runs = 6"})
     EXPECT_THAT(page, HasSubstr(part));
   EXPECT_THAT(merge_page(merge(spec(), {}), ""), HasSubstr("6 missing"));
+}
+
+TEST(MergePage, BeginsWithVerdictAndFacts) {
+  const std::string page = merge_page(merge(spec(), runs_of({0, 1, 2, 3, 4, 5})), "x",
+                                      {{"begun", "2026-05-31 14:05 UTC"}, {"course", "3"}});
+  const std::string top = page.substr(0, page.find("<h2"));
+  EXPECT_THAT(top, HasSubstr("<p class='verdict good'>6 of 6 driven runs completed"));
+  EXPECT_THAT(top, HasSubstr("<dt>begun</dt><dd>2026-05-31 14:05 UTC</dd>"));
+  EXPECT_THAT(merge_page(merge(spec(), runs_of({0})), "x"), HasSubstr("<p class='verdict bad'>"));
+}
+
+TEST(MergePage, ShowsEveryFigureInItsUnitWithABoxForEveryListedValue) {
+  const std::string page = merge_page(merge(spec(), runs_of({0, 1, 2, 3, 4, 5})), "x");
+  // 0 to 5 cm.
+  EXPECT_THAT(page, HasSubstr("<td>Model: largest position error [cm]</td><td>6</td><td>2.50 ("));
+  for (const char* part : {"all (6)</text>", "a (3)</text>", "b (3)</text>"})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_THAT(page, HasSubstr(">Duration of the run [s]</text>"));
+}
+
+TEST(MergePage, HasAChartForEveryStrongCorrelationAndSaysWhatIsStrong) {
+  EXPECT_TRUE(is_strong(-0.61, 100));
+  EXPECT_FALSE(is_strong(0.6, 100));
+  EXPECT_FALSE(is_strong(0.85, 6)) << "chance alone gives as much";
+  EXPECT_FALSE(is_strong(1.0, 1));
+  const std::string page = merge_page(merge(spec(), runs_of({0, 1, 2, 3, 4, 5})), "x");
+  EXPECT_THAT(page, HasSubstr("above 0.6"));
+  EXPECT_THAT(page, HasSubstr("+1.00 strong"));
+  EXPECT_THAT(page, HasSubstr("Model: largest position error against control.gain</figcaption>"));
+  EXPECT_THAT(page, HasSubstr(">control.gain</text>"));
+  EXPECT_THAT(merge_page(merge(spec(), runs_of({0, 1, 2})), "x"), HasSubstr("None is."));
+}
+
+TEST(MergePage, SaysHowToDriveTheWorstRunsAgain) {
+  std::vector<MergedRun> runs = runs_of({0, 1, 5});
+  runs.push_back(parse_run_file(failed_file_of(2, "tilt"), ""));
+  std::ranges::sort(runs, {}, &MergedRun::index);
+  const std::string page = merge_page(merge(spec(), std::move(runs)), "x");
+  for (const char* index : {"2", "5"})
+    EXPECT_THAT(page, HasSubstr("tp100-sim campaign spec.toml --out again --index " +
+                                std::string(index) + " --record again"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "text/atomic_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -47,6 +48,15 @@ TEST_F(AtomicFile, WritesAndReplacesWithoutLeavingAnythingElse) {
   write_file(path.string(), "2");
   EXPECT_EQ(read(path), "2");
   EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFile, TellsWhenAFileWasWritten) {
+  const std::string path = folder_.file("out.csv");
+  EXPECT_EQ(written_unix_s(path), 0);
+  write_file(path, "x");
+  const timespec times[2] = {{.tv_sec = 1, .tv_nsec = 0}, {.tv_sec = 1780236300, .tv_nsec = 0}};
+  ASSERT_EQ(::utimensat(AT_FDCWD, path.c_str(), times, 0), 0);
+  EXPECT_EQ(written_unix_s(path), 1780236300);
 }
 
 TEST_F(AtomicFile, IsAsReadableAsAnyOtherNewFile) {

@@ -1,6 +1,6 @@
 // The offline pages that the programs write, opened from their files at the sizes and in the schemes of their readers.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import axe from 'axe-core';
@@ -26,6 +26,13 @@ beforeAll(async () => {
   run('tp100-sim', 'course', '1-straight', '--camera', '--runs', '2', '--record', 'runs', '--json');
   run('tp100d', 'report', 'runs/1-straight-end-loaded-1');
   run('tp100d', 'compare', 'runs/1-straight-end-loaded-1', 'runs/1-straight-end-loaded-2', '--out', 'compared');
+  writeFileSync(
+    join(folder, 'spec.toml'),
+    'runs = 12\ncourse = "1-straight"\n[configuration]\ncontrol.law = { list = ["stanley", "lqr"] }\n' +
+      '[robot_values]\nemulated.imu.gyro_scale_error = { normal = [0.0, 0.01] }\n',
+  );
+  run('tp100-sim', 'campaign', 'spec.toml', '--out', 'campaign');
+  run('tp100-sim', 'merge', 'campaign');
 });
 
 afterAll(async () => {
@@ -59,6 +66,7 @@ async function open(file: string, size: Size, scheme: 'light' | 'dark'): Promise
 const kPages = [
   ['the report of a run', 'runs/1-straight-end-loaded-1/report.html'],
   ['the comparison of runs', 'compared/compare.html'],
+  ['the page of a campaign', 'campaign/index.html'],
 ] as const;
 
 describe.each(kPages)('%s', (_, file) => {
