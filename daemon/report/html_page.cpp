@@ -146,9 +146,12 @@ void HtmlPage::table(const Rows& rows, const std::string& caption) {
 }
 
 void HtmlPage::figures(const std::vector<std::string>& svgs, const std::string& caption) {
-  body_ += svgs.size() > 1 ? "<figure class='wide'>" : "<figure>";
+  const std::string text = "<figcaption>" + escaped(caption) + "</figcaption>";
+  const bool several = svgs.size() > 1;
+  // Above several figures, a caption says what all of them are of.
+  body_ += several ? "<figure class='wide'>" + text : "<figure>";
   for (const std::string& figure : svgs) body_ += figure;
-  body_ += "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+  body_ += (several ? "" : text) + "</figure>\n";
 }
 
 void HtmlPage::folded(const std::string& name, const std::string& text) {

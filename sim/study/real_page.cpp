@@ -73,11 +73,11 @@ const RealForm& form_of(const RealStudy& study, const std::string& name) {
 
 std::string yaw_chart(const RealStudy& study) {
   std::vector<report::ChartSeries> series;
-  for (const auto& [name, source] :
-       {std::pair{kPaperFitted, PoseSource::kModel}, std::pair{kBothSpeeds, PoseSource::kFused}}) {
+  for (const auto& [name, colour] : {std::pair{kPaperFitted, report::kPathColour},
+                                     std::pair{kBothSpeeds, report::kValueColour}}) {
     report::ChartSeries& one = series.emplace_back();
     one.name = name;
-    one.colour = report::colour_of(source);
+    one.colour = colour;
     one.marks = true;
     for (const auto& [difference_mps, error_radps] : form_of(study, name).yaw_errors)
       one.points.emplace_back(difference_mps, error_radps * kDegPerRad);
@@ -135,8 +135,9 @@ void write_real(report::HtmlPage& page, const std::vector<RealStudy>& studies) {
     page.table(form_rows(study),
                format("%s: fitted on %s of %d, judged on the rest.", study.robot.c_str(),
                       study.splits[0].c_str(), study.motions));
-    page.table(split_rows(study), study.figures[0] + ", by what the form was fitted on.");
-    page.figures({yaw_chart(study)}, "Motions that were judged.");
+    page.table(split_rows(study),
+               study.robot + ": " + study.figures[0] + ", by what the form was fitted on.");
+    page.figure(yaw_chart(study), study.robot + ": the motions that were judged.");
     for (const char* name : {kExtendedFitted, kBothSpeeds})
       page.table(constant_rows(form_of(study, name)),
                  format("%s, %s. SI. A constant that the data do not show stays near where its fit "

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/angle.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/path.h"
@@ -225,6 +226,8 @@ int run_reproduce(const ReproduceCommand& command) {
   what.reference = reference;
   what.runs = command.runs;
   what.seed = command.seed;
+  what.date = text::utc_minute(unix_now_ns() / kNsPerS);
+  what.program = "tp100-sim " TP100_VERSION;
   if (shear && all) what.studies = study_shear(command.out, command.seed, command.runs);
   if (wanted("paper")) drive_paper(command, what);
   if (wanted("state")) {

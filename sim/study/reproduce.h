@@ -40,6 +40,7 @@ struct Reproduction {
   std::vector<RealStudy> real;  ///< their figures with limits are in `studies`
   int runs = 0;
   std::uint64_t seed = 1;
+  std::string date = {}, program = {};  ///< when and with what it was driven
 };
 
 /// Largest difference between measured slip and the paper's table.

@@ -268,10 +268,65 @@ TEST(Reproduction, SaysWhichLimitDoesNotHold) {
   EXPECT_EQ(json["studies"][0]["paper"]["max_position_error_cm"], 1.2028);
 }
 
+TEST(Reproduction, ThePageSaysFirstWhatItCameTo) {
+  Reproduction what = made_up(0.5);
+  what.date = "2026-05-31 14:05 UTC";
+  what.program = "tp100-sim 1.2.3";
+  const std::string page = reproduction_page(what);
+  const std::string top = page.substr(0, page.find("<h2"));
+  for (const char* part : {"<p class='verdict good'>2 of 2 limits hold; every run was completed.",
+                           "2026-05-31 14:05 UTC", "tp100-sim 1.2.3", "end-loaded"})
+    EXPECT_THAT(top, HasSubstr(part));
+  EXPECT_THAT(
+      reproduction_page(made_up(0.7)),
+      HasSubstr("<p class='verdict bad'>1 of 2 limits hold; every run was completed. Exceeded: "
+                "1-curve flat end-loaded fused max on the level."));
+}
+
+TEST(Reproduction, ThePageTellsLimitsInWordsAndExplainsItsOwn) {
+  // The figure, its limit, and what that comes to.
+  EXPECT_THAT(reproduction_page(made_up(0.5)),
+              HasSubstr("<td>0.50</td><td>0.60</td><td class='t'>holds</td><td>0.50</td>"));
+  const std::string missed = reproduction_page(made_up(0.7));
+  EXPECT_THAT(missed, HasSubstr("<td class='missed'>0.70</td><td>0.60</td>"
+                                "<td class='missed t'>exceeded</td>"));
+  for (const char* word : {"Hardware in the loop (HIL)", "<td>terrain</td>", "<td>stand</td>",
+                           "A limit applies to the median"})
+    EXPECT_THAT(missed, HasSubstr(word));
+}
+
+TEST(Reproduction, ShowsErrorsOverTimeAndNoCaptionTwice) {
+  Reproduction what = made_up(0.5);
+  report::RunResult& run = what.studies[0].shown.result;
+  run.has_camera = true;
+  for (int i = 0; i < 10; ++i) {
+    report::TrajectoryPoint& point = run.points.emplace_back();
+    point.t_s = i;
+    point.truth.x_m = 0.1 * i;
+    for (Pose& pose : point.estimates.values) pose = point.truth;
+    point.estimates[PoseSource::kModel].y_m = 0.01 * i;
+  }
+  what.studies.push_back(what.studies[0]);
+  what.studies.back().setup = "stand";
+  const std::string page = reproduction_page(what);
+  const auto times = [&](const std::string& part) {
+    int count = 0;
+    for (std::size_t at = 0; (at = page.find(part, at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_EQ(times("aria-label='Path'"), 2);
+  EXPECT_EQ(times("aria-label='Position error'"), 1) << "on a stand nothing is known of errors";
+  EXPECT_EQ(times("aria-label='Yaw error'"), 1);
+  EXPECT_EQ(times("Course 1-curve, flat: seed"), 1);
+  EXPECT_EQ(times("Course 1-curve, stand: seed"), 1);
+  EXPECT_GE(times("stroke-opacity='.45'"), 4) << "the truth is a band";
+}
+
 TEST(Reproduction, ShowsThePaperBesideEqs15AndTheExtendedModel) {
   const Reproduction what = made_up(0.5);
-  EXPECT_THAT(reproduction_page(what),
-              HasSubstr("<td>1.20</td><td>-</td><td>5.00</td><td>0.20</td><td>0.50</td>"));
+  EXPECT_THAT(
+      reproduction_page(what),
+      HasSubstr("<td>1.20</td><td>-</td><td>5.00</td><td>0.20</td><td>0.50 (limit 0.60)</td>"));
   // Of two metres.
   EXPECT_THAT(reproduction_table(what), HasSubstr("2.50 / 2.50"));
   EXPECT_THAT(reproduction_table(what), HasSubstr("0.10 / 0.10"));

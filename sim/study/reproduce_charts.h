@@ -1,0 +1,18 @@
+#pragma once
+// The charts of the page of a reproduction.
+
+#include <string>
+#include <vector>
+
+#include "sim/study/reproduce.h"
+
+namespace tp100::sim {
+
+/// Of the first run of a study: path, yaw, errors of the estimates over time, and on obstacles the
+/// climb angle. On a stand, where the body stays, without errors.
+std::vector<std::string> run_charts(const CourseStudy& study);
+
+/// Measured slip against slope beside the paper's, of the left and of the right track.
+std::vector<std::string> slope_charts(const Reproduction& what);
+
+}  // namespace tp100::sim
