@@ -1,7 +1,3 @@
-#include <grp.h>
-#include <pwd.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <charconv>
 #include <csignal>
@@ -38,18 +34,6 @@ constexpr std::uint16_t kPagePort = 8765;
 std::atomic<bool> stop{false};
 
 void on_signal(int) { stop = true; }
-
-doctor::Account this_account() {
-  doctor::Account account;
-  const uid_t uid = ::geteuid();
-  const passwd* entry = ::getpwuid(uid);
-  account.name = entry == nullptr ? std::to_string(uid) : entry->pw_name;
-  account.groups.resize(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
-  const int count = ::getgroups(static_cast<int>(account.groups.size()), account.groups.data());
-  account.groups.resize(static_cast<std::size_t>(std::max(0, count)));
-  account.groups.push_back(::getegid());
-  return account;
-}
 
 /// Runs `work` with the privileges of a run's loop, in a thread that ends with them.
 template <class Work>
@@ -120,8 +104,9 @@ void examine_port(Examination& all, const DoctorOptions& options) {
   all.port = doctor::choose_port(all.system, name, link::list_ports());
   append(all.findings, all.port.findings);
   if (all.port.device.empty()) return;
-  append(all.findings, doctor::permission_findings(all.system, all.port.device, this_account(),
-                                                   all.system.usable(all.port.device)));
+  append(all.findings,
+         doctor::permission_findings(all.system, all.port.device, doctor::this_account(),
+                                     all.system.usable(all.port.device)));
   if (!all.port.pseudo_terminal) {
     append(all.findings, doctor::holder_findings(all.system, all.port.device));
     append(all.findings,

@@ -1,6 +1,9 @@
 #include "doctor/port_checks.h"
 
+#include <grp.h>
+#include <pwd.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
@@ -42,11 +45,11 @@ void add_stable_name(const System& system, ChosenPort& port, std::size_t candida
 }  // namespace
 
 ChosenPort choose_port(const System& system, const std::string& port,
-                       const std::vector<link::PortInfo>& ports) {
+                       const std::vector<link::PortInfo>& ports, const std::string& open) {
   const std::vector<link::PortInfo> likely = link::candidates(ports);
   ChosenPort chosen;
-  chosen.path = port;
-  if (port == "auto") {
+  chosen.path = open.empty() ? port : open;
+  if (chosen.path == "auto") {
     const link::AutoChoice choice = link::choose_for_auto(
         ports, true,
         [&](const std::string& path) { return link::port_holder(path, system.file("/proc")); });
@@ -122,6 +125,18 @@ std::string mode_text(mode_t mode) {
 }
 
 }  // namespace
+
+Account this_account() {
+  Account account;
+  const uid_t uid = ::geteuid();
+  const passwd* entry = ::getpwuid(uid);
+  account.name = entry == nullptr ? std::to_string(uid) : entry->pw_name;
+  account.groups.resize(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
+  const int count = ::getgroups(static_cast<int>(account.groups.size()), account.groups.data());
+  account.groups.resize(static_cast<std::size_t>(std::max(0, count)));
+  account.groups.push_back(::getegid());
+  return account;
+}
 
 Findings permission_findings(const System& system, const std::string& device,
                              const Account& account, bool usable) {

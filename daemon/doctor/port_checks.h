@@ -23,9 +23,10 @@ struct ChosenPort {
   Findings findings{};           ///< names: device, by-id
 };
 
-/// `port`: a path, or "auto" for the one of `ports` that `tp100d run` would open.
+/// `port`: a path, or "auto" for the one of `ports` that `tp100d run` would open. `open`: the port
+/// that this process already has open instead; empty: none.
 ChosenPort choose_port(const System& system, const std::string& port,
-                       const std::vector<link::PortInfo>& ports);
+                       const std::vector<link::PortInfo>& ports, const std::string& open = {});
 
 /// udev's name for a device that survives replugging; empty if it has none.
 std::string stable_name(const System& system, const std::string& device);
@@ -40,6 +41,9 @@ struct Account {
   std::string name;
   std::vector<gid_t> groups;  ///< of this session, including the primary one
 };
+
+/// Of this process.
+Account this_account();
 
 /// Whether the account may read and write `device`. `usable` is the result of System::usable; mode
 /// and groups only explain a refusal. Names: permission, group.

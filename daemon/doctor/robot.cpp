@@ -1,6 +1,9 @@
 #include "doctor/robot.h"
 
+#include <array>
+
 #include "core/faults.h"
+#include "doctor/hello.h"
 #include "text/format.h"
 
 namespace tp100::doctor {
@@ -8,6 +11,7 @@ namespace {
 
 using text::format;
 
+constexpr std::uint8_t kFreshSamples = 10;
 constexpr double kFewSamples = 0.5;  // fraction of the expected samples
 // A command lives 200 ms, and the step treats samples as stale long before that.
 constexpr double kOldUs = 20'000.0;
@@ -134,6 +138,28 @@ void add_link(const LinkTest& link, Findings& findings) {
 }
 
 }  // namespace
+
+Percentiles percentiles(const Histogram& times) {
+  const auto us = [&times](double fraction) {
+    return static_cast<double>(times.percentile(fraction)) * 1e-3;
+  };
+  return {us(0.5), us(0.9), us(0.99), static_cast<double>(times.max()) * 1e-3};
+}
+
+void add_hello(wire::Hello hello, Visit& visit) {
+  std::array<std::uint8_t, wire::Hello::kSize> payload{};
+  wire::write_payload(hello, payload.data());
+  const Greeting greeting = read_greeting(payload.data(), payload.size());
+  visit.greeting = greeting.text;
+  visit.ours = greeting.ours;
+}
+
+void add_sample(const Sample& sample, Visit& visit) {
+  visit.faults = sample.faults;
+  visit.battery_v = sample.battery_v;
+  visit.imu_fresh = sample.imu_age < kFreshSamples;
+  visit.up_mps2 = sample.accel_mps2[2];
+}
 
 Findings robot_findings(const Visit& visit) {
   if (!visit.open_error.empty()) {

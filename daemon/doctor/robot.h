@@ -7,8 +7,11 @@
 #include <string>
 
 #include "core/faults.h"
+#include "core/histogram.h"
 #include "core/link_state.h"
+#include "core/sample.h"
 #include "doctor/finding.h"
+#include "wire/messages.h"
 
 namespace tp100::doctor {
 
@@ -19,6 +22,9 @@ struct Percentiles {
   double p99_us = 0.0;
   double max_us = 0.0;
 };
+
+/// Of a histogram of nanoseconds.
+Percentiles percentiles(const Histogram& times);
 
 /// Statistics over an interval of samples and of zero commands.
 struct LinkTest {
@@ -57,6 +63,10 @@ struct Visit {
   double up_mps2 = 0.0;  ///< specific force along the IMU's z axis, at standstill
   std::optional<LinkTest> link{};
 };
+
+// Parts of a visit, of the newest hello and of the newest sample.
+void add_hello(wire::Hello hello, Visit& visit);
+void add_sample(const Sample& sample, Visit& visit);
 
 /// Names: firmware, start, bootloader, parameters, session, reboots, motors, fault, battery, imu,
 /// link, clock; open for a port that cannot be opened.

@@ -31,14 +31,6 @@ constexpr double kHandshakeS = 4.0;
 constexpr double kBootloaderS = 2.0;
 // Enough time to detect a bad sensor or a low battery.
 constexpr double kLookS = 0.2;
-constexpr std::uint8_t kFreshSamples = 10;
-
-doctor::Percentiles percentiles(const Histogram& times) {
-  const auto us = [&times](double fraction) {
-    return static_cast<double>(times.percentile(fraction)) * 1e-3;
-  };
-  return {us(0.5), us(0.9), us(0.99), static_cast<double>(times.max()) * 1e-3};
-}
 
 doctor::LinkTest test_link(RobotTalk& talk, double duration_s) {
   Histogram age;
@@ -68,14 +60,6 @@ doctor::LinkTest test_link(RobotTalk& talk, double duration_s) {
   return test;
 }
 
-void read_hello(wire::Hello hello, doctor::Visit& visit) {
-  std::array<std::uint8_t, wire::Hello::kSize> payload{};
-  wire::write_payload(hello, payload.data());
-  const Greeting greeting = read_greeting(payload.data(), payload.size());
-  visit.greeting = greeting.text;
-  visit.ours = greeting.ours;
-}
-
 void listen(RobotTalk& talk, const VisitOptions& options, doctor::Visit& visit) {
   const link::Session& session = talk.session();
   const auto in_state = [&session](SessionState state) { return session.state() == state; };
@@ -89,18 +73,14 @@ void listen(RobotTalk& talk, const VisitOptions& options, doctor::Visit& visit) 
   // Foreign bytes never end a frame and may not have been counted as corrupted yet: count them all.
   visit.bytes_in = session.counters().bytes_in;
   visit.frames_in = session.counters().frames_in;
-  if (talk.greeted()) read_hello(session.hello(), visit);
+  if (talk.greeted()) add_hello(session.hello(), visit);
   if (talk.refused_parameter() >= 0)
     visit.refused = bridge::parameter_name(static_cast<unsigned>(talk.refused_parameter()));
   if (visit.ready) {
     talk.turn(kLookS, [] { return false; });
     if (options.link_test_s > 0.0) visit.link = test_link(talk, options.link_test_s);
-    const Sample& newest = talk.newest();
-    visit.faults = newest.faults;
-    visit.battery_v = newest.battery_v;
+    add_sample(talk.newest(), visit);
     visit.moved_unasked = talk.moved_unasked();
-    visit.imu_fresh = newest.imu_age < kFreshSamples;
-    visit.up_mps2 = newest.accel_mps2[2];
   }
   visit.reboots = session.counters().reboots;
 }

@@ -31,6 +31,12 @@ TEST_F(Port, IsTheLikeliestOneWithItsStableName) {
   EXPECT_EQ(find(port.findings, "by-id").seen, "/dev/serial/by-id/usb-Arduino-7583");
 }
 
+TEST_F(Port, IsTheOneThatIsOpenWhateverElseIsPluggedIn) {
+  const ChosenPort port = choose_port(fake_.system(), "auto", {}, kDevice);
+  EXPECT_EQ(port.path, kDevice);
+  EXPECT_EQ(port.device, kDevice);
+}
+
 TEST_F(Port, IsFoundBehindALink) {
   fake_.link("/dev/robot", "ttyACM0");
   const ChosenPort port = choose_port(fake_.system(), "/dev/robot", {FakeSystem::mega()});
