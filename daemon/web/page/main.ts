@@ -18,11 +18,12 @@ import { kSubprotocols } from '../foxglove/codec.ts';
 import { AlertChoice } from '../panel/alert_choice.ts';
 import { Controls, type Command } from '../panel/controls.ts';
 import { CourseList } from '../panel/course_list.ts';
-import { h, setAttribute, setText } from '../panel/dom.ts';
+import { h } from '../panel/dom.ts';
 import { DrivePanel } from '../panel/drive_panel.ts';
 import { Drawer } from '../panel/drawer.ts';
 import { EventLog } from '../panel/event_log.ts';
 import { Histogram } from '../panel/histogram.ts';
+import { Identity } from '../panel/identity.ts';
 import { keyList } from '../panel/key_list.ts';
 import { LinkTable } from '../panel/link_table.ts';
 import { Notice } from '../panel/notice.ts';
@@ -40,11 +41,12 @@ import { kModes, Viewport } from '../panel/viewport.ts';
 import { Player } from '../replay/player.ts';
 import { loadRecording } from '../replay/recording.ts';
 import { past } from '../state/past.ts';
-import type { Estimate, Link, Slip, State, Topic } from '../state/messages.ts';
+import type { Estimate, Slip, State, Topic } from '../state/messages.ts';
 import type { SetupCall } from '../state/setup.ts';
 import { StopButton } from '../state/stop.ts';
 import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
+import { everyFrame } from './schedule.ts';
 
 const kTopics: Topic[] = [
   '/state',
@@ -268,12 +270,11 @@ const drawer = new Drawer([
   { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
 ]);
 
-const badge = h('span', { class: 'badge' });
-const setting = h('span', { class: 'setting' });
+const identity = new Identity();
 const header = h(
   'header',
   { class: 'bar' },
-  h('div', { class: 'identity' }, h('h1', {}, 'TP100'), setting, badge),
+  identity.element,
   status.element,
   controls.element,
   stopPanel.element,
@@ -345,55 +346,34 @@ document.addEventListener('visibilitychange', () => {
 });
 window.addEventListener('gamepaddisconnected', () => { driver.tick(); });
 
-/** What the robot on the port is; empty while it is not known. */
-function robotText(kind?: Link['kind']): string {
-  return kind === 'simulated' ? 'simulated inside the board' : kind ?? '';
-}
-
-function identity(): void {
-  const state = live.get('/state');
-  const parts = [state?.robot ?? metadata.robot, state?.setup ?? metadata.setup].filter(Boolean);
-  setText(setting, parts.join(' \u00b7 '));
-  const title = state === undefined ? 'TP100' : `${state.run} \u00b7 TP100`;
-  if (document.title !== title) document.title = title;
-  const kind = live.get('/link')?.kind;
-  setText(badge, robotText(kind));
-  setAttribute(badge, 'data-kind', kind ?? '');
-}
-
 let last_ms = performance.now();
-const due = { view: 0, numbers: 0, plots: 0, chips: 0 };
-function frame(now_ms: number): void {
-  stopPanel.show(stop.view(performance.now()));
-  if (now_ms >= due.view) {
-    due.view = now_ms + kView_ms;
-    const dt_s = Math.min((now_ms - last_ms) / 1000, 0.5);
-    last_ms = now_ms;
-    player?.tick(dt_s);
-    viewport.draw(shown, dt_s);
-    editor.tick(now_ms, courses.changeable);
-  }
-  if (now_ms >= due.numbers) {
-    due.numbers = now_ms + kNumbers_ms;
+everyFrame([
+  { period_ms: 0, run: () => { stopPanel.show(stop.view(performance.now())); } },
+  { period_ms: kView_ms, run: view },
+  { period_ms: kNumbers_ms, run: () => {
     numbers.show(shown);
     timeline.show(shown);
     transport.show();
-  }
-  if (now_ms >= due.plots) {
-    due.plots = now_ms + kPlots_ms;
-    plots.show(shown);
-  }
-  if (now_ms >= due.chips) {
-    due.chips = now_ms + kChips_ms;
-    status.show(live, client.ready);
-    controls.show(live, client.ready, mayCommand());
-    drive.show(live, client.ready, mayCommand());
-    notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms, shown !== live);
-    histogram.show(shown);
-    drawer.show();
-    demand();
-    identity();
-  }
-  requestAnimationFrame(frame);
+  } },
+  { period_ms: kPlots_ms, run: () => { plots.show(shown); } },
+  { period_ms: kChips_ms, run: chips },
+]);
+
+function view(now_ms: number): void {
+  const dt_s = Math.min((now_ms - last_ms) / 1000, 0.5);
+  last_ms = now_ms;
+  player?.tick(dt_s);
+  viewport.draw(shown, dt_s);
+  editor.tick(now_ms, courses.changeable);
 }
-requestAnimationFrame(frame);
+
+function chips(now_ms: number): void {
+  status.show(live, client.ready);
+  controls.show(live, client.ready, mayCommand());
+  drive.show(live, client.ready, mayCommand());
+  notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms, shown !== live);
+  histogram.show(shown);
+  drawer.show();
+  demand();
+  identity.show(live, metadata);
+}

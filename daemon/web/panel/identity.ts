@@ -1,0 +1,27 @@
+// Which robot this page belongs to, in the header and in the browser's tab.
+import type { Link } from '../state/messages.ts';
+import type { Store } from '../state/store.ts';
+import { h, setAttribute, setText } from './dom.ts';
+
+export class Identity {
+  private readonly badge = h('span', { class: 'badge' });
+  private readonly setting = h('span', { class: 'setting' });
+  readonly element = h('div', { class: 'identity' }, h('h1', {}, 'TP100'), this.setting, this.badge);
+
+  /** `metadata`: what the daemon said when this page connected. */
+  show(store: Store, metadata: { robot?: string; setup?: string }): void {
+    const state = store.get('/state');
+    const parts = [state?.robot ?? metadata.robot, state?.setup ?? metadata.setup].filter(Boolean);
+    setText(this.setting, parts.join(' \u00b7 '));
+    const title = state === undefined ? 'TP100' : `${state.run} \u00b7 TP100`;
+    if (document.title !== title) document.title = title;
+    const kind = store.get('/link')?.kind;
+    setText(this.badge, robotText(kind));
+    setAttribute(this.badge, 'data-kind', kind ?? '');
+  }
+}
+
+/** What the robot on the port is; empty while it is not known. */
+function robotText(kind?: Link['kind']): string {
+  return kind === 'simulated' ? 'simulated inside the board' : kind ?? '';
+}
