@@ -22,8 +22,8 @@ daemon/messages/CHANNELS.md; this file speaks the protocol, knows a few of them 
         print(robot.report_run(run))                # the address of its report
 
 As a program:  tp100_client.py [--at HOST:PORT] pose | state | start | stop | wait | drive SPEED YAW_RATE SECONDS
-                   | runs | name RUN NAME | delete RUN | report RUN | compare RUN RUN
-It ends with status 0, with 1 if the daemon refuses or a run is aborted, with 2 if there is no daemon.
+                   | doctor | runs | name RUN NAME | delete RUN | report RUN | compare RUN RUN
+It ends with status 0, with 1 if the daemon refuses, a run is aborted or doctor finds an error, with 2 if there is no daemon.
 """
 import argparse
 import json
@@ -41,6 +41,8 @@ SUBPROTOCOLS = ["foxglove.sdk.v1", "foxglove.websocket.v1"]
 INPUT_PERIOD_S = 0.03
 # The daemon ends a report that takes longer.
 REPORT_S = 600.0
+# A silent robot is given up after 5 s; a slow disk takes longer.
+DOCTOR_S = 60.0
 
 
 class Refused(Exception):
@@ -176,6 +178,12 @@ class Robot:
         a robot that is still coming to rest."""
         self._when_possible("drive", patience_s)
         return Wheel(self)
+
+    def examine(self):
+        """What `tp100d doctor` finds, while no run is under way: a list of {"severity", "name", "seen", "fix"}, with
+        severity "ok", "note", "warning" or "error". Nothing moves."""
+        return [finding for part in ("port", "robot", "machine")
+                for finding in self.call("doctor", wait_s=DOCTOR_S, part=part)["findings"]]
 
     # Its recordings.
 
@@ -353,6 +361,13 @@ def drive(robot, speed_mps, yaw_rate_radps, duration_s):
         wheel.drive(float(speed_mps), float(yaw_rate_radps), float(duration_s))
 
 
+def doctor(robot):
+    findings = robot.examine()
+    for finding in findings:
+        print("\t".join([finding["severity"], finding["name"], finding["seen"], finding["fix"]]))
+    return 1 if any(finding["severity"] == "error" for finding in findings) else 0
+
+
 def runs(robot):
     for run in robot.runs():
         print("\t".join([run["run"], str(run["bytes"]), run["name"], run["tags"]]))
@@ -374,7 +389,7 @@ def compare(robot, run, other):
     print(robot.compare_runs(run, other))
 
 
-COMMANDS = {each.__name__: each for each in (pose, state, start, stop, wait, drive, runs, name, delete, report, compare)}
+COMMANDS = {each.__name__: each for each in (pose, state, start, stop, wait, drive, doctor, runs, name, delete, report, compare)}
 
 
 def main():

@@ -25,6 +25,7 @@
 #include "loop/fixed_rate_loop.h"
 #include "loop/real_time.h"
 #include "runs/run_archive.h"
+#include "selftest/self_test.h"
 #include "server/server.h"
 #include "text/toml_document.h"
 #include "web/bundle.h"
@@ -177,7 +178,8 @@ int run_run(const RunOptions& options) {
   settings.black_box = &black_box;
   live::SetupChanger setup({files, run}, cycle);
   runs::RunArchive runs(archive_settings(configuration.record, recording));
-  live::LiveControls controls(cycle, loop, recording, setup, runs);
+  selftest::SelfTest self_test(configuration, run.robot);
+  live::LiveControls controls(cycle, loop, recording, setup, runs, self_test);
   const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
                             std::string_view json) { recording.hear(channel, unix_ns, json); };
   const std::unique_ptr<server::Server> server =
@@ -200,6 +202,7 @@ int run_run(const RunOptions& options) {
     plot.emplace(configuration.server.plot, clock, config::run_context_of(run));
   live::Supervisor supervisor(settings, cycle, loop);
   if (plot) supervisor.add_sink(*plot);
+  supervisor.add_sink(self_test);
   for (messages::Sink* sink : options.sinks) supervisor.add_sink(*sink);
   try {
     return supervisor.run();

@@ -7,7 +7,9 @@
 
 #include "config/parameter_file.h"
 #include "core/angle.h"
+#include "core/board.h"
 #include "course/robot.h"
+#include "live/live_events.h"
 #include "text/key.h"
 
 namespace tp100::live {
@@ -200,13 +202,18 @@ messages::PortFigures LiveControls::port() {
   return port_;
 }
 
-void LiveControls::set_port(messages::PortFigures port) {
+void LiveControls::set_session(const SessionReport& report, const std::string& path,
+                               bool pseudo_terminal) {
+  self_test_.hear(report.event, report.hello, {path, pseudo_terminal});
+  const bool greeted = report.hello.boot_nonce != 0;
   const std::lock_guard lock(mutex_);
-  port.note = std::move(port_.note);
-  port_ = std::move(port);
+  port_.path = path;
+  port_.kind = robot_kind(pseudo_terminal, report.hello.board);
+  port_.firmware = greeted ? firmware_text(report.hello) : std::string();
 }
 
 void LiveControls::note_port(const std::string& line) {
+  self_test_.note_port(line);
   const std::lock_guard lock(mutex_);
   port_.note = line;
 }
@@ -224,6 +231,7 @@ StartConsent LiveControls::start_consent() {
 }
 
 void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
+  self_test_.set_grants(grants);
   const std::lock_guard lock(mutex_);
   for (const loop::Grant& grant : grants) privileges_.emplace_back(grant.what, grant.granted);
 }

@@ -2,6 +2,7 @@
 // Passes viewers' requests to the real-time loop, and provides what only the loop and the ports
 // know.
 
+#include <chrono>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "loop/fixed_rate_loop.h"
 #include "messages/parameter_text.h"
 #include "runs/run_archive.h"
+#include "selftest/self_test.h"
 #include "server/controls.h"
 
 namespace tp100::live {
@@ -23,8 +25,13 @@ class LiveControls : public server::Controls {
  public:
   /// All must outlive the controls.
   LiveControls(LiveCycle& cycle, const loop::FixedRateLoop& loop, LiveRecording& recording,
-               SetupChanger& setup, runs::RunArchive& runs)
-      : cycle_(cycle), loop_(loop), recording_(recording), setup_(setup), runs_(runs) {}
+               SetupChanger& setup, runs::RunArchive& runs, selftest::SelfTest& self_test)
+      : cycle_(cycle),
+        loop_(loop),
+        recording_(recording),
+        setup_(setup),
+        runs_(runs),
+        self_test_(self_test) {}
 
   // The server's thread, or another one whose clients drive:
   std::string start() override { return request_start(OperatorRequest::kStart); }
@@ -64,14 +71,17 @@ class LiveControls : public server::Controls {
     setup_.restore_parameters(check, answer);
   }
   void manage_run(const server::RunRequest& request, Answer answer) override;
+  void examine(server::DoctorPart part, Answer answer) override {
+    self_test_.examine(part, std::move(answer));
+  }
   messages::LoopFigures loop() override;
   messages::PortFigures port() override;
   messages::RecordingFigures recording() override;
   StartConsent start_consent() override;  // any thread
 
   // The supervisor's thread:
-  /// Keeps the note.
-  void set_port(messages::PortFigures port);
+  /// Of the robot on the port in use, or the last one.
+  void set_session(const SessionReport& report, const std::string& path, bool pseudo_terminal);
   /// A line about the search for the port.
   void note_port(const std::string& line);
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
@@ -79,6 +89,10 @@ class LiveControls : public server::Controls {
   void set_grants(const std::vector<loop::Grant>& grants);
   /// The program is ending: refuses further starts.
   void end();
+  /// See SelfTest::idle_by().
+  bool examined_by(std::chrono::steady_clock::time_point deadline) {
+    return self_test_.idle_by(deadline);
+  }
 
  private:
   std::string request(OperatorRequest request);
@@ -90,6 +104,7 @@ class LiveControls : public server::Controls {
   LiveRecording& recording_;
   SetupChanger& setup_;
   runs::RunArchive& runs_;
+  selftest::SelfTest& self_test_;
   std::mutex mutex_;
   messages::PortFigures port_{};
   StartFacts start_{};

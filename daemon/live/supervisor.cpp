@@ -177,7 +177,9 @@ void Supervisor::State::finish_files() {
              "; check the disks, tp100d recover makes recordings whole");
   }
   print_summary(figures);
-  if (recorded && written && answered && !settings.server->waits_for_disk()) return;
+  const bool examined = wait([&](auto by) { return settings.controls->examined_by(by); });
+  const bool all = recorded && written && answered && examined;
+  if (all && !settings.server->waits_for_disk()) return;
   // The threads that wait for the disk cannot be joined.
   log.flush();
   std::_Exit(status);
@@ -204,9 +206,7 @@ void Supervisor::State::serve(const SessionReport& report) {
   if (acknowledges_stop(report.event)) settings.server->stop_answered(report.event.at_ns);
   const bool greeted = report.hello.boot_nonce != 0;
   const bool emulator = greeted && is_emulator(connector.pseudo_terminal(), report.hello.board);
-  settings.controls->set_port({.path = connector.path(),
-                               .kind = robot_kind(connector.pseudo_terminal(), report.hello.board),
-                               .firmware = greeted ? firmware_text(report.hello) : std::string()});
+  settings.controls->set_session(report, connector.path(), connector.pseudo_terminal());
   settings.controls->set_start({.emulator = emulator,
                                 .go = settings.go,
                                 .service = !service.socket.empty(),

@@ -42,6 +42,9 @@ struct ParameterSave {
   bool check = false;  ///< says what would change, and writes nothing
 };
 
+/// What is examined at a time, in the order of `tp100d doctor`.
+enum class DoctorPart { kPort, kRobot, kMachine };
+
 /// What is done with a recorded run.
 struct RunRequest {
   enum class What { kNote, kDelete, kReport, kCompare };
@@ -105,6 +108,8 @@ class Controls {
   /// Exchanges the configuration file and the one that the last save has kept.
   virtual void restore_parameters(bool check, Answer answer) = 0;
   virtual void manage_run(const RunRequest& request, Answer answer) = 0;
+  /// Answers with what `tp100d doctor` finds; nothing moves.
+  virtual void examine(DoctorPart part, Answer answer) = 0;
 
   // Figures known outside the server; cheap enough to be polled.
   virtual messages::LoopFigures loop() = 0;

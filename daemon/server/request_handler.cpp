@@ -252,6 +252,13 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
       if (why.empty()) controls_.manage_run(run, later());
       break;
     }
+    case Service::kDoctor: {
+      DoctorPart part{};
+      why = read_part(*request, part);
+      if (why.empty() && under_way()) why = kUnderWay;
+      if (why.empty()) controls_.examine(part, later());
+      break;
+    }
     case Service::kDriveTake: {
       std::string token;
       why = drive_take(*viewer, now, token);

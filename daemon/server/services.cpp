@@ -117,6 +117,13 @@ const std::vector<Row>& rows() {
        {"run", "with"},
        R"({"run":"","with":""})",
        R"({"run":"","url":""})"},
+      {Service::kDoctor,
+       "doctor",
+       "Doctor",
+       {"part"},
+       R"({"part":""})",
+       R"({"port":"","errors":1,"warnings":1,"notes":1,)"
+       R"("findings":[{"severity":"","name":"","seen":"","fix":""}]})"},
   };
   return kRows;
 }
@@ -210,6 +217,20 @@ std::string read_file(const Arguments& arguments, SetupFile& file) {
     if (const bool* replace = std::get_if<bool>(&field.value)) file.replace = *replace;
   if (text::is_file_name(file.name)) return {};
   return kNameRule;
+}
+
+std::string read_part(const Arguments& arguments, DoctorPart& part) {
+  const std::string name = text_of(arguments, "part").value_or("");
+  if (name == "port") {
+    part = DoctorPart::kPort;
+  } else if (name == "robot") {
+    part = DoctorPart::kRobot;
+  } else if (name == "machine") {
+    part = DoctorPart::kMachine;
+  } else {
+    return "part is \"port\", \"robot\" or \"machine\"";
+  }
+  return {};
 }
 
 std::string read_check(const Arguments& arguments, bool& check) {

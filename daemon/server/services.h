@@ -38,6 +38,7 @@ enum class Service : std::uint32_t {
   kRunDelete,
   kRunReport,
   kRunCompare,
+  kDoctor,
 };
 
 /// All of them, in the enum's order.
@@ -63,6 +64,8 @@ std::string read_run(Service service, const Arguments& arguments, RunRequest& re
 std::string read_parameters(const Arguments& arguments,
                             const std::vector<messages::ParameterText>& known,
                             ParameterSave& asked);
+/// Of doctor.
+std::string read_part(const Arguments& arguments, DoctorPart& part);
 /// Of parameters_restore.
 std::string read_check(const Arguments& arguments, bool& check);
 

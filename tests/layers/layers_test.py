@@ -19,6 +19,7 @@ LAYERS = [
     'record sim/board',
     'config runs sim/faults',
     'server identify report doctor camera ros2',
+    'selftest',
     'live',
     'app sim/robot',
     'sim/study sim/campaign',

@@ -129,6 +129,7 @@ def main():
             manages(at)
             check("x_m" in json.loads(says(0, "--at", at, "pose")), "prints the pose")
             check(json.loads(says(0, "--at", at, "state"))["run"] == "aborted", "prints the state")
+            check("ok\tfirmware\t" in says(0, "--at", at, "doctor"), "examines robot and machine")
             check(says(0, "--at", at, "stop") == "acknowledged\n", "stops")
             watched = tp100_client.Robot(at)
             daemon.send_signal(signal.SIGTERM)

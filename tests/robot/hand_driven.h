@@ -16,6 +16,7 @@
 #include "live/setup_changer.h"
 #include "messages/sink.h"
 #include "ros2/message_types.h"
+#include "selftest/self_test.h"
 #include "server/request_handler.h"
 #include "sim/robot/emulated_robot.h"
 #include "sim/robot/options.h"
@@ -41,7 +42,7 @@ class HandDriven {
         loop_({}, cycle_),
         recording_(files_, run_, {}),
         setup_({files_, run_}, cycle_),
-        controls_(cycle_, loop_, recording_, setup_, runs_),
+        controls_(cycle_, loop_, recording_, setup_, runs_, self_test_),
         publisher_(broker_, messages::Messages(context(), {}), controls_),
         handler_(broker_, publisher_, controls_, {}, "session"),
         robot_({.values = settings.loaded.robot.emulated,
@@ -249,6 +250,7 @@ class HandDriven {
   live::LiveRecording recording_;
   live::SetupChanger setup_;
   runs::RunArchive runs_{{}};
+  selftest::SelfTest self_test_{run_.configuration, run_.robot};
   live::LiveControls controls_;
   live::Ros2Requests ros2_{controls_};
   server::Broker broker_{messages::channel_texts()};

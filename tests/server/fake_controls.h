@@ -104,6 +104,10 @@ class FakeControls : public Controls {
     managed.push_back(request);
     answer(change_refusal, R"({"run":"a"})");
   }
+  void examine(DoctorPart part, Answer answer) override {
+    examined.push_back(part);
+    answer(change_refusal, R"({"port":"/dev/ttyACM0","findings":[]})");
+  }
   messages::LoopFigures loop() override { return {}; }
   messages::PortFigures port() override { return {"/dev/ttyACM0", RobotKind::kPhysical, "0.1.0"}; }
   messages::RecordingFigures recording() override { return record; }
@@ -122,6 +126,7 @@ class FakeControls : public Controls {
   std::vector<ParameterSave> parameters_saved;
   std::vector<bool> restored;
   std::vector<RunRequest> managed;
+  std::vector<DoctorPart> examined;
   std::string change_refusal;
   bool can_record = false, slow_disk = false;
   RecordAnswer unanswered;

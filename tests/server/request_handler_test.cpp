@@ -134,7 +134,7 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
                                      "drive_take", "drive", "drive_release", "choose", "place",
                                      "file_save", "file_delete", "file_check", "pause", "resume",
                                      "parameters_save", "parameters_restore", "run_note",
-                                     "run_delete", "run_report", "run_compare"));
+                                     "run_delete", "run_report", "run_compare", "doctor"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
@@ -276,6 +276,8 @@ TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
   for (const Service service : {Service::kRunNote, Service::kRunDelete, Service::kRunReport})
     call(service, R"({"run":"a"})", only);
   call(Service::kRunCompare, R"({"run":"a","with":"b"})", only);
+  call(Service::kDoctor, R"({"part":"robot"})", only);
+  EXPECT_TRUE(controls_.examined.empty());
   EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty() && controls_.managed.empty());
   call(3, "{}", only);
   EXPECT_EQ(controls_.stops, 1);
@@ -460,6 +462,25 @@ TEST_F(RequestHandlerTest, ArgumentsOfTheServicesOfRunsAreChecked) {
                 HasSubstr(bad.why))
         << bad.request;
   EXPECT_TRUE(controls_.managed.empty());
+}
+
+TEST_F(RequestHandlerTest, TheDoctorExaminesOnePartAtATimeAndNothingDuringARun) {
+  step(ready());
+  for (const char* part : {"port", "robot", "machine"}) {
+    const Heard found = call(Service::kDoctor, std::string(R"({"part":")") + part + R"("})");
+    EXPECT_EQ(answer_of(found.binaries.at(0))["port"], "/dev/ttyACM0");
+  }
+  EXPECT_THAT(controls_.examined,
+              ::testing::ElementsAre(DoctorPart::kPort, DoctorPart::kRobot, DoctorPart::kMachine));
+  for (const char* bad : {"{}", R"({"part":"wheels"})", R"({"part":1})"})
+    EXPECT_THAT(std::string(call(Service::kDoctor, bad).texts.at(0)["message"]),
+                HasSubstr("part is \"port\""));
+  StepRecord running = ready();
+  running.snapshot.run_state = RunState::kRunning;
+  step(running);
+  EXPECT_THAT(std::string(call(Service::kDoctor, R"({"part":"robot"})").texts.at(0)["message"]),
+              HasSubstr("a run is under way"));
+  EXPECT_EQ(controls_.examined.size(), 3U);
 }
 
 TEST_F(RequestHandlerTest, OtherParametersKeepWhatViewersHaveSet) {

@@ -9,6 +9,7 @@ import './drawer.css';
 import './courses.css';
 import './draw.css';
 import './runs.css';
+import './doctor.css';
 import './layout.css';
 import { CourseEditor } from '../draw/editor.ts';
 import { Driver, kPeriod_ms } from '../drive/driver.ts';
@@ -18,6 +19,7 @@ import { kSubprotocols } from '../foxglove/codec.ts';
 import { AlertChoice } from '../panel/alert_choice.ts';
 import { Controls, type Command } from '../panel/controls.ts';
 import { CourseList } from '../panel/course_list.ts';
+import { DoctorPanel } from '../panel/doctor_panel.ts';
 import { h } from '../panel/dom.ts';
 import { DrivePanel } from '../panel/drive_panel.ts';
 import { Drawer } from '../panel/drawer.ts';
@@ -247,6 +249,7 @@ const parameters = new ParameterPanel(
 );
 const signals = new SignalPanel(past);
 const links = new LinkTable();
+const doctor = new DoctorPanel((part) => client.call('doctor', { part }));
 const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
 const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);
 const courses = new CourseList(ask, drawPlace, editor);
@@ -267,6 +270,7 @@ const drawer = new Drawer([
   { id: 'parameters', title: 'Parameters', element: parameters.element, show: () => { parameters.show(live, client.ready, mayCommand()); } },
   { id: 'signals', title: 'Signals', element: signals.element, show: () => { signals.show(shown); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
+  { id: 'doctor', title: 'Doctor', element: doctor.element, show: () => { doctor.show(live, client.ready, mayCommand()); } },
   { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
 ]);
 

@@ -1,0 +1,157 @@
+#include "selftest/self_test.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "doctor/finding.h"
+#include "doctor/host_checks.h"
+#include "doctor/port_checks.h"
+#include "doctor/system.h"
+#include "link/port_discovery.h"
+#include "messages/messages.h"
+#include "text/json_writer.h"
+
+namespace tp100::selftest {
+namespace {
+
+using doctor::Findings;
+using doctor::Severity;
+
+std::string json_of(const Findings& findings, const std::string& port) {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object()
+      .field("port", port)
+      .field("errors", count(findings, Severity::kError))
+      .field("warnings", count(findings, Severity::kWarning))
+      .field("notes", count(findings, Severity::kNote))
+      .key("findings")
+      .begin_array();
+  for (const doctor::Finding& each : findings)
+    json.begin_object()
+        .field("severity", to_string(each.severity))
+        .field("name", each.name)
+        .field("seen", each.seen)
+        .field("fix", each.fix)
+        .end_object();
+  json.end_array().end_object();
+  return text;
+}
+
+}  // namespace
+
+SelfTest::SelfTest(config::Configuration configuration, const course::Robot& robot)
+    : configuration_(std::move(configuration)), battery_cutoff_v_(robot.drive.battery_cutoff_v) {}
+
+void SelfTest::hear(const link::SessionEvent& event, const wire::Hello& hello,
+                    const OpenPort& port) {
+  const std::lock_guard lock(mutex_);
+  watch_.hear(event, hello, port);
+}
+
+void SelfTest::note_port(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  note_ = line;
+}
+
+void SelfTest::set_grants(const std::vector<loop::Grant>& grants) {
+  const std::lock_guard lock(mutex_);
+  grants_ = grants;
+}
+
+void SelfTest::take_setup(const messages::RunContext& run_context, HostNs /*at*/) {
+  const std::lock_guard lock(mutex_);
+  battery_cutoff_v_ = run_context.robot.drive.battery_cutoff_v;
+}
+
+void SelfTest::take(const StepRecord& record) {
+  std::string json;
+  {
+    const std::lock_guard lock(mutex_);
+    watch_.take(record);
+    auto visit = watch_.done();
+    if (!visit) return;
+    visit->battery_cutoff_v = battery_cutoff_v_;
+    if (watch_.session() == SessionState::kClosed)
+      visit->open_error = note_.empty() ? "no port is open yet" : note_;
+    json = json_of(doctor::robot_findings(*visit), visit->port);
+  }
+  finish({}, json);
+}
+
+void SelfTest::examine(server::DoctorPart part, Answer answer) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (answer_ == nullptr) {
+      answer_ = std::exchange(answer, {});
+      if (part == server::DoctorPart::kRobot) watch_.begin();
+    }
+  }
+  if (answer != nullptr) return answer("another examination is under way; try again", "");
+  if (part == server::DoctorPart::kRobot) return;
+  const bool posted = disk_.post([this, part] {
+    finish({}, part == server::DoctorPart::kPort ? port_findings() : machine_findings());
+  });
+  if (!posted) finish("the disk does not answer; try again later", "");
+}
+
+void SelfTest::finish(const std::string& why, const std::string& json) {
+  Answer answer;
+  {
+    const std::lock_guard lock(mutex_);
+    answer = std::exchange(answer_, {});
+  }
+  answer(why, json);
+}
+
+std::string SelfTest::port_findings() const {
+  OpenPort open;
+  {
+    const std::lock_guard lock(mutex_);
+    if (watch_.session() != SessionState::kClosed) open = watch_.port();
+  }
+  const doctor::System system;
+  std::string name = configuration_.link.port;
+  // All findings name the system's files by absolute path.
+  if (name != "auto") name = std::filesystem::absolute(name);
+  if (!open.path.empty()) open.path = std::filesystem::absolute(open.path);
+  const doctor::ChosenPort port = doctor::choose_port(system, name, link::list_ports(), open.path);
+  Findings findings = port.findings;
+  if (!port.device.empty()) {
+    append(findings, doctor::permission_findings(system, port.device, doctor::this_account(),
+                                                 system.usable(port.device)));
+    if (!open.path.empty()) {
+      findings.push_back(doctor::ok("holder", port.device + ": this daemon has it open"));
+    } else if (!port.pseudo_terminal) {
+      append(findings, doctor::holder_findings(system, port.device));
+    }
+    if (!port.pseudo_terminal) {
+      append(findings, doctor::modem_manager_findings(system, port.device, port.info));
+      append(findings, doctor::usb_findings(system, port.device, port.info));
+    }
+  }
+  return json_of(findings, port.path);
+}
+
+std::string SelfTest::machine_findings() const {
+  std::vector<loop::Grant> grants;
+  std::string path;
+  {
+    const std::lock_guard lock(mutex_);
+    grants = grants_;
+    path = watch_.port().path;
+  }
+  const doctor::System system;
+  Findings findings = doctor::real_time_findings(grants);
+  append(findings, doctor::clock_source_findings(system));
+  append(findings, doctor::governor_findings(system));
+  findings.push_back(doctor::ok("page-port", "this daemon serves the page"));
+  doctor::Disk disk = doctor::try_disk(configuration_.record.directory);
+  // Viewers get no path of a folder of this machine.
+  const std::string name = std::filesystem::path(disk.folder).filename();
+  disk.folder = name.empty() ? "the disk" : name;
+  append(findings, doctor::disk_findings(disk));
+  return json_of(findings, path);
+}
+
+}  // namespace tp100::selftest

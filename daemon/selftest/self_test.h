@@ -1,0 +1,59 @@
+#pragma once
+// `tp100d doctor` from within the running daemon, for its machine and its port, with the same
+// findings. Nothing moves.
+
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "config/configuration.h"
+#include "course/robot.h"
+#include "loop/real_time.h"
+#include "messages/sink.h"
+#include "record/worker.h"
+#include "selftest/session_watch.h"
+#include "server/controls.h"
+
+namespace tp100::selftest {
+
+class SelfTest : public messages::Sink {
+ public:
+  using Answer = server::Controls::Answer;
+
+  /// As they are in force: with the command line's values.
+  SelfTest(config::Configuration configuration, const course::Robot& robot);
+
+  // The supervisor's thread:
+  void hear(const link::SessionEvent& event, const wire::Hello& hello, const OpenPort& port);
+  /// A line about the search for the port.
+  void note_port(const std::string& line);
+  /// The privileges that were requested.
+  void set_grants(const std::vector<loop::Grant>& grants);
+  void take(const StepRecord& record) override;
+  void take_setup(const messages::RunContext& run_context, HostNs at) override;
+
+  /// Answers with the findings as JSON (CHANNELS.md, doctor): port and machine from a thread that
+  /// waits for files and disks, the robot after a second, or five if it is silent. One at a time.
+  /// Any thread; does not wait.
+  void examine(server::DoctorPart part, Answer answer);
+  /// Waits for the thread of files and disks; false: `deadline` passed first, and the destructor
+  /// would wait for the disk.
+  bool idle_by(std::chrono::steady_clock::time_point deadline) { return disk_.idle_by(deadline); }
+
+ private:
+  void finish(const std::string& why, const std::string& json);
+  std::string port_findings() const;
+  std::string machine_findings() const;
+
+  const config::Configuration configuration_;
+  mutable std::mutex mutex_;  // guards what follows; never held while waiting for a file
+  SessionWatch watch_;
+  double battery_cutoff_v_ = 0.0;
+  std::string note_;
+  std::vector<loop::Grant> grants_;
+  Answer answer_;        // set: an examination is under way
+  record::Worker disk_;  // declared last: its jobs use the others
+};
+
+}  // namespace tp100::selftest

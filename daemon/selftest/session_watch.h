@@ -1,0 +1,71 @@
+#pragma once
+// What doctor has to know of a robot, from the session that the running daemon has with it: the
+// port is never opened a second time. Pure; one thread.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/histogram.h"
+#include "core/step_record.h"
+#include "doctor/robot.h"
+#include "link/session_event.h"
+#include "wire/messages.h"
+
+namespace tp100::selftest {
+
+/// A port that the daemon has open, or had last.
+struct OpenPort {
+  std::string path{};  ///< empty: none yet
+  bool pseudo_terminal = false;
+};
+
+class SessionWatch {
+ public:
+  void hear(const link::SessionEvent& event, const wire::Hello& hello, const OpenPort& port);
+  /// Every step.
+  void take(const StepRecord& record);
+
+  /// Begins a visit at the next step.
+  void begin();
+  /// The visit, once: a second after it began or the session became ready, or five seconds after it
+  /// began without a robot that is ready. Battery cut-off and the error of a port that is not open
+  /// are left to the caller.
+  std::optional<doctor::Visit> done();
+
+  const OpenPort& port() const { return port_; }
+  SessionState session() const { return session_; }
+
+ private:
+  void follow_commands(const StepRecord& record);
+  void measure(const StepRecord& record);
+  doctor::LinkTest link_test() const;
+
+  OpenPort port_{};
+  wire::Hello hello_{};
+  bool greeted_ = false;
+  int refused_parameter_ = -1;
+  SessionState session_ = SessionState::kClosed;
+
+  // Of the commands: the robot confirms the sequence of the last one.
+  std::uint64_t step_ = 0;
+  std::uint32_t session_number_ = 0;
+  std::uint16_t sent_ = 0;
+  std::optional<std::uint16_t> awaited_{};
+  HostNs awaited_since_ns_ = 0;
+
+  // Of a visit.
+  enum class Visiting { kNo, kAsked, kWaiting, kMeasuring, kDone };
+  Visiting visiting_ = Visiting::kNo;
+  HostNs begun_ns_ = 0, ready_ns_ = 0, ended_ns_ = 0;
+  LinkCounters before_{}, ready_before_{}, after_{};
+  ClockState clock_{};
+  std::size_t samples_ = 0;
+  std::optional<Histogram> age_{}, round_trip_{};
+  Sample newest_{};
+  bool has_sample_ = false;
+  FaultMask faults_ = 0;
+};
+
+}  // namespace tp100::selftest

@@ -1,0 +1,38 @@
+// What keeps a robot from driving: the service `doctor`, and its findings.
+
+export type Severity = 'ok' | 'note' | 'warning' | 'error';
+
+export interface Finding {
+  severity: Severity;
+  name: string;
+  /** What was seen, and where. */
+  seen: string;
+  /** What to do; empty: nothing. */
+  fix: string;
+}
+
+export interface DoctorAnswer {
+  port: string;
+  errors: number;
+  warnings: number;
+  notes: number;
+  findings: Finding[];
+}
+
+/** What is examined at a time, in this order. */
+export const kParts = [
+  { part: 'port', title: 'Port' },
+  { part: 'robot', title: 'Robot' },
+  { part: 'machine', title: 'Machine' },
+] as const;
+export type Part = (typeof kParts)[number]['part'];
+
+const counted = (n: number, noun: string): string => `${n} ${noun}${n === 1 ? '' : 's'}`;
+
+/** The outcome in one line. */
+export function verdict(findings: readonly Finding[]): string {
+  const number = (severity: Severity): number => findings.filter((each) => each.severity === severity).length;
+  const [errors, warnings, notes] = [number('error'), number('warning'), number('note')];
+  const drives = errors > 0 ? 'Not ready to drive' : 'Ready to drive';
+  return `${drives}: ${counted(errors, 'error')}, ${counted(warnings, 'warning')}, ${counted(notes, 'note')}.`;
+}
