@@ -30,8 +30,8 @@ class Motor {
   Motor(const course::EmulatedMotor& values, double gain);
 
   /// Advances one step at `duty` (-1..1) from a battery at `battery_v`; `load_n` is the force that
-  /// the ground exerted on the body through this track in the step before, forward positive. At duty
-  /// 0 the driver is off and the motor coasts.
+  /// the ground exerted on the body through this track in the step before, forward positive. At
+  /// duty 0 the driver is off and the motor coasts.
   void step(double duty, double battery_v, double load_n);
 
   double track_mps() const { return track_mps_; }
