@@ -44,7 +44,8 @@ Facts summary(const RecordedRun& run, const std::optional<RunFigures>& judged) {
       {"driven", date_of(run)},
       {"course", run.result.course.empty() ? "none" : plain(run.result.course)},
       {"robot", plain(run.result.robot)},
-      {"set-up, board", plain(run.result.setup) + ", " + plain(run.result.board)},
+      {"set-up", plain(run.result.setup)},
+      {"board", run.result.board.empty() ? "not known" : plain(run.result.board)},
       {"seed", run.facts.contains("seed") ? count(run.result.seed) : "none: no emulated robot"},
       {"steered by", std::string(to_string(run.run_context.steering)) + " pose"},
       {"driven with", program_of(run)},
@@ -54,6 +55,11 @@ Facts summary(const RecordedRun& run, const std::optional<RunFigures>& judged) {
     facts.emplace_back("largest position errors", largest_errors(*judged));
     facts.emplace_back("farthest from the path",
                        decimals(judged->tracking.max_cross_track_m * kCmPerM, 2) + " cm");
+    if (judged->within_2_sd)
+      facts.emplace_back(
+          std::string("true pose within 2 sd of ") + (run.result.has_camera ? "fused" : "odometry"),
+          decimals(100.0 * judged->within_2_sd->position, 0) + " % of x and y, " +
+              decimals(100.0 * judged->within_2_sd->yaw, 0) + " % of yaw");
   }
   facts.emplace_back("recording", plain(run.path));
   facts.emplace_back("steps", Cell(count(run.steps) + ", " + count(run.missing_steps) + " missing",

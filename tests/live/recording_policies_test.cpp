@@ -235,7 +235,8 @@ TEST_F(BlackBoxTest, AReportIsMadeOfIt) {
   const std::string told = testing::internal::GetCapturedStdout();
   EXPECT_THAT(told, HasSubstr(folder_.file("report/report.html")));
   const std::string page = test::read_bytes(folder_.file("report/report.html"));
-  EXPECT_THAT(page, HasSubstr("1-curve, end-loaded, flat"));
+  EXPECT_THAT(page, HasSubstr("<dt>course</dt><dd>1-curve</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>set-up</dt><dd>flat</dd>"));
   EXPECT_THAT(page, HasSubstr("black-box-link_lost"));
   EXPECT_THAT(page, HasSubstr(std::to_string(steps) + ", 0 missing"));
   EXPECT_THAT(page, HasSubstr("a knock"));
