@@ -544,10 +544,14 @@ class Unplugging : public Run {
   static bool under_way(const ScriptedRobot& robot) {
     return commanded(robot) && robot.received.commands.back().speed_mps > 0.02F;
   }
-  /// Requests a start until the robot moves. A start that comes too early is refused.
+  /// Requests a start until the robot moves. A start that comes too early is refused, and a machine
+  /// that stood still ends the run that it began.
   bool start(server::WebClient& viewer) {
+    const auto off = [](const ScriptedRobot& robot) {
+      return robot.state == wire::State::kDisarmed || robot.state == wire::State::kFaulted;
+    };
     for (int i = 0; i < 400; ++i) {
-      if (i % 20 == 0 && !armed()) viewer.call(1);
+      if (i % 20 == 0 && robot_->with(off)) viewer.call(1);
       if (armed() && robot_->with(under_way)) return true;
       std::this_thread::sleep_for(25ms);
       viewer.drain();
