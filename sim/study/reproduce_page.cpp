@@ -142,7 +142,7 @@ report::Cell with_limit(const CourseStudy& study, const char* begin) {
 
 /// Our error of a form, with the limit of the figure that begins so, if it has one.
 report::Cell form_with_limit(const CourseStudy& study, std::string_view form, const char* begin) {
-  const report::Cell judged = with_limit(study, begin);
+  report::Cell judged = with_limit(study, begin);
   if (judged.text != "-") return judged;
   const report::PoseErrors* errors = errors_of(study, form);
   return errors == nullptr ? "-" : number(errors->max_position_error_m * report::kCmPerM);
