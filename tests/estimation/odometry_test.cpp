@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "interval.h"
 
@@ -134,7 +135,12 @@ TEST_F(WarmingGyro, IsFollowedOnAnEvenFloor) {
 }
 
 TEST_F(WarmingGyro, IsNotMadeWorseByAnUnevenFloor) {
-  for (const double drift : {-2e-3, 0.0, 2e-3}) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  const std::vector<double> drifts = {2e-3};  // all of them take minutes there
+#else
+  const std::vector<double> drifts = {-2e-3, 0.0, 2e-3};
+#endif
+  for (const double drift : drifts) {
     for (const Floor floor : {Floor{0.002, 0.3}, Floor{0.002, 3.0}, Floor{0.01, 0.3},
                               Floor{0.01, 3.0}, Floor{0.03, 0.3}, Floor{0.03, 3.0}}) {
       double sum_m = 0.0;
