@@ -43,6 +43,24 @@ Json json_of(const LinkTest& link) {
           {"clock_drift_ppm", link.clock_drift_ppm}};
 }
 
+Json json_of(const Findings& findings, const std::string& port) {
+  Json rows = Json::array();
+  for (const Finding& finding : findings)
+    rows.push_back({{"severity", to_string(finding.severity)},
+                    {"name", finding.name},
+                    {"seen", finding.seen},
+                    {"fix", finding.fix}});
+  return {{"port", port},
+          {"errors", count(findings, Severity::kError)},
+          {"warnings", count(findings, Severity::kWarning)},
+          {"notes", count(findings, Severity::kNote)},
+          {"findings", rows}};
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::string_view to_string(Severity severity) {
@@ -89,21 +107,15 @@ std::string table(const Findings& findings) {
          counted(count(findings, Severity::kNote), "note") + "\n";
 }
 
+std::string json(const Findings& findings, const std::string& port) {
+  return text_of(json_of(findings, port));
+}
+
 std::string json(const Findings& findings, const std::string& port,
                  const std::optional<LinkTest>& link) {
-  Json rows = Json::array();
-  for (const Finding& finding : findings)
-    rows.push_back({{"severity", to_string(finding.severity)},
-                    {"name", finding.name},
-                    {"seen", finding.seen},
-                    {"fix", finding.fix}});
-  const Json all = {{"port", port},
-                    {"errors", count(findings, Severity::kError)},
-                    {"warnings", count(findings, Severity::kWarning)},
-                    {"notes", count(findings, Severity::kNote)},
-                    {"findings", rows},
-                    {"link", link ? json_of(*link) : Json(nullptr)}};
-  return all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  Json all = json_of(findings, port);
+  all["link"] = link ? json_of(*link) : Json(nullptr);
+  return text_of(all) + "\n";
 }
 
 }  // namespace tp100::doctor

@@ -41,9 +41,11 @@ void append(Findings& findings, Findings more);
 /// As text: one line per finding and one for its fix; the count of each severity at the end.
 std::string table(const Findings& findings);
 
-/// As JSON, one object on one line: {"port", "errors", "warnings", "notes", "findings":
-/// [{"severity", "name", "seen", "fix"}], "link": null or {"samples", "lost", "crc_errors",
-/// "age_us", "round_trip_us": {"p50", "p90", "p99", "max"}, ...}}
+/// As JSON, one object without a line end: {"port", "errors", "warnings", "notes", "findings":
+/// [{"severity", "name", "seen", "fix"}]}
+std::string json(const Findings& findings, const std::string& port);
+/// The same, one object on one line, with "link": null or {"samples", "lost", "crc_errors",
+/// "age_us", "round_trip_us": {"p50", "p90", "p99", "max"}, ...}
 std::string json(const Findings& findings, const std::string& port,
                  const std::optional<LinkTest>& link);
 

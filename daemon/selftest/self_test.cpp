@@ -9,36 +9,10 @@
 #include "doctor/system.h"
 #include "link/port_discovery.h"
 #include "messages/messages.h"
-#include "text/json_writer.h"
 
 namespace tp100::selftest {
-namespace {
 
 using doctor::Findings;
-using doctor::Severity;
-
-std::string json_of(const Findings& findings, const std::string& port) {
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object()
-      .field("port", port)
-      .field("errors", count(findings, Severity::kError))
-      .field("warnings", count(findings, Severity::kWarning))
-      .field("notes", count(findings, Severity::kNote))
-      .key("findings")
-      .begin_array();
-  for (const doctor::Finding& each : findings)
-    json.begin_object()
-        .field("severity", to_string(each.severity))
-        .field("name", each.name)
-        .field("seen", each.seen)
-        .field("fix", each.fix)
-        .end_object();
-  json.end_array().end_object();
-  return text;
-}
-
-}  // namespace
 
 SelfTest::SelfTest(config::Configuration configuration, const course::Robot& robot)
     : configuration_(std::move(configuration)), battery_cutoff_v_(robot.drive.battery_cutoff_v) {}
@@ -74,7 +48,7 @@ void SelfTest::take(const StepRecord& record) {
     visit->battery_cutoff_v = battery_cutoff_v_;
     if (watch_.session() == SessionState::kClosed)
       visit->open_error = note_.empty() ? "no port is open yet" : note_;
-    json = json_of(doctor::robot_findings(*visit), visit->port);
+    json = doctor::json(doctor::robot_findings(*visit), visit->port);
   }
   finish({}, json);
 }
@@ -130,7 +104,7 @@ std::string SelfTest::port_findings() const {
       append(findings, doctor::usb_findings(system, port.device, port.info));
     }
   }
-  return json_of(findings, port.path);
+  return doctor::json(findings, port.path);
 }
 
 std::string SelfTest::machine_findings() const {
@@ -151,7 +125,7 @@ std::string SelfTest::machine_findings() const {
   const std::string name = std::filesystem::path(disk.folder).filename();
   disk.folder = name.empty() ? "the disk" : name;
   append(findings, doctor::disk_findings(disk));
-  return json_of(findings, path);
+  return doctor::json(findings, path);
 }
 
 }  // namespace tp100::selftest
