@@ -81,7 +81,7 @@ bool is_strong(double rank_correlation, std::size_t runs) {
 
 std::string spread_chart(const ShownFigure& figure, const Merged& merged) {
   report::BoxChart chart{.title = figure.title,
-                         .x_label = std::string(figure.title) + " [" + figure.unit + "]",
+                         .x_label = figure.with_unit(),
                          .boxes = {{"all", values_of(figure, merged)}}};
   for (const MergedGroup& group : merged.groups)
     chart.boxes.push_back({group.value.empty() ? "(no " + group.variable + ")" : group.value,

@@ -34,16 +34,10 @@ std::vector<course::Robot> robots_on(const std::string& body, const std::string&
 
 /// A share that is to be neither too small nor, if `too_cautious` counts, too large.
 void judge_share(CourseStudy& study, const std::string& what, bool too_cautious, double percent) {
-  const auto row = [&](const std::string& text, double limit, double value) {
-    study.judged.push_back({study.course,
-                            study.robot,
-                            text,
-                            "%",
-                            limit,
-                            {value, value, static_cast<std::size_t>(study.runs)}});
-  };
-  row(what + " within 2 sd", too_cautious ? kMostPercent : -1.0, percent);
-  row(what + " outside 2 sd", 100.0 - kLeastPercent, 100.0 - percent);
+  study.judged.push_back(
+      judged_value(study, what + " within 2 sd", "%", too_cautious ? kMostPercent : -1.0, percent));
+  study.judged.push_back(
+      judged_value(study, what + " outside 2 sd", "%", 100.0 - kLeastPercent, 100.0 - percent));
 }
 
 CourseStudy study_of(const std::vector<course::Robot>& robots, bool uneven, bool camera,

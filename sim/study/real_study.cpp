@@ -220,12 +220,9 @@ CourseStudy judged(const RealStudy& study) {
       const std::size_t unit = study.figures[i].find(" [");
       const double value = form.figures[0][i];
       result.judged.push_back(
-          {.course = result.course,
-           .robot = study.robot,
-           .what = form.name + ": " + study.figures[i].substr(0, unit),
-           .unit = study.figures[i].substr(unit + 2, study.figures[i].size() - unit - 3),
-           .limit = limit->most,
-           .ours = {value, value, 1}});
+          judged_value(result, form.name + ": " + study.figures[i].substr(0, unit),
+                       study.figures[i].substr(unit + 2, study.figures[i].size() - unit - 3),
+                       limit->most, value));
     }
   }
   return result;

@@ -73,10 +73,10 @@ CourseStudy taken_together(const char* robots, const std::vector<double>& percen
   all.board = to_string(BoardKind::kNative);
   all.runs = all.completed = static_cast<int>(percents.size());
   const double worst = percents.empty() ? 0.0 : *std::ranges::max_element(percents);
-  all.judged = {model_row(all, "model max, median over runs", limited ? kMedianLimit : -1.0,
-                          spread(percents)),
-                model_row(all, "model max, worst run", limited ? kWorstLimit : -1.0,
-                          {worst, worst, percents.size()})};
+  all.judged = {
+      model_row(all, "model max, median over runs", limited ? kMedianLimit : -1.0,
+                spread(percents)),
+      judged_value(all, "model max, worst run", "% of path", limited ? kWorstLimit : -1.0, worst)};
   return all;
 }
 

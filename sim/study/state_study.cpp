@@ -47,7 +47,7 @@ Judged worst(const CourseStudy& study, const std::vector<TrialRun>& runs, const 
              const char* unit, double limit, double (*figure)(const TrialRun&)) {
   double largest = 0.0;
   for (const TrialRun& run : runs) largest = std::max(largest, figure(run));
-  return {study.course, study.robot, what, unit, limit, {largest, largest, runs.size()}};
+  return judged_value(study, what, unit, limit, largest);
 }
 
 Judged typical(const CourseStudy& study, const std::vector<TrialRun>& runs, const char* what,
@@ -121,13 +121,7 @@ CourseStudy study_climb(const course::Robot& robot) {
     }
   }
   const auto judged = [&](const char* what, double limit, double value_rad) {
-    const double deg = value_rad * kDegPerRad;
-    study.judged.push_back({study.course,
-                            study.robot,
-                            what,
-                            "deg",
-                            limit,
-                            {deg, deg, static_cast<std::size_t>(study.runs)}});
+    study.judged.push_back(judged_value(study, what, "deg", limit, value_rad * kDegPerRad));
   };
   judged("model pitch against the body, rms", 2.0, rms_rad);
   judged("model pitch against the body, max", -1.0, max_rad);

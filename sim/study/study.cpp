@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "core/angle.h"
 #include "core/arithmetic.h"
@@ -257,6 +258,12 @@ Spread spread_of(const std::vector<TrialRun>& runs, double (*figure)(const Trial
 int completed(const std::vector<TrialRun>& runs) {
   return static_cast<int>(std::count_if(runs.begin(), runs.end(),
                                         [](const TrialRun& run) { return run.result.completed; }));
+}
+
+Judged judged_value(const CourseStudy& study, std::string what, std::string unit, double limit,
+                    double value) {
+  return {study.course,    study.robot, std::move(what),
+          std::move(unit), limit,       {value, value, static_cast<std::size_t>(study.runs)}};
 }
 
 CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {

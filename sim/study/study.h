@@ -91,6 +91,10 @@ struct CourseStudy {
 /// fitted, and the extended model have limits of their own.
 CourseStudy study(const Trial& trial, const std::string& kind, bool reference);
 
+/// A line for a figure of which all runs together have one value.
+Judged judged_value(const CourseStudy& study, std::string what, std::string unit, double limit,
+                    double value);
+
 /// The errors of a form in a study; null: it has none.
 const report::PoseErrors* errors_of(const CourseStudy& study, std::string_view form);
 
