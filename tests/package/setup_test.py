@@ -65,10 +65,15 @@ def parts(at):
     # Stores its options in the cache as CMake does, without configuring or building anything.
     machine.replace("cmake", f"""[ "$1" = --preset ] || exit 0
 echo "$0 $*" >> {machine.log}
-touch build/$2/build.ninja
+touch build/$2/build.ninja build/$2/CMakeCache.txt
 for part in FIRMWARE CAMERA ROS2 TESTS; do
-  [[ "$*" == *_$part=OFF* ]] || echo "TP100_BUILD_$part:BOOL=ON"
-done > build/$2/CMakeCache.txt""")
+  # What is not named keeps its value.
+  if [[ "$*" == *_$part=OFF* ]]; then value=OFF
+  elif [[ "$*" == *_$part=ON* ]] || ! grep -q "_$part:BOOL=OFF" build/$2/CMakeCache.txt; then value=ON
+  else value=OFF; fi
+  echo "TP100_BUILD_$part:BOOL=$value"
+done > build/$2/cache
+mv build/$2/cache build/$2/CMakeCache.txt""")
     # No package is installed and no program is found.
     machine.replace("dpkg-query", "exit 1")
 
