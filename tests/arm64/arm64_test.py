@@ -11,6 +11,7 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.append(os.path.join(os.path.dirname(HERE), "package"))
+import container_test  # noqa: E402
 from host import ROOT, check, need, package, run, skip  # noqa: E402
 from install_test import CONFIG, left, newer  # noqa: E402
 from machine import Machine  # noqa: E402
@@ -27,8 +28,11 @@ BINFMT = "/proc/sys/fs/binfmt_misc"
 def make(_build):
     need(("apt-get", "apt"))
     print(run(ROOT + "/scripts/package", "--arch", "arm64")[-2000:])
-    deb = package(ARM64)
-    check(run("dpkg-deb", "-f", deb, "Architecture").strip() == "arm64", f"{deb}: of another architecture")
+    deb, camera = package(ARM64), package(ARM64, "tp100-camera")
+    for each in (deb, camera):
+        check(run("dpkg-deb", "-f", each, "Architecture").strip() == "arm64", f"{each}: of another architecture")
+    depends = run("dpkg-deb", "-f", camera, "Depends")
+    check("libopencv-imgproc406" in depends, f"tp100-camera does not depend on OpenCV: {depends}")
     depends = run("dpkg-deb", "-f", deb, "Depends")
     for library in ("libc6 (>= ", "libode8", "libserialport0", "libsimavr2", "libstdc++6", "libzstd1"):
         check(library in depends, f"the package does not depend on {library}: {depends}")
@@ -166,7 +170,16 @@ def install(_build):
         emulation.close()
 
 
-STEPS = {step.__name__: step for step in (make, unit, courses, replay, install)}
+def container(build):
+    """The container of the architecture: built, driven, and a port that is passed in waits for Enter."""
+    emulation = Emulation()
+    try:
+        container_test.container(ARM64, robot=build + "/bin/tp100-sim")
+    finally:
+        emulation.close()
+
+
+STEPS = {step.__name__: step for step in (make, unit, courses, replay, install, container)}
 
 if __name__ == "__main__":
     if len(sys.argv) != 3 or sys.argv[1] not in STEPS:

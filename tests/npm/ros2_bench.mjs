@@ -57,16 +57,17 @@ const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
   }
 });
 
-/** The loop's lateness and the daemon's processor time, with and without ROS 2, in turns. */
+/** The loop's lateness and the daemon's processor time, with and without ROS 2, in turns. How far apart two runs without it
+    are shows what the machine does by itself. */
 async function measureLoop() {
-  const names = ['without ROS 2', 'with ROS 2, nobody listens', 'with ROS 2 and a subscriber of every topic'];
+  const names = ['without ROS 2', 'without ROS 2, once more', 'with ROS 2, nobody listens', 'with ROS 2 and a subscriber of every topic'];
   const late = names.map(() => []), cores = names.map(() => []);
   for (let round = 0; round < rounds; ++round) {
     for (const i of names.keys()) {
       await withRobot(async ({ folder, daemon }) => {
-        const peer = i === 2 ? await Peer.ofEverything('42quiet') : undefined;
+        const peer = i === 3 ? await Peer.ofEverything('42quiet') : undefined;
         const stats = join(folder, 'stats.json'), duration = Math.max(10, seconds / 3);
-        const run = await daemon(i === 0 ? '' : on, ['--duration', String(duration), '--stats', stats], '');
+        const run = await daemon(i < 2 ? '' : on, ['--duration', String(duration), '--stats', stats], '');
         await run.said(/state: syncing -> ready/);
         const ticks = async () => {
           const fields = (await readFile(`/proc/${run.child.pid}/stat`, 'utf8')).split(') ').at(-1).split(' ');

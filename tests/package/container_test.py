@@ -66,10 +66,10 @@ def drives_the_emulated_robot(container, env):
         run_it.close()
 
 
-def treats_a_port_as_physical(container, env, build, folder):
+def treats_a_port_as_physical(container, env, robot, folder):
     """A port passed in whose board says that it is a Mega: nothing starts by itself."""
     link = folder + "/robot"
-    robot = Output(build + "/bin/tp100-sim", "robot", "--board", "avr", "--link", link, env=env)
+    robot = Output(robot, "robot", "--board", "avr", "--link", link, env=env)
     try:
         robot.until("linked from")
         os.chmod(os.path.realpath(link), 0o666)
@@ -85,7 +85,8 @@ def treats_a_port_as_physical(container, env, build, folder):
         robot.close()
 
 
-def container(build):
+def container(build, robot=None):
+    """The container of this build's package; its robot's port is that of the program `robot`, the build's without one."""
     may_build()
     folder = tempfile.mkdtemp(prefix="tp100-container-")
     os.chmod(folder, 0o755)
@@ -104,7 +105,7 @@ def container(build):
               and "8765" in str(settings["ExposedPorts"]), f"the image's settings: {settings}")
         made = run("buildah", "from", image, env=env).strip()
         drives_the_emulated_robot(made, env)
-        treats_a_port_as_physical(made, env, build, folder)
+        treats_a_port_as_physical(made, env, robot or build + "/bin/tp100-sim", folder)
         print("built, driven, and a robot's port waited for Enter")
     finally:
         # What another user of the namespace owns, this one cannot remove from outside.
