@@ -103,7 +103,8 @@ def container(build, robot=None):
         settings = json.loads(run("buildah", "inspect", "--type", "image", image, env=env))["OCIv1"]["config"]
         check(settings["User"] == "tp100" and settings["Entrypoint"] == ["/usr/bin/tp100-start"]
               and "8765" in str(settings["ExposedPorts"]), f"the image's settings: {settings}")
-        made = run("buildah", "from", image, env=env).strip()
+        # A warning of an image for another processor comes first.
+        made = run("buildah", "from", image, env=env).splitlines()[-1]
         drives_the_emulated_robot(made, env)
         treats_a_port_as_physical(made, env, robot or build + "/bin/tp100-sim", folder)
         print("built, driven, and a robot's port waited for Enter")
