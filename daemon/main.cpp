@@ -156,16 +156,21 @@ void add_identify(CLI::App& app, Action& action) {
   command->add_option("--out", options.out, "Robot file to write")->type_name("FILE")->required();
   command
       ->add_option("--robot", options.robot,
-                   "Source of all other values: name in config/robots or file (default: "
-                   "end-loaded)")
+                   "Source of all other values: name in config/robots or file (default: the "
+                   "recordings', else end-loaded)")
       ->type_name("ROBOT");
   command
       ->add_option("--measured", options.measured,
                    "CSV run[,distance_m][,ahead_m][,left_m][,turned_deg] of what was measured by "
                    "hand; run counts from 1")
       ->type_name("FILE");
-  command->add_option("--config", options.config, "Configuration (default: as config/tp100.toml)")
+  command
+      ->add_option("--config", options.config,
+                   "Configuration (default: the recordings', else as config/tp100.toml)")
       ->type_name("FILE");
+  command->add_flag("--json", options.json, "Print what was found as JSON");
+  command->add_flag("--background", options.background,
+                    "Give way to every other program, and end with the one that started this one");
   command->add_option("--date", options.date, "Day of the runs for the file (default: today)")
       ->type_name("DATE");
   command->add_flag("--drive", options.drive,

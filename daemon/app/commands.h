@@ -16,6 +16,10 @@
 
 namespace tp100::app {
 
+/// Gives way to every other program, and ends with the one that started this one: for work that
+/// is done while a robot drives.
+void become_background();
+
 // `tp100d run`: the live bridge.
 
 struct RunOptions {
@@ -112,10 +116,13 @@ struct IdentifyOptions {
   std::string out;                ///< robot file to write
   std::string robot;              ///< source of all other values; empty: the configuration's
   std::string measured;           ///< CSV file of hand measurements; empty: none
-  std::string config;             ///< empty: defaults
-  std::string date;               ///< date of the runs for the file; empty: today
-  bool drive = false;             ///< drive the calibration courses first
-  GuidedOptions guided{};  ///< options of the drives; robot and configuration are taken from above
+  std::string config;  ///< empty: without `robot` those of the recordings, if there are any; else
+                       ///< defaults
+  std::string date;    ///< date of the runs for the file; empty: today
+  bool drive = false;  ///< drive the calibration courses first
+  bool json = false;   ///< print JSON
+  bool background = false;  ///< see become_background()
+  GuidedOptions guided{};   ///< options of the drives; robot and configuration are taken from above
 };
 
 /// The command. Prints the report; writes a file only if everything succeeded. Exit status, 1 if a
@@ -183,10 +190,6 @@ struct ReportOptions {
   std::string out;                ///< folder; empty: beside the recording. For one run only
   bool background = false;        ///< see become_background()
 };
-
-/// Gives way to every other program, and ends with the one that started this one: for a report that
-/// is made while a robot drives.
-void become_background();
 
 /// Writes report.html, metrics.json and a .svg for each figure. Throws SetupError.
 int run_report(const ReportOptions& options);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/replay.h"
 #include "config/configuration.h"
 #include "core/angle.h"
 #include "core/error.h"
@@ -68,12 +69,63 @@ std::string today() {
   return text.data();
 }
 
-std::vector<identify::RecordedDrive> recorded(const IdentifyOptions& options) {
+/// What the drives are identified against.
+struct Assumed {
+  course::TextFile robot;
+  config::Configuration configuration;
+};
+
+/// As given; else as the recordings have it, so that nobody has to remember what they were made
+/// with.
+class Base {
+ public:
+  explicit Base(const IdentifyOptions& options)
+      : given_(options.drive || !options.robot.empty() || !options.config.empty()) {
+    if (!options.config.empty()) {
+      const course::TextFile file = course::read_text_file(options.config);
+      assumed_.configuration = config::parse_configuration(file.text, file.path);
+    }
+    assumed_.robot =
+        course::read_bundled(course::Bundled::kRobots,
+                             options.robot.empty() ? assumed_.configuration.robot : options.robot);
+  }
+
+  /// Throws SetupError: two recordings have different robots.
+  void take(const record::Recording& recording) {
+    if (given_) return;
+    const config::RunFiles files = recorded_files(recording);
+    if (first_.empty()) {
+      first_ = recording.path();
+      assumed_ = {files.robot,
+                  config::parse_configuration(files.configuration.text, files.configuration.path)};
+    } else if (files.robot.text != assumed_.robot.text) {
+      throw SetupError(recording.path() + ": was recorded with another robot file than " + first_ +
+                       "; leave one of them out, or name the robot with --robot");
+    }
+  }
+  const Assumed& assumed() const { return assumed_; }
+
+ private:
+  bool given_;
+  std::string first_;  // the recording that it comes from
+  Assumed assumed_;
+};
+
+/// The name of the run's folder, or of a file of another name.
+std::string run_name(const std::string& path) {
+  const std::filesystem::path file =
+      std::filesystem::absolute(record::recording_file(path)).lexically_normal();
+  return file.stem() == "run" ? file.parent_path().filename() : file.stem();
+}
+
+std::vector<identify::RecordedDrive> recorded(const IdentifyOptions& options, Base& base) {
   std::vector<identify::RecordedDrive> drives;
   for (const std::string& path : options.runs) {
     if (record::is_recording(path)) {
-      drives.push_back(identify::recorded_drive(record::Recording(path)));
-      drives.back().name = path;
+      const record::Recording recording(path);
+      base.take(recording);
+      drives.push_back(identify::recorded_drive(recording));
+      drives.back().name = run_name(path);
       continue;
     }
     const course::TextFile file = course::read_text_file(path);
@@ -143,25 +195,21 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
 }
 
 int run_identify(const IdentifyOptions& options) {
-  config::Configuration configuration;
-  if (!options.config.empty()) {
-    const course::TextFile file = course::read_text_file(options.config);
-    configuration = config::parse_configuration(file.text, file.path);
-  }
-  const course::TextFile base_file = course::read_bundled(
-      course::Bundled::kRobots, options.robot.empty() ? configuration.robot : options.robot);
-  const course::Robot base = course::parse_robot(base_file.text, base_file.path);
-
+  if (options.background) become_background();
   if (!options.drive && options.runs.empty())
     throw SetupError("identify: give recordings (RUN...), or --drive to make them");
+  Base assumed(options);
   std::vector<identify::RecordedDrive> drives;
   if (options.drive) {
-    GuidedDrives guided = driven(options, base);
+    const course::TextFile& file = assumed.assumed().robot;
+    GuidedDrives guided = driven(options, course::parse_robot(file.text, file.path));
     if (!guided.completed) return 1;
     drives = std::move(guided.drives);
   } else {
-    drives = recorded(options);
+    drives = recorded(options, assumed);
   }
+  const auto& [base_file, configuration] = assumed.assumed();
+  const course::Robot base = course::parse_robot(base_file.text, base_file.path);
 
   const identify::Prior prior =
       identify::prior_of(base, configuration.parameters.model.turning_threshold_radps);
@@ -173,9 +221,13 @@ int run_identify(const IdentifyOptions& options) {
   const std::string text = course::write_robot(robot, note);
   // Rejects impossible values here, by name and range.
   course::parse_robot(text, options.out);
-  std::printf("%s", identify::identify_report(found, base).c_str());
+  if (options.json) {
+    std::printf("%s\n", identify::identify_json(found, base, robot).c_str());
+  } else {
+    std::printf("%s", identify::identify_report(found, base).c_str());
+  }
   text::write_file(options.out, text);
-  std::printf("written to %s\n", options.out.c_str());
+  if (!options.json) std::printf("written to %s\n", options.out.c_str());
   return 0;
 }
 

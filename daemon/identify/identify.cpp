@@ -68,6 +68,18 @@ Fit best_fit(const std::vector<FittedRun>& runs, const Prior& base, const model:
   }
 }
 
+/// The form with the values of `base`. Where each run began and how late the camera's time stamps
+/// are is found all the same.
+Fit unchanged_fit(const std::vector<FittedRun>& runs, const Prior& base,
+                  const model::ModelForm& form, const IdentifySettings& settings) {
+  const Values values{.tracks = form.only(base.tracks)};
+  Free free{};
+  free[kDelay] = true;
+  ModelFit model_fit(form, runs, values, values, free, settings);
+  model_fit.solve();
+  return model_fit.fit();
+}
+
 std::optional<Fit> baseline_fit(const std::vector<FittedRun>& runs, const Prior& base,
                                 const model::ModelForm& form, const IdentifySettings& settings) {
   const bool biased =
@@ -98,6 +110,7 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
 
   Identification found;
   found.extended = best_fit(runs, base, model::kExtendedForm, settings);
+  found.before = unchanged_fit(runs, base, model::kExtendedForm, settings);
   for (std::size_t i = 0; i < model::kBaselines.size(); ++i)
     found.baselines[i] = baseline_fit(runs, base, model::kBaselines[i], settings);
 

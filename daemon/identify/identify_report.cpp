@@ -4,7 +4,9 @@
 
 #include "core/angle.h"
 #include "text/format.h"
+#include "text/json_writer.h"
 #include "text/key.h"
+#include "text/unit.h"
 
 namespace tp100::identify {
 namespace {
@@ -64,6 +66,35 @@ double rounded(const Estimate& estimate, double si) {
   return std::round(estimate.value / si * 1e5) / 1e5 * si;
 }
 
+/// What the runs cannot determine, one line each.
+std::vector<std::string> warnings(const Fit& fit) {
+  std::vector<std::string> lines;
+  for (const auto& [a, b] : fit.confused)
+    lines.push_back(format("these runs cannot separate %s and %s; add runs in which they differ",
+                           kTrackParameters[a].key, kTrackParameters[b].key));
+  for (const model::ParameterRow& row : kTrackParameters)
+    if (!fit[row.value].found)
+      lines.push_back(format("these runs do not show %s; it stays as it was", row.key));
+  return lines;
+}
+
+/// Left out where there is nothing to say: without images, and of a run without hand measurements.
+void write_errors(text::JsonWriter& json, const char* name, const Fit& fit) {
+  json.key(name).begin_object();
+  if (has_images(fit))
+    json.field("rms_m", fit.rms_m).field("max_m", fit.max_m).field("rms_rad", fit.rms_rad);
+  json.key("runs").begin_array();
+  for (const RunFit& run : fit.runs) {
+    json.begin_object().field("name", run.name).field("images", run.images);
+    json.field("rejected", run.rejected);
+    if (run.images > 0)
+      json.field("rms_m", run.rms_m).field("max_m", run.max_m).field("rms_rad", run.rms_rad);
+    json.field("distance_off_m", run.distance_off_m).field("turned_off_rad", run.turned_off_rad);
+    json.end_object();
+  }
+  json.end_array().end_object();
+}
+
 std::string residual_row(const model::ModelForm& form, const Fit& fit) {
   return format("  %-20s %td constants   ", std::string(form.key).c_str(), form.constants()) +
          residual(fit) + "\n";
@@ -90,12 +121,33 @@ std::string identify_report(const Identification& found, const course::Robot& ba
     text += format("camera's time stamps late by %.1f ms\n", found.extended.camera_late_s * 1e3);
   }
   text += format("condition number %.1f\n", found.extended.condition);
-  for (const auto& [a, b] : found.extended.confused)
-    text += format("warning: these runs cannot separate %s and %s; add runs in which they differ\n",
-                   kTrackParameters[a].key, kTrackParameters[b].key);
-  for (const model::ParameterRow& row : kTrackParameters)
-    if (!found.extended[row.value].found)
-      text += format("warning: these runs do not show %s; it stays as it was\n", row.key);
+  for (const std::string& line : warnings(found.extended)) text += "warning: " + line + "\n";
+  return text;
+}
+
+std::string identify_json(const Identification& found, const course::Robot& base,
+                          const course::Robot& robot) {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object().field("robot", base.name).key("parameters").begin_array();
+  for (const model::ParameterRow& row : kTrackParameters) {
+    const Estimate& estimate = found.extended[row.value];
+    json.begin_object()
+        .field("name", row.key)
+        .field("unit", text::unit_of(row.key))
+        .field("before", base.model.*row.value / row.si)
+        .field("found", estimate.found);
+    if (estimate.found)
+      json.field("value", robot.model.*row.value / row.si)
+          .field("half_interval", estimate.half_interval / row.si);
+    json.end_object();
+  }
+  json.end_array();
+  write_errors(json, "errors_before", found.before);
+  write_errors(json, "errors_after", found.extended);
+  json.field("condition", found.extended.condition).key("warnings").begin_array();
+  for (const std::string& line : warnings(found.extended)) json.value(line);
+  json.end_array().end_object();
   return text;
 }
 

@@ -15,6 +15,11 @@ Prior prior_of(const course::Robot& robot, double turning_threshold_radps);
 /// eqs 1-5 alone and extended, each run, and what the runs cannot determine.
 std::string identify_report(const Identification& found, const course::Robot& base);
 
+/// The same as one JSON object on one line (REFERENCE.md, `identify --json`). `robot`: of
+/// identified_robot().
+std::string identify_json(const Identification& found, const course::Robot& base,
+                          const course::Robot& robot);
+
 /// `base` with the identified values and, as comments, their origins. `date` is the day of the runs
 /// as printed; empty: none.
 course::Robot identified_robot(const Identification& found, const course::Robot& base,

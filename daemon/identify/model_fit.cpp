@@ -352,6 +352,10 @@ void ModelFit::describe_runs(Fit& fit) const {
     RunFit& of = fit.runs.emplace_back();
     of.name = run.name;
     const std::vector<Pose> poses = this->poses(run, values_);
+    const Pose& end = poses.back();
+    if (const auto& by_hand = run.measured.distance_m)
+      of.distance_off_m = *by_hand - magnitude(end.x_m, end.y_m);
+    if (const auto& by_hand = run.measured.turned_rad) of.turned_off_rad = *by_hand - end.yaw_rad;
     double run_squares = 0.0, run_squares_rad = 0.0;
     for (const SeenPose& seen : run.images) {
       const Residual off = run.residual(poses, seen, values_.delay_s);

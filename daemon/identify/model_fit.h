@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ struct RunFit {
   std::size_t images = 0;                          ///< images used
   std::size_t rejected = 0;                        ///< false detections, far from all predictions
   double rms_m = 0.0, max_m = 0.0, rms_rad = 0.0;  ///< against the camera, its noise included
+  std::optional<double> distance_off_m, turned_off_rad;  ///< measured by hand - predicted
 };
 
 /// The best fit of one form of the model.

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """reference_names.py REFERENCE.md PROGRAMS: every name that the programs print stands in that page, between backticks.
 
-An emulated run, the report of its recording, a small campaign, the doctor with and without a robot, and the figures of a
-live daemon are asked.
+An emulated run, the report of its recording, what a calibration drive identifies, a small campaign, the doctor with and
+without a robot, and the figures of a live daemon are asked.
 """
 import glob
 import json
@@ -48,6 +48,13 @@ def doctor(programs, port):
                                      stdout=subprocess.PIPE, text=True, check=False).stdout)
 
 
+def identified(programs, folder):
+    drives = os.path.join(folder, "drives")
+    run(os.path.join(programs, "tp100-sim"), "course", "calibrate-spin-left", "--camera", "--record", drives)
+    return json.loads(run(os.path.join(programs, "tp100d"), "identify", *glob.glob(os.path.join(drives, "*")), "--json",
+                          "--out", os.path.join(folder, "robot.toml")))
+
+
 def campaign(programs, folder):
     program = os.path.join(programs, "tp100-sim")
     spec, out = os.path.join(folder, "spec.toml"), os.path.join(folder, "many")
@@ -87,6 +94,7 @@ def main():
         run(os.path.join(programs, "tp100d"), "report", *glob.glob(os.path.join(record, "*", "run.mcap")))
         with open(glob.glob(os.path.join(record, "*", "metrics.json"))[0]) as file:
             printed["metrics.json"] = json.load(file)
+        printed["identify --json"] = identified(programs, folder)
         printed["merged.json"] = campaign(programs, folder)
         printed["--stats"], printed["doctor --json"] = live(programs, folder)
         printed["doctor --json, no robot"] = doctor(programs, os.path.join(folder, "nothing"))

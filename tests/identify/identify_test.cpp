@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "core/angle.h"
@@ -117,6 +118,7 @@ TEST(Identify, FindsARobotOfWhichNothingIsKnown) {
   const Identification found = identify(all_kinds(truth), unknown());
   expect_all_found(found, truth);
   EXPECT_LT(found.extended.rms_m, 0.003);
+  EXPECT_GT(found.before.rms_m, 5.0 * found.extended.rms_m) << "with the assumed values";
   EXPECT_GT(found.baselines[model::kEqsFitted]->rms_m, found.extended.rms_m);
   EXPECT_LT(found.extended.condition, 10.0);
   EXPECT_EQ(found.prior.tracks.slip_left, found.extended[&TrackParameters::slip_left].value);
@@ -208,7 +210,11 @@ TEST(Identify, TapeAndProtractorAreEnough) {
     d.measured.turned_rad = turned;
     d.camera.clear();
   }
-  const Fit fit = identify(drives, unknown()).extended;
+  const Identification found = identify(drives, unknown());
+  const Fit& fit = found.extended;
+  EXPECT_GT(std::abs(found.before.runs[1].turned_off_rad.value()), 0.1);
+  EXPECT_LT(std::abs(fit.runs[1].turned_off_rad.value()), 0.02);
+  EXPECT_FALSE(fit.runs[0].distance_off_m) << "it was not measured";
   expect_found(fit, &TrackParameters::slip_left, truth.slip_left, 0.01);
   expect_found(fit, &TrackParameters::slip_right, truth.slip_right, 0.01);
   expect_found(fit, &TrackParameters::wheelbase_m, truth.wheelbase_m, 0.02 * truth.wheelbase_m);
@@ -225,6 +231,36 @@ TEST(Identify, SaysWhatStraightRunsDoNotShow) {
   EXPECT_EQ(found.prior.tracks.wheelbase_spin_m, before.tracks.wheelbase_spin_m);
   EXPECT_EQ(found.prior.tracks.x_icr_m, before.tracks.x_icr_m);
   for (const std::optional<Fit>& fit : found.baselines) EXPECT_FALSE(fit);
+}
+
+TEST(Identify, IsReportedAsJsonToo) {
+  const Truth truth;
+  course::Robot base;
+  base.name = "mine";
+  base.drive.counts_per_metre = truth.counts_per_metre;
+  const Identification found =
+      identify({drive(truth, "a", 0.117, 0.123, 12.0, 1)}, prior_of(base, 0.1));
+  const course::Robot robot = identified_robot(found, base, "2026-01-02");
+  const auto json = nlohmann::json::parse(identify_json(found, base, robot));
+  EXPECT_EQ(json["robot"], "mine");
+  for (const auto& parameter : json["parameters"]) {
+    const bool seen = parameter["found"];
+    EXPECT_EQ(parameter.contains("value"), seen);
+    if (parameter["name"] == "slip_left") {
+      EXPECT_TRUE(seen);
+      EXPECT_EQ(parameter["before"], base.model.slip_left);
+      EXPECT_EQ(parameter["value"], robot.model.slip_left);
+      EXPECT_GT(parameter["half_interval"], 0.0);
+    }
+    if (parameter["name"] == "wheelbase_spin_m") {
+      EXPECT_FALSE(seen);
+      EXPECT_EQ(parameter["unit"], "m");
+    }
+  }
+  EXPECT_GT(json["errors_before"]["rms_m"], json["errors_after"]["rms_m"]);
+  EXPECT_EQ(json["errors_after"]["runs"][0]["name"], "a");
+  EXPECT_FALSE(json["errors_after"]["runs"][0].contains("distance_off_m"));
+  EXPECT_FALSE(json["warnings"].empty());
 }
 
 TEST(Identify, NamesThePairThatTurnsToOneSideMix) {

@@ -59,6 +59,33 @@ class RecordedPrograms : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(RecordedPrograms, RecordedDrivesAreIdentifiedAgainstTheirOwnRobot) {
+  const auto drive = [&](const std::string& robot) {
+    const test::Finished driven = test::run({"tp100-sim", "course", "calibrate-spin-left",
+                                             "--robot", robot, "--camera", "--record", records()});
+    EXPECT_EQ(driven.status, 0) << driven.output;
+    return records() + "/calibrate-spin-left-" + robot + "-1";
+  };
+  const std::string worn = drive("worn");
+  const std::vector<std::string> ask = {"tp100d", "identify",    "--out", folder_.file("new.toml"),
+                                        "--json", "--background"};
+  const auto identify = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), ask.begin(), ask.end());
+    return test::run(more);
+  };
+  const test::Finished found = identify({worn});
+  ASSERT_EQ(found.status, 0) << found.output;
+  const Json json = Json::parse(found.output);
+  EXPECT_EQ(json["robot"], "worn");
+  EXPECT_EQ(json["errors_after"]["runs"][0]["name"], "calibrate-spin-left-worn-1");
+  EXPECT_GT(json["errors_after"]["runs"][0]["images"], 10);
+  EXPECT_LE(json["errors_after"]["rms_rad"], json["errors_before"]["rms_rad"]);
+  EXPECT_EQ(test::run({"tp100d", "check", folder_.file("new.toml")}).status, 0);
+  const std::string other = drive("uniform");
+  EXPECT_THAT(identify({worn, other}).output, HasSubstr("was recorded with another robot file"));
+  EXPECT_EQ(identify({worn, other, "--robot", "end-loaded"}).status, 0);
+}
+
 TEST_F(RecordedPrograms, ALiveRunReplaysBitForBitAndIsExported) {
   test::Process robot({"tp100-sim", "robot", "--link", port(), "--course", "1-curve"});
   ASSERT_TRUE(robot.wait_for("linked from"));
