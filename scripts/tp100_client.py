@@ -211,6 +211,11 @@ class Robot:
         """Makes the page that compares two runs, beside the first, and returns its address."""
         return self._page + self.call("run_compare", wait_s=REPORT_S, run=run, **{"with": other})["url"]
 
+    def identify(self, runs, measured=""):
+        """What `tp100d identify` finds in these calibration drives ("found"), and the robot file of it ("text"), which
+        call("file_save", kind="robot", ...) keeps. `measured`: the text of its file of hand measurements."""
+        return self.call("run_identify", wait_s=REPORT_S, runs=" ".join(runs), measured=measured)
+
     def _when_possible(self, what, patience_s):
         # The request itself tells why it is impossible.
         next((True for message in self.messages("/state", patience_s) if message["can"][what]), False)

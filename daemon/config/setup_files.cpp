@@ -138,7 +138,9 @@ void SetupFiles::save(Bundled kind, const std::string& name, const std::string& 
     course::parse_robot(content, name + kEnding);
   }
   text::make_folder(own_folder(library_, kind));
-  text::write_file(own_path(library_, kind, name), content);
+  const std::string path = own_path(library_, kind, name);
+  if (is_plain_file(path)) text::write_file(path + ".bak", course::read_text_file(path).text);
+  text::write_file(path, content);
 }
 
 void SetupFiles::remove(Bundled kind, const std::string& name) const {

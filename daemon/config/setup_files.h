@@ -40,7 +40,8 @@ class SetupFiles {
   /// SetupError.
   course::TextFile read(course::Bundled kind, const std::string& name) const;
   /// Checks the text as `tp100d check` does, and writes the user's file of that name, whole or not
-  /// at all. Throws SetupError: the text's first error as NAME.toml:line:column, a name that is not
+  /// at all; the one that it replaces stays beside it as NAME.toml.bak. Throws SetupError: the
+  /// text's first error as NAME.toml:line:column, a name that is not
   /// permitted or belongs to a file that is not the user's, or, without `replace`, an existing one.
   void save(course::Bundled kind, const std::string& name, const std::string& text,
             bool replace) const;

@@ -165,6 +165,8 @@ void LiveControls::manage_run(const server::RunRequest& request, Answer answer) 
       return runs_.report(request.run, answer);
     case server::RunRequest::What::kCompare:
       return runs_.compare(request.run, request.with, answer);
+    case server::RunRequest::What::kIdentify:
+      return runs_.identify(request.drives, request.measured, answer);
   }
 }
 

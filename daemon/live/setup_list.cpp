@@ -12,6 +12,7 @@
 #include "course/course.h"
 #include "course/path.h"
 #include "course/robot.h"
+#include "identify/identify.h"
 #include "messages/messages.h"
 #include "terrain/climbable.h"
 #include "text/json_writer.h"
@@ -150,7 +151,9 @@ std::string setup_list(const config::SetupFiles& files, const config::LoadedRun&
       .key("setups")
       .begin_array();
   for (const auto& each : bridge::kSetupNames) json.value(each.name);
-  json.end_array().field("may_save", files.may_save());
+  json.end_array().field("may_save", files.may_save()).key("calibration").begin_array();
+  for (const std::string& each : identify::calibration_courses(setup.robot.shape)) json.value(each);
+  json.end_array();
   for (const Bundled kind : {Bundled::kCourses, Bundled::kRobots}) {
     json.key(kind == Bundled::kCourses ? "courses" : "robots").begin_array();
     for (const config::SetupFiles::Entry& entry : files.list(kind))

@@ -22,13 +22,15 @@ namespace {
 constexpr std::size_t kMaxKept = 4096;
 constexpr std::size_t kMaxLine = 300;
 
-/// How the program begins: standard error into `errors`, no other files, no blocked signals.
+/// How the program begins: standard error into `errors`, standard output into a file, no other
+/// files, no blocked signals.
 class Beginning {
  public:
-  explicit Beginning(int errors) {
+  Beginning(int errors, const std::string& output) {
     ::posix_spawn_file_actions_init(&files_);
     ::posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    ::posix_spawn_file_actions_addopen(&files_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_addopen(&files_, STDOUT_FILENO, output.c_str(),
+                                       O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::posix_spawn_file_actions_adddup2(&files_, errors, STDERR_FILENO);
     ::posix_spawn_file_actions_addclosefrom_np(&files_, STDERR_FILENO + 1);
     ::posix_spawnattr_init(&attributes_);
@@ -84,14 +86,14 @@ std::string last_line(std::string text) {
 }  // namespace
 
 std::string ReportProcess::run(const std::vector<std::string>& arguments,
-                               std::chrono::milliseconds limit) {
+                               std::chrono::milliseconds limit, const std::string& output) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::string("no pipe: ") + std::strerror(errno);
   pid_t pid = 0;
   int error = 0;
   {
     const std::lock_guard lock(mutex_);
-    error = stopped_ ? ECANCELED : Beginning(ends[1]).spawn(arguments, pid);
+    error = stopped_ ? ECANCELED : Beginning(ends[1], output).spawn(arguments, pid);
     if (error == 0) pid_ = pid;
   }
   ::close(ends[1]);

@@ -13,8 +13,9 @@ class ReportProcess {
  public:
   /// Runs `arguments[0]` with the rest as its arguments, at the lowest priority, and waits. Returns
   /// why it failed: the last line that it wrote on standard error; empty: it ended with status 0.
-  /// Killed after `limit`. One thread.
-  std::string run(const std::vector<std::string>& arguments, std::chrono::milliseconds limit);
+  /// Killed after `limit`. What it prints goes to the file `output`. One thread.
+  std::string run(const std::vector<std::string>& arguments, std::chrono::milliseconds limit,
+                  const std::string& output = "/dev/null");
   /// Kills what is running; from now on nothing is run. Any thread.
   void stop();
 

@@ -4,12 +4,15 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "course/bundled_files.h"
 #include "record/recording_file.h"
+#include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 
@@ -72,6 +75,12 @@ void move_file(const fs::path& from, const fs::path& to) {
   if (error)
     throw SetupError(to.filename().string() + ": cannot be kept beside the run (" +
                      error.message() + ")");
+}
+
+std::string report_json(const std::string& run, const std::string& url) {
+  std::string text;
+  text::JsonWriter(text).begin_object().field("run", run).field("url", url).end_object();
+  return text;
 }
 
 std::string without(std::string text, const std::string& part) {
@@ -175,20 +184,27 @@ void RunArchive::remove(const std::string& run, const Answer& answer) {
 }
 
 void RunArchive::report(const std::string& run, const Answer& answer) {
-  ask_report(run, "", answer);
+  in_process(run, answer, [this, run] { return report_json(run, make_report(run, "")); });
 }
 
 void RunArchive::compare(const std::string& run, const std::string& with, const Answer& answer) {
-  ask_report(run, with, answer);
+  in_process(run, answer, [this, run, with] { return report_json(run, make_report(run, with)); });
 }
 
-void RunArchive::ask_report(const std::string& run, const std::string& with, const Answer& answer) {
+void RunArchive::identify(const std::vector<std::string>& runs, const std::string& measured,
+                          const Answer& answer) {
+  in_process(runs.empty() ? "" : runs.front(), answer,
+             [this, runs, measured] { return make_robot(runs, measured); });
+}
+
+template <class Job>
+void RunArchive::in_process(const std::string& of, const Answer& answer, Job job) {
   std::string busy;
   {
     const std::lock_guard lock(mutex_);
     busy = making_;
     if (busy.empty()) {
-      making_ = run.empty() ? "?" : run;
+      making_ = of.empty() ? "?" : of;
       ++changes_;
     }
   }
@@ -197,10 +213,10 @@ void RunArchive::ask_report(const std::string& run, const std::string& with, con
                       " is being made; try again when it is "
                       "done",
                   "");
-  const bool posted = reports_.post([this, run, with, answer] {
-    std::string url, why;
+  const bool posted = reports_.post([this, answer, job] {
+    std::string json, why;
     try {
-      url = make(run, with);
+      json = job();
     } catch (const SetupError& error) {
       why = without(without(error.what(), settings_.folder + "/"), "tp100d: ");
     }
@@ -209,23 +225,22 @@ void RunArchive::ask_report(const std::string& run, const std::string& with, con
       making_.clear();
       ++changes_;
     }
-    std::string text;
-    text::JsonWriter(text).begin_object().field("run", run).field("url", url).end_object();
-    answer(why, text);
+    answer(why, json);
   });
   if (!posted) answer(kBusyDisk, "");
 }
 
-std::string RunArchive::make(const std::string& run, const std::string& with) {
+std::string RunArchive::recording(const std::string& run) const {
+  return settings_.folder + "/" + run + "/" + record::kRecordingFile;
+}
+
+std::string RunArchive::make_report(const std::string& run, const std::string& with) {
   const std::vector<Run> runs = list_runs(settings_.folder);
   const std::string active = settings_.active();
   require_run(runs, run, active);
   if (!with.empty()) require_run(runs, with, active);
   if (with == run) throw SetupError("compare needs two different runs");
   // Until the program has opened it.
-  const auto recording = [this](const std::string& of) {
-    return settings_.folder + "/" + of + "/" + record::kRecordingFile;
-  };
   const record::UsedFile used(recording(run)), other(recording(with.empty() ? run : with));
   const WorkFolder work(settings_.folder);
   std::vector<std::string> arguments = {settings_.program, with.empty() ? "report" : "compare",
@@ -244,6 +259,37 @@ std::string RunArchive::make(const std::string& run, const std::string& with) {
   for (fs::directory_iterator at(work.path(), error), end; !error && at != end; at.increment(error))
     move_file(at->path(), beside / at->path().filename());
   return "/runs/" + run + "/report.html";
+}
+
+std::string RunArchive::make_robot(const std::vector<std::string>& names,
+                                   const std::string& measured) {
+  const std::vector<Run> runs = list_runs(settings_.folder);
+  const std::string active = settings_.active();
+  const WorkFolder work(settings_.folder);
+  const std::string found = work.path() + "/found.json", robot = work.path() + "/robot.toml";
+  std::vector<std::string> arguments = {settings_.program, "identify", "--background",
+                                        "--json",          "--out",    robot};
+  if (!measured.empty()) {
+    const std::string file = work.path() + "/measured.csv";
+    text::write_file(file, measured);
+    arguments.insert(arguments.end(), {"--measured", file});
+  }
+  std::deque<record::UsedFile> used;
+  for (const std::string& name : names) {
+    require_run(runs, name, active);
+    used.emplace_back(recording(name));
+    arguments.push_back(settings_.folder + "/" + name);
+  }
+  if (const std::string why = process_.run(arguments, settings_.limit, found); !why.empty())
+    throw SetupError(without(why, work.path() + "/"));
+  std::string text;
+  text::JsonWriter(text)
+      .begin_object()
+      .key("found")
+      .raw(course::read_text_file(found).text)
+      .field("text", course::read_text_file(robot).text)
+      .end_object();
+  return text;
 }
 
 }  // namespace tp100::runs

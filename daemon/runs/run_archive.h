@@ -7,6 +7,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "record/worker.h"
 #include "runs/report_process.h"
@@ -47,13 +48,21 @@ class RunArchive {
   void report(const std::string& run, const Answer& answer);
   /// Makes compare-WITH.html in the folder of `run`.
   void compare(const std::string& run, const std::string& with, const Answer& answer);
+  /// What `tp100d identify` finds in these runs, and the robot file that it makes of theirs.
+  /// `measured`: the text of its file of hand measurements; empty: none.
+  void identify(const std::vector<std::string>& runs, const std::string& measured,
+                const Answer& answer);
 
  private:
   template <class Job>
   void on_disk(const Answer& answer, Job job);
-  /// `with`: empty for a report.
-  void ask_report(const std::string& run, const std::string& with, const Answer& answer);
-  std::string make(const std::string& run, const std::string& with);
+  /// Answers with what `job` returns, one at a time; `of`: the run that it is about.
+  template <class Job>
+  void in_process(const std::string& of, const Answer& answer, Job job);
+  /// `with`: empty for a report. Returns its address.
+  std::string make_report(const std::string& run, const std::string& with);
+  std::string make_robot(const std::vector<std::string>& runs, const std::string& measured);
+  std::string recording(const std::string& run) const;
   void changed();
 
   const ArchiveSettings settings_;

@@ -47,11 +47,13 @@ enum class DoctorPart { kPort, kRobot, kMachine };
 
 /// What is done with a recorded run.
 struct RunRequest {
-  enum class What { kNote, kDelete, kReport, kCompare };
+  enum class What { kNote, kDelete, kReport, kCompare, kIdentify };
   What what = What::kNote;
   std::string run{};
-  std::string with{};          ///< of kCompare: another run
-  runs::RunNoteChange note{};  ///< of kNote
+  std::string with{};                 ///< of kCompare: another run
+  runs::RunNoteChange note{};         ///< of kNote
+  std::vector<std::string> drives{};  ///< of kIdentify, in place of `run`
+  std::string measured{};             ///< of kIdentify, as in RunArchive::identify()
 };
 
 /// Why what needs a robot at rest is refused.

@@ -246,7 +246,8 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
     case Service::kRunNote:
     case Service::kRunDelete:
     case Service::kRunReport:
-    case Service::kRunCompare: {
+    case Service::kRunCompare:
+    case Service::kRunIdentify: {
       RunRequest run;
       why = read_run(service, *request, run);
       if (why.empty()) controls_.manage_run(run, later());

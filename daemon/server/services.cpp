@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string_view>
 
 #include "messages/messages.h"
@@ -18,6 +19,7 @@ constexpr const char* kNameRule =
     "name takes letters, digits, '-', '_' and '.', at most 64, no '.' first";
 constexpr const char* kSaved = R"({"file":"","written":true,"may_restore":true,)"
                                R"("differences":[{"name":"","before":"","after":""}]})";
+constexpr std::size_t kMaxDrives = 100;
 constexpr double kMaxPlaceM = 100.0, kMaxYawRad = 100.0;
 
 struct Row {
@@ -124,6 +126,15 @@ const std::vector<Row>& rows() {
        R"({"part":""})",
        R"({"port":"","errors":1,"warnings":1,"notes":1,)"
        R"("findings":[{"severity":"","name":"","seen":"","fix":""}]})"},
+      {Service::kRunIdentify,
+       "run_identify",
+       "RunIdentify",
+       {"runs", "measured"},
+       R"({"runs":"","measured":""})",
+       R"({"found":{"robot":"","parameters":[{"name":"","unit":"","before":1.5,"found":true}],)"
+       R"("errors_before":{"runs":[{"name":"","images":1,"rejected":1}]},)"
+       R"("errors_after":{"runs":[{"name":"","images":1,"rejected":1}]},)"
+       R"("condition":1.5,"warnings":[""]},"text":""})"},
   };
   return kRows;
 }
@@ -275,7 +286,26 @@ std::string read_parameters(const Arguments& arguments,
   return asked.values.empty() ? "name parameters and their values" : "";
 }
 
+namespace {
+
+/// Of run_identify.
+std::string read_drives(const Arguments& arguments, RunRequest& request) {
+  request.what = RunRequest::What::kIdentify;
+  request.measured = text_of(arguments, "measured").value_or("");
+  std::istringstream words(text_of(arguments, "runs").value_or(""));
+  for (std::string name; words >> name;) request.drives.push_back(name);
+  const bool named = std::ranges::all_of(request.drives, runs::is_run_name);
+  if (texts_only(arguments) && named && !request.drives.empty() &&
+      request.drives.size() <= kMaxDrives)
+    return {};
+  return "runs are one to " + std::to_string(kMaxDrives) +
+         " names of runs between spaces, as GET /api/runs lists them; measured is a text";
+}
+
+}  // namespace
+
 std::string read_run(Service service, const Arguments& arguments, RunRequest& request) {
+  if (service == Service::kRunIdentify) return read_drives(arguments, request);
   using What = RunRequest::What;
   if (!texts_only(arguments, "keep"))
     return "run, with, name, note and tags are texts, keep is true or false";

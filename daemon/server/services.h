@@ -39,6 +39,7 @@ enum class Service : std::uint32_t {
   kRunReport,
   kRunCompare,
   kDoctor,
+  kRunIdentify,
 };
 
 /// All of them, in the enum's order.
@@ -57,7 +58,7 @@ std::string read_choice(const Arguments& arguments, SetupChoice& choice);
 std::string read_place(const Arguments& arguments, std::optional<Pose>& at);
 /// Of file_save, file_delete and file_check.
 std::string read_file(const Arguments& arguments, SetupFile& file);
-/// Of run_note, run_delete, run_report and run_compare.
+/// Of run_note, run_delete, run_report, run_compare and run_identify.
 std::string read_run(Service service, const Arguments& arguments, RunRequest& request);
 
 /// Of parameters_save: names of `known` that may be saved, each with a value that it takes.

@@ -70,9 +70,12 @@ TEST_F(SetupFilesTest, SavesOnesOwnAndReplacesThemOnlyWhenAsked) {
   EXPECT_EQ(files_.read(Bundled::kCourses, "mine").text, kLine);
   EXPECT_EQ(save("mine", std::string(kLine) + "# 2\n", true), "");
   EXPECT_THAT(files_.read(Bundled::kCourses, "mine").text, HasSubstr("# 2"));
-  EXPECT_EQ(own_files(), 1u) << "no temporary file stays";
+  EXPECT_EQ(own_files(), 2u) << "no temporary file stays";
+  EXPECT_EQ(test::read_bytes(folder_.file("courses/mine.toml.bak")), kLine)
+      << "the old one is kept";
+  EXPECT_FALSE(listed("mine.toml", SetupFiles::From::kOwn));
   EXPECT_EQ(remove("mine"), "");
-  EXPECT_EQ(own_files(), 0u);
+  EXPECT_EQ(own_files(), 1u);
 }
 
 TEST_F(SetupFilesTest, ATextWithAnErrorIsRefusedWithItsLineAndColumn) {
@@ -166,6 +169,9 @@ TEST_F(SetupListTest, SaysOfACourseWhatIsToBeShown) {
   EXPECT_EQ(course["outline"][0], Json({{"x_m", 0.0}, {"y_m", 0.0}}));
   EXPECT_EQ(entry(all["robots"], "worn")["in_force"], false);
   EXPECT_EQ(entry(all["courses"], "calibrate-spin-left")["length_m"], 0.0);
+  EXPECT_EQ(all["calibration"].size(), 7u);
+  for (const Json& name : all["calibration"])
+    EXPECT_EQ(entry(all["courses"], name)["identifies"], true) << name;
 }
 
 TEST_F(SetupListTest, SaysWhyACourseDoesNotFitTheRobot) {

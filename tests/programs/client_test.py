@@ -103,6 +103,7 @@ def manages(at):
         check(f"{finished}\t" in says(0, "--at", at, "runs") and "first\ta b" in says(0, "--at", at, "runs"), "are listed")
         check("no such run" in says(1, "--at", at, "report", "none"), "a refusal is said")
         check("name of a run" in refused(lambda: robot.delete_run("../" + finished)), "no path is taken")
+        check("no such run" in refused(lambda: robot.identify(["none"])), "only recorded runs are identified")
         robot.delete_run(finished)
         check(finished not in [run["run"] for run in robot.runs()], "is deleted")
 

@@ -28,6 +28,13 @@ TEST(ReportProcess, SaysNothingOfAProgramThatIsDone) {
   EXPECT_EQ(run(process, "echo out; echo note >&2"), "");
 }
 
+TEST(ReportProcess, KeepsWhatAProgramPrints) {
+  ReportProcess process;
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(process.run({"/bin/sh", "-c", "echo out; echo note >&2"}, 60s, folder.file("out")), "");
+  EXPECT_EQ(test::read_bytes(folder.file("out")), "out\n");
+}
+
 TEST(ReportProcess, SaysWhyAProgramFailed) {
   ReportProcess process;
   EXPECT_EQ(run(process, "echo first >&2; echo 'the reason' >&2; exit 2"), "the reason");

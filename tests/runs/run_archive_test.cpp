@@ -190,6 +190,32 @@ TEST_F(RunArchiveTest, AReportEndsWithTheDaemon) {
   EXPECT_EQ(first->get_future().get(), "the daemon ends");
 }
 
+TEST_F(RunArchiveTest, ARobotIsIdentifiedFromRunsAndNothingStaysInTheirFolder) {
+  // Stands in for `tp100d identify --background --json --out FILE [--measured FILE] RUN...`.
+  program("echo \"{\\\"arguments\\\":\\\"$*\\\"}\"; cat \"$7\" > $5");
+  const auto identify = [&](const std::vector<std::string>& runs, const std::string& measured) {
+    return asked([&](const auto& answer) { archive().identify(runs, measured, answer); });
+  };
+  const Answered answer = identify({"a", "b"}, "run,distance_m\n1,2\n");
+  EXPECT_EQ(answer.why, "");
+  EXPECT_EQ(answer.json["text"], "run,distance_m\n1,2\n") << "the robot file is what it wrote";
+  const std::string arguments = answer.json["found"]["arguments"];
+  EXPECT_THAT(arguments, HasSubstr("identify --background --json --out"));
+  EXPECT_TRUE(arguments.ends_with(folder_.file("runs/a") + " " + folder_.file("runs/b")));
+  std::vector<std::string> left;
+  for (const auto& each : fs::directory_iterator(folder_.file("runs")))
+    left.push_back(each.path().filename());
+  EXPECT_THAT(left, ::testing::UnorderedElementsAre("a", "b"));
+
+  EXPECT_THAT(identify({"a", "none"}, "").why, HasSubstr("none: no such run"));
+  program("echo \"tp100d: $6/run.mcap: no drive\" >&2; exit 2");
+  EXPECT_EQ(identify({"a"}, "").why, "a/run.mcap: no drive");
+  program("echo \"tp100d: $7:2: no number\" >&2; exit 2");
+  EXPECT_EQ(identify({"a"}, "x").why, "measured.csv:2: no number");
+  active_ = "b";
+  EXPECT_THAT(identify({"a", "b"}, "").why, HasSubstr("b is being recorded"));
+}
+
 TEST_F(RunArchiveTest, ANoteIsAnsweredAsItIsThen) {
   const Answered answer = asked(
       [&](const auto& reply) { archive().change_note("a", {.name = "Wet", .keep = true}, reply); });

@@ -134,7 +134,8 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
                                      "drive_take", "drive", "drive_release", "choose", "place",
                                      "file_save", "file_delete", "file_check", "pause", "resume",
                                      "parameters_save", "parameters_restore", "run_note",
-                                     "run_delete", "run_report", "run_compare", "doctor"));
+                                     "run_delete", "run_report", "run_compare", "doctor",
+                                     "run_identify"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
@@ -277,6 +278,7 @@ TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
     call(service, R"({"run":"a"})", only);
   call(Service::kRunCompare, R"({"run":"a","with":"b"})", only);
   call(Service::kDoctor, R"({"part":"robot"})", only);
+  call(Service::kRunIdentify, R"({"runs":"a"})", only);
   EXPECT_TRUE(controls_.examined.empty());
   EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty() && controls_.managed.empty());
   call(3, "{}", only);
@@ -433,6 +435,25 @@ TEST_F(RequestHandlerTest, ARunIsNamedReportedComparedAndDeleted) {
   EXPECT_EQ(controls_.managed[3].what, RunRequest::What::kDelete);
   controls_.change_refusal = "is open";
   EXPECT_EQ(call(Service::kRunDelete, R"({"run":"a"})").texts.at(0)["message"], "is open");
+}
+
+TEST_F(RequestHandlerTest, ARobotIsIdentifiedFromRunsThatAreNamed) {
+  call(Service::kRunIdentify, R"({"runs":"a b","measured":"run,distance_m\n1,2\n"})");
+  call(Service::kRunIdentify, R"({"runs":"a"})");
+  ASSERT_EQ(controls_.managed.size(), 2U);
+  EXPECT_EQ(controls_.managed[0].what, RunRequest::What::kIdentify);
+  EXPECT_EQ(controls_.managed[0].drives, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(controls_.managed[0].measured, "run,distance_m\n1,2\n");
+  std::string many;
+  for (int i = 0; i <= 100; ++i) many += "a ";
+  for (const std::string& bad :
+       {std::string("{}"), std::string(R"({"runs":""})"), std::string(R"({"runs":"a ../b"})"),
+        std::string(R"({"runs":1})"), std::string(R"({"runs":"a","measured":1})"),
+        R"({"runs":")" + many + R"("})"})
+    EXPECT_THAT(std::string(call(Service::kRunIdentify, bad.c_str()).texts.at(0)["message"]),
+                HasSubstr("runs are one to 100 names"))
+        << bad;
+  EXPECT_EQ(controls_.managed.size(), 2U);
 }
 
 TEST_F(RequestHandlerTest, ArgumentsOfTheServicesOfRunsAreChecked) {

@@ -10,6 +10,7 @@ import './courses.css';
 import './draw.css';
 import './runs.css';
 import './doctor.css';
+import './identify.css';
 import './layout.css';
 import { CourseEditor } from '../draw/editor.ts';
 import { Driver, kPeriod_ms } from '../drive/driver.ts';
@@ -25,6 +26,7 @@ import { DrivePanel } from '../panel/drive_panel.ts';
 import { Drawer } from '../panel/drawer.ts';
 import { EventLog } from '../panel/event_log.ts';
 import { Histogram } from '../panel/histogram.ts';
+import { IdentifyPanel } from '../panel/identify_panel.ts';
 import { Identity } from '../panel/identity.ts';
 import { keyList } from '../panel/key_list.ts';
 import { LinkTable } from '../panel/link_table.ts';
@@ -110,6 +112,7 @@ const client = new Client(
 function pressStop(): void {
   controls.forget();
   drive.forget();
+  identify.forget();
   stop.press(performance.now());
   if (client.ready) sendStop();
   else client.retryNow();
@@ -250,6 +253,7 @@ const parameters = new ParameterPanel(
 const signals = new SignalPanel(past);
 const links = new LinkTable();
 const doctor = new DoctorPanel((part) => client.call('doctor', { part }));
+const identify = new IdentifyPanel((service, request) => client.call(service, request));
 const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
 const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);
 const courses = new CourseList(ask, drawPlace, editor);
@@ -271,6 +275,7 @@ const drawer = new Drawer([
   { id: 'signals', title: 'Signals', element: signals.element, show: () => { signals.show(shown); } },
   { id: 'link', title: 'Link', element: links.element, show: () => { links.show(shown); } },
   { id: 'doctor', title: 'Doctor', element: doctor.element, show: () => { doctor.show(live, client.ready, mayCommand()); } },
+  { id: 'identify', title: 'Identify', element: identify.element, show: () => { identify.show(live, client.ready, mayCommand()); } },
   { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
 ]);
 

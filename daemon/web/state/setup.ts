@@ -42,6 +42,8 @@ export interface SetupList {
   setup: string;
   setups: string[];
   may_save: boolean;
+  /** The courses that calibrate the robot in force, in driving order. */
+  calibration: string[];
   courses: CourseEntry[];
   robots: RobotEntry[];
 }

@@ -68,7 +68,7 @@ describe('the layout', () => {
       const size = `${width} x ${height}`;
       await until(() => page.evaluate(([w]) => document.documentElement.clientWidth === w, [width]), `the page is ${size}`);
       await frame(page);
-      for (const tab of ['events', 'courses', 'runs', 'parameters', 'doctor', 'link']) {
+      for (const tab of ['events', 'courses', 'runs', 'parameters', 'doctor', 'identify', 'link']) {
         await page.click(`#tab-${tab}`);
         expect(await page.evaluate(sticksOut), `${tab} in ${size}`).toEqual([]);
         const stop = await page.locator('#stop').boundingBox();

@@ -1,0 +1,115 @@
+// What was identified: every parameter before and after, the errors before and after, and the new robot file to save.
+import { degrees, fixed } from '../state/format.ts';
+import { decimals, fileName, type Errors, type FoundParameter, type Identified } from '../state/identify.ts';
+import { nameOf, type SetupList } from '../state/setup.ts';
+import { h, setText } from './dom.ts';
+
+type Call = (service: string, request: unknown) => Promise<unknown>;
+
+export class FoundRobot {
+  readonly element = h('section', { class: 'identify-found', 'aria-label': 'What was identified', hidden: '' });
+  private readonly name = h('input', { type: 'text', id: 'identify-name', maxlength: '64', 'aria-label': 'Name of the new robot file' });
+  private readonly save = h('button', { type: 'button', class: 'control', id: 'identify-save' }, 'Save');
+  private readonly use = h('button', { type: 'button', class: 'control', id: 'identify-use', hidden: '' }, 'Use it for the next run');
+  private readonly kept = h('p', { class: 'identify-kept' });
+  private text = '';
+  private saved = '';
+  private setup: SetupList | undefined;
+  private may = false;
+
+  constructor(
+    private readonly call: Call,
+    private readonly say: (text: string, bad?: boolean) => void,
+  ) {
+    this.name.addEventListener('input', () => { this.named(); });
+    this.save.addEventListener('click', () => void this.write());
+    this.use.addEventListener('click', () => void this.choose());
+  }
+
+  enable(may: boolean): void {
+    this.may = may;
+    const taken = this.robot();
+    this.save.disabled = !may || nameOf(this.name.value) !== this.name.value || this.name.value === '' || (taken !== undefined && taken.from !== 'own');
+    this.use.disabled = !may;
+  }
+
+  show({ found, text }: Identified, setup: SetupList): void {
+    this.text = text;
+    this.setup = setup;
+    this.name.value = fileName(setup, found.robot);
+    const changed = found.parameters.filter((each) => each.found && each.value !== each.before);
+    const head = ['parameter', 'before', 'identified', '95 %'].map((title) => h('th', { scope: 'col' }, title));
+    this.element.replaceChildren(
+      h('h3', {}, `Robot ${found.robot}: ${changed.length} of ${found.parameters.length} parameters change`),
+      h('table', {}, h('thead', {}, h('tr', {}, ...head)), h('tbody', {}, ...found.parameters.map(row))),
+      h('p', { class: 'identify-errors' }, errors('Errors with the file in use', found.errors_before)),
+      h('p', { class: 'identify-errors' }, errors('Errors with the new file', found.errors_after)),
+      h('ul', { class: 'identify-warnings' }, ...found.warnings.map((line) => h('li', {}, line))),
+      h('div', { class: 'identify-buttons' }, h('label', {}, 'save as ', this.name, ' .toml '), this.save, this.use),
+      this.kept,
+    );
+    this.element.hidden = false;
+    this.use.hidden = true;
+    this.named();
+  }
+
+  private robot(): SetupList['robots'][number] | undefined {
+    return this.setup?.robots.find(({ name }) => name === this.name.value);
+  }
+
+  private named(): void {
+    const taken = this.robot();
+    const text =
+      taken === undefined ? 'The file in use stays as it is.' : taken.from === 'own' ? `${taken.name}.toml is replaced and kept as ${taken.name}.toml.bak.` : `${taken.name} is not one of your own files: give another name.`;
+    setText(this.kept, text);
+    this.enable(this.may);
+  }
+
+  private async write(): Promise<void> {
+    const name = this.name.value;
+    try {
+      await this.call('file_save', { kind: 'robot', name, text: this.text, replace: this.robot() !== undefined });
+      this.saved = name;
+      this.use.hidden = false;
+      this.say(`${name}.toml is saved.`);
+    } catch (error: unknown) {
+      this.say(error instanceof Error ? error.message : String(error), true);
+    }
+  }
+
+  private async choose(): Promise<void> {
+    try {
+      await this.call('choose', { robot: this.saved });
+      this.say(`${this.saved} is in use from now on.`);
+    } catch (error: unknown) {
+      this.say(error instanceof Error ? error.message : String(error), true);
+    }
+  }
+}
+
+function row({ name, before, found, value, half_interval }: FoundParameter): HTMLElement {
+  const digits = decimals(half_interval);
+  const title = h('th', { scope: 'row' }, name);
+  if (!found || value === undefined) return h('tr', { 'data-name': name, 'data-found': 'false' }, title, h('td', {}, fixed(before, digits)), h('td', { colspan: '2' }, 'not seen in these drives'));
+  const changes = value !== before;
+  return h(
+    'tr',
+    { 'data-name': name, 'data-found': 'true' },
+    title,
+    h('td', {}, changes ? h('del', {}, fixed(before, digits)) : fixed(before, digits)),
+    h('td', {}, changes ? h('ins', {}, fixed(value, digits)) : fixed(value, digits)),
+    h('td', {}, `\u00b1 ${fixed(half_interval, digits)}`),
+  );
+}
+
+/** Against the camera, or of the worst drive against what was measured by hand. */
+function errors(of: string, { rms_m, max_m, rms_rad, runs }: Errors): string {
+  if (rms_m !== undefined) return `${of}, against the camera: ${fixed(100 * rms_m, 2)} cm rms, ${fixed(100 * (max_m ?? NaN), 2)} cm at most, ${degrees(rms_rad, 2)}\u00b0 rms.`;
+  const worst = (values: (number | undefined)[]): number | undefined => {
+    const known = values.flatMap((value) => (value === undefined ? [] : [Math.abs(value)]));
+    return known.length === 0 ? undefined : Math.max(...known);
+  };
+  const distance_m = worst(runs.map((run) => run.distance_off_m));
+  const turned_rad = worst(runs.map((run) => run.turned_off_rad));
+  return `${of}, against what was measured by hand: ${fixed(distance_m === undefined ? null : 100 * distance_m, 2)} cm and ${degrees(turned_rad, 2)}\u00b0 at most.`;
+}

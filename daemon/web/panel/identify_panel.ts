@@ -1,0 +1,207 @@
+// The Identify tab: drives the calibration courses one by one, evaluates the recordings, and saves the robot file.
+import { drive, measure, prepare, type Reach } from '../state/calibration_drive.ts';
+import { calibrationCourses, drivesOf, measuredIn, measuredTable, space, type Identified, type Measured } from '../state/identify.ts';
+import type { RunEntry, RunsList } from '../state/runs.ts';
+import { facts, type CourseEntry, type SetupList } from '../state/setup.ts';
+import type { Store } from '../state/store.ts';
+import { h, setAttribute, setClass, setText } from './dom.ts';
+import { FoundRobot } from './found_robot.ts';
+
+const kRefresh_ms = 5000;
+
+/** Calls a service of the daemon. */
+type Call = (service: string, request: unknown) => Promise<unknown>;
+
+export class IdentifyPanel {
+  readonly element = h('div', { class: 'identify', tabindex: '0' });
+  private readonly evaluate = h('button', { type: 'button', class: 'control', id: 'identify-evaluate' }, 'Evaluate');
+  private readonly said = h('p', { class: 'identify-said', role: 'status' }, 'Drive the courses on a flat floor, evaluate the drives, and save the robot file that comes of them.');
+  private readonly why = h('p', { class: 'identify-why', role: 'status' });
+  private readonly question = h('section', { class: 'identify-question', role: 'dialog', 'aria-label': 'Before the drive', hidden: '' });
+  private readonly list = h('ol', { class: 'identify-courses' });
+  private readonly found: FoundRobot;
+  private readonly reach: Reach;
+  private readonly left = new Set<string>();
+  private setup: SetupList | undefined;
+  private runs: RunEntry[] = [];
+  private store: Store | undefined;
+  private shown = '';
+  private next_ms = 0;
+  private busy = false;
+  private pressed = 0;
+  private mayAsk = false;
+  private mayDrive = false;
+
+  constructor(
+    private readonly call: Call,
+    private readonly now: () => number = () => performance.now(),
+  ) {
+    this.reach = {
+      call,
+      state: () => this.store?.get('/state'),
+      stops: () => this.pressed + (this.store?.get('/state')?.stop.count ?? 0),
+      sleep: (ms) => new Promise((resolve) => setTimeout(resolve, ms)),
+      say: (text) => { this.say(text); },
+    };
+    this.found = new FoundRobot(call, (text, bad) => { this.say(text, bad); });
+    this.element.append(h('div', { class: 'identify-bar' }, this.evaluate, this.said), this.why, this.question, this.found.element, this.list);
+    this.evaluate.addEventListener('click', () => {
+      void this.act('Evaluating the drives \u2026', () => this.identify());
+    });
+  }
+
+  /** Draws the tab's content; reloads the lists from time to time. */
+  show(store: Store, connected: boolean, mayCommand: boolean): void {
+    this.store = store;
+    const why = this.whyNot(connected && !store.stale('/state'), mayCommand);
+    this.mayDrive = why === '';
+    setText(this.why, this.busy ? '' : why);
+    this.mayAsk = connected && mayCommand;
+    this.enable();
+    if (this.now() < this.next_ms || !connected) return;
+    this.next_ms = this.now() + kRefresh_ms;
+    void this.load();
+  }
+
+  /** STOP was pressed on this page: what was confirmed before does not begin any more. */
+  forget(): void {
+    this.pressed++;
+  }
+
+  private whyNot(connected: boolean, mayCommand: boolean): string {
+    if (!connected) return 'No connection to tp100d.';
+    if (!mayCommand) return 'This daemon takes no commands from here but STOP (server.commands).';
+    if (this.store?.get('/recording')?.available === false) return 'Drives are recorded: start tp100d with --record DIR and --stay.';
+    const run = this.store?.get('/state')?.run;
+    return run === 'arming' || run === 'running' || run === 'driving' ? 'A run is under way; stop it first.' : '';
+  }
+
+  private enable(): void {
+    const drives = this.chosen();
+    setText(this.evaluate, drives.length === 0 ? 'Evaluate' : `Evaluate ${drives.length} drive${drives.length === 1 ? '' : 's'}`);
+    this.evaluate.disabled = this.busy || !this.mayAsk || drives.length === 0;
+    for (const button of this.element.querySelectorAll<HTMLButtonElement>('.identify-drive')) button.disabled = this.busy || !this.mayDrive || button.dataset.fixed === 'true';
+    for (const input of this.list.querySelectorAll<HTMLInputElement>('input')) input.disabled = this.busy || !this.mayAsk;
+    this.found.enable(!this.busy && this.mayDrive);
+  }
+
+  private get robot(): string {
+    return this.store?.get('/state')?.robot ?? '';
+  }
+
+  /** The drives that are evaluated, in the order of the list. */
+  private chosen(): RunEntry[] {
+    if (this.setup === undefined) return [];
+    return calibrationCourses(this.setup).flatMap(({ name }) => drivesOf(this.runs, name, this.robot)).filter(({ run }) => !this.left.has(run));
+  }
+
+  private async load(): Promise<void> {
+    try {
+      const [setup, runs] = await Promise.all(['/api/setup', '/api/runs'].map(async (path) => {
+        const response = await fetch(path, { cache: 'no-store' });
+        if (!response.ok) throw new Error(response.statusText);
+        return response.text();
+      }));
+      // A measurement is being typed: nothing changes under the hand.
+      if (`${setup}${runs}` === this.shown || (document.activeElement?.closest('.identify-measured') ?? null) !== null) return;
+      this.shown = `${setup}${runs}`;
+      this.setup = JSON.parse(setup ?? '') as SetupList;
+      this.runs = (JSON.parse(runs ?? '') as RunsList).runs;
+      this.list.replaceChildren(...calibrationCourses(this.setup).map((course) => this.course(course)));
+    } catch {
+      this.shown = '';
+      this.say('The lists of courses and runs are not available now.', true);
+    }
+  }
+
+  private course(course: CourseEntry): HTMLElement {
+    const button = h('button', { type: 'button', class: 'control identify-drive', 'aria-label': `Drive ${course.name}` }, 'Drive \u2026');
+    button.disabled = true;
+    button.dataset.fixed = String(course.why_not !== '');
+    button.addEventListener('click', () => {
+      void this.act(`${course.name} \u2026`, () => this.ask(course));
+    });
+    const drives = drivesOf(this.runs, course.name, this.robot);
+    const about = h('div', { class: 'identify-about' }, h('h3', {}, course.name), h('p', {}, `${facts(course)}, ${space(course)}`));
+    if (course.why_not !== '') about.append(h('p', { class: 'identify-bad' }, course.why_not));
+    return h('li', { 'data-course': course.name, 'data-driven': String(drives.length) }, about, button, h('ul', {}, ...drives.map((run) => this.drive(run))));
+  }
+
+  private drive(run: RunEntry): HTMLElement {
+    const box = h('input', { type: 'checkbox' });
+    box.checked = !this.left.has(run.run);
+    box.addEventListener('change', () => {
+      if (box.checked) this.left.delete(run.run);
+      else this.left.add(run.run);
+    });
+    const measured = measuredIn(run.note);
+    const input = (name: keyof Measured, label: string): HTMLElement => {
+      const element = h('input', { type: 'number', step: 'any', inputmode: 'decimal', name });
+      element.value = measured[name] === undefined ? '' : String(measured[name]);
+      element.addEventListener('change', () => {
+        if (element.value === '') Reflect.deleteProperty(measured, name);
+        else measured[name] = Number(element.value);
+        void this.act('', async () => {
+          await measure(this.reach, run.run, measured);
+          return '';
+        });
+      });
+      return h('label', {}, `${label} `, element);
+    };
+    const fields = [input('distance_m', 'distance [m]'), input('turned_deg', 'turned, left positive [deg]')];
+    return h('li', { 'data-run': run.run }, h('label', {}, box, ` ${run.run}`), h('span', { class: 'identify-measured' }, 'by hand: ', ...fields));
+  }
+
+  /** Chooses the course and asks whether the robot stands at its start. Nothing moves before the answer. */
+  private async ask(course: CourseEntry): Promise<string> {
+    await prepare(this.reach, course.name);
+    const yes = h('button', { type: 'button', class: 'control', id: 'identify-start' }, 'It stands there: drive');
+    const no = h('button', { type: 'button', class: 'control', id: 'identify-cancel' }, 'Cancel');
+    this.question.replaceChildren(
+      h('p', {}, `Put the robot on a flat floor with ${space(course)} free. It will drive ${facts(course)}. Mark where it stands, unless a camera sees it.`),
+      h('div', { class: 'identify-buttons' }, no, yes),
+    );
+    this.question.hidden = false;
+    no.focus();
+    const answer = await new Promise<boolean>((resolve) => {
+      yes.addEventListener('click', () => { resolve(true); });
+      no.addEventListener('click', () => { resolve(false); });
+    });
+    this.question.hidden = true;
+    if (!answer) return 'Nothing was driven.';
+    await drive(this.reach, course.name);
+    const seen = this.store?.get('/estimate')?.fused.camera_age_us;
+    return `${course.name} is driven.${typeof seen !== 'number' ? ' No camera sees the robot: measure the drive and write it down below.' : ''}`;
+  }
+
+  private async identify(): Promise<string> {
+    const drives = this.chosen();
+    const answer = (await this.call('run_identify', { runs: drives.map(({ run }) => run).join(' '), measured: measuredTable(drives) })) as Identified;
+    if (this.setup !== undefined) this.found.show(answer, this.setup);
+    this.element.scrollTop = 0;
+    return `${drives.length} drive${drives.length === 1 ? ' is' : 's are'} evaluated.`;
+  }
+
+  private async act(begin: string, work: () => Promise<string>): Promise<void> {
+    if (this.busy) return;
+    this.busy = true;
+    this.enable();
+    if (begin !== '') this.say(begin);
+    try {
+      const end = await work();
+      if (end !== '') this.say(end);
+    } catch (error: unknown) {
+      this.say(error instanceof Error ? error.message : String(error), true);
+    } finally {
+      // What was done shows before the next thing may be.
+      await this.load();
+      this.busy = false;
+      setAttribute(this.element, 'data-acted', String(Number(this.element.dataset.acted ?? '0') + 1));
+    }
+  }
+
+  private say(text: string, bad = false): void {
+    setText(this.said, text);
+    setClass(this.said, 'bad', bad);
+  }
+}

@@ -1,0 +1,117 @@
+// Identification of a robot from calibration drives: which recorded runs are drives, what was measured of them by hand, and
+// what the service `run_identify` finds.
+import type { RunEntry } from './runs.ts';
+import type { CourseEntry, SetupList } from './setup.ts';
+
+/** Tag of a run that is a calibration drive. Its name is that of the course, another tag that of the robot. */
+const kTag = 'identify';
+
+/** At the end of a drive: the straight distance from its start, and the angle with whole turns, left positive. */
+export interface Measured {
+  distance_m?: number;
+  turned_deg?: number;
+}
+
+export interface ErrorsOfRun {
+  name: string;
+  images: number;
+  rejected: number;
+  rms_m?: number;
+  max_m?: number;
+  rms_rad?: number;
+  /** Measured by hand minus predicted. */
+  distance_off_m?: number;
+  turned_off_rad?: number;
+}
+
+/** Without a camera there are only those of the runs, against what was measured by hand. */
+export interface Errors {
+  rms_m?: number;
+  max_m?: number;
+  rms_rad?: number;
+  runs: ErrorsOfRun[];
+}
+
+export interface FoundParameter {
+  name: string;
+  unit: string;
+  before: number;
+  found: boolean;
+  value?: number;
+  /** Of the 95 % interval, to either side. */
+  half_interval?: number;
+}
+
+export interface Found {
+  robot: string;
+  parameters: FoundParameter[];
+  errors_before: Errors;
+  errors_after: Errors;
+  condition: number;
+  warnings: string[];
+}
+
+/** The answer of `run_identify`: `text` is the robot file. */
+export interface Identified {
+  found: Found;
+  text: string;
+}
+
+/** The courses that calibrate the robot in force, in driving order, and the user's own. */
+export function calibrationCourses(list: SetupList): CourseEntry[] {
+  const named = list.calibration.flatMap((name) => list.courses.filter((course) => course.name === name));
+  return [...named, ...list.courses.filter((course) => course.identifies === true && course.from !== 'bundled' && !named.includes(course))];
+}
+
+/** What the robot needs around its start: "1.7 m ahead, 0.2 m behind, 0.5 m to each side". */
+export function space({ fence }: CourseEntry): string {
+  if (fence === undefined) return '';
+  const m = (value: number): string => `${Math.max(0, value).toFixed(1)} m`;
+  const { min_x_m, max_x_m, min_y_m, max_y_m } = fence;
+  return `${m(max_x_m)} ahead, ${m(-min_x_m)} behind, ${m(max_y_m)} to the left, ${m(-min_y_m)} to the right`;
+}
+
+export const tagsOf = (robot: string): string => `${kTag} ${robot}`;
+
+/** The drives of a robot on a course, the oldest first. */
+export function drivesOf(runs: readonly RunEntry[], course: string, robot: string): RunEntry[] {
+  const drive = ({ name, tags, active }: RunEntry): boolean => {
+    const words = tags.split(' ');
+    return name === course && !active && words.includes(kTag) && words.includes(robot);
+  };
+  return runs.filter(drive).reverse();
+}
+
+/** The measurements as the note of a run holds them. */
+export function noteOf({ distance_m, turned_deg }: Measured): string {
+  return [...(distance_m === undefined ? [] : [`distance_m = ${distance_m}`]), ...(turned_deg === undefined ? [] : [`turned_deg = ${turned_deg}`])].join('\n');
+}
+
+export function measuredIn(note: string): Measured {
+  const number = (name: string): number | undefined => {
+    const text = new RegExp(`^${name} = (\\S+)$`, 'm').exec(note)?.[1];
+    return text === undefined || !Number.isFinite(Number(text)) ? undefined : Number(text);
+  };
+  const [distance_m, turned_deg] = [number('distance_m'), number('turned_deg')];
+  return { ...(distance_m === undefined ? {} : { distance_m }), ...(turned_deg === undefined ? {} : { turned_deg }) };
+}
+
+/** The measurements of the runs in this order, as `tp100d identify --measured` reads them; empty: there are none. */
+export function measuredTable(drives: readonly RunEntry[]): string {
+  const rows = drives.flatMap(({ note }, i) => {
+    const { distance_m, turned_deg } = measuredIn(note);
+    return distance_m === undefined && turned_deg === undefined ? [] : [`${i + 1},${distance_m ?? ''},${turned_deg ?? ''}\n`];
+  });
+  return rows.length === 0 ? '' : `run,distance_m,turned_deg\n${rows.join('')}`;
+}
+
+/** Digits that an interval leaves meaningful, at most those of the file. */
+export function decimals(half_interval: number | undefined): number {
+  if (half_interval === undefined || !(half_interval > 0)) return 5;
+  return Math.min(5, Math.max(0, 1 - Math.floor(Math.log10(half_interval))));
+}
+
+/** A name for the new file: the robot's own if it may be replaced. */
+export function fileName(list: SetupList, robot: string): string {
+  return list.robots.find(({ name }) => name === robot)?.from === 'own' ? robot : `${robot}-identified`.slice(0, 64);
+}

@@ -1,0 +1,140 @@
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { mkdir, readFile, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { findings } from './axe.ts';
+import { Bus } from './bus.ts';
+import { alive, picture, run, until, type Size } from './cockpit.ts';
+import { Setting } from './setting.ts';
+
+const kScreens: Size[] = [
+  { width: 1440, height: 900 },
+  { width: 390, height: 844 },
+];
+
+/** Short calibration courses of the user's own. */
+const course = (segment: string): string =>
+  `speed_mps = 0.15\nidentifies = true\n[[segment]]\n${segment}\n[fence]\nmin_x_m = -0.5\nmax_x_m = 0.6\nmin_y_m = -0.5\nmax_y_m = 0.5\n`;
+
+const said = (page: Page, pattern: RegExp): Promise<string> =>
+  until(
+    async () => {
+      const text = (await page.textContent('.identify-said')) ?? '';
+      return pattern.test(text) && text;
+    },
+    String(pattern),
+    () => page.textContent('.identify-said'),
+  );
+
+async function openIdentify(setting: Setting, size?: Size): Promise<Page> {
+  const page = await setting.open(size);
+  await alive(page);
+  // An emulated robot starts by itself.
+  await page.keyboard.press('Escape');
+  await until(async () => ['aborted', 'idle', 'finished'].includes(await run(page)), 'no run is under way');
+  await page.click('#tab-identify');
+  await page.click('#drawer-size');
+  return page;
+}
+
+/** Drives a course until it is completed: a busy machine may stop the robot on its way. */
+async function driveCourse(page: Page, name: string): Promise<void> {
+  const button = `[data-course="${name}"] .identify-drive`;
+  await until(
+    async () => {
+      if (((await page.getAttribute(`[data-course="${name}"]`, 'data-driven')) ?? '0') !== '0') return true;
+      if (await page.isVisible('#identify-start')) await page.click('#identify-start');
+      else if (await page.isEnabled(button)) await page.click(button);
+      return false;
+    },
+    `${name} is driven`,
+    () => page.textContent('.identify-said'),
+  );
+}
+
+async function write(page: Page, name: string, what: string, value: string): Promise<void> {
+  const input = `[data-course="${name}"] input[name="${what}"]`;
+  await until(() => page.isEnabled(input), 'it may be written');
+  const acted = await page.getAttribute('.identify', 'data-acted');
+  await page.fill(input, value);
+  await page.press(input, 'Tab');
+  await until(async () => (await page.getAttribute('.identify', 'data-acted')) !== acted, 'it is kept');
+}
+
+describe.each(kScreens)('the identification at $width x $height', (size) => {
+  const folder = mkdtempSync(join(tmpdir(), 'tp100-identify-'));
+  afterAll(() => {
+    rmSync(folder, { recursive: true, force: true });
+  });
+  const setting = new Setting({ options: ['--record', folder] });
+  beforeAll(async () => {
+    const courses = join(setting.pair.folder, 'library', 'courses');
+    await mkdir(courses, { recursive: true });
+    await writeFile(join(courses, 'ahead.toml'), course('type = "line"\nlength_m = 0.3'));
+    await writeFile(join(courses, 'left.toml'), course('type = "pivot"\nangle_deg = 90.0'));
+  });
+
+  it('goes from the drives to a new robot file in use', async () => {
+    const page = await openIdentify(setting, size);
+    const bus = new Bus(setting.pair.url, ['/state']);
+    await until(() => page.isVisible('[data-course="ahead"]'), 'the courses');
+    const courses = await page.locator('.identify-courses > li').evaluateAll((all) => all.map((each) => each.getAttribute('data-course')));
+    expect(courses).toEqual(['calibrate-straight', 'calibrate-arc-left', 'calibrate-arc-right', 'calibrate-tight-left', 'calibrate-tight-right', 'calibrate-spin-left', 'calibrate-spin-right', 'ahead', 'left']);
+    expect(await page.isDisabled('#identify-evaluate')).toBe(true);
+
+    // Nothing moves before it is confirmed.
+    await until(() => page.isEnabled('[data-course="ahead"] .identify-drive'), 'it may be driven');
+    await page.click('[data-course="ahead"] .identify-drive');
+    await until(() => page.isVisible('#identify-start'), 'the question');
+    expect(await page.textContent('.identify-question')).toContain('0.6 m ahead');
+    expect(await run(page)).not.toBe('running');
+    await page.click('#identify-cancel');
+    await said(page, /Nothing was driven/);
+
+    await driveCourse(page, 'ahead');
+    await driveCourse(page, 'left');
+    // Less than the robot's file says.
+    await write(page, 'ahead', 'distance_m', '0.28');
+    await write(page, 'ahead', 'turned_deg', '0');
+    await write(page, 'left', 'turned_deg', '90');
+    await until(async () => (await page.textContent('#identify-evaluate')) === 'Evaluate 2 drives' && (await page.isEnabled('#identify-evaluate')), 'two drives');
+    await page.click('#identify-evaluate');
+    await said(page, /2 drives are evaluated/);
+    expect(await page.getAttribute('.identify-found [data-name="slip_left"]', 'data-found')).toBe('true');
+    expect(Number(await page.textContent('.identify-found [data-name="slip_left"] ins'))).toBeGreaterThan(0.17);
+    expect(Number(await page.textContent('.identify-found [data-name="slip_left"] del'))).toBeCloseTo(0.16, 2);
+    expect(await page.getAttribute('.identify-found [data-name="x_icr_m"]', 'data-found')).toBe('false');
+    const [before, after] = await page.locator('.identify-errors').evaluateAll((all) => all.map((each) => Number(/hand: ([\d.]+) cm/.exec(each.textContent)?.[1])));
+    expect(after).toBeLessThan((before ?? NaN) / 2);
+    expect(await findings(page, '#page-identify')).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)).toBe(true);
+    expect(await page.isVisible('#stop')).toBe(true);
+    await picture(page, `identify-${size.width}`);
+
+    await page.fill('#identify-name', 'end-loaded');
+    expect(await page.isDisabled('#identify-save')).toBe(true);
+    await page.fill('#identify-name', 'mine');
+    await until(() => page.isEnabled('#identify-save'), 'it may be saved');
+    await page.click('#identify-save');
+    await said(page, /mine.toml is saved/);
+    const saved = join(setting.pair.folder, 'library', 'robots', 'mine.toml');
+    expect(await readFile(saved, 'utf8')).toContain('From identify on');
+    expect(existsSync(`${saved}.bak`)).toBe(false);
+    await page.click('#identify-use');
+    await said(page, /mine is in use/);
+    await until(() => bus.last('/state')?.robot === 'mine', 'the daemon uses it');
+    bus.close();
+  });
+});
+
+describe('a daemon that does not record', () => {
+  const setting = new Setting();
+
+  it('says what the drives need', async () => {
+    const page = await openIdentify(setting);
+    await until(async () => ((await page.textContent('.identify-why')) ?? '').includes('--record DIR'), 'why not');
+    for (const button of await page.locator('.identify-drive').all()) expect(await button.isDisabled()).toBe(true);
+  });
+});
