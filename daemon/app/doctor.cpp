@@ -1,10 +1,17 @@
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
 #include <atomic>
+#include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <future>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/commands.h"
@@ -34,6 +41,75 @@ constexpr std::uint16_t kPagePort = 8765;
 std::atomic<bool> stop{false};
 
 void on_signal(int) { stop = true; }
+
+/// Whoever runs the command: asked on standard error, answers on standard input.
+class Terminal : public doctor::Operator {
+ public:
+  void say(const std::string& line) override { std::fprintf(stderr, "%s\n", line.c_str()); }
+  void ask(const doctor::Question& question) override;
+  std::optional<std::string> take_answer() override;
+  bool ended() const override { return ended_ && pending_.empty(); }
+  bool watches() const override { return true; }
+  /// Waits for Enter. False: there was none.
+  bool confirms();
+
+ private:
+  void drop_typed_ahead();
+
+  std::string pending_;
+  bool ended_ = false;
+};
+
+void Terminal::ask(const doctor::Question& question) {
+  drop_typed_ahead();
+  std::string line = question.text + ".";
+  if (line.ends_with("?.")) line.pop_back();
+  const char* separator = " ";
+  for (const doctor::Choice& choice : question.choices) {
+    line += separator + (choice.answer.empty() ? "Enter" : choice.answer) + ": " + choice.meaning;
+    separator = "; ";
+  }
+  say(line);
+}
+
+// Reads all available input, and never waits.
+std::optional<std::string> Terminal::take_answer() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  if (!ended_ && ::poll(&input, 1, 0) > 0) {
+    std::array<char, 256> buffer;
+    const ssize_t n = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (n > 0) pending_.append(buffer.data(), static_cast<std::size_t>(n));
+    if (n == 0 || (n < 0 && errno != EINTR && errno != EAGAIN)) ended_ = true;
+  }
+  const std::size_t end = pending_.find('\n');
+  if (end == std::string::npos) {
+    if (ended_) pending_.clear();
+    return std::nullopt;
+  }
+  std::string line = pending_.substr(0, end);
+  pending_.erase(0, end + 1);
+  line.erase(line.find_last_not_of(" \t\r") + 1);
+  return line;
+}
+
+// Of a terminal; a pipe keeps its lines.
+void Terminal::drop_typed_ahead() {
+  if (::isatty(STDIN_FILENO) == 0) return;
+  ::tcflush(STDIN_FILENO, TCIFLUSH);
+  pending_.clear();
+}
+
+bool Terminal::confirms() {
+  say("Put the robot on a stand, its tracks free. Each track runs forward and back for a second. "
+      "Enter starts, Ctrl-C ends it.");
+  drop_typed_ahead();
+  while (!stop && !ended()) {
+    if (take_answer()) return true;
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    ::poll(&input, 1, 100);
+  }
+  return false;
+}
 
 /// Runs `work` with the privileges of a run's loop, in a thread that ends with them.
 template <class Work>
@@ -129,10 +205,15 @@ void examine_tracks(Examination& all, const DoctorOptions& options) {
   const doctor::VisitOptions visit = visit_options(all, options);
   try {
     // Driven tracks need a command every 200 ms, however busy the machine is.
-    append(all.findings, with_privileges(all.configuration.loop, [&](const auto&) {
-             return doctor::try_wheels_up(
-                 {visit.port, visit.serial, visit.session, all.robot.drive}, stop);
-           }));
+    Terminal terminal;
+    append(all.findings, !terminal.confirms()
+                             ? doctor::wheels_up_broken_off("nobody pressed Enter, nothing moved",
+                                                            "run it in a terminal")
+                             : with_privileges(all.configuration.loop, [&](const auto&) {
+                                 return doctor::try_wheels_up(
+                                     {visit.port, visit.serial, visit.session, all.robot.drive},
+                                     terminal, stop);
+                               }));
   } catch (const SetupError& error) {
     append(all.findings, doctor::robot_findings({.port = visit.port, .open_error = error.what()}));
   }

@@ -3,7 +3,9 @@
 // with the speed loops off, so that a track that is wired backwards cannot run away.
 
 #include <atomic>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "course/robot.h"
 #include "doctor/finding.h"
@@ -12,6 +14,33 @@
 
 namespace tp100::doctor {
 
+/// One answer that a question takes.
+struct Choice {
+  std::string answer;   ///< what is typed; empty: just Enter
+  std::string meaning;  ///< "the left track, back first"
+};
+
+struct Question {
+  std::string text;
+  std::vector<Choice> choices;  ///< the first is the usual one
+};
+
+/// The person beside the robot. Called by the thread of the test only; nothing here waits.
+class Operator {
+ public:
+  virtual ~Operator() = default;
+  /// What happens now, one line.
+  virtual void say(const std::string& line) = 0;
+  /// Asks; what was answered before is worth nothing.
+  virtual void ask(const Question& question) = 0;
+  /// One of the answers to the last question, once.
+  virtual std::optional<std::string> take_answer() = 0;
+  /// There will be no more answers.
+  virtual bool ended() const = 0;
+  /// Whether somebody watches. No track runs while nobody does.
+  virtual bool watches() const = 0;
+};
+
 struct WheelsUpOptions {
   std::string port;
   link::PortOptions serial{};
@@ -19,9 +48,14 @@ struct WheelsUpOptions {
   course::DriveValues drive{};
 };
 
-/// Asks on standard error and reads standard input. Nothing moves before Enter; the motors are off
-/// when it returns. Names besides those of doctor/tracks.h: wheels-up. Throws SetupError if the
-/// port cannot be opened.
-doctor::Findings try_wheels_up(const WheelsUpOptions& options, const std::atomic<bool>& stop);
+/// The result of a test that was not completed.
+Findings wheels_up_broken_off(std::string seen, std::string fix);
+
+/// The tracks run at once: the caller has asked whether they are free. A motion during which nobody
+/// watched is repeated when somebody does again; after 2 s the test ends. The motors are off when
+/// it returns, also after `stop`. Names besides those of doctor/tracks.h: wheels-up. Throws
+/// SetupError if the port cannot be opened.
+Findings try_wheels_up(const WheelsUpOptions& options, Operator& person,
+                       const std::atomic<bool>& stop);
 
 }  // namespace tp100::doctor
