@@ -179,6 +179,7 @@ int run_run(const RunOptions& options) {
   live::SetupChanger setup({files, run}, cycle);
   runs::RunArchive runs(archive_settings(configuration.record, recording));
   selftest::SelfTest self_test(configuration, run.robot);
+  settings.connector.loan = &self_test.wheels_up().loan();
   live::LiveControls controls(cycle, loop, recording, setup, runs, self_test);
   const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
                             std::string_view json) { recording.hear(channel, unix_ns, json); };

@@ -12,6 +12,7 @@
 #include "link/port_discovery.h"
 #include "link/transport.h"
 #include "loop/fixed_rate_loop.h"
+#include "selftest/port_loan.h"
 
 namespace tp100::live {
 
@@ -21,6 +22,8 @@ struct ConnectorSettings {
   link::PortOptions options{};
   bool wait = false;     ///< keep trying before the first hello, too
   bool attended = true;  ///< false: runs as a service, see link::choose_for_auto()
+  /// Who may ask for the port; null: nobody. Must outlive the connector.
+  selftest::PortLoan* loan = nullptr;
 };
 
 class Connector {
@@ -55,6 +58,7 @@ class Connector {
   void try_open(HostNs now);
   link::Port open_next();
   link::AutoChoice choose() const;
+  bool lent() const { return settings_.loan != nullptr && settings_.loan->given(); }
   void say_once(const std::string& line);
 
   ConnectorSettings settings_;

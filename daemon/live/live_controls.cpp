@@ -20,6 +20,7 @@ using messages::ParameterText;
 // A step has taken a request after this time.
 constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
 constexpr const char* kChanging = "course, robot or place are being changed; try again";
+constexpr const char* kTracksRun = "a check of the tracks is under way; wait for its end";
 constexpr const char* kBusy = "too many requests wait; try again";
 
 struct LiveKey {
@@ -63,6 +64,7 @@ std::string LiveControls::request_start(OperatorRequest request) {
   const std::lock_guard lock(mutex_);
   if (ending_) return "the daemon ends";
   if (setup_.changing()) return kChanging;
+  if (self_test_.wheels_up().on()) return kTracksRun;
   return cycle_.request(request) ? std::string() : kBusy;
 }
 
@@ -70,12 +72,32 @@ std::string LiveControls::request(OperatorRequest request) {
   return cycle_.request(request) ? std::string() : kBusy;
 }
 
-void LiveControls::stop() { cycle_.request(OperatorRequest::kStop); }
+std::string LiveControls::hold() {
+  self_test_.wheels_up().stop();
+  return request(OperatorRequest::kHold);
+}
+
+void LiveControls::stop() {
+  cycle_.request(OperatorRequest::kStop);
+  self_test_.wheels_up().stop();
+}
+
+std::string LiveControls::wheels_up_begin(const server::Driver& viewer, HostNs now,
+                                          std::string& token) {
+  const std::lock_guard lock(mutex_);
+  if (ending_) return "the daemon ends";
+  if (setup_.changing()) return kChanging;
+  if (driving(now)) return server::kUnderWay;
+  std::string why = self_test_.wheels_up().begin(viewer, now, token);
+  if (why.empty()) cycle_.give_up_port();
+  return why;
+}
 
 std::string LiveControls::drive_take(const server::Driver& driver, HostNs now, std::string& token) {
   const std::lock_guard lock(mutex_);
   if (ending_) return "the daemon ends";
   if (setup_.changing()) return kChanging;
+  if (self_test_.wheels_up().on()) return kTracksRun;
   if (!driving(now)) wheel_.clear();
   const std::optional<std::string> taken = wheel_.take(driver, now);
   if (!taken) return wheel_.figures(now).by + " drives; ask for a release";
@@ -109,6 +131,7 @@ std::string LiveControls::drive_release(const std::string& token, HostNs now) {
 void LiveControls::drive_lost(const std::string& id, HostNs now) {
   const std::lock_guard lock(mutex_);
   if (wheel_.lose(id)) cycle_.velocity({.at_ns = now});
+  self_test_.wheels_up().lose(id);
 }
 
 messages::DriverFigures LiveControls::driver(HostNs now) {
@@ -241,6 +264,7 @@ void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
 void LiveControls::end() {
   const std::lock_guard lock(mutex_);
   ending_ = true;
+  self_test_.wheels_up().stop();
 }
 
 std::optional<ParameterChange> change_for(const ParameterText& parameter,

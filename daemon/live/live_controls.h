@@ -36,7 +36,7 @@ class LiveControls : public server::Controls {
   // The server's thread, or another one whose clients drive:
   std::string start() override { return request_start(OperatorRequest::kStart); }
   std::string go_on() override { return request_start(OperatorRequest::kGoOn); }
-  std::string hold() override { return request(OperatorRequest::kHold); }
+  std::string hold() override;
   std::string pause() override { return request(OperatorRequest::kPause); }
   std::string resume() override { return request(OperatorRequest::kResume); }
   void stop() override;
@@ -73,6 +73,12 @@ class LiveControls : public server::Controls {
   void manage_run(const server::RunRequest& request, Answer answer) override;
   void examine(server::DoctorPart part, Answer answer) override {
     self_test_.examine(part, std::move(answer));
+  }
+  std::string wheels_up_begin(const server::Driver& viewer, HostNs now,
+                              std::string& token) override;
+  std::string wheels_up_watch(const server::WheelsUpWatch& watch, HostNs now,
+                              std::string& json) override {
+    return self_test_.wheels_up().watch(watch, now, json);
   }
   messages::LoopFigures loop() override;
   messages::PortFigures port() override;

@@ -163,7 +163,14 @@ void LiveCycle::publish(HostNs now) {
                   cycle_.outputs().snapshot});
 }
 
-bool LiveCycle::take_port_drop() { return std::exchange(drop_port_, false); }
+bool LiveCycle::take_port_drop() {
+  const bool asked = give_up_port_.exchange(false, std::memory_order_acq_rel);
+  if (asked && !under_way(run_state_) && !motors_on(cycle_.outputs().snapshot.sample)) {
+    has_run_.store(true, std::memory_order_release);
+    drop_port_ = true;
+  }
+  return std::exchange(drop_port_, false);
+}
 
 bool LiveCycle::shut_down(HostNs now) {
   if (!std::exchange(shutting_down_, true)) cycle_.disarm(now);

@@ -86,6 +86,9 @@ class LiveCycle : public loop::LoopClient {
   bool change(const ParameterChange& change);
   /// Any thread but the real-time one. False: too many inputs are waiting.
   bool velocity(const VelocityInput& input);
+  /// The port is given back as a silent one is, unless the robot is armed; then nothing happens.
+  /// From then on a person starts, and nothing by itself. Any thread.
+  void give_up_port() { give_up_port_.store(true, std::memory_order_release); }
   /// As of the last step. Any thread.
   RunState run_state() const { return shown_run_state_.load(std::memory_order_acquire); }
   /// Passes a change to the loop, which makes it when the robot stands still, unless a run begins
@@ -155,6 +158,7 @@ class LiveCycle : public loop::LoopClient {
   std::atomic<SetupRequest*> setup_done_{nullptr};
   std::atomic<bool> stop_asked_{false};
   std::atomic<bool> has_run_{false};
+  std::atomic<bool> give_up_port_{false};
   loop::SpscQueue<CameraSample, 32> camera_;  ///< one second of images
   loop::SpscQueue<WorldSample, kWaitingWorld> world_;
   loop::SpscQueue<LiveEvent, 256> events_;

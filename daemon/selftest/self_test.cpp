@@ -15,7 +15,9 @@ namespace tp100::selftest {
 using doctor::Findings;
 
 SelfTest::SelfTest(config::Configuration configuration, const course::Robot& robot)
-    : configuration_(std::move(configuration)), battery_cutoff_v_(robot.drive.battery_cutoff_v) {}
+    : configuration_(std::move(configuration)),
+      wheels_up_(configuration_, robot),
+      battery_cutoff_v_(robot.drive.battery_cutoff_v) {}
 
 void SelfTest::hear(const link::SessionEvent& event, const wire::Hello& hello,
                     const OpenPort& port) {
@@ -34,11 +36,15 @@ void SelfTest::set_grants(const std::vector<loop::Grant>& grants) {
 }
 
 void SelfTest::take_setup(const messages::RunContext& run_context, HostNs /*at*/) {
+  wheels_up_.choose(run_context.robot);
   const std::lock_guard lock(mutex_);
   battery_cutoff_v_ = run_context.robot.drive.battery_cutoff_v;
 }
 
 void SelfTest::take(const StepRecord& record) {
+  // However it was pressed.
+  for (std::size_t i = 0; i < record.inputs.requests.size(); ++i)
+    if (record.inputs.requests[i] == OperatorRequest::kStop) wheels_up_.stop();
   std::string json;
   {
     const std::lock_guard lock(mutex_);
@@ -54,6 +60,7 @@ void SelfTest::take(const StepRecord& record) {
 }
 
 void SelfTest::examine(server::DoctorPart part, Answer answer) {
+  if (wheels_up_.on()) return answer("a check of the tracks is under way; wait for its end", "");
   {
     const std::lock_guard lock(mutex_);
     if (answer_ == nullptr) {

@@ -1,6 +1,6 @@
 #pragma once
 // `tp100d doctor` from within the running daemon, for its machine and its port, with the same
-// findings. Nothing moves.
+// findings. Nothing moves but in wheels_up().
 
 #include <chrono>
 #include <mutex>
@@ -13,6 +13,7 @@
 #include "messages/sink.h"
 #include "record/worker.h"
 #include "selftest/session_watch.h"
+#include "selftest/wheels_up_check.h"
 #include "server/controls.h"
 
 namespace tp100::selftest {
@@ -37,6 +38,8 @@ class SelfTest : public messages::Sink {
   /// waits for files and disks, the robot after a second, or five if it is silent. One at a time.
   /// Any thread; does not wait.
   void examine(server::DoctorPart part, Answer answer);
+  /// The part that moves.
+  WheelsUpCheck& wheels_up() { return wheels_up_; }
   /// Waits for the thread of files and disks; false: `deadline` passed first, and the destructor
   /// would wait for the disk.
   bool idle_by(std::chrono::steady_clock::time_point deadline) { return disk_.idle_by(deadline); }
@@ -47,6 +50,7 @@ class SelfTest : public messages::Sink {
   std::string machine_findings() const;
 
   const config::Configuration configuration_;
+  WheelsUpCheck wheels_up_;
   mutable std::mutex mutex_;  // guards what follows; never held while waiting for a file
   SessionWatch watch_;
   double battery_cutoff_v_ = 0.0;

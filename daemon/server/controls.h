@@ -45,6 +45,14 @@ struct ParameterSave {
 /// What is examined at a time, in the order of `tp100d doctor`.
 enum class DoctorPart { kPort, kRobot, kMachine };
 
+/// A viewer's sign of life in the check of the tracks.
+struct WheelsUpWatch {
+  std::string token;
+  double input_ms = 0.0;  ///< as in DriveRequest
+  unsigned question = 0;  ///< number of the one that is answered
+  std::optional<std::string> answer{};
+};
+
 /// What is done with a recorded run.
 struct RunRequest {
   enum class What { kNote, kDelete, kReport, kCompare, kIdentify };
@@ -112,6 +120,13 @@ class Controls {
   virtual void manage_run(const RunRequest& request, Answer answer) = 0;
   /// Answers with what `tp100d doctor` finds; nothing moves.
   virtual void examine(DoctorPart part, Answer answer) = 0;
+
+  /// The tracks run, at the word of `viewer`, who watches; `token` is set. Returns why it is
+  /// impossible, in one line.
+  virtual std::string wheels_up_begin(const Driver& viewer, HostNs now, std::string& token) = 0;
+  /// Answers at once with how far it is. Returns why it is impossible, in one line.
+  virtual std::string wheels_up_watch(const WheelsUpWatch& watch, HostNs now,
+                                      std::string& json) = 0;
 
   // Figures known outside the server; cheap enough to be polled.
   virtual messages::LoopFigures loop() = 0;

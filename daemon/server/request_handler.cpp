@@ -120,6 +120,20 @@ std::string RequestHandler::drive_take(const Viewer& viewer, HostNs now, std::st
   return {};
 }
 
+std::string RequestHandler::wheels_up_begin(const Viewer& viewer,
+                                            const std::vector<RequestField>& request, HostNs now,
+                                            std::string& token) {
+  std::string why = read_wheels_up(request);
+  if (why.empty()) why = publisher_.state().why_not_drive;
+  if (why.empty() && under_way()) why = kUnderWay;
+  const Driver driver = driver_of(viewer);
+  if (why.empty()) why = controls_.wheels_up_begin(driver, now, token);
+  if (!why.empty()) return why;
+  publisher_.take(messages::Event{
+      .at_ns = now, .kind = "run", .text = driver.name + " lets the tracks run free"});
+  return {};
+}
+
 std::string RequestHandler::drive(const std::vector<RequestField>& request, HostNs now) {
   std::string why;
   const auto input = drive_request(request, why);
@@ -264,6 +278,18 @@ void RequestHandler::on(const std::shared_ptr<Viewer>& viewer, const ServiceCall
       std::string token;
       why = drive_take(*viewer, now, token);
       return why.empty() ? answer(R"({"token":")" + token + R"("})") : fail(why);
+    }
+    case Service::kWheelsUpBegin: {
+      std::string token;
+      why = wheels_up_begin(*viewer, *request, now, token);
+      return why.empty() ? answer(R"({"token":")" + token + R"("})") : fail(why);
+    }
+    case Service::kWheelsUpWatch: {
+      WheelsUpWatch watch;
+      std::string json;
+      why = read_watch(*request, watch);
+      if (why.empty()) why = controls_.wheels_up_watch(watch, now, json);
+      return why.empty() ? answer(json) : fail(why);
     }
     case Service::kDrive:
       return accept(drive(*request, now));

@@ -70,6 +70,8 @@ class RequestHandler {
   std::string drive_take(const Viewer& viewer, HostNs now, std::string& token);
   std::string drive(const std::vector<RequestField>& request, HostNs now);
   std::string drive_release(const std::vector<RequestField>& request, HostNs now);
+  std::string wheels_up_begin(const Viewer& viewer, const std::vector<RequestField>& request,
+                              HostNs now, std::string& token);
   std::string record_start(const std::vector<RequestField>& request, Controls::RecordAnswer answer);
   bool under_way() const;
   Controls::Answer answer_later(Service service, const std::shared_ptr<Viewer>& viewer,

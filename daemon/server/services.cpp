@@ -135,6 +135,18 @@ const std::vector<Row>& rows() {
        R"("errors_before":{"runs":[{"name":"","images":1,"rejected":1}]},)"
        R"("errors_after":{"runs":[{"name":"","images":1,"rejected":1}]},)"
        R"("condition":1.5,"warnings":[""]},"text":""})"},
+      {Service::kWheelsUpBegin,
+       "wheels_up_begin",
+       "WheelsUpBegin",
+       {"tracks"},
+       R"({"tracks":""})",
+       R"({"token":""})"},
+      {Service::kWheelsUpWatch,
+       "wheels_up_watch",
+       "WheelsUpWatch",
+       {"token", "input_ms", "question", "answer"},
+       R"({"token":"","input_ms":1.5,"question":1,"answer":""})",
+       R"({"step":""})"},
   };
   return kRows;
 }
@@ -242,6 +254,29 @@ std::string read_part(const Arguments& arguments, DoctorPart& part) {
     return "part is \"port\", \"robot\" or \"machine\"";
   }
   return {};
+}
+
+std::string read_wheels_up(const Arguments& arguments) {
+  return text_of(arguments, "tracks") == "free"
+             ? ""
+             : "somebody has to confirm that the tracks are free: tracks is \"free\"";
+}
+
+std::string read_watch(const Arguments& arguments, WheelsUpWatch& watch) {
+  bool timed = false;
+  for (const RequestField& field : arguments) {
+    const double* number = std::get_if<double>(&field.value);
+    if (field.name == "input_ms" && number != nullptr && std::isfinite(*number)) {
+      watch.input_ms = *number;
+      timed = true;
+    }
+    if (field.name == "question" && number != nullptr && *number >= 0.0 && *number < 1e9)
+      watch.question = static_cast<unsigned>(*number);
+  }
+  const auto token = text_of(arguments, "token");
+  watch.token = token.value_or("");
+  watch.answer = text_of(arguments, "answer");
+  return token && timed ? "" : "token is a text, input_ms a number";
 }
 
 std::string read_check(const Arguments& arguments, bool& check) {

@@ -40,6 +40,8 @@ enum class Service : std::uint32_t {
   kRunCompare,
   kDoctor,
   kRunIdentify,
+  kWheelsUpBegin,
+  kWheelsUpWatch,
 };
 
 /// All of them, in the enum's order.
@@ -67,6 +69,10 @@ std::string read_parameters(const Arguments& arguments,
                             ParameterSave& asked);
 /// Of doctor.
 std::string read_part(const Arguments& arguments, DoctorPart& part);
+/// Of wheels_up_begin: somebody has confirmed that the tracks are free.
+std::string read_wheels_up(const Arguments& arguments);
+/// Of wheels_up_watch.
+std::string read_watch(const Arguments& arguments, WheelsUpWatch& watch);
 /// Of parameters_restore.
 std::string read_check(const Arguments& arguments, bool& check);
 

@@ -249,5 +249,25 @@ TEST(LiveCycle, AfterAChangeOfTheCourseNothingStartsByItself) {
   EXPECT_EQ(bench.arms(), 1u);
 }
 
+TEST(LiveCycle, GivesUpThePortOfARobotAtRestAndNothingStartsByItselfAfterwards) {
+  LiveBench bench(line());
+  bench.steps(400);
+  EXPECT_FALSE(bench.cycle.take_port_drop());
+  bench.cycle.give_up_port();
+  EXPECT_TRUE(bench.cycle.take_port_drop());
+  EXPECT_FALSE(bench.cycle.take_port_drop()) << "once";
+  bench.cycle.request_first_start();
+  bench.steps(200);
+  EXPECT_EQ(bench.arms(), 0u);
+  bench.cycle.request(OperatorRequest::kStart);
+  bench.steps(20);
+  ASSERT_EQ(bench.arms(), 1u);
+  bench.cycle.give_up_port();
+  EXPECT_FALSE(bench.cycle.take_port_drop()) << "a run is under way";
+  bench.cycle.request(OperatorRequest::kHold);
+  bench.steps(400);
+  EXPECT_FALSE(bench.cycle.take_port_drop()) << "what was refused is not kept";
+}
+
 }  // namespace
 }  // namespace tp100::live

@@ -108,6 +108,16 @@ class FakeControls : public Controls {
     examined.push_back(part);
     answer(change_refusal, R"({"port":"/dev/ttyACM0","findings":[]})");
   }
+  std::string wheels_up_begin(const Driver& viewer, HostNs, std::string& token) override {
+    checkers.push_back(viewer.id);
+    token = "free";
+    return change_refusal;
+  }
+  std::string wheels_up_watch(const WheelsUpWatch& watch, HostNs, std::string& json) override {
+    watched.push_back(watch);
+    json = R"({"step":"the left track runs"})";
+    return change_refusal;
+  }
   messages::LoopFigures loop() override { return {}; }
   messages::PortFigures port() override { return {"/dev/ttyACM0", RobotKind::kPhysical, "0.1.0"}; }
   messages::RecordingFigures recording() override { return record; }
@@ -127,6 +137,8 @@ class FakeControls : public Controls {
   std::vector<bool> restored;
   std::vector<RunRequest> managed;
   std::vector<DoctorPart> examined;
+  std::vector<std::string> checkers;
+  std::vector<WheelsUpWatch> watched;
   std::string change_refusal;
   bool can_record = false, slow_disk = false;
   RecordAnswer unanswered;

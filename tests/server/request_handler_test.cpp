@@ -135,7 +135,7 @@ TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
                                      "file_save", "file_delete", "file_check", "pause", "resume",
                                      "parameters_save", "parameters_restore", "run_note",
                                      "run_delete", "run_report", "run_compare", "doctor",
-                                     "run_identify"));
+                                     "run_identify", "wheels_up_begin", "wheels_up_watch"));
 }
 
 TEST_F(RequestHandlerTest, ASubscriberGetsWhatIsKeptAtOnceAndThenWhatIsNew) {
@@ -279,6 +279,8 @@ TEST_F(RequestHandlerTest, WhoMayNotCommandMayOnlyStop) {
   call(Service::kRunCompare, R"({"run":"a","with":"b"})", only);
   call(Service::kDoctor, R"({"part":"robot"})", only);
   call(Service::kRunIdentify, R"({"runs":"a"})", only);
+  call(Service::kWheelsUpBegin, R"({"tracks":"free"})", only);
+  EXPECT_TRUE(controls_.checkers.empty());
   EXPECT_TRUE(controls_.examined.empty());
   EXPECT_TRUE(controls_.saved.empty() && controls_.deleted.empty() && controls_.managed.empty());
   call(3, "{}", only);
@@ -483,6 +485,40 @@ TEST_F(RequestHandlerTest, ArgumentsOfTheServicesOfRunsAreChecked) {
                 HasSubstr(bad.why))
         << bad.request;
   EXPECT_TRUE(controls_.managed.empty());
+}
+
+TEST_F(RequestHandlerTest, TracksRunOnlyWhenTheyAreFreeAndNothingElseIsUnderWay) {
+  const auto refused = [&](const char* request) {
+    return std::string(call(Service::kWheelsUpBegin, request).texts.at(0)["message"]);
+  };
+  StepRecord lost = ready();
+  lost.snapshot.drive_refusal = StartRefusal::kNoSession;
+  step(lost);
+  EXPECT_EQ(refused(R"({"tracks":"free"})"), to_string(StartRefusal::kNoSession));
+  step(ready());
+  for (const char* bad : {"{}", R"({"tracks":"perhaps"})", R"({"tracks":true})"})
+    EXPECT_THAT(refused(bad), HasSubstr("tracks is \"free\""));
+  StepRecord running = ready();
+  running.snapshot.run_state = RunState::kRunning;
+  step(running);
+  EXPECT_NE(refused(R"({"tracks":"free"})"), "");
+  EXPECT_TRUE(controls_.checkers.empty());
+  step(ready());
+  const Heard begun = call(Service::kWheelsUpBegin, R"({"tracks":"free"})");
+  EXPECT_EQ(answer_of(begun.binaries.at(0))["token"], "free");
+  EXPECT_EQ(controls_.checkers.size(), 1U);
+
+  const Heard seen =
+      call(Service::kWheelsUpWatch, R"({"token":"t","input_ms":5,"question":2,"answer":"b"})");
+  EXPECT_EQ(answer_of(seen.binaries.at(0))["step"], "the left track runs");
+  ASSERT_EQ(controls_.watched.size(), 1U);
+  EXPECT_EQ(controls_.watched[0].token, "t");
+  EXPECT_EQ(controls_.watched[0].input_ms, 5.0);
+  EXPECT_EQ(controls_.watched[0].question, 2U);
+  EXPECT_EQ(controls_.watched[0].answer, "b");
+  for (const char* bad : {"{}", R"({"token":"t"})", R"({"token":1,"input_ms":5})"})
+    EXPECT_THAT(std::string(call(Service::kWheelsUpWatch, bad).texts.at(0)["message"]),
+                HasSubstr("token is a text"));
 }
 
 TEST_F(RequestHandlerTest, TheDoctorExaminesOnePartAtATimeAndNothingDuringARun) {

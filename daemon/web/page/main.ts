@@ -252,7 +252,7 @@ const parameters = new ParameterPanel(
 );
 const signals = new SignalPanel(past);
 const links = new LinkTable();
-const doctor = new DoctorPanel((part) => client.call('doctor', { part }));
+const doctor = new DoctorPanel((service, request) => client.call(service, request));
 const identify = new IdentifyPanel((service, request) => client.call(service, request));
 const ask = (call: SetupCall): Promise<unknown> => client.call(call.name, call.request);
 const editor = new CourseEditor(viewport, ask, () => live.get('/course')?.robot, drawCourse);

@@ -1,10 +1,13 @@
-// The Doctor tab: examines port, robot and machine one after the other, and lists what was found.
-import { kParts, verdict, type DoctorAnswer, type Finding, type Part } from '../state/doctor.ts';
+// The Doctor tab: examines port, robot and machine one after the other, and lists what was found;
+// and lets the tracks run where they are free.
+import { kParts, verdict, type DoctorAnswer, type Finding } from '../state/doctor.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
+import { findingRow } from './finding_row.ts';
+import { WheelsUpPanel } from './wheels_up_panel.ts';
 
-/** Calls the service `doctor`. */
-type Call = (part: Part) => Promise<unknown>;
+/** Calls a service of the daemon. */
+type Call = (service: string, request: unknown) => Promise<unknown>;
 
 export class DoctorPanel {
   readonly element = h('div', { class: 'doctor', tabindex: '0' });
@@ -12,10 +15,12 @@ export class DoctorPanel {
   private readonly said = h('p', { class: 'doctor-said', role: 'status' }, 'Finds what keeps the robot from driving. Nothing moves.');
   private readonly progress = h('progress', { max: String(kParts.length), value: '0', 'aria-label': 'Examined', hidden: '' });
   private readonly list = h('div', { class: 'doctor-list' });
+  private readonly wheelsUp: WheelsUpPanel;
   private busy = false;
 
   constructor(private readonly call: Call) {
-    this.element.append(h('div', { class: 'doctor-bar' }, this.button, this.progress, this.said), this.list);
+    this.wheelsUp = new WheelsUpPanel(call);
+    this.element.append(h('div', { class: 'doctor-bar' }, this.button, this.progress, this.said), this.list, this.wheelsUp.element);
     this.button.addEventListener('click', () => {
       void this.examine();
     });
@@ -24,9 +29,10 @@ export class DoctorPanel {
   show(store: Store, connected: boolean, mayCommand: boolean): void {
     const run = store.get('/state')?.run;
     const drives = run === 'arming' || run === 'running' || run === 'driving';
-    this.button.disabled = this.busy || !connected || !mayCommand || drives;
+    this.button.disabled = this.busy || this.wheelsUp.on || !connected || !mayCommand || drives;
     const why = !mayCommand ? 'This daemon takes no commands from here but STOP (server.commands)' : drives ? 'A run is under way; stop it first' : '';
     setAttribute(this.button, 'title', why);
+    this.wheelsUp.show(!connected ? 'No connection to tp100d' : why !== '' ? why : this.busy ? 'Examining' : (store.get('/state')?.why_not_drive ?? ''));
   }
 
   private async examine(): Promise<void> {
@@ -39,9 +45,9 @@ export class DoctorPanel {
       this.progress.value = i;
       this.say(`${title}, ${i + 1} of ${kParts.length} \u2026`);
       try {
-        const { findings } = (await this.call(part)) as DoctorAnswer;
+        const { findings } = (await this.call('doctor', { part })) as DoctorAnswer;
         all.push(...findings);
-        this.list.append(h('section', { 'data-part': part, 'aria-label': title }, h('h3', {}, title), h('ul', {}, ...findings.map(row))));
+        this.list.append(h('section', { 'data-part': part, 'aria-label': title }, h('h3', {}, title), h('ul', {}, ...findings.map(findingRow))));
       } catch (error: unknown) {
         failed = `${title} not examined: ${error instanceof Error ? error.message : String(error)}`;
         break;
@@ -56,10 +62,4 @@ export class DoctorPanel {
     setText(this.said, text);
     setClass(this.said, 'bad', bad);
   }
-}
-
-function row({ severity, name, seen, fix }: Finding): HTMLElement {
-  const about = h('div', { class: 'finding-about' }, h('p', {}, seen));
-  if (fix !== '') about.append(h('p', { class: 'finding-fix' }, `To do: ${fix}`));
-  return h('li', { class: 'finding', 'data-severity': severity, 'data-name': name }, h('span', { class: 'finding-severity' }, severity), h('strong', {}, name), about);
 }

@@ -25,14 +25,14 @@ export const kParts = [
   { part: 'robot', title: 'Robot' },
   { part: 'machine', title: 'Machine' },
 ] as const;
-export type Part = (typeof kParts)[number]['part'];
 
 const counted = (n: number, noun: string): string => `${n} ${noun}${n === 1 ? '' : 's'}`;
 
-/** The outcome in one line. */
-export function verdict(findings: readonly Finding[]): string {
+/** The outcome in one line, of the robot as a whole or of a part of it. */
+export function verdict(findings: readonly Finding[], part = ''): string {
   const number = (severity: Severity): number => findings.filter((each) => each.severity === severity).length;
   const [errors, warnings, notes] = [number('error'), number('warning'), number('note')];
-  const drives = errors > 0 ? 'Not ready to drive' : 'Ready to drive';
+  const whole = errors > 0 ? 'Not ready to drive' : 'Ready to drive';
+  const drives = part === '' ? whole : errors > 0 ? `${part} are not as they should be` : `${part} are as they should be`;
   return `${drives}: ${counted(errors, 'error')}, ${counted(warnings, 'warning')}, ${counted(notes, 'note')}.`;
 }

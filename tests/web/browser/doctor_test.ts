@@ -1,5 +1,6 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { findings } from './axe.ts';
 import { alive, driveUntil, picture, run, until, type Size } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
@@ -63,6 +64,50 @@ describe('the doctor', () => {
     expect(await examine(page)).toContain('Not ready to drive');
     expect(await severity(page, 'device')).toBe('error');
     expect(await page.textContent('.finding[data-name="device"] .finding-fix')).toContain('plug the robot in');
+  });
+
+  for (const size of kScreens) {
+    it(`runs the tracks once they are free, at ${size.width} x ${size.height}`, async () => {
+      const page = await openDoctor(setting, size);
+      await alive(page);
+      await page.keyboard.press('Escape');
+      await until(async () => ['aborted', 'idle', 'finished'].includes(await run(page)), 'no run is under way');
+      await page.click('#drawer-size');
+      await until(() => page.isEnabled('#wheels-up-free'), 'it may be confirmed');
+      expect(await page.isDisabled('#wheels-up-start')).toBe(true);
+      // On a busy machine the page may be silent for so long that the check is broken off: it is then confirmed anew.
+      const wheels = ['left-track', 'right-track', 'gyro'];
+      await until(
+        async () => {
+          if (await page.isVisible('.wheels-up .finding[data-name="gyro"]')) return true;
+          if (!(await page.isEnabled('#wheels-up-free'))) return false;
+          await page.check('#wheels-up-free', { timeout: 2000 }).catch(() => undefined);
+          if (await page.isEnabled('#wheels-up-start')) await page.click('#wheels-up-start');
+          return false;
+        },
+        'the tracks are judged',
+        () => page.textContent('.wheels-up-said'),
+      );
+      for (const name of wheels) expect(await page.getAttribute(`.wheels-up .finding[data-name="${name}"]`, 'data-severity'), name).toBe('ok');
+      expect(await page.isChecked('#wheels-up-free')).toBe(false);
+      expect(await findings(page, '#page-doctor')).toEqual([]);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)).toBe(true);
+      await picture(page, `wheels-up-${size.width}`);
+    });
+  }
+
+  it('stops the tracks by STOP', async () => {
+    const page = await openDoctor(setting);
+    await alive(page);
+    await page.keyboard.press('Escape');
+    await until(() => page.isEnabled('#wheels-up-free'), 'it may be confirmed');
+    await page.check('#wheels-up-free');
+    await until(() => page.isEnabled('#wheels-up-start'), 'it may begin');
+    await page.click('#wheels-up-start');
+    await setting.pair.robot.line(/motors on/, setting.pair.robot.lines.length);
+    await page.click('#stop');
+    await until(async () => (await page.getAttribute('.wheels-up .finding[data-name="wheels-up"]', 'data-severity').catch(() => null)) === 'error', 'it is broken off');
+    expect(await page.textContent('.wheels-up .finding')).toContain('stopped before its end');
   });
 
   it('waits for the end of a run', async () => {

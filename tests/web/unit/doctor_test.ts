@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { verdict, type Finding, type Severity } from '../../../daemon/web/state/doctor.ts';
+import { WheelsUp } from '../../../daemon/web/state/wheels_up.ts';
 
 const finding = (severity: Severity): Finding => ({ severity, name: 'disk', seen: '', fix: '' });
 
@@ -10,5 +11,47 @@ describe('the verdict of an examination', () => {
 
   it('is that the robot does not drive if there is an error', () => {
     expect(verdict([finding('error')])).toBe('Not ready to drive: 1 error, 0 warnings, 0 notes.');
+  });
+});
+
+describe('the check of the tracks', () => {
+  const check = (answers: unknown[]): { calls: [string, unknown][]; progress: unknown[]; failed: string[]; seen: { yes: boolean }; up: WheelsUp } => {
+    const calls: [string, unknown][] = [];
+    const progress: unknown[] = [];
+    const failed: string[] = [];
+    const seen = { yes: true };
+    const call = (name: string, request: unknown): Promise<unknown> => {
+      calls.push([name, request]);
+      const answer = answers.shift();
+      return answer instanceof Error ? Promise.reject(answer) : Promise.resolve(answer);
+    };
+    const up = new WheelsUp(call, () => seen.yes, () => 7, (each) => progress.push(each), (why) => failed.push(why));
+    return { calls, progress, failed, seen, up };
+  };
+
+  it('is watched until its result, and only while somebody sees the page', async () => {
+    const result = { port: '', errors: 0, warnings: 0, notes: 0, findings: [] };
+    const { calls, progress, seen, up } = check([{ token: 't' }, { step: 'left' }, { step: 'right' }, { step: 'end', result }]);
+    await up.tick();
+    await up.begin();
+    expect(up.on).toBe(true);
+    await up.tick();
+    seen.yes = false;
+    await up.tick();
+    expect(calls).toEqual([['wheels_up_begin', { tracks: 'free' }], ['wheels_up_watch', { token: 't', input_ms: 7 }]]);
+    seen.yes = true;
+    up.answer(2, 'b');
+    await up.tick();
+    expect(calls[2]?.[1]).toEqual({ token: 't', input_ms: 7, question: 2, answer: 'b' });
+    await up.tick();
+    expect(calls[3]?.[1]).toEqual({ token: 't', input_ms: 7 });
+    expect(up.on).toBe(false);
+    expect(progress).toEqual([{ step: 'left' }, { step: 'right' }, { step: 'end', result }]);
+  });
+
+  it('ends with the reason of a refusal', async () => {
+    const { failed, up } = check([new Error('no robot yet')]);
+    await up.begin();
+    expect([up.on, failed]).toEqual([false, ['no robot yet']]);
   });
 });

@@ -1,0 +1,134 @@
+#include "selftest/wheels_up_check.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "bridge/cycle.h"
+#include "core/clock.h"
+#include "core/error.h"
+#include "doctor/robot.h"
+#include "loop/real_time.h"
+#include "text/json_writer.h"
+
+namespace tp100::selftest {
+namespace {
+
+constexpr auto kLoanLimit = std::chrono::seconds(2);
+
+}  // namespace
+
+WheelsUpCheck::WheelsUpCheck(config::Configuration configuration, const course::Robot& robot)
+    : configuration_(std::move(configuration)), robot_(robot) {}
+
+void WheelsUpCheck::choose(const course::Robot& robot) {
+  const std::lock_guard lock(mutex_);
+  robot_ = robot;
+}
+
+std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::string& token) {
+  const std::lock_guard lock(mutex_);
+  if (on_.exchange(true)) return "a check of the tracks is under way; wait for its end";
+  stop_ = false;
+  wheel_.clear();
+  token = wheel_.take(viewer, now).value_or("");
+  input_ns_ = now;
+  said_ = "the check takes over the port";
+  question_.reset();
+  result_.clear();
+  loan_.ask();
+  if (check_.post([this, robot = robot_] { run(robot); })) return {};
+  loan_.end();
+  on_ = false;
+  return "too many requests wait; try again";
+}
+
+std::string WheelsUpCheck::watch(const server::WheelsUpWatch& watch, HostNs now,
+                                 std::string& json) {
+  const std::lock_guard lock(mutex_);
+  const auto input = wheel_.drive({.token = watch.token, .input_ms = watch.input_ms}, now);
+  if (!input) return "this token belongs to no check; begin another one";
+  input_ns_ = input->at_ns;
+  if (watch.answer && question_ && watch.question == question_number_) {
+    const bool known = std::ranges::any_of(
+        question_->choices, [&](const auto& choice) { return choice.answer == *watch.answer; });
+    if (!known) return "the question takes no such answer";
+    answer_ = *watch.answer;
+    question_.reset();
+  }
+  text::JsonWriter writer(json);
+  writer.begin_object().field("step", said_);
+  if (question_) {
+    writer.key("question").begin_object();
+    writer.field("number", question_number_).field("text", question_->text);
+    writer.key("choices").begin_array();
+    for (const doctor::Choice& choice : question_->choices)
+      writer.begin_object()
+          .field("answer", choice.answer)
+          .field("meaning", choice.meaning)
+          .end_object();
+    writer.end_array().end_object();
+  }
+  if (!result_.empty()) writer.key("result").raw(result_);
+  writer.end_object();
+  return {};
+}
+
+void WheelsUpCheck::lose(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  if (wheel_.lose(id)) stop();
+}
+
+void WheelsUpCheck::say(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  said_ = line;
+}
+
+void WheelsUpCheck::ask(const doctor::Question& question) {
+  const std::lock_guard lock(mutex_);
+  question_ = question;
+  ++question_number_;
+  answer_.reset();
+}
+
+std::optional<std::string> WheelsUpCheck::take_answer() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(answer_, {});
+}
+
+bool WheelsUpCheck::watches() const { return monotonic_now() - input_ns_ <= kFreshInputNs; }
+
+doctor::Findings WheelsUpCheck::examine(const course::Robot& robot, std::string& port) {
+  const std::optional<std::string> lent = loan_.wait(kLoanLimit);
+  if (!lent)
+    return doctor::wheels_up_broken_off("the robot is not at rest, or not there",
+                                        "end what it does, and run it again");
+  port = *lent;
+  doctor::WheelsUpOptions options;
+  options.port = port;
+  options.serial = {configuration_.link.baud, configuration_.link.hang_up};
+  options.session =
+      bridge::session_settings(config::bridge_parameters(configuration_, robot), nullptr);
+  options.session.baud = static_cast<std::uint32_t>(configuration_.link.baud);
+  options.drive = robot.drive;
+  // Driven tracks need a command every 200 ms, however busy the machine is.
+  loop::apply_to_this_thread({configuration_.loop.priority, configuration_.loop.cpu});
+  try {
+    return doctor::try_wheels_up(options, *this, stop_);
+  } catch (const SetupError& error) {
+    return doctor::robot_findings({.port = port, .open_error = error.what()});
+  }
+}
+
+void WheelsUpCheck::run(const course::Robot& robot) {
+  std::string port;
+  const doctor::Findings findings = examine(robot, port);
+  loan_.end();
+  const std::lock_guard lock(mutex_);
+  said_ = "the check has ended, and the daemon has its port again";
+  question_.reset();
+  result_ = doctor::json(findings, port);
+  on_ = false;
+}
+
+}  // namespace tp100::selftest

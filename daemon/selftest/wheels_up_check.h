@@ -1,0 +1,68 @@
+#pragma once
+// `tp100d doctor --wheels-up` from within the running daemon: with a session of its own on the port
+// that the daemon lends, in a thread of its own, at the word of one viewer who watches.
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "config/configuration.h"
+#include "course/robot.h"
+#include "doctor/wheels_up.h"
+#include "record/worker.h"
+#include "selftest/port_loan.h"
+#include "server/controls.h"
+#include "server/wheel.h"
+
+namespace tp100::selftest {
+
+class WheelsUpCheck : public doctor::Operator {
+ public:
+  WheelsUpCheck(config::Configuration configuration, const course::Robot& robot);
+  /// Stops the tracks first.
+  ~WheelsUpCheck() override { stop(); }
+
+  // Any thread; none of these waits for the robot.
+  /// From now on this is the robot.
+  void choose(const course::Robot& robot);
+  /// Begins a check, for which the port must be given to loan() within 2 s; `token` is set.
+  /// Returns why it is impossible, in one line; empty: it begins.
+  std::string begin(const server::Driver& viewer, HostNs now, std::string& token);
+  /// The viewer still watches, and perhaps answers. Tells as JSON how far it is (CHANNELS.md).
+  /// Returns why it is impossible, in one line.
+  std::string watch(const server::WheelsUpWatch& watch, HostNs now, std::string& json);
+  /// The client of that Driver::id is gone: ends its check.
+  void lose(const std::string& id);
+  /// Ends a check at once; without one it does nothing. Takes no lock.
+  void stop() { stop_.store(true, std::memory_order_release); }
+  bool on() const { return on_.load(std::memory_order_acquire); }
+  PortLoan& loan() { return loan_; }
+
+  // The check's thread:
+  void say(const std::string& line) override;
+  void ask(const doctor::Question& question) override;
+  std::optional<std::string> take_answer() override;
+  bool ended() const override { return false; }
+  bool watches() const override;
+
+ private:
+  void run(const course::Robot& robot);
+  doctor::Findings examine(const course::Robot& robot, std::string& port);
+
+  const config::Configuration configuration_;
+  PortLoan loan_;
+  std::atomic<bool> stop_{false}, on_{false};
+  std::atomic<HostNs> input_ns_{0};  // of the viewer's newest sign of life
+  std::mutex mutex_;                 // guards what follows; held for moments only
+  course::Robot robot_;
+  server::Wheel wheel_;
+  std::string said_;
+  std::optional<doctor::Question> question_{};
+  unsigned question_number_ = 0;
+  std::optional<std::string> answer_{};
+  std::string result_;    // JSON; empty: not ended
+  record::Worker check_;  // declared last: its jobs use the others
+};
+
+}  // namespace tp100::selftest

@@ -1,0 +1,83 @@
+// The check of the tracks, in the Doctor tab: asks whether they are free, shows each step, asks what was seen.
+import { kWatch_ms, WheelsUp, type WheelsUpProgress, type WheelsUpQuestion } from '../state/wheels_up.ts';
+import { verdict } from '../state/doctor.ts';
+import { h, setAttribute, setClass, setText } from './dom.ts';
+import { findingRow } from './finding_row.ts';
+
+type Call = (service: string, request: unknown) => Promise<unknown>;
+
+export class WheelsUpPanel {
+  readonly element = h('section', { class: 'wheels-up', 'aria-label': 'Wheels up' });
+  private readonly free = h('input', { type: 'checkbox', id: 'wheels-up-free' });
+  private readonly start = h('button', { type: 'button', class: 'control', id: 'wheels-up-start' }, 'Run the tracks');
+  private readonly said = h('p', { class: 'doctor-said wheels-up-said', role: 'status' }, 'Each track runs forward and back for a second, as long as this page is in sight. STOP ends it.');
+  private readonly question = h('div', { class: 'wheels-up-question', role: 'group', 'aria-label': 'Question', hidden: '' });
+  private readonly list = h('ul', {});
+  private readonly check: WheelsUp;
+  private asked = -1;
+
+  constructor(call: Call) {
+    this.check = new WheelsUp(
+      call,
+      () => document.visibilityState === 'visible' && document.hasFocus(),
+      () => performance.now(),
+      (progress) => { this.progress(progress); },
+      (why) => { this.say(why, true); },
+    );
+    this.element.append(
+      h('h3', {}, 'Wheels up'),
+      h('div', { class: 'wheels-up-bar' }, h('label', {}, this.free, ' The robot stands on a block, and both tracks turn freely'), this.start),
+      this.said,
+      this.question,
+      this.list,
+    );
+    this.start.addEventListener('click', () => {
+      // Each check is confirmed anew.
+      this.free.checked = false;
+      this.list.replaceChildren();
+      this.say('\u2026');
+      void this.check.begin();
+    });
+    setInterval(() => { void this.check.tick(); }, kWatch_ms);
+  }
+
+  get on(): boolean {
+    return this.check.on;
+  }
+
+  /** `why`: no check may begin now; empty: one may. */
+  show(why: string): void {
+    this.free.disabled = why !== '' || this.check.on;
+    this.start.disabled = this.free.disabled || !this.free.checked;
+    setAttribute(this.start, 'title', why);
+    if (!this.check.on) this.question.hidden = true;
+  }
+
+  private progress({ step, question, result }: WheelsUpProgress): void {
+    if (result !== undefined) {
+      this.say(verdict(result.findings, 'The tracks'), result.errors > 0);
+      this.list.replaceChildren(...result.findings.map(findingRow));
+    } else {
+      this.say(step);
+    }
+    this.question.hidden = question === undefined;
+    if (question !== undefined && question.number !== this.asked) this.ask(question);
+  }
+
+  private ask({ number, text, choices }: WheelsUpQuestion): void {
+    this.asked = number;
+    const buttons = choices.map(({ answer, meaning }) => {
+      const button = h('button', { type: 'button', class: 'control', 'data-answer': answer }, meaning);
+      button.addEventListener('click', () => {
+        this.check.answer(number, answer);
+      });
+      return button;
+    });
+    this.question.replaceChildren(h('p', {}, text), ...buttons);
+  }
+
+  private say(text: string, bad = false): void {
+    setText(this.said, text);
+    setClass(this.said, 'bad', bad);
+  }
+}

@@ -1,0 +1,73 @@
+// The check of the tracks with the wheels up: begun once it is confirmed that they are free, and watched until it ends.
+import type { DoctorAnswer } from './doctor.ts';
+
+/** The daemon stops the tracks when it has heard nothing for 150 ms. */
+export const kWatch_ms = 40;
+
+export interface WheelsUpQuestion {
+  number: number;
+  text: string;
+  choices: { answer: string; meaning: string }[];
+}
+
+export interface WheelsUpProgress {
+  step: string;
+  question?: WheelsUpQuestion;
+  /** The check has ended. */
+  result?: DoctorAnswer;
+}
+
+type Call = (service: string, request: unknown) => Promise<unknown>;
+
+/** One check at a time. */
+export class WheelsUp {
+  private token = '';
+  private answered: { question: number; answer: string } | undefined;
+
+  constructor(
+    private readonly call: Call,
+    /** Whether somebody sees this page. */
+    private readonly seen: () => boolean,
+    private readonly now_ms: () => number,
+    private readonly progress: (progress: WheelsUpProgress) => void,
+    private readonly failed: (why: string) => void,
+  ) {}
+
+  get on(): boolean {
+    return this.token !== '';
+  }
+
+  async begin(): Promise<void> {
+    try {
+      const { token } = (await this.call('wheels_up_begin', { tracks: 'free' })) as { token: string };
+      this.token = token;
+    } catch (error: unknown) {
+      this.end(error);
+    }
+  }
+
+  answer(question: number, answer: string): void {
+    this.answered = { question, answer };
+  }
+
+  /** Call it every kWatch_ms. A page that nobody sees says nothing. */
+  async tick(): Promise<void> {
+    const token = this.token;
+    if (token === '' || !this.seen()) return;
+    const answered = this.answered;
+    this.answered = undefined;
+    try {
+      const progress = (await this.call('wheels_up_watch', { token, input_ms: this.now_ms(), ...answered })) as WheelsUpProgress;
+      if (this.token !== token) return;
+      if (progress.result !== undefined) this.token = '';
+      this.progress(progress);
+    } catch (error: unknown) {
+      if (this.token === token) this.end(error);
+    }
+  }
+
+  private end(error: unknown): void {
+    this.token = '';
+    this.failed(error instanceof Error ? error.message : String(error));
+  }
+}

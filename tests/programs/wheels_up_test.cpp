@@ -1,0 +1,241 @@
+// The check of the tracks from the page: the real daemon lends its port, the emulated robot's
+// tracks run, and every way to stop them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "../server/web_client.h"
+#include "process.h"
+#include "server/services.h"
+
+namespace tp100::test {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+using server::Service;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr std::size_t kHeader = 17;
+
+/// A viewer that calls services.
+class Caller {
+ public:
+  explicit Caller(const std::string& port) : client_(port) {
+    client_.read_until("advertiseServices");
+    client_.take();
+  }
+
+  /// The answer, or the reason of a refusal as text.
+  json call(Service service, const json& request) {
+    std::string bytes(1, '\2');
+    for (const std::uint32_t number : {static_cast<std::uint32_t>(service), ++calls_, 4U})
+      bytes.append(reinterpret_cast<const char*>(&number), 4);
+    client_.write_binary(bytes + "json" + request.dump());
+    for (;;) {
+      client_.drain();
+      for (const std::string& message : client_.take()) {
+        // A response has its kind, service, call and the length of "json" before its payload.
+        const json answer = json::parse(message.substr(message.front() == '{' ? 0 : kHeader));
+        if (!answer.contains("op")) return answer;
+        if (answer["op"] == "serviceCallFailure") return answer["message"];
+      }
+      if (client_.closed()) throw std::runtime_error("the daemon is gone");
+      std::this_thread::sleep_for(1ms);
+    }
+  }
+
+ private:
+  server::WebClient client_;
+  std::uint32_t calls_ = 0;
+};
+
+class WheelsUpFromThePage : public testing::Test {
+ protected:
+  void start(const std::vector<std::string>& robot = {}) {
+    std::vector<std::string> arguments = {"tp100-sim", "robot", "--link", port()};
+    arguments.insert(arguments.end(), robot.begin(), robot.end());
+    robot_ = std::make_unique<Process>(arguments);
+    ASSERT_TRUE(robot_->wait_for("linked from")) << robot_->output();
+    daemon_ = std::make_unique<Process>(
+        std::vector<std::string>{"tp100d", "run", "--port", port(), "--stay", "--wait", "--listen",
+                                 "127.0.0.1:0", "--setup", "stand"});
+    ASSERT_TRUE(daemon_->wait_for("page: http://127.0.0.1:")) << daemon_->output();
+    ASSERT_TRUE(daemon_->wait_for("-> ready")) << daemon_->output();
+    const std::string said = daemon_->output();
+    const std::size_t at = said.find("http://127.0.0.1:") + std::strlen("http://127.0.0.1:");
+    page_ = said.substr(at, said.find('/', at) - at);
+    caller_ = std::make_unique<Caller>(page_);
+  }
+  /// Begins a check as soon as the robot is at rest.
+  void begin() {
+    json answer;
+    ASSERT_TRUE(eventually([&] {
+      answer = caller_->call(Service::kWheelsUpBegin, {{"tracks", "free"}});
+      return answer.is_object();
+    })) << answer;
+    token_ = answer["token"];
+    begun_ = robot_->output().size();
+  }
+  /// One sign of life; `more`: an answer.
+  json watch(const json& more = json::object()) {
+    const std::chrono::duration<double, std::milli> now =
+        std::chrono::steady_clock::now().time_since_epoch();
+    json request = {{"token", token_}, {"input_ms", now.count()}};
+    request.update(more);
+    return caller_->call(Service::kWheelsUpWatch, request);
+  }
+  /// Watches until the check has ended; questions are answered by the first choice.
+  json watched() {
+    json answer;
+    json reply = json::object();
+    EXPECT_TRUE(eventually([&] {
+      answer = watch(reply);
+      reply = json::object();
+      if (answer.contains("question"))
+        reply = {{"question", answer["question"]["number"]},
+                 {"answer", answer["question"]["choices"][0]["answer"]}};
+      return answer.is_string() || answer.contains("result");
+    })) << answer;
+    return answer;
+  }
+  /// What the robot said since the check began.
+  std::string said() { return robot_->output().substr(begun_); }
+  /// Watches until a track runs.
+  void run_tracks() {
+    ASSERT_TRUE(eventually([&] {
+      return watch().contains("result") || said().find("motors on") != std::string::npos;
+    })) << robot_->output();
+  }
+  /// The result of a check in which `meanwhile` happens. On a busy machine the firmware may stop
+  /// the tracks, or nobody may be heard for too long, before: then it is begun again.
+  json checked(const std::function<json()>& meanwhile) {
+    json result;
+    for (int tries = 0; tries < 5; ++tries) {
+      begin();
+      result = meanwhile()["result"];
+      const std::string why = line(result, "wheels-up");
+      const auto because = [&](const char* of) { return why.find(of) != std::string::npos; };
+      if (!because("by itself") && !because("silent") && !because("no session") &&
+          (!because("nobody watched") || alone_))
+        break;
+    }
+    return result;
+  }
+  static std::string line(const json& result, const std::string& name) {
+    for (const json& row : result["findings"])
+      if (row["name"] == name)
+        return row["severity"].get<std::string>() + ": " + row["seen"].get<std::string>();
+    return result.dump();
+  }
+  std::string port() const { return folder_.file("tp100"); }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<Process> robot_, daemon_;
+  std::unique_ptr<Caller> caller_;
+  std::string page_, token_;
+  std::size_t begun_ = 0;
+  bool alone_ = false;  // nobody is meant to watch
+};
+
+TEST_F(WheelsUpFromThePage, MovesNothingBeforeItIsConfirmedAndFindsAGoodRobotWell) {
+  start();
+  EXPECT_THAT(caller_->call(Service::kWheelsUpBegin, json::object()).get<std::string>(),
+              HasSubstr("tracks is \"free\""));
+  EXPECT_THAT(watch().get<std::string>(), HasSubstr("belongs to no check"));
+  EXPECT_THAT(robot_->output(), Not(HasSubstr("motors on")));
+  const json result = checked([&] { return watched(); });
+  EXPECT_EQ(result["errors"], 0) << result;
+  EXPECT_THAT(line(result, "left-track"), HasSubstr("ok: "));
+  EXPECT_THAT(line(result, "right-track"), HasSubstr("ok: "));
+  EXPECT_THAT(said(), HasSubstr("motors off: disarm"));
+  // The daemon has the robot again, and starts nothing.
+  EXPECT_THAT(daemon_->output(), HasSubstr("lent to the check of the tracks"));
+  EXPECT_TRUE(eventually([&] {
+    const std::string said = daemon_->output();
+    return said.find("-> ready", said.find("lent to the check")) != std::string::npos;
+  })) << daemon_->output();
+  EXPECT_THAT(daemon_->output(), Not(HasSubstr("-> arming")));
+  EXPECT_EQ(checked([&] { return watched(); })["errors"], 0) << "a second check, confirmed anew";
+}
+
+TEST_F(WheelsUpFromThePage, AsksOnAStand) {
+  start({"--setup", "stand"});
+  const json result = checked([&] { return watched(); });
+  EXPECT_THAT(line(result, "left-track"), HasSubstr("ok: "));
+  // Nobody turns the emulated robot by hand.
+  EXPECT_THAT(line(result, "gyro"), HasSubstr("error: "));
+}
+
+TEST_F(WheelsUpFromThePage, NothingElseBeginsMeanwhile) {
+  start();
+  begin();
+  Caller other(page_);
+  EXPECT_THAT(other.call(Service::kWheelsUpBegin, {{"tracks", "free"}}).get<std::string>(),
+              Not(HasSubstr("{")));
+  EXPECT_TRUE(other.call(Service::kDriveTake, json::object()).is_string());
+  EXPECT_THAT(other.call(Service::kDoctor, {{"part", "robot"}}).get<std::string>(),
+              HasSubstr("a check of the tracks is under way"));
+  watched();
+}
+
+TEST_F(WheelsUpFromThePage, StopOfAnyViewerStopsTheTracks) {
+  start();
+  const json result = checked([&] {
+    run_tracks();
+    Caller(page_).call(Service::kStop, json::object());
+    return watched();
+  });
+  EXPECT_THAT(line(result, "wheels-up"), HasSubstr("error: stopped before its end"));
+  EXPECT_THAT(said(), HasSubstr("motors off: disarm"));
+}
+
+TEST_F(WheelsUpFromThePage, TracksStandStillWhenNobodyWatches) {
+  start();
+  alone_ = true;
+  const json result = checked([&] {
+    run_tracks();
+    EXPECT_TRUE(robot_->wait_for("motors off")) << "the check ends by itself";
+    return watched();
+  });
+  EXPECT_THAT(line(result, "wheels-up"), HasSubstr("error: nobody watched"));
+}
+
+TEST_F(WheelsUpFromThePage, TheLossOfItsViewerStopsTheTracks) {
+  start();
+  begin();
+  run_tracks();
+  caller_.reset();
+  ASSERT_TRUE(robot_->wait_for("motors off")) << robot_->output();
+}
+
+TEST_F(WheelsUpFromThePage, TheEndOfTheDaemonStopsTheTracks) {
+  start();
+  begin();
+  run_tracks();
+  daemon_->signal(SIGTERM);
+  daemon_->wait();
+  ASSERT_TRUE(robot_->wait_for("motors off")) << robot_->output();
+}
+
+TEST_F(WheelsUpFromThePage, AKilledDaemonLeavesTheTracksToTheFirmware) {
+  start();
+  begin();
+  run_tracks();
+  daemon_->signal(SIGKILL);
+  daemon_->wait();
+  ASSERT_TRUE(robot_->wait_for("motors off: command_timeout")) << robot_->output();
+}
+
+}  // namespace
+}  // namespace tp100::test

@@ -1,0 +1,115 @@
+// The check of the tracks without a robot: who may begin and watch it, and the port that it is
+// lent. With a robot: tests/programs.
+#include "selftest/wheels_up_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "core/clock.h"
+
+namespace tp100::selftest {
+namespace {
+
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+using ::testing::HasSubstr;
+
+TEST(PortLoan, IsGivenOnceItWasAskedForAndUntilItsEnd) {
+  PortLoan loan;
+  EXPECT_FALSE(loan.give("/dev/a")) << "nobody asked";
+  EXPECT_FALSE(loan.given());
+  loan.ask();
+  EXPECT_FALSE(loan.given());
+  std::thread holder([&] { EXPECT_TRUE(loan.give("/dev/a")); });
+  EXPECT_EQ(loan.wait(60s), "/dev/a");
+  holder.join();
+  EXPECT_TRUE(loan.given());
+  EXPECT_FALSE(loan.give("/dev/a")) << "it is given already";
+  loan.end();
+  EXPECT_FALSE(loan.given());
+  EXPECT_FALSE(loan.give("/dev/a"));
+}
+
+TEST(PortLoan, IsNotGivenToACheckThatWaitsNoLonger) {
+  PortLoan loan;
+  loan.ask();
+  EXPECT_EQ(loan.wait(1ms), std::nullopt);
+  EXPECT_FALSE(loan.give("/dev/a"));
+}
+
+class WheelsUpCheckTest : public ::testing::Test {
+ protected:
+  std::string watch(const std::string& token, std::string& json) {
+    json.clear();
+    return check_.watch({.token = token, .input_ms = input_ms_ += 1.0}, monotonic_now(), json);
+  }
+  /// Watches until the check has ended.
+  Json result(const std::string& token) {
+    std::string json;
+    const auto until = std::chrono::steady_clock::now() + 60s;
+    while (std::chrono::steady_clock::now() < until) {
+      EXPECT_EQ(watch(token, json), "");
+      const Json answer = Json::parse(json);
+      if (answer.contains("result")) return answer["result"];
+      std::this_thread::sleep_for(1ms);
+    }
+    return {};
+  }
+
+  double input_ms_ = 0.0;
+  const server::Driver viewer_{.id = "viewer 3", .name = "viewer 3"};
+  WheelsUpCheck check_{{}, {}};
+};
+
+TEST_F(WheelsUpCheckTest, EndsWithoutTheRobotIfThePortIsNotLent) {
+  std::string token, json;
+  ASSERT_EQ(check_.begin(viewer_, monotonic_now(), token), "");
+  EXPECT_TRUE(check_.on());
+  std::string other;
+  EXPECT_THAT(check_.begin({.id = "viewer 4", .name = ""}, monotonic_now(), other),
+              HasSubstr("under way"));
+  EXPECT_THAT(watch("guessed", json), HasSubstr("belongs to no check"));
+  const Json found = result(token);
+  EXPECT_EQ(found["errors"], 1);
+  EXPECT_THAT(std::string(found["findings"][0]["seen"]), HasSubstr("not at rest"));
+  EXPECT_FALSE(check_.on());
+}
+
+TEST_F(WheelsUpCheckTest, SaysThatThePortCannotBeOpened) {
+  std::string token;
+  ASSERT_EQ(check_.begin(viewer_, monotonic_now(), token), "");
+  ASSERT_TRUE(check_.loan().give("/dev/no-such-port"));
+  const Json found = result(token);
+  EXPECT_EQ(found["port"], "/dev/no-such-port");
+  EXPECT_EQ(found["errors"], 1);
+  EXPECT_FALSE(check_.loan().given()) << "the daemon has its port again";
+}
+
+TEST_F(WheelsUpCheckTest, NobodyWatchesOnceItsViewerIsGone) {
+  std::string token, json;
+  ASSERT_EQ(check_.begin(viewer_, monotonic_now(), token), "");
+  EXPECT_TRUE(check_.watches());
+  check_.lose("viewer 4");
+  EXPECT_EQ(watch(token, json), "");
+  check_.lose(viewer_.id);
+  EXPECT_THAT(watch(token, json), HasSubstr("belongs to no check"));
+}
+
+TEST_F(WheelsUpCheckTest, AFrozenClockOfThePageIsNoSignOfLife) {
+  std::string token, json;
+  const HostNs now = monotonic_now() - kNsPerS;
+  ASSERT_EQ(check_.begin(viewer_, now, token), "");
+  for (HostNs at = now; at < now + kNsPerS; at += 40 * kNsPerMs) {
+    json.clear();
+    ASSERT_EQ(check_.watch({.token = token, .input_ms = 7.0}, at, json), "");
+  }
+  EXPECT_FALSE(check_.watches());
+}
+
+}  // namespace
+}  // namespace tp100::selftest
