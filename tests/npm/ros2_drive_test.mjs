@@ -28,6 +28,7 @@ test('the robot is told to stop within 250 ms after the last message of a driver
     run.child.kill('SIGTERM');
     await run.exit;
     (await movedAfter(record, times)).forEach((ms, i) => {
+      assert.notEqual(ms, undefined, `${times[i].loss}: the robot was not driven before`);
       t.diagnostic(`${times[i].loss}: ${ms.toFixed(0)} ms`);
       assert.ok(ms < 250, `${times[i].loss}: the robot was told to move for ${ms} ms`);
     });
