@@ -26,6 +26,7 @@
 #include "loop/real_time.h"
 #include "runs/run_archive.h"
 #include "selftest/self_test.h"
+#include "server/local_daemons.h"
 #include "server/server.h"
 #include "text/toml_document.h"
 #include "web/bundle.h"
@@ -107,8 +108,15 @@ runs::ArchiveSettings archive_settings(const config::RecordSettings& settings,
           }};
 }
 
+/// Tells several robots apart: each has a configuration file of its own.
+std::string robot_name(const config::RunSetup& run, const std::string& configuration_file) {
+  const std::string stem = std::filesystem::path(configuration_file).stem().string();
+  return text::one_line(stem.empty() ? run.robot.name : stem);
+}
+
 // Connects the page and the viewers' requests to the live loop.
 std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
+                                            const std::string& configuration_file,
                                             const messages::PublishClock& clock,
                                             live::LiveControls& controls,
                                             const live::SetupChanger& setup, runs::RunArchive& runs,
@@ -119,6 +127,8 @@ std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
   out.access = {server::words(settings.hosts), server::words(settings.origins)};
   out.commands = settings.commands;
   out.max_clients = static_cast<std::size_t>(settings.max_clients);
+  out.name = robot_name(run, configuration_file);
+  out.robots = server::robot_pages(settings.robots);
   out.runs_folder = run.configuration.record.directory;
   out.runs = [&runs] { return runs.json(); };
   out.page = page_file;
@@ -184,7 +194,7 @@ int run_run(const RunOptions& options) {
   const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
                             std::string_view json) { recording.hear(channel, unix_ns, json); };
   const std::unique_ptr<server::Server> server =
-      make_server(run, clock, controls, setup, runs, listener);
+      make_server(run, files.configuration.path, clock, controls, setup, runs, listener);
   // With --stay each run gets a recording of its own.
   if (!configuration.record.directory.empty() && !options.stay) recording.begin();
   settings.server = server.get();

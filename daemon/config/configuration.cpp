@@ -143,7 +143,7 @@ std::span<const Key<CameraSettings>> camera_stream_keys() {
 
 std::span<const Key<ServerConfiguration>> server_keys() {
   using T = ServerConfiguration;
-  static const std::array<Key<T>, 6> kKeys = {{
+  static const std::array<Key<T>, 7> kKeys = {{
       {"listen",
        &T::listen,
        {},
@@ -164,6 +164,12 @@ std::span<const Key<ServerConfiguration>> server_keys() {
        {},
        "Names of this machine, in addition to its addresses and localhost, separated by spaces"},
       {"max_clients", &T::max_clients, {1, 256}, "Largest number of viewers at the same time"},
+      {"robots",
+       &T::robots,
+       {},
+       "Pages of robots on other machines, for the page of all robots, separated by spaces, for "
+       "example http://10.0.0.7:8765; those on this machine are found. Each must have this page in "
+       "its server.origins"},
       {"plot",
        &T::plot,
        {},

@@ -116,6 +116,7 @@ struct StateFigures {
   double progress_m = 0.0;
   std::optional<double> length_m;
   std::optional<double> battery_v;
+  std::optional<Pose> pose;  ///< the steering pose in the world; nothing before the first step
   /// Where the robot is believed to be, if the last run ended before the end of its course.
   std::optional<Pose> go_on_from;
   bool can_start = false, can_record = false;

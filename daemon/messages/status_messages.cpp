@@ -35,6 +35,17 @@ void write_faults(text::JsonWriter& json, FaultMask faults, FaultMask of_robot) 
   json.end_array();
 }
 
+/// A pose on the ground, or nothing.
+void write_place(text::JsonWriter& json, std::string_view name, const std::optional<Pose>& pose) {
+  if (!pose) return;
+  json.key(name)
+      .begin_object()
+      .field("x_m", pose->x_m)
+      .field("y_m", pose->y_m)
+      .field("yaw_rad", pose->yaw_rad)
+      .end_object();
+}
+
 void write_stop(text::JsonWriter& json, const StopFigures& stop, const PublishClock& clock) {
   json.key("stop")
       .begin_object()
@@ -211,8 +222,9 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .field("setup", run_context.setup)
       .field("steering", to_string(state.steering))
       .field("world", run_context.world)
-      .field("battery_v", state.battery_v)
-      .key("can")
+      .field("battery_v", state.battery_v);
+  write_place(json, "pose", state.pose);
+  json.key("can")
       .begin_object()
       .field("start", state.can_start)
       .field("drive", state.why_not_drive.empty())
@@ -223,14 +235,7 @@ std::string state_message(HostNs now, const PublishClock& clock, const StateFigu
       .field("record", state.can_record)
       .end_object();
   if (state.pause_left_s > 0.0) json.field("pause_left_s", state.pause_left_s);
-  if (state.go_on_from) {
-    json.key("go_on_from")
-        .begin_object()
-        .field("x_m", state.go_on_from->x_m)
-        .field("y_m", state.go_on_from->y_m)
-        .field("yaw_rad", state.go_on_from->yaw_rad)
-        .end_object();
-  }
+  write_place(json, "go_on_from", state.go_on_from);
   json.field("why_not_start", state.why_not_start)
       .field("why_not_drive", state.why_not_drive)
       .field("confirm_start", state.confirm_start);

@@ -37,12 +37,6 @@ std::string_view name_of(std::string_view host) {
   return is_port(host.substr(colon + 1)) ? host.substr(0, colon) : std::string_view();
 }
 
-bool is_address(const std::string& name) {
-  unsigned char buffer[16];
-  return ::inet_pton(AF_INET, name.c_str(), buffer) == 1 ||
-         ::inet_pton(AF_INET6, name.c_str(), buffer) == 1;
-}
-
 bool contains(const std::vector<std::string>& list, const std::string& wanted) {
   return std::any_of(list.begin(), list.end(),
                      [&](const std::string& each) { return lower(each) == wanted; });
@@ -63,8 +57,16 @@ std::vector<std::string> words(std::string_view text) {
   return out;
 }
 
+bool is_address(const std::string& name) {
+  unsigned char buffer[16];
+  return ::inet_pton(AF_INET, name.c_str(), buffer) == 1 ||
+         ::inet_pton(AF_INET6, name.c_str(), buffer) == 1;
+}
+
+std::string host_name(std::string_view host) { return lower(name_of(host)); }
+
 bool host_allowed(std::string_view host, const AccessRules& rules) {
-  const std::string name = lower(name_of(host));
+  const std::string name = host_name(host);
   if (name.empty()) return false;
   return name == "localhost" || is_address(name) || contains(rules.hosts, name);
 }

@@ -16,6 +16,13 @@ struct AccessRules {
 /// Words of `text` between spaces and commas.
 std::vector<std::string> words(std::string_view text);
 
+/// An IPv4 or IPv6 address, without brackets.
+bool is_address(const std::string& name);
+
+/// The name or address in `host`, in lower case, without port and brackets; empty: it is not of
+/// that form.
+std::string host_name(std::string_view host);
+
 /// `host` is an address (which no name server can forge), localhost or a name of the rules, with or
 /// without a port.
 bool host_allowed(std::string_view host, const AccessRules& rules);

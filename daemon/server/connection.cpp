@@ -16,6 +16,7 @@
 #include <string>
 #include <utility>
 
+#include "server/local_daemons.h"
 #include "server/viewer_socket.h"
 
 namespace tp100::server {
@@ -58,7 +59,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void write_file();
   void write_part(ssize_t got);
   void end();
-  bool upgrade();
+  bool upgrade(bool may_command);
   std::string_view header(http::field name) const { return view(parser_->get()[name]); }
 
   beast::tcp_stream stream_;
@@ -109,7 +110,10 @@ void Connection::on_request() {
                             "this Host is not served; use an address, or add the name to "
                             "server.hosts"));
   }
-  if (!origin_allowed(header(http::field::origin), host, access)) {
+  const bool upgrades = beast::websocket::is_upgrade(request);
+  const std::string_view origin = header(http::field::origin);
+  const bool permitted = origin_allowed(origin, host, access);
+  if (!permitted && !(upgrades && is_page_of(local_daemons(), origin, host))) {
     ++shared_.refused;
     return answer(http_text(403, "this Origin is not permitted; add it to server.origins"));
   }
@@ -119,15 +123,16 @@ void Connection::on_request() {
                             "another site's page asks for this; open the address in the browser "
                             "itself, or add that site to server.origins"));
   }
-  if (beast::websocket::is_upgrade(request)) {
-    if (!upgrade()) ++shared_.refused;
+  if (upgrades) {
+    if (!upgrade(permitted)) ++shared_.refused;
     return;
   }
   if (needs_disk(view(request.target()))) return ask_disk();
   answer(http_answer({.method = view(request.method_string()),
                       .target = view(request.target()),
                       .range = header(http::field::range),
-                      .none_match = header(http::field::if_none_match)},
+                      .none_match = header(http::field::if_none_match),
+                      .host = host},
                      shared_.sources));
 }
 
@@ -153,6 +158,7 @@ void Connection::ask_disk() {
                       .setup = shared_.sources.setup,
                       .health = {},
                       .metrics = {},
+                      .robots = {},
                       .history = {}};
   const auto found = std::make_shared<HttpAnswer>();
   const bool asked =
@@ -193,7 +199,7 @@ void Connection::leave() {
   if (std::exchange(counted_, false)) --shared_.connections;
 }
 
-bool Connection::upgrade() {
+bool Connection::upgrade(bool may_command) {
   last_ = true;
   const std::string_view chosen = choose_sub_protocol(header(http::field::sec_websocket_protocol));
   if (chosen.empty()) {
@@ -208,7 +214,8 @@ bool Connection::upgrade() {
     return false;
   }
   stream_.expires_never();
-  std::make_shared<ViewerSocket>(stream_.release_socket(), shared_)->accept(parser_->get(), chosen);
+  std::make_shared<ViewerSocket>(stream_.release_socket(), shared_)
+      ->accept(parser_->get(), chosen, may_command);
   return true;
 }
 

@@ -28,6 +28,7 @@ constexpr std::string_view kRunList = "/api/runs";
 constexpr std::string_view kRuns = "/runs/";
 constexpr std::string_view kHistory = "/api/history/";
 constexpr std::string_view kSetupList = "/api/setup";
+constexpr std::string_view kRobots = "/api/robots";
 
 bool is_setup(std::string_view path) {
   return path == kSetupList || path.starts_with("/courses/") || path.starts_with("/robots/");
@@ -188,6 +189,9 @@ HttpAnswer http_answer(const HttpRequest& request, const HttpSources& sources) {
     if (sources.history) content = sources.history(path.substr(kHistory.size()));
     return content ? json_answer(std::move(*content)) : http_text(404, "no history of that topic");
   }
+  if (path == kRobots)
+    return sources.robots ? json_answer(sources.robots(request.host))
+                          : http_text(404, "no page is served");
   if (path == kRunList)
     return sources.runs ? json_answer(sources.runs()) : http_text(404, "nothing is recorded");
   if (path.starts_with(kRuns)) return file_answer(request, path.substr(kRuns.size()), sources);

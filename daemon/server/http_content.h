@@ -51,6 +51,7 @@ struct HttpRequest {
   std::string_view target;
   std::string_view range;       ///< header Range, empty: none
   std::string_view none_match;  ///< header If-None-Match
+  std::string_view host{};      ///< header Host
 };
 
 struct HttpAnswer {
@@ -79,6 +80,8 @@ struct HttpSources {
   SetupContent setup;                    ///< empty: none
   std::function<std::string()> health;   ///< JSON
   std::function<std::string()> metrics;  ///< as Prometheus reads them
+  /// JSON, for a page that is called by this Host; empty: none.
+  std::function<std::string(std::string_view host)> robots;
   /// A JSON array by the topic without its slash, or nothing; empty: none.
   std::function<std::optional<std::string>(std::string_view topic)> history;
 };

@@ -154,6 +154,7 @@ void Publisher::update_state(const StepRecord& record) {
   state_.session = record.inputs.session;
   state_.robot = snapshot.has_sample ? std::optional(snapshot.sample.state) : std::nullopt;
   state_.battery_v = snapshot.has_sample ? std::optional(snapshot.sample.battery_v) : std::nullopt;
+  state_.pose = snapshot.world;
   state_.pause_left_s = snapshot.pause_left_s;
   state_.progress_m = snapshot.progress_m;
   state_.go_on_from = may_go_on(state_.run, state_.progress_m, state_.length_m.value_or(0.0))

@@ -34,17 +34,19 @@ Controls::RecordAnswer recorded(Controls::Answer answer, bool bytes) {
 
 RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
                                std::vector<messages::ParameterText> parameters,
-                               std::string session_id)
+                               std::string session_id, std::string name)
     : broker_(broker),
       publisher_(publisher),
       controls_(controls),
       parameters_(broker, publisher, controls, std::move(parameters)),
-      session_id_(std::move(session_id)) {}
+      session_id_(std::move(session_id)),
+      name_(std::move(name)) {}
 
 void RequestHandler::greet(Viewer& viewer, Permission permission) const {
   const messages::RunContext& run_context = publisher_.run_context();
-  const std::array<Metadata, 6> metadata = {{
+  const std::array<Metadata, 7> metadata = {{
       {"version", run_context.version},
+      {"name", name_},
       {"course", run_context.course == nullptr ? "" : run_context.course->name},
       {"robot", run_context.robot.name},
       {"setup", run_context.setup},

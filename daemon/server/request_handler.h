@@ -27,7 +27,8 @@ class RequestHandler {
  public:
   /// `broker`, `publisher` and `controls` must outlive the handler.
   RequestHandler(Broker& broker, Publisher& publisher, Controls& controls,
-                 std::vector<messages::ParameterText> parameters, std::string session_id);
+                 std::vector<messages::ParameterText> parameters, std::string session_id,
+                 std::string name = {});
 
   /// Sends server info, channels and services, in this order.
   void greet(Viewer& viewer, Permission permission) const;
@@ -82,7 +83,7 @@ class RequestHandler {
   Publisher& publisher_;
   Controls& controls_;
   ParameterRequests parameters_;
-  std::string session_id_;
+  std::string session_id_, name_;
   std::vector<Waiting> waiting_;
   std::shared_ptr<Arrivals> arrivals_ = std::make_shared<Arrivals>();
 };

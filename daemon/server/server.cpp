@@ -20,6 +20,7 @@
 #include "messages/status_messages.h"
 #include "server/access.h"
 #include "server/connection.h"
+#include "server/local_daemons.h"
 #include "server/viewer_socket.h"
 #include "text/json_writer.h"
 
@@ -103,7 +104,8 @@ struct Server::State {
       : controls(c),
         broker(messages::channel_texts(), std::move(s.listener)),
         publisher(broker, messages, c),
-        handler(broker, publisher, c, std::move(parameters), random_name()),
+        own{.session = random_name()},
+        handler(broker, publisher, c, std::move(parameters), own.session, s.name),
         shared{.settings = std::move(s),
                .broker = broker,
                .publisher = publisher,
@@ -115,6 +117,9 @@ struct Server::State {
     shared.sources.setup = shared.settings.setup;
     shared.sources.health = [this] { return health(); };
     shared.sources.metrics = [this] { return metrics(); };
+    shared.sources.robots = [this](std::string_view host) {
+      return robots_json(own, local_daemons(), shared.settings.robots, host);
+    };
     shared.sources.history = [this](std::string_view topic) {
       return publisher.history().json(topic);
     };
@@ -137,12 +142,14 @@ struct Server::State {
   Controls& controls;
   Broker broker;
   Publisher publisher;
+  LocalDaemon own;
   RequestHandler handler;
   SharedState shared;
   Inbox inbox;
   StepRecord record{};
   std::atomic<bool> woken{false};
   std::string url, note;
+  std::optional<Announcement> announcement;
   std::thread thread;
   HostNs next_second_ns = 0;
   HostNs stop_by_ns = 0;
@@ -185,6 +192,8 @@ void Server::State::listen() {
                      "; choose another address, port 0 or auto");
   }
   const tcp::endpoint end = acceptor.local_endpoint();
+  own.address = end.address().to_string();
+  own.port = end.port();
   const bool any = end.address().is_unspecified();
   const std::string host = any                     ? std::string("localhost")
                            : end.address().is_v6() ? "[" + end.address().to_string() + "]"
@@ -316,6 +325,7 @@ const std::string& Server::url() const { return state_->url; }
 const std::string& Server::note() const { return state_->note; }
 
 void Server::start() {
+  if (!state_->url.empty()) state_->announcement.emplace(state_->own);
   state_->thread = std::thread([this] { state_->run(); });
 }
 

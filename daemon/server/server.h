@@ -25,6 +25,9 @@ struct ServerSettings {
   AccessRules access{};
   config::CommandsFrom commands = config::CommandsFrom::kLocal;
   std::size_t max_clients = 64;
+  std::string name{};  ///< of the robot, for people
+  std::vector<std::string>
+      robots{};             ///< pages of other robots, besides those found on this machine
   std::string runs_folder;  ///< empty: none
   RunList runs;             ///< empty: none
   SetupContent setup;       ///< empty: none
@@ -45,7 +48,7 @@ class Server : public messages::Sink {
   const std::string& url() const;
   /// Why it is not the usual port, in one line; empty: it is, or another one was configured.
   const std::string& note() const;
-  /// Starts the thread.
+  /// Starts the thread, and lets other daemons of this machine find it.
   void start();
 
   // Call these from any one thread, never the real-time one; they never wait for a client.

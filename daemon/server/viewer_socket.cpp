@@ -39,14 +39,14 @@ ViewerSocket::ViewerSocket(Stream::socket_type socket, SharedState& shared)
 
 ViewerSocket::~ViewerSocket() { --shared_.sockets; }
 
-void ViewerSocket::accept(const Request& request, std::string_view sub_protocol) {
+void ViewerSocket::accept(const Request& request, std::string_view sub_protocol, bool may_command) {
   address_ = address_of(socket_.next_layer().socket());
   const bool local = is_local(socket_.next_layer().socket());
   agent_ = std::string(request[beast::http::field::user_agent]).substr(0, kMaxAgent);
   const config::CommandsFrom from = shared_.settings.commands;
-  const bool may_command =
+  const bool accepted =
       from == config::CommandsFrom::kAll || (from == config::CommandsFrom::kLocal && local);
-  permission_ = may_command ? Permission::kCommand : Permission::kStopOnly;
+  permission_ = may_command && accepted ? Permission::kCommand : Permission::kStopOnly;
 
   boost::system::error_code ignored;
   auto& tcp = socket_.next_layer().socket();

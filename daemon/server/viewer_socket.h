@@ -24,8 +24,9 @@ class ViewerSocket : public std::enable_shared_from_this<ViewerSocket> {
 
   ViewerSocket(Stream::socket_type socket, SharedState& shared);
   ~ViewerSocket();
-  /// Accepts the upgrade with this sub-protocol and lives until the client is gone.
-  void accept(const Request& request, std::string_view sub_protocol);
+  /// Accepts the upgrade with this sub-protocol and lives until the client is gone. It commands
+  /// only if it `may_command` and server.commands permits it.
+  void accept(const Request& request, std::string_view sub_protocol, bool may_command);
 
   /// Call it once a second: sends the status that is due, and disconnects clients that do not read.
   void tick(HostNs now);

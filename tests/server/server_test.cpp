@@ -200,6 +200,50 @@ TEST_F(ServerTest, AForeignHostOrOriginIsRefusedForPageAndViewers) {
   }
 }
 
+TEST_F(ServerTest, PagesOfOtherDaemonsOfTheMachineWatchAndStopAndDoNothingElse) {
+  start();
+  const std::string origin = "Origin: http://127.0.0.1:" + port_ + "\r\n";
+  std::unique_ptr<Server> other = std::move(server_);
+  start();
+  WebClient client(port_, "127.0.0.1", origin);
+  EXPECT_THAT(client.read_until("\"serverInfo\""), HasSubstr("\"commands\":\"stop\""));
+  client.subscribe(messages::Channel::kState);
+  client.read_until("\"run\"");
+  client.call(2);
+  EXPECT_THAT(client.read_until("serviceCallFailure"), HasSubstr("only stop"));
+  client.call(3);
+  EXPECT_TRUE(eventually([&] { return controls_.stops == 1; }));
+  EXPECT_EQ(controls_.holds, 0);
+  // Such a page has no reason to ask for anything else.
+  const std::string get = "GET /api/runs HTTP/1.1\r\nHost: 127.0.0.1\r\n";
+  EXPECT_THAT(http_head(port_, get + origin + "\r\n"), HasSubstr("403"));
+  EXPECT_THROW(WebClient(port_, "127.0.0.1", "Origin: http://127.0.0.1:1\r\n"), std::runtime_error);
+  EXPECT_THROW(WebClient(port_, "127.0.0.1", "Origin: http://evil.example:" + port_ + "\r\n"),
+               std::runtime_error);
+  other.reset();
+  EXPECT_THROW(WebClient(port_, "127.0.0.1", origin), std::runtime_error);
+}
+
+TEST_F(ServerTest, ListsTheRobotsOfTheMachineAndTheNamedOnes) {
+  start();
+  const std::string url = server_->url();
+  std::unique_ptr<Server> other = std::move(server_);
+  settings_.name = "left";
+  settings_.robots = {"http://10.0.0.7:8765/"};
+  start();
+  const auto list = [&] {
+    return http_get(port_, "GET /api/robots HTTP/1.1\r\nHost: 127.0.0.1:" + port_ +
+                               "\r\nConnection: close\r\n\r\n");
+  };
+  EXPECT_THAT(list(), HasSubstr("{\"robots\":[{\"url\":\"" + server_->url() + "\","));
+  EXPECT_THAT(list(), HasSubstr("\"" + url + "\""));
+  EXPECT_THAT(list(), HasSubstr("{\"url\":\"http://10.0.0.7:8765/\"}]}"));
+  other.reset();
+  EXPECT_THAT(list(), Not(HasSubstr(url)));
+  WebClient client = connect();
+  EXPECT_THAT(client.read_until("\"serverInfo\""), HasSubstr("\"name\":\"left\""));
+}
+
 TEST_F(ServerTest, BothSubProtocolsAreSpokenAndNoOther) {
   start();
   const auto upgrade = [&](const std::string& protocol) {

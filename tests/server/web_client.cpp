@@ -77,12 +77,14 @@ std::string http_head(const std::string& port, const std::string& request) {
   return ask(port, request, true);
 }
 
-WebClient::WebClient(const std::string& port, const std::string& address)
+WebClient::WebClient(const std::string& port, const std::string& address,
+                     const std::string& headers)
     : fd_(dial(port, address)) {
   send_all(fd_,
            "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
            "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
-           "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n\r\n");
+           "Sec-WebSocket-Protocol: foxglove.sdk.v1\r\n" +
+               headers + "\r\n");
   // The head is read byte by byte because frames may follow at once.
   std::string head;
   char byte = 0;

@@ -20,7 +20,8 @@ std::string http_head(const std::string& port, const std::string& request);
 class WebClient {
  public:
   /// Connects and upgrades. Throws std::runtime_error if it is refused.
-  explicit WebClient(const std::string& port, const std::string& address = "127.0.0.1");
+  explicit WebClient(const std::string& port, const std::string& address = "127.0.0.1",
+                     const std::string& headers = "");
   ~WebClient();
   WebClient(WebClient&& other) noexcept;
   WebClient& operator=(WebClient&& other) noexcept;

@@ -1,0 +1,191 @@
+#include "server/local_daemons.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/error.h"
+#include "server/access.h"
+
+namespace tp100::server {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const LocalDaemon kFirst{"127.0.0.1", 8765, "ab12"};
+const LocalDaemon kSecond{"::1", 8766, "cd34"};
+
+/// As /proc/net/unix shows an abstract socket.
+std::string row(const std::string& name) {
+  return "00000000d3f3330d: 00000002 00000000 00000000 0001 01 64140 @" + name + "\n";
+}
+
+TEST(LocalDaemons, AreKnownWhileTheyRun) {
+  // No other process uses it.
+  const std::string session = random_name();
+  const LocalDaemon one{"127.0.0.1", 1, session}, other{"::1", 2, session};
+  std::optional<Announcement> first(one);
+  {
+    const Announcement second(other);
+    EXPECT_THAT(local_daemons(), Contains(one));
+    EXPECT_THAT(local_daemons(), Contains(other));
+  }
+  EXPECT_THAT(local_daemons(), Contains(one));
+  EXPECT_THAT(local_daemons(), Not(Contains(other)));
+  first.reset();
+  EXPECT_THAT(local_daemons(), Not(Contains(one)));
+}
+
+TEST(LocalDaemons, AKilledProcessLeavesNoEntry) {
+  const LocalDaemon killed{"127.0.0.1", 3, random_name()};
+  int announced[2];
+  ASSERT_EQ(::pipe(announced), 0);
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const Announcement announcement(killed);
+    const char byte = 1;
+    if (::write(announced[1], &byte, 1) != 1) ::_exit(1);
+    for (;;) ::pause();
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(announced[0], &byte, 1), 1);
+  EXPECT_THAT(local_daemons(), Contains(killed));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_THAT(local_daemons(), Not(Contains(killed)));
+  ::close(announced[0]);
+  ::close(announced[1]);
+}
+
+TEST(LocalDaemons, AreReadFromTheKernelsTable) {
+  const std::string table =
+      "Num       RefCount Protocol Flags    Type St Inode Path\n" + row("tp100d/::1/8766/cd34") +
+      "00000000a: 00000002 00000000 00000000 0001 03 7 /run/tp100d/127.0.0.1/1/aa\n"
+      "00000000b: 00000003 00000000 00000000 0001 03 8\n" +
+      row("dbus-x") + row("tp100d/127.0.0.1/8765/ab12");
+  EXPECT_THAT(daemons_in(table), ElementsAre(kFirst, kSecond));
+}
+
+TEST(LocalDaemons, HostileNamesAreSkipped) {
+  for (const std::string& name : {std::string("tp100d/"),
+                                  std::string("tp100d/127.0.0.1"),
+                                  std::string("tp100d/127.0.0.1/1"),
+                                  std::string("tp100d/127.0.0.1/1/"),
+                                  std::string("tp100d/127.0.0.1//ab"),
+                                  std::string("tp100d/127.0.0.1/0/ab"),
+                                  std::string("tp100d/127.0.0.1/01/ab"),
+                                  std::string("tp100d/127.0.0.1/65536/ab"),
+                                  std::string("tp100d/127.0.0.1/-1/ab"),
+                                  std::string("tp100d/127.0.0.1/1x/ab"),
+                                  std::string("tp100d/evil.example/1/ab"),
+                                  std::string("tp100d/localhost/1/ab"),
+                                  std::string("tp100d//1/ab"),
+                                  std::string("tp100d/127.0.0.1/1/AB"),
+                                  std::string("tp100d/127.0.0.1/1/ab/c"),
+                                  std::string("tp100d/127.0.0.1/1/<b>"),
+                                  std::string("tp100d/127.0.0.1/1/ab "),
+                                  std::string("tp100d/127.0.0.1/1/a\0b", 22),
+                                  std::string("tp100d/127.0.0.1/1/\"\xff"),
+                                  std::string("tp100d/fe80::1%eth0/1/ab"),
+                                  "tp100d/127.0.0.1/1/" + std::string(33, 'a'),
+                                  "tp100d/" + std::string(100'000, '1') + "/1/ab"})
+    EXPECT_THAT(daemons_in(row(name)), IsEmpty()) << name.substr(0, 60);
+  EXPECT_THAT(daemons_in(""), IsEmpty());
+  EXPECT_THAT(daemons_in(std::string(1'000, '\n')), IsEmpty());
+}
+
+TEST(LocalDaemons, AFloodOfNamesIsCut) {
+  std::string table;
+  for (int i = 1; i <= 10'000; ++i) table += row("tp100d/127.0.0.1/" + std::to_string(i) + "/ab");
+  EXPECT_EQ(daemons_in(table).size(), 64U);
+}
+
+TEST(RobotPages, AreAddressesOfPages) {
+  EXPECT_THAT(robot_pages(" http://10.0.0.7:8765, https://lab/ http://[::1]:80"),
+              ElementsAre("http://10.0.0.7:8765/", "https://lab/", "http://[::1]:80/"));
+  EXPECT_THAT(robot_pages(""), IsEmpty());
+  for (const std::string& bad :
+       {std::string("10.0.0.7:8765"), std::string("http://"), std::string("ftp://lab"),
+        std::string("http://lab/page"), std::string("http://me@lab"), std::string("http://lab:1:2"),
+        std::string("http://lab:port"), std::string("javascript:alert(1)"),
+        std::string("http://lab?x"), std::string("http://lab\"x"),
+        "http://" + std::string(300, 'a')}) {
+    try {
+      robot_pages("http://good " + bad);
+      ADD_FAILURE() << bad;
+    } catch (const SetupError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("server.robots")) << bad;
+      EXPECT_LT(std::string(error.what()).size(), 200U);
+    }
+  }
+}
+
+std::vector<std::string> listed(const LocalDaemon& own, const std::string& host) {
+  std::vector<std::string> urls;
+  const std::vector<LocalDaemon> found = {
+      kFirst, kSecond, {"0.0.0.0", 8767, "ef56"}, {"192.168.0.7", 8768, "0789"}};
+  const Json answer = Json::parse(robots_json(own, found, {"http://far/"}, host));
+  for (const Json& one : answer.at("robots")) urls.push_back(one.at("url"));
+  return urls;
+}
+
+TEST(RobotList, LeadsToEachByTheNameOfThePage) {
+  EXPECT_THAT(listed(kFirst, "localhost:8765"),
+              ElementsAre("http://localhost:8765/", "http://localhost:8766/",
+                          "http://localhost:8767/", "http://192.168.0.7:8768/", "http://far/"));
+  EXPECT_THAT(listed(kSecond, "[::1]:8766"),
+              ElementsAre("http://[::1]:8766/", "http://[::1]:8765/", "http://[::1]:8767/",
+                          "http://192.168.0.7:8768/", "http://far/"));
+}
+
+TEST(RobotList, NamesNoLoopbackAddressToOtherMachines) {
+  EXPECT_THAT(listed({"0.0.0.0", 8767, "ef56"}, "lab:8767"),
+              ElementsAre("http://lab:8767/", "http://192.168.0.7:8768/", "http://far/"));
+}
+
+TEST(RobotList, TellsWhichDaemonServesThePage) {
+  const Json robots =
+      Json::parse(robots_json(kFirst, {kFirst, kSecond}, {"http://far/"}, "127.0.0.1:8765"))
+          .at("robots");
+  ASSERT_EQ(robots.size(), 3U);
+  EXPECT_EQ(robots[0],
+            Json::parse(R"({"url":"http://127.0.0.1:8765/","session":"ab12","own":true})"));
+  EXPECT_EQ(robots[1], Json::parse(R"({"url":"http://127.0.0.1:8766/","session":"cd34"})"));
+  EXPECT_EQ(robots[2], Json::parse(R"({"url":"http://far/"})"));
+}
+
+TEST(PageOfTheMachine, HasTheSameNameAndThePortOfADaemon) {
+  const std::vector<LocalDaemon> daemons = {kFirst, {"0.0.0.0", 80, "ef56"}};
+  for (const auto& [origin, host] :
+       {std::pair("http://127.0.0.1:8765", "127.0.0.1:8766"),
+        std::pair("http://LOCALHOST:8765", "localhost:8766"),
+        std::pair("http://[::1]:8765", "[::1]:8766"), std::pair("http://lab", "lab:8766"),
+        std::pair("http://[::1]", "[::1]:8766")})
+    EXPECT_TRUE(is_page_of(daemons, origin, host)) << origin;
+  for (const auto& [origin, host] :
+       {std::pair("http://127.0.0.1:8767", "127.0.0.1:8766"),
+        std::pair("http://127.0.0.1", "127.0.0.2:8766"),
+        std::pair("http://evil.example:8765", "127.0.0.1:8766"),
+        std::pair("http://10.0.0.9:8765", "127.0.0.1:8766"),
+        std::pair("http://127.0.0.1:8765", "10.0.0.7:8766"),
+        std::pair("https://127.0.0.1:8765", "127.0.0.1:8766"),
+        std::pair("http://127.0.0.1:8765x", "127.0.0.1:8766"),
+        std::pair("http://127.0.0.1:8765/", "127.0.0.1:8766"),
+        std::pair("http://127.0.0.1:08765", "127.0.0.1:8766"), std::pair("null", "127.0.0.1:8766"),
+        std::pair("", ""), std::pair("http://", "127.0.0.1:8766"), std::pair("http://:8765", "")})
+    EXPECT_FALSE(is_page_of(daemons, origin, host)) << origin;
+}
+
+}  // namespace
+}  // namespace tp100::server
