@@ -11,7 +11,7 @@ await rm(out, { recursive: true, force: true });
 await mkdir(out, { recursive: true });
 await build({
   absWorkingDir: here,
-  entryPoints: { cockpit: 'page/main.ts' },
+  entryPoints: { cockpit: 'page/main.ts', robots: 'page/robots.ts' },
   outdir: out,
   bundle: true,
   minify: true,
@@ -23,7 +23,7 @@ await build({
   assetNames: '[name]',
   logLevel: 'warning',
 });
-for (const file of ['index.html', 'favicon.svg']) {
+for (const file of ['index.html', 'robots.html', 'favicon.svg']) {
   await copyFile(join(here, 'page', file), join(out, file));
 }
 

@@ -102,6 +102,11 @@ export class Client {
     this.connection.retryNow();
   }
 
+  /** Ends the connection for good. */
+  end(): void {
+    this.connection.end();
+  }
+
   private text(frame: string): void {
     const message = codec.parseText(frame);
     switch (message?.op) {

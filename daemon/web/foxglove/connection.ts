@@ -27,6 +27,7 @@ export class Connection {
   private watched_ms = 0;
   private retry_ms = kFirstRetry_ms;
   private retryTimer: ReturnType<typeof setTimeout> | undefined;
+  private readonly watchTimer: ReturnType<typeof setInterval>;
 
   constructor(
     private readonly make: () => Socket,
@@ -34,7 +35,7 @@ export class Connection {
     private readonly now: () => number = () => performance.now(),
   ) {
     this.watched_ms = this.now();
-    setInterval(() => {
+    this.watchTimer = setInterval(() => {
       this.watch();
     }, kWatch_ms);
     this.open();
@@ -56,6 +57,14 @@ export class Connection {
     if (this.retryTimer === undefined) return;
     clearTimeout(this.retryTimer);
     this.open();
+  }
+
+  /** Closes it for good. */
+  end(): void {
+    clearInterval(this.watchTimer);
+    this.drop();
+    clearTimeout(this.retryTimer);
+    this.retryTimer = undefined;
   }
 
   private open(): void {

@@ -17,6 +17,7 @@ import { Driver, kPeriod_ms } from '../drive/driver.ts';
 import { Inputs } from '../drive/inputs.ts';
 import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { kSubprotocols } from '../foxglove/codec.ts';
+import { StopSender } from '../foxglove/stop_sender.ts';
 import { AlertChoice } from '../panel/alert_choice.ts';
 import { Controls, type Command } from '../panel/controls.ts';
 import { CourseList } from '../panel/course_list.ts';
@@ -47,7 +48,6 @@ import { loadRecording } from '../replay/recording.ts';
 import { past } from '../state/past.ts';
 import type { Estimate, Slip, State, Topic } from '../state/messages.ts';
 import type { SetupCall } from '../state/setup.ts';
-import { StopButton } from '../state/stop.ts';
 import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
 import { everyFrame } from './schedule.ts';
@@ -65,7 +65,6 @@ const kTopics: Topic[] = [
   '/recording',
   '/client',
 ];
-const kResend_ms = 250;
 const kNumbers_ms = 100;
 /** At most 30 images a second; a frame that is due within half of a display's period is not put off. */
 const kView_ms = 1000 / 30 - 8;
@@ -80,7 +79,6 @@ let player: Player | undefined;
 let loading: AbortController | undefined;
 /** The run that is replayed; empty: none. */
 let replayed = '';
-const stop = new StopButton();
 let metadata: ServerInfo['metadata'] = {};
 let retryAt_ms = 0;
 
@@ -95,11 +93,11 @@ const client = new Client(
       metadata = info.metadata;
     },
     ready: () => {
-      if (stop.unsent) sendStop();
+      stop.ready();
     },
     closed: (retry_ms) => {
       retryAt_ms = performance.now() + retry_ms;
-      stop.disconnected();
+      stop.button.disconnected();
       driver.lose('the connection to the daemon is lost');
     },
     status: (level, message) => {
@@ -109,32 +107,14 @@ const client = new Client(
   },
 );
 
+const stop = new StopSender(client);
+
 function pressStop(): void {
   controls.forget();
   drive.forget();
   identify.forget();
   stop.press(performance.now());
-  if (client.ready) sendStop();
-  else client.retryNow();
-  stopPanel.show(stop.view(performance.now()));
-}
-
-function sendStop(): void {
-  stop.sent();
-  client.call('stop').then(
-    (response) => {
-      const answer = response as { acknowledged?: unknown; acknowledged_ms?: unknown } | undefined;
-      const took_ms = typeof answer?.acknowledged_ms === 'number' ? answer.acknowledged_ms : null;
-      stop.answered(answer?.acknowledged === true, took_ms);
-    },
-    () => {
-      // Refused or lost: send it again, now or with the next connection.
-      stop.disconnected();
-      setTimeout(() => {
-        if (stop.unsent && client.ready) sendStop();
-      }, kResend_ms);
-    },
-  );
+  stopPanel.show(stop.button.view(performance.now()));
 }
 
 async function replay(url: string, run: string): Promise<void> {
@@ -212,6 +192,7 @@ function drawCourse(on: boolean): void {
 }
 
 const stopPanel = new StopPanel(pressStop);
+stopPanel.element.id = 'stop';
 const controls = new Controls(command, (from) => {
   command('start', { from });
 });
@@ -299,7 +280,7 @@ for (const topic of kTopics) {
     signals.receive(topic, message);
     alertChoice.alerts.received(topic, message, live);
     if (topic === '/state') {
-      stop.received((message as State).stop);
+      stop.button.received((message as State).stop);
       driver.received(message as State);
     }
     else if (topic === '/recording') runs.changed();
@@ -357,7 +338,7 @@ window.addEventListener('gamepaddisconnected', () => { driver.tick(); });
 
 let last_ms = performance.now();
 everyFrame([
-  { period_ms: 0, run: () => { stopPanel.show(stop.view(performance.now())); } },
+  { period_ms: 0, run: () => { stopPanel.show(stop.button.view(performance.now())); } },
   { period_ms: kView_ms, run: view },
   { period_ms: kNumbers_ms, run: () => {
     numbers.show(shown);

@@ -1,12 +1,13 @@
 // Which robot this page belongs to, in the header and in the browser's tab.
 import type { Link } from '../state/messages.ts';
 import type { Store } from '../state/store.ts';
-import { h, setAttribute, setText } from './dom.ts';
+import { h, icon, setAttribute, setText } from './dom.ts';
 
 export class Identity {
   private readonly badge = h('span', { class: 'badge' });
   private readonly setting = h('span', { class: 'setting' });
-  readonly element = h('div', { class: 'identity' }, h('h1', {}, 'TP100'), this.setting, this.badge);
+  private readonly robots = h('a', { class: 'robots-link', href: 'robots.html', 'aria-label': 'All robots', title: 'All robots' }, icon('grid'));
+  readonly element = h('div', { class: 'identity' }, this.robots, h('h1', {}, 'TP100'), this.setting, this.badge);
 
   /** `metadata`: what the daemon said when this page connected. */
   show(store: Store, metadata: { robot?: string; setup?: string }): void {

@@ -29,7 +29,7 @@ class Chip {
   }
 }
 
-const kRunLamps: Record<string, Lamp> = { idle: 'none', arming: 'wait', running: 'good', finished: 'done', aborted: 'bad', driving: 'good' };
+export const kRunLamps: Record<string, Lamp> = { idle: 'none', arming: 'wait', running: 'good', finished: 'done', aborted: 'bad', driving: 'good' };
 
 export class StatusBar {
   readonly element = h('div', { class: 'chips' });

@@ -9,13 +9,14 @@ export class StopPanel {
   readonly element: HTMLButtonElement;
   private readonly line = h('span', { class: 'stop-line' });
 
-  constructor(pressed: () => void) {
-    this.element = h('button', { class: 'stop', id: 'stop', type: 'button', 'data-state': 'ready' });
-    const word = h('span', { class: 'stop-word' }, icon('stop'), 'STOP');
+  /** `keys`: those that do the same, or none. */
+  constructor(pressed: () => void, private readonly keys = 'space or esc', text = 'STOP') {
+    this.element = h('button', { class: 'stop', type: 'button', 'data-state': 'ready' });
+    const word = h('span', { class: 'stop-word' }, icon('stop'), text);
     this.element.append(word, this.line);
     this.line.setAttribute('role', 'status');
     this.line.setAttribute('aria-live', 'assertive');
-    this.element.setAttribute('aria-keyshortcuts', 'Space Escape');
+    if (keys !== '') this.element.setAttribute('aria-keyshortcuts', 'Space Escape');
     // On press, not on release. The click that follows is the same press; one without a pointer
     // comes from the enter key or from assistive technology.
     let pointer_ms = -Infinity;
@@ -30,15 +31,15 @@ export class StopPanel {
 
   show(view: StopView): void {
     setAttribute(this.element, 'data-state', view.kind);
-    setText(this.line, describe(view));
+    setText(this.line, describe(view, this.keys));
   }
 }
 
 /** One short line that fits the button. */
-export function describe(view: StopView): string {
+export function describe(view: StopView, keys: string): string {
   switch (view.kind) {
     case 'ready':
-      return 'space or esc';
+      return keys;
     case 'pending':
       return 'sent\u2026';
     case 'not_acknowledged':

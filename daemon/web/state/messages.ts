@@ -143,6 +143,8 @@ export interface State {
   steering: Steering;
   world: string;
   battery_v?: number | null;
+  /** Of the steering estimate; not in recordings of older versions. */
+  pose?: { x_m: number; y_m: number; yaw_rad: number };
   /** `drive` and what follows of driving: not in recordings of older versions. */
   /** The run pauses, and ends after this time. */
   pause_left_s?: number;

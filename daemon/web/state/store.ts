@@ -39,7 +39,7 @@ export const kEvents = 300;
 const kJump_m = 0.5;
 
 /** Above this age a value is grey. */
-const kStale_ms: Record<Topic, number> = {
+export const kStale_ms: Record<Topic, number> = {
   '/estimate': 400,
   '/slip': 600,
   '/sample': 400,

@@ -1,0 +1,99 @@
+// One robot of the list: the connection to its daemon, what that sent last, and its STOP.
+import { Client } from '../foxglove/client.ts';
+import { kSubprotocols } from '../foxglove/codec.ts';
+import type { Socket } from '../foxglove/connection.ts';
+import { StopSender } from '../foxglove/stop_sender.ts';
+import type { Link, State } from '../state/messages.ts';
+import { kStale_ms } from '../state/store.ts';
+
+/** Of GET /api/robots. */
+export interface Listed {
+  url: string;
+  /** The daemon's sessionId; not known of robots that the configuration names. */
+  session?: string;
+  /** It serves this page. */
+  own?: boolean;
+}
+
+export type Contact =
+  /** Nothing was received yet. */
+  | 'connecting'
+  | 'answers'
+  | 'no_answer'
+  /** Another daemon answers at the address. */
+  | 'other';
+
+/** A browser tries longer; a page that has just been opened says after this time that there is no answer. */
+const kPatience_ms = 2000;
+
+export class Robot {
+  readonly stop: StopSender;
+  state: State | undefined;
+  link: Link | undefined;
+  /** What people call it; empty until its daemon answered. */
+  name = '';
+  private readonly client: Client;
+  private readonly began_ms: number;
+  private received_ms: number | undefined;
+  private connected = false;
+  private other = false;
+
+  constructor(
+    readonly listed: Listed,
+    private readonly now: () => number = () => performance.now(),
+    make: () => Socket = () => open(listed.url),
+  ) {
+    this.began_ms = now();
+    this.client = new Client(make, {
+      serverInfo: ({ sessionId, metadata }) => {
+        this.other = listed.session !== undefined && listed.session !== sessionId;
+        if (!this.other) this.name = metadata.name ?? '';
+      },
+      ready: () => {
+        // Through a tunnel, the same address may lead to another machine.
+        this.connected = !this.other;
+        if (this.connected) this.stop.ready();
+      },
+      closed: () => {
+        this.connected = false;
+        this.received_ms = undefined;
+        this.stop.button.disconnected();
+      },
+      status: () => undefined,
+      parameters: () => undefined,
+    }, now);
+    const client = this.client;
+    const mine = (): boolean => this.connected;
+    this.stop = new StopSender({
+      get ready() { return mine() && client.ready; },
+      call: (name) => client.call(name),
+      retryNow: () => { client.retryNow(); },
+    });
+    client.subscribe('/state', (message) => {
+      if (!this.connected) return;
+      this.state = message as State;
+      this.received_ms = now();
+      this.stop.button.received(this.state.stop);
+    });
+    client.subscribe('/link', (message) => {
+      if (this.connected) this.link = message as Link;
+    });
+  }
+
+  get contact(): Contact {
+    if (this.other) return 'other';
+    const now_ms = this.now();
+    if (this.received_ms !== undefined) return now_ms - this.received_ms > kStale_ms['/state'] ? 'no_answer' : 'answers';
+    return this.state === undefined && now_ms - this.began_ms < kPatience_ms ? 'connecting' : 'no_answer';
+  }
+
+  end(): void {
+    this.client.end();
+  }
+}
+
+function open(url: string): Socket {
+  const socket = new WebSocket(url.replace(/^http/, 'ws'), kSubprotocols);
+  socket.binaryType = 'arraybuffer';
+  return socket;
+}

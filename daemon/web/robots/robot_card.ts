@@ -1,0 +1,101 @@
+// A robot's card: state, figures, faults, the way to its page, and its STOP.
+import { h, setAttribute, setText } from '../panel/dom.ts';
+import { kRunLamps } from '../panel/status_bar.ts';
+import { StopPanel } from '../panel/stop_panel.ts';
+import { clock, fixed } from '../state/format.ts';
+import type { State } from '../state/messages.ts';
+import type { Robot } from './robot.ts';
+
+const kFigures = ['course', 'time', 'pose', 'battery'] as const;
+
+export class RobotCard {
+  readonly element: HTMLElement;
+  private readonly name = h('h2', {});
+  private readonly badge = h('span', { class: 'badge' });
+  private readonly status = h('p', { class: 'card-status', role: 'status' });
+  private readonly problem = h('p', { class: 'card-problem' });
+  private readonly figures = h('dl', { class: 'card-figures' });
+  private readonly figure = new Map<string, HTMLElement>();
+  private readonly stop: StopPanel;
+
+  constructor(private readonly robot: Robot) {
+    const { url } = robot.listed;
+    const { host } = new URL(url);
+    this.stop = new StopPanel(() => { this.pressStop(); }, '');
+    for (const id of kFigures) {
+      const value = h('dd', { 'data-figure': id });
+      this.figure.set(id, value);
+      this.figures.append(h('div', {}, h('dt', {}, id), value));
+    }
+    const page = h('a', { class: 'link', href: url }, host);
+    this.element = h(
+      'li',
+      { class: 'card', 'data-lamp': 'none', 'data-url': url },
+      h('div', { class: 'card-head' }, this.name, this.badge),
+      this.status,
+      this.figures,
+      this.problem,
+      h('p', { class: 'card-page' }, page, robot.listed.own === true ? ' serves this page' : ''),
+      this.stop.element,
+    );
+  }
+
+  pressStop(): void {
+    this.robot.stop.press(performance.now());
+  }
+
+  show(ended: boolean): void {
+    const { robot } = this;
+    const { state, contact } = robot;
+    const name = robot.name || new URL(robot.listed.url).host;
+    setText(this.name, name);
+    setAttribute(this.stop.element, 'aria-label', `STOP ${name}`);
+    setAttribute(this.element, 'data-contact', contact);
+    this.stop.show(robot.stop.button.view(performance.now()));
+    const answers = contact === 'answers' && state !== undefined;
+    this.figures.hidden = this.badge.hidden = !answers;
+    if (answers) this.showState(state);
+    else this.showSilence(ended);
+  }
+
+  private showState(state: State): void {
+    const asked = ['arming', 'running', 'driving'].includes(state.run);
+    const present = state.session === 'ready';
+    const unasked = state.motors_on && !asked;
+    setAttribute(this.element, 'data-lamp', unasked || !present ? 'bad' : kRunLamps[state.run] ?? 'none');
+    const paused = state.pause_left_s === undefined ? '' : ' \u00b7 paused';
+    setText(this.status, unasked ? `${state.run} \u00b7 motors on` : present ? state.run + paused : 'no robot');
+    setText(this.badge, this.robot.link?.kind ?? '');
+    setAttribute(this.badge, 'data-kind', this.robot.link?.kind ?? '');
+    const way = typeof state.length_m === 'number' ? `, ${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m` : '';
+    this.put('course', state.course === '' ? 'none' : `${state.course}${way}`);
+    this.put('time', typeof state.run_s === 'number' ? clock(state.run_s) : '\u2013');
+    const { pose } = state;
+    this.put('pose', pose ? `x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, ${fixed((pose.yaw_rad * 180) / Math.PI, 0)}\u00b0` : '\u2013');
+    this.put('battery', typeof state.battery_v === 'number' && present ? `${fixed(state.battery_v, 1)} V` : '\u2013');
+    const [fault] = state.faults;
+    const more = state.faults.length > 1 ? ` (+${state.faults.length - 1})` : '';
+    setText(this.problem, fault === undefined ? (present ? '' : this.robot.link?.note ?? '') : fault.cause + more);
+  }
+
+  /** Nothing is shown that may have changed since. */
+  private showSilence(ended: boolean): void {
+    const { contact, listed } = this.robot;
+    setAttribute(this.element, 'data-lamp', contact === 'connecting' ? 'wait' : 'bad');
+    setText(this.status, contact === 'connecting' ? 'connecting' : contact === 'other' ? 'another daemon' : ended ? 'ended' : 'no answer');
+    const named = `is it reachable from here, and is ${location.origin} in its server.origins?`;
+    const found = 'its daemon hangs, or this address does not lead to it from here';
+    const problem = {
+      connecting: '',
+      answers: '',
+      other: 'This address leads to a daemon that is not the listed one.',
+      no_answer: ended ? 'Its daemon has ended.' : `Nothing is known of the robot now: ${listed.session === undefined ? named : found}`,
+    }[contact];
+    setText(this.problem, problem);
+  }
+
+  private put(id: (typeof kFigures)[number], text: string): void {
+    const element = this.figure.get(id);
+    if (element !== undefined) setText(element, text);
+  }
+}
