@@ -14,8 +14,8 @@ struct Colour {
   const char *name, *light, *dark;
 };
 
-/// Path, poses and tracks: `dark` as on the live page (daemon/web/scene/palette.ts), `light` of the
-/// same hue. Each has a contrast of at least 4.5 against its ground.
+/// Path, poses and tracks: both as on the live page (daemon/web/page/theme.css). Each has a
+/// contrast of at least 4.5 against its ground.
 inline constexpr std::array kColours = {
     Colour{"path", "#5b6672", "#f2f5f8"}, Colour{"truth", "#806200", "#ffd23f"},
     Colour{"model", "#c42b24", "#ff5b52"}, Colour{"odometry", "#1c61bd", "#4d9fff"},

@@ -15,7 +15,7 @@ struct Scheme {
   const char *selector, *end, *properties;
   const char* Colour::*colour;
 };
-// The dark one as the live page (daemon/web/page/base.css); paper is light.
+// The dark one as the live page (daemon/web/page/theme.css); paper is light.
 constexpr Scheme kSchemes[] = {
     {":root{color-scheme:light dark;", "}\n",
      "--panel:#f3f5f7;--line:#d3d9df;--text:#1b2127;--dim:#55606b;--good:#12733d;--bad:#b3201a;"

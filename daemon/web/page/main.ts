@@ -1,5 +1,6 @@
 // The cockpit: connects the daemon's channels to the elements of the page.
 import 'uplot/dist/uPlot.min.css';
+import './theme.css';
 import './base.css';
 import './header.css';
 import './view.css';
@@ -37,6 +38,7 @@ import { ParameterPanel } from '../panel/parameter_panel.ts';
 import { PlaceDrawing } from '../panel/place_drawing.ts';
 import { Plots } from '../panel/plots.ts';
 import { RunList } from '../panel/run_list.ts';
+import { SceneWords } from '../panel/scene_words.ts';
 import { SignalPanel } from '../panel/signal_panel.ts';
 import { StatusBar } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
@@ -51,6 +53,7 @@ import type { SetupCall } from '../state/setup.ts';
 import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
 import { everyFrame } from './schedule.ts';
+import { themeSwitch } from './theme.ts';
 
 const kTopics: Topic[] = [
   '/state',
@@ -212,6 +215,7 @@ const drive = new DrivePanel(driver, inputs);
 const status = new StatusBar();
 const notice = new Notice();
 const viewport = new Viewport();
+const words = new SceneWords();
 const timeline = new Timeline();
 const numbers = new Numbers();
 const plots = new Plots();
@@ -258,7 +262,7 @@ const drawer = new Drawer([
   { id: 'doctor', title: 'Doctor', element: doctor.element, show: () => { doctor.show(live, client.ready, mayCommand()); } },
   { id: 'identify', title: 'Identify', element: identify.element, show: () => { identify.show(live, client.ready, mayCommand()); } },
   { id: 'keys', title: 'Keys', element: keyList(), show: () => undefined },
-]);
+], themeSwitch(() => { viewport.recolour(); }));
 
 const identity = new Identity();
 const header = h(
@@ -271,7 +275,7 @@ const header = h(
 );
 plots.element.append(histogram.element);
 controls.element.append(drive.button);
-viewport.element.append(editor.stage.element, placing.element, drive.element, notice.element, transport.element, timeline.element);
+viewport.element.append(words.element, editor.stage.element, placing.element, drive.element, notice.element, transport.element, timeline.element);
 document.body.append(header, h('main', {}, viewport.element, numbers.element, plots.element, drawer.element));
 
 for (const topic of kTopics) {
@@ -359,6 +363,7 @@ function view(now_ms: number): void {
 
 function chips(now_ms: number): void {
   status.show(live, client.ready);
+  words.show(shown, shown !== live, now_ms);
   controls.show(live, client.ready, mayCommand());
   drive.show(live, client.ready, mayCommand());
   notice.show(live, client.ready, (retryAt_ms - now_ms) / 1000, now_ms, shown !== live);

@@ -1,6 +1,7 @@
 // The page of all robots: a card for each daemon of the machine and for those that the configuration
 // names. Every card has a connection of its own to its daemon: none depends on another, nor on the
 // daemon that served the page.
+import './theme.css';
 import './base.css';
 import './header.css';
 import './robots.css';
@@ -10,6 +11,7 @@ import { Robot, type Listed } from '../robots/robot.ts';
 import { RobotCard } from '../robots/robot_card.ts';
 import { RobotList } from '../robots/robot_list.ts';
 import { everyFrame } from './schedule.ts';
+import { themeSwitch } from './theme.ts';
 
 const kList_ms = 1000;
 const kCards_ms = 100;
@@ -29,7 +31,7 @@ stopAll.show({ kind: 'ready' });
 const note = h('p', { class: 'robots-note', role: 'status' });
 const items = h('ul', { class: 'cards', 'aria-label': 'Robots' });
 document.body.append(
-  h('header', { class: 'bar' }, h('div', { class: 'identity' }, h('h1', {}, 'Robots'), note), stopAll.element),
+  h('header', { class: 'bar' }, h('div', { class: 'identity' }, h('h1', {}, 'Robots'), themeSwitch(() => undefined), note), stopAll.element),
   h('main', {}, items),
 );
 

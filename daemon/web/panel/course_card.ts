@@ -1,6 +1,5 @@
 // A course as a card: its outline with obstacles, its figures, and what can be done with it.
 import { footprint } from '../scene/geometry.ts';
-import * as palette from '../scene/palette.ts';
 import { facts, type CourseEntry, type Piece } from '../state/setup.ts';
 import { confirmed, h } from './dom.ts';
 
@@ -74,14 +73,14 @@ function thumbnail(course: CourseEntry): SVGSVGElement {
   const fill = (list: { x: number; y: number }[][], colour: string): void => {
     for (const corners of list) image.append(svg('polygon', { points: points(corners), fill: colour }));
   };
-  fill(pieces(course.surfaces), palette.kSurface);
-  fill(obstacles, palette.kObstacle);
+  fill(pieces(course.surfaces), 'var(--surface)');
+  fill(obstacles, 'var(--obstacle)');
   const line = outline.map(({ x_m, y_m }) => ({ x: x_m, y: y_m }));
   image.append(
     svg('polyline', {
       points: points(line),
       fill: 'none',
-      stroke: palette.kPath,
+      stroke: 'var(--path)',
       'stroke-width': '1.5',
       'stroke-linejoin': 'round',
       'vector-effect': 'non-scaling-stroke',
@@ -90,7 +89,7 @@ function thumbnail(course: CourseEntry): SVGSVGElement {
   const start = course.start;
   if (start !== undefined) {
     const size = 0.05 * Math.max(width, height);
-    image.append(svg('circle', { cx: String(start.x_m), cy: String(-start.y_m), r: String(size), fill: palette.kEstimateColours.fused }));
+    image.append(svg('circle', { cx: String(start.x_m), cy: String(-start.y_m), r: String(size), fill: 'var(--fused)' }));
   }
   return image;
 }

@@ -14,7 +14,8 @@ export class Drawer {
   private readonly tabs: HTMLButtonElement[];
   private current = 0;
 
-  constructor(private readonly pages: Page[]) {
+  /** `tools`: buttons beside the tabs. */
+  constructor(private readonly pages: Page[], ...tools: HTMLElement[]) {
     const list = h('div', { class: 'tabs', role: 'tablist' });
     this.tabs = pages.map((page, i) => {
       const tab = h('button', { type: 'button', role: 'tab', id: `tab-${page.id}`, 'aria-controls': `page-${page.id}` }, page.title);
@@ -36,7 +37,7 @@ export class Drawer {
       setAttribute(size, 'aria-pressed', String(large));
       setText(size, large ? 'smaller' : 'larger');
     });
-    this.element.append(h('div', { class: 'drawer-head' }, list, size));
+    this.element.append(h('div', { class: 'drawer-head' }, list, ...tools, size));
     for (const page of pages) {
       setAttribute(page.element, 'id', `page-${page.id}`);
       setAttribute(page.element, 'role', 'tabpanel');

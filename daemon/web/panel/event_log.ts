@@ -8,7 +8,7 @@ const kLevels = ['info', 'warning', 'error'];
 
 export class EventLog {
   readonly element = h('div', { class: 'events', tabindex: '0' });
-  private readonly list = h('ol', { class: 'event-list', role: 'log' });
+  private readonly list = h('ol', { class: 'event-list' });
   private readonly level = h('select', { 'aria-label': 'Level of events' });
   private readonly search = h('input', { type: 'search', placeholder: 'search', 'aria-label': 'Search events' });
   private readonly none = h('p', { class: 'empty', hidden: '' }, 'No event matches.');
@@ -22,7 +22,7 @@ export class EventLog {
       this.level.append(h('option', { value: String(i) }, text));
     });
     for (const element of [this.level, this.search]) element.addEventListener('input', () => { this.narrow(); });
-    this.element.append(h('div', { class: 'events-bar' }, this.level, this.search, ...more), this.list, this.none);
+    this.element.append(h('div', { class: 'events-bar' }, this.level, this.search, ...more), h('div', { role: 'log' }, this.list), this.none);
   }
 
   /** `began_unix_s`: the Unix time of t_s = 0; undefined: not known, or the time is virtual. */

@@ -18,5 +18,5 @@ const kKeys: [key: string, meaning: string][] = [
 export function keyList(): HTMLElement {
   const list = h('dl', { class: 'keys' });
   for (const [key, meaning] of kKeys) list.append(h('dt', {}, h('kbd', {}, key)), h('dd', {}, meaning));
-  return list;
+  return h('div', { tabindex: '0' }, list);
 }

@@ -3,13 +3,13 @@ import uPlot from 'uplot';
 import { fixed } from '../state/format.ts';
 import { extent, niceRange } from '../state/scale.ts';
 import { kColumns, type Column, type Store } from '../state/store.ts';
-import * as palette from '../scene/palette.ts';
+import { colour, type Colour } from '../scene/palette.ts';
 import { h, setClass, setText } from './dom.ts';
 
 export interface Curve {
   label: string;
   column: Column;
-  colour: string;
+  colour: Colour;
   dash?: number[];
   width?: number;
   /** Not in the head line at all, or there without a figure. */
@@ -49,7 +49,7 @@ export class Plot {
       this.values.push(value);
       if (curve.quiet === true) continue;
       const swatch = h('i', { class: curve.dash ? 'swatch dashed' : 'swatch' });
-      swatch.style.color = curve.colour;
+      swatch.style.color = `var(--${curve.colour})`;
       key.append(h('span', { class: 'plot-curve' }, swatch, curve.label, ...(curve.nameOnly === true ? [] : [value])));
     }
     this.element = h(
@@ -93,7 +93,8 @@ export class Plot {
   }
 
   private uplotOptions(): uPlot.Options {
-    const grid = { stroke: '#1b242e', width: 1 };
+    // Asked for with every drawing, as the theme may change.
+    const grid = { stroke: () => colour('axis-grid'), width: 1 };
     const times = this.options.times === true;
     return {
       width: 300,
@@ -109,7 +110,7 @@ export class Plot {
         {
           show: true,
           size: times ? kTimes_px : 0,
-          stroke: palette.kDim,
+          stroke: () => colour('dim'),
           font: kFont,
           grid,
           ticks: { show: false },
@@ -119,7 +120,7 @@ export class Plot {
         },
         {
           size: kAxis_px,
-          stroke: palette.kDim,
+          stroke: () => colour('dim'),
           font: kFont,
           grid,
           ticks: { show: false },
@@ -131,7 +132,7 @@ export class Plot {
       series: [
         {},
         ...this.options.curves.map((curve) => ({
-          stroke: curve.colour,
+          stroke: () => colour(curve.colour),
           width: curve.width ?? 1.5,
           ...(curve.dash ? { dash: curve.dash } : {}),
           points: { show: false },

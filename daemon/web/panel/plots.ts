@@ -1,11 +1,9 @@
 // The column of diagrams.
-import * as palette from '../scene/palette.ts';
 import type { Store } from '../state/store.ts';
 import { h, setClass } from './dom.ts';
 import { Plot } from './plot.ts';
 
-const { model, odometry, fused, truth } = palette.kEstimateColours;
-const kPlan = { colour: palette.kPath, dash: [5, 4], width: 1.2 };
+const kPlan = { colour: 'path' as const, dash: [5, 4], width: 1.2 };
 
 export class Plots {
   readonly element = h('div', { class: 'plots' });
@@ -23,9 +21,9 @@ export class Plots {
       decimals: 1,
       soft: [0, 10],
       curves: [
-        { label: 'model', column: 'model_error_mm', colour: model },
-        { label: 'odom', column: 'odometry_error_mm', colour: odometry },
-        { label: 'fused', column: 'fused_error_mm', colour: fused },
+        { label: 'model', column: 'model_error_mm', colour: 'model' },
+        { label: 'odom', column: 'odometry_error_mm', colour: 'odometry' },
+        { label: 'fused', column: 'fused_error_mm', colour: 'fused' },
       ],
     });
     this.truth.element.hidden = true;
@@ -37,10 +35,10 @@ export class Plots {
         decimals: 1,
         soft: [-10, 10],
         curves: [
-          { label: 'truth', column: 'truth_yaw_deg', colour: truth, quiet: true },
-          { label: 'model', column: 'model_yaw_deg', colour: model },
-          { label: 'odom', column: 'odometry_yaw_deg', colour: odometry },
-          { label: 'fused', column: 'fused_yaw_deg', colour: fused },
+          { label: 'truth', column: 'truth_yaw_deg', colour: 'truth', quiet: true },
+          { label: 'model', column: 'model_yaw_deg', colour: 'model' },
+          { label: 'odom', column: 'odometry_yaw_deg', colour: 'odometry' },
+          { label: 'fused', column: 'fused_yaw_deg', colour: 'fused' },
           { label: 'plan', column: 'desired_yaw_deg', ...kPlan, nameOnly: true },
         ],
       }),
@@ -51,8 +49,8 @@ export class Plots {
         decimals: 1,
         soft: [-4, 4],
         curves: [
-          { label: 'cross-track', column: 'cross_track_mm', colour: '#d7dee7' },
-          { label: 'heading °', column: 'heading_error_deg', colour: '#b79cf0' },
+          { label: 'cross-track', column: 'cross_track_mm', colour: 'text' },
+          { label: 'heading °', column: 'heading_error_deg', colour: 'value' },
         ],
       }),
       this.truth,
@@ -63,10 +61,10 @@ export class Plots {
         decimals: 3,
         soft: [-0.05, 0.15],
         curves: [
-          { label: 'wanted left', column: 'left_commanded_mps', colour: palette.kLeft, dash: [3, 3], width: 1, quiet: true },
-          { label: 'wanted right', column: 'right_commanded_mps', colour: palette.kRight, dash: [3, 3], width: 1, quiet: true },
-          { label: 'left', column: 'left_mps', colour: palette.kLeft },
-          { label: 'right', column: 'right_mps', colour: palette.kRight },
+          { label: 'wanted left', column: 'left_commanded_mps', colour: 'left', dash: [3, 3], width: 1, quiet: true },
+          { label: 'wanted right', column: 'right_commanded_mps', colour: 'right', dash: [3, 3], width: 1, quiet: true },
+          { label: 'left', column: 'left_mps', colour: 'left' },
+          { label: 'right', column: 'right_mps', colour: 'right' },
         ],
       }),
       new Plot({
@@ -77,10 +75,10 @@ export class Plots {
         soft: [0, 20],
         times: true,
         curves: [
-          { label: 'fused left', column: 'fused_slip_left_percent', colour: palette.kLeft, dash: [3, 3], width: 1, quiet: true },
-          { label: 'fused right', column: 'fused_slip_right_percent', colour: palette.kRight, dash: [3, 3], width: 1, quiet: true },
-          { label: 'left', column: 'slip_left_percent', colour: palette.kLeft },
-          { label: 'right', column: 'slip_right_percent', colour: palette.kRight },
+          { label: 'fused left', column: 'fused_slip_left_percent', colour: 'left', dash: [3, 3], width: 1, quiet: true },
+          { label: 'fused right', column: 'fused_slip_right_percent', colour: 'right', dash: [3, 3], width: 1, quiet: true },
+          { label: 'left', column: 'slip_left_percent', colour: 'left' },
+          { label: 'right', column: 'slip_right_percent', colour: 'right' },
         ],
       }),
     ];

@@ -1,6 +1,6 @@
 // A diagram of signals that have one unit. A part of the time is chosen by dragging.
 import uPlot from 'uplot';
-import * as palette from '../scene/palette.ts';
+import { colour, type Colour } from '../scene/palette.ts';
 import { fixed } from '../state/format.ts';
 import { extent, niceRange } from '../state/scale.ts';
 import type { Signals } from '../state/signals.ts';
@@ -11,7 +11,7 @@ export interface TimeRange {
   to_s: number;
 }
 
-const kColours = ['#4d9fff', '#ffb020', '#3ad07c', '#ff6f4d', '#b79cf0', '#e8e36a', '#5fd7d7', '#e58cc4'];
+const kColours: readonly Colour[] = ['odometry', 'warn', 'fused', 'bad', 'value', 'run-5', 'run-2', 'run-3'];
 const kFont = '11px B612, sans-serif';
 const kHeight_px = 170;
 
@@ -32,7 +32,7 @@ export class SignalChart {
     const key = h('div', { class: 'plot-key' });
     names.forEach((name, i) => {
       const swatch = h('i', { class: 'swatch' });
-      swatch.style.color = kColours[i % kColours.length] ?? '';
+      swatch.style.color = `var(--${colourOf(i)})`;
       const value = h('span', { class: 'plot-value' });
       this.values.push(value);
       key.append(h('span', { class: 'plot-curve' }, swatch, name, value));
@@ -75,7 +75,7 @@ export class SignalChart {
   }
 
   colour(index: number): string {
-    return kColours[index % kColours.length] ?? '';
+    return colour(colourOf(index));
   }
 
   private figures(): void {
@@ -92,7 +92,7 @@ export class SignalChart {
   }
 
   private options(): uPlot.Options {
-    const axis = { stroke: palette.kDim, font: kFont, grid: { stroke: '#1b242e', width: 1 }, ticks: { show: false } };
+    const axis = { stroke: () => colour('dim'), font: kFont, grid: { stroke: () => colour('axis-grid'), width: 1 }, ticks: { show: false } };
     return {
       width: 300,
       height: kHeight_px,
@@ -107,7 +107,7 @@ export class SignalChart {
         { ...axis, size: 20, gap: 4, space: 60, values: (_, splits) => splits.map((t_s) => `${fixed(t_s, splits.length > 1 && (splits[1] ?? 0) - (splits[0] ?? 0) < 1 ? 2 : 0)} s`) },
         { ...axis, size: 58, gap: 6, space: 24 },
       ],
-      series: [{}, ...this.names.map((_, i) => ({ stroke: this.colour(i), width: 1.5, points: { show: false }, spanGaps: true }))],
+      series: [{}, ...this.names.map((_, i) => ({ stroke: () => this.colour(i), width: 1.5, points: { show: false }, spanGaps: true }))],
       hooks: {
         setCursor: [() => { this.figures(); }],
         setSelect: [
@@ -127,9 +127,13 @@ export class SignalChart {
   private drawNow(plot: uPlot): void {
     if (!(this.now_s > this.range.from_s && this.now_s < this.range.to_s)) return;
     const x = plot.valToPos(this.now_s, 'x', true);
-    plot.ctx.fillStyle = palette.kDim;
+    plot.ctx.fillStyle = colour('dim');
     plot.ctx.fillRect(Math.round(x), plot.bbox.top, 1, plot.bbox.height);
   }
+}
+
+function colourOf(index: number): Colour {
+  return kColours[index % kColours.length] ?? 'text';
 }
 
 function decimals([low, high]: [number, number]): number {

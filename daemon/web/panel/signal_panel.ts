@@ -2,6 +2,7 @@
 import { csv, isSignalTopic, search, Signals, topicOf, unitOf, kSignalHistory_s } from '../state/signals.ts';
 import type { Frame } from '../replay/recording.ts';
 import type { Store } from '../state/store.ts';
+import { colour } from '../scene/palette.ts';
 import { h, setAttribute, setText } from './dom.ts';
 import { SignalChart, type TimeRange } from './signal_chart.ts';
 
@@ -206,7 +207,7 @@ export class SignalPanel {
     canvas.height = this.charts.reduce((height, { image }) => height + image.height + head, 0);
     const context = canvas.getContext('2d');
     if (context === null) return;
-    context.fillStyle = '#0f151c';
+    context.fillStyle = colour('panel');
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.font = `${12 * scale}px B612, sans-serif`;
     context.textBaseline = 'middle';

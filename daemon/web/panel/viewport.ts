@@ -2,7 +2,6 @@
 import { kCameraModes } from '../scene/camera_rig.ts';
 import type { Bounds, Point2 } from '../scene/geometry.ts';
 import { MapView } from '../scene/map_view.ts';
-import * as palette from '../scene/palette.ts';
 import { SceneView } from '../scene/scene_view.ts';
 import type { View } from '../scene/view.ts';
 import type { Course } from '../state/messages.ts';
@@ -38,11 +37,11 @@ export class Viewport {
     }
     const key = h('div', { class: 'key', role: 'group', 'aria-label': 'Paths' });
     const plan = h('i', { class: 'swatch dashed' });
-    plan.style.color = palette.kPath;
+    plan.style.color = 'var(--path)';
     key.append(h('span', { class: 'key-item' }, plan, 'plan'));
     for (const name of kEstimates) {
       const swatch = h('i', { class: 'swatch' });
-      swatch.style.color = palette.kEstimateColours[name];
+      swatch.style.color = `var(--${name})`;
       const button = h('button', { type: 'button', class: 'key-item', 'aria-pressed': 'true', id: `show-${name}` }, swatch, name);
       button.addEventListener('click', () => {
         this.toggle(name);
@@ -72,6 +71,13 @@ export class Viewport {
     this.mode = this.view instanceof MapView ? 'map' : mode;
     if (this.mode !== 'map') this.view.setCamera(this.mode);
     this.mark();
+  }
+
+  /** Draws all of it anew, in the colours of the theme in force. */
+  recolour(): void {
+    this.view.dispose();
+    this.view = this.make(this.mode);
+    if (this.mode !== 'map') this.view.setCamera(this.mode);
   }
 
   next(): void {

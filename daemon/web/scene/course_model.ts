@@ -15,7 +15,7 @@ import {
 } from 'three';
 import type { Course, Place } from '../state/messages.ts';
 import { blockProfile, bounds, drape, fenceOf, keepOutOf, rampProfile } from './geometry.ts';
-import * as palette from './palette.ts';
+import { colour } from './palette.ts';
 import { Ribbon } from './ribbon.ts';
 import { dispose, solid } from './solid.ts';
 
@@ -36,7 +36,7 @@ export class CourseModel {
     for (const surface of course.surfaces) {
       const patch = new Mesh(
         new PlaneGeometry(surface.length_m, surface.width_m),
-        new MeshLambertMaterial({ color: palette.kSurface, polygonOffset: true, polygonOffsetFactor: -1 }),
+        new MeshLambertMaterial({ color: colour('surface'), polygonOffset: true, polygonOffsetFactor: -1 }),
       );
       patch.receiveShadow = true;
       lay(patch, surface);
@@ -44,22 +44,22 @@ export class CourseModel {
       this.group.add(patch);
     }
     for (const ramp of course.ramps) {
-      const body = solid(rampProfile(ramp), ramp.width_m, palette.kObstacle, palette.kObstacleEdge);
+      const body = solid(rampProfile(ramp), ramp.width_m, colour('obstacle'), colour('obstacle-edge'));
       lay(body, ramp);
       this.group.add(body);
     }
     for (const block of course.blocks) {
-      const body = solid(blockProfile(block), block.width_m, palette.kObstacle, palette.kObstacleEdge);
+      const body = solid(blockProfile(block), block.width_m, colour('obstacle'), colour('obstacle-edge'));
       lay(body, block);
       this.group.add(body);
     }
     for (const border of [fenceOf(course), ...keepOutOf(course)]) {
       const corners = border.flatMap(({ x, y }) => [x, y, 0.001]);
-      if (corners.length > 0) this.group.add(new LineLoop(lineGeometry(corners), new LineBasicMaterial({ color: palette.kFence })));
+      if (corners.length > 0) this.group.add(new LineLoop(lineGeometry(corners), new LineBasicMaterial({ color: colour('fence') })));
     }
     if (course.path.length > 1) {
       const points = drape(course);
-      this.path = new Ribbon(points.length / 3, palette.kPath, kPathWidth_m, 0.0015);
+      this.path = new Ribbon(points.length / 3, colour('path'), kPathWidth_m, 0.0015);
       this.path.set(points, kDashPoints);
       this.group.add(this.path.mesh, ring(course.path[0], 0.014, 0.02), ring(course.path.at(-1), 0.02, 0.03));
     }
@@ -73,7 +73,7 @@ export class CourseModel {
     const [x0, x1, y0, y1] = [down(box.min_x), up(box.max_x), down(box.min_y), up(box.max_y)];
     const plane = new Mesh(
       new PlaneGeometry(40, 40),
-      new MeshLambertMaterial({ color: palette.kFloor, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
+      new MeshLambertMaterial({ color: colour('floor'), polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
     );
     plane.position.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
     plane.receiveShadow = true;
@@ -94,8 +94,8 @@ export class CourseModel {
     lines(y0, y1, (y) => pieces(x0, x1, (a, b) => [a, y, 0, b, y, 0]));
     this.group.add(
       plane,
-      new LineSegments(lineGeometry(fine), new LineBasicMaterial({ color: palette.kGrid })),
-      new LineSegments(lineGeometry(bold), new LineBasicMaterial({ color: palette.kGridBold })),
+      new LineSegments(lineGeometry(fine), new LineBasicMaterial({ color: colour('grid') })),
+      new LineSegments(lineGeometry(bold), new LineBasicMaterial({ color: colour('grid-bold') })),
     );
   }
 }
@@ -114,7 +114,7 @@ function lineGeometry(coordinates: number[]): BufferGeometry {
 function ring(at: { x_m: number; y_m: number } | undefined, inner: number, outer: number): Mesh {
   const mesh = new Mesh(
     new RingGeometry(inner, outer, 32),
-    new MeshBasicMaterial({ color: palette.kPath, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -2 }),
+    new MeshBasicMaterial({ color: colour('path'), side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -2 }),
   );
   mesh.position.set(at?.x_m ?? 0, at?.y_m ?? 0, 0.001);
   return mesh;

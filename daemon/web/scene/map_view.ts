@@ -4,7 +4,7 @@ import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
 import { bounds, fenceOf, footprint, inside, keepOutOf, onStadium, rampLength, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
 import { Moved } from './moved.ts';
-import * as palette from './palette.ts';
+import { colour } from './palette.ts';
 import { kDefaultShape } from './robot_model.ts';
 import type { View } from './view.ts';
 
@@ -75,7 +75,7 @@ export class MapView implements View {
     for (const name of kEstimates) {
       if (!this.visible[name]) continue;
       const points = store.path_histories[name].coordinates;
-      context.strokeStyle = palette.kEstimateColours[name];
+      context.strokeStyle = colour(name);
       context.lineWidth = 2 * this.ratio;
       context.lineJoin = 'round';
       context.beginPath();
@@ -90,7 +90,7 @@ export class MapView implements View {
       const pose = estimate[name];
       if (!pose || name === estimate.steering || !this.visible[name]) continue;
       this.polygon(context, footprint(place(pose), this.shape.length_m, this.shape.width_m));
-      context.strokeStyle = palette.kEstimateColours[name];
+      context.strokeStyle = colour(name);
       context.lineWidth = 1.5 * this.ratio;
       context.stroke();
     }
@@ -170,21 +170,21 @@ export class MapView implements View {
     const { width, height } = this.ground;
     this.projection = fit(this.frame ?? bounds(this.course), width, height);
     this.moved.reset();
-    context.fillStyle = palette.kFloor;
+    context.fillStyle = colour('floor');
     context.fillRect(0, 0, width, height);
     this.grid(context);
     const course = this.course;
     if (course === undefined) return;
     for (const surface of course.surfaces) {
       this.polygon(context, footprint(surface, surface.length_m, surface.width_m));
-      context.fillStyle = palette.kSurface;
+      context.fillStyle = colour('surface');
       context.fill();
     }
-    context.strokeStyle = palette.kObstacleEdge;
+    context.strokeStyle = colour('obstacle-edge');
     context.lineWidth = this.ratio;
     for (const ramp of course.ramps) {
       this.polygon(context, footprint(ramp, rampLength(ramp), ramp.width_m));
-      context.fillStyle = palette.kObstacle;
+      context.fillStyle = colour('obstacle');
       context.fill();
       context.stroke();
       const up = ramp.height_m / Math.tan(ramp.up_rad);
@@ -194,21 +194,21 @@ export class MapView implements View {
     }
     for (const block of course.blocks) {
       this.polygon(context, footprint(block, block.depth_m, block.width_m));
-      context.fillStyle = palette.kObstacle;
+      context.fillStyle = colour('obstacle');
       context.fill();
       context.stroke();
     }
-    context.strokeStyle = palette.kFence;
+    context.strokeStyle = colour('fence');
     for (const area of keepOutOf(course)) {
       this.polygon(context, area);
-      context.fillStyle = palette.kKeepOut;
+      context.fillStyle = colour('keep-out');
       context.fill();
       context.stroke();
     }
     this.polygon(context, fenceOf(course));
     context.stroke();
     context.setLineDash([6 * this.ratio, 5 * this.ratio]);
-    context.strokeStyle = palette.kPath;
+    context.strokeStyle = colour('path');
     context.lineWidth = 1.5 * this.ratio;
     context.beginPath();
     for (const point of course.path) {
@@ -237,7 +237,7 @@ export class MapView implements View {
     const step = 0.1;
     context.lineWidth = 1;
     const line = (bold: boolean, x0: number, y0: number, x1: number, y1: number): void => {
-      context.strokeStyle = bold ? palette.kGridBold : palette.kGrid;
+      context.strokeStyle = bold ? colour('grid-bold') : colour('grid');
       context.beginPath();
       context.moveTo(Math.round(x0) + 0.5, Math.round(y0) + 0.5);
       context.lineTo(Math.round(x1) + 0.5, Math.round(y1) + 0.5);

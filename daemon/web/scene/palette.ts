@@ -1,26 +1,22 @@
-// The colours of the page. Path, model and actual robot as in the paper's figures: planned path
-// white, model red, fused pose green.
-import type { EstimateName } from '../state/store.ts';
+// The colours of the theme in force, for what is drawn by scripts. Their home is page/theme.css; elements have them
+// as custom properties.
+export type Colour =
+  | 'path' | 'model' | 'odometry' | 'fused' | 'truth' | 'left' | 'right' | 'value' | 'run-2' | 'run-3' | 'run-5'
+  | 'text' | 'dim' | 'warn' | 'bad' | 'panel' | 'axis-grid'
+  | 'sky' | 'floor' | 'grid' | 'grid-bold' | 'fence' | 'keep-out' | 'obstacle' | 'obstacle-edge' | 'surface';
 
-export const kPath = '#f2f5f8';
-export const kEstimateColours: Record<EstimateName, string> = {
-  model: '#ff5b52',
-  odometry: '#4d9fff',
-  fused: '#3ad07c',
-  truth: '#ffd23f',
-};
-export const kLeft = '#58b7e8';
-export const kRight = '#f0a35e';
-export const kCommand = '#8d99a7';
+const read = new Map<Colour, string>();
 
-export const kSky = '#0b1016';
-export const kFloor = '#0b131d';
-export const kGrid = '#212d3b';
-export const kGridBold = '#34465a';
-export const kFence = '#4a5868';
-export const kKeepOut = '#3a1d26';
-export const kObstacle = '#6b7785';
-export const kObstacleEdge = '#aeb9c6';
-export const kSurface = '#37506b';
-export const kText = '#d7dee7';
-export const kDim = '#7f8c9b';
+export function colour(name: Colour): string {
+  let value = read.get(name);
+  if (value === undefined) {
+    value = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+    read.set(name, value);
+  }
+  return value;
+}
+
+/** The theme has changed. */
+export function forgetColours(): void {
+  read.clear();
+}

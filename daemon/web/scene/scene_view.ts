@@ -5,7 +5,7 @@ import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
 import { CameraRig, type CameraMode } from './camera_rig.ts';
 import { CourseModel } from './course_model.ts';
 import { bounds } from './geometry.ts';
-import { kEstimateColours, kSky } from './palette.ts';
+import { colour } from './palette.ts';
 import { Moved } from './moved.ts';
 import { Pace } from './pace.ts';
 import { Ribbon } from './ribbon.ts';
@@ -42,15 +42,15 @@ export class SceneView implements View {
     this.element.addEventListener('webglcontextlost', lost);
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.scene.background = new Color(kSky);
-    this.scene.fog = new Fog(kSky, 3.5, 9);
+    this.scene.background = new Color(colour('sky'));
+    this.scene.fog = new Fog(colour('sky'), 3.5, 9);
     this.scene.add(new HemisphereLight('#bcd6f5', '#26303c', 1.4), this.sun, this.sun.target, this.course.group);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(1024, 1024);
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.002;
     this.rig = new CameraRig(this.element, taken);
-    this.ribbons = record((name) => new Ribbon(4000, kEstimateColours[name], kHistoryWidth_m, kHistoryLift_m[name]));
+    this.ribbons = record((name) => new Ribbon(4000, colour(name), kHistoryWidth_m, kHistoryLift_m[name]));
     for (const name of kEstimates) this.scene.add(this.ribbons[name].mesh);
     this.robot = new RobotModel(this.shape);
     this.ghosts = this.makeGhosts();
@@ -156,7 +156,7 @@ export class SceneView implements View {
 
   private makeGhosts(): Record<EstimateName, GhostModel> {
     return record((name) => {
-      const ghost = new GhostModel(this.shape, kEstimateColours[name]);
+      const ghost = new GhostModel(this.shape, colour(name));
       ghost.group.visible = false;
       this.scene.add(ghost.group);
       return ghost;

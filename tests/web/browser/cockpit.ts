@@ -39,7 +39,7 @@ export const kSize: Size = { width: 1024, height: 600 };
 
 /** Opens a page; its console errors are added to `complaints`. */
 export async function openPage(browser: Browser, url: string, complaints: string[], size: Size = kSize): Promise<Page> {
-  const page = await browser.newPage({ viewport: size });
+  const page = await browser.newPage({ viewport: size, colorScheme: 'dark' });
   page.setDefaultTimeout(kStill_ms);
   page.on('console', (message) => {
     // Drivers warn that reading pictures back, as the tests do, is slow.

@@ -3,9 +3,9 @@ import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import * as palette from '../../../daemon/web/scene/palette.ts';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { colours, kThemes } from '../unit/theme.ts';
 import { findings } from './axe.ts';
 import { openBrowser, openPage, type Size } from './cockpit.ts';
 import { bin } from './programs.ts';
@@ -94,15 +94,10 @@ describe.each(kPages)('%s', (_, file) => {
   });
 });
 
-it('in the dark has the colours of the live page', async () => {
-  const { page } = await open(kPages[0][1], kDesktop, 'dark');
-  const colours: Record<string, string> = {
-    path: palette.kPath,
-    left: palette.kLeft,
-    right: palette.kRight,
-    ...palette.kEstimateColours,
-  };
-  for (const [name, colour] of Object.entries(colours))
-    expect(await page.evaluate((of) => getComputedStyle(document.documentElement).getPropertyValue(`--${of}`), name)).toBe(colour);
+it.each(kThemes)('has the %s colours of the live page', async (theme) => {
+  const { page } = await open(kPages[0][1], kDesktop, theme);
+  const same = ['ground', 'panel', 'line', 'text', 'dim', 'good', 'bad', 'link', 'path', 'truth', 'model', 'odometry', 'fused', 'left', 'right', 'value', 'run-2', 'run-3', 'run-5'];
+  for (const name of same)
+    expect(await page.evaluate((of) => getComputedStyle(document.documentElement).getPropertyValue(`--${of}`), name), name).toBe(colours(theme).get(name));
   await page.close();
 });

@@ -1,6 +1,6 @@
-import axe from 'axe-core';
 import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { findings } from './axe.ts';
 import { openBrowser, openPage, picture, until, type Size } from './cockpit.ts';
 import { Pair } from './programs.ts';
 import { Setting } from './setting.ts';
@@ -46,14 +46,6 @@ const becomes = (page: Page, pair: Pair, pattern: RegExp): Promise<string> =>
   );
 const position = async (page: Page, pair: Pair): Promise<string> => (await part(page, pair, '[data-figure="pose"]').textContent()) ?? '';
 
-async function serious(page: Page): Promise<string[]> {
-  await page.evaluate(axe.source);
-  return page.evaluate(async () => {
-    const { violations } = await (window as unknown as { axe: typeof axe }).axe.run();
-    return violations.filter(({ impact }) => impact === 'serious' || impact === 'critical').flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`));
-  });
-}
-
 describe('the page of all robots', () => {
   for (const size of kScreens) {
     it(`shows the daemons of this machine at ${size.width} x ${size.height}`, async () => {
@@ -71,7 +63,7 @@ describe('the page of all robots', () => {
       }
       expect(await part(page, setting.pair, '.card-page').textContent()).toContain('serves this page');
       expect(await part(page, second, '.card-page').textContent()).not.toContain('serves this page');
-      expect(await serious(page)).toEqual([]);
+      expect(await findings(page)).toEqual([]);
       expect(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth)).toBe(true);
       await picture(page, `robots-${size.width}`);
       // Started while the page is open.
@@ -88,16 +80,16 @@ describe('the page of all robots', () => {
     await part(page, second, '.stop').click();
     await becomes(page, second, /aborted/);
     await until(async () => ((await part(page, second, '.stop-line').textContent()) ?? '').includes('stopped'), 'the robot has acknowledged');
-    expect(second.said).toMatch(/STOP pressed by/);
+    expect(second.said).toMatch(/stop_requested/);
     // The space bar on a card means its robot; it does not press the button once more.
     await part(page, third, '.stop').focus();
     await page.keyboard.press('Space');
     await becomes(page, third, /aborted/);
-    expect(third.said).toMatch(/STOP pressed by/);
-    expect(setting.pair.said).not.toMatch(/STOP pressed by/);
+    expect(third.said).toMatch(/stop_requested/);
+    expect(setting.pair.said).not.toMatch(/stop_requested/);
     // Anywhere else, Escape means all.
     await page.keyboard.press('Escape');
-    await until(() => setting.pair.said.includes('STOP pressed by'), 'all are stopped');
+    await until(() => setting.pair.said.includes('stop_requested'), 'all are stopped');
   });
 
   it('says that a daemon does not answer or has ended, and shows nothing old of it', async () => {
@@ -113,7 +105,7 @@ describe('the page of all robots', () => {
     await until(async () => ((await part(page, second, '.stop-line').textContent()) ?? '').includes('not acknowledged'), 'not acknowledged');
     await becomes(page, setting.pair, /running|finished|aborted/);
     second.daemon.thaw();
-    await until(() => second.said.includes('STOP pressed by'), 'the STOP that was kept');
+    await until(() => second.said.includes('stop_requested'), 'the STOP that was kept');
     await becomes(page, second, /aborted/);
     await second.daemon.end('SIGKILL');
     await becomes(page, second, /ended/);
@@ -131,7 +123,7 @@ describe('the page of all robots', () => {
     await until(async () => ((await page.textContent('.robots-note')) ?? '') !== '', 'a note');
     await part(page, second, '.stop').click();
     await becomes(page, second, /aborted/);
-    expect(second.said).toMatch(/STOP pressed by/);
+    expect(second.said).toMatch(/stop_requested/);
   });
 });
 
@@ -159,7 +151,7 @@ describe('a robot of another machine', () => {
       others.push(far);
       await until(async () => /running|arming/.test((await card.locator('.card-status').textContent()) ?? ''), 'it permits the page');
       await card.locator('.stop').click();
-      await until(() => far.said.includes('STOP pressed by'), 'its STOP');
+      await until(() => far.said.includes('stop_requested'), 'its STOP');
     } finally {
       await browser.close();
     }

@@ -1,0 +1,56 @@
+import { describe, expect, it } from 'vitest';
+import type { Estimate, State } from '../../../daemon/web/state/messages.ts';
+import { sceneKey, sceneText } from '../../../daemon/web/state/scene_text.ts';
+import { Store } from '../../../daemon/web/state/store.ts';
+
+const kState = {
+  run: 'running', session: 'ready', course: '3', robot: 'worn', progress_m: 1.2, length_m: 3.9, faults: [],
+  stop: { latched: false }, t_s: 1,
+} as unknown as State;
+const kEstimate = {
+  t_s: 1, age_us: 3000, steering: 'odometry', cross_track_m: -0.0042, tracks: {},
+  model: { x_m: 0, y_m: 0 }, fused: { x_m: 0, y_m: 0 }, odometry: { x_m: 1.204, y_m: -0.31, yaw_rad: 0.5 },
+} as unknown as Estimate;
+
+function store(state: Partial<State> = {}, estimate: Partial<Estimate> = {}): { store: Store; later: (ms: number) => void } {
+  let now_ms = 0;
+  const made = new Store(() => now_ms);
+  made.receive('/state', { ...kState, ...state });
+  made.receive('/estimate', { ...kEstimate, ...estimate });
+  return { store: made, later: (ms) => { now_ms += ms; } };
+}
+
+describe('the scene in words', () => {
+  it('says where the robot is and what it does', () => {
+    expect(sceneText(store().store, false)).toBe(
+      'Course 3, robot worn, running. It is at x 1.20 m, y \u22120.31 m, heading 29 degrees. 1.20 of 3.90 m are driven, 4 mm to the right of the path.',
+    );
+    expect(sceneText(store({ course: '', length_m: null, run: 'idle' }).store, false)).toMatch(/^No course, robot worn, idle\. It is at [^.]*\.[^.]*\.[^.]*\.$/);
+    expect(sceneText(store({}, { cross_track_m: 0.0001 }).store, false)).toContain('on the path.');
+    expect(sceneText(store({ pause_left_s: 10 }).store, true)).toMatch(/^Recording\. Course 3, robot worn, paused\./);
+  });
+
+  it('says what is wrong', () => {
+    const faults = [{ name: 'a', cause: 'too far from the path', fix: '', from: 'daemon' as const }];
+    const text = sceneText(store({ run: 'aborted', faults, stop: { ...kState.stop, latched: true } }).store, false);
+    expect(text).toMatch(/STOP is in force\. Fault: too far from the path\.$/);
+  });
+
+  it('tells no pose that is old', () => {
+    const { store: old, later } = store();
+    later(1000);
+    expect(sceneText(old, false)).toContain('Its pose is not known now.');
+    expect(sceneText(old, false)).not.toContain('1.20 m');
+    expect(sceneText(new Store(), false)).toBe('Nothing is known of the robot yet.');
+  });
+
+  it('is due when the state changes, not when a figure does', () => {
+    const key = sceneKey(store().store);
+    expect(sceneKey(store({ progress_m: 2 }, { cross_track_m: 0.01 }).store)).toBe(key);
+    for (const changed of [{ run: 'aborted' as const }, { course: '2' }, { faults: [{ name: 'a', cause: '', fix: '', from: 'robot' as const }] }])
+      expect(sceneKey(store(changed).store)).not.toBe(key);
+    const { store: old, later } = store();
+    later(1000);
+    expect(sceneKey(old)).not.toBe(key);
+  });
+});
