@@ -30,7 +30,7 @@ async function grey(page: Page): Promise<void> {
   let last: Look | undefined;
   const isGrey = async (): Promise<boolean> => {
     last = await look(page);
-    return last.light < 128 && last.tint < 40 && last.filter === 'grayscale(1)';
+    return last.light < 150 && last.tint < 40 && last.filter === 'grayscale(1)';
   };
   await until(isGrey, 'grey figures').catch(() => {
     throw new Error(`not grey: ${JSON.stringify(last)}`);
