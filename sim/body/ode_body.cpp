@@ -250,8 +250,9 @@ void OdeBody::World::touch(double left_mps, double right_mps) {
   const std::vector<TrackContact>& contacts = tracks.touch(position, rotation);
 
   const double faster = std::max(std::abs(left_mps), std::abs(right_mps));
-  const double per_creep =
-      faster * static_cast<double>(contacts.size()) / (values.mass_kg * kGravityMps2);
+  double stations = 0.0;
+  for (const TrackContact& at : contacts) stations += at.stations;
+  const double per_creep = faster * stations / (values.mass_kg * kGravityMps2);
   const double lighter = kTheirMassKg / values.mass_kg;
   tractions.clear();
   for (std::size_t i = 0; i < std::min(contacts.size(), kMaxContacts); ++i) {
@@ -277,11 +278,12 @@ void OdeBody::World::touch(double left_mps, double right_mps) {
         ground.friction_factor *
         (slick(at.left, rotation.col(0).dot(at.point_m - position)) ? values.slick_factor : 1.0);
     contact.surface.soft_erp = kErp;
-    contact.surface.soft_cfm = kCfm * lighter;
+    contact.surface.soft_cfm = kCfm * lighter / at.stations;
     contact.surface.motion1 = track.dot(along);
     contact.surface.motion2 = track.dot(across);
     contact.surface.slip1 = contact.surface.slip2 =
-        (at.left ? values.creep_left : values.creep_right) * per_creep + kCreepFloor * lighter;
+        ((at.left ? values.creep_left : values.creep_right) * per_creep + kCreepFloor * lighter) /
+        at.stations;
     for (int k = 0; k < 3; ++k) {
       contact.geom.pos[k] = at.point_m[k];
       contact.geom.normal[k] = at.normal[k];

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/arithmetic.h"
@@ -44,6 +45,10 @@ Face face_of(std::vector<Vector3d> corners, const Vector3d& normal) {
 }
 
 constexpr int kStations = 10;
+// Stations at 7, 5, 3 and 1 ninth of half the length between the axles become two with the same
+// mean distance from the middle and the same mean square: (4 +- sqrt(5)) / 9.
+constexpr double kOuter = (3.0 + 2.0 * std::numbers::phi) / 9.0;
+constexpr double kInner = (5.0 - 2.0 * std::numbers::phi) / 9.0;
 constexpr double kColumnShare = 13.0 / 45.0;  // of the track's width, from its centre line
 // Something put into an obstacle (a disturbance) is pressed out gently.
 constexpr double kDeepestM = 0.005;
@@ -110,20 +115,29 @@ bool Obstacle::near(double x_m, double y_m, double reach_m) const {
 
 Tracks::Tracks(const course::EmulatedBody& values, const course::Terrain& terrain)
     : radius_m_(values.wheel_radius_m), side_m_((0.5 - kColumnShare) * values.shoe_width_m) {
+  // `along`: from -1, the rear axle, to 1; `column`: 1 to the left.
+  const auto make = [&](double side, double column, double along, double stands_for) -> Station {
+    const bool end = std::abs(along) == 1.0;
+    return {{along * values.axle_spacing_m / 2.0 - values.com_forward_m,
+             side * values.gauge_m / 2.0 + column * kColumnShare * values.shoe_width_m -
+                 values.com_left_m,
+             values.wheel_radius_m + (end ? 0.0 : values.mid_lift_m) - values.com_height_m},
+            stands_for,
+            side > 0.0};
+  };
   for (const double side : {1.0, -1.0}) {
     for (const double column : {1.0, -1.0}) {
-      for (int i = 0; i < kStations; ++i) {
-        const bool end = i == 0 || i == kStations - 1;
-        const double along = static_cast<double>(i) / (kStations - 1) - 0.5;
-        stations_.push_back(
-            {{along * values.axle_spacing_m - values.com_forward_m,
-              side * values.gauge_m / 2.0 + column * kColumnShare * values.shoe_width_m -
-                  values.com_left_m,
-              values.wheel_radius_m + (end ? 0.0 : values.mid_lift_m) - values.com_height_m},
-             side > 0.0});
-      }
+      for (int i = 0; i < kStations; ++i)
+        stations_.push_back(make(side, column, 2.0 * i / (kStations - 1) - 1.0, 1.0));
       outlines_.push_back(
           {(stations_.end() - kStations)->centre_m, stations_.back().centre_m, side > 0.0});
+      if (values.mid_lift_m > 0.0) continue;
+      for (const double end : {-1.0, 1.0}) {
+        merged_stations_.push_back(make(side, column, end, 1.0));
+        // Mirrored, so that neither side is preferred.
+        merged_stations_.push_back(
+            make(side, column, end * (column == side ? kOuter : kInner), 4.0));
+      }
     }
   }
   reach_m_ = 0.0;
@@ -136,9 +150,17 @@ Tracks::Tracks(const course::EmulatedBody& values, const course::Terrain& terrai
 
 const std::vector<TrackContact>& Tracks::touch(const Vector3d& position_m,
                                                const Eigen::Matrix3d& rotation) {
-  contacts_.clear();
-  for (const Station& station : stations_)
-    touch_floor(position_m + rotation * station.centre_m, station.left);
+  const auto touch_floor_with = [&](const std::vector<Station>& stations) {
+    contacts_.clear();
+    for (const Station& station : stations)
+      touch_floor(station, position_m + rotation * station.centre_m);
+  };
+  touch_floor_with(stations_);
+  const bool near = std::ranges::any_of(obstacles_, [&](const Obstacle& obstacle) {
+    return obstacle.near(position_m.x(), position_m.y(), reach_m_);
+  });
+  if (!merged_stations_.empty() && !near && contacts_.size() == stations_.size())
+    touch_floor_with(merged_stations_);
 
   const Vector3d sideways = rotation.col(1);
   for (const Obstacle& obstacle : obstacles_) {
@@ -160,14 +182,15 @@ const std::vector<TrackContact>& Tracks::touch(const Vector3d& position_m,
   return contacts_;
 }
 
-void Tracks::touch_floor(const Vector3d& centre, bool left) {
+void Tracks::touch_floor(const Station& station, const Vector3d& centre) {
   const double depth = radius_m_ - centre.z();
   if (depth <= 0.0) return;
-  contacts_.push_back({{centre.x(), centre.y(), 0.0}, Vector3d::UnitZ(), depth, left});
+  contacts_.push_back(
+      {{centre.x(), centre.y(), 0.0}, Vector3d::UnitZ(), depth, station.stands_for, station.left});
 }
 
 void Tracks::add(const Vector3d& point, const Vector3d& normal, double depth_m, bool left) {
-  if (depth_m > 0.0) contacts_.push_back({point, normal, std::min(depth_m, kDeepestM), left});
+  if (depth_m > 0.0) contacts_.push_back({point, normal, std::min(depth_m, kDeepestM), 1.0, left});
 }
 
 void Tracks::touch_faces(const Obstacle& obstacle, const Vector3d& centre, const Vector3d& sideways,

@@ -58,6 +58,7 @@ struct TrackContact {
   Eigen::Vector3d point_m;  ///< on the ground
   Eigen::Vector3d normal;   ///< out of the ground
   double depth_m;           ///< penetration depth of the track
+  double stations;          ///< how many stations it stands for: their stiffness and their creep
   bool left;                ///< which track
 };
 
@@ -65,7 +66,10 @@ struct TrackContact {
 /// track's outer radius; the eight middle ones lie `mid_lift_m` higher, which decides how much load
 /// they carry. Faces are touched by the stations; an edge across the driving direction is touched
 /// by the track's exact outline (two half circles and two straights: a stadium) in each column,
-/// because balls would let it sink in between them.
+/// because balls would let it sink in between them. The solver's time grows with the contacts:
+/// where the load is even (no `mid_lift_m`), all stations touch the floor and no obstacle is near,
+/// the middle ones of a track are four that stand for four each, with the same mean distance from
+/// the middle and mean square. Where it is not, that moves the turning centre too far.
 class Tracks {
  public:
   Tracks(const course::EmulatedBody& values, const course::Terrain& terrain);
@@ -78,13 +82,14 @@ class Tracks {
  private:
   struct Station {
     Eigen::Vector3d centre_m;  // of the ball, body frame
+    double stands_for;
     bool left;
   };
   struct Outline {
     Eigen::Vector3d rear_m, front_m;  // axle centres, body frame
     bool left;
   };
-  void touch_floor(const Eigen::Vector3d& centre, bool left);
+  void touch_floor(const Station& station, const Eigen::Vector3d& centre);
   void touch_faces(const Obstacle& obstacle, const Eigen::Vector3d& centre,
                    const Eigen::Vector3d& sideways, bool left);
   void touch_edge_along(const Edge3& edge, const Eigen::Vector3d& centre,
@@ -96,7 +101,7 @@ class Tracks {
   double radius_m_;
   double side_m_;   // from an outer column to the track's flank
   double reach_m_;  // of the whole body around its centre of mass
-  std::vector<Station> stations_;
+  std::vector<Station> stations_, merged_stations_;
   std::vector<Outline> outlines_;
   std::vector<Obstacle> obstacles_;
   std::vector<TrackContact> contacts_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/angle.h"
 #include "sim/body/ode_body.h"
@@ -196,6 +197,31 @@ TEST(BodyOnTerrain, AWallIsNotEnteredSideways) {
   EXPECT_LT(along.end.pose.y_m, 0.04);
   EXPECT_GT(along.end.pose.x_m, 0.2);
   EXPECT_EQ(OdeBody::solver_messages(), 0u);
+}
+
+TEST(BodyOnTerrain, AnEvenlyLoadedRobotDrivesBesideAnObstacleAsItDoesAlone) {
+  // With its length nearby, and never touched: there every station of the tracks has its contact.
+  course::Terrain wall = block(0.05, 2.0);
+  wall.blocks[0].place = {0.0, 0.6, 0.0};
+  wall.blocks[0].width_m = 0.02;
+  course::EmulatedBody values;
+  values.mid_lift_m = 0.0;
+  const double duration_s = 3.0;
+  for (const auto& [left, right] : {std::pair(0.1, 0.1), std::pair(0.1, 0.08), std::pair(0.1, 0.05),
+                                    std::pair(0.0, -0.1), std::pair(-0.1, 0.1)}) {
+    OdeBody alone(values, {}, false), beside(values, {}, false, wall);
+    for (int i = 0; i < static_cast<int>(duration_s / kPhysicsStepS); ++i) {
+      alone.step(left, right);
+      beside.step(left, right);
+    }
+    const Pose& a = alone.state().pose;
+    const Pose& b = beside.state().pose;
+    const double yaw_rad = std::abs(b.yaw_rad), distance_m = std::hypot(b.x_m, b.y_m);
+    EXPECT_NEAR(a.yaw_rad, b.yaw_rad, 0.002 + 0.015 * yaw_rad) << left << ' ' << right;
+    EXPECT_NEAR(a.x_m, b.x_m, 0.001 + 0.01 * distance_m) << left << ' ' << right;
+    EXPECT_NEAR(a.y_m, b.y_m, 0.001 + 0.01 * distance_m) << left << ' ' << right;
+    EXPECT_NE(a.yaw_rad, b.yaw_rad) << "not the contacts that are compared";
+  }
 }
 
 TEST(BodyOnASurface, SlipsByItsOffsetAndLosesItsGripThere) {
