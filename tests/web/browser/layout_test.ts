@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { alive, drawn, goOn, picture, until, type Size } from './cockpit.ts';
+import { alive, drawn, driveUntil, goOn, picture, until, type Size } from './cockpit.ts';
 import { Setting } from './setting.ts';
 
 const setting = new Setting();
@@ -84,6 +84,8 @@ describe('the layout', () => {
         );
         expect(top, `nothing lies over STOP in ${size}`).toBe(true);
       }
+      // On a busy machine the run may have been aborted meanwhile.
+      await driveUntil(page, 'running');
       await picture(page, `layout-${width}`);
     }
   });
