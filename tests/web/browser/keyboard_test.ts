@@ -23,7 +23,11 @@ describe('without a mouse', () => {
     await alive(page);
     const nameless = await page.evaluate(() =>
       [...document.querySelectorAll('button, input, select, [tabindex]')]
-        .filter((element) => ((element.getAttribute('aria-label') ?? '') + (element.getAttribute('aria-labelledby') ?? '') + element.textContent).trim() === '')
+        .filter((element) => {
+          const labels = element instanceof HTMLInputElement ? [...(element.labels ?? [])] : [];
+          const names = [element.getAttribute('aria-label'), element.getAttribute('aria-labelledby'), ...[element, ...labels].map(({ textContent }) => textContent)];
+          return names.join('').trim() === '';
+        })
         .map((element) => element.outerHTML.slice(0, 80)),
     );
     expect(nameless).toEqual([]);

@@ -59,6 +59,21 @@ async function shifts(page: Page, during_ms: number): Promise<string[]> {
 }
 
 describe('the layout', () => {
+  it('does not move while the numbers do', async () => {
+    const page = await setting.open();
+    await alive(page);
+    // These appear once and may move the page: the figures of every topic, the kind of robot, and the font.
+    await until(async () => (await page.locator('.number.stale').count()) === 0, 'all figures');
+    await until(() => page.textContent('.badge'), 'the kind of robot');
+    await page.evaluate(() => document.fonts.ready);
+    const before = await page.textContent('#number-x');
+    expect(await shifts(page, 3000)).toEqual([]);
+    await until(async () => {
+      await goOn(page);
+      return (await page.textContent('#number-x')) !== before;
+    }, 'the numbers move');
+  });
+
   it('fits into every screen with STOP in sight', async () => {
     const page = await setting.open(kScreens[0]);
     await page.click('#camera-free');
@@ -88,20 +103,6 @@ describe('the layout', () => {
       await driveUntil(page, 'running');
       await picture(page, `layout-${width}`);
     }
-  });
-
-  it('does not move while the numbers do', async () => {
-    const page = await setting.open();
-    await alive(page);
-    // These appear once and may move the page: the figures of every topic, and the font.
-    await until(async () => (await page.locator('.number.stale').count()) === 0, 'all figures');
-    await page.evaluate(() => document.fonts.ready);
-    const before = await page.textContent('#number-x');
-    expect(await shifts(page, 3000)).toEqual([]);
-    await until(async () => {
-      await goOn(page);
-      return (await page.textContent('#number-x')) !== before;
-    }, 'the numbers move');
   });
 });
 
