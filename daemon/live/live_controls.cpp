@@ -20,7 +20,6 @@ using messages::ParameterText;
 // A step has taken a request after this time.
 constexpr HostNs kTakesEffectNs = 200 * kNsPerMs;
 constexpr const char* kChanging = "course, robot or place are being changed; try again";
-constexpr const char* kTracksRun = "a check of the tracks is under way; wait for its end";
 constexpr const char* kBusy = "too many requests wait; try again";
 
 struct LiveKey {
@@ -64,7 +63,7 @@ std::string LiveControls::request_start(OperatorRequest request) {
   const std::lock_guard lock(mutex_);
   if (ending_) return "the daemon ends";
   if (setup_.changing()) return kChanging;
-  if (self_test_.wheels_up().on()) return kTracksRun;
+  if (self_test_.wheels_up().on()) return selftest::kTracksRun;
   return cycle_.request(request) ? std::string() : kBusy;
 }
 
@@ -97,7 +96,7 @@ std::string LiveControls::drive_take(const server::Driver& driver, HostNs now, s
   const std::lock_guard lock(mutex_);
   if (ending_) return "the daemon ends";
   if (setup_.changing()) return kChanging;
-  if (self_test_.wheels_up().on()) return kTracksRun;
+  if (self_test_.wheels_up().on()) return selftest::kTracksRun;
   if (!driving(now)) wheel_.clear();
   const std::optional<std::string> taken = wheel_.take(driver, now);
   if (!taken) return wheel_.figures(now).by + " drives; ask for a release";

@@ -60,7 +60,7 @@ void SelfTest::take(const StepRecord& record) {
 }
 
 void SelfTest::examine(server::DoctorPart part, Answer answer) {
-  if (wheels_up_.on()) return answer("a check of the tracks is under way; wait for its end", "");
+  if (wheels_up_.on()) return answer(kTracksRun, "");
   {
     const std::lock_guard lock(mutex_);
     if (answer_ == nullptr) {

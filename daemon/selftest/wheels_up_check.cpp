@@ -28,7 +28,7 @@ void WheelsUpCheck::choose(const course::Robot& robot) {
 
 std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::string& token) {
   const std::lock_guard lock(mutex_);
-  if (on_.exchange(true)) return "a check of the tracks is under way; wait for its end";
+  if (on_.exchange(true)) return kTracksRun;
   stop_ = false;
   wheel_.clear();
   token = wheel_.take(viewer, now).value_or("");

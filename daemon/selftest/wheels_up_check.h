@@ -17,6 +17,9 @@
 
 namespace tp100::selftest {
 
+/// Why something is refused while a check is on.
+inline constexpr const char* kTracksRun = "a check of the tracks is under way; wait for its end";
+
 class WheelsUpCheck : public doctor::Operator {
  public:
   WheelsUpCheck(config::Configuration configuration, const course::Robot& robot);
