@@ -20,10 +20,10 @@ namespace tp100::server {
 namespace {
 
 constexpr std::string_view kMark = "tp100d/";
-constexpr std::size_t kMostDaemons = 64;
-constexpr std::size_t kMostSession = 32;
-constexpr std::size_t kMostTable = 4 << 20;
-constexpr std::size_t kMostPage = 200;
+constexpr std::size_t kMaxDaemons = 64;
+constexpr std::size_t kMaxSession = 32;
+constexpr std::size_t kMaxTable = 4 << 20;
+constexpr std::size_t kMaxPage = 200;
 constexpr std::string_view kHostLetters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_:[]";
 
@@ -36,7 +36,7 @@ std::uint16_t port_in(std::string_view text) {
 }
 
 bool is_session(std::string_view text) {
-  return !text.empty() && text.size() <= kMostSession &&
+  return !text.empty() && text.size() <= kMaxSession &&
          text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
@@ -90,7 +90,7 @@ Announcement::~Announcement() {
 
 std::vector<LocalDaemon> daemons_in(std::string_view table) {
   std::vector<LocalDaemon> found;
-  while (!table.empty() && found.size() < kMostDaemons) {
+  while (!table.empty() && found.size() < kMaxDaemons) {
     const std::string_view line = table.substr(0, table.find('\n'));
     table.remove_prefix(std::min(line.size() + 1, table.size()));
     // The name is the last column, and abstract ones begin with '@'.
@@ -108,7 +108,7 @@ std::vector<LocalDaemon> local_daemons() {
   const int fd = ::open("/proc/net/unix", O_RDONLY | O_CLOEXEC);
   if (fd < 0) return {};
   char part[16'384];
-  while (table.size() < kMostTable) {
+  while (table.size() < kMaxTable) {
     const ssize_t got = ::read(fd, part, sizeof part);
     if (got <= 0) break;
     table.append(part, static_cast<std::size_t>(got));
@@ -125,7 +125,7 @@ std::vector<std::string> robot_pages(std::string_view text) {
       if (page.starts_with(scheme)) host.remove_prefix(scheme.size());
     const bool scheme = host.size() < page.size();
     if (host.ends_with('/')) host.remove_suffix(1);
-    if (!scheme || host_name(host).empty() || page.size() > kMostPage ||
+    if (!scheme || host_name(host).empty() || page.size() > kMaxPage ||
         host.find_first_not_of(kHostLetters) != std::string_view::npos)
       throw SetupError("server.robots: " + text::one_line(page) +
                        ": not the address of a page; write http://HOST:PORT");

@@ -156,15 +156,16 @@ const std::vector<TrackContact>& Tracks::touch(const Vector3d& position_m,
       touch_floor(station, position_m + rotation * station.centre_m);
   };
   touch_floor_with(stations_);
-  const bool near = std::ranges::any_of(obstacles_, [&](const Obstacle& obstacle) {
+  const auto near = [&](const Obstacle& obstacle) {
     return obstacle.near(position_m.x(), position_m.y(), reach_m_);
-  });
-  if (!merged_stations_.empty() && !near && contacts_.size() == stations_.size())
+  };
+  if (!merged_stations_.empty() && contacts_.size() == stations_.size() &&
+      std::ranges::none_of(obstacles_, near))
     touch_floor_with(merged_stations_);
 
   const Vector3d sideways = rotation.col(1);
   for (const Obstacle& obstacle : obstacles_) {
-    if (!obstacle.near(position_m.x(), position_m.y(), reach_m_)) continue;
+    if (!near(obstacle)) continue;
     for (const Station& station : stations_)
       touch_faces(obstacle, position_m + rotation * station.centre_m, sideways, station.left);
     for (const Edge3& edge : obstacle.edges()) {
