@@ -10,6 +10,7 @@ import { fields, signature } from './fields.ts';
 import { History } from './history.ts';
 import { frameOf, zoomed } from './framing.ts';
 import { DrawStage } from './stage.ts';
+import { reason } from '../state/service.ts';
 
 const kCheckAfter_ms = 150;
 const kTools: [tool: Tool, title: string][] = [
@@ -238,7 +239,7 @@ export class CourseEditor {
       this.take(change());
       if (over) this.history.add(this.course.text);
     } catch (error: unknown) {
-      this.say(error instanceof Error ? error.message : String(error), true);
+      this.say(reason(error), true);
     }
   }
 
@@ -286,7 +287,7 @@ export class CourseEditor {
       else if (answer.why_not !== '') this.say(`${answer.length_m?.toFixed(2) ?? ''} m; ${answer.why_not}`, true);
       else this.say(figures);
     } catch (error: unknown) {
-      this.say(error instanceof Error ? error.message : String(error), true);
+      this.say(reason(error), true);
     } finally {
       this.checking = false;
     }
@@ -304,7 +305,7 @@ export class CourseEditor {
       await this.ask({ name: 'choose', request: { course: name } });
       this.close();
     } catch (error: unknown) {
-      const why = error instanceof Error ? error.message : String(error);
+      const why = reason(error);
       this.say(why, true);
       this.replaceButton.hidden = !why.includes('exists already');
     }

@@ -2,6 +2,7 @@
 // person at this page. It takes the wheel only when it is told to.
 import type { State } from '../state/messages.ts';
 import type { Inputs, Wish } from './inputs.ts';
+import { reason, type Call } from '../state/service.ts';
 
 export const kPeriod_ms = 40;
 /** More calls without an answer are a connection that stands still: more would only be late. */
@@ -11,8 +12,6 @@ export interface Limits {
   speed_mps: number;
   yaw_rate_radps: number;
 }
-
-type Call = (service: string, request: unknown) => Promise<unknown>;
 
 export class Driver {
   /** Of the robot's limits, 0 to 1. */
@@ -50,7 +49,7 @@ export class Driver {
       this.wasDriven = false;
       this.unanswered = 0;
     } catch (error: unknown) {
-      this.ended(error instanceof Error ? error.message : String(error));
+      this.ended(reason(error));
     } finally {
       this.taking = false;
     }
@@ -108,7 +107,7 @@ export class Driver {
       },
       (error: unknown) => {
         // An answer for an older token says nothing about this one.
-        if (token === this.token) this.lose(error instanceof Error ? error.message : String(error));
+        if (token === this.token) this.lose(reason(error));
       },
     );
   }

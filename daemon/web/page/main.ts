@@ -54,6 +54,7 @@ import { kHistory_s, Store } from '../state/store.ts';
 import { listen } from './keys.ts';
 import { everyFrame } from './schedule.ts';
 import { themeSwitch } from './theme.ts';
+import { reason } from '../state/service.ts';
 
 const kTopics: Topic[] = [
   '/state',
@@ -136,7 +137,7 @@ async function replay(url: string, run: string): Promise<void> {
   } catch (error: unknown) {
     if (mine.signal.aborted) return;
     backToLive();
-    notice.say(error instanceof Error ? error.message : String(error), performance.now());
+    notice.say(reason(error), performance.now());
   }
 }
 
@@ -160,7 +161,7 @@ function look(store: Store): void {
 
 function command(name: Command | 'start', request: unknown = {}): void {
   client.call(name, request).catch((error: unknown) => {
-    notice.say(error instanceof Error ? error.message : String(error), performance.now());
+    notice.say(reason(error), performance.now());
   });
 }
 

@@ -5,6 +5,8 @@ import type { Store } from '../state/store.ts';
 import type { CourseEditor } from '../draw/editor.ts';
 import { courseCard } from './course_card.ts';
 import { h, setAttribute, setText } from './dom.ts';
+import { onCourse } from '../state/run.ts';
+import { reason } from '../state/service.ts';
 
 const kRefresh_ms = 5000;
 const kAboutSetups: Record<string, string> = {
@@ -182,7 +184,7 @@ export class CourseList {
       const own = from === 'own';
       this.editor.open(own ? name : `${name}-mine`, await response.text(), own);
     } catch (error: unknown) {
-      this.say(error instanceof Error ? error.message : String(error));
+      this.say(reason(error));
     }
   }
 
@@ -196,7 +198,7 @@ export class CourseList {
       await this.ask(call);
       return true;
     } catch (error: unknown) {
-      this.say(error instanceof Error ? error.message : String(error));
+      this.say(reason(error));
       return false;
     } finally {
       this.asking = false;
@@ -252,7 +254,7 @@ export class CourseList {
 function whyNot(state: State | undefined, fresh: boolean, mayCommand: boolean): string {
   if (!fresh || state === undefined) return 'No connection to tp100d.';
   if (!mayCommand) return 'This daemon takes no commands from here but STOP (server.commands).';
-  if (state.run === 'arming' || state.run === 'running') return 'A run is under way: nothing can be changed.';
+  if (onCourse(state.run)) return 'A run is under way: nothing can be changed.';
   if (state.run === 'driving') return 'The robot is driven by hand: release it first.';
   return '';
 }

@@ -5,9 +5,8 @@ import type { Store } from '../state/store.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
 import { findingRow } from './finding_row.ts';
 import { WheelsUpPanel } from './wheels_up_panel.ts';
-
-/** Calls a service of the daemon. */
-type Call = (service: string, request: unknown) => Promise<unknown>;
+import { reason, type Call } from '../state/service.ts';
+import { asksForMotion } from '../state/run.ts';
 
 export class DoctorPanel {
   readonly element = h('div', { class: 'doctor', tabindex: '0' });
@@ -28,7 +27,7 @@ export class DoctorPanel {
 
   show(store: Store, connected: boolean, mayCommand: boolean): void {
     const run = store.get('/state')?.run;
-    const drives = run === 'arming' || run === 'running' || run === 'driving';
+    const drives = asksForMotion(run);
     this.button.disabled = this.busy || this.wheelsUp.on || !connected || !mayCommand || drives;
     const why = !mayCommand ? 'This daemon takes no commands from here but STOP (server.commands)' : drives ? 'A run is under way; stop it first' : '';
     setAttribute(this.button, 'title', why);
@@ -49,7 +48,7 @@ export class DoctorPanel {
         all.push(...findings);
         this.list.append(h('section', { 'data-part': part, 'aria-label': title }, h('h3', {}, title), h('ul', {}, ...findings.map(findingRow))));
       } catch (error: unknown) {
-        failed = `${title} not examined: ${error instanceof Error ? error.message : String(error)}`;
+        failed = `${title} not examined: ${reason(error)}`;
         break;
       }
     }

@@ -3,8 +3,7 @@ import { degrees, fixed } from '../state/format.ts';
 import { decimals, fileName, type Errors, type FoundParameter, type Identified } from '../state/identify.ts';
 import { nameOf, type SetupList } from '../state/setup.ts';
 import { h, setText } from './dom.ts';
-
-type Call = (service: string, request: unknown) => Promise<unknown>;
+import { reason, type Call } from '../state/service.ts';
 
 export class FoundRobot {
   readonly element = h('section', { class: 'identify-found', 'aria-label': 'What was identified', hidden: '' });
@@ -73,7 +72,7 @@ export class FoundRobot {
       this.use.hidden = false;
       this.say(`${name}.toml is saved.`);
     } catch (error: unknown) {
-      this.say(error instanceof Error ? error.message : String(error), true);
+      this.say(reason(error), true);
     }
   }
 
@@ -82,7 +81,7 @@ export class FoundRobot {
       await this.call('choose', { robot: this.saved });
       this.say(`${this.saved} is in use from now on.`);
     } catch (error: unknown) {
-      this.say(error instanceof Error ? error.message : String(error), true);
+      this.say(reason(error), true);
     }
   }
 }

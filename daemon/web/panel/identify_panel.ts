@@ -6,11 +6,10 @@ import { facts, type CourseEntry, type SetupList } from '../state/setup.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
 import { FoundRobot } from './found_robot.ts';
+import { reason, type Call } from '../state/service.ts';
+import { asksForMotion } from '../state/run.ts';
 
 const kRefresh_ms = 5000;
-
-/** Calls a service of the daemon. */
-type Call = (service: string, request: unknown) => Promise<unknown>;
 
 export class IdentifyPanel {
   readonly element = h('div', { class: 'identify', tabindex: '0' });
@@ -73,7 +72,7 @@ export class IdentifyPanel {
     if (!mayCommand) return 'This daemon takes no commands from here but STOP (server.commands).';
     if (this.store?.get('/recording')?.available === false) return 'Drives are recorded: start tp100d with --record DIR and --stay.';
     const run = this.store?.get('/state')?.run;
-    return run === 'arming' || run === 'running' || run === 'driving' ? 'A run is under way; stop it first.' : '';
+    return asksForMotion(run) ? 'A run is under way; stop it first.' : '';
   }
 
   private enable(): void {
@@ -191,7 +190,7 @@ export class IdentifyPanel {
       const end = await work();
       if (end !== '') this.say(end);
     } catch (error: unknown) {
-      this.say(error instanceof Error ? error.message : String(error), true);
+      this.say(reason(error), true);
     } finally {
       // What was done shows before the next thing may be.
       await this.load();

@@ -3,6 +3,7 @@ import { ParameterEdits, type Difference, type SaveAnswer, type Value } from '..
 import type { Store } from '../state/store.ts';
 import { h, setText } from './dom.ts';
 import { ParameterTable, type SetParameter } from './parameter_table.ts';
+import { reason } from '../state/service.ts';
 
 /** Calls a service of the daemon. */
 type Call = (service: 'parameters_save' | 'parameters_restore', request: Record<string, Value>) => Promise<unknown>;
@@ -144,6 +145,6 @@ export class ParameterPanel {
   }
 
   private say(what: unknown): void {
-    setText(this.said, what instanceof Error ? what.message : String(what));
+    setText(this.said, reason(what));
   }
 }

@@ -3,6 +3,7 @@ import { bytes } from '../state/format.ts';
 import { titleOf, type RunCall, type RunEntry, type RunFile, type RunsList } from '../state/runs.ts';
 import { h, setClass, setText } from './dom.ts';
 import { noteForm, runRow, type RunActions } from './run_row.ts';
+import { reason } from '../state/service.ts';
 
 const kRefresh_ms = 5000;
 const kCompared = 2;
@@ -212,7 +213,7 @@ export class RunList {
   }
 
   private fail(error: unknown, what = ''): void {
-    this.say(what + (error instanceof Error ? error.message : String(error)), true);
+    this.say(what + reason(error), true);
   }
 
   private say(text: string, bad = false): void {

@@ -2,6 +2,7 @@
 import { clock, count, duration, fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setText } from './dom.ts';
+import { asksForMotion } from '../state/run.ts';
 
 /** Of a chip. */
 type Lamp = 'good' | 'done' | 'wait' | 'warn' | 'bad' | 'none';
@@ -74,7 +75,7 @@ export class StatusBar {
       this.run.show('none', state?.run ?? '\u2013', 'stale');
       return;
     }
-    const asked = ['arming', 'running', 'driving'].includes(state.run);
+    const asked = asksForMotion(state.run);
     if (state.motors_on && !asked) {
       this.run.show('bad', state.run, 'motors on', 'The motors are on, though no run is under way');
       return;

@@ -3,8 +3,7 @@ import { kWatch_ms, WheelsUp, type WheelsUpProgress, type WheelsUpQuestion } fro
 import { verdict } from '../state/doctor.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
 import { findingRow } from './finding_row.ts';
-
-type Call = (service: string, request: unknown) => Promise<unknown>;
+import type { Call } from '../state/service.ts';
 
 export class WheelsUpPanel {
   readonly element = h('section', { class: 'wheels-up', 'aria-label': 'Wheels up' });

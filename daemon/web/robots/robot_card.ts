@@ -5,6 +5,7 @@ import { StopPanel } from '../panel/stop_panel.ts';
 import { clock, fixed } from '../state/format.ts';
 import type { State } from '../state/messages.ts';
 import type { Robot } from './robot.ts';
+import { asksForMotion } from '../state/run.ts';
 
 const kFigures = ['course', 'time', 'pose', 'battery'] as const;
 
@@ -59,7 +60,7 @@ export class RobotCard {
   }
 
   private showState(state: State): void {
-    const asked = ['arming', 'running', 'driving'].includes(state.run);
+    const asked = asksForMotion(state.run);
     const present = state.session === 'ready';
     const unasked = state.motors_on && !asked;
     setAttribute(this.element, 'data-lamp', unasked || !present ? 'bad' : kRunLamps[state.run] ?? 'none');

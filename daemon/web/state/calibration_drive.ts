@@ -2,6 +2,8 @@
 // before and after it.
 import type { State } from './messages.ts';
 import { noteOf, tagsOf, type Measured } from './identify.ts';
+import type { Call } from './service.ts';
+import { onCourse } from './run.ts';
 
 /** The gyro's bias comes from the standstill before the drive. */
 const kBefore_ms = 2000;
@@ -12,7 +14,7 @@ const kReady_ms = 10_000;
 const kBegins_ms = 3000;
 
 export interface Reach {
-  call(service: string, request: unknown): Promise<unknown>;
+  call: Call;
   state(): State | undefined;
   /** STOPs so far, of this page as soon as they are pressed. */
   stops(): number;
@@ -20,7 +22,7 @@ export interface Reach {
   say(text: string): void;
 }
 
-const underWay = (state: State | undefined): boolean => state?.run === 'arming' || state?.run === 'running';
+const underWay = (state: State | undefined): boolean => onCourse(state?.run);
 
 /** True: `holds` within the time. */
 async function soon(reach: Reach, limit_ms: number, holds: (state: State | undefined) => boolean): Promise<boolean> {

@@ -1,5 +1,6 @@
 // The check of the tracks with the wheels up: begun once it is confirmed that they are free, and watched until it ends.
 import type { DoctorAnswer } from './doctor.ts';
+import { reason, type Call } from './service.ts';
 
 /** The daemon stops the tracks when it has heard nothing for 150 ms. */
 export const kWatch_ms = 40;
@@ -16,8 +17,6 @@ export interface WheelsUpProgress {
   /** The check has ended. */
   result?: DoctorAnswer;
 }
-
-type Call = (service: string, request: unknown) => Promise<unknown>;
 
 /** One check at a time. */
 export class WheelsUp {
@@ -68,6 +67,6 @@ export class WheelsUp {
 
   private end(error: unknown): void {
     this.token = '';
-    this.failed(error instanceof Error ? error.message : String(error));
+    this.failed(reason(error));
   }
 }
