@@ -79,6 +79,30 @@ TEST_F(FlashEmulatedMega, AnImageReplacesTheRunningOneAndSilenceIsReported) {
   EXPECT_EQ(flashed.status, 0) << flashed.output;
 }
 
+TEST_F(FlashEmulatedMega, ASimulatedRobotDrivesForTheDaemonOnceEnterIsPressed) {
+  Process robot({"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()});
+  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
+  const Finished flashed = flash({"--hex", TP100_BINARY_DIR "/firmware/tp100_fake.hex"});
+  ASSERT_EQ(flashed.status, 0) << flashed.output;
+  EXPECT_THAT(flashed.output, HasSubstr("FAKE_ROBOT"));
+
+  std::ofstream(folder_.file("short.toml"))
+      << "description = \"short\"\nspeed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
+         "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
+  int keyboard[2];
+  ASSERT_EQ(::pipe2(keyboard, O_CLOEXEC), 0);
+  Process daemon({"tp100d", "run", "--port", port(), "--listen", "off", "--course",
+                  folder_.file("short.toml")},
+                 keyboard[0]);
+  ::close(keyboard[0]);
+  ASSERT_TRUE(daemon.wait_for("press Enter to start")) << daemon.output();
+  EXPECT_THAT(daemon.output(), Not(HasSubstr("running")));
+  ASSERT_EQ(::write(keyboard[1], "\n", 1), 1);
+  EXPECT_EQ(daemon.wait(), 0) << daemon.output();
+  EXPECT_THAT(daemon.output(), HasSubstr("short: completed"));
+  ::close(keyboard[1]);
+}
+
 TEST_F(FlashEmulatedMega, OnlyAnEmulatedChipCanBeBlank) {
   const Finished native = run({"tp100-sim", "robot", "--blank", "--link", port()});
   EXPECT_EQ(native.status, 2);
