@@ -192,6 +192,13 @@ std::string encode(const PoseReport& report, Frame frame) {
   const Twist& twist = report.twist;
   Pose desired;
   desired.yaw_rad = report.desired_yaw_rad;
+  const auto on_floor = [&](const Pose& pose) {
+    return Json{{"pos", numbers(to_place(frame, {pose.x_m, pose.y_m, 0.0}))},
+                {"yaw", rounded(to_rpy(frame, pose)[2])}};
+  };
+  Json estimates = Json::object();
+  for (const PoseSource source : kPoseSources)
+    estimates[std::string(to_string(source))] = on_floor(report.floor[source]);
   return datagram(
       {{"v", kWorldVersion},
        {"type", "pose"},
@@ -200,13 +207,12 @@ std::string encode(const PoseReport& report, Frame frame) {
        {"timestamp", rounded(report.stamp_s)},
        {"run", report.run},
        {"frame", to_string(frame)},
-       {"src", report.source},
+       {"src", to_string(report.source)},
        {"pos", numbers(to_place(frame, {report.pose.x_m, report.pose.y_m, report.pose.z_m}))},
        {"quat", numbers(to_quaternion(frame, report.pose))},
        {"rpy", numbers(to_rpy(frame, report.pose))},
-       {"floor",
-        {{"pos", numbers(to_place(frame, {report.floor.x_m, report.floor.y_m, 0.0}))},
-         {"yaw", rounded(to_rpy(frame, report.floor)[2])}}},
+       {"floor", on_floor(report.floor[report.source])},
+       {"estimates", std::move(estimates)},
        {"vel", numbers(to_place(frame, {twist.vx_mps, twist.vy_mps, 0.0}))},
        {"omega", numbers(to_turn(frame, {0.0, 0.0, twist.yaw_rate_radps}))},
        {"tracks", {{"l", speed(report.left_mps)}, {"r", speed(report.right_mps)}}},

@@ -11,6 +11,7 @@
 
 #include "core/angle.h"
 #include "core/enum_names.h"
+#include "core/estimates.h"
 #include "core/pose.h"
 #include "core/run_state.h"
 #include "worlds/frame.h"
@@ -49,9 +50,9 @@ struct PoseReport {
   std::uint64_t sequence = 0;
   double stamp_s = 0.0;     ///< host time of the step
   std::uint32_t run = 0;    ///< +1 each time a run begins
-  std::string_view source;  ///< of the pose: model, odometry, fused
-  Pose pose{};              ///< in the course's world
-  Pose floor{};             ///< on the real robot's own floor
+  PoseSource source = PoseSource::kModel;  ///< of the pose
+  Pose pose{};                             ///< in the course's world
+  PerSource<Pose> floor{};                 ///< each estimate on the real robot's own flat floor
   Twist twist{};            ///< of the real robot on its floor
   double left_mps = 0.0;    ///< tracks
   double right_mps = 0.0;

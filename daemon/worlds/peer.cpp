@@ -49,9 +49,9 @@ std::string Peer::pose(const StepRecord& record, HostNs now) {
   report.sequence = sequence_;
   report.stamp_s = to_s(record.now_ns);
   report.run = run_;
-  report.source = to_string(snapshot.steering);
+  report.source = snapshot.steering;
   report.pose = snapshot.world;
-  report.floor = snapshot.estimates[snapshot.steering].pose;
+  report.floor = poses_of(snapshot.estimates);
   report.twist = snapshot.estimates[snapshot.steering].twist;
   report.left_mps = snapshot.left_mps;
   report.right_mps = snapshot.right_mps;

@@ -12,6 +12,21 @@ func _init(frame_name := "ros"):
 func length() -> float:
 	return 100.0 if name == "unreal" else 1.0
 
+static func is_number(value) -> bool:
+	return (typeof(value) == TYPE_REAL or typeof(value) == TYPE_INT) and not is_nan(value) and abs(value) < 1e12
+
+static func are_numbers(value, size: int) -> bool:
+	if typeof(value) != TYPE_ARRAY or value.size() != size:
+		return false
+	for one in value:
+		if not is_number(one):
+			return false
+	return true
+
+# A place and a yaw on the real robot's flat floor.
+static func is_floor_pose(value) -> bool:
+	return typeof(value) == TYPE_DICTIONARY and are_numbers(value.get("pos"), 3) and is_number(value.get("yaw"))
+
 # The engine's place of course coordinates in metres.
 static func to_engine(x_m: float, y_m: float, z_m: float) -> Vector3:
 	return Vector3(-y_m, z_m, -x_m)

@@ -3,9 +3,10 @@ extends Spatial
 
 const Frame = preload("res://frame.gd")
 
-# Collision layers: what carries the robot, and what only has a name.
+# Collision layers: what carries the robot, what only has a name, and what only stands in its way.
 const GROUND := 1
 const SURFACE := 2
+const OBSTACLE := 8
 const RAY_SPACING_M := 0.004
 const RAY_TOP_M := 3.0
 # A shape this high above the tracks' underside cannot be climbed: it stops the hull.
@@ -53,7 +54,7 @@ func build(course: Dictionary, shape: Dictionary) -> void:
 static func transform_of(piece: Dictionary) -> Transform:
 	return Transform(Frame.basis(0, 0, deg2rad(piece.get("heading_deg", 0.0))), Frame.to_engine(piece.x_m, piece.y_m, 0))
 
-func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> void:
+func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> StaticBody:
 	var body := StaticBody.new()
 	var collision := CollisionShape.new()
 	collision.shape = shape
@@ -66,6 +67,7 @@ func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> vo
 	body.physics_material_override = smooth
 	body.set_meta("about", about)
 	add_child(body)
+	return body
 
 # A profile [along, height] that is as wide as the piece, centred on its place.
 func add_prism(piece: Dictionary, profile: Array, kind: String) -> void:
@@ -87,6 +89,17 @@ func add_prism(piece: Dictionary, profile: Array, kind: String) -> void:
 	surface.generate_normals()
 	show_mesh(surface.commit(), transform_of(piece), COLOURS[kind])
 
+# A box on the floor that nobody climbs; freed, it is gone.
+func add_obstacle(at: Vector3, size: Vector3) -> StaticBody:
+	var box := BoxShape.new()
+	box.extents = size / 2
+	var place := Transform(Basis(), at + Vector3(0, size.y / 2, 0))
+	var obstacle := add_shape(box, place, OBSTACLE, {"kind": "obstacle"})
+	var mesh := CubeMesh.new()
+	mesh.size = size
+	obstacle.add_child(mesh_of(mesh, Color(0.75, 0.25, 0.2)))
+	return obstacle
+
 func add_sheet(piece: Dictionary) -> void:
 	var sheet := PlaneMesh.new()
 	sheet.size = Vector2(piece.width_m, piece.length_m)
@@ -95,6 +108,11 @@ func add_sheet(piece: Dictionary) -> void:
 	show_mesh(sheet, at, Color(0.45, 0.6, 0.72))
 
 func show_mesh(mesh: Mesh, at: Transform, colour: Color) -> void:
+	var instance := mesh_of(mesh, colour)
+	instance.transform = at
+	add_child(instance)
+
+static func mesh_of(mesh: Mesh, colour: Color) -> MeshInstance:
 	var instance := MeshInstance.new()
 	var material := SpatialMaterial.new()
 	material.albedo_color = colour
@@ -102,8 +120,7 @@ func show_mesh(mesh: Mesh, at: Transform, colour: Color) -> void:
 	material.params_cull_mode = SpatialMaterial.CULL_DISABLED
 	instance.mesh = mesh
 	instance.material_override = material
-	instance.transform = at
-	add_child(instance)
+	return instance
 
 # Height of the ground from the middle's ray -half to +half, along one track.
 func profile(space: PhysicsDirectSpaceState, middle: Vector3, along: Vector3) -> PoolRealArray:
@@ -183,6 +200,7 @@ func touch(space: PhysicsDirectSpaceState, at: Transform, shape: Dictionary) -> 
 		if about.kind == "block":
 			step_m = max(step_m, about.height_m)
 	# The hull's front, above what the tracks can climb.
+	query.collision_mask = GROUND | OBSTACLE
 	box.extents = Vector3(gauge_m / 2, 0.005, 0.005)
 	query.transform = at * Transform(Basis(), Vector3(0, TOO_HIGH_M + 0.005, -length_m / 2))
 	return {"step_m": min(step_m, 1.0), "blocked": not space.intersect_shape(query, 1).empty()}

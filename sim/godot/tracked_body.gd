@@ -12,6 +12,7 @@ const HULL := 6           # its index among the shapes
 
 var left_mps := 0.0   # speeds of the tracks' surfaces
 var right_mps := 0.0
+var push_n := Vector3()  # on the reference point, horizontal
 var com_height_m: float
 var contacts := 0
 
@@ -24,7 +25,7 @@ func build(shape: Dictionary, body: Dictionary) -> void:
 	custom_integrator = false
 	continuous_cd = false
 	collision_layer = 4  # rays for the ground do not see it
-	collision_mask = 1
+	collision_mask = 1 | 8  # ground and obstacles
 	linear_damp = 0.0
 	angular_damp = 0.0
 	var smooth := PhysicsMaterial.new()
@@ -69,6 +70,7 @@ func reference() -> Transform:
 # Coulomb friction at every contact of the tracks, by sequential impulses: each sweep brings a contact's sliding nearer
 # to none, and no contact gives more than its load carries.
 func _integrate_forces(state: PhysicsDirectBodyState) -> void:
+	state.linear_velocity += push_n * state.inverse_mass * state.step
 	contacts = state.get_contact_count()
 	if contacts == 0:
 		return

@@ -1,5 +1,6 @@
-# What a person sees: the robot, its ghost, three paths, figures and cameras; or the images of a film.
-# Blue is the course's path, red the robot in this world, yellow the real robot on its own flat floor.
+# What a person sees: the robot, a ghost for each estimate, three paths, figures and cameras; or the images of a film.
+# Blue is the course's path, red the robot in this world, yellow the real robot on its own flat floor, as the estimate
+# that steers has it.
 extends Spatial
 
 const Frame = preload("res://frame.gd")
@@ -12,9 +13,14 @@ const MOST_POINTS := 20000
 const BLUE := Color(0.1, 0.3, 0.95)
 const RED := Color(0.9, 0.1, 0.1)
 const YELLOW := Color(0.98, 0.8, 0.05)
+const GHOSTS := {
+	"model": Color(0.95, 0.45, 0.1, 0.3),
+	"odometry": Color(0.1, 0.6, 0.95, 0.3),
+	"fused": Color(0.1, 0.75, 0.35, 0.3),
+}
 
 var robot: Spatial
-var ghost: Spatial
+var ghosts = {}           # of the real robot on its flat floor, by the name of the estimate
 var camera = Camera.new()
 var label = Label.new()
 var reference = []        # the course's path, [x, y] in metres
@@ -26,7 +32,8 @@ var film_step_s = 0.0
 var next_image_s = -1.0
 var image_due = false
 var images = 0
-var drawn_ms = 0
+var drawn_ms = 0      # when the last picture was begun
+var next_frame_ms = 0
 var run = -1
 var shift = Transform2D() # from the real robot's floor to this world
 var last_s = 0.0
@@ -45,10 +52,11 @@ func build(settings: Dictionary) -> void:
 	robot = RobotView.new()
 	add_child(robot)
 	robot.build(shape)
-	ghost = RobotView.new()
-	add_child(ghost)
-	ghost.build(shape, Color(YELLOW.r, YELLOW.g, YELLOW.b, 0.35))
-	ghost.visible = false
+	for estimate in GHOSTS:
+		ghosts[estimate] = RobotView.new()
+		add_child(ghosts[estimate])
+		ghosts[estimate].build(shape, GHOSTS[estimate])
+		ghosts[estimate].visible = false
 	camera.current = true
 	camera.fov = 50
 	camera.near = 0.01
@@ -195,18 +203,31 @@ func robot_at(at: Transform, message: Dictionary, frame: Reference) -> void:
 	robot.roll(0, message.tracks.l / frame.length() * passed_s)
 	robot.roll(1, message.tracks.r / frame.length() * passed_s)
 	var real = shift.xform(Vector2(on_floor[0], on_floor[1]))
-	ghost.visible = true
-	ghost.transform = Transform(Frame.basis(0, 0, floor_yaw + shift.get_rotation()), Frame.to_engine(real.x, real.y, 0))
+	var apart = place_ghosts(message, frame, Vector2(x, y))
 	extend("red", x, y, at.origin.y)
 	extend("yellow", real.x, real.y, 0.0)
 	image_due = image_due or (not film.empty() and next_image_s >= 0 and last_s >= next_image_s)
 	if film.empty() and OS.get_ticks_msec() - drawn_ms < FRAME_MS:
 		return
-	label.text = "%s    %s    %.1f s\ncross-track error %.1f cm    height %.1f cm    pitch %.1f deg    roll %.1f deg\ntracks %.3f  %.3f m/s    ahead of it on the real floor %.1f cm\nblue: course    red: robot in this world    yellow: real robot on its flat floor" % [
-			title, message.get("mode", ""), last_s, 100 * cross_track_m(x, y), 100 * at.origin.y, -rad2deg(rpy[1]),
-			rad2deg(rpy[0]), message.tracks.l / frame.length(), message.tracks.r / frame.length(),
-			100 * (real - Vector2(x, y)).length()]
+	label.text = "%s    %s    %.1f s    tracks %.3f  %.3f m/s\ncross-track error %.1f cm    height %.1f cm    pitch %.1f deg    roll %.1f deg\nfrom here to the real robot on its flat floor%s\nblue: course    red: robot in this world    yellow: real robot by %s" % [
+			title, message.get("mode", ""), last_s, message.tracks.l / frame.length(), message.tracks.r / frame.length(),
+			100 * cross_track_m(x, y), 100 * at.origin.y, -rad2deg(rpy[1]), rad2deg(rpy[0]), apart, message.get("src", "")]
 	place_camera(0.08)
+
+# Each estimate of the real robot as a ghost. Returns how far each is from the robot in this world, for the label.
+func place_ghosts(message: Dictionary, frame: Reference, here: Vector2) -> String:
+	var apart = ""
+	var estimates = message.get("estimates")
+	for estimate in ghosts:
+		var found = estimates.get(estimate) if typeof(estimates) == TYPE_DICTIONARY else null
+		ghosts[estimate].visible = Frame.is_floor_pose(found)
+		if not ghosts[estimate].visible:
+			continue
+		var place: Array = frame.place_from(found.pos)
+		var real = shift.xform(Vector2(place[0], place[1]))
+		ghosts[estimate].transform = Transform(Frame.basis(0, 0, frame.yaw_from(found.yaw) + shift.get_rotation()), Frame.to_engine(real.x, real.y, 0))
+		apart += "    %s %.1f cm" % [estimate, 100 * (real - here).length()]
+	return apart
 
 func place_camera(share: float) -> void:
 	match mode:
@@ -220,17 +241,20 @@ func place_camera(share: float) -> void:
 			camera.translation = camera.translation.linear_interpolate(wanted, share)
 			camera.look_at(robot.transform.origin + flat * 0.12 + Vector3(0, 0.02, 0), Vector3.UP)
 
-# Once per turn of the engine: draws at 30 Hz, so that answers do not wait for the picture; of a film exactly what is due.
+# Once per turn of the engine: draws at 30 Hz at most and in a quarter of the time at most, so that answers do not wait for
+# pictures; of a film exactly what is due.
 func turn() -> void:
 	if not film.empty():
 		if VisualServer.render_loop_enabled:
 			save_image()
 		VisualServer.render_loop_enabled = image_due
 		return
-	var due = OS.get_ticks_msec() - drawn_ms >= FRAME_MS
-	VisualServer.render_loop_enabled = due
-	if due:
-		drawn_ms = OS.get_ticks_msec()
+	var now_ms = OS.get_ticks_msec()
+	if VisualServer.render_loop_enabled:
+		next_frame_ms = max(drawn_ms + FRAME_MS, now_ms + 3 * (now_ms - drawn_ms))
+	VisualServer.render_loop_enabled = now_ms >= next_frame_ms
+	if VisualServer.render_loop_enabled:
+		drawn_ms = now_ms
 		fly()
 
 func save_image() -> void:

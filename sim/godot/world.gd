@@ -6,6 +6,7 @@ const Frame = preload("res://frame.gd")
 const Terrain = preload("res://terrain.gd")
 const TrackedBody = preload("res://tracked_body.gd")
 const View = preload("res://view.gd")
+const Hand = preload("res://hand.gd")
 
 const MOST_BYTES := 1200
 const MOST_TICKS := 250  # of physics between two poses: half a second
@@ -17,6 +18,7 @@ var frame := Frame.new()
 var terrain: Spatial
 var body: RigidBody
 var view: Node
+var hand: Node
 
 var session := -1
 var owner_of_pose := false
@@ -43,6 +45,9 @@ func _ready() -> void:
 		view = View.new()
 		add_child(view)
 		view.build(settings)
+		hand = Hand.new()
+		add_child(hand)
+		hand.build(view, terrain)
 	if not open_port():
 		return
 	print("listening at %s:%d" % [settings.host, settings.port])
@@ -100,7 +105,7 @@ func receive(text: String) -> void:
 		printerr("world: a datagram is not JSON; dropped")
 		return
 	udp.set_dest_address(udp.get_packet_ip(), udp.get_packet_port())
-	if not is_number(message.get("v")) or message.v != 1:
+	if not Frame.is_number(message.get("v")) or message.v != 1:
 		send({"v": 1, "type": "error", "text": "this is world/1"})
 		return
 	match message.get("type"):
@@ -117,28 +122,15 @@ func receive(text: String) -> void:
 func send(message: Dictionary) -> void:
 	udp.put_packet(JSON.print(message).to_utf8())
 
-static func is_number(value) -> bool:
-	return (typeof(value) == TYPE_REAL or typeof(value) == TYPE_INT) and not is_nan(value) and abs(value) < 1e12
-
-static func are_numbers(value, size: int) -> bool:
-	if typeof(value) != TYPE_ARRAY or value.size() != size:
-		return false
-	for one in value:
-		if not is_number(one):
-			return false
-	return true
-
 static func has_pose(message: Dictionary) -> bool:
-	var floor_pose = message.get("floor")
 	var tracks = message.get("tracks")
-	return (is_number(message.get("session")) and is_number(message.get("seq")) and is_number(message.get("run"))
-			and is_number(message.get("timestamp")) and are_numbers(message.get("pos"), 3)
-			and are_numbers(message.get("rpy"), 3) and typeof(floor_pose) == TYPE_DICTIONARY
-			and are_numbers(floor_pose.get("pos"), 3) and is_number(floor_pose.get("yaw"))
-			and typeof(tracks) == TYPE_DICTIONARY and is_number(tracks.get("l")) and is_number(tracks.get("r")))
+	return (Frame.is_number(message.get("session")) and Frame.is_number(message.get("seq")) and Frame.is_number(message.get("run"))
+			and Frame.is_number(message.get("timestamp")) and Frame.are_numbers(message.get("pos"), 3)
+			and Frame.are_numbers(message.get("rpy"), 3) and Frame.is_floor_pose(message.get("floor"))
+			and typeof(tracks) == TYPE_DICTIONARY and Frame.is_number(tracks.get("l")) and Frame.is_number(tracks.get("r")))
 
 func hello(message: Dictionary) -> void:
-	if not is_number(message.get("session")) or not message.get("frame") in Frame.NAMES:
+	if not Frame.is_number(message.get("session")) or not message.get("frame") in Frame.NAMES:
 		printerr("world: a hello lacks its session or has an unknown frame; dropped")
 		return
 	session = int(message.session)
@@ -152,6 +144,8 @@ func hello(message: Dictionary) -> void:
 		body = TrackedBody.new()
 		add_child(body)
 		body.build(shape, settings.robot.get("emulated", {}).get("body", {}))
+	if hand != null:
+		hand.body = body if owner_of_pose else null
 	send({"v": 1, "type": "welcome", "session": session, "name": "sim/godot", "frame": frame.name,
 			"authority": "world" if owner_of_pose else "bridge"})
 
@@ -185,7 +179,7 @@ func start_ticks(message: Dictionary) -> void:
 	last_timestamp_s = message.timestamp
 	var slip = message.get("slip")
 	var slips := [0.0, 0.0]
-	if typeof(slip) == TYPE_DICTIONARY and is_number(slip.get("l")) and is_number(slip.get("r")):
+	if typeof(slip) == TYPE_DICTIONARY and Frame.is_number(slip.get("l")) and Frame.is_number(slip.get("r")):
 		slips = [clamp(slip.l, -0.5, 0.9), clamp(slip.r, -0.5, 0.9)]
 	body.left_mps = clamp(message.tracks.l / frame.length() * (1.0 - slips[0]), -2.0, 2.0)
 	body.right_mps = clamp(message.tracks.r / frame.length() * (1.0 - slips[1]), -2.0, 2.0)
@@ -214,10 +208,13 @@ func answer(message: Dictionary, z_m: float, rpy: Array, surface: String) -> voi
 	send(out)
 	if view != null:
 		view.robot_at(at, message, frame)
+		hand.robot_at(at)
 
 # Space presses STOP; it stays pressed until R.
 func _unhandled_key_input(event: InputEventKey) -> void:
 	if event.pressed and event.scancode == KEY_SPACE:
 		stopped = true
+		print("STOP: pressed; R releases it")
 	elif event.pressed and event.scancode == KEY_R:
 		stopped = false
+		print("STOP: released")

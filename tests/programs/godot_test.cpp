@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,40 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Runs scripts/godot.
+/// A display in memory.
+class Screen {
+ public:
+  Screen() {
+    // It also prints which names are taken.
+    while (name_.empty() && server_.wait_for("\n")) {
+      std::istringstream lines(server_.output());
+      for (std::string line; std::getline(lines, line);) {
+        if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos)
+          name_ = ":" + line;
+      }
+    }
+    EXPECT_FALSE(name_.empty()) << server_.output();
+  }
+  const std::string& name() const { return name_; }
+  /// Mouse and keyboard, as xdotool has them.
+  void input(std::vector<std::string> words) const {
+    words.insert(words.begin(), {"/usr/bin/env", "DISPLAY=" + name_, "xdotool"});
+    const Finished done = run(words);
+    EXPECT_EQ(done.status, 0) << done.output;
+  }
+
+ private:
+  Process server_{
+      {"/usr/bin/Xvfb", "-displayfd", "1", "-screen", "0", "960x540x24", "-nolisten", "tcp"}};
+  std::string name_;
+};
+
+/// Runs scripts/godot, with a window on `screen` that looks from above, or without.
 class Engine {
  public:
-  explicit Engine(const std::string& course, const std::string& listen = "127.0.0.1:0")
-      : process_({TP100_SOURCE_DIR "/scripts/godot", "--headless", "--course", course, "--listen",
-                  listen}) {
+  explicit Engine(const std::string& course, const std::string& listen = "127.0.0.1:0",
+                  const Screen* screen = nullptr)
+      : process_(command(course, listen, screen)) {
     EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
     process_.wait_for("\n");
     const std::string& text = process_.output();
@@ -31,8 +60,22 @@ class Engine {
     if (at != std::string::npos) address_ = text.substr(at, text.find('\n', at) - at);
   }
   const std::string& address() const { return address_; }
+  bool says(const std::string& text) { return process_.wait_for(text); }
 
  private:
+  static std::vector<std::string> command(const std::string& course, const std::string& listen,
+                                          const Screen* screen) {
+    std::vector<std::string> words{"/usr/bin/env"};
+    if (screen) words.push_back("DISPLAY=" + screen->name());
+    words.insert(words.end(),
+                 {TP100_SOURCE_DIR "/scripts/godot", "--course", course, "--listen", listen});
+    if (screen)
+      words.insert(words.end(), {"--camera", "top"});
+    else
+      words.push_back("--headless");
+    return words;
+  }
+
   Process process_;
   std::string address_;
 };
@@ -102,6 +145,62 @@ TEST_F(Godot, GivesTheSamePosesToTheBitEveryTime) {
   drive(engine, "3", "bridge", "second");
   EXPECT_FALSE(poses("first").empty());
   EXPECT_TRUE(poses("first") == poses("second"));
+}
+
+/// A person at the window of a world that owns the pose, while course 1-straight is driven.
+class GodotWindow : public Godot {
+ protected:
+  // Seen from above, in pixels: the course's middle, and the robot where the course ends.
+  static constexpr const char* kMiddle[] = {"480", "270"};
+  static constexpr const char* kEnd[] = {"480", "73"};
+
+  nlohmann::json course(const std::string& record) {
+    const Finished driven =
+        run({"tp100-sim", "course", "1-straight", "--json", "--world", "udp:" + engine_.address(),
+             "--config", config("authority = \"world\"\n"), "--record", folder_.file(record)});
+    auto figures = nlohmann::json::parse(driven.output, nullptr, false);
+    EXPECT_TRUE(figures.is_object()) << driven.output;
+    return figures.is_object() ? figures : nlohmann::json::object();
+  }
+  void expect_replayed(const std::string& record) {
+    const Finished replayed =
+        run({"tp100d", "replay", folder_.file(record + "/1-straight-end-loaded-1/run.mcap"),
+             "--out", folder_.file("poses.csv")});
+    EXPECT_THAT(replayed.output, HasSubstr("bit for bit"));
+  }
+
+  Screen screen_;
+  Engine engine_{"1-straight", "127.0.0.1:0", &screen_};
+};
+
+TEST_F(GodotWindow, AnObstacleEndsARunUntilItIsTakenAway) {
+  screen_.input({"mousemove", kMiddle[0], kMiddle[1], "click", "1"});
+  ASSERT_TRUE(engine_.says("obstacle: "));
+  EXPECT_EQ(course("blocked").value("cause", ""), "immobilised");
+  expect_replayed("blocked");
+  screen_.input({"click", "1"});
+  ASSERT_TRUE(engine_.says("taken away"));
+  EXPECT_TRUE(course("free").value("completed", false));
+}
+
+TEST_F(GodotWindow, DraggingTheRobotPushesItAside) {
+  const nlohmann::json free = course("free");
+  ASSERT_TRUE(free.value("completed", false)) << free;
+  screen_.input({"mousemove", kEnd[0], kEnd[1], "mousedown", "1", "mousemove", "440", kEnd[1]});
+  ASSERT_TRUE(engine_.says("robot: held"));
+  const nlohmann::json pushed = course("pushed");
+  EXPECT_GT(number(pushed, "tracking", "max_cross_track_m"),
+            3 * number(free, "tracking", "max_cross_track_m"));
+  expect_replayed("pushed");
+}
+
+TEST_F(GodotWindow, SpaceIsStopUntilR) {
+  screen_.input({"key", "space"});
+  ASSERT_TRUE(engine_.says("STOP: pressed"));
+  EXPECT_FALSE(course("stopped").value("completed", true));
+  screen_.input({"key", "r"});
+  ASSERT_TRUE(engine_.says("STOP: released"));
+  EXPECT_TRUE(course("free").value("completed", false));
 }
 
 TEST_F(Godot, NamesACourseThatIsNotThere) {

@@ -24,9 +24,11 @@ PoseReport report() {
   out.sequence = 4711;
   out.stamp_s = 12.345678;
   out.run = 1;
-  out.source = "odometry";
+  out.source = PoseSource::kOdometry;
   out.pose = {.x_m = 0.612, .y_m = 0.034, .z_m = 0.041, .pitch_rad = -0.483, .yaw_rad = 0.024};
-  out.floor = {.x_m = 0.65, .y_m = 0.034, .yaw_rad = 0.024};
+  out.floor[PoseSource::kModel] = {.x_m = 0.64, .y_m = 0.02, .yaw_rad = 0.01};
+  out.floor[PoseSource::kOdometry] = {.x_m = 0.65, .y_m = 0.034, .yaw_rad = 0.024};
+  out.floor[PoseSource::kFused] = {.x_m = 0.651, .y_m = 0.035, .yaw_rad = 0.025};
   out.twist = {.vx_mps = 0.098, .vy_mps = 0.001, .yaw_rate_radps = 0.31};
   out.left_mps = 0.101;
   out.right_mps = 0.118;
@@ -72,14 +74,20 @@ TEST(WorldMessage, IsWrittenAsDocumented) {
             R"({"v":1,"type":"pose","session":7,"seq":4711,"timestamp":12.345678,"run":1,)"
             R"("frame":"ros","src":"odometry","pos":[0.612,0.034,0.041],)"
             R"("quat":[0.00287,-0.239142,0.011651,0.97091],"rpy":[0.0,-0.483,0.024],)"
-            R"("floor":{"pos":[0.65,0.034,0.0],"yaw":0.024},"vel":[0.098,0.001,0.0],)"
+            R"("floor":{"pos":[0.65,0.034,0.0],"yaw":0.024},)"
+            R"("estimates":{"model":{"pos":[0.64,0.02,0.0],"yaw":0.01},)"
+            R"("odometry":{"pos":[0.65,0.034,0.0],"yaw":0.024},)"
+            R"("fused":{"pos":[0.651,0.035,0.0],"yaw":0.025}},"vel":[0.098,0.001,0.0],)"
             R"("omega":[0.0,0.0,0.31],"tracks":{"l":0.101,"r":0.118},)"
             R"("slip":{"l":0.17,"r":0.18},"mode":"running","target":{"yaw":0.05,"speed":0.1}})");
   EXPECT_EQ(encode(report(), Frame::kUnreal),
             R"({"v":1,"type":"pose","session":7,"seq":4711,"timestamp":12.345678,"run":1,)"
             R"("frame":"unreal","src":"odometry","pos":[61.2,-3.4,4.1],)"
             R"("quat":[-0.00287,-0.239142,-0.011651,0.97091],"rpy":[0.0,27.673862,-1.375099],)"
-            R"("floor":{"pos":[65.0,-3.4,0.0],"yaw":-1.375099},"vel":[9.8,-0.1,0.0],)"
+            R"("floor":{"pos":[65.0,-3.4,0.0],"yaw":-1.375099},)"
+            R"("estimates":{"model":{"pos":[64.0,-2.0,0.0],"yaw":-0.572958},)"
+            R"("odometry":{"pos":[65.0,-3.4,0.0],"yaw":-1.375099},)"
+            R"("fused":{"pos":[65.1,-3.5,0.0],"yaw":-1.432394}},"vel":[9.8,-0.1,0.0],)"
             R"("omega":[0.0,0.0,-17.761692],"tracks":{"l":10.1,"r":11.8},)"
             R"("slip":{"l":0.17,"r":0.18},"mode":"running",)"
             R"("target":{"yaw":-2.864789,"speed":10.0}})");
@@ -105,7 +113,7 @@ TEST(WorldMessage, TheLongestFitsADatagram) {
   far.sequence = std::uint64_t{1} << 53;
   far.stamp_s = -1e9 - 0.123456;
   far.pose = {-999.123456, -999.123456, -99.123456, -1.123456, -1.123456, -1234.123456};
-  far.floor = far.pose;
+  far.floor = same_for_all(far.pose);
   far.twist = {-9.123456, -9.123456, -9.123456};
   far.left_mps = far.right_mps = far.slip_left = far.slip_right = -9.123456;
   for (const Frame frame : {Frame::kRos, Frame::kUnreal, Frame::kUnity})

@@ -109,6 +109,8 @@ TEST_F(PeerTest, NamesThePoseThatSteersNow) {
     const Json sent = step_until("pose");
     EXPECT_EQ(sent["src"], name);
     EXPECT_EQ(sent["floor"]["pos"][0], x_m);
+    EXPECT_EQ(sent["estimates"][name], sent["floor"]);
+    EXPECT_EQ(sent["estimates"]["fused"]["pos"][0], 3.0);
   }
 }
 
