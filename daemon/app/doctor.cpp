@@ -122,7 +122,8 @@ auto with_privileges(const config::LoopConfiguration& settings, const Work& work
 
 /// Requests the privileges of a run.
 std::vector<loop::Grant> ask_privileges(const config::LoopConfiguration& settings) {
-  const loop::RealTimeProcess process({settings.lock_memory, settings.hold_cpu_latency});
+  const loop::RealTimeProcess process(
+      {settings.lock_memory, settings.hold_cpu_latency, settings.priority > 0});
   std::vector<loop::Grant> grants = process.grants();
   const auto more =
       with_privileges(settings, [](const std::vector<loop::Grant>& of) { return of; });

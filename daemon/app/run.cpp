@@ -161,7 +161,8 @@ int run_run(const RunOptions& options) {
   // Before memory is locked, and by this thread: the loop's is not ordinary.
   const std::unique_ptr<ros2::Participant> participant = live::ros2_participant(configuration);
   const loop::RealTimeProcess process({.lock_memory = configuration.loop.lock_memory,
-                                       .hold_cpu_latency = configuration.loop.hold_cpu_latency});
+                                       .hold_cpu_latency = configuration.loop.hold_cpu_latency,
+                                       .raise_kernel_workers = configuration.loop.priority > 0});
   loop::FixedRateLoop loop(loop_settings(configuration.loop), cycle);
 
   live::SupervisorSettings settings;
@@ -179,7 +180,7 @@ int run_run(const RunOptions& options) {
   settings.course = run.course == nullptr ? "" : run.course->name;
   settings.robot = run.robot.name;
   settings.setup = bridge::to_string(run.parameters.setup);
-  settings.process_grants = process.grants();
+  settings.process = &process;
   live::LiveRecording recording(files, run, clock);
   settings.recording = &recording;
   record::Worker disk;

@@ -81,7 +81,11 @@ std::span<const Key<LoopConfiguration>> loop_keys() {
        {0, 1000},
        "pacing host: for the last part of each wait, the loop polls the clock instead of sleeping; "
        "not used with a single processor"},
-      {"priority", &T::priority, {0, 99}, "SCHED_FIFO priority; 0 for ordinary scheduling"},
+      {"priority",
+       &T::priority,
+       {0, 99},
+       "SCHED_FIFO priority; 0 for ordinary scheduling. If not 0 and permitted (root, "
+       "CAP_SYS_NICE), the kernel's threads kworker/u*, which carry a port's bytes, get nice -20"},
       {"cpu",
        &T::cpu,
        {-1, 1023},

@@ -111,12 +111,10 @@ int Supervisor::State::run() {
   figures.course = settings.course;
   figures.robot = settings.robot;
   figures.setup = settings.setup;
-  grants = settings.process_grants;
+  grants = settings.process->grants();
   began_ns = monotonic_now();
-  sinks.push_back(&link_monitor);
-  sinks.push_back(settings.recording);
-  sinks.push_back(settings.black_box);
-  sinks.push_back(settings.server);
+  sinks.insert(sinks.end(),
+               {&link_monitor, settings.recording, settings.black_box, settings.server});
   if (settings.ros2 != nullptr) sinks.push_back(settings.ros2);
   figures.page = settings.server->url();
   signals = std::make_unique<EndSignals>(context, [this](const char* signal) {
@@ -243,6 +241,7 @@ void Supervisor::State::tick() {
   }
   if (now >= next_stats_ns) {
     next_stats_ns = now + kStatsPeriodNs;
+    settings.process->keep();
     figures.duration_s = to_s(now - began_ns);
     take_figures();
     if (settings.verbose) log.times(settings.controls->loop());

@@ -19,6 +19,7 @@
 #include "live/ros2_node.h"
 #include "live/setup_changer.h"
 #include "loop/fixed_rate_loop.h"
+#include "loop/real_time.h"
 #include "messages/sink.h"
 #include "record/worker.h"
 #include "server/server.h"
@@ -36,10 +37,10 @@ struct SupervisorSettings {
   std::string course;  ///< names for log and figures; an empty course is none
   std::string robot;
   std::string setup;
-  std::vector<loop::Grant> process_grants;
   bool verbose = false;  ///< log the loop's timing once a second
   bool stay = false;     ///< stay on after the end of a run
   // Never null; they must outlive the supervisor.
+  const loop::RealTimeProcess* process = nullptr;
   LiveRecording* recording = nullptr;     ///< gets every step
   BlackBox* black_box = nullptr;          ///< gets every step
   record::Worker* disk = nullptr;         ///< writes --stats

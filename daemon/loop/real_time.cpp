@@ -11,6 +11,11 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace tp100::loop {
@@ -19,6 +24,7 @@ namespace {
 // With less, locking succeeds at first, and later threads and buffers fail.
 constexpr rlim_t kEnoughLockable = 256U << 20U;
 constexpr std::size_t kStackTouched = 64U << 10U;
+constexpr int kWorkerNice = -20;
 
 // Root is permitted anyway, unless the capability was removed.
 std::string by_limit(const std::string& limit, const std::string& capability) {
@@ -68,6 +74,33 @@ void touch_stack() {
   for (std::size_t i = 0; i < stack.size(); i += 1024) stack[i] = 0;
 }
 
+/// Whether /proc/PID is of an unbound worker of the kernel. Any program may take its name, but is
+/// no child of kthreadd.
+bool is_unbound_worker(const std::filesystem::path& process) {
+  std::string text;
+  if (!std::getline(std::ifstream(process / "comm"), text) || !text.starts_with("kworker/u"))
+    return false;
+  std::getline(std::ifstream(process / "stat"), text);
+  const std::size_t name_end = text.rfind(')');
+  return name_end != std::string::npos &&
+         std::string_view(text).substr(name_end, 6).ends_with(" 2 ");
+}
+
+/// Returns how many unbound workers are raised: none without permission, or in a container that
+/// does not show them.
+int raise_kernel_workers() {
+  int raised = 0;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", error)) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    if (!is_unbound_worker(entry.path())) continue;
+    if (::setpriority(PRIO_PROCESS, static_cast<id_t>(std::stoul(name)), kWorkerNice) == 0)
+      ++raised;
+  }
+  return raised;
+}
+
 void settle(Grant& grant) {
   if (grant.granted) grant.fix.clear();
 }
@@ -85,11 +118,20 @@ RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
                        "sudo tee /etc/udev/rules.d/90-tp100.rules && sudo udevadm trigger "
                        "/dev/cpu_dma_latency"});
   }
+  workers_raised_ = request.raise_kernel_workers && raise_kernel_workers() > 0;
+  if (workers_raised_) {
+    const std::string nice = std::to_string(kWorkerNice);
+    grants_.push_back({"kernel workers that carry serial data at nice " + nice, true, {}});
+  }
   for (Grant& grant : grants_) settle(grant);
 }
 
 RealTimeProcess::~RealTimeProcess() {
   if (latency_fd_ >= 0) ::close(latency_fd_);
+}
+
+void RealTimeProcess::keep() const {
+  if (workers_raised_) raise_kernel_workers();
 }
 
 std::vector<Grant> apply_to_this_thread(const ThreadRequest& request) {

@@ -17,6 +17,10 @@ struct Grant {
 struct ProcessRequest {
   bool lock_memory = true;
   bool hold_cpu_latency = true;  ///< keep the processor out of deep sleep: halves the wake-up time
+  /// Schedule the kernel's unbound workers before ordinary programs (nice -20), if CAP_SYS_NICE
+  /// permits it; else nothing is said. They carry the bytes of every tty, ptys too, to its reader:
+  /// beside a browser they waited for 200 ms and more, which ends a run.
+  bool raise_kernel_workers = true;
 };
 
 /// For one thread.
@@ -25,7 +29,7 @@ struct ThreadRequest {
   int cpu = -1;       ///< -1: any
 };
 
-/// Requests on construction; releases the processor latency on destruction.
+/// Requests on construction; releases the processor latency on destruction. Workers stay raised.
 class RealTimeProcess {
  public:
   explicit RealTimeProcess(const ProcessRequest& request);
@@ -34,10 +38,14 @@ class RealTimeProcess {
   RealTimeProcess& operator=(const RealTimeProcess&) = delete;
 
   const std::vector<Grant>& grants() const { return grants_; }
+  /// Raises workers that the kernel has made since. Reads /proc, so once a second is enough, and
+  /// not in the real-time thread.
+  void keep() const;
 
  private:
   std::vector<Grant> grants_;
   int latency_fd_ = -1;
+  bool workers_raised_ = false;
 };
 
 /// For the calling thread; also sets its timer slack to 1 ns and touches its stack.

@@ -4,8 +4,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -89,6 +93,28 @@ TEST(RealTime, EveryPrivilegeIsGrantedOrComesWithAFix) {
     EXPECT_FALSE(grant.granted);
     EXPECT_FALSE(grant.fix.empty());
   }
+}
+
+TEST(RealTime, TheKernelsUnboundWorkersComeBeforeOrdinaryPrograms) {
+  const auto nices = [] {
+    std::vector<int> found;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+      std::string name;
+      std::getline(std::ifstream(entry.path() / "comm"), name);
+      if (name.starts_with("kworker/u"))
+        found.push_back(
+            ::getpriority(PRIO_PROCESS, static_cast<id_t>(std::stoul(entry.path().filename()))));
+    }
+    return found;
+  };
+  const RealTimeProcess process({.lock_memory = false, .hold_cpu_latency = false});
+  const bool permitted = ::setpriority(PRIO_PROCESS, 0, -1) == 0;
+  process.keep();
+  const std::vector<int> now = nices();
+  EXPECT_EQ(process.grants().size(), permitted && !now.empty() ? 1u : 0u);
+  if (process.grants().empty()) return;
+  // The kernel may make another one at any time.
+  EXPECT_GE(std::ranges::count(now, -20), static_cast<std::ptrdiff_t>(now.size()) - 1);
 }
 
 }  // namespace
