@@ -24,6 +24,7 @@ constexpr double kBoardPixelsPerM = 600.0 / 0.0254;
 struct Options {
   WatchOptions watch;
   std::string size;
+  bool images_only = false;
   std::string lens_out;
   std::string board;
   std::string print_marker, print_board;
@@ -42,6 +43,9 @@ void add_options(CLI::App& app, Options& options) {
       ->type_name("ADDRESS");
   app.add_option("--tum", options.watch.tum, "Also write the poses to a TUM file")
       ->type_name("FILE");
+  app.add_flag("--images-only", options.images_only,
+               "Send images of any camera to the page and the recording, without looking for "
+               "markers");
   app.add_option("--fps", options.watch.images.fps,
                  "Images per second: of a folder without times.csv, or requested from a device")
       ->check(CLI::Range(0.01, 10000.0))
@@ -82,8 +86,11 @@ int print_board(const Options& options) {
 
 int run_monitor(Options& options) {
   WatchOptions& watch_options = options.watch;
-  if (watch_options.view.empty())
-    throw SetupError("no --view; copy config/view.toml, fill it in and pass it");
+  if (watch_options.view.empty() && !options.images_only)
+    throw SetupError(
+        "no --view; copy config/view.toml, fill it in and pass it, or send --images-only");
+  if (options.images_only && (!watch_options.view.empty() || !watch_options.tum.empty()))
+    throw SetupError("--images-only: no poses are found; leave out --view and --tum");
   if (watch_options.send.empty() && watch_options.tum.empty())
     watch_options.send = "udp:" + std::to_string(link::kCameraPort);
   SourceOptions& images = watch_options.images;

@@ -114,6 +114,14 @@ std::map<std::string, HostNs> read_times(const std::string& path) {
   return times;
 }
 
+void set(Image& image, const cv::Mat& shown) {
+  image.shown = shown;
+  if (shown.channels() > 1)
+    cv::cvtColor(shown, image.grey, cv::COLOR_BGR2GRAY);
+  else
+    image.grey = shown;
+}
+
 /// Images in a folder, in the order of their names, with the times in times.csv or at a fixed
 /// rate.
 
@@ -126,7 +134,7 @@ class FolderSource : public Source {
     const ImageFile& file = files_[at_++];
     try {
       const Quiet quiet;
-      image.grey = cv::imread(file.path, cv::IMREAD_GRAYSCALE);
+      set(image, cv::imread(file.path, cv::IMREAD_ANYCOLOR));
     } catch (const cv::Exception&) {
       image.grey.release();
     }
@@ -194,10 +202,7 @@ bool VideoSource::next(Image& image) {
   try {
     const Quiet quiet;
     read = capture_.read(frame_) && !frame_.empty();
-    if (read && frame_.channels() != 1)
-      cv::cvtColor(frame_, image.grey, cv::COLOR_BGR2GRAY);
-    else if (read)
-      image.grey = frame_;
+    if (read) set(image, frame_);
   } catch (const cv::Exception&) {
     read = false;
   }
@@ -255,10 +260,7 @@ bool DeviceSource::next(Image& image) {
     const HostNs grabbed_ns = monotonic_now();
     const double driver_ms = capture_.get(cv::CAP_PROP_POS_MSEC);
     if (!capture_.retrieve(frame_) || frame_.empty()) return false;
-    if (frame_.channels() != 1)
-      cv::cvtColor(frame_, image.grey, cv::COLOR_BGR2GRAY);
-    else
-      image.grey = frame_;
+    set(image, frame_);
     image.taken_ns = image_time(driver_ms, grabbed_ns, delay_ns_);
   } catch (const cv::Exception&) {
     return false;

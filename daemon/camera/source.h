@@ -14,6 +14,7 @@ namespace tp100::camera {
 /// One image and the time it was taken.
 struct Image {
   cv::Mat grey;         ///< 8 bits
+  cv::Mat shown;        ///< the same as it was taken, grey or in colour (BGR), 8 bits
   HostNs taken_ns = 0;  ///< recordings: since their beginning; devices: monotonic clock
 };
 

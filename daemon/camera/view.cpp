@@ -60,6 +60,19 @@ std::span<const Key<View>> marker_keys() {
   return kKeys;
 }
 
+std::span<const Key<ImageStream>> image_keys() {
+  using T = ImageStream;
+  static const std::array<Key<T>, 2> kKeys = {{
+      {"rate_hz",
+       &T::rate_hz,
+       {0, 30},
+       "Images for the page and the recording a second, sent to where the poses are sent; 0: none. "
+       "The daemon takes at most camera.image_hz of them"},
+      {"width_px", &T::width_px, {64, 1920}, "Wider images are reduced to this width"},
+  }};
+  return kKeys;
+}
+
 cv::Point2d to_point(const std::array<double, 2>& values) { return {values[0], values[1]}; }
 
 std::vector<FloorMarker> read_markers(text::TomlTable& root, const View& view) {
@@ -98,6 +111,8 @@ View parse_view(const std::string& text, const std::string& file) {
   text::read_keys(root, camera_keys(), view);
   text::TomlTable marker = root.table("marker");
   text::read_keys(marker, marker_keys(), view);
+  text::TomlTable images = root.table("image");
+  text::read_keys(images, image_keys(), view.images);
   view.floor_markers = read_markers(root, view);
   view.floor_points = read_points(root);
   root.finish();
@@ -117,6 +132,7 @@ std::string write_view(const View& view) {
       "course's frame: x forward, y to the left, both on the floor. A key's end names its unit.");
   text += "\n" + text::write_keys(camera_keys(), view);
   text += "\n[marker]\n" + text::write_keys(marker_keys(), view);
+  text += "\n[image]\n" + text::write_keys(image_keys(), view.images);
   text += "\n" + text::toml_comment(
                      "Four or more markers that lie on the floor, with the place of their middles. "
                      "Or [[floor_point]] with u_px, v_px (a pixel of the image, 0 is the middle "

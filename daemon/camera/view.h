@@ -16,6 +16,12 @@ struct FloorMarker {
   cv::Point2d world_m;
 };
 
+/// Images for people, beside the poses.
+struct ImageStream {
+  double rate_hz = 5.0;  ///< at most; 0: none are sent
+  int width_px = 480;    ///< at most; larger ones are reduced
+};
+
 struct View {
   std::string lens;      ///< lens file, relative to the view file's folder
   double delay_s = 0.0;  ///< devices: from the middle of the exposure to the driver's time stamp
@@ -25,6 +31,7 @@ struct View {
   double marker_height_m = 0.06;  ///< above the floor on the upright robot
   double marker_turned_rad =
       0.0;  ///< its top edge points this far to the left of the robot's front
+  ImageStream images{};
   std::vector<FloorMarker> floor_markers;
   std::vector<FloorPoint> floor_points;  ///< instead of markers: pixels measured in an image
 };

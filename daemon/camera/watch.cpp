@@ -13,6 +13,7 @@
 #include <random>
 #include <string>
 
+#include "camera/image_sender.h"
 #include "camera/observer.h"
 #include "camera/source.h"
 #include "core/clock.h"
@@ -125,12 +126,14 @@ void sleep_until(HostNs at_ns) {
 class Watch {
  public:
   explicit Watch(const WatchOptions& options)
-      : view_(read_view(options.view)),
-        observer_(read_lens(view_.lens), view_),
+      : view_(options.view.empty() ? View{} : read_view(options.view)),
         source_(open_source(options.source, with_delay(options.images))) {
-    if (!options.send.empty())
-      stream_.emplace(link::parse_udp(options.send, "--send"), view_.marker_id);
+    if (!options.view.empty()) observer_.emplace(read_lens(view_.lens), view_);
     if (!options.tum.empty()) tum_.emplace(options.tum);
+    if (options.send.empty()) return;
+    const link::UdpAddress to = link::parse_udp(options.send, "--send");
+    stream_.emplace(to, view_.marker_id);
+    if (view_.images.rate_hz > 0.0) image_sender_.emplace(to, view_.images);
   }
 
   int run();
@@ -141,15 +144,19 @@ class Watch {
     return options;
   }
   void take(const Image& image);
+  void look(const Image& image, std::uint32_t number);
   bool in_time(HostNs taken_ns) const;
   void tell(HostNs now);
   void report_floor();
   int finish(bool gone);
+  std::string counts() const;
+  std::string floor_problem(const char* before) const;
 
   View view_;
-  Observer observer_;
+  std::optional<Observer> observer_;  // nothing: images only
   std::unique_ptr<Source> source_;
   std::optional<PoseStream> stream_;
+  std::optional<ImageSender> image_sender_;
   std::optional<TumFile> tum_;
   ImageGaps gaps_;
   HostNs begin_ns_ = 0;  ///< offset added to a recording's times
@@ -158,28 +165,41 @@ class Watch {
 };
 
 void Watch::report_floor() {
-  if (!observer_.take_floor_news()) return;
-  if (!observer_.floor().plane()) {
-    std::fprintf(stderr, "floor: %s\n",
-                 observer_.floor().moves() > 0 ? "camera or markers moved; finding it again"
-                                               : observer_.floor().problem().c_str());
+  if (!observer_ || !observer_->take_floor_news()) return;
+  const FloorMonitor& floor = observer_->floor();
+  if (!floor.plane()) {
+    std::fprintf(
+        stderr, "floor: %s\n",
+        floor.moves() > 0 ? "camera or markers moved; finding it again" : floor.problem().c_str());
     return;
   }
-  const FloorPlane& plane = *observer_.floor().plane();
+  const FloorPlane& plane = *floor.plane();
   std::fprintf(stderr, "floor: found, %.2f px rms; the lens is %.3f m above x %.3f m, y %.3f m\n",
                plane.rms_px(), plane.lens_m().z, plane.lens_m().x, plane.lens_m().y);
+}
+
+/// ", marker 0 seen in 12, images sent 5", as far as markers are looked for and images sent.
+std::string Watch::counts() const {
+  std::string text;
+  if (observer_)
+    text += ", marker " + std::to_string(view_.marker_id) + " seen in " + std::to_string(found_);
+  if (image_sender_) text += ", images sent " + std::to_string(image_sender_->sent());
+  return text;
+}
+
+/// Why there is no floor, after that text, or nothing.
+std::string Watch::floor_problem(const char* before) const {
+  if (!observer_ || observer_->floor().plane()) return {};
+  return before + observer_->floor().problem();
 }
 
 void Watch::tell(HostNs now) {
   report_floor();
   if (!source_->live() || now < next_report_ns_) return;
   next_report_ns_ = now + kReportNs;
-  std::fprintf(stderr, "images %llu, dropped %llu, marker %d seen in %llu%s%s\n",
-               static_cast<unsigned long long>(images_),
-               static_cast<unsigned long long>(gaps_.missing()), view_.marker_id,
-               static_cast<unsigned long long>(found_),
-               observer_.floor().plane() ? "" : "; floor: ",
-               observer_.floor().plane() ? "" : observer_.floor().problem().c_str());
+  std::fprintf(stderr, "images %llu, dropped %llu%s%s\n", static_cast<unsigned long long>(images_),
+               static_cast<unsigned long long>(gaps_.missing()), counts().c_str(),
+               floor_problem("; floor: ").c_str());
 }
 
 /// Waits for the time of a recorded image. False: it has already passed.
@@ -198,31 +218,35 @@ void Watch::take(const Image& image) {
     ++left_out_;
     return;
   }
-  const std::optional<MarkerPose> pose = observer_.look(image.grey);
+  look(image, *number);
+  // After the pose, which the step waits for.
+  if (image_sender_) image_sender_->send(image.shown, begin_ns_ + image.taken_ns);
   tell(monotonic_now());
+}
+
+void Watch::look(const Image& image, std::uint32_t number) {
+  if (!observer_) return;
+  const std::optional<MarkerPose> pose = observer_->look(image.grey);
   if (!pose) return;
   ++found_;
   if (tum_) tum_->add(*pose, image.taken_ns);
-  if (stream_) stream_->send(*pose, *number, begin_ns_ + image.taken_ns, monotonic_now());
+  if (stream_) stream_->send(*pose, number, begin_ns_ + image.taken_ns, monotonic_now());
 }
 
 int Watch::finish(bool gone) {
   if (tum_) tum_->finish();
-  std::printf("images %llu, dropped %llu, left out %llu, marker %d seen in %llu\n",
+  std::printf("images %llu, dropped %llu, left out %llu%s\n",
               static_cast<unsigned long long>(images_),
               static_cast<unsigned long long>(gaps_.missing()),
-              static_cast<unsigned long long>(left_out_), view_.marker_id,
-              static_cast<unsigned long long>(found_));
+              static_cast<unsigned long long>(left_out_), counts().c_str());
   std::fflush(stdout);
   if (gone) {
     std::fprintf(stderr, "tp100-camera: the device gives no more images; check its cable\n");
     return 1;
   }
-  if (found_ > 0 || source_->live()) return 0;
-  const std::string& problem = observer_.floor().problem();
-  std::fprintf(stderr, "tp100-camera: no image shows marker %d%s%s\n", view_.marker_id,
-               observer_.floor().plane() ? "" : " over a known floor: ",
-               observer_.floor().plane() ? "" : problem.c_str());
+  if (found_ > 0 || source_->live() || !observer_) return 0;
+  std::fprintf(stderr, "tp100-camera: no image shows marker %d%s\n", view_.marker_id,
+               floor_problem(" over a known floor: ").c_str());
   return 1;
 }
 

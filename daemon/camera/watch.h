@@ -1,5 +1,5 @@
 #pragma once
-// tp100-camera SOURCE: detects the robot in every image and sends its pose.
+// tp100-camera SOURCE: detects the robot in every image, sends its pose, and some of the images.
 
 #include <array>
 #include <cstddef>
@@ -37,7 +37,7 @@ class ImageGaps {
 
 struct WatchOptions {
   std::string source;
-  std::string view;  ///< view file
+  std::string view;  ///< view file; empty: images are sent, no poses
   std::string send;  ///< "udp:[HOST:]PORT"; empty: send nothing
   std::string tum;   ///< file; empty: none
   SourceOptions images{};

@@ -134,13 +134,18 @@ std::span<const Key<RecordSettings>> record_keys() {
 
 std::span<const Key<CameraSettings>> camera_stream_keys() {
   using T = CameraSettings;
-  static const std::array<Key<T>, 2> kKeys = {{
+  static const std::array<Key<T>, 3> kKeys = {{
       {"listen",
        &T::listen,
        {},
-       "Overhead camera: address at which its detections arrive, udp:PORT for this machine only or "
-       "udp:ADDRESS:PORT; empty: no camera"},
+       "Overhead camera: address at which its detections and images arrive, udp:PORT for this "
+       "machine only or udp:ADDRESS:PORT; empty: no camera"},
       {"max_age_ms", &T::max_age_ms, {20, 500}, "Detections older than this are not used"},
+      {"image_hz",
+       &T::image_hz,
+       {0, 30},
+       "Of the images that the camera sends, at most this many a second are shown on the page and "
+       "recorded; 0: none. How many it sends, and how large: [image] in the file of its view"},
   }};
   return kKeys;
 }

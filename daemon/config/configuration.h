@@ -74,10 +74,12 @@ struct RecordSettings {
   std::string black_box_directory{};  ///< empty: `directory`, or the user's state folder
 };
 
-/// Address of the overhead camera's samples. The camera's noise model is in the parameters.
+/// Address of the overhead camera's samples and images. The camera's noise model is in the
+/// parameters.
 struct CameraSettings {
   std::string listen;         ///< "udp:[HOST:]PORT"; empty: no camera
   double max_age_ms = 400.0;  ///< older detections are ignored
+  double image_hz = 10.0;     ///< most images that are shown and recorded; 0: none
 };
 
 /// The page and the viewers.

@@ -1,5 +1,6 @@
 #include "link/camera_intake.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tp100::link {
@@ -17,7 +18,8 @@ CameraIntake::CameraIntake(std::string own_clock, HostNs max_age_ns)
 
 /// False: another stream is active. A stream without a useful datagram for a while makes room, also
 /// for its own restart.
-bool CameraIntake::follow(const CameraMessage& message, HostNs now) {
+template <class Message>
+bool CameraIntake::follow(const Message& message, HostNs now) {
   const bool silent = counters_.streams == 0 || now - useful_ns_ >= kSilenceNs;
   const bool same = message.stream == stream_ && message.clock == clock_;
   if (!silent) return same;
@@ -32,16 +34,17 @@ bool CameraIntake::follow(const CameraMessage& message, HostNs now) {
   return true;
 }
 
-HostNs CameraIntake::host_time(const CameraMessage& message, HostNs now) {
+template <class Message>
+HostNs CameraIntake::host_time(const Message& message, HostNs now) {
   const HostNs stamp_ns = message.stamp_us * kNsPerUs;
   if (message.clock == own_clock_) return stamp_ns;
   offset_.add(stamp_ns + message.age_us * kNsPerUs, now);
   return stamp_ns + offset_.offset_ns();
 }
 
-std::optional<CameraSample> CameraIntake::receive(std::string_view datagram, HostNs now) {
+template <class Message>
+std::optional<HostNs> CameraIntake::admit(const std::optional<Message>& message, HostNs now) {
   ++counters_.received;
-  const std::optional<CameraMessage> message = decode_camera(datagram);
   if (!message) {
     ++counters_.malformed;
     return std::nullopt;
@@ -64,12 +67,34 @@ std::optional<CameraSample> CameraIntake::receive(std::string_view datagram, Hos
   sequence_ = message->sequence;
   measured_ns_ = measured_ns;
   useful_ns_ = now;
+  return measured_ns;
+}
+
+std::optional<CameraSample> CameraIntake::receive(std::string_view datagram, HostNs now) {
+  const std::optional<CameraMessage> message = decode_camera(datagram);
+  const std::optional<HostNs> measured_ns = admit(message, now);
+  if (!measured_ns) return std::nullopt;
   ++counters_.accepted;
   return CameraSample{.x_m = message->x_m,
                       .y_m = message->y_m,
                       .yaw_rad = message->yaw_rad,
-                      .measured_ns = measured_ns,
+                      .measured_ns = *measured_ns,
                       .sequence = message->sequence};
+}
+
+std::optional<CameraImage> CameraIntake::receive_image(std::string_view datagram,
+                                                       HostNs interval_ns, HostNs now) {
+  const std::optional<ImageMessage> message = decode_image(datagram);
+  const std::optional<HostNs> taken_ns = admit(message, now);
+  if (!taken_ns) return std::nullopt;
+  if (*taken_ns < image_due_ns_) {
+    ++counters_.dropped;
+    return std::nullopt;
+  }
+  // An image that is late by less than an interval does not put off those that follow.
+  image_due_ns_ = std::max(image_due_ns_, *taken_ns - interval_ns) + interval_ns;
+  ++counters_.accepted;
+  return CameraImage{*taken_ns, std::string(message->jpeg)};
 }
 
 }  // namespace tp100::link

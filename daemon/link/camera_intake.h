@@ -1,7 +1,6 @@
 #pragma once
-// Turns the datagrams of an overhead camera into camera samples in host time. It receives bytes and
-// times and opens no socket. Input is hostile. Allocates while decoding: not for the real-time
-// thread.
+// Turns the datagrams of a camera into samples and images in host time. It receives bytes and times
+// and opens no socket. Input is hostile. Allocates while decoding: not for the real-time thread.
 
 #include <cstdint>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <string_view>
 
 #include "core/sample.h"
+#include "link/camera_image.h"
 #include "link/camera_message.h"
 
 namespace tp100::link {
@@ -22,9 +22,10 @@ struct CameraCounters {
   std::uint64_t early = 0;      ///< stamped in the future: wrong clock
   std::uint64_t foreign = 0;    ///< of a second stream while the first one is active
   std::uint64_t missing = 0;    ///< images not received: gaps in the sequence
-  std::uint64_t dropped = 0;    ///< accepted, but the step had no room for it (counted by the
-                                ///< caller)
-  std::uint32_t streams = 0;    ///< senders so far, restarts included
+  /// Of detections: accepted, but the step had no room for it (counted by the caller). Of images:
+  /// valid, but more than were asked for.
+  std::uint64_t dropped = 0;
+  std::uint32_t streams = 0;  ///< senders so far, restarts included
 };
 
 /// Difference between two monotonic clocks: receiver's minus sender's. Every datagram shows that
@@ -64,24 +65,39 @@ class ClockOffset {
   HostNs began_ns_ = 0;
 };
 
+/// An image and when it was taken.
+struct CameraImage {
+  HostNs taken_ns = 0;
+  std::string jpeg;
+};
+
+/// Follows one stream, of detections or of images.
 class CameraIntake {
  public:
   /// `own_clock` is the name of our monotonic clock (see camera_message.h): stamps of that clock
-  /// are used as they are, others with an estimated offset. A sample older than `max_age_ns` is
+  /// are used as they are, others with an estimated offset. What is older than `max_age_ns` is
   /// late.
   CameraIntake(std::string own_clock, HostNs max_age_ns);
 
   /// Takes a datagram received at `now`. Returns its sample if it may be used: in range, from the
   /// active stream, newer than the one before, and measured between now - max_age and now.
   std::optional<CameraSample> receive(std::string_view datagram, HostNs now);
+  /// The same for an image; on average at most one in `interval_ns` is taken.
+  std::optional<CameraImage> receive_image(std::string_view datagram, HostNs interval_ns,
+                                           HostNs now);
 
   const CameraCounters& counters() const { return counters_; }
   /// Counts the last sample as dropped: the step had no room for it.
   void count_dropped() { ++counters_.dropped; }
 
  private:
-  bool follow(const CameraMessage& message, HostNs now);
-  HostNs host_time(const CameraMessage& message, HostNs now);
+  template <class Message>
+  bool follow(const Message& message, HostNs now);
+  template <class Message>
+  HostNs host_time(const Message& message, HostNs now);
+  /// When it was taken, if it may be used.
+  template <class Message>
+  std::optional<HostNs> admit(const std::optional<Message>& message, HostNs now);
 
   std::string own_clock_;
   HostNs max_age_ns_;
@@ -92,6 +108,7 @@ class CameraIntake {
   HostNs useful_ns_ = 0;  ///< when the stream became active, or last gave a sample
   std::optional<std::uint32_t> sequence_;
   HostNs measured_ns_ = 0;
+  HostNs image_due_ns_ = 0;
 };
 
 }  // namespace tp100::link

@@ -28,8 +28,10 @@ std::string date_and_time(std::int64_t unix_ns) {
   return {text.data(), std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S", &local)};
 }
 
-/// Channels of events; the other channels hold a state.
-bool happens(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLog; }
+/// Channels of what happens once; the other channels hold a state.
+bool happens(Channel channel) {
+  return channel == Channel::kEvent || channel == Channel::kLog || channel == Channel::kCameraImage;
+}
 
 /// What is to be said of it, in one line, or nothing.
 std::string words_for(const runs::Room& room) {

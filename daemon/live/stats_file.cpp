@@ -38,20 +38,21 @@ Json link_figures(const LinkCounters& link) {
   return json;
 }
 
-Json camera_figures(const link::CameraCounters& camera, const FilterFigures& fused) {
-  return {{"received", camera.received},
-          {"accepted", camera.accepted},
-          {"malformed", camera.malformed},
-          {"late", camera.late},
-          {"early", camera.early},
-          {"foreign", camera.foreign},
-          {"missing", camera.missing},
-          {"dropped", camera.dropped},
-          {"streams", camera.streams},
-          {"used", fused.camera_used},
-          {"rejected", fused.camera_rejected},
-          {"recoveries", fused.recoveries},
-          {"nis_mean", fused.nis_mean}};
+Json intake_figures(const link::CameraCounters& intake) {
+  return {
+      {"received", intake.received}, {"accepted", intake.accepted}, {"malformed", intake.malformed},
+      {"late", intake.late},         {"early", intake.early},       {"foreign", intake.foreign},
+      {"missing", intake.missing},   {"dropped", intake.dropped},   {"streams", intake.streams}};
+}
+
+Json camera_figures(const CameraFigures& camera, const FilterFigures& fused) {
+  Json json = intake_figures(camera.detections);
+  json.update({{"used", fused.camera_used},
+               {"rejected", fused.camera_rejected},
+               {"recoveries", fused.recoveries},
+               {"nis_mean", fused.nis_mean},
+               {"images", intake_figures(camera.images)}});
+  return json;
 }
 
 Json recording_figures(const messages::RecordingFigures& recording, double cpu_s) {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "link/camera_intake.h"
 #include "live/event_log.h"
 #include "live/live_cycle.h"
 #include "live/live_world.h"
+#include "live/udp_ports.h"
 #include "messages/figures.h"
 #include "record/worker.h"
 
@@ -27,7 +27,7 @@ struct DaemonFigures {
   double duration_s = 0.0;
   FaultMask faults = 0;  ///< of the last abort
   LiveStatus status{};
-  std::optional<link::CameraCounters> camera;  ///< nothing: no camera is configured
+  std::optional<CameraFigures> camera;  ///< nothing: no camera is configured
   WorldFigures world{};
   messages::RecordingFigures recording{};
   double recording_cpu_s = 0.0;

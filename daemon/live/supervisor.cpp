@@ -121,10 +121,10 @@ int Supervisor::State::run() {
     log.info(signal);
     end(settings.stay && !under_way(run_state) ? stay_status : 1, "interrupted");
   });
-  if (!settings.camera.listen.empty()) {
+  if (!settings.camera.listen.empty())
     camera = std::make_unique<CameraPort>(
-        context, settings.camera, [this](const CameraSample& seen) { return cycle.camera(seen); });
-  }
+        context, settings.camera, [this](const CameraSample& seen) { return cycle.camera(seen); },
+        [this](HostNs at, std::string jpeg) { settings.server->take_image(at, std::move(jpeg)); });
   world = std::make_unique<LiveWorld>(context, settings.world, [this](const WorldSample& received) {
     return cycle.world(received);
   });
@@ -373,7 +373,7 @@ void Supervisor::State::end(int exit_status, const std::string& result) {
 }
 
 void Supervisor::State::take_figures() {
-  if (camera != nullptr) figures.camera = camera->counters();
+  if (camera != nullptr) figures.camera = camera->figures();
   figures.world = world->figures();
   const auto was = std::exchange(figures.recording, settings.recording->figures());
   figures.recording_cpu_s = settings.recording->cpu_s();

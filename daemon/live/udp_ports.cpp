@@ -20,6 +20,8 @@ using boost::asio::ip::udp;
 
 // More datagrams than this at once are a flood: operator and log are served first.
 constexpr int kMaxAtOnce = 32;
+// An image is for people and a recording; a slow network does no harm.
+constexpr HostNs kMaxImageAgeNs = 2 * kNsPerS;
 
 /// Throws SetupError: unknown host.
 udp::endpoint endpoint_of(const link::UdpAddress& address) {
@@ -46,10 +48,15 @@ udp::endpoint local_endpoint(const std::string& listen, const udp::endpoint& pee
 }  // namespace
 
 struct CameraPort::State : std::enable_shared_from_this<State> {
-  State(boost::asio::io_context& context, const config::CameraSettings& settings, Give action)
+  State(boost::asio::io_context& context, const config::CameraSettings& settings, Give action,
+        Show picture)
       : socket(context),
-        intake(link::monotonic_clock_name(), from_s(settings.max_age_ms * 1e-3)),
-        give(std::move(action)) {}
+        detections(link::monotonic_clock_name(), from_s(settings.max_age_ms * 1e-3)),
+        images(link::monotonic_clock_name(), kMaxImageAgeNs),
+        give(std::move(action)),
+        show(std::move(picture)) {
+    if (settings.image_hz > 0.0) image_interval_ns = from_s(1.0 / settings.image_hz);
+  }
 
   void open(const link::UdpAddress& address) {
     if (const auto error = listen_at(socket, endpoint_of(address))) {
@@ -68,22 +75,32 @@ struct CameraPort::State : std::enable_shared_from_this<State> {
     for (int i = 0; i < kMaxAtOnce && !error; ++i) {
       const std::size_t n = socket.receive(boost::asio::buffer(buffer), 0, error);
       if (error) break;
-      const auto sample = intake.receive({buffer.data(), n}, monotonic_now());
-      if (sample && !give(*sample)) intake.count_dropped();
+      receive({buffer.data(), n}, monotonic_now());
     }
     wait();
   }
+  void receive(std::string_view datagram, HostNs now) {
+    if (!link::is_image(datagram)) {
+      const auto sample = detections.receive(datagram, now);
+      if (sample && !give(*sample)) detections.count_dropped();
+    } else if (image_interval_ns > 0) {
+      auto image = images.receive_image(datagram, image_interval_ns, now);
+      if (image) show(image->taken_ns, std::move(image->jpeg));
+    }
+  }
 
   udp::socket socket;
-  link::CameraIntake intake;
+  link::CameraIntake detections, images;
   Give give;
+  Show show;
+  HostNs image_interval_ns = 0;  // 0: images are not wanted
   // One byte more than the longest valid datagram, so that a longer one is recognized.
-  std::array<char, link::kMaxCameraDatagram + 1> buffer{};
+  std::array<char, link::kMaxImageDatagram + 1> buffer{};
 };
 
 CameraPort::CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings,
-                       Give give)
-    : state_(std::make_shared<State>(context, settings, std::move(give))) {
+                       Give give, Show show)
+    : state_(std::make_shared<State>(context, settings, std::move(give), std::move(show))) {
   state_->open(link::parse_udp(settings.listen, "camera"));
   state_->wait();
 }
@@ -95,7 +112,9 @@ void CameraPort::stop() {
   state_->socket.close(ignored);
 }
 
-const link::CameraCounters& CameraPort::counters() const { return state_->intake.counters(); }
+CameraFigures CameraPort::figures() const {
+  return {.detections = state_->detections.counters(), .images = state_->images.counters()};
+}
 
 struct WorldPort::State : std::enable_shared_from_this<State> {
   State(boost::asio::io_context& context, const config::WorldRun& run, config::GiveWorld action)

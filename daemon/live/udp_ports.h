@@ -1,5 +1,5 @@
 #pragma once
-// The sockets on which a run receives datagrams, in the thread of the context: an overhead camera's
+// The sockets on which a run receives datagrams, in the thread of the context: a camera's
 // and an external world's (world/1). Asio stays in the source file.
 
 #include <functional>
@@ -18,18 +18,25 @@ class io_context;
 
 namespace tp100::live {
 
+struct CameraFigures {
+  link::CameraCounters detections{}, images{};
+};
+
 class CameraPort {
  public:
   /// Gives a sample to the step; false if it has no room.
   using Give = std::function<bool(const CameraSample&)>;
+  /// Shows and records an image (JPEG) that was taken at host time `at`; must not block.
+  using Show = std::function<void(HostNs at, std::string jpeg)>;
 
   /// Listens at settings.listen, "udp:[HOST:]PORT"; without a host, only this machine is received.
   /// Throws SetupError: a bad address, or a port that is in use.
-  CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings, Give give);
+  CameraPort(boost::asio::io_context& context, const config::CameraSettings& settings, Give give,
+             Show show);
   ~CameraPort();
   /// Stops listening.
   void stop();
-  const link::CameraCounters& counters() const;
+  CameraFigures figures() const;
 
  private:
   struct State;

@@ -223,6 +223,8 @@ std::vector<ChannelText> channel_texts() {
   std::string& parameters = texts[static_cast<std::uint32_t>(Channel::kParameter) - 1].schema;
   parameters = without_values(parameters);
   add(Channel::kRecording, "/recording", "tp100.Recording", recording_message({}), 1);
+  add(Channel::kCameraImage, "/camera/image", "foxglove.CompressedImage",
+      messages.camera_image(0, "\xff"), 1);
   ClientsFigures clients;
   clients.clients.emplace_back();
   add(Channel::kClient, "/client", "tp100.ClientList", clients_message(clients), 1);

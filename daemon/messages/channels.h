@@ -34,6 +34,7 @@ enum class Channel : std::uint32_t {
   kEvent,
   kParameter,
   kRecording,
+  kCameraImage,
   kClient,
 };
 

@@ -3,6 +3,7 @@
 #include "messages/foxglove.h"
 
 #include "messages/messages.h"
+#include "text/base64.h"
 
 namespace tp100::messages {
 namespace {
@@ -91,6 +92,18 @@ std::string Messages::path_poses(HostNs at) const {
     }
   }
   json.end_array().end_object();
+  return text;
+}
+
+std::string Messages::camera_image(HostNs at, std::string_view jpeg) const {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object();
+  write_time(json, "timestamp", clock_.unix_ns(at));
+  json.field("frame_id", "camera")
+      .field("format", "jpeg")
+      .field("data", text::base64(jpeg))
+      .end_object();
   return text;
 }
 

@@ -86,6 +86,8 @@ class Messages {
   std::string path_poses(HostNs at) const;
   std::string scene(HostNs at) const;
   std::string log(const Event& event) const;
+  /// An image of a camera, taken at `at`.
+  std::string camera_image(HostNs at, std::string_view jpeg) const;
 
  private:
   RunContext run_context_;

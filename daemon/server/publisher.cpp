@@ -192,6 +192,10 @@ void Publisher::take(const messages::Event& event) {
   publish(messages::Channel::kLog, event.at_ns, messages_.log(event));
 }
 
+void Publisher::take_image(HostNs at, std::string_view jpeg) {
+  publish(messages::Channel::kCameraImage, at, messages_.camera_image(at, jpeg));
+}
+
 void Publisher::stop_pressed(const std::string& by, HostNs now) {
   stop_.press(by, now);
   publish_state(now, false);

@@ -76,6 +76,7 @@ class Publisher {
   void take(const StepRecord& record);
   void take_truth(const messages::Truth& truth) { step_messages_.take_truth(truth); }
   void take(const messages::Event& event);
+  void take_image(HostNs at, std::string_view jpeg);
   /// STOP was pressed; the robot acknowledged one.
   void stop_pressed(const std::string& by, HostNs now);
   void stop_answered(HostNs at, HostNs now);

@@ -353,6 +353,11 @@ void Server::take(const messages::Event& event) {
   asio::post(state_->context, [this, event] { state_->publisher.take(event); });
 }
 
+void Server::take_image(HostNs at, std::string jpeg) {
+  asio::post(state_->context,
+             [this, at, jpeg = std::move(jpeg)] { state_->publisher.take_image(at, jpeg); });
+}
+
 void Server::stop_pressed(const std::string& by) {
   const HostNs now = monotonic_now();
   asio::post(state_->context, [this, by, now] { state_->publisher.stop_pressed(by, now); });

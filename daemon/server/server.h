@@ -58,6 +58,8 @@ class Server : public messages::Sink {
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
   void take(const messages::Event& event);
+  /// An image of a camera (JPEG), taken at host time `at`.
+  void take_image(HostNs at, std::string jpeg);
   /// STOP was pressed elsewhere (a key) and is on its way to the robot.
   void stop_pressed(const std::string& by);
   /// The robot acknowledged a STOP at host time `at`.

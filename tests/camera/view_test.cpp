@@ -49,6 +49,7 @@ TEST(ViewFile, ReadsBackWhatItWrites) {
   view.dictionary = "apriltag_36h11";
   view.marker_turned_rad = 1.5;
   view.delay_s = 0.03;
+  view.images = {.rate_hz = 2.5, .width_px = 320};
   EXPECT_EQ(write_view(parse_view(write_view(view), "f")), write_view(view));
   view.floor_markers.clear();
   view.floor_points = {{{1, 2}, {0, 0}}, {{3, 2}, {1, 0}}, {{3, 9}, {1, 1}}, {{1, 9}, {0, 1}}};

@@ -194,6 +194,17 @@ TEST_F(PublisherTest, EventsBecomeLogLines) {
   EXPECT_EQ(hear(messages::Channel::kLog).at(0)["message"], "state: idle -> arming");
 }
 
+TEST_F(PublisherTest, AnImageHasTheTimeAtWhichItWasTaken) {
+  const HostNs at = 3 * kNsPerS;
+  publisher_.take_image(at, "\xff\xd8 image");
+  const Json image = hear(messages::Channel::kCameraImage).at(0);
+  EXPECT_EQ(image["format"], "jpeg");
+  EXPECT_EQ(image["data"], "/9ggaW1hZ2U=");
+  const std::uint64_t unix_ns = messages::example_clock().unix_ns(at);
+  EXPECT_EQ(image["timestamp"]["sec"], unix_ns / 1'000'000'000U);
+  EXPECT_EQ(image["timestamp"]["nsec"], unix_ns % 1'000'000'000U);
+}
+
 TEST_F(PublisherTest, ARecordingIsToldWhenItChanges) {
   run(1.0, messages::Channel::kRecording);
   EXPECT_TRUE(run(2.0, messages::Channel::kRecording).empty());

@@ -20,6 +20,7 @@ import { Client, type ServerInfo } from '../foxglove/client.ts';
 import { kSubprotocols } from '../foxglove/codec.ts';
 import { StopSender } from '../foxglove/stop_sender.ts';
 import { AlertChoice } from '../panel/alert_choice.ts';
+import { CameraImagePanel } from '../panel/camera_image.ts';
 import { Controls, type Command } from '../panel/controls.ts';
 import { CourseList } from '../panel/course_list.ts';
 import { DoctorPanel } from '../panel/doctor_panel.ts';
@@ -68,6 +69,7 @@ const kTopics: Topic[] = [
   '/parameter',
   '/recording',
   '/client',
+  '/camera/image',
 ];
 const kNumbers_ms = 100;
 /** At most 30 images a second; a frame that is due within half of a display's period is not put off. */
@@ -155,6 +157,7 @@ function look(store: Store): void {
   document.body.classList.toggle('replaying', store !== live);
   plots.window_s = player === undefined ? kWindow_s : Math.min(Math.max(player.duration_s, 20), kHistory_s);
   viewport.reset();
+  cameraImage.reset();
   timeline.reset();
   histogram.reset();
 }
@@ -217,6 +220,7 @@ const status = new StatusBar();
 const notice = new Notice();
 const viewport = new Viewport();
 const words = new SceneWords();
+const cameraImage = new CameraImagePanel();
 const timeline = new Timeline();
 const numbers = new Numbers();
 const plots = new Plots();
@@ -276,7 +280,7 @@ const header = h(
 );
 plots.element.append(histogram.element);
 controls.element.append(drive.button);
-viewport.element.append(words.element, editor.stage.element, placing.element, drive.element, notice.element, transport.element, timeline.element);
+viewport.element.append(words.element, cameraImage.element, editor.stage.element, placing.element, drive.element, notice.element, transport.element, timeline.element);
 document.body.append(header, h('main', {}, viewport.element, numbers.element, plots.element, drawer.element));
 
 for (const topic of kTopics) {
@@ -359,6 +363,7 @@ function view(now_ms: number): void {
   last_ms = now_ms;
   player?.tick(dt_s);
   viewport.draw(shown, dt_s);
+  cameraImage.show(shown, began_unix_s());
   editor.tick(now_ms, courses.changeable);
 }
 

@@ -14,6 +14,8 @@ const kKept: Partial<Record<Topic, [capacity: number, interval_s: number]>> = {
   '/event': [2_000, 0],
   '/link': [2_000, 0.19],
   '/loop': [2_000, 0.49],
+  // Up to 80 kB each, usually 20.
+  '/camera/image': [800, 0],
 };
 
 export interface Frame {

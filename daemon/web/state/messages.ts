@@ -296,6 +296,14 @@ export interface SceneUpdate {
   entities: { id: string; lines: { points: { x: number; y: number; z: number }[] }[] }[];
 }
 
+/** `/camera/image`, of Foxglove. */
+export interface CompressedImage {
+  timestamp: { sec: number; nsec: number };
+  format: string;
+  /** Base64. */
+  data: string;
+}
+
 /** What the page knows only as signals. */
 export interface Figures {
   t_s: number;
@@ -316,6 +324,7 @@ export interface Channels {
   '/recording': Recording;
   '/client': ClientList;
   '/path_history': SceneUpdate;
+  '/camera/image': CompressedImage;
 }
 
 export type Topic = keyof Channels;

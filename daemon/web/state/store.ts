@@ -53,6 +53,7 @@ export const kStale_ms: Record<Topic, number> = {
   '/recording': Infinity,
   '/client': 3000,
   '/path_history': Infinity,
+  '/camera/image': 2500,
 };
 const kStaleSample_us = 400_000;
 

@@ -1,0 +1,179 @@
+#include "link/camera_image.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "jpeg.h"
+#include "link/camera_intake.h"
+
+namespace tp100::link {
+namespace {
+
+constexpr std::string_view kClock = "6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111";
+
+ImageMessage example(std::string_view jpeg) {
+  return {.stream = 4'294'967'295U,
+          .clock = std::string(kClock),
+          .sequence = 412,
+          .stamp_us = 9'007'199'254'740'992,
+          .age_us = 41'250,
+          .jpeg = jpeg};
+}
+
+/// The datagram of an image of this size.
+std::string datagram(unsigned width_px = 64, unsigned height_px = 48) {
+  return encode(example(test::jpeg(width_px, height_px)));
+}
+
+std::string image_with(const std::string& from, const std::string& to) {
+  std::string text = datagram();
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+// Other programs rely on this format: a change here breaks them.
+TEST(CameraImage, IsWrittenAsDocumented) {
+  EXPECT_EQ(encode(example("\xff\xd8")),
+            R"({"format":"tp100-image/1","stream":4294967295,)"
+            R"("clock":"6b0c5b2e-0d6f-4a8e-9a5e-4cf2b0c9a111","sequence":412,)"
+            R"("stamp_us":9007199254740992,"age_us":41250})"
+            "\n\xff\xd8");
+}
+
+TEST(CameraImage, ComesBackAsItWent) {
+  const std::string bytes = datagram();
+  EXPECT_TRUE(is_image(bytes));
+  const auto back = decode_image(bytes);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->stream, 4'294'967'295U);
+  EXPECT_EQ(back->clock, kClock);
+  EXPECT_EQ(back->sequence, 412U);
+  EXPECT_EQ(back->stamp_us, 9'007'199'254'740'992);
+  EXPECT_EQ(back->age_us, 41'250);
+  EXPECT_EQ(back->jpeg, test::jpeg(64, 48));
+}
+
+TEST(CameraImage, WhatIsNotOfTheFormatIsRefused) {
+  EXPECT_FALSE(decode_image(""));
+  EXPECT_FALSE(decode_image("\n"));
+  EXPECT_FALSE(decode_image("{}\n" + test::jpeg(64, 48)));
+  EXPECT_FALSE(decode_image("[]\n" + test::jpeg(64, 48)));
+  EXPECT_FALSE(decode_image("null\n" + test::jpeg(64, 48)));
+  EXPECT_FALSE(decode_image(test::jpeg(64, 48)));
+  EXPECT_FALSE(decode_image(image_with("image/1", "image/2")));
+  EXPECT_FALSE(decode_image(image_with("\"stream\"", "\"s\"")));
+  EXPECT_FALSE(decode_image(image_with("412", "-1")));
+  EXPECT_FALSE(decode_image(image_with("412", "4294967296")));
+  EXPECT_FALSE(decode_image(image_with("41250", "10000001")));
+  EXPECT_FALSE(decode_image(image_with("9007199254740992", "9007199254740993")));
+  EXPECT_FALSE(decode_image(image_with(std::string(kClock), std::string(65, 'a'))));
+  EXPECT_FALSE(decode_image(image_with("{", "{\"pad\":\"" + std::string(2000, 'x') + "\",")));
+  EXPECT_FALSE(decode_image(std::string(900, '[') + "\n" + test::jpeg(64, 48)));
+}
+
+TEST(CameraImage, AnImageThatIsTooLargeForAViewerIsRefused) {
+  EXPECT_TRUE(decode_image(datagram(kMaxImageSide, kMaxImageSide)));
+  EXPECT_FALSE(decode_image(datagram(kMaxImageSide + 1, 48)));
+  EXPECT_FALSE(decode_image(datagram(64, 65535)));
+  EXPECT_FALSE(decode_image(datagram(0, 48)));
+  EXPECT_FALSE(decode_image(datagram(64, 0)));
+  const std::string huge = datagram() + std::string(kMaxImageDatagram, '\0') + "\xff\xd9";
+  EXPECT_FALSE(decode_image(huge));
+}
+
+TEST(CameraImage, ASecondFrameHeaderCannotHideAHugeImage) {
+  std::string bytes = test::jpeg(64, 48);
+  const std::string huge = test::frame_header(65535, 65535);
+  for (const std::size_t at : {std::size_t{2}, bytes.find("\xff\xda")}) {
+    std::string twice = bytes;
+    twice.insert(at, huge);
+    EXPECT_FALSE(decode_image(encode(example(twice)))) << at;
+  }
+}
+
+TEST(CameraImage, ATruncatedImageIsRefused) {
+  const std::string good = datagram();
+  for (std::size_t size = 0; size < good.size(); ++size)
+    EXPECT_FALSE(decode_image(good.substr(0, size))) << size;
+}
+
+TEST(CameraImage, CorruptedDatagramsAreRefusedOrStillInRange) {
+  std::mt19937 random(7);
+  const std::string good = datagram();
+  std::uniform_int_distribution<std::size_t> place(0, good.size() - 1);
+  std::uniform_int_distribution<int> byte(0, 255);
+  int taken = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::string bad = good;
+    for (int flips = i % 4; flips >= 0; --flips)
+      bad[place(random)] = static_cast<char>(byte(random));
+    if (i % 5 == 0) bad.resize(place(random));
+    const auto decoded = decode_image(bad);
+    if (!decoded) continue;
+    ++taken;
+    EXPECT_LE(decoded->jpeg.size(), bad.size());
+    EXPECT_LE(decoded->age_us, 10'000'000);
+    EXPECT_GE(decoded->stamp_us, 0);
+  }
+  EXPECT_GT(taken, 0) << "a message with a corrupted digit can still be valid";
+}
+
+constexpr HostNs kInterval = 100 * kNsPerMs;
+
+/// A camera with the clock of the receiver.
+struct Camera {
+  std::uint32_t sequence = 0;
+  std::string datagram(HostNs taken_ns) {
+    const std::string jpeg = test::jpeg(64, 48);
+    ImageMessage message = example(jpeg);
+    message.clock = "here";
+    message.sequence = ++sequence;
+    message.stamp_us = taken_ns / kNsPerUs;
+    return encode(message);
+  }
+};
+
+TEST(CameraImage, IsGivenWithTheTimeAtWhichItWasTaken) {
+  CameraIntake intake("here", kNsPerS);
+  Camera camera;
+  const HostNs now = 100 * kNsPerS;
+  const auto image = intake.receive_image(camera.datagram(now - 70 * kNsPerMs), kInterval, now);
+  ASSERT_TRUE(image.has_value());
+  EXPECT_EQ(image->taken_ns, now - 70 * kNsPerMs);
+  EXPECT_EQ(image->jpeg, test::jpeg(64, 48));
+  EXPECT_FALSE(intake.receive_image("rubbish\n\xff", kInterval, now));
+  EXPECT_EQ(intake.counters().malformed, 1U);
+  EXPECT_EQ(intake.counters().accepted, 1U);
+}
+
+TEST(CameraImage, MoreThanWereAskedForAreDropped) {
+  CameraIntake intake("here", kNsPerS);
+  Camera camera;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<HostNs> jitter(-4 * kNsPerMs, 4 * kNsPerMs);
+  HostNs now = 100 * kNsPerS;
+  // 90 a second.
+  for (int i = 0; i < 900; ++i, now += 11'111'111)
+    intake.receive_image(camera.datagram(now + jitter(random)), kInterval, now + 5 * kNsPerMs);
+  EXPECT_NEAR(static_cast<double>(intake.counters().accepted), 100.0, 2.0);
+  EXPECT_EQ(intake.counters().accepted + intake.counters().dropped, 900U);
+}
+
+TEST(CameraImage, ACameraAtTheRateThatIsAskedForLosesNone) {
+  CameraIntake intake("here", kNsPerS);
+  Camera camera;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<HostNs> jitter(-20 * kNsPerMs, 20 * kNsPerMs);
+  HostNs now = 100 * kNsPerS;
+  intake.receive_image(camera.datagram(now), kInterval, now);
+  for (int i = 1; i < 300; ++i) {
+    now += kInterval;
+    intake.receive_image(camera.datagram(now + jitter(random)), kInterval, now + 20 * kNsPerMs);
+  }
+  EXPECT_GE(intake.counters().accepted, 298U);
+}
+
+}  // namespace
+}  // namespace tp100::link

@@ -1,0 +1,107 @@
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { driveUntil, picture, run, until } from './cockpit.ts';
+import { Program, freePort } from './programs.ts';
+import { Setting } from './setting.ts';
+
+// A camera that anybody can check: image i is of one grey, kGrey * i, and is taken i / kFps after the first.
+const kFps = 4;
+const kImages = 200;
+const kGrey = 12;
+const kGreys = 20;
+
+const folder = mkdtempSync(join(tmpdir(), 'tp100-camera-'));
+const images = join(folder, 'images');
+const port = await freePort();
+const setting = new Setting({
+  options: ['--record', join(folder, 'runs'), '--camera', `udp:${String(port)}`],
+});
+let camera: Program | undefined;
+
+beforeAll(() => {
+  mkdirSync(images);
+  const head = Buffer.from('P5 160 120 255\n');
+  for (let i = 0; i < kImages; i++) {
+    const grey = kGrey * (i % kGreys);
+    writeFileSync(join(images, `${String(i)}.pgm`), Buffer.concat([head, Buffer.alloc(160 * 120, grey)]));
+  }
+});
+afterAll(async () => {
+  await camera?.end();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** The number of the image on the page, modulo kGreys; undefined: none. */
+function imageShown(page: Page): Promise<number | undefined> {
+  return page.evaluate((grey) => {
+    const image = document.querySelector<HTMLImageElement>('.camera-image img');
+    if (image === null || !image.complete || image.naturalWidth === 0) return undefined;
+    const canvas = document.createElement('canvas');
+    canvas.width = canvas.height = 1;
+    const context = canvas.getContext('2d');
+    context?.drawImage(image, 0, 0, 1, 1);
+    return Math.round((context?.getImageData(0, 0, 1, 1).data[0] ?? NaN) / grey);
+  }, kGrey);
+}
+
+/** When the image on the page was taken, in the time of the run. */
+async function taken_s(page: Page): Promise<number> {
+  return Number(await page.getAttribute('.camera-image', 'data-t_s'));
+}
+
+/** Waits for an image that was taken at another time; returns both. */
+async function next(page: Page, not_s: number): Promise<{ number: number; at_s: number }> {
+  const at_s = await until(async () => {
+    const now_s = await taken_s(page);
+    return now_s !== not_s && now_s;
+  }, 'another image');
+  const number = await until(() => imageShown(page), 'the image');
+  return (await taken_s(page)) === at_s ? { number, at_s } : next(page, not_s);
+}
+
+describe("a camera's image", () => {
+  it('is beside the run, live and in the recording, in step', async () => {
+    const page = await setting.open();
+    await until(async () => (await page.getAttribute('#chip-link', 'data-state')) !== '', 'the page');
+    expect(await page.isVisible('.camera-image')).toBe(false);
+    camera = new Program('tp100-camera', [images, '--images-only', '--fps', String(kFps), '--send', `udp:${String(port)}`]);
+
+    const first = await next(page, NaN);
+    const later = await next(page, first.at_s);
+    const passed = Math.round((later.at_s - first.at_s) * kFps);
+    expect((first.number + passed) % kGreys).toBe(later.number);
+    await page.click('#camera-image-toggle');
+    await page.waitForSelector('.camera-image img', { state: 'hidden' });
+    await page.click('#camera-image-toggle');
+    await page.waitForSelector('.camera-image img', { state: 'visible' });
+
+    await driveUntil(page, 'running');
+    await picture(page, 'camera-live');
+    await driveUntil(page, 'finished');
+    await camera.end();
+    // The recording ends a second after the run.
+    await page.click('#tab-runs');
+    await until(async () => await page.locator('tr', { hasText: '-3' }).getByText('replay').first().isVisible(), 'the recording');
+    await until(async () => (await page.locator('tr.active').count()) === 0, 'its end');
+    await page.locator('tr', { hasText: '-3' }).getByText('replay').first().click();
+    await until(async () => Number(await page.getAttribute('#scrub', 'max')) > 5, 'all of the recording');
+
+    // At any moment, the newest image that was taken before it, by the same count as live.
+    const middle_s = Math.floor(Number(await page.getAttribute('#scrub', 'max')) / 2);
+    for (const position_s of [middle_s, middle_s + 1, middle_s - 1.5, middle_s + 0.5]) {
+      const before_s = await taken_s(page);
+      await page.fill('#scrub', String(position_s));
+      const { number, at_s } = await next(page, before_s);
+      const since_first = Math.round((at_s - first.at_s) * kFps);
+      expect((first.number + since_first) % kGreys).toBe(number);
+      const shown_s = await until(async () => Number(/([\d.]+) s ago/.exec((await page.textContent('.camera-age')) ?? '')?.[1] ?? NaN), 'its age');
+      expect(shown_s).toBeLessThanOrEqual(1 / kFps + 0.1);
+    }
+    await picture(page, 'camera-replay');
+    await page.click('#live');
+    await until(async () => (await run(page)) === 'finished', 'the robot itself');
+  });
+});
