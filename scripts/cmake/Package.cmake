@@ -71,7 +71,7 @@ install(PROGRAMS ${manual}/bin/tp100-flash ${manual}/bin/tp100-campaign DESTINAT
 install(FILES ${CMAKE_BINARY_DIR}/firmware/tp100.hex ${CMAKE_BINARY_DIR}/firmware/tp100_fake.hex
   DESTINATION share/tp100)
 install(DIRECTORY config/campaigns config/courses config/robots config/cameras DESTINATION share/tp100)
-install(FILES config/tp100.toml DESTINATION share/tp100)
+install(FILES config/tp100.toml config/lichtblick.json DESTINATION share/tp100)
 install(DIRECTORY tests/data/real DESTINATION share/tp100)
 install(FILES config/systemd/tp100d@.service DESTINATION lib/systemd/system)
 install(FILES config/systemd/tp100.conf DESTINATION lib/sysusers.d)
