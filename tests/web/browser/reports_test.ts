@@ -11,6 +11,8 @@ import { openBrowser, openPage, type Size } from './cockpit.ts';
 import { bin } from './programs.ts';
 
 const kDesktop: Size = { width: 1280, height: 900 };
+/** A sheet of US Letter, or A4, less its margins. */
+const kPrinted: Size = { width: 680, height: 940 };
 const kPhone: Size = { width: 390, height: 844 };
 
 let folder = '';
@@ -90,6 +92,22 @@ describe.each(kPages)('%s', (_, file) => {
     expect(await ground()).toBe('rgb(10, 14, 19)');
     await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
     expect(await ground()).toBe('rgb(255, 255, 255)');
+    await page.close();
+  });
+
+  // Tables and figures that fit on a sheet are not cut in two, and their headings stay with them.
+  it('is printed in whole pieces, figures in pairs', async () => {
+    const { page } = await open(file, kPrinted, 'light');
+    await page.emulateMedia({ media: 'print' });
+    const style = (selector: string, name: 'breakInside' | 'breakAfter'): Promise<string[]> =>
+      page.locator(selector).evaluateAll((all, of) => all.map((one) => getComputedStyle(one)[of]), name);
+    for (const value of await style('table, figure, tr', 'breakInside')) expect(value).toBe('avoid');
+    for (const value of await style('h2, h2 + p, caption', 'breakAfter')) expect(value).toBe('avoid');
+    const pairs = await page.locator('figure:not(.wide) + figure:not(.wide)').evaluateAll((all) =>
+      all.map((one) => [one.previousElementSibling?.getBoundingClientRect().top, one.getBoundingClientRect().top]),
+    );
+    const [pair] = pairs;
+    if (pair !== undefined) expect(pair[1]).toBe(pair[0]);
     await page.close();
   });
 });
