@@ -58,6 +58,7 @@ void add_run(CLI::App& app, Action& action) {
   command
       ->add_option("--duration", options.duration_s,
                    "End with status 1 after this time [s] (default: no limit)")
+      ->check(CLI::Range(0.001, 1e9))
       ->type_name("SECONDS");
   command
       ->add_option("--record", options.record,

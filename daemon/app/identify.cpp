@@ -20,6 +20,7 @@
 #include "identify/drive_file.h"
 #include "identify/identify_report.h"
 #include "text/atomic_file.h"
+#include "text/format.h"
 #include "text/toml_document.h"
 
 namespace tp100::app {
@@ -147,7 +148,8 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot) 
   if (guided.folder.empty())
     guided.folder = std::filesystem::path(options.out).replace_extension().string() + "-runs";
   GuidedDrives result = drive_guided(guided, robot);
-  std::printf("%zu recordings in %s\n", result.drives.size(), guided.folder.c_str());
+  std::printf("%s in %s\n", text::counted(result.drives.size(), "recording").c_str(),
+              guided.folder.c_str());
   if (!result.completed)
     std::printf("not completed: nothing is identified; what there is can be given as RUN\n");
   return result;

@@ -293,8 +293,8 @@ int run_replay_recording(const ReplayOptions& options) {
                               : !result.differs_at
                                   ? "every pose and command as recorded, bit for bit"
                                   : shown(result.largest);
-  std::printf("%s: %llu steps replayed, %s%s\n", path.c_str(),
-              static_cast<unsigned long long>(result.steps - result.before), verdict.c_str(),
+  std::printf("%s: %s replayed, %s%s\n", path.c_str(),
+              text::counted(result.steps - result.before, "step").c_str(), verdict.c_str(),
               elsewhere ? (" (" + processors + ")").c_str() : "");
   return 0;
 }

@@ -28,6 +28,7 @@
 #include "selftest/self_test.h"
 #include "server/local_daemons.h"
 #include "server/server.h"
+#include "text/format.h"
 #include "text/toml_document.h"
 #include "web/bundle.h"
 
@@ -143,7 +144,8 @@ std::unique_ptr<server::Server> make_server(const config::RunSetup& run,
 
 int run_run(const RunOptions& options) {
   if (options.duration_s && !(*options.duration_s > 0.0 && *options.duration_s < 1e9)) {
-    throw SetupError("--duration: give a number of seconds above 0");
+    throw SetupError("--duration " + text::number_text(*options.duration_s) +
+                     ": out of range; give seconds, above 0 and below 1e9");
   }
   const config::RunFiles files = files_of(options);
   const config::RunSetup run = setup_run(files, options);

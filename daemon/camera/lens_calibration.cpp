@@ -13,6 +13,7 @@
 #include "camera/marker_detector.h"
 #include "core/error.h"
 #include "text/atomic_file.h"
+#include "text/format.h"
 #include "text/toml_document.h"
 
 namespace tp100::camera {
@@ -245,10 +246,10 @@ int calibrate_lens(const std::string& source, const SourceOptions& options,
   text::write_file(out, write_lens(fit.lens));
   read_lens(out);
   std::printf(
-      "%s: %zu images, %.2f px rms, focal length %.1f +- %.1f px, %.0f %% of the image "
+      "%s: %s, %.2f px rms, focal length %.1f +- %.1f px, %.0f %% of the image "
       "covered\n",
-      out.c_str(), fit.views, fit.lens.rms_px, fit.lens.fx_px, fit.focal_sd_px,
-      fit.covered * 100.0);
+      out.c_str(), text::counted(fit.views, "image").c_str(), fit.lens.rms_px, fit.lens.fx_px,
+      fit.focal_sd_px, fit.covered * 100.0);
   if (fit.lens.rms_px > kGoodRmsPx || fit.covered < kGoodCover ||
       fit.focal_sd_px > kGoodFocalSd * fit.lens.fx_px)
     std::printf(

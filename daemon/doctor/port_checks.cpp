@@ -64,8 +64,12 @@ ChosenPort choose_port(const System& system, const std::string& port,
   if (chosen.device.empty())
     return missing(chosen.path + ": no such port",
                    "plug the robot in, or name another port with --port (see tp100d ports)");
-  if (const auto file = system.device(chosen.device))
+  if (const auto file = system.device(chosen.device)) {
+    if (S_ISDIR(file->mode))
+      return missing(chosen.path + ": no port, but a folder",
+                     "name the robot's port with --port (see tp100d ports)");
     chosen.pseudo_terminal = link::is_pseudo_terminal(file->mode, file->number);
+  }
   const auto known = std::find_if(ports.begin(), ports.end(), [&](const link::PortInfo& info) {
     return info.path == chosen.device;
   });

@@ -83,10 +83,10 @@ void add_battery(const Visit& visit, Findings& findings) {
 
 void add_state(const Visit& visit, Findings& findings) {
   if (visit.reboots > 0)
-    findings.push_back(error("reboots",
-                             format("the board restarted %llu times while it was watched",
-                                    static_cast<unsigned long long>(visit.reboots)),
-                             "charge the battery and check the power wiring"));
+    findings.push_back(error(
+        "reboots",
+        "the board restarted " + text::counted(visit.reboots, "time") + " while it was watched",
+        "charge the battery and check the power wiring"));
   if (visit.moved_unasked) {
     const FaultText& words = describe(Fault::moves_unasked);
     findings.push_back(error("motors", std::string(words.cause), std::string(words.fix)));
@@ -106,10 +106,10 @@ void add_state(const Visit& visit, Findings& findings) {
 }
 
 void add_link(const LinkTest& link, Findings& findings) {
-  const std::string figures =
-      format("%zu samples in %.1f s, %llu lost, %llu frames corrupted", link.samples,
-             link.duration_s, static_cast<unsigned long long>(link.counters.lost),
-             static_cast<unsigned long long>(link.counters.corrupted()));
+  const std::string figures = text::counted(link.samples, "sample") +
+                              format(" in %.1f s, %llu lost, ", link.duration_s,
+                                     static_cast<unsigned long long>(link.counters.lost)) +
+                              text::counted(link.counters.corrupted(), "frame") + " corrupted";
   const std::string times =
       "; p50/p90/p99/max of age " + text_of(link.age) + ", round trip " + text_of(link.round_trip);
   const char* const cable = "use a short cable without a hub, away from the motors' leads";

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "live/live_events.h"
 #include "text/atomic_file.h"
+#include "text/format.h"
 
 namespace tp100::live {
 namespace {
@@ -175,12 +176,12 @@ void StatsFile::write(const DaemonFigures& figures) {
 void print_summary(const DaemonFigures& figures) {
   const Snapshot& snapshot = figures.status.snapshot;
   const LinkCounters& link = figures.status.counters;
-  std::printf("%s: %s after %.1f s at x %.3f m, y %.3f m, yaw %.1f deg; %llu samples, %llu lost\n",
+  std::printf("%s: %s after %.1f s at x %.3f m, y %.3f m, yaw %.1f deg; %s, %llu lost\n",
               figures.course.empty() ? "no course" : figures.course.c_str(), figures.result.c_str(),
               figures.duration_s, snapshot.estimates[PoseSource::kOdometry].pose.x_m,
               snapshot.estimates[PoseSource::kOdometry].pose.y_m,
               snapshot.estimates[PoseSource::kOdometry].pose.yaw_rad * kDegPerRad,
-              static_cast<unsigned long long>(link.samples),
+              text::counted(link.samples, "sample").c_str(),
               static_cast<unsigned long long>(link.lost));
   if (!figures.recording.file.empty()) {
     std::printf("recording: %s, %.1f MB\n", figures.recording.file.c_str(),

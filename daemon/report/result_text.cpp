@@ -175,17 +175,19 @@ std::string recovery_rows(const TrackingErrors& tracking) {
 }
 
 std::string camera_row(const CameraFigures& camera) {
-  return format("camera: %u samples used, %u refused; normalized innovation squared %.2f of %.0f\n",
-                camera.used, camera.rejected, camera.nis_mean, CameraFigures::kNisDegrees);
+  return "camera: " + text::counted(camera.used, "sample") +
+         format(" used, %u refused; normalized innovation squared %.2f of %.0f\n", camera.rejected,
+                camera.nis_mean, CameraFigures::kNisDegrees);
 }
 
 std::string slope_rows(const SlopeFigures& slope) {
   if (slope.changes.empty() && slope.false_changes == 0) return {};
   std::string text = format(
-      "IMU: pitch on ramps within %.2f deg (rms %.2f); %d false changes of the slope's state, "
-      "%d of %d obstacles mistaken\nslope passed 4 deg, found after [s]:",
+      "IMU: pitch on ramps within %.2f deg (rms %.2f); %d false %s of the slope's state, "
+      "%d of %d %s mistaken\nslope passed 4 deg, found after [s]:",
       slope.ramp_pitch_max_error_rad * kDegPerRad, slope.ramp_pitch_rms_error_rad * kDegPerRad,
-      slope.false_changes, slope.mistaken, slope.obstacles);
+      slope.false_changes, slope.false_changes == 1 ? "change" : "changes", slope.mistaken,
+      slope.obstacles, slope.obstacles == 1 ? "obstacle" : "obstacles");
   for (const SlopeChange& change : slope.changes)
     text += change.found_s ? format(" %.2f", *change.found_s) : std::string(" never");
   return text + "\n";
@@ -229,8 +231,8 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
                    100.0 * figures.within_2_sd->position, 100.0 * figures.within_2_sd->yaw);
   if (run.has_camera) text += camera_row(run.camera);
   text += slope_rows(figures.slope);
-  text += format("link: %llu samples, %llu lost, %llu with a wrong CRC\n\n",
-                 static_cast<unsigned long long>(run.link.samples),
+  text += "link: " + text::counted(run.link.samples, "sample") +
+          format(", %llu lost, %llu with a wrong CRC\n\n",
                  static_cast<unsigned long long>(run.link.lost),
                  static_cast<unsigned long long>(run.link.crc_errors));
   if (std::ranges::any_of(figures.baselines, [](const auto& errors) { return errors.has_value(); }))

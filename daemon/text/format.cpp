@@ -70,6 +70,10 @@ std::string format(const char* pattern, ...) {
   return text;
 }
 
+std::string counted(std::uint64_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 std::string utc_minute(std::int64_t unix_s) {
   const auto seconds = static_cast<std::time_t>(unix_s);
   std::tm day{};
@@ -93,7 +97,7 @@ std::string_view nearest_name(std::string_view name,
     // A name without its unit: rate for rate_hz.
     if (name.size() >= 2 && candidate.starts_with(std::string(name) + "_"))
       distance = std::min<std::size_t>(distance, 1);
-    if (distance < best_distance && distance < candidate.size()) {
+    if (distance < best_distance && distance < std::max(name.size(), candidate.size())) {
       best = candidate;
       best_distance = distance;
     }

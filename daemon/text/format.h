@@ -19,6 +19,9 @@ std::string number_text(double value);
 /// As printf prints it, however long. Throws std::runtime_error if printf cannot.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
 
+/// "1 run", "2 runs"; `noun` is one whose plural ends in s.
+std::string counted(std::uint64_t count, std::string_view noun);
+
 /// Seconds since 1970 as "2026-05-31 14:05 UTC".
 std::string utc_minute(std::int64_t unix_s);
 

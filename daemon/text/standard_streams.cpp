@@ -39,10 +39,36 @@ std::string unknown_option(int argc, char** argv, const Subcommand& command) {
   return {};
 }
 
+/// As a person writes it: CLI11 prints 0.100000.
+std::string plain_number(std::string_view text) {
+  const std::string copy(text);
+  return text.find('.') == std::string_view::npos ? copy
+                                                  : number_text(std::strtod(copy.c_str(), nullptr));
+}
+
+/// What CLI11 says of a value outside its range: "--timeout: Value abc not in range 1 to 2".
+/// Nothing: it says something else.
+std::string wrong_value(std::string_view what) {
+  constexpr std::string_view kValue = ": Value ", kRange = " not in range ", kTo = " to ";
+  const std::size_t value = what.find(kValue), range = what.rfind(kRange), to = what.rfind(kTo);
+  if (value == what.npos || range == what.npos || to == what.npos || range < value || to < range)
+    return {};
+  const std::size_t begin = value + kValue.size(), low = range + kRange.size();
+  const std::string given(what.substr(begin, range - begin));
+  char* end = nullptr;
+  std::strtod(given.c_str(), &end);
+  const bool number = !given.empty() && *end == '\0';
+  return std::string(what.substr(0, value)) + " " + given + ": " +
+         (number ? "out of range" : "not a number") + "; give " +
+         plain_number(what.substr(low, to - low)) + " to " +
+         plain_number(what.substr(to + kTo.size()));
+}
+
 /// What CLI11 says of `argv`, in the words of our other messages.
 std::string reworded(std::string_view what, int argc, char** argv) {
   constexpr std::string_view kNoNumber = "Could not convert: ";
   constexpr std::string_view kUnexpected = "The following argument was not expected: ";
+  if (std::string better = wrong_value(what); !better.empty()) return better;
   if (what.starts_with(kNoNumber)) {
     const std::string_view rest = what.substr(kNoNumber.size());
     const std::size_t at = rest.find(" = ");

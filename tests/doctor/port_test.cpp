@@ -52,6 +52,12 @@ TEST_F(Port, IsMissingIfNothingIsPluggedIn) {
   EXPECT_THAT(find(port.findings, "device").fix, HasSubstr("plug the robot in"));
 }
 
+TEST_F(Port, IsMissingIfItsNameLeadsToAFolder) {
+  const ChosenPort port = choose_port(fake_.system(), "/dev", {FakeSystem::mega()});
+  EXPECT_EQ(port.device, "");
+  EXPECT_THAT(find(port.findings, "device").seen, HasSubstr("/dev: no port, but a folder"));
+}
+
 TEST_F(Port, IsMissingIfItsNameLeadsNowhere) {
   const ChosenPort port = choose_port(fake_.system(), "/dev/ttyACM7", {FakeSystem::mega()});
   EXPECT_EQ(port.device, "");

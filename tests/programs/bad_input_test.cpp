@@ -42,6 +42,41 @@ TEST_F(BadInput, UsageErrors) {
   expect_refused({"tp100-sim", "course", "1-curve", "--board", "two\nlines"}, "two");
 }
 
+// What is wrong, and what is allowed.
+TEST_F(BadInput, NumbersThatAreNoneOrOutOfRange) {
+  struct Option {
+    std::vector<std::string> command;
+    std::string name, range;
+  };
+  const std::vector<Option> options = {
+      {{"tp100d", "run"}, "--duration", "0.001 to 1000000000"},
+      {{"tp100d", "ports"}, "--timeout", "0.1 to 3600"},
+      {{"tp100d", "doctor"}, "--link-test", "0 to 3600"},
+      {{"tp100d", "identify", "--out", "x"}, "--repeats", "1 to 100"},
+      {{"tp100-sim", "course", "3"}, "--runs", "1 to 1000000"},
+      {{"tp100-sim", "reproduce"}, "--runs", "1 to 10000"},
+      {{"tp100-sim", "reproduce"}, "--sampled", "0 to 10000"},
+      {{"tp100-sim", "calibrate"}, "--repeats", "1 to 100"},
+      {{"tp100-sim", "calibrate"}, "--runs", "1 to 10000"},
+      {{"tp100-sim", "campaign", "x"}, "--todo", "1 to 1000000"},
+  };
+  for (const Option& option : options) {
+    for (const auto& [value, what] : {std::pair{"abc", "not a number"}, {"-7", "out of range"}}) {
+      std::vector<std::string> command = option.command;
+      command.insert(command.end(), {option.name, value});
+      expect_refused(command,
+                     option.name + " " + value + ": " + what + "; give " + option.range + "; see ");
+    }
+  }
+}
+
+TEST_F(BadInput, NamesTheNearestName) {
+  expect_refused({"tp100d", "run", "--course", "33"}, "33: no such course; did you mean '3'?");
+  expect_refused({"tp100d", "run", "--robot", "wom"}, "wom: no such robot; did you mean 'worn'?");
+  expect_refused({"tp100-sim", "robot", "--fault", "dorp"}, "did you mean 'drop'?");
+  expect_refused({"tp100-sim", "reproduce", "--part", "papr"}, "did you mean 'paper'?");
+}
+
 TEST_F(BadInput, MissingFiles) {
   expect_refused({"tp100d", "check", folder_.file("none.toml")}, "none.toml");
   expect_refused({"tp100d", "run", "--config", folder_.file("none.toml")}, "none.toml");

@@ -125,7 +125,7 @@ TEST_F(SelfTestOfARobot, CountsOnlyTheRestartsDuringTheExamination) {
   record_.link.reboots = 3;
   EXPECT_EQ(finding(examine(), "reboots").at("severity"), "none");
   test_.examine(server::DoctorPart::kRobot, [&](const std::string&, const std::string& json) {
-    EXPECT_THAT(json, HasSubstr("the board restarted 1 times"));
+    EXPECT_THAT(json, HasSubstr("the board restarted 1 time "));
   });
   step();
   ++record_.link.reboots;

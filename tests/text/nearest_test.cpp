@@ -22,6 +22,12 @@ TEST(NearestName, FindsAUnitThatWasLeftOut) {
   EXPECT_EQ(nearest_name("rate", {"spin_us", "rate_hz"}), "rate_hz");
 }
 
+TEST(NearestName, FindsAShortNameInALongerOne) {
+  EXPECT_EQ(nearest_name("33", {"1-curve", "2", "3"}), "3");
+  EXPECT_EQ(nearest_name("4", {"2", "3"}), "");
+  EXPECT_EQ(nearest_name("ab", {"2", "3"}), "");
+}
+
 TEST(NearestName, IsEmptyForNamesThatAreNoTypingError) {
   EXPECT_EQ(nearest_name("colour", kNames), "");
   EXPECT_EQ(nearest_name("", kNames), "");

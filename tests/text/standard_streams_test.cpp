@@ -71,6 +71,12 @@ TEST(UsageError, NamesWhatWasMeantAndTheRightHelp) {
   EXPECT_EQ(told({}), "prog: what; see prog --help\n");
   EXPECT_EQ(told({"run", "--port", "x"}, "Could not convert: --port = x"),
             "prog: --port x: not a number; see prog run --help\n");
+  EXPECT_EQ(told({"run"}, "--port: Value abc not in range 0.100000 to 3600.000000"),
+            "prog: --port abc: not a number; give 0.1 to 3600; see prog run --help\n");
+  EXPECT_EQ(told({"run"}, "--port: Value -7 not in range 1 to 100"),
+            "prog: --port -7: out of range; give 1 to 100; see prog run --help\n");
+  EXPECT_EQ(told({"run"}, "--port: Value  not in range 1 to 100"),
+            "prog: --port : not a number; give 1 to 100; see prog run --help\n");
   const char* unexpected = "The following argument was not expected: low";
   EXPECT_EQ(told({"run", "--port", "low"}, unexpected),
             "prog: low: unexpected argument; did you mean '--port=low'?; see prog run --help\n");
