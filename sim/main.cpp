@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,11 +16,18 @@ namespace {
 
 using namespace tp100::sim;
 
+/// A seed: 0 or more. CLI11 takes -7 for a large number.
+std::string why_no_seed(const std::string& text) {
+  const std::string most = std::to_string(std::numeric_limits<std::uint64_t>::max());
+  const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
+  const bool fits = text.size() < most.size() || (text.size() == most.size() && text <= most);
+  if (!text.empty() && digits && fits) return {};
+  return "Value " + text + " not in range 0 to " + most;
+}
+
 void add_seed(CLI::App& app, Options& options) {
   app.add_option("--seed", options.seed, "Noise of this run, 0 or more")
-      ->check([](const std::string& text) {
-        return text.empty() || text[0] != '-' ? std::string() : text + " is below 0";
-      })
+      ->check(why_no_seed)
       ->type_name("NUMBER")
       ->capture_default_str();
 }
@@ -163,6 +172,7 @@ int run(int argc, char** argv) {
                    "courses that no calibration drives (default: ode)")
       ->type_name("BODY");
   reproduce_app->add_option("--seed", reproduce.seed, "First seed")
+      ->check(why_no_seed)
       ->type_name("NUMBER")
       ->capture_default_str();
   reproduce_app->add_option("--runs", reproduce.runs, "Seeds a course, each driven both ways round")

@@ -212,7 +212,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const CampaignFolder& 
 
 std::string missing_text(const Merged& merged) {
   std::string text = std::to_string(merged.missing.size()) + " of " + std::to_string(merged.asked) +
-                     " runs are missing (";
+                     (merged.missing.size() == 1 ? " runs is missing (" : " runs are missing (");
   for (std::size_t i = 0; i < std::min(kNamedMissing, merged.missing.size()); ++i)
     text += (i > 0 ? ", " : "") + std::to_string(merged.missing[i]);
   return text + (merged.missing.size() > kNamedMissing ? ", ..." : "") +
@@ -257,10 +257,10 @@ int run_campaign(const CampaignCommand& command) {
     for (std::uint64_t index = range.first; index <= range.second; ++index)
       take(folder, spec, index, command.record, tally);
   if (tally.refused > kNamedRefused)
-    std::fprintf(stderr, "tp100-sim: %llu more runs refused; `merge` lists each with its reason\n",
+    std::fprintf(stderr, "tp100-sim: %llu more refused; `merge` lists each with its reason\n",
                  tally.refused - kNamedRefused);
-  std::printf("%s: %llu runs driven, %llu were done before, %llu refused\n", command.out.c_str(),
-              tally.driven, tally.done_before, tally.refused);
+  std::printf("%s: %s driven, %llu done before, %llu refused\n", command.out.c_str(),
+              text::counted(tally.driven, "run").c_str(), tally.done_before, tally.refused);
   return tally.refused > 0 ? 1 : 0;
 }
 
@@ -278,7 +278,8 @@ int run_merge(const std::string& path) {
   if (!merged.missing.empty())
     std::fprintf(stderr, "tp100-sim: %s\n", missing_text(merged).c_str());
   if (refused > 0)
-    std::fprintf(stderr, "tp100-sim: %zu runs were refused; the page says why\n", refused);
+    std::fprintf(stderr, "tp100-sim: %s refused; the page says why\n",
+                 text::counted(refused, "run").c_str());
   return merged.missing.empty() && refused == 0 ? 0 : 1;
 }
 

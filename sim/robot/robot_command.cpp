@@ -31,6 +31,7 @@
 #include "sim/robot/emulated_robot.h"
 #include "sim/robot/pty.h"
 #include "sim/sensors/overhead_camera.h"
+#include "text/format.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
 
@@ -354,8 +355,8 @@ int run_robot(const RobotCommand& command) {
       std::fflush(stdout);
     }
   }
-  std::printf("robot: sent %llu samples since its port was opened\n",
-              static_cast<unsigned long long>(cable.samples()));
+  std::printf("robot: sent %s since its port was opened\n",
+              text::counted(cable.samples(), "sample").c_str());
   print_place(robot.truth().pose);
   if (!command.stats.empty()) {
     const nlohmann::json figures = {
