@@ -50,6 +50,7 @@ class Terminal : public doctor::Operator {
   std::optional<std::string> take_answer() override;
   bool ended() const override { return ended_ && pending_.empty(); }
   bool watches() const override { return true; }
+  void motors_off(HostNs) override {}
   /// Waits for Enter. False: there was none.
   bool confirms();
 

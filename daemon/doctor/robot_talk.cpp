@@ -117,12 +117,13 @@ bool RobotTalk::arm() {
   return acknowledged_ && !stop_;
 }
 
-void RobotTalk::disarm() {
+bool RobotTalk::disarm() {
   command(0.0, 0.0);
   session_.request(RobotRequest::kDisarm, monotonic_now());
   const HostNs end = monotonic_now() + from_s(kDisarmLimitS);
   while (session_.request_pending() && !gone_ && monotonic_now() < end) turn_once();
   asked_ = false;
+  return !session_.request_pending() && !gone_;
 }
 
 void RobotTalk::turn_once() {

@@ -32,8 +32,8 @@ class RobotTalk {
   /// Arms and waits. False: refused, or not acknowledged; see why() and fix().
   bool arm();
   /// Switches the motors off and waits for the acknowledgement or a timeout. Works after `stop`,
-  /// too.
-  void disarm();
+  /// too. False: not acknowledged.
+  bool disarm();
 
   /// Called with each sample and the time at which it was read.
   std::function<void(const Sample&, HostNs)> on_sample = [](const Sample&, HostNs) {};

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/faults.h"
 #include "doctor/robot_talk.h"
 #include "doctor/tracks.h"
@@ -47,7 +48,9 @@ class WheelsUp {
     talk_.on_sample = [this](const Sample& sample, HostNs) { add(sample); };
   }
   // The motors are switched off in any case.
-  ~WheelsUp() { talk_.disarm(); }
+  ~WheelsUp() {
+    if (talk_.disarm()) person_.motors_off(monotonic_now());
+  }
   WheelsUp(const WheelsUp&) = delete;
   WheelsUp& operator=(const WheelsUp&) = delete;
 

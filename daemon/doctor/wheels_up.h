@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/time.h"
 #include "course/robot.h"
 #include "doctor/finding.h"
 #include "link/session.h"
@@ -39,6 +40,8 @@ class Operator {
   virtual bool ended() const = 0;
   /// Whether somebody watches. No track runs while nobody does.
   virtual bool watches() const = 0;
+  /// At the end the robot has acknowledged, by host time `at`, that its motors are off.
+  virtual void motors_off(HostNs at) = 0;
 };
 
 struct WheelsUpOptions {

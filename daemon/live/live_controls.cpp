@@ -8,6 +8,7 @@
 #include "config/parameter_file.h"
 #include "core/angle.h"
 #include "core/board.h"
+#include "core/clock.h"
 #include "course/robot.h"
 #include "live/live_events.h"
 #include "text/key.h"
@@ -258,6 +259,14 @@ void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
   self_test_.set_grants(grants);
   const std::lock_guard lock(mutex_);
   for (const loop::Grant& grant : grants) privileges_.emplace_back(grant.what, grant.granted);
+}
+
+void LiveControls::take_words(std::vector<messages::Event>& words) {
+  std::string end = self_test_.wheels_up().take_end();
+  if (end.empty()) return;
+  words.push_back({.at_ns = monotonic_now(),
+                   .kind = "doctor",
+                   .text = "the check of the tracks has ended: " + std::move(end)});
 }
 
 void LiveControls::end() {

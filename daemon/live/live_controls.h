@@ -74,6 +74,7 @@ class LiveControls : public server::Controls {
   void examine(server::DoctorPart part, Answer answer) override {
     self_test_.examine(part, std::move(answer));
   }
+  HostNs motors_off_ns() override { return self_test_.wheels_up().motors_off_ns(); }
   std::string wheels_up_begin(const server::Driver& viewer, HostNs now,
                               std::string& token) override;
   std::string wheels_up_watch(const server::WheelsUpWatch& watch, HostNs now,
@@ -93,6 +94,8 @@ class LiveControls : public server::Controls {
   /// Sets the facts that the supervisor knows; the cycle knows whether a run has begun.
   void set_start(const StartFacts& facts);
   void set_grants(const std::vector<loop::Grant>& grants);
+  /// Adds what is to be said of a check of the tracks that has ended.
+  void take_words(std::vector<messages::Event>& words);
   /// The program is ending: refuses further starts.
   void end();
   /// See SelfTest::idle_by().

@@ -23,7 +23,6 @@
 
 namespace tp100::live {
 namespace {
-
 namespace asio = boost::asio;
 
 constexpr auto kTick = std::chrono::milliseconds(10);
@@ -385,6 +384,7 @@ void Supervisor::State::take_figures() {
 void Supervisor::State::take_words() {
   std::vector<messages::Event> words = link_monitor.take_words();
   settings.recording->take_words(words);
+  settings.controls->take_words(words);
   if (settings.ros2 != nullptr) settings.ros2->take_words(words, *settings.server);
   log.words(words);
   for (const messages::Event& word : words) settings.server->take(word);

@@ -16,6 +16,13 @@ namespace {
 
 constexpr auto kLoanLimit = std::chrono::seconds(2);
 
+/// The worst of it, in one line.
+std::string end_of(const doctor::Findings& findings) {
+  for (const doctor::Finding& finding : findings)
+    if (finding.severity == doctor::Severity::kError) return finding.name + ": " + finding.seen;
+  return "all well";
+}
+
 }  // namespace
 
 WheelsUpCheck::WheelsUpCheck(config::Configuration configuration, const course::Robot& robot)
@@ -36,6 +43,7 @@ std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::
   said_ = "the check takes over the port";
   question_.reset();
   result_.clear();
+  lost_ = false;
   loan_.ask();
   if (check_.post([this, robot = robot_] { run(robot); })) return {};
   loan_.end();
@@ -76,7 +84,14 @@ std::string WheelsUpCheck::watch(const server::WheelsUpWatch& watch, HostNs now,
 
 void WheelsUpCheck::lose(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  if (wheel_.lose(id)) stop();
+  if (!on() || !wheel_.lose(id)) return;
+  lost_ = true;
+  stop();
+}
+
+std::string WheelsUpCheck::take_end() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(end_, {});
 }
 
 void WheelsUpCheck::say(const std::string& line) {
@@ -125,6 +140,7 @@ void WheelsUpCheck::run(const course::Robot& robot) {
   const doctor::Findings findings = examine(robot, port);
   loan_.end();
   const std::lock_guard lock(mutex_);
+  end_ = lost_ ? "its viewer is gone" : end_of(findings);
   said_ = "the check has ended, and the daemon has its port again";
   question_.reset();
   result_ = doctor::json(findings, port);

@@ -41,6 +41,11 @@ class WheelsUpCheck : public doctor::Operator {
   void stop() { stop_.store(true, std::memory_order_release); }
   bool on() const { return on_.load(std::memory_order_acquire); }
   PortLoan& loan() { return loan_; }
+  /// Host time at which the robot acknowledged last that a check had switched its motors off; 0: no
+  /// check has.
+  HostNs motors_off_ns() const { return motors_off_ns_; }
+  /// How a check ended, in one line, once; or nothing.
+  std::string take_end();
 
   // The check's thread:
   void say(const std::string& line) override;
@@ -48,6 +53,7 @@ class WheelsUpCheck : public doctor::Operator {
   std::optional<std::string> take_answer() override;
   bool ended() const override { return false; }
   bool watches() const override;
+  void motors_off(HostNs at) override { motors_off_ns_ = at; }
 
  private:
   void run(const course::Robot& robot);
@@ -57,7 +63,8 @@ class WheelsUpCheck : public doctor::Operator {
   PortLoan loan_;
   std::atomic<bool> stop_{false}, on_{false};
   std::atomic<HostNs> input_ns_{0};  // of the viewer's newest sign of life
-  std::mutex mutex_;                 // guards what follows; held for moments only
+  std::atomic<HostNs> motors_off_ns_{0};
+  std::mutex mutex_;  // guards what follows; held for moments only
   course::Robot robot_;
   server::Wheel wheel_;
   std::string said_;
@@ -65,6 +72,8 @@ class WheelsUpCheck : public doctor::Operator {
   unsigned question_number_ = 0;
   std::optional<std::string> answer_{};
   std::string result_;    // JSON; empty: not ended
+  std::string end_;       // as take_end() says
+  bool lost_ = false;     // its viewer
   record::Worker check_;  // declared last: its jobs use the others
 };
 

@@ -128,6 +128,10 @@ class Controls {
   virtual std::string wheels_up_watch(const WheelsUpWatch& watch, HostNs now,
                                       std::string& json) = 0;
 
+  /// Host time at which a check of the tracks, which has the port, last switched the motors off,
+  /// acknowledged by the robot; 0: never.
+  virtual HostNs motors_off_ns() = 0;
+
   // Figures known outside the server; cheap enough to be polled.
   virtual messages::LoopFigures loop() = 0;
   virtual messages::PortFigures port() = 0;

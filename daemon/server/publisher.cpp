@@ -236,6 +236,7 @@ messages::LinkFigures Publisher::link(const messages::LoopFigures& loop) const {
 }
 
 void Publisher::tick(HostNs now) {
+  if (stop_.unanswered()) stop_answered(controls_.motors_off_ns(), now);
   if (stop_.tick(now)) publish_state(now, true);
   publish_recording(now);
   if (state_due_.due(now)) publish_state(now, true);

@@ -111,6 +111,15 @@ class WheelsUpFromThePage : public testing::Test {
   }
   /// What the robot said since the check began.
   std::string said() { return robot_->output().substr(begun_); }
+  /// Why the motors are off, as the robot says; empty: they run.
+  std::string last_cause() {
+    if (robot_ == nullptr) return {};
+    const std::string all = robot_->output();
+    const std::size_t off = all.rfind("motors off: "), on = all.rfind("motors on");
+    if (off == std::string::npos || (on != std::string::npos && on > off)) return {};
+    const std::size_t begin = off + std::strlen("motors off: ");
+    return all.substr(begin, all.find_first_of(";\n", begin) - begin);
+  }
   /// Watches until a track runs.
   void run_tracks() {
     ASSERT_TRUE(eventually([&] {
@@ -189,15 +198,20 @@ TEST_F(WheelsUpFromThePage, NothingElseBeginsMeanwhile) {
   watched();
 }
 
-TEST_F(WheelsUpFromThePage, StopOfAnyViewerStopsTheTracks) {
+TEST_F(WheelsUpFromThePage, StopOfAnyViewerStopsTheTracksAndIsAcknowledged) {
   start();
-  const json result = checked([&] {
-    run_tracks();
-    Caller(page_).call(Service::kStop, json::object());
-    return watched();
-  });
+  json result, stop;
+  // On a busy machine the answer may come too late.
+  for (int tries = 0; tries < 5 && stop.value("acknowledged", false) == false; ++tries) {
+    result = checked([&] {
+      run_tracks();
+      stop = Caller(page_).call(Service::kStop, json::object());
+      return watched();
+    });
+  }
   EXPECT_THAT(line(result, "wheels-up"), HasSubstr("error: stopped before its end"));
   EXPECT_THAT(said(), HasSubstr("motors off: disarm"));
+  EXPECT_TRUE(stop["acknowledged"]) << stop << "; the robot has stopped, whoever has its port";
 }
 
 TEST_F(WheelsUpFromThePage, TracksStandStillWhenNobodyWatches) {
@@ -213,19 +227,34 @@ TEST_F(WheelsUpFromThePage, TracksStandStillWhenNobodyWatches) {
 
 TEST_F(WheelsUpFromThePage, TheLossOfItsViewerStopsTheTracks) {
   start();
-  begin();
-  run_tracks();
-  caller_.reset();
-  ASSERT_TRUE(robot_->wait_for("motors off")) << robot_->output();
+  const std::string lost = "the check of the tracks has ended: its viewer is gone";
+  // On a busy machine the check may end for another reason before.
+  for (int tries = 0; tries < 5 && daemon_->output().find(lost) == std::string::npos; ++tries) {
+    const std::size_t before = daemon_->output().size();
+    begin();
+    run_tracks();
+    caller_.reset();
+    ASSERT_TRUE(eventually([&] {
+      return daemon_->output().find("the check of the tracks has ended: ", before) !=
+             std::string::npos;
+    })) << daemon_->output();
+    caller_ = std::make_unique<Caller>(page_);
+  }
+  EXPECT_THAT(daemon_->output(), HasSubstr(lost));
+  EXPECT_EQ(last_cause(), "disarm") << robot_->output();
 }
 
 TEST_F(WheelsUpFromThePage, TheEndOfTheDaemonStopsTheTracks) {
-  start();
-  begin();
-  run_tracks();
-  daemon_->signal(SIGTERM);
-  daemon_->wait();
-  ASSERT_TRUE(robot_->wait_for("motors off")) << robot_->output();
+  // On a busy machine the firmware may be faster.
+  for (int tries = 0; tries < 5 && last_cause() != "disarm"; ++tries) {
+    start();
+    begin();
+    run_tracks();
+    daemon_->signal(SIGTERM);
+    daemon_->wait();
+    ASSERT_TRUE(eventually([&] { return !last_cause().empty(); })) << robot_->output();
+  }
+  EXPECT_EQ(last_cause(), "disarm") << robot_->output();
 }
 
 TEST_F(WheelsUpFromThePage, AKilledDaemonLeavesTheTracksToTheFirmware) {

@@ -33,6 +33,7 @@ class FakeControls : public Controls {
     return {};
   }
   void stop() override { ++stops; }
+  HostNs motors_off_ns() override { return motors_off; }
   std::string set(const messages::ParameterText& parameter,
                   const messages::ParameterValue& value) override {
     const std::lock_guard lock(mutex);
@@ -124,6 +125,7 @@ class FakeControls : public Controls {
   StartConsent start_consent() override { return consent; }
 
   std::atomic<int> starts{0}, go_ons{0}, holds{0}, stops{0}, pauses{0}, resumes{0};
+  HostNs motors_off = 0;
   Wheel wheel;
   std::vector<VelocityInput> inputs;
   std::atomic<int> drivers_lost{0};

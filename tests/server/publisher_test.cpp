@@ -194,6 +194,19 @@ TEST_F(PublisherTest, EventsBecomeLogLines) {
   EXPECT_EQ(hear(messages::Channel::kLog).at(0)["message"], "state: idle -> arming");
 }
 
+TEST_F(PublisherTest, ACheckThatHasThePortAcknowledgesAStop) {
+  run(1.0, messages::Channel::kState);
+  const HostNs pressed_ns = record_.now_ns;
+  controls_.motors_off = pressed_ns - 1;
+  publisher_.stop_pressed("viewer 1", pressed_ns);
+  EXPECT_EQ(run(0.1, messages::Channel::kState).back()["stop"]["status"], "pending")
+      << "the motors were off before the STOP: they may run again";
+  controls_.motors_off = pressed_ns + 30 * kNsPerMs;
+  const Json stop = run(0.1, messages::Channel::kState).back()["stop"];
+  EXPECT_EQ(stop["status"], "acknowledged");
+  EXPECT_EQ(stop["acknowledged_ms"], 30.0);
+}
+
 TEST_F(PublisherTest, AnImageHasTheTimeAtWhichItWasTaken) {
   const HostNs at = 3 * kNsPerS;
   publisher_.take_image(at, "\xff\xd8 image");

@@ -10,6 +10,7 @@ export class FoundRobot {
   private readonly name = h('input', { type: 'text', id: 'identify-name', maxlength: '64', 'aria-label': 'Name of the new robot file' });
   private readonly save = h('button', { type: 'button', class: 'control', id: 'identify-save' }, 'Save');
   private readonly use = h('button', { type: 'button', class: 'control', id: 'identify-use', hidden: '' }, 'Use it for the next run');
+  private readonly always = h('button', { type: 'button', class: 'control', id: 'identify-always', hidden: '' }, 'Use it at every start');
   private readonly kept = h('p', { class: 'identify-kept' });
   private text = '';
   private saved = '';
@@ -23,13 +24,14 @@ export class FoundRobot {
     this.name.addEventListener('input', () => { this.named(); });
     this.save.addEventListener('click', () => void this.write());
     this.use.addEventListener('click', () => void this.choose());
+    this.always.addEventListener('click', () => void this.configure());
   }
 
   enable(may: boolean): void {
     this.may = may;
     const taken = this.robot();
     this.save.disabled = !may || nameOf(this.name.value) !== this.name.value || this.name.value === '' || (taken !== undefined && taken.from !== 'own');
-    this.use.disabled = !may;
+    this.use.disabled = this.always.disabled = !may;
   }
 
   show({ found, text }: Identified, setup: SetupList): void {
@@ -44,11 +46,11 @@ export class FoundRobot {
       h('p', { class: 'identify-errors' }, errors('Errors with the file in use', found.errors_before)),
       h('p', { class: 'identify-errors' }, errors('Errors with the new file', found.errors_after)),
       h('ul', { class: 'identify-warnings' }, ...found.warnings.map((line) => h('li', {}, line))),
-      h('div', { class: 'identify-buttons' }, h('label', {}, 'save as ', this.name, ' .toml '), this.save, this.use),
+      h('div', { class: 'identify-buttons' }, h('label', {}, 'save as ', this.name, ' .toml '), this.save, this.use, this.always),
       this.kept,
     );
     this.element.hidden = false;
-    this.use.hidden = true;
+    this.use.hidden = this.always.hidden = true;
     this.named();
   }
 
@@ -69,8 +71,8 @@ export class FoundRobot {
     try {
       await this.call('file_save', { kind: 'robot', name, text: this.text, replace: this.robot() !== undefined });
       this.saved = name;
-      this.use.hidden = false;
-      this.say(`${name}.toml is saved.`);
+      this.use.hidden = this.always.hidden = false;
+      this.say(`${name}.toml is saved. Nothing uses it yet: the robot in force stays, now and when tp100d is started again, until you choose.`);
     } catch (error: unknown) {
       this.say(reason(error), true);
     }
@@ -79,7 +81,18 @@ export class FoundRobot {
   private async choose(): Promise<void> {
     try {
       await this.call('choose', { robot: this.saved });
-      this.say(`${this.saved} is in use from now on.`);
+      this.say(`${this.saved} is in use until tp100d ends.`);
+    } catch (error: unknown) {
+      this.say(reason(error), true);
+    }
+  }
+
+  /** Now, and in the configuration file for the next start. */
+  private async configure(): Promise<void> {
+    try {
+      await this.call('choose', { robot: this.saved });
+      const { file } = (await this.call('parameters_save', { robot: this.saved })) as { file: string };
+      this.say(`${this.saved} is in use, and from ${file} at every start; an option --robot would have priority.`);
     } catch (error: unknown) {
       this.say(reason(error), true);
     }

@@ -123,8 +123,14 @@ describe.each(kScreens)('the identification at $width x $height', (size) => {
     expect(await readFile(saved, 'utf8')).toContain('From identify on');
     expect(existsSync(`${saved}.bak`)).toBe(false);
     await page.click('#identify-use');
-    await said(page, /mine is in use/);
+    await said(page, /mine is in use until tp100d ends/);
     await until(() => bus.last('/state')?.robot === 'mine', 'the daemon uses it');
+
+    const configuration = join(setting.pair.folder, 'tp100.toml');
+    expect(await readFile(configuration, 'utf8')).not.toContain('robot = "mine"');
+    await page.click('#identify-always');
+    await said(page, /mine is in use, and from tp100.toml at every start/);
+    expect(await readFile(configuration, 'utf8')).toContain('robot = "mine"');
     bus.close();
   });
 });
