@@ -7,11 +7,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace tp100 {
 
@@ -41,7 +41,7 @@ class UdpReceiver {
   std::string wait(int patience_ms = 20'000) {
     pollfd poll{socket_, POLLIN, 0};
     if (::poll(&poll, 1, patience_ms) <= 0) return {};
-    std::array<char, 4096> buffer;
+    std::vector<char> buffer(65536);
     const ssize_t n = ::recv(socket_, buffer.data(), buffer.size(), 0);
     return n < 0 ? std::string() : std::string(buffer.data(), static_cast<std::size_t>(n));
   }

@@ -204,7 +204,7 @@ TEST_F(PublisherTest, ACheckThatHasThePortAcknowledgesAStop) {
   controls_.motors_off = pressed_ns + 30 * kNsPerMs;
   const Json stop = run(0.1, messages::Channel::kState).back()["stop"];
   EXPECT_EQ(stop["status"], "acknowledged");
-  EXPECT_EQ(stop["acknowledged_ms"], 30.0);
+  EXPECT_DOUBLE_EQ(stop["acknowledged_ms"].get<double>(), 30.0);
 }
 
 TEST_F(PublisherTest, AnImageHasTheTimeAtWhichItWasTaken) {
