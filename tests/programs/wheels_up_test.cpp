@@ -200,7 +200,7 @@ TEST_F(WheelsUpFromThePage, NothingElseBeginsMeanwhile) {
 
 TEST_F(WheelsUpFromThePage, StopOfAnyViewerStopsTheTracksAndIsAcknowledged) {
   start();
-  json result, stop;
+  json result, stop = json::object();
   // On a busy machine the answer may come too late.
   for (int tries = 0; tries < 5 && stop.value("acknowledged", false) == false; ++tries) {
     result = checked([&] {
