@@ -528,7 +528,8 @@ class Unplugging : public Run {
   static constexpr bool kWeighed = true;
 #endif
   static constexpr long kGrowthKib = 4096;
-  static constexpr int kSettled = 10;
+  // Until then histories and pools still fill.
+  static constexpr int kSettled = 25;
   static constexpr double kMaxMps2 = 0.15, kMaxRadps = 1.5;
 
   void plug_in() {
