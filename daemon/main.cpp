@@ -177,6 +177,15 @@ void add_identify(CLI::App& app, Action& action) {
   command->add_flag("--drive", options.drive,
                     "Drive the calibration courses on a port first, instead of RUN; without a "
                     "camera it asks for what was measured");
+  command->add_flag("--auto", options.by_itself,
+                    "--drive chooses its manoeuvres by what narrows the intervals most, until all "
+                    "are narrow enough; prints the seconds of driving");
+  command
+      ->add_option("--narrow", options.guided.narrow,
+                   "Goal of --auto: half intervals in parts of an error that is harmless")
+      ->check(CLI::Range(0.05, 10.0))
+      ->type_name("PARTS")
+      ->capture_default_str();
   command->add_option("--port", options.guided.run.port, "Serial port of --drive (default: auto)")
       ->type_name("DEVICE");
   command
@@ -188,7 +197,8 @@ void add_identify(CLI::App& app, Action& action) {
   command
       ->add_option("--course", options.guided.courses,
                    "Courses of --drive: names in config/courses or files (default: those that "
-                   "calibrate a robot of this size)")
+                   "calibrate a robot of this size); with --auto the one whose fence holds the "
+                   "manoeuvres (default: 1-straight)")
       ->type_name("COURSE");
   command->add_option("--repeats", options.guided.repeats, "How often --drive does each drive")
       ->check(CLI::Range(1, 100))

@@ -212,6 +212,20 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   calibrate_app->add_option("--out", calibrate.out, "Folder for the recordings (CSV)")
       ->type_name("FOLDER");
+  calibrate_app->add_flag("--auto", calibrate.by_itself,
+                          "The robot chooses its manoeuvres by what narrows the intervals most; "
+                          "prints the seconds of driving that it took");
+  calibrate_app
+      ->add_option("--course", calibrate.area, "With --auto: course whose fence holds them")
+      ->type_name("COURSE")
+      ->capture_default_str();
+  calibrate_app
+      ->add_option("--sampled", calibrate.sampled,
+                   "With --auto: so many robots of the ranges in sim/study/sampled.h, too, and "
+                   "without --robot all bundled ones")
+      ->check(CLI::Range(0, 10000))
+      ->type_name("NUMBER")
+      ->capture_default_str();
   calibrate_app->add_flag("--json", calibrate.json, "One JSON object a line instead of tables");
 
   DemoCommand demo;

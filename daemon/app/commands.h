@@ -10,6 +10,7 @@
 #include "core/pose.h"
 #include "course/robot.h"
 #include "identify/drive.h"
+#include "identify/next_manoeuvre.h"
 #include "link/port_discovery.h"
 #include "messages/sink.h"
 #include "model/track_model.h"
@@ -96,11 +97,15 @@ struct GuidedOptions {
   std::vector<std::string> courses;  ///< bundled names or files; empty: calibration_courses
   int repeats = 2;                   ///< of each drive
   std::string folder;  ///< for the recordings, one CSV file per drive; created if absent
+  double narrow = identify::AutoSettings{}.narrow;  ///< of drive_by_itself
 };
+/// The course whose fence holds the manoeuvres if none is given.
+inline constexpr const char* kAutoArea = "1-straight";
 
 struct GuidedDrives {
   std::vector<identify::RecordedDrive> drives;
   bool completed = false;  ///< all of them; else only the drives before the one that failed
+  std::optional<identify::AutoProgress> progress{};  ///< of drive_by_itself
 };
 
 /// Drives all courses. On a physical port each drive waits for Enter (unless `go`). Where no camera
@@ -108,6 +113,13 @@ struct GuidedDrives {
 /// drive that is not completed ends the calibration; earlier ones stay in the folder. Throws
 /// SetupError.
 GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot);
+
+/// The same with manoeuvres that it chooses (identify/next_manoeuvre.h), inside the fence of the
+/// only course of `options`. With a camera each begins where the last one ended; without one the
+/// robot is put back to the start each time and its end asked for. Courses and the robot file as
+/// known so far are kept in the folder, too.
+GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& robot,
+                             const config::Configuration& configuration);
 
 // `tp100d identify`: identifies a robot's parameters from recorded drives and writes a robot file.
 
@@ -120,13 +132,14 @@ struct IdentifyOptions {
                        ///< defaults
   std::string date;    ///< date of the runs for the file; empty: today
   bool drive = false;  ///< drive the calibration courses first
-  bool json = false;   ///< print JSON
+  bool by_itself = false;   ///< it chooses what to drive instead
+  bool json = false;        ///< print JSON
   bool background = false;  ///< see become_background()
   GuidedOptions guided{};   ///< options of the drives; robot and configuration are taken from above
 };
 
 /// The command. Prints the report; writes a file only if everything succeeded. Exit status, 1 if a
-/// drive was not completed; throws SetupError.
+/// drive was not completed or, of `by_itself`, an interval stayed too wide; throws SetupError.
 int run_identify(const IdentifyOptions& options);
 
 // `tp100d replay`: runs track speeds of a CSV file through the model, or a recording through the

@@ -19,6 +19,7 @@
 #include "course/course.h"
 #include "identify/drive_file.h"
 #include "identify/identify_report.h"
+#include "identify/next_manoeuvre.h"
 #include "text/atomic_file.h"
 #include "text/format.h"
 #include "text/toml_document.h"
@@ -46,11 +47,23 @@ std::optional<double> ask(const std::string& question) {
   }
 }
 
+std::optional<double> ask_for_turn() {
+  const auto turned_deg = ask("  turned angle, left positive, whole turns counted [deg]:");
+  if (!turned_deg) return std::nullopt;
+  return *turned_deg * kRadPerDeg;
+}
+
 void ask_for(identify::HandMeasured& measured) {
   std::printf("No camera saw this drive. Measure it; an empty line leaves a value out.\n");
   measured.distance_m = ask("  distance from start to end, straight through the air [m]:");
-  const auto turned_deg = ask("  turned angle, left positive, whole turns counted [deg]:");
-  if (turned_deg) measured.turned_rad = *turned_deg * kRadPerDeg;
+  measured.turned_rad = ask_for_turn();
+}
+
+void ask_for_end(identify::HandMeasured& measured) {
+  std::printf("Measure where it ended, from its start; an empty line leaves a value out.\n");
+  measured.ahead_m = ask("  ahead, along its direction at the start [m]:");
+  measured.left_m = ask("  to the left of that direction [m]:");
+  measured.turned_rad = ask_for_turn();
 }
 
 std::string space_for(const course::Course& course) {
@@ -139,7 +152,13 @@ std::vector<identify::RecordedDrive> recorded(const IdentifyOptions& options, Ba
   return drives;
 }
 
-GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot) {
+/// Empty where no camera is expected.
+std::string camera_of(const RunOptions& run, const config::Configuration& configuration) {
+  return run.camera.empty() ? configuration.camera.listen : run.camera;
+}
+
+GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot,
+                    const config::Configuration& configuration) {
   if (!options.runs.empty() || !options.measured.empty())
     throw SetupError("identify: --drive makes its own runs; leave out RUN and --measured");
   GuidedOptions guided = options.guided;
@@ -147,7 +166,8 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot) 
   guided.run.robot = options.robot;
   if (guided.folder.empty())
     guided.folder = std::filesystem::path(options.out).replace_extension().string() + "-runs";
-  GuidedDrives result = drive_guided(guided, robot);
+  GuidedDrives result = options.by_itself ? drive_by_itself(guided, robot, configuration)
+                                          : drive_guided(guided, robot);
   std::printf("%s in %s\n", text::counted(result.drives.size(), "recording").c_str(),
               guided.folder.c_str());
   if (!result.completed)
@@ -157,12 +177,38 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot) 
 
 }  // namespace
 
-GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot) {
+namespace {
+
+void make_folder(const std::string& folder) {
   std::error_code error;
-  std::filesystem::create_directories(options.folder, error);
+  std::filesystem::create_directories(folder, error);
   if (error)
-    throw SetupError(options.folder + ": cannot create the folder (" + error.message() +
+    throw SetupError(folder + ": cannot create the folder (" + error.message() +
                      "); give another --runs-dir");
+}
+
+/// One drive; `course` as for RunOptions. Nothing: it was not completed.
+std::optional<identify::RecordedDrive> drive_once(RunOptions run, const std::string& course,
+                                                  bool ran_before) {
+  identify::DriveSink sink;
+  run.course = course;
+  run.ran_before = ran_before;
+  run.sinks.push_back(&sink);
+  if (run_run(run) != 0) return std::nullopt;
+  return sink.drive();
+}
+
+void keep(const std::string& folder, const std::vector<identify::RecordedDrive>& drives) {
+  text::write_file(folder + "/" + drives.back().name + "-samples.csv",
+                   identify::write_drive(drives.back()));
+  const std::string measured = identify::write_measured(drives);
+  if (!measured.empty()) text::write_file(folder + "/measured.csv", measured);
+}
+
+}  // namespace
+
+GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot) {
+  make_folder(options.folder);
   const std::vector<std::string> courses =
       options.courses.empty() ? identify::calibration_courses(robot.shape) : options.courses;
   const std::size_t all = courses.size() * static_cast<std::size_t>(options.repeats);
@@ -174,23 +220,66 @@ GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& rob
       std::printf("drive %zu of %zu: %s; it needs %s of its start\n", result.drives.size() + 1, all,
                   course.name.c_str(), space_for(course).c_str());
       std::fflush(stdout);
-      identify::DriveSink sink;
-      RunOptions run = options.run;
-      run.course = name;
-      run.ran_before = !result.drives.empty();
-      run.sinks.push_back(&sink);
-      if (run_run(run) != 0) return result;
-      identify::RecordedDrive drive = sink.drive();
+      auto drive = drive_once(options.run, name, !result.drives.empty());
+      if (!drive) return result;
       // In the order of the folder's listing, which numbers the runs for hand measurements.
       const std::size_t number = result.drives.size() + 1;
-      drive.name = (number < 10 ? "0" : "") + std::to_string(number) + "-" + course.name;
-      if (drive.camera.empty()) ask_for(drive.measured);
-      text::write_file(options.folder + "/" + drive.name + "-samples.csv",
-                       identify::write_drive(drive));
-      result.drives.push_back(std::move(drive));
-      const std::string measured = identify::write_measured(result.drives);
-      if (!measured.empty()) text::write_file(options.folder + "/measured.csv", measured);
+      drive->name = (number < 10 ? "0" : "") + std::to_string(number) + "-" + course.name;
+      if (drive->camera.empty()) ask_for(drive->measured);
+      result.drives.push_back(std::move(*drive));
+      keep(options.folder, result.drives);
     }
+  }
+  result.completed = true;
+  return result;
+}
+
+GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& robot,
+                             const config::Configuration& configuration) {
+  if (options.courses.size() > 1)
+    throw SetupError("identify --auto: more than one --course; give the one whose fence it is");
+  make_folder(options.folder);
+  const course::TextFile area = course::read_bundled(
+      course::Bundled::kCourses, options.courses.empty() ? kAutoArea : options.courses.front());
+  identify::AutoSettings settings;
+  settings.camera = !camera_of(options.run, configuration).empty();
+  settings.narrow = options.narrow;
+  identify::NextManoeuvre next(
+      identify::prior_of(robot, configuration.parameters.model.turning_threshold_radps), area,
+      settings);
+  RunOptions run = options.run;
+  // As it is known so far, so that it keeps to its paths better and better.
+  run.robot = options.folder + "/robot.toml";
+  course::Robot so_far = robot;
+  GuidedDrives result;
+  result.progress = next.progress();
+  while (const auto manoeuvre = next.choose()) {
+    const course::TextFile file = next.course_of(*manoeuvre);
+    const std::string path = options.folder + "/" + file.path;
+    text::write_file(path, file.text);
+    text::write_file(run.robot, course::write_robot(so_far, {}));
+    const Pose& start = manoeuvre->start;
+    std::printf("%s, from (%.2f, %.2f) m, %.0f deg%s\n", manoeuvre->name.c_str(), start.x_m,
+                start.y_m, start.yaw_rad * kDegPerRad,
+                settings.camera && !result.drives.empty() ? "" : ": put the robot there");
+    std::fflush(stdout);
+    auto drive = drive_once(run, path, !result.drives.empty());
+    if (!drive) return result;
+    drive->name = manoeuvre->name;
+    if (!settings.camera) {
+      ask_for_end(drive->measured);
+    } else if (drive->camera.empty()) {
+      throw SetupError("identify --auto: the camera saw nothing of " + manoeuvre->name +
+                       "; start tp100-camera with --to this machine, or give no --camera and "
+                       "measure by hand");
+    }
+    next.take(std::move(*drive));
+    so_far.model = next.tracks();
+    result.drives = next.drives();
+    keep(options.folder, result.drives);
+    result.progress = next.progress();
+    std::printf("%s\n", identify::progress_line(*result.progress).c_str());
+    std::fflush(stdout);
   }
   result.completed = true;
   return result;
@@ -200,11 +289,16 @@ int run_identify(const IdentifyOptions& options) {
   if (options.background) become_background();
   if (!options.drive && options.runs.empty())
     throw SetupError("identify: give recordings (RUN...), or --drive to make them");
+  if (options.by_itself && !options.drive)
+    throw SetupError("identify: --auto chooses what to drive; give --drive with it");
   Base assumed(options);
   std::vector<identify::RecordedDrive> drives;
+  std::optional<identify::AutoProgress> progress;
   if (options.drive) {
     const course::TextFile& file = assumed.assumed().robot;
-    GuidedDrives guided = driven(options, course::parse_robot(file.text, file.path));
+    GuidedDrives guided =
+        driven(options, course::parse_robot(file.text, file.path), assumed.assumed().configuration);
+    progress = guided.progress;
     if (!guided.completed) return 1;
     drives = std::move(guided.drives);
   } else {
@@ -224,13 +318,14 @@ int run_identify(const IdentifyOptions& options) {
   // Rejects impossible values here, by name and range.
   course::parse_robot(text, options.out);
   if (options.json) {
-    std::printf("%s\n", identify::identify_json(found, base, robot).c_str());
+    std::printf("%s\n", identify::identify_json(found, base, robot, progress).c_str());
   } else {
     std::printf("%s", identify::identify_report(found, base).c_str());
+    if (progress) std::printf("%s\n", identify::end_line(*progress).c_str());
   }
   text::write_file(options.out, text);
   if (!options.json) std::printf("written to %s\n", options.out.c_str());
-  return 0;
+  return progress && !progress->narrow ? 1 : 0;
 }
 
 }  // namespace tp100::app

@@ -14,37 +14,68 @@ namespace {
 /// The same number when it is read again.
 std::string exact(double value) { return text::format("%.17g", value); }
 
+std::string segment(const char* type, const std::string& values) {
+  return std::string("\n[[segment]]\ntype = \"") + type + "\"\n" + values;
+}
+std::string text_of(const Line& line) {
+  return segment("line", "length_m = " + exact(line.length_m) + "\n");
+}
+std::string text_of(const Arc& arc) {
+  return segment("arc", "radius_m = " + exact(arc.radius_m) +
+                            "\nangle_deg = " + exact(arc.angle_rad * kDegPerRad) + "\n");
+}
+std::string text_of(const Pivot& pivot) {
+  return segment("pivot", "angle_deg = " + exact(pivot.angle_rad * kDegPerRad) + "\n");
+}
+
+std::string text_of(const Pose& start, const std::vector<Segment>& path) {
+  std::string text = "\n[start]\nx_m = " + exact(start.x_m) + "\ny_m = " + exact(start.y_m) +
+                     "\nyaw_deg = " + exact(wrap_angle(start.yaw_rad) * kDegPerRad) + "\n";
+  for (const Segment& segment : path)
+    text += std::visit([](const auto& of) { return text_of(of); }, segment);
+  return text;
+}
+
+std::string without(const TextFile& course, std::vector<std::string_view> keys) {
+  if (course.text.empty())
+    throw SetupError("there is no course, and so no fence to drive within; choose a course first");
+  for (const char* key : {"description", "identifies", "start", "segment", "disturbance"})
+    keys.emplace_back(key);
+  return text::without_keys(course.text, course.path, keys);
+}
+
 }  // namespace
 
 TextFile course_to(const TextFile& course, const Goal& goal) {
-  if (course.text.empty())
-    throw SetupError("there is no course, and so no fence to drive within; choose a course first");
-  std::string path;
+  const std::string kept = without(course, {});
+  std::vector<Segment> path;
   double yaw_rad = goal.from.yaw_rad;
   const auto turn_to = [&](double wanted_rad) {
     const double angle_rad = wrap_angle(wanted_rad - yaw_rad);
-    const double angle_deg = angle_rad * kDegPerRad;
-    if (std::abs(angle_deg) < kSmallestTurnDeg) return;
-    path += "\n[[segment]]\ntype = \"pivot\"\nangle_deg = " + exact(angle_deg) + "\n";
+    if (std::abs(angle_rad * kDegPerRad) < kSmallestTurnDeg) return;
+    path.emplace_back(Pivot{angle_rad});
     yaw_rad += angle_rad;
   };
   const double x_m = goal.to.x_m - goal.from.x_m, y_m = goal.to.y_m - goal.from.y_m;
   const double length_m = magnitude(x_m, y_m);
   if (length_m >= kSmallestLengthM) {
     turn_to(std::atan2(y_m, x_m));
-    path += "\n[[segment]]\ntype = \"line\"\nlength_m = " + exact(length_m) + "\n";
+    path.emplace_back(Line{length_m});
   }
   turn_to(goal.to.yaw_rad);
   if (path.empty()) throw SetupError("the robot is there already");
-
-  const std::string kept = text::without_keys(
-      course.text, course.path, {"description", "identifies", "start", "segment", "disturbance"});
   return {std::string(kGoalCourse) + ".toml",
           text::format("description = \"to (%.3f, %.3f) m, %.1f deg\"\n", goal.to.x_m, goal.to.y_m,
                        goal.to.yaw_rad * kDegPerRad) +
-              kept + "\n[start]\nx_m = " + exact(goal.from.x_m) +
-              "\ny_m = " + exact(goal.from.y_m) +
-              "\nyaw_deg = " + exact(wrap_angle(goal.from.yaw_rad) * kDegPerRad) + "\n" + path};
+              kept + text_of(goal.from, path)};
+}
+
+TextFile course_along(const TextFile& course, const OtherPath& other) {
+  const std::string kept = without(course, {"speed_mps"});
+  return {other.name + ".toml", "description = \"" + text::one_line(other.description) +
+                                    "\"\nspeed_mps = " + exact(other.speed_mps) +
+                                    "\nidentifies = " + (other.identifies ? "true" : "false") +
+                                    "\n" + kept + text_of(other.start, other.path)};
 }
 
 }  // namespace tp100::course

@@ -1,8 +1,13 @@
 #pragma once
-// A course that leads straight to a goal, as a file that a person could have written. Pure.
+// A course with another start and path, as a file that a person could have written: straight to a
+// goal, or any. Pure.
+
+#include <string>
+#include <vector>
 
 #include "core/pose.h"
 #include "course/bundled_files.h"
+#include "course/course.h"
 
 namespace tp100::course {
 
@@ -21,5 +26,19 @@ inline constexpr const char* kGoalCourse = "goal";
 /// left out. Throws SetupError: no course and so no fence, the robot is there already, or `course`
 /// is not TOML.
 TextFile course_to(const TextFile& course, const Goal& goal);
+
+/// What replaces the rest of a course file.
+struct OtherPath {
+  std::string name;         ///< of the course
+  std::string description;  ///< one line
+  double speed_mps = 0.10;
+  bool identifies = false;
+  Pose start{};
+  std::vector<Segment> path;
+};
+
+/// The course file `course` with another path. Fence, keep-out areas and terrain stay; whether the
+/// path fits them is for parse_course(). Throws SetupError: no course, or it is not TOML.
+TextFile course_along(const TextFile& course, const OtherPath& other);
 
 }  // namespace tp100::course

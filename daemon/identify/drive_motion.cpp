@@ -26,6 +26,14 @@ DriveMotion::DriveMotion(const RecordedDrive& drive, double counts_per_metre) {
     ++resting;
   }
   moves_s_ = samples[std::min(resting, samples.size() - 1)].t_s;
+  std::size_t last = samples.size() - 1;
+  while (
+      last > 0 &&
+      std::abs(samples[last - 1].left_counts - samples.back().left_counts) <= kStandstillCounts &&
+      std::abs(samples[last - 1].right_counts - samples.back().right_counts) <= kStandstillCounts) {
+    --last;
+  }
+  stops_s_ = samples[last].t_s;
   double sum = 0.0;
   std::size_t quiet = 0;
   while (quiet < resting && samples[quiet].t_s < moves_s_ - kBeforeEdgeS)

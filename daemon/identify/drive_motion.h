@@ -26,6 +26,8 @@ class DriveMotion {
   double end_s() const { return times_s_.back(); }
   /// Time of the tracks' first motion.
   double moves_s() const { return moves_s_; }
+  /// Time of their last one.
+  double stops_s() const { return stops_s_; }
   /// True if the bias is known: the tracks stood still long enough before it.
   bool has_bias() const { return has_bias_; }
   double left_m() const { return left_m_; }  ///< travel of the left track, forward minus backward
@@ -44,7 +46,7 @@ class DriveMotion {
   std::vector<double> times_s_;
   std::vector<Interval> intervals_;
   std::vector<double> gyro_rad_;  // at the samples
-  double moves_s_ = 0.0;
+  double moves_s_ = 0.0, stops_s_ = 0.0;
   double left_m_ = 0.0, right_m_ = 0.0;
   bool has_bias_ = false;
 };

@@ -33,28 +33,39 @@ double first_wheelbase(const std::vector<FittedRun>& runs, const Prior& base) {
   return std::clamp(products / squares, 0.05, 2.0);
 }
 
-/// Fits the requested and observable parameters; those that the runs do not show stay as assumed.
-Fit best_fit(const std::vector<FittedRun>& runs, const Prior& base, const model::ModelForm& form,
-             const IdentifySettings& settings) {
-  const Values prior{.tracks = form.only(base.tracks)};
+Free all_free(const std::vector<FittedRun>& runs, const model::ModelForm& form) {
   Free free{};
   std::ranges::copy(form.fitted, free.begin());
   // Of the sensor: no form depends on it unless the gyro gives its yaw.
   free[model::row_of(&TrackParameters::gyro_scale)] = true;
   free[kDelay] =
       std::ranges::any_of(runs, [](const FittedRun& run) { return !run.images.empty(); });
+  return free;
+}
+
+ModelFit fit_of(const std::vector<FittedRun>& runs, const Prior& base, const model::ModelForm& form,
+                const Free& free, const IdentifySettings& settings) {
+  const Values prior{.tracks = form.only(base.tracks)};
+  Values start = prior;
+  if (free[model::row_of(&TrackParameters::wheelbase_m)])
+    start.tracks.wheelbase_m = first_wheelbase(runs, base);
+  for (std::size_t i = 0; i < kTrackParameters.size(); ++i)
+    if (free[i] && kTrackParameters[i].relative_to != nullptr)
+      start[i] = start.tracks.*kTrackParameters[i].relative_to;
+  ModelFit fit(form, runs, start, prior, free, settings);
+  if (!runs.empty()) fit.solve();
+  return fit;
+}
+
+/// Fits the requested and observable parameters; those that the runs do not show stay as assumed.
+Fit best_fit(const std::vector<FittedRun>& runs, const Prior& base, const model::ModelForm& form,
+             const IdentifySettings& settings) {
+  Free free = all_free(runs, form);
   // Which parameters these drives cannot separate depends on the drives, not on the parameters
   // dropped for it: it is judged by the fit with all of them.
   std::optional<Fit> with_all;
   while (true) {
-    Values start = prior;
-    if (free[model::row_of(&TrackParameters::wheelbase_m)])
-      start.tracks.wheelbase_m = first_wheelbase(runs, base);
-    for (std::size_t i = 0; i < kTrackParameters.size(); ++i)
-      if (free[i] && kTrackParameters[i].relative_to != nullptr)
-        start[i] = start.tracks.*kTrackParameters[i].relative_to;
-    ModelFit model_fit(form, runs, start, prior, free, settings);
-    model_fit.solve();
+    const ModelFit model_fit = fit_of(runs, base, form, free, settings);
     const auto left = model_fit.uncertainty_left();
     const auto worst = std::max_element(left.begin(), left.end());
     Fit fit = model_fit.fit();
@@ -93,20 +104,28 @@ std::optional<Fit> baseline_fit(const std::vector<FittedRun>& runs, const Prior&
 
 }  // namespace
 
+FittedRun fitted_run(const RecordedDrive& drive, const Prior& base) {
+  const HandMeasured& m = drive.measured;
+  const bool measured = m.distance_m || m.ahead_m || m.left_m || m.turned_rad;
+  FittedRun run(drive, base.counts_per_metre, base.tracks.gyro_scale);
+  if (run.images.empty() && !measured)
+    throw SetupError(drive.name +
+                     ": neither camera poses nor hand measurements; give --measured FILE");
+  if (run.motion.moves_s() >= run.motion.end_s())
+    throw SetupError(drive.name + ": the robot does not move; leave this run out");
+  return run;
+}
+
+ModelFit fit_of_all(const std::vector<FittedRun>& runs, const Prior& base,
+                    const IdentifySettings& settings) {
+  return fit_of(runs, base, model::kExtendedForm, all_free(runs, model::kExtendedForm), settings);
+}
+
 Identification identify(const std::vector<RecordedDrive>& drives, const Prior& base,
                         const IdentifySettings& settings) {
   if (drives.empty()) throw SetupError("identify: no runs; give at least one recording");
   std::vector<FittedRun> runs;
-  for (const RecordedDrive& drive : drives) {
-    const HandMeasured& m = drive.measured;
-    const bool measured = m.distance_m || m.ahead_m || m.left_m || m.turned_rad;
-    FittedRun& run = runs.emplace_back(drive, base.counts_per_metre, base.tracks.gyro_scale);
-    if (run.images.empty() && !measured)
-      throw SetupError(drive.name +
-                       ": neither camera poses nor hand measurements; give --measured FILE");
-    if (run.motion.moves_s() >= run.motion.end_s())
-      throw SetupError(drive.name + ": the robot does not move; leave this run out");
-  }
+  for (const RecordedDrive& drive : drives) runs.push_back(fitted_run(drive, base));
 
   Identification found;
   found.extended = best_fit(runs, base, model::kExtendedForm, settings);

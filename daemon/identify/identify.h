@@ -43,6 +43,15 @@ struct Identification {
 Identification identify(const std::vector<RecordedDrive>& drives, const Prior& base,
                         const IdentifySettings& settings = {});
 
+/// A drive as a run of a fit. Throws SetupError: it has neither camera poses nor hand measurements,
+/// or the robot does not move.
+FittedRun fitted_run(const RecordedDrive& drive, const Prior& base);
+
+/// The fit of `extended` with every parameter free: what the runs do not show stays near what is
+/// assumed, with an interval as wide. Without runs that is all of them.
+ModelFit fit_of_all(const std::vector<FittedRun>& runs, const Prior& base,
+                    const IdentifySettings& settings);
+
 // Which courses calibrate a robot.
 
 /// Bundled courses in driving order: straight, arcs and turns on the spot, both directions. The

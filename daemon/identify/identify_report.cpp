@@ -126,7 +126,7 @@ std::string identify_report(const Identification& found, const course::Robot& ba
 }
 
 std::string identify_json(const Identification& found, const course::Robot& base,
-                          const course::Robot& robot) {
+                          const course::Robot& robot, const std::optional<AutoProgress>& driven) {
   std::string text;
   text::JsonWriter json(text);
   json.begin_object().field("robot", base.name).key("parameters").begin_array();
@@ -145,6 +145,11 @@ std::string identify_json(const Identification& found, const course::Robot& base
   json.end_array();
   write_errors(json, "errors_before", found.before);
   write_errors(json, "errors_after", found.extended);
+  if (driven) {
+    json.key("driven").begin_object();
+    json.field("manoeuvres", driven->manoeuvres).field("driving_s", driven->driving_s);
+    json.field("narrow", driven->narrow).end_object();
+  }
   json.field("condition", found.extended.condition).key("warnings").begin_array();
   for (const std::string& line : warnings(found.extended)) json.value(line);
   json.end_array().end_object();

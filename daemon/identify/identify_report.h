@@ -1,10 +1,12 @@
 #pragma once
 // The results of identify, for people and for a robot file.
 
+#include <optional>
 #include <string>
 
 #include "course/robot.h"
 #include "identify/identify.h"
+#include "identify/next_manoeuvre.h"
 
 namespace tp100::identify {
 
@@ -16,9 +18,10 @@ Prior prior_of(const course::Robot& robot, double turning_threshold_radps);
 std::string identify_report(const Identification& found, const course::Robot& base);
 
 /// The same as one JSON object on one line (REFERENCE.md, `identify --json`). `robot`: of
-/// identified_robot().
+/// identified_robot(). `driven`: of an identification that drove by itself.
 std::string identify_json(const Identification& found, const course::Robot& base,
-                          const course::Robot& robot);
+                          const course::Robot& robot,
+                          const std::optional<AutoProgress>& driven = std::nullopt);
 
 /// `base` with the identified values and, as comments, their origins. `date` is the day of the runs
 /// as printed; empty: none.

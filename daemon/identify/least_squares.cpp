@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/statistics.h"
 
@@ -14,9 +15,32 @@ namespace {
 constexpr double kTail = 0.025;
 constexpr double kNormalQuantile = 1.96;
 
+// Where the standard deviation between runs is looked for, in units.
+constexpr double kLeastBetween = 0.02, kMostBetween = 8.0, kBetweenStep = 1.15;
+constexpr double kHuber = 2.0;  // standard deviations
+
 double square(double value) { return value * value; }
 
 }  // namespace
+
+double huber_weight(double deviations) { return deviations <= kHuber ? 1.0 : kHuber / deviations; }
+double huber_cost(double deviations) {
+  return deviations <= kHuber ? deviations * deviations : kHuber * (2.0 * deviations - kHuber);
+}
+
+double samples_together(const std::vector<double>& residuals) {
+  const std::size_t n = residuals.size();
+  double squares = 0.0;
+  for (const double residual : residuals) squares += residual * residual;
+  double together = 1.0;
+  for (std::size_t lag = 1; lag < n / 2 && squares > 0.0; ++lag) {
+    double products = 0.0;
+    for (std::size_t i = lag; i < n; ++i) products += residuals[i] * residuals[i - lag];
+    if (products <= 0.0) break;
+    together += 2.0 * products / squares;
+  }
+  return together;
+}
 
 RunSums::RunSums(Eigen::Index shared, Eigen::Index own)
     : information_(Eigen::MatrixXd::Zero(shared, shared)),
@@ -48,9 +72,8 @@ Eigen::VectorXd RunSums::own_step(const Eigen::VectorXd& shared_step) const {
   return own_inverse_ * (own_score_ - cross_.transpose() * shared_step);
 }
 
-Summed::Summed(const std::vector<RunSums>& runs, const Eigen::MatrixXd& prior_information,
-               const Eigen::VectorXd& prior_score)
-    : runs_(runs), information_(prior_information), score_(prior_score) {
+Summed::Summed(const std::vector<RunSums>& runs, const PriorSums& prior)
+    : runs_(runs), information_(prior.information), score_(prior.score) {
   for (const RunSums& run : runs) {
     information_ += run.information();
     score_ += run.score();
@@ -95,6 +118,65 @@ double Summed::condition() const {
   // Of the Jacobian, not of its square.
   return std::sqrt(solver.eigenvalues().maxCoeff() /
                    std::max(solver.eigenvalues().minCoeff(), 1e-16));
+}
+
+namespace {
+
+/// With runs whose values differ from the common ones.
+struct Candidate {
+  Eigen::MatrixXd covariance;
+  double deviance;  // -2 log of the restricted likelihood, but for a constant
+};
+
+Candidate with_spread(const std::vector<RunSums>& runs, const PriorSums& prior,
+                      const Eigen::MatrixXd& spread) {
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(spread.rows(), spread.cols());
+  Eigen::MatrixXd information = prior.information;
+  Eigen::VectorXd score = prior.score;
+  double deviance = 0.0;
+  for (const RunSums& run : runs) {
+    const Eigen::PartialPivLU<Eigen::MatrixXd> scaled(identity + run.information() * spread);
+    const Eigen::VectorXd own = scaled.solve(run.score());
+    information += scaled.solve(run.information());
+    score += own;
+    deviance += std::log(std::abs(scaled.determinant())) - run.score().dot(spread * own);
+  }
+  const Eigen::PartialPivLU<Eigen::MatrixXd> all(information);
+  deviance += std::log(std::abs(all.determinant())) - score.dot(all.solve(score));
+  return {all.inverse(), deviance};
+}
+
+}  // namespace
+
+Intervals::Intervals(const std::vector<RunSums>& runs, const PriorSums& prior, Eigen::VectorXd unit)
+    : unit_(std::move(unit)) {
+  Candidate best = with_spread(runs, prior, spread(0.0));
+  for (double sd = kLeastBetween; runs.size() > 1 && sd < kMostBetween; sd *= kBetweenStep) {
+    Candidate other = with_spread(runs, prior, spread(sd));
+    if (other.deviance >= best.deviance) continue;
+    best = std::move(other);
+    between_ = sd;
+  }
+  covariance_ = std::move(best.covariance);
+}
+
+Eigen::MatrixXd Intervals::spread(double between) const {
+  return (between * unit_).array().square().matrix().asDiagonal();
+}
+
+Eigen::VectorXd Intervals::half() const {
+  return kNormalQuantile * (covariance_ + spread(between_)).diagonal().array().sqrt();
+}
+
+Eigen::VectorXd Intervals::narrowed_by(const RunSums& run) const {
+  const Eigen::MatrixXd identity =
+      Eigen::MatrixXd::Identity(covariance_.rows(), covariance_.cols());
+  const Eigen::MatrixXd of_runs = spread(between_);
+  const Eigen::MatrixXd information =
+      (identity + run.information() * of_runs).partialPivLu().solve(run.information());
+  const Eigen::MatrixXd after =
+      (identity + covariance_ * information).partialPivLu().solve(covariance_);
+  return ((covariance_ + of_runs).diagonal().array() / (after + of_runs).diagonal().array()).sqrt();
 }
 
 }  // namespace tp100::identify

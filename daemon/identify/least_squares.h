@@ -8,6 +8,13 @@
 
 namespace tp100::identify {
 
+/// Huber's weight and cost of a residual, in standard deviations.
+double huber_weight(double deviations);
+double huber_cost(double deviations);
+
+/// How many consecutive residuals are worth one: their correlation, summed up to its end.
+double samples_together(const std::vector<double>& residuals);
+
 /// Sums of one run: shared parameters first, own ones eliminated.
 class RunSums {
  public:
@@ -28,19 +35,25 @@ class RunSums {
   Eigen::VectorXd score_, own_score_;
 };
 
+/// What is known of the shared parameters without any run.
+struct PriorSums {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd score;
+};
+
 /// All runs combined: the shared parameters, with the prior's information.
 class Summed {
  public:
-  /// `prior_information` and `prior_score` of the same size as the runs'.
-  Summed(const std::vector<RunSums>& runs, const Eigen::MatrixXd& prior_information,
-         const Eigen::VectorXd& prior_score);
+  /// `runs` must outlive it.
+  Summed(const std::vector<RunSums>& runs, const PriorSums& prior);
 
   Eigen::VectorXd step(double damping) const;
   /// Covariance if every weight were the inverse of an independent variance.
   const Eigen::MatrixXd& covariance() const { return covariance_; }
-  /// Half widths of 95 % intervals, the wider of two: from the weights, and from the contradictions
-  /// between runs (clustered by run, each run's score scaled up as if it had been left out;
-  /// Student's t with as many degrees of freedom as runs that really inform the parameter).
+  /// Half widths of 95 % intervals of what very many runs would find together, the wider of two:
+  /// from the weights, and from the contradictions between runs (clustered by run, each run's score
+  /// scaled up as if it had been left out; Student's t with as many degrees of freedom as runs that
+  /// really inform the parameter). For many runs that are small by themselves; else Intervals.
   Eigen::VectorXd half_intervals() const;
   /// Condition of the information scaled to a unit diagonal.
   double condition() const;
@@ -49,6 +62,30 @@ class Summed {
   const std::vector<RunSums>& runs_;
   Eigen::MatrixXd information_, covariance_;
   Eigen::VectorXd score_;
+};
+
+/// How well the shared parameters are known. No model is exact: each run has values of its own,
+/// which differ from the common ones by more than noise. By how much, in units of a given error of
+/// each parameter, is estimated from the contradictions between the runs (a random effect of each
+/// run, by restricted maximum likelihood).
+class Intervals {
+ public:
+  /// `unit`: of each parameter; 0 if it is the same in every run.
+  Intervals(const std::vector<RunSums>& runs, const PriorSums& prior, Eigen::VectorXd unit);
+
+  /// Half widths of 95 % intervals, which hold what another run would find without noise.
+  Eigen::VectorXd half() const;
+  /// What these would be divided by with one more run.
+  Eigen::VectorXd narrowed_by(const RunSums& run) const;
+  /// Standard deviation of the runs' own values, in units.
+  double between_runs() const { return between_; }
+
+ private:
+  Eigen::MatrixXd spread(double between) const;
+
+  Eigen::VectorXd unit_;
+  double between_ = 0.0;
+  Eigen::MatrixXd covariance_;
 };
 
 }  // namespace tp100::identify

@@ -30,33 +30,12 @@ constexpr int kRounds = 60;
 constexpr int kRoundsBeforeRejecting = 4;
 constexpr int kAttempts = 12;
 constexpr double kConverged = 1e-5;  // of a useful accuracy
-constexpr double kHuber = 2.0;       // standard deviations
 constexpr double kReject = 6.0;
 constexpr double kNoDirectionM = 0.05;  // a shorter distance between start and end has no direction
 // Medians of a normal distribution's absolute value in two dimensions and in one.
 constexpr double kMedianOfTwo = 1.1774, kMedianOfOne = 0.6745;
 // Relative to the largest component of a confused direction: smaller ones are not named.
 constexpr double kPart = 0.25;
-
-double huber_weight(double deviations) { return deviations <= kHuber ? 1.0 : kHuber / deviations; }
-double huber_cost(double deviations) {
-  return deviations <= kHuber ? deviations * deviations : kHuber * (2.0 * deviations - kHuber);
-}
-
-/// How many consecutive residuals are worth one: their correlation, summed up to its end.
-double samples_together(const std::vector<double>& residuals) {
-  const std::size_t n = residuals.size();
-  double squares = 0.0;
-  for (const double residual : residuals) squares += residual * residual;
-  double together = 1.0;
-  for (std::size_t lag = 1; lag < n / 2 && squares > 0.0; ++lag) {
-    double products = 0.0;
-    for (std::size_t i = lag; i < n; ++i) products += residuals[i] * residuals[i - lag];
-    if (products <= 0.0) break;
-    together += 2.0 * products / squares;
-  }
-  return together;
-}
 
 constexpr std::size_t kGyroScale = model::row_of(&TrackParameters::gyro_scale);
 
@@ -74,12 +53,15 @@ bool false_detection(const FittedRun& run, const Residual& off) {
 
 ModelFit::ModelFit(const model::ModelForm& form, std::vector<FittedRun> runs, const Values& start,
                    const Values& prior, const Free& free, const IdentifySettings& settings)
-    : form_(form),
+    : form_(&form),
       runs_(std::move(runs)),
       values_(start),
       prior_(prior),
       settings_(settings),
-      correlated_s_(settings.correlated_s) {
+      correlated_s_(settings.correlated_s),
+      sd_m_(settings.camera_sd_m),
+      sd_rad_(settings.camera_sd_rad),
+      sd_gyro_rad_(settings.camera_sd_rad) {
   for (std::size_t i = 0; i < kShared; ++i)
     if (free[i]) free_.push_back(i);
 }
@@ -89,40 +71,40 @@ double ModelFit::prior_sd(std::size_t i) const {
   return scale_of(i).prior_sd * (unit == nullptr ? 1.0 : prior_.tracks.*unit);
 }
 
-double ModelFit::prior(Eigen::MatrixXd& information, Eigen::VectorXd& score) const {
-  information = Eigen::MatrixXd::Zero(size(), size());
-  score = Eigen::VectorXd::Zero(size());
-  double cost = 0.0;
+double ModelFit::prior_off(std::size_t i) const {
+  const model::TrackParameter near = neighbour(i);
+  return (near == nullptr ? prior_[i] : values_.tracks.*near) - values_[i];
+}
+
+double ModelFit::useful(std::size_t i) const {
+  const Scale scale = scale_of(i);
+  return scale.useful * prior_sd(i) / scale.prior_sd;
+}
+
+PriorSums ModelFit::prior() const {
+  PriorSums sums{Eigen::MatrixXd::Zero(size(), size()), Eigen::VectorXd::Zero(size())};
   for (Eigen::Index k = 0; k < size(); ++k) {
     const std::size_t i = shared_index(k);
     const double weight = 1.0 / (prior_sd(i) * prior_sd(i));
     const model::TrackParameter near = neighbour(i);
-    const double off = (near == nullptr ? prior_[i] : values_.tracks.*near) - values_[i];
-    information(k, k) += weight;
-    score[k] += weight * off;
-    cost += weight * off * off;
+    const double off = prior_off(i);
+    sums.information(k, k) += weight;
+    sums.score[k] += weight * off;
     for (Eigen::Index j = 0; near != nullptr && j < size(); ++j) {
       if (shared_index(j) != model::row_of(near)) continue;
-      information(j, j) += weight;
-      information(j, k) -= weight;
-      information(k, j) -= weight;
-      score[j] -= weight * off;
+      sums.information(j, j) += weight;
+      sums.information(j, k) -= weight;
+      sums.information(k, j) -= weight;
+      sums.score[j] -= weight * off;
     }
   }
-  return cost;
-}
-
-Summed ModelFit::sum() const {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd score;
-  prior(information, score);
-  return {sums_, information, score};
+  return sums;
 }
 
 double ModelFit::cost() const {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd score;
-  return prior(information, score) + linearise(nullptr);
+  double cost = linearise(nullptr);
+  for (const std::size_t i : free_) cost += std::pow(prior_off(i) / prior_sd(i), 2);
+  return cost;
 }
 
 // poses[0] belongs to the present values, poses[k + 1] to a change of the k-th free one.
@@ -200,23 +182,25 @@ double ModelFit::take_measured(const FittedRun& run, const Poses& poses, RunSums
   return cost;
 }
 
+double ModelFit::linearise(const FittedRun& run, RunSums* sums) const {
+  Poses poses = {this->poses(run, values_)};
+  for (std::size_t k = 0; sums != nullptr && k < free_.size(); ++k) {
+    Values changed = values_;
+    changed[free_[k]] += kDifference;
+    const bool moves = free_[k] != kDelay && (free_[k] != kGyroScale || form_->yaw_from_gyro);
+    poses.push_back(moves ? this->poses(run, changed) : poses[0]);
+  }
+  const double cost = take_images(run, poses, sums) + take_measured(run, poses, sums);
+  if (sums != nullptr) sums->eliminate();
+  return cost;
+}
+
 double ModelFit::linearise(std::vector<RunSums>* sums) const {
   double cost = 0.0;
   if (sums != nullptr) sums->clear();
-  for (const FittedRun& run : runs_) {
-    Poses poses = {this->poses(run, values_)};
-    for (std::size_t k = 0; sums != nullptr && k < free_.size(); ++k) {
-      Values changed = values_;
-      changed[free_[k]] += kDifference;
-      const bool moves = free_[k] != kDelay && (free_[k] != kGyroScale || form_.yaw_from_gyro);
-      poses.push_back(moves ? this->poses(run, changed) : poses[0]);
-    }
-    RunSums* const of_run =
-        sums == nullptr ? nullptr : &sums->emplace_back(size(), FittedRun::kOwn);
-    cost += take_images(run, poses, of_run);
-    cost += take_measured(run, poses, of_run);
-    if (of_run != nullptr) of_run->eliminate();
-  }
+  for (const FittedRun& run : runs_)
+    cost +=
+        linearise(run, sums == nullptr ? nullptr : &sums->emplace_back(size(), FittedRun::kOwn));
   return cost;
 }
 
@@ -264,7 +248,7 @@ void ModelFit::correlate() {
 bool ModelFit::improve(double& damping, double& moved) {
   const double before = cost();
   linearise(&sums_);
-  const Summed sums = sum();
+  const Summed sums(sums_, prior());
   const Values values = values_;
   const std::vector<FittedRun::Own> own = [this] {
     std::vector<FittedRun::Own> all;
@@ -315,18 +299,29 @@ void ModelFit::solve() {
 
 std::array<double, kShared> ModelFit::uncertainty_left() const {
   std::array<double, kShared> left{};
-  const Summed sums = sum();
+  const Summed sums(sums_, prior());
   for (Eigen::Index k = 0; k < size(); ++k)
     left[shared_index(k)] = std::sqrt(sums.covariance()(k, k)) / prior_sd(shared_index(k));
   return left;
 }
 
+Intervals ModelFit::intervals() const {
+  Eigen::VectorXd unit = Eigen::VectorXd::Zero(size());
+  for (Eigen::Index k = 0; k < size(); ++k)
+    if (shared_index(k) != kDelay && shared_index(k) != kGyroScale)
+      unit[k] = useful(shared_index(k));
+  return {sums_, prior(), unit};
+}
+
+RunSums ModelFit::sums_of(const FittedRun& run) const {
+  RunSums sums(size(), FittedRun::kOwn);
+  linearise(run, &sums);
+  return sums;
+}
+
 void ModelFit::find_confused(Fit& fit, const Summed& sums) const {
   Eigen::VectorXd useful(size());
-  for (Eigen::Index k = 0; k < size(); ++k) {
-    const Scale scale = scale_of(shared_index(k));
-    useful[k] = scale.useful * prior_sd(shared_index(k)) / scale.prior_sd;
-  }
+  for (Eigen::Index k = 0; k < size(); ++k) useful[k] = this->useful(shared_index(k));
   const Eigen::VectorXd inverse = useful.cwiseInverse();
   const Eigen::MatrixXd scaled = inverse.asDiagonal() * sums.covariance() * inverse.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
@@ -383,11 +378,13 @@ void ModelFit::describe_runs(Fit& fit) const {
 
 Fit ModelFit::fit() const {
   Fit fit;
-  const Summed sums = sum();
+  const Summed sums(sums_, prior());
   fit.condition = sums.condition();
   fit.camera_late_s = values_.delay_s;
   for (std::size_t i = 0; i < kTrackParameters.size(); ++i) fit.estimates[i].value = values_[i];
-  const Eigen::VectorXd half = sums.half_intervals();
+  const Intervals intervals = this->intervals();
+  fit.between_runs = intervals.between_runs();
+  const Eigen::VectorXd half = intervals.half();
   for (Eigen::Index k = 0; k < size(); ++k) {
     const std::size_t i = shared_index(k);
     if (i < kTrackParameters.size()) fit.estimates[i] = {values_[i], half[k], true};

@@ -49,6 +49,9 @@ struct Fit {
   double rms_m = 0.0, max_m = 0.0, rms_rad = 0.0;  ///< over all runs
   double condition = 0.0;                          ///< of the scaled Jacobian; 1 is best
   double camera_late_s = 0.0;                      ///< of the camera's time stamps
+  /// How much the runs contradict each other: standard deviation of the values that each would
+  /// have by itself, in parts of an error that is harmless.
+  double between_runs = 0.0;
   /// Pairs that the runs cannot separate: both may change together without an effect on the
   /// residuals. Rows of the table, ascending.
   std::vector<std::pair<std::size_t, std::size_t>> confused;
@@ -74,7 +77,7 @@ using Free = std::array<bool, kShared>;
 class ModelFit {
  public:
   /// Fits the `free` parameters of `start`; the others stay. `prior` is the centre of a weak prior.
-  /// `form` and `settings` must outlive it.
+  /// `form` must outlive it.
   ModelFit(const model::ModelForm& form, std::vector<FittedRun> runs, const Values& start,
            const Values& prior, const Free& free, const IdentifySettings& settings);
 
@@ -85,19 +88,26 @@ class ModelFit {
   std::array<double, kShared> uncertainty_left() const;
   Fit fit() const;
 
+  /// Of the free ones, in the order of Values.
+  Intervals intervals() const;
+  /// What this run would say, with the present values and noise.
+  RunSums sums_of(const FittedRun& run) const;
+
  private:
   using Poses = std::vector<std::vector<Pose>>;
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(free_.size()); }
   std::size_t shared_index(Eigen::Index k) const { return free_[static_cast<std::size_t>(k)]; }
   double prior_sd(std::size_t i) const;
-  double prior(Eigen::MatrixXd& information, Eigen::VectorXd& score) const;
-  Summed sum() const;
+  double prior_off(std::size_t i) const;
+  double useful(std::size_t i) const;
+  PriorSums prior() const;
   std::vector<Pose> poses(const FittedRun& run, const Values& values) const {
-    return run.motion.poses(form_, values.tracks);
+    return run.motion.poses(*form_, values.tracks);
   }
   double cost() const;
   double linearise(std::vector<RunSums>* sums) const;
+  double linearise(const FittedRun& run, RunSums* sums) const;
   double take_images(const FittedRun& run, const Poses& poses, RunSums* sums) const;
   double take_measured(const FittedRun& run, const Poses& poses, RunSums* sums) const;
   bool improve(double& damping, double& moved);
@@ -106,14 +116,14 @@ class ModelFit {
   void find_confused(Fit& fit, const Summed& sums) const;
   void describe_runs(Fit& fit) const;
 
-  const model::ModelForm& form_;
+  const model::ModelForm* form_;
   std::vector<FittedRun> runs_;
   Values values_, prior_;
   std::vector<std::size_t> free_;  // indices
-  const IdentifySettings& settings_;
+  IdentifySettings settings_;
   std::vector<RunSums> sums_;
   double correlated_s_;
-  double sd_m_ = 1.0, sd_rad_ = 1.0, sd_gyro_rad_ = 1.0;
+  double sd_m_, sd_rad_, sd_gyro_rad_;
   bool rejecting_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "identify/identify.h"
 #include "identify/identify_report.h"
 #include "sim/robot/lockstep.h"
+#include "sim/study/auto_study.h"
 #include "sim/study/commands.h"
 #include "text/atomic_file.h"
 #include "text/json_writer.h"
@@ -31,41 +32,6 @@ constexpr std::uint64_t kSeedStride = 1'000'003;
 constexpr std::array<DriveKind, 7> kDriveKinds = {
     DriveKind::kStraight, DriveKind::kWide, DriveKind::kWide, DriveKind::kTight,
     DriveKind::kTight,    DriveKind::kSpin, DriveKind::kSpin};
-
-course::Robot without_model(course::Robot robot) {
-  robot.model = {};
-  robot.baselines = {};
-  return robot;
-}
-
-std::vector<CalibrationDrive> drive(const Loaded& loaded, int repeats, std::uint64_t seed) {
-  std::vector<CalibrationDrive> drives;
-  const course::Robot unknown = without_model(loaded.robot);
-  const std::vector<std::string> courses = identify::calibration_courses(loaded.robot.shape);
-  for (std::size_t i = 0; i < kDriveKinds.size(); ++i) {
-    const std::string& name = courses.at(i);
-    const course::Course course = load_course(name);
-    for (int repeat = 1; repeat <= repeats; ++repeat) {
-      identify::DriveSink sink;
-      const report::RunResult result = run_lockstep({.course = course,
-                                                     .robot = unknown,
-                                                     .configuration = loaded.configuration,
-                                                     .board = loaded.board,
-                                                     .camera = load_camera("overhead"),
-                                                     .seed = seed + kSeedStride * drives.size(),
-                                                     .sink = &sink});
-      // Where a robot that nothing is known of ends is one of the things to learn.
-      if (!result.finished)
-        throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
-                         "); there is nothing to learn from");
-      identify::RecordedDrive drive = sink.drive();
-      drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
-                   std::to_string(repeat);
-      drives.push_back({kDriveKinds[i], std::move(drive), sink.truth()});
-    }
-  }
-  return drives;
-}
 
 void write_drives(const std::string& folder, const std::vector<CalibrationDrive>& drives) {
   text::make_folder(folder);
@@ -95,6 +61,42 @@ void print_tallies(const std::string& robot, const std::array<Tally, kCount>& ta
 
 }  // namespace
 
+course::Robot without_model(course::Robot robot) {
+  robot.model = {};
+  robot.baselines = {};
+  return robot;
+}
+
+std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repeats,
+                                                 std::uint64_t seed) {
+  std::vector<CalibrationDrive> drives;
+  const course::Robot unknown = without_model(loaded.robot);
+  const std::vector<std::string> courses = identify::calibration_courses(loaded.robot.shape);
+  for (std::size_t i = 0; i < kDriveKinds.size(); ++i) {
+    const std::string& name = courses.at(i);
+    const course::Course course = load_course(name);
+    for (int repeat = 1; repeat <= repeats; ++repeat) {
+      identify::DriveSink sink;
+      const report::RunResult result = run_lockstep({.course = course,
+                                                     .robot = unknown,
+                                                     .configuration = loaded.configuration,
+                                                     .board = loaded.board,
+                                                     .camera = load_camera("overhead"),
+                                                     .seed = seed + kSeedStride * drives.size(),
+                                                     .sink = &sink});
+      // Where a robot that nothing is known of ends is one of the things to learn.
+      if (!result.finished)
+        throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
+                         "); there is nothing to learn from");
+      identify::RecordedDrive drive = sink.drive();
+      drive.name = name + "-" + loaded.robot.name + "-" + std::to_string(seed) + "-" +
+                   std::to_string(repeat);
+      drives.push_back({kDriveKinds[i], std::move(drive), sink.truth()});
+    }
+  }
+  return drives;
+}
+
 std::string calibration_json(const std::string& robot, std::uint64_t seed, const identify::Fit& fit,
                              const TrackParameters& truth) {
   std::string text;
@@ -115,7 +117,7 @@ std::string calibration_json(const std::string& robot, std::uint64_t seed, const
 
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed) {
   Calibration calibration;
-  calibration.drives = drive(loaded, repeats, seed);
+  calibration.drives = calibration_drives(loaded, repeats, seed);
   std::vector<identify::RecordedDrive> drives;
   for (const CalibrationDrive& d : calibration.drives) drives.push_back(d.drive);
   calibration.found = identify::identify(
@@ -157,6 +159,7 @@ bool Calibration::accurate() const {
 }
 
 int run_calibrate(const CalibrateCommand& command) {
+  if (command.by_itself) return run_auto_calibrate(command);
   const Loaded loaded = load(command.options);
   std::array<Tally, kCount> tallies{};
   bool all_accurate = true;

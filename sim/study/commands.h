@@ -34,6 +34,13 @@ struct Calibration {
 /// noise. Throws SetupError.
 Calibration calibrate(const Loaded& loaded, int repeats, std::uint64_t seed);
 
+/// The robot as nothing is known of it: [model] at its defaults.
+course::Robot without_model(course::Robot robot);
+
+/// The drives of calibrate(). Throws SetupError.
+std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repeats,
+                                                 std::uint64_t seed);
+
 /// The robot with what its calibration found, as its file `<name>.toml` has it, which this writes
 /// into `folder`. Throws SetupError.
 course::Robot calibrated_robot(const Loaded& loaded, int repeats, std::uint64_t seed,
@@ -50,6 +57,9 @@ struct CalibrateCommand {
   int runs = 1;     ///< whole calibrations, with this and the following seeds
   std::string out;  ///< folder for the recordings; empty: none
   bool json = false;
+  bool by_itself = false;           ///< it chooses its manoeuvres; see auto_study.h
+  std::string area = "1-straight";  ///< of these: course whose fence holds them
+  int sampled = 0;                  ///< robots of stated ranges, and all bundled ones
 };
 
 /// Calibrates and prints the values beside the truth, and how often the intervals held it. Returns

@@ -158,7 +158,7 @@ class Fitting {
       information(k, k) = std::pow(prior_sd(c, start_), -2);
       score[k] = (start_.*c - at_.*c) * information(k, k);
     }
-    return {sums, information, score};
+    return {sums, {information, score}};
   }
 
   const SlipForm& form_;

@@ -31,7 +31,6 @@ constexpr std::uint64_t kHeldOutSeed = 5001;
 // Over the step, over the ramp, and in the curve of course 3.
 constexpr double kBlindFromS[] = {15.0, 28.0, 33.0};
 constexpr double kBlindS = 3.0;
-constexpr std::uint64_t kSampledNumber = 7000;
 constexpr int kCalibrationRepeats = 2;
 // The image is slower, and differs from the host's build by less than seeds do.
 constexpr int kImageRuns = 5;

@@ -79,6 +79,9 @@ inline constexpr std::array<SampledRange, 16> kSampledRanges = {{
     {"distance between the lines on which the tracks bear, in parts of the gauge", "", 0.75, 1.0},
 }};
 
+/// Studies number their robots from here, plus the seed.
+inline constexpr std::uint64_t kSampledNumber = 7000;
+
 /// The robot of this number. Its [model], which the daemon assumes, is unidentified: the defaults.
 /// Ruler and balance are exact, and so are the counts per metre. Pure.
 course::Robot sampled_robot(const course::Robot& end_loaded, std::uint64_t number);

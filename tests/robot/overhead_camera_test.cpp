@@ -163,5 +163,28 @@ TEST_F(OverheadCameraRun, ABusyPortABadAddressAndABenchAreErrorsOfOneLine) {
   EXPECT_EQ(run({"tp100-sim", "robot", "--camera=nothing"}).status, 2);
 }
 
+// The goal is a wide one: as many manoeuvres as show the way.
+TEST_F(OverheadCameraRun, AnIdentificationThatDrivesItselfAsksForNothing) {
+  for (int attempt = 0;; ++attempt) {
+    Process body({"tp100-sim", "robot", "--link", port(), "--course", "1-straight", "--robot",
+                  "uniform", "--camera", "--camera-to", address()});
+    ASSERT_TRUE(body.wait_for("linked from"));
+    Process identify({"tp100d", "identify", "--drive", "--auto", "--narrow", "8", "--port", port(),
+                      "--camera", address(), "--out", folder_.file("mine.toml")});
+    const int status = identify.wait();
+    body.signal(SIGTERM);
+    EXPECT_EQ(body.wait(), 0);
+    const std::string& output = identify.output();
+    if (status == 1 && attempt < 4 && output.find("not completed") != std::string::npos) continue;
+    ASSERT_EQ(status, 0) << output;
+    EXPECT_NE(output.find("manoeuvre 2, "), std::string::npos) << output;
+    EXPECT_NE(output.find("all intervals are narrow enough after"), std::string::npos) << output;
+    EXPECT_EQ(output.find('?'), std::string::npos) << output;
+    break;
+  }
+  const Finished check = run({"tp100d", "check", folder_.file("mine.toml")});
+  EXPECT_EQ(check.status, 0) << check.output;
+}
+
 }  // namespace
 }  // namespace tp100::test
