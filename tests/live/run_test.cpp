@@ -529,7 +529,7 @@ class Unplugging : public Run {
 #endif
   static constexpr long kGrowthKib = 4096;
   // Until then histories and pools still fill.
-  static constexpr int kSettled = 25;
+  static constexpr int kSettled = kCycles / 2;
   static constexpr double kMaxMps2 = 0.15, kMaxRadps = 1.5;
 
   void plug_in() {
