@@ -43,18 +43,17 @@ struct TrackSpeeds {
 
 /// The track speeds at which the model moves like that.
 TrackSpeeds tracks_of(const TrackParameters& tracks, const ManoeuvreMotion::Step& step) {
-  double left = step.mps, right = step.mps;
-  double slip = 0.0;
+  double slip = 0.0, half_difference_mps = 0.0;
   // The wheelbase depends on the turn, and the turn's shape on the wheelbase.
   for (int i = 0; i < 4; ++i) {
-    const model::TurnShape shape = model::turn_shape(left, right);
+    const model::TurnShape shape =
+        model::turn_shape(step.mps - half_difference_mps, step.mps + half_difference_mps);
     const model::Turn turn = model::turn_of(tracks, model::Mode::kExtended, shape);
-    left = step.mps - step.radps * turn.wheelbase_m / 2.0;
-    right = step.mps + step.radps * turn.wheelbase_m / 2.0;
+    half_difference_mps = step.radps * turn.wheelbase_m / 2.0;
     slip = turn.slip;
   }
-  return {left / std::max(1.0 - tracks.slip_left - slip, 0.1),
-          right / std::max(1.0 - tracks.slip_right - slip, 0.1)};
+  return {(step.mps - half_difference_mps) / std::max(1.0 - tracks.slip_left - slip, 0.1),
+          (step.mps + half_difference_mps) / std::max(1.0 - tracks.slip_right - slip, 0.1)};
 }
 
 /// A pose of the robot's own, in the frame of `here`.
