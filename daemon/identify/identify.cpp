@@ -125,6 +125,7 @@ Identification identify(const std::vector<RecordedDrive>& drives, const Prior& b
                         const IdentifySettings& settings) {
   if (drives.empty()) throw SetupError("identify: no runs; give at least one recording");
   std::vector<FittedRun> runs;
+  runs.reserve(drives.size());
   for (const RecordedDrive& drive : drives) runs.push_back(fitted_run(drive, base));
 
   Identification found;
