@@ -48,13 +48,13 @@ struct Hello {
 struct PoseReport {
   std::uint32_t session = 0;
   std::uint64_t sequence = 0;
-  double stamp_s = 0.0;     ///< host time of the step
-  std::uint32_t run = 0;    ///< +1 each time a run begins
+  double stamp_s = 0.0;                    ///< host time of the step
+  std::uint32_t run = 0;                   ///< +1 each time a run begins
   PoseSource source = PoseSource::kModel;  ///< of the pose
   Pose pose{};                             ///< in the course's world
   PerSource<Pose> floor{};                 ///< each estimate on the real robot's own flat floor
-  Twist twist{};            ///< of the real robot on its floor
-  double left_mps = 0.0;    ///< tracks
+  Twist twist{};                           ///< of the real robot on its floor
+  double left_mps = 0.0;                   ///< tracks
   double right_mps = 0.0;
   double slip_left = 0.0;
   double slip_right = 0.0;
