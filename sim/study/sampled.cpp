@@ -90,7 +90,8 @@ course::Segment random_segment(CourseDraw& draw) {
 
 void add_surfaces(course::Course& course, CourseDraw& draw) {
   const course::Path path(course);
-  for (double left = draw.between(-1.0, 3.0); left > 0.0; left -= 1.0) {
+  const double count = std::ceil(draw.between(-1.0, 3.0));
+  for (int i = 0; i < count; ++i) {
     const course::PathPoint at = path.at(draw.between(0.0, path.length_m()));
     course.terrain.surfaces.push_back({.name = "patch",
                                        .place = {at.x_m, at.y_m, draw.between(-kPi, kPi)},
@@ -103,9 +104,11 @@ void add_surfaces(course::Course& course, CourseDraw& draw) {
 
 void add_disturbances(course::Course& course, CourseDraw& draw) {
   const double length_m = course::Path(course).length_m();
-  for (double at_m = draw.between(0.0, 2.0 * length_m); at_m < length_m;
-       at_m += draw.between(1.0, 3.0))
+  double at_m = draw.between(0.0, 2.0 * length_m);
+  while (at_m < length_m) {
     course.disturbances.push_back(draw.disturbance(at_m));
+    at_m += draw.between(1.0, 3.0);
+  }
 }
 
 /// Whether the path comes near a place other than on the segment that it lies on.
@@ -114,9 +117,11 @@ bool passed_again(const course::Path& path, std::size_t on, const course::PathPo
   for (std::size_t i = 0; i < path.segments().size(); ++i) {
     if (i == on) continue;
     const double length_m = path.segments()[i].length_m;
-    for (double s_m = 0.0; s_m <= length_m; s_m += kFenceStepM) {
+    double s_m = 0.0;
+    while (s_m <= length_m) {
       const course::PathPoint at = path.at(i, s_m);
       if (magnitude(at.x_m - place.x_m, at.y_m - place.y_m) < kNearM) return true;
+      s_m += kFenceStepM;
     }
   }
   return false;
@@ -217,8 +222,8 @@ course::Course random_course(std::uint64_t seed) {
   course.start = {.x_m = draw.between(-5.0, 5.0),
                   .y_m = draw.between(-5.0, 5.0),
                   .yaw_rad = draw.between(-kPi, kPi)};
-  for (double left = draw.between(0.0, 8.0); left > 0.0; left -= 1.0)
-    course.path.push_back(random_segment(draw));
+  const double segments = std::ceil(draw.between(0.0, 8.0));
+  for (int i = 0; i < segments; ++i) course.path.push_back(random_segment(draw));
   add_surfaces(course, draw);
   add_disturbances(course, draw);
   add_one_obstacle(course, draw);
