@@ -175,10 +175,6 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot,
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

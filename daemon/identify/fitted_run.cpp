@@ -14,20 +14,30 @@ constexpr std::size_t kFirstImages = 5;
 
 }  // namespace
 
+Pose median_of(std::span<const SeenPose> seen) {
+  std::vector<double> x, y, sine, cosine;
+  for (const SeenPose& pose : seen) {
+    x.push_back(pose.x_m);
+    y.push_back(pose.y_m);
+    sine.push_back(std::sin(pose.yaw_rad));
+    cosine.push_back(std::cos(pose.yaw_rad));
+  }
+  Pose pose;
+  pose.x_m = median(x);
+  pose.y_m = median(y);
+  pose.yaw_rad = std::atan2(median(sine), median(cosine));
+  return pose;
+}
+
 FittedRun::FittedRun(const RecordedDrive& drive, double counts_per_metre, double gyro_scale)
     : name(drive.name), motion(drive, counts_per_metre), measured(drive.measured) {
   const std::vector<SeenPose>& seen = drive.camera;
   std::size_t resting = 0;
   while (resting < seen.size() && seen[resting].t_s < motion.moves_s()) ++resting;
-  std::vector<double> x, y, sine, cosine;
-  for (std::size_t i = 0; i < std::max(resting, std::min(seen.size(), kFirstImages)); ++i) {
-    x.push_back(seen[i].x_m);
-    y.push_back(seen[i].y_m);
-    sine.push_back(std::sin(seen[i].yaw_rad));
-    cosine.push_back(std::cos(seen[i].yaw_rad));
-  }
-  const double yaw = std::atan2(median(sine), median(cosine));
-  own = {median(x), median(y), yaw, yaw};
+  const Pose start =
+      median_of(std::span(seen).first(std::max(resting, std::min(seen.size(), kFirstImages))));
+  const double yaw = start.yaw_rad;
+  own = {start.x_m, start.y_m, yaw, yaw};
   for (SeenPose image : seen) {
     if (image.t_s < motion.begin_s() || image.t_s > motion.end_s()) continue;
     const double near = yaw + gyro_scale * motion.gyro_rad(image.t_s);

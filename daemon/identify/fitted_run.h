@@ -2,6 +2,7 @@
 // One run in a fit: its motion, its images, and its own unknowns.
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/arithmetic.h"
@@ -16,6 +17,9 @@ struct Residual {
   double off_m() const { return magnitude(x_m, y_m); }
   double off_rad() const { return std::abs(yaw_rad); }
 };
+
+/// The median pose, of none the origin; robust against false detections.
+Pose median_of(std::span<const SeenPose> seen);
 
 struct FittedRun {
   /// Unknowns of a run: x, y, yaw of its start, and the zero of its gyro angle.

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
-#include "core/statistics.h"
 #include "course/fence.h"
 #include "identify/manoeuvres.h"
 #include "model/track_model.h"
@@ -56,16 +56,6 @@ TrackSpeeds tracks_of(const TrackParameters& tracks, const ManoeuvreMotion::Step
           (step.mps + half_difference_mps) / std::max(1.0 - tracks.slip_right - slip, 0.1)};
 }
 
-/// A pose of the robot's own, in the frame of `here`.
-Pose from(const Pose& here, const Pose& own) {
-  const double c = std::cos(here.yaw_rad), s = std::sin(here.yaw_rad);
-  Pose pose;
-  pose.x_m = here.x_m + c * own.x_m - s * own.y_m;
-  pose.y_m = here.y_m + s * own.x_m + c * own.y_m;
-  pose.yaw_rad = here.yaw_rad + own.yaw_rad;
-  return pose;
-}
-
 /// Whether the fence leaves this much room around a place.
 bool clear(const course::Fence& fence, const Pose& at, double margin_m) {
   if (!course::contains(fence, at.x_m, at.y_m)) return false;
@@ -110,6 +100,7 @@ NextManoeuvre::NextManoeuvre(const Prior& base, const course::TextFile& area,
       area_(course::parse_course(area.text, area.path)),
       settings_(settings),
       fit_(fit_of_all(runs_, base_, settings_.fit)),
+      intervals_(fit_.intervals()),
       here_(area_.start) {}
 
 /// How far from the fence a manoeuvre stays.
@@ -122,7 +113,7 @@ struct NextManoeuvre::Room {
 std::optional<OtherPath> NextManoeuvre::choose() const {
   const AutoProgress so_far = progress();
   if (so_far.narrow || so_far.driving_s >= settings_.most_s) return std::nullopt;
-  const Eigen::VectorXd half = fit_.intervals().half();
+  const Eigen::VectorXd half = intervals_.half();
   const double unknown = std::min(kMostSlipUnknown, std::max(half[kSlipLeft], half[kSlipRight]));
   // It may stay as near to the fence as it is already.
   double margin_m = kMarginM;
@@ -153,8 +144,7 @@ std::optional<OtherPath> NextManoeuvre::best_within(const Room& room, bool& any)
   const TrackParameters& tracks = fit_.values().tracks;
   const std::array<double, kRows> goals = interval_goals(tracks, settings_.narrow);
   // Of Values the rows of the table come first, and all are free.
-  const Intervals intervals = fit_.intervals();
-  const Eigen::VectorXd half = intervals.half();
+  const Eigen::VectorXd half = intervals_.half();
   const double now = excess(half, goals);
   std::optional<OtherPath> best;
   double best_rate = 0.0;
@@ -162,7 +152,7 @@ std::optional<OtherPath> NextManoeuvre::best_within(const Room& room, bool& any)
     const Prediction prediction = predict(manoeuvre);
     if (!fits(prediction.poses, room)) continue;
     any = true;
-    const Eigen::VectorXd by = intervals.narrowed_by(
+    const Eigen::VectorXd by = intervals_.narrowed_by(
         fit_.sums_of(FittedRun(prediction.drive, base_.counts_per_metre, tracks.gyro_scale)));
     const double gain = now - excess(half.cwiseQuotient(by), goals);
     const double rate = gain / (prediction.moving_s + kUnderWayS);
@@ -193,7 +183,8 @@ NextManoeuvre::Prediction NextManoeuvre::predict(const OtherPath& manoeuvre) con
   }
   const std::vector<Pose> own =
       DriveMotion(drive, base_.counts_per_metre).poses(model::kExtendedForm, tracks);
-  for (const Pose& pose : own) prediction.poses.push_back(from(here_, pose));
+  const Transform2d to_fence{here_.x_m, here_.y_m, here_.yaw_rad};
+  for (const Pose& pose : own) prediction.poses.push_back(to_fence.of(pose));
   if (settings_.camera) {
     for (std::size_t i = 0; i < own.size(); i += kStepsPerImage) {
       const Pose& at = prediction.poses[i];
@@ -224,24 +215,16 @@ void NextManoeuvre::take(RecordedDrive drive) {
   runs_.push_back(std::move(run));
   drives_.push_back(std::move(drive));
   fit_ = fit_of_all(runs_, base_, settings_.fit);
+  intervals_ = fit_.intervals();
   const std::vector<SeenPose>& seen = drives_.back().camera;
   if (seen.empty()) return;
-  std::vector<double> x, y, sine, cosine;
-  for (std::size_t i = seen.size() - std::min(seen.size(), kLastImages); i < seen.size(); ++i) {
-    x.push_back(seen[i].x_m);
-    y.push_back(seen[i].y_m);
-    sine.push_back(std::sin(seen[i].yaw_rad));
-    cosine.push_back(std::cos(seen[i].yaw_rad));
-  }
-  here_.x_m = median(x);
-  here_.y_m = median(y);
-  here_.yaw_rad = std::atan2(median(sine), median(cosine));
+  here_ = median_of(std::span(seen).last(std::min(seen.size(), kLastImages)));
 }
 
 AutoProgress NextManoeuvre::progress() const {
   AutoProgress progress{.manoeuvres = drives_.size(), .driving_s = driving_s_};
   const std::array<double, kRows> goals = interval_goals(fit_.values().tracks, settings_.narrow);
-  const Eigen::VectorXd half = fit_.intervals().half();
+  const Eigen::VectorXd half = intervals_.half();
   double most = 0.0;
   for (std::size_t i = 0; i < kRows; ++i) {
     const double here = half[static_cast<Eigen::Index>(i)];

@@ -77,6 +77,7 @@ class NextManoeuvre {
   std::vector<RecordedDrive> drives_;
   std::vector<FittedRun> runs_;
   ModelFit fit_;
+  Intervals intervals_;  // of the fit
   Pose here_;
   double driving_s_ = 0.0;
 };
