@@ -3,6 +3,7 @@
 extends RigidBody
 
 const Frame = preload("res://frame.gd")
+const Terrain = preload("res://terrain.gd")
 
 const FRICTION := 0.9
 const SWEEPS := 6         # over all contacts, each tick
@@ -25,7 +26,7 @@ func build(shape: Dictionary, body: Dictionary) -> void:
 	custom_integrator = false
 	continuous_cd = false
 	collision_layer = 4  # rays for the ground do not see it
-	collision_mask = 1 | 8  # ground and obstacles
+	collision_mask = Terrain.GROUND | Terrain.OBSTACLE
 	linear_damp = 0.0
 	angular_damp = 0.0
 	var smooth := PhysicsMaterial.new()
