@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "../support/corrupted.h"
 #include "jpeg.h"
 #include "link/camera_intake.h"
 
@@ -102,14 +103,9 @@ TEST(CameraImage, ATruncatedImageIsRefused) {
 TEST(CameraImage, CorruptedDatagramsAreRefusedOrStillInRange) {
   std::mt19937 random(7);
   const std::string good = datagram();
-  std::uniform_int_distribution<std::size_t> place(0, good.size() - 1);
-  std::uniform_int_distribution<int> byte(0, 255);
   int taken = 0;
   for (int i = 0; i < 20'000; ++i) {
-    std::string bad = good;
-    for (int flips = i % 4; flips >= 0; --flips)
-      bad[place(random)] = static_cast<char>(byte(random));
-    if (i % 5 == 0) bad.resize(place(random));
+    const std::string bad = test::corrupted(good, i, 5, random);
     const auto decoded = decode_image(bad);
     if (!decoded) continue;
     ++taken;

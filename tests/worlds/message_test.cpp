@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "../support/corrupted.h"
 #include "core/angle.h"
 #include "support/paths.h"
 
@@ -219,14 +220,9 @@ TEST(WorldMessage, WhatIsOutOfRangeIsRefused) {
 
 TEST(WorldMessage, CorruptedDatagramsAreRefusedOrStillInRange) {
   std::mt19937 random(7);
-  std::uniform_int_distribution<std::size_t> place(0, kWorld.size() - 1);
-  std::uniform_int_distribution<int> byte(0, 255);
   int taken = 0;
   for (int i = 0; i < 20'000; ++i) {
-    std::string bad = kWorld;
-    for (int flips = i % 4; flips >= 0; --flips)
-      bad[place(random)] = static_cast<char>(byte(random));
-    if (i % 5 == 0) bad.resize(place(random));
+    const std::string bad = test::corrupted(kWorld, i, 5, random);
     const Decoded decoded = decode_world(bad, static_cast<Frame>(i % 3));
     if (decoded.verdict != Verdict::kGood) continue;
     ++taken;

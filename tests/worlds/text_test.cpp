@@ -4,6 +4,7 @@
 #include <memory>
 #include <random>
 
+#include "../support/corrupted.h"
 #include "core/angle.h"
 #include "core/error.h"
 #include "worlds/text_files.h"
@@ -123,13 +124,8 @@ TEST(OrientationText, WhatIsIncompleteOrOutOfRangeIsRefused) {
 TEST(OrientationText, SurvivesGarbage) {
   std::mt19937 random(5);
   const std::string good = "X=120.0 Y=80.0 Z=3.7 P=28.0 Y=-90.0 R=2.0\n";
-  std::uniform_int_distribution<std::size_t> place(0, good.size() - 1);
-  std::uniform_int_distribution<int> byte(0, 255);
   for (int i = 0; i < 20'000; ++i) {
-    std::string bad = good;
-    for (int flips = i % 4; flips >= 0; --flips)
-      bad[place(random)] = static_cast<char>(byte(random));
-    if (i % 3 == 0) bad.resize(place(random));
+    const std::string bad = test::corrupted(good, i, 3, random);
     const auto read = orientation_of(bad, i % 2 == 0 ? "" : "X={x} Y={y} {pitch}", Frame::kUnreal);
     if (!read) continue;
     EXPECT_LE(std::abs(read->pose.pitch_rad), 1.5708);
