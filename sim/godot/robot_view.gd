@@ -8,6 +8,7 @@ var radius_m: float
 var gauge_m: float
 var pads = [[], []]
 var travelled_m = [0.0, 0.0]
+var last_s = 0.0
 
 func build(shape: Dictionary, ghost := Color(0, 0, 0, 0)) -> void:
 	spacing_m = shape.get("axle_spacing_m", 0.133)
@@ -92,6 +93,13 @@ func marker(at: Vector3) -> void:
 	add_child(plate)
 	box(Vector3(0.064, 0.002, 0.064), at - Vector3(0, 0.0015, 0), Color(0.9, 0.9, 0.9))
 	box(Vector3(0.02, 0.016, 0.02), at - Vector3(0, 0.01, 0), Color(0.3, 0.3, 0.3))
+
+# Turns the tracks by what they did since the last pose of the bridge.
+func drive(message: Dictionary, frame: Reference) -> void:
+	var passed_s = clamp(message.timestamp - last_s, 0.0, 0.1)
+	last_s = message.timestamp
+	roll(0, message.tracks.l / frame.length() * passed_s)
+	roll(1, message.tracks.r / frame.length() * passed_s)
 
 # Turns one track (0 left, 1 right) by a distance.
 func roll(side: int, distance_m: float) -> void:

@@ -11,8 +11,11 @@ const RAY_SPACING_M := 0.004
 const RAY_TOP_M := 3.0
 # A shape this high above the tracks' underside cannot be climbed: it stops the hull.
 const TOO_HIGH_M := 0.045
+const TRACK_WIDTH_M := 0.045
 const COLOURS = {"ramp": Color(0.62, 0.52, 0.38), "block": Color(0.5, 0.52, 0.56)}
 
+var space: RID
+var shown: bool      # as meshes, too
 var length_m: float
 var gauge_m: float
 var spacing_m: float
@@ -21,7 +24,9 @@ var com_forward_m: float
 var half: int        # rays from the robot's middle to one end of its tracks
 var wheel: PoolRealArray  # lift of a wheel's underside at each ray from its axle
 
-func build(course: Dictionary, shape: Dictionary) -> void:
+func build(course: Dictionary, shape: Dictionary, of_space: RID, visible_too: bool) -> void:
+	space = of_space
+	shown = visible_too
 	spacing_m = shape.get("axle_spacing_m", 0.133)
 	radius_m = shape.get("wheel_radius_m", 0.026)
 	gauge_m = shape.get("gauge_m", 0.155)
@@ -67,6 +72,7 @@ func add_shape(shape: Shape, at: Transform, layer: int, about: Dictionary) -> St
 	body.physics_material_override = smooth
 	body.set_meta("about", about)
 	add_child(body)
+	PhysicsServer.body_set_space(body.get_rid(), space)
 	return body
 
 # A profile [along, height] that is as wide as the piece, centred on its place.
@@ -89,12 +95,13 @@ func add_prism(piece: Dictionary, profile: Array, kind: String) -> void:
 	surface.generate_normals()
 	show_mesh(surface.commit(), transform_of(piece), COLOURS[kind])
 
-# A box on the floor that nobody climbs; freed, it is gone.
-func add_obstacle(at: Vector3, size: Vector3) -> StaticBody:
+# A box that nobody climbs, standing on its place; freed, it is gone.
+func add_obstacle(at: Transform, size: Vector3, seen: bool) -> StaticBody:
 	var box := BoxShape.new()
 	box.extents = size / 2
-	var place := Transform(Basis(), at + Vector3(0, size.y / 2, 0))
-	var obstacle := add_shape(box, place, OBSTACLE, {"kind": "obstacle"})
+	var obstacle := add_shape(box, at * Transform(Basis(), Vector3(0, size.y / 2, 0)), OBSTACLE, {"kind": "obstacle"})
+	if not seen:
+		return obstacle
 	var mesh := CubeMesh.new()
 	mesh.size = size
 	obstacle.add_child(mesh_of(mesh, Color(0.75, 0.25, 0.2)))
@@ -108,6 +115,8 @@ func add_sheet(piece: Dictionary) -> void:
 	show_mesh(sheet, at, Color(0.45, 0.6, 0.72))
 
 func show_mesh(mesh: Mesh, at: Transform, colour: Color) -> void:
+	if not shown:
+		return
 	var instance := mesh_of(mesh, colour)
 	instance.transform = at
 	add_child(instance)
@@ -123,12 +132,12 @@ static func mesh_of(mesh: Mesh, colour: Color) -> MeshInstance:
 	return instance
 
 # Height of the ground from the middle's ray -half to +half, along one track.
-func profile(space: PhysicsDirectSpaceState, middle: Vector3, along: Vector3) -> PoolRealArray:
+func profile(state: PhysicsDirectSpaceState, middle: Vector3, along: Vector3) -> PoolRealArray:
 	var heights := PoolRealArray()
 	for i in range(-half, half + 1):
 		var from := middle + along * (i * RAY_SPACING_M)
 		from.y = RAY_TOP_M
-		var hit := space.intersect_ray(from, from - Vector3(0, 2 * RAY_TOP_M, 0), [], GROUND)
+		var hit := state.intersect_ray(from, from - Vector3(0, 2 * RAY_TOP_M, 0), [], GROUND)
 		heights.append(hit.position.y if hit else 0.0)
 	return heights
 
@@ -171,14 +180,15 @@ func rest(heights: PoolRealArray) -> Array:
 	return [height, climb]
 
 # How the robot rests at a place: {z_m, pitch_rad, roll_rad, surface}.
-func stand(space: PhysicsDirectSpaceState, x_m: float, y_m: float, yaw_rad: float) -> Dictionary:
+func stand(x_m: float, y_m: float, yaw_rad: float) -> Dictionary:
+	var state := PhysicsServer.space_get_direct_state(space)
 	var attitude := Frame.basis(0, 0, yaw_rad)
 	var middle := Frame.to_engine(x_m, y_m, 0)
 	var aside := -attitude.x * (gauge_m / 2)
-	var left := rest(profile(space, middle + aside, -attitude.z))
-	var right := rest(profile(space, middle - aside, -attitude.z))
+	var left := rest(profile(state, middle + aside, -attitude.z))
+	var right := rest(profile(state, middle - aside, -attitude.z))
 	var from := middle + Vector3(0, RAY_TOP_M, 0)
-	var hit := space.intersect_ray(from, middle, [], SURFACE)
+	var hit := state.intersect_ray(from, middle, [], SURFACE)
 	return {
 		"z_m": (left[0] + right[0]) / 2,
 		"pitch_rad": -(left[1] + right[1]) / 2,
@@ -186,16 +196,17 @@ func stand(space: PhysicsDirectSpaceState, x_m: float, y_m: float, yaw_rad: floa
 		"surface": hit.collider.get_meta("about").name if hit else ""}
 
 # What the tracks and the hull touch at a pose: {step_m, blocked}.
-func touch(space: PhysicsDirectSpaceState, at: Transform, shape: Dictionary) -> Dictionary:
+func touch(at: Transform) -> Dictionary:
+	var state := PhysicsServer.space_get_direct_state(space)
 	var query := PhysicsShapeQueryParameters.new()
 	var box := BoxShape.new()
 	box.margin = 0.001
-	box.extents = Vector3((gauge_m + 0.045) / 2, 0.02, length_m / 2 + 0.002)
+	box.extents = Vector3((gauge_m + TRACK_WIDTH_M) / 2, 0.02, length_m / 2 + 0.002)
 	query.set_shape(box)
 	query.collision_mask = GROUND
 	query.transform = at * Transform(Basis(), Vector3(0, 0.019, 0))
 	var step_m := 0.0
-	for found in space.intersect_shape(query):
+	for found in state.intersect_shape(query):
 		var about: Dictionary = found.collider.get_meta("about")
 		if about.kind == "block":
 			step_m = max(step_m, about.height_m)
@@ -203,4 +214,4 @@ func touch(space: PhysicsDirectSpaceState, at: Transform, shape: Dictionary) -> 
 	query.collision_mask = GROUND | OBSTACLE
 	box.extents = Vector3(gauge_m / 2, 0.005, 0.005)
 	query.transform = at * Transform(Basis(), Vector3(0, TOO_HIGH_M + 0.005, -length_m / 2))
-	return {"step_m": min(step_m, 1.0), "blocked": not space.intersect_shape(query, 1).empty()}
+	return {"step_m": min(step_m, 1.0), "blocked": not state.intersect_shape(query, 1).empty()}

@@ -48,7 +48,7 @@ func build(settings: Dictionary) -> void:
 	mode = settings.get("camera", "chase")
 	add_lights()
 	add_floor(settings.course.fence)
-	var shape: Dictionary = settings.robot.get("shape", {})
+	var shape: Dictionary = settings.robots[0].get("shape", {})
 	robot = RobotView.new()
 	add_child(robot)
 	robot.build(shape)
@@ -112,12 +112,18 @@ func add_floor(fence: Dictionary) -> void:
 	instance.mesh = plane
 	instance.material_override = material
 	add_child(instance)
-	middle = Frame.to_engine((fence.min_x_m + fence.max_x_m) / 2, (fence.min_y_m + fence.max_y_m) / 2, 0)
-	# The fence as four rails.
-	var x = [fence.min_x_m, fence.max_x_m]
-	var y = [fence.min_y_m, fence.max_y_m]
-	var rails = ribbon(Color(0.35, 0.35, 0.38))
-	draw_ribbon(rails, [[x[0], y[0], 0], [x[1], y[0], 0], [x[1], y[1], 0], [x[0], y[1], 0], [x[0], y[0], 0]], 0.002)
+	# The fence as rails.
+	var corners: Array = fence.get("corners_m", [])
+	if corners.empty():
+		corners = [[fence.min_x_m, fence.min_y_m], [fence.max_x_m, fence.min_y_m], [fence.max_x_m, fence.max_y_m], [fence.min_x_m, fence.max_y_m]]
+	var box = Rect2(corners[0][0], corners[0][1], 0, 0)
+	var rails = []
+	for corner in corners + [corners[0]]:
+		box = box.expand(Vector2(corner[0], corner[1]))
+		rails.append([corner[0], corner[1], 0])
+	var centre = box.position + box.size / 2
+	middle = Frame.to_engine(centre.x, centre.y, 0)
+	draw_ribbon(ribbon(Color(0.35, 0.35, 0.38)), rails, 0.002)
 
 func ribbon(colour: Color) -> ImmediateGeometry:
 	var geometry = ImmediateGeometry.new()
@@ -183,6 +189,21 @@ func extend(colour: String, x_m: float, y_m: float, z_m: float) -> void:
 		points.append([x_m, y_m, z_m])
 	draw_ribbon(path.geometry, points, path.lift)
 
+# The first robot has figures, paths and ghosts; of the others only the robot is shown.
+func robots_are(robots: Array) -> void:
+	robots[0].connect("moved", self, "robot_at")
+	for i in range(1, robots.size()):
+		var other = RobotView.new()
+		add_child(other)
+		other.build(robots[i].shape)
+		other.visible = false
+		robots[i].connect("moved", self, "other_at", [other])
+
+func other_at(at: Transform, message: Dictionary, frame: Reference, other: Spatial) -> void:
+	other.visible = true
+	other.transform = at
+	other.drive(message, frame)
+
 # The robot as just answered to this pose.
 func robot_at(at: Transform, message: Dictionary, frame: Reference) -> void:
 	var on_floor: Array = frame.place_from(message.floor.pos)
@@ -197,11 +218,9 @@ func robot_at(at: Transform, message: Dictionary, frame: Reference) -> void:
 		var from = Transform2D(floor_yaw, Vector2(on_floor[0], on_floor[1]))
 		shift = Transform2D(rpy[2], Vector2(x, y)) * from.affine_inverse()
 		next_image_s = message.timestamp
-	var passed_s = clamp(message.timestamp - last_s, 0.0, 0.1)
 	last_s = message.timestamp
 	robot.transform = at
-	robot.roll(0, message.tracks.l / frame.length() * passed_s)
-	robot.roll(1, message.tracks.r / frame.length() * passed_s)
+	robot.drive(message, frame)
 	var real = shift.xform(Vector2(on_floor[0], on_floor[1]))
 	var apart = place_ghosts(message, frame, Vector2(x, y))
 	extend("red", x, y, at.origin.y)

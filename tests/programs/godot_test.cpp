@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "process.h"
@@ -47,28 +48,37 @@ class Screen {
   std::string name_;
 };
 
-/// Runs scripts/godot, with a window on `screen` that looks from above, or without.
+/// Runs scripts/godot with so many robots, with a window on `screen` that looks from above, or
+/// without.
 class Engine {
  public:
   explicit Engine(const std::string& course, const std::string& listen = "127.0.0.1:0",
-                  const Screen* screen = nullptr)
-      : process_(command(course, listen, screen)) {
-    EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
-    process_.wait_for("\n");
-    const std::string& text = process_.output();
-    const std::size_t at = text.find("127.0.0.1:");
-    if (at != std::string::npos) address_ = text.substr(at, text.find('\n', at) - at);
+                  const Screen* screen = nullptr, int robots = 1)
+      : process_(command(course, listen, screen, robots)) {
+    std::size_t at = 0;
+    for (int i = 0; i < robots; ++i) {
+      EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
+      process_.wait_for("\n");
+      const std::string& text = process_.output();
+      at = text.find("127.0.0.1:", at);
+      if (at == std::string::npos) return;
+      addresses_.push_back(text.substr(at, text.find('\n', at) - at));
+      at += addresses_.back().size();
+    }
   }
-  const std::string& address() const { return address_; }
+  std::string address(std::size_t robot = 0) const {
+    return robot < addresses_.size() ? addresses_[robot] : "127.0.0.1:1";
+  }
   bool says(const std::string& text) { return process_.wait_for(text); }
 
  private:
   static std::vector<std::string> command(const std::string& course, const std::string& listen,
-                                          const Screen* screen) {
+                                          const Screen* screen, int robots) {
     std::vector<std::string> words{"/usr/bin/env"};
     if (screen) words.push_back("DISPLAY=" + screen->name());
     words.insert(words.end(),
                  {TP100_SOURCE_DIR "/scripts/godot", "--course", course, "--listen", listen});
+    for (int i = 0; i < robots; ++i) words.insert(words.end(), {"--robot", "end-loaded"});
     if (screen)
       words.insert(words.end(), {"--camera", "top"});
     else
@@ -77,7 +87,7 @@ class Engine {
   }
 
   Process process_;
-  std::string address_;
+  std::vector<std::string> addresses_;
 };
 
 class Godot : public testing::Test {
@@ -86,18 +96,19 @@ class Godot : public testing::Test {
     const Finished setup = run({TP100_SOURCE_DIR "/scripts/setup", "godot"});
     if (setup.status != 0) GTEST_SKIP() << "Godot cannot be installed here: " << setup.output;
   }
-  std::string config(const std::string& world) const {
-    const std::string path = folder_.file("config.toml");
+  std::string config(const std::string& world, const std::string& name = "config") const {
+    const std::string path = folder_.file(name + ".toml");
     std::ofstream(path) << "[world]\n" << world;
     return path;
   }
   /// The figures of a lockstep run in the engine; `name` is the folder for the run's poses.
   nlohmann::json drive(const Engine& engine, const std::string& course,
-                       const std::string& authority, const std::string& name = "run") {
-    const Finished driven = run(
-        {"tp100-sim", "course", course, "--json", "--world", "udp:" + engine.address(), "--config",
-         config("authority = \"" + authority + "\"\n"), "--out", folder_.file(name)});
-    EXPECT_EQ(driven.status, 0) << driven.output;
+                       const std::string& authority, const std::string& name = "run",
+                       std::size_t robot = 0) {
+    const Finished driven =
+        run({"tp100-sim", "course", course, "--json", "--world", "udp:" + engine.address(robot),
+             "--config", config("authority = \"" + authority + "\"\n", name), "--out",
+             folder_.file(name)});
     auto figures = nlohmann::json::parse(driven.output, nullptr, false);
     return figures.is_object() ? figures : nlohmann::json::object();
   }
@@ -146,6 +157,45 @@ TEST_F(Godot, GivesTheSamePosesToTheBitEveryTime) {
   EXPECT_FALSE(poses("first").empty());
   EXPECT_TRUE(poses("first") == poses("second"));
 }
+
+class GodotRobots : public Godot, public testing::WithParamInterface<const char*> {};
+
+// The robots have one course, which each can only drive if the other does not stand on it.
+TEST_P(GodotRobots, AreObstaclesToEachOther) {
+  const Engine engine("1-straight", "127.0.0.1:0", nullptr, 2);
+  const nlohmann::json first = drive(engine, "1-straight", GetParam(), "first", 0);
+  EXPECT_TRUE(first.value("completed", false)) << first;
+  const nlohmann::json second = drive(engine, "1-straight", GetParam(), "second", 1);
+  EXPECT_EQ(second.value("cause", ""), "immobilised") << second;
+  const nlohmann::json again = drive(engine, "1-straight", GetParam(), "again", 0);
+  EXPECT_EQ(again.value("cause", ""), "immobilised") << again;
+}
+
+// Half a metre apart, at the same time, each by a program that knows nothing of the other.
+TEST_P(GodotRobots, DriveSideBySideAsEachDoesAlone) {
+  const std::string beside = folder_.file("beside.toml");
+  std::ofstream(beside) << "[start]\ny_m = 0.5\n[[segment]]\ntype = \"line\"\nlength_m = 1.0\n"
+                           "[fence]\nmin_x_m = -0.2\nmax_x_m = 1.2\nmin_y_m = 0.2\nmax_y_m = 0.8\n";
+  const auto cross_track_m = [&](const Engine& engine, std::size_t robot, const char* name) {
+    const nlohmann::json figures =
+        drive(engine, robot == 0 ? "1-straight" : beside, GetParam(), name, robot);
+    EXPECT_TRUE(figures.value("completed", false)) << figures;
+    return number(figures, "tracking", "max_cross_track_m");
+  };
+  const Engine both("1-straight", "127.0.0.1:0", nullptr, 2), alone("1-straight"), other(beside);
+  double right = 0.0;
+  std::thread second([&] { right = cross_track_m(both, 1, "right"); });
+  const double left = cross_track_m(both, 0, "left");
+  second.join();
+  EXPECT_NEAR(left, cross_track_m(alone, 0, "left-alone"), 1e-6);
+  EXPECT_NEAR(
+      right,
+      number(drive(other, beside, GetParam(), "right-alone"), "tracking", "max_cross_track_m"),
+      1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Authorities, GodotRobots, testing::Values("bridge", "world"),
+                         [](const auto& param) { return std::string(param.param); });
 
 /// A person at the window of a world that owns the pose, while course 1-straight is driven.
 class GodotWindow : public Godot {
