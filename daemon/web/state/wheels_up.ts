@@ -21,6 +21,8 @@ export interface WheelsUpProgress {
 /** One check at a time. */
 export class WheelsUp {
   private token = '';
+  /** Asked for, and not answered yet. */
+  private beginning = false;
   private answered: { question: number; answer: string } | undefined;
 
   constructor(
@@ -33,15 +35,20 @@ export class WheelsUp {
   ) {}
 
   get on(): boolean {
-    return this.token !== '';
+    return this.beginning || this.token !== '';
   }
 
+  /** Does nothing while a check is on: a second click begins no second one. */
   async begin(): Promise<void> {
+    if (this.on) return;
+    this.beginning = true;
     try {
       const { token } = (await this.call('wheels_up_begin', { tracks: 'free' })) as { token: string };
       this.token = token;
     } catch (error: unknown) {
       this.end(error);
+    } finally {
+      this.beginning = false;
     }
   }
 

@@ -79,8 +79,10 @@ describe('the doctor', () => {
       const wheels = ['left-track', 'right-track', 'gyro'];
       await until(
         async () => {
+          // Read before the findings: they are there by the time that the next check may be confirmed.
+          const confirmable = await page.isEnabled('#wheels-up-free');
           if (await page.isVisible('.wheels-up .finding[data-name="gyro"]')) return true;
-          if (!(await page.isEnabled('#wheels-up-free'))) return false;
+          if (!confirmable) return false;
           await page.check('#wheels-up-free', { timeout: 2000 }).catch(() => undefined);
           if (await page.isEnabled('#wheels-up-start')) await page.click('#wheels-up-start');
           return false;

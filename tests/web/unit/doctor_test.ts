@@ -49,6 +49,16 @@ describe('the check of the tracks', () => {
     expect(progress).toEqual([{ step: 'left' }, { step: 'right' }, { step: 'end', result }]);
   });
 
+  it('is begun once, however often it is asked for', async () => {
+    const { calls, up } = check([{ token: 't' }]);
+    const first = up.begin();
+    expect(up.on).toBe(true);
+    await up.begin();
+    await first;
+    await up.begin();
+    expect([up.on, calls.length]).toEqual([true, 1]);
+  });
+
   it('ends with the reason of a refusal', async () => {
     const { failed, up } = check([new Error('no robot yet')]);
     await up.begin();
