@@ -153,6 +153,41 @@ std::vector<Run> list_runs(const std::string& folder) {
   return runs;
 }
 
+std::vector<std::string> files_of(const std::string& folder, const std::string& run) {
+  std::vector<std::string> names;
+  struct stat status {};
+  std::error_code error;
+  for (fs::directory_iterator at(run_path(folder, run), error), end; !error && at != end;
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (is_run_name(name) && ::lstat(at->path().c_str(), &status) == 0 && S_ISREG(status.st_mode))
+      names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+OpenFile::~OpenFile() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+OpenFile open_run_file(const std::string& folder, const std::string& run, const std::string& file,
+                       std::uint64_t& bytes) {
+  if (folder.empty() || !is_run_name(run) || !is_run_name(file)) return OpenFile();
+  const OpenFile root(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const OpenFile inside(
+      ::openat(root.get(), run.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  // Opening a pipe must not block.
+  OpenFile found(
+      ::openat(inside.get(), file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (!inside || !found || ::fstat(found.get(), &status) != 0 || !S_ISREG(status.st_mode))
+    return OpenFile();
+  record::mark_in_use(found.get());
+  bytes = static_cast<std::uint64_t>(status.st_size);
+  return found;
+}
+
 RunNote change_note(const std::string& folder, const std::string& run,
                     const RunNoteChange& change) {
   const fs::path path = run_path(folder, run);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runs/run_note.h"
@@ -42,6 +43,32 @@ struct Run {
 
 /// All runs, newest first; an absent folder counts as empty.
 std::vector<Run> list_runs(const std::string& folder);
+
+/// Names of the regular files in the folder of a run, sorted; no links. Throws SetupError: no such
+/// run.
+std::vector<std::string> files_of(const std::string& folder, const std::string& run);
+
+/// An open file that closes itself.
+class OpenFile {
+ public:
+  explicit OpenFile(int fd = -1) : fd_(fd) {}
+  ~OpenFile();
+  OpenFile(OpenFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  OpenFile& operator=(OpenFile&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  int get() const { return fd_; }
+  explicit operator bool() const { return fd_ >= 0; }
+
+ private:
+  int fd_;
+};
+
+/// Opens a regular file of a run for reading, or nothing: no such file may be read. No link is
+/// followed. The file is in use (record/recording_file.h) while it is open. `bytes`: its size.
+OpenFile open_run_file(const std::string& folder, const std::string& run, const std::string& file,
+                       std::uint64_t& bytes);
 
 /// Changes the note of a run; one that is empty then is removed. Returns the new one. Throws
 /// SetupError: no such run, text that is not taken, or the disk.

@@ -1,7 +1,5 @@
 #include "server/connection.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -56,8 +54,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void leave();
   void answer(HttpAnswer answer);
   void write_body();
-  void write_file();
-  void write_part(ssize_t got);
+  void write_part();
+  void on_part(std::optional<std::size_t> got);
   void end();
   bool upgrade(bool may_command);
   std::string_view header(http::field name) const { return view(parser_->get()[name]); }
@@ -241,7 +239,7 @@ void Connection::answer(HttpAnswer answer) {
 void Connection::write_body() {
   const bool head_only = parser_->is_header_done() && parser_->get().method() == http::verb::head;
   if (head_only || answer_.length == 0) return end();
-  if (answer_.file) return write_file();
+  if (answer_.on_disk()) return write_part();
   const boost::asio::const_buffer bytes =
       answer_.bytes.empty() ? boost::asio::const_buffer(answer_.body.data(), answer_.body.size())
                             : boost::asio::const_buffer(answer_.bytes.data(), answer_.bytes.size());
@@ -251,17 +249,14 @@ void Connection::write_body() {
                            });
 }
 
-void Connection::write_file() {
+void Connection::write_part() {
   if (answer_.length == 0) return end();
   const bool asked =
       shared_.disk.post([self = shared_from_this(), question = ++question_]() mutable {
         Connection& it = *self;
-        const auto wanted =
-            static_cast<std::size_t>(std::min<std::uint64_t>(kPart, it.answer_.length));
-        const ssize_t got = ::pread(it.answer_.file.get(), it.part_.data(), wanted,
-                                    static_cast<off_t>(it.answer_.offset));
+        const std::optional<std::size_t> got = it.answer_.read(it.part_);
         boost::asio::post(it.stream_.get_executor(), [self = std::move(self), question, got] {
-          self->on_disk(question, [&] { self->write_part(got); });
+          self->on_disk(question, [&] { self->on_part(got); });
         });
       });
   // Cut short: closing the connection reports it to the reader.
@@ -273,15 +268,13 @@ void Connection::write_file() {
     });
 }
 
-void Connection::write_part(ssize_t got) {
-  if (got <= 0) return;  // as above
-  answer_.offset += static_cast<std::uint64_t>(got);
-  answer_.length -= static_cast<std::uint64_t>(got);
+void Connection::on_part(std::optional<std::size_t> got) {
+  if (!got) return;  // as above
+  if (*got == 0) return write_part();
   stream_.expires_after(kWriteTime);
-  boost::asio::async_write(stream_,
-                           boost::asio::buffer(part_.data(), static_cast<std::size_t>(got)),
+  boost::asio::async_write(stream_, boost::asio::buffer(part_.data(), *got),
                            [self = shared_from_this()](beast::error_code error, std::size_t) {
-                             if (!error) self->write_file();
+                             if (!error) self->write_part();
                            });
 }
 

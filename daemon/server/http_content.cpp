@@ -1,7 +1,5 @@
 #include "server/http_content.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "record/recording_file.h"
-#include "runs/run_folder.h"
+#include "core/error.h"
 
 namespace tp100::server {
 namespace {
@@ -26,6 +23,7 @@ constexpr std::string_view kReportPolicy =
 
 constexpr std::string_view kRunList = "/api/runs";
 constexpr std::string_view kRuns = "/runs/";
+constexpr std::string_view kZip = ".zip";
 constexpr std::string_view kHistory = "/api/history/";
 constexpr std::string_view kSetupList = "/api/setup";
 constexpr std::string_view kRobots = "/api/robots";
@@ -65,13 +63,32 @@ HttpAnswer page_answer(const PageFile& file, std::string_view none_match) {
   return answer;
 }
 
+HttpAnswer zip_answer(const std::string& folder, std::string_view run) {
+  try {
+    HttpAnswer answer;
+    answer.zip = std::make_unique<runs::RunZip>(folder, std::string(run));
+    answer.length = answer.zip->size();
+    answer.type = "application/zip";
+    answer.headers.emplace_back("Cache-Control", "no-store");
+    answer.headers.emplace_back("Content-Disposition",
+                                "attachment; filename=\"" + std::string(run) + ".zip\"");
+    return answer;
+  } catch (const SetupError& error) {
+    return http_text(404, error.what());
+  }
+}
+
 HttpAnswer file_answer(const HttpRequest& request, std::string_view path,
                        const HttpSources& sources) {
   const std::size_t slash = path.find('/');
-  if (slash == std::string_view::npos) return http_text(404, "no such file");
+  if (slash == std::string_view::npos)
+    return path.ends_with(kZip)
+               ? zip_answer(sources.runs_folder, path.substr(0, path.size() - kZip.size()))
+               : http_text(404, "no such file");
   const std::string_view name = path.substr(slash + 1);
   std::uint64_t size = 0;
-  OpenFile file(open_run_file(sources.runs_folder, path.substr(0, slash), name, size));
+  runs::OpenFile file = runs::open_run_file(sources.runs_folder, std::string(path.substr(0, slash)),
+                                            std::string(name), size);
   if (!file) return http_text(404, "no such file");
   HttpAnswer answer;
   answer.type = runs::kind_of(name).media_type;
@@ -108,32 +125,18 @@ std::optional<std::uint64_t> number(std::string_view text) {
 
 }  // namespace
 
-int open_run_file(const std::string& folder, std::string_view run, std::string_view file,
-                  std::uint64_t& size) {
-  if (folder.empty() || !runs::is_run_name(run) || !runs::is_run_name(file)) return -1;
-  const int root = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (root < 0) return -1;
-  const int inside =
-      ::openat(root, std::string(run).c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  ::close(root);
-  if (inside < 0) return -1;
-  // Opening a pipe must not block.
-  int fd =
-      ::openat(inside, std::string(file).c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  ::close(inside);
-  struct stat status {};
-  if (fd >= 0 && (::fstat(fd, &status) != 0 || !S_ISREG(status.st_mode))) {
-    ::close(fd);
-    fd = -1;
+std::optional<std::size_t> HttpAnswer::read(std::span<char> into) {
+  const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(length, into.size()));
+  std::optional<std::size_t> got;
+  if (zip) {
+    got = zip->read(into);
+  } else if (const ssize_t n = ::pread(file.get(), into.data(), wanted, static_cast<off_t>(offset));
+             n > 0) {
+    got = static_cast<std::size_t>(n);
   }
-  if (fd < 0) return fd;
-  record::mark_in_use(fd);
-  size = static_cast<std::uint64_t>(status.st_size);
-  return fd;
-}
-
-OpenFile::~OpenFile() {
-  if (fd_ >= 0) ::close(fd_);
+  offset += got.value_or(0);
+  length -= got.value_or(0);
+  return got;
 }
 
 HttpAnswer http_text(unsigned status, std::string text) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,13 +12,10 @@
 #include <utility>
 #include <vector>
 
-namespace tp100::server {
+#include "runs/run_folder.h"
+#include "runs/run_zip.h"
 
-/// Opens a regular file of a run for reading; -1: no such file may be read. Names consist of
-/// letters, digits, '-', '_' and '.', do not begin with '.', and no link is followed. It is
-/// in use (record/recording_file.h) until the caller closes it.
-int open_run_file(const std::string& folder, std::string_view run, std::string_view file,
-                  std::uint64_t& size);
+namespace tp100::server {
 
 /// One file of the page; lives as long as the program.
 struct PageFile {
@@ -28,23 +26,6 @@ struct PageFile {
 };
 /// Returns the file for the `path` that a browser requests, or nothing.
 using Page = std::function<std::optional<PageFile>(std::string_view path)>;
-
-/// An open file that closes itself.
-class OpenFile {
- public:
-  explicit OpenFile(int fd = -1) : fd_(fd) {}
-  ~OpenFile();
-  OpenFile(OpenFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  OpenFile& operator=(OpenFile&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  int get() const { return fd_; }
-  explicit operator bool() const { return fd_ >= 0; }
-
- private:
-  int fd_;
-};
 
 struct HttpRequest {
   std::string_view method;  ///< "GET", ...
@@ -60,9 +41,16 @@ struct HttpAnswer {
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;                        ///< or
   std::span<const unsigned char> bytes{};  ///< or
-  OpenFile file{};
-  std::uint64_t offset = 0;  ///< of the part in the file
-  std::uint64_t length = 0;  ///< of the body, wherever it is
+  runs::OpenFile file{};                   ///< or
+  std::unique_ptr<runs::RunZip> zip{};     ///< or nothing
+  std::uint64_t offset = 0;                ///< of the part in the file
+  std::uint64_t length = 0;                ///< of the body, wherever it is
+
+  /// Whether read() has the body.
+  bool on_disk() const { return file || zip; }
+  /// Reads the next bytes of a body on the disk, which it waits for, and returns how many; 0: call
+  /// it again. Nothing: the body cannot be completed.
+  std::optional<std::size_t> read(std::span<char> into);
 };
 
 /// Returns the content of /api/setup, /courses/NAME.toml and /robots/NAME.toml, or nothing. It may

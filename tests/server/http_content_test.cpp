@@ -134,6 +134,20 @@ TEST_F(HttpContent, PartsOfAFileAreServedForScrubbing) {
   }
 }
 
+TEST_F(HttpContent, AWholeRunIsServedAsOneArchive) {
+  HttpAnswer answer = get("/runs/a.zip");
+  EXPECT_EQ(answer.status, 200U);
+  EXPECT_EQ(answer.type, "application/zip");
+  EXPECT_THAT(answer.headers,
+              Contains(Pair("Content-Disposition", "attachment; filename=\"a.zip\"")));
+  std::string all, part(65'536, '\0');
+  while (answer.length > 0) all.append(part, 0, answer.read(part).value());
+  EXPECT_EQ(all.substr(0, 4), "PK\3\4");
+  EXPECT_NE(all.find("a/run.mcap0123456789"), std::string::npos);
+  for (const char* none : {"/runs/none.zip", "/runs/.zip", "/runs/...zip", "/runs/../a.zip"})
+    EXPECT_EQ(get(none).status, 404U) << none;
+}
+
 TEST_F(HttpContent, AReportIsKeptAwayFromTheServer) {
   bool sandboxed = false;
   for (const auto& [name, value] : get("/runs/b/report.html").headers)

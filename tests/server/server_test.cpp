@@ -415,6 +415,23 @@ TEST_F(ServerTest, StopComesThroughBesideManyWhoReadRuns) {
   for (std::thread& reader : readers) reader.join();
 }
 
+TEST_F(ServerTest, ARunIsDownloadedWholeAsOneArchive) {
+  test::TemporaryFolder folder;
+  settings_.runs_folder = folder.path();
+  std::filesystem::create_directory(folder.file("a"));
+  test::write_bytes(folder.file("a/run.mcap"), std::string(500'000, 'x'));
+  test::write_bytes(folder.file("a/poses.csv"), "t_s\n");
+  start();
+  const auto ask = [&](const std::string& method) {
+    return http_get(port_, method + " /runs/a.zip HTTP/1.0\r\nHost: localhost\r\n\r\n");
+  };
+  const std::uint64_t bytes = runs::RunZip(folder.path(), "a").size();
+  EXPECT_THAT(ask("HEAD"), HasSubstr("Content-Length: " + std::to_string(bytes)));
+  const std::string answer = ask("GET");
+  EXPECT_EQ(answer.size() - answer.find("PK"), bytes);
+  EXPECT_THAT(answer, HasSubstr("a/poses.csvt_s\n"));
+}
+
 TEST_F(ServerTest, AMessageThatIsTooLongEndsTheClientBeforeItIsSent) {
   start();
   WebClient client = connect();

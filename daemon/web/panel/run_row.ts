@@ -91,13 +91,15 @@ function deeds(run: RunEntry, actions: RunActions): HTMLElement[] {
   return [...all, remove];
 }
 
-/** Every file, to download. */
+/** Every file, to download, and all in one. */
 function files(run: RunEntry): HTMLElement[] {
   const links = run.files
     .filter(({ kind }) => kind !== 'note')
     .map(({ name, url, bytes: size }) => h('a', { href: url, download: '', title: bytes(size) }, name));
-  if (links.length === 0) return [];
-  return [h('details', { class: 'run-more' }, h('summary', {}, links.length === 1 ? '1 file' : `${links.length} files`), ...links)];
+  const count = links.length;
+  if (count === 0) return [];
+  links.push(h('a', { class: 'run-zip', href: `/runs/${run.run}.zip`, download: '', 'aria-label': `All files of ${titleOf(run)} as a ZIP archive` }, 'all (zip)'));
+  return [h('details', { class: 'run-more' }, h('summary', {}, count === 1 ? '1 file' : `${count} files`), ...links)];
 }
 
 /** The form in the place of a row. */

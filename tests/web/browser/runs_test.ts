@@ -119,6 +119,17 @@ describe('a recorded run', () => {
     expect(existsSync(join(folder, name))).toBe(false);
   });
 
+  it('is downloaded whole', async () => {
+    const page = await openRuns();
+    const name = recorded('1-sharp');
+    await row(page, name).locator('summary').click();
+    const [download] = await Promise.all([page.waitForEvent('download'), row(page, name).locator('.run-zip').click()]);
+    expect(download.suggestedFilename()).toBe(`${name}.zip`);
+    const script = 'import sys,zipfile; z=zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; print(*z.namelist())';
+    const names = execFileSync('python3', ['-I', '-c', script, await download.path()], { encoding: 'utf8' });
+    expect(names.trim().split(' ')).toEqual(readdirSync(join(folder, name)).sort().map((file) => `${name}/${file}`));
+  });
+
   it('is shown on every screen, with the room on the disk', async () => {
     const page = await openRuns(kScreens[0]);
     await until(async () => /^\d+ runs, .* of at most .*free$/.test((await page.textContent('.runs-room')) ?? ''), 'the room', () => page.textContent('.runs-room'));
