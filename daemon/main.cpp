@@ -227,7 +227,7 @@ void add_recover(CLI::App& app, Action& action) {
 void add_export(CLI::App& app, Action& action) {
   static ExportOptions options;
   CLI::App* command =
-      app.add_subcommand("export", "Turn recordings into CSV and TUM files, or a ROS 2 bag");
+      app.add_subcommand("export", "Turn recordings into CSV and TUM files, a ROS 2 bag or images");
   command->add_option("RUN", options.runs, "Recordings, or their folders")
       ->type_name("RUN")
       ->required();
@@ -236,6 +236,10 @@ void add_export(CLI::App& app, Action& action) {
   command
       ->add_option("--ros2", options.ros2,
                    "A bag for ros2 bag, Foxglove and PlotJuggler, instead of CSV and TUM files")
+      ->type_name("FOLDER");
+  command
+      ->add_option("--images", options.images,
+                   "The camera's images as JPEG files, instead of CSV and TUM files")
       ->type_name("FOLDER");
   command->add_option("--out", options.out, "Folder to write to (default: beside the recording)")
       ->type_name("FOLDER");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
@@ -15,6 +16,8 @@
 #include "report/run_result.h"
 #include "ros2/bag.h"
 #include "text/atomic_file.h"
+#include "text/base64.h"
+#include "text/format.h"
 
 namespace tp100::app {
 namespace {
@@ -169,6 +172,42 @@ void export_bag(const Recording& recording, const std::string& folder) {
     std::printf("%s\n", path.c_str());
 }
 
+constexpr const char* kImageTopic = "/camera/image";  // CHANNELS.md
+
+/// The image of a foxglove.CompressedImage, or nothing.
+std::optional<std::string> jpeg_of(std::string_view json) {
+  const auto message = nlohmann::json::parse(json, nullptr, false);
+  if (!message.is_object() || message.value("format", nlohmann::json()) != "jpeg")
+    return std::nullopt;
+  const auto data = message.find("data");
+  if (data == message.end() || !data->is_string()) return std::nullopt;
+  return text::from_base64(data->get_ref<const std::string&>());
+}
+
+void export_images(const Recording& recording, const std::filesystem::path& folder) {
+  text::make_folder(folder);
+  Product times(folder, "images.csv");
+  times.file().write("t_s,file\n");
+  std::int64_t start_unix_ns = 0;
+  const std::string start = recording.fact("start_unix_ns");
+  std::from_chars(start.data(), start.data() + start.size(), start_unix_ns);
+  int images = 0;
+  recording.visit({.message =
+                       [&](const std::string&, std::uint64_t unix_ns, std::string_view json) {
+                         const auto jpeg = jpeg_of(json);
+                         if (!jpeg) return;
+                         const std::string name = text::format("image-%06d.jpg", ++images);
+                         text::write_file((folder / name).string(), *jpeg);
+                         const auto at = static_cast<std::int64_t>(unix_ns) - start_unix_ns;
+                         times.file().write(number(to_s(at)) + "," + name + "\n");
+                       },
+                   .topics = {kImageTopic}});
+  if (images == 0)
+    throw SetupError(recording.path() +
+                     ": has no images; run tp100-camera with an [image] section in its view file");
+  times.commit();
+}
+
 void export_run(const std::string& run, const ExportOptions& options) {
   const Recording recording(run);
   if (!recording.whole())
@@ -181,6 +220,7 @@ void export_run(const std::string& run, const ExportOptions& options) {
                                            ? std::filesystem::path(recording.path()).parent_path()
                                            : std::filesystem::path(options.out);
   if (!options.ros2.empty()) export_bag(recording, options.ros2);
+  if (!options.images.empty()) export_images(recording, options.images);
   if (options.csv || options.tum) text::make_folder(folder);
   if (options.csv) export_csv(recording, folder);
   if (options.tum) export_tum(recording, folder);
@@ -190,11 +230,14 @@ void export_run(const std::string& run, const ExportOptions& options) {
 
 int run_export(const ExportOptions& options) {
   ExportOptions wanted = options;
-  if (!wanted.csv && !wanted.tum && wanted.ros2.empty()) wanted.csv = wanted.tum = true;
+  if (!wanted.csv && !wanted.tum && wanted.ros2.empty() && wanted.images.empty())
+    wanted.csv = wanted.tum = true;
   if (wanted.runs.size() > 1 && !wanted.out.empty())
     throw SetupError("--out is for one run; without it the files go beside each recording");
   if (wanted.runs.size() > 1 && !wanted.ros2.empty())
     throw SetupError("--ros2 is for one run: a bag has one recording");
+  if (wanted.runs.size() > 1 && !wanted.images.empty())
+    throw SetupError("--images is for one run: its folder has the images of one recording");
   for (const std::string& run : wanted.runs) export_run(run, wanted);
   return 0;
 }

@@ -7,6 +7,7 @@
 
 #include "../record/random_record.h"
 #include "app/commands.h"
+#include "messages/messages.h"
 #include "record/recording.h"
 #include "recorded_run.h"
 #include "support/temporary_folder.h"
@@ -144,6 +145,42 @@ TEST_F(Export, EveryTrajectoryHoldsThePoseOfItsName) {
     }
     EXPECT_GT(count, 50) << name;
   }
+}
+
+TEST(ExportImages, WritesEachImageWithItsTime) {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> jpegs = {"\xff\xd8" + std::string("one\0", 4), "\xff\xd8two",
+                                          "\xff\xd8three"};
+  record_run(
+      folder.file("run.mcap"), [](StepRecord&) { return true; }, {{"seed", "5"}}, 0, true,
+      [&](record::Recorder& recorder, HostNs now) {
+        const messages::Messages messages({}, {.start_ns = kNsPerS, .start_unix_ns = 0});
+        for (std::size_t i = 0; i < jpegs.size(); ++i) {
+          const HostNs at = now + static_cast<HostNs>(i) * 250 * kNsPerMs;
+          recorder.message(messages::Channel::kCameraImage, at,
+                           messages.camera_image(at, jpegs[i]));
+        }
+        // What is not ours is left out.
+        for (const char* other : {"[]", "{", R"({"format":"png","data":"/9g="})",
+                                  R"({"format":"jpeg","data":"!"})", R"({"format":7,"data":[]})"})
+          recorder.message(messages::Channel::kCameraImage, now + kNsPerS, other);
+      });
+  const std::string out = folder.file("images");
+  EXPECT_EQ(run_export({.runs = {folder.file("run.mcap")}, .images = out, .out = {}}), 0);
+  EXPECT_EQ(test::read_bytes(out + "/images.csv"),
+            "t_s,file\n2,image-000001.jpg\n2.25,image-000002.jpg\n2.5,image-000003.jpg\n");
+  EXPECT_FALSE(std::filesystem::exists(out + "/image-000004.jpg"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("poses.csv"))) << "not asked for";
+  for (std::size_t i = 0; i < jpegs.size(); ++i)
+    EXPECT_EQ(test::read_bytes(out + "/image-00000" + std::to_string(i + 1) + ".jpg"), jpegs[i]);
+}
+
+TEST(ExportImages, ARecordingWithoutImagesIsSaid) {
+  const test::TemporaryFolder folder;
+  record_run(folder.file("run.mcap"));
+  EXPECT_THROW(
+      run_export({.runs = {folder.file("run.mcap")}, .images = folder.file("images"), .out = {}}),
+      SetupError);
 }
 
 }  // namespace

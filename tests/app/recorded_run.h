@@ -21,7 +21,8 @@ namespace tp100::app {
 inline void record_run(
     const std::string& path,
     const std::function<bool(StepRecord&)>& edit = [](StepRecord&) { return true; },
-    const record::McapMap& facts = {{"seed", "5"}}, int begin_at = 0, bool compress = true) {
+    const record::McapMap& facts = {{"seed", "5"}}, int begin_at = 0, bool compress = true,
+    const std::function<void(record::Recorder&, HostNs now)>& at_end = {}) {
   config::RunFiles files;
   files.robot = course::read_bundled(course::Bundled::kRobots, "end-loaded");
   files.course = course::read_bundled(course::Bundled::kCourses, "1-curve");
@@ -54,6 +55,7 @@ inline void record_run(
     robot.hear(cycle.session().output(), now);
     cycle.session().written(cycle.session().output().size());
   }
+  if (at_end) at_end(recorder, now);
 }
 
 }  // namespace tp100::app
