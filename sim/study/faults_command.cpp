@@ -47,10 +47,7 @@ void print_row(const FaultText& text) {
               text.number.data(), text.number.empty() ? "" : "]");
 }
 
-int drive_all(const std::string& board_name) {
-  Options options;
-  options.board = board_name;
-  const BoardKind board = load(options).board;
+int drive_all(BoardKind board) {
   std::printf("%s", fault_table_head().c_str());
   bool good = true;
   for (const FaultTrial& trial : fault_trials()) {
@@ -63,10 +60,7 @@ int drive_all(const std::string& board_name) {
   return good ? 0 : 1;
 }
 
-int sweep_encoders(const FaultsCommand& command) {
-  Options options;
-  options.board = command.board;
-  const BoardKind board = load(options).board;
+int sweep_encoders(const FaultsCommand& command, BoardKind board) {
   EncoderStudy study(!command.firmware_alone);
   std::printf("%s", encoder_table_head().c_str());
   bool good = true;
@@ -93,8 +87,11 @@ int sweep_encoders(const FaultsCommand& command) {
 }  // namespace
 
 int run_faults(const FaultsCommand& command) {
-  if (command.drive) return drive_all(command.board);
-  if (command.encoders) return sweep_encoders(command);
+  Options options;
+  options.board = command.board;
+  const BoardKind board = load(options).board;
+  if (command.drive) return drive_all(board);
+  if (command.encoders) return sweep_encoders(command, board);
   if (command.json) {
     for (const FaultText& text : fault_texts()) print_json(text);
     return 0;

@@ -40,6 +40,7 @@ TEST_F(BadInput, UsageErrors) {
   expect_refused({"tp100-sim", "course", "1-curve", "--seed", "-1"}, "seed");
   expect_refused({"tp100-sim", "corse", "1-curve"}, "did you mean 'course'");
   expect_refused({"tp100-sim", "course", "1-curve", "--board", "two\nlines"}, "two");
+  expect_refused({"tp100-sim", "faults", "--board", "uno"}, "uno");
 }
 
 // What is wrong, and what is allowed.
