@@ -80,6 +80,19 @@ describe("a camera's image", () => {
 
     await driveUntil(page, 'running');
     await picture(page, 'camera-live');
+    // On a phone, too, inside the view and beside nothing that is pressed.
+    await page.setViewportSize({ width: 390, height: 844 });
+    await until(() => page.evaluate(() => document.documentElement.clientWidth === 390), 'the page has its size');
+    const inside = await page.evaluate(() => {
+      const box = (selector: string): DOMRect | undefined => document.querySelector(selector)?.getBoundingClientRect();
+      const [image, view, modes] = [box('.camera-image'), box('.viewport'), box('.modes')];
+      if (image === undefined || view === undefined || modes === undefined) return 'something is missing';
+      const apart = image.right <= modes.left || modes.right <= image.left || image.bottom <= modes.top || modes.bottom <= image.top;
+      return image.left >= view.left && image.right <= view.right && image.top >= view.top && image.bottom <= view.bottom && apart;
+    });
+    await picture(page, 'camera-phone');
+    expect(inside).toBe(true);
+    await page.setViewportSize({ width: 1440, height: 900 });
     await driveUntil(page, 'finished');
     await camera.end();
     // The recording ends a second after the run.

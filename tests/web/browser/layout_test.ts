@@ -20,6 +20,19 @@ function sticksOut(): string[] {
   return out;
 }
 
+/** Pairs of the bar's parts that lie over each other, by what they say. */
+function overlaps(): string[] {
+  const parts = [...document.querySelectorAll('h1, .badge, .chip, .controls button, #stop')]
+    .map((element) => ({ says: element.textContent, box: element.getBoundingClientRect() }))
+    .filter(({ box }) => box.width > 0);
+  return parts.flatMap((a, i) =>
+    parts
+      .slice(i + 1)
+      .filter((b) => a.box.left < b.box.right - 0.5 && b.box.left < a.box.right - 0.5 && a.box.top < b.box.bottom - 0.5 && b.box.top < a.box.bottom - 0.5)
+      .map((b) => `${a.says} / ${b.says}`),
+  );
+}
+
 /** Waits for one more frame than was drawn, so that all elements have adapted to the size of the screen. */
 const frame = (page: Page): Promise<unknown> =>
   page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
@@ -28,7 +41,11 @@ const kScreens: Size[] = [
   { width: 360, height: 640 },
   { width: 390, height: 844 },
   { width: 768, height: 1024 },
+  { width: 1001, height: 700 },
   { width: 1024, height: 600 },
+  { width: 1101, height: 700 },
+  { width: 1241, height: 700 },
+  { width: 1421, height: 700 },
   { width: 1440, height: 900 },
   { width: 2560, height: 1440 },
 ];
@@ -103,6 +120,7 @@ describe('the layout', () => {
       }
       // On a busy machine the run may have been aborted meanwhile.
       await driveUntil(page, 'running');
+      expect(await page.evaluate(overlaps), size).toEqual([]);
       await picture(page, `layout-${width}`);
     }
   });
