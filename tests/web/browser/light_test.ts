@@ -61,6 +61,16 @@ describe('a page without a graphics card', () => {
     await alive(page);
   });
 
+  it('says when it was first painted', async () => {
+    const painted_ms: number[] = [];
+    for (let i = 0; i < 5; i++) {
+      const page = await setting.open();
+      painted_ms.push(await until(() => page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime), 'a first image'));
+      await page.close();
+    }
+    console.log(`first paint after ${painted_ms.map((ms) => ms.toFixed(0)).join(', ')} ms`);
+  });
+
   for (const view of ['map', 'free']) {
     it(`draws the ${view} view 30 times a second at most, and not at all while nothing moves`, async () => {
       const page = await setting.open();
