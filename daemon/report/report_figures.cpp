@@ -105,10 +105,17 @@ Figure error_figure(const RecordedRun& run) {
                              run.has_truth ? p.truth : p.estimates[PoseSource::kOdometry]);
         }));
   }
+  if (run.has_truth && run.result.has_estimate(PoseSource::kFused))
+    chart.series.push_back(over_time(
+        run, empty_series("fused, 2 sd", colour_of(PoseSource::kFused), true),
+        [](const TrajectoryPoint& p, const RunMoment&) {
+          return 2.0 * kCmPerM * magnitude(p.fused_sd.x_m, p.fused_sd.y_m);
+        }));
   return {
       "error", svg(chart),
       run.has_truth
-          ? "How far each estimate was from the truth, from start to end, disturbances included."
+          ? "How far each estimate was from the truth, from start to end, disturbances included. "
+            "Dashed: two standard deviations of the fused position, as its filter has them."
           : "The truth is not known: how far the estimates were from each other, which is no "
             "error."};
 }

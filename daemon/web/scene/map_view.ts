@@ -1,5 +1,5 @@
 // The course and the robot from above on a plain canvas: needs no WebGL.
-import type { Course, Pose, RobotShape } from '../state/messages.ts';
+import type { Course, FusedPose, Pose, RobotShape } from '../state/messages.ts';
 import { kEstimates, type EstimateName, type Store } from '../state/store.ts';
 import type { CameraMode } from './camera_rig.ts';
 import { bounds, fenceOf, footprint, inside, keepOutOf, onStadium, rampLength, stadiumLength, type Bounds, type Point2 } from './geometry.ts';
@@ -94,6 +94,7 @@ export class MapView implements View {
       context.lineWidth = 1.5 * this.ratio;
       context.stroke();
     }
+    if (this.visible.fused) this.uncertainty(context, estimate.fused);
     const pose = estimate[estimate.steering];
     this.robot(context, pose, store.leftTrack_m, store.rightTrack_m);
     this.element.dataset.robot = [pose.x_m, pose.y_m, pose.z_m, pose.yaw_rad].join(' ');
@@ -135,6 +136,17 @@ export class MapView implements View {
       context.lineTo(at.x, at.y);
     }
     context.closePath();
+  }
+
+  /** The ellipse of two standard deviations around the fused position. */
+  private uncertainty(context: CanvasRenderingContext2D, { x_m, y_m, sd_x_m, sd_y_m }: FusedPose): void {
+    const at = this.pixel(x_m, y_m);
+    context.beginPath();
+    context.ellipse(at.x, at.y, 2 * sd_x_m * this.projection.scale, 2 * sd_y_m * this.projection.scale, 0, 0, 2 * Math.PI);
+    context.strokeStyle = colour('fused');
+    context.lineWidth = this.ratio;
+    context.stroke();
+    this.element.dataset.uncertainty = [2 * sd_x_m, 2 * sd_y_m].join(' ');
   }
 
   private robot(context: CanvasRenderingContext2D, pose: Pose, left_m: number, right_m: number): void {

@@ -1,11 +1,13 @@
 // The robot to scale, with moving tracks.
 import {
   BoxGeometry,
+  BufferGeometry,
   DataTexture,
   EdgesGeometry,
   Group,
   InstancedMesh,
   LineBasicMaterial,
+  LineLoop,
   LineSegments,
   Matrix4,
   Mesh,
@@ -16,9 +18,12 @@ import {
   SRGBColorSpace,
   Vector3,
 } from 'three';
-import type { Pose, RobotShape } from '../state/messages.ts';
+import type { FusedPose, Pose, RobotShape } from '../state/messages.ts';
 import { onStadium, stadium, stadiumLength } from './geometry.ts';
 import { box, prismGeometry, solid } from './solid.ts';
+
+const kRingPoints = 48;
+const kRingLift_m = 0.004;
 
 export const kDefaultShape: RobotShape = {
   name: '',
@@ -104,6 +109,24 @@ export class RobotModel {
 }
 
 /** The outline of a robot, for a pose other than the steering pose. */
+/** The ellipse of two standard deviations around the fused position. */
+export class UncertaintyRing {
+  readonly line: LineLoop;
+
+  constructor(colour: string) {
+    const circle = Array.from({ length: kRingPoints }, (_, i) => {
+      const angle = (2 * Math.PI * i) / kRingPoints;
+      return new Vector3(Math.cos(angle), Math.sin(angle), 0);
+    });
+    this.line = new LineLoop(new BufferGeometry().setFromPoints(circle), new LineBasicMaterial({ color: colour }));
+  }
+
+  set({ x_m, y_m, z_m, sd_x_m, sd_y_m }: FusedPose): void {
+    this.line.position.set(x_m, y_m, z_m + kRingLift_m);
+    this.line.scale.set(2 * sd_x_m, 2 * sd_y_m, 1);
+  }
+}
+
 export class GhostModel {
   readonly group = new Group();
 

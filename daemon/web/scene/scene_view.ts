@@ -9,7 +9,7 @@ import { colour } from './palette.ts';
 import { Moved } from './moved.ts';
 import { Pace } from './pace.ts';
 import { Ribbon } from './ribbon.ts';
-import { GhostModel, kDefaultShape, RobotModel } from './robot_model.ts';
+import { GhostModel, kDefaultShape, RobotModel, UncertaintyRing } from './robot_model.ts';
 import { dispose } from './solid.ts';
 import type { View } from './view.ts';
 
@@ -27,6 +27,7 @@ export class SceneView implements View {
   private readonly ribbons: Record<EstimateName, Ribbon>;
   private ghosts: Record<EstimateName, GhostModel>;
   private robot: RobotModel;
+  private readonly ring = new UncertaintyRing(colour('fused'));
   private shape: RobotShape = kDefaultShape;
   private readonly visible: Record<EstimateName, boolean> = { model: true, odometry: true, fused: true, truth: true };
   private readonly pace = new Pace();
@@ -44,7 +45,7 @@ export class SceneView implements View {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.scene.background = new Color(colour('sky'));
     this.scene.fog = new Fog(colour('sky'), 3.5, 9);
-    this.scene.add(new HemisphereLight('#bcd6f5', '#26303c', 1.4), this.sun, this.sun.target, this.course.group);
+    this.scene.add(new HemisphereLight('#bcd6f5', '#26303c', 1.4), this.sun, this.sun.target, this.course.group, this.ring.line);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(1024, 1024);
     this.sun.shadow.bias = -0.0004;
@@ -110,6 +111,8 @@ export class SceneView implements View {
       this.changed = true;
       this.robot.group.visible = estimate !== undefined;
       if (estimate !== undefined) this.robot.set(estimate[estimate.steering], store.leftTrack_m, store.rightTrack_m);
+      this.ring.line.visible = estimate !== undefined && this.visible.fused;
+      if (estimate !== undefined) this.ring.set(estimate.fused);
       for (const name of kEstimates) {
         const pose = estimate?.[name];
         const ghost = this.ghosts[name];

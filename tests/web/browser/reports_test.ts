@@ -56,6 +56,11 @@ async function open(file: string, size: Size, scheme: 'light' | 'dark'): Promise
   return { page, complaints };
 }
 
+it("a report has the fused pose's error beside what its filter expects", async () => {
+  const { page } = await open('runs/1-straight-end-loaded-1/report.html', kDesktop, 'light');
+  expect(await page.locator('figure', { hasText: 'Distance from the truth' }).textContent()).toContain('fused, 2 sd');
+});
+
 const kPages = [
   ['the report of a run', 'runs/1-straight-end-loaded-1/report.html'],
   ['the comparison of runs', 'compared/compare.html'],
