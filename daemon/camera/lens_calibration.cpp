@@ -224,9 +224,9 @@ int calibrate_lens(const std::string& source, const SourceOptions& options,
   // Times do not matter here.
   if (!any_time.fps) any_time.fps = 1.0;
   const auto images = open_source(source, any_time);
-  if (images->live())
-    throw SetupError(source +
-                     ": record the board first; --calibrate-lens takes a folder or a video");
+  if (!images->ends())
+    throw SetupError(
+        source + ": record the board first; --calibrate-lens takes a folder, a video or a pipe");
   std::vector<BoardCorners> views;
   BoardCorners last;
   cv::Size size;

@@ -32,8 +32,10 @@ struct Options {
 };
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("SOURCE", options.watch.source,
-                 "Video file, folder of images, or device (/dev/video0, or 0 for short)")
+  app.add_option(
+         "SOURCE", options.watch.source,
+         "Video file, folder of images, device (/dev/video0, or 0 for short), or pipe of netpbm "
+         "images (- is standard input)")
       ->type_name("");
   app.add_option("--view", options.watch.view,
                  "View file: lens, marker, points on the floor (as config/view.toml)")

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
@@ -19,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "camera/image_pipe.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
@@ -226,6 +229,7 @@ class DeviceSource : public Source {
   /// False: the device is gone.
   bool next(Image& image) override;
   bool live() const override { return true; }
+  bool ends() const override { return false; }
 
  private:
   cv::VideoCapture capture_;
@@ -266,6 +270,14 @@ bool DeviceSource::next(Image& image) {
     return false;
   }
   return true;
+}
+
+std::unique_ptr<Source> open_fifo(const std::string& path, const SourceOptions& options) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+    throw SetupError(text::one_line(path, 300) + ": cannot be opened (" + std::strerror(errno) +
+                     "); check that you may read it");
+  return open_image_pipe(descriptor, path, options);
 }
 
 }  // namespace
@@ -325,6 +337,7 @@ HostNs image_time(double driver_ms, HostNs grabbed_ns, HostNs delay_ns) {
 namespace fs = std::filesystem;
 
 std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions& options) {
+  if (name == "-") return open_image_pipe(STDIN_FILENO, "standard input", options);
   const bool number =
       !name.empty() && name.size() <= 3 &&
       std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -336,11 +349,13 @@ std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions
       return std::make_unique<FolderSource>(path, options.fps);
     case fs::file_type::character:
       return std::make_unique<DeviceSource>(path, options);
+    case fs::file_type::fifo:
+      return open_fifo(path, options);
     case fs::file_type::regular:
       return std::make_unique<VideoSource>(path);
     default:
       throw SetupError(text::one_line(path, 300) +
-                       ": no such video, folder or device; check the name");
+                       ": no such video, folder, device or pipe; check the name");
   }
 }
 

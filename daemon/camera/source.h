@@ -1,5 +1,5 @@
 #pragma once
-// Sources of images: a folder, a video file, a device.
+// Sources of images: a folder, a video file, a device, a pipe.
 
 #include <memory>
 #include <opencv2/core.hpp>
@@ -15,14 +15,15 @@ namespace tp100::camera {
 struct Image {
   cv::Mat grey;         ///< 8 bits
   cv::Mat shown;        ///< the same as it was taken, grey or in colour (BGR), 8 bits
-  HostNs taken_ns = 0;  ///< recordings: since their beginning; devices: monotonic clock
+  HostNs taken_ns = 0;  ///< recordings: since their beginning; live ones: monotonic clock
 };
 
 struct SourceOptions {
   std::optional<double> fps;  ///< folders without times: images per second; devices: requested rate
   int width_px = 0;           ///< devices: requested width; 0: their default
   int height_px = 0;
-  double delay_s = 0.0;  ///< devices: from the exposure to the driver's stamp
+  double delay_s = 0.0;  ///< devices: from the exposure to the driver's stamp; pipes without
+                         ///< stamps: to the arrival
 };
 
 class Source {
@@ -36,10 +37,12 @@ class Source {
   virtual bool next(Image& image) = 0;
   /// Whether images arrive as they are taken, not on request.
   virtual bool live() const { return false; }
+  /// Whether it has an end, as recordings have; where a device ends, it is gone.
+  virtual bool ends() const { return true; }
 };
 
-/// Opens `name`: a folder of images (list_images()), a device (/dev/video0, or 0 for short), or
-/// else a video file. Throws SetupError.
+/// Opens `name`: a folder of images (list_images()), a device (/dev/video0, or 0 for short), a pipe
+/// (camera/image_pipe.h; - is standard input), or else a video file. Throws SetupError.
 std::unique_ptr<Source> open_source(const std::string& name, const SourceOptions& options);
 
 /// An image file and its time.

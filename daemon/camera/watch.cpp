@@ -244,7 +244,7 @@ int Watch::finish(bool gone) {
     std::fprintf(stderr, "tp100-camera: the device gives no more images; check its cable\n");
     return 1;
   }
-  if (found_ > 0 || source_->live() || !observer_) return 0;
+  if (found_ > 0 || !source_->ends() || !observer_) return 0;
   std::fprintf(stderr, "tp100-camera: no image shows marker %d%s\n", view_.marker_id,
                floor_problem(" over a known floor: ").c_str());
   return 1;
@@ -260,7 +260,7 @@ int Watch::run() {
     if (tum_) tum_->finish();
     throw;
   }
-  return finish(!more && source_->live());
+  return finish(!more && !source_->ends());
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 // Tests the program tp100-camera on recordings of drawn images.
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -14,6 +18,8 @@
 #include "../link/udp_receiver.h"
 #include "../programs/process.h"
 #include "core/angle.h"
+#include "core/clock.h"
+#include "core/time.h"
 #include "link/camera_image.h"
 #include "link/camera_message.h"
 #include "link/udp.h"
@@ -119,6 +125,44 @@ TEST_F(CameraProgram, SendsTheDriveInRealTimeWithTheTimesAtWhichItWasTaken) {
   EXPECT_EQ(sender.wait(), 0) << sender.output();
   EXPECT_GT(received, 0);
   EXPECT_LE(last, 12U);
+}
+
+TEST_F(CameraProgram, SendsWhatComesThroughAPipeWithTheStampsItHasUntilASignal) {
+  UdpReceiver receiver;
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+  Process camera(
+      {program(), "-", "--view", view(), "--send", "udp:" + std::to_string(receiver.port())},
+      ends[0]);
+  Scene scene = corner_scene();
+  for (int i = 0; i < 4; ++i) {
+    const cv::Mat image = scene.image(drive(i / kFps));
+    const HostNs taken_ns = monotonic_now();
+    std::array<char, 80> header{};
+    const int length =
+        std::snprintf(header.data(), header.size(), "P5\n# taken_s %.6f\n%d %d\n255\n",
+                      to_s(taken_ns), image.cols, image.rows);
+    std::string bytes(header.data(), static_cast<std::size_t>(length));
+    bytes.append(reinterpret_cast<const char*>(image.data), image.total());
+    for (std::size_t at = 0; at < bytes.size();) {
+      const ssize_t written = ::write(ends[1], bytes.data() + at, bytes.size() - at);
+      ASSERT_GT(written, 0);
+      at += static_cast<std::size_t>(written);
+    }
+    std::string datagram = receiver.wait(60'000);
+    while (link::is_image(datagram)) datagram = receiver.wait(60'000);
+    const auto message = link::decode_camera(datagram);
+    ASSERT_TRUE(message.has_value()) << camera.output();
+    EXPECT_NEAR(static_cast<double>(message->stamp_us), static_cast<double>(taken_ns) * 1e-3, 1.5);
+    EXPECT_EQ(message->sequence, static_cast<std::uint32_t>(i + 1));
+    const Pose truth = drive(i / kFps);
+    EXPECT_LT(std::hypot(message->x_m - truth.x_m, message->y_m - truth.y_m), 0.0015);
+  }
+  camera.signal(SIGTERM);
+  EXPECT_EQ(camera.wait(), 0) << camera.output();
+  EXPECT_THAT(camera.output(), HasSubstr("seen in 4"));
+  ::close(ends[0]);
+  ::close(ends[1]);
 }
 
 TEST_F(CameraProgram, SendsImagesOfAnyCameraAtARateAndSizeForPeople) {
