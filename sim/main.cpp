@@ -85,8 +85,11 @@ int run(int argc, char** argv) {
                    "Configuration of the daemon's part (default: as config/tp100.toml)")
       ->type_name("FILE");
   course_app
-      ->add_flag("--camera{overhead}", course.camera,
-                 "An overhead camera looks on; =CAMERA: name in config/cameras or file")
+      ->add_flag(
+          "--camera{overhead}", course.camera,
+          "An overhead camera looks on; =CAMERA: name in config/cameras or file; =FILE.tum: "
+          "what a camera found in images of this very drive (tp100-camera --tum), in seconds "
+          "since its beginning")
       ->type_name("CAMERA");
   course_app
       ->add_option(

@@ -31,8 +31,9 @@ int run_robot(const RobotCommand& command);
 struct CourseCommand {
   Options options{};
   std::string course;
-  std::string camera;                 ///< overhead camera: bundled name or file; empty: none
-  std::string world;                  ///< external: udp:[HOST:]PORT; empty: as configured
+  std::string camera;  ///< overhead camera: bundled name or file, or detections of this
+                       ///< drive (.tum); empty: none
+  std::string world;   ///< external: udp:[HOST:]PORT; empty: as configured
   std::vector<std::string> faults{};  ///< NAME[:NUMBER][:WORD][@T[+D]]
   int runs = 1;
   std::string record;  ///< folder for recordings; empty: none

@@ -14,6 +14,7 @@
 #include "sim/robot/commands.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/lockstep_recorder.h"
+#include "sim/sensors/detections.h"
 #include "text/atomic_file.h"
 
 namespace tp100::sim {
@@ -62,8 +63,14 @@ int run_course(const CourseCommand& command) {
   loaded.files.course = course::read_bundled(course::Bundled::kCourses, command.course);
   const course::Course course =
       course::parse_course(loaded.files.course.text, loaded.files.course.path);
+  const bool detected = command.camera.ends_with(".tum");
+  if (detected && command.runs > 1)
+    throw SetupError("--camera " + command.camera + ": it saw one drive; leave --runs out");
   const std::optional<course::EmulatedCamera> camera =
-      command.camera.empty() ? std::nullopt : std::optional(load_camera(command.camera));
+      command.camera.empty() || detected ? std::nullopt
+                                         : std::optional(load_camera(command.camera));
+  const std::vector<CameraSample> detections =
+      detected ? read_detections(command.camera) : std::vector<CameraSample>{};
   if (command.world.starts_with("udp:")) loaded.configuration.world.address = command.world;
   loaded.files.world =
       config::world_option(command.world, loaded.configuration.parameters.world.kind);
@@ -92,6 +99,7 @@ int run_course(const CourseCommand& command) {
                       .setup = loaded.setup,
                       .board = loaded.board,
                       .camera = camera,
+                      .detections = detections,
                       .external_world = loaded.files.world == bridge::WorldKind::kUdp,
                       .seed = seed,
                       .faults = parse_faults(command.faults),

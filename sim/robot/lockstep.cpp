@@ -50,6 +50,7 @@ class Lockstep {
   void advance_robot();
   void step_host();
   void look();
+  void deliver();
   void cable();
   void push();
   void record(const Snapshot& snapshot);
@@ -66,6 +67,7 @@ class Lockstep {
   bridge::Cycle cycle_;
   EmulatedRobot robot_;
   std::optional<OverheadCamera> camera_;
+  std::size_t delivered_ = 0;  ///< of the settings' detections
   std::optional<WorldClient> world_;
   TruthHistory truth_;
   report::MeasuredMotion measured_;
@@ -123,9 +125,10 @@ Lockstep::Lockstep(const LockstepSettings& settings)
       disturbance_injector_(settings.course.disturbances) {
   terrain::require_climbable(settings.course, settings.robot);
   if (period_ns_ < kPhysicsStepNs) period_ns_ = kPhysicsStepNs;
+  result_.has_camera = settings.camera || !settings.detections.empty();
+  if (result_.has_camera && stand())
+    throw SetupError("--camera: on a stand it would see a robot that stands still; leave it out");
   if (settings.camera) {
-    if (stand())
-      throw SetupError("--camera: on a stand it would see a robot that stands still; leave it out");
     const course::Fence& fence = settings.course.fence;
     camera_.emplace(*settings.camera, (fence.min_x_m + fence.max_x_m) / 2.0,
                     (fence.min_y_m + fence.max_y_m) / 2.0, settings.seed);
@@ -137,7 +140,6 @@ Lockstep::Lockstep(const LockstepSettings& settings)
                          .parameters = parameters_};
     world_.emplace(config::world_run(run), static_cast<std::uint32_t>(settings.seed));
   }
-  result_.has_camera = camera_.has_value();
   result_.course = settings.course.name;
   result_.board = to_string(settings.board);
   result_.body = to_string(settings.robot.emulated.contact_law);
@@ -167,6 +169,16 @@ void Lockstep::look() {
   camera_->look(truth_now(), robot_.now_ns());
   while (const std::optional<CameraSample> seen = camera_->take(robot_.now_ns()))
     cycle_.camera(*seen);
+}
+
+void Lockstep::deliver() {
+  while (begin_ns_ >= 0 && delivered_ < settings_.detections.size()) {
+    CameraSample sample = settings_.detections[delivered_];
+    sample.measured_ns += begin_ns_;
+    if (sample.measured_ns + kDetectionDelayNs > robot_.now_ns()) return;
+    cycle_.camera(sample);
+    ++delivered_;
+  }
 }
 
 void Lockstep::cable() {
@@ -256,7 +268,7 @@ void Lockstep::step_host() {
       result_.baselines.gyro_bias_radps = measured_.bias_radps();
     }
     record(out.snapshot);
-    if (camera_) result_.camera = report::camera_figures(out.snapshot.filter);
+    if (result_.has_camera) result_.camera = report::camera_figures(out.snapshot.filter);
   }
 }
 
@@ -272,6 +284,7 @@ void Lockstep::turn() {
   advance_robot();
   cable();
   if (camera_) look();
+  deliver();
   if (begin_ns_ >= 0) push();
   if (robot_.now_ns() < std::max(next_step_ns_, host_awake_ns_)) return;
   next_step_ns_ += period_ns_;
@@ -290,6 +303,7 @@ report::RunResult Lockstep::run() {
   const Clock::time_point wall_begin = Clock::now();
   const std::int64_t started_ns = robot_.now_ns();
   begin_ns_ = -1;
+  delivered_ = 0;
   result_.points.clear();
   result_.disturbances.clear();
   result_.camera = {};

@@ -6,8 +6,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "config/configuration.h"
+#include "core/sample.h"
+#include "core/time.h"
 #include "course/camera.h"
 #include "course/course.h"
 #include "course/robot.h"
@@ -25,6 +28,9 @@ struct LockstepSettings {
   bridge::Setup setup = bridge::Setup::kFlat;
   BoardKind board = BoardKind::kNative;
   std::optional<course::EmulatedCamera> camera{};  ///< none: no camera
+  /// Of a camera that saw this very drive, in order, by the time since its beginning: in place of
+  /// `camera`. They arrive kDetectionDelayNs after their image.
+  std::vector<CameraSample> detections{};
   /// World at the configuration's address; else the course's own, whatever the configuration is.
   bool external_world = false;
   std::uint64_t seed = 1;
@@ -38,6 +44,8 @@ struct LockstepSettings {
   bool host_watches_encoders = true;  ///< false: only the robot compares them with duty and gyro
   double begin_within_s = 10.0;       ///< of its start; a run that never begins is a failure
 };
+
+inline constexpr std::int64_t kDetectionDelayNs = 60 * kNsPerMs;
 
 /// Drives the course once. On a stand no camera is used: the robot that it sees does not move.
 /// Deterministic except for `realtime_factor` and `loop`. Throws SetupError if course and robot do

@@ -124,6 +124,33 @@ TEST(CameraRun, OutliersAndLostFramesDoNotPullThePoseAway) {
             0.006);
 }
 
+TEST(CameraRun, DetectionsOfThisDriveTakeTheEmulatedCamerasPlace) {
+  constexpr std::size_t kEvery = 20;  // samples, of 200 a second
+  LockstepSettings run = settings("1-curve", "uniform", PoseSource::kOdometry);
+  run.camera.reset();
+  const report::RunResult blind = run_lockstep(run);
+  for (std::size_t i = 0; i < blind.points.size(); i += kEvery) {
+    const report::TrajectoryPoint& point = blind.points[i];
+    run.detections.push_back({.x_m = point.truth.x_m,
+                              .y_m = point.truth.y_m,
+                              .yaw_rad = wrap_angle(point.truth.yaw_rad),
+                              .measured_ns = from_s(point.t_s),
+                              .sequence = static_cast<std::uint32_t>(i)});
+  }
+  const report::RunResult seen = run_lockstep(run);
+  ASSERT_EQ(seen.points.size(), blind.points.size());
+  EXPECT_EQ(seen.points.back().truth.x_m, blind.points.back().truth.x_m);
+  EXPECT_TRUE(seen.has_camera);
+  EXPECT_EQ(seen.camera.rejected, 0U);
+  // But for those that are under way at the end.
+  EXPECT_GE(seen.camera.used + 2, run.detections.size());
+  const auto error_m = [&run](const report::RunResult& result, PoseSource source) {
+    return report::figures(result, run.course).estimates[source]->max_position_error_m;
+  };
+  EXPECT_LT(error_m(seen, PoseSource::kFused), 0.004);
+  EXPECT_LT(error_m(seen, PoseSource::kFused), error_m(blind, PoseSource::kOdometry));
+}
+
 TEST(CameraRun, ABenchIsNoPlaceForACamera) {
   LockstepSettings run = settings("1-curve", "end-loaded", PoseSource::kOdometry);
   run.setup = bridge::Setup::kStand;
