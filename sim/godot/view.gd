@@ -4,6 +4,7 @@
 extends Spatial
 
 const Frame = preload("res://frame.gd")
+const Floor = preload("res://floor.gd")
 const RobotView = preload("res://robot_view.gd")
 
 const FRAME_MS := 33
@@ -88,30 +89,8 @@ func add_lights() -> void:
 	world.environment = air
 	add_child(world)
 
-# The paper's floor is marked in squares of 10 cm.
 func add_floor(fence: Dictionary) -> void:
-	var image = Image.new()
-	image.create(128, 128, false, Image.FORMAT_RGB8)
-	image.fill(Color(0.86, 0.86, 0.83))
-	image.lock()
-	for i in 128:
-		for k in 2:
-			image.set_pixel(i, k, Color(0.6, 0.62, 0.62))
-			image.set_pixel(k, i, Color(0.6, 0.62, 0.62))
-	image.unlock()
-	image.generate_mipmaps()
-	var texture = ImageTexture.new()
-	texture.create_from_image(image, Texture.FLAG_MIPMAPS | Texture.FLAG_FILTER | Texture.FLAG_REPEAT | Texture.FLAG_ANISOTROPIC_FILTER)
-	var material = SpatialMaterial.new()
-	material.albedo_texture = texture
-	material.roughness = 1.0
-	material.uv1_scale = Vector3(60, 60, 1)
-	var plane = PlaneMesh.new()
-	plane.size = Vector2(6, 6)
-	var instance = MeshInstance.new()
-	instance.mesh = plane
-	instance.material_override = material
-	add_child(instance)
+	add_child(Floor.new())
 	# The fence as rails.
 	var corners: Array = fence.get("corners_m", [])
 	if corners.empty():

@@ -1,0 +1,12 @@
+# The robot with a marker that an overhead camera reads, flat over its reference point.
+extends "res://robot_view.gd"
+
+const Plate = preload("res://marker_plate.gd")
+
+var sheet := {}  # {file, side_m, height_m}
+
+func marker(_at: Vector3) -> void:
+	var plate = Plate.new()
+	add_child(plate)
+	plate.build(sheet.file, sheet.side_m, sheet.height_m)
+	box(Vector3(0.012, sheet.height_m - 0.044, 0.012), Vector3(-0.022, (sheet.height_m + 0.04) / 2, -0.03), Color(0.3, 0.3, 0.3))
