@@ -106,11 +106,11 @@ Figure error_figure(const RecordedRun& run) {
         }));
   }
   if (run.has_truth && run.result.has_estimate(PoseSource::kFused))
-    chart.series.push_back(over_time(
-        run, empty_series("fused, 2 sd", colour_of(PoseSource::kFused), true),
-        [](const TrajectoryPoint& p, const RunMoment&) {
-          return 2.0 * kCmPerM * magnitude(p.fused_sd.x_m, p.fused_sd.y_m);
-        }));
+    chart.series.push_back(
+        over_time(run, empty_series("fused, 2 sd", colour_of(PoseSource::kFused), true),
+                  [](const TrajectoryPoint& p, const RunMoment&) {
+                    return 2.0 * kCmPerM * magnitude(p.fused_sd.x_m, p.fused_sd.y_m);
+                  }));
   return {
       "error", svg(chart),
       run.has_truth
