@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "core/arithmetic.h"
@@ -62,12 +63,13 @@ class Reader {
 
   MeasuredMotion measured_;
   RunMonitor watch_;
-  DurationTally jitter_, sample_age_;
+  DurationTally jitter_, sample_age_, world_age_;
   std::vector<HostNs> disturbances_ns_;
   RunState state_ = RunState::kIdle;
   FaultMask faults_ = 0;
   std::uint64_t step_ = 0;
   HostNs begin_ns_ = 0, now_ns_ = 0, end_ns_ = 0;
+  std::optional<HostNs> world_answered_ns_;
   double step_jitter_us_ = 0.0;
   double cross_track_squares_ = 0.0;
   std::uint64_t estimated_steps_ = 0;
@@ -80,6 +82,7 @@ class Reader {
 
 void Reader::step(const StepRecord& record) {
   for (const Sample& sample : record.inputs.samples) measured_.take(sample);
+  for (const WorldSample& answer : record.inputs.world) world_answered_ns_ = answer.answered_ns;
   if (run_.steps == 0) begin(record.now_ns);
   watch_.step(record);
   const RunState state = record.snapshot.run_state;
@@ -117,6 +120,7 @@ void Reader::begin(HostNs now) {
   run_.result.baselines.gyro_bias_radps = measured_.bias_radps();
   jitter_ = {};
   sample_age_ = {};
+  world_age_ = {};
   disturbances_ns_.clear();
   faults_ = 0;
   cross_track_squares_ = 0.0;
@@ -131,6 +135,7 @@ void Reader::time(const StepRecord& record) {
     jitter_.add(step_jitter_us_);
   }
   if (record.snapshot.has_sample) sample_age_.add(static_cast<double>(record.snapshot.age_us));
+  if (world_answered_ns_) world_age_.add(to_s(record.now_ns - *world_answered_ns_) * 1e6);
 }
 
 void Reader::estimate(const Snapshot& snapshot) {
@@ -282,6 +287,7 @@ void Reader::finish() {
   run_.jitter = jitter_.result();
   run_.jitter_counts = jitter_.counts();
   run_.sample_age = sample_age_.result();
+  run_.world_age = world_age_.result();
   for (const Happening& one : watch_.happenings())
     run_.events.push_back({t_s(one.at_ns), one.text, one.fix, one.bad});
   std::ranges::stable_sort(run_.events, {}, &RunEvent::t_s);

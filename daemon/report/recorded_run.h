@@ -123,6 +123,9 @@ struct RecordedRun {
   std::uint64_t implausible = 0;     ///< points left out because of impossible values
   messages::Durations jitter{};      ///< |time between two steps - period|
   messages::Durations sample_age{};  ///< of the newest sample at each step
+  /// From the step whose pose the external world's newest answer answers, to each step; none: count
+  /// 0.
+  messages::Durations world_age{};
   std::array<std::uint64_t, messages::kLatenessEdgesUs.size() + 1> jitter_counts{};
   std::vector<RunEvent> events;
   std::uint64_t more_events = 0;  ///< not listed

@@ -133,6 +133,8 @@ void add_timing(HtmlPage& page, const RecordedRun& run) {
   Rows durations = {kDurationHead};
   if (in_real_time(run)) durations.push_back(duration_row("jitter", run.jitter));
   durations.push_back(duration_row("age of the newest sample", run.sample_age));
+  if (run.world_age.count > 0)
+    durations.push_back(duration_row("age of the world's newest answer", run.world_age));
   const std::string period = decimals(1e6 / run.run_context.rate_hz, 0) + " us";
   if (!in_real_time(run)) {
     page.table(durations, "Virtual time: every step took exactly the period of " + period +

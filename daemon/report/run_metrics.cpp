@@ -64,7 +64,8 @@ std::string metrics_json(const RecordedRun& run, const std::optional<RunFigures>
   }
   json["timing"] = {{"rate_hz", run.run_context.rate_hz},
                     {"jitter_us", run.jitter},
-                    {"sample_age_us", run.sample_age}};
+                    {"sample_age_us", run.sample_age},
+                    {"world_age_us", run.world_age.count > 0 ? Json(run.world_age) : Json()}};
   json["link"] = Json::object();
   for (const auto& [name, value] : counters_of(run.result.link)) json["link"][name] = value;
   json["recording"] = {{"file", run.path},

@@ -119,6 +119,28 @@ TEST_F(Report, StepsThatAreMissingAreTold) {
   EXPECT_THAT(text("report.html"), HasSubstr("steps 200 to 209 are not in the recording"));
 }
 
+// Every second step has a new answer, to the pose of 12 ms ago.
+TEST_F(Report, TheAgeOfTheWorldsAnswersIsThatOfTheNewestAtEachStep) {
+  record_run(file(), [](StepRecord& record) {
+    if (record.step % 2 == 0)
+      record.inputs.world.push({.answered_ns = record.now_ns - 12 * kNsPerMs});
+    return true;
+  });
+  ASSERT_EQ(report(), "");
+  const Json age_us = metrics()["timing"]["world_age_us"];
+  EXPECT_NEAR(age_us["p50"], 12e3, 0.06 * 12e3);
+  EXPECT_NEAR(age_us["p99"], 17e3, 0.06 * 17e3);
+  EXPECT_NEAR(age_us["max"], 17e3, 1.0);
+  EXPECT_THAT(text("report.html"), HasSubstr("age of the world&#39;s newest answer"));
+}
+
+TEST_F(Report, WithoutAnExternalWorldNoAnswerHasAnAge) {
+  record_run(file());
+  ASSERT_EQ(report(), "");
+  EXPECT_TRUE(metrics()["timing"].at("world_age_us").is_null());
+  EXPECT_THAT(text("report.html"), Not(HasSubstr("newest answer")));
+}
+
 TEST_F(Report, ARecordingThatWasCutOffIsReportedUpToThere) {
   record_run(file());
   const std::string whole = test::read_bytes(file());
