@@ -26,6 +26,8 @@ namespace {
 namespace asio = boost::asio;
 
 constexpr auto kTick = std::chrono::milliseconds(10);
+// A pose that has waited here is older when the world answers it.
+constexpr auto kTickOfWorld = std::chrono::milliseconds(2);
 constexpr HostNs kStatsPeriodNs = kNsPerS;
 // Faults after which the robot may return: without --go the daemon waits for a new start.
 constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
@@ -211,7 +213,8 @@ void Supervisor::State::serve(const SessionReport& report) {
 }
 
 void Supervisor::State::schedule_tick() {
-  timer.expires_after(kTick);
+  const bool answered = settings.world.parameters.kind == bridge::WorldKind::kUdp;
+  timer.expires_after(answered ? kTickOfWorld : kTick);
   timer.async_wait([this](const boost::system::error_code& error) {
     if (!error) tick();
   });
