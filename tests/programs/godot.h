@@ -1,0 +1,121 @@
+#pragma once
+// The engine's project sim/godot without a display or with one in memory, and lockstep runs in it.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "../support/temporary_folder.h"
+#include "process.h"
+#include "support/paths.h"
+
+namespace tp100::test {
+
+/// A display in memory.
+class Screen {
+ public:
+  Screen() {
+    // It also prints which names are taken.
+    while (name_.empty() && server_.wait_for("\n")) {
+      std::istringstream lines(server_.output());
+      for (std::string line; std::getline(lines, line);) {
+        if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos)
+          name_ = ":" + line;
+      }
+    }
+    EXPECT_FALSE(name_.empty()) << server_.output();
+  }
+  const std::string& name() const { return name_; }
+  /// Mouse and keyboard, as xdotool has them.
+  void input(std::vector<std::string> words) const {
+    words.insert(words.begin(), {"/usr/bin/env", "DISPLAY=" + name_, "xdotool"});
+    const Finished done = run(words);
+    EXPECT_EQ(done.status, 0) << done.output;
+  }
+
+ private:
+  Process server_{
+      {"/usr/bin/Xvfb", "-displayfd", "1", "-screen", "0", "960x540x24", "-nolisten", "tcp"}};
+  std::string name_;
+};
+
+/// Runs scripts/godot with so many robots, with a window on `screen` that looks from above, or
+/// without.
+class Engine {
+ public:
+  explicit Engine(const std::string& course, const std::string& listen = "127.0.0.1:0",
+                  const Screen* screen = nullptr, int robots = 1)
+      : process_(command(course, listen, screen, robots)) {
+    std::size_t at = 0;
+    for (int i = 0; i < robots; ++i) {
+      EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
+      process_.wait_for("\n");
+      const std::string& text = process_.output();
+      at = text.find("127.0.0.1:", at);
+      if (at == std::string::npos) return;
+      addresses_.push_back(text.substr(at, text.find('\n', at) - at));
+      at += addresses_.back().size();
+    }
+  }
+  std::string address(std::size_t robot = 0) const {
+    return robot < addresses_.size() ? addresses_[robot] : "127.0.0.1:1";
+  }
+  bool says(const std::string& text) { return process_.wait_for(text); }
+
+ private:
+  static std::vector<std::string> command(const std::string& course, const std::string& listen,
+                                          const Screen* screen, int robots) {
+    std::vector<std::string> words{"/usr/bin/env"};
+    if (screen) words.push_back("DISPLAY=" + screen->name());
+    words.insert(words.end(),
+                 {TP100_SOURCE_DIR "/scripts/godot", "--course", course, "--listen", listen});
+    for (int i = 0; i < robots; ++i) words.insert(words.end(), {"--robot", "end-loaded"});
+    if (screen)
+      words.insert(words.end(), {"--camera", "top"});
+    else
+      words.push_back("--headless");
+    return words;
+  }
+
+  Process process_;
+  std::vector<std::string> addresses_;
+};
+
+class Godot : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Finished setup = run({TP100_SOURCE_DIR "/scripts/setup", "godot"});
+    if (setup.status != 0) GTEST_SKIP() << "Godot cannot be installed here: " << setup.output;
+  }
+  std::string config(const std::string& world, const std::string& name = "config") const {
+    const std::string path = folder_.file(name + ".toml");
+    std::ofstream(path) << "[world]\n" << world;
+    return path;
+  }
+  /// The figures of a lockstep run in the engine; `name` is the folder for the run's poses.
+  nlohmann::json drive(const Engine& engine, const std::string& course,
+                       const std::string& authority, const std::string& name = "run",
+                       std::size_t robot = 0) {
+    const Finished driven =
+        run({"tp100-sim", "course", course, "--json", "--world", "udp:" + engine.address(robot),
+             "--config", config("authority = \"" + authority + "\"\n", name), "--out",
+             folder_.file(name)});
+    auto figures = nlohmann::json::parse(driven.output, nullptr, false);
+    return figures.is_object() ? figures : nlohmann::json::object();
+  }
+  std::string poses(const std::string& name) const {
+    std::ifstream file(folder_.file(name + "/3-end-loaded-1.csv"));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  TemporaryFolder folder_;
+};
+
+inline double number(const nlohmann::json& figures, const char* group, const char* name) {
+  return figures.value(nlohmann::json::json_pointer(std::string("/") + group + "/" + name), 1e9);
+}
+
+}  // namespace tp100::test
