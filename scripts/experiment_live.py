@@ -1,0 +1,232 @@
+"""What scripts/experiment and scripts/bodies share: courses, programs beside each other, and one run in real time with
+the game engine Godot as the world.
+"""
+import bisect
+import contextlib
+import csv
+import glob
+import json
+import math
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import tomllib
+
+ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+# The paper's overhead camera, but without errors: it tells where the robot truly is.
+EXACT_CAMERA = """rate_hz = 100.0
+delay_ms = 5.0
+delay_jitter_ms = 0.0
+stamp_error_ms = 0.0
+noise_m = 0.0
+noise_deg = 0.0
+bias_m = 0.0
+dropped = 0.0
+"""
+PATIENCE_S = 60.0  # for a program to begin
+LONGEST_S = 300.0  # of a run; a course takes at most 60 s
+POINTS = 200       # of a path in the page
+BEFORE_OTHERS = ("chrt", "--rr", "1")
+
+
+def fail(text):
+    print(f"{os.path.basename(sys.argv[0])}: {text}", file=sys.stderr)
+    sys.exit(2)
+
+
+class Course:
+    """A course file: its name, what it is called by, the points of its path, and whether somebody pushes the robot."""
+
+    def __init__(self, given):
+        self.given, self.name = given, os.path.basename(given).removesuffix(".toml")
+        path = given if given.endswith(".toml") else f"{ROOT}/config/courses/{given}.toml"
+        try:
+            with open(path, "rb") as file:
+                course = tomllib.load(file)
+        except (OSError, tomllib.TOMLDecodeError) as error:
+            fail(f"{path}: {error}; give a file or a name in config/courses")
+        self.disturbed = "disturbance" in course
+        start = course.get("start", {})
+        x, y, yaw = start.get("x_m", 0.0), start.get("y_m", 0.0), math.radians(start.get("yaw_deg", 0.0))
+        self.path = [(x, y)]
+        for part in course["segment"]:
+            turn = math.radians(part.get("angle_deg", 0.0))
+            length = part.get("length_m", abs(turn) * part.get("radius_m", 0.0))
+            for _ in range(20):
+                yaw += turn / 40.0
+                x, y = x + length / 20.0 * math.cos(yaw), y + length / 20.0 * math.sin(yaw)
+                yaw += turn / 40.0
+                self.path.append((x, y))
+
+
+class NotBegun(Exception):
+    """A program did not come up."""
+
+
+class Programs(contextlib.ExitStack):
+    """The programs of one run, whose output is in `folder`; they end with it, and with the thread that began it. In real
+    time they go before all others of this machine, if it allows that.
+    """
+
+    def __init__(self, folder, real_time=False):
+        super().__init__()
+        self.folder = folder
+        allowed = real_time and not subprocess.run([*BEFORE_OTHERS, "true"], stderr=subprocess.DEVNULL).returncode
+        self.before = ("setpriv", "--pdeathsig", "TERM", *(BEFORE_OTHERS if allowed else ()))
+
+    def start(self, name, *command):
+        with open(self.log_of(name), "w") as log:
+            process = subprocess.Popen([*self.before, *command], stdin=subprocess.DEVNULL, stdout=log,
+                                       stderr=subprocess.STDOUT, env=os.environ | {"XDG_STATE_HOME": self.folder})
+        self.callback(self.end, process)
+        return process
+
+    @staticmethod
+    def end(process):
+        process.send_signal(signal.SIGTERM)
+        try:
+            process.wait(timeout=10.0)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+    def log_of(self, name):
+        return os.path.join(self.folder, name + ".log")
+
+    def said(self, name, process, pattern):
+        """What `pattern` finds in a program's output, as soon as it does."""
+        until_s = time.monotonic() + PATIENCE_S
+        while time.monotonic() < until_s:
+            over = process.poll() is not None
+            with open(self.log_of(name)) as log:
+                found = re.search(pattern, log.read())
+            if found:
+                return found
+            if over:
+                break
+            time.sleep(0.05)
+        raise NotBegun(f"{self.log_of(name)} never said {pattern}")
+
+
+class Truth(threading.Thread):
+    """Where the robot truly is, over the monotonic time, as its exact camera says it."""
+
+    def __init__(self):
+        super().__init__(daemon=True)
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.bind(("127.0.0.1", 0))
+        self.address = f"udp:127.0.0.1:{self.socket.getsockname()[1]}"
+        self.at_s, self.places = [], []
+        self.start()
+
+    def run(self):
+        while datagram := self.socket.recv(2048):
+            seen = json.loads(datagram)
+            self.at_s.append(seen["stamp_us"] * 1e-6)
+            self.places.append((seen["x_m"], seen["y_m"]))
+
+    def close(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as last:
+            last.sendto(b"", self.socket.getsockname())
+        self.join()
+        self.socket.close()
+
+    def at(self, t_s):
+        """The place at this time; None outside of what was seen."""
+        i = bisect.bisect_right(self.at_s, t_s)
+        if i == 0 or i == len(self.at_s):
+            return None
+        share = (t_s - self.at_s[i - 1]) / (self.at_s[i] - self.at_s[i - 1])
+        return tuple(a + share * (b - a) for a, b in zip(self.places[i - 1], self.places[i]))
+
+
+def poses_of(programs, recording):
+    """The rows of poses.csv, as numbers by name."""
+    with tempfile.TemporaryDirectory(prefix="tp100-experiment-") as folder:
+        subprocess.run([programs + "/tp100d", "export", recording, "--csv", "--out", folder], check=True,
+                       stdout=subprocess.DEVNULL)
+        with open(folder + "/poses.csv", newline="") as file:
+            return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+
+
+def thinned(points):
+    return [[round(value, 3) for value in point] for point in points[::len(points) // POINTS + 1]]
+
+
+def errors(poses, truth, start_s, disturbed):
+    """Of odometry and model against the truth, in cm, and the true path; nothing without a truth. Encoders cannot feel a
+    disturbance: the model is then not judged."""
+    off = {"model": [], "odometry": []}
+    path = []
+    for pose in poses:
+        place = truth.at(start_s + pose["t_s"])
+        if place is None:
+            continue
+        path.append(place)
+        for source, distances in off.items():
+            distances.append(100.0 * math.dist(place, (pose[source + "_x_m"], pose[source + "_y_m"])))
+    if not path:
+        return {}
+    return {"end_cm": off["odometry"][-1], "largest_cm": max(off["odometry"]),
+            "model_largest_cm": None if disturbed else max(off["model"]),
+            "floor": thinned(path)}
+
+
+def judge(programs, folder, truth, to_monotonic_s, disturbed):
+    """What came of a run, from its recording and its daemon's figures."""
+    with open(folder + "/stats.json") as file:
+        stats = json.load(file)
+    recordings = glob.glob(folder + "/*/run.mcap")
+    if not recordings:
+        with open(folder + "/daemon.log") as log:
+            return {"completed": False, "cause": ([""] + log.read().splitlines())[-1]}
+    subprocess.run([programs + "/tp100d", "report", recordings[0], "--out", folder], check=True, stdout=subprocess.DEVNULL)
+    with open(folder + "/metrics.json") as file:
+        metrics = json.load(file)
+    poses = poses_of(programs, recordings[0])
+    world = stats.get("world", {}).get("udp", {})
+    age_us = metrics["timing"]["world_age_us"] or {}
+    start_s = int(metrics["versions"]["start_unix_ns"]) * 1e-9 + to_monotonic_s
+    return {"completed": metrics["completed"] and stats["completed"], "cause": metrics.get("cause", ""),
+            "duration_s": metrics["duration_s"], "path_cm": 100.0 * metrics["estimated"]["max_cross_track_m"],
+            "answer_age_ms": {key: age_us[key] / 1e3 for key in ("p50", "p99", "max") if key in age_us},
+            "round_trip_ms": {"mean": world.get("mean_round_trip_ms"), "max": world.get("max_round_trip_ms")},
+            "poses": world.get("poses"), "answered": world.get("answered"), "missed": stats["loop"]["missed"],
+            "cycles": stats["loop"]["cycles"], "lateness_p99_us": stats["loop"]["lateness_us"]["p99"],
+            "engine": thinned([(pose["world_x_m"], pose["world_y_m"]) for pose in poses]),
+            **errors(poses, truth, start_s, disturbed)}
+
+
+def drive(options, programs, course, run, folder):
+    """One run in real time, and what came of it."""
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    link = os.path.join(folder, "robot")
+    with open(folder + "/world.toml", "w") as file:
+        file.write(f'[world]\nauthority = "{options.authority}"\n')
+    with open(folder + "/camera.toml", "w") as file:
+        file.write(EXACT_CAMERA)
+    with contextlib.closing(Truth()) as truth, Programs(folder, real_time=True) as beside:
+        engine = beside.start("engine", ROOT + "/scripts/godot", "--headless", "--course", course.given, "--robot",
+                              options.robot)
+        world = "udp:" + beside.said("engine", engine, r"listening at (\S+)").group(1)
+        # On the stand there is nothing to see.
+        camera = ["--camera=" + folder + "/camera.toml", "--camera-to", truth.address] if run["setup"] == "flat" else []
+        robot = beside.start("robot", programs + "/tp100-sim", "robot", "--link", link, "--board", run["board"], "--setup",
+                             run["setup"], "--robot", options.robot, "--course", course.given, "--seed", str(run["seed"]),
+                             *camera)
+        beside.said("robot", robot, "linked from")
+        daemon = beside.start("daemon", programs + "/tp100d", "run", "--port", link, "--wait", "--go", "--listen", "off",
+                              "--course", course.given, "--robot", options.robot, "--setup", run["setup"], "--world", world,
+                              "--config", folder + "/world.toml", "--record", folder, "--stats", folder + "/stats.json",
+                              "--duration", str(LONGEST_S))
+        daemon.wait()
+        time.sleep(0.1)  # until the camera has sent the last pose
+    return judge(programs, folder, truth, time.monotonic() - time.time(), course.disturbed)
