@@ -161,7 +161,8 @@ func start_ticks(message: Dictionary) -> void:
 		slips = [clamp(slip.l, -0.5, 0.9), clamp(slip.r, -0.5, 0.9)]
 	body.left_mps = clamp(message.tracks.l / frame.length() * (1.0 - slips[0]), -2.0, 2.0)
 	body.right_mps = clamp(message.tracks.r / frame.length() * (1.0 - slips[1]), -2.0, 2.0)
-	ticks_left = int(clamp(round(passed_s * Engine.iterations_per_second), 1, MOST_TICKS))
+	# The first passes before the next turn.
+	ticks_left = int(clamp(round(passed_s * Engine.iterations_per_second), 1, MOST_TICKS)) - 1
 	pending = message
 	PhysicsServer.space_set_active(space, true)
 

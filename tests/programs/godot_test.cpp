@@ -8,6 +8,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -43,6 +44,26 @@ INSTANTIATE_TEST_SUITE_P(Papers, GodotCourses,
                              if (letter == '-') letter = '_';
                            return name;
                          });
+
+// The engine's clock is that of the poses: on a level straight both bodies go equally far.
+TEST_F(Godot, TheEnginesBodyGoesAsFarAsTheRobotOnItsFloor) {
+  const Engine engine("1-straight");
+  drive(engine, "1-straight", "world");
+  std::ifstream file(folder_.file("run/1-straight-end-loaded-1.csv"));
+  std::string head, line, last;
+  std::getline(file, head);
+  while (std::getline(file, line)) last = line;
+  ASSERT_TRUE(head.starts_with("t_s,truth_x_m,")) << head;
+  double t_s = 0.0, truth_x_m = 0.0, world_x_m = 0.0, other = 0.0;
+  char comma = 0;
+  std::istringstream values(last);
+  values >> t_s >> comma >> truth_x_m;
+  for (int i = 0; i < 5; ++i) values >> comma >> other;
+  values >> comma >> world_x_m;
+  ASSERT_TRUE(values) << last;
+  EXPECT_GT(world_x_m, 1.6);
+  EXPECT_NEAR(truth_x_m, world_x_m, 0.03);
+}
 
 TEST_F(Godot, GivesTheSamePosesToTheBitEveryTime) {
   const Engine engine("3");
