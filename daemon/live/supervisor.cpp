@@ -25,9 +25,7 @@ namespace tp100::live {
 namespace {
 namespace asio = boost::asio;
 
-constexpr auto kTick = std::chrono::milliseconds(10);
-// A pose that has waited here is older when the world answers it.
-constexpr auto kTickOfWorld = std::chrono::milliseconds(2);
+constexpr std::chrono::milliseconds kTick{10}, kWorldTick{2};  // poses leave for a world at a tick
 constexpr HostNs kStatsPeriodNs = kNsPerS;
 // Faults after which the robot may return: without --go the daemon waits for a new start.
 constexpr FaultMask kRecoverable = fault_bit(Fault::link_lost) | fault_bit(Fault::robot_rebooted) |
@@ -213,8 +211,8 @@ void Supervisor::State::serve(const SessionReport& report) {
 }
 
 void Supervisor::State::schedule_tick() {
-  const bool answered = settings.world.parameters.kind == bridge::WorldKind::kUdp;
-  timer.expires_after(answered ? kTickOfWorld : kTick);
+  const bool answers = settings.world.parameters.kind == bridge::WorldKind::kUdp;
+  timer.expires_after(answers ? kWorldTick : kTick);
   timer.async_wait([this](const boost::system::error_code& error) {
     if (!error) tick();
   });
