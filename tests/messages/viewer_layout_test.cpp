@@ -109,8 +109,8 @@ void expect_published(const std::string& panel, const Json& config) {
 }
 
 TEST(ViewerLayout, NamesOnlyTopicsFieldsAndFramesThatArePublished) {
-  for (const auto& [panel, config] : bundled_layout()["configById"].items())
-    expect_published(panel, config);
+  const Json layout = bundled_layout();
+  for (const auto& [panel, config] : layout["configById"].items()) expect_published(panel, config);
 }
 
 TEST(ViewerLayout, HasEachPanelOnce) {
