@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <span>
@@ -36,6 +37,9 @@ std::optional<Number> number_of(std::string_view text) {
   if (error != std::errc{} || stop != text.data() + text.size()) return {};
   return value;
 }
+
+/// A signal arrived while it waited.
+class Interrupted : public std::exception {};
 
 class PipeSource : public Source {
  public:
@@ -73,15 +77,15 @@ class PipeSource : public Source {
   std::size_t images_ = 0;
 };
 
-/// Waits for bytes. False: no more come.
+/// Waits for bytes. False: no more come. Throws Interrupted.
 bool PipeSource::fill() {
   // read() alone would go on after a signal.
   pollfd waiting{descriptor_, POLLIN, 0};
-  if (::poll(&waiting, 1, -1) < 0) return false;
-  const ssize_t got = ::read(descriptor_, buffer_.data(), buffer_.size());
-  if (got < 0 && errno != EINTR)
-    throw SetupError(name_ + ": cannot be read (" + std::strerror(errno) + ")");
-  if (got <= 0) return false;
+  ssize_t got = ::poll(&waiting, 1, -1);
+  if (got > 0) got = ::read(descriptor_, buffer_.data(), buffer_.size());
+  if (got < 0 && errno == EINTR) throw Interrupted();
+  if (got < 0) throw SetupError(name_ + ": cannot be read (" + std::strerror(errno) + ")");
+  if (got == 0) return false;
   begin_ = 0;
   end_ = static_cast<std::size_t>(got);
   return true;
@@ -142,7 +146,8 @@ PipeSource::Header PipeSource::header() {
   for (int& number : header.numbers) {
     const std::string digits = word(header);
     const std::optional<int> value = number_of<int>(digits);
-    if (!value || *value < 1 || *value > kMaxSide)
+    const bool side = &number != &header.numbers.back();  // the largest value is judged below
+    if (!value || *value < 1 || (side && *value > kMaxSide))
       throw fault(text::one_line(digits, 40) + " is no number from 1 to " +
                   std::to_string(kMaxSide));
     number = *value;
@@ -154,12 +159,13 @@ PipeSource::Header PipeSource::header() {
   return header;
 }
 
-bool PipeSource::next(Image& image) {
+bool PipeSource::next(Image& image) try {
   if (begin_ == end_ && !fill()) return false;
   const Header found = header();
   // A matrix of its own for every image: the last one may still be in use.
   cv::Mat pixels(found.numbers[1], found.numbers[0], found.colour ? CV_8UC3 : CV_8U);
   read({pixels.data, pixels.total() * pixels.elemSize()});
+  const HostNs arrived = monotonic_now();
   if (found.colour) {
     cv::cvtColor(pixels, image.grey, cv::COLOR_RGB2GRAY);
     cv::cvtColor(pixels, pixels, cv::COLOR_RGB2BGR);
@@ -167,9 +173,11 @@ bool PipeSource::next(Image& image) {
     image.grey = pixels;
   }
   image.shown = pixels;
-  image.taken_ns = found.taken_s ? from_s(*found.taken_s) : monotonic_now() - delay_ns_;
+  image.taken_ns = found.taken_s ? from_s(*found.taken_s) : arrived - delay_ns_;
   ++images_;
   return true;
+} catch (const Interrupted&) {
+  return false;
 }
 
 }  // namespace

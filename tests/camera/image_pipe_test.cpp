@@ -102,6 +102,7 @@ TEST(ImagePipe, SaysWhatIsWrongWithWhichImage) {
   EXPECT_THAT(problem("P5 3x 2 255\n"), HasSubstr("3x is no number"));
   EXPECT_THAT(problem("P5 16384 16384 255\n"), HasSubstr("too large"));
   EXPECT_THAT(problem("P5 3 2 4095\n"), HasSubstr("write 8 bits"));
+  EXPECT_THAT(problem("P5 3 2 65535\n"), HasSubstr("write 8 bits"));
   EXPECT_THAT(problem(grey("# taken_s now\n", 1)), HasSubstr("no time after taken_s"));
   EXPECT_THAT(problem(grey("# taken_s inf\n", 1)), HasSubstr("no time after taken_s"));
   EXPECT_THAT(problem(grey("# taken_s\n", 1)), HasSubstr("no time after taken_s"));

@@ -158,6 +158,13 @@ TEST_F(CameraProgram, SendsWhatComesThroughAPipeWithTheStampsItHasUntilASignal) 
     const Pose truth = drive(i / kFps);
     EXPECT_LT(std::hypot(message->x_m - truth.x_m, message->y_m - truth.y_m), 0.0015);
   }
+  // Half an image: more than a pipe holds, so that the program is within it.
+  const std::string half = "P5\n1920 1080\n255\n" + std::string(1'000'000, 'x');
+  for (std::size_t at = 0; at < half.size();) {
+    const ssize_t written = ::write(ends[1], half.data() + at, half.size() - at);
+    ASSERT_GT(written, 0);
+    at += static_cast<std::size_t>(written);
+  }
   camera.signal(SIGTERM);
   EXPECT_EQ(camera.wait(), 0) << camera.output();
   EXPECT_THAT(camera.output(), HasSubstr("seen in 4"));
