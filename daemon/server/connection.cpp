@@ -1,5 +1,7 @@
 #include "server/connection.h"
 
+#include <sys/socket.h>
+
 #include <array>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -7,6 +9,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
+#include <cerrno>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -270,7 +273,13 @@ void Connection::write_part() {
 
 void Connection::on_part(std::optional<std::size_t> got) {
   if (!got) return;  // as above
-  if (*got == 0) return write_part();
+  if (*got == 0) {
+    // Nothing is written meanwhile, so that only this notices a client that has gone.
+    char byte = 0;
+    const ssize_t n = ::recv(stream_.socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+    if (n > 0 || (n < 0 && errno == EAGAIN)) write_part();
+    return;
+  }
   stream_.expires_after(kWriteTime);
   boost::asio::async_write(stream_, boost::asio::buffer(part_.data(), *got),
                            [self = shared_from_this()](beast::error_code error, std::size_t) {
