@@ -190,8 +190,8 @@ struct ExportOptions {
   bool csv = false;               ///< samples.csv (as identify reads it), poses.csv
   bool tum = false;               ///< model.tum, odometry.tum, fused.tum, truth.tum
   std::string ros2{};             ///< folder of a rosbag2 bag; empty: none. For one run only
-  /// Folder of the camera's images (image-000001.jpg, ...) and images.csv, which has their times;
-  /// empty: none. For one run only.
+  /// Folder of the camera's images (image-000001.jpg, ...) and times.csv, which has their times:
+  /// a source of tp100-camera. Empty: none. For one run only.
   std::string images{};
   std::string out;  ///< folder; empty: beside the recording. For one run only
 };

@@ -186,8 +186,9 @@ std::optional<std::string> jpeg_of(std::string_view json) {
 
 void export_images(const Recording& recording, const std::filesystem::path& folder) {
   text::make_folder(folder);
-  Product times(folder, "images.csv");
-  times.file().write("t_s,file\n");
+  // As tp100-camera reads a folder of images.
+  Product times(folder, "times.csv");
+  times.file().write("file,t_s\n");
   std::int64_t start_unix_ns = 0;
   const std::string start = recording.fact("start_unix_ns");
   std::from_chars(start.data(), start.data() + start.size(), start_unix_ns);
@@ -199,7 +200,7 @@ void export_images(const Recording& recording, const std::filesystem::path& fold
                          const std::string name = text::format("image-%06d.jpg", ++images);
                          text::write_file((folder / name).string(), *jpeg);
                          const auto at = static_cast<std::int64_t>(unix_ns) - start_unix_ns;
-                         times.file().write(number(to_s(at)) + "," + name + "\n");
+                         times.file().write(name + "," + number(to_s(at)) + "\n");
                        },
                    .topics = {kImageTopic}});
   if (images == 0)

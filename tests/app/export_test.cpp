@@ -167,8 +167,8 @@ TEST(ExportImages, WritesEachImageWithItsTime) {
       });
   const std::string out = folder.file("images");
   EXPECT_EQ(run_export({.runs = {folder.file("run.mcap")}, .images = out, .out = {}}), 0);
-  EXPECT_EQ(test::read_bytes(out + "/images.csv"),
-            "t_s,file\n2,image-000001.jpg\n2.25,image-000002.jpg\n2.5,image-000003.jpg\n");
+  EXPECT_EQ(test::read_bytes(out + "/times.csv"),
+            "file,t_s\nimage-000001.jpg,2\nimage-000002.jpg,2.25\nimage-000003.jpg,2.5\n");
   EXPECT_FALSE(std::filesystem::exists(out + "/image-000004.jpg"));
   EXPECT_FALSE(std::filesystem::exists(folder.file("poses.csv"))) << "not asked for";
   for (std::size_t i = 0; i < jpegs.size(); ++i)
