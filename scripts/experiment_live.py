@@ -181,12 +181,12 @@ def errors(poses, truth, start_s, disturbed):
 
 def judge(programs, folder, truth, to_monotonic_s, disturbed):
     """What came of a run, from its recording and its daemon's figures."""
-    with open(folder + "/stats.json") as file:
-        stats = json.load(file)
     recordings = glob.glob(folder + "/*/run.mcap")
     if not recordings:
         with open(folder + "/daemon.log") as log:
             return {"completed": False, "cause": ([""] + log.read().splitlines())[-1]}
+    with open(folder + "/stats.json") as file:
+        stats = json.load(file)
     subprocess.run([programs + "/tp100d", "report", recordings[0], "--out", folder], check=True, stdout=subprocess.DEVNULL)
     with open(folder + "/metrics.json") as file:
         metrics = json.load(file)

@@ -37,13 +37,13 @@ TEST_F(Experiment, JudgesARunByTheTruthAndDoesNotDriveItAgain) {
   EXPECT_THAT(driven.output, HasSubstr("[1/1] short, flat, native, seed 1: completed in"));
   const auto results = nlohmann::json::parse(text("results.json"), nullptr, false);
   ASSERT_TRUE(results.is_object());
-  ASSERT_EQ(results["runs"].size(), 1u);
-  const nlohmann::json& once = results["runs"][0];
-  EXPECT_TRUE(once.value("completed", false)) << once;
+  ASSERT_EQ(results.at("runs").size(), 1u);
+  const nlohmann::json& once = results.at("runs").at(0);
+  ASSERT_TRUE(once.value("completed", false)) << once;
   EXPECT_LE(once.value("largest_cm", 1e9), 2.0);
   EXPECT_GE(once.value("largest_cm", 0.0), once.value("end_cm", 1e9));
-  EXPECT_GT(once["answer_age_ms"].value("p50", 0.0), 0.0);
-  EXPECT_EQ(results["virtual"]["short"]["flat"]["completed"], 1);
+  EXPECT_GT(once.at("answer_age_ms").value("p50", 0.0), 0.0);
+  EXPECT_EQ(results.at("virtual").at("short").at("flat").at("completed"), 1);
   const std::string page = text("index.html");
   EXPECT_THAT(page, HasSubstr("1 of 1 runs were completed"));
   EXPECT_THAT(page, HasSubstr("<polyline"));
