@@ -189,9 +189,7 @@ void export_images(const Recording& recording, const std::filesystem::path& fold
   // As tp100-camera reads a folder of images.
   Product times(folder, "times.csv");
   times.file().write("file,t_s\n");
-  std::int64_t start_unix_ns = 0;
-  const std::string start = recording.fact("start_unix_ns");
-  std::from_chars(start.data(), start.data() + start.size(), start_unix_ns);
+  const std::int64_t start_unix_ns = recording.start_unix_ns();
   int images = 0;
   recording.visit({.message =
                        [&](const std::string&, std::uint64_t unix_ns, std::string_view json) {

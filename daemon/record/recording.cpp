@@ -162,6 +162,13 @@ HostNs Recording::start_ns() const {
   return error == std::errc{} && end == text.data() + text.size() && is_time(start) ? start : 0;
 }
 
+std::int64_t Recording::start_unix_ns() const {
+  const std::string text = fact("start_unix_ns");
+  std::int64_t start = 0;
+  std::from_chars(text.data(), text.data() + text.size(), start);
+  return start;
+}
+
 std::string Recording::file(const std::string& name) const {
   const auto found = state_->files.find(name);
   return found == state_->files.end() ? std::string() : found->second;

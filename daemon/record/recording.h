@@ -49,6 +49,8 @@ class Recording {
   const std::map<std::string, std::string>& facts() const;
   /// Host time of t_s = 0; 0 if the file does not contain it.
   HostNs start_ns() const;
+  /// Unix time of t_s = 0; 0 if the file does not contain it. Any number.
+  std::int64_t start_unix_ns() const;
   /// Text of a file as it was loaded ("course.toml", "robot.toml", "tp100.toml"); empty: none.
   std::string file(const std::string& name) const;
 

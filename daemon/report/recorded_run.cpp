@@ -36,10 +36,10 @@ bool plausible(const Pose& pose) {
 class Reader {
  public:
   Reader(RecordedRun& run, const record::Recording& recording)
-      : run_(run), period_us_(1e6 / run.run_context.rate_hz), start_ns_(recording.start_ns()) {
-    const std::string text = recording.fact("start_unix_ns");
-    std::from_chars(text.data(), text.data() + text.size(), start_unix_ns_);
-  }
+      : run_(run),
+        period_us_(1e6 / run.run_context.rate_hz),
+        start_ns_(recording.start_ns()),
+        start_unix_ns_(static_cast<std::uint64_t>(recording.start_unix_ns())) {}
 
   void step(const StepRecord& record);
   void truth(HostNs at, const Pose& pose);
@@ -59,7 +59,7 @@ class Reader {
   RecordedRun& run_;
   double period_us_;
   HostNs start_ns_;
-  std::uint64_t start_unix_ns_ = 0;
+  std::uint64_t start_unix_ns_;
 
   MeasuredMotion measured_;
   RunMonitor watch_;

@@ -1,7 +1,6 @@
 #include "ros2/bag.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -121,12 +120,6 @@ class Bag {
   std::uint64_t end_ns_ = 0;
 };
 
-std::int64_t number(const std::string& text) {
-  std::int64_t value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 }  // namespace
 
 std::vector<std::string> write_bag(const record::Recording& recording,
@@ -139,7 +132,7 @@ std::vector<std::string> write_bag(const record::Recording& recording,
   const std::string metadata = (fs::path(folder) / "metadata.yaml").string();
   const bool simulated = recording.fact("program").starts_with("tp100-sim");
   const messages::PublishClock clock{.start_ns = recording.start_ns(),
-                                     .start_unix_ns = number(recording.fact("start_unix_ns"))};
+                                     .start_unix_ns = recording.start_unix_ns()};
   Bag bag(path, run_context, simulated);
   TopicMessages messages(run_context, clock, simulated);
   HostNs now = recording.start_ns();
