@@ -47,17 +47,14 @@ std::uint32_t dos_time(std::time_t at) {
          of(local.tm_hour) << 11U | of(local.tm_min) << 5U | of(local.tm_sec) >> 1U;
 }
 
-/// Of a run that may be read. Throws SetupError.
-std::string recording_of(const std::string& folder, const std::string& run) {
-  files_of(folder, run);
-  return folder + "/" + run + "/" + record::kRecordingFile;
-}
-
 }  // namespace
 
 RunZip::RunZip(const std::string& folder, const std::string& run, std::uint64_t max_plain_bytes)
-    : folder_(folder), run_(run), used_(recording_of(folder, run)) {
-  for (const std::string& name : files_of(folder, run)) {
+    : folder_(folder), run_(run) {
+  // The name has to be that of a run before anything is opened by it.
+  const std::vector<std::string> names = files_of(folder, run);
+  used_.emplace(folder + "/" + run + "/" + record::kRecordingFile);
+  for (const std::string& name : names) {
     std::uint64_t bytes = 0;
     const OpenFile file = open_run_file(folder, run, name, bytes);
     struct stat status {};

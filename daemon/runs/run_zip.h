@@ -58,7 +58,7 @@ class RunZip {
   std::optional<std::size_t> read_file(std::span<char> into);
 
   const std::string folder_, run_;
-  const record::UsedFile used_;
+  std::optional<record::UsedFile> used_;
   std::vector<Entry> entries_;
   bool large_ = false;  // ZIP64
   std::uint64_t size_ = 0;
