@@ -3,23 +3,27 @@ extends Spatial
 
 const THICK_M := 0.002
 
+# Matt paper with this print.
+static func paper(image: Image) -> SpatialMaterial:
+	image.generate_mipmaps()
+	var texture := ImageTexture.new()
+	texture.create_from_image(image, Texture.FLAG_MIPMAPS | Texture.FLAG_FILTER)
+	var material := SpatialMaterial.new()
+	material.albedo_texture = texture
+	material.roughness = 1.0
+	return material
+
 # `file`: the SVG; `side_m`: of the sheet, its white rim included; `lift_m`: of its face above the origin.
 func build(file: String, side_m: float, lift_m: float) -> void:
 	var image := Image.new()
 	if image.load(file) != OK:
 		printerr("%s: cannot be read as an image" % file)
 		return
-	image.generate_mipmaps()
-	var texture := ImageTexture.new()
-	texture.create_from_image(image, Texture.FLAG_MIPMAPS | Texture.FLAG_FILTER)
-	var paper := SpatialMaterial.new()
-	paper.albedo_texture = texture
-	paper.roughness = 1.0
 	var face := MeshInstance.new()
 	var plane := PlaneMesh.new()
 	plane.size = Vector2(side_m, side_m)
 	face.mesh = plane
-	face.material_override = paper
+	face.material_override = paper(image)
 	face.translation.y = lift_m
 	add_child(face)
 	var plate := MeshInstance.new()

@@ -112,17 +112,11 @@ func add_board() -> void:
 	image.shrink_x2()
 	image.shrink_x2()
 	image.resize(2048, 2048, Image.INTERPOLATE_BILINEAR)
-	image.generate_mipmaps()
-	var texture := ImageTexture.new()
-	texture.create_from_image(image, Texture.FLAG_MIPMAPS | Texture.FLAG_FILTER)
-	var material := SpatialMaterial.new()
-	material.albedo_texture = texture
-	material.roughness = 1.0
 	var plane := PlaneMesh.new()
 	plane.size = Vector2(settings.board.width_m, settings.board.height_m)
 	board = MeshInstance.new()
 	board.mesh = plane
-	board.material_override = material
+	board.material_override = Plate.paper(image)
 	pinhole.add_child(board)
 	robot.visible = false
 
