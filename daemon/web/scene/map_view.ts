@@ -138,7 +138,7 @@ export class MapView implements View {
     context.closePath();
   }
 
-  /** The ellipse of two standard deviations around the fused position. */
+  /** Two standard deviations of the fused position along x and along y; their correlation is not shown. */
   private uncertainty(context: CanvasRenderingContext2D, { x_m, y_m, sd_x_m, sd_y_m }: FusedPose): void {
     const at = this.pixel(x_m, y_m);
     context.beginPath();

@@ -108,8 +108,7 @@ export class RobotModel {
   }
 }
 
-/** The outline of a robot, for a pose other than the steering pose. */
-/** The ellipse of two standard deviations around the fused position. */
+/** Two standard deviations of the fused position along x and along y; their correlation is not shown. */
 export class UncertaintyRing {
   readonly line: LineLoop;
 
@@ -127,6 +126,7 @@ export class UncertaintyRing {
   }
 }
 
+/** The outline of a robot, for a pose other than the steering pose. */
 export class GhostModel {
   readonly group = new Group();
 

@@ -4,6 +4,7 @@ import {
   BufferGeometry,
   EdgesGeometry,
   LineBasicMaterial,
+  Line,
   LineSegments,
   Mesh,
   MeshLambertMaterial,
@@ -53,7 +54,7 @@ export function box(
 /** Frees what `object` and its children hold on the graphics card. */
 export function dispose(object: Object3D): void {
   object.traverse((child) => {
-    if (!(child instanceof Mesh || child instanceof LineSegments)) return;
+    if (!(child instanceof Mesh || child instanceof Line)) return;
     (child.geometry as BufferGeometry).dispose();
     const material = child.material as MeshLambertMaterial | MeshLambertMaterial[];
     for (const one of Array.isArray(material) ? material : [material]) {
