@@ -3,9 +3,8 @@
 // other, in netpbm's binary formats with a time stamp as a comment of the header:
 //
 //   P5                   grey, a byte a pixel; P6: red, green and blue
-//   # taken_s 8123.4567  optional: the middle of the exposure, in seconds of the monotonic clock,
-//   or
-//                        of any clock if poses are only written to a file
+//   # taken_s 8123.4567  optional: the middle of the exposure, in seconds below 1e9, of the
+//                        monotonic clock; of any if poses are only written to a file
 //   1024 640             width and height
 //   255                  and after one white space the pixels, rows from the top
 //

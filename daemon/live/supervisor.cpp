@@ -211,8 +211,8 @@ void Supervisor::State::serve(const SessionReport& report) {
 }
 
 void Supervisor::State::schedule_tick() {
-  const bool answers = settings.world.parameters.kind == bridge::WorldKind::kUdp;
-  timer.expires_after(answers ? kWorldTick : kTick);
+  const bool udp_world = settings.world.parameters.kind == bridge::WorldKind::kUdp;
+  timer.expires_after(udp_world ? kWorldTick : kTick);
   timer.async_wait([this](const boost::system::error_code& error) {
     if (!error) tick();
   });
