@@ -2,6 +2,7 @@
 // told to stop when its driver is lost, in each way or in that one, as JSON rows; 0 leaves a part out. Run it in_network.
 import { execFileSync } from 'node:child_process';
 import { readFile, readdir, writeFile } from 'node:fs/promises';
+import { cpus } from 'node:os';
 import { join } from 'node:path';
 import { readMcap } from './mcap_file.mjs';
 import { decode, nanoseconds } from './ros2.mjs';
@@ -57,38 +58,95 @@ const measureTopics = (pacing) => withRobot(async ({ folder, daemon }) => {
   }
 });
 
-/** The loop's lateness and the daemon's processor time, with and without ROS 2, in turns. How far apart two runs without it
-    are shows what the machine does by itself. Runs are short and many, so that a bad moment of the machine spoils few. */
-async function measureLoop() {
-  const names = ['without ROS 2', 'without ROS 2, once more', 'with ROS 2, nobody listens', 'with ROS 2 and a subscriber of every topic'];
-  const late = names.map(() => []), cores = names.map(() => []);
-  for (let round = 0; round < rounds; ++round) {
-    for (const i of names.keys()) {
-      await withRobot(async ({ folder, daemon }) => {
-        const peer = i === 3 ? await Peer.ofEverything('42quiet') : undefined;
-        const stats = join(folder, 'stats.json'), duration = 8;
-        const run = await daemon(i < 2 ? '' : on, ['--duration', String(duration), '--stats', stats], '');
-        await run.said(/state: syncing -> ready/);
-        const ticks = async () => {
-          const fields = (await readFile(`/proc/${run.child.pid}/stat`, 'utf8')).split(') ').at(-1).split(' ');
-          return Number(fields[11]) + Number(fields[12]);
-        };
-        const before = await ticks(), began = Date.now();
-        await new Promise((resolve) => { setTimeout(resolve, (duration - 3) * 1000); });
-        cores[i].push((await ticks() - before) / 100 / ((Date.now() - began) / 1000));
-        await run.exit;
-        await peer?.end();
-        late[i].push(JSON.parse(await readFile(stats, 'utf8')).loop.lateness_us);
-      });
-    }
+const median = (values) => percentile(values, 0.5);
+
+/** A daemon's threads: name, whether it is the loop, where it ran last, how often and how long it ran and waited for a
+    processor [s]. */
+async function threadsOf(pid) {
+  const out = [];
+  for (const thread of await readdir(`/proc/${pid}/task`)) {
+    const read = async (name) => (await readFile(`/proc/${pid}/task/${thread}/${name}`, 'utf8')).trim();
+    const [name, stat, sched] = await Promise.all(['comm', 'stat', 'schedstat'].map(read)).catch(() => []);
+    if (sched === undefined) continue; // it has just ended
+    // Fields 39 and 41 of proc(5), counted from the name's end: processor and policy, of which 1 is SCHED_FIFO.
+    const fields = stat.split(') ').at(-1).split(' ');
+    const [ran, waited, times] = sched.split(' ').map(Number);
+    out.push({ thread, name, loop: fields[38] === '1', cpu: fields[36], ran_s: ran / 1e9, waited_s: waited / 1e9, times });
   }
-  for (const [i, name] of names.entries()) {
-    const median = (values) => percentile(values, 0.5);
-    print({ what: `lateness of the loop, ${name} (medians)`, unit: 'us', count: rounds, p50: median(late[i].map(({ p50 }) => p50)),
-      p99: median(late[i].map(({ p99 }) => p99)), max: median(late[i].map(({ max }) => max)) });
-    if (i > 0)
-      printTimes(`p99 of the lateness, of that without, ${name}`, late[i].map(({ p99 }, round) => p99 / late[0][round].p99), '');
-    printTimes(`processors of tp100d, ${name}`, cores[i], 'cores');
+  return out;
+}
+const speaksDds = ({ name }) => /^(ros2|gc|tev|(dq|recv|xmit).*)$/.test(name);
+const total = (threads, key) => threads.reduce((sum, thread) => sum + thread[key], 0);
+
+/** Processor time that the host of a virtual machine gave to others [s]. */
+const stolen_s = async () => Number((await readFile('/proc/stat', 'utf8')).split('\n')[0].split(/\s+/)[8]) / 100;
+
+/** Of one short run: figures of the loop's lateness, and what its threads did meanwhile. */
+async function loopRun({ ros2, subscriber, dds_cpu }) {
+  let out;
+  await withRobot(async ({ folder, daemon }) => {
+    const peer = subscriber ? await Peer.ofEverything('42quiet') : undefined;
+    const stats = join(folder, 'stats.json'), duration = 7;
+    const run = await daemon(ros2 ? on : '', ['--duration', String(duration), '--stats', stats], dds_cpu === undefined ? '' : 'cpu = 0');
+    await run.said(/state: syncing -> ready/);
+    const before = await threadsOf(run.child.pid), stolenBefore = await stolen_s(), began = Date.now();
+    if (dds_cpu !== undefined)
+      for (const { thread } of before.filter(speaksDds)) execFileSync('taskset', ['-pc', dds_cpu, thread]);
+    const together = [];
+    let after = before;
+    while (Date.now() - began < (duration - 3) * 1000) {
+      await new Promise((resolve) => { setTimeout(resolve, 100); });
+      after = await threadsOf(run.child.pid);
+      together.push(after.find(({ loop }) => loop)?.cpu === after.find(({ name }) => name === 'ros2')?.cpu);
+    }
+    const took_s = (Date.now() - began) / 1000, stolen = (await stolen_s() - stolenBefore) / took_s;
+    const spent = (of, key) => total(after.filter(of), key) - total(before.filter(of), key);
+    const isLoop = ({ loop }) => loop;
+    await run.exit;
+    await peer?.end();
+    out = { ...JSON.parse(await readFile(stats, 'utf8')).loop.lateness_us, cores: spent(() => true, 'ran_s') / took_s, stolen,
+      loop_cores: spent(isLoop, 'ran_s') / took_s, dds_cores: spent(speaksDds, 'ran_s') / took_s,
+      waited_us: 1e6 * spent(isLoop, 'waited_s') / spent(isLoop, 'times'), together: together.filter(Boolean).length / together.length };
+  });
+  return out;
+}
+
+/** The ratio of two medians over the same rounds, and between what bounds 95 % of such rounds would have it (bootstrap). */
+function ratioOf(values, without) {
+  const ratio = (rounds) => median(rounds.map((i) => values[i])) / median(rounds.map((i) => without[i]));
+  const drawn = Array.from({ length: 4000 }, () => ratio(values.map(() => Math.floor(Math.random() * values.length))));
+  return { p50: ratio([...values.keys()]), low: percentile(drawn, 0.025), high: percentile(drawn, 0.975) };
+}
+
+/** The loop's lateness with and without ROS 2, in turns, and where it comes from. Two runs without it show what the machine
+    does by itself: what another interval does not leave behind is no effect of ROS 2. Runs are short and many, and each
+    round begins with another one, so that a bad moment of the machine spoils few. */
+async function measureLoop() {
+  const candidates = [{ name: 'without ROS 2' }, { name: 'without ROS 2, once more' }, { name: 'with ROS 2, nobody listens', ros2: true },
+    { name: 'with ROS 2 and a subscriber of every topic', ros2: true, subscriber: true }];
+  if (cpus().length > 1) {
+    const pinned = { ros2: true, subscriber: true };
+    candidates.push({ name: 'the same, loop and ROS 2 on processor 0', ...pinned, dds_cpu: '0' },
+      { name: 'the same, loop on processor 0, ROS 2 on 1', ...pinned, dds_cpu: '1' });
+  }
+  const found = candidates.map(() => []);
+  for (let round = 0; round < rounds; ++round)
+    for (const i of candidates.keys()) {
+      const at = (round + i) % candidates.length;
+      found[at].push(await loopRun(candidates[at]));
+    }
+  const p99 = (i) => found[i].map((run) => run.p99);
+  for (const [i, { name, ros2 }] of candidates.entries()) {
+    const of = (key) => found[i].map((run) => run[key]);
+    print({ what: `lateness, ${name} (medians of the rounds)`, unit: 'us', count: rounds,
+      p50: median(of('p50')), p99: median(of('p99')), max: median(of('max')) });
+    if (i > 0) print({ what: '  p99 in relation to that without ROS 2', count: rounds, ...ratioOf(p99(i), p99(0)) });
+    printTimes('  loop: woken, but waiting for its processor, mean of a wake-up', of('waited_us'), 'us');
+    printTimes('  processors of tp100d', of('cores'), 'cores');
+    printTimes('  of these, the loop', of('loop_cores'), 'cores');
+    if (ros2) printTimes('  of these, ROS 2 (ros2 and the threads of Cyclone DDS)', of('dds_cores'), 'cores');
+    if (ros2) printTimes('  share of looks at which ros2 was last on the loop\'s processor', of('together'), '');
+    printTimes('  processors that the host of this machine took', of('stolen'), 'cores');
   }
 }
 
