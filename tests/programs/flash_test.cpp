@@ -9,6 +9,9 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,30 +82,6 @@ TEST_F(FlashEmulatedMega, AnImageReplacesTheRunningOneAndSilenceIsReported) {
   EXPECT_EQ(flashed.status, 0) << flashed.output;
 }
 
-TEST_F(FlashEmulatedMega, ASimulatedRobotDrivesForTheDaemonOnceEnterIsPressed) {
-  Process robot({"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()});
-  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
-  const Finished flashed = flash({"--hex", TP100_BINARY_DIR "/firmware/tp100_fake.hex"});
-  ASSERT_EQ(flashed.status, 0) << flashed.output;
-  EXPECT_THAT(flashed.output, HasSubstr("FAKE_ROBOT"));
-
-  std::ofstream(folder_.file("short.toml"))
-      << "description = \"short\"\nspeed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.3\n"
-         "[fence]\nmin_x_m = -1.0\nmax_x_m = 1.0\nmin_y_m = -1.0\nmax_y_m = 1.0\n";
-  int keyboard[2];
-  ASSERT_EQ(::pipe2(keyboard, O_CLOEXEC), 0);
-  Process daemon({"tp100d", "run", "--port", port(), "--listen", "off", "--course",
-                  folder_.file("short.toml")},
-                 keyboard[0]);
-  ::close(keyboard[0]);
-  ASSERT_TRUE(daemon.wait_for("press Enter to start")) << daemon.output();
-  EXPECT_THAT(daemon.output(), Not(HasSubstr("running")));
-  ASSERT_EQ(::write(keyboard[1], "\n", 1), 1);
-  EXPECT_EQ(daemon.wait(), 0) << daemon.output();
-  EXPECT_THAT(daemon.output(), HasSubstr("short: completed"));
-  ::close(keyboard[1]);
-}
-
 TEST_F(FlashEmulatedMega, OnlyAnEmulatedChipCanBeBlank) {
   const Finished native = run({"tp100-sim", "robot", "--blank", "--link", port()});
   EXPECT_EQ(native.status, 2);
@@ -116,6 +95,82 @@ TEST_F(FlashEmulatedMega, ADryRunWritesNothing) {
   EXPECT_EQ(dry.status, 0) << dry.output;
   EXPECT_THAT(dry.output, HasSubstr("avrdude -q -c wiring -p m2560 -P " + port()));
   EXPECT_THAT(robot.output(), Not(HasSubstr("port opened")));
+}
+
+/// A board with nothing attached, flashed with the image that simulates the robot inside, and a
+/// daemon that drives a course with it in real time.
+class BareMega : public FlashEmulatedMega {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(robot_.wait_for("linked from")) << robot_.output();
+    const Finished flashed = flash({"--hex", TP100_BINARY_DIR "/firmware/tp100_fake.hex"});
+    ASSERT_EQ(flashed.status, 0) << flashed.output;
+    EXPECT_THAT(flashed.output, HasSubstr("FAKE_ROBOT"));
+    // A line, and a quarter of a circle to the left: to (0.4, 0.2), 90 degrees.
+    std::ofstream(folder_.file("bend.toml"))
+        << "speed_mps = 0.1\n[[segment]]\ntype = \"line\"\nlength_m = 0.2\n[[segment]]\n"
+           "type = \"arc\"\nradius_m = 0.2\nangle_deg = 90.0\n"
+           "[fence]\nmin_x_m = -0.5\nmax_x_m = 1.0\nmin_y_m = -0.5\nmax_y_m = 1.0\n";
+    int keyboard[2];
+    ASSERT_EQ(::pipe2(keyboard, O_CLOEXEC), 0);
+    keyboard_ = keyboard[1];
+    daemon_.emplace(
+        std::vector<std::string>{"tp100d", "run", "--port", port(), "--listen", "off", "--course",
+                                 folder_.file("bend.toml"), "--stats", stats()},
+        keyboard[0]);
+    ::close(keyboard[0]);
+    ASSERT_TRUE(daemon_->wait_for("press Enter to start")) << daemon_->output();
+    EXPECT_THAT(daemon_->output(), Not(HasSubstr("running")));
+  }
+  ~BareMega() override {
+    if (keyboard_ >= 0) ::close(keyboard_);
+  }
+  void type(const std::string& line) const {
+    ASSERT_EQ(::write(keyboard_, line.data(), line.size()), static_cast<ssize_t>(line.size()));
+  }
+  std::string stats() const { return folder_.file("stats.json"); }
+  bool drives() const {
+    return eventually([&] { return figure(stats(), "progress_m") > 0.05; });
+  }
+
+  Process robot_{{"tp100-sim", "robot", "--board", "avr", "--blank", "--link", port()}};
+  std::optional<Process> daemon_;
+  int keyboard_ = -1;
+};
+
+TEST_F(BareMega, DrivesACourseToItsEndOnceEnterIsPressed) {
+  type("\n");
+  EXPECT_EQ(daemon_->wait(), 0) << daemon_->output();
+  EXPECT_THAT(daemon_->output(), HasSubstr("bend: completed"));
+  for (const char* source : {"odometry", "model", "fused"}) {
+    const nlohmann::json pose = nlohmann::json::parse(std::ifstream(stats())).at(source);
+    EXPECT_NEAR(pose.at("x_m").get<double>(), 0.4, 0.03) << source;
+    EXPECT_NEAR(pose.at("y_m").get<double>(), 0.2, 0.03) << source;
+    EXPECT_NEAR(pose.at("yaw_rad").get<double>(), std::numbers::pi / 2.0, 0.1) << source;
+  }
+}
+
+TEST_F(BareMega, EnterStopsItAndPullingTheCableEndsTheRun) {
+  type("\n");
+  ASSERT_TRUE(robot_.wait_for("motors on")) << robot_.output();
+  ASSERT_TRUE(drives()) << daemon_->output();
+  type("\n");
+  ASSERT_TRUE(daemon_->wait_for("STOP")) << daemon_->output();
+  EXPECT_TRUE(robot_.wait_for("motors off")) << robot_.output();
+  ASSERT_TRUE(daemon_->wait_for("type go and press Enter to start")) << daemon_->output();
+
+  fs::remove(stats());
+  type("go\n");
+  ASSERT_TRUE(robot_.wait_for("motors on")) << robot_.output();
+  ASSERT_TRUE(drives()) << daemon_->output();
+  // The cable feeds the board, too. The link that it leaves may become another test's.
+  fs::remove(port());
+  robot_.signal(SIGKILL);
+  ASSERT_TRUE(daemon_->wait_for("no such port; plug the robot in")) << daemon_->output();
+  EXPECT_THAT(daemon_->output(), HasSubstr("error link_lost: "));
+  EXPECT_THAT(daemon_->output(), HasSubstr("port is gone"));
+  daemon_->signal(SIGTERM);
+  EXPECT_EQ(daemon_->wait(), 1) << daemon_->output();
 }
 
 /// A build folder whose tp100d lists the ports that a test supplies, so that real devices on this
