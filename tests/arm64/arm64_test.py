@@ -44,8 +44,9 @@ def make(_build):
 
 def unit(_build):
     print(run(ROOT + "/scripts/build", "arm64")[-500:])
-    tested = run("ctest", "--preset", "arm64", "--label-regex", "^unit$", "--label-exclude", "^(all|nightly|realtime)$",
-                 "--parallel", str(os.cpu_count()), "--output-on-failure", cwd=ROOT)
+    tested = run("ctest", "--preset", "arm64", "--label-regex", "^(unit|fuzz)$",
+                 "--label-exclude", "^(all|nightly|realtime)$", "--parallel", str(os.cpu_count()), "--output-on-failure",
+                 cwd=ROOT)
     print(tested[-1500:])
     ran = int(tested.rsplit(" tests failed out of ", 1)[1].split()[0])
     check(ran > 1000, f"only {ran} unit tests ran")
