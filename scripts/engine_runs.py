@@ -1,5 +1,5 @@
-"""What scripts/experiment and scripts/bodies share: courses, programs beside each other, and one run in real time with
-the game engine Godot as the world.
+"""What the scripts around the game engine Godot share: files and settings, courses, programs beside each other, and one run
+in real time with the engine as the world.
 """
 import bisect
 import contextlib
@@ -20,7 +20,7 @@ import time
 import tomllib
 
 ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-# The paper's overhead camera, but without errors: it tells where the robot truly is.
+# The paper's overhead camera, but without errors: it gives where the robot truly is.
 EXACT_CAMERA = """rate_hz = 100.0
 delay_ms = 5.0
 delay_jitter_ms = 0.0
@@ -41,17 +41,27 @@ def fail(text):
     sys.exit(2)
 
 
+def bundled(name, folder):
+    """The TOML file of this name in config/FOLDER, or the file itself."""
+    path = name if name.endswith(".toml") else f"{ROOT}/config/{folder}/{name}.toml"
+    try:
+        with open(path, "rb") as file:
+            return tomllib.load(file)
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        fail(f"{path}: {error}; give a file or a name in config/{folder}")
+
+
+def engine_environment(variable, settings):
+    """With the settings of the engine's project; it knows no locale C."""
+    return os.environ | {variable: json.dumps(settings), "LANG": "en_US.UTF-8", "LC_ALL": "en_US.UTF-8"}
+
+
 class Course:
     """A course file: its name, what it is called by, the points of its path, and whether somebody pushes the robot."""
 
     def __init__(self, given):
         self.given, self.name = given, os.path.basename(given).removesuffix(".toml")
-        path = given if given.endswith(".toml") else f"{ROOT}/config/courses/{given}.toml"
-        try:
-            with open(path, "rb") as file:
-                course = tomllib.load(file)
-        except (OSError, tomllib.TOMLDecodeError) as error:
-            fail(f"{path}: {error}; give a file or a name in config/courses")
+        course = bundled(given, "courses")
         self.disturbed = "disturbance" in course
         start = course.get("start", {})
         x, y, yaw = start.get("x_m", 0.0), start.get("y_m", 0.0), math.radians(start.get("yaw_deg", 0.0))
@@ -81,9 +91,9 @@ class Programs(contextlib.ExitStack):
         allowed = real_time and not subprocess.run([*BEFORE_OTHERS, "true"], stderr=subprocess.DEVNULL).returncode
         self.before = ("setpriv", "--pdeathsig", "TERM", *(BEFORE_OTHERS if allowed else ()))
 
-    def start(self, name, *command):
+    def start(self, name, *command, stdin=subprocess.DEVNULL):
         with open(self.log_of(name), "w") as log:
-            process = subprocess.Popen([*self.before, *command], stdin=subprocess.DEVNULL, stdout=log,
+            process = subprocess.Popen([*self.before, *command], stdin=stdin, stdout=log,
                                        stderr=subprocess.STDOUT, env=os.environ | {"XDG_STATE_HOME": self.folder})
         self.callback(self.end, process)
         return process
@@ -116,26 +126,41 @@ class Programs(contextlib.ExitStack):
 
 
 class Truth(threading.Thread):
-    """Where the robot truly is, over the monotonic time, as its exact camera says it."""
+    """Where the robot truly is, over the monotonic time, as its exact camera says it. An engine that sends "follow" hears it,
+    too, and at the end that it is over.
+    """
 
     def __init__(self):
         super().__init__(daemon=True)
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.bind(("127.0.0.1", 0))
-        self.address = f"udp:127.0.0.1:{self.socket.getsockname()[1]}"
+        self.port = self.socket.getsockname()[1]
+        self.address = f"udp:127.0.0.1:{self.port}"
+        self.follower = None
         self.at_s, self.places = [], []
         self.start()
 
     def run(self):
-        while datagram := self.socket.recv(2048):
+        while datagram := self.take():
+            if self.follower:
+                self.socket.sendto(datagram, self.follower)
             seen = json.loads(datagram)
             self.at_s.append(seen["stamp_us"] * 1e-6)
             self.places.append((seen["x_m"], seen["y_m"]))
+
+    def take(self):
+        while True:
+            datagram, sender = self.socket.recvfrom(2048)
+            if datagram != b"follow":
+                return datagram
+            self.follower = sender
 
     def close(self):
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as last:
             last.sendto(b"", self.socket.getsockname())
         self.join()
+        if self.follower:
+            self.socket.sendto(b"{}", self.follower)
         self.socket.close()
 
     def at(self, t_s):
@@ -154,6 +179,19 @@ def poses_of(programs, recording):
                        stdout=subprocess.DEVNULL)
         with open(folder + "/poses.csv", newline="") as file:
             return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+
+
+def report_of(programs, recording, folder):
+    """The metrics of a recording, whose report is written to a folder, and when it began on the monotonic clock."""
+    subprocess.run([programs + "/tp100d", "report", recording, "--out", folder], check=True, stdout=subprocess.DEVNULL)
+    with open(folder + "/metrics.json") as file:
+        metrics = json.load(file)
+    return metrics, int(metrics["versions"]["start_unix_ns"]) * 1e-9 + time.monotonic() - time.time()
+
+
+def last_line(path):
+    with open(path) as file:
+        return ([""] + file.read().splitlines())[-1]
 
 
 def thinned(points):
@@ -179,21 +217,17 @@ def errors(poses, truth, start_s, disturbed):
             "floor": thinned(path)}
 
 
-def judge(programs, folder, truth, to_monotonic_s, disturbed):
+def judge(programs, folder, truth, disturbed):
     """What came of a run, from its recording and its daemon's figures."""
     recordings = glob.glob(folder + "/*/run.mcap")
     if not recordings:
-        with open(folder + "/daemon.log") as log:
-            return {"completed": False, "cause": ([""] + log.read().splitlines())[-1]}
+        return {"completed": False, "cause": last_line(folder + "/daemon.log")}
     with open(folder + "/stats.json") as file:
         stats = json.load(file)
-    subprocess.run([programs + "/tp100d", "report", recordings[0], "--out", folder], check=True, stdout=subprocess.DEVNULL)
-    with open(folder + "/metrics.json") as file:
-        metrics = json.load(file)
+    metrics, start_s = report_of(programs, recordings[0], folder)
     poses = poses_of(programs, recordings[0])
     world = stats.get("world", {}).get("udp", {})
     age_us = metrics["timing"]["world_age_us"] or {}
-    start_s = int(metrics["versions"]["start_unix_ns"]) * 1e-9 + to_monotonic_s
     return {"completed": metrics["completed"] and stats["completed"], "cause": metrics.get("cause", ""),
             "duration_s": metrics["duration_s"], "path_cm": 100.0 * metrics["estimated"]["max_cross_track_m"],
             "answer_age_ms": {key: age_us[key] / 1e3 for key in ("p50", "p99", "max") if key in age_us},
@@ -229,4 +263,4 @@ def drive(options, programs, course, run, folder):
                               "--duration", str(LONGEST_S))
         daemon.wait()
         time.sleep(0.1)  # until the camera has sent the last pose
-    return judge(programs, folder, truth, time.monotonic() - time.time(), course.disturbed)
+    return judge(programs, folder, truth, course.disturbed)
