@@ -1,5 +1,5 @@
-# An overhead camera: renders the images that it takes of a drive and writes them to tp100-camera, in step with it.
-# The settings come as JSON in the environment; scripts/overhead makes them and judges what is found.
+# An overhead camera: renders the images that it takes of a drive and writes them to tp100-camera, in step with it; or of a
+# robot that drives now, of which it is told where it is, as many images as it can. The settings come as JSON in the environment; scripts/overhead makes them and judges what is found.
 extends Node
 
 const Frame = preload("res://frame.gd")
@@ -14,6 +14,9 @@ const PLATE_POINTS := 4  # a side of the marker is looked at in so many parts
 
 var settings := {}
 var drive = []           # [t, x, y, z, roll, pitch, yaw] in course axes
+var live: PacketPeerUDP  # tells where the robot is; null: the drive is in a file
+var live_s := 0.0        # time of the image, then
+var over := false        # nobody tells any more
 var row := 0             # of the drive, where the last pose was found
 var pinhole := Viewport.new()
 var sensor := Viewport.new()
@@ -37,7 +40,15 @@ func _ready() -> void:
 		return
 	settings = parsed.result
 	PhysicsServer.set_active(false)
-	read_drive()
+	if settings.has("follow"):
+		live = PacketPeerUDP.new()
+		live.connect_to_host("127.0.0.1", int(settings.follow))
+		live.put_packet("follow".to_ascii())
+	else:
+		read_drive()
+		if drive.size() < 2:
+			fail("%s: is not a drive" % settings.drive)
+			return
 	build_scene()
 	build_sensor()
 	if truth.open(settings.truth, File.WRITE) != OK:
@@ -60,6 +71,18 @@ func read_drive() -> void:
 		var numbers := file.get_line().split_floats(",")
 		if numbers.size() == 7:
 			drive.append(numbers)
+
+# Where the robot is: the datagrams of an exact camera. One that is none is the last.
+func hear() -> void:
+	while live.get_available_packet_count() > 0:
+		var seen = JSON.parse(live.get_packet().get_string_from_utf8()).result
+		if typeof(seen) != TYPE_DICTIONARY or not seen.has("stamp_us"):
+			over = true
+			return
+		var yaw: float = seen.yaw_rad
+		if not drive.empty():
+			yaw = drive[-1][6] + wrapf(yaw - drive[-1][6], -PI, PI)
+		drive.append([seen.stamp_us * 1e-6, seen.x_m, seen.y_m, 0.0, 0.0, 0.0, yaw])
 
 # The scene: floor, course, markers, robot, light.
 
@@ -185,7 +208,13 @@ func _process(_delta: float) -> void:
 	if subframe == subframes:
 		finish_image()
 		subframe = 0
-	if image_s() > settings.to_s:
+	if live != null:
+		hear()
+		if drive.size() < 2 and not over:
+			return
+		if subframe <= 0 and not over:
+			live_s = drive[-1][0] - subframes / 2.0 * settings.subframe_spacing_s
+	if over or (live == null and image_s() > settings.to_s):
 		truth.close()
 		pipe.disconnect_from_host()
 		get_tree().quit()
@@ -201,7 +230,7 @@ func _process(_delta: float) -> void:
 	subframe += 1
 
 func image_s() -> float:
-	return settings.from_s + images / settings.rate_hz
+	return live_s if live != null else settings.from_s + images / settings.rate_hz
 
 func place(t_s: float) -> void:
 	if board != null:
@@ -217,8 +246,8 @@ func pose_at(t_s: float) -> Transform:
 		row -= 1
 	while row + 2 < drive.size() and drive[row + 1][0] < t_s:
 		row += 1
-	var a: PoolRealArray = drive[row]
-	var b: PoolRealArray = drive[row + 1]
+	var a = drive[row]
+	var b = drive[row + 1]
 	var share := clamp((t_s - a[0]) / (b[0] - a[0]), 0.0, 1.0)
 	var p := []
 	for i in range(1, 7):
