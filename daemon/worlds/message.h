@@ -54,7 +54,7 @@ struct PoseReport {
   Pose pose{};                             ///< in the course's world
   PerSource<Pose> floor{};                 ///< each estimate on the real robot's own flat floor
   Twist twist{};                           ///< of the real robot on its floor
-  double left_mps = 0.0;                   ///< tracks
+  double left_mps = 0.0;                   ///< tracks, mean of the steps since the last pose
   double right_mps = 0.0;
   double slip_left = 0.0;
   double slip_right = 0.0;

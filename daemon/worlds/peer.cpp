@@ -17,6 +17,9 @@ Peer::Peer(PeerSettings settings)
     : settings_(std::move(settings)), session_(settings_.hello.session) {}
 
 std::optional<std::string> Peer::step(const StepRecord& record, HostNs now) {
+  passed_.left_mps += record.snapshot.left_mps;
+  passed_.right_mps += record.snapshot.right_mps;
+  ++passed_.steps;
   const RunState state = record.snapshot.run_state;
   if (state == RunState::kRunning && run_state_ != RunState::kRunning) ++run_;
   run_state_ = state;
@@ -53,8 +56,9 @@ std::string Peer::pose(const StepRecord& record, HostNs now) {
   report.pose = snapshot.world;
   report.floor = poses_of(snapshot.estimates);
   report.twist = snapshot.estimates[snapshot.steering].twist;
-  report.left_mps = snapshot.left_mps;
-  report.right_mps = snapshot.right_mps;
+  report.left_mps = passed_.left_mps / passed_.steps;
+  report.right_mps = passed_.right_mps / passed_.steps;
+  passed_ = {};
   report.slip_left = snapshot.slip_left;
   report.slip_right = snapshot.slip_right;
   report.mode = snapshot.run_state;

@@ -78,6 +78,11 @@ class Peer {
     HostNs step_ns = 0;
     HostNs sent_ns = 0;
   };
+  /// Sums over the steps since the last pose.
+  struct Passed {
+    double left_mps = 0.0, right_mps = 0.0;
+    int steps = 0;
+  };
 
   std::string pose(const StepRecord& record, HostNs now);
   void welcome(const WorldMessage& message, std::uint16_t port, HostNs now);
@@ -90,6 +95,7 @@ class Peer {
   PeerSettings settings_;
   PeerCounters counters_;
   std::array<Sent, 512> poses_{};
+  Passed passed_;
   std::uint64_t sequence_ = 0;
   std::uint32_t session_;
   std::uint32_t run_ = 0;

@@ -96,6 +96,28 @@ TEST_F(PeerTest, PosesGoOutAtTheirRateAndAreAnswered) {
   EXPECT_EQ(peer_.counters().missing, 0u);
 }
 
+// A world that moves its robot by them goes as far as the tracks did, however coarse the encoders
+// are: at 100 poses and 200 steps a second it does not see every step.
+TEST_F(PeerTest, TrackSpeedsAreMeansSinceThePoseBefore) {
+  welcome();
+  step_until("pose");
+  std::uint64_t seq = 0;
+  double left_m = 0.0, right_m = 0.0, sent_left_m = 0.0, sent_right_m = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    record_->snapshot.left_mps = i % 2 == 0 ? 0.2 : 0.0;
+    record_->snapshot.right_mps = i % 3 == 0 ? 0.3 : 0.0;
+    left_m += record_->snapshot.left_mps * 0.005;
+    right_m += record_->snapshot.right_mps * 0.005;
+    const Json sent = step();
+    if (!sent.is_object()) continue;
+    say(answer(++seq, sent["seq"]));
+    sent_left_m += sent["tracks"]["l"].get<double>() * 0.010;
+    sent_right_m += sent["tracks"]["r"].get<double>() * 0.010;
+  }
+  EXPECT_NEAR(sent_left_m, left_m, 1e-6);
+  EXPECT_NEAR(sent_right_m, right_m, 1e-4);
+}
+
 TEST_F(PeerTest, NamesThePoseThatSteersNow) {
   welcome();
   Snapshot& snapshot = record_->snapshot;
