@@ -48,8 +48,9 @@ class Screen {
 class Engine {
  public:
   explicit Engine(const std::string& course, const std::string& listen = "127.0.0.1:0",
-                  const Screen* screen = nullptr, int robots = 1)
-      : process_(command(course, listen, screen, robots)) {
+                  const Screen* screen = nullptr, int robots = 1,
+                  const std::string& robot = "end-loaded")
+      : process_(command(course, listen, screen, robots, robot)) {
     std::size_t at = 0;
     for (int i = 0; i < robots; ++i) {
       EXPECT_TRUE(process_.wait_for("listening at 127.0.0.1:")) << process_.output();
@@ -68,12 +69,13 @@ class Engine {
 
  private:
   static std::vector<std::string> command(const std::string& course, const std::string& listen,
-                                          const Screen* screen, int robots) {
+                                          const Screen* screen, int robots,
+                                          const std::string& robot) {
     std::vector<std::string> words{"/usr/bin/env"};
     if (screen) words.push_back("DISPLAY=" + screen->name());
     words.insert(words.end(),
                  {TP100_SOURCE_DIR "/scripts/godot", "--course", course, "--listen", listen});
-    for (int i = 0; i < robots; ++i) words.insert(words.end(), {"--robot", "end-loaded"});
+    for (int i = 0; i < robots; ++i) words.insert(words.end(), {"--robot", robot});
     if (screen)
       words.insert(words.end(), {"--camera", "top"});
     else
@@ -99,11 +101,11 @@ class Godot : public testing::Test {
   /// The figures of a lockstep run in the engine; `name` is the folder for the run's poses.
   nlohmann::json drive(const Engine& engine, const std::string& course,
                        const std::string& authority, const std::string& name = "run",
-                       std::size_t robot = 0) {
+                       std::size_t robot = 0, const std::string& kind = "end-loaded") {
     const Finished driven =
-        run({"tp100-sim", "course", course, "--json", "--world", "udp:" + engine.address(robot),
-             "--config", config("authority = \"" + authority + "\"\n", name), "--out",
-             folder_.file(name)});
+        run({"tp100-sim", "course", course, "--json", "--robot", kind, "--world",
+             "udp:" + engine.address(robot), "--config",
+             config("authority = \"" + authority + "\"\n", name), "--out", folder_.file(name)});
     auto figures = nlohmann::json::parse(driven.output, nullptr, false);
     return figures.is_object() ? figures : nlohmann::json::object();
   }

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -45,24 +47,45 @@ INSTANTIATE_TEST_SUITE_P(Papers, GodotCourses,
                            return name;
                          });
 
+class GodotBody : public Godot {
+ protected:
+  /// The last row of a run's poses: the real robot on its floor, and the engine's.
+  struct Ends {
+    double truth_x_m = 0.0, truth_yaw_rad = 0.0, world_x_m = 0.0, world_yaw_rad = 0.0;
+  };
+  Ends ends(const std::string& name) const {
+    std::ifstream file(folder_.file("run/" + name + ".csv"));
+    std::string head, line, last;
+    std::getline(file, head);
+    while (std::getline(file, line)) last = line;
+    EXPECT_TRUE(head.starts_with("t_s,truth_x_m,")) << head;
+    std::istringstream cells(last);
+    std::vector<double> values;
+    for (std::string cell; std::getline(cells, cell, ',');)
+      values.push_back(std::strtod(cell.c_str(), nullptr));
+    EXPECT_GT(values.size(), 12u) << last;
+    if (values.size() <= 12) return {};
+    return {values[1], values[6], values[7], values[12]};
+  }
+};
+
 // The engine's clock is that of the poses: on a level straight both bodies go equally far.
-TEST_F(Godot, TheEnginesBodyGoesAsFarAsTheRobotOnItsFloor) {
+TEST_F(GodotBody, GoesAsFarAsTheRobotOnItsFloor) {
   const Engine engine("1-straight");
   drive(engine, "1-straight", "world");
-  std::ifstream file(folder_.file("run/1-straight-end-loaded-1.csv"));
-  std::string head, line, last;
-  std::getline(file, head);
-  while (std::getline(file, line)) last = line;
-  ASSERT_TRUE(head.starts_with("t_s,truth_x_m,")) << head;
-  double t_s = 0.0, truth_x_m = 0.0, world_x_m = 0.0, other = 0.0;
-  char comma = 0;
-  std::istringstream values(last);
-  values >> t_s >> comma >> truth_x_m;
-  for (int i = 0; i < 5; ++i) values >> comma >> other;
-  values >> comma >> world_x_m;
-  ASSERT_TRUE(values) << last;
-  EXPECT_GT(world_x_m, 1.6);
-  EXPECT_NEAR(truth_x_m, world_x_m, 0.03);
+  const Ends at = ends("1-straight-end-loaded-1");
+  EXPECT_GT(at.world_x_m, 1.6);
+  EXPECT_NEAR(at.truth_x_m, at.world_x_m, 0.03);
+}
+
+// On the ends of its tracks alone its wheelbase would be 26.9 cm for the emulated robot's 20.6: 0.9
+// rad in a half circle.
+TEST_F(GodotBody, TurnsWithTheLoadThatItsTracksCarry) {
+  const Engine engine("1-curve", "127.0.0.1:0", nullptr, 1, "uniform");
+  drive(engine, "1-curve", "world", "run", 0, "uniform");
+  const Ends at = ends("1-curve-uniform-1");
+  EXPECT_NEAR(std::abs(at.world_yaw_rad), M_PI, 0.1);
+  EXPECT_LT(std::abs(std::remainder(at.truth_yaw_rad - at.world_yaw_rad, 2.0 * M_PI)), 0.35);
 }
 
 TEST_F(Godot, GivesTheSamePosesToTheBitEveryTime) {
