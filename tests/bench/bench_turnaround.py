@@ -20,7 +20,7 @@ BASE = "bare C echo"
 FIFO = "C echo, FIFO"
 OURS = "tp100d, robot-paced"
 ORDINARY = "tp100d, ordinary"
-# Its median is the wait for the next turn of the loop, by design.
+# Its median is the wait for the next cycle of the loop, by design.
 HOST_PACED = "tp100d, host-paced"
 TEXT = "text files, "
 OWN_ECHO = {OURS: FIFO, HOST_PACED: FIFO, FIFO: FIFO}
@@ -30,7 +30,7 @@ PLACEMENTS = {"any": (None, None), "together": (LAST, LAST)} | ({"apart": ("0", 
 
 
 def script(name):
-    return os.path.join(ROOT, "scripts", name)
+    return os.path.join(ROOT, "tests", "bench", name)
 
 
 def peers(programs, folder):

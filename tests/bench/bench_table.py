@@ -4,7 +4,7 @@ import os
 import platform
 import time
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 RESULTS = os.environ.get("TP100_BENCH_JSON", os.path.join(ROOT, "build", "bench", "results.json"))
 
 

@@ -16,7 +16,7 @@ from bench_table import Table, seconds
 
 LAPS = 50  # of 4.5 m: nobody drives to their end here
 MOST_ROBOTS = int(os.environ.get("TP100_BENCH_ROBOTS", "128"))
-HELD = 0.001  # share of the turns that may be left out
+HELD = 0.001  # share of the cycles that may be skipped
 FULL = 0.9  # of the processors of the emulated robots: from there on they are late themselves
 STARTED_AT_ONCE = 8
 STATS_PERIOD_S = 1.0  # of the daemon's --stats
@@ -30,7 +30,7 @@ def processors():
 
 
 def counted(robots):
-    """Turns made, overruns and turns left out up to now, of all."""
+    """Cycles run, overruns and cycles skipped up to now, of all."""
     loops = [robot.stats_now()["loop"] for robot in robots]
     return [sum(loop[key] for loop in loops) for key in ("cycles", "overruns", "missed")]
 
@@ -44,13 +44,13 @@ def measured(programs, count, duration_s):
         time.sleep(2 * STATS_PERIOD_S)
         before = counted(robots)
         daemons, emulators = cores(robots, duration_s)
-        turns, overruns, missed = (now - was for now, was in zip(counted(robots), before))
+        cycles, overruns, missed = (now - was for now, was in zip(counted(robots), before))
         drove = sum(robot.still_drives() for robot in robots)
         for robot in robots:
             robot.daemon.send_signal(signal.SIGTERM)
     return {"robots": count, "drove": drove, "daemons": daemons, "emulators": emulators / len(on[1]),
             "late_p99_us": max(robot.stats["loop"]["lateness_us"]["p99"] for robot in robots),
-            "overruns": overruns, "missed": missed / max(turns + missed, 1)}
+            "overruns": overruns, "missed": missed / max(cycles + missed, 1)}
 
 
 def verdict(row):
@@ -98,10 +98,10 @@ def main():
     programs, duration_s = sys.argv[1], seconds(20)
     ours, others = processors()
     table = Table("one_core", f"robots whose daemons share processor {ours[0]}, over {duration_s:g} s; held: at most "
-                  f"{HELD:.1%} of the turns left out, and all drive", [
+                  f"{HELD:.1%} of the cycles skipped, and all drive", [
                       ("robots", "robots", "4d"), ("drove", "drove", "4d"), ("daemons", "of the processor", "7.3f"),
                       ("emulators", "robots, of theirs", "7.3f"), ("late_p99_us", "worst lateness p99 [us]", "9.1f"),
-                      ("overruns", "overruns", "6d"), ("missed", "turns left out", "9.5f"),
+                      ("overruns", "overruns", "6d"), ("missed", "cycles skipped", "9.5f"),
                       ("verdict", "verdict", "<17s")])
     if ours == others:
         table.note("there is one processor only: the emulated robots share it")
