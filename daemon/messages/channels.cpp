@@ -2,8 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "messages/foxglove.h"
 #include "messages/messages.h"
 #include "messages/parameter_text.h"
+#include "messages/scene.h"
 #include "messages/status_messages.h"
 
 namespace tp100::messages {
@@ -73,7 +75,7 @@ struct StepChannel {
 
 std::vector<std::string> truth_text(const StepView& of) {
   if (!of.truth || !of.truth_is_new) return {};
-  return {of.messages.pose(of.truth->at_ns, of.truth->pose)};
+  return {pose_text(of.messages, of.truth->at_ns, of.truth->pose)};
 }
 
 std::vector<std::string> sample_texts(const StepView& of) {
@@ -94,7 +96,9 @@ std::vector<StepChannel> make_step_channels() {
   const char* const pose = "foxglove.PoseInFrame";
   std::vector<StepChannel> channels = {
       {Channel::kTransforms, "/tf", "foxglove.FrameTransforms", 0, 0, kPoses,
-       [](const StepView& of) { return std::vector{of.messages.transforms(of.record, of.truth)}; }},
+       [](const StepView& of) {
+         return std::vector{transforms_text(of.messages, of.record, of.truth)};
+       }},
       {Channel::kPoseTruth, "/pose/truth", pose, 0, 0, kPoses, truth_text},
       {Channel::kEstimate, "/estimate", "tp100.Estimate", 0, 0, 0,
        [](const StepView& of) { return std::vector{of.messages.estimate(of.record, of.truth)}; }},
@@ -107,7 +111,7 @@ std::vector<StepChannel> make_step_channels() {
     channels.push_back({pose_channel(source), "/pose/" + std::string(to_string(source)), pose, 0, 0,
                         kPoses, [source](const StepView& of) {
                           const Pose& at = of.record.snapshot.estimates[source].pose;
-                          return std::vector{of.messages.pose(of.record.now_ns, at)};
+                          return std::vector{pose_text(of.messages, of.record.now_ns, at)};
                         }});
   }
   return channels;
@@ -198,7 +202,7 @@ std::vector<ChannelText> channel_texts() {
   LinkFigures link;
   link.clock.valid = true;
   link.port.firmware = "0.1.0";
-  const std::string scene = messages.scene(0);
+  const std::string scene = scene_text(messages, 0);
 
   std::vector<ChannelText> texts(kChannelCount);
   const auto add = [&](Channel channel, const std::string& topic, const char* schema_name,
@@ -209,10 +213,10 @@ std::vector<ChannelText> channel_texts() {
   for (const StepChannel& one : step_channels())
     add(one.channel, one.topic, one.schema_name, one.texts({messages, record, truth, true}).front(),
         one.kept);
-  add(Channel::kPath, "/path", "foxglove.PosesInFrame", messages.path_poses(0), 1);
+  add(Channel::kPath, "/path", "foxglove.PosesInFrame", path_text(messages, 0), 1);
   add(Channel::kScene, "/scene", "foxglove.SceneUpdate", scene, 1);
   add(Channel::kPathHistory, "/path_history", "foxglove.SceneUpdate", scene, 0);
-  add(Channel::kLog, "/log", "foxglove.Log", messages.log({}), 100);
+  add(Channel::kLog, "/log", "foxglove.Log", log_text(messages, {}), 100);
   add(Channel::kLink, "/link", "tp100.Link", link_message(0.5, link), 1);
   add(Channel::kLoop, "/loop", "tp100.Loop", loop_message(0.5, {}, run_context), 1);
   add(Channel::kState, "/state", "tp100.State", state_message(0, {}, full_state(), run_context), 1);
@@ -224,7 +228,7 @@ std::vector<ChannelText> channel_texts() {
   parameters = without_values(parameters);
   add(Channel::kRecording, "/recording", "tp100.Recording", recording_message({}), 1);
   add(Channel::kCameraImage, "/camera/image", "foxglove.CompressedImage",
-      messages.camera_image(0, "\xff"), 1);
+      image_text(messages, 0, "\xff"), 1);
   ClientsFigures clients;
   clients.clients.emplace_back();
   add(Channel::kClient, "/client", "tp100.ClientList", clients_message(clients), 1);

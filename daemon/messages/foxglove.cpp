@@ -1,8 +1,5 @@
-// The messages of Foxglove's own schemas.
-
 #include "messages/foxglove.h"
 
-#include "messages/messages.h"
 #include "text/base64.h"
 
 namespace tp100::messages {
@@ -30,6 +27,11 @@ int log_level(Event::Level level) {
   return 4;
 }
 
+/// An array whose elements are already JSON.
+void write_elements(text::JsonWriter& json, std::string_view name, const std::string& elements) {
+  json.key(name).raw("[" + elements + "]");
+}
+
 }  // namespace
 
 void write_rotation(text::JsonWriter& json, std::string_view name, const Pose& pose) {
@@ -50,9 +52,49 @@ void write_foxglove_pose(text::JsonWriter& json, const Pose& pose) {
   json.end_object();
 }
 
-std::string Messages::transforms(const StepRecord& record,
-                                 const std::optional<Truth>& truth) const {
-  const std::uint64_t at = clock_.unix_ns(record.now_ns);
+void write_vertices(text::JsonWriter& json, std::span<const Point> points, const Colour& colour) {
+  json.key("points").begin_array();
+  for (const Point& point : points) {
+    json.begin_object()
+        .field("x", point.x_m)
+        .field("y", point.y_m)
+        .field("z", point.z_m)
+        .end_object();
+  }
+  json.end_array();
+  write_colour(json, colour);
+  json.key("colors").begin_array().end_array().key("indices").begin_array().end_array();
+}
+
+std::string line_strip(std::span<const Point> points, double thickness_m, const Colour& colour) {
+  std::string text;
+  text::JsonWriter json(text);
+  json.begin_object().field("type", 0);
+  write_foxglove_pose(json, Pose{});
+  json.field("thickness", thickness_m).field("scale_invariant", false);
+  write_vertices(json, points, colour);
+  json.end_object();
+  return text;
+}
+
+void write_entity(text::JsonWriter& json, const Entity& entity, std::uint64_t unix_ns) {
+  json.begin_object();
+  write_time(json, "timestamp", unix_ns);
+  json.field("frame_id", entity.frame).field("id", entity.id);
+  write_time(json, "lifetime", 0);
+  json.field("frame_locked", true);
+  for (const char* empty : {"metadata", "arrows", "spheres", "cylinders", "texts", "models"})
+    json.key(empty).begin_array().end_array();
+  write_elements(json, "cubes", entity.cubes);
+  write_elements(json, "lines", entity.lines);
+  write_elements(json, "triangles", entity.triangles);
+  json.end_object();
+}
+
+std::string transforms_text(const Messages& messages, const StepRecord& record,
+                            const std::optional<Truth>& truth) {
+  const PublishClock& clock = messages.clock();
+  const std::uint64_t at = clock.unix_ns(record.now_ns);
   std::string text;
   text.reserve(1400);
   text::JsonWriter json(text);
@@ -60,31 +102,31 @@ std::string Messages::transforms(const StepRecord& record,
   write_transform(json, "robot", record.snapshot.world, at);
   for (const PoseSource estimate : kPoseSources)
     write_transform(json, to_string(estimate), record.snapshot.estimates[estimate].pose, at);
-  if (truth) write_transform(json, "truth", truth->pose, clock_.unix_ns(truth->at_ns));
+  if (truth) write_transform(json, "truth", truth->pose, clock.unix_ns(truth->at_ns));
   json.end_array().end_object();
   return text;
 }
 
-std::string Messages::pose(HostNs at, const Pose& pose) const {
+std::string pose_text(const Messages& messages, HostNs at, const Pose& pose) {
   std::string text;
   text.reserve(256);
   text::JsonWriter json(text);
   json.begin_object();
-  write_time(json, "timestamp", clock_.unix_ns(at));
+  write_time(json, "timestamp", messages.clock().unix_ns(at));
   json.field("frame_id", "world");
   write_foxglove_pose(json, pose);
   json.end_object();
   return text;
 }
 
-std::string Messages::path_poses(HostNs at) const {
+std::string path_text(const Messages& messages, HostNs at) {
   std::string text;
   text::JsonWriter json(text);
   json.begin_object();
-  write_time(json, "timestamp", clock_.unix_ns(at));
+  write_time(json, "timestamp", messages.clock().unix_ns(at));
   json.field("frame_id", "world").key("poses").begin_array();
-  if (path() != nullptr) {
-    for (const course::PathPoint& point : path_points(*path())) {
+  if (messages.path() != nullptr) {
+    for (const course::PathPoint& point : path_points(*messages.path())) {
       json.begin_object();
       write_xyz(json, "position", {point.x_m, point.y_m, 0.0});
       write_rotation(json, "orientation", {.yaw_rad = point.yaw_rad});
@@ -95,11 +137,11 @@ std::string Messages::path_poses(HostNs at) const {
   return text;
 }
 
-std::string Messages::camera_image(HostNs at, std::string_view jpeg) const {
+std::string image_text(const Messages& messages, HostNs at, std::string_view jpeg) {
   std::string text;
   text::JsonWriter json(text);
   json.begin_object();
-  write_time(json, "timestamp", clock_.unix_ns(at));
+  write_time(json, "timestamp", messages.clock().unix_ns(at));
   json.field("frame_id", "camera")
       .field("format", "jpeg")
       .field("data", text::base64(jpeg))
@@ -107,11 +149,11 @@ std::string Messages::camera_image(HostNs at, std::string_view jpeg) const {
   return text;
 }
 
-std::string Messages::log(const Event& event) const {
+std::string log_text(const Messages& messages, const Event& event) {
   std::string text;
   text::JsonWriter json(text);
   json.begin_object();
-  write_time(json, "timestamp", clock_.unix_ns(event.at_ns));
+  write_time(json, "timestamp", messages.clock().unix_ns(event.at_ns));
   std::string message = event.text;
   if (!event.cause.empty()) message += ": " + event.cause;
   if (!event.fix.empty()) message += "; " + event.fix;

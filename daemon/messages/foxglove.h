@@ -1,14 +1,32 @@
 #pragma once
-// Pieces that Foxglove's schemas share, as JSON.
+// The messages of Foxglove's own schemas, and the pieces of JSON that they share.
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/pose.h"
+#include "core/step_record.h"
+#include "messages/messages.h"
 #include "text/json_writer.h"
 
 namespace tp100::messages {
+
+/// foxglove.FrameTransforms: robot and estimates in the world, and the truth if it is known.
+std::string transforms_text(const Messages& messages, const StepRecord& record,
+                            const std::optional<Truth>& truth);
+/// foxglove.PoseInFrame.
+std::string pose_text(const Messages& messages, HostNs at, const Pose& pose);
+/// foxglove.PosesInFrame: the reference path; empty without a course.
+std::string path_text(const Messages& messages, HostNs at);
+/// foxglove.CompressedImage: an image of a camera, taken at `at`.
+std::string image_text(const Messages& messages, HostNs at, std::string_view jpeg);
+/// foxglove.Log.
+std::string log_text(const Messages& messages, const Event& event);
+
+// Shared pieces.
 
 struct Point {
   double x_m = 0.0, y_m = 0.0, z_m = 0.0;

@@ -15,7 +15,7 @@
 
 namespace tp100::messages {
 
-/// Robot and course of a bridge, fixed from start to end: the context of every message.
+/// Robot and course of a bridge between two changes of the set-up: the context of every message.
 struct RunContext {
   std::string version;
   std::shared_ptr<const course::Course> course;  ///< null: none
@@ -61,7 +61,8 @@ struct Event {
   std::string fix{};    ///< how
 };
 
-/// Writes messages about one run context. Each function returns the whole text of one message.
+/// Writes the messages of our own schemas about one run context; those of Foxglove's are in
+/// messages/foxglove.h. Each function returns the whole text of one message.
 class Messages {
  public:
   Messages(RunContext run_context, PublishClock clock);
@@ -71,7 +72,6 @@ class Messages {
   /// Null without a course.
   const course::Path* path() const { return path_ ? &*path_ : nullptr; }
 
-  // Our own schemas.
   std::string estimate(const StepRecord& record, const std::optional<Truth>& truth) const;
   std::string sample(const Sample& sample, HostNs now) const;
   /// Of a record whose command is valid.
@@ -79,15 +79,6 @@ class Messages {
   std::string slip(const StepRecord& record) const;
   std::string course() const;
   std::string event(const Event& event) const;
-
-  // Foxglove's schemas.
-  std::string transforms(const StepRecord& record, const std::optional<Truth>& truth) const;
-  std::string pose(HostNs at, const Pose& pose) const;
-  std::string path_poses(HostNs at) const;
-  std::string scene(HostNs at) const;
-  std::string log(const Event& event) const;
-  /// An image of a camera, taken at `at`.
-  std::string camera_image(HostNs at, std::string_view jpeg) const;
 
  private:
   RunContext run_context_;

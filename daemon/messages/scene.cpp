@@ -1,10 +1,9 @@
-// The course and the robot as a scene for 3-D viewers.
+#include "messages/scene.h"
 
-#include <cmath>
+#include <algorithm>
 #include <vector>
 
 #include "messages/foxglove.h"
-#include "messages/messages.h"
 
 namespace tp100::messages {
 namespace {
@@ -126,61 +125,17 @@ void write_robot(text::JsonWriter& json, const course::Robot& robot, std::uint64
   }
 }
 
-/// An array whose elements are already JSON.
-void write_elements(text::JsonWriter& json, std::string_view name, const std::string& elements) {
-  json.key(name).raw("[" + elements + "]");
-}
-
 }  // namespace
 
-void write_vertices(text::JsonWriter& json, std::span<const Point> points, const Colour& colour) {
-  json.key("points").begin_array();
-  for (const Point& point : points) {
-    json.begin_object()
-        .field("x", point.x_m)
-        .field("y", point.y_m)
-        .field("z", point.z_m)
-        .end_object();
-  }
-  json.end_array();
-  write_colour(json, colour);
-  json.key("colors").begin_array().end_array().key("indices").begin_array().end_array();
-}
-
-std::string line_strip(std::span<const Point> points, double thickness_m, const Colour& colour) {
-  std::string text;
-  text::JsonWriter json(text);
-  json.begin_object().field("type", 0);
-  write_foxglove_pose(json, Pose{});
-  json.field("thickness", thickness_m).field("scale_invariant", false);
-  write_vertices(json, points, colour);
-  json.end_object();
-  return text;
-}
-
-void write_entity(text::JsonWriter& json, const Entity& entity, std::uint64_t unix_ns) {
-  json.begin_object();
-  write_time(json, "timestamp", unix_ns);
-  json.field("frame_id", entity.frame).field("id", entity.id);
-  write_time(json, "lifetime", 0);
-  json.field("frame_locked", true);
-  for (const char* empty : {"metadata", "arrows", "spheres", "cylinders", "texts", "models"})
-    json.key(empty).begin_array().end_array();
-  write_elements(json, "cubes", entity.cubes);
-  write_elements(json, "lines", entity.lines);
-  write_elements(json, "triangles", entity.triangles);
-  json.end_object();
-}
-
-std::string Messages::scene(HostNs at) const {
-  const std::uint64_t unix_ns = clock_.unix_ns(at);
+std::string scene_text(const Messages& messages, HostNs at) {
+  const std::uint64_t unix_ns = messages.clock().unix_ns(at);
   std::string text;
   text::JsonWriter json(text);
   json.begin_object().key("deletions").begin_array();
   write_deletion_of_all(json, unix_ns);
   json.end_array().key("entities").begin_array();
-  if (path() != nullptr) write_course(json, *this, unix_ns);
-  write_robot(json, run_context_.robot, unix_ns);
+  if (messages.path() != nullptr) write_course(json, messages, unix_ns);
+  write_robot(json, messages.run_context().robot, unix_ns);
   json.end_array().end_object();
   return text;
 }

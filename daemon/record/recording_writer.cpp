@@ -6,6 +6,8 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "messages/foxglove.h"
+#include "messages/scene.h"
 #include "record/step_codec.h"
 #include "text/json_writer.h"
 
@@ -65,8 +67,8 @@ RecordingWriter::RecordingWriter(const RecordingSettings& settings, const RunFac
                      "); check free space");
   const HostNs start = settings.clock.start_ns;
   message(messages::Channel::kCourse, start, messages_.course());
-  message(messages::Channel::kPath, start, messages_.path_poses(start));
-  message(messages::Channel::kScene, start, messages_.scene(start));
+  message(messages::Channel::kPath, start, messages::path_text(messages_, start));
+  message(messages::Channel::kScene, start, messages::scene_text(messages_, start));
 }
 
 void RecordingWriter::add_channels() {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "messages/foxglove.h"
+#include "messages/scene.h"
 #include "messages/status_messages.h"
 
 namespace tp100::server {
@@ -108,8 +110,8 @@ Publisher::Publisher(Broker& broker, messages::Messages messages, Controls& cont
 
 void Publisher::publish_setup(HostNs at) {
   publish(messages::Channel::kCourse, at, messages_.course());
-  publish(messages::Channel::kPath, at, messages_.path_poses(at));
-  publish(messages::Channel::kScene, at, messages_.scene(at));
+  publish(messages::Channel::kPath, at, messages::path_text(messages_, at));
+  publish(messages::Channel::kScene, at, messages::scene_text(messages_, at));
   state_.length_m.reset();
   if (messages_.path() != nullptr) state_.length_m = messages_.path()->length_m();
 }
@@ -189,11 +191,11 @@ void Publisher::publish_state(HostNs now, bool always) {
 
 void Publisher::take(const messages::Event& event) {
   publish(messages::Channel::kEvent, event.at_ns, messages_.event(event));
-  publish(messages::Channel::kLog, event.at_ns, messages_.log(event));
+  publish(messages::Channel::kLog, event.at_ns, messages::log_text(messages_, event));
 }
 
 void Publisher::take_image(HostNs at, std::string_view jpeg) {
-  publish(messages::Channel::kCameraImage, at, messages_.camera_image(at, jpeg));
+  publish(messages::Channel::kCameraImage, at, messages::image_text(messages_, at, jpeg));
 }
 
 void Publisher::stop_pressed(const std::string& by, HostNs now) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/faults.h"
+#include "messages/foxglove.h"
 #include "record/recording_file.h"
 
 namespace tp100::sim {
@@ -70,7 +71,7 @@ void LockstepRecorder::take_disturbance(HostNs at) {
 
 void LockstepRecorder::record(const messages::Event& event) {
   recorder_.message(messages::Channel::kEvent, event.at_ns, messages_.event(event));
-  recorder_.message(messages::Channel::kLog, event.at_ns, messages_.log(event));
+  recorder_.message(messages::Channel::kLog, event.at_ns, messages::log_text(messages_, event));
 }
 
 void LockstepRecorder::take_truth(HostNs at, const Pose& truth) { recorder_.take_truth(at, truth); }

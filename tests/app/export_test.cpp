@@ -7,6 +7,7 @@
 
 #include "../record/random_record.h"
 #include "app/commands.h"
+#include "messages/foxglove.h"
 #include "messages/messages.h"
 #include "record/recording.h"
 #include "recorded_run.h"
@@ -158,7 +159,7 @@ TEST(ExportImages, WritesEachImageWithItsTime) {
         for (std::size_t i = 0; i < jpegs.size(); ++i) {
           const HostNs at = now + static_cast<HostNs>(i) * 250 * kNsPerMs;
           recorder.message(messages::Channel::kCameraImage, at,
-                           messages.camera_image(at, jpegs[i]));
+                           messages::image_text(messages, at, jpegs[i]));
         }
         // What is not ours is left out.
         for (const char* other : {"[]", "{", R"({"format":"png","data":"/9g="})",

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "fixtures.h"
+#include "messages/foxglove.h"
+#include "messages/scene.h"
 #include "messages/status_messages.h"
 
 namespace tp100::messages {
@@ -95,11 +97,11 @@ TEST(Channels, MessagesHaveNoFieldThatTheirSchemaDoesNotName) {
   const Messages messages(example_subject(), example_clock());
   const StepRecord record = example_record();
   const std::map<std::string, std::string> examples = {
-      {"/tf", messages.transforms(record, std::nullopt)},
-      {"/pose/model", messages.pose(0, {})},
-      {"/path", messages.path_poses(0)},
-      {"/scene", messages.scene(0)},
-      {"/log", messages.log({})},
+      {"/tf", transforms_text(messages, record, std::nullopt)},
+      {"/pose/model", pose_text(messages, 0, {})},
+      {"/path", path_text(messages, 0)},
+      {"/scene", scene_text(messages, 0)},
+      {"/log", log_text(messages, {})},
       {"/estimate", messages.estimate(record, std::nullopt)},
       {"/sample", messages.sample(record.snapshot.sample, 0)},
       {"/command", messages.command(record)},

@@ -125,15 +125,16 @@ TEST_F(MessagesTest, WithoutACourseTheListsAreEmpty) {
 }
 
 TEST_F(MessagesTest, TransformsMoveTheRobotInTheCoursesWorld) {
-  const Json json = Json::parse(messages_.transforms(record_, std::nullopt))["transforms"];
+  const Json json = Json::parse(transforms_text(messages_, record_, std::nullopt))["transforms"];
   ASSERT_EQ(json.size(), 4U);
   EXPECT_EQ(json[0]["child_frame_id"], "robot");
   EXPECT_EQ(json[0]["translation"]["x"], 0.22);
   EXPECT_EQ(json[0]["translation"]["z"], 0.05);
   EXPECT_EQ(json[0]["timestamp"], Json({{"sec", 1010}, {"nsec", 0}}));
   const Truth truth{record_.now_ns, {.x_m = 0.44}};
-  EXPECT_EQ(Json::parse(messages_.transforms(record_, truth))["transforms"][4]["child_frame_id"],
-            "truth");
+  EXPECT_EQ(
+      Json::parse(transforms_text(messages_, record_, truth))["transforms"][4]["child_frame_id"],
+      "truth");
 }
 
 TEST(Quaternion, TurnsAVectorAsTheEulerAnglesDo) {
@@ -157,7 +158,7 @@ TEST_F(MessagesTest, ALogLineHoldsCauseAndFix) {
                     .text = "tilt",
                     .cause = "too steep",
                     .fix = "set it upright"};
-  const Json json = Json::parse(messages_.log(event));
+  const Json json = Json::parse(log_text(messages_, event));
   EXPECT_EQ(json["message"], "tilt: too steep; set it upright");
   EXPECT_EQ(json["level"], 4);
   EXPECT_EQ(json["timestamp"]["sec"], 1001);

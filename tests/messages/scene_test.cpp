@@ -1,4 +1,6 @@
 // Compares the scene with the terrain that it shows.
+#include "messages/scene.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ using Json = nlohmann::json;
 
 Json entities() {
   const Messages messages(example_subject(), example_clock());
-  return Json::parse(messages.scene(0))["entities"];
+  return Json::parse(scene_text(messages, 0))["entities"];
 }
 
 Json entity(const std::string& id) {
@@ -73,7 +75,7 @@ TEST(Scene, EveryKindOfPrimitiveIsAList) {
 
 TEST(Scene, WithoutACourseThereIsOnlyTheRobot) {
   const Messages messages(RunContext{}, example_clock());
-  EXPECT_EQ(Json::parse(messages.scene(0))["entities"].size(), 3U);
+  EXPECT_EQ(Json::parse(scene_text(messages, 0))["entities"].size(), 3U);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "fixtures.h"
 #include "messages/channels.h"
+#include "messages/foxglove.h"
 #include "support/paths.h"
 
 namespace tp100::messages {
@@ -54,7 +55,7 @@ std::string type_at(const std::string& path) {
 std::set<std::string> frames() {
   std::set<std::string> names;
   const Messages messages(example_subject(), example_clock());
-  const Json transforms = Json::parse(messages.transforms(example_record(), Truth{}));
+  const Json transforms = Json::parse(transforms_text(messages, example_record(), Truth{}));
   for (const Json& each : transforms["transforms"]) {
     names.insert(each["parent_frame_id"]);
     names.insert(each["child_frame_id"]);
