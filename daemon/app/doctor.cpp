@@ -23,8 +23,8 @@
 #include "doctor/finding.h"
 #include "doctor/host_checks.h"
 #include "doctor/port_checks.h"
+#include "doctor/probe_session.h"
 #include "doctor/robot.h"
-#include "doctor/robot_talk.h"
 #include "doctor/system.h"
 #include "doctor/wheels_up.h"
 #include "link/port_discovery.h"
@@ -164,15 +164,15 @@ Examination begin(const DoctorOptions& options) {
   return all;
 }
 
-doctor::VisitOptions visit_options(const Examination& all, const DoctorOptions& options) {
-  doctor::VisitOptions visit;
-  visit.port = all.port.path;
-  visit.serial = {all.configuration.link.baud, all.configuration.link.hang_up};
-  visit.session = bridge::session_settings(config::bridge_parameters(all.configuration, all.robot));
-  visit.session.baud = static_cast<std::uint32_t>(all.configuration.link.baud);
-  visit.battery_cutoff_v = all.robot.drive.battery_cutoff_v;
-  visit.link_test_s = options.link_test_s;
-  return visit;
+doctor::ProbeOptions probe_options(const Examination& all, const DoctorOptions& options) {
+  doctor::ProbeOptions probe;
+  probe.port = all.port.path;
+  probe.serial = {all.configuration.link.baud, all.configuration.link.hang_up};
+  probe.session = bridge::session_settings(config::bridge_parameters(all.configuration, all.robot));
+  probe.session.baud = static_cast<std::uint32_t>(all.configuration.link.baud);
+  probe.battery_cutoff_v = all.robot.drive.battery_cutoff_v;
+  probe.link_test_s = options.link_test_s;
+  return probe;
 }
 
 void examine_port(Examination& all, const DoctorOptions& options) {
@@ -193,9 +193,9 @@ void examine_port(Examination& all, const DoctorOptions& options) {
 }
 
 void examine_robot(Examination& all, const DoctorOptions& options) {
-  const doctor::Visit visit = doctor::probe_robot(visit_options(all, options), stop);
-  append(all.findings, doctor::robot_findings(visit));
-  all.link = visit.link;
+  const doctor::ProbeResult probe = doctor::probe_robot(probe_options(all, options), stop);
+  append(all.findings, doctor::robot_findings(probe));
+  all.link = probe.link;
 }
 
 void examine_tracks(Examination& all, const DoctorOptions& options) {
@@ -204,7 +204,7 @@ void examine_tracks(Examination& all, const DoctorOptions& options) {
         {Severity::kNote, "wheels-up", "the tracks were not tried", "fix the errors above first"});
     return;
   }
-  const doctor::VisitOptions visit = visit_options(all, options);
+  const doctor::ProbeOptions probe = probe_options(all, options);
   try {
     // Driven tracks need a command every 200 ms, however busy the machine is.
     Terminal terminal;
@@ -213,11 +213,11 @@ void examine_tracks(Examination& all, const DoctorOptions& options) {
                                                             "run it in a terminal")
                              : with_privileges(all.configuration.loop, [&](const auto&) {
                                  return doctor::try_wheels_up(
-                                     {visit.port, visit.serial, visit.session, all.robot.drive},
+                                     {probe.port, probe.serial, probe.session, all.robot.drive},
                                      terminal, stop);
                                }));
   } catch (const SetupError& error) {
-    append(all.findings, doctor::robot_findings({.port = visit.port, .open_error = error.what()}));
+    append(all.findings, doctor::robot_findings({.port = probe.port, .open_error = error.what()}));
   }
 }
 

@@ -192,10 +192,12 @@ int run_run(const RunOptions& options) {
   live::SetupChanger setup({files, run}, cycle);
   runs::RunArchive runs(archive_settings(configuration.record, recording));
   selftest::SelfTest self_test(configuration, run.robot);
-  settings.connector.loan = &self_test.wheels_up().loan();
+  settings.connector.handover = &self_test.wheels_up().handover();
   live::LiveControls controls(cycle, loop, recording, setup, runs, self_test);
   const auto listener = [&](messages::Channel channel, std::uint64_t unix_ns,
-                            std::string_view json) { recording.hear(channel, unix_ns, json); };
+                            std::string_view json) {
+    recording.on_message(channel, unix_ns, json);
+  };
   const std::unique_ptr<server::Server> server =
       make_server(run, files.configuration.path, clock, controls, setup, runs, listener);
   // With --stay each run gets a recording of its own.

@@ -16,6 +16,7 @@
 #include "core/faults.h"
 #include "core/time.h"
 #include "link/transport.h"
+#include "text/format.h"
 #include "wire/frame.h"
 #include "wire/messages.h"
 
@@ -26,7 +27,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// The first hello before `deadline`; an empty text if none arrives.
-Greeting listen(const link::Port& port, Clock::time_point deadline) {
+HelloReply listen(const link::Port& port, Clock::time_point deadline) {
   wire::FrameDecoder decoder;
   std::array<std::uint8_t, 256> buffer{};
   for (;;) {
@@ -40,15 +41,15 @@ Greeting listen(const link::Port& port, Clock::time_point deadline) {
     for (ssize_t i = 0; i < n; ++i) {
       if (decoder.push(buffer[static_cast<std::size_t>(i)]) != wire::Received::kFrame) continue;
       if (decoder.type() != static_cast<std::uint8_t>(wire::Type::kHello)) continue;
-      Greeting greeting = read_greeting(decoder.payload(), decoder.size());
-      if (!greeting.text.empty()) return greeting;
+      HelloReply hello = read_hello(decoder.payload(), decoder.size());
+      if (!hello.text.empty()) return hello;
     }
   }
 }
 
 }  // namespace
 
-Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
+HelloReply read_hello(const std::uint8_t* payload, std::size_t size) {
   // The hello of every version begins with protocol, firmware and schema.
   constexpr std::size_t kPrefix = 9;
   if (size < kPrefix) return {};
@@ -59,35 +60,29 @@ Greeting read_greeting(const std::uint8_t* payload, std::size_t size) {
   prefix.field("", hello.schema);
   const bool ours = wire::read_payload(payload, size, hello) &&
                     hello.protocol == wire::kProtocolVersion && hello.schema == wire::kSchemaHash;
-  std::array<char, 200> text{};
-  if (ours) {
-    std::snprintf(text.data(), text.size(), "%s, firmware %u.%u.%u, protocol %u",
-                  board_name(hello.board), hello.firmware[0], hello.firmware[1], hello.firmware[2],
-                  hello.protocol);
-  } else {
-    std::snprintf(
-        text.data(), text.size(),
-        "firmware %u.%u.%u, protocol %u schema %08x, but tp100d uses protocol %u schema %08x; "
-        "flash the board with %s",
-        hello.firmware[0], hello.firmware[1], hello.firmware[2], hello.protocol, hello.schema,
-        wire::kProtocolVersion, wire::kSchemaHash, flash_command().c_str());
-  }
-  return {ours, text.data()};
+  const auto& firmware = hello.firmware;
+  if (ours)
+    return {true, text::format("%s, firmware %u.%u.%u, protocol %u", board_name(hello.board),
+                               firmware[0], firmware[1], firmware[2], hello.protocol)};
+  return {false, text::format("firmware %u.%u.%u, protocol %u schema %08x, but tp100d uses "
+                              "protocol %u schema %08x; flash the board with %s",
+                              firmware[0], firmware[1], firmware[2], hello.protocol, hello.schema,
+                              wire::kProtocolVersion, wire::kSchemaHash, flash_command().c_str())};
 }
 
 int run_hello(const HelloOptions& options) {
   const link::Port port = link::open_port(options.port, {});
   const auto patience = std::chrono::duration<double>(options.timeout_s);
-  const Greeting greeting =
+  const HelloReply hello =
       listen(port, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
-  if (greeting.ours) {
-    std::printf("%s: %s\n", options.port.c_str(), greeting.text.c_str());
+  if (hello.ours) {
+    std::printf("%s: %s\n", options.port.c_str(), hello.text.c_str());
     return 0;
   }
   const std::string none = "no hello of a TP100; flash the board with " + flash_command() +
                            ", or choose another port (see `tp100d ports`)";
   std::fprintf(stderr, "%s: %s\n", options.port.c_str(),
-               (greeting.text.empty() ? none : greeting.text).c_str());
+               (hello.text.empty() ? none : hello.text).c_str());
   return 1;
 }
 

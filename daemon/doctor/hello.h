@@ -13,12 +13,12 @@ struct HelloOptions {
 };
 
 /// Content of a hello.
-struct Greeting {
+struct HelloReply {
   bool ours = false;  ///< protocol and schema are this program's
   std::string text;   ///< one line: board, firmware, protocol and, if not ours, what to do
 };
 /// Decodes the payload of a hello of any version; an empty text if it is too short. Pure.
-Greeting read_greeting(const std::uint8_t* payload, std::size_t size);
+HelloReply read_hello(const std::uint8_t* payload, std::size_t size);
 
 /// Opens the port, which resets a Mega, sends nothing and prints the first hello. 0: firmware for
 /// this program; 1: another one, or no hello. Throws SetupError.

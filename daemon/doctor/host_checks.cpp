@@ -5,10 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -20,6 +18,7 @@
 #include "core/clock.h"
 #include "core/time.h"
 #include "link/port_holder.h"
+#include "text/format.h"
 
 namespace tp100::doctor {
 
@@ -35,11 +34,7 @@ constexpr double kLittleSpaceMb = 500.0;
 
 constexpr const char* kListening = "0A";
 
-std::string text_of(double value, const char* unit) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.0f %s", value, unit);
-  return text.data();
-}
+std::string text_of(double value, const char* unit) { return text::format("%.0f %s", value, unit); }
 
 /// The socket that listens on `port` by a table of /proc/net; empty: none. Columns: entry, local
 /// address:port, remote, state, queues, timer, retransmits, owner, time-out, inode.

@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 
 #include "link/port_holder.h"
 #include "link/transport.h"
+#include "text/format.h"
 
 namespace tp100::doctor {
 
@@ -123,9 +123,7 @@ std::optional<Group> group_of(const System& system, gid_t gid) {
 bool granted(mode_t mode, mode_t both) { return (mode & both) == both; }
 
 std::string mode_text(mode_t mode) {
-  char text[8];
-  std::snprintf(text, sizeof text, "%04o", static_cast<unsigned>(mode & 07777U));
-  return text;
+  return text::format("%04o", static_cast<unsigned>(mode & 07777U));
 }
 
 }  // namespace
@@ -207,10 +205,10 @@ bool left_alone(const System& system, const std::string& device) {
 }
 
 std::string rule_for(const link::PortInfo& info) {
-  char ids[80];
-  std::snprintf(ids, sizeof ids, "ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", ",
-                static_cast<unsigned>(info.vendor_id), static_cast<unsigned>(info.product_id));
-  return std::string("SUBSYSTEM==\"tty\", ") + ids + "ENV{ID_MM_PORT_IGNORE}=\"1\"";
+  return text::format(
+      "SUBSYSTEM==\"tty\", ATTRS{idVendor}==\"%04x\", ATTRS{idProduct}==\"%04x\", "
+      "ENV{ID_MM_PORT_IGNORE}=\"1\"",
+      static_cast<unsigned>(info.vendor_id), static_cast<unsigned>(info.product_id));
 }
 
 }  // namespace

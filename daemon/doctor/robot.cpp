@@ -35,18 +35,18 @@ Finding warning(std::string name, std::string seen, std::string fix) {
 }
 
 /// Explains the missing hello.
-Finding silent(const Visit& visit) {
-  const std::string flash = flash_command(visit.port);
-  if (visit.bootloader)
-    return error("bootloader", visit.port + ": only the bootloader answers", flash);
-  if (visit.frames_in > 0)
-    return error("firmware", visit.port + ": sends frames of the protocol but no hello",
+Finding silent(const ProbeResult& probe) {
+  const std::string flash = flash_command(probe.port);
+  if (probe.bootloader)
+    return error("bootloader", probe.port + ": only the bootloader answers", flash);
+  if (probe.frames_in > 0)
+    return error("firmware", probe.port + ": sends frames of the protocol but no hello",
                  "press the board's reset button; if that does not help: " + flash);
-  if (visit.bytes_in > 0)
+  if (probe.bytes_in > 0)
     return error("firmware",
-                 visit.port + format(": %zu bytes, but no frame of a TP100", visit.bytes_in),
+                 probe.port + format(": %zu bytes, but no frame of a TP100", probe.bytes_in),
                  "if this is the robot: " + flash + "; else choose its port with --port");
-  return error("firmware", visit.port + ": silent",
+  return error("firmware", probe.port + ": silent",
                "press the board's reset button and see whether its light blinks; if this is the "
                "robot: " +
                    flash + "; else choose its port with --port");
@@ -70,38 +70,38 @@ void add_fault(Fault fault, Findings& findings) {
   }
 }
 
-void add_battery(const Visit& visit, Findings& findings) {
-  if (visit.battery_v >= visit.battery_cutoff_v) {
-    findings.push_back(ok("battery", format("%.1f V", visit.battery_v)));
+void add_battery(const ProbeResult& probe, Findings& findings) {
+  if (probe.battery_v >= probe.battery_cutoff_v) {
+    findings.push_back(ok("battery", format("%.1f V", probe.battery_v)));
     return;
   }
   findings.push_back(
       error("battery",
-            format("%.1f V, the robot stops below %.1f V", visit.battery_v, visit.battery_cutoff_v),
-            visit.battery_v < kOffV ? "switch the motors' battery on" : "charge the battery"));
+            format("%.1f V, the robot stops below %.1f V", probe.battery_v, probe.battery_cutoff_v),
+            probe.battery_v < kOffV ? "switch the motors' battery on" : "charge the battery"));
 }
 
-void add_state(const Visit& visit, Findings& findings) {
-  if (visit.reboots > 0)
+void add_state(const ProbeResult& probe, Findings& findings) {
+  if (probe.reboots > 0)
     findings.push_back(error(
         "reboots",
-        "the board restarted " + text::counted(visit.reboots, "time") + " while it was watched",
+        "the board restarted " + text::counted(probe.reboots, "time") + " while it was watched",
         "charge the battery and check the power wiring"));
-  if (visit.moved_unasked) {
+  if (probe.moved_unasked) {
     const FaultText& words = describe(Fault::moves_unasked);
     findings.push_back(error("motors", std::string(words.cause), std::string(words.fix)));
   }
-  for (FaultMask left = visit.faults; left != 0; left &= left - 1)
+  for (FaultMask left = probe.faults; left != 0; left &= left - 1)
     add_fault(*first_fault(left), findings);
-  if (!visit.ready) return;
-  add_battery(visit, findings);
-  if (!visit.imu_fresh) return;
-  if (visit.up_mps2 < kUprightMps2) {
+  if (!probe.ready) return;
+  add_battery(probe, findings);
+  if (!probe.imu_fresh) return;
+  if (probe.up_mps2 < kUprightMps2) {
     findings.push_back(error(
-        "imu", format("at rest its z axis shows %.1f m/s^2, upright would be 9.8", visit.up_mps2),
+        "imu", format("at rest its z axis shows %.1f m/s^2, upright would be 9.8", probe.up_mps2),
         "set the robot upright; if it is: mount the MPU6050 level, chip side up, x forward"));
   } else {
-    findings.push_back(ok("imu", format("upright, z %.1f m/s^2", visit.up_mps2)));
+    findings.push_back(ok("imu", format("upright, z %.1f m/s^2", probe.up_mps2)));
   }
 }
 
@@ -146,47 +146,47 @@ Percentiles percentiles(const Histogram& times) {
   return {us(0.5), us(0.9), us(0.99), static_cast<double>(times.max()) * 1e-3};
 }
 
-void add_hello(wire::Hello hello, Visit& visit) {
+void add_hello(wire::Hello hello, ProbeResult& probe) {
   std::array<std::uint8_t, wire::Hello::kSize> payload{};
   wire::write_payload(hello, payload.data());
-  const Greeting greeting = read_greeting(payload.data(), payload.size());
-  visit.greeting = greeting.text;
-  visit.ours = greeting.ours;
+  const HelloReply reply = read_hello(payload.data(), payload.size());
+  probe.hello = reply.text;
+  probe.ours = reply.ours;
 }
 
-void add_sample(const Sample& sample, Visit& visit) {
-  visit.faults = sample.faults;
-  visit.battery_v = sample.battery_v;
-  visit.imu_fresh = sample.imu_age < kFreshSamples;
-  visit.up_mps2 = sample.accel_mps2[2];
+void add_sample(const Sample& sample, ProbeResult& probe) {
+  probe.faults = sample.faults;
+  probe.battery_v = sample.battery_v;
+  probe.imu_fresh = sample.imu_age < kFreshSamples;
+  probe.up_mps2 = sample.accel_mps2[2];
 }
 
-Findings robot_findings(const Visit& visit) {
-  if (!visit.open_error.empty()) {
-    const std::size_t end = visit.open_error.rfind("; ");
+Findings robot_findings(const ProbeResult& probe) {
+  if (!probe.open_error.empty()) {
+    const std::size_t end = probe.open_error.rfind("; ");
     return {
-        error("open", visit.open_error.substr(0, end),
-              end == std::string::npos ? "see tp100d ports" : visit.open_error.substr(end + 2))};
+        error("open", probe.open_error.substr(0, end),
+              end == std::string::npos ? "see tp100d ports" : probe.open_error.substr(end + 2))};
   }
-  if (visit.greeting.empty()) return {silent(visit)};
-  if (!visit.ours)
-    return {error("firmware", visit.greeting.substr(0, visit.greeting.rfind("; ")),
-                  flash_command(visit.port))};
-  Findings findings = {ok("firmware", visit.greeting),
-                       ok("start", visit.emulator ? "an emulated robot: a run starts by itself"
+  if (probe.hello.empty()) return {silent(probe)};
+  if (!probe.ours)
+    return {error("firmware", probe.hello.substr(0, probe.hello.rfind("; ")),
+                  flash_command(probe.port))};
+  Findings findings = {ok("firmware", probe.hello),
+                       ok("start", probe.emulator ? "an emulated robot: a run starts by itself"
                                                   : "a run waits for Enter at the terminal, or for "
                                                     "start on the page")};
-  if (!visit.refused.empty()) {
-    findings.push_back(error("parameters", "the firmware refuses " + visit.refused,
+  if (!probe.refused.empty()) {
+    findings.push_back(error("parameters", "the firmware refuses " + probe.refused,
                              "correct that key of the robot file (tp100d check FILE)"));
     return findings;
   }
-  if (!visit.ready && visit.reboots == 0)
+  if (!probe.ready && probe.reboots == 0)
     findings.push_back(error(
         "session", "the robot sends hello, but its clock could not be read",
-        "use a short cable without a hub; if that does not help: " + flash_command(visit.port)));
-  add_state(visit, findings);
-  if (visit.link) add_link(*visit.link, findings);
+        "use a short cable without a hub; if that does not help: " + flash_command(probe.port)));
+  add_state(probe, findings);
+  if (probe.link) add_link(*probe.link, findings);
   return findings;
 }
 

@@ -43,13 +43,13 @@ struct LinkTest {
 };
 
 /// How far the handshake got.
-struct Visit {
+struct ProbeResult {
   std::string port{};
   std::string open_error{};   ///< why the port could not be opened; empty: it could
   std::size_t bytes_in = 0;   ///< received from the port
   std::size_t frames_in = 0;  ///< valid frames of this protocol among them
   bool bootloader = false;    ///< the bootloader of a silent board answered
-  std::string greeting{};     ///< text of the hello; empty: none
+  std::string hello{};        ///< text of the hello; empty: none
   bool ours = false;          ///< firmware for this program
   bool emulator = false;      ///< is_emulator() of core/board.h
   std::string refused{};      ///< the parameter that the firmware refused; empty: none
@@ -64,12 +64,12 @@ struct Visit {
   std::optional<LinkTest> link{};
 };
 
-// Parts of a visit, of the newest hello and of the newest sample.
-void add_hello(wire::Hello hello, Visit& visit);
-void add_sample(const Sample& sample, Visit& visit);
+// Parts of a probe, of the newest hello and of the newest sample.
+void add_hello(wire::Hello hello, ProbeResult& probe);
+void add_sample(const Sample& sample, ProbeResult& probe);
 
 /// Names: firmware, start, bootloader, parameters, session, reboots, motors, fault, battery, imu,
 /// link, clock; open for a port that cannot be opened.
-Findings robot_findings(const Visit& visit);
+Findings robot_findings(const ProbeResult& probe);
 
 }  // namespace tp100::doctor

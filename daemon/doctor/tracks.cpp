@@ -1,13 +1,12 @@
 #include "doctor/tracks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "core/angle.h"
+#include "text/format.h"
 
 namespace tp100::doctor {
 namespace {
@@ -24,10 +23,8 @@ constexpr const char* kAgain = ", then run this test again";
 std::string name_of(Side side) { return side == Side::kLeft ? "left" : "right"; }
 
 std::string figures(const TrackDrive& drive) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "left encoder %+.3f m, right %+.3f m, gyro %+.0f deg",
-                drive.left_m, drive.right_m, drive.turned_rad * kDegPerRad);
-  return text.data();
+  return text::format("left encoder %+.3f m, right %+.3f m, gyro %+.0f deg", drive.left_m,
+                      drive.right_m, drive.turned_rad * kDegPerRad);
 }
 
 /// The instruction to invert the key.
@@ -159,22 +156,21 @@ Findings track_findings(const TrackDrive& left, const TrackDrive& right, const W
 }
 
 Findings gyro_findings(std::optional<double> hand_rad, double spin_rad, bool tracks_well) {
-  std::array<char, 96> text{};
   if (!hand_rad) {
-    std::snprintf(text.data(), text.size(), "tracks turning left, it reads %+.0f deg",
-                  spin_rad * kDegPerRad);
-    if (on_floor(spin_rad) && tracks_well) return {ok("gyro", text.data())};
+    if (on_floor(spin_rad) && tracks_well)
+      return {ok("gyro",
+                 text::format("tracks turning left, it reads %+.0f deg", spin_rad * kDegPerRad))};
     return {{Severity::kWarning, "gyro", "its sign was not tested",
              tracks_well ? "run this test in a terminal, and turn the robot when it asks for it"
                          : "fix the tracks, then run this test again"}};
   }
-  std::snprintf(text.data(), text.size(), "turned left by hand, the gyro reads %+.0f deg",
-                *hand_rad * kDegPerRad);
-  if (*hand_rad > kHandTurnedRad) return {ok("gyro", text.data())};
+  const std::string seen =
+      text::format("turned left by hand, the gyro reads %+.0f deg", *hand_rad * kDegPerRad);
+  if (*hand_rad > kHandTurnedRad) return {ok("gyro", seen)};
   if (*hand_rad < -kHandTurnedRad)
-    return {{Severity::kError, "gyro", text.data(),
+    return {{Severity::kError, "gyro", seen,
              "mount the MPU6050 level, chip side up (firmware/WIRING.md)"}};
-  return {{Severity::kError, "gyro", text.data(),
+  return {{Severity::kError, "gyro", seen,
            "run this test again and turn the robot by a quarter to the left; if it reads the same, "
            "check that the MPU6050 lies level"}};
 }

@@ -7,7 +7,7 @@
 
 #include "core/clock.h"
 #include "core/faults.h"
-#include "doctor/robot_talk.h"
+#include "doctor/probe_session.h"
 #include "doctor/tracks.h"
 
 namespace tp100::doctor {
@@ -44,19 +44,19 @@ class WheelsUp {
       : options_(options),
         stop_(stop),
         person_(person),
-        talk_(link::open_port(options.port, options.serial), open_loop(options.session), stop) {
-    talk_.on_sample = [this](const Sample& sample, HostNs) { add(sample); };
+        session_(link::open_port(options.port, options.serial), open_loop(options.session), stop) {
+    session_.on_sample = [this](const Sample& sample, HostNs) { add(sample); };
   }
   // The motors are switched off in any case.
   ~WheelsUp() {
-    if (talk_.disarm()) person_.motors_off(monotonic_now());
+    if (session_.disarm()) person_.motors_off(monotonic_now());
   }
   WheelsUp(const WheelsUp&) = delete;
   WheelsUp& operator=(const WheelsUp&) = delete;
 
   Findings run() {
-    const auto ready = [this] { return talk_.session().state() == SessionState::kReady; };
-    if (!talk_.turn(kHelloLimitS, ready))
+    const auto ready = [this] { return session_.session().state() == SessionState::kReady; };
+    if (!session_.turn(kHelloLimitS, ready))
       return wheels_up_broken_off(options_.port + ": no session with the robot",
                                   "run tp100d doctor without --wheels-up first");
     person_.say("both tracks run against each other, then the other way round");
@@ -100,15 +100,15 @@ class WheelsUp {
 
   Findings stopped() const {
     if (refused_)
-      return wheels_up_broken_off("the robot cannot be armed: " + talk_.why(), talk_.fix());
-    if (talk_.session().counters().reboots > 0)
+      return wheels_up_broken_off("the robot cannot be armed: " + session_.why(), session_.fix());
+    if (session_.session().counters().reboots > 0)
       return wheels_up_broken_off("the board restarted as a track ran",
                                   "charge the battery and check the power wiring");
-    if (const auto fault = first_fault(talk_.newest().faults))
+    if (const auto fault = first_fault(session_.newest().faults))
       return wheels_up_broken_off(
           "the robot stopped by itself: " + std::string(describe(*fault).cause),
           std::string(describe(*fault).fix));
-    if (talk_.gone())
+    if (session_.gone())
       return wheels_up_broken_off(options_.port + ": port is gone",
                                   "check the plug and run it again");
     if (stop_) return wheels_up_broken_off("stopped before its end", "run it again");
@@ -120,23 +120,23 @@ class WheelsUp {
   }
 
   void wait(double seconds) {
-    talk_.turn(seconds, [] { return false; });
+    session_.turn(seconds, [] { return false; });
   }
 
   /// One motion, while somebody watches. False: nobody does any more.
   bool move(const Motion& motion) {
-    talk_.command(motion.speed_mps, motion.yaw_rate_radps);
-    const bool left_alone = talk_.turn(kDistanceS, [this] { return !person_.watches(); });
-    talk_.command(0.0, 0.0);
+    session_.command(motion.speed_mps, motion.yaw_rate_radps);
+    const bool left_alone = session_.turn(kDistanceS, [this] { return !person_.watches(); });
+    session_.command(0.0, 0.0);
     return !left_alone;
   }
 
   /// One motion and the standstill after it.
-  Sums way(const Motion& motion) {
+  Sums travel(const Motion& motion) {
     Sums before = sums_;
     DeviceUs begun_us = last_.device_us;
     while (!move(motion)) {
-      alone_ = !talk_.turn(kAloneLimitS, [this] { return person_.watches(); });
+      alone_ = !session_.turn(kAloneLimitS, [this] { return person_.watches(); });
       if (!alone_) wait(kStandstillS);
       if (!still_there()) return {};
       before = sums_;
@@ -152,14 +152,14 @@ class WheelsUp {
   /// Arms for one motion and its reverse. Nothing: it was not completed.
   std::optional<TrackDrive> drive(const Motion& motion) {
     wait(kSettleS);
-    if (!talk_.arm()) {
+    if (!session_.arm()) {
       refused_ = still_there();
       return std::nullopt;
     }
-    const Sums forward = way(motion);
-    const Sums back = still_there() ? way({-motion.speed_mps, -motion.yaw_rate_radps}) : Sums{};
-    talk_.disarm();
-    if (!still_there() || talk_.newest().faults != 0) return std::nullopt;
+    const Sums forward = travel(motion);
+    const Sums back = still_there() ? travel({-motion.speed_mps, -motion.yaw_rate_radps}) : Sums{};
+    session_.disarm();
+    if (!still_there() || session_.newest().faults != 0) return std::nullopt;
     return TrackDrive{0.5 * (forward.left_m - back.left_m), 0.5 * (forward.right_m - back.right_m),
                       0.5 * (forward.yaw_rad - back.yaw_rad), Seen::kUnknown};
   }
@@ -174,15 +174,15 @@ class WheelsUp {
   }
 
   bool still_there() const {
-    const link::Session& session = talk_.session();
-    return !talk_.gone() && !stop_ && !alone_ && session.counters().reboots == 0 &&
+    const link::Session& session = session_.session();
+    return !session_.gone() && !stop_ && !alone_ && session.counters().reboots == 0 &&
            session.state() == SessionState::kReady;
   }
 
   std::optional<std::string> answer(const Question& question) {
     person_.ask(question);
     std::optional<std::string> given;
-    talk_.turn(kAnswerLimitS, [&] {
+    session_.turn(kAnswerLimitS, [&] {
       given = person_.take_answer();
       return given.has_value() || person_.ended();
     });
@@ -227,7 +227,7 @@ class WheelsUp {
   const WheelsUpOptions& options_;
   const std::atomic<bool>& stop_;
   Operator& person_;
-  RobotTalk talk_;
+  ProbeSession session_;
   const double track_mps_ = std::min(kTrackMps, options_.drive.max_track_mps);
   Sample last_{};
   Sums sums_{};

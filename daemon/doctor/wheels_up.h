@@ -32,13 +32,13 @@ class Operator {
   virtual ~Operator() = default;
   /// What happens now, one line.
   virtual void say(const std::string& line) = 0;
-  /// Asks; what was answered before is worth nothing.
+  /// Asks; earlier answers are ignored.
   virtual void ask(const Question& question) = 0;
   /// One of the answers to the last question, once.
   virtual std::optional<std::string> take_answer() = 0;
   /// There will be no more answers.
   virtual bool ended() const = 0;
-  /// Whether somebody watches. No track runs while nobody does.
+  /// Whether a person watches. No track runs otherwise.
   virtual bool watches() const = 0;
   /// At the end the robot has acknowledged, by host time `at`, that its motors are off.
   virtual void motors_off(HostNs at) = 0;

@@ -32,15 +32,15 @@ Connector::Connector(ConnectorSettings settings, loop::FixedRateLoop& loop,
 void Connector::tick(HostNs now) {
   loop::LostPort lost;
   while (loop_.take_lost(lost)) take_back(lost, now);
-  if (!stopped_ && !lent() && !port_.is_open() && now >= next_try_ns_) try_open(now);
+  if (!stopped_ && !handed_over() && !port_.is_open() && now >= next_try_ns_) try_open(now);
 }
 
 void Connector::take_back(const loop::LostPort& lost, HostNs now) {
   if (!port_.is_open() || lost.id != id_) return;
   port_.close();
-  if (settings_.loan != nullptr && settings_.loan->give(path_)) {
+  if (settings_.handover != nullptr && settings_.handover->give(path_)) {
     next_try_ns_ = now;
-    return say_once(path_ + ": lent to the check of the tracks");
+    return say_once(path_ + ": handed over to the check of the tracks");
   }
   next_try_ns_ = now + retry_ns_;
   retry_ns_ = std::min(2 * retry_ns_, kLongestRetryNs);

@@ -1,5 +1,5 @@
 #pragma once
-// Finds, opens and reopens the port and lends its descriptor to the loop. Ticked by the Asio
+// Finds, opens and reopens the port and hands its descriptor to the loop. Ticked by the Asio
 // thread.
 
 #include <functional>
@@ -12,7 +12,7 @@
 #include "link/port_discovery.h"
 #include "link/transport.h"
 #include "loop/fixed_rate_loop.h"
-#include "selftest/port_loan.h"
+#include "selftest/port_handover.h"
 
 namespace tp100::live {
 
@@ -23,7 +23,7 @@ struct ConnectorSettings {
   bool wait = false;     ///< keep trying before the first hello, too
   bool attended = true;  ///< false: runs as a service, see link::choose_for_auto()
   /// Who may ask for the port; null: nobody. Must outlive the connector.
-  selftest::PortLoan* loan = nullptr;
+  selftest::PortHandover* handover = nullptr;
 };
 
 class Connector {
@@ -58,7 +58,7 @@ class Connector {
   void try_open(HostNs now);
   link::Port open_next();
   link::AutoChoice choose() const;
-  bool lent() const { return settings_.loan != nullptr && settings_.loan->given(); }
+  bool handed_over() const { return settings_.handover != nullptr && settings_.handover->given(); }
   void say_once(const std::string& line);
 
   ConnectorSettings settings_;

@@ -19,10 +19,10 @@ SelfTest::SelfTest(config::Configuration configuration, const course::Robot& rob
       wheels_up_(configuration_, robot),
       battery_cutoff_v_(robot.drive.battery_cutoff_v) {}
 
-void SelfTest::hear(const link::SessionEvent& event, const wire::Hello& hello,
-                    const OpenPort& port) {
+void SelfTest::on_event(const link::SessionEvent& event, const wire::Hello& hello,
+                        const OpenPort& port) {
   const std::lock_guard lock(mutex_);
-  watch_.hear(event, hello, port);
+  monitor_.on_event(event, hello, port);
 }
 
 void SelfTest::note_port(const std::string& line) {
@@ -48,13 +48,13 @@ void SelfTest::take(const StepRecord& record) {
   std::string json;
   {
     const std::lock_guard lock(mutex_);
-    watch_.take(record);
-    auto visit = watch_.done();
-    if (!visit) return;
-    visit->battery_cutoff_v = battery_cutoff_v_;
-    if (watch_.session() == SessionState::kClosed)
-      visit->open_error = note_.empty() ? "no port is open yet" : note_;
-    json = doctor::json(doctor::robot_findings(*visit), visit->port);
+    monitor_.take(record);
+    auto probe = monitor_.done();
+    if (!probe) return;
+    probe->battery_cutoff_v = battery_cutoff_v_;
+    if (monitor_.session() == SessionState::kClosed)
+      probe->open_error = note_.empty() ? "no port is open yet" : note_;
+    json = doctor::json(doctor::robot_findings(*probe), probe->port);
   }
   finish({}, json);
 }
@@ -65,7 +65,7 @@ void SelfTest::examine(server::DoctorPart part, Answer answer) {
     const std::lock_guard lock(mutex_);
     if (answer_ == nullptr) {
       answer_ = std::exchange(answer, {});
-      if (part == server::DoctorPart::kRobot) watch_.begin();
+      if (part == server::DoctorPart::kRobot) monitor_.begin();
     }
   }
   if (answer != nullptr) return answer("another examination is under way; try again", "");
@@ -89,7 +89,7 @@ std::string SelfTest::port_findings() const {
   OpenPort open;
   {
     const std::lock_guard lock(mutex_);
-    if (watch_.session() != SessionState::kClosed) open = watch_.port();
+    if (monitor_.session() != SessionState::kClosed) open = monitor_.port();
   }
   const doctor::System system;
   std::string name = configuration_.link.port;
@@ -120,7 +120,7 @@ std::string SelfTest::machine_findings() const {
   {
     const std::lock_guard lock(mutex_);
     grants = grants_;
-    path = watch_.port().path;
+    path = monitor_.port().path;
   }
   const doctor::System system;
   Findings findings = doctor::real_time_findings(grants);

@@ -12,7 +12,7 @@
 #include "loop/real_time.h"
 #include "messages/sink.h"
 #include "record/worker.h"
-#include "selftest/session_watch.h"
+#include "selftest/session_monitor.h"
 #include "selftest/wheels_up_check.h"
 #include "server/controls.h"
 
@@ -26,7 +26,7 @@ class SelfTest : public messages::Sink {
   SelfTest(config::Configuration configuration, const course::Robot& robot);
 
   // The supervisor's thread:
-  void hear(const link::SessionEvent& event, const wire::Hello& hello, const OpenPort& port);
+  void on_event(const link::SessionEvent& event, const wire::Hello& hello, const OpenPort& port);
   /// A line about the search for the port.
   void note_port(const std::string& line);
   /// The privileges that were requested.
@@ -52,7 +52,7 @@ class SelfTest : public messages::Sink {
   const config::Configuration configuration_;
   WheelsUpCheck wheels_up_;
   mutable std::mutex mutex_;  // guards what follows; never held while waiting for a file
-  SessionWatch watch_;
+  SessionMonitor monitor_;
   double battery_cutoff_v_ = 0.0;
   std::string note_;
   std::vector<loop::Grant> grants_;

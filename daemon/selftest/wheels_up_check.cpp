@@ -14,7 +14,7 @@
 namespace tp100::selftest {
 namespace {
 
-constexpr auto kLoanLimit = std::chrono::seconds(2);
+constexpr auto kHandoverLimit = std::chrono::seconds(2);
 
 /// The worst of it, in one line.
 std::string end_of(const doctor::Findings& findings) {
@@ -44,9 +44,9 @@ std::string WheelsUpCheck::begin(const server::Driver& viewer, HostNs now, std::
   question_.reset();
   result_.clear();
   lost_ = false;
-  loan_.ask();
+  handover_.ask();
   if (check_.post([this, robot = robot_] { run(robot); })) return {};
-  loan_.end();
+  handover_.end();
   on_ = false;
   return "too many requests wait; try again";
 }
@@ -114,11 +114,11 @@ std::optional<std::string> WheelsUpCheck::take_answer() {
 bool WheelsUpCheck::watches() const { return monotonic_now() - input_ns_ <= kFreshInputNs; }
 
 doctor::Findings WheelsUpCheck::examine(const course::Robot& robot, std::string& port) {
-  const std::optional<std::string> lent = loan_.wait(kLoanLimit);
-  if (!lent)
+  const std::optional<std::string> path = handover_.wait(kHandoverLimit);
+  if (!path)
     return doctor::wheels_up_broken_off("the robot is not at rest, or not there",
                                         "end what it does, and run it again");
-  port = *lent;
+  port = *path;
   doctor::WheelsUpOptions options;
   options.port = port;
   options.serial = {configuration_.link.baud, configuration_.link.hang_up};
@@ -138,7 +138,7 @@ doctor::Findings WheelsUpCheck::examine(const course::Robot& robot, std::string&
 void WheelsUpCheck::run(const course::Robot& robot) {
   std::string port;
   const doctor::Findings findings = examine(robot, port);
-  loan_.end();
+  handover_.end();
   const std::lock_guard lock(mutex_);
   end_ = lost_ ? "its viewer is gone" : end_of(findings);
   said_ = "the check has ended, and the daemon has its port again";

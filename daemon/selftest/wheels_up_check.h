@@ -1,6 +1,6 @@
 #pragma once
 // `tp100d doctor --wheels-up` from within the running daemon: with a session of its own on the port
-// that the daemon lends, in a thread of its own, at the word of one viewer who watches.
+// that the daemon hands over, in a thread of its own, started by one viewer that must keep polling.
 
 #include <atomic>
 #include <mutex>
@@ -11,7 +11,7 @@
 #include "course/robot.h"
 #include "doctor/wheels_up.h"
 #include "record/worker.h"
-#include "selftest/port_loan.h"
+#include "selftest/port_handover.h"
 #include "server/controls.h"
 #include "server/wheel.h"
 
@@ -27,9 +27,9 @@ class WheelsUpCheck : public doctor::Operator {
   ~WheelsUpCheck() override { stop(); }
 
   // Any thread; none of these waits for the robot.
-  /// From now on this is the robot.
+  /// Sets the robot to examine.
   void choose(const course::Robot& robot);
-  /// Begins a check, for which the port must be given to loan() within 2 s; `token` is set.
+  /// Begins a check, for which the port must be given to handover() within 2 s; `token` is set.
   /// Returns why it is impossible, in one line; empty: it begins.
   std::string begin(const server::Driver& viewer, HostNs now, std::string& token);
   /// The viewer still watches, and perhaps answers. Tells as JSON how far it is (CHANNELS.md).
@@ -40,7 +40,7 @@ class WheelsUpCheck : public doctor::Operator {
   /// Ends a check at once; without one it does nothing. Takes no lock.
   void stop() { stop_.store(true, std::memory_order_release); }
   bool on() const { return on_.load(std::memory_order_acquire); }
-  PortLoan& loan() { return loan_; }
+  PortHandover& handover() { return handover_; }
   /// Host time at which the robot acknowledged last that a check had switched its motors off; 0: no
   /// check has.
   HostNs motors_off_ns() const { return motors_off_ns_; }
@@ -60,7 +60,7 @@ class WheelsUpCheck : public doctor::Operator {
   doctor::Findings examine(const course::Robot& robot, std::string& port);
 
   const config::Configuration configuration_;
-  PortLoan loan_;
+  PortHandover handover_;
   std::atomic<bool> stop_{false}, on_{false};
   std::atomic<HostNs> input_ns_{0};  // of the viewer's newest sign of life
   std::atomic<HostNs> motors_off_ns_{0};

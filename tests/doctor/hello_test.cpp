@@ -30,37 +30,37 @@ std::array<std::uint8_t, wire::Hello::kSize> payload(std::uint16_t protocol, std
   return bytes;
 }
 
-TEST(Greeting, NamesBoardFirmwareAndProtocol) {
+TEST(HelloReply, NamesBoardFirmwareAndProtocol) {
   const auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
-  const Greeting greeting = read_greeting(bytes.data(), bytes.size());
-  EXPECT_TRUE(greeting.ours);
-  EXPECT_EQ(greeting.text,
+  const HelloReply hello = read_hello(bytes.data(), bytes.size());
+  EXPECT_TRUE(hello.ours);
+  EXPECT_EQ(hello.text,
             "a Mega 2560, firmware 3.20.100, protocol " + std::to_string(wire::kProtocolVersion));
 }
 
-TEST(Greeting, SaysThatTheRobotIsSimulatedInsideTheBoard) {
+TEST(HelloReply, SaysThatTheRobotIsSimulatedInsideTheBoard) {
   auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
   bytes[9] = static_cast<std::uint8_t>(wire::Board::kFakeRobot);
-  EXPECT_THAT(read_greeting(bytes.data(), bytes.size()).text,
+  EXPECT_THAT(read_hello(bytes.data(), bytes.size()).text,
               HasSubstr("robot simulated inside the board"));
 }
 
-TEST(Greeting, OfAnotherVersionNamesBothAndAsksForFlashing) {
+TEST(HelloReply, OfAnotherVersionNamesBothAndAsksForFlashing) {
   const auto other = payload(wire::kProtocolVersion + 1, 0xABCD);
   // Only the first nine bytes of a hello are guaranteed in every version.
   for (const std::size_t size : {std::size_t{9}, other.size()}) {
-    const Greeting greeting = read_greeting(other.data(), size);
-    EXPECT_FALSE(greeting.ours);
-    EXPECT_THAT(greeting.text, HasSubstr("firmware 3.20.100"));
-    EXPECT_THAT(greeting.text, HasSubstr("schema 0000abcd"));
-    EXPECT_THAT(greeting.text,
+    const HelloReply hello = read_hello(other.data(), size);
+    EXPECT_FALSE(hello.ours);
+    EXPECT_THAT(hello.text, HasSubstr("firmware 3.20.100"));
+    EXPECT_THAT(hello.text, HasSubstr("schema 0000abcd"));
+    EXPECT_THAT(hello.text,
                 EndsWith("; flash the board with scripts/flash (installed: tp100-flash)"));
   }
 }
 
-TEST(Greeting, ThatIsTooShortIsNone) {
+TEST(HelloReply, ThatIsTooShortIsNone) {
   const auto bytes = payload(wire::kProtocolVersion, wire::kSchemaHash);
-  EXPECT_EQ(read_greeting(bytes.data(), 8).text, "");
+  EXPECT_EQ(read_hello(bytes.data(), 8).text, "");
 }
 
 }  // namespace

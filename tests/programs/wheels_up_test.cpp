@@ -1,4 +1,4 @@
-// The check of the tracks from the page: the real daemon lends its port, the emulated robot's
+// The check of the tracks from the page: the real daemon hands over its port, the emulated robot's
 // tracks run, and every way to stop them.
 
 #include <gmock/gmock.h>
@@ -169,10 +169,10 @@ TEST_F(WheelsUpFromThePage, MovesNothingBeforeItIsConfirmedAndFindsAGoodRobotWel
   EXPECT_THAT(line(result, "right-track"), HasSubstr("ok: "));
   EXPECT_THAT(said(), HasSubstr("motors off: disarm"));
   // The daemon has the robot again, and starts nothing.
-  EXPECT_THAT(daemon_->output(), HasSubstr("lent to the check of the tracks"));
+  EXPECT_THAT(daemon_->output(), HasSubstr("handed over to the check of the tracks"));
   EXPECT_TRUE(eventually([&] {
     const std::string said = daemon_->output();
-    return said.find("-> ready", said.find("lent to the check")) != std::string::npos;
+    return said.find("-> ready", said.find("handed over to the check")) != std::string::npos;
   })) << daemon_->output();
   EXPECT_THAT(daemon_->output(), Not(HasSubstr("-> arming")));
   EXPECT_EQ(checked([&] { return watched(); })["errors"], 0) << "a second check, confirmed anew";

@@ -37,8 +37,8 @@ class SelfTestOfARobot : public ::testing::Test {
     record_.snapshot.sample.state = RobotState::kDisarmed;
   }
 
-  void event(const auto& what) { test_.hear({record_.now_ns, what}, hello(), {kPort, false}); }
-  void greet() { event(link::HelloReceived{}); }
+  void event(const auto& what) { test_.on_event({record_.now_ns, what}, hello(), {kPort, false}); }
+  void identify() { event(link::HelloReceived{}); }
 
   void step() {
     ++record_.step;
@@ -83,7 +83,7 @@ class SelfTestOfARobot : public ::testing::Test {
 };
 
 TEST_F(SelfTestOfARobot, FindsAGoodOneReady) {
-  greet();
+  identify();
   record_.inputs.session = SessionState::kReady;
   record_.inputs.clock = {.valid = true, .uncertainty_us = 300.0};
   record_.inputs.session_number = 1;
@@ -100,7 +100,7 @@ TEST_F(SelfTestOfARobot, FindsAGoodOneReady) {
 }
 
 TEST_F(SelfTestOfARobot, NamesWhatTheSampleShows) {
-  greet();
+  identify();
   record_.inputs.session = SessionState::kReady;
   record_.snapshot.sample.battery_v = robot_.drive.battery_cutoff_v - 1.0;
   record_.snapshot.sample.accel_mps2 = {0.0, 0.0, -9.8};
@@ -112,7 +112,7 @@ TEST_F(SelfTestOfARobot, NamesWhatTheSampleShows) {
 }
 
 TEST_F(SelfTestOfARobot, NamesTheParameterThatTheFirmwareRefuses) {
-  greet();
+  identify();
   event(link::Acknowledged{wire::Type::kParameters, wire::Result::kOutOfRange, 0});
   record_.inputs.session = SessionState::kParameters;
   const Json found = examine();
@@ -120,7 +120,7 @@ TEST_F(SelfTestOfARobot, NamesTheParameterThatTheFirmwareRefuses) {
 }
 
 TEST_F(SelfTestOfARobot, CountsOnlyTheRestartsDuringTheExamination) {
-  greet();
+  identify();
   record_.inputs.session = SessionState::kReady;
   record_.link.reboots = 3;
   EXPECT_EQ(finding(examine(), "reboots").at("severity"), "none");
@@ -147,7 +147,7 @@ TEST_F(SelfTestOfARobot, SaysWhyNoPortIsOpen) {
 }
 
 TEST_F(SelfTestOfARobot, ForgetsTheBoardWhenThePortIsClosed) {
-  greet();
+  identify();
   event(link::StateChanged{SessionState::kReady, SessionState::kClosed});
   record_.inputs.session = SessionState::kListening;
   EXPECT_EQ(finding(examine(), "start").at("severity"), "none");

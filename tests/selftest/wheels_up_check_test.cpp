@@ -1,5 +1,5 @@
 // The check of the tracks without a robot: who may begin and watch it, and the port that it is
-// lent. With a robot: tests/programs.
+// handed over. With a robot: tests/programs.
 #include "selftest/wheels_up_check.h"
 
 #include <gmock/gmock.h>
@@ -19,27 +19,27 @@ using namespace std::chrono_literals;
 using Json = nlohmann::json;
 using ::testing::HasSubstr;
 
-TEST(PortLoan, IsGivenOnceItWasAskedForAndUntilItsEnd) {
-  PortLoan loan;
-  EXPECT_FALSE(loan.give("/dev/a")) << "nobody asked";
-  EXPECT_FALSE(loan.given());
-  loan.ask();
-  EXPECT_FALSE(loan.given());
-  std::thread holder([&] { EXPECT_TRUE(loan.give("/dev/a")); });
-  EXPECT_EQ(loan.wait(60s), "/dev/a");
+TEST(PortHandover, IsGivenOnceItWasAskedForAndUntilItsEnd) {
+  PortHandover handover;
+  EXPECT_FALSE(handover.give("/dev/a")) << "nobody asked";
+  EXPECT_FALSE(handover.given());
+  handover.ask();
+  EXPECT_FALSE(handover.given());
+  std::thread holder([&] { EXPECT_TRUE(handover.give("/dev/a")); });
+  EXPECT_EQ(handover.wait(60s), "/dev/a");
   holder.join();
-  EXPECT_TRUE(loan.given());
-  EXPECT_FALSE(loan.give("/dev/a")) << "it is given already";
-  loan.end();
-  EXPECT_FALSE(loan.given());
-  EXPECT_FALSE(loan.give("/dev/a"));
+  EXPECT_TRUE(handover.given());
+  EXPECT_FALSE(handover.give("/dev/a")) << "it is given already";
+  handover.end();
+  EXPECT_FALSE(handover.given());
+  EXPECT_FALSE(handover.give("/dev/a"));
 }
 
-TEST(PortLoan, IsNotGivenToACheckThatWaitsNoLonger) {
-  PortLoan loan;
-  loan.ask();
-  EXPECT_EQ(loan.wait(1ms), std::nullopt);
-  EXPECT_FALSE(loan.give("/dev/a"));
+TEST(PortHandover, IsNotGivenToACheckThatWaitsNoLonger) {
+  PortHandover handover;
+  handover.ask();
+  EXPECT_EQ(handover.wait(1ms), std::nullopt);
+  EXPECT_FALSE(handover.give("/dev/a"));
 }
 
 class WheelsUpCheckTest : public ::testing::Test {
@@ -83,11 +83,11 @@ TEST_F(WheelsUpCheckTest, EndsWithoutTheRobotIfThePortIsNotLent) {
 TEST_F(WheelsUpCheckTest, SaysThatThePortCannotBeOpened) {
   std::string token;
   ASSERT_EQ(check_.begin(viewer_, monotonic_now(), token), "");
-  ASSERT_TRUE(check_.loan().give("/dev/no-such-port"));
+  ASSERT_TRUE(check_.handover().give("/dev/no-such-port"));
   const Json found = result(token);
   EXPECT_EQ(found["port"], "/dev/no-such-port");
   EXPECT_EQ(found["errors"], 1);
-  EXPECT_FALSE(check_.loan().given()) << "the daemon has its port again";
+  EXPECT_FALSE(check_.handover().given()) << "the daemon has its port again";
 }
 
 TEST_F(WheelsUpCheckTest, NobodyWatchesOnceItsViewerIsGone) {

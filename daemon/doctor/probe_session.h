@@ -16,12 +16,13 @@
 
 namespace tp100::doctor {
 
-class RobotTalk {
+class ProbeSession {
  public:
-  /// `stop` ends every call of turn(); it must outlive the talk.
-  RobotTalk(link::Port port, const link::SessionSettings& settings, const std::atomic<bool>& stop);
-  RobotTalk(const RobotTalk&) = delete;
-  RobotTalk& operator=(const RobotTalk&) = delete;
+  /// `stop` ends every call of turn(); it must outlive the session.
+  ProbeSession(link::Port port, const link::SessionSettings& settings,
+               const std::atomic<bool>& stop);
+  ProbeSession(const ProbeSession&) = delete;
+  ProbeSession& operator=(const ProbeSession&) = delete;
 
   /// Reads, replies and sends commands until `enough` holds, `limit_s` has passed, the port is gone
   /// or `stop` is set. Returns whether `enough` held.
@@ -42,7 +43,7 @@ class RobotTalk {
 
   const link::Session& session() const { return session_; }
   const Sample& newest() const { return newest_; }
-  bool greeted() const { return greeted_; }  ///< a hello of any version arrived
+  bool identified() const { return identified_; }  ///< a hello of any version arrived
   bool gone() const { return gone_; }
   /// Whether its motors were on for 100 ms without a request of arm(). Sends STOP as long as they
   /// are.
@@ -65,7 +66,7 @@ class RobotTalk {
   link::Session session_;
   const std::atomic<bool>& stop_;
   Sample newest_{};
-  bool greeted_ = false;
+  bool identified_ = false;
   bool gone_ = false;
   std::string why_;
   std::string fix_;
@@ -86,7 +87,7 @@ class RobotTalk {
   HostNs next_command_ns_ = 0;
 };
 
-struct VisitOptions {
+struct ProbeOptions {
   std::string port;
   link::PortOptions serial{};
   link::SessionSettings session{};
@@ -96,7 +97,7 @@ struct VisitOptions {
 
 /// Examines the robot on a port: identity, state, quality of the link. Nothing moves. Opening the
 /// port resets a Mega; a silent one is given up after 5 s. Throws nothing: errors are
-/// in the visit.
-Visit probe_robot(const VisitOptions& options, const std::atomic<bool>& stop);
+/// in the result.
+ProbeResult probe_robot(const ProbeOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace tp100::doctor

@@ -1,25 +1,25 @@
-#include "selftest/port_loan.h"
+#include "selftest/port_handover.h"
 
 namespace tp100::selftest {
 
-void PortLoan::ask() {
+void PortHandover::ask() {
   const std::lock_guard lock(mutex_);
   state_ = State::kAsked;
 }
 
-std::optional<std::string> PortLoan::wait(std::chrono::milliseconds limit) {
+std::optional<std::string> PortHandover::wait(std::chrono::milliseconds limit) {
   std::unique_lock lock(mutex_);
   if (changed_.wait_for(lock, limit, [this] { return state_ == State::kGiven; })) return path_;
   state_ = State::kNone;
   return std::nullopt;
 }
 
-void PortLoan::end() {
+void PortHandover::end() {
   const std::lock_guard lock(mutex_);
   state_ = State::kNone;
 }
 
-bool PortLoan::give(const std::string& path) {
+bool PortHandover::give(const std::string& path) {
   const std::lock_guard lock(mutex_);
   if (state_ != State::kAsked) return false;
   state_ = State::kGiven;
@@ -28,7 +28,7 @@ bool PortLoan::give(const std::string& path) {
   return true;
 }
 
-bool PortLoan::given() const {
+bool PortHandover::given() const {
   const std::lock_guard lock(mutex_);
   return state_ == State::kGiven;
 }

@@ -1,4 +1,4 @@
-#include "selftest/session_watch.h"
+#include "selftest/session_monitor.h"
 
 #include "bridge/cycle.h"
 #include "core/board.h"
@@ -13,15 +13,15 @@ constexpr HostNs kPatienceNs = 5 * kNsPerS;
 
 }  // namespace
 
-void SessionWatch::hear(const link::SessionEvent& event, const wire::Hello& hello,
-                        const OpenPort& port) {
+void SessionMonitor::on_event(const link::SessionEvent& event, const wire::Hello& hello,
+                              const OpenPort& port) {
   port_ = port;
   hello_ = hello;
   if (const auto* changed = link::as<link::StateChanged>(event)) {
     // Another board may be behind the port that is opened next.
-    if (changed->to == SessionState::kClosed) greeted_ = false;
+    if (changed->to == SessionState::kClosed) identified_ = false;
   } else if (link::as<link::HelloReceived>(event) || link::as<link::VersionMismatch>(event)) {
-    greeted_ = true;
+    identified_ = true;
     refused_parameter_ = -1;
   } else if (const auto* answer = link::as<link::Acknowledged>(event)) {
     if (answer->request == wire::Type::kParameters && answer->result == wire::Result::kOutOfRange)
@@ -29,28 +29,28 @@ void SessionWatch::hear(const link::SessionEvent& event, const wire::Hello& hell
   }
 }
 
-void SessionWatch::take(const StepRecord& record) {
+void SessionMonitor::take(const StepRecord& record) {
   session_ = record.inputs.session;
   follow_commands(record);
-  if (visiting_ == Visiting::kAsked) {
-    visiting_ = Visiting::kWaiting;
+  if (probing_ == Probing::kAsked) {
+    probing_ = Probing::kWaiting;
     begun_ns_ = record.now_ns;
     before_ = record.link;
   }
-  if (visiting_ == Visiting::kWaiting && session_ == SessionState::kReady) {
-    visiting_ = Visiting::kMeasuring;
+  if (probing_ == Probing::kWaiting && session_ == SessionState::kReady) {
+    probing_ = Probing::kMeasuring;
     ready_ns_ = record.now_ns;
     ready_before_ = record.link;
     samples_ = 0;
     age_.emplace();
     round_trip_.emplace();
-  } else if (visiting_ == Visiting::kMeasuring) {
+  } else if (probing_ == Probing::kMeasuring) {
     measure(record);
   }
-  const bool measured = visiting_ == Visiting::kMeasuring && record.now_ns - ready_ns_ >= kTestNs;
-  const bool waited = visiting_ == Visiting::kWaiting && record.now_ns - begun_ns_ >= kPatienceNs;
+  const bool measured = probing_ == Probing::kMeasuring && record.now_ns - ready_ns_ >= kTestNs;
+  const bool waited = probing_ == Probing::kWaiting && record.now_ns - begun_ns_ >= kPatienceNs;
   if (!measured && !waited) return;
-  visiting_ = Visiting::kDone;
+  probing_ = Probing::kDone;
   ended_ns_ = record.now_ns;
   after_ = record.link;
   clock_ = record.inputs.clock;
@@ -59,14 +59,14 @@ void SessionWatch::take(const StepRecord& record) {
   faults_ = record.snapshot.faults;
 }
 
-void SessionWatch::measure(const StepRecord& record) {
+void SessionMonitor::measure(const StepRecord& record) {
   for (const Sample& sample : record.inputs.samples) {
     ++samples_;
     age_->add(record.now_ns - sample.measured_ns);
   }
 }
 
-void SessionWatch::follow_commands(const StepRecord& record) {
+void SessionMonitor::follow_commands(const StepRecord& record) {
   // A record that was dropped on its way to this thread most likely had a command.
   const std::uint64_t missing = record.step > step_ + 1 ? record.step - step_ - 1 : 0;
   step_ = record.step;
@@ -80,7 +80,7 @@ void SessionWatch::follow_commands(const StepRecord& record) {
   }
   for (const Sample& sample : record.inputs.samples) {
     if (!awaited_ || static_cast<std::int16_t>(sample.last_command - *awaited_) < 0) continue;
-    if (visiting_ == Visiting::kMeasuring) round_trip_->add(record.now_ns - awaited_since_ns_);
+    if (probing_ == Probing::kMeasuring) round_trip_->add(record.now_ns - awaited_since_ns_);
     awaited_.reset();
   }
   if (!record.command_valid) return;
@@ -90,9 +90,9 @@ void SessionWatch::follow_commands(const StepRecord& record) {
   awaited_since_ns_ = record.now_ns;
 }
 
-void SessionWatch::begin() { visiting_ = Visiting::kAsked; }
+void SessionMonitor::begin() { probing_ = Probing::kAsked; }
 
-doctor::LinkTest SessionWatch::link_test() const {
+doctor::LinkTest SessionMonitor::link_test() const {
   doctor::LinkTest test;
   test.duration_s = to_s(ended_ns_ - ready_ns_);
   test.samples = samples_;
@@ -107,27 +107,27 @@ doctor::LinkTest SessionWatch::link_test() const {
   return test;
 }
 
-std::optional<doctor::Visit> SessionWatch::done() {
-  if (visiting_ != Visiting::kDone) return std::nullopt;
-  visiting_ = Visiting::kNo;
+std::optional<doctor::ProbeResult> SessionMonitor::done() {
+  if (probing_ != Probing::kDone) return std::nullopt;
+  probing_ = Probing::kNo;
   const LinkCounters change = after_ - before_;
-  doctor::Visit visit;
-  visit.port = port_.path;
-  visit.bytes_in = change.bytes_in;
-  visit.frames_in = change.frames_in;
-  if (greeted_) {
-    doctor::add_hello(hello_, visit);
-    visit.emulator = is_emulator(port_.pseudo_terminal, hello_.board);
+  doctor::ProbeResult probe;
+  probe.port = port_.path;
+  probe.bytes_in = change.bytes_in;
+  probe.frames_in = change.frames_in;
+  if (identified_) {
+    doctor::add_hello(hello_, probe);
+    probe.emulator = is_emulator(port_.pseudo_terminal, hello_.board);
   }
   if (refused_parameter_ >= 0)
-    visit.refused = bridge::parameter_name(static_cast<unsigned>(refused_parameter_));
-  visit.reboots = change.reboots;
-  visit.ready = has_sample_;
-  if (!visit.ready) return visit;
-  doctor::add_sample(newest_, visit);
-  visit.moved_unasked = (faults_ & fault_bit(Fault::moves_unasked)) != 0;
-  visit.link = link_test();
-  return visit;
+    probe.refused = bridge::parameter_name(static_cast<unsigned>(refused_parameter_));
+  probe.reboots = change.reboots;
+  probe.ready = has_sample_;
+  if (!probe.ready) return probe;
+  doctor::add_sample(newest_, probe);
+  probe.moved_unasked = (faults_ & fault_bit(Fault::moves_unasked)) != 0;
+  probe.link = link_test();
+  return probe;
 }
 
 }  // namespace tp100::selftest

@@ -1,6 +1,6 @@
 #pragma once
-// The daemon's port, lent to a check that opens it by itself: asked for, given once it is closed,
-// and returned. Any thread.
+// The daemon's port, handed over to a check that opens it by itself: asked for, given once it is
+// closed, and returned. Any thread.
 
 #include <chrono>
 #include <condition_variable>
@@ -10,7 +10,7 @@
 
 namespace tp100::selftest {
 
-class PortLoan {
+class PortHandover {
  public:
   // The check:
   void ask();
@@ -21,7 +21,7 @@ class PortLoan {
 
   // Whoever holds the port:
   /// The port of that path has just been closed. True: it was asked for, and must not be opened
-  /// before the loan has ended.
+  /// before the handover has ended.
   bool give(const std::string& path);
   bool given() const;
 

@@ -21,18 +21,18 @@ struct OpenPort {
   bool pseudo_terminal = false;
 };
 
-class SessionWatch {
+class SessionMonitor {
  public:
-  void hear(const link::SessionEvent& event, const wire::Hello& hello, const OpenPort& port);
+  void on_event(const link::SessionEvent& event, const wire::Hello& hello, const OpenPort& port);
   /// Every step.
   void take(const StepRecord& record);
 
-  /// Begins a visit at the next step.
+  /// Begins a probe at the next step.
   void begin();
-  /// The visit, once: a second after it began or the session became ready, or five seconds after it
+  /// The probe, once: a second after it began or the session became ready, or five seconds after it
   /// began without a robot that is ready. Battery cut-off and the error of a port that is not open
   /// are left to the caller.
-  std::optional<doctor::Visit> done();
+  std::optional<doctor::ProbeResult> done();
 
   const OpenPort& port() const { return port_; }
   SessionState session() const { return session_; }
@@ -44,7 +44,7 @@ class SessionWatch {
 
   OpenPort port_{};
   wire::Hello hello_{};
-  bool greeted_ = false;
+  bool identified_ = false;
   int refused_parameter_ = -1;
   SessionState session_ = SessionState::kClosed;
 
@@ -55,9 +55,9 @@ class SessionWatch {
   std::optional<std::uint16_t> awaited_{};
   HostNs awaited_since_ns_ = 0;
 
-  // Of a visit.
-  enum class Visiting { kNo, kAsked, kWaiting, kMeasuring, kDone };
-  Visiting visiting_ = Visiting::kNo;
+  // Of a probe.
+  enum class Probing { kNo, kAsked, kWaiting, kMeasuring, kDone };
+  Probing probing_ = Probing::kNo;
   HostNs begun_ns_ = 0, ready_ns_ = 0, ended_ns_ = 0;
   LinkCounters before_{}, ready_before_{}, after_{};
   ClockState clock_{};

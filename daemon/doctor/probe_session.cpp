@@ -1,4 +1,4 @@
-#include "doctor/robot_talk.h"
+#include "doctor/probe_session.h"
 
 #include <poll.h>
 #include <unistd.h>
@@ -32,68 +32,68 @@ constexpr double kBootloaderS = 2.0;
 // Enough time to detect a bad sensor or a low battery.
 constexpr double kLookS = 0.2;
 
-doctor::LinkTest test_link(RobotTalk& talk, double duration_s) {
+doctor::LinkTest test_link(ProbeSession& robot, double duration_s) {
   Histogram age;
   Histogram round_trip;
   std::size_t samples = 0;
-  talk.on_sample = [&](const Sample& sample, HostNs now) {
+  robot.on_sample = [&](const Sample& sample, HostNs now) {
     ++samples;
     age.add(now - sample.measured_ns);
   };
-  talk.on_confirmed = [&](HostNs took) { round_trip.add(took); };
-  const LinkCounters before = talk.session().counters();
+  robot.on_confirmed = [&](HostNs took) { round_trip.add(took); };
+  const LinkCounters before = robot.session().counters();
   const HostNs begun = monotonic_now();
-  talk.turn(duration_s, [] { return false; });
+  robot.turn(duration_s, [] { return false; });
   doctor::LinkTest test;
   test.duration_s = to_s(monotonic_now() - begun);
-  talk.on_sample = [](const Sample&, HostNs) {};
-  talk.on_confirmed = [](HostNs) {};
+  robot.on_sample = [](const Sample&, HostNs) {};
+  robot.on_confirmed = [](HostNs) {};
   test.samples = samples;
   test.expected_samples = test.duration_s * 1e6 / wire::kSamplePeriodUs;
-  test.counters = talk.session().counters() - before;
+  test.counters = robot.session().counters() - before;
   test.age = percentiles(age);
   test.round_trip = percentiles(round_trip);
   test.confirmed = static_cast<std::size_t>(round_trip.count());
-  test.clock_known = talk.session().clock().valid;
-  test.clock_uncertainty_us = talk.session().clock().uncertainty_us;
-  test.clock_drift_ppm = talk.session().clock().drift * 1e6;
+  test.clock_known = robot.session().clock().valid;
+  test.clock_uncertainty_us = robot.session().clock().uncertainty_us;
+  test.clock_drift_ppm = robot.session().clock().drift * 1e6;
   return test;
 }
 
-void listen(RobotTalk& talk, const VisitOptions& options, doctor::Visit& visit) {
-  const link::Session& session = talk.session();
+void listen(ProbeSession& robot, const ProbeOptions& options, doctor::ProbeResult& probe) {
+  const link::Session& session = robot.session();
   const auto in_state = [&session](SessionState state) { return session.state() == state; };
-  talk.turn(kFirstFrameS, [&] { return session.counters().frames_in > 0; });
+  robot.turn(kFirstFrameS, [&] { return session.counters().frames_in > 0; });
   const bool answered = session.counters().frames_in > 0;
   if (answered)
-    visit.ready = talk.turn(kHandshakeS, [&] {
+    probe.ready = robot.turn(kHandshakeS, [&] {
       return in_state(SessionState::kReady) || in_state(SessionState::kRefused);
     });
-  visit.ready = in_state(SessionState::kReady);
+  probe.ready = in_state(SessionState::kReady);
   // Foreign bytes never end a frame and may not have been counted as corrupted yet: count them all.
-  visit.bytes_in = session.counters().bytes_in;
-  visit.frames_in = session.counters().frames_in;
-  if (talk.greeted()) add_hello(session.hello(), visit);
-  if (talk.refused_parameter() >= 0)
-    visit.refused = bridge::parameter_name(static_cast<unsigned>(talk.refused_parameter()));
-  if (visit.ready) {
-    talk.turn(kLookS, [] { return false; });
-    if (options.link_test_s > 0.0) visit.link = test_link(talk, options.link_test_s);
-    add_sample(talk.newest(), visit);
-    visit.moved_unasked = talk.moved_unasked();
+  probe.bytes_in = session.counters().bytes_in;
+  probe.frames_in = session.counters().frames_in;
+  if (robot.identified()) add_hello(session.hello(), probe);
+  if (robot.refused_parameter() >= 0)
+    probe.refused = bridge::parameter_name(static_cast<unsigned>(robot.refused_parameter()));
+  if (probe.ready) {
+    robot.turn(kLookS, [] { return false; });
+    if (options.link_test_s > 0.0) probe.link = test_link(robot, options.link_test_s);
+    add_sample(robot.newest(), probe);
+    probe.moved_unasked = robot.moved_unasked();
   }
-  visit.reboots = session.counters().reboots;
+  probe.reboots = session.counters().reboots;
 }
 
 }  // namespace
 
-RobotTalk::RobotTalk(link::Port port, const link::SessionSettings& settings,
-                     const std::atomic<bool>& stop)
+ProbeSession::ProbeSession(link::Port port, const link::SessionSettings& settings,
+                           const std::atomic<bool>& stop)
     : port_(std::move(port)), session_(settings), stop_(stop) {
   session_.open(monotonic_now());
 }
 
-bool RobotTalk::turn(double limit_s, const std::function<bool()>& enough) {
+bool ProbeSession::turn(double limit_s, const std::function<bool()>& enough) {
   const HostNs end = monotonic_now() + from_s(limit_s);
   while (!enough()) {
     if (gone_ || stop_ || monotonic_now() >= end) return false;
@@ -102,12 +102,12 @@ bool RobotTalk::turn(double limit_s, const std::function<bool()>& enough) {
   return true;
 }
 
-void RobotTalk::command(double speed_mps, double yaw_rate_radps) {
+void ProbeSession::command(double speed_mps, double yaw_rate_radps) {
   speed_mps_ = speed_mps;
   yaw_rate_radps_ = yaw_rate_radps;
 }
 
-bool RobotTalk::arm() {
+bool ProbeSession::arm() {
   acknowledged_ = false;
   asked_ = true;
   why_ = "not acknowledged";
@@ -117,7 +117,7 @@ bool RobotTalk::arm() {
   return acknowledged_ && !stop_;
 }
 
-bool RobotTalk::disarm() {
+bool ProbeSession::disarm() {
   command(0.0, 0.0);
   session_.request(RobotRequest::kDisarm, monotonic_now());
   const HostNs end = monotonic_now() + from_s(kDisarmLimitS);
@@ -126,7 +126,7 @@ bool RobotTalk::disarm() {
   return !session_.request_pending() && !gone_;
 }
 
-void RobotTalk::turn_once() {
+void ProbeSession::turn_once() {
   pollfd descriptor{port_.fd(), POLLIN, 0};
   ::poll(&descriptor, 1, 1);
   const HostNs now = monotonic_now();
@@ -137,7 +137,7 @@ void RobotTalk::turn_once() {
   write();
 }
 
-void RobotTalk::read(HostNs now) {
+void ProbeSession::read(HostNs now) {
   std::array<std::uint8_t, 4096> buffer;
   const ssize_t n = ::read(port_.fd(), buffer.data(), buffer.size());
   if (n > 0) {
@@ -147,7 +147,7 @@ void RobotTalk::read(HostNs now) {
   }
 }
 
-void RobotTalk::take(HostNs now) {
+void ProbeSession::take(HostNs now) {
   for (const link::SessionEvent& event : session_.take_events()) note(event);
   for (const Sample& sample : session_.take_samples()) {
     newest_ = sample;
@@ -166,7 +166,7 @@ void RobotTalk::take(HostNs now) {
   }
 }
 
-void RobotTalk::watch(const Sample& sample, HostNs now) {
+void ProbeSession::watch(const Sample& sample, HostNs now) {
   if (asked_ || !motors_on(sample)) {
     on_since_ns_.reset();
     return;
@@ -179,9 +179,9 @@ void RobotTalk::watch(const Sample& sample, HostNs now) {
   session_.request(RobotRequest::kStop, now);
 }
 
-void RobotTalk::note(const link::SessionEvent& event) {
+void ProbeSession::note(const link::SessionEvent& event) {
   if (link::as<link::HelloReceived>(event) || link::as<link::VersionMismatch>(event))
-    greeted_ = true;
+    identified_ = true;
   const link::Acknowledged* answer = link::as<link::Acknowledged>(event);
   if (answer == nullptr) return;
   if (answer->request == wire::Type::kParameters) {
@@ -200,7 +200,7 @@ void RobotTalk::note(const link::SessionEvent& event) {
   }
 }
 
-void RobotTalk::send(HostNs now) {
+void ProbeSession::send(HostNs now) {
   const bool ready =
       session_.state() == SessionState::kReady && session_.session_number() == session_number_;
   if (!ready || now < next_command_ns_) return;
@@ -219,7 +219,7 @@ void RobotTalk::send(HostNs now) {
   awaited_since_ns_ = now;
 }
 
-void RobotTalk::write() {
+void ProbeSession::write() {
   while (!session_.output().empty()) {
     const ssize_t n = ::write(port_.fd(), session_.output().data(), session_.output().size());
     if (n < 0) {
@@ -230,24 +230,25 @@ void RobotTalk::write() {
   }
 }
 
-doctor::Visit probe_robot(const VisitOptions& options, const std::atomic<bool>& stop) {
-  doctor::Visit visit;
-  visit.port = options.port;
-  visit.battery_cutoff_v = options.battery_cutoff_v;
+doctor::ProbeResult probe_robot(const ProbeOptions& options, const std::atomic<bool>& stop) {
+  doctor::ProbeResult probe;
+  probe.port = options.port;
+  probe.battery_cutoff_v = options.battery_cutoff_v;
   try {
     {
       link::Port port = link::open_port(options.port, options.serial);
       const bool pseudo_terminal = port.pseudo_terminal();
-      RobotTalk talk(std::move(port), options.session, stop);
-      listen(talk, options, visit);
-      visit.emulator = talk.greeted() && is_emulator(pseudo_terminal, talk.session().hello().board);
+      ProbeSession robot(std::move(port), options.session, stop);
+      listen(robot, options, probe);
+      probe.emulator =
+          robot.identified() && is_emulator(pseudo_terminal, robot.session().hello().board);
     }
-    if (visit.bytes_in == 0 && !stop)
-      visit.bootloader = bootloader_answers(options.port, kBootloaderS);
+    if (probe.bytes_in == 0 && !stop)
+      probe.bootloader = bootloader_answers(options.port, kBootloaderS);
   } catch (const SetupError& error) {
-    if (visit.bytes_in == 0) visit.open_error = error.what();
+    if (probe.bytes_in == 0) probe.open_error = error.what();
   }
-  return visit;
+  return probe;
 }
 
 }  // namespace tp100::doctor
