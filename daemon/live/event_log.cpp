@@ -80,7 +80,7 @@ bool EventLog::allow() {
   return false;
 }
 
-void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>& all_words) {
+void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>& described) {
   if (const SessionReport* report = std::get_if<SessionReport>(&event)) {
     // A silent port is logged once.
     const bool silent = link::as<link::Silence>(report->event) != nullptr;
@@ -88,14 +88,14 @@ void EventLog::event(const LiveEvent& event, const std::vector<messages::Event>&
     tick(report->event.at_ns);
     if ((silent && told) || !allow()) return;
   }
-  words(all_words);
+  write(described);
 }
 
-void EventLog::words(const std::vector<messages::Event>& all) {
-  for (const messages::Event& words : all) {
-    const std::string line = words.text + (words.cause.empty() ? "" : ": " + words.cause) +
-                             (words.fix.empty() ? "" : "; " + words.fix);
-    switch (words.level) {
+void EventLog::write(const std::vector<messages::Event>& all) {
+  for (const messages::Event& one : all) {
+    const std::string line = one.text + (one.cause.empty() ? "" : ": " + one.cause) +
+                             (one.fix.empty() ? "" : "; " + one.fix);
+    switch (one.level) {
       case messages::Event::Level::kInfo:
         writer_->logger->info("{}", line);
         break;
@@ -127,7 +127,8 @@ void EventLog::grants(const std::vector<loop::Grant>& grants) {
   }
 }
 
-// Without a course or during a run nobody expects a start, and a missing robot is logged elsewhere.
+// Without a course or during a run a start is not expected, and a missing robot is logged
+// elsewhere.
 void EventLog::refusal(StartRefusal refusal, HostNs now) {
   if (refusal != refusal_) {
     refusal_ = refusal;

@@ -45,10 +45,11 @@ class EventLog {
 
   void info(const std::string& line);
   void warn(const std::string& line);
-  /// `all_words`: the event in words, one line each. Bursts of the same kind are folded.
-  void event(const LiveEvent& event, const std::vector<messages::Event>& all_words);
+  /// `described`: what describe_event() says of the event, one line each. Bursts of the same kind
+  /// are folded.
+  void event(const LiveEvent& event, const std::vector<messages::Event>& described);
   /// Logs one line each.
-  void words(const std::vector<messages::Event>& all);
+  void write(const std::vector<messages::Event>& all);
   /// Logs a recording that began, and what it lost.
   void recording(const messages::RecordingFigures& before, const messages::RecordingFigures& now);
   /// Logs which privileges the real-time thread requested and got.

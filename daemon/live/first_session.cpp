@@ -19,8 +19,8 @@ void FirstSession::on_event(const SessionReport& report) const {
   }
   if (link::as<link::Unanswered>(report.event) != nullptr ||
       link::as<link::BadHello>(report.event) != nullptr) {
-    const messages::Event words = words_for(report).front();
-    throw SetupError(connector_.path() + ": " + words.cause + "; " + words.fix);
+    const messages::Event event = describe_event(report).front();
+    throw SetupError(connector_.path() + ": " + event.cause + "; " + event.fix);
   }
   const link::Acknowledged* answer = link::as<link::Acknowledged>(report.event);
   const bool refused = answer != nullptr && answer->request == wire::Type::kParameters &&

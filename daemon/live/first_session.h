@@ -1,6 +1,6 @@
 #pragma once
 // The wait for the first session: a robot that cannot be used is an error then, unless the program
-// was told to wait. Later it is an event like any other.
+// waits for a robot (--wait). Later it is an event like any other.
 
 #include <string>
 

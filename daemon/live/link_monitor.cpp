@@ -54,7 +54,7 @@ void LinkMonitor::time(const StepRecord& record) {
   oldest_us_ = std::max(oldest_us_, snapshot.age_us);
 }
 
-std::vector<Event> LinkMonitor::take_words() {
+std::vector<Event> LinkMonitor::drain_events() {
   static const std::array<Text, kCount> kTexts{
       {{1, "corrupted frames", "bytes change or are lost on their way, or another program writes",
         "check cable and hub; run tp100d doctor to examine the port"},

@@ -1,6 +1,6 @@
 #pragma once
 // Detects trouble on a link that stays up: frames that are corrupted, repeated or late. Reports it
-// in words for the log and for viewers. No clock, no port.
+// as messages for the log and for viewers. No clock, no port.
 
 #include <array>
 #include <cstdint>
@@ -22,7 +22,7 @@ class LinkMonitor : public messages::Sink {
 
   void take(const StepRecord& record) override;
   /// Reports since the last call; nearly always empty.
-  std::vector<messages::Event> take_words();
+  std::vector<messages::Event> drain_events();
 
  private:
   enum Trouble : std::uint8_t {

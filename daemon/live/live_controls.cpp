@@ -229,12 +229,12 @@ messages::PortFigures LiveControls::port() {
 
 void LiveControls::set_session(const SessionReport& report, const std::string& path,
                                bool pseudo_terminal) {
-  self_test_.hear(report.event, report.hello, {path, pseudo_terminal});
-  const bool greeted = report.hello.boot_nonce != 0;
+  self_test_.on_event(report.event, report.hello, {path, pseudo_terminal});
+  const bool identified = report.hello.boot_nonce != 0;
   const std::lock_guard lock(mutex_);
   port_.path = path;
   port_.kind = robot_kind(pseudo_terminal, report.hello.board);
-  port_.firmware = greeted ? firmware_text(report.hello) : std::string();
+  port_.firmware = identified ? firmware_text(report.hello) : std::string();
 }
 
 void LiveControls::note_port(const std::string& line) {
@@ -261,12 +261,12 @@ void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
   for (const loop::Grant& grant : grants) privileges_.emplace_back(grant.what, grant.granted);
 }
 
-void LiveControls::take_words(std::vector<messages::Event>& words) {
+void LiveControls::drain_events(std::vector<messages::Event>& events) {
   std::string end = self_test_.wheels_up().take_end();
   if (end.empty()) return;
-  words.push_back({.at_ns = monotonic_now(),
-                   .kind = "doctor",
-                   .text = "the check of the tracks has ended: " + std::move(end)});
+  events.push_back({.at_ns = monotonic_now(),
+                    .kind = "doctor",
+                    .text = "the check of the tracks has ended: " + std::move(end)});
 }
 
 void LiveControls::end() {

@@ -95,7 +95,7 @@ class LiveControls : public server::Controls {
   void set_start(const StartFacts& facts);
   void set_grants(const std::vector<loop::Grant>& grants);
   /// Adds what is to be said of a check of the tracks that has ended.
-  void take_words(std::vector<messages::Event>& words);
+  void drain_events(std::vector<messages::Event>& events);
   /// The program is ending: refuses further starts.
   void end();
   /// See SelfTest::idle_by().

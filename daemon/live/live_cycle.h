@@ -29,7 +29,7 @@ struct RunChange {
   RunState to = RunState::kIdle;               ///< `from` again if more faults were found
   FaultMask faults = 0;                        ///< active at the change, or the additional ones
   StartRefusal refused = StartRefusal::kNone;  ///< why a start did not begin
-  Pose place{};             ///< where the robot is believed to be, in the course's world
+  Pose place{};             ///< where the robot is estimated to be, in the course's world
   double progress_m = 0.0;  ///< ... along the course
 };
 /// Something that happened, for log and supervisor.

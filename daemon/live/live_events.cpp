@@ -1,6 +1,5 @@
 #include "live/live_events.h"
 
-#include <cstdio>
 #include <utility>
 #include <variant>
 
@@ -30,11 +29,7 @@ const char* request_name(wire::Type type) {
   }
 }
 
-std::string hex(std::uint32_t value) {
-  char digits[9];
-  std::snprintf(digits, sizeof digits, "%08x", value);
-  return digits;
-}
+std::string hex(std::uint32_t value) { return text::format("%08x", value); }
 
 /// Why the robot refused the request.
 std::string refusal(const link::Acknowledged& answer) {
@@ -90,7 +85,7 @@ std::string change(State from, State to) {
   return "state: " + std::string(to_string(from)) + " -> " + std::string(to_string(to));
 }
 
-std::vector<Event> run_words(const RunChange& event) {
+std::vector<Event> describe_run(const RunChange& event) {
   std::vector<Event> out;
   if (event.from != event.to)
     out.push_back({.at_ns = event.at_ns, .kind = "run", .text = change(event.from, event.to)});
@@ -106,7 +101,7 @@ std::vector<Event> run_words(const RunChange& event) {
     out.push_back(
         {.at_ns = event.at_ns,
          .kind = "run",
-         .text = text::format("the robot is believed to be at x %.3f m, y %.3f m, yaw %.1f deg, "
+         .text = text::format("the robot is estimated to be at x %.3f m, y %.3f m, yaw %.1f deg, "
                               "%.3f m along the course",
                               event.place.x_m, event.place.y_m, event.place.yaw_rad * kDegPerRad,
                               event.progress_m),
@@ -128,7 +123,7 @@ std::vector<Event> run_words(const RunChange& event) {
 }
 
 /// Says each event of a session in `out`, whose time is set.
-struct SessionWords {
+struct SessionDescriber {
   const wire::Hello& hello;
   Event& out;
 
@@ -209,19 +204,19 @@ struct SessionWords {
   }
 };
 
-Event session_words(const SessionReport& report) {
+Event describe_session(const SessionReport& report) {
   Event out;
   out.at_ns = report.event.at_ns;
   out.kind = "session";
-  std::visit(SessionWords{report.hello, out}, report.event.what);
+  std::visit(SessionDescriber{report.hello, out}, report.event.what);
   return out;
 }
 
 }  // namespace
 
-std::vector<Event> words_for(const LiveEvent& event) {
-  if (const RunChange* run = std::get_if<RunChange>(&event)) return run_words(*run);
-  return {session_words(std::get<SessionReport>(event))};
+std::vector<Event> describe_event(const LiveEvent& event) {
+  if (const RunChange* run = std::get_if<RunChange>(&event)) return describe_run(*run);
+  return {describe_session(std::get<SessionReport>(event))};
 }
 
 bool acknowledges_stop(const link::SessionEvent& event) {

@@ -1,5 +1,5 @@
 #pragma once
-// The loop's events in words, for the log and for viewers. Pure.
+// The loop's events as messages, for the log and for viewers. Pure.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace tp100::live {
 
 /// Describes `event`: one message, and for an abort one more per fault.
-std::vector<messages::Event> words_for(const LiveEvent& event);
+std::vector<messages::Event> describe_event(const LiveEvent& event);
 
 /// The robot acknowledged a STOP.
 bool acknowledges_stop(const link::SessionEvent& event);

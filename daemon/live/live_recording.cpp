@@ -34,13 +34,13 @@ bool happens(Channel channel) {
 }
 
 /// What is to be said of it, in one line, or nothing.
-std::string words_for(const runs::Room& room) {
+std::string describe_freed(const runs::FreedSpace& freed) {
   std::string text;
-  if (!room.deleted.empty()) {
+  if (!freed.deleted.empty()) {
     text = "deleted to stay within record.quota_mb:";
-    for (const std::string& run : room.deleted) text += " " + run;
+    for (const std::string& run : freed.deleted) text += " " + run;
   }
-  if (!room.why_not.empty()) text += (text.empty() ? "" : "; ") + room.why_not;
+  if (!freed.why_not.empty()) text += (text.empty() ? "" : "; ") + freed.why_not;
   return text;
 }
 
@@ -109,7 +109,7 @@ void LiveRecording::change_setup(std::shared_ptr<const config::LoadedRun> run, s
   recorder_.forget(next);
   run_ = std::move(run);
   // They name the old course.
-  in_force_.clear();
+  latched_.clear();
 }
 
 record::Recorder::Make LiveRecording::make(const std::string& directory, const std::string& name,
@@ -120,7 +120,7 @@ record::Recorder::Make LiveRecording::make(const std::string& directory, const s
           directory, name, facts, unix_ns, quota_mb, note = note_] {
     if (quota_mb > 0) {
       const std::uint64_t most_bytes = static_cast<std::uint64_t>(quota_mb) * 1'000'000;
-      std::string text = words_for(runs::make_room(directory, most_bytes));
+      std::string text = describe_freed(runs::free_space(directory, most_bytes));
       if (!text.empty()) note->set(std::move(text));
     }
     return std::make_unique<record::RecordingWriter>(
@@ -147,7 +147,7 @@ std::uint64_t LiveRecording::start(const std::string& name, const Answer& answer
                                {{"program", "tp100d run"}}, settings_.quota_mb),
                           answer);
   if (number == 0) return 0;
-  for (const auto& [channel, json] : in_force_) recorder_.message(channel, now, json);
+  for (const auto& [channel, json] : latched_) recorder_.message(channel, now, json);
   return number;
 }
 
@@ -198,13 +198,13 @@ messages::RecordingFigures LiveRecording::figures() const {
           .warning = status.warning};
 }
 
-void LiveRecording::take_words(std::vector<messages::Event>& words) {
+void LiveRecording::drain_events(std::vector<messages::Event>& events) {
   std::string text = note_->take();
   if (text.empty()) return;
-  words.push_back({.at_ns = monotonic_now(),
-                   .kind = "recording",
-                   .level = messages::Event::Level::kWarning,
-                   .text = std::move(text)});
+  events.push_back({.at_ns = monotonic_now(),
+                    .kind = "recording",
+                    .level = messages::Event::Level::kWarning,
+                    .text = std::move(text)});
 }
 
 double LiveRecording::cpu_s() const { return recorder_.status().cpu_s; }
@@ -213,10 +213,11 @@ void LiveRecording::take(const StepRecord& record) { recorder_.take(record); }
 
 void LiveRecording::take_truth(HostNs at, const Pose& truth) { recorder_.take_truth(at, truth); }
 
-void LiveRecording::hear(messages::Channel channel, std::uint64_t unix_ns, std::string_view json) {
+void LiveRecording::on_message(messages::Channel channel, std::uint64_t unix_ns,
+                               std::string_view json) {
   if (!is_latched_or_event(channel)) return;
   const std::lock_guard lock(mutex_);
-  if (!happens(channel)) in_force_[channel] = json;
+  if (!happens(channel)) latched_[channel] = json;
   recorder_.message(channel, clock_.host_ns(unix_ns), json);
 }
 

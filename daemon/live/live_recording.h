@@ -41,23 +41,23 @@ class LiveRecording : public messages::Sink {
   /// Ends recording `number`, or the current one if that is 0.
   void stop(std::uint64_t number, Answer answer);
   /// Begins a recording in black_box_directory() that is record.black_box_s long kTailNs later. It
-  /// makes way for any other. `ended`: see record::Recorder. 0: refused.
+  /// ends when another recording begins. `ended`: see record::Recorder. 0: refused.
   std::uint64_t start_black_box(const std::string& fault, HostNs now,
                                 const record::Recorder::Ended& ended);
   /// Number of the recording that is running or requested, except of black boxes; 0: none.
   std::uint64_t number() const;
   messages::RecordingFigures figures() const;
   /// Appends what record.quota_mb has deleted, or why it could not, since the last call.
-  void take_words(std::vector<messages::Event>& words);
+  void drain_events(std::vector<messages::Event>& events);
   /// CPU time used by recordings [s].
   double cpu_s() const;
   /// Takes a message of a channel (server::Listener) and records it if it cannot be derived from
   /// the steps.
-  void hear(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
+  void on_message(messages::Channel channel, std::uint64_t unix_ns, std::string_view json);
 
   // Called by the thread that drains the steps.
-  /// From step number `next` on, which is taken next and begins anew, they are of `run`: its files
-  /// go with the recordings that begin later. A running recording ends here.
+  /// The steps from number `next` on belong to `run`. That step is taken next and restarts; later
+  /// recordings contain the files of `run`, and a running recording ends here.
   void change_setup(std::shared_ptr<const config::LoadedRun> run, std::uint64_t next);
   void take(const StepRecord& record) override;
   void take_truth(HostNs at, const Pose& truth) override;
@@ -80,7 +80,7 @@ class LiveRecording : public messages::Sink {
   const std::shared_ptr<Note> note_ = std::make_shared<Note>();
   std::mutex mutex_;  // guards what follows
   std::shared_ptr<const config::LoadedRun> run_;
-  std::map<messages::Channel, std::string> in_force_;  // the last message of each latched channel
+  std::map<messages::Channel, std::string> latched_;  // the last message of each latched channel
   record::Recorder recorder_;
 };
 

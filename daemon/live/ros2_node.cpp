@@ -64,8 +64,8 @@ Ros2Node::~Ros2Node() {
   thread_.join();
 }
 
-void Ros2Node::take_words(std::vector<messages::Event>& words, server::Server& server) {
-  requests_.take_words(words);
+void Ros2Node::drain_events(std::vector<messages::Event>& events, server::Server& server) {
+  requests_.drain_events(events);
   if (requests_.take_stop()) server.stop_pressed("ROS 2 /tp100/stop");
 }
 

@@ -43,7 +43,7 @@ class Ros2Node : public messages::Sink {
   void take(const StepRecord&) override {}
   void take_setup(const messages::RunContext& run_context, HostNs at) override;
   /// Appends what happened since the last call, for log and viewers; the server hears of a STOP.
-  void take_words(std::vector<messages::Event>& words, server::Server& server);
+  void drain_events(std::vector<messages::Event>& events, server::Server& server);
 
  private:
   void run();

@@ -12,7 +12,7 @@ namespace tp100::live {
 namespace {
 
 constexpr const char* kTopic = "ROS 2 /cmd_vel";
-constexpr std::size_t kMaxWords = 64;
+constexpr std::size_t kMaxEvents = 64;
 // How far a robot at standstill may seem to move until it starts for its goal.
 constexpr double kMaxMovedM = 0.01, kMaxTurnedRad = 2.0 * kRadPerDeg;
 
@@ -40,12 +40,12 @@ std::string of_goal(const std::string& why) {
 void Ros2Requests::Shared::say(messages::Event event, bool answers) {
   const std::lock_guard lock(mutex);
   if (answers) answer = event;
-  if (words.size() < kMaxWords) words.push_back(std::move(event));
+  if (events.size() < kMaxEvents) events.push_back(std::move(event));
 }
 
-void Ros2Requests::take_words(std::vector<messages::Event>& words) {
+void Ros2Requests::drain_events(std::vector<messages::Event>& events) {
   const std::lock_guard lock(shared_->mutex);
-  std::ranges::move(std::exchange(shared_->words, {}), std::back_inserter(words));
+  std::ranges::move(std::exchange(shared_->events, {}), std::back_inserter(events));
 }
 
 std::optional<messages::Event> Ros2Requests::take_answer() {

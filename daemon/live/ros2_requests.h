@@ -1,6 +1,6 @@
 #pragma once
 // What ROS 2's programs ask of the daemon, by the rules that hold for viewers: one driver at a
-// time, velocities never arm, and whatever is old is worth nothing.
+// time, velocities never arm, and old messages are ignored.
 
 #include <array>
 #include <memory>
@@ -43,7 +43,7 @@ class Ros2Requests {
   /// A line for log and viewers.
   void say(HostNs now, const std::string& text);
   /// Appends the lines since the last call.
-  void take_words(std::vector<messages::Event>& words);
+  void drain_events(std::vector<messages::Event>& events);
   /// Whether there was a STOP since the last call.
   bool take_stop();
 
@@ -52,7 +52,7 @@ class Ros2Requests {
   struct Shared {
     void say(messages::Event event, bool answers);
     std::mutex mutex;
-    std::vector<messages::Event> words;
+    std::vector<messages::Event> events;
     std::optional<messages::Event> answer;
     std::string course;
     std::pair<std::uint32_t, std::string> choice;  ///< number of the choice that was answered; why

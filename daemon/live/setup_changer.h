@@ -36,7 +36,7 @@ class SetupChanger {
   void save_parameters(const server::ParameterSave& asked, const Answer& answer);
   /// Exchanges the configuration file and FILE.bak.
   void restore_parameters(bool check, const Answer& answer);
-  /// Whether a change of course, robot or set-up is on its way: then no run may be started.
+  /// Whether a change of course, robot or set-up is pending: then no run may be started.
   bool changing() const;
 
   /// GET of /api/setup, /courses/NAME.toml and /robots/NAME.toml; nothing: no such file. Waits for

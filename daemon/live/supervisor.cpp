@@ -55,7 +55,7 @@ struct Supervisor::State {
   void take_status(HostNs now);
   void take_records();
   void change_setup(const SetupChanger::Made& made);
-  void take_words();
+  void drain_events();
   void on_session_state(SessionState state);
   void on_session(const SessionReport& report);
   void on_run_state(const RunChange& change);
@@ -201,8 +201,8 @@ void Supervisor::State::notify_manager() {
 
 void Supervisor::State::serve(const SessionReport& report) {
   if (acknowledges_stop(report.event)) settings.server->stop_answered(report.event.at_ns);
-  const bool greeted = report.hello.boot_nonce != 0;
-  const bool emulator = greeted && is_emulator(connector.pseudo_terminal(), report.hello.board);
+  const bool identified = report.hello.boot_nonce != 0;
+  const bool emulator = identified && is_emulator(connector.pseudo_terminal(), report.hello.board);
   settings.controls->set_session(report, connector.path(), connector.pseudo_terminal());
   settings.controls->set_start({.emulator = emulator,
                                 .go = settings.go,
@@ -223,7 +223,7 @@ void Supervisor::State::tick() {
   take_records();
   settings.setup_changer->tick();
   take_events();
-  take_words();
+  drain_events();
   first_session.check(now);
   connector.tick(now);
   take_status(now);
@@ -258,9 +258,9 @@ void Supervisor::State::take_events() {
     if (report != nullptr) first_session.on_event(*report);
     // Before the event is published, so that the recording includes it.
     if (change != nullptr) run_recordings.on_run_state(change->to, change->at_ns);
-    const std::vector<messages::Event> words = words_for(event);
-    log.event(event, words);
-    for (const messages::Event& word : words) settings.server->take(word);
+    const std::vector<messages::Event> events = describe_event(event);
+    log.event(event, events);
+    for (const messages::Event& one : events) settings.server->take(one);
     if (report != nullptr) on_session(*report);
     if (change != nullptr) on_run_state(*change);
   }
@@ -307,7 +307,7 @@ void Supervisor::State::change_setup(const SetupChanger::Made& made) {
     terminal->follow(settings.course);
     notify_manager();
   }
-  log.words({event});
+  log.write({event});
   settings.server->take(event);
   settings.setup_changer->finish();
 }
@@ -342,7 +342,7 @@ void Supervisor::State::on_run_state(const RunChange& change) {
       status = 1;
       figures.result = "aborted";
     }
-    // Whoever drove by hand may want to drive on.
+    // After driving by hand, keep the daemon running.
     const bool recoverable = by_hand || (figures.faults & kRecoverable) != 0;
     const bool waits =
         recoverable && !settings.go && (figures.faults & fault_bit(Fault::moves_unasked)) == 0;
@@ -382,13 +382,13 @@ void Supervisor::State::take_figures() {
   stats.write(figures);
 }
 
-void Supervisor::State::take_words() {
-  std::vector<messages::Event> words = link_monitor.take_words();
-  settings.recording->take_words(words);
-  settings.controls->take_words(words);
-  if (settings.ros2 != nullptr) settings.ros2->take_words(words, *settings.server);
-  log.words(words);
-  for (const messages::Event& word : words) settings.server->take(word);
+void Supervisor::State::drain_events() {
+  std::vector<messages::Event> events = link_monitor.drain_events();
+  settings.recording->drain_events(events);
+  settings.controls->drain_events(events);
+  if (settings.ros2 != nullptr) settings.ros2->drain_events(events, *settings.server);
+  log.write(events);
+  for (const messages::Event& one : events) settings.server->take(one);
 }
 
 void Supervisor::State::take_notes() {

@@ -49,12 +49,12 @@ udp::endpoint local_endpoint(const std::string& listen, const udp::endpoint& pee
 
 struct CameraPort::State : std::enable_shared_from_this<State> {
   State(boost::asio::io_context& context, const config::CameraSettings& settings, Give action,
-        Show picture)
+        Show image)
       : socket(context),
         detections(link::monotonic_clock_name(), from_s(settings.max_age_ms * 1e-3)),
         images(link::monotonic_clock_name(), kMaxImageAgeNs),
         give(std::move(action)),
-        show(std::move(picture)) {
+        show(std::move(image)) {
     if (settings.image_hz > 0.0) image_interval_ns = from_s(1.0 / settings.image_hz);
   }
 

@@ -232,35 +232,35 @@ void delete_run(const std::string& folder, const std::string& run) {
                      "); check the folder's permissions");
 }
 
-Room make_room(const std::string& folder, std::uint64_t most_bytes) {
-  Room room;
+FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes) {
+  FreedSpace freed;
   std::vector<Run> runs = list_runs(folder);
   std::size_t noted = 0;
   std::string failure;
-  for (const Run& run : runs) room.bytes += run.bytes;
+  for (const Run& run : runs) freed.bytes += run.bytes;
   std::reverse(runs.begin(), runs.end());
   for (const Run& run : runs) {
-    if (room.bytes <= most_bytes) return room;
+    if (freed.bytes <= most_bytes) return freed;
     if (run.has_note) {
       ++noted;
       continue;
     }
     try {
       delete_run(folder, run.folder);
-      room.deleted.push_back(run.folder);
-      room.bytes -= run.bytes;
+      freed.deleted.push_back(run.folder);
+      freed.bytes -= run.bytes;
     } catch (const SetupError& error) {
       if (failure.empty()) failure = error.what();
     }
   }
-  if (room.bytes > most_bytes)
-    room.why_not =
-        text::format(
-            "the recordings have %.0f MB, more than the %.0f MB of "
-            "record.quota_mb: %zu have a name, note or tags",
-            static_cast<double>(room.bytes) * 1e-6, static_cast<double>(most_bytes) * 1e-6, noted) +
-        (failure.empty() ? "; delete some" : "; " + failure);
-  return room;
+  if (freed.bytes > most_bytes)
+    freed.why_not = text::format(
+                        "the recordings have %.0f MB, more than the %.0f MB of "
+                        "record.quota_mb: %zu have a name, note or tags",
+                        static_cast<double>(freed.bytes) * 1e-6,
+                        static_cast<double>(most_bytes) * 1e-6, noted) +
+                    (failure.empty() ? "; delete some" : "; " + failure);
+  return freed;
 }
 
 std::uint64_t free_bytes(const std::string& folder) {

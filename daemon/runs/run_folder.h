@@ -79,14 +79,14 @@ RunNote change_note(const std::string& folder, const std::string& run, const Run
 /// folder in it.
 void delete_run(const std::string& folder, const std::string& run);
 
-struct Room {
+struct FreedSpace {
   std::vector<std::string> deleted{};
   std::uint64_t bytes = 0;  ///< of all runs afterwards
   std::string why_not{};    ///< why that is still more than permitted, in one line, or empty
 };
 /// Deletes the oldest runs without a note, as delete_run() does, until all together are at most
 /// `most_bytes`.
-Room make_room(const std::string& folder, std::uint64_t most_bytes);
+FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes);
 
 /// Free space on the disk of the folder; 0: not known.
 std::uint64_t free_bytes(const std::string& folder);

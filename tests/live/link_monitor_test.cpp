@@ -21,7 +21,7 @@ class LinkMonitorTest : public ::testing::Test {
       record_->now_ns += 5 * kNsPerMs;
       ++record_->step;
       watch_.take(*record_);
-      for (messages::Event& word : watch_.take_words()) said.push_back(std::move(word));
+      for (messages::Event& word : watch_.drain_events()) said.push_back(std::move(word));
     }
     return said;
   }

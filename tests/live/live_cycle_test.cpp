@@ -11,9 +11,9 @@
 namespace tp100::live {
 namespace {
 
-class LiveBench {
+class LiveRig {
  public:
-  explicit LiveBench(std::shared_ptr<const course::Course> course = nullptr)
+  explicit LiveRig(std::shared_ptr<const course::Course> course = nullptr)
       : cycle(bridge::session_settings({}), {}, std::move(course), false) {
     cycle.opened(now);
   }
@@ -64,141 +64,141 @@ std::shared_ptr<const course::Course> line() {
 }
 
 TEST(LiveCycle, ATurnNeitherCallsTheSystemNorLocksNorAllocates) {
-  LiveBench bench;
+  LiveRig rig;
   loop::SlotRing<StepRecord> first(8);
-  bench.cycle.record_first(first);
-  bench.watched = true;
+  rig.cycle.record_first(first);
+  rig.watched = true;
   for (int i = 0; i < 400; ++i) {
-    if (i % 50 == 20) bench.cycle.request(OperatorRequest::kHold);
-    bench.step();
-    while (bench.cycle.front_record() != nullptr) bench.cycle.release_record();
+    if (i % 50 == 20) rig.cycle.request(OperatorRequest::kHold);
+    rig.step();
+    while (rig.cycle.front_record() != nullptr) rig.cycle.release_record();
     // Full for most of the time.
     if (i % 50 == 0 && first.front() != nullptr) first.release();
   }
   EXPECT_NE(first.front(), nullptr);
-  EXPECT_EQ(bench.duty.heap, 0u);
-  EXPECT_EQ(bench.duty.locks, 0u);
-  EXPECT_EQ(bench.duty.first_system_call, -1);
+  EXPECT_EQ(rig.duty.heap, 0u);
+  EXPECT_EQ(rig.duty.locks, 0u);
+  EXPECT_EQ(rig.duty.first_system_call, -1);
   if (!test::watches_system_calls())
     GTEST_SKIP() << "this kernel does not tell of system calls; heap and locks: none";
 }
 
 TEST(LiveCycle, AFirstStartIsCarriedOutUnlessSomethingHasRun) {
-  LiveBench bench(line());
-  bench.steps(400);
-  EXPECT_FALSE(bench.cycle.has_run());
-  bench.cycle.request(OperatorRequest::kHold);
-  bench.steps(20);
-  EXPECT_FALSE(bench.cycle.has_run()) << "there was no run to hold";
-  bench.cycle.request_first_start();
-  bench.steps(100);
-  EXPECT_TRUE(bench.cycle.has_run());
-  const std::size_t arms = bench.arms();
+  LiveRig rig(line());
+  rig.steps(400);
+  EXPECT_FALSE(rig.cycle.has_run());
+  rig.cycle.request(OperatorRequest::kHold);
+  rig.steps(20);
+  EXPECT_FALSE(rig.cycle.has_run()) << "there was no run to hold";
+  rig.cycle.request_first_start();
+  rig.steps(100);
+  EXPECT_TRUE(rig.cycle.has_run());
+  const std::size_t arms = rig.arms();
   EXPECT_GT(arms, 0u);
-  bench.cycle.request(OperatorRequest::kStop);
-  bench.steps(20);
+  rig.cycle.request(OperatorRequest::kStop);
+  rig.steps(20);
   for (int i = 0; i < 200; ++i) {
-    bench.cycle.request_first_start();
-    bench.steps(1 + i % 7);
+    rig.cycle.request_first_start();
+    rig.steps(1 + i % 7);
   }
-  EXPECT_EQ(bench.arms(), arms);
-  bench.cycle.request(OperatorRequest::kStart);
-  bench.steps(100);
-  EXPECT_GT(bench.arms(), arms);
+  EXPECT_EQ(rig.arms(), arms);
+  rig.cycle.request(OperatorRequest::kStart);
+  rig.steps(100);
+  EXPECT_GT(rig.arms(), arms);
 }
 
 // Enter is sent as a first start while the operator does not know of the STOP yet.
 TEST(LiveCycle, AStopAndAFirstStartAtOnceEndWithoutARunInEitherOrder) {
   for (int i = 0; i < 200; ++i) {
-    LiveBench bench(line());
-    bench.steps(400);
+    LiveRig rig(line());
+    rig.steps(400);
     const bool stop_first = i % 2 == 0;
     const int apart = i / 2 % 40;
-    const auto stop = [&] { bench.cycle.request(OperatorRequest::kStop); };
+    const auto stop = [&] { rig.cycle.request(OperatorRequest::kStop); };
     if (stop_first) stop();
-    if (!stop_first) bench.cycle.request_first_start();
-    bench.steps(apart);
-    if (stop_first) bench.cycle.request_first_start();
+    if (!stop_first) rig.cycle.request_first_start();
+    rig.steps(apart);
+    if (stop_first) rig.cycle.request_first_start();
     if (!stop_first) stop();
-    bench.steps(1);
+    rig.steps(1);
     // A start that came first may have been executed before the STOP.
-    const std::size_t arms = bench.arms();
+    const std::size_t arms = rig.arms();
     EXPECT_TRUE(arms == 0u || !stop_first) << "repetition " << i;
-    bench.steps(100);
-    EXPECT_EQ(bench.arms(), arms) << "repetition " << i;
-    EXPECT_TRUE(bench.cycle.has_run());
+    rig.steps(100);
+    EXPECT_EQ(rig.arms(), arms) << "repetition " << i;
+    EXPECT_TRUE(rig.cycle.has_run());
   }
 }
 
 TEST(LiveCycle, HandsOutEveryStepOnceAndInOrder) {
-  LiveBench bench;
+  LiveRig rig;
   for (std::uint64_t step = 1; step <= 2000; ++step) {
-    bench.step();
-    ASSERT_EQ(bench.front(), step);
-    bench.cycle.release_record();
-    ASSERT_EQ(bench.front(), 0u);
+    rig.step();
+    ASSERT_EQ(rig.front(), step);
+    rig.cycle.release_record();
+    ASSERT_EQ(rig.front(), 0u);
   }
-  EXPECT_EQ(bench.cycle.lost_records(), 0u);
+  EXPECT_EQ(rig.cycle.lost_records(), 0u);
 }
 
 TEST(LiveCycle, ASlowReaderCostsRecordsAndNothingElse) {
-  LiveBench bench;
-  for (std::size_t i = 0; i < LiveCycle::kWaitingRecords + 30; ++i) bench.step();
-  EXPECT_EQ(bench.cycle.lost_records(), 30u);
-  EXPECT_GT(bench.robot.received.commands.size(), 300u);
-  EXPECT_EQ(bench.front(), 1u);
-  while (bench.front() != 0) bench.cycle.release_record();
-  bench.step();
-  EXPECT_EQ(bench.front(), LiveCycle::kWaitingRecords + 31);
+  LiveRig rig;
+  for (std::size_t i = 0; i < LiveCycle::kWaitingRecords + 30; ++i) rig.step();
+  EXPECT_EQ(rig.cycle.lost_records(), 30u);
+  EXPECT_GT(rig.robot.received.commands.size(), 300u);
+  EXPECT_EQ(rig.front(), 1u);
+  while (rig.front() != 0) rig.cycle.release_record();
+  rig.step();
+  EXPECT_EQ(rig.front(), LiveCycle::kWaitingRecords + 31);
 }
 
 TEST(LiveCycle, TheFirstReaderHasAStepBeforeTheOtherOneAndMayMissSome) {
-  LiveBench bench;
+  LiveRig rig;
   loop::SlotRing<StepRecord> first(4);
-  bench.cycle.record_first(first);
-  for (int i = 0; i < 10; ++i) bench.step();
-  bench.cycle.step(bench.now + 1);
+  rig.cycle.record_first(first);
+  for (int i = 0; i < 10; ++i) rig.step();
+  rig.cycle.step(rig.now + 1);
   for (std::uint64_t step = 1; step <= 4; ++step, first.release())
     ASSERT_EQ(first.front()->step, step);
   EXPECT_EQ(first.front(), nullptr);
-  bench.cycle.wrote(bench.now + 1);
+  rig.cycle.wrote(rig.now + 1);
   ASSERT_NE(first.front(), nullptr);
   EXPECT_EQ(first.front()->step, 11u);
-  EXPECT_EQ(bench.cycle.lost_records(), 0u);
-  for (std::uint64_t step = 1; step <= 10; ++step, bench.cycle.release_record())
-    ASSERT_EQ(bench.front(), step);
-  EXPECT_EQ(bench.front(), 0u);
+  EXPECT_EQ(rig.cycle.lost_records(), 0u);
+  for (std::uint64_t step = 1; step <= 10; ++step, rig.cycle.release_record())
+    ASSERT_EQ(rig.front(), step);
+  EXPECT_EQ(rig.front(), 0u);
 }
 
 TEST(LiveCycle, AChangeOfTheCourseNeitherLocksNorAllocates) {
-  LiveBench bench(line());
-  bench.steps(400);
+  LiveRig rig(line());
+  rig.steps(400);
   for (int i = 0; i < 4; ++i) {
     // A sanitizer looks into a type that it meets for the first time, by calls of the system.
-    bench.watched = i > 0;
-    SetupRequest request{.until_ns = bench.now + kNsPerS};
+    rig.watched = i > 0;
+    SetupRequest request{.until_ns = rig.now + kNsPerS};
     request.change.step.emplace(bridge::Parameters{}, line());
     request.change.parameters = bridge::session_settings({}).parameters;
-    bench.cycle.change_setup(request);
-    bench.steps(300);
-    ASSERT_EQ(bench.cycle.setup_done(), &request);
+    rig.cycle.change_setup(request);
+    rig.steps(300);
+    ASSERT_EQ(rig.cycle.setup_done(), &request);
     EXPECT_TRUE(request.made);
-    bench.cycle.release_setup();
+    rig.cycle.release_setup();
   }
-  EXPECT_EQ(bench.duty.heap, 0u);
-  EXPECT_EQ(bench.duty.locks, 0u);
-  EXPECT_EQ(bench.duty.first_system_call, -1);
+  EXPECT_EQ(rig.duty.heap, 0u);
+  EXPECT_EQ(rig.duty.locks, 0u);
+  EXPECT_EQ(rig.duty.first_system_call, -1);
 }
 
 TEST(LiveCycle, AChangeIsReturnedBeforeTheRecordOfItsFirstStep) {
-  LiveBench bench(line());
-  bench.steps(400);
-  SetupRequest request{.until_ns = bench.now + kNsPerS};
+  LiveRig rig(line());
+  rig.steps(400);
+  SetupRequest request{.until_ns = rig.now + kNsPerS};
   request.change.step.emplace(bridge::Parameters{}, line());
-  bench.cycle.change_setup(request);
-  bench.step();
-  ASSERT_EQ(bench.cycle.setup_done(), &request);
-  const StepRecord* record = bench.cycle.front_record();
+  rig.cycle.change_setup(request);
+  rig.step();
+  ASSERT_EQ(rig.cycle.setup_done(), &request);
+  const StepRecord* record = rig.cycle.front_record();
   ASSERT_NE(record, nullptr);
   EXPECT_EQ(record->step, request.step);
   EXPECT_EQ(record->inputs.restart.size(), 1u);
@@ -206,67 +206,67 @@ TEST(LiveCycle, AChangeIsReturnedBeforeTheRecordOfItsFirstStep) {
 
 // Pressed for the old course, it must not begin the new one.
 TEST(LiveCycle, AStartBeforeAChangeBeginsTheOldCourseAndTheChangeIsNotMade) {
-  LiveBench bench(line());
-  bench.steps(400);
-  SetupRequest request{.until_ns = bench.now + kNsPerS};
+  LiveRig rig(line());
+  rig.steps(400);
+  SetupRequest request{.until_ns = rig.now + kNsPerS};
   request.change.step.emplace(bridge::Parameters{}, nullptr);
-  bench.cycle.request(OperatorRequest::kStart);
-  bench.cycle.change_setup(request);
-  bench.steps(100);
-  EXPECT_EQ(bench.cycle.setup_done(), &request);
+  rig.cycle.request(OperatorRequest::kStart);
+  rig.cycle.change_setup(request);
+  rig.steps(100);
+  EXPECT_EQ(rig.cycle.setup_done(), &request);
   EXPECT_FALSE(request.made);
-  EXPECT_EQ(bench.arms(), 1u);
+  EXPECT_EQ(rig.arms(), 1u);
 }
 
 TEST(LiveCycle, AChangeIsGivenUpIfTheRobotDoesNotComeToRest) {
-  LiveBench bench(line());
-  bench.steps(400);
-  bench.robot.metres_per_s = 0.1;
-  bench.steps(100);
-  SetupRequest request{.until_ns = bench.now + kNsPerS};
+  LiveRig rig(line());
+  rig.steps(400);
+  rig.robot.metres_per_s = 0.1;
+  rig.steps(100);
+  SetupRequest request{.until_ns = rig.now + kNsPerS};
   request.change.place = Pose{};
-  bench.cycle.change_setup(request);
-  bench.steps(150);
-  EXPECT_EQ(bench.cycle.setup_done(), nullptr);
-  bench.steps(100);
-  EXPECT_EQ(bench.cycle.setup_done(), &request);
+  rig.cycle.change_setup(request);
+  rig.steps(150);
+  EXPECT_EQ(rig.cycle.setup_done(), nullptr);
+  rig.steps(100);
+  EXPECT_EQ(rig.cycle.setup_done(), &request);
   EXPECT_FALSE(request.made);
 }
 
 TEST(LiveCycle, AfterAChangeOfTheCourseNothingStartsByItself) {
-  LiveBench bench;
-  bench.steps(400);
-  SetupRequest request{.until_ns = bench.now + kNsPerS};
+  LiveRig rig;
+  rig.steps(400);
+  SetupRequest request{.until_ns = rig.now + kNsPerS};
   request.change.step.emplace(bridge::Parameters{}, line());
-  bench.cycle.change_setup(request);
-  bench.steps(100);
+  rig.cycle.change_setup(request);
+  rig.steps(100);
   ASSERT_TRUE(request.made);
-  bench.cycle.request_first_start();
-  bench.steps(200);
-  EXPECT_EQ(bench.arms(), 0u);
-  bench.cycle.request(OperatorRequest::kStart);
-  bench.steps(200);
-  EXPECT_EQ(bench.arms(), 1u);
+  rig.cycle.request_first_start();
+  rig.steps(200);
+  EXPECT_EQ(rig.arms(), 0u);
+  rig.cycle.request(OperatorRequest::kStart);
+  rig.steps(200);
+  EXPECT_EQ(rig.arms(), 1u);
 }
 
 TEST(LiveCycle, GivesUpThePortOfARobotAtRestAndNothingStartsByItselfAfterwards) {
-  LiveBench bench(line());
-  bench.steps(400);
-  EXPECT_FALSE(bench.cycle.take_port_drop());
-  bench.cycle.give_up_port();
-  EXPECT_TRUE(bench.cycle.take_port_drop());
-  EXPECT_FALSE(bench.cycle.take_port_drop()) << "once";
-  bench.cycle.request_first_start();
-  bench.steps(200);
-  EXPECT_EQ(bench.arms(), 0u);
-  bench.cycle.request(OperatorRequest::kStart);
-  bench.steps(20);
-  ASSERT_EQ(bench.arms(), 1u);
-  bench.cycle.give_up_port();
-  EXPECT_FALSE(bench.cycle.take_port_drop()) << "a run is under way";
-  bench.cycle.request(OperatorRequest::kHold);
-  bench.steps(400);
-  EXPECT_FALSE(bench.cycle.take_port_drop()) << "what was refused is not kept";
+  LiveRig rig(line());
+  rig.steps(400);
+  EXPECT_FALSE(rig.cycle.take_port_drop());
+  rig.cycle.give_up_port();
+  EXPECT_TRUE(rig.cycle.take_port_drop());
+  EXPECT_FALSE(rig.cycle.take_port_drop()) << "once";
+  rig.cycle.request_first_start();
+  rig.steps(200);
+  EXPECT_EQ(rig.arms(), 0u);
+  rig.cycle.request(OperatorRequest::kStart);
+  rig.steps(20);
+  ASSERT_EQ(rig.arms(), 1u);
+  rig.cycle.give_up_port();
+  EXPECT_FALSE(rig.cycle.take_port_drop()) << "a run is under way";
+  rig.cycle.request(OperatorRequest::kHold);
+  rig.steps(400);
+  EXPECT_FALSE(rig.cycle.take_port_drop()) << "what was refused is not kept";
 }
 
 }  // namespace

@@ -164,11 +164,11 @@ TEST_F(BlackBoxTest, ARecordingMakesRoomForItselfAndSaysSo) {
   recording().begin();
   EXPECT_FALSE(fs::exists(folder_.file("runs/old")));
   EXPECT_TRUE(fs::exists(folder_.file("runs/noted")));
-  std::vector<messages::Event> words;
-  recording().take_words(words);
-  recording().take_words(words);
-  ASSERT_THAT(words, SizeIs(1));
-  EXPECT_EQ(words[0].text, "deleted to stay within record.quota_mb: old");
+  std::vector<messages::Event> events;
+  recording().drain_events(events);
+  recording().drain_events(events);
+  ASSERT_THAT(events, SizeIs(1));
+  EXPECT_EQ(events[0].text, "deleted to stay within record.quota_mb: old");
   finish();
 }
 
@@ -182,11 +182,11 @@ TEST_F(BlackBoxTest, AProgramThatEndsWritesWhatItHas) {
 
 TEST_F(BlackBoxTest, WhatWasSaidIsInItFromTheSameTime) {
   drive(1.0);
-  recording().hear(messages::Channel::kEvent, 100'000'000, R"({"text":"long ago"})");
+  recording().on_message(messages::Channel::kEvent, 100'000'000, R"({"text":"long ago"})");
   drive(9.0);
-  recording().hear(messages::Channel::kEvent, 9'900'000'000, R"({"text":"just before"})");
-  recording().hear(messages::Channel::kEstimate, 9'900'000'000,
-                   R"({"text":"follows from the steps"})");
+  recording().on_message(messages::Channel::kEvent, 9'900'000'000, R"({"text":"just before"})");
+  recording().on_message(messages::Channel::kEstimate, 9'900'000'000,
+                         R"({"text":"follows from the steps"})");
   drive(2.0, fault_bit(Fault::link_lost));
   finish();
   ASSERT_THAT(written(), SizeIs(1));
@@ -222,7 +222,8 @@ TEST_F(BlackBoxTest, AFolderThatCannotBeMadeIsSaid) {
 
 TEST_F(BlackBoxTest, AReportIsMadeOfIt) {
   drive(1.0);
-  recording().hear(messages::Channel::kEvent, 900'000'000, R"({"level":"warn","text":"a knock"})");
+  recording().on_message(messages::Channel::kEvent, 900'000'000,
+                         R"({"level":"warn","text":"a knock"})");
   drive(2.0, fault_bit(Fault::link_lost));
   finish();
   ASSERT_THAT(written(), SizeIs(1));

@@ -77,10 +77,10 @@ class Ros2RequestsTest : public ::testing::Test {
   }
   /// What was said since the last call.
   std::string said() {
-    std::vector<messages::Event> words;
-    requests_.take_words(words);
+    std::vector<messages::Event> events;
+    requests_.drain_events(events);
     std::string text;
-    for (const messages::Event& word : words) text += word.text + "\n";
+    for (const messages::Event& word : events) text += word.text + "\n";
     return text;
   }
 

@@ -189,7 +189,7 @@ class HandDriven {
   /// What was said of ROS 2's requests since the last call.
   std::string said() {
     std::vector<messages::Event> words;
-    ros2_.take_words(words);
+    ros2_.drain_events(words);
     std::string text;
     for (const messages::Event& word : words) text += word.text + "\n";
     return text;

@@ -183,11 +183,11 @@ TEST_F(RunFolder, RoomIsMadeByTheOldestRunsWithoutANote) {
   write("noted/run.toml", "name = \"good\"\n");
   run("older", 100, 3);
   run("newest", 100, 4);
-  const Room room = make_room(runs_, 315);
-  EXPECT_THAT(room.deleted, ElementsAre("oldest"));
-  EXPECT_EQ(room.why_not, "");
-  EXPECT_THAT(make_room(runs_, 230).deleted, ElementsAre("older"));
-  const Room none = make_room(runs_, 0);
+  const FreedSpace freed = free_space(runs_, 315);
+  EXPECT_THAT(freed.deleted, ElementsAre("oldest"));
+  EXPECT_EQ(freed.why_not, "");
+  EXPECT_THAT(free_space(runs_, 230).deleted, ElementsAre("older"));
+  const FreedSpace none = free_space(runs_, 0);
   EXPECT_THAT(none.deleted, ElementsAre("newest"));
   EXPECT_TRUE(there("noted"));
   EXPECT_THAT(none.why_not, HasSubstr("1 have a name, note or tags"));
@@ -217,7 +217,7 @@ TEST_F(RunFolder, RoomIsMadeAmongRandomRuns) {
           kept.insert(name);
           break;
         case 2:
-          write(name + "/run.toml", "spoilt");
+          write(name + "/run.toml", "corrupted");
           kept.insert(name);
           break;
         case 3:
@@ -231,25 +231,25 @@ TEST_F(RunFolder, RoomIsMadeAmongRandomRuns) {
     }
     const auto before = list_runs(runs_);
     const std::uint64_t quota = up_to(4000);
-    const Room room = make_room(runs_, quota);
+    const FreedSpace freed = free_space(runs_, quota);
     for (const auto& [name, used] : open) EXPECT_TRUE(there(name)) << name;
     for (const std::string& name : kept) EXPECT_TRUE(there(name)) << name;
     std::uint64_t left = 0;
     for (const auto& each : list_runs(runs_)) left += each.bytes;
-    EXPECT_EQ(left, room.bytes);
-    EXPECT_EQ(room.why_not.empty(), left <= quota);
+    EXPECT_EQ(left, freed.bytes);
+    EXPECT_EQ(freed.why_not.empty(), left <= quota);
     // Those deleted are the oldest of those that may be, and no more than needed.
     std::vector<std::string> oldest;
     for (const auto& each : before)
       if (deletable.contains(each.folder)) oldest.insert(oldest.begin(), each.folder);
-    ASSERT_LE(room.deleted.size(), oldest.size());
-    oldest.resize(room.deleted.size());
-    EXPECT_EQ(room.deleted, oldest);
-    if (!room.deleted.empty()) {
-      EXPECT_GT(left + deletable[room.deleted.back()], quota);
+    ASSERT_LE(freed.deleted.size(), oldest.size());
+    oldest.resize(freed.deleted.size());
+    EXPECT_EQ(freed.deleted, oldest);
+    if (!freed.deleted.empty()) {
+      EXPECT_GT(left + deletable[freed.deleted.back()], quota);
     }
     if (left > quota) {
-      EXPECT_EQ(room.deleted.size(), deletable.size());
+      EXPECT_EQ(freed.deleted.size(), deletable.size());
     }
   }
 }

@@ -66,9 +66,9 @@ std::vector<Case> cases() {
 
 /// The events of a run that the log and the viewers receive.
 std::vector<messages::Event> words_of(const FaultOutcome& outcome, live::LinkMonitor& watch) {
-  std::vector<messages::Event> all = watch.take_words();
+  std::vector<messages::Event> all = watch.drain_events();
   const auto add = [&](const live::LiveEvent& event) {
-    for (messages::Event& word : live::words_for(event)) all.push_back(std::move(word));
+    for (messages::Event& word : live::describe_event(event)) all.push_back(std::move(word));
   };
   for (const SessionMessage& one : outcome.session_messages)
     add(live::SessionReport{one.event, one.hello});
@@ -235,7 +235,7 @@ TEST(FaultList, WithoutAFaultNothingIsCountedAndNothingSaid) {
   live::LinkMonitor watch;
   const FaultOutcome seen = try_fault(none, BoardKind::kNative, &watch);
   EXPECT_EQ(seen.end, "completed");
-  EXPECT_EQ(joined(watch.take_words()), "");
+  EXPECT_EQ(joined(watch.drain_events()), "");
   for (const FaultTrial& trial : fault_trials()) {
     const auto figure = std::find_if(seen.figures.begin(), seen.figures.end(),
                                      [&](const Figure& one) { return one.name == trial.counter; });
