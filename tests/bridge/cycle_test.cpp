@@ -15,9 +15,9 @@
 namespace tp100::bridge {
 namespace {
 
-class CycleBench {
+class CycleRig {
  public:
-  explicit CycleBench(const bridge::Parameters& parameters = {})
+  explicit CycleRig(const bridge::Parameters& parameters = {})
       : cycle(session_settings(parameters), parameters, nullptr) {
     cycle.session().open(now);
   }
@@ -38,13 +38,13 @@ class CycleBench {
 };
 
 TEST(Cycle, ConnectsAndAnswersSamplesWithCommands) {
-  CycleBench bench;
-  bench.run(1000);
-  EXPECT_EQ(bench.cycle.session().state(), SessionState::kReady);
-  ASSERT_GT(bench.robot.received.commands.size(), 50u);
-  const wire::Command& command = bench.robot.received.commands.back();
+  CycleRig rig;
+  rig.run(1000);
+  EXPECT_EQ(rig.cycle.session().state(), SessionState::kReady);
+  ASSERT_GT(rig.robot.received.commands.size(), 50u);
+  const wire::Command& command = rig.robot.received.commands.back();
   EXPECT_EQ(command.speed_mps, 0.0F);
-  const auto behind = static_cast<std::uint16_t>(bench.robot.sequence - command.answers);
+  const auto behind = static_cast<std::uint16_t>(rig.robot.sequence - command.answers);
   EXPECT_LE(behind, 4u);
 }
 
@@ -56,10 +56,10 @@ TEST(Cycle, SendsTheRobotsValuesAsWireParameters) {
   parameters.drive.battery_cutoff_v = 6.25;
   parameters.drive.stall_duty = 0.55;
   parameters.drive.swap_tracks = true;
-  CycleBench bench(parameters);
-  bench.run(100);
-  ASSERT_EQ(bench.robot.received.parameters.size(), 1u);
-  const wire::Parameters& sent = bench.robot.received.parameters[0];
+  CycleRig rig(parameters);
+  rig.run(100);
+  ASSERT_EQ(rig.robot.received.parameters.size(), 1u);
+  const wire::Parameters& sent = rig.robot.received.parameters[0];
   EXPECT_FLOAT_EQ(sent.wheelbase_m, 0.31F);
   EXPECT_FLOAT_EQ(sent.wheelbase_tight_m, 0.36F) << "as on the spot, if it is not given";
   EXPECT_FLOAT_EQ(sent.wheelbase_spin_m, 0.36F);
@@ -126,43 +126,43 @@ TEST(Cycle, TheGyroDoesNotSteerOnAStand) {
 }
 
 TEST(Cycle, DisarmIsAcknowledgedAndThenNothingIsPending) {
-  CycleBench bench;
-  bench.run(600);
-  bench.cycle.disarm(bench.now);
-  EXPECT_TRUE(bench.cycle.request_pending());
-  bench.run(50);
-  EXPECT_FALSE(bench.cycle.request_pending());
-  EXPECT_EQ(bench.robot.received.disarms.size(), 1u);
+  CycleRig rig;
+  rig.run(600);
+  rig.cycle.disarm(rig.now);
+  EXPECT_TRUE(rig.cycle.request_pending());
+  rig.run(50);
+  EXPECT_FALSE(rig.cycle.request_pending());
+  EXPECT_EQ(rig.robot.received.disarms.size(), 1u);
 }
 
 TEST(Cycle, AStopIsNeverCrowdedOut) {
-  CycleBench bench;
-  bench.run(600);
-  for (int i = 0; i < 40; ++i) bench.cycle.request(OperatorRequest::kHold);
-  bench.cycle.request(OperatorRequest::kStop);
-  bench.run(50);
-  EXPECT_EQ(bench.robot.received.stops.size(), 1u);
+  CycleRig rig;
+  rig.run(600);
+  for (int i = 0; i < 40; ++i) rig.cycle.request(OperatorRequest::kHold);
+  rig.cycle.request(OperatorRequest::kStop);
+  rig.run(50);
+  EXPECT_EQ(rig.robot.received.stops.size(), 1u);
 }
 
 TEST(Cycle, TheRecordOfAStepHoldsItsInputsAndResults) {
-  CycleBench bench;
-  bench.run(600);
-  bench.cycle.request(OperatorRequest::kHold);
-  bench.cycle.camera({.x_m = 0.1, .y_m = 0.2, .yaw_rad = 0.3, .measured_ns = bench.now});
-  bench.run(1);
+  CycleRig rig;
+  rig.run(600);
+  rig.cycle.request(OperatorRequest::kHold);
+  rig.cycle.camera({.x_m = 0.1, .y_m = 0.2, .yaw_rad = 0.3, .measured_ns = rig.now});
+  rig.run(1);
   auto record = std::make_unique<StepRecord>();
-  bench.cycle.record(*record);
+  rig.cycle.record(*record);
   EXPECT_EQ(record->step, 121u);
-  EXPECT_EQ(record->now_ns, bench.now);
-  ASSERT_EQ(record->inputs.samples.size(), bench.cycle.inputs().samples.size());
+  EXPECT_EQ(record->now_ns, rig.now);
+  ASSERT_EQ(record->inputs.samples.size(), rig.cycle.inputs().samples.size());
   ASSERT_GT(record->inputs.samples.size(), 0u);
-  EXPECT_EQ(record->inputs.samples[0].device_us, bench.cycle.inputs().samples[0].device_us);
+  EXPECT_EQ(record->inputs.samples[0].device_us, rig.cycle.inputs().samples[0].device_us);
   ASSERT_EQ(record->inputs.requests.size(), 1u);
   EXPECT_EQ(record->inputs.requests[0], OperatorRequest::kHold);
   ASSERT_EQ(record->inputs.camera.size(), 1u);
   EXPECT_EQ(record->inputs.camera[0].y_m, 0.2);
   EXPECT_EQ(record->inputs.session, SessionState::kReady);
-  EXPECT_EQ(record->link.samples, bench.cycle.session().counters().samples);
+  EXPECT_EQ(record->link.samples, rig.cycle.session().counters().samples);
   EXPECT_TRUE(record->command_valid);
   EXPECT_EQ(record->snapshot.sample.device_us, record->inputs.samples[0].device_us);
 }
@@ -207,14 +207,14 @@ std::shared_ptr<const course::Course> short_line(const std::string& name) {
 }
 
 TEST(Cycle, PlacesARobotThatStandsStill) {
-  CycleBench bench;
-  bench.run(2000);
+  CycleRig rig;
+  rig.run(2000);
   SetupChange change{.place = Pose{.x_m = 1.5, .y_m = -0.5, .yaw_rad = 7.0}};
-  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
-  bench.run(100);
-  EXPECT_EQ(bench.cycle.session().state(), SessionState::kReady);
+  ASSERT_TRUE(rig.cycle.change_setup(change, rig.now));
+  rig.run(100);
+  EXPECT_EQ(rig.cycle.session().state(), SessionState::kReady);
   for (const PoseSource source : kPoseSources) {
-    const Pose& pose = bench.cycle.outputs().snapshot.estimates[source].pose;
+    const Pose& pose = rig.cycle.outputs().snapshot.estimates[source].pose;
     EXPECT_NEAR(pose.x_m, 1.5, 1e-6);
     EXPECT_NEAR(pose.y_m, -0.5, 1e-6);
     EXPECT_NEAR(pose.yaw_rad, 7.0, 1e-3) << "with all its turns";
@@ -222,75 +222,75 @@ TEST(Cycle, PlacesARobotThatStandsStill) {
 }
 
 TEST(Cycle, ChangesTheCourseAndKeepsSessionAndPlace) {
-  CycleBench bench;
-  bench.run(2000);
+  CycleRig rig;
+  rig.run(2000);
   SetupChange place{.place = Pose{.x_m = 0.2, .yaw_rad = 0.1}};
-  ASSERT_TRUE(bench.cycle.change_setup(place, bench.now));
-  bench.run(1000);
-  EXPECT_EQ(bench.cycle.outputs().snapshot.start_refusal, StartRefusal::kNoCourse);
+  ASSERT_TRUE(rig.cycle.change_setup(place, rig.now));
+  rig.run(1000);
+  EXPECT_EQ(rig.cycle.outputs().snapshot.start_refusal, StartRefusal::kNoCourse);
   SetupChange change;
   change.step.emplace(Parameters{}, short_line("a.toml"));
-  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
-  bench.run(5);
-  EXPECT_EQ(bench.cycle.inputs().restart.size(), 1u) << "a recording may begin here";
-  bench.run(1000);
-  EXPECT_EQ(bench.cycle.session().session_number(), 1u);
-  EXPECT_EQ(bench.robot.received.parameters.size(), 1u);
-  const Snapshot& snapshot = bench.cycle.outputs().snapshot;
+  ASSERT_TRUE(rig.cycle.change_setup(change, rig.now));
+  rig.run(5);
+  EXPECT_EQ(rig.cycle.inputs().restart.size(), 1u) << "a recording may begin here";
+  rig.run(1000);
+  EXPECT_EQ(rig.cycle.session().session_number(), 1u);
+  EXPECT_EQ(rig.robot.received.parameters.size(), 1u);
+  const Snapshot& snapshot = rig.cycle.outputs().snapshot;
   EXPECT_EQ(snapshot.start_refusal, StartRefusal::kNone);
   EXPECT_NEAR(snapshot.world.x_m, 0.2, 1e-6);
-  bench.cycle.request(OperatorRequest::kStart);
-  bench.run(300);
+  rig.cycle.request(OperatorRequest::kStart);
+  rig.run(300);
   EXPECT_EQ(snapshot.run_state, RunState::kRunning);
 }
 
 TEST(Cycle, ChangesNothingDuringARunOrWhileTheRobotMoves) {
-  CycleBench bench;
-  bench.run(2000);
+  CycleRig rig;
+  rig.run(2000);
   SetupChange change;
   change.step.emplace(Parameters{}, short_line("a.toml"));
-  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
-  bench.run(1000);
-  bench.cycle.request(OperatorRequest::kStart);
+  ASSERT_TRUE(rig.cycle.change_setup(change, rig.now));
+  rig.run(1000);
+  rig.cycle.request(OperatorRequest::kStart);
   SetupChange next{.place = Pose{}};
-  bench.run(10);
-  EXPECT_FALSE(bench.cycle.change_setup(next, bench.now)) << "arming";
-  bench.run(500);
-  ASSERT_EQ(bench.cycle.outputs().snapshot.run_state, RunState::kRunning);
-  EXPECT_FALSE(bench.cycle.change_setup(next, bench.now)) << "running";
-  bench.cycle.request(OperatorRequest::kHold);
-  bench.robot.metres_per_s = 0.1;
-  bench.run(1000);
-  EXPECT_FALSE(bench.cycle.change_setup(next, bench.now)) << "pushed by hand";
-  bench.robot.metres_per_s = 0.0;
-  bench.run(1500);
-  EXPECT_TRUE(bench.cycle.change_setup(next, bench.now));
+  rig.run(10);
+  EXPECT_FALSE(rig.cycle.change_setup(next, rig.now)) << "arming";
+  rig.run(500);
+  ASSERT_EQ(rig.cycle.outputs().snapshot.run_state, RunState::kRunning);
+  EXPECT_FALSE(rig.cycle.change_setup(next, rig.now)) << "running";
+  rig.cycle.request(OperatorRequest::kHold);
+  rig.robot.metres_per_s = 0.1;
+  rig.run(1000);
+  EXPECT_FALSE(rig.cycle.change_setup(next, rig.now)) << "pushed by hand";
+  rig.robot.metres_per_s = 0.0;
+  rig.run(1500);
+  EXPECT_TRUE(rig.cycle.change_setup(next, rig.now));
 }
 
 TEST(Cycle, AnotherRobotsParametersReachTheRobot) {
-  CycleBench bench;
-  bench.run(2000);
+  CycleRig rig;
+  rig.run(2000);
   Parameters other;
   other.model.wheelbase_m = 0.77;
   SetupChange change{.parameters = session_settings(other).parameters};
   change.step.emplace(other, nullptr);
-  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
-  bench.run(1000);
-  EXPECT_EQ(bench.cycle.session().state(), SessionState::kReady);
-  ASSERT_EQ(bench.robot.received.parameters.size(), 2u);
-  EXPECT_FLOAT_EQ(bench.robot.received.parameters[1].wheelbase_m, 0.77F);
+  ASSERT_TRUE(rig.cycle.change_setup(change, rig.now));
+  rig.run(1000);
+  EXPECT_EQ(rig.cycle.session().state(), SessionState::kReady);
+  ASSERT_EQ(rig.robot.received.parameters.size(), 2u);
+  EXPECT_FLOAT_EQ(rig.robot.received.parameters[1].wheelbase_m, 0.77F);
 }
 
 TEST(Cycle, AChangeDoesNotEndWhatIsLatched) {
-  CycleBench bench;
-  bench.run(2000);
-  bench.cycle.request(OperatorRequest::kStop);
-  bench.run(1000);
+  CycleRig rig;
+  rig.run(2000);
+  rig.cycle.request(OperatorRequest::kStop);
+  rig.run(1000);
   SetupChange change{.place = Pose{}};
-  ASSERT_TRUE(bench.cycle.change_setup(change, bench.now));
-  bench.run(100);
-  EXPECT_EQ(bench.cycle.outputs().snapshot.run_state, RunState::kAborted);
-  EXPECT_NE(bench.cycle.outputs().snapshot.faults & fault_bit(Fault::stop_requested), 0u);
+  ASSERT_TRUE(rig.cycle.change_setup(change, rig.now));
+  rig.run(100);
+  EXPECT_EQ(rig.cycle.outputs().snapshot.run_state, RunState::kAborted);
+  EXPECT_NE(rig.cycle.outputs().snapshot.faults & fault_bit(Fault::stop_requested), 0u);
 }
 
 }  // namespace

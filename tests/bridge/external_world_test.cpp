@@ -82,7 +82,7 @@ TEST(ExternalWorld, APoseBelongsToTheStepThatItAnswers) {
   EXPECT_FALSE(world.transform()) << "the sample answers the previous run";
 }
 
-TEST(ExternalWorld, FilesMustShowTheRobotAtTheStartBeforeTheyAreBelieved) {
+TEST(ExternalWorld, FilesMustShowTheRobotAtTheStartBeforeTheyAreAccepted) {
   WorldParameters files = external(true);
   files.kind = WorldKind::kFiles;
   ExternalWorld world(files, Setup::kFlat);

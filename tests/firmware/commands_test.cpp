@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "bench.h"
+#include "rig.h"
 
 namespace tp100::firmware {
 namespace {
@@ -15,79 +15,79 @@ using wire::State;
 class Commands : public testing::Test {
  protected:
   Commands() {
-    bench.connect();
-    bench.streams = true;
-    bench.run(50);
-    bench.arm();
-    bench.run(20);
-    bench.streams = false;
-    bench.speed_mps = 0.1f;
+    rig.connect();
+    rig.streams = true;
+    rig.run(50);
+    rig.arm();
+    rig.run(20);
+    rig.streams = false;
+    rig.speed_mps = 0.1f;
   }
 
   // True if `command` alone moves the robot within 30 ms.
   bool moves(const wire::Command& command) {
-    EXPECT_EQ(bench.program.state(), State::kArmed);
-    bench.send(command);
-    bench.run(30);
-    return bench.motors_on() || bench.program.state() == State::kRunning;
+    EXPECT_EQ(rig.program.state(), State::kArmed);
+    rig.send(command);
+    rig.run(30);
+    return rig.motors_on() || rig.program.state() == State::kRunning;
   }
   bool corrupted_moves(const std::function<void(wire::Command&)>& corrupt) {
-    wire::Command command = bench.command();
+    wire::Command command = rig.command();
     corrupt(command);
     return moves(command);
   }
 
-  Bench bench;
+  Rig rig;
 };
 
 TEST_F(Commands, AGoodOneMoves) {
-  EXPECT_TRUE(moves(bench.command()));
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kAccepted);
+  EXPECT_TRUE(moves(rig.command()));
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kAccepted);
 }
 
 TEST_F(Commands, OneOfAnotherBootDoesNot) {
   EXPECT_FALSE(corrupted_moves([](auto& c) { c.boot_nonce ^= 0x100U; }));
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kWrongBoot);
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kWrongBoot);
 }
 
 TEST_F(Commands, ARepeatedOneDoesNot) {
   EXPECT_FALSE(
       corrupted_moves([](auto& c) { c.sequence = static_cast<std::uint16_t>(c.sequence - 1); }));
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kRepeated);
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kRepeated);
 }
 
 TEST_F(Commands, AnOlderOneDoesNot) {
   EXPECT_FALSE(corrupted_moves(
       [](auto& c) { c.sequence = static_cast<std::uint16_t>(c.sequence - 30000); }));
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kRepeated);
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kRepeated);
 }
 
 TEST_F(Commands, AnExpiredOneDoesNot) {
-  EXPECT_FALSE(corrupted_moves([this](auto& c) { c.expiry_us = bench.hal.now_us - 1; }));
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kExpired);
+  EXPECT_FALSE(corrupted_moves([this](auto& c) { c.expiry_us = rig.hal.now_us - 1; }));
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kExpired);
 }
 
 TEST_F(Commands, OneThatExpiresTooFarAheadDoesNot) {
-  EXPECT_FALSE(corrupted_moves([this](auto& c) { c.expiry_us = bench.hal.now_us + 202'000; }));
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kTooFarAhead);
+  EXPECT_FALSE(corrupted_moves([this](auto& c) { c.expiry_us = rig.hal.now_us + 202'000; }));
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kTooFarAhead);
 }
 
 TEST_F(Commands, OneThatAnswersAnUnknownSampleDoesNot) {
   EXPECT_FALSE(
       corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers + 5); }));
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kUnknownSample);
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kUnknownSample);
 }
 
 TEST_F(Commands, OneThatAnswersAnOldSampleDoesNot) {
-  bench.speed_mps = 0.0f;
-  bench.streams = true;
-  bench.run(400);
-  bench.streams = false;
-  bench.speed_mps = 0.1f;
+  rig.speed_mps = 0.0f;
+  rig.streams = true;
+  rig.run(400);
+  rig.streams = false;
+  rig.speed_mps = 0.1f;
   // 42 samples back is 210 ms, which is outside yaw_window_ms but still in the history.
   EXPECT_FALSE(
       corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 42); }));
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kUnknownSample);
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kUnknownSample);
   EXPECT_TRUE(
       corrupted_moves([](auto& c) { c.answers = static_cast<std::uint16_t>(c.answers - 30); }));
 }
@@ -104,101 +104,101 @@ TEST_F(Commands, NothingThatIsNotFiniteOrOutOfRangeMoves) {
   for (std::size_t i = 0; i < std::size(fields); ++i) {
     for (const float value : {kNan, kInf, -kInf, limits[i] * 1.01f, -limits[i] * 1.01f}) {
       EXPECT_FALSE(corrupted_moves([&](auto& c) { c.*fields[i] = value; })) << i << " " << value;
-      EXPECT_EQ(bench.program.last_verdict(), Verdict::kOutOfRange) << i << " " << value;
+      EXPECT_EQ(rig.program.last_verdict(), Verdict::kOutOfRange) << i << " " << value;
       // The robot must stay armed for the next command.
-      const float speed = bench.speed_mps;
-      bench.speed_mps = 0.0f;
-      bench.send(bench.command());
-      bench.speed_mps = speed;
-      bench.run(5);
+      const float speed = rig.speed_mps;
+      rig.speed_mps = 0.0f;
+      rig.send(rig.command());
+      rig.speed_mps = speed;
+      rig.run(5);
     }
   }
 }
 
 TEST_F(Commands, ARefusedOneDoesNotUseUpItsSequence) {
-  wire::Command command = bench.command();
+  wire::Command command = rig.command();
   command.speed_mps = kNan;
   ASSERT_FALSE(moves(command));
   command.speed_mps = 0.1f;
-  command.expiry_us = bench.hal.now_us + 150'000;
+  command.expiry_us = rig.hal.now_us + 150'000;
   EXPECT_TRUE(moves(command));
 }
 
 TEST_F(Commands, StandingStillKeepsTheRobotArmedButNotRunning) {
-  bench.speed_mps = 0.0f;
-  bench.streams = true;
-  bench.run(300);
-  EXPECT_EQ(bench.program.state(), State::kArmed);
-  EXPECT_EQ(bench.hal.nonzero_writes, 0);
+  rig.speed_mps = 0.0f;
+  rig.streams = true;
+  rig.run(300);
+  EXPECT_EQ(rig.program.state(), State::kArmed);
+  EXPECT_EQ(rig.hal.nonzero_writes, 0);
 }
 
 TEST_F(Commands, TheSequenceWraps) {
-  bench.streams = true;
-  bench.sequence = 32000;  // within half a range of the last one
-  bench.run(20);
-  bench.sequence = 64000;
-  bench.run(20);
-  bench.sequence = 65530;
-  bench.run(200);
-  EXPECT_LT(bench.sequence, 100);
-  EXPECT_EQ(bench.program.state(), State::kRunning);
-  EXPECT_TRUE(bench.motors_on());
+  rig.streams = true;
+  rig.sequence = 32000;  // within half a range of the last one
+  rig.run(20);
+  rig.sequence = 64000;
+  rig.run(20);
+  rig.sequence = 65530;
+  rig.run(200);
+  EXPECT_LT(rig.sequence, 100);
+  EXPECT_EQ(rig.program.state(), State::kRunning);
+  EXPECT_TRUE(rig.motors_on());
 }
 
 TEST(CommandsWithoutArm, MoveNothing) {
-  Bench bench;
-  bench.connect();
-  bench.streams = true;
-  bench.speed_mps = 0.15f;
-  bench.run(2000);
-  EXPECT_EQ(bench.program.state(), State::kDisarmed);
-  EXPECT_EQ(bench.hal.nonzero_writes, 0);
-  EXPECT_EQ(bench.program.faults(), 0);
+  Rig rig;
+  rig.connect();
+  rig.streams = true;
+  rig.speed_mps = 0.15f;
+  rig.run(2000);
+  EXPECT_EQ(rig.program.state(), State::kDisarmed);
+  EXPECT_EQ(rig.hal.nonzero_writes, 0);
+  EXPECT_EQ(rig.program.faults(), 0);
 }
 
 TEST(CommandsWithoutParameters, MoveNothing) {
-  Bench bench;
-  bench.streams = true;
-  bench.speed_mps = 0.15f;
-  bench.run(500);
-  bench.arm();
-  bench.run(500);
-  EXPECT_EQ(bench.program.state(), State::kHello);
-  EXPECT_EQ(bench.hal.nonzero_writes, 0);
+  Rig rig;
+  rig.streams = true;
+  rig.speed_mps = 0.15f;
+  rig.run(500);
+  rig.arm();
+  rig.run(500);
+  EXPECT_EQ(rig.program.state(), State::kHello);
+  EXPECT_EQ(rig.hal.nonzero_writes, 0);
 }
 
 TEST(CommandsAfterParameters, TheFirstIsNewWhateverItsSequence) {
-  Bench bench;
-  bench.drive();
-  bench.send(wire::Disarm{5});
-  bench.run(2);
-  bench.streams = false;
-  bench.sequence = static_cast<std::uint16_t>(bench.sequence - 500);
-  bench.connect();
-  bench.send(bench.command());
-  bench.run(2);
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kAccepted);
+  Rig rig;
+  rig.drive();
+  rig.send(wire::Disarm{5});
+  rig.run(2);
+  rig.streams = false;
+  rig.sequence = static_cast<std::uint16_t>(rig.sequence - 500);
+  rig.connect();
+  rig.send(rig.command());
+  rig.run(2);
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kAccepted);
 }
 
 TEST(CommandsOfAnEarlierBoot, AreIgnored) {
-  Bench old;
+  Rig old;
   old.drive();
   const wire::Command late = old.command();
-  Bench bench(false);
-  bench.hal.nonce = 0xB008;
-  bench.hal.now_us = old.hal.now_us - 100'000;
-  bench.boot();
-  bench.connect();
-  bench.streams = true;
-  bench.run(20);
-  bench.arm();
-  bench.streams = false;
+  Rig rig(false);
+  rig.hal.nonce = 0xB008;
+  rig.hal.now_us = old.hal.now_us - 100'000;
+  rig.boot();
+  rig.connect();
+  rig.streams = true;
+  rig.run(20);
+  rig.arm();
+  rig.streams = false;
   for (int i = 0; i < 10; ++i) {
-    bench.send(late);
-    bench.run(5);
+    rig.send(late);
+    rig.run(5);
   }
-  EXPECT_EQ(bench.hal.nonzero_writes, 0);
-  EXPECT_EQ(bench.program.last_verdict(), Verdict::kWrongBoot);
+  EXPECT_EQ(rig.hal.nonzero_writes, 0);
+  EXPECT_EQ(rig.program.last_verdict(), Verdict::kWrongBoot);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "bench.h"
+#include "rig.h"
 
 namespace tp100::firmware {
 namespace {
@@ -17,126 +17,126 @@ struct Mean {
   double right = 0.0;
 };
 
-Mean mean_over(Bench& bench, int ms) {
+Mean mean_over(Rig& rig, int ms) {
   Mean mean;
   for (int i = 0; i < ms; ++i) {
-    bench.run(1);
-    mean.left += bench.left_mps / ms;
-    mean.right += bench.right_mps / ms;
+    rig.run(1);
+    mean.left += rig.left_mps / ms;
+    mean.right += rig.right_mps / ms;
   }
   return mean;
 }
 
 TEST(Drive, ReachesTheSpeedThatEquationsOneAndFiveAsk) {
   for (const float speed : {0.03f, 0.1f, 0.14f, -0.08f}) {
-    Bench bench;
-    bench.parameters.yaw_kp = 0.0f;
-    bench.tracks_follow = true;
-    bench.drive(speed);
-    bench.run(1500);
-    const Mean mean = mean_over(bench, 500);
+    Rig rig;
+    rig.parameters.yaw_kp = 0.0f;
+    rig.tracks_follow = true;
+    rig.drive(speed);
+    rig.run(1500);
+    const Mean mean = mean_over(rig, 500);
     const double wanted = static_cast<double>(speed);
     EXPECT_NEAR(mean.left, wanted / 0.84, 0.03 * std::abs(wanted)) << speed;
     EXPECT_NEAR(mean.right, wanted / 0.90, 0.03 * std::abs(wanted)) << speed;
-    EXPECT_EQ(bench.program.faults(), 0);
+    EXPECT_EQ(rig.program.faults(), 0);
   }
 }
 
 TEST(Drive, TurnsOnTheSpotAtTheRateAsked) {
-  Bench bench;
-  bench.parameters.yaw_kp = 0.0f;
-  bench.tracks_follow = true;
-  bench.yaw_rate_radps = 0.6f;
-  bench.drive(0.0f);
-  bench.run(1500);
-  const double before = bench.true_yaw_rad;
-  bench.run(1000);
-  EXPECT_NEAR(bench.true_yaw_rad - before, 0.6, 0.03);
+  Rig rig;
+  rig.parameters.yaw_kp = 0.0f;
+  rig.tracks_follow = true;
+  rig.yaw_rate_radps = 0.6f;
+  rig.drive(0.0f);
+  rig.run(1500);
+  const double before = rig.true_yaw_rad;
+  rig.run(1000);
+  EXPECT_NEAR(rig.true_yaw_rad - before, 0.6, 0.03);
 }
 
 TEST(Drive, AccelerationIsLimited) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.drive(0.15f);
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.drive(0.15f);
   double fastest = 0.0;
-  double last = bench.right_mps;
+  double last = rig.right_mps;
   for (int i = 0; i < 200; ++i) {
-    bench.run(5);
-    fastest = std::max(fastest, (bench.right_mps - last) / 5e-3);
-    last = bench.right_mps;
+    rig.run(5);
+    fastest = std::max(fastest, (rig.right_mps - last) / 5e-3);
+    last = rig.right_mps;
   }
   EXPECT_LT(fastest, 0.6 * 1.6);
 }
 
 TEST(Drive, AZeroTargetEndsWithNoDutyAndStays) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.drive(0.12f);
-  bench.run(1000);
-  bench.speed_mps = 0.0f;
-  bench.run(1000);
-  EXPECT_FALSE(bench.motors_on());
-  const int writes = bench.hal.nonzero_writes;
-  bench.run(1000);
-  EXPECT_EQ(bench.hal.nonzero_writes, writes);
-  EXPECT_EQ(bench.program.state(), State::kRunning);
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.drive(0.12f);
+  rig.run(1000);
+  rig.speed_mps = 0.0f;
+  rig.run(1000);
+  EXPECT_FALSE(rig.motors_on());
+  const int writes = rig.hal.nonzero_writes;
+  rig.run(1000);
+  EXPECT_EQ(rig.hal.nonzero_writes, writes);
+  EXPECT_EQ(rig.program.state(), State::kRunning);
 }
 
 TEST(Drive, ATrackThatWasHeldDoesNotShootAhead) {
-  Bench bench;
-  bench.parameters.stall_duty = 0;
-  bench.parameters.yaw_kp = 0.0f;
-  bench.tracks_follow = true;
-  bench.left_blocked = true;
-  bench.drive(0.08f);
-  bench.run(3000);
-  bench.left_blocked = false;
+  Rig rig;
+  rig.parameters.stall_duty = 0;
+  rig.parameters.yaw_kp = 0.0f;
+  rig.tracks_follow = true;
+  rig.left_blocked = true;
+  rig.drive(0.08f);
+  rig.run(3000);
+  rig.left_blocked = false;
   double fastest = 0.0;
   double ahead_m = 0.0;
   for (int i = 0; i < 2000; ++i) {
-    bench.run(1);
-    fastest = std::max(fastest, bench.left_mps);
-    ahead_m += (bench.left_mps - 0.08 / 0.84) * 1e-3;
+    rig.run(1);
+    fastest = std::max(fastest, rig.left_mps);
+    ahead_m += (rig.left_mps - 0.08 / 0.84) * 1e-3;
   }
   EXPECT_LT(fastest, 0.16) << "a lag of 2 cm may raise the speed for a moment";
   EXPECT_LT(ahead_m, 0.025) << "only a little of the missed 24 cm may be made up";
 }
 
 TEST(Drive, IntegratorsStartClearedAfterAnArm) {
-  Bench bench;
-  bench.parameters.stall_duty = 0;
-  bench.tracks_follow = true;
-  bench.left_blocked = true;
-  bench.drive(0.1f);
-  bench.run(1000);
-  bench.send(wire::Disarm{1});
-  bench.run(50);
-  bench.left_blocked = false;
-  bench.speed_mps = 0.0f;
-  bench.yaw_rad = bench.desired_yaw_rad = 0.0f;
-  bench.run(300);
-  const int writes = bench.hal.nonzero_writes;
-  bench.arm();
-  bench.run(100);
-  EXPECT_EQ(bench.hal.nonzero_writes, writes);
+  Rig rig;
+  rig.parameters.stall_duty = 0;
+  rig.tracks_follow = true;
+  rig.left_blocked = true;
+  rig.drive(0.1f);
+  rig.run(1000);
+  rig.send(wire::Disarm{1});
+  rig.run(50);
+  rig.left_blocked = false;
+  rig.speed_mps = 0.0f;
+  rig.yaw_rad = rig.desired_yaw_rad = 0.0f;
+  rig.run(300);
+  const int writes = rig.hal.nonzero_writes;
+  rig.arm();
+  rig.run(100);
+  EXPECT_EQ(rig.hal.nonzero_writes, writes);
 }
 
 TEST(Drive, ADutyIsNeverMoreThanFull) {
-  Bench bench;
-  bench.parameters.stall_duty = 0;
-  bench.tracks_follow = true;
-  bench.left_blocked = bench.right_blocked = true;
-  bench.drive(0.2f);
+  Rig rig;
+  rig.parameters.stall_duty = 0;
+  rig.tracks_follow = true;
+  rig.left_blocked = rig.right_blocked = true;
+  rig.drive(0.2f);
   int most = 0;
   for (int ms = 0; ms < 1000; ++ms) {
-    bench.run(1);
-    most = std::max(most, std::abs(int{bench.hal.duties.left}));
+    rig.run(1);
+    most = std::max(most, std::abs(int{rig.hal.duties.left}));
   }
   EXPECT_EQ(most, wire::kFullDuty);
 }
 
 TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
-  wire::Parameters p = Bench::good_parameters();
+  wire::Parameters p = Rig::good_parameters();
   p.speed_ki = 1.0f;
   SpeedLoop loop;
   for (int i = 0; i < 100; ++i) {
@@ -147,7 +147,7 @@ TEST(SpeedLoop, ASaturatedMotorDoesNotWindUp) {
 }
 
 TEST(SpeedLoop, NorDoesItBackwards) {
-  wire::Parameters p = Bench::good_parameters();
+  wire::Parameters p = Rig::good_parameters();
   p.speed_ki = 1.0f;
   SpeedLoop loop;
   for (int i = 0; i < 100; ++i) {
@@ -158,7 +158,7 @@ TEST(SpeedLoop, NorDoesItBackwards) {
 }
 
 TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBounded) {
-  wire::Parameters p = Bench::good_parameters();
+  wire::Parameters p = Rig::good_parameters();
   p.speed_kp = 0.0f;
   p.speed_ki = 10.0f;
   SpeedLoop loop;
@@ -172,7 +172,7 @@ TEST(SpeedLoop, TheLagOfATrackThatDoesNotFollowIsBounded) {
 }
 
 TEST(SpeedLoop, TheDeadBandIsBlendedIn) {
-  wire::Parameters p = Bench::good_parameters();
+  wire::Parameters p = Rig::good_parameters();
   p.speed_ki = 0.0f;
   SpeedLoop loop;
   float last = 0.0f;
@@ -188,26 +188,26 @@ TEST(SpeedLoop, TheDeadBandIsBlendedIn) {
 // Right minus left duty, 30 ms after a command that answers a sample 50 ms old. The gyro reads
 // `rate_radps` until the command arrives.
 int turning_duty(float rate_radps, float desired_yaw_rad) {
-  Bench bench;
-  bench.parameters.max_track_mps2 = 20.0f;
-  bench.connect();
-  bench.streams = true;
-  bench.run(100);
-  bench.arm();
-  bench.streams = false;
-  bench.run(20);
-  bench.hal.gyro_z = static_cast<std::int16_t>(rate_radps / Bench::kGyroScale);
-  bench.run(60);
-  bench.hal.gyro_z = 0;
-  wire::Command command = bench.command();
-  command.answers = static_cast<std::uint16_t>(bench.samples.back().sequence - 10);
+  Rig rig;
+  rig.parameters.max_track_mps2 = 20.0f;
+  rig.connect();
+  rig.streams = true;
+  rig.run(100);
+  rig.arm();
+  rig.streams = false;
+  rig.run(20);
+  rig.hal.gyro_z = static_cast<std::int16_t>(rate_radps / Rig::kGyroScale);
+  rig.run(60);
+  rig.hal.gyro_z = 0;
+  wire::Command command = rig.command();
+  command.answers = static_cast<std::uint16_t>(rig.samples.back().sequence - 10);
   command.yaw_rad = 1.0f;
   command.desired_yaw_rad = 1.0f + desired_yaw_rad;
   command.speed_mps = 0.08f;
-  bench.send(command);
-  bench.run(30);
-  EXPECT_EQ(bench.program.state(), State::kRunning);
-  return bench.samples.back().right_duty - bench.samples.back().left_duty;
+  rig.send(command);
+  rig.run(30);
+  EXPECT_EQ(rig.program.state(), State::kRunning);
+  return rig.samples.back().right_duty - rig.samples.back().left_duty;
 }
 
 TEST(Drive, YawIsCarriedForwardFromTheAnsweredSample) {
@@ -220,9 +220,9 @@ TEST(Drive, YawIsCarriedForwardFromTheAnsweredSample) {
 }
 
 TEST(Drive, TheGyroBiasIsTakenOff) {
-  wire::Parameters p = Bench::good_parameters();
+  wire::Parameters p = Rig::good_parameters();
   TurnHistory history;
-  const auto raw = static_cast<std::int16_t>(0.1f / Bench::kGyroScale);
+  const auto raw = static_cast<std::int16_t>(0.1f / Rig::kGyroScale);
   std::uint32_t us = 0xFFFFFFFFU - 50'000U;  // the clock wraps during the test
   for (std::uint16_t i = 65'520; i != 20; ++i) {
     history.add(i, us, raw, 0, 0);
@@ -236,7 +236,7 @@ TEST(Drive, TheGyroBiasIsTakenOff) {
 }
 
 TEST(Drive, WithoutTheGyroTheTracksCarryTheYaw) {
-  wire::Parameters p = Bench::good_parameters();
+  wire::Parameters p = Rig::good_parameters();
   TurnHistory history;
   for (std::uint16_t i = 0; i < 30; ++i) {
     history.add(i, i * 5000U, 12'000, -i * 10, i * 10);
@@ -261,24 +261,24 @@ TEST(Drive, UnknownSamplesAreNotFound) {
 }
 
 TEST(Drive, YawErrorIsClosedByTheGyroBetweenCommands) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.connect();
-  bench.streams = true;
-  bench.run(50);
-  bench.arm();
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.connect();
+  rig.streams = true;
+  rig.run(50);
+  rig.arm();
   // The host knows the true yaw of each sample and requests 0.4 rad to the left.
-  bench.speed_mps = 0.08f;
+  rig.speed_mps = 0.08f;
   for (int i = 0; i < 500; ++i) {
-    bench.yaw_rad = static_cast<float>(bench.true_yaw_rad);
-    bench.desired_yaw_rad = 0.4f;
-    bench.run(5);
+    rig.yaw_rad = static_cast<float>(rig.true_yaw_rad);
+    rig.desired_yaw_rad = 0.4f;
+    rig.run(5);
   }
-  EXPECT_NEAR(bench.true_yaw_rad, 0.4, 0.02);
+  EXPECT_NEAR(rig.true_yaw_rad, 0.4, 0.02);
 }
 
 TEST(Drive, TheShortWayRoundIsTaken) {
-  const wire::Parameters p = Bench::good_parameters();
+  const wire::Parameters p = Rig::good_parameters();
   EXPECT_GT(turn_rate(6.0f - 12.5663706f * 2.0f, 0.0f, p), -p.max_yaw_radps - 1e-6f);
   EXPECT_LT(turn_rate(6.0f, 0.0f, p), 0.0f);
   EXPECT_GT(turn_rate(-6.0f, 0.0f, p), 0.0f);
@@ -288,7 +288,7 @@ TEST(Drive, TheShortWayRoundIsTaken) {
 }
 
 TEST(TrackSpeeds, InvertEquationsOneAndFive) {
-  const wire::Parameters p = Bench::good_parameters();
+  const wire::Parameters p = Rig::good_parameters();
   const TrackSpeeds tracks = track_speeds(0.1f, 0.2f, p);
   const float left = tracks.left * (1.0f - p.slip_left);
   const float right = tracks.right * (1.0f - p.slip_right);
@@ -297,7 +297,7 @@ TEST(TrackSpeeds, InvertEquationsOneAndFive) {
 }
 
 TEST(TrackSpeeds, SaturationKeepsTheTurnAndCutsTheSpeed) {
-  const wire::Parameters p = Bench::good_parameters();
+  const wire::Parameters p = Rig::good_parameters();
   for (const float speed : {0.2f, 0.5f, 2.0f, -2.0f}) {
     const TrackSpeeds tracks = track_speeds(speed, 0.5f, p);
     EXPECT_LE(std::max(std::abs(tracks.left), std::abs(tracks.right)), p.max_track_mps + 1e-6f);
@@ -308,7 +308,7 @@ TEST(TrackSpeeds, SaturationKeepsTheTurnAndCutsTheSpeed) {
 }
 
 TEST(TrackSpeeds, ATurnBeyondTheLimitTurnsOnTheSpot) {
-  const wire::Parameters p = Bench::good_parameters();
+  const wire::Parameters p = Rig::good_parameters();
   const TrackSpeeds tracks = track_speeds(0.2f, 5.0f, p);
   EXPECT_FLOAT_EQ(tracks.right, p.max_track_mps);
   EXPECT_FLOAT_EQ(tracks.left, -p.max_track_mps);

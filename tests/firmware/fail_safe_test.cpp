@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bench.h"
+#include "rig.h"
 
 namespace tp100::firmware {
 namespace {
@@ -11,209 +11,209 @@ using wire::Fault;
 using wire::State;
 
 TEST(FailSafe, SilenceOf200MsSwitchesARunningRobotOff) {
-  Bench bench;
-  bench.drive();
-  bench.run(200);
-  ASSERT_TRUE(bench.motors_on());
-  bench.streams = false;
+  Rig rig;
+  rig.drive();
+  rig.run(200);
+  ASSERT_TRUE(rig.motors_on());
+  rig.streams = false;
   // The last command is at most 5 ms old and expires after 195 ms.
-  bench.run(185);
-  EXPECT_TRUE(bench.motors_on());
-  bench.run(15);
-  EXPECT_FALSE(bench.motors_on());
-  EXPECT_EQ(bench.program.state(), State::kFaulted);
-  ASSERT_EQ(bench.reports.size(), 1U);
-  EXPECT_EQ(bench.reports[0].fault, static_cast<std::uint8_t>(Fault::command_timeout));
-  EXPECT_EQ(bench.count_logs("motors off: command_timeout"), 1);
+  rig.run(185);
+  EXPECT_TRUE(rig.motors_on());
+  rig.run(15);
+  EXPECT_FALSE(rig.motors_on());
+  EXPECT_EQ(rig.program.state(), State::kFaulted);
+  ASSERT_EQ(rig.reports.size(), 1U);
+  EXPECT_EQ(rig.reports[0].fault, static_cast<std::uint8_t>(Fault::command_timeout));
+  EXPECT_EQ(rig.count_logs("motors off: command_timeout"), 1);
 }
 
 TEST(FailSafe, AShorterCommandLifeHolds) {
-  Bench bench;
-  bench.parameters.command_life_ms = 50;
-  bench.drive();
-  ASSERT_TRUE(bench.motors_on());
-  bench.streams = false;
-  bench.run(40);
-  EXPECT_TRUE(bench.motors_on());
-  bench.run(12);
-  EXPECT_FALSE(bench.motors_on());
-  EXPECT_TRUE(bench.has(Fault::command_timeout));
+  Rig rig;
+  rig.parameters.command_life_ms = 50;
+  rig.drive();
+  ASSERT_TRUE(rig.motors_on());
+  rig.streams = false;
+  rig.run(40);
+  EXPECT_TRUE(rig.motors_on());
+  rig.run(12);
+  EXPECT_FALSE(rig.motors_on());
+  EXPECT_TRUE(rig.has(Fault::command_timeout));
 }
 
 TEST(FailSafe, TheExpiryOfACommandHolds) {
-  Bench bench;
-  bench.drive();
-  bench.streams = false;
-  wire::Command command = bench.command();
-  command.expiry_us = bench.hal.now_us + 30'000;
-  bench.send(command);
-  bench.run(25);
-  EXPECT_TRUE(bench.motors_on());
-  bench.run(7);
-  EXPECT_FALSE(bench.motors_on());
+  Rig rig;
+  rig.drive();
+  rig.streams = false;
+  wire::Command command = rig.command();
+  command.expiry_us = rig.hal.now_us + 30'000;
+  rig.send(command);
+  rig.run(25);
+  EXPECT_TRUE(rig.motors_on());
+  rig.run(7);
+  EXPECT_FALSE(rig.motors_on());
 }
 
 TEST(FailSafe, AnArmedRobotTimesOutToo) {
-  Bench bench;
-  bench.connect();
-  bench.streams = true;
-  bench.run(20);
-  bench.arm();
-  bench.streams = false;
-  bench.run(210);
-  EXPECT_EQ(bench.program.state(), State::kFaulted);
-  EXPECT_TRUE(bench.has(Fault::command_timeout));
-  EXPECT_EQ(bench.count_logs("motors off: command_timeout"), 1);
+  Rig rig;
+  rig.connect();
+  rig.streams = true;
+  rig.run(20);
+  rig.arm();
+  rig.streams = false;
+  rig.run(210);
+  EXPECT_EQ(rig.program.state(), State::kFaulted);
+  EXPECT_TRUE(rig.has(Fault::command_timeout));
+  EXPECT_EQ(rig.count_logs("motors off: command_timeout"), 1);
 }
 
 TEST(FailSafe, ADisarmedRobotLatchesAfterTheGraceOfANewSession) {
-  Bench bench;
-  bench.connect();
-  bench.run(450);
-  EXPECT_EQ(bench.program.state(), State::kDisarmed);
-  EXPECT_EQ(bench.program.faults(), 0);
-  bench.run(300);
-  EXPECT_EQ(bench.program.state(), State::kFaulted);
-  EXPECT_TRUE(bench.has(Fault::command_timeout));
-  EXPECT_EQ(bench.reports.size(), 1U);
-  EXPECT_EQ(bench.count_logs("motors off"), 0) << "the motors were not on";
+  Rig rig;
+  rig.connect();
+  rig.run(450);
+  EXPECT_EQ(rig.program.state(), State::kDisarmed);
+  EXPECT_EQ(rig.program.faults(), 0);
+  rig.run(300);
+  EXPECT_EQ(rig.program.state(), State::kFaulted);
+  EXPECT_TRUE(rig.has(Fault::command_timeout));
+  EXPECT_EQ(rig.reports.size(), 1U);
+  EXPECT_EQ(rig.count_logs("motors off"), 0) << "the motors were not on";
 }
 
 TEST(FailSafe, ADisarmedRobotWhoseCommandsEndLatches) {
-  Bench bench;
-  bench.connect();
-  bench.streams = true;
-  bench.run(1000);
-  EXPECT_EQ(bench.program.faults(), 0);
-  bench.streams = false;
-  bench.run(210);
-  EXPECT_TRUE(bench.has(Fault::command_timeout));
+  Rig rig;
+  rig.connect();
+  rig.streams = true;
+  rig.run(1000);
+  EXPECT_EQ(rig.program.faults(), 0);
+  rig.streams = false;
+  rig.run(210);
+  EXPECT_TRUE(rig.has(Fault::command_timeout));
 }
 
 TEST(FailSafe, NobodyIsExpectedToSendCommandsBeforeASession) {
-  Bench bench;
-  bench.run(3000);
-  bench.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-  bench.run(900);
-  EXPECT_EQ(bench.program.faults(), 0);
+  Rig rig;
+  rig.run(3000);
+  rig.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  rig.run(900);
+  EXPECT_EQ(rig.program.faults(), 0);
 }
 
 TEST(FailSafe, RefusedCommandsDoNotKeepARobotRunning) {
-  Bench bench;
-  bench.drive();
-  bench.run(50);
-  bench.streams = false;
+  Rig rig;
+  rig.drive();
+  rig.run(50);
+  rig.streams = false;
   for (int i = 0; i < 50; ++i) {
-    wire::Command command = bench.command();
+    wire::Command command = rig.command();
     command.boot_nonce += 1;
-    bench.send(command);
-    bench.run(5);
+    rig.send(command);
+    rig.run(5);
   }
-  EXPECT_FALSE(bench.motors_on());
-  EXPECT_TRUE(bench.has(Fault::command_timeout));
+  EXPECT_FALSE(rig.motors_on());
+  EXPECT_TRUE(rig.has(Fault::command_timeout));
 }
 
 TEST(FailSafe, ATickAloneCutsBetweenTwoLoops) {
-  Bench bench;
-  bench.drive();
-  bench.run(50);
-  ASSERT_TRUE(bench.motors_on());
-  bench.hang(100);
-  EXPECT_FALSE(bench.motors_on());
+  Rig rig;
+  rig.drive();
+  rig.run(50);
+  ASSERT_TRUE(rig.motors_on());
+  rig.hang(100);
+  EXPECT_FALSE(rig.motors_on());
   // A loop that resumes must not switch the motors on again.
-  bench.run(50);
-  EXPECT_FALSE(bench.motors_on());
-  EXPECT_TRUE(bench.has(Fault::loop_hung));
-  EXPECT_EQ(bench.count_logs("motors off: loop_hung"), 1);
+  rig.run(50);
+  EXPECT_FALSE(rig.motors_on());
+  EXPECT_TRUE(rig.has(Fault::loop_hung));
+  EXPECT_EQ(rig.count_logs("motors off: loop_hung"), 1);
 }
 
 TEST(FailSafe, EveryTickForcesTheOutputsOfADisarmedRobotToZero) {
-  Bench bench;
-  bench.connect();
-  bench.hal.duties = {500, 500};  // a stray write
-  bench.tick();
-  EXPECT_FALSE(bench.motors_on());
+  Rig rig;
+  rig.connect();
+  rig.hal.duties = {500, 500};  // a stray write
+  rig.tick();
+  EXPECT_FALSE(rig.motors_on());
 }
 
 TEST(FailSafe, OnlyTheLoopFeedsTheWatchdog) {
-  Bench bench;
-  bench.drive();
-  const int kicks = bench.hal.kicks;
-  bench.hang(300);
-  EXPECT_EQ(bench.hal.kicks, kicks);
-  bench.program.loop();
-  EXPECT_EQ(bench.hal.kicks, kicks + 1);
+  Rig rig;
+  rig.drive();
+  const int kicks = rig.hal.kicks;
+  rig.hang(300);
+  EXPECT_EQ(rig.hal.kicks, kicks);
+  rig.program.loop();
+  EXPECT_EQ(rig.hal.kicks, kicks + 1);
 }
 
 TEST(FailSafe, LocksAreReleased) {
-  Bench bench;
-  bench.drive();
-  bench.run(300);
-  EXPECT_EQ(bench.hal.locks, 0);
+  Rig rig;
+  rig.drive();
+  rig.run(300);
+  EXPECT_EQ(rig.hal.locks, 0);
 }
 
 TEST(FailSafe, ClockWrapDuringADriveChangesNothing) {
-  Bench bench(false);
-  bench.hal.now_us = 0xFFFFFFFFU - 700'000U;
-  bench.boot();
-  bench.tracks_follow = true;
-  bench.drive();
+  Rig rig(false);
+  rig.hal.now_us = 0xFFFFFFFFU - 700'000U;
+  rig.boot();
+  rig.tracks_follow = true;
+  rig.drive();
   int off = 0;
   for (int i = 0; i < 1500; ++i) {
-    bench.run(1);
-    off += bench.motors_on() ? 0 : 1;
+    rig.run(1);
+    off += rig.motors_on() ? 0 : 1;
   }
-  EXPECT_LT(bench.hal.now_us, 2'000'000U);
+  EXPECT_LT(rig.hal.now_us, 2'000'000U);
   EXPECT_EQ(off, 0);
-  EXPECT_EQ(bench.program.faults(), 0);
-  bench.streams = false;
-  bench.run(205);
-  EXPECT_FALSE(bench.motors_on());
+  EXPECT_EQ(rig.program.faults(), 0);
+  rig.streams = false;
+  rig.run(205);
+  EXPECT_FALSE(rig.motors_on());
 }
 
 TEST(FailSafe, AFaultIsReportedOncePerLatch) {
-  Bench bench;
-  bench.drive();
-  bench.streams = false;
-  bench.run(900);
-  EXPECT_EQ(bench.reports.size(), 1U);
-  bench.streams = true;
-  bench.run(100);
-  bench.arm();
-  bench.streams = false;
-  bench.run(300);
-  EXPECT_EQ(bench.reports.size(), 2U);
+  Rig rig;
+  rig.drive();
+  rig.streams = false;
+  rig.run(900);
+  EXPECT_EQ(rig.reports.size(), 1U);
+  rig.streams = true;
+  rig.run(100);
+  rig.arm();
+  rig.streams = false;
+  rig.run(300);
+  EXPECT_EQ(rig.reports.size(), 2U);
 }
 
 TEST(FailSafe, LowBatterySwitchOffAfterASecond) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.drive();
-  bench.run(200);
-  bench.hal.pack_mv = 5000;
-  bench.run(900);
-  EXPECT_EQ(bench.program.state(), State::kRunning);
-  bench.run(300);
-  EXPECT_EQ(bench.program.state(), State::kFaulted);
-  EXPECT_TRUE(bench.has(Fault::battery_low));
-  EXPECT_FALSE(bench.motors_on());
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.drive();
+  rig.run(200);
+  rig.hal.pack_mv = 5000;
+  rig.run(900);
+  EXPECT_EQ(rig.program.state(), State::kRunning);
+  rig.run(300);
+  EXPECT_EQ(rig.program.state(), State::kFaulted);
+  EXPECT_TRUE(rig.has(Fault::battery_low));
+  EXPECT_FALSE(rig.motors_on());
 }
 
 TEST(FailSafe, AShortDipOfTheCellsIsNoFault) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.drive();
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.drive();
   for (int i = 0; i < 10; ++i) {
-    bench.hal.pack_mv = 5000;
-    bench.run(300);
-    bench.hal.pack_mv = 7900;
-    bench.run(300);
+    rig.hal.pack_mv = 5000;
+    rig.run(300);
+    rig.hal.pack_mv = 7900;
+    rig.run(300);
   }
-  EXPECT_FALSE(bench.has(Fault::battery_low));
+  EXPECT_FALSE(rig.has(Fault::battery_low));
 }
 
 TEST(TrackMonitorAlone, ATrackThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
-  wire::Parameters p = Bench::good_parameters();
+  wire::Parameters p = Rig::good_parameters();
   p.feed_forward = 0.0f;  // the duty gives no estimate of the speed
   p.dead_band = 0.0f;
   for (const std::int16_t stall_duty : {std::int16_t{1}, std::int16_t{600}}) {
@@ -236,7 +236,7 @@ TEST(TrackMonitorAlone, ATrackThatStandsAtItsStallDutyIsStalledAndBelowItNot) {
 
 // In a tight arc the outer track drags the inner one along, which brakes all the time.
 TEST(TrackMonitorAlone, ATrackThatBrakesAgainstTheFloorInATurnIsNotReversed) {
-  const wire::Parameters p = Bench::good_parameters();
+  const wire::Parameters p = Rig::good_parameters();
   const auto duty = static_cast<std::int16_t>(-(p.dead_band + 0.1f) * wire::kFullDuty);
   const auto reversed_after_s = [&](float load_duty) {
     TrackMonitor monitor;
@@ -254,7 +254,7 @@ TEST(TrackMonitorAlone, ATrackThatBrakesAgainstTheFloorInATurnIsNotReversed) {
 // Stiction: at a low speed the duty is below that of the robot's file, at a higher speed it is
 // equal.
 TEST(TrackMonitorAlone, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
-  const wire::Parameters p = Bench::good_parameters();
+  const wire::Parameters p = Rig::good_parameters();
   for (const double slow_mps : {0.03, 0.036, 0.05}) {
     for (const double fast_mps : {0.06, 0.1, 0.2}) {
       TrackMonitor monitor;
@@ -277,7 +277,7 @@ TEST(TrackMonitorAlone, AGainLearntAtALowSpeedIsNotThatOfAHigherOne) {
 // Steering loads a track and relieves it, in turn: its gain is that between both, with which the
 // load of an arc, somewhat larger than the gyro says, is no stall.
 TEST(TrackMonitorAlone, SmallTurnsOnAStraightTeachNoLowerGain) {
-  const wire::Parameters p = Bench::good_parameters();
+  const wire::Parameters p = Rig::good_parameters();
   for (const double mps : {0.06, 0.1, 0.16}) {
     TrackMonitor monitor;
     double counts = 0.0;
@@ -298,41 +298,41 @@ TEST(TrackMonitorAlone, SmallTurnsOnAStraightTeachNoLowerGain) {
 }
 
 TEST(FailSafe, ABlockedTrackIsStalled) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.left_blocked = true;
-  bench.drive(0.15f);
-  bench.run(3000);
-  EXPECT_TRUE(bench.has(Fault::stalled_left));
-  EXPECT_FALSE(bench.has(Fault::stalled_right));
-  EXPECT_FALSE(bench.motors_on());
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.left_blocked = true;
+  rig.drive(0.15f);
+  rig.run(3000);
+  EXPECT_TRUE(rig.has(Fault::stalled_left));
+  EXPECT_FALSE(rig.has(Fault::stalled_right));
+  EXPECT_FALSE(rig.motors_on());
 }
 
 /// Drives straight on by the true yaw until a fault occurs or `ms` are over; returns the distance.
-double driven_m(Bench& bench, int ms) {
-  const double from_m = bench.true_m;
-  for (int i = 0; i < ms / 5 && bench.program.faults() == 0; ++i) {
-    bench.yaw_rad = static_cast<float>(bench.true_yaw_rad);
-    bench.run(5);
+double driven_m(Rig& rig, int ms) {
+  const double from_m = rig.true_m;
+  for (int i = 0; i < ms / 5 && rig.program.faults() == 0; ++i) {
+    rig.yaw_rad = static_cast<float>(rig.true_yaw_rad);
+    rig.run(5);
   }
-  return bench.true_m - from_m;
+  return rig.true_m - from_m;
 }
 
 TEST(FailSafe, AnEncoderThatLosesCountsIsFoundThoughTheYawLoopHidesIt) {
   for (const float speed : {0.03f, 0.06f, 0.1f, 0.15f}) {
     for (const double counted : {0.0, 0.05, 0.3, 0.5, 0.7}) {
       for (const bool left : {true, false}) {
-        Bench bench;
-        bench.tracks_follow = true;
-        bench.drive(speed);
-        driven_m(bench, 2000);
-        ASSERT_EQ(bench.program.faults(), 0) << speed;
-        (left ? bench.left_counted : bench.right_counted) = counted;
-        const double m = driven_m(bench, 60'000);
+        Rig rig;
+        rig.tracks_follow = true;
+        rig.drive(speed);
+        driven_m(rig, 2000);
+        ASSERT_EQ(rig.program.faults(), 0) << speed;
+        (left ? rig.left_counted : rig.right_counted) = counted;
+        const double m = driven_m(rig, 60'000);
         const std::uint16_t expected = static_cast<std::uint16_t>(
             wire::fault_bit(left ? Fault::stalled_left : Fault::stalled_right));
-        EXPECT_EQ(bench.program.faults(), expected) << speed << " " << counted;
-        EXPECT_FALSE(bench.motors_on());
+        EXPECT_EQ(rig.program.faults(), expected) << speed << " " << counted;
+        EXPECT_FALSE(rig.motors_on());
         // The counted distance of the middle lacks half of the lost counts.
         EXPECT_LT(m * (1.0 - counted) / 2.0, 0.12) << speed << " " << counted;
       }
@@ -343,145 +343,145 @@ TEST(FailSafe, AnEncoderThatLosesCountsIsFoundThoughTheYawLoopHidesIt) {
 TEST(FailSafe, TwoEncodersThatLoseCountsAreFoundByTheirDuty) {
   for (const float speed : {0.03f, 0.06f, 0.1f, 0.15f}) {
     for (const double counted : {0.0, 0.05, 0.3, 0.5, 0.7}) {
-      Bench bench;
-      bench.tracks_follow = true;
-      bench.drive(speed);
-      driven_m(bench, 2000);
-      bench.left_counted = bench.right_counted = counted;
-      EXPECT_LT(driven_m(bench, 60'000) * (1.0 - counted), 0.15) << speed << " " << counted;
-      EXPECT_NE(bench.program.faults(), 0) << speed << " " << counted;
+      Rig rig;
+      rig.tracks_follow = true;
+      rig.drive(speed);
+      driven_m(rig, 2000);
+      rig.left_counted = rig.right_counted = counted;
+      EXPECT_LT(driven_m(rig, 60'000) * (1.0 - counted), 0.15) << speed << " " << counted;
+      EXPECT_NE(rig.program.faults(), 0) << speed << " " << counted;
     }
   }
 }
 
 TEST(FailSafe, BothTracksThatCountShortInAnArcAreFoundByTheMeanOfTheirDuties) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.drive(0.1f);
-  driven_m(bench, 2000);
-  bench.yaw_rate_radps = 0.3f;
-  const double from_m = bench.true_m;
-  for (int ms = 0; ms < 20'000 && bench.program.faults() == 0; ms += 5) {
-    if (ms == 1000) bench.left_counted = bench.right_counted = 0.7;
-    bench.yaw_rad = bench.desired_yaw_rad = static_cast<float>(bench.true_yaw_rad);
-    bench.run(5);
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.drive(0.1f);
+  driven_m(rig, 2000);
+  rig.yaw_rate_radps = 0.3f;
+  const double from_m = rig.true_m;
+  for (int ms = 0; ms < 20'000 && rig.program.faults() == 0; ms += 5) {
+    if (ms == 1000) rig.left_counted = rig.right_counted = 0.7;
+    rig.yaw_rad = rig.desired_yaw_rad = static_cast<float>(rig.true_yaw_rad);
+    rig.run(5);
   }
-  EXPECT_EQ(bench.program.faults(),
+  EXPECT_EQ(rig.program.faults(),
             wire::fault_bit(Fault::stalled_left) | wire::fault_bit(Fault::stalled_right));
-  EXPECT_LT((bench.true_m - from_m - 0.1) * 0.3, 0.15);
+  EXPECT_LT((rig.true_m - from_m - 0.1) * 0.3, 0.15);
 }
 
 TEST(FailSafe, ALoadThatTheAccelerometerExplainsIsNoFaultOfAnEncoder) {
   for (const bool steep : {true, false}) {
-    Bench bench;
-    bench.tracks_follow = true;
-    bench.hal.accel_x = 500;  // the sensor has an offset, or the robot began on a slope
-    bench.drive(0.1f);
-    driven_m(bench, 2000);
-    bench.load_duty = 0.25;
-    if (steep) bench.hal.accel_x += 1600;
-    driven_m(bench, 10'000);
-    EXPECT_EQ(bench.program.faults() != 0, !steep);
-    bench.hal.accel_x = 500;
-    driven_m(bench, 10'000);
-    EXPECT_NE(bench.program.faults(), 0) << "the load continues after the slope";
+    Rig rig;
+    rig.tracks_follow = true;
+    rig.hal.accel_x = 500;  // the sensor has an offset, or the robot began on a slope
+    rig.drive(0.1f);
+    driven_m(rig, 2000);
+    rig.load_duty = 0.25;
+    if (steep) rig.hal.accel_x += 1600;
+    driven_m(rig, 10'000);
+    EXPECT_EQ(rig.program.faults() != 0, !steep);
+    rig.hal.accel_x = 500;
+    driven_m(rig, 10'000);
+    EXPECT_NE(rig.program.faults(), 0) << "the load continues after the slope";
   }
 }
 
 TEST(FailSafe, BatteryThatSagAreNoFaultOfAnEncoder) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.drive(0.1f);
-  driven_m(bench, 2000);
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.drive(0.1f);
+  driven_m(rig, 2000);
   for (int i = 0; i < 60; ++i) {
-    bench.load_duty += 0.002;
-    driven_m(bench, 1000);
+    rig.load_duty += 0.002;
+    driven_m(rig, 1000);
   }
-  EXPECT_EQ(bench.program.faults(), 0);
+  EXPECT_EQ(rig.program.faults(), 0);
 }
 
 TEST(FailSafe, ATrackThatIsHeldForLessThanHalfASecondGoesOn) {
   for (const float speed : {0.03f, 0.06f, 0.1f, 0.15f}) {
     for (const bool both : {false, true}) {
-      Bench bench;
-      bench.tracks_follow = true;
-      bench.drive(speed);
-      driven_m(bench, 2000);
-      bench.left_blocked = true;
-      bench.right_blocked = both;
-      driven_m(bench, 490);
-      bench.left_blocked = bench.right_blocked = false;
-      driven_m(bench, 3000);
-      EXPECT_EQ(bench.program.faults(), 0) << speed << " " << both;
+      Rig rig;
+      rig.tracks_follow = true;
+      rig.drive(speed);
+      driven_m(rig, 2000);
+      rig.left_blocked = true;
+      rig.right_blocked = both;
+      driven_m(rig, 490);
+      rig.left_blocked = rig.right_blocked = false;
+      driven_m(rig, 3000);
+      EXPECT_EQ(rig.program.faults(), 0) << speed << " " << both;
     }
   }
 }
 
 TEST(FailSafe, CountsThatJumpAgainAreAnEncoderThatFailsAndOneJumpIsNot) {
   for (const bool again : {false, true}) {
-    Bench bench;
-    bench.tracks_follow = true;
-    bench.drive(0.1f);
-    driven_m(bench, 2000);
-    bench.jumped_m += 0.02;
-    driven_m(bench, 300);
-    EXPECT_EQ(bench.program.faults(), 0);
-    if (again) bench.jumped_m += 0.02;
-    driven_m(bench, 300);
-    EXPECT_EQ(bench.program.faults(), again ? wire::fault_bit(Fault::stalled_left) : 0);
+    Rig rig;
+    rig.tracks_follow = true;
+    rig.drive(0.1f);
+    driven_m(rig, 2000);
+    rig.jumped_m += 0.02;
+    driven_m(rig, 300);
+    EXPECT_EQ(rig.program.faults(), 0);
+    if (again) rig.jumped_m += 0.02;
+    driven_m(rig, 300);
+    EXPECT_EQ(rig.program.faults(), again ? wire::fault_bit(Fault::stalled_left) : 0);
   }
 }
 
 TEST(FailSafe, CountsThatGoBackAgainAreAnEncoderThatFailsAndOnceIsNot) {
   for (const bool again : {false, true}) {
-    Bench bench;
-    bench.tracks_follow = true;
-    bench.drive(0.1f);
-    driven_m(bench, 2000);
+    Rig rig;
+    rig.tracks_follow = true;
+    rig.drive(0.1f);
+    driven_m(rig, 2000);
     for (int ms = 0; ms < 1000; ms += 5) {
       // The counts change no faster than a track can move.
-      if (ms % 500 < 50 && (again || ms < 500)) bench.jumped_m -= 0.0016;
-      driven_m(bench, 5);
+      if (ms % 500 < 50 && (again || ms < 500)) rig.jumped_m -= 0.0016;
+      driven_m(rig, 5);
     }
-    EXPECT_EQ(bench.program.faults(), again ? wire::fault_bit(Fault::stalled_left) : 0);
+    EXPECT_EQ(rig.program.faults(), again ? wire::fault_bit(Fault::stalled_left) : 0);
   }
 }
 
 TEST(FailSafe, ATrackThatTurnsBackUnderAnotherDutyIsGood) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.connect();
-  bench.streams = true;
-  bench.run(20);
-  bench.arm();
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.connect();
+  rig.streams = true;
+  rig.run(20);
+  rig.arm();
   for (int i = 0; i < 10; ++i) {
-    bench.speed_mps = i % 2 == 0 ? 0.15f : -0.15f;
-    driven_m(bench, 400);
+    rig.speed_mps = i % 2 == 0 ? 0.15f : -0.15f;
+    driven_m(rig, 400);
   }
-  EXPECT_EQ(bench.program.faults(), 0);
+  EXPECT_EQ(rig.program.faults(), 0);
 }
 
 TEST(FailSafe, APushIsNoEncoderThatLosesCounts) {
-  Bench bench;
-  bench.tracks_follow = true;
-  bench.drive(0.1f);
-  driven_m(bench, 2000);
-  bench.disturbance_radps = 15.0 / 57.3 / 0.3;
-  driven_m(bench, 300);
-  bench.disturbance_radps = 0.0;
-  driven_m(bench, 5000);
-  EXPECT_EQ(bench.program.faults(), 0);
+  Rig rig;
+  rig.tracks_follow = true;
+  rig.drive(0.1f);
+  driven_m(rig, 2000);
+  rig.disturbance_radps = 15.0 / 57.3 / 0.3;
+  driven_m(rig, 300);
+  rig.disturbance_radps = 0.0;
+  driven_m(rig, 5000);
+  EXPECT_EQ(rig.program.faults(), 0);
 }
 
 TEST(FailSafe, ATrackThatRunsAgainstItsDutyIsReversed) {
-  Bench bench;
-  bench.parameters.flags = wire::kInvertRightMotor;
-  bench.tracks_follow = true;
-  bench.drive(0.15f);
-  bench.run(1500);
-  EXPECT_TRUE(bench.has(Fault::reversed_right));
-  EXPECT_FALSE(bench.has(Fault::reversed_left));
-  EXPECT_FALSE(bench.motors_on());
+  Rig rig;
+  rig.parameters.flags = wire::kInvertRightMotor;
+  rig.tracks_follow = true;
+  rig.drive(0.15f);
+  rig.run(1500);
+  EXPECT_TRUE(rig.has(Fault::reversed_right));
+  EXPECT_FALSE(rig.has(Fault::reversed_left));
+  EXPECT_FALSE(rig.motors_on());
 }
 
 TEST(FailSafeAlone, DrivesOnlyWhileEnabledAndIsEnabledOnlyWithAFreshCommand) {

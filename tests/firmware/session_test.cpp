@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "bench.h"
 #include "firmware/parameters.h"
 #include "firmware/version.h"
+#include "rig.h"
 
 namespace tp100::firmware {
 namespace {
@@ -16,10 +16,10 @@ using wire::Result;
 using wire::State;
 using wire::Type;
 
-void expect_answer(const Bench& bench, Type request, std::uint32_t token, Result result,
+void expect_answer(const Rig& rig, Type request, std::uint32_t token, Result result,
                    std::uint16_t detail = 0) {
-  ASSERT_FALSE(bench.acknowledges.empty());
-  const wire::Acknowledge& last = bench.acknowledges.back();
+  ASSERT_FALSE(rig.acknowledges.empty());
+  const wire::Acknowledge& last = rig.acknowledges.back();
   EXPECT_EQ(last.request, static_cast<std::uint8_t>(request));
   EXPECT_EQ(last.token, token);
   EXPECT_EQ(last.result, static_cast<std::uint8_t>(result));
@@ -27,89 +27,89 @@ void expect_answer(const Bench& bench, Type request, std::uint32_t token, Result
 }
 
 TEST(Session, SaysHelloEvery200MsUntilAHostSpeaks) {
-  Bench bench;
-  bench.run(1010);
-  EXPECT_EQ(bench.hellos.size(), 6U);
-  EXPECT_EQ(bench.hellos[0].boot_nonce, 0xB007U);
-  EXPECT_EQ(bench.hellos[0].protocol, wire::kProtocolVersion);
-  EXPECT_EQ(bench.hellos[0].schema, wire::kSchemaHash);
-  EXPECT_EQ(bench.hellos[0].firmware[0], kVersionMajor);
-  EXPECT_EQ(bench.hellos[0].firmware[1], kVersionMinor);
-  EXPECT_EQ(bench.hellos[0].firmware[2], kVersionPatch);
-  EXPECT_TRUE(bench.samples.empty());
-  EXPECT_EQ(bench.count_logs("boot"), 1);
-  EXPECT_EQ(bench.bad_frames, 0);
+  Rig rig;
+  rig.run(1010);
+  EXPECT_EQ(rig.hellos.size(), 6U);
+  EXPECT_EQ(rig.hellos[0].boot_nonce, 0xB007U);
+  EXPECT_EQ(rig.hellos[0].protocol, wire::kProtocolVersion);
+  EXPECT_EQ(rig.hellos[0].schema, wire::kSchemaHash);
+  EXPECT_EQ(rig.hellos[0].firmware[0], kVersionMajor);
+  EXPECT_EQ(rig.hellos[0].firmware[1], kVersionMinor);
+  EXPECT_EQ(rig.hellos[0].firmware[2], kVersionPatch);
+  EXPECT_TRUE(rig.samples.empty());
+  EXPECT_EQ(rig.count_logs("boot"), 1);
+  EXPECT_EQ(rig.bad_frames, 0);
 }
 
 TEST(Session, WhatWasCutOffBeforeABootEndsBeforeTheFirstReport) {
-  Bench bench(false);
-  bench.hal.cause = wire::ResetCause::kWatchdog;  // this fault is reported at once
-  bench.boot();
-  ASSERT_GT(bench.hal.sent.size(), 1U);
-  EXPECT_EQ(bench.hal.sent[0], wire::kDelimiter);
+  Rig rig(false);
+  rig.hal.cause = wire::ResetCause::kWatchdog;  // this fault is reported at once
+  rig.boot();
+  ASSERT_GT(rig.hal.sent.size(), 1U);
+  EXPECT_EQ(rig.hal.sent[0], wire::kDelimiter);
 }
 
 TEST(Session, WhatElseWasSaidOnTheLineCorruptsNoHello) {
-  Bench bench;
+  Rig rig;
   for (int i = 0; i < 1010; ++i) {
     // A modem manager probes the line before each hello.
-    if (i % 150 == 0) bench.overhear("AT\r");
-    bench.run(1);
+    if (i % 150 == 0) rig.overhear("AT\r");
+    rig.run(1);
   }
-  EXPECT_EQ(bench.hellos.size(), 6U);
+  EXPECT_EQ(rig.hellos.size(), 6U);
 }
 
 TEST(Session, AHelloRequestIsAnsweredAndEndsTheStreamOfHellos) {
-  Bench bench;
-  bench.run(10);
-  bench.hellos.clear();
-  bench.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-  bench.run(500);
-  ASSERT_EQ(bench.hellos.size(), 1U);
-  EXPECT_EQ(bench.hellos[0].state, static_cast<std::uint8_t>(State::kParameters));
+  Rig rig;
+  rig.run(10);
+  rig.hellos.clear();
+  rig.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  rig.run(500);
+  ASSERT_EQ(rig.hellos.size(), 1U);
+  EXPECT_EQ(rig.hellos[0].state, static_cast<std::uint8_t>(State::kParameters));
 }
 
 TEST(Session, AHostOfAnotherVersionGetsTheHelloToo) {
-  Bench bench;
-  bench.run(10);
-  bench.hellos.clear();
+  Rig rig;
+  rig.run(10);
+  rig.hellos.clear();
   const std::uint8_t longer[9] = {99, 0, 1, 2, 3, 4, 5, 6, 7};
   std::uint8_t frame[wire::kMaxFrame];
   const std::size_t size =
       wire::encode_frame(static_cast<std::uint8_t>(Type::kHelloRequest), longer, 9, frame);
-  bench.hal.received.insert(bench.hal.received.end(), frame, frame + size);
-  bench.run(10);
-  ASSERT_EQ(bench.hellos.size(), 1U);
-  EXPECT_EQ(bench.hellos[0].protocol, wire::kProtocolVersion);
+  rig.hal.received.insert(rig.hal.received.end(), frame, frame + size);
+  rig.run(10);
+  ASSERT_EQ(rig.hellos.size(), 1U);
+  EXPECT_EQ(rig.hellos[0].protocol, wire::kProtocolVersion);
 }
 
 TEST(Session, AHelloRequestSwitchesARunningRobotOff) {
-  Bench bench;
-  bench.drive();
-  ASSERT_TRUE(bench.motors_on());
-  bench.streams = false;
-  bench.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
-  bench.run(2);
-  EXPECT_FALSE(bench.motors_on());
-  EXPECT_EQ(bench.program.state(), State::kParameters);
-  EXPECT_EQ(bench.count_logs("motors off"), 1);
+  Rig rig;
+  rig.drive();
+  ASSERT_TRUE(rig.motors_on());
+  rig.streams = false;
+  rig.send(wire::HelloRequest{wire::kProtocolVersion, wire::kSchemaHash});
+  rig.run(2);
+  EXPECT_FALSE(rig.motors_on());
+  EXPECT_EQ(rig.program.state(), State::kParameters);
+  EXPECT_EQ(rig.count_logs("motors off"), 1);
 }
 
 TEST(Session, ParametersMayFollowAHelloWithoutARequest) {
-  Bench bench;
-  bench.send(bench.parameters);
-  bench.run(3);
-  expect_answer(bench, Type::kParameters, 1, Result::kAccepted);
-  EXPECT_EQ(bench.program.state(), State::kDisarmed);
+  Rig rig;
+  rig.send(rig.parameters);
+  rig.run(3);
+  expect_answer(rig, Type::kParameters, 1, Result::kAccepted);
+  EXPECT_EQ(rig.program.state(), State::kDisarmed);
 }
 
 TEST(Session, ParametersOfAnotherBootAreRefused) {
-  Bench bench;
-  bench.parameters.boot_nonce ^= 1U;
-  bench.send(bench.parameters);
-  bench.run(3);
-  expect_answer(bench, Type::kParameters, 1, Result::kWrongBoot);
-  EXPECT_EQ(bench.program.state(), State::kHello);
+  Rig rig;
+  rig.parameters.boot_nonce ^= 1U;
+  rig.send(rig.parameters);
+  rig.run(3);
+  expect_answer(rig, Type::kParameters, 1, Result::kWrongBoot);
+  EXPECT_EQ(rig.program.state(), State::kHello);
 }
 
 TEST(Session, EveryParameterOutsideItsRangeIsNamed) {
@@ -146,12 +146,12 @@ TEST(Session, EveryParameterOutsideItsRangeIsNamed) {
       {23, [=](auto& p) { p.flags = 0x40; }},
   };
   for (const Case& one : cases) {
-    Bench bench;
-    one.corrupt(bench.parameters);
-    bench.send(bench.parameters);
-    bench.run(3);
-    expect_answer(bench, Type::kParameters, 1, Result::kOutOfRange, one.field);
-    EXPECT_EQ(bench.program.state(), State::kHello);
+    Rig rig;
+    one.corrupt(rig.parameters);
+    rig.send(rig.parameters);
+    rig.run(3);
+    expect_answer(rig, Type::kParameters, 1, Result::kOutOfRange, one.field);
+    EXPECT_EQ(rig.program.state(), State::kHello);
   }
 }
 
@@ -174,7 +174,7 @@ TEST(Session, BoundsOfParametersAreInRangeAsBinary32) {
   for (std::size_t i = 0; i < std::size(ranges); ++i) {
     const auto& [field, low, high] = ranges[i];
     const auto answer = [&, field = field](float value) {
-      wire::Parameters parameters = Bench::good_parameters();
+      wire::Parameters parameters = Rig::good_parameters();
       parameters.*field = value;
       return int{bad_field(parameters)};
     };
@@ -187,113 +187,111 @@ TEST(Session, BoundsOfParametersAreInRangeAsBinary32) {
 }
 
 TEST(Session, ParametersAreRefusedWhileArmed) {
-  Bench bench;
-  bench.connect();
-  bench.streams = true;
-  bench.run(20);
-  bench.arm();
-  ASSERT_EQ(bench.program.state(), State::kArmed);
-  bench.parameters.token = 999;
-  bench.send(bench.parameters);
-  bench.run(2);
-  expect_answer(bench, Type::kParameters, 999, Result::kWrongState,
+  Rig rig;
+  rig.connect();
+  rig.streams = true;
+  rig.run(20);
+  rig.arm();
+  ASSERT_EQ(rig.program.state(), State::kArmed);
+  rig.parameters.token = 999;
+  rig.send(rig.parameters);
+  rig.run(2);
+  expect_answer(rig, Type::kParameters, 999, Result::kWrongState,
                 static_cast<std::uint16_t>(State::kArmed));
 }
 
 TEST(Session, SamplesComeAt200HzOnceParametersAreAccepted) {
-  Bench bench;
-  bench.connect();
-  bench.streams = true;
-  bench.run(100);
-  bench.samples.clear();
-  bench.run(1000);
-  ASSERT_GE(bench.samples.size(), 199U);
-  ASSERT_LE(bench.samples.size(), 201U);
-  for (std::size_t i = 1; i < bench.samples.size(); ++i) {
-    EXPECT_EQ(bench.samples[i].sequence,
-              static_cast<std::uint16_t>(bench.samples[i - 1].sequence + 1));
-    EXPECT_NEAR(bench.samples[i].device_us - bench.samples[i - 1].device_us, 5000.0, 300.0);
-    EXPECT_EQ(bench.samples[i].imu_age, 0);
+  Rig rig;
+  rig.connect();
+  rig.streams = true;
+  rig.run(100);
+  rig.samples.clear();
+  rig.run(1000);
+  ASSERT_GE(rig.samples.size(), 199U);
+  ASSERT_LE(rig.samples.size(), 201U);
+  for (std::size_t i = 1; i < rig.samples.size(); ++i) {
+    EXPECT_EQ(rig.samples[i].sequence, static_cast<std::uint16_t>(rig.samples[i - 1].sequence + 1));
+    EXPECT_NEAR(rig.samples[i].device_us - rig.samples[i - 1].device_us, 5000.0, 300.0);
+    EXPECT_EQ(rig.samples[i].imu_age, 0);
   }
-  EXPECT_EQ(bench.samples.back().accel[2], 8192);
-  EXPECT_NEAR(bench.samples.back().battery_mv, 7900, 1);
-  EXPECT_LE(bench.sequence - bench.samples.back().last_command, 1);
+  EXPECT_EQ(rig.samples.back().accel[2], 8192);
+  EXPECT_NEAR(rig.samples.back().battery_mv, 7900, 1);
+  EXPECT_LE(rig.sequence - rig.samples.back().last_command, 1);
 }
 
 TEST(Session, ASampleWithoutRoomIsDroppedAndNumberedAcknowledgementsWait) {
-  Bench bench;
-  bench.connect();
-  bench.acknowledges.clear();
-  const auto before = bench.program.link_counts().unsent;
-  bench.samples.clear();
+  Rig rig;
+  rig.connect();
+  rig.acknowledges.clear();
+  const auto before = rig.program.link_counts().unsent;
+  rig.samples.clear();
   for (int i = 0; i < 400; ++i) {
-    if (i == 10) bench.send(wire::Disarm{77});
-    bench.hal.room = 5;
-    bench.program.loop();
-    bench.hal.now_us += 250;
-    if (i % 4 == 3) bench.tick();
+    if (i == 10) rig.send(wire::Disarm{77});
+    rig.hal.room = 5;
+    rig.program.loop();
+    rig.hal.now_us += 250;
+    if (i % 4 == 3) rig.tick();
   }
-  EXPECT_GT(bench.program.link_counts().unsent, before + 15);
-  EXPECT_TRUE(bench.hal.sent.empty());
-  bench.run(20);
-  expect_answer(bench, Type::kDisarm, 77, Result::kAccepted);
-  EXPECT_FALSE(bench.samples.empty());
-  EXPECT_FALSE(bench.hal.overfilled);
+  EXPECT_GT(rig.program.link_counts().unsent, before + 15);
+  EXPECT_TRUE(rig.hal.sent.empty());
+  rig.run(20);
+  expect_answer(rig, Type::kDisarm, 77, Result::kAccepted);
+  EXPECT_FALSE(rig.samples.empty());
+  EXPECT_FALSE(rig.hal.overfilled);
 }
 
 TEST(Session, SyncReplyCarriesTheTimesOfReceiptAndReply) {
-  Bench bench;
-  bench.connect();
-  const std::uint32_t before = bench.hal.now_us;
-  bench.send(wire::SyncRequest{4711});
-  bench.run(2);
-  ASSERT_EQ(bench.sync_replies.size(), 1U);
-  EXPECT_EQ(bench.sync_replies[0].id, 4711);
-  EXPECT_GE(bench.sync_replies[0].received_us, before);
-  EXPECT_LE(bench.sync_replies[0].received_us, bench.sync_replies[0].sent_us);
-  EXPECT_LE(bench.sync_replies[0].sent_us, bench.hal.now_us);
+  Rig rig;
+  rig.connect();
+  const std::uint32_t before = rig.hal.now_us;
+  rig.send(wire::SyncRequest{4711});
+  rig.run(2);
+  ASSERT_EQ(rig.sync_replies.size(), 1U);
+  EXPECT_EQ(rig.sync_replies[0].id, 4711);
+  EXPECT_GE(rig.sync_replies[0].received_us, before);
+  EXPECT_LE(rig.sync_replies[0].received_us, rig.sync_replies[0].sent_us);
+  EXPECT_LE(rig.sync_replies[0].sent_us, rig.hal.now_us);
 }
 
 TEST(Session, SyncReplyLeavesAfterWhatStillWaitsForTheLine) {
-  Bench bench;
-  bench.connect();
+  Rig rig;
+  rig.connect();
   const auto takes_us = [&](std::uint8_t waiting) {
-    bench.hal.waiting = waiting;
-    bench.sync_replies.clear();
-    bench.send(wire::SyncRequest{4711});
-    bench.run(2);
-    return bench.sync_replies.empty()
-               ? 0
-               : bench.sync_replies[0].sent_us - bench.sync_replies[0].received_us;
+    rig.hal.waiting = waiting;
+    rig.sync_replies.clear();
+    rig.send(wire::SyncRequest{4711});
+    rig.run(2);
+    return rig.sync_replies.empty() ? 0
+                                    : rig.sync_replies[0].sent_us - rig.sync_replies[0].received_us;
   };
   const std::uint32_t at_once = takes_us(0);
   EXPECT_EQ(takes_us(10) - at_once, 10U * 20U) << "20 us a byte at 500000 baud";
 }
 
 TEST(Session, SyncReplyCarriesHowManyFramesCameCorrupted) {
-  Bench bench;
-  bench.connect();
+  Rig rig;
+  rig.connect();
   const auto asked = [&] {
-    bench.sync_replies.clear();
-    bench.send(wire::SyncRequest{4711});
-    bench.run(2);
-    return bench.sync_replies.empty() ? -1 : int{bench.sync_replies[0].corrupted};
+    rig.sync_replies.clear();
+    rig.send(wire::SyncRequest{4711});
+    rig.run(2);
+    return rig.sync_replies.empty() ? -1 : int{rig.sync_replies[0].corrupted};
   };
   const int before = asked();
   const std::uint8_t corrupted[] = {0x05, 'x', 'y', 'z', 'u', 0x00};
-  bench.hal.received.insert(bench.hal.received.end(), std::begin(corrupted), std::end(corrupted));
-  bench.run(2);
+  rig.hal.received.insert(rig.hal.received.end(), std::begin(corrupted), std::end(corrupted));
+  rig.run(2);
   EXPECT_EQ(asked(), before + 1);
 }
 
 TEST(Session, SyncReplyCountsWhateverCorruptedAFrame) {
-  Bench bench;
-  bench.connect();
+  Rig rig;
+  rig.connect();
   const auto asked = [&] {
-    bench.sync_replies.clear();
-    bench.send(wire::SyncRequest{4711});
-    bench.run(2);
-    return bench.sync_replies.empty() ? -1 : int{bench.sync_replies[0].corrupted};
+    rig.sync_replies.clear();
+    rig.send(wire::SyncRequest{4711});
+    rig.run(2);
+    return rig.sync_replies.empty() ? -1 : int{rig.sync_replies[0].corrupted};
   };
   const int before = asked();
   std::vector<std::uint8_t> oversize(wire::kMaxFrame + 5, 0x01);
@@ -301,71 +299,71 @@ TEST(Session, SyncReplyCountsWhateverCorruptedAFrame) {
   const std::vector<std::uint8_t> past_its_end{0x09, 'x', 'y', 0x00}, too_short{0x02, 'x', 0x00};
   int corrupted = 0;
   for (const auto& bytes : {oversize, past_its_end, too_short}) {
-    bench.hal.received.insert(bench.hal.received.end(), bytes.begin(), bytes.end());
-    bench.run(5);
+    rig.hal.received.insert(rig.hal.received.end(), bytes.begin(), bytes.end());
+    rig.run(5);
     EXPECT_EQ(asked(), before + ++corrupted);
   }
 }
 
 TEST(Session, SyncReplyCarriesHowManyEncoderEdgesWereMissed) {
-  Bench bench;
-  bench.connect();
-  bench.hal.missed = 65535;
-  bench.send(wire::SyncRequest{4711});
-  bench.run(2);
-  ASSERT_EQ(bench.sync_replies.size(), 1U);
-  EXPECT_EQ(bench.sync_replies[0].missed_edges, 65535);
+  Rig rig;
+  rig.connect();
+  rig.hal.missed = 65535;
+  rig.send(wire::SyncRequest{4711});
+  rig.run(2);
+  ASSERT_EQ(rig.sync_replies.size(), 1U);
+  EXPECT_EQ(rig.sync_replies[0].missed_edges, 65535);
 }
 
 TEST(Session, ASilentHostIsForgottenAfterASecond) {
-  Bench bench;
-  bench.drive();
-  bench.streams = false;
-  bench.run(900);
-  EXPECT_NE(bench.program.state(), State::kHello);
-  bench.hellos.clear();
-  bench.run(310);
-  EXPECT_EQ(bench.program.state(), State::kHello);
-  EXPECT_GE(bench.hellos.size(), 1U);
-  EXPECT_FALSE(bench.motors_on());
+  Rig rig;
+  rig.drive();
+  rig.streams = false;
+  rig.run(900);
+  EXPECT_NE(rig.program.state(), State::kHello);
+  rig.hellos.clear();
+  rig.run(310);
+  EXPECT_EQ(rig.program.state(), State::kHello);
+  EXPECT_GE(rig.hellos.size(), 1U);
+  EXPECT_FALSE(rig.motors_on());
 }
 
 TEST(Session, AHostThatOnlyAsksToArmIsNotForgotten) {
-  Bench bench;
-  bench.connect();
+  Rig rig;
+  rig.connect();
   for (int i = 0; i < 15; ++i) {
-    bench.send(bench.arm_message());
-    bench.run(100);
+    rig.send(rig.arm_message());
+    rig.run(100);
   }
-  EXPECT_NE(bench.program.state(), State::kHello);
+  EXPECT_NE(rig.program.state(), State::kHello);
 }
 
 TEST(Session, WiringFlagsTurnAndSwapBothWays) {
-  Bench bench;
-  bench.parameters.flags = wire::kSwapTracks | wire::kInvertLeftEncoder | wire::kInvertRightMotor;
-  bench.hal.left_counts = 5;
-  bench.hal.right_counts = 9;
-  bench.drive();
-  EXPECT_EQ(bench.samples.back().left_counts, -9);
-  EXPECT_EQ(bench.samples.back().right_counts, 5);
-  ASSERT_GT(bench.samples.back().left_duty, 0);
-  ASSERT_GT(bench.samples.back().right_duty, 0);
+  Rig rig;
+  rig.parameters.flags = wire::kSwapTracks | wire::kInvertLeftEncoder | wire::kInvertRightMotor;
+  rig.hal.left_counts = 5;
+  rig.hal.right_counts = 9;
+  rig.drive();
+  EXPECT_EQ(rig.samples.back().left_counts, -9);
+  EXPECT_EQ(rig.samples.back().right_counts, 5);
+  ASSERT_GT(rig.samples.back().left_duty, 0);
+  ASSERT_GT(rig.samples.back().right_duty, 0);
   // The motor of the right track is inverted and connected to the left channel.
-  EXPECT_LT(bench.hal.duties.left, 0);
-  EXPECT_GT(bench.hal.duties.right, 0);
+  EXPECT_LT(rig.hal.duties.left, 0);
+  EXPECT_GT(rig.hal.duties.right, 0);
 }
 
 TEST(Session, ALoopTakesNoMoreThan32Bytes) {
-  Bench bench;
-  bench.hal.received.insert(bench.hal.received.end(), 5000, std::uint8_t{0x55});
-  bench.run(20);
-  EXPECT_EQ(bench.hal.most_read_in_a_row, 32U);
+  Rig rig;
+  rig.hal.received.insert(rig.hal.received.end(), 5000, std::uint8_t{0x55});
+  rig.run(20);
+  EXPECT_EQ(rig.hal.most_read_in_a_row, 32U);
 }
 
 TEST(Session, TwoFirmwaresInOneProcessDoNotInfluenceEachOther) {
-  Bench alone;
-  Bench first;
-  Bench second;
+  Rig alone;
+  Rig first;
+  Rig second;
   second.hal.nonce = 0xC0DE;
   second.parameters.boot_nonce = 0xC0DE;
   alone.drive();

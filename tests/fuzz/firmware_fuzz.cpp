@@ -1,7 +1,7 @@
 // Fuzzes the firmware with a host that sends anything: the motors must be on only while the robot
 // is armed, and must go off when the host falls silent.
 
-#include "../firmware/bench.h"
+#include "../firmware/rig.h"
 #include "frame_script.h"
 
 namespace tp100::firmware {
@@ -9,40 +9,40 @@ namespace {
 
 using fuzz::require;
 
-void check(const Bench& bench) {
-  const wire::State state = bench.program.state();
-  require(!bench.motors_on() || state == wire::State::kArmed || state == wire::State::kRunning,
+void check(const Rig& rig) {
+  const wire::State state = rig.program.state();
+  require(!rig.motors_on() || state == wire::State::kArmed || state == wire::State::kRunning,
           "only an armed robot moves");
-  require(!bench.hal.overfilled, "no more is written than there is room for");
-  require(bench.hal.locks == 0, "interrupts are let in again");
+  require(!rig.hal.overfilled, "no more is written than there is room for");
+  require(rig.hal.locks == 0, "interrupts are let in again");
 }
 
 void play(fuzz::ByteSource& source) {
-  Bench bench;
+  Rig rig;
   const std::uint8_t start = source.u8();
-  if ((start & 1U) != 0) bench.connect();
-  if ((start & 3U) == 3U) bench.arm();
+  if ((start & 1U) != 0) rig.connect();
+  if ((start & 3U) == 3U) rig.arm();
   fuzz::play(
-      source, bench.hal.nonce,
+      source, rig.hal.nonce,
       [&](std::span<const std::uint8_t> bytes) {
-        bench.hal.received.insert(bench.hal.received.end(), bytes.begin(), bytes.end());
-        bench.run(1);
-        check(bench);
+        rig.hal.received.insert(rig.hal.received.end(), bytes.begin(), bytes.end());
+        rig.run(1);
+        check(rig);
       },
       [&](int ms) {
-        bench.run(ms);
-        check(bench);
+        rig.run(ms);
+        check(rig);
       },
       [&](int code) {
-        bench.streams = (code & 1) != 0;
-        bench.speed_mps = 0.1f;
-        bench.hal.imu_answers = (code & 2) == 0;
+        rig.streams = (code & 1) != 0;
+        rig.speed_mps = 0.1f;
+        rig.hal.imu_answers = (code & 2) == 0;
       });
-  bench.streams = false;
-  bench.hal.received.clear();
-  bench.run(230);
-  require(!bench.motors_on(), "a silent host stops the robot");
-  require(bench.bad_frames == 0, "what the robot sends is in order");
+  rig.streams = false;
+  rig.hal.received.clear();
+  rig.run(230);
+  require(!rig.motors_on(), "a silent host stops the robot");
+  require(rig.bad_frames == 0, "what the robot sends is in order");
 }
 
 }  // namespace

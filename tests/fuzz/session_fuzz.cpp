@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "../link/session_bench.h"
+#include "../link/session_rig.h"
 #include "frame_script.h"
 
 namespace tp100::link {
@@ -11,40 +11,40 @@ namespace {
 
 using fuzz::require;
 
-void check(SessionBench& bench) {
-  for (const Sample& sample : bench.session.take_samples()) {
+void check(SessionRig& rig) {
+  for (const Sample& sample : rig.session.take_samples()) {
     for (const double value : {sample.gyro_radps[0], sample.gyro_radps[1], sample.gyro_radps[2],
                                sample.accel_mps2[0], sample.accel_mps2[1], sample.accel_mps2[2]})
       require(std::isfinite(value), "samples are finite");
   }
-  require(bench.session.output().size() <= kMaxOut, "output is bounded");
-  require(bench.session.take_events().size() <= SessionEvents::kCapacity, "events are bounded");
+  require(rig.session.output().size() <= kMaxOut, "output is bounded");
+  require(rig.session.take_events().size() <= SessionEvents::kCapacity, "events are bounded");
 }
 
 void play(fuzz::ByteSource& source) {
-  SessionBench bench;
+  SessionRig rig;
   if ((source.u8() & 1U) != 0) {
-    bench.connect();
+    rig.connect();
   } else {
-    bench.session.open(bench.now);
+    rig.session.open(rig.now);
   }
   fuzz::play(
-      source, bench.robot.boot_nonce,
+      source, rig.robot.boot_nonce,
       [&](std::span<const std::uint8_t> bytes) {
-        bench.session.receive(bytes, bench.now);
-        check(bench);
+        rig.session.receive(bytes, rig.now);
+        check(rig);
       },
       [&](int ms) {
-        bench.run(ms);
-        check(bench);
-        bench.samples.clear();
-        bench.events.clear();
+        rig.run(ms);
+        check(rig);
+        rig.samples.clear();
+        rig.events.clear();
       },
       [&](int code) {
         constexpr RobotRequest kRequests[] = {RobotRequest::kArm, RobotRequest::kDisarm,
                                               RobotRequest::kStop};
-        bench.session.request(kRequests[code % 3], bench.now);
-        bench.commands = (code & 8) != 0;
+        rig.session.request(kRequests[code % 3], rig.now);
+        rig.commands = (code & 8) != 0;
       });
 }
 

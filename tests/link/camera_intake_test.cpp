@@ -45,15 +45,15 @@ TEST(CameraIntake, TheClockOfAnotherMachineIsFoundToTheShortestWay) {
   CameraIntake intake("here", 400 * kNsPerMs);
   Sender sender{.clock = "there", .ahead_ns = 7777 * kNsPerS};
   std::mt19937 random(3);
-  std::exponential_distribution<double> way_ms(1.0 / 3.0);
+  std::exponential_distribution<double> delay_ms(1.0 / 3.0);
   double worst_s = 0.0;
   HostNs now = 100 * kNsPerS;
   for (int i = 0; i < 3000; ++i) {
     now += 30 * kNsPerMs;
     // The sender's clock drifts by 30 ppm.
     sender.ahead_ns += 900;
-    const HostNs way_ns = 200 * kNsPerUs + from_s(way_ms(random) * 1e-3);
-    const auto sample = intake.receive(sender.datagram(now - kAge), now + way_ns);
+    const HostNs delay_ns = 200 * kNsPerUs + from_s(delay_ms(random) * 1e-3);
+    const auto sample = intake.receive(sender.datagram(now - kAge), now + delay_ns);
     ASSERT_TRUE(sample.has_value());
     if (i > 100) worst_s = std::max(worst_s, std::abs(to_s(sample->measured_ns - (now - kAge))));
   }

@@ -40,15 +40,15 @@ TEST(EncoderCount, AJumpIsLeftOutAndTheTrackGoesOnAsItWent) {
   }
 }
 
-TEST(EncoderCount, AJumpThatComesAgainAndAgainIsBelieved) {
+TEST(EncoderCount, AJumpThatComesAgainAndAgainIsAccepted) {
   for (const int every : {10, 50, 150}) {
     EncoderCount track(kMaxPerS);
     std::int32_t board = 0;
     track.update(board, 0.0);
     for (int i = 1; i <= 400; ++i) track.update(board += 7 + (i % every == 0 ? 40 : 0), kDtS);
-    const std::int64_t believed = (track.counts() - std::int64_t{400 * 7}) / 40;
-    EXPECT_GE(believed, 400 / every / 2) << every;
-    EXPECT_LT(believed, 400 / every) << every;
+    const std::int64_t accepted = (track.counts() - std::int64_t{400 * 7}) / 40;
+    EXPECT_GE(accepted, 400 / every / 2) << every;
+    EXPECT_LT(accepted, 400 / every) << every;
   }
 }
 
@@ -62,7 +62,7 @@ TEST(EncoderCount, RareJumpsAreLeftOutAndSoIsTheirWayBack) {
   }
 }
 
-TEST(EncoderCount, WhatLastsIsBelieved) {
+TEST(EncoderCount, WhatLastsIsAccepted) {
   EncoderCount track(kMaxPerS);
   std::int32_t board = 0;
   track.update(board, 0.0);
@@ -81,7 +81,7 @@ TEST(EncoderCount, AfterAGapMoreIsPossibleAndNothingIsMadeUp) {
   EXPECT_EQ(track.counts(), 520);
 }
 
-TEST(EncoderCount, WithoutALimitEverythingIsBelieved) {
+TEST(EncoderCount, WithoutALimitEverythingIsAccepted) {
   EncoderCount track(0.0);
   track.update(0, 0.0);
   EXPECT_TRUE(track.update(1'000'000, kDtS));

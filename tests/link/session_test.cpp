@@ -6,340 +6,340 @@
 #include <algorithm>
 #include <set>
 
-#include "session_bench.h"
+#include "session_rig.h"
 
 namespace tp100::link {
 namespace {
 
 TEST(Session, PassesItsStatesInOrderAndDeliversSamples) {
-  SessionBench bench;
-  bench.connect();
-  EXPECT_EQ(bench.states, "listening parameters syncing ready");
-  EXPECT_EQ(bench.session.session_number(), 1u);
-  ASSERT_GT(bench.samples.size(), 20u);
-  EXPECT_EQ(bench.session.counters().lost, 0u);
-  EXPECT_TRUE(bench.robot.received.hello_requests.empty());
-  ASSERT_EQ(bench.robot.received.parameters.size(), 1u);
-  EXPECT_EQ(bench.robot.received.parameters[0].boot_nonce, bench.robot.boot_nonce);
+  SessionRig rig;
+  rig.connect();
+  EXPECT_EQ(rig.states, "listening parameters syncing ready");
+  EXPECT_EQ(rig.session.session_number(), 1u);
+  ASSERT_GT(rig.samples.size(), 20u);
+  EXPECT_EQ(rig.session.counters().lost, 0u);
+  EXPECT_TRUE(rig.robot.received.hello_requests.empty());
+  ASSERT_EQ(rig.robot.received.parameters.size(), 1u);
+  EXPECT_EQ(rig.robot.received.parameters[0].boot_nonce, rig.robot.boot_nonce);
 }
 
 TEST(Session, StaysSilentUntilTheRobotSpeaks) {
-  SessionBench bench;
-  bench.robot.silent = true;
-  bench.session.open(bench.now);
-  bench.run(3000);
+  SessionRig rig;
+  rig.robot.silent = true;
+  rig.session.open(rig.now);
+  rig.run(3000);
   const std::vector<std::uint8_t> banner(100, 'U');
-  bench.session.receive(banner, bench.now);
-  bench.run(100);
-  EXPECT_TRUE(bench.session.output().empty());
-  EXPECT_TRUE(bench.robot.received.types.empty());
-  EXPECT_EQ(bench.states, "listening");
+  rig.session.receive(banner, rig.now);
+  rig.run(100);
+  EXPECT_TRUE(rig.session.output().empty());
+  EXPECT_TRUE(rig.robot.received.types.empty());
+  EXPECT_EQ(rig.states, "listening");
 }
 
 TEST(Session, WarnsWhenNothingIsHeardAndKeepsListening) {
-  SessionBench bench;
-  bench.robot.silent = true;
-  bench.session.open(bench.now);
-  bench.run(5200);
-  EXPECT_EQ(bench.count<Silence>(), 1);
-  EXPECT_EQ(bench.session.state(), SessionState::kListening);
-  bench.robot.silent = false;
-  bench.run(400);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  SessionRig rig;
+  rig.robot.silent = true;
+  rig.session.open(rig.now);
+  rig.run(5200);
+  EXPECT_EQ(rig.count<Silence>(), 1);
+  EXPECT_EQ(rig.session.state(), SessionState::kListening);
+  rig.robot.silent = false;
+  rig.run(400);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
 TEST(Session, AsksForAHelloWhenItJoinsInTheMiddle) {
-  SessionBench bench;
-  bench.robot.state = wire::State::kRunning;
-  bench.connect();
-  EXPECT_EQ(bench.states, "listening hello parameters syncing ready");
-  EXPECT_EQ(bench.robot.received.hello_requests.size(), 1u);
+  SessionRig rig;
+  rig.robot.state = wire::State::kRunning;
+  rig.connect();
+  EXPECT_EQ(rig.states, "listening hello parameters syncing ready");
+  EXPECT_EQ(rig.robot.received.hello_requests.size(), 1u);
 }
 
 TEST(Session, GivesTheSameSamplesHoweverTheBytesAreSplit) {
-  SessionBench whole;
+  SessionRig whole;
   whole.connect();
   for (std::size_t split = 1; split <= wire::kMaxFrame; ++split) {
-    SessionBench bench;
-    bench.split = split;
-    bench.connect();
-    ASSERT_EQ(bench.samples.size(), whole.samples.size()) << split;
-    ASSERT_EQ(bench.samples.back().device_us, whole.samples.back().device_us) << split;
-    ASSERT_EQ(bench.states, whole.states) << split;
+    SessionRig rig;
+    rig.split = split;
+    rig.connect();
+    ASSERT_EQ(rig.samples.size(), whole.samples.size()) << split;
+    ASSERT_EQ(rig.samples.back().device_us, whole.samples.back().device_us) << split;
+    ASSERT_EQ(rig.states, whole.states) << split;
   }
 }
 
 TEST(Session, RefusesAnotherProtocolOrSchemaAndFallsSilent) {
   for (const bool older : {true, false}) {
-    SessionBench bench;
-    if (older) bench.robot.protocol = 7;
-    if (!older) bench.robot.schema ^= 1;
-    bench.connect();
-    EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-    EXPECT_EQ(bench.count<VersionMismatch>(), 1);
-    EXPECT_EQ(bench.session.hello().protocol, bench.robot.protocol);
-    EXPECT_EQ(bench.session.counters().refused, 1u);
-    EXPECT_TRUE(bench.robot.received.types.empty());
+    SessionRig rig;
+    if (older) rig.robot.protocol = 7;
+    if (!older) rig.robot.schema ^= 1;
+    rig.connect();
+    EXPECT_EQ(rig.session.state(), SessionState::kRefused);
+    EXPECT_EQ(rig.count<VersionMismatch>(), 1);
+    EXPECT_EQ(rig.session.hello().protocol, rig.robot.protocol);
+    EXPECT_EQ(rig.session.counters().refused, 1u);
+    EXPECT_TRUE(rig.robot.received.types.empty());
   }
 }
 
 TEST(Session, ABoardThatSpeaksAnotherProtocolAfterARestartIsRefusedToo) {
-  SessionBench bench;
-  bench.connect();
-  ASSERT_EQ(bench.session.state(), SessionState::kReady);
-  bench.robot.protocol = 7;
-  bench.robot.reboot(bench.now);
-  bench.run(400);
-  EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-  EXPECT_EQ(bench.count<VersionMismatch>(), 1);
+  SessionRig rig;
+  rig.connect();
+  ASSERT_EQ(rig.session.state(), SessionState::kReady);
+  rig.robot.protocol = 7;
+  rig.robot.reboot(rig.now);
+  rig.run(400);
+  EXPECT_EQ(rig.session.state(), SessionState::kRefused);
+  EXPECT_EQ(rig.count<VersionMismatch>(), 1);
 }
 
 TEST(Session, UnpluggedInAnyMillisecondItConnectsAgainDisarmed) {
   for (int ms = 1; ms <= 400; ++ms) {
-    SessionBench bench;
-    bench.commands = true;
-    bench.session.open(bench.now);
-    bench.run(ms);
-    bench.session.request(RobotRequest::kArm, bench.now);
-    bench.run(2);
-    bench.session.close(bench.now);
-    EXPECT_TRUE(bench.session.output().empty()) << ms;
-    EXPECT_FALSE(bench.session.request_pending()) << ms;
-    bench.run(20);
-    bench.robot.reboot(bench.now);
-    bench.robot.received = {};
-    bench.connect();
-    ASSERT_EQ(bench.session.state(), SessionState::kReady) << ms;
-    ASSERT_TRUE(bench.robot.received.arms.empty()) << ms;
+    SessionRig rig;
+    rig.commands = true;
+    rig.session.open(rig.now);
+    rig.run(ms);
+    rig.session.request(RobotRequest::kArm, rig.now);
+    rig.run(2);
+    rig.session.close(rig.now);
+    EXPECT_TRUE(rig.session.output().empty()) << ms;
+    EXPECT_FALSE(rig.session.request_pending()) << ms;
+    rig.run(20);
+    rig.robot.reboot(rig.now);
+    rig.robot.received = {};
+    rig.connect();
+    ASSERT_EQ(rig.session.state(), SessionState::kReady) << ms;
+    ASSERT_TRUE(rig.robot.received.arms.empty()) << ms;
   }
 }
 
 TEST(Session, LostAnswersToClockRequestsAreAskedForAgain) {
-  SessionBench bench;
-  bench.robot.answers_sync = false;
-  bench.commands = true;
-  bench.connect();
-  EXPECT_EQ(bench.session.state(), SessionState::kSyncing);
-  EXPECT_TRUE(bench.robot.received.commands.empty())
+  SessionRig rig;
+  rig.robot.answers_sync = false;
+  rig.commands = true;
+  rig.connect();
+  EXPECT_EQ(rig.session.state(), SessionState::kSyncing);
+  EXPECT_TRUE(rig.robot.received.commands.empty())
       << "a command needs an expiry, and that needs a clock";
-  bench.robot.answers_sync = true;
-  bench.run(1000);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  rig.robot.answers_sync = true;
+  rig.run(1000);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
   // From here on, three of four exchanges are lost.
   for (int i = 0; i < 4000; ++i) {
-    bench.robot.answers_sync = bench.robot.received.sync_requests % 4 == 0;
-    bench.step();
+    rig.robot.answers_sync = rig.robot.received.sync_requests % 4 == 0;
+    rig.step();
   }
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_TRUE(bench.session.clock().valid);
-  EXPECT_LT(bench.session.clock().uncertainty_us, 1000.0);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_TRUE(rig.session.clock().valid);
+  EXPECT_LT(rig.session.clock().uncertainty_us, 1000.0);
 }
 
 TEST(Session, ClockRequestsAreSpreadOverAMillisecondOfTheWire) {
-  SessionBench bench;
-  bench.connect();
-  bench.port_takes = false;
+  SessionRig rig;
+  rig.connect();
+  rig.port_takes = false;
   std::set<std::size_t> spare;
   for (int ms = 0; ms < 20'000; ++ms) {
-    bench.step();
-    const auto out = bench.session.output();
+    rig.step();
+    const auto out = rig.session.output();
     if (out.empty()) continue;
     spare.insert(static_cast<std::size_t>(
         std::find_if(out.begin(), out.end(), [](std::uint8_t byte) { return byte != 0; }) -
         out.begin()));
-    bench.robot.hear(out, bench.now);
-    bench.session.written(out.size());
+    rig.robot.hear(out, rig.now);
+    rig.session.written(out.size());
   }
   EXPECT_GT(spare.size(), 20u);
   EXPECT_LT(*spare.rbegin(), 51u);
 }
 
 TEST(Session, ABoardThatIsNotKnownIsCountedAndToldAndMayDrive) {
-  SessionBench bench;
-  bench.robot.board = 77;
-  bench.connect();
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_GE(bench.session.counters().unknown_board, 1u);
-  ASSERT_GE(bench.count<UnknownBoard>(), 1);
-  const auto told = std::find_if(bench.events.begin(), bench.events.end(), [](const auto& event) {
+  SessionRig rig;
+  rig.robot.board = 77;
+  rig.connect();
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_GE(rig.session.counters().unknown_board, 1u);
+  ASSERT_GE(rig.count<UnknownBoard>(), 1);
+  const auto told = std::find_if(rig.events.begin(), rig.events.end(), [](const auto& event) {
     return as<UnknownBoard>(event) != nullptr;
   });
   EXPECT_EQ(std::get<UnknownBoard>(told->what).board, 77);
-  SessionBench known;
+  SessionRig known;
   known.connect();
   EXPECT_EQ(known.session.counters().unknown_board, 0u);
 }
 
 TEST(Session, AHelloThatNoBoardOfOursSendsIsRefusedOnceAndNotSpokenTo) {
   for (const bool nonce : {true, false}) {
-    SessionBench bench;
-    bench.robot.boot_nonce = nonce ? 0 : 5;
+    SessionRig rig;
+    rig.robot.boot_nonce = nonce ? 0 : 5;
     // The robot reports an unknown state and keeps sending hellos.
-    bench.mangle = [&](std::vector<std::uint8_t>& bytes) {
+    rig.mangle = [&](std::vector<std::uint8_t>& bytes) {
       if (bytes.empty() || nonce) return;
       wire::Hello hello{wire::kProtocolVersion, {0, 1, 0}, wire::kSchemaHash, 2, 5, 0, 9, 0};
       bytes = frame_of(hello);
     };
-    bench.session.open(bench.now);
-    bench.run(1000);
-    EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-    EXPECT_EQ(bench.count<BadHello>(), 1);
-    EXPECT_EQ(bench.session.counters().refused, 1u);
-    EXPECT_EQ(bench.session.counters().implausible, 0u);
-    EXPECT_TRUE(bench.robot.received.types.empty());
-    bench.mangle = {};
-    bench.robot.reboot(bench.now);
-    bench.run(500);
-    EXPECT_EQ(bench.session.state(), SessionState::kReady);
+    rig.session.open(rig.now);
+    rig.run(1000);
+    EXPECT_EQ(rig.session.state(), SessionState::kRefused);
+    EXPECT_EQ(rig.count<BadHello>(), 1);
+    EXPECT_EQ(rig.session.counters().refused, 1u);
+    EXPECT_EQ(rig.session.counters().implausible, 0u);
+    EXPECT_TRUE(rig.robot.received.types.empty());
+    rig.mangle = {};
+    rig.robot.reboot(rig.now);
+    rig.run(500);
+    EXPECT_EQ(rig.session.state(), SessionState::kReady);
   }
 }
 
 TEST(Session, ReadsTheVersionOfAHelloWithMoreFields) {
-  SessionBench bench;
-  bench.session.open(bench.now);
+  SessionRig rig;
+  rig.session.open(rig.now);
   std::vector<std::uint8_t> payload(30, 0x11);
   payload[0] = 9;
   payload[1] = 0;
   std::vector<std::uint8_t> frame(wire::kMaxFrame);
   frame.resize(wire::encode_frame(static_cast<std::uint8_t>(wire::Type::kHello), payload.data(),
                                   payload.size(), frame.data()));
-  bench.session.receive(frame, bench.now);
-  EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-  EXPECT_EQ(bench.session.hello().protocol, 9);
+  rig.session.receive(frame, rig.now);
+  EXPECT_EQ(rig.session.state(), SessionState::kRefused);
+  EXPECT_EQ(rig.session.hello().protocol, 9);
 }
 
 TEST(Session, ConnectsOnceTheRefusedBoardWasFlashed) {
-  SessionBench bench;
-  bench.robot.protocol = 7;
-  bench.connect();
-  bench.robot.protocol = wire::kProtocolVersion;
-  bench.robot.reboot(bench.now);
-  bench.run(500);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_FALSE(bench.session.take_rebooted());
+  SessionRig rig;
+  rig.robot.protocol = 7;
+  rig.connect();
+  rig.robot.protocol = wire::kProtocolVersion;
+  rig.robot.reboot(rig.now);
+  rig.run(500);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_FALSE(rig.session.take_rebooted());
 }
 
 TEST(Session, NoticesARebootAndStartsAnew) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.reboot(bench.now);
-  bench.run(400);
-  EXPECT_EQ(bench.count<Rebooted>(), 1);
-  EXPECT_EQ(bench.session.counters().reboots, 1u);
-  EXPECT_EQ(bench.session.counters().reconnects, 1u);
-  EXPECT_TRUE(bench.session.take_rebooted());
-  EXPECT_FALSE(bench.session.take_rebooted());
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_EQ(bench.session.session_number(), 2u);
-  EXPECT_EQ(bench.robot.received.parameters.back().boot_nonce, bench.robot.boot_nonce);
+  SessionRig rig;
+  rig.connect();
+  rig.robot.reboot(rig.now);
+  rig.run(400);
+  EXPECT_EQ(rig.count<Rebooted>(), 1);
+  EXPECT_EQ(rig.session.counters().reboots, 1u);
+  EXPECT_EQ(rig.session.counters().reconnects, 1u);
+  EXPECT_TRUE(rig.session.take_rebooted());
+  EXPECT_FALSE(rig.session.take_rebooted());
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_EQ(rig.session.session_number(), 2u);
+  EXPECT_EQ(rig.robot.received.parameters.back().boot_nonce, rig.robot.boot_nonce);
 }
 
 TEST(Session, ShakesHandsAgainWhenTheRobotLostTheHost) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.state = wire::State::kHello;
-  bench.run(500);
-  EXPECT_EQ(bench.session.counters().reboots, 0u);
-  EXPECT_FALSE(bench.session.take_rebooted());
-  EXPECT_EQ(bench.session.session_number(), 2u);
-  EXPECT_THAT(bench.states, ::testing::EndsWith("ready parameters syncing ready"));
+  SessionRig rig;
+  rig.connect();
+  rig.robot.state = wire::State::kHello;
+  rig.run(500);
+  EXPECT_EQ(rig.session.counters().reboots, 0u);
+  EXPECT_FALSE(rig.session.take_rebooted());
+  EXPECT_EQ(rig.session.session_number(), 2u);
+  EXPECT_THAT(rig.states, ::testing::EndsWith("ready parameters syncing ready"));
 }
 
 TEST(Session, OtherParametersGoToTheSameBootInANewSession) {
-  SessionBench bench;
-  bench.connect();
-  wire::Parameters other = SessionBench::settings().parameters;
+  SessionRig rig;
+  rig.connect();
+  wire::Parameters other = SessionRig::settings().parameters;
   other.wheelbase_m = 0.77F;
-  bench.session.use(other, bench.now);
-  bench.run(500);
-  EXPECT_EQ(bench.robot.received.parameters.back().wheelbase_m, 0.77F);
-  EXPECT_EQ(bench.robot.received.parameters.back().boot_nonce, bench.robot.boot_nonce);
-  EXPECT_EQ(bench.session.counters().reboots, 0u);
-  EXPECT_EQ(bench.session.session_number(), 2u);
-  EXPECT_THAT(bench.states, ::testing::EndsWith("ready hello parameters syncing ready"));
+  rig.session.use(other, rig.now);
+  rig.run(500);
+  EXPECT_EQ(rig.robot.received.parameters.back().wheelbase_m, 0.77F);
+  EXPECT_EQ(rig.robot.received.parameters.back().boot_nonce, rig.robot.boot_nonce);
+  EXPECT_EQ(rig.session.counters().reboots, 0u);
+  EXPECT_EQ(rig.session.session_number(), 2u);
+  EXPECT_THAT(rig.states, ::testing::EndsWith("ready hello parameters syncing ready"));
 }
 
 // Without commands the robot would latch a fault after 200 ms.
 TEST(Session, ChangesInQuickSuccessionAreNotSlowedDown) {
-  SessionBench bench;
-  bench.connect();
+  SessionRig rig;
+  rig.connect();
   for (int i = 0; i < 5; ++i) {
-    bench.session.use(SessionBench::settings().parameters, bench.now);
-    bench.run(20);
-    EXPECT_EQ(bench.session.state(), SessionState::kSyncing) << i;
+    rig.session.use(SessionRig::settings().parameters, rig.now);
+    rig.run(20);
+    EXPECT_EQ(rig.session.state(), SessionState::kSyncing) << i;
   }
 }
 
 TEST(Session, ARobotThatRefusedItsParametersTakesOthers) {
-  SessionBench bench;
-  bench.robot.parameters_result = wire::Result::kOutOfRange;
-  bench.connect();
-  ASSERT_EQ(bench.session.state(), SessionState::kRefused);
-  bench.robot.parameters_result = wire::Result::kAccepted;
-  bench.session.use(SessionBench::settings().parameters, bench.now);
-  bench.run(500);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  SessionRig rig;
+  rig.robot.parameters_result = wire::Result::kOutOfRange;
+  rig.connect();
+  ASSERT_EQ(rig.session.state(), SessionState::kRefused);
+  rig.robot.parameters_result = wire::Result::kAccepted;
+  rig.session.use(SessionRig::settings().parameters, rig.now);
+  rig.run(500);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
 TEST(Session, OtherParametersWithoutARobotWaitForOne) {
-  SessionBench bench;
-  wire::Parameters other = SessionBench::settings().parameters;
+  SessionRig rig;
+  wire::Parameters other = SessionRig::settings().parameters;
   other.wheelbase_m = 0.77F;
-  bench.session.use(other, bench.now);
-  EXPECT_EQ(bench.session.state(), SessionState::kClosed);
-  bench.connect();
-  EXPECT_EQ(bench.robot.received.parameters.back().wheelbase_m, 0.77F);
+  rig.session.use(other, rig.now);
+  EXPECT_EQ(rig.session.state(), SessionState::kClosed);
+  rig.connect();
+  EXPECT_EQ(rig.robot.received.parameters.back().wheelbase_m, 0.77F);
 }
 
 TEST(Session, RepeatsParametersUntilTheyAreAcknowledged) {
-  SessionBench bench;
-  bench.robot.answers_parameters = false;
-  bench.session.open(bench.now);
-  bench.run(1000);
-  EXPECT_EQ(bench.session.state(), SessionState::kParameters);
-  const auto& sent = bench.robot.received.parameters;
+  SessionRig rig;
+  rig.robot.answers_parameters = false;
+  rig.session.open(rig.now);
+  rig.run(1000);
+  EXPECT_EQ(rig.session.state(), SessionState::kParameters);
+  const auto& sent = rig.robot.received.parameters;
   ASSERT_GE(sent.size(), 9u);
   ASSERT_LE(sent.size(), 11u);
   EXPECT_EQ(sent.front().token, sent.back().token);
-  bench.robot.answers_parameters = true;
-  bench.run(400);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  rig.robot.answers_parameters = true;
+  rig.run(400);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
 TEST(Session, StopsWithAnEventWhenParametersAreOutOfRange) {
-  SessionBench bench;
-  bench.robot.parameters_result = wire::Result::kOutOfRange;
-  bench.connect();
-  EXPECT_EQ(bench.session.state(), SessionState::kRefused);
-  EXPECT_EQ(bench.robot.received.parameters.size(), 1u);
-  EXPECT_EQ(bench.count<Acknowledged>(), 1);
+  SessionRig rig;
+  rig.robot.parameters_result = wire::Result::kOutOfRange;
+  rig.connect();
+  EXPECT_EQ(rig.session.state(), SessionState::kRefused);
+  EXPECT_EQ(rig.robot.received.parameters.size(), 1u);
+  EXPECT_EQ(rig.count<Acknowledged>(), 1);
 }
 
 TEST(Session, TimesOutWhenGoodFramesStopAndRecovers) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.silent = true;
-  bench.run(480);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  bench.run(25);
-  EXPECT_EQ(bench.count<Silence>(), 1);
-  EXPECT_EQ(bench.session.state(), SessionState::kListening);
-  EXPECT_FALSE(bench.session.clock().valid);
-  bench.robot.silent = false;
-  bench.run(600);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady) << bench.states;
-  EXPECT_EQ(bench.session.session_number(), 2u);
+  SessionRig rig;
+  rig.connect();
+  rig.robot.silent = true;
+  rig.run(480);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  rig.run(25);
+  EXPECT_EQ(rig.count<Silence>(), 1);
+  EXPECT_EQ(rig.session.state(), SessionState::kListening);
+  EXPECT_FALSE(rig.session.clock().valid);
+  rig.robot.silent = false;
+  rig.run(600);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady) << rig.states;
+  EXPECT_EQ(rig.session.session_number(), 2u);
 }
 
 TEST(Session, OnlySamplesKeepASessionAlive) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.samples = false;
-  bench.run(510);
-  EXPECT_GT(bench.robot.received.sync_requests, 3);
-  EXPECT_EQ(bench.count<Silence>(), 1) << "replies to clock requests do not count as samples";
-  EXPECT_NE(bench.session.state(), SessionState::kReady);
-  SessionBench chatter;
+  SessionRig rig;
+  rig.connect();
+  rig.robot.samples = false;
+  rig.run(510);
+  EXPECT_GT(rig.robot.received.sync_requests, 3);
+  EXPECT_EQ(rig.count<Silence>(), 1) << "replies to clock requests do not count as samples";
+  EXPECT_NE(rig.session.state(), SessionState::kReady);
+  SessionRig chatter;
   chatter.connect();
   chatter.robot.samples = false;
   for (int i = 0; i < 510; ++i) {
@@ -350,198 +350,198 @@ TEST(Session, OnlySamplesKeepASessionAlive) {
 }
 
 TEST(Session, ARobotWithWhichNoSessionLastsIsAskedLaterAndLater) {
-  SessionBench bench;
+  SessionRig rig;
   // The samples' sequence number never changes: each session ends as soon as this is detected.
-  bench.connect();
+  rig.connect();
   int sessions = 0;
   for (int i = 0; i < 30000; ++i) {
-    bench.robot.sequence = 7;
-    const std::uint32_t before = bench.session.session_number();
-    bench.step();
-    sessions += static_cast<int>(bench.session.session_number() - before);
+    rig.robot.sequence = 7;
+    const std::uint32_t before = rig.session.session_number();
+    rig.step();
+    sessions += static_cast<int>(rig.session.session_number() - before);
   }
   // The waits are 0.2, 0.4, 0.8, 1.6, 3.2, 5, 5 ... seconds, each followed by an attempt of 0.5 s.
   EXPECT_GE(sessions, 5);
   EXPECT_LE(sessions, 10);
   // A robot that works again is retried without a long wait, and after its next failure at once.
-  bench.run(7000);
-  ASSERT_EQ(bench.session.state(), SessionState::kReady);
-  bench.robot.state = wire::State::kHello;
-  bench.run(600);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  rig.run(7000);
+  ASSERT_EQ(rig.session.state(), SessionState::kReady);
+  rig.robot.state = wire::State::kHello;
+  rig.run(600);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
 TEST(Session, APortThatGoesIsNoReasonToWait) {
-  SessionBench bench;
+  SessionRig rig;
   for (int i = 0; i < 10; ++i) {
-    bench.robot.reboot(bench.now);
-    bench.connect();
-    ASSERT_EQ(bench.session.state(), SessionState::kReady) << i;
-    bench.session.close(bench.now);
+    rig.robot.reboot(rig.now);
+    rig.connect();
+    ASSERT_EQ(rig.session.state(), SessionState::kReady) << i;
+    rig.session.close(rig.now);
   }
 }
 
 TEST(Session, ADisarmUnderWayEndsWithItsSession) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.answers_requests = false;
-  bench.session.request(RobotRequest::kDisarm, bench.now);
-  bench.run(20);
-  ASSERT_TRUE(bench.session.request_pending());
-  bench.robot.reboot(bench.now);
-  bench.robot.received = {};
-  bench.run(400);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_FALSE(bench.session.request_pending());
-  EXPECT_TRUE(bench.robot.received.disarms.empty()) << "its token belongs to another boot";
+  SessionRig rig;
+  rig.connect();
+  rig.robot.answers_requests = false;
+  rig.session.request(RobotRequest::kDisarm, rig.now);
+  rig.run(20);
+  ASSERT_TRUE(rig.session.request_pending());
+  rig.robot.reboot(rig.now);
+  rig.robot.received = {};
+  rig.run(400);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_FALSE(rig.session.request_pending());
+  EXPECT_TRUE(rig.robot.received.disarms.empty()) << "its token belongs to another boot";
 }
 
 TEST(Session, CountsAndTimesOfAnEarlierBootAreForgotten) {
-  SessionBench bench;
+  SessionRig rig;
   // The robot has been up for more than half an hour, so its time is far from that of the next
   // boot.
-  bench.robot.device_offset_us = 2'400'000'000U;
-  bench.robot.metres_per_s = 0.1;
-  bench.connect();
-  const DeviceUs before_us = bench.samples.back().device_us;
-  const std::int64_t before_counts = bench.samples.back().left_counts;
-  bench.run(2000);
-  EXPECT_GT(bench.samples.back().left_counts, before_counts);
-  bench.robot.device_offset_us = 0;
-  bench.robot.metres_per_s = 0.0;
-  bench.robot.reboot(bench.now);
-  bench.samples.clear();
-  bench.run(500);
-  ASSERT_EQ(bench.session.state(), SessionState::kReady);
-  ASSERT_FALSE(bench.samples.empty());
-  EXPECT_LT(bench.samples.back().device_us, 1'000'000);
-  EXPECT_LT(bench.samples.back().device_us, before_us);
-  EXPECT_EQ(bench.samples.back().left_counts, 0);
-  EXPECT_EQ(bench.session.counters().implausible, 0u);
+  rig.robot.device_offset_us = 2'400'000'000U;
+  rig.robot.metres_per_s = 0.1;
+  rig.connect();
+  const DeviceUs before_us = rig.samples.back().device_us;
+  const std::int64_t before_counts = rig.samples.back().left_counts;
+  rig.run(2000);
+  EXPECT_GT(rig.samples.back().left_counts, before_counts);
+  rig.robot.device_offset_us = 0;
+  rig.robot.metres_per_s = 0.0;
+  rig.robot.reboot(rig.now);
+  rig.samples.clear();
+  rig.run(500);
+  ASSERT_EQ(rig.session.state(), SessionState::kReady);
+  ASSERT_FALSE(rig.samples.empty());
+  EXPECT_LT(rig.samples.back().device_us, 1'000'000);
+  EXPECT_LT(rig.samples.back().device_us, before_us);
+  EXPECT_EQ(rig.samples.back().left_counts, 0);
+  EXPECT_EQ(rig.session.counters().implausible, 0u);
 }
 
 // The robot is as old after its next boot as it was before: only the nonce tells the new counts
 // from a jump.
 TEST(Session, CountsOfANewBootAreNoJumpOfTheOldOne) {
-  SessionSettings settings = SessionBench::settings();
+  SessionSettings settings = SessionRig::settings();
   settings.parameters.max_track_mps = 0.1f;
   settings.parameters.counts_per_metre = 11140.0f;
-  SessionBench bench(settings);
-  bench.robot.metres_per_s = 0.1;
-  bench.connect();
-  bench.run(10'000);
-  const Sample before = bench.samples.back();
+  SessionRig rig(settings);
+  rig.robot.metres_per_s = 0.1;
+  rig.connect();
+  rig.run(10'000);
+  const Sample before = rig.samples.back();
   EXPECT_GT(before.left_counts, 11'000);
-  bench.session.close(bench.now);
-  bench.robot.metres_per_s = 0.0;
-  bench.robot.reboot(bench.now);
-  bench.run(11'500);
-  bench.connect();
-  ASSERT_EQ(bench.session.state(), SessionState::kReady);
-  const Sample& after = bench.samples.back();
+  rig.session.close(rig.now);
+  rig.robot.metres_per_s = 0.0;
+  rig.robot.reboot(rig.now);
+  rig.run(11'500);
+  rig.connect();
+  ASSERT_EQ(rig.session.state(), SessionState::kReady);
+  const Sample& after = rig.samples.back();
   EXPECT_GT(after.device_us, before.device_us);
   EXPECT_LT(after.device_us, before.device_us + 1'000'000);
   EXPECT_EQ(after.left_counts, 0);
   EXPECT_EQ(after.right_counts, 0);
-  EXPECT_EQ(bench.session.counters().implausible, 0u);
+  EXPECT_EQ(rig.session.counters().implausible, 0u);
 }
 
 TEST(Session, CommandsGoOnWhereTheRobotIsInTheNextSession) {
-  SessionBench bench;
-  bench.commands = true;
-  bench.connect();
+  SessionRig rig;
+  rig.commands = true;
+  rig.connect();
   // Another host has controlled the robot in the meantime.
-  bench.robot.state = wire::State::kHello;
-  bench.robot.received.commands.push_back({});
-  bench.robot.received.commands.back().sequence = 40000;
-  bench.commands = false;
-  bench.run(20);
-  bench.commands = true;
-  bench.run(400);
-  ASSERT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_GT(bench.robot.received.commands.back().sequence, 40000);
+  rig.robot.state = wire::State::kHello;
+  rig.robot.received.commands.push_back({});
+  rig.robot.received.commands.back().sequence = 40000;
+  rig.commands = false;
+  rig.run(20);
+  rig.commands = true;
+  rig.run(400);
+  ASSERT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_GT(rig.robot.received.commands.back().sequence, 40000);
 }
 
 TEST(Session, TellsWhatBecameOfArmAndDisarm) {
-  SessionBench bench;
-  bench.connect();
-  bench.session.request(RobotRequest::kArm, bench.now);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kNone);
-  bench.run(20);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kAcknowledged);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kNone);
-  bench.session.request(RobotRequest::kDisarm, bench.now);
-  bench.run(20);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kAcknowledged);
-  bench.robot.answers_requests = false;
-  bench.session.request(RobotRequest::kDisarm, bench.now);
-  bench.run(210);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
+  SessionRig rig;
+  rig.connect();
+  rig.session.request(RobotRequest::kArm, rig.now);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kNone);
+  rig.run(20);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kAcknowledged);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kNone);
+  rig.session.request(RobotRequest::kDisarm, rig.now);
+  rig.run(20);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kAcknowledged);
+  rig.robot.answers_requests = false;
+  rig.session.request(RobotRequest::kDisarm, rig.now);
+  rig.run(210);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kFailed);
 }
 
 TEST(Session, ADisarmThatIsRefusedIsNotConfirmed) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.answers_requests = false;
-  bench.session.request(RobotRequest::kDisarm, bench.now);
-  bench.run(20);
-  bench.robot.say(wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kDisarm),
-                                    bench.robot.received.disarms.back().token,
-                                    static_cast<std::uint8_t>(wire::Result::kWrongState), 0});
-  bench.run(5);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
+  SessionRig rig;
+  rig.connect();
+  rig.robot.answers_requests = false;
+  rig.session.request(RobotRequest::kDisarm, rig.now);
+  rig.run(20);
+  rig.robot.say(wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kDisarm),
+                                  rig.robot.received.disarms.back().token,
+                                  static_cast<std::uint8_t>(wire::Result::kWrongState), 0});
+  rig.run(5);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kFailed);
 }
 
 TEST(Session, AStopThatIsAskedForAgainIsTheSameOne) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.answers_requests = false;
+  SessionRig rig;
+  rig.connect();
+  rig.robot.answers_requests = false;
   for (int i = 0; i < 10; ++i) {
-    bench.session.request(RobotRequest::kStop, bench.now);
-    bench.run(100);
+    rig.session.request(RobotRequest::kStop, rig.now);
+    rig.run(100);
   }
-  EXPECT_EQ(bench.count<NotAcknowledged>(), 1);
-  EXPECT_EQ(bench.robot.received.stops.front().token, bench.robot.received.stops.back().token);
+  EXPECT_EQ(rig.count<NotAcknowledged>(), 1);
+  EXPECT_EQ(rig.robot.received.stops.front().token, rig.robot.received.stops.back().token);
 }
 
 TEST(Session, GarbageAloneIsNoLife) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.silent = true;
+  SessionRig rig;
+  rig.connect();
+  rig.robot.silent = true;
   for (int i = 0; i < 600; ++i) {
     const std::vector<std::uint8_t> noise{0x17, 0x99, 0x00, 0x55};
-    bench.session.receive(noise, bench.now);
-    bench.step();
+    rig.session.receive(noise, rig.now);
+    rig.step();
   }
-  EXPECT_EQ(bench.session.state(), SessionState::kListening);
-  const LinkCounters& counters = bench.session.counters();
+  EXPECT_EQ(rig.session.state(), SessionState::kListening);
+  const LinkCounters& counters = rig.session.counters();
   EXPECT_GT(counters.crc_errors + counters.cobs_errors + counters.undersize, 400u);
 }
 
 TEST(Session, ArmIsAcknowledgedOnceWithAFreshToken) {
-  SessionBench bench;
-  bench.connect();
-  bench.session.request(RobotRequest::kArm, bench.now);
-  bench.run(50);
-  bench.session.request(RobotRequest::kDisarm, bench.now);
-  bench.run(50);
-  bench.session.request(RobotRequest::kArm, bench.now);
-  bench.run(50);
-  ASSERT_EQ(bench.robot.received.arms.size(), 2u);
-  ASSERT_EQ(bench.robot.received.disarms.size(), 1u);
-  EXPECT_LT(bench.robot.received.arms[0].token, bench.robot.received.disarms[0].token);
-  EXPECT_LT(bench.robot.received.disarms[0].token, bench.robot.received.arms[1].token);
-  EXPECT_GT(bench.robot.received.arms[0].token, bench.robot.received.parameters[0].token);
-  EXPECT_NE(bench.session.take_answer(), RequestAnswer::kFailed);
-  EXPECT_EQ(bench.robot.state, wire::State::kArmed);
+  SessionRig rig;
+  rig.connect();
+  rig.session.request(RobotRequest::kArm, rig.now);
+  rig.run(50);
+  rig.session.request(RobotRequest::kDisarm, rig.now);
+  rig.run(50);
+  rig.session.request(RobotRequest::kArm, rig.now);
+  rig.run(50);
+  ASSERT_EQ(rig.robot.received.arms.size(), 2u);
+  ASSERT_EQ(rig.robot.received.disarms.size(), 1u);
+  EXPECT_LT(rig.robot.received.arms[0].token, rig.robot.received.disarms[0].token);
+  EXPECT_LT(rig.robot.received.disarms[0].token, rig.robot.received.arms[1].token);
+  EXPECT_GT(rig.robot.received.arms[0].token, rig.robot.received.parameters[0].token);
+  EXPECT_NE(rig.session.take_answer(), RequestAnswer::kFailed);
+  EXPECT_EQ(rig.robot.state, wire::State::kArmed);
 }
 
 TEST(Session, TokensExceedThoseOfAnEarlierDaemon) {
-  SessionBench first;
+  SessionRig first;
   first.connect();
   first.session.request(RobotRequest::kArm, first.now);
   first.run(50);
-  SessionBench second;
+  SessionRig second;
   second.now = first.now;
   second.robot = first.robot;
   second.robot.received = {};
@@ -551,121 +551,121 @@ TEST(Session, TokensExceedThoseOfAnEarlierDaemon) {
 }
 
 TEST(Session, AnUnacknowledgedArmIsRefusedAfter200MsAndALateAnswerDisarms) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.answers_requests = false;
-  bench.session.request(RobotRequest::kArm, bench.now);
-  bench.run(190);
-  EXPECT_NE(bench.session.take_answer(), RequestAnswer::kFailed);
-  bench.run(20);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
-  EXPECT_EQ(bench.count<NotAcknowledged>(), 1);
-  const auto& arms = bench.robot.received.arms;
+  SessionRig rig;
+  rig.connect();
+  rig.robot.answers_requests = false;
+  rig.session.request(RobotRequest::kArm, rig.now);
+  rig.run(190);
+  EXPECT_NE(rig.session.take_answer(), RequestAnswer::kFailed);
+  rig.run(20);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kFailed);
+  EXPECT_EQ(rig.count<NotAcknowledged>(), 1);
+  const auto& arms = rig.robot.received.arms;
   EXPECT_GE(arms.size(), 6u);
   EXPECT_LE(arms.size(), 8u);
   EXPECT_EQ(arms.front().token, arms.back().token);
   EXPECT_EQ(arms.front().expiry_us, arms.back().expiry_us);
 
-  bench.robot.answers_requests = true;
+  rig.robot.answers_requests = true;
   for (int again = 0; again < 2; ++again) {
-    bench.robot.say(
+    rig.robot.say(
         wire::Acknowledge{static_cast<std::uint8_t>(wire::Type::kArm), arms.back().token, 0, 0});
-    bench.run(20);
-    EXPECT_EQ(bench.robot.received.disarms.size(), 1u);
+    rig.run(20);
+    EXPECT_EQ(rig.robot.received.disarms.size(), 1u);
   }
 }
 
 TEST(Session, AnArmWithoutASessionIsRefusedAtOnce) {
-  SessionBench bench;
-  bench.session.request(RobotRequest::kArm, bench.now);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
-  bench.connect();
-  EXPECT_TRUE(bench.robot.received.arms.empty());
+  SessionRig rig;
+  rig.session.request(RobotRequest::kArm, rig.now);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kFailed);
+  rig.connect();
+  EXPECT_TRUE(rig.robot.received.arms.empty());
 }
 
 TEST(Session, AnArmUnderWayEndsWithItsSession) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.answers_requests = false;
-  bench.session.request(RobotRequest::kArm, bench.now);
-  bench.run(20);
-  bench.robot.reboot(bench.now);
-  const std::size_t before = bench.robot.received.arms.size();
-  bench.run(400);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_EQ(bench.robot.received.arms.size(), before);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
+  SessionRig rig;
+  rig.connect();
+  rig.robot.answers_requests = false;
+  rig.session.request(RobotRequest::kArm, rig.now);
+  rig.run(20);
+  rig.robot.reboot(rig.now);
+  const std::size_t before = rig.robot.received.arms.size();
+  rig.run(400);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_EQ(rig.robot.received.arms.size(), before);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kFailed);
 }
 
 TEST(Session, ARefusedArmIsReported) {
-  SessionBench bench;
-  bench.robot.arm_result = wire::Result::kFaultPersists;
-  bench.connect();
-  bench.session.request(RobotRequest::kArm, bench.now);
-  bench.run(20);
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
-  EXPECT_EQ(bench.robot.received.arms.size(), 1u);
+  SessionRig rig;
+  rig.robot.arm_result = wire::Result::kFaultPersists;
+  rig.connect();
+  rig.session.request(RobotRequest::kArm, rig.now);
+  rig.run(20);
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kFailed);
+  EXPECT_EQ(rig.robot.received.arms.size(), 1u);
 }
 
 TEST(Session, LearnsFromAStaleToken) {
-  SessionBench bench;
-  bench.robot.arm_result = wire::Result::kStaleToken;
-  bench.connect();
-  bench.session.request(RobotRequest::kArm, bench.now);
-  bench.run(20);
-  bench.session.request(RobotRequest::kArm, bench.now);
-  bench.run(20);
-  ASSERT_EQ(bench.robot.received.arms.size(), 2u);
-  EXPECT_GT(bench.robot.received.arms[1].token, bench.robot.received.arms[0].token + 1000u);
+  SessionRig rig;
+  rig.robot.arm_result = wire::Result::kStaleToken;
+  rig.connect();
+  rig.session.request(RobotRequest::kArm, rig.now);
+  rig.run(20);
+  rig.session.request(RobotRequest::kArm, rig.now);
+  rig.run(20);
+  ASSERT_EQ(rig.robot.received.arms.size(), 2u);
+  EXPECT_GT(rig.robot.received.arms[1].token, rig.robot.received.arms[0].token + 1000u);
 }
 
 TEST(Session, StopSupersedesArmAndIsRepeatedUntilAcknowledged) {
-  SessionBench bench;
-  bench.connect();
-  bench.robot.answers_requests = false;
-  bench.session.request(RobotRequest::kArm, bench.now);
-  bench.session.request(RobotRequest::kStop, bench.now);
-  bench.run(210);
-  EXPECT_TRUE(bench.robot.received.arms.empty());
-  EXPECT_EQ(bench.session.take_answer(), RequestAnswer::kFailed);
-  EXPECT_GE(bench.robot.received.stops.size(), 6u);
-  EXPECT_EQ(bench.count<NotAcknowledged>(), 2);
-  bench.robot.answers_requests = true;
-  bench.run(300);
-  EXPECT_FALSE(bench.session.request_pending());
+  SessionRig rig;
+  rig.connect();
+  rig.robot.answers_requests = false;
+  rig.session.request(RobotRequest::kArm, rig.now);
+  rig.session.request(RobotRequest::kStop, rig.now);
+  rig.run(210);
+  EXPECT_TRUE(rig.robot.received.arms.empty());
+  EXPECT_EQ(rig.session.take_answer(), RequestAnswer::kFailed);
+  EXPECT_GE(rig.robot.received.stops.size(), 6u);
+  EXPECT_EQ(rig.count<NotAcknowledged>(), 2);
+  rig.robot.answers_requests = true;
+  rig.run(300);
+  EXPECT_FALSE(rig.session.request_pending());
 }
 
 TEST(Session, StopIsTheFirstThingSentOnTheNextSession) {
-  SessionBench bench;
-  bench.connect();
-  bench.session.close(bench.now);
-  bench.session.request(RobotRequest::kStop, bench.now);
-  bench.run(300);
-  EXPECT_EQ(bench.count<NotAcknowledged>(), 1);
-  bench.robot.received = {};
-  bench.robot.state = wire::State::kHello;
-  bench.connect();
-  ASSERT_FALSE(bench.robot.received.types.empty());
-  EXPECT_EQ(bench.robot.received.types[0], static_cast<std::uint8_t>(wire::Type::kStop));
-  EXPECT_FALSE(bench.session.request_pending());
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  SessionRig rig;
+  rig.connect();
+  rig.session.close(rig.now);
+  rig.session.request(RobotRequest::kStop, rig.now);
+  rig.run(300);
+  EXPECT_EQ(rig.count<NotAcknowledged>(), 1);
+  rig.robot.received = {};
+  rig.robot.state = wire::State::kHello;
+  rig.connect();
+  ASSERT_FALSE(rig.robot.received.types.empty());
+  EXPECT_EQ(rig.robot.received.types[0], static_cast<std::uint8_t>(wire::Type::kStop));
+  EXPECT_FALSE(rig.session.request_pending());
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
 TEST(Session, CommandsCarryNonceAscendingSequenceAndExpiry) {
-  SessionBench bench;
-  bench.commands = true;
-  bench.connect();
-  bench.command.pose.yaw_rad = 0.25;
-  bench.command.speed_mps = 0.1;
-  bench.command.expiry_us = (DeviceUs{1} << 32U) + 77;
-  bench.command.answers = 42;
-  bench.run(3);
-  const auto& commands = bench.robot.received.commands;
+  SessionRig rig;
+  rig.commands = true;
+  rig.connect();
+  rig.command.pose.yaw_rad = 0.25;
+  rig.command.speed_mps = 0.1;
+  rig.command.expiry_us = (DeviceUs{1} << 32U) + 77;
+  rig.command.answers = 42;
+  rig.run(3);
+  const auto& commands = rig.robot.received.commands;
   ASSERT_GT(commands.size(), 10u);
   for (std::size_t i = 1; i < commands.size(); ++i) {
     ASSERT_EQ(commands[i].sequence, static_cast<std::uint16_t>(commands[i - 1].sequence + 1));
   }
-  EXPECT_EQ(commands.back().boot_nonce, bench.robot.boot_nonce);
+  EXPECT_EQ(commands.back().boot_nonce, rig.robot.boot_nonce);
   EXPECT_FLOAT_EQ(commands.back().yaw_rad, 0.25F);
   EXPECT_FLOAT_EQ(commands.back().speed_mps, 0.1F);
   EXPECT_EQ(commands.back().expiry_us, 77u);
@@ -673,10 +673,10 @@ TEST(Session, CommandsCarryNonceAscendingSequenceAndExpiry) {
 }
 
 TEST(Session, CommandSequenceContinuesAboveThatOfAnEarlierDaemon) {
-  SessionBench first;
+  SessionRig first;
   first.commands = true;
   first.connect();
-  SessionBench second;
+  SessionRig second;
   second.now = first.now;
   second.robot = first.robot;
   second.commands = true;
@@ -689,44 +689,44 @@ TEST(Session, CommandSequenceContinuesAboveThatOfAnEarlierDaemon) {
 }
 
 TEST(Session, DropsAndCountsWhatThePortDoesNotTake) {
-  SessionBench bench;
-  bench.commands = true;
-  bench.connect();
-  bench.port_takes = false;
-  bench.run(100);
-  const std::uint64_t overflow = bench.session.counters().unwritten;
+  SessionRig rig;
+  rig.commands = true;
+  rig.connect();
+  rig.port_takes = false;
+  rig.run(100);
+  const std::uint64_t overflow = rig.session.counters().unwritten;
   EXPECT_GT(overflow, 50u);
-  bench.session.written(10);
-  bench.session.drop_output();
-  EXPECT_GT(bench.session.counters().unwritten, overflow);
-  EXPECT_TRUE(bench.session.output().empty());
-  bench.port_takes = true;
-  const std::size_t before = bench.robot.received.commands.size();
-  bench.run(5);
-  EXPECT_EQ(bench.robot.received.commands.size(), before + 5);
+  rig.session.written(10);
+  rig.session.drop_output();
+  EXPECT_GT(rig.session.counters().unwritten, overflow);
+  EXPECT_TRUE(rig.session.output().empty());
+  rig.port_takes = true;
+  const std::size_t before = rig.robot.received.commands.size();
+  rig.run(5);
+  EXPECT_EQ(rig.robot.received.commands.size(), before + 5);
 }
 
 TEST(Session, HalfOpenLinkIsNoticedByTheRobotsHello) {
-  SessionBench bench;
-  bench.connect();
-  bench.loses_output = true;
-  bench.run(300);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  bench.robot.state = wire::State::kHello;
-  bench.run(300);
-  EXPECT_EQ(bench.session.state(), SessionState::kParameters);
+  SessionRig rig;
+  rig.connect();
+  rig.loses_output = true;
+  rig.run(300);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  rig.robot.state = wire::State::kHello;
+  rig.run(300);
+  EXPECT_EQ(rig.session.state(), SessionState::kParameters);
 }
 
 TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
-  const auto unanswered = [](SessionBench& bench) {
+  const auto unanswered = [](SessionRig& rig) {
     std::vector<SessionState> states;
-    for (const SessionEvent& event : bench.events)
+    for (const SessionEvent& event : rig.events)
       if (const Unanswered* silent = as<Unanswered>(event)) states.push_back(silent->state);
-    EXPECT_EQ(bench.session.counters().unanswered, states.size());
+    EXPECT_EQ(rig.session.counters().unanswered, states.size());
     return states;
   };
   using testing::ElementsAre;
-  SessionBench deaf;
+  SessionRig deaf;
   deaf.robot.answers_parameters = false;
   deaf.session.open(deaf.now);
   deaf.run(5200);
@@ -739,7 +739,7 @@ TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
   deaf.run(20000);
   EXPECT_THAT(unanswered(deaf), testing::SizeIs(2));
 
-  SessionBench timeless;
+  SessionRig timeless;
   timeless.robot.answers_sync = false;
   timeless.session.open(timeless.now);
   timeless.run(5200);
@@ -747,63 +747,63 @@ TEST(Session, SaysThatARobotAnswersNothingAndGoesOnAsking) {
 }
 
 TEST(Session, CountsWhatTheRobotSaysCameCorrupted) {
-  SessionBench bench;
-  bench.robot.corrupted = 65530;
-  bench.connect();
-  bench.run(1000);
-  EXPECT_EQ(bench.session.counters().robot_corrupted, 0u);
-  bench.robot.corrupted = 4;
-  bench.run(1000);
-  EXPECT_EQ(bench.session.counters().robot_corrupted, 10u);
-  bench.robot.corrupted = 2;
-  bench.run(1000);
-  EXPECT_EQ(bench.session.counters().robot_corrupted, 10u) << "an old reply changed the counter";
+  SessionRig rig;
+  rig.robot.corrupted = 65530;
+  rig.connect();
+  rig.run(1000);
+  EXPECT_EQ(rig.session.counters().robot_corrupted, 0u);
+  rig.robot.corrupted = 4;
+  rig.run(1000);
+  EXPECT_EQ(rig.session.counters().robot_corrupted, 10u);
+  rig.robot.corrupted = 2;
+  rig.run(1000);
+  EXPECT_EQ(rig.session.counters().robot_corrupted, 10u) << "an old reply changed the counter";
 }
 
 TEST(Session, CountsTheEncoderEdgesThatTheRobotMissedInThisSession) {
-  SessionBench bench;
-  bench.robot.missed_edges = 65530;
-  bench.connect();
-  bench.run(1000);
-  EXPECT_EQ(bench.session.counters().missed_edges, 0u);
-  bench.robot.missed_edges = 4;
-  bench.run(1000);
-  EXPECT_EQ(bench.session.counters().missed_edges, 10u);
-  bench.robot.reboot(bench.now);
-  bench.robot.missed_edges = 0;
-  bench.run(1000);
-  bench.robot.missed_edges = 3;
-  bench.run(1000);
-  EXPECT_EQ(bench.session.counters().missed_edges, 13u);
+  SessionRig rig;
+  rig.robot.missed_edges = 65530;
+  rig.connect();
+  rig.run(1000);
+  EXPECT_EQ(rig.session.counters().missed_edges, 0u);
+  rig.robot.missed_edges = 4;
+  rig.run(1000);
+  EXPECT_EQ(rig.session.counters().missed_edges, 10u);
+  rig.robot.reboot(rig.now);
+  rig.robot.missed_edges = 0;
+  rig.run(1000);
+  rig.robot.missed_edges = 3;
+  rig.run(1000);
+  EXPECT_EQ(rig.session.counters().missed_edges, 13u);
 }
 
 TEST(Session, CountsForeignBytesBeforeTheFirstFrameOnly) {
-  SessionBench bench;
-  bench.session.open(bench.now);
+  SessionRig rig;
+  rig.session.open(rig.now);
   const std::string banner = "AT+GCAP\r\nboot v1\r\n";
   std::vector<std::uint8_t> bytes(banner.begin(), banner.end());
   bytes.push_back(0);
-  bench.session.receive(bytes, bench.now);
-  bench.run(400);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
-  EXPECT_EQ(bench.session.counters().foreign_bytes, bytes.size());
-  EXPECT_EQ(bench.session.counters().cobs_errors + bench.session.counters().crc_errors, 0u);
+  rig.session.receive(bytes, rig.now);
+  rig.run(400);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
+  EXPECT_EQ(rig.session.counters().foreign_bytes, bytes.size());
+  EXPECT_EQ(rig.session.counters().cobs_errors + rig.session.counters().crc_errors, 0u);
 }
 
 TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
-  SessionBench bench;
-  bench.connect();
+  SessionRig rig;
+  rig.connect();
   wire::Log log{};
   log.device_us = 4711;
   log.text[0] = 'h';
   log.text[1] = 0x1B;
   log.text[2] = 'i';
-  bench.robot.say(log);
-  bench.robot.say(wire::FaultReport{1, static_cast<std::uint8_t>(Fault::battery_low), 0, 5900});
-  bench.run(2);
-  ASSERT_EQ(bench.count<RobotLog>(), 1);
-  ASSERT_EQ(bench.count<RobotFault>(), 1);
-  for (const SessionEvent& event : bench.events) {
+  rig.robot.say(log);
+  rig.robot.say(wire::FaultReport{1, static_cast<std::uint8_t>(Fault::battery_low), 0, 5900});
+  rig.run(2);
+  ASSERT_EQ(rig.count<RobotLog>(), 1);
+  ASSERT_EQ(rig.count<RobotFault>(), 1);
+  for (const SessionEvent& event : rig.events) {
     if (const RobotLog* said = as<RobotLog>(event)) {
       EXPECT_STREQ(said->text.data(), "h?i");
       EXPECT_EQ(said->device_us, 4711);
@@ -815,15 +815,15 @@ TEST(Session, PassesRobotFaultsAndCleansItsTexts) {
 }
 
 TEST(Session, AFloodOfLogsDisplacesNoStateChange) {
-  SessionBench bench;
-  bench.connect();
-  for (int i = 0; i < 200; ++i) bench.robot.say(wire::Log{});
-  bench.robot.reboot(bench.now);
-  bench.robot.say(wire::Log{});
-  bench.events.clear();
-  bench.run(300);
-  EXPECT_EQ(bench.count<Rebooted>(), 1);
-  EXPECT_EQ(bench.session.state(), SessionState::kReady);
+  SessionRig rig;
+  rig.connect();
+  for (int i = 0; i < 200; ++i) rig.robot.say(wire::Log{});
+  rig.robot.reboot(rig.now);
+  rig.robot.say(wire::Log{});
+  rig.events.clear();
+  rig.run(300);
+  EXPECT_EQ(rig.count<Rebooted>(), 1);
+  EXPECT_EQ(rig.session.state(), SessionState::kReady);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace tp100::firmware {
 
-class Bench {
+class Rig {
  public:
   static constexpr float kGyroScale = 0.0174532925f / 32.8f;  // 1000 deg/s full scale
 
@@ -44,7 +44,7 @@ class Bench {
     return p;
   }
 
-  explicit Bench(bool boot_now = true) {
+  explicit Rig(bool boot_now = true) {
     if (boot_now) boot();
   }
   void boot() { program.setup(); }

@@ -10,7 +10,7 @@
 
 namespace tp100::link {
 
-class SessionBench {
+class SessionRig {
  public:
   static SessionSettings settings() {
     SessionSettings settings;
@@ -18,7 +18,7 @@ class SessionBench {
     return settings;
   }
 
-  explicit SessionBench(const SessionSettings& with = settings()) : session(with) {}
+  explicit SessionRig(const SessionSettings& with = settings()) : session(with) {}
 
   /// Runs for `ms` milliseconds. The robot's bytes pass through `mangle` first.
   void run(int ms) {
