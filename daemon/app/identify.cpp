@@ -36,8 +36,7 @@ std::optional<double> ask(const std::string& question) {
     if (!std::getline(std::cin, line))
       throw SetupError(
           "identify --drive: no camera saw the drive and there is no input; give --camera, or "
-          "answer "
-          "on standard input");
+          "answer on standard input");
     if (line.find_first_not_of(" \t\r") == std::string::npos) return std::nullopt;
     char* end = nullptr;
     const double value = std::strtod(line.c_str(), &end);
@@ -55,7 +54,7 @@ std::optional<double> ask_for_turn() {
 
 void ask_for(identify::HandMeasured& measured) {
   std::printf("No camera saw this drive. Measure it; an empty line leaves a value out.\n");
-  measured.distance_m = ask("  distance from start to end, straight through the air [m]:");
+  measured.distance_m = ask("  straight-line distance from start to end [m]:");
   measured.turned_rad = ask_for_turn();
 }
 
@@ -67,11 +66,9 @@ void ask_for_end(identify::HandMeasured& measured) {
 }
 
 std::string space_for(const course::Course& course) {
-  char text[120];
-  std::snprintf(text, sizeof text, "%.1f m ahead, %.1f behind, %.1f to the left, %.1f to the right",
-                course.fence.max_x_m, -course.fence.min_x_m, course.fence.max_y_m,
-                -course.fence.min_y_m);
-  return text;
+  return text::format("%.1f m ahead, %.1f behind, %.1f to the left, %.1f to the right",
+                      course.fence.max_x_m, -course.fence.min_x_m, course.fence.max_y_m,
+                      -course.fence.min_y_m);
 }
 
 std::string today() {
@@ -89,8 +86,7 @@ struct Assumed {
   config::Configuration configuration;
 };
 
-/// As given; else as the recordings have it, so that nobody has to remember what they were made
-/// with.
+/// Robot and configuration of the given files; by default those in the recordings.
 class Base {
  public:
   explicit Base(const IdentifyOptions& options)
@@ -175,14 +171,6 @@ GuidedDrives driven(const IdentifyOptions& options, const course::Robot& robot,
   return result;
 }
 
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw SetupError(folder + ": cannot create the folder (" + error.message() +
-                     "); give another --runs-dir");
-}
-
 /// One drive; `course` as for RunOptions. Nothing: it was not completed.
 std::optional<identify::RecordedDrive> drive_once(RunOptions run, const std::string& course,
                                                   bool ran_before) {
@@ -204,7 +192,7 @@ void keep(const std::string& folder, const std::vector<identify::RecordedDrive>&
 }  // namespace
 
 GuidedDrives drive_guided(const GuidedOptions& options, const course::Robot& robot) {
-  make_folder(options.folder);
+  text::make_folder(options.folder, "--runs-dir");
   const std::vector<std::string> courses =
       options.courses.empty() ? identify::calibration_courses(robot.shape) : options.courses;
   const std::size_t all = courses.size() * static_cast<std::size_t>(options.repeats);
@@ -234,7 +222,7 @@ GuidedDrives drive_by_itself(const GuidedOptions& options, const course::Robot& 
                              const config::Configuration& configuration) {
   if (options.courses.size() > 1)
     throw SetupError("identify --auto: more than one --course; give the one whose fence it is");
-  make_folder(options.folder);
+  text::make_folder(options.folder, "--runs-dir");
   const course::TextFile area = course::read_bundled(
       course::Bundled::kCourses, options.courses.empty() ? kAutoArea : options.courses.front());
   identify::AutoSettings settings;

@@ -3,16 +3,15 @@
 #include "app/commands.h"
 #include "doctor/port_checks.h"
 #include "doctor/system.h"
+#include "text/format.h"
 
 namespace tp100::app {
 namespace {
 
 std::string usb_id(const link::PortInfo& port) {
   if (port.vendor_id < 0 || port.product_id < 0) return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%04x:%04x", static_cast<unsigned>(port.vendor_id),
-                static_cast<unsigned>(port.product_id));
-  return text;
+  return text::format("%04x:%04x", static_cast<unsigned>(port.vendor_id),
+                      static_cast<unsigned>(port.product_id));
 }
 
 }  // namespace
@@ -22,8 +21,7 @@ std::string ports_text(const std::vector<link::PortInfo>& ports,
                        const std::vector<link::PassedOver>& passed_over) {
   if (ports.empty()) {
     return "no serial ports; plug the robot in (an emulated robot's port is the path that its "
-           "--link "
-           "names)\n";
+           "--link names)\n";
   }
   std::string text;
   for (std::size_t i = 0; i < ports.size(); ++i) {

@@ -34,11 +34,7 @@ std::string row_of(const Snapshot& snapshot, PoseSource source, double t_s) {
                      fused ? snapshot.filter.slip_right : snapshot.slip_right});
 }
 
-std::string seconds(HostNs ns) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.3f s", to_s(ns));
-  return text.data();
-}
+std::string seconds(HostNs ns) { return text::format("%.3f s", to_s(ns)); }
 
 /// One row of the input, valid until the next.
 struct Row {
@@ -160,11 +156,8 @@ void compare(const StepRecord& recorded, const StepRecord& computed, Replayed& r
 }
 
 std::string shown(const record::LargestDifference& largest) {
-  std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(),
-                "the largest difference is %.2g m, %.2g rad and %.2g in other results",
-                largest.length_m, largest.angle_rad, largest.other);
-  return text.data();
+  return text::format("the largest difference is %.2g m, %.2g rad and %.2g in other results",
+                      largest.length_m, largest.angle_rad, largest.other);
 }
 
 }  // namespace
@@ -311,11 +304,7 @@ std::string replay_row(double t_s, const Pose& pose, const Twist& twist, const m
                                          twist.vy_mps,  twist.yaw_rate_radps,
                                          slip.left,     slip.right};
   std::string text;
-  for (const double value : values) {
-    std::array<char, 40> cell{};
-    std::snprintf(cell.data(), cell.size(), text.empty() ? "%.17g" : ",%.17g", value);
-    text += cell.data();
-  }
+  for (const double value : values) text += text::format("%s%.17g", text.empty() ? "" : ",", value);
   return text + "\n";
 }
 
@@ -356,7 +345,7 @@ std::string replay_csv(const std::string& text, const std::string& file, ReplayM
 }
 
 int run_replay(const ReplayOptions& options) {
-  // A damaged recording is no table.
+  // A corrupted recording is no table.
   if (record::is_recording(options.in) || options.in.ends_with(".mcap"))
     return run_replay_recording(options);
   config::Configuration configuration;

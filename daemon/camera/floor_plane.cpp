@@ -1,12 +1,11 @@
 #include "camera/floor_plane.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <opencv2/calib3d.hpp>
 #include <vector>
 
 #include "core/arithmetic.h"
+#include "text/format.h"
 
 namespace tp100::camera {
 namespace {
@@ -33,11 +32,7 @@ bool on_a_line(std::span<const FloorPoint> points) {
   return !(half - spread > kThinnest * kThinnest * (half + spread));
 }
 
-std::string text(double value) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.2f", value);
-  return buffer.data();
-}
+std::string text_of(double value) { return text::format("%.2f", value); }
 
 }  // namespace
 
@@ -87,11 +82,11 @@ FloorFit fit_floor(const Lens& lens, std::span<const FloorPoint> points) {
   }
   plane.rms_px_ = std::sqrt(sum / static_cast<double>(points.size()));
   if (!(plane.rms_px_ <= kMaxFloorRmsPx))
-    return {{}, "the points on the floor miss their pixels by " + text(plane.rms_px_) + " px"};
+    return {{}, "the points on the floor miss their pixels by " + text_of(plane.rms_px_) + " px"};
   if (lens_m[2] < -kLowestLensM)
     return {{}, "the points on the floor are mirrored: check the sign of y"};
   if (!(lens_m[2] > kLowestLensM))
-    return {{}, "the lens would hang " + text(lens_m[2]) + " m above the floor"};
+    return {{}, "the lens would hang " + text_of(lens_m[2]) + " m above the floor"};
   return {plane, {}};
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "core/angle.h"
@@ -136,14 +135,8 @@ std::string row(const std::string& name, const PoseErrors& e) {
 }
 
 std::string printed_cell(int width, const char* as, double value) {
-  std::array<char, 32> buffer{};
-  if (value < 0)
-    std::snprintf(buffer.data(), buffer.size(), "%*s", width, "-");
-  else if (as[0] == 'f')
-    std::snprintf(buffer.data(), buffer.size(), "%*.2f", width, value);
-  else
-    std::snprintf(buffer.data(), buffer.size(), "%*.4f", width, value);
-  return buffer.data();
+  if (value < 0) return format("%*s", width, "-");
+  return format("%*.*f", width, as[0] == 'f' ? 2 : 4, value);
 }
 
 std::string printed_row(const PublishedErrors& p) {

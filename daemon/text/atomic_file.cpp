@@ -154,13 +154,13 @@ bool is_file_name(std::string_view name, std::size_t most) {
          });
 }
 
-void make_folder(const std::string& path) {
+void make_folder(const std::string& path, const std::string& option) {
   if (path.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error)
-    throw SetupError(path + ": cannot create the folder (" + error.message() +
-                     "); give another --out");
+    throw SetupError(path + ": cannot create the folder (" + error.message() + "); give another " +
+                     option);
 }
 
 std::int64_t written_unix_s(const std::string& path) {

@@ -41,8 +41,8 @@ class FileReplacement {
 bool is_file_name(std::string_view name, std::size_t most = 64);
 
 /// Creates the folder for results and its parents if absent; empty is the working folder. Throws
-/// SetupError.
-void make_folder(const std::string& path);
+/// SetupError, which names `option` as what to give another value.
+void make_folder(const std::string& path, const std::string& option = "--out");
 
 /// When the file was last written, in seconds since 1970; 0: not known.
 std::int64_t written_unix_s(const std::string& path);

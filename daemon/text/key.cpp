@@ -1,8 +1,8 @@
 #include "text/key.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+
+#include "text/format.h"
 
 namespace tp100::text {
 namespace {
@@ -24,9 +24,7 @@ std::string toml_string(std::string_view value) {
       text += '\\';
       text += c;
     } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      std::array<char, 8> buffer{};
-      std::snprintf(buffer.data(), buffer.size(), "\\u%04X", static_cast<unsigned>(c));
-      text += buffer.data();
+      text += format("\\u%04X", static_cast<unsigned>(c));
     } else {
       text += c;
     }

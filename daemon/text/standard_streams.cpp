@@ -47,7 +47,7 @@ std::string plain_number(std::string_view text) {
 }
 
 /// What CLI11 says of a value outside its range: "--timeout: Value abc not in range 1 to 2".
-/// Nothing: it says something else.
+/// Empty if the text has another form.
 std::string wrong_value(std::string_view what) {
   constexpr std::string_view kValue = ": Value ", kRange = " not in range ", kTo = " to ";
   const std::size_t value = what.find(kValue), range = what.rfind(kRange), to = what.rfind(kTo);

@@ -4,13 +4,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "core/angle.h"
 #include "core/error.h"
 #include "core/run_state.h"
+#include "text/format.h"
 #include "worlds/message.h"
 
 namespace tp100::worlds {
@@ -18,11 +18,7 @@ namespace {
 
 constexpr std::size_t kMaxTemplate = 500;
 
-std::string number(double value) {
-  std::array<char, 40> text{};
-  const int n = std::snprintf(text.data(), text.size(), "%.6f", value);
-  return {text.data(), static_cast<std::size_t>(n)};
-}
+std::string number(double value) { return text::format("%.6f", value); }
 
 std::optional<std::string> value_of(std::string_view name, const StepRecord& record, Frame frame) {
   const Snapshot& snapshot = record.snapshot;

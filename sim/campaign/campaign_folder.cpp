@@ -6,7 +6,6 @@
 #include <cinttypes>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
@@ -19,6 +18,7 @@
 #include "course/bundled_files.h"
 #include "sim/board/avr_image.h"
 #include "text/atomic_file.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -32,9 +32,7 @@ constexpr std::array<std::string_view, 3> kLibraries = {"libm.", "libode.", "lib
 std::string digest(std::string_view content) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016" PRIx64, hash);
-  return text.data();
+  return text::format("%016" PRIx64, hash);
 }
 
 /// Every text that the variable can take.
@@ -160,11 +158,8 @@ std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
 
 std::string hexadecimal(const char* bytes, std::size_t size) {
   std::string text;
-  for (std::size_t i = 0; i < size; ++i) {
-    char digits[3];
-    std::snprintf(digits, sizeof digits, "%02x", static_cast<unsigned char>(bytes[i]));
-    text += digits;
-  }
+  for (std::size_t i = 0; i < size; ++i)
+    text += text::format("%02x", static_cast<unsigned char>(bytes[i]));
   return text;
 }
 
@@ -254,9 +249,7 @@ CampaignFolder CampaignFolder::existing(const std::string& path) {
 }
 
 std::string CampaignFolder::run_path(std::uint64_t index) const {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "/runs/%06" PRIu64 ".json", index);
-  return path_ + name.data();
+  return path_ + text::format("/runs/%06" PRIu64 ".json", index);
 }
 
 bool CampaignFolder::has(std::uint64_t index) const { return fs::exists(run_path(index)); }

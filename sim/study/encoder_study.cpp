@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/time.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -150,7 +150,6 @@ std::vector<PlannedFault> planned(const EncoderFailure& failure, double at_s) {
 
 std::span<const EncoderFailure> encoder_failures() { return kFailures; }
 std::span<const double> encoder_speeds() { return kSpeeds; }
-std::span<const Onset> encoder_onsets() { return kOnsets; }
 std::span<const std::string_view> encoder_robots() { return kRobots; }
 
 const char* to_string(Onset onset) {
@@ -239,28 +238,20 @@ std::vector<EncoderTrial> encoder_trials(const EncoderFailure& failure, double s
 std::string encoder_table_head() {
   std::string head = "| `--fault` |", line = "|---|";
   for (const double speed : kSpeeds) {
-    std::array<char, 32> cell{};
-    std::snprintf(cell.data(), cell.size(), " %.2f m/s |", speed);
-    head += cell.data();
+    head += text::format(" %.2f m/s |", speed);
     line += "---|";
   }
   return head + "\n" + line + "\n";
 }
 
 std::string encoder_row(const EncoderFailure& failure, std::span<const EncoderOutcome> by_speed) {
-  std::array<char, 96> text{};
   std::string row = "| `" + std::string(failure.fault) + "`";
-  if (failure.again_s > 0.0) {
-    std::snprintf(text.data(), text.size(), " every %.2f s", failure.again_s);
-    row += text.data();
-  }
+  if (failure.again_s > 0.0) row += text::format(" every %.2f s", failure.again_s);
   row += " |";
-  for (const EncoderOutcome& worst : by_speed) {
-    std::snprintf(text.data(), text.size(), " %s%.1f s, %.1f cm, %.0f deg |",
-                  worst.end == "completed" ? "completed, " : "", worst.off_after_s,
-                  worst.beyond_m * 100.0, worst.beyond_rad * kDegPerRad);
-    row += text.data();
-  }
+  for (const EncoderOutcome& worst : by_speed)
+    row += text::format(" %s%.1f s, %.1f cm, %.0f deg |",
+                        worst.end == "completed" ? "completed, " : "", worst.off_after_s,
+                        worst.beyond_m * 100.0, worst.beyond_rad * kDegPerRad);
   return row + "\n";
 }
 

@@ -27,7 +27,6 @@ enum class Onset : std::uint8_t { kStraight, kArc, kStandstill, kSpin };
 
 std::span<const EncoderFailure> encoder_failures();
 std::span<const double> encoder_speeds();  ///< of the course [m/s]
-std::span<const Onset> encoder_onsets();
 std::span<const std::string_view> encoder_robots();
 const char* to_string(Onset onset);
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 
 #include "core/time.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -229,15 +229,11 @@ std::string fault_table_head() {
 std::string fault_row(const FaultTrial& trial, BoardKind board, const FaultOutcome& outcome) {
   const auto words = [&](std::string_view end, bool counter, const char* off, double off_s,
                          std::string_view again) {
-    std::string text(end);
-    text += (counter ? ", counted as " : ", not counted as ") + std::string(trial.counter);
-    if (trial.off_within_s > 0.0) {
-      std::array<char, 64> time{};
-      std::snprintf(time.data(), time.size(), ", motors off %s %.2f s", off, off_s);
-      text += time.data();
-    }
-    if (!again.empty()) text += ", the next start " + std::string(again);
-    return text;
+    std::string row(end);
+    row += (counter ? ", counted as " : ", not counted as ") + std::string(trial.counter);
+    if (trial.off_within_s > 0.0) row += text::format(", motors off %s %.2f s", off, off_s);
+    if (!again.empty()) row += ", the next start " + std::string(again);
+    return row;
   };
   std::string seen = words(outcome.end, outcome.counted >= trial.at_least, "after",
                            outcome.off_after_s, outcome.again);

@@ -8,6 +8,7 @@
 #include "sim/study/commands.h"
 #include "sim/study/encoder_study.h"
 #include "sim/study/fault_study.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -36,11 +37,7 @@ void print_json(const FaultText& text) {
 
 void print_row(const FaultText& text) {
   std::string usage(text.name);
-  if (!text.number.empty()) {
-    char number[64];
-    std::snprintf(number, sizeof number, ":%g", text.standard);
-    usage += number;
-  }
+  if (!text.number.empty()) usage += tp100::text::format(":%g", text.standard);
   if (text.word != FaultWord::kNone) usage += "[:" + std::string(words(text.word)) + "]";
   std::printf("  %-36s %s%s%.*s%s\n", usage.c_str(), std::string(text.what).c_str(),
               text.number.empty() ? "" : " [", static_cast<int>(text.number.size()),

@@ -13,6 +13,7 @@
 #include "course/course.h"
 #include "course/path.h"
 #include "sim/study/study.h"
+#include "text/format.h"
 
 namespace tp100::sim {
 namespace {
@@ -277,12 +278,9 @@ CourseStudy study(const Trial& trial, const std::string& kind, bool reference) {
   result.runs = static_cast<int>(runs.size());
   result.completed = completed(runs);
   result.distance_m = course::Path(trial.course).length_m();
-  if (trial.blind_s > 0.0) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "no camera %.0f-%.0f s", trial.blind_from_s,
-                  trial.blind_from_s + trial.blind_s);
-    result.blind = text.data();
-  }
+  if (trial.blind_s > 0.0)
+    result.blind = text::format("no camera %.0f-%.0f s", trial.blind_from_s,
+                                trial.blind_from_s + trial.blind_s);
   const Limits& limits = limits_of(kind);
   Judge judge(result, runs);
   const bool blind = trial.blind_s > 0.0;
