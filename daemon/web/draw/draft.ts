@@ -266,7 +266,7 @@ export function added(text: CourseText, tool: Tool, at: Point2): { text: string;
     if (before.length < index) return { text: text.addedBefore('disturbance', before.length, { ...kValues.disturbance, at_m }), piece: { table: tool, index: before.length } };
     return { text: text.added(tool, { ...kValues.disturbance, at_m }), piece: { table: tool, index } };
   }
-  // As who drives the path meets it.
+  // In driving direction.
   const heading_deg = ((on?.yaw_rad ?? 0) / kRad) % 360;
   const { name, ...rest } = kValues[tool];
   const values = { ...(name === undefined ? {} : { name }), x_m: at.x, y_m: at.y, ...rest, heading_deg };

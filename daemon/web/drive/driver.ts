@@ -1,5 +1,5 @@
 // Drives by hand: holds the wheel's token and sends what the person wants, as long as there is a
-// person at this page. It takes the wheel only when it is told to.
+// person at this page. It takes the wheel only on request.
 import type { State } from '../state/messages.ts';
 import type { Inputs, Wish } from './inputs.ts';
 import { reason, type Call } from '../state/service.ts';
@@ -59,7 +59,7 @@ export class Driver {
     const token = this.token;
     if (token === undefined) return;
     this.forget();
-    // Whoever is not heard is stopped by the daemon.
+    // The daemon stops the robot without input.
     this.call('drive_release', { token }).catch(() => undefined);
     this.ended('');
   }

@@ -1,5 +1,5 @@
 // What the person at this page wants of the robot: keys, a touch stick or a gamepad, and when the
-// person last gave it. A control that may be frozen is worth nothing.
+// person last gave it. A control that may be frozen is ignored.
 
 /** Where a wish comes from. */
 export type Source = 'none' | 'keys' | 'stick' | 'gamepad';

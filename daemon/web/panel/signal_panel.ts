@@ -38,7 +38,7 @@ export class SignalPanel {
     const shorter = button('signals-in', '+', 'Shorter time');
     const longer = button('signals-out', '\u2212', 'Longer time');
     const table = button('signals-csv', 'CSV', 'Save the shown values as a table');
-    const image = button('signals-png', 'PNG', 'Save the diagrams as a picture');
+    const image = button('signals-png', 'PNG', 'Save the diagrams as an image');
     this.element.append(
       this.chooser,
       h('div', { class: 'signal-view' }, h('div', { class: 'signal-tools' }, longer, shorter, this.pauseButton, table, image), this.charts_),

@@ -13,12 +13,12 @@ export class Timeline {
   private readonly marks = h('div', { class: 'strip-marks' });
   private readonly time = h('output', { class: 'timeline-time' });
   private readonly left = h('output', { class: 'timeline-left', title: 'Time that the run will about still take' });
-  private readonly way = h('output', { class: 'timeline-way' });
+  private readonly progress = h('output', { class: 'timeline-progress' });
   private courseShown = -1;
 
   constructor() {
     this.strip.append(this.fill, this.marks);
-    this.element.append(this.name, this.strip, this.way, this.left, this.time);
+    this.element.append(this.name, this.strip, this.progress, this.left, this.time);
   }
 
   show(store: Store): void {
@@ -34,7 +34,7 @@ export class Timeline {
     const share = length_m > 0 ? Math.min(Math.max(progress_m / length_m, 0), 1) : 0;
     const transform = `scaleX(${share.toFixed(4)})`;
     if (this.fill.style.transform !== transform) this.fill.style.transform = transform;
-    setText(this.way, length_m > 0 ? `${fixed(progress_m, 2)} / ${fixed(length_m, 2)} m` : '\u2013');
+    setText(this.progress, length_m > 0 ? `${fixed(progress_m, 2)} / ${fixed(length_m, 2)} m` : '\u2013');
     const left_s = timeLeft_s(state, course);
     setText(this.left, left_s === undefined ? '' : `${clock(Math.ceil(left_s)).replace(/\.\d$/, '')} left`);
     setText(this.time, clock(state?.run_s ?? 0));

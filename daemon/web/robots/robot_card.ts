@@ -68,8 +68,8 @@ export class RobotCard {
     setText(this.status, unasked ? `${state.run} \u00b7 motors on` : present ? state.run + paused : 'no robot');
     setText(this.badge, this.robot.link?.kind ?? '');
     setAttribute(this.badge, 'data-kind', this.robot.link?.kind ?? '');
-    const way = typeof state.length_m === 'number' ? `, ${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m` : '';
-    this.put('course', state.course === '' ? 'none' : `${state.course}${way}`);
+    const progress = typeof state.length_m === 'number' ? `, ${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m` : '';
+    this.put('course', state.course === '' ? 'none' : `${state.course}${progress}`);
     this.put('time', typeof state.run_s === 'number' ? clock(state.run_s) : '\u2013');
     const { pose } = state;
     this.put('pose', pose ? `x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, ${fixed((pose.yaw_rad * 180) / Math.PI, 0)}\u00b0` : '\u2013');

@@ -1,7 +1,7 @@
 // Which robots the page shows: those listed, and for a while those that were.
 import type { Contact, Listed } from './robot.ts';
 
-/** A daemon that ended stays on the page for this long, so that nobody wonders where its robot is. */
+/** A daemon that ended stays on the page for this long, so that its card does not vanish at once. */
 export const kEnded_ms = 60_000;
 
 /** What the list needs of a robot. */

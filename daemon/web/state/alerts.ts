@@ -1,5 +1,5 @@
-// Tells whoever does not look at the page of faults: by the browser's notification and by a sound. Both are off until they
-// are chosen, and remembered.
+// Notifies of faults while the page is hidden: by the browser's notification and by a sound. Both are off until they are
+// chosen, and remembered.
 import type { Event } from './messages.ts';
 import type { Store } from './store.ts';
 

@@ -1,4 +1,4 @@
-// What the view of the course shows, in words, for who does not see it.
+// What the view of the course shows, as text for screen readers.
 import { fixed } from './format.ts';
 import type { Store } from './store.ts';
 
