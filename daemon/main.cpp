@@ -45,7 +45,7 @@ void add_run(CLI::App& app, Action& action) {
       ->type_name("ADDRESS");
   command
       ->add_option("--world", options.world,
-                   "What the virtual robot stands on: internal, files, or an external world at "
+                   "Terrain source of the virtual robot: internal, files, or an external world at "
                    "udp:PORT or udp:ADDRESS:PORT (default: internal)")
       ->type_name("WORLD");
   command

@@ -20,7 +20,7 @@ config::RunFiles recorded_files(const record::Recording& recording);
 
 /// Result of a replay.
 struct Replayed {
-  std::uint64_t first = 1;   ///< number of the first step: 1, or where the step began anew
+  std::uint64_t first = 1;   ///< number of the first step: 1, or a restart of the step
   std::uint64_t steps = 0;   ///< replayed
   std::uint64_t before = 0;  ///< of them before the recording, to reach its initial state
   HostNs last_ns = 0;        ///< time of the last step that was compared

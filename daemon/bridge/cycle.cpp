@@ -108,7 +108,7 @@ void Cycle::world(const WorldSample& received) {
 bool Cycle::change_setup(SetupChange& change, HostNs now) {
   if (!step_.changeable()) return false;
   next_.restart.clear();
-  next_.restart.push(step_.carried_anew(change.place, now));
+  next_.restart.push(step_.restart_state(change.place, now));
   restarted_ns_ = now;
   if (!change.step) return true;
   std::swap(step_, *change.step);

@@ -34,7 +34,7 @@ struct SetupChange {
 
 class Cycle {
  public:
-  /// At standstill the step begins anew this often, so that a recording that begins later needs no
+  /// At standstill the step restarts this often, so that a recording that begins later needs no
   /// inputs from before.
   static constexpr HostNs kRestartPeriodNs = 60 * kNsPerS;
 
@@ -59,7 +59,7 @@ class Cycle {
   /// Received from an external world; taken by the next step. If too many come, the newest counts,
   /// and a stop in any of them.
   void world(const WorldSample& received);
-  /// Makes the change: the next step begins anew with it, which is an input of that step. The old
+  /// Makes the change: the next step restarts with it, which is an input of that step. The old
   /// step is then in `change`, to be freed elsewhere. False, and nothing is changed: there is a
   /// run, the robot moves, or an external world is in use (Step::changeable).
   bool change_setup(SetupChange& change, HostNs now);

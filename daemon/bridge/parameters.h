@@ -73,8 +73,8 @@ struct Parameters {
   estimation::Parameters estimation{};
   control::Parameters control{};
   WorldParameters world{};
-  double command_life_s =
-      0.180;  ///< expiry of a command after the step; the robot takes 0.2 at most
+  /// Expiry of a command after the step; the robot takes 0.2 at most.
+  double command_life_s = 0.180;
   double max_sample_age_s = 0.060;  ///< older samples are not answered with a command
   double sample_timeout_s = 0.2;    ///< no newer sample ends a run: link_lost or samples_stale
 };

@@ -152,11 +152,11 @@ double Perception::distance_m() const {
          2.0 * interval_.dt_s;
 }
 
-// Where the body leans, its own z axis is not the world's.
+// Where the body is tilted, its own z axis is not the world's.
 double Perception::heading_rate_radps() const {
   const double body_z_radps = interval_.gyro_z_radps - standstill_.bias_radps();
-  const bool leans = parameters_.setup == Setup::kTerrain && slope_.state() != Slope::kFlat;
-  return leans ? attitude_.yaw_rate_radps(body_z_radps) : body_z_radps;
+  const bool tilted = parameters_.setup == Setup::kTerrain && slope_.state() != Slope::kFlat;
+  return tilted ? attitude_.yaw_rate_radps(body_z_radps) : body_z_radps;
 }
 
 // A robot steered with the paper's constants still turns according to its own.

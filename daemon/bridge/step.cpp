@@ -31,10 +31,10 @@ struct Step::State {
   State(const Parameters& p, std::shared_ptr<const course::Course> c)
       : parameters(p),
         course(std::move(c)),
-        seen(parameters, course.get()),
+        perception(parameters, course.get()),
         external(p.world, p.setup),
         disturbance(p.control),
-        hand(course == nullptr ? std::nullopt : std::optional(course->fence)) {
+        hand_drive(course == nullptr ? std::nullopt : std::optional(course->fence)) {
     if (course != nullptr) {
       path.emplace(*course);
       tracker.emplace(p.control, *path, drive_of(p, course->speed_mps));
@@ -62,12 +62,12 @@ struct Step::State {
   Parameters parameters;
   std::shared_ptr<const course::Course> course;
   std::optional<course::Path> path;
-  Perception seen;
+  Perception perception;
   ExternalWorld external;
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
   control::Disturbance disturbance;
-  control::HandDrive hand;
+  control::HandDrive hand_drive;
   control::Arming arming;
   control::Pause pause;
 
@@ -93,7 +93,8 @@ double Step::nominal_duration_s() const {
 
 bool Step::at_rest() const {
   const State& s = *state_;
-  return s.parameters.world.kind == WorldKind::kInternal && s.arming.at_rest() && s.seen.at_rest();
+  return s.parameters.world.kind == WorldKind::kInternal && s.arming.at_rest() &&
+         s.perception.at_rest();
 }
 
 CarriedState Step::carried() const {
@@ -105,22 +106,22 @@ CarriedState Step::carried() const {
   carried.parameters = live_values(s.parameters);
   carried.cross_track_m = s.target.cross_track_m;
   carried.progress_m = s.target.progress_m;
-  s.seen.carry(carried);
+  s.perception.carry(carried);
   return carried;
 }
 
 bool Step::changeable() const {
   const State& s = *state_;
   return s.parameters.world.kind == WorldKind::kInternal && s.arming.at_rest() &&
-         s.seen.at_standstill();
+         s.perception.at_standstill();
 }
 
-CarriedState Step::carried_anew(const std::optional<Pose>& at, HostNs now) const {
-  CarriedState anew = carried();
-  if (anew.run_state == RunState::kFinished) anew.run_state = RunState::kIdle;
-  anew.cross_track_m = anew.progress_m = 0.0;
-  state_->seen.level(at, now, anew);
-  return anew;
+CarriedState Step::restart_state(const std::optional<Pose>& at, HostNs now) const {
+  CarriedState state = carried();
+  if (state.run_state == RunState::kFinished) state.run_state = RunState::kIdle;
+  state.cross_track_m = state.progress_m = 0.0;
+  state_->perception.level(at, now, state);
+  return state;
 }
 
 // Tracker, monitor and disturbance restart with each run.
@@ -132,7 +133,7 @@ void Step::State::resume(const CarriedState& carried) {
   target = {};
   target.cross_track_m = carried.cross_track_m;
   target.progress_m = carried.progress_m;
-  seen.resume(carried);
+  perception.resume(carried);
   take_changes({carried.parameters.begin(), carried.parameters.end()});
 }
 
@@ -140,7 +141,7 @@ void Step::State::take_changes(std::span<const ParameterChange> changes) {
   const bool busy = under_way(arming.state());
   for (const ParameterChange& change : changes) apply(change, busy, parameters);
   if (changes.empty()) return;
-  seen.steering_changed();
+  perception.steering_changed();
   if (tracker) tracker->retune(parameters.control);
 }
 
@@ -180,21 +181,22 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
 void Step::State::take_world(std::span<const WorldSample> received, double dt_s) {
   for (const WorldSample& one : received) external.take(one);
   external.wait(std::min(dt_s, kLongestSeenS));
-  seen.set_external_terrain({external.ground(), external.transform()});
+  perception.set_external_terrain({external.ground(), external.transform()});
 }
 
 bool Step::State::fresh_sample(HostNs now) const {
-  return seen.has_sample() && to_s(now - seen.sample().measured_ns) <= parameters.sample_timeout_s;
+  return perception.has_sample() &&
+         to_s(now - perception.sample().measured_ns) <= parameters.sample_timeout_s;
 }
 
 FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
   FaultMask faults = 0;
   const bool running = armed(arming.state());
-  if (running && seen.has_sample()) {
+  if (running && perception.has_sample()) {
     faults = monitor->update(observe(now, dt_s));
     if (!fresh_sample(now))
       faults |= fault_bit(in.samples.empty() ? Fault::link_lost : Fault::samples_stale);
-    if (seen.gyro_steers() && seen.sample().imu_age > kOldestImu)
+    if (perception.gyro_steers() && perception.sample().imu_age > kOldestImu)
       faults |= fault_bit(Fault::imu_stale);
   }
   if (running ? external.lost(now) : !external.fresh(now)) faults |= fault_bit(Fault::world_lost);
@@ -204,46 +206,46 @@ FaultMask Step::State::aborts(const StepInputs& in, HostNs now, double dt_s) {
 StartRefusal Step::State::refusal(const StepInputs& in, HostNs now) const {
   if (in.session != SessionState::kReady) return StartRefusal::kNoSession;
   if (!fresh_sample(now)) return StartRefusal::kNoSample;
-  const Sample& sample = seen.sample();
+  const Sample& sample = perception.sample();
   if (motors_on(sample)) return StartRefusal::kMotorsOn;
   if ((sample.faults & ~kKnownRobotFaults) != 0) return StartRefusal::kUnknownFault;
   if (control::tilted(sample, parameters.control)) return StartRefusal::kTilted;
-  if (seen.gyro_steers() && sample.imu_age > kOldestImu) return StartRefusal::kNoImu;
-  if (seen.gyro_steers() && !seen.gyro_bias_known()) return StartRefusal::kNotStill;
+  if (perception.gyro_steers() && sample.imu_age > kOldestImu) return StartRefusal::kNoImu;
+  if (perception.gyro_steers() && !perception.gyro_bias_known()) return StartRefusal::kNotStill;
   if (!external.fresh(now)) return StartRefusal::kNoWorld;
   return StartRefusal::kNone;
 }
 
 void Step::State::begin(HostNs now) {
   if (arming.state() == RunState::kDriving) {
-    seen.go_on();
-    hand.restart(now);
+    perception.go_on();
+    hand_drive.restart(now);
   } else if (goes_on) {
-    seen.go_on();
-    tracker->resume(target.progress_m, seen.world_pose().yaw_rad);
+    perception.go_on();
+    tracker->resume(target.progress_m, perception.world_pose().yaw_rad);
   } else {
-    seen.begin(course->start, now);
+    perception.begin(course->start, now);
     tracker->restart();
   }
   external.restart(now);
-  disturbance.restart(seen.contradictions());
+  disturbance.restart(perception.contradictions());
   monitor->restart();
   run_began_ns = now;
   pause.restart();
 }
 
 control::Observation Step::State::observe(HostNs now, double dt_s) const {
-  const Speeds& speeds = seen.speeds();
-  return {.sample = &seen.sample(),
-          .pose = seen.world_pose(),
+  const Speeds& speeds = perception.speeds();
+  return {.sample = &perception.sample(),
+          .pose = perception.world_pose(),
           .left_mps = speeds.tracks.left_mps,
           .right_mps = speeds.tracks.right_mps,
           .encoder_yaw_rate_radps = speeds.encoder_yaw_rate_radps,
           .gyro_yaw_rate_radps = speeds.gyro_yaw_rate_radps,
-          .gyro_in_use = seen.gyro_steers(),
-          .pitch_rad = seen.pitch_rad(),
-          .on_obstacle = seen.on_obstacle(),
-          .immobilised = seen.immobilised() || external.blocked(),
+          .gyro_in_use = perception.gyro_steers(),
+          .pitch_rad = perception.pitch_rad(),
+          .on_obstacle = perception.on_obstacle(),
+          .immobilised = perception.immobilised() || external.blocked(),
           .by_hand = arming.state() == RunState::kDriving,
           .commanded = out.command_valid,
           .target = target,
@@ -258,16 +260,16 @@ void Step::State::aim(double desired_yaw_rad, double yaw_rate_radps, double spee
   target.speed_mps = speed_mps;
   target.yaw_rate_radps = yaw_rate_radps;
   target.desired_yaw_rad = desired_yaw_rad;
-  target.heading_error_rad = desired_yaw_rad - seen.world_pose().yaw_rad;
+  target.heading_error_rad = desired_yaw_rad - perception.world_pose().yaw_rad;
   target.recovering = false;
 }
 
 void Step::State::drive_by_hand(HostNs now, double dt_s) {
-  const Pose pose = seen.world_pose();
-  const FilterFigures figures = seen.filter_figures(now);
-  const control::HandCommand wanted = hand.update(
+  const Pose pose = perception.world_pose();
+  const FilterFigures figures = perception.filter_figures(now);
+  const control::HandCommand wanted = hand_drive.update(
       {.pose = pose,
-       .measured_yaw_rate_radps = seen.speeds().steering.yaw_rate_radps,
+       .measured_yaw_rate_radps = perception.speeds().steering.yaw_rate_radps,
        .position_sd_m = std::sqrt(std::max(figures.variance_x_m2, figures.variance_y_m2)),
        .limits = drive_of(parameters, 0.0).limits,
        .braking_mps2 = parameters.drive.max_track_mps2},
@@ -284,14 +286,15 @@ void Step::State::drive_by_hand(HostNs now, double dt_s) {
 void Step::State::steer(HostNs now, double dt_s) {
   at_fence = false;
   if (arming.state() == RunState::kDriving) return drive_by_hand(now, dt_s);
-  const Pose pose = seen.world_pose();
+  const Pose pose = perception.world_pose();
   if (arming.state() == RunState::kRunning) {
-    const Speeds& speeds = seen.speeds();
-    const bool gyro = seen.gyro_steers();
+    const Speeds& speeds = perception.speeds();
+    const bool gyro = perception.gyro_steers();
     const bool disturbed = disturbance.update(
         {.gyro_radps = gyro ? speeds.gyro_yaw_rate_radps : 0.0,
          .tracks_radps = gyro ? speeds.encoder_yaw_rate_radps : 0.0,
-         .contradictions = parameters.steering == PoseSource::kFused ? seen.contradictions() : 0},
+         .contradictions =
+             parameters.steering == PoseSource::kFused ? perception.contradictions() : 0},
         dt_s);
     tracker->pause(pause.active());
     target = tracker->update(pose, speeds.steering, dt_s, disturbed);
@@ -301,20 +304,20 @@ void Step::State::steer(HostNs now, double dt_s) {
 }
 
 void Step::State::command(const StepInputs& in, HostNs now) {
-  const Sample& sample = seen.sample();
+  const Sample& sample = perception.sample();
   const std::int64_t age_ns = now - sample.measured_ns;
-  out.command_valid = in.session == SessionState::kReady && in.clock.valid && seen.has_sample() &&
-                      age_ns <= from_s(parameters.max_sample_age_s);
+  out.command_valid = in.session == SessionState::kReady && in.clock.valid &&
+                      perception.has_sample() && age_ns <= from_s(parameters.max_sample_age_s);
   Command& command = out.command;
   command.answers = sample.sequence;
   command.answered_us = sample.device_us;
-  command.pose = seen.steering_pose();
+  command.pose = perception.steering_pose();
   // The desired yaw is in the course's world, so the yaw that the robot compares must be, too.
-  command.pose.yaw_rad = seen.world_pose().yaw_rad;
+  command.pose.yaw_rad = perception.world_pose().yaw_rad;
   command.desired_yaw_rad = target.desired_yaw_rad;
   command.yaw_rate_radps = target.yaw_rate_radps;
   command.speed_mps = target.speed_mps;
-  command.gyro_bias_radps = seen.gyro_bias_radps();
+  command.gyro_bias_radps = perception.gyro_bias_radps();
   command.expiry_us = in.clock.valid ? in.clock.to_device(now) +
                                            static_cast<DeviceUs>(parameters.command_life_s * 1e6)
                                      : 0;
@@ -323,7 +326,7 @@ void Step::State::command(const StepInputs& in, HostNs now) {
 void Step::State::publish(StartRefusal refusal, HostNs now) {
   Snapshot& snapshot = out.snapshot;
   snapshot.now_ns = now;
-  seen.write(snapshot, now);
+  perception.write(snapshot, now);
   snapshot.command = out.command;
   const control::TrackLimits limits = drive_of(parameters, 0.0).limits;
   const control::Tracks commanded = control::tracks_for(
@@ -343,7 +346,7 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
   snapshot.start_refusal = course == nullptr ? StartRefusal::kNoCourse : snapshot.drive_refusal;
   snapshot.at_fence = at_fence;
   snapshot.pause_left_s = snapshot.run_state == RunState::kRunning ? pause.left_s() : 0.0;
-  snapshot.faults = (seen.has_sample() ? seen.sample().faults : 0) | arming.faults();
+  snapshot.faults = (perception.has_sample() ? perception.sample().faults : 0) | arming.faults();
 }
 
 const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
@@ -355,32 +358,32 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   const bool new_session = in.session_number != s.session_number;
   if (new_session || in.robot_rebooted) {
     s.session_number = in.session_number;
-    s.seen.restart();
+    s.perception.restart();
   }
   if (in.session != SessionState::kReady && in.session != SessionState::kSyncing) {
-    s.seen.lose_sample();
+    s.perception.lose_sample();
   }
   s.take_world(in.world, dt_s);
-  for (const Sample& sample : in.samples) s.seen.take(sample, armed(s.arming.state()));
-  for (const CameraSample& sample : in.camera) s.seen.take(sample);
+  for (const Sample& sample : in.samples) s.perception.take(sample, armed(s.arming.state()));
+  for (const CameraSample& sample : in.camera) s.perception.take(sample);
   s.take_changes(in.changes);
   s.take_requests(in.requests);
   if (s.pause.update(dt_s) && s.arming.state() == RunState::kRunning) s.arming.hold();
   // After the operator: a start does not override a world that requests a stop.
   if (s.external.take_stop(under_way(s.arming.state()))) s.arming.stop();
-  for (const VelocityInput& input : in.velocities) s.hand.take(input, now);
+  for (const VelocityInput& input : in.velocities) s.hand_drive.take(input, now);
 
   const FaultMask aborts = s.aborts(in, now, dt_s);
   const StartRefusal refusal = s.refusal(in, now);
   s.out.request = s.arming.update(
       {.session = in.session,
-       .sample = s.fresh_sample(now) ? &s.seen.sample() : nullptr,
+       .sample = s.fresh_sample(now) ? &s.perception.sample() : nullptr,
        .refusal = refusal,
        .new_session = new_session,
        .rebooted = in.robot_rebooted,
        .answer = in.answer,
        .aborts = aborts,
-       .done = s.arming.state() == RunState::kDriving ? s.hand.silent(now)
+       .done = s.arming.state() == RunState::kDriving ? s.hand_drive.silent(now)
                                                       : armed(s.arming.state()) && s.target.done},
       dt_s);
   s.out.refused = s.arming.refused();
@@ -389,7 +392,7 @@ const Outputs& Step::operator()(const StepInputs& in, HostNs now) {
   s.steer(now, dt_s);
   s.command(in, now);
   s.publish(refusal, now);
-  s.external.remember(now, s.seen.steering_pose());
+  s.external.remember(now, s.perception.steering_pose());
   return s.out;
 }
 

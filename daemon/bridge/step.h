@@ -15,7 +15,7 @@ namespace tp100::bridge {
 struct Outputs {
   bool command_valid = false;  ///< false: send nothing (no session, no sample yet)
   Command command{};
-  RobotRequest request = RobotRequest::kNone;  ///< hand to the link once
+  RobotRequest request = RobotRequest::kNone;  ///< to be passed to the link once
   StartRefusal refused = StartRefusal::kNone;  ///< a start was refused in this step
   bool disarming = false;  ///< the end of a run is not confirmed yet, or motors are on unasked
   Snapshot snapshot{};
@@ -33,19 +33,19 @@ class Step {
   /// Duration of the course at the intended speeds; 0 without a course. [s]
   double nominal_duration_s() const;
 
-  /// The step may begin anew (StepInputs::restart) and goes on all the same: no run, the robot at
-  /// standstill on level ground or not there, no external world.
+  /// Whether a restart now (StepInputs::restart) would not change later results: no run, the robot
+  /// at standstill on level ground or not there, no external world.
   bool at_rest() const;
-  /// What it would have to begin anew with.
+  /// The state that a restart would carry over.
   CarriedState carried() const;
 
-  /// An operator may place the robot, or change the course: no run, the robot at standstill or not
-  /// there, no external world.
+  /// Whether an operator may place the robot or change the course: no run, the robot at standstill
+  /// or not there, no external world.
   bool changeable() const;
-  /// What a step begins anew with, possibly another one, after the operator has changed something:
-  /// nothing of the course is driven, and the robot is on level ground at `at`, or where it is
-  /// believed to be. Faults stay latched until the next start.
-  CarriedState carried_anew(const std::optional<Pose>& at, HostNs now) const;
+  /// The state with which a step, this or another one, restarts after an operator's change: no
+  /// progress on the course, and the robot on level ground at `at`, or at its estimated pose.
+  /// Faults stay latched until the next start.
+  CarriedState restart_state(const std::optional<Pose>& at, HostNs now) const;
 
   /// One step at host time `now`. The reference stays valid until the next call.
   const Outputs& operator()(const StepInputs& inputs, HostNs now);

@@ -40,7 +40,7 @@ std::optional<double> TractionEstimator::ground_mps(const TractionInput& in) {
 Traction TractionEstimator::update(const TractionInput& in) {
   const std::optional<double> ground = ground_mps(in);
   const double track = judged_ ? last_track_mps_ : in.dt_s > 0.0 ? in.distance_m / in.dt_s : 0.0;
-  state_ = watch_.update(track, ground, in.dt_s);
+  state_ = monitor_.update(track, ground, in.dt_s);
 
   const bool mismatch =
       in.mapped_pitch_rad && std::abs(*in.mapped_pitch_rad - in.measured_pitch_rad) > kMismatchRad;

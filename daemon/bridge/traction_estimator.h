@@ -21,9 +21,9 @@ struct TractionInput {
   double measured_pitch_rad = 0.0;
 };
 
-/// Camera noise of two millimetres over a short time is not a speed, so tracks and camera are
-/// compared over windows; three in a row must show a standstill. No allocation; safe in the
-/// real-time thread.
+/// Short windows would measure camera noise (two millimetres); therefore tracks and camera are
+/// compared over windows of 0.4 s, of which three in a row must show a standstill. No allocation;
+/// safe in the real-time thread.
 class TractionEstimator {
  public:
   void restart() { *this = TractionEstimator{}; }
@@ -36,7 +36,7 @@ class TractionEstimator {
   /// The result of a window holds until the next. A disturbance may falsify two of them.
   static constexpr double kWindowS = 0.4;
 
-  model::TractionMonitor watch_{{.immobilised_after_s = 2.25 * kWindowS}};
+  model::TractionMonitor monitor_{{.immobilised_after_s = 2.25 * kWindowS}};
   Traction state_ = Traction::kHolding;
   Pose window_begin_{};
   bool window_open_ = false;

@@ -13,14 +13,14 @@
 namespace tp100::camera {
 namespace {
 
-constexpr int kMostHeight = 1080;
+constexpr int kMaxHeight = 1080;
 // Of JPEG, from good to hardly useful.
 constexpr int kQualities[] = {80, 60, 40, 20};
 constexpr std::size_t kHeadBytes = 512;
 
 cv::Mat reduced(const cv::Mat& image, int width_px) {
   const double scale = std::min({1.0, static_cast<double>(width_px) / image.cols,
-                                 static_cast<double>(kMostHeight) / image.rows});
+                                 static_cast<double>(kMaxHeight) / image.rows});
   if (scale == 1.0) return image;
   const auto side = [scale](int px) {
     return std::max(1, static_cast<int>(std::lround(px * scale)));

@@ -128,7 +128,7 @@ bool Observer::take_floor_news() { return std::exchange(floor_news_, false); }
 /// An area of twice the marker's size around the last position: at 30 images per second it cannot
 /// leave it.
 std::optional<cv::Rect> Observer::near_last() const {
-  if (!last_ || floor_.hungry() || since_whole_ >= kWholeEvery) return {};
+  if (!last_ || floor_.needs_images() || since_whole_ >= kWholeEvery) return {};
   const std::vector<cv::Point2f> corners(last_->corners.begin(), last_->corners.end());
   const cv::Rect box = cv::boundingRect(corners);
   const int margin = 2 * std::max(box.width, box.height);

@@ -24,7 +24,7 @@ class FloorMonitor {
   /// Takes the markers of an image. True: the plane was found again or has moved.
   bool update(std::span<const Marker> markers);
   /// False: enough images are averaged; only a moved camera would need more.
-  bool hungry() const { return !view_.floor_markers.empty() && !settled_; }
+  bool needs_images() const { return !view_.floor_markers.empty() && !settled_; }
   const std::optional<FloorPlane>& plane() const { return plane_; }
   /// Why there is no plane yet.
   const std::string& problem() const { return problem_; }

@@ -29,8 +29,8 @@ struct View {
   int marker_id = 0;
   double marker_size_m = 0.10;    ///< side of the black square
   double marker_height_m = 0.06;  ///< above the floor on the upright robot
-  double marker_turned_rad =
-      0.0;  ///< its top edge points this far to the left of the robot's front
+  /// Its top edge points this far to the left of the robot's front.
+  double marker_turned_rad = 0.0;
   ImageStream images{};
   std::vector<FloorMarker> floor_markers;
   std::vector<FloorPoint> floor_points;  ///< instead of markers: pixels measured in an image

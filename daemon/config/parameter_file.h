@@ -14,8 +14,8 @@ namespace tp100::config {
 /// Names, and values in the file's unit.
 using ParameterValues = std::vector<std::pair<std::string, text::KeyText::Value>>;
 
-/// Whether clients may have that key of the configuration saved. What decides who reaches the
-/// daemon and which files it opens stays with whoever may write the file: the tables [server] and
+/// Whether clients may have that key of the configuration saved. Keys that decide who reaches the
+/// daemon and which files it opens only the file's owner can change: the tables [server] and
 /// [ros2], and texts, except the names of robot and course.
 bool may_save(const text::KeyText& key);
 

@@ -33,9 +33,8 @@ std::span<const Key<bridge::WorldParameters>> world_keys() {
       {"kind",
        text::enum_choice<T, &T::kind, bridge::kWorldKindNames>(),
        {},
-       "What the virtual robot stands on. internal: the course's ramps and blocks; udp: what a "
-       "game engine or simulator says, see daemon/worlds/WORLD.md; files: the same through two "
-       "text files"},
+       "Terrain source of the virtual robot. internal: the course's ramps and blocks; udp: a game "
+       "engine or simulator, see daemon/worlds/WORLD.md; files: the same through two text files"},
       {"authority",
        Choice<T>{{"bridge", "world"},
                  [](const T& w) { return static_cast<std::size_t>(w.owns_pose); },

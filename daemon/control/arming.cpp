@@ -49,7 +49,7 @@ void Arming::hold() {
 void Arming::stop() {
   pending_ = RobotRequest::kStop;
   off_due_s_ = kRequestS;
-  // A run that came to its end did so, whoever presses STOP afterwards.
+  // A finished run stays finished; a later STOP does not change that.
   if (state_ == RunState::kFinished) {
     faults_ |= fault_bit(Fault::stop_requested);
   } else {

@@ -51,8 +51,9 @@ double approach_mps(double distance_m, double braking_mps2) {
   return mps < kCreepMps ? 0.0 : mps;
 }
 
-/// The way out of where the robot may be, and how far it is; negative: the robot is outside.
-struct WayOut {
+/// Direction and distance to the fence or the edge of an area; negative: the robot is on its wrong
+/// side.
+struct EdgeVector {
   double x, y;
   double distance_m;
 };
@@ -65,23 +66,23 @@ struct Approach {
   double braking_mps2;
   double most_mps;
 
-  void limit(const WayOut& way) {
-    const double across = std::clamp(x * way.x + y * way.y, -1.0, 1.0);
+  void limit(const EdgeVector& edge) {
+    const double across = std::clamp(x * edge.x + y * edge.y, -1.0, 1.0);
     const double towards = std::cos(std::max(0.0, std::acos(across) - turned_rad));
     if (towards <= 0.0) return;
-    most_mps = std::min(most_mps, approach_mps(way.distance_m - margin_m, braking_mps2) / towards);
+    most_mps = std::min(most_mps, approach_mps(edge.distance_m - margin_m, braking_mps2) / towards);
   }
 
   /// Inside of a polygon, or outside of it. While the robot is on its wrong side, the nearest edge
-  /// is the way back.
+  /// leads back.
   void limit(const course::Polygon& polygon, const Pose& pose, bool inside) {
     const bool right = course::contains(polygon, pose.x_m, pose.y_m) == inside;
-    WayOut nearest{0.0, 0.0, -std::numeric_limits<double>::infinity()};
+    EdgeVector nearest{0.0, 0.0, -std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const course::Vertex point = course::nearest_on_edge(polygon, i, pose.x_m, pose.y_m);
       const double dx = point.x_m - pose.x_m, dy = point.y_m - pose.y_m;
       const double distance_m = magnitude(dx, dy);
-      // On the edge no way leads to it: any is as good.
+      // On the edge the direction to it is undefined.
       if (distance_m == 0.0) continue;
       if (right) {
         limit({dx / distance_m, dy / distance_m, distance_m});

@@ -25,7 +25,8 @@ constexpr double kTurningFallPerS = 0.5;
 constexpr double kNoneTakenS = 0.3;
 
 // A gain is learnt from a track that runs evenly and freely, not from one that brakes; quickly
-// downwards, but upwards only as fast as a battery sags, or a fault would be learnt.
+// downwards, but upwards only as fast as a battery sags: otherwise a fault would be learned as
+// normal.
 constexpr double kMinGain = 0.7;
 constexpr double kGainDownS = 0.3;
 constexpr double kGainUpPerS = 0.005;

@@ -25,8 +25,8 @@ constexpr const char* board_name(std::uint8_t board) {
   return "an unknown board";
 }
 
-/// Whether this version knows the kind of board. An unknown one may drive if it speaks the
-/// protocol, after a warning.
+/// Whether this version knows the kind of board. An unknown one may drive if its
+/// protocol version matches, after a warning.
 constexpr bool is_known_board(std::uint8_t board) {
   return board >= static_cast<std::uint8_t>(wire::Board::kMega2560) &&
          board <= static_cast<std::uint8_t>(wire::Board::kRp2040);

@@ -1,7 +1,7 @@
 #pragma once
-// What the step keeps when it begins anew at a standstill. Everything else that it holds is then as
-// after its construction, so that a recording may begin there and is replayable without any input
-// from before.
+// State that survives a restart of the step at standstill. Everything else in the step is then as
+// after its construction, so that a recording may begin there and is replayable without earlier
+// input.
 
 #include <array>
 #include <cstdint>

@@ -41,11 +41,11 @@ enum class OperatorRequest : std::uint8_t {
   kResume,  ///< go on with a run that pauses
 };
 
-/// An older input of a driver is worth nothing: the robot stops.
+/// An older input of a driver is ignored: the robot stops.
 inline constexpr HostNs kFreshInputNs = 150 * kNsPerMs;
 
-/// What somebody who drives by hand wants of the robot. It never arms: it counts only while the
-/// robot is driven by hand.
+/// The speeds that a driver requests by hand. It never arms: it is used only while the robot is
+/// driven by hand.
 struct VelocityInput {
   HostNs at_ns = 0;             ///< when the person gave it
   double speed_mps = 0.0;       ///< ground speed, backwards negative

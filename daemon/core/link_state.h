@@ -54,8 +54,8 @@ struct LinkCounters {
   std::uint64_t unknown_type = 0;  ///< good frames of a type that a robot never sends
   std::uint64_t wrong_size = 0;    ///< good frames whose payload has another size than its type
   std::uint64_t implausible = 0;   ///< good frames with impossible values (time going back, ...)
-  std::uint64_t foreign_bytes =
-      0;                        ///< bytes before the first good frame (boot banner, modem probe)
+  /// Bytes before the first good frame (boot banner, modem probe).
+  std::uint64_t foreign_bytes = 0;
   std::uint64_t unwritten = 0;  ///< frames dropped because the port did not take them
   std::uint64_t sync_replies = 0, sync_rejected = 0;
   std::uint64_t reconnects = 0;     ///< sessions after the first one

@@ -40,7 +40,7 @@ inline bool enabled(const Sample& sample) {
   return sample.state == RobotState::kArmed || sample.state == RobotState::kRunning;
 }
 
-/// It is enabled or has a duty. Tracks that turn without either are turned by somebody's hand.
+/// It is enabled or has a duty. Tracks that turn without either are turned by hand.
 inline bool motors_on(const Sample& sample) {
   return enabled(sample) || sample.left_duty != 0.0 || sample.right_duty != 0.0;
 }
@@ -49,8 +49,8 @@ inline bool motors_on(const Sample& sample) {
 
 /// Place and direction of the marker in the world frame, found through a plane homography at the
 /// marker's height over a flat floor. Where the robot climbs or tilts, the marker leaves that
-/// plane: the sample shows the shift, whoever uses it takes it out. Arrives late; `measured_ns` is
-/// when the image was taken.
+/// plane: the sample includes that shift, and users must correct for it. Arrives late;
+/// `measured_ns` is when the image was taken.
 struct CameraSample {
   double x_m = 0.0;
   double y_m = 0.0;

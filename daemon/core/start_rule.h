@@ -1,5 +1,5 @@
 #pragma once
-// Who may start a run, and how: the one rule for program, terminal and page. Pure.
+// Consent that a start needs: the one rule for program, terminal and page. Pure.
 
 #include <cstdint>
 #include <string_view>
@@ -11,11 +11,11 @@ inline constexpr std::string_view kStartWord = "go";
 
 /// Facts known when a start is requested.
 struct StartFacts {
-  bool emulator = false;    ///< is_emulator() of core/board.h
-  bool go = false;          ///< somebody gave --go
-  bool service = false;     ///< a service manager started the program: it may have restarted it
-  bool has_run = false;     ///< since the robot is looked for, a run began or somebody pressed STOP
-  bool ran_before = false;  ///< the program drove other runs before it looked for this robot
+  bool emulator = false;  ///< is_emulator() of core/board.h
+  bool go = false;        ///< --go was given
+  bool service = false;   ///< a service manager started the program: it may have restarted it
+  bool has_run = false;  ///< a run began, or STOP was pressed, since the search for the robot began
+  bool ran_before = false;  ///< the program drove other runs before this search
 };
 
 /// Consent that a start needs.

@@ -21,7 +21,7 @@ struct StepInputs {
   using Changes = BoundedList<ParameterChange, 8>;
   using Velocities = BoundedList<VelocityInput, 8>;
 
-  BoundedList<CarriedState, 1> restart{};  ///< before anything else, the step begins anew with this
+  BoundedList<CarriedState, 1> restart{};  ///< before anything else, the step restarts with this
   Samples samples{};                       ///< oldest first; may be empty
   BoundedList<OperatorRequest, 16> requests{};  ///< oldest first
   Camera camera{};                              ///< as they arrived; empty without a camera

@@ -227,7 +227,7 @@ std::span<const text::Key<Emulated>> emulated_keys() {
        text::enum_choice<Emulated, &Emulated::floor, kFloorNames>(),
        {},
        "Whether the floor is the same everywhere, also chosen by --floor: \"even\", or "
-       "\"uneven\", drawn by the seed as [emulated.variation] describes"},
+       "\"uneven\", sampled from the seed as [emulated.variation] describes"},
   }};
   return kKeys;
 }

@@ -20,8 +20,6 @@
 
 namespace tp100::estimation {
 
-inline double square(double value) { return value * value; }
-
 enum StateIndex : Eigen::Index {
   kX,
   kY,

@@ -152,13 +152,14 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   }
   f(kCommonSlip, kCommonSlip) = kept;
 
-  const double way = std::abs(twist.vx_mps) * dt;
+  const double distance_m = std::abs(twist.vx_mps) * dt;
   const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
   const double along =
-      square(motion.ground.hold_slip ? noise_.obstacle_sd_m_rtm : noise_.along_sd_m_rtm) * way +
+      square(motion.ground.hold_slip ? noise_.obstacle_sd_m_rtm : noise_.along_sd_m_rtm) *
+          distance_m +
       by_turning +
       square(kTiltSdMRtrad) * std::max(motion.ground.tilt_radps - kTippingRadps, 0.0) * dt;
-  const double across = square(noise_.across_sd_m_rtm) * way + by_turning;
+  const double across = square(noise_.across_sd_m_rtm) * distance_m + by_turning;
   const double rate = std::abs(twist.yaw_rate_radps);
   const double yaw =
       motion.gyro ? (square(noise_.gyro_sd_rad_rts) +
@@ -198,7 +199,7 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
     update(state, rest);
   }
   // It was the gyro that saw the turn: its yaw is still known.
-  if (motion.disturbed) forget_place(state, noise_.pushed_sd_m, noise_.pushed_sd_rad);
+  if (motion.disturbed) forget_place(state, noise_.disturbance_sd_m, noise_.disturbance_sd_rad);
   if (!motion.has_residual) return;
   const Residual& seen = motion.residual;
   state.covariance(kTurnGain, kTurnGain) +=
@@ -217,8 +218,8 @@ void MotionModel::measure(FilterState& state, const Motion& motion) const {
   const double rate = std::abs(seen.gyro_z_radps - state.mean[kBias]);
   residual.noise << square(residual_sd_radps(motion) +
                            (noise_.residual_share + motion.slip_walk_rtm) * rate);
-  // The place is left alone: a small correction of the direction of all the way behind would move
-  // it by millimetres with every encoder edge, and the controller would follow.
+  // The position is not corrected: a small correction of the direction over the whole distance
+  // driven would move it by millimetres with every encoder edge, and the controller would follow.
   if (normalized_innovation(state, residual) < kResidualGate) update(state, residual, kYaw);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::estimation {
 namespace {

@@ -23,8 +23,8 @@ struct FilterInput {
 };
 
 /// A Kalman filter over the state in kalman.h. Distance comes from the tracks; the turn comes from
-/// the gyro, whose bias follows the tracks' turn where they know it better: in straight driving.
-/// Without a gyro eq 5 gives the turn. No allocation; safe in the real-time thread.
+/// the gyro, whose bias follows the tracks' turn where they determine it better: in straight
+/// driving. Without a gyro eq 5 gives the turn. No allocation; safe in the real-time thread.
 class Odometry {
  public:
   Odometry(const model::TrackParameters& tracks, const FilterParameters& noise)
@@ -60,7 +60,7 @@ class Odometry {
    public:
     void add(const Residual& rates, double dt_s);
     double length_s() const { return length_s_; }
-    /// The mean over the window, which begins anew.
+    /// The mean over the window, which restarts.
     Residual take();
 
    private:

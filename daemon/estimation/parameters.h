@@ -37,9 +37,9 @@ struct FilterParameters {
   double disturbance_radps = 0.5;      ///< tracks against gyro above this: the robot is turned from
                                        ///< outside
   double disturbance_window_s = 0.05;  ///< ... over this long
-  double pushed_sd_m = 0.015;          ///< added to the place by each such window
-  double pushed_sd_rad =
-      0.25 * kRadPerDeg;         ///< ... and to the yaw: whoever pushes a robot tilts it
+  double disturbance_sd_m = 0.015;     ///< added to the place by each such window
+  /// ... and to the yaw: a push usually also rotates the robot.
+  double disturbance_sd_rad = 0.25 * kRadPerDeg;
   double disturbed_sd_m = 0.05;  ///< added to the pose where samples were missing, and after a
                                  ///< camera contradicted it
   double disturbed_sd_rad = 15.0 * kRadPerDeg;

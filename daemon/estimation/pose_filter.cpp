@@ -5,11 +5,12 @@
 #include <limits>
 
 #include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::estimation {
 namespace {
 
-// A camera used this recently knows the start position better than the person who placed the robot.
+// A camera used this recently gives a better start position than placing by hand.
 constexpr HostNs kFreshNs = 500 * kNsPerMs;
 
 /// The part of `motion` before `at_ns`; the rest keeps the measurements of the end.

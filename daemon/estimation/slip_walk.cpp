@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/kalman.h"
+#include "core/arithmetic.h"
 
 namespace tp100::estimation {
 namespace {
@@ -14,10 +14,10 @@ constexpr double kKept = 0.97;  // of what was learned, from window to window
 
 SlipWalk::SlipWalk(const LogLikelihoods& logs) : logs_(logs) { weigh(); }
 
-void SlipWalk::add(double change, double noise_sd, double way_m) {
+void SlipWalk::add(double change, double noise_sd, double distance_m) {
   for (std::size_t i = 0; i < kCandidates; ++i) {
     // The means of a random walk over two adjacent windows differ by 2/3 of its step over one.
-    const double variance = square(noise_sd) + square(kStepsRtm[i]) * way_m * 2.0 / 3.0;
+    const double variance = square(noise_sd) + square(kStepsRtm[i]) * distance_m * 2.0 / 3.0;
     logs_[i] = logs_[i] * kKept - (std::log(variance) + square(change) / variance) / 2.0;
   }
   const double highest = *std::max_element(logs_.begin(), logs_.end());

@@ -6,7 +6,7 @@
 
 namespace tp100::estimation {
 
-/// The slip difference is taken for a random walk along the tracks' way. On an even floor it is
+/// The slip difference is taken for a random walk over the distance driven. On an even floor it is
 /// nearly constant, and tracks then show a drift of the gyro; on an uneven one they do not. Its
 /// step per root metre is one of a few candidates, each with its likelihood given the changes seen;
 /// old changes are forgotten over some 30 windows. No allocation.
@@ -23,9 +23,9 @@ class SlipWalk {
   explicit SlipWalk(const LogLikelihoods& logs);
   const LogLikelihoods& log_likelihoods() const { return logs_; }
 
-  /// From one window to the next of `way_m` each, the slip difference seen changed by `change`, of
-  /// which measurement noise explains `noise_sd` (> 0).
-  void add(double change, double noise_sd, double way_m);
+  /// From one window to the next of `distance_m` each, the slip difference seen changed by
+  /// `change`, of which measurement noise explains `noise_sd` (> 0).
+  void add(double change, double noise_sd, double distance_m);
   /// Root of the mean square of the step by all candidates. [1 / sqrt(m)]
   double step_rtm() const { return step_rtm_; }
 

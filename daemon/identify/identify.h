@@ -1,13 +1,13 @@
 #pragma once
 // Parameters of the model's forms from recorded drives: batch least squares over all runs of the
 // poses that the model integrates from the encoders against the poses that a camera saw, or against
-// what a tape and a protractor say. The gyro's scale comes from the same turns. Counts per metre
-// are taken as known: they cannot be told from slip.
+// what a tape and a protractor measure. The gyro's scale comes from the same turns. Counts per
+// metre are taken as known: they cannot be separated from slip.
 //
-// What is true of a run and not of the robot is found and forgotten: where the run began, the
-// gyro's bias (from the rest at its beginning) and, for all runs together, how late the camera's
-// time stamps are. A marker that is not above the reference point cannot be told from a turning
-// centre that is not below it.
+// Values that belong to a run and not to the robot are estimated and discarded: where the run
+// began, the gyro's bias (from the rest at its beginning) and, for all runs together, how late the
+// camera's time stamps are. A marker that is not above the reference point cannot be separated from
+// a turning centre that is not below it.
 
 #include <optional>
 #include <string>

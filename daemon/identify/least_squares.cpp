@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/arithmetic.h"
 #include "core/statistics.h"
 
 namespace tp100::identify {
@@ -16,10 +17,8 @@ constexpr double kTail = 0.025;
 constexpr double kNormalQuantile = 1.96;
 
 // Where the standard deviation between runs is looked for, in units.
-constexpr double kLeastBetween = 0.02, kMostBetween = 8.0, kBetweenStep = 1.15;
+constexpr double kLeastBetween = 0.02, kMaxBetween = 8.0, kBetweenStep = 1.15;
 constexpr double kHuber = 2.0;  // standard deviations
-
-double square(double value) { return value * value; }
 
 }  // namespace
 
@@ -151,7 +150,7 @@ Candidate with_spread(const std::vector<RunSums>& runs, const PriorSums& prior,
 Intervals::Intervals(const std::vector<RunSums>& runs, const PriorSums& prior, Eigen::VectorXd unit)
     : unit_(std::move(unit)) {
   Candidate best = with_spread(runs, prior, spread(0.0));
-  for (double sd = kLeastBetween; runs.size() > 1 && sd < kMostBetween; sd *= kBetweenStep) {
+  for (double sd = kLeastBetween; runs.size() > 1 && sd < kMaxBetween; sd *= kBetweenStep) {
     Candidate other = with_spread(runs, prior, spread(sd));
     if (other.deviance >= best.deviance) continue;
     best = std::move(other);

@@ -30,7 +30,7 @@ constexpr int kStepsPerImage = 5;
 
 // The robot keeps this far from the fence, and farther the longer it drives with unknown slip.
 constexpr double kMarginM = 0.05;
-constexpr double kMostSlipUnknown = 0.15;
+constexpr double kMaxSlipUnknown = 0.15;
 constexpr double kRoomAtTheEndM = 0.2;
 constexpr int kAround = 8;
 // A gain that is not worth a manoeuvre, in parts of what is missing.
@@ -104,7 +104,7 @@ NextManoeuvre::NextManoeuvre(const Prior& base, const course::TextFile& area,
       here_(area_.start) {}
 
 /// How far from the fence a manoeuvre stays.
-struct NextManoeuvre::Room {
+struct NextManoeuvre::Clearance {
   double margin_m;      // everywhere
   double per_metre;     // farther with each metre driven
   double at_the_end_m;  // so that the next one has room to begin
@@ -114,7 +114,7 @@ std::optional<OtherPath> NextManoeuvre::choose() const {
   const AutoProgress so_far = progress();
   if (so_far.narrow || so_far.driving_s >= settings_.most_s) return std::nullopt;
   const Eigen::VectorXd half = intervals_.half();
-  const double unknown = std::min(kMostSlipUnknown, std::max(half[kSlipLeft], half[kSlipRight]));
+  const double unknown = std::min(kMaxSlipUnknown, std::max(half[kSlipLeft], half[kSlipRight]));
   // It may stay as near to the fence as it is already.
   double margin_m = kMarginM;
   while (margin_m > 0.0 && !clear(area_.fence, here_, margin_m)) margin_m -= kMarginM / 5.0;
@@ -122,9 +122,9 @@ std::optional<OtherPath> NextManoeuvre::choose() const {
   // In a small fence, or near its edge, less room has to do.
   bool any = false;
   std::optional<OtherPath> best;
-  for (const Room& room : {Room{margin_m, unknown, kRoomAtTheEndM}, Room{margin_m, unknown, 0.0},
-                           Room{0.0, 0.0, 0.0}}) {
-    best = best_within(room, any);
+  for (const Clearance& clearance : {Clearance{margin_m, unknown, kRoomAtTheEndM},
+                                     Clearance{margin_m, unknown, 0.0}, Clearance{0.0, 0.0, 0.0}}) {
+    best = best_within(clearance, any);
     if (any) break;
   }
   if (!any)
@@ -140,7 +140,7 @@ std::optional<OtherPath> NextManoeuvre::choose() const {
   return best;
 }
 
-std::optional<OtherPath> NextManoeuvre::best_within(const Room& room, bool& any) const {
+std::optional<OtherPath> NextManoeuvre::best_within(const Clearance& clearance, bool& any) const {
   const TrackParameters& tracks = fit_.values().tracks;
   const std::array<double, kRows> goals = interval_goals(tracks, settings_.narrow);
   // Of Values the rows of the table come first, and all are free.
@@ -150,7 +150,7 @@ std::optional<OtherPath> NextManoeuvre::best_within(const Room& room, bool& any)
   double best_rate = 0.0;
   for (OtherPath& manoeuvre : candidate_manoeuvres(tracks.wheelbase_m)) {
     const Prediction prediction = predict(manoeuvre);
-    if (!fits(prediction.poses, room)) continue;
+    if (!fits(prediction.poses, clearance)) continue;
     any = true;
     const Eigen::VectorXd by = intervals_.narrowed_by(
         fit_.sums_of(FittedRun(prediction.drive, base_.counts_per_metre, tracks.gyro_scale)));
@@ -199,12 +199,13 @@ NextManoeuvre::Prediction NextManoeuvre::predict(const OtherPath& manoeuvre) con
   return prediction;
 }
 
-bool NextManoeuvre::fits(const std::vector<Pose>& poses, const Room& room) const {
-  if (!clear(area_.fence, poses.back(), room.at_the_end_m)) return false;
+bool NextManoeuvre::fits(const std::vector<Pose>& poses, const Clearance& clearance) const {
+  if (!clear(area_.fence, poses.back(), clearance.at_the_end_m)) return false;
   double driven_m = 0.0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     driven_m += magnitude(poses[i].x_m - poses[i - 1].x_m, poses[i].y_m - poses[i - 1].y_m);
-    if (!clear(area_.fence, poses[i], room.margin_m + room.per_metre * driven_m)) return false;
+    if (!clear(area_.fence, poses[i], clearance.margin_m + clearance.per_metre * driven_m))
+      return false;
   }
   return true;
 }

@@ -66,9 +66,9 @@ class NextManoeuvre {
  private:
   struct Prediction;
   Prediction predict(const course::OtherPath& manoeuvre) const;
-  struct Room;
-  bool fits(const std::vector<Pose>& poses, const Room& room) const;
-  std::optional<course::OtherPath> best_within(const Room& room, bool& any) const;
+  struct Clearance;
+  bool fits(const std::vector<Pose>& poses, const Clearance& clearance) const;
+  std::optional<course::OtherPath> best_within(const Clearance& clearance, bool& any) const;
 
   Prior base_;
   course::TextFile area_file_;

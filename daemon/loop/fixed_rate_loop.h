@@ -20,8 +20,8 @@ namespace tp100::loop {
 
 struct LoopSettings {
   HostNs period_ns = 5 * kNsPerMs;
-  bool robot_paced =
-      false;  ///< a cycle begins with the robot's sample; the period is then the deadline's base
+  /// A cycle begins with the robot's sample; the period is then the deadline's base.
+  bool robot_paced = false;
   HostNs spin_ns = 60 * kNsPerUs;  ///< last part of the wait; not when waiting for a robot's sample
   OverrunPolicy overrun = OverrunPolicy::kSkipMissed;  ///< a robot's samples follow no grid
   ThreadRequest thread{};

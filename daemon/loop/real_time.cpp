@@ -101,7 +101,7 @@ int raise_kernel_workers() {
   return raised;
 }
 
-void settle(Grant& grant) {
+void resolve(Grant& grant) {
   if (grant.granted) grant.fix.clear();
 }
 
@@ -123,7 +123,7 @@ RealTimeProcess::RealTimeProcess(const ProcessRequest& request) {
     const std::string nice = std::to_string(kWorkerNice);
     grants_.push_back({"kernel workers that carry serial data at nice " + nice, true, {}});
   }
-  for (Grant& grant : grants_) settle(grant);
+  for (Grant& grant : grants_) resolve(grant);
 }
 
 RealTimeProcess::~RealTimeProcess() {
@@ -140,7 +140,7 @@ std::vector<Grant> apply_to_this_thread(const ThreadRequest& request) {
   ::prctl(PR_SET_TIMERSLACK, 1UL);
   if (request.cpu >= 0) grants.push_back(affinity(request.cpu));
   if (request.priority > 0) grants.push_back(fifo(request.priority));
-  for (Grant& grant : grants) settle(grant);
+  for (Grant& grant : grants) resolve(grant);
   touch_stack();
   return grants;
 }

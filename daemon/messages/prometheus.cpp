@@ -85,7 +85,7 @@ void write_run(Exposition& out, const StateFigures& state, const RunContext& run
             state.motors_on ? 1.0 : 0.0);
   out.gauge("stop_latched", "1 from a STOP to the next start.", state.stop.latched ? 1.0 : 0.0);
   out.counter("stops_total", "STOPs requested.", state.stop.count);
-  out.gauge("progress_meters", "Way along the course.", state.progress_m);
+  out.gauge("progress_meters", "Distance driven along the course.", state.progress_m);
   if (state.battery_v) out.gauge("battery_volts", "Voltage of the battery.", *state.battery_v);
   out.family("fault", "gauge", "1 for a fault that robot or daemon has latched.");
   FaultMask all = ~FaultMask{0};

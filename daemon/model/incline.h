@@ -9,9 +9,9 @@ namespace tp100::model {
 struct Incline {
   double slope_rad = 0.0;    ///< climb angle along the robot; shifts the slip ratios
   double slip_offset = 0.0;  ///< of the surface, added to both slip ratios
-  double horizontal_fraction =
-      1.0;  ///< horizontal distance per distance along the slope, cos(slope) on a ramp; any value
-            ///< while the body rotates about an edge
+  /// Horizontal distance per distance along the slope, cos(slope) on a ramp; any value while the
+  /// body rotates about an edge.
+  double horizontal_fraction = 1.0;
 };
 
 /// A plane at a climb angle.

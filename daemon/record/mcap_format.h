@@ -68,7 +68,7 @@ class RecordList {
     if (in_.left() == 0) return false;
     op = static_cast<McapOp>(in_.number<std::uint8_t>());
     content = in_.bytes(in_.number<std::uint64_t>());
-    if (!in_.ok()) throw CorruptFile{"a record is longer than what it lies in"};
+    if (!in_.ok()) throw CorruptFile{"a record is longer than the chunk or file that contains it"};
     return true;
   }
   McapOp op{};

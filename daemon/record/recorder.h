@@ -60,14 +60,14 @@ class Recorder : public messages::Sink {
   /// refused, since another is running or asked for, or the disk has not served the requests
   /// before.
   std::uint64_t ask_begin(Make make, const Answer& answer);
-  /// As ask_begin(), for a recording that begins look_back_ns ago and makes way for any other. It
-  /// is not in number() and status(), and two of them share no step.
+  /// As ask_begin(), for a recording that begins look_back_ns ago and ends when another recording
+  /// begins. It is not in number() and status(), and two of them share no step.
   std::uint64_t ask_look_back(Make make, const Ended& ended);
   /// Recording `number`, or whichever there is if that is 0, ends here.
   void ask_end(std::uint64_t number, Answer answer);
-  /// What was taken so far cannot be in a recording that begins or looks back later: the steps from
-  /// number `next` on, which begins anew, are of another course, robot or set-up. End a running
-  /// recording first.
+  /// Discards the history before step `next`, which restarts the step with another course, robot or
+  /// set-up: a recording that begins or looks back later cannot contain it. End a running recording
+  /// first.
   void forget(std::uint64_t next);
   /// Number of the recording that is running or requested; 0: none.
   std::uint64_t number() const;

@@ -20,7 +20,8 @@ struct StepDifference {
 std::optional<StepDifference> first_difference(const StepRecord& recorded,
                                                const StepRecord& computed);
 
-/// The largest differences over any number of steps; infinite where a number stands beside none.
+/// The largest differences over any number of steps; infinite where only one side has a
+/// number.
 struct LargestDifference {
   double length_m = 0.0;   ///< of all results in metres: positions, errors, progress
   double angle_rad = 0.0;  ///< of all in radians, around the circle

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps the inputs of the steps since the step last began anew (StepInputs::restart), so that a
+// Keeps the inputs of the steps since the last restart of the step (StepInputs::restart), so that a
 // recording that begins later can be replayed: a step's state is the result of all inputs since.
 // The first megabytes stay in memory, what a long run adds goes to a file. One thread.
 
@@ -22,15 +22,15 @@ struct HistorySettings {
   std::uint64_t memory_bytes = 8'000'000;
 };
 
-/// It holds two spans of steps, each of which begins where the step began anew: the newest, and,
-/// for what looks back up to a minute, the one before.
+/// It holds two spans of steps, each of which begins at a restart of the step: the newest, and, for
+/// recordings that look back up to a minute, the one before.
 class StepHistory {
  public:
   explicit StepHistory(HistorySettings settings) : settings_(std::move(settings)) {}
 
   /// The first step is number 1.
   void add(const StepRecord& record);
-  /// The steps so far belong to another step than those from number `next` on, which begins anew.
+  /// Discards the steps before number `next`, which restarts with another course, robot or set-up.
   void forget(std::uint64_t next);
   /// Passes the inputs of all steps that are needed before step `first`, oldest first, in blocks
   /// (step_codec.h). Returns why they are incomplete, in words, or nothing. Above `max_bytes`

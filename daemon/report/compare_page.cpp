@@ -168,10 +168,8 @@ std::string compare_page(const std::vector<ComparedRun>& runs,
                    ". Their differences come from that, too.");
   page.paragraph(
       "Errors are against the truth, those of the model piece by piece between disturbances; "
-      "\"-\": "
-      "not known, as without truth, or of a run that never began. One run each: a difference may "
-      "be "
-      "chance; a campaign (tp100-sim campaign) says how far runs spread.");
+      "\"-\": not known, as without truth, or of a run that never began. One run each: a "
+      "difference may be chance; a campaign (tp100-sim campaign) says how far runs spread.");
   page.table(difference_rows(all),
              "A difference is the run minus the base run; of all figures but the duration, smaller "
              "is better");

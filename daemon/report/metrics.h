@@ -38,15 +38,15 @@ std::vector<Deviation> deviations(const course::Path& path,
 /// One disturbance. All values are true ones, except the controller's time of detection.
 struct DisturbanceResponse {
   double begin_s = 0.0;  ///< of the disturbance, from the start of the run
-  std::optional<double>
-      detection_s{};                ///< from there until the controller detected it; nothing: never
+  /// From there until the controller detected it; nothing: never.
+  std::optional<double> detection_s{};
   double peak_cross_track_m = 0.0;  ///< until settled, including the disturbance
   double peak_yaw_error_rad = 0.0;
   /// From the end of the disturbance until the robot stayed within 1 cm and 3 deg for 0.5 s;
   /// nothing: never.
   std::optional<double> settling_s{};
-  double overshoot_m =
-      0.0;  ///< overshoot to the other side of the path, until that half second ended
+  /// To the other side of the path, until that half second ended.
+  double overshoot_m = 0.0;
   double shortcut_m = 0.0;  ///< length of path that was skipped; 0: none
 };
 
@@ -76,8 +76,8 @@ struct PoseErrors {
 struct TrackingErrors {
   double max_cross_track_m = 0.0;
   double rms_cross_track_m = 0.0;
-  double max_yaw_error_rad =
-      0.0;  ///< from the tangent; while turning on the spot, from the commanded turn
+  /// From the tangent; while turning on the spot, from the commanded turn.
+  double max_yaw_error_rad = 0.0;
   std::vector<std::optional<double>> recovery_s;  ///< per disturbance; nothing: never recovered
   std::vector<DisturbanceResponse> recovery;      ///< the same disturbances in full
   int false_alarms = 0;  ///< disturbances that the controller detected although there was none

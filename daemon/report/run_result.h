@@ -34,8 +34,8 @@ struct TrajectoryPoint {
                      ///< distance that virtual obstacles cost
   PerSource<Pose> estimates{};  ///< of use where RunResult::has_estimate()
   PoseSd fused_sd{};            ///< of the fused pose, which is odometry's without a camera
-  double progress_m =
-      0.0;  ///< along the path, as estimated by the controller; distinguishes crossing segments
+  /// Along the path, as estimated by the controller; distinguishes crossing segments.
+  double progress_m = 0.0;
   bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet
   double imu_pitch_rad = 0.0;  ///< by the IMU, of the real body
   Slope slope = Slope::kFlat;  ///< state derived from it

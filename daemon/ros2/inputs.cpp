@@ -128,8 +128,7 @@ bool in_time(const Received& received, std::string& why) {
   if (age_ns <= kMaxAgeNs && age_ns >= -kMaxAgeNs) return true;
   why = text::format(
       "sent %.1f s ago by the clock of its sender, and no more than 2 s count; send it again, or "
-      "set "
-      "both machines' clocks",
+      "set both machines' clocks",
       to_s(age_ns));
   return false;
 }

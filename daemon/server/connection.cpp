@@ -274,7 +274,7 @@ void Connection::write_part() {
 void Connection::on_part(std::optional<std::size_t> got) {
   if (!got) return;  // as above
   if (*got == 0) {
-    // Nothing is written meanwhile, so that only this notices a client that has gone.
+    // Nothing is written meanwhile, so that only this read detects a disconnect.
     char byte = 0;
     const ssize_t n = ::recv(stream_.socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
     if (n > 0 || (n < 0 && errno == EAGAIN)) write_part();

@@ -12,7 +12,7 @@ namespace tp100::server {
 namespace {
 
 constexpr std::size_t kMaxShownName = 64;
-constexpr HostNs kSettleNs = 500 * kNsPerMs;
+constexpr HostNs kOverdueNs = 500 * kNsPerMs;
 constexpr const char* kSteering = "estimation.steering";
 
 }  // namespace
@@ -98,7 +98,7 @@ void ParameterRequests::set(Viewer& viewer, const SetParameters& wanted, bool ma
       viewer.say(StatusLevel::kError, why);
       continue;
     }
-    settle_ns_ = now + kSettleNs;
+    overdue_ns_ = now + kOverdueNs;
     for (const messages::ParameterText* parameter : select({one.name}))
       parameter_changed(*parameter, now);
   }
@@ -121,8 +121,8 @@ void ParameterRequests::parameter_changed(const messages::ParameterText& paramet
 }
 
 // The step decides: a run may have begun before a change of the steering pose reached it.
-void ParameterRequests::settle(HostNs now) {
-  if (now < settle_ns_) return;
+void ParameterRequests::finish_overdue(HostNs now) {
+  if (now < overdue_ns_) return;
   for (messages::ParameterText& parameter : parameters_) {
     if (parameter.name != kSteering || publisher_.last_step_ns() == 0) continue;
     const messages::ParameterValue used = std::string(to_string(publisher_.state().steering));

@@ -35,7 +35,7 @@ class ParameterRequests {
   /// The viewer is gone.
   void leave(const Viewer& viewer) { watched_.erase(viewer.id()); }
   /// Call it regularly: corrects what the step did not accept.
-  void settle(HostNs now);
+  void finish_overdue(HostNs now);
 
  private:
   bool under_way() const;
@@ -48,7 +48,7 @@ class ParameterRequests {
   Publisher& publisher_;
   Controls& controls_;
   std::vector<messages::ParameterText> parameters_;
-  HostNs settle_ns_ = 0;  // a parameter change is under way until then
+  HostNs overdue_ns_ = 0;  // a parameter change is under way until then
   std::map<std::uint32_t, std::set<std::string>> watched_;  // parameters, by viewer
 };
 

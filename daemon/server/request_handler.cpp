@@ -42,7 +42,7 @@ RequestHandler::RequestHandler(Broker& broker, Publisher& publisher, Controls& c
       session_id_(std::move(session_id)),
       name_(std::move(name)) {}
 
-void RequestHandler::greet(Viewer& viewer, Permission permission) const {
+void RequestHandler::send_server_info(Viewer& viewer, Permission permission) const {
   const messages::RunContext& run_context = publisher_.run_context();
   const std::array<Metadata, 7> metadata = {{
       {"version", run_context.version},
@@ -319,7 +319,7 @@ void RequestHandler::call_stop(const std::shared_ptr<Viewer>& viewer, std::uint3
 }
 
 void RequestHandler::tick(HostNs now) {
-  parameters_.settle(now);
+  parameters_.finish_overdue(now);
   answer_results();
   if (waiting_.empty()) return;
   const messages::StopFigures& stop = publisher_.stop().figures();

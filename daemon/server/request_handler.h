@@ -31,7 +31,7 @@ class RequestHandler {
                  std::string name = {});
 
   /// Sends server info, channels and services, in this order.
-  void greet(Viewer& viewer, Permission permission) const;
+  void send_server_info(Viewer& viewer, Permission permission) const;
   /// Answers one message. False: it is not a message of the protocol.
   bool handle(const std::shared_ptr<Viewer>& viewer, const ClientMessage& message,
               Permission permission, HostNs now);

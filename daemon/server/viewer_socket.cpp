@@ -85,7 +85,7 @@ void ViewerSocket::opened() {
       });
   shared_.viewers.emplace(viewer_->id(), weak);
   shared_.broker.add(viewer_);
-  shared_.handler.greet(*viewer_, permission_);
+  shared_.handler.send_server_info(*viewer_, permission_);
   read();
 }
 

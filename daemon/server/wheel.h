@@ -1,6 +1,6 @@
 #pragma once
-// Who drives by hand: one driver at a time, whatever the clients are. Pure: times are passed in;
-// the caller locks.
+// The wheel, held by the one client that drives by hand, of whatever kind. Pure: times are passed
+// in; the caller locks.
 
 #include <cstdint>
 #include <optional>
@@ -33,15 +33,15 @@ struct Driver {
   std::string name;  ///< for people: "viewer 3"
 };
 
-/// The wheel belongs to whoever took it until he releases it, is lost, or gives no fresh input
-/// while somebody else asks for it.
+/// A driver holds the wheel until it releases it, is lost, or gives no fresh input while another
+/// client asks for the wheel.
 class Wheel {
  public:
   /// A client that was refused counts as asking for this long.
   static constexpr HostNs kAskNs = 5 * kNsPerS;
 
-  /// Gives the wheel to `driver` and returns the token; the one before is worth nothing from now
-  /// on. Nothing while another driver's input is fresh, who then sees who asks.
+  /// Gives the wheel to `driver` and returns the token; the previous one is ignored from now on.
+  /// Nothing while another driver's input is fresh; that driver is then shown who asks.
   std::optional<std::string> take(const Driver& driver, HostNs now);
   /// The input with the host time at which the person gave it; nothing if the token does not hold
   /// the wheel. A message that was delayed on its way, or whose time does not go on, is as old as

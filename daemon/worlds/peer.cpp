@@ -126,7 +126,7 @@ void Peer::welcome(const WorldMessage& message, std::uint16_t port, HostNs now) 
   world_sequence_ = 0;
   answers_ = 0;
   stamp_s_.reset();
-  note_ = "world: welcomed by " + name_;
+  note_ = "world: connected to " + name_;
 }
 
 const Peer::Sent* Peer::find(std::uint64_t sequence) const {

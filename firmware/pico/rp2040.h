@@ -30,7 +30,7 @@ inline Register& gpio_enable_clear() { return at(0xd0000028); }
 enum Function : uint32_t { kUart = 2, kI2c = 3, kPwm = 4, kSio = 5, kNoFunction = 31 };
 inline Register& gpio_control(unsigned pin) { return at(0x40014004 + 8 * pin); }
 inline Register& pad(unsigned pin) { return at(0x4001c004 + 4 * pin); }
-const uint32_t kPadPullUp = mask(3), kPadPullDown = mask(2), kPadInput = mask(6);
+const uint32_t kPadPullUp = mask(3), kPadInput = mask(6);
 const uint32_t kPadNoOutput = mask(7), kPadSchmitt = mask(1), kPad4mA = mask(4);
 /// Eight pins a register, four bits a pin.
 inline Register& gpio_interrupt(unsigned pin) { return at(0x400140f0 + 4 * (pin / 8)); }
@@ -94,7 +94,6 @@ inline Register& i2c_low() { return at(0x40044020); }
 inline Register& i2c_interrupts() { return at(0x40044034); }
 inline Register& i2c_clear_all() { return at(0x40044040); }
 inline Register& i2c_clear_abort() { return at(0x40044054); }
-inline Register& i2c_clear_stop() { return at(0x40044060); }
 inline Register& i2c_enable() { return at(0x4004406c); }
 inline Register& i2c_waiting() { return at(0x40044074); }
 inline Register& i2c_received() { return at(0x40044078); }

@@ -148,7 +148,7 @@ class TodoLines {
   std::vector<Range> line_;
 };
 
-/// For whoever spreads the runs over processors. Gaps between runs cost no line.
+/// Prints the open runs, one range per line, as input for programs that distribute them.
 void print_todo(const CampaignFolder& folder, const std::vector<Range>& ranges,
                 std::uint64_t most) {
   TodoLines lines(most);

@@ -5,7 +5,7 @@ extends Node
 const OBSTACLE_M := Vector3(0.1, 0.08, 0.1)
 const REACH_M := 0.12     # a press so near to the robot's middle takes hold of it
 const STIFFNESS_NPM := 40.0
-const MOST_N := 4.0       # less than the tracks' grip: it can be held back, not carried off
+const MOST_N := 4.0       # less than the tracks' traction: it can be held back, not carried off
 
 var camera: Camera
 var robots := []

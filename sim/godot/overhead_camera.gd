@@ -201,7 +201,7 @@ func build_sensor() -> void:
 			["noise", settings.noise * sqrt(settings.in_exposure)]]:
 		shader.set_shader_param(value[0], value[1])
 
-# One subframe per turn of the engine.
+# One subframe per engine iteration.
 func _process(_delta: float) -> void:
 	if pipe.get_status() == StreamPeerTCP.STATUS_CONNECTING:
 		return

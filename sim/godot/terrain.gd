@@ -95,7 +95,7 @@ func add_prism(piece: Dictionary, profile: Array, kind: String) -> void:
 	surface.generate_normals()
 	show_mesh(surface.commit(), transform_of(piece), COLOURS[kind])
 
-# A box that nobody climbs, standing on its place; freed, it is gone.
+# A static obstacle; freeing the node removes it.
 func add_obstacle(at: Transform, size: Vector3, seen: bool) -> StaticBody:
 	var box := BoxShape.new()
 	box.extents = size / 2

@@ -239,7 +239,7 @@ func place_camera(share: float) -> void:
 			camera.translation = camera.translation.linear_interpolate(wanted, share)
 			camera.look_at(robot.transform.origin + flat * 0.12 + Vector3(0, 0.02, 0), Vector3.UP)
 
-# Once per turn of the engine: draws at 30 Hz at most and in a quarter of the time at most, so that answers do not wait for
+# Once per engine iteration: draws at 30 Hz at most and in a quarter of the time at most, so that answers do not wait for
 # pictures; of a film exactly what is due.
 func turn() -> void:
 	if not film.empty():

@@ -48,7 +48,7 @@ func fail(text: String) -> void:
 	get_tree().quit(2)
 	set_physics_process(false)
 
-# In a window each turn of the engine looks for datagrams; otherwise it waits for one. Physics ticks only while a
+# In a window each engine iteration looks for datagrams; otherwise it waits for one. Physics ticks only while a
 # pose's time has to pass: the engine's time is that of the poses.
 func _physics_process(_delta: float) -> void:
 	if view != null:

@@ -24,7 +24,7 @@ namespace {
 /// by their own means must not outrun them.
 class VirtualTopics : public messages::Sink {
  public:
-  /// Waits for nobody: who comes later gets what is latched.
+  /// Does not wait for subscribers; late ones receive latched topics.
   VirtualTopics(ros2::Participant& participant, const messages::RunContext& run_context)
       : publisher_(participant, run_context, {}, true) {}
   void take(const StepRecord& record) override {
@@ -76,7 +76,7 @@ int run_course(const CourseCommand& command) {
       config::world_option(command.world, loaded.configuration.parameters.world.kind);
   if (loaded.files.world == bridge::WorldKind::kFiles)
     throw SetupError("world files: have no place in virtual time; use udp or internal");
-  // Before the drive: not only after it would somebody learn that there is no such place.
+  // Before the drive, so that an unwritable folder is reported at once.
   if (!command.out.empty()) text::make_folder(command.out);
   const std::unique_ptr<ros2::Participant> participant = participant_of(command);
   bool all_completed = true;

@@ -101,7 +101,7 @@ class EmulatedRobot {
   const SpentTime& spent() const { return spent_; }
 
  private:
-  /// `values`: those of this run, drawn by its seed.
+  /// `values`: those of this run, sampled from its seed.
   EmulatedRobot(const EmulatedRobotSettings& settings, const course::Emulated& values);
   /// Applies the faults of sensors and board that are due now.
   void inject();

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kDrivesSeed = 9001;
 constexpr int kDrivesOfAKind = 2;
 constexpr std::uint64_t kSeedsApart = 1000;
-constexpr double kLeastPercent = 90.0, kMostPercent = 99.0;
+constexpr double kLeastPercent = 90.0, kMaxPercent = 99.0;
 
 std::vector<course::Robot> robots_on(const std::string& body, const std::string& folder) {
   std::vector<course::Robot> robots;
@@ -35,7 +35,7 @@ std::vector<course::Robot> robots_on(const std::string& body, const std::string&
 /// A share that is to be neither too small nor, if `too_cautious` counts, too large.
 void judge_share(CourseStudy& study, const std::string& what, bool too_cautious, double percent) {
   study.judged.push_back(
-      judged_value(study, what + " within 2 sd", "%", too_cautious ? kMostPercent : -1.0, percent));
+      judged_value(study, what + " within 2 sd", "%", too_cautious ? kMaxPercent : -1.0, percent));
   study.judged.push_back(
       judged_value(study, what + " outside 2 sd", "%", 100.0 - kLeastPercent, 100.0 - percent));
 }

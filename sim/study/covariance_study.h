@@ -11,9 +11,8 @@
 
 namespace tp100::sim {
 
-/// The robot as people use it: put down by hand and with a gyro whose scale varies from run to run,
-/// both with the standard deviations that the filter assumes. `uneven`: on a floor that the seed
-/// draws, else on an even one.
+/// A robot with random placement error and gyro scale, both with the standard deviations that the
+/// filter assumes. `uneven`: on a floor sampled from the seed, else on an even one.
 course::Robot placed_by_hand(course::Robot robot, bool uneven);
 
 /// Every bundled robot on 1-sharp and 2, with and without an overhead camera, on even and uneven

@@ -10,15 +10,15 @@ namespace tp100::sim {
 namespace {
 
 /// Sums of one drive.
-struct Way {
+struct Travel {
   double ahead_m = 0.0, left_m = 0.0;  // along and across the heading of the moment
   double turned_rad = 0.0;
   double sideways_by_turn = 0.0, turn_by_turn = 0.0;  // for the turning centre
   double left_track_m = 0.0, right_track_m = 0.0;
 };
 
-Way travel_of(const CalibrationDrive& drive, double counts_per_metre) {
-  Way way;
+Travel travel_of(const CalibrationDrive& drive, double counts_per_metre) {
+  Travel travel;
   const std::vector<Pose>& truth = drive.truth;
   const std::vector<identify::DriveSample>& samples = drive.drive.samples;
   for (std::size_t i = 1; i < truth.size(); ++i) {
@@ -29,18 +29,18 @@ Way travel_of(const CalibrationDrive& drive, double counts_per_metre) {
     const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m, turn = b.yaw_rad - a.yaw_rad;
     const double left = -s * dx + c * dy;
     const double dt_s = samples[i].t_s - samples[i - 1].t_s;
-    way.ahead_m += c * dx + s * dy;
-    way.left_m += left;
-    way.turned_rad += turn;
-    way.sideways_by_turn += left * turn / dt_s;
-    way.turn_by_turn += turn * turn / dt_s;
+    travel.ahead_m += c * dx + s * dy;
+    travel.left_m += left;
+    travel.turned_rad += turn;
+    travel.sideways_by_turn += left * turn / dt_s;
+    travel.turn_by_turn += turn * turn / dt_s;
   }
   const auto metres = [counts_per_metre](std::int64_t counts) {
     return static_cast<double>(counts) / counts_per_metre;
   };
-  way.left_track_m = metres(samples.back().left_counts - samples.front().left_counts);
-  way.right_track_m = metres(samples.back().right_counts - samples.front().right_counts);
-  return way;
+  travel.left_track_m = metres(samples.back().left_counts - samples.front().left_counts);
+  travel.right_track_m = metres(samples.back().right_counts - samples.front().right_counts);
+  return travel;
 }
 
 struct Ratio {
@@ -53,13 +53,13 @@ struct Turns {
   Ratio wheelbase{}, centre{}, lost{};
   model::TurnShape shape{};
 
-  void add(const Way& way, double left_m, double right_m) {
-    const double side = way.turned_rad > 0.0 ? 1.0 : -1.0;
+  void add(const Travel& travel, double left_m, double right_m) {
+    const double side = travel.turned_rad > 0.0 ? 1.0 : -1.0;
     wheelbase.above += side * (right_m - left_m);
-    wheelbase.below += std::abs(way.turned_rad);
-    centre.above -= way.sideways_by_turn;
-    centre.below += way.turn_by_turn;
-    lost.above += side * ((left_m + right_m) / 2.0 - way.ahead_m);
+    wheelbase.below += std::abs(travel.turned_rad);
+    centre.above -= travel.sideways_by_turn;
+    centre.below += travel.turn_by_turn;
+    lost.above += side * ((left_m + right_m) / 2.0 - travel.ahead_m);
     lost.below += (left_m + right_m) / 2.0;
     shape = model::turn_shape(left_m, right_m);
   }
@@ -87,16 +87,16 @@ model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& dri
   Ratio left, right, straight_angle, turning_angle;
   for (const CalibrationDrive& drive : drives) {
     if (drive.kind == DriveKind::kTight || drive.kind == DriveKind::kSpin) continue;
-    const Way way = travel_of(drive, robot.encoder.counts_per_metre);
+    const Travel travel = travel_of(drive, robot.encoder.counts_per_metre);
     Ratio& angle = drive.kind == DriveKind::kStraight ? straight_angle : turning_angle;
-    angle.above += way.left_m;
-    angle.below += way.ahead_m;
+    angle.above += travel.left_m;
+    angle.below += travel.ahead_m;
     if (drive.kind != DriveKind::kStraight) continue;
-    const double half = way.turned_rad * robot.body.gauge_m / 2.0;
-    left.above += way.ahead_m - half;
-    left.below += way.left_track_m;
-    right.above += way.ahead_m + half;
-    right.below += way.right_track_m;
+    const double half = travel.turned_rad * robot.body.gauge_m / 2.0;
+    left.above += travel.ahead_m - half;
+    left.below += travel.left_track_m;
+    right.above += travel.ahead_m + half;
+    right.below += travel.right_track_m;
   }
   motion.slip_left = 1.0 - left.value();
   motion.slip_right = 1.0 - right.value();
@@ -106,13 +106,13 @@ model::TrackParameters effective_motion(const std::vector<CalibrationDrive>& dri
   Turns wide, tight, spin;
   for (const CalibrationDrive& drive : drives) {
     if (drive.kind == DriveKind::kStraight) continue;
-    const Way way = travel_of(drive, robot.encoder.counts_per_metre);
-    const double left_m = way.left_track_m * (1.0 - motion.slip_left);
-    const double right_m = way.right_track_m * (1.0 - motion.slip_right);
+    const Travel travel = travel_of(drive, robot.encoder.counts_per_metre);
+    const double left_m = travel.left_track_m * (1.0 - motion.slip_left);
+    const double right_m = travel.right_track_m * (1.0 - motion.slip_right);
     (drive.kind == DriveKind::kWide    ? wide
      : drive.kind == DriveKind::kTight ? tight
                                        : spin)
-        .add(way, left_m, right_m);
+        .add(travel, left_m, right_m);
   }
   const auto [wheelbase, wheelbase_tight, wheelbase_spin] =
       apart({wide.wheelbase.value(), tight.wheelbase.value(), spin.wheelbase.value()}, wide.shape,

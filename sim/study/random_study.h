@@ -1,6 +1,6 @@
 #pragma once
-// Courses of the whole format, drawn by a number: tracked, monitored, and judged by a measure that
-// shares no code with the tracker's progress or the report's figures.
+// Courses of the whole format, sampled from a number: tracked, monitored, and judged by a measure
+// that shares no code with the tracker's progress or the report's figures.
 
 #include <cstdint>
 #include <string>

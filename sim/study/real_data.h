@@ -42,7 +42,7 @@ RealRobot parse_maxxii(const course::TextFile& file);
 /// mean of its two samples. Throws SetupError "file:line: what". Pure.
 RealRobot parse_husky(const course::TextFile& file);
 
-/// Both, from the bundled files. Throws SetupError that names a file that is missing or damaged.
+/// Both, from the bundled files. Throws SetupError that names a file that is missing or corrupted.
 std::vector<RealRobot> read_real_robots();
 
 }  // namespace tp100::sim

@@ -90,23 +90,19 @@ std::string yaw_chart(const RealStudy& study) {
 
 std::string remark(const RealStudy& study) {
   if (study.robot == "MAXXII")
-    return "MAXXII: tracks, indoors, stationary points. Of the seven constants of the extended "
-           "model "
-           "x_icr pays, for the lateral speed; wheelbases by turn ratio and turn slip bring "
-           "nothing. "
-           "What eqs 1-5 leave of the yaw rate is mostly in right turns on the spot with more than "
-           "0.55 m/s between the tracks: there the robot turns at down to half the rate that its "
-           "tracks would give, and in left turns it does not. A term for that brings the error "
-           "to 6 %, but few points decide its two constants, whose intervals are as wide as what "
-           "was "
-           "assumed. Track speeds are set points: the motors may have a part in it.";
-  return "Husky: wheels, violent random commands, windows of 1.95 s. The slip of eqs 1-5 is slip "
-         "of "
-         "turning: once it may grow with the difference of the speeds, none is left straight on, "
-         "and "
-         "the position error falls by a fifth. The extended model is worse than eqs 1-5 with "
-         "x_icr. "
-         "No form brings anything for yaw, where the gyro more than halves the error.";
+    return "MAXXII: tracks, indoors, stationary points. Of the seven constants that the extended "
+           "model adds, only x_icr reduces the error, that of the lateral speed; wheelbases by "
+           "turn ratio and turn slip do not help. The yaw rate error that eqs 1-5 leave is mostly "
+           "in right turns on the spot with more than 0.55 m/s between the tracks: there the robot "
+           "turns at down to half the rate that its tracks would give; in left turns it does not. "
+           "A term for this reduces the error to 6 %, but few points determine its two constants, "
+           "and their intervals are as wide as the assumed priors. Track speeds are set points, so "
+           "the motors may contribute.";
+  return "Husky: wheels, strongly varying random commands, windows of 1.95 s. The slip of eqs 1-5 "
+         "occurs in turns: a slip that may grow with the difference of the speeds leaves none for "
+         "straight driving and reduces the position error by a fifth. The extended model is worse "
+         "than eqs 1-5 with x_icr. No form improves yaw, where the gyro more than halves the "
+         "error.";
 }
 
 std::string plain(const Rows& rows) {

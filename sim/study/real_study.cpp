@@ -100,8 +100,6 @@ double rms(double squares, std::size_t count) {
   return std::sqrt(squares / static_cast<double>(count));
 }
 
-double square(double value) { return value * value; }
-
 /// Stationary points: rms of yaw rate and speed in parts of their own rms, of the lateral speed.
 std::vector<double> point_figures(const SlipForm& form, const SlipConstants& constants,
                                   const std::vector<RealMotion>& motions) {

@@ -35,8 +35,8 @@ constexpr int kCalibrationRepeats = 2;
 // The image is slower, and differs from the host's build by less than seeds do.
 constexpr int kImageRuns = 5;
 constexpr int kRandomCoursesARun = 50;
-// Bodies with less grip cannot hold themselves on the step of course 3.
-constexpr double kGripOfCourse3 = 0.85;
+// Bodies with less friction cannot hold themselves on the step of course 3.
+constexpr double kFrictionOfCourse3 = 0.85;
 
 course::Robot robot_named(const std::string& name) {
   Options options;
@@ -78,7 +78,8 @@ bool straight_before(const course::Course& course, const course::Robot& robot) {
 /// The same for a robot not designed for this course: obstacles are real only where the robot has
 /// enough traction on them and meets them straight.
 bridge::Setup floor_for(const course::Course& course, const course::Robot& robot) {
-  const bool fit = robot.emulated.body.friction >= kGripOfCourse3 && straight_before(course, robot);
+  const bool fit =
+      robot.emulated.body.friction >= kFrictionOfCourse3 && straight_before(course, robot);
   return fit ? floor_for(course) : bridge::Setup::kFlat;
 }
 

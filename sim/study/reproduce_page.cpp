@@ -178,16 +178,14 @@ void write_courses(report::HtmlPage& page, const Reproduction& what) {
   page.table(
       course_rows(what),
       "Largest errors, medians over the runs, each with its limit. [cm] What the paper drove "
-      "with is eqs 1-5, "
-      "fitted to its robot. Eqs 1-5 and the extended model: between the disturbances; eqs "
-      "1-5 know no slope. Fused on course 2: root mean square. Model, estimate and tracking "
-      "are three different things and never mixed.");
+      "with is eqs 1-5, fitted to its robot. Eqs 1-5 and the extended model: between the "
+      "disturbances; eqs 1-5 know no slope. Fused on course 2: root mean square. Model, estimate "
+      "and tracking are three different things and never mixed.");
   page.heading("Shown runs");
   page.paragraph(
       "The first run of each course. Lengths and radii of the courses are ours. The truth is the "
       "broad band, estimates are lines on it; where they cannot be told apart, the errors over "
-      "time "
-      "say how far each is off.");
+      "time say how far each is off.");
   for (const CourseStudy& study : what.studies)
     if (is_paper_course(study, what) && !study.shown.result.points.empty())
       page.figures(run_charts(study), shown_caption(study));

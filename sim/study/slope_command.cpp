@@ -129,16 +129,17 @@ SlopeSlip measure_slope(const course::EmulatedBody& values, double slope_rad, do
   const int run_in = static_cast<int>(std::lround(kRunInS * 1e9 / kPhysicsStepNs));
   const int measured = static_cast<int>(std::lround(kMeasureS * 1e9 / kPhysicsStepNs));
   for (int i = 0; i < run_in; ++i) body.step(track_mps, track_mps);
-  double way = 0.0, turned = 0.0;
+  double forward = 0.0, turned = 0.0;
   for (int i = 0; i < measured; ++i) {
     body.step(track_mps, track_mps);
-    way += forward_mps(body.state());
+    forward += forward_mps(body.state());
     turned += body.state().rate_radps[2];
   }
-  way /= measured;
+  forward /= measured;
   turned /= measured;
   const double half = turned * values.gauge_m / 2.0;
-  SlopeSlip slip{slope_rad, 1.0 - (way - half) / track_mps, 1.0 - (way + half) / track_mps, turned};
+  SlopeSlip slip{slope_rad, 1.0 - (forward - half) / track_mps, 1.0 - (forward + half) / track_mps,
+                 turned};
   // Up the slope with the nose in front, and not merely grinding.
   slip.climbed = std::max(slip.left, slip.right) < 0.9 &&
                  std::abs(-body.state().pose.pitch_rad - slope_rad) < 5.0 * kRadPerDeg;

@@ -19,12 +19,12 @@ namespace {
 constexpr double kRunUpM = 0.05;
 constexpr double kBehindM = 0.10;
 constexpr double kLittleCreep = 0.005;
-constexpr double kGrip = 1.2;
+constexpr double kFriction = 1.2;
 
-course::EmulatedBody gripping(course::EmulatedBody body) {
+course::EmulatedBody with_traction(course::EmulatedBody body) {
   body.track_deficit_left = body.track_deficit_right = 0.0;
   body.creep_left = body.creep_right = kLittleCreep;
-  body.friction = kGrip;
+  body.friction = kFriction;
   return body;
 }
 
@@ -132,7 +132,7 @@ CourseStudy study_climb(const course::Robot& robot) {
 
 ClimbCheck check_climb_pitch(const course::Robot& robot, double height_m, double depth_m,
                              double track_mps) {
-  const course::EmulatedBody values = gripping(robot.emulated.body);
+  const course::EmulatedBody values = with_traction(robot.emulated.body);
   model::StepClimb climb(terrain::climb_geometry(robot.shape),
                          {.height_m = height_m, .depth_m = depth_m}, model::RiserForm::kTrackHolds,
                          model::TipStart::kLiftOff);

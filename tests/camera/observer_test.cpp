@@ -180,7 +180,7 @@ TEST(Observer, ABumpedCameraIsNoticedAndTheFloorFoundAgain) {
   const Pose truth{.x_m = -0.4, .y_m = 0.3, .yaw_rad = 1.0};
   const cv::Mat first = before.image(truth), second = after.image(truth);
   for (int i = 0; i < 25; ++i) observer.look(first);
-  ASSERT_FALSE(observer.floor().hungry());
+  ASSERT_FALSE(observer.floor().needs_images());
   std::optional<camera::MarkerPose> found;
   for (int i = 0; i < 150; ++i) found = observer.look(second);
   EXPECT_EQ(observer.floor().moves(), 1);

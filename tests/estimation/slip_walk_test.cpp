@@ -11,8 +11,8 @@ namespace {
 constexpr double kWayM = 0.36;
 constexpr double kNoise = 3e-4;
 
-/// What is believed after `windows` windows on a floor whose slip difference walks by `step_rtm`.
-double believed_rtm(double step_rtm, int windows, std::uint64_t seed) {
+/// What is estimated after `windows` windows on a floor whose slip difference walks by `step_rtm`.
+double estimated_rtm(double step_rtm, int windows, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   constexpr int kParts = 50;
@@ -31,22 +31,22 @@ double believed_rtm(double step_rtm, int windows, std::uint64_t seed) {
   return walk.step_rtm();
 }
 
-TEST(SlipWalk, BelievesTheWorstBeforeItHasSeenTheFloor) { EXPECT_GT(SlipWalk().step_rtm(), 0.03); }
+TEST(SlipWalk, AssumesTheWorstBeforeItHasSeenTheFloor) { EXPECT_GT(SlipWalk().step_rtm(), 0.03); }
 
 TEST(SlipWalk, FindsTheStepOfAnyFloor) {
   for (const double step : {1e-3, 3e-3, 1e-2, 3e-2}) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-      const double believed = believed_rtm(step, 30, seed);
-      EXPECT_GT(believed, step / 2.5) << step << " seed " << seed;
-      EXPECT_LT(believed, step * 2.5) << step << " seed " << seed;
+      const double estimated = estimated_rtm(step, 30, seed);
+      EXPECT_GT(estimated, step / 2.5) << step << " seed " << seed;
+      EXPECT_LT(estimated, step * 2.5) << step << " seed " << seed;
     }
   }
 }
 
 TEST(SlipWalk, TellsAnEvenFloorBelowTheNoiseWithinSomeMetres) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    EXPECT_LT(believed_rtm(0.0, 5, seed), 3e-3) << seed;
-    EXPECT_LT(believed_rtm(0.0, 30, seed), 6e-4) << seed;
+    EXPECT_LT(estimated_rtm(0.0, 5, seed), 3e-3) << seed;
+    EXPECT_LT(estimated_rtm(0.0, 30, seed), 6e-4) << seed;
   }
 }
 

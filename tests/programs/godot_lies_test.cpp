@@ -46,14 +46,14 @@ class GodotLies : public Godot, public testing::WithParamInterface<const char*> 
   }
 };
 
-/// What is wrong with an answer that asks for STOP, so that nobody who believed it would drive on.
+/// What is wrong with an answer that asks for STOP, so that nobody who accepted it would drive on.
 struct Falsified {
   const char* name;
   Json patch;
 };
 
 // Each is told just before the truth.
-TEST_P(GodotLies, AnAnswerThatCannotBeIsNotBelieved) {
+TEST_P(GodotLies, AnAnswerThatCannotBeIsNotAccepted) {
   const std::string course = short_course(folder_);
   const Engine engine(course);
   std::size_t at = 0;
@@ -97,7 +97,7 @@ TEST_P(GodotLies, AnAnswerThatCannotBeIsNotBelieved) {
   });
   everybody = &liar;
   const Json figures = drive_by(liar, course);
-  EXPECT_TRUE(figures.value("completed", false)) << "believed: " << told.load() << "; " << figures;
+  EXPECT_TRUE(figures.value("completed", false)) << "accepted: " << told.load() << "; " << figures;
   EXPECT_GT(liar.lies(), 200) << "not every lie was told ten times";
 }
 

@@ -166,7 +166,7 @@ TEST_F(LiveWorlds, DriveAStepAndARampInRealTime) {
   PythonWorld world({"--course", folder_.file("course.toml")});
   Process bridge(daemon(folder_.file("course.toml"), world.address()));
   EXPECT_EQ(bridge.wait(), 0) << bridge.output();
-  EXPECT_THAT(bridge.output(), HasSubstr("world: welcomed by scripts/world"));
+  EXPECT_THAT(bridge.output(), HasSubstr("world: connected to scripts/world"));
   const std::string stats = read(folder_.file("stats.json"));
   EXPECT_THAT(stats, HasSubstr("\"kind\": \"udp\""));
   EXPECT_THAT(stats, HasSubstr("\"missing\": 0,"));
@@ -183,7 +183,7 @@ TEST_F(LiveWorlds, AStartThatTheWorldDoesNotAnswerIsRefusedAndNotKept) {
   ASSERT_TRUE(bridge.wait_for("start refused: the external world does not answer"))
       << bridge.output();
   Process world({TP100_SOURCE_DIR "/scripts/world", "--listen", address.substr(4)});
-  ASSERT_TRUE(bridge.wait_for("world: welcomed")) << bridge.output();
+  ASSERT_TRUE(bridge.wait_for("world: connected")) << bridge.output();
   ASSERT_TRUE(eventually([&] { return figure(folder_.file("stats.json"), "answered") > 0.0; }));
   ASSERT_TRUE(goes_on(folder_.file("stats.json")));
   EXPECT_THAT(bridge.output(), HasSubstr("state: arming -> idle"));
@@ -226,7 +226,7 @@ TEST_F(LiveWorlds, AKilledWorldEndsTheRunAndANewOneIsWelcome) {
   world.reset();
   ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
   Process anew({TP100_SOURCE_DIR "/scripts/world", "--listen", address.substr(4)});
-  EXPECT_TRUE(bridge.wait_for("world: welcomed")) << bridge.output();
+  EXPECT_TRUE(bridge.wait_for("world: connected")) << bridge.output();
   EXPECT_THAT(bridge.output(), HasSubstr("world_lost"));
 }
 

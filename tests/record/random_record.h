@@ -43,7 +43,7 @@ class RandomFiller {
 };
 
 /// Times and step numbers increase with `number`, at 200 steps per second. `restart`: the step
-/// begins anew.
+/// restarts.
 inline std::unique_ptr<StepRecord> random_record(std::uint64_t number, bool restart = false) {
   auto record = std::make_unique<StepRecord>();
   RandomFiller filler(number);

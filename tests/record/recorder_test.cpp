@@ -254,7 +254,7 @@ TEST_F(RecorderTest, AHistoryThatCannotBeWrittenIsReportedByTheRecording) {
   EXPECT_THAT(recorder.status().warning, HasSubstr("/proc/none"));
 }
 
-// What replay needs: where the step began anew, everything before it is left out.
+// What replay needs: where the step restarted, everything before it is left out.
 TEST_F(RecorderTest, AHistoryBeginsWhereTheStepBeganAnew) {
   Recorder recorder({.history = HistorySettings{}, .blocking = true});
   feed(recorder, 1, 999);

@@ -1,4 +1,4 @@
-// A step that begins anew at a standstill goes on as before, and whoever begins with it there gets
+// A step that restarts at a standstill goes on as before, and whoever begins with it there gets
 // the same results bit for bit.
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ void set_results(const bridge::Outputs& out, StepRecord& record) {
 }
 
 TEST_P(Restart, LosesNothingAndRepeatsBitForBit) {
-  constexpr std::size_t kMost = 8;  // that are followed to the end
+  constexpr std::size_t kMax = 8;  // that are followed to the end
   std::mt19937 random(7);
   bridge::Step step = new_step();
   std::vector<bridge::Step> followers;
@@ -94,7 +94,7 @@ TEST_P(Restart, LosesNothingAndRepeatsBitForBit) {
       next_ns = record.now_ns + from_s(0.2 + 0.001 * static_cast<double>(random() % 9000));
       record.inputs.restart.push(step.carried());
       ++restarts;
-      if (followers.size() < kMost && random() % 2 == 0) followers.push_back(new_step());
+      if (followers.size() < kMax && random() % 2 == 0) followers.push_back(new_step());
     }
     set_results(step(record.inputs, record.now_ns), record);
     for (bridge::Step& follower : followers) {
@@ -136,7 +136,7 @@ TEST_P(Restart, LosesNothingAndRepeatsBitForBit) {
   });
   EXPECT_EQ(differs, "");
   EXPECT_GT(restarts, 10);
-  EXPECT_EQ(followers.size(), kMost);
+  EXPECT_EQ(followers.size(), kMax);
   EXPECT_GT(running, 2000);
   if (!GetParam().changes) {
     // On `terrain` the emulated robot is not really taken back, and its second run meets no ramp.

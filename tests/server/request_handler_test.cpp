@@ -121,7 +121,7 @@ class RequestHandlerTest : public ::testing::Test {
 };
 
 TEST_F(RequestHandlerTest, GreetsWithInfoChannelsAndServices) {
-  handler_.greet(*viewer_, Permission::kStopOnly);
+  handler_.send_server_info(*viewer_, Permission::kStopOnly);
   const Heard received = hear();
   ASSERT_EQ(received.texts.size(), 3U);
   EXPECT_EQ(received.texts[0]["op"], "serverInfo");

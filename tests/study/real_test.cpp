@@ -196,7 +196,7 @@ std::string refusal(RealRobot (*parse)(const course::TextFile&), const std::stri
   return "no error";
 }
 
-TEST(RealData, RefusesADamagedFileByItsLine) {
+TEST(RealData, RefusesACorruptedFileByItsLine) {
   const std::string grid =
       "left_track_mps,right_track_mps,left_slip_mps,right_slip_mps,side_slip_rad\n";
   std::string row;

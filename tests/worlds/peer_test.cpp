@@ -169,7 +169,7 @@ TEST_F(PeerTest, CountsWhatNeverCameAndDropsWhatIsOld) {
   EXPECT_EQ(peer_.counters().unknown_ack, 1u);
 }
 
-TEST_F(PeerTest, AWorldThatGoesBackInTimeIsNotBelieved) {
+TEST_F(PeerTest, AWorldThatGoesBackInTimeIsNotAccepted) {
   welcome();
   Json message = answer(1, step_until("pose")["seq"]);
   message["timestamp"] = 10.0;

@@ -53,18 +53,18 @@ float turn_rate(float error_rad, float feed_forward_radps, const wire::Parameter
 }
 
 TrackSpeeds track_speeds(float speed_mps, float yaw_rate_radps, const wire::Parameters& p) {
-  const float left_grip = 1.0f - p.slip_left;
-  const float right_grip = 1.0f - p.slip_right;
-  const float left_limit = p.max_track_mps * left_grip;
-  const float right_limit = p.max_track_mps * right_grip;
+  const float left_traction = 1.0f - p.slip_left;
+  const float right_traction = 1.0f - p.slip_right;
+  const float left_limit = p.max_track_mps * left_traction;
+  const float right_limit = p.max_track_mps * right_traction;
   const float arc = clamp(yaw_rate_radps * p.wheelbase_m * 0.5f, (left_limit + right_limit) * 0.5f);
   // Range of ground speeds at which each track stays within its limit while the turn rate is kept.
   const float slowest = larger(arc - left_limit, -arc - right_limit);
   const float fastest = smaller(arc + left_limit, -arc + right_limit);
   const float speed = larger(slowest, smaller(fastest, speed_mps));
   // Finite values are within the limit already; a NaN must become a standstill.
-  const TrackSpeeds result = {clamp((speed - arc) / left_grip, p.max_track_mps),
-                              clamp((speed + arc) / right_grip, p.max_track_mps)};
+  const TrackSpeeds result = {clamp((speed - arc) / left_traction, p.max_track_mps),
+                              clamp((speed + arc) / right_traction, p.max_track_mps)};
   return result;
 }
 

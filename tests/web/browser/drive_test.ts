@@ -76,7 +76,7 @@ describe('the page of a robot that drives course 3', () => {
       progress_m,
     );
     await until(async () => Math.abs((await figure(page, 'y')) - (bus?.last('/estimate')?.odometry.y_m ?? NaN)) < 0.005, 'the last figures');
-    await until(async () => /4\.0\d \/ 4\.06 m/.test((await page.textContent('.timeline-way')) ?? ''), 'the whole way');
+    await until(async () => /4\.0\d \/ 4\.06 m/.test((await page.textContent('.timeline-progress')) ?? ''), 'the whole way');
     await picture(page, 'finished');
     const ended = setting.pair.daemon.lines.filter((line) => line.includes('running -> aborted')).length;
     console.log(`runs that ended early: ${ended}; picture behind the bus: ${behind_ms.map((ms) => ms.toFixed(0)).join(', ')} ms`);

@@ -23,8 +23,8 @@ const recorded = (course: string): string => readdirSync(folder).find((name) => 
 
 beforeAll(() => {
   for (const course of ['1-curve', '1-sharp']) execFileSync(join(bin, 'tp100-sim'), ['course', course, '--record', folder]);
-  mkdirSync(join(folder, 'spoilt'));
-  writeFileSync(join(folder, 'spoilt', 'run.mcap'), 'no recording');
+  mkdirSync(join(folder, 'corrupted'));
+  writeFileSync(join(folder, 'corrupted', 'run.mcap'), 'no recording');
 });
 afterAll(() => {
   rmSync(folder, { recursive: true, force: true });
@@ -79,9 +79,9 @@ describe('a recorded run', () => {
 
   it('says why a report is not made', async () => {
     const page = await openRuns();
-    await row(page, 'spoilt').locator('.run-make').click();
+    await row(page, 'corrupted').locator('.run-make').click();
     await until(async () => (await said(page)).includes('is not made'), 'the reason', () => said(page));
-    expect(await said(page)).toMatch(/report of spoilt is not made: spoilt\/run\.mcap: .*not a recording/);
+    expect(await said(page)).toMatch(/report of corrupted is not made: corrupted\/run\.mcap: .*not a recording/);
     expect(await said(page)).not.toContain(folder);
     await until(() => row(page, recorded('1-sharp')).locator('.run-make').isEnabled(), 'another one may be made');
   });

@@ -67,8 +67,8 @@ describe('STOP', () => {
 
     // The stop is latched: afterwards a start asks where the robot stands, and STOP takes the question away.
     await until(async () => page.isEnabled('#start'), 'start is possible');
-    const way_m = async (): Promise<number> => parseFloat((await page.textContent('.timeline-way')) ?? '');
-    const stopped_m = await way_m();
+    const progress_m = async (): Promise<number> => parseFloat((await page.textContent('.timeline-progress')) ?? '');
+    const stopped_m = await progress_m();
     await page.click('#start');
     await page.waitForSelector('#start-here');
     await picture(page, 'question');
@@ -80,7 +80,7 @@ describe('STOP', () => {
     await page.click('#start');
     await page.click('#start-here');
     await until(async () => (await run(page)) === 'running', 'it goes on', () => run(page));
-    expect(await way_m()).toBeGreaterThanOrEqual(stopped_m);
+    expect(await progress_m()).toBeGreaterThanOrEqual(stopped_m);
     await says(page, /space or esc/);
 
     await other.keyboard.press('Space');

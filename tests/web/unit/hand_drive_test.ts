@@ -71,7 +71,7 @@ describe('a gamepad', () => {
     expect(inputs.wish()).toMatchObject({ forward: 1, at_ms: 1100 });
   });
 
-  it('is worth nothing when its values stand still for 150 ms, until they move again', () => {
+  it('is ignored when its values stand still for 150 ms, until they move again', () => {
     at(0);
     inputs.wish();
     at(-0.8);

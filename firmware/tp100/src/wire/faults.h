@@ -1,9 +1,9 @@
 // The one list of faults. A robot finds the lower sixteen, latches them and sends them in every
-// sample. The daemon finds the upper sixteen and some of the robot's, and latches what ended a run,
-// whoever found it. A latched fault keeps the motors off until the next start. The robot clears its
-// own with the arm message that it accepts; it refuses one only for what it sees at standstill: no
-// session, no fresh command, IMU missing or stale, battery low. A track that stalls or turns the
-// wrong way is found again when it is driven.
+// sample. The daemon finds the upper sixteen and some of the robot's, and latches the faults that
+// end a run, its own or the robot's. A latched fault keeps the motors off until the next start. The
+// robot clears its own with the arm message that it accepts; it refuses one only for faults that it
+// detects at standstill: no session, no fresh command, IMU missing or stale, battery low. A track
+// that stalls or turns in the wrong direction is detected again when it is driven.
 #ifndef TP100_WIRE_FAULTS_H
 #define TP100_WIRE_FAULTS_H
 
@@ -69,9 +69,9 @@
     "check USB hub and host load")                                                               \
   X(29, immobilised,                                                                             \
     "the tracks run but the robot does not move, or does not get over the obstacle",             \
-    "free the robot; check the grip of tracks and floor")                                        \
+    "free the robot; clean tracks and floor; they need more traction")                           \
   X(30, world_lost, "the external world is silent, too slow or was restarted",                   \
-    "check the world's program; start again when the log says that the world is welcomed")       \
+    "check the world's program; start again once the log reports the world as connected")        \
   X(31, moves_unasked, "the robot is armed or drives its motors without a request",              \
     "switch the motors' supply off; flash the board (scripts/flash, installed: tp100-flash)")
 
@@ -85,7 +85,7 @@ enum class Fault : uint8_t {
 #undef TP100_FAULT
 };
 
-/// One bit a fault; the robot's are the lower sixteen.
+/// One bit per fault; the robot uses the lower sixteen, the daemon the upper sixteen.
 typedef uint32_t FaultMask;
 
 /// Mask of one fault.
