@@ -13,7 +13,7 @@
 #include "app/commands.h"
 #include "app/replay.h"
 #include "config/configuration.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "course/course.h"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/commands.h"
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "course/bundled_files.h"
 #include "estimation/odometry.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "model/track_model.h"
 
 namespace tp100::bridge {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 
 namespace tp100::bridge {

@@ -7,19 +7,55 @@
 
 #include "bridge/parameters.h"
 #include "bridge/terrain_contacts.h"
-#include "bridge/tracks.h"
 #include "bridge/traction_estimator.h"
 #include "core/sample.h"
-#include "core/snapshot.h"
+#include "core/step_record.h"
 #include "course/course.h"
-#include "estimation/attitude_filter.h"
-#include "estimation/obstacle_state.h"
+#include "estimation/attitude.h"
+#include "estimation/motion.h"
 #include "estimation/odometry.h"
 #include "estimation/pose_filter.h"
 #include "estimation/standstill.h"
 #include "model/track_model.h"
 
 namespace tp100::bridge {
+
+/// One sample interval in device time.
+struct Interval {
+  double dt_s = 0.0;
+  estimation::TrackSpeeds tracks{};
+  double gyro_z_radps = 0.0;  ///< mean over the interval, calibrated scale, bias included
+  bool gyro_fresh = false;    ///< both ends had a new IMU value
+  double warming_degc = 0.0;  ///< rise of the gyro's temperature
+};
+
+/// Turns consecutive samples into intervals. No allocation; safe in the real-time thread.
+class Tracks {
+ public:
+  Tracks(double counts_per_metre, double gyro_scale)
+      : metres_per_count_(1.0 / counts_per_metre), gyro_scale_(gyro_scale) {}
+
+  /// Forgets the last sample (a new session or boot).
+  void restart() { has_last_ = false; }
+  /// The next interval begins with `last`.
+  void resume(const Sample& last) {
+    has_last_ = true;
+    last_ = last;
+  }
+  /// The next sample ends an interval.
+  bool has_last() const { return has_last_; }
+  /// The interval that ends with `sample`; nothing for the first sample or one that is not newer.
+  std::optional<Interval> update(const Sample& sample);
+
+  /// Calibrated z rate of a sample, bias included. [rad/s]
+  double gyro_z_radps(const Sample& sample) const { return sample.gyro_radps[2] * gyro_scale_; }
+
+ private:
+  double metres_per_count_;
+  double gyro_scale_;
+  bool has_last_ = false;
+  Sample last_{};
+};
 
 /// Speeds for control. Speeds over one sample interval are only a few encoder edges: these are
 /// low-pass filtered with a lag of 40 ms.

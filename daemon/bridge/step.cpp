@@ -11,7 +11,6 @@
 #include "control/arming.h"
 #include "control/hand_drive.h"
 #include "control/monitor.h"
-#include "control/pause.h"
 #include "control/track_limits.h"
 #include "control/tracker.h"
 #include "core/arithmetic.h"

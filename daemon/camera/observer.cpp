@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 
 namespace tp100::camera {

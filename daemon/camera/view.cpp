@@ -6,7 +6,7 @@
 #include <span>
 
 #include "camera/marker_detector.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
 #include "text/key.h"

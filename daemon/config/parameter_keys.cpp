@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "course/camera.h"
 
 namespace tp100::config {

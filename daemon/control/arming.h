@@ -1,7 +1,8 @@
 #pragma once
 // The run's state machine: turns operator requests and the robot's state into robot requests and a
-// run state.
+// run state; and its pause.
 
+#include <algorithm>
 #include <optional>
 
 #include "core/command.h"
@@ -11,6 +12,38 @@
 #include "core/sample.h"
 
 namespace tp100::control {
+
+/// The pause of a run: the robot stands on its path, armed. No allocation; safe in the real-time
+/// thread.
+class Pause {
+ public:
+  /// A longer pause ends the run. [s]
+  static constexpr double kLongestS = 120.0;
+
+  /// A run begins.
+  void restart() { *this = Pause{}; }
+  void begin() {
+    if (!active()) left_s_ = kLongestS;
+  }
+  void end() { left_s_ = 0.0; }
+  /// One step. True: the pause has lasted too long and is over, as the run must be.
+  bool update(double dt_s) {
+    if (!active()) return false;
+    left_s_ = std::max(0.0, left_s_ - dt_s);
+    total_s_ += dt_s;
+    return !active();
+  }
+
+  bool active() const { return left_s_ > 0.0; }
+  /// Until it is too long; 0 without a pause.
+  double left_s() const { return left_s_; }
+  /// Of all pauses of the run.
+  double total_s() const { return total_s_; }
+
+ private:
+  double left_s_ = 0.0;
+  double total_s_ = 0.0;
+};
 
 /// Inputs of arming in one step.
 struct ArmingInputs {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 
 namespace tp100::control {

@@ -2,7 +2,7 @@
 // A turn on the spot of a robot whose turning centre is not its reference point.
 
 #include "control/parameters.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/pose.h"
 #include "course/path.h"
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 
 namespace tp100::control {

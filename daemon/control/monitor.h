@@ -5,7 +5,7 @@
 
 #include "control/parameters.h"
 #include "control/tracker.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/faults.h"
 #include "core/sample.h"
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/enum_names.h"
 
 namespace tp100::control {

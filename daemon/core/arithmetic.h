@@ -6,6 +6,7 @@
 // bits on x86-64 and 64-bit ARM, but for std::hypot and std::cbrt, which are therefore not used.
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace tp100 {
@@ -20,5 +21,14 @@ inline double square(double value) { return value * value; }
 /// "x86_64, glibc 2.36 with FMA". Results may differ in their last bits between programs with
 /// different texts, or of different versions.
 std::string arithmetic();
+
+// Angles in radians.
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kRadPerDeg = kPi / 180.0;
+inline constexpr double kDegPerRad = 180.0 / kPi;
+
+/// The same direction in [-pi, pi].
+inline double wrap_angle(double rad) { return std::remainder(rad, 2.0 * kPi); }
 
 }  // namespace tp100

@@ -1,6 +1,8 @@
 #pragma once
-// The fault list in words. The list itself is wire/faults.h, shared with the firmware.
+// The fault list as text. The list itself is wire/faults.h, shared with the firmware.
 
+#include <array>
+#include <bit>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,11 +33,26 @@ struct FaultText {
   std::string_view fix;    ///< what to do
 };
 
-/// The row of `fault`; a row named "unknown" for a bit that this version does not know.
-const FaultText& describe(Fault fault);
+inline constexpr auto kFaultTexts = std::to_array<FaultText>({
+#define TP100_TEXT(bit, name, cause, fix) {Fault::name, #name, cause, fix},
+    TP100_ROBOT_FAULTS(TP100_TEXT) TP100_DAEMON_FAULTS(TP100_TEXT)
+#undef TP100_TEXT
+});
+inline constexpr FaultText kUnknownFaultText{
+    Fault{255}, "unknown", "a fault that this version does not know", "update the daemon"};
+
+/// The row of `fault`; kUnknownFaultText for a bit that this version does not know.
+constexpr const FaultText& describe(Fault fault) {
+  for (const FaultText& text : kFaultTexts)
+    if (text.fault == fault) return text;
+  return kUnknownFaultText;
+}
 
 /// Lowest fault in `mask`, or nothing if the mask is empty.
-std::optional<Fault> first_fault(FaultMask mask);
+constexpr std::optional<Fault> first_fault(FaultMask mask) {
+  if (mask == 0) return std::nullopt;
+  return static_cast<Fault>(std::countr_zero(mask));
+}
 
 // How to fix a board without this firmware, worded the same in all messages.
 

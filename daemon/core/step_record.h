@@ -2,16 +2,116 @@
 // One step with everything that went in and came out, as plain data of fixed size: what the
 // real-time thread hands to recorders and viewers.
 
+#include <array>
 #include <cstdint>
 
 #include "core/bounded_list.h"
-#include "core/carried_state.h"
 #include "core/command.h"
+#include "core/estimates.h"
+#include "core/faults.h"
 #include "core/link_state.h"
+#include "core/pose.h"
+#include "core/run_state.h"
 #include "core/sample.h"
-#include "core/snapshot.h"
 
 namespace tp100 {
+
+// State that survives a restart of the step at standstill. Everything else in the step is then as
+// after its construction, so that a recording may begin there and is replayable without earlier
+// input.
+
+/// State of an estimate; places and units as in estimation/kalman.h.
+struct CarriedEstimate {
+  std::array<double, 8> mean{};
+  std::array<double, 64> covariance{};  ///< row by row
+  std::array<double, 8> slip_walk{};    ///< log-likelihoods, see estimation::SlipWalk
+};
+
+/// State of the pose filter.
+struct CarriedFilter {
+  CarriedEstimate estimate{};
+  double branch_rad = 0.0;  ///< full turns between the filter's yaw and the course's
+  HostNs camera_ns = 0;     ///< when the last used camera sample was taken
+  HostNs last_seen_ns = 0;  ///< when the newest camera sample was taken
+  bool camera_known = false;
+  double nis = 0.0;
+  double nis_sum = 0.0;
+  std::uint32_t nis_count = 0;
+  std::uint32_t camera_used = 0;
+  std::uint32_t camera_rejected = 0;
+  std::uint32_t recoveries = 0;
+};
+
+/// Roll and pitch of the body, and the offsets learnt at standstill.
+struct CarriedAttitude {
+  double levelled_s = 0.0;
+  std::array<double, 3> gyro_offset_radps{};
+  std::array<double, 3> accel_offset_mps2{};
+  double roll_rad = 0.0;
+  double pitch_rad = 0.0;
+};
+
+struct CarriedState {
+  std::uint32_t session_number = 0;
+  RunState run_state = RunState::kIdle;  ///< not under_way()
+  FaultMask faults = 0;                  ///< latched by the daemon
+  /// The values in force of all live parameters.
+  BoundedList<ParameterChange, kLiveParameters> parameters{};
+  double cross_track_m = 0.0;  ///< where the last run ended
+  double progress_m = 0.0;
+  Sample sample{};          ///< the newest
+  bool has_sample = false;  ///< it is of this session
+  bool continues = false;   ///< the next sample continues it
+  Pose model{};             ///< the model's pose
+  CarriedEstimate odometry{};
+  double virtual_x_m = 0.0;  ///< from the robot's floor into the course's world
+  double virtual_y_m = 0.0;
+  double virtual_turn_rad = 0.0;
+  CarriedFilter filter{};
+  CarriedAttitude attitude{};
+  double gyro_bias_radps = 0.0;
+  bool gyro_bias_known = false;
+};
+
+/// One step's result.
+struct Snapshot {
+  HostNs now_ns = 0;
+  Sample sample{};  ///< newest sample; sample.sequence is valid only if has_sample
+  bool has_sample = false;
+  std::int64_t age_us = 0;  ///< now - when the newest sample was measured
+  PerSource<Estimate> estimates{};
+  FilterFigures filter{};  ///< of the fused estimate
+  /// The steering pose in the course's world. Where ramps and blocks are virtual, the robot on them
+  /// is slower than the one on the floor: x and y lag behind. Elsewhere it equals the steering
+  /// pose.
+  Pose world{};
+  TerrainContact terrain_contact{};
+  double left_mps = 0.0;  ///< track speeds over the last sample interval
+  double right_mps = 0.0;
+  double slip_left = 0.0;  ///< slip ratios in use
+  double slip_right = 0.0;
+  double gyro_bias_radps = 0.0;
+  double imu_roll_rad = 0.0;  ///< of the real body, independent of the virtual world
+  double imu_pitch_rad = 0.0;
+  Slope imu_slope = Slope::kFlat;
+  Obstacle imu_obstacle = Obstacle::kNone;  ///< obstacle that tilts the body, found without a map
+  Command command{};
+  /// Track speeds that the firmware's yaw loop will request for the command, within the track's
+  /// limit.
+  double commanded_left_mps = 0.0;
+  double commanded_right_mps = 0.0;
+  double cross_track_m = 0.0;      ///< steering pose against the path, left positive
+  double heading_error_rad = 0.0;  ///< desired - actual
+  double progress_m = 0.0;         ///< along the path
+  bool recovering = false;         ///< a disturbance was noticed; not back on the path yet
+  PoseSource steering = PoseSource::kOdometry;
+  RunState run_state = RunState::kIdle;
+  StartRefusal start_refusal = StartRefusal::kNone;  ///< reason that refuses a start now
+  StartRefusal drive_refusal = StartRefusal::kNone;  ///< ... and driving by hand
+  bool at_fence = false;                             ///< the fence limits the speed by hand
+  double pause_left_s = 0.0;  ///< the run pauses, and ends after this time; 0: it does not pause
+  FaultMask faults = 0;       ///< robot's and daemon's
+};
 
 /// What happened since the last step. It is filled by the cycle, taken by the step, recorded and
 /// replayed as it is.

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "text/key.h"
 
 namespace tp100::course {

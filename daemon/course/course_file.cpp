@@ -2,7 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "course/course.h"
 #include "course/path.h"
 #include "text/toml_document.h"

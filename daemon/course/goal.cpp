@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "course/course.h"
 #include "text/format.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "text/format.h"
 
 namespace tp100::doctor {

@@ -1,7 +1,7 @@
 #pragma once
 // Settings of the estimators.
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::estimation {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "core/carried_state.h"
 #include "core/estimates.h"
+#include "core/step_record.h"
 #include "estimation/camera_update.h"
 #include "estimation/kalman.h"
 #include "estimation/motion.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "text/csv_reader.h"
 #include "text/toml_document.h"

@@ -30,7 +30,7 @@ struct Prior {
 /// Result of identify.
 struct Identification {
   Prior prior;     ///< the values of `extended`, to be used
-  Fit extended{};  ///< eqs 1-5 with turning centre and tight turns (model/turn.h)
+  Fit extended{};  ///< eqs 1-5 with turning centre and tight turns (model/track_model.h)
   Fit before{};    ///< the same form with the assumed values: what the drives say of these
   /// The simpler forms, from the same drives; nothing of a form that the drives do not determine,
   /// or of which nothing is to be fitted.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "text/format.h"
 #include "text/json_writer.h"
 #include "text/key.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "text/format.h"
 
 namespace tp100::identify {

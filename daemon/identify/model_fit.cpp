@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/statistics.h"
 

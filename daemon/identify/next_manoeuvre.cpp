@@ -5,10 +5,9 @@
 #include <span>
 #include <utility>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
-#include "course/fence.h"
+#include "course/course.h"
 #include "identify/manoeuvres.h"
 #include "model/track_model.h"
 #include "text/format.h"

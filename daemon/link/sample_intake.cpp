@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::link {
 namespace {

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "text/standard_streams.h"
 
 namespace tp100::live {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "config/parameter_file.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/board.h"
 #include "core/clock.h"
 #include "course/robot.h"

@@ -10,7 +10,6 @@
 
 #include "bridge/cycle.h"
 #include "core/histogram.h"
-#include "core/snapshot.h"
 #include "core/step_record.h"
 #include "loop/fixed_rate_loop.h"
 #include "loop/rings.h"

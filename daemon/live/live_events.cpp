@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/board.h"
 #include "core/faults.h"
 #include "text/format.h"

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 
 namespace tp100::live {

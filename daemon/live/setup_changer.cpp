@@ -7,7 +7,7 @@
 
 #include "bridge/cycle.h"
 #include "config/parameter_file.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "live/setup_list.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "live/live_events.h"
 #include "text/atomic_file.h"

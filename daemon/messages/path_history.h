@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/snapshot.h"
+#include "core/step_record.h"
 #include "messages/foxglove.h"
 #include "messages/messages.h"
 

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <string>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
 

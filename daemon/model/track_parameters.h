@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "model/slip_table.h"
 
 namespace tp100::model {

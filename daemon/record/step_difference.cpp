@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "record/step_fields.h"
 
 namespace tp100::record {

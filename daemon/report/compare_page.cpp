@@ -1,7 +1,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "report/html_page.h"
 #include "report/metrics.h"
 #include "report/page_parts.h"

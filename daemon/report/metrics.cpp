@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/pose.h"
 

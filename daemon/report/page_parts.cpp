@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "report/metrics.h"
 #include "text/format.h"
 

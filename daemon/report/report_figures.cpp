@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "course/path.h"
 #include "report/chart.h"

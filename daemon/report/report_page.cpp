@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "report/html_page.h"
 #include "report/page_parts.h"
 #include "report/replay_view.h"

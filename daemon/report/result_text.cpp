@@ -4,7 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "text/format.h"
 
 namespace tp100::report {

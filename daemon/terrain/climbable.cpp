@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/path.h"
-#include "terrain/profile.h"
 #include "terrain/terrain_follower.h"
+#include "terrain/world.h"
 #include "text/toml_document.h"
 
 namespace tp100::terrain {

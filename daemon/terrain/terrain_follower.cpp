@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::terrain {
 namespace {

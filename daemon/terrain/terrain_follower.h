@@ -9,8 +9,8 @@
 #include "core/estimates.h"
 #include "core/pose.h"
 #include "course/robot.h"
-#include "model/incline.h"
 #include "model/step_climb.h"
+#include "model/track_model.h"
 #include "terrain/world.h"
 
 namespace tp100::terrain {

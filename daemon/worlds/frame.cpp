@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::worlds {
 namespace {

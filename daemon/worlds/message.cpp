@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "worlds/frame.h"
 
 namespace tp100::worlds {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/enum_names.h"
 #include "core/estimates.h"
 #include "core/pose.h"

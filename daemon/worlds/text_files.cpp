@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "core/run_state.h"
 #include "text/format.h"

@@ -13,7 +13,7 @@
 #include <mutex>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "sim/body/tracks.h"
 
 namespace tp100::sim {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "text/format.h"
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <sstream>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::sim {
 namespace {

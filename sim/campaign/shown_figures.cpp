@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "report/chart.h"
 #include "report/metrics.h"
 #include "text/format.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "sim/board/avr_board.h"

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "bridge/terrain_contacts.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/time.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "model/turn.h"
+#include "model/track_model.h"
 #include "wire/messages.h"
 
 namespace tp100::sim {

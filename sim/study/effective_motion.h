@@ -28,7 +28,7 @@ struct CalibrationDrive {
 /// - Wheelbase: arcs, difference of the tracks' travel, slip removed / turned angle; turning
 /// centre:
 ///   -(speed sideways / yaw rate), least squares. Arcs that lie between the kinds of turn that the
-///   parameters belong to (model/turn.h) are separated by how far between they lie.
+///   parameters belong to (model/track_model.h) are separated by how far between they lie.
 /// - Turn slip: forward distance that turning left costs and right gains, as a fraction of the
 ///   tracks' distance, slip removed.
 /// - Gyro scale: of the emulated sensor.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/time.h"
 #include "sim/robot/lockstep.h"

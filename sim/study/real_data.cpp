@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "text/csv_reader.h"

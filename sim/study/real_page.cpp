@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "report/chart.h"
 #include "report/html_page.h"
 #include "sim/study/real_study.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 
 namespace tp100::sim {

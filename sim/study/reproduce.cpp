@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/clock.h"
 #include "core/error.h"
 #include "course/bundled_files.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <functional>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "report/chart.h"
 #include "report/metrics.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "report/html_page.h"
 #include "sim/study/reproduce.h"
 #include "text/format.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "report/html_page.h"
 #include "report/result_text.h"
 #include "sim/study/reproduce.h"

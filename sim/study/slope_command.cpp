@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "sim/body/ode_body.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"

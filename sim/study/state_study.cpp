@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "model/step_climb.h"
 #include "sim/body/ode_body.h"
 #include "sim/robot/options.h"

@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/course.h"

@@ -12,7 +12,7 @@
 
 #include "../support/temporary_folder.h"
 #include "app/commands.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "text/csv_reader.h"
 

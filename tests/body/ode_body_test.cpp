@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 
 namespace tp100::sim {

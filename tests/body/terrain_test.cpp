@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "sim/body/ode_body.h"
 
 namespace tp100::sim {

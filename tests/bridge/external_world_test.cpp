@@ -7,7 +7,7 @@
 
 #include "bridge/step.h"
 #include "bridge/terrain_contacts.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 
 namespace tp100::bridge {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "support/alloc_count.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::bridge {
 namespace {

@@ -1,6 +1,6 @@
-#include "bridge/tracks.h"
-
 #include <gtest/gtest.h>
+
+#include "bridge/perception.h"
 
 namespace tp100::bridge {
 namespace {

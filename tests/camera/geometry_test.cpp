@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "camera/observer.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "estimation/camera_update.h"
 #include "marker_scene.h"
 #include "sim/sensors/overhead_camera.h"

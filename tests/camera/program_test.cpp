@@ -17,7 +17,7 @@
 
 #include "../link/udp_receiver.h"
 #include "../programs/process.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/clock.h"
 #include "core/time.h"
 #include "link/camera_image.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "control/tracker.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::control {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "lagging_robot.h"
 
 namespace tp100::control {

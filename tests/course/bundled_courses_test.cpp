@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "course/course.h"
 #include "course/path.h"
 #include "course/robot.h"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/camera.h"
 #include "support/paths.h"

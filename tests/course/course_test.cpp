@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "course/path.h"
 
 namespace tp100::course {

@@ -1,12 +1,11 @@
-#include "course/fence.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
+#include "course/course.h"
 
 namespace tp100::course {
 namespace {

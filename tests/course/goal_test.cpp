@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "course/course.h"
 #include "course/path.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::course {
 namespace {

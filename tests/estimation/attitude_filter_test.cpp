@@ -1,11 +1,10 @@
-#include "estimation/attitude_filter.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
+#include "estimation/attitude.h"
 #include "interval.h"
 
 namespace tp100::estimation {

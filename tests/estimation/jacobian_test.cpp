@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "estimation/camera_update.h"
 #include "estimation/motion.h"
 

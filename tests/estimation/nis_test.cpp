@@ -4,7 +4,7 @@
 #include <deque>
 #include <random>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "estimation/kalman.h"
 #include "estimation/pose_filter.h"
 #include "interval.h"

@@ -1,10 +1,9 @@
-#include "estimation/obstacle_state.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
+#include "estimation/attitude.h"
 #include "interval.h"
 #include "model/step_climb.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "interval.h"
 #include "support/alloc_count.h"
 

@@ -1,9 +1,9 @@
-#include "estimation/slip_walk.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "estimation/odometry.h"
 
 namespace tp100::estimation {
 namespace {

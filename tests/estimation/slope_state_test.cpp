@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include "core/angle.h"
-#include "estimation/obstacle_state.h"
+#include "core/arithmetic.h"
+#include "estimation/attitude.h"
 #include "interval.h"
 
 namespace tp100::estimation {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::identify {
 namespace {

@@ -10,7 +10,6 @@
 #include <random>
 #include <variant>
 
-#include "core/angle.h"
 #include "core/arithmetic.h"
 #include "core/error.h"
 #include "course/path.h"

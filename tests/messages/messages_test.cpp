@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "fixtures.h"
 #include "messages/foxglove.h"
 #include "messages/status_messages.h"

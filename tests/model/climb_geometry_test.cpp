@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "model/climb_curve.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "model/step_climb.h"
 
 namespace tp100::model {

@@ -1,8 +1,7 @@
-#include "model/incline.h"
 
 #include <gtest/gtest.h>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "model/track_model.h"
 
 namespace tp100::model {

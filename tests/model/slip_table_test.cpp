@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::model {
 namespace {

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::model {
 namespace {

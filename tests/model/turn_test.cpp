@@ -1,4 +1,3 @@
-#include "model/turn.h"
 
 #include <gtest/gtest.h>
 

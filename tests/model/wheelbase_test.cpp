@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/turn.h"
+#include "model/track_model.h"
 
 namespace tp100::model {
 namespace {

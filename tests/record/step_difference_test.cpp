@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "random_record.h"
 
 namespace tp100::record {

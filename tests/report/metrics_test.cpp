@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::report {
 namespace {

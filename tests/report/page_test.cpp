@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/statistics.h"
 #include "report/colours.h"
 #include "report/html_page.h"

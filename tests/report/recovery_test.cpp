@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "report/metrics.h"
 
 namespace tp100::report {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "recovered.h"
 #include "report/metrics.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "core/angle.h"
-#include "course/fence.h"
+#include "core/arithmetic.h"
+#include "course/course.h"
 #include "hand_driven.h"
 
 namespace tp100::sim {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "control/progress.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "course/bundled_files.h"
 #include "course/path.h"
 #include "report/metrics.h"

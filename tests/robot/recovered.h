@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "course/course.h"
 #include "report/metrics.h"
 

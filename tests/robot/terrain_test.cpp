@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "sim/robot/lockstep.h"
 #include "sim/robot/options.h"

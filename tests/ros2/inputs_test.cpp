@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "ros2/message_types.h"
 
 namespace tp100::ros2 {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 
 namespace tp100::sim {
 namespace {

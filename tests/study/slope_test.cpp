@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "sim/robot/options.h"
 #include "sim/study/commands.h"
 

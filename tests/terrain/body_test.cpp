@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "model/track_model.h"
 #include "sim/body/ode_body.h"
 #include "terrain/terrain_follower.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "support/alloc_count.h"
 
 namespace tp100::terrain {

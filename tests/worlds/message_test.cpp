@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "../support/corrupted.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "support/paths.h"
 
 namespace tp100::worlds {

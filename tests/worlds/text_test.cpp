@@ -5,7 +5,7 @@
 #include <random>
 
 #include "../support/corrupted.h"
-#include "core/angle.h"
+#include "core/arithmetic.h"
 #include "core/error.h"
 #include "worlds/text_files.h"
 

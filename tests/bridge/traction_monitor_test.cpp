@@ -1,12 +1,12 @@
-#include "model/traction_monitor.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 
-namespace tp100::model {
+#include "bridge/traction_estimator.h"
+
+namespace tp100::bridge {
 namespace {
 
 constexpr double kDt = 0.005;
@@ -123,4 +123,4 @@ TEST(TractionMonitor, IgnoresValuesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace tp100::model
+}  // namespace tp100::bridge
