@@ -48,7 +48,7 @@ import { Transport } from '../panel/transport.ts';
 import { kModes, Viewport } from '../panel/viewport.ts';
 import { Player } from '../replay/player.ts';
 import { loadRecording } from '../replay/recording.ts';
-import { past } from '../state/past.ts';
+import { past } from '../state/service.ts';
 import type { Estimate, Slip, State, Topic } from '../state/messages.ts';
 import type { SetupCall } from '../state/setup.ts';
 import { kHistory_s, Store } from '../state/store.ts';

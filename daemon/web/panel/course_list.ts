@@ -1,11 +1,10 @@
 // Courses, robot, set-up and the robot's place: chosen while no run is under way.
-import type { State } from '../state/messages.ts';
+import { onCourse, type State } from '../state/messages.ts';
 import { kindOf, kMaxText, nameOf, type CourseEntry, type FileKind, type RobotEntry, type SetupCall, type SetupList } from '../state/setup.ts';
 import type { Store } from '../state/store.ts';
 import type { CourseEditor } from '../draw/editor.ts';
 import { courseCard } from './course_card.ts';
 import { h, setAttribute, setText } from './dom.ts';
-import { onCourse } from '../state/run.ts';
 import { reason } from '../state/service.ts';
 
 const kRefresh_ms = 5000;

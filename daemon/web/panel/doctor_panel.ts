@@ -6,7 +6,7 @@ import { h, setAttribute, setClass, setText } from './dom.ts';
 import { findingRow } from './finding_row.ts';
 import { WheelsUpPanel } from './wheels_up_panel.ts';
 import { reason, type Call } from '../state/service.ts';
-import { asksForMotion } from '../state/run.ts';
+import { asksForMotion } from '../state/messages.ts';
 
 export class DoctorPanel {
   readonly element = h('div', { class: 'doctor', tabindex: '0' });

@@ -7,7 +7,7 @@ import type { Store } from '../state/store.ts';
 import { h, setAttribute, setClass, setText } from './dom.ts';
 import { FoundRobot } from './found_robot.ts';
 import { reason, type Call } from '../state/service.ts';
-import { asksForMotion } from '../state/run.ts';
+import { asksForMotion } from '../state/messages.ts';
 
 const kRefresh_ms = 5000;
 

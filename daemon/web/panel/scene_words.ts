@@ -1,7 +1,41 @@
-// The view of the course in words: read out when the state changes, and kept up to date quietly.
-import { sceneKey, sceneText } from '../state/scene_text.ts';
+// What the view of the course shows, as text for screen readers: read out when the state changes, and kept up to date
+// quietly.
+import { fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, setText } from './dom.ts';
+
+/** What makes a new text due at once: the state, not the figures. */
+export function sceneKey(store: Store): string {
+  const state = store.get('/state');
+  const faults = state?.faults.map(({ name }) => name) ?? [];
+  return [store.stale('/estimate'), state?.course, state?.run, state?.session, state?.stop.latched, ...faults].join(' ');
+}
+
+/** `replayed`: a recording is shown, whose data is never old. */
+export function sceneText(store: Store, replayed: boolean): string {
+  const state = store.get('/state');
+  if (state === undefined) return replayed ? 'The recording is loading.' : 'Nothing is known of the robot yet.';
+  const parts: string[] = [];
+  const course = state.course === '' ? 'No course' : `Course ${state.course}`;
+  const run = state.pause_left_s === undefined ? state.run : 'paused';
+  parts.push(`${replayed ? 'Recording. ' : ''}${course}, robot ${state.robot}, ${run}.`);
+  const estimate = store.get('/estimate');
+  const pose = store.pose;
+  if (store.stale('/estimate')) {
+    parts.push('Its pose is not known now.');
+  } else if (estimate !== undefined && pose !== undefined) {
+    const heading_deg = (pose.yaw_rad * 180) / Math.PI;
+    parts.push(`It is at x ${fixed(pose.x_m, 2)} m, y ${fixed(pose.y_m, 2)} m, heading ${fixed(heading_deg, 0)} degrees.`);
+    if (typeof state.length_m === 'number') {
+      const error_mm = 1000 * estimate.cross_track_m;
+      const side = Math.abs(error_mm) < 0.5 ? 'on the path' : `${fixed(Math.abs(error_mm), 0)} mm to the ${error_mm > 0 ? 'left' : 'right'} of the path`;
+      parts.push(`${fixed(state.progress_m, 2)} of ${fixed(state.length_m, 2)} m are driven, ${side}.`);
+    }
+  }
+  if (state.stop.latched) parts.push('STOP is in force.');
+  for (const { cause } of state.faults) parts.push(`Fault: ${cause}${/[.!?]$/.test(cause) ? '' : '.'}`);
+  return parts.join(' ');
+}
 
 /** Figures change all the time; nobody wants to listen to all of them. */
 const kPeriod_ms = 10_000;

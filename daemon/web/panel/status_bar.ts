@@ -2,7 +2,7 @@
 import { clock, count, duration, fixed } from '../state/format.ts';
 import type { Store } from '../state/store.ts';
 import { h, setAttribute, setText } from './dom.ts';
-import { asksForMotion } from '../state/run.ts';
+import { asksForMotion } from '../state/messages.ts';
 
 /** Of a chip. */
 type Lamp = 'good' | 'done' | 'wait' | 'warn' | 'bad' | 'none';

@@ -3,9 +3,8 @@ import { h, setAttribute, setText } from '../panel/dom.ts';
 import { kRunLamps } from '../panel/status_bar.ts';
 import { StopPanel } from '../panel/stop_panel.ts';
 import { clock, fixed } from '../state/format.ts';
-import type { State } from '../state/messages.ts';
+import { asksForMotion, type State } from '../state/messages.ts';
 import type { Robot } from './robot.ts';
-import { asksForMotion } from '../state/run.ts';
 
 const kFigures = ['course', 'time', 'pose', 'battery'] as const;
 

@@ -1,9 +1,8 @@
 // One calibration drive: the course is chosen, the robot is placed at its start, and its run is recorded with the standstill
 // before and after it.
-import type { State } from './messages.ts';
+import { onCourse, type State } from './messages.ts';
 import { noteOf, tagsOf, type Measured } from './identify.ts';
 import type { Call } from './service.ts';
-import { onCourse } from './run.ts';
 
 /** The gyro's bias comes from the standstill before the drive. */
 const kBefore_ms = 2000;

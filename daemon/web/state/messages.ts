@@ -112,6 +112,12 @@ export interface Loop {
 
 export type Run = 'idle' | 'arming' | 'running' | 'finished' | 'aborted' | 'driving';
 
+/** A course is driven, or about to be. */
+export const onCourse = (run: Run | undefined): boolean => run === 'arming' || run === 'running';
+
+/** Somebody has asked for motion: on a course or by hand. */
+export const asksForMotion = (run: Run | undefined): boolean => onCourse(run) || run === 'driving';
+
 export interface Fault {
   name: string;
   cause: string;

@@ -1,7 +1,18 @@
-// Services of the daemon, as parts of the page call them.
+// What the page asks the daemon for: services, and what a topic said before the page was opened.
 
 /** Rejects with an Error if the daemon refuses or the connection is lost. */
 export type Call = (service: string, request: unknown) => Promise<unknown>;
 
 /** Why a call failed, in one line. */
 export const reason = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+const asked = new Map<string, Promise<readonly unknown[]>>();
+
+/** The last minutes of a topic, oldest first, as /api/history has them; empty if it has none. */
+export function past(topic: string): Promise<readonly unknown[]> {
+  const known = asked.get(topic) ?? fetch(`/api/history${topic}`).then((answer) => (answer.ok ? (answer.json() as Promise<unknown[]>) : []));
+  asked.set(topic, known);
+  // Later it is the present that was missed.
+  setTimeout(() => asked.delete(topic), 1000);
+  return known;
+}

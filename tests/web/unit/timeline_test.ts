@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { timeLeft_s } from '../../../daemon/web/state/time_left.ts';
+import { timeLeft_s } from '../../../daemon/web/panel/timeline.ts';
 import type { Course, State } from '../../../daemon/web/state/messages.ts';
 
 const course = { length_m: 4, speed_mps: 0.1, segments: [{ kind: 'line', from_m: 0, to_m: 2, angle_rad: 0 }, { kind: 'pivot', from_m: 2, to_m: 2, angle_rad: -1.2 }] } as unknown as Course;

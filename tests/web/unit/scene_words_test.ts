@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Estimate, State } from '../../../daemon/web/state/messages.ts';
-import { sceneKey, sceneText } from '../../../daemon/web/state/scene_text.ts';
+import { sceneKey, sceneText } from '../../../daemon/web/panel/scene_words.ts';
 import { Store } from '../../../daemon/web/state/store.ts';
 
 const kState = {
