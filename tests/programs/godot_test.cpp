@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -195,23 +194,6 @@ TEST_F(Godot, NamesACourseThatIsNotThere) {
   Process engine({TP100_SOURCE_DIR "/scripts/godot", "--headless", "--course", "nowhere"});
   EXPECT_EQ(engine.wait(), 2);
   EXPECT_THAT(engine.output(), HasSubstr("give a file or a name in config/courses"));
-}
-
-TEST_F(Godot, LostEndsTheRunAndANewOneIsWelcome) {
-  Process robot({"tp100-sim", "robot", "--link", folder_.file("tp100")});
-  ASSERT_TRUE(robot.wait_for("linked from")) << robot.output();
-  auto engine = std::make_unique<Engine>("1-straight");
-  const std::string address = engine->address();
-  Process bridge({"tp100d", "run", "--port", folder_.file("tp100"), "--course", "1-straight",
-                  "--world", "udp:" + address, "--config", config("timeout_ms = 1000\n")});
-  ASSERT_TRUE(bridge.wait_for("world: connected to sim/godot")) << bridge.output();
-  ASSERT_TRUE(bridge.wait_for("state: arming -> running")) << bridge.output();
-  engine.reset();
-  ASSERT_TRUE(bridge.wait_for("state: running -> aborted")) << bridge.output();
-  EXPECT_TRUE(robot.wait_for("motors off")) << robot.output();
-  const Engine anew("1-straight", address);
-  EXPECT_TRUE(bridge.wait_for("world: connected")) << bridge.output();
-  EXPECT_THAT(bridge.output(), HasSubstr("world_lost"));
 }
 
 }  // namespace

@@ -66,23 +66,6 @@ TEST_F(Overhead, AHandOverTheMarkerDoesNotMoveTheFusedPose) {
   EXPECT_EQ(figure(figures, "recoveries"), 0);
 }
 
-// How many images a second this machine renders, and whether they come in time, is its affair.
-TEST_F(Overhead, RunsInRealTimeBesideTheDaemon) {
-  const TemporaryFolder folder;
-  const Finished done = run({TP100_SOURCE_DIR "/scripts/overhead", "--json", "--live", "--bin",
-                             TP100_BINARY_DIR "/bin", "--course", short_course(folder)});
-  ASSERT_LE(done.status, 1) << done.output;
-  const std::size_t begin = done.output.find("{\"course\"");
-  ASSERT_NE(begin, std::string::npos) << done.output;
-  const auto figures = nlohmann::json::parse(done.output.substr(begin), nullptr, false);
-  ASSERT_TRUE(figures.is_object()) << done.output;
-  EXPECT_TRUE(figures.value("completed", false)) << figures;
-  EXPECT_GE(figure(figures, "visible"), 1);
-  EXPECT_GE(figure(figures, "found_share"), 0.95);
-  EXPECT_LT(figure(figures, "image_max_m"), 0.004);
-  EXPECT_GT(figure(figures, "accepted") + figure(figures, "late"), 0);
-}
-
 TEST_F(Overhead, EndsIfItsDriveCannotBeRead) {
   const Finished done =
       run({"/usr/bin/env", R"(TP100_OVERHEAD={"drive":"/nowhere.csv"})", "LANG=en_US.UTF-8",
