@@ -92,7 +92,8 @@ TEST_F(Programs, IdentifyDrivesAsksForWhatNoCameraSawAndWritesARobot) {
                         folder_.file("left.toml") + " " + folder_.file("right.toml") + " --out " +
                         folder_.file("mine.toml") + " < " + fifo});
   for (const char* const turned : {"0", "90", "-90"}) {
-    ASSERT_TRUE(identify.wait_for("through the air [m]:")) << identify.output();
+    ASSERT_TRUE(identify.wait_for("straight-line distance from start to end [m]:"))
+        << identify.output();
     answers << (*turned == '0' ? "0.2" : "") << std::endl;
     ASSERT_TRUE(identify.wait_for("counted [deg]:")) << identify.output();
     answers << turned << std::endl;
