@@ -38,13 +38,16 @@ std::optional<Number> number_of(std::string_view text) {
   return value;
 }
 
-/// A signal arrived while it waited.
-class Interrupted : public std::exception {};
+/// It was stopped while it waited.
+class Stopped : public std::exception {};
 
 class PipeSource : public Source {
  public:
-  PipeSource(int descriptor, const std::string& name, HostNs delay_ns)
-      : descriptor_(descriptor), name_(text::one_line(name, 300)), delay_ns_(delay_ns) {}
+  PipeSource(int descriptor, const std::string& name, const SourceOptions& options)
+      : descriptor_(descriptor),
+        stop_fd_(options.stop_fd),
+        name_(text::one_line(name, 300)),
+        delay_ns_(from_s(options.delay_s)) {}
   ~PipeSource() override {
     if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
   }
@@ -69,6 +72,7 @@ class PipeSource : public Source {
   }
 
   int descriptor_;
+  int stop_fd_;
   std::string name_;
   HostNs delay_ns_;
   std::array<char, 65536> buffer_{};
@@ -77,13 +81,15 @@ class PipeSource : public Source {
   std::size_t images_ = 0;
 };
 
-/// Waits for bytes. False: no more come. Throws Interrupted.
+/// Waits for bytes. False: no more come. Throws Stopped.
 bool PipeSource::fill() {
-  // read() alone would go on after a signal.
-  pollfd waiting{descriptor_, POLLIN, 0};
-  ssize_t got = ::poll(&waiting, 1, -1);
+  std::array<pollfd, 2> waiting{{{descriptor_, POLLIN, 0}, {stop_fd_, POLLIN, 0}}};
+  ssize_t got = 0;
+  do {
+    got = ::poll(waiting.data(), waiting.size(), -1);
+  } while (got < 0 && errno == EINTR);
+  if (waiting[1].revents != 0) throw Stopped();
   if (got > 0) got = ::read(descriptor_, buffer_.data(), buffer_.size());
-  if (got < 0 && errno == EINTR) throw Interrupted();
   if (got < 0) throw SetupError(name_ + ": cannot be read (" + std::strerror(errno) + ")");
   if (got == 0) return false;
   begin_ = 0;
@@ -176,7 +182,7 @@ bool PipeSource::next(Image& image) try {
   image.taken_ns = found.taken_s ? from_s(*found.taken_s) : arrived - delay_ns_;
   ++images_;
   return true;
-} catch (const Interrupted&) {
+} catch (const Stopped&) {
   return false;
 }
 
@@ -184,7 +190,7 @@ bool PipeSource::next(Image& image) try {
 
 std::unique_ptr<Source> open_image_pipe(int descriptor, const std::string& name,
                                         const SourceOptions& options) {
-  return std::make_unique<PipeSource>(descriptor, name, from_s(options.delay_s));
+  return std::make_unique<PipeSource>(descriptor, name, options);
 }
 
 }  // namespace tp100::camera

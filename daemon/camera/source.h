@@ -24,6 +24,7 @@ struct SourceOptions {
   int height_px = 0;
   double delay_s = 0.0;  ///< devices: from the exposure to the driver's stamp; pipes without
                          ///< stamps: to the arrival
+  int stop_fd = -1;      ///< a pipe ends as soon as this descriptor can be read; -1: none
 };
 
 class Source {

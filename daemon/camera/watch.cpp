@@ -1,5 +1,6 @@
 #include "camera/watch.h"
 
+#include <sys/eventfd.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -7,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <optional>
@@ -115,7 +117,15 @@ constexpr HostNs kBehindNs = 200 * kNsPerMs;
 constexpr HostNs kReportNs = 10 * kNsPerS;
 
 volatile std::sig_atomic_t g_stop = 0;
-void on_signal(int) { g_stop = 1; }
+// What waits for images waits for it too: a signal that comes just before would not end its wait.
+volatile std::sig_atomic_t g_stop_fd = -1;
+void on_signal(int) {
+  g_stop = 1;
+  const int before = errno;
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t written = ::write(g_stop_fd, &one, sizeof one);
+  errno = before;
+}
 
 void sleep_until(HostNs at_ns) {
   const timespec at{at_ns / kNsPerS, at_ns % kNsPerS};
@@ -141,6 +151,7 @@ class Watch {
  private:
   SourceOptions with_delay(SourceOptions options) const {
     options.delay_s = view_.delay_s;
+    options.stop_fd = g_stop_fd;
     return options;
   }
   void take(const Image& image);
@@ -295,6 +306,10 @@ std::optional<std::uint32_t> ImageGaps::number(HostNs taken_ns) {
 }
 
 int watch(const WatchOptions& options) {
+  g_stop_fd = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (g_stop_fd < 0)
+    throw SetupError(std::string("no descriptor for signals (") + std::strerror(errno) +
+                     "); raise ulimit -n");
   Watch watch(options);
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/eventfd.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -46,6 +47,25 @@ std::string problem(const std::string& bytes) {
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     return error.what();
   }
+}
+
+// A signal may come at any moment, also just before it waits for the rest of an image.
+TEST(ImagePipe, EndsWithinAnImageOnceItIsStopped) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const int stop = ::eventfd(0, 0);
+  ASSERT_GE(stop, 0);
+  camera::SourceOptions options;
+  options.stop_fd = stop;
+  const auto source = camera::open_image_pipe(ends[0], "pipe", options);
+  const std::string bytes = grey("", 7) + "P5\n3 2\n255\nxx";
+  ASSERT_EQ(::write(ends[1], bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+  camera::Image image;
+  ASSERT_TRUE(source->next(image));
+  ASSERT_EQ(::eventfd_write(stop, 1), 0);
+  EXPECT_FALSE(source->next(image));
+  ::close(stop);
+  ::close(ends[1]);
 }
 
 TEST(ImagePipe, GivesImagesWithTheirStampsInTheOrderInWhichTheyCome) {
