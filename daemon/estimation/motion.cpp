@@ -40,6 +40,24 @@ void forget_place(FilterState& state, double sd_m, double sd_rad) {
   p(kYaw, kYaw) += square(sd_rad);
 }
 
+using PoseRows = Eigen::Matrix<double, kYaw + 1, kStates>;
+
+/// F P F^T. `pose` are the first rows of F; of the others the bias follows the temperature, a part
+/// of the common slip is `kept`, and the rest stays as it is: a product of 8 x 8 matrices would
+/// cost ten times as much.
+StateMatrix propagated(const StateMatrix& p, const PoseRows& pose, double warming_degc,
+                       double kept) {
+  StateMatrix rows = p;
+  rows.topRows<PoseRows::RowsAtCompileTime>() = pose * p;
+  rows.row(kBias) += warming_degc * p.row(kBiasPerDegc);
+  rows.row(kCommonSlip) *= kept;
+  StateMatrix moved = rows;
+  moved.leftCols<PoseRows::RowsAtCompileTime>() = rows * pose.transpose();
+  moved.col(kBias) += warming_degc * rows.col(kBiasPerDegc);
+  moved.col(kCommonSlip) *= kept;
+  return 0.5 * (moved + moved.transpose());
+}
+
 }  // namespace
 
 FilterState MotionModel::prior() const {
@@ -127,7 +145,8 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   const bool held = motion.ground.hold_slip || !moves;
   const double kept = held ? 1.0 : std::exp(-dt / noise_.slip_s);
 
-  StateMatrix f = StateMatrix::Identity();
+  // Rows of the pose in the Jacobian.
+  PoseRows f = PoseRows::Identity();
   f(kX, kYaw) = -dy;
   f(kY, kYaw) = dx;
   const auto by_rate = [&](Eigen::Index of, double rate) {
@@ -142,7 +161,6 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
       by_rate(of, difference_mps / shape.wheelbase_m * (1.0 + state.mean[kTurnGain]));
   };
   if (motion.gyro) by_rate(kBias, -1.0);
-  f(kBias, kBiasPerDegc) = motion.warming_degc;
   const auto [left, right] = expected_speeds(motion.tracks, motion.ground);
   by_slip(kCommonSlip, -(right + left) / 2.0, -(right - left));
   by_slip(kSlipDifference, (right - left) / 2.0, right + left);
@@ -150,7 +168,6 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
     const TrackSpeeds ground = over_ground(state.mean, motion);
     by_rate(kTurnGain, (ground.right_mps - ground.left_mps) / shape.wheelbase_m);
   }
-  f(kCommonSlip, kCommonSlip) = kept;
 
   const double distance_m = std::abs(twist.vx_mps) * dt;
   const double by_turning = square(noise_.turn_sd_m_rtrad) * std::abs(turn);
@@ -175,9 +192,8 @@ void MotionModel::predict(FilterState& state, const Motion& motion) const {
   state.mean[kBias] += state.mean[kBiasPerDegc] * motion.warming_degc;
   state.mean[kCommonSlip] *= kept;
 
-  const StateMatrix moved = f * state.covariance * f.transpose();
   StateMatrix& p = state.covariance;
-  p = (moved + moved.transpose()) / 2.0;
+  p = propagated(p, f, motion.warming_degc, kept);
   p(kX, kX) += along * c * c + across * s * s;
   p(kY, kY) += along * s * s + across * c * c;
   p(kX, kY) += (along - across) * c * s;
