@@ -86,29 +86,29 @@ Cycle::Cycle(const link::SessionSettings& settings, const bridge::Parameters& pa
     : session_(settings), step_(parameters, std::move(course)) {}
 
 void Cycle::request(OperatorRequest request) {
-  if (!next_.requests.push(request) && request == OperatorRequest::kStop)
-    next_.requests.back() = request;
+  if (!next_->requests.push(request) && request == OperatorRequest::kStop)
+    next_->requests.back() = request;
 }
 
-void Cycle::change(const ParameterChange& change) { next_.changes.push(change); }
+void Cycle::change(const ParameterChange& change) { next_->changes.push(change); }
 
 void Cycle::velocity(const VelocityInput& input) {
-  if (!next_.velocities.push(input)) next_.velocities.back() = input;
+  if (!next_->velocities.push(input)) next_->velocities.back() = input;
 }
 
-void Cycle::camera(const CameraSample& seen) { next_.camera.push(seen); }
+void Cycle::camera(const CameraSample& seen) { next_->camera.push(seen); }
 
 void Cycle::world(const WorldSample& received) {
-  if (next_.world.push(received)) return;
-  const bool stop = next_.world.back().stop || received.stop;
-  next_.world.back() = received;
-  next_.world.back().stop = stop;
+  if (next_->world.push(received)) return;
+  const bool stop = next_->world.back().stop || received.stop;
+  next_->world.back() = received;
+  next_->world.back().stop = stop;
 }
 
 bool Cycle::change_setup(SetupChange& change, HostNs now) {
   if (!step_.changeable()) return false;
-  next_.restart.clear();
-  next_.restart.push(step_.restart_state(change.place, now));
+  next_->restart.clear();
+  next_->restart.push(step_.restart_state(change.place, now));
   restarted_ns_ = now;
   if (!change.step) return true;
   std::swap(step_, *change.step);
@@ -118,21 +118,21 @@ bool Cycle::change_setup(SetupChange& change, HostNs now) {
 }
 
 const bridge::Outputs& Cycle::step(HostNs now) {
-  next_.samples.assign(session_.take_samples());
-  next_.session = session_.state();
-  next_.clock = session_.clock();
-  next_.session_number = session_.session_number();
-  next_.robot_rebooted = session_.take_rebooted();
-  next_.answer = session_.take_answer();
+  next_->samples.assign(session_.take_samples());
+  next_->session = session_.state();
+  next_->clock = session_.clock();
+  next_->session_number = session_.session_number();
+  next_->robot_rebooted = session_.take_rebooted();
+  next_->answer = session_.take_answer();
   restart_at_rest(now);
-  inputs_ = next_;
-  next_.restart.clear();
-  next_.requests.clear();
-  next_.changes.clear();
-  next_.velocities.clear();
-  next_.camera.clear();
-  next_.world.clear();
-  outputs_ = &step_(inputs_, now);
+  std::swap(inputs_, next_);
+  next_->restart.clear();
+  next_->requests.clear();
+  next_->changes.clear();
+  next_->velocities.clear();
+  next_->camera.clear();
+  next_->world.clear();
+  outputs_ = &step_(*inputs_, now);
   now_ns_ = now;
   ++steps_;
   const bool disarming = stopping_ && outputs_->request != RobotRequest::kStop;
@@ -146,14 +146,14 @@ const bridge::Outputs& Cycle::step(HostNs now) {
 void Cycle::restart_at_rest(HostNs now) {
   if (steps_ == 0) restarted_ns_ = now;
   if (now - restarted_ns_ < kRestartPeriodNs || !step_.at_rest()) return;
-  next_.restart.push(step_.carried());
+  next_->restart.push(step_.carried());
   restarted_ns_ = now;
 }
 
 void Cycle::record(StepRecord& out) const {
   out.now_ns = now_ns_;
   out.step = steps_;
-  out.inputs = inputs_;
+  out.inputs = *inputs_;
   out.link = session_.counters();
   out.command_valid = outputs_->command_valid;
   out.request = outputs_->request;

@@ -4,6 +4,7 @@
 //
 // One cycle:  session().receive(bytes, now)...  step(now)  session().output() → port
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -41,6 +42,8 @@ class Cycle {
   /// Throws SetupError if parameters and course do not fit together.
   Cycle(const link::SessionSettings& settings, const bridge::Parameters& parameters,
         std::shared_ptr<const course::Course> course);
+  Cycle(const Cycle&) = delete;
+  Cycle& operator=(const Cycle&) = delete;
 
   /// The link: it takes the port's opening, end and bytes, and gives the bytes to write and the
   /// events to report. step() takes its samples, sends to it and moves its time.
@@ -75,7 +78,7 @@ class Cycle {
   bool request_pending() const { return session_.request_pending() || outputs_->disarming; }
 
   /// The inputs of the last step exactly as they were passed.
-  const StepInputs& inputs() const { return inputs_; }
+  const StepInputs& inputs() const { return *inputs_; }
   const bridge::Outputs& outputs() const { return *outputs_; }
   /// Writes the last step into `out`. A port that is gone since changes nothing but the link's
   /// counters.
@@ -88,8 +91,9 @@ class Cycle {
   bridge::Step step_;
   bridge::Outputs none_{};
   const bridge::Outputs* outputs_ = &none_;
-  StepInputs next_{};    // what the next step will take
-  StepInputs inputs_{};  // what the last step took
+  std::array<StepInputs, 2> both_inputs_{};
+  StepInputs* next_ = &both_inputs_[0];    // what the next step will take
+  StepInputs* inputs_ = &both_inputs_[1];  // what the last step took
   HostNs now_ns_ = 0;
   HostNs restarted_ns_ = 0;
   std::uint64_t steps_ = 0;
