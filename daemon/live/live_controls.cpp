@@ -48,18 +48,6 @@ const LiveKey* live_key(std::string_view name) {
 
 }  // namespace
 
-messages::Durations durations(const Histogram& histogram) {
-  const auto us = [&](double fraction) {
-    return static_cast<double>(histogram.percentile(fraction)) * 1e-3;
-  };
-  return {.count = histogram.count(),
-          .mean_us = histogram.mean() * 1e-3,
-          .p50_us = us(0.5),
-          .p99_us = us(0.99),
-          .p999_us = us(0.999),
-          .max_us = static_cast<double>(histogram.max()) * 1e-3};
-}
-
 std::string LiveControls::request_start(OperatorRequest request) {
   const std::lock_guard lock(mutex_);
   if (ending_) return "the daemon ends";
@@ -200,23 +188,16 @@ messages::LoopFigures LiveControls::loop() {
   out.overruns = statistics.overruns.load();
   out.missed = statistics.missed.load();
   out.frame_timeouts = statistics.frame_timeouts.load();
-  out.lateness = durations(statistics.lateness);
-  out.work = durations(statistics.work);
-  out.compute = durations(statistics.compute);
-  out.write = durations(statistics.write);
-  out.sample_wire = durations(cycle_.sample_latency().wire);
-  out.sample_wait = durations(cycle_.sample_latency().wait);
-  out.sample_age = durations(cycle_.sample_latency().age);
+  out.lateness = messages::durations_of(statistics.lateness);
+  out.work = messages::durations_of(statistics.work);
+  out.compute = messages::durations_of(statistics.compute);
+  out.write = messages::durations_of(statistics.write);
+  out.sample_wire = messages::durations_of(cycle_.sample_latency().wire);
+  out.sample_wait = messages::durations_of(cycle_.sample_latency().wait);
+  out.sample_age = messages::durations_of(cycle_.sample_latency().age);
   out.lost_records = cycle_.lost_records();
   out.lost_events = cycle_.lost_events();
-  std::uint64_t below = 0;
-  for (std::size_t i = 0; i < messages::kLatenessEdgesUs.size(); ++i) {
-    const auto edge_ns = static_cast<std::uint64_t>(messages::kLatenessEdgesUs[i]) * 1000U;
-    const std::uint64_t upto = std::max(below, statistics.lateness.count_below(edge_ns));
-    out.lateness_counts[i] = upto - std::exchange(below, upto);
-  }
-  const std::uint64_t all = statistics.lateness.count();
-  out.lateness_counts.back() = all > below ? all - below : 0;
+  out.lateness_counts = messages::lateness_counts_of(statistics.lateness);
   const std::lock_guard lock(mutex_);
   out.privileges = privileges_;
   return out;

@@ -122,9 +122,6 @@ class LiveControls : public server::Controls {
   bool ending_ = false;
 };
 
-/// Figures of a histogram of nanoseconds.
-messages::Durations durations(const Histogram& histogram);
-
 /// Every key of configuration and robot as published to viewers.
 std::vector<messages::ParameterText> parameter_list(const config::Configuration& configuration,
                                                     const course::Robot& robot);

@@ -11,6 +11,7 @@
 #include "core/board.h"
 #include "core/estimates.h"
 #include "core/faults.h"
+#include "core/histogram.h"
 #include "core/link_state.h"
 #include "core/run_state.h"
 #include "core/sample.h"
@@ -41,16 +42,22 @@ void to_json(Json& json, const Durations& durations) {
   durations.each([&](const char* name, auto value) { json[name] = value; });
 }
 
+/// Those of a histogram of nanoseconds.
+Durations durations_of(const Histogram& histogram);
+
 /// Upper edges of the lateness histogram [us]; an additional last bin counts everything above.
 inline constexpr std::array<int, 13> kLatenessEdgesUs{1,   2,   5,    10,   20,   50,   100,
                                                       200, 500, 1000, 2000, 5000, 10000};
+using LatenessCounts = std::array<std::uint64_t, kLatenessEdgesUs.size() + 1>;
+/// A histogram of nanoseconds in these bins; each edge is exact to the width of a bucket.
+LatenessCounts lateness_counts_of(const Histogram& histogram);
 
 /// The real-time loop since its start.
 struct LoopFigures {
   std::uint64_t cycles = 0, overruns = 0, missed = 0, frame_timeouts = 0;
   Durations lateness{}, work{}, compute{}, write{};      ///< of cycles, see loop::LoopStatistics
   Durations sample_wire{}, sample_wait{}, sample_age{};  ///< see live::SampleLatency
-  std::array<std::uint64_t, kLatenessEdgesUs.size() + 1> lateness_counts{};
+  LatenessCounts lateness_counts{};
   std::vector<std::pair<std::string, bool>> privileges;
   /// Steps and events dropped because a ring out of the loop was full.
   std::uint64_t lost_records = 0, lost_events = 0;

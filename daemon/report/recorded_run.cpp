@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kMaxKeptPoints = std::size_t{1} << 18;
 // No robot gets farther.
 constexpr double kFarthest = 1e6;
+// Nothing in a recording is this old.
+constexpr double kLongestUs = 1e15;
 constexpr double kEndToleranceM = 0.15;
 constexpr std::size_t kLongestEvent = std::size_t{1} << 16;
 
@@ -31,6 +33,16 @@ bool plausible(const Pose& pose) {
       std::initializer_list<double>{pose.x_m, pose.y_m, pose.z_m, pose.roll_rad, pose.pitch_rad,
                                     pose.yaw_rad},
       [](double value) { return std::abs(value) <= kFarthest; });
+}
+
+/// Of one run.
+struct Times {
+  Histogram jitter{}, sample_age{}, world_age{};
+};
+
+/// Leaves out what no run can have.
+void add(Histogram& histogram, double us) {
+  if (us >= 0.0 && us <= kLongestUs) histogram.add(std::llround(us * 1e3));
 }
 
 class Reader {
@@ -63,7 +75,7 @@ class Reader {
 
   MeasuredMotion measured_;
   RunMonitor watch_;
-  DurationTally jitter_, sample_age_, world_age_;
+  std::optional<Times> times_{std::in_place};
   std::vector<HostNs> disturbances_ns_;
   RunState state_ = RunState::kIdle;
   FaultMask faults_ = 0;
@@ -118,9 +130,7 @@ void Reader::begin(HostNs now) {
   run_.estimated = {};
   run_.result.camera = {};
   run_.result.baselines.gyro_bias_radps = measured_.bias_radps();
-  jitter_ = {};
-  sample_age_ = {};
-  world_age_ = {};
+  times_.emplace();
   disturbances_ns_.clear();
   faults_ = 0;
   cross_track_squares_ = 0.0;
@@ -132,10 +142,11 @@ void Reader::time(const StepRecord& record) {
   step_jitter_us_ = std::numeric_limits<double>::quiet_NaN();
   if (run_.steps > 0 && record.step == step_ + 1) {
     step_jitter_us_ = known(std::abs(to_s(record.now_ns - now_ns_) * 1e6 - period_us_));
-    jitter_.add(step_jitter_us_);
+    add(times_->jitter, step_jitter_us_);
   }
-  if (record.snapshot.has_sample) sample_age_.add(static_cast<double>(record.snapshot.age_us));
-  if (world_answered_ns_) world_age_.add(to_s(record.now_ns - *world_answered_ns_) * 1e6);
+  if (record.snapshot.has_sample)
+    add(times_->sample_age, static_cast<double>(record.snapshot.age_us));
+  if (world_answered_ns_) add(times_->world_age, to_s(record.now_ns - *world_answered_ns_) * 1e6);
 }
 
 void Reader::estimate(const Snapshot& snapshot) {
@@ -284,10 +295,10 @@ void Reader::finish() {
   result.duration_s = t_s(end_ns_);
   disturbances();
   judge();
-  run_.jitter = jitter_.result();
-  run_.jitter_counts = jitter_.counts();
-  run_.sample_age = sample_age_.result();
-  run_.world_age = world_age_.result();
+  run_.jitter = messages::durations_of(times_->jitter);
+  run_.jitter_counts = messages::lateness_counts_of(times_->jitter);
+  run_.sample_age = messages::durations_of(times_->sample_age);
+  run_.world_age = messages::durations_of(times_->world_age);
   for (const Happening& one : watch_.happenings())
     run_.events.push_back({t_s(one.at_ns), one.text, one.fix, one.bad});
   std::ranges::stable_sort(run_.events, {}, &RunEvent::t_s);

@@ -70,6 +70,20 @@ TEST(LoopMessage, HasEveryTimeOfATurn) {
   EXPECT_EQ(times, 7);
 }
 
+TEST(LoopMessage, EveryDurationIsInItsBin) {
+  Histogram histogram;
+  for (std::int64_t us = 1; us <= 20'000; ++us) histogram.add(us * 1000);
+  const LatenessCounts counts = lateness_counts_of(histogram);
+  std::uint64_t below = 0;
+  for (std::size_t i = 0; i < kLatenessEdgesUs.size(); ++i) {
+    below += counts[i];
+    // A bucket is up to a sixteenth of its value wide.
+    EXPECT_LE(below, static_cast<std::uint64_t>(kLatenessEdgesUs[i])) << i;
+    EXPECT_GE(static_cast<double>(below), kLatenessEdgesUs[i] * 15.0 / 16.0 - 1.0) << i;
+  }
+  EXPECT_EQ(below + counts.back(), 20'000U);
+}
+
 TEST(LoopMessage, TheHistogramHasOneCountMoreThanEdges) {
   LoopFigures loop;
   loop.privileges = {{"SCHED_FIFO 80", true}};

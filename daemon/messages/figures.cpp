@@ -1,0 +1,35 @@
+#include "messages/figures.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace tp100::messages {
+
+Durations durations_of(const Histogram& histogram) {
+  const auto us = [&](double fraction) {
+    return static_cast<double>(histogram.percentile(fraction)) * 1e-3;
+  };
+  return {.count = histogram.count(),
+          .mean_us = histogram.mean() * 1e-3,
+          .p50_us = us(0.5),
+          .p99_us = us(0.99),
+          .p999_us = us(0.999),
+          .max_us = static_cast<double>(histogram.max()) * 1e-3};
+}
+
+LatenessCounts lateness_counts_of(const Histogram& histogram) {
+  LatenessCounts counts{};
+  // Another thread may add meanwhile.
+  std::uint64_t below = 0;
+  for (std::size_t i = 0; i < kLatenessEdgesUs.size(); ++i) {
+    const auto edge_ns = static_cast<std::uint64_t>(kLatenessEdgesUs[i]) * 1000U;
+    const std::uint64_t upto = std::max(below, histogram.count_below(edge_ns));
+    counts[i] = upto - std::exchange(below, upto);
+  }
+  const std::uint64_t all = histogram.count();
+  counts.back() = all > below ? all - below : 0;
+  return counts;
+}
+
+}  // namespace tp100::messages
