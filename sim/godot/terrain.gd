@@ -131,10 +131,24 @@ static func mesh_of(mesh: Mesh, colour: Color) -> MeshInstance:
 	instance.material_override = material
 	return instance
 
-# Height of the ground from the middle's ray -half to +half, along one track.
-func profile(state: PhysicsDirectSpaceState, middle: Vector3, along: Vector3) -> PoolRealArray:
+# Whether nothing but the floor lies under the rays of both tracks: then one ray of each has the height of all, and an answer
+# takes a fraction of the time.
+func on_floor(state: PhysicsDirectSpaceState, middle: Vector3, attitude: Basis) -> bool:
+	var query := PhysicsShapeQueryParameters.new()
+	var box := BoxShape.new()
+	box.extents = Vector3(gauge_m / 2 + 0.001, RAY_TOP_M, (half + 1) * RAY_SPACING_M)
+	query.set_shape(box)
+	query.collision_mask = GROUND
+	query.transform = Transform(attitude, middle)
+	for found in state.intersect_shape(query):
+		if found.collider.get_meta("about").kind != "floor":
+			return false
+	return true
+
+# Height of the ground from the middle's ray -reach to +reach, along one track.
+func profile(state: PhysicsDirectSpaceState, middle: Vector3, along: Vector3, reach: int) -> PoolRealArray:
 	var heights := PoolRealArray()
-	for i in range(-half, half + 1):
+	for i in range(-reach, reach + 1):
 		var from := middle + along * (i * RAY_SPACING_M)
 		from.y = RAY_TOP_M
 		var hit := state.intersect_ray(from, from - Vector3(0, 2 * RAY_TOP_M, 0), [], GROUND)
@@ -152,32 +166,52 @@ func rest(heights: PoolRealArray) -> Array:
 			break
 	if level:
 		return [first, 0.0]
-	var reach := (wheel.size() - 1) / 2
-	var climb := 0.0
-	var height := 0.0
+	var lowest := axle_heights(heights)
+	var middle := (lowest.size() - 1) / 2
+	var mass := int(round(com_forward_m / RAY_SPACING_M))
+	var line := [0.0, 0.0]
 	for _pass in range(2):  # the axles' distance on the floor depends on the climb
-		var axle := int(round(spacing_m / 2 * cos(climb) / RAY_SPACING_M))
-		var lowest := {}
-		for i in range(-axle, axle + 1):
-			var best := -1e9
-			for k in range(-reach, reach + 1):
-				var at := i + k + half
-				if at >= 0 and at < heights.size():
-					best = max(best, heights[at] + wheel[k + reach])
-			lowest[i] = best
-		# The upper hull's edge over the centre of mass: of all lines through a point behind it and one ahead, the
-		# highest there.
-		var mass := int(round(com_forward_m / RAY_SPACING_M))
-		var mass_height := -1e9
+		var axle := int(min(round(spacing_m / 2 * cos(line[1]) / RAY_SPACING_M), middle))
+		line = line_over(lowest, middle, axle, int(clamp(mass, -axle, axle - 1)))
+	return line
+
+# How high an axle, less the wheel's radius, has to be above each ray of the track between its axles.
+func axle_heights(heights: PoolRealArray) -> PoolRealArray:
+	var axles := int(round(spacing_m / 2 / RAY_SPACING_M))
+	var wide := (wheel.size() - 1) / 2
+	var lowest := PoolRealArray()
+	for i in range(half - axles, half + axles + 1):
+		var best := -1e9
+		for k in range(int(max(-wide, -i)), int(min(wide, heights.size() - 1 - i)) + 1):
+			var here: float = heights[i + k] + wheel[k + wide]
+			if here > best:
+				best = here
+		lowest.append(best)
+	return lowest
+
+# The lowest line above all points that carries the mass: [height at the middle, climb angle]. It goes through a point
+# behind the mass and one ahead of it, each of which is the best one for the other.
+func line_over(lowest: PoolRealArray, middle: int, axle: int, mass: int) -> Array:
+	var behind := -axle
+	var ahead := axle
+	var slope: float = (lowest[middle + ahead] - lowest[middle + behind]) / (ahead - behind)
+	for _turn in lowest.size():
+		var better := false
 		for i in range(-axle, mass + 1):
-			for j in range(max(mass, i + 1), axle + 1):
-				var slope: float = (lowest[j] - lowest[i]) / (j - i)
-				var there: float = lowest[i] + slope * (mass - i)
-				if there > mass_height:
-					mass_height = there
-					climb = atan(slope / RAY_SPACING_M)
-					height = lowest[i] - slope * i
-	return [height, climb]
+			var here: float = (lowest[middle + ahead] - lowest[middle + i]) / (ahead - i)
+			if here < slope:
+				slope = here
+				behind = i
+				better = true
+		for j in range(mass + 1, axle + 1):
+			var here: float = (lowest[middle + j] - lowest[middle + behind]) / (j - behind)
+			if here > slope:
+				slope = here
+				ahead = j
+				better = true
+		if not better:
+			break
+	return [lowest[middle + behind] - slope * behind, atan(slope / RAY_SPACING_M)]
 
 # How the robot rests at a place: {z_m, pitch_rad, roll_rad, surface}.
 func stand(x_m: float, y_m: float, yaw_rad: float) -> Dictionary:
@@ -185,8 +219,9 @@ func stand(x_m: float, y_m: float, yaw_rad: float) -> Dictionary:
 	var attitude := Frame.basis(0, 0, yaw_rad)
 	var middle := Frame.to_engine(x_m, y_m, 0)
 	var aside := -attitude.x * (gauge_m / 2)
-	var left := rest(profile(state, middle + aside, -attitude.z))
-	var right := rest(profile(state, middle - aside, -attitude.z))
+	var reach := 0 if on_floor(state, middle, attitude) else half
+	var left := rest(profile(state, middle + aside, -attitude.z, reach))
+	var right := rest(profile(state, middle - aside, -attitude.z, reach))
 	var from := middle + Vector3(0, RAY_TOP_M, 0)
 	var hit := state.intersect_ray(from, middle, [], SURFACE)
 	return {
