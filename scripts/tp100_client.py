@@ -26,7 +26,9 @@ As a program:  tp100_client.py [--at HOST:PORT] pose | state | start | stop | wa
 It ends with status 0, with 1 if the daemon refuses, a run is aborted or doctor finds an error, with 2 if there is no daemon.
 """
 import argparse
+import contextlib
 import json
+import math
 import queue
 import struct
 import sys
@@ -58,14 +60,12 @@ class Robot:
 
     def __init__(self, at="127.0.0.1:8765", timeout_s=5.0):
         """`at`: HOST:PORT. `timeout_s`: how long a request waits for its answer. Raises Lost."""
-        self._timeout_s = timeout_s
-        self._page = f"http://{at}"
+        self._timeout_s, self._page = timeout_s, f"http://{at}"
         self._lock = threading.Lock()
         self._channels, self._services = {}, {}
         self._kept, self._readers, self._calls = {}, {}, {}
         self._known = threading.Event()
-        self._next = 1
-        self._ended = ""
+        self._next, self._ended = 1, ""
         try:
             self._socket = websocket.create_connection(f"ws://{at}/", subprotocols=SUBPROTOCOLS, timeout=timeout_s)
         except (OSError, websocket.WebSocketException) as error:
@@ -110,14 +110,11 @@ class Robot:
         """Yields the messages of any channel as they come, for `duration_s` or for ever. Raises Lost."""
         reader = queue.Queue()
         self._subscribe(topic, reader)
-        until_s = None if duration_s is None else time.monotonic() + duration_s
+        until_s = math.inf if duration_s is None else time.monotonic() + duration_s
         try:
-            while True:
-                left_s = None if until_s is None else until_s - time.monotonic()
-                if left_s is not None and left_s <= 0.0:
-                    return
+            while (left_s := until_s - time.monotonic()) > 0.0:
                 try:
-                    message = reader.get(timeout=left_s)
+                    message = reader.get(timeout=min(left_s, threading.TIMEOUT_MAX))
                 except queue.Empty:
                     return
                 if message is None:
@@ -217,7 +214,7 @@ class Robot:
         return self.call("run_identify", wait_s=REPORT_S, runs=" ".join(runs), measured=measured)
 
     def _when_possible(self, what, patience_s):
-        # The request itself tells why it is impossible.
+        # If it stays impossible, the request itself tells why.
         next((True for message in self.messages("/state", patience_s) if message["can"][what]), False)
 
     # The protocol.
@@ -331,22 +328,8 @@ class Wheel:
 
     def release(self):
         """Stops and disarms the robot."""
-        try:
+        with contextlib.suppress(Refused):  # another client drives, or the drive has ended
             self._robot.call("drive_release", token=self._token)
-        except Refused:
-            pass  # another client drives, or the drive has ended
-
-
-def pose(robot):
-    print(json.dumps(robot.pose()))
-
-
-def state(robot):
-    print(json.dumps(robot.state()))
-
-
-def start(robot):
-    robot.start()
 
 
 def stop(robot):
@@ -369,32 +352,25 @@ def drive(robot, speed_mps, yaw_rate_radps, duration_s):
 def doctor(robot):
     findings = robot.examine()
     for finding in findings:
-        print("\t".join([finding["severity"], finding["name"], finding["seen"], finding["fix"]]))
+        print(finding["severity"], finding["name"], finding["seen"], finding["fix"], sep="\t")
     return 1 if any(finding["severity"] == "error" for finding in findings) else 0
 
 
 def runs(robot):
     for run in robot.runs():
-        print("\t".join([run["run"], str(run["bytes"]), run["name"], run["tags"]]))
+        print(run["run"], run["bytes"], run["name"], run["tags"], sep="\t")
 
 
-def name(robot, run, new):
-    robot.note_run(run, name=new)
-
-
-def delete(robot, run):
-    robot.delete_run(run)
-
-
-def report(robot, run):
-    print(robot.report_run(run))
-
-
-def compare(robot, run, other):
-    print(robot.compare_runs(run, other))
-
-
-COMMANDS = {each.__name__: each for each in (pose, state, start, stop, wait, drive, doctor, runs, name, delete, report, compare)}
+COMMANDS = {
+    "pose": lambda robot: print(json.dumps(robot.pose())),
+    "state": lambda robot: print(json.dumps(robot.state())),
+    "start": lambda robot: robot.start(),
+    "stop": stop, "wait": wait, "drive": drive, "doctor": doctor, "runs": runs,
+    "name": lambda robot, run, name: robot.note_run(run, name=name),
+    "delete": lambda robot, run: robot.delete_run(run),
+    "report": lambda robot, run: print(robot.report_run(run)),
+    "compare": lambda robot, run, other: print(robot.compare_runs(run, other)),
+}
 
 
 def main():
@@ -410,15 +386,13 @@ def main():
         parser.error(f"{given.what} takes {' '.join(wanted) or 'nothing'}")
     try:
         with Robot(given.at) as robot:
-            return command(robot, *given.arguments) or 0
+            status = command(robot, *given.arguments)
+            return status if isinstance(status, int) else 0
     except ValueError as error:
         parser.error(str(error))
-    except Refused as refusal:
-        print(f"tp100_client: {refusal}", file=sys.stderr)
-        return 1
-    except Lost as error:
+    except (Refused, Lost) as error:
         print(f"tp100_client: {error}", file=sys.stderr)
-        return 2
+        return 1 if isinstance(error, Refused) else 2
 
 
 if __name__ == "__main__":
