@@ -92,7 +92,6 @@ struct Supervisor::State {
   SessionState session = SessionState::kClosed;
   HostNs began_ns = 0;
   HostNs next_stats_ns = 0;
-  std::string refusal;
   bool ending = false;
   int status = 1;
   int stay_status = 0;  // exit status of the last run, with --stay
