@@ -141,9 +141,9 @@ void Profile::lift(const Places& places, Obstacle what, std::span<double> wheel,
   const auto each = [&](double from_m, double to_m, const auto& height_at) {
     const double from = std::max(std::ceil((from_m - places.first_m) / places.step_m), 0.0);
     const double to = std::min(std::floor((to_m - places.first_m) / places.step_m), last);
-    for (double at = from; at <= to; at += 1.0) {
-      const double height = height_at(places.first_m + at * places.step_m);
-      const auto i = static_cast<std::size_t>(at);
+    if (!(from <= to)) return;
+    for (auto i = static_cast<std::size_t>(from); i <= static_cast<std::size_t>(to); ++i) {
+      const double height = height_at(places.first_m + static_cast<double>(i) * places.step_m);
       if (height <= wheel[i]) continue;
       wheel[i] = height;
       ground[i] = what;
