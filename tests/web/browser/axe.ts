@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 
 /** Serious findings in a part of the page, or in all of it. */
 export async function findings(page: Page, within?: string): Promise<string[]> {
-  await page.evaluate(axe.source);
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(axe.source);
   return page.evaluate(async (part) => {
     const { violations } = await (window as unknown as { axe: typeof axe }).axe.run(part ?? document);
     return violations
