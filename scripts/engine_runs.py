@@ -89,14 +89,25 @@ class Programs(contextlib.ExitStack):
         super().__init__()
         self.folder = folder
         allowed = real_time and not subprocess.run([*BEFORE_OTHERS, "true"], stderr=subprocess.DEVNULL).returncode
-        self.before = ("setpriv", "--pdeathsig", "TERM", *(BEFORE_OTHERS if allowed else ()))
+        self.before = BEFORE_OTHERS if allowed else ()
 
-    def start(self, name, *command, stdin=subprocess.DEVNULL):
+    def start(self, name, *command, stdin=subprocess.DEVNULL, at_once=True):
+        """`at_once`: before all others from its first instruction on, see go_first()."""
+        before = ("setpriv", "--pdeathsig", "TERM", *(self.before if at_once else ()))
         with open(self.log_of(name), "w") as log:
-            process = subprocess.Popen([*self.before, *command], stdin=stdin, stdout=log,
+            process = subprocess.Popen([*before, *command], stdin=stdin, stdout=log,
                                        stderr=subprocess.STDOUT, env=os.environ | {"XDG_STATE_HOME": self.folder})
         self.callback(self.end, process)
         return process
+
+    def go_first(self, process):
+        """From now on it and what it has started go before all others. A program that computes for long until it is ready
+        calls this then: meanwhile the kernel's worker must deliver the bytes of other runs' robots."""
+        pids = [process.pid] if self.before else []
+        for pid in pids:
+            subprocess.run([*self.before[:-1], "--all-tasks", "--pid", self.before[-1], str(pid)])
+            with open(f"/proc/{pid}/task/{pid}/children") as children:
+                pids += map(int, children.read().split())
 
     @staticmethod
     def end(process):
@@ -249,8 +260,9 @@ def drive(options, programs, course, run, folder):
         file.write(EXACT_CAMERA)
     with contextlib.closing(Truth()) as truth, Programs(folder, real_time=True) as beside:
         engine = beside.start("engine", ROOT + "/scripts/godot", "--headless", "--course", course.given, "--robot",
-                              options.robot)
+                              options.robot, at_once=False)
         world = "udp:" + beside.said("engine", engine, r"listening at (\S+)").group(1)
+        beside.go_first(engine)
         # On the stand there is nothing to see.
         camera = ["--camera=" + folder + "/camera.toml", "--camera-to", truth.address] if run["setup"] == "flat" else []
         robot = beside.start("robot", programs + "/tp100-sim", "robot", "--link", link, "--board", run["board"], "--setup",
