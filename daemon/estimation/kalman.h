@@ -56,18 +56,19 @@ Eigen::Matrix<double, kStates, Rows> covariance_with(const StateMatrix& covarian
   return covariance.lazyProduct(seen.jacobian.transpose());
 }
 
-/// Covariance of the innovation.
+/// Covariance of the innovation, of P H^T.
 template <int Rows>
-Eigen::Matrix<double, Rows, Rows> innovation_covariance(const FilterState& state,
-                                                        const Measurement<Rows>& seen) {
-  return seen.jacobian.lazyProduct(covariance_with(state.covariance, seen)) + seen.noise;
+Eigen::Matrix<double, Rows, Rows> innovation_covariance(
+    const Eigen::Matrix<double, kStates, Rows>& with_seen, const Measurement<Rows>& seen) {
+  return seen.jacobian.lazyProduct(with_seen) + seen.noise;
 }
 
 /// Normalized innovation squared: chi-squared with `Rows` degrees of freedom if all noise is as
 /// assumed.
 template <int Rows>
 double normalized_innovation(const FilterState& state, const Measurement<Rows>& seen) {
-  const Eigen::Matrix<double, Rows, Rows> inverse = innovation_covariance(state, seen).inverse();
+  const Eigen::Matrix<double, Rows, Rows> inverse =
+      innovation_covariance(covariance_with(state.covariance, seen), seen).inverse();
   return seen.innovation.dot(inverse * seen.innovation);
 }
 
@@ -78,8 +79,7 @@ template <int Rows>
 void update(FilterState& state, const Measurement<Rows>& seen, Eigen::Index first = 0) {
   using StateByRow = Eigen::Matrix<double, kStates, Rows>;
   const StateByRow before = covariance_with(state.covariance, seen);
-  const Eigen::Matrix<double, Rows, Rows> inverse =
-      (seen.jacobian.lazyProduct(before) + seen.noise).inverse();
+  const Eigen::Matrix<double, Rows, Rows> inverse = innovation_covariance(before, seen).inverse();
   StateByRow gain = before * inverse;
   gain.topRows(first).setZero();
   state.mean += gain * seen.innovation;
