@@ -1,10 +1,21 @@
 #include "messages/figures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
 namespace tp100::messages {
+namespace {
+
+// As nanoseconds it fits into 64 bits.
+constexpr double kLongestUs = 1e15;
+
+}  // namespace
+
+void add_us(Histogram& histogram, double us) {
+  if (us >= 0.0 && us <= kLongestUs) histogram.add(std::llround(us * 1e3));
+}
 
 Durations durations_of(const Histogram& histogram) {
   const auto us = [&](double fraction) {

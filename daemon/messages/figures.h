@@ -42,6 +42,8 @@ void to_json(Json& json, const Durations& durations) {
   durations.each([&](const char* name, auto value) { json[name] = value; });
 }
 
+/// Adds a duration, unless it is negative, not a number or longer than 30 years.
+void add_us(Histogram& histogram, double us);
 /// Those of a histogram of nanoseconds.
 Durations durations_of(const Histogram& histogram);
 

@@ -19,8 +19,6 @@ namespace {
 constexpr std::size_t kMaxKeptPoints = std::size_t{1} << 18;
 // No robot gets farther.
 constexpr double kFarthest = 1e6;
-// Nothing in a recording is this old.
-constexpr double kLongestUs = 1e15;
 constexpr double kEndToleranceM = 0.15;
 constexpr std::size_t kLongestEvent = std::size_t{1} << 16;
 
@@ -39,11 +37,6 @@ bool plausible(const Pose& pose) {
 struct Times {
   Histogram jitter{}, sample_age{}, world_age{};
 };
-
-/// Leaves out what no run can have.
-void add(Histogram& histogram, double us) {
-  if (us >= 0.0 && us <= kLongestUs) histogram.add(std::llround(us * 1e3));
-}
 
 class Reader {
  public:
@@ -142,11 +135,12 @@ void Reader::time(const StepRecord& record) {
   step_jitter_us_ = std::numeric_limits<double>::quiet_NaN();
   if (run_.steps > 0 && record.step == step_ + 1) {
     step_jitter_us_ = known(std::abs(to_s(record.now_ns - now_ns_) * 1e6 - period_us_));
-    add(times_->jitter, step_jitter_us_);
+    messages::add_us(times_->jitter, step_jitter_us_);
   }
   if (record.snapshot.has_sample)
-    add(times_->sample_age, static_cast<double>(record.snapshot.age_us));
-  if (world_answered_ns_) add(times_->world_age, to_s(record.now_ns - *world_answered_ns_) * 1e6);
+    messages::add_us(times_->sample_age, static_cast<double>(record.snapshot.age_us));
+  if (world_answered_ns_)
+    messages::add_us(times_->world_age, to_s(record.now_ns - *world_answered_ns_) * 1e6);
 }
 
 void Reader::estimate(const Snapshot& snapshot) {

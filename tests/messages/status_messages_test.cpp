@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "fixtures.h"
@@ -68,6 +69,30 @@ TEST(LoopMessage, HasEveryTimeOfATurn) {
     EXPECT_TRUE(json[name].contains("p999")) << name;
   });
   EXPECT_EQ(times, 7);
+}
+
+TEST(Durations, PercentilesAreThoseOfTheBucketsAndTheRestExact) {
+  Histogram histogram;
+  for (int us = 1; us <= 10000; ++us) add_us(histogram, us);
+  const Durations result = durations_of(histogram);
+  EXPECT_EQ(result.count, 10000U);
+  EXPECT_DOUBLE_EQ(result.mean_us, 5000.5);
+  EXPECT_DOUBLE_EQ(result.max_us, 10000.0);
+  EXPECT_NEAR(result.p50_us, 5000.0, 250.0);
+  EXPECT_NEAR(result.p99_us, 9900.0, 495.0);
+}
+
+TEST(Durations, NothingGivesZerosAndNonsenseIsLeftOut) {
+  Histogram histogram;
+  add_us(histogram, -1.0);
+  add_us(histogram, std::nan(""));
+  add_us(histogram, HUGE_VAL);
+  EXPECT_EQ(durations_of(histogram).count, 0U);
+  EXPECT_EQ(durations_of(histogram).p99_us, 0.0);
+  add_us(histogram, 0.0);
+  EXPECT_EQ(durations_of(histogram).p50_us, 0.0);
+  add_us(histogram, 1e15);
+  EXPECT_DOUBLE_EQ(durations_of(histogram).max_us, 1e15);
 }
 
 TEST(LoopMessage, EveryDurationIsInItsBin) {
