@@ -65,7 +65,7 @@ export class StatusBar {
       dropped > 0 ? 'warn' : 'none',
       connected ? fixed(viewers?.clients.length, 0) : '\u2013',
       dropped > 0 ? `${count(dropped)} dropped` : '',
-      'Browsers and other clients of this daemon',
+      `Browsers and other clients of this daemon; ${count(dropped)} messages dropped because one was too slow`,
     );
   }
 
