@@ -20,9 +20,9 @@ terrain::ContactState contact_state_of(const WorldSample& received) {
   state.pitch_rad = received.pitch_rad;
   state.roll_rad = received.roll_rad;
   state.climbing = received.step_height_m > 0.0;
-  state.obstacle = state.climbing                            ? Obstacle::kBlock
-                   : std::abs(received.pitch_rad) > kRampRad ? Obstacle::kRamp
-                                                             : Obstacle::kNone;
+  state.obstacle = state.climbing                            ? ObstacleClass::kBlock
+                   : std::abs(received.pitch_rad) > kRampRad ? ObstacleClass::kRamp
+                                                             : ObstacleClass::kNone;
   state.incline = {.slope_rad = -received.pitch_rad,
                    .slip_offset = received.slip_offset,
                    .horizontal_fraction = received.blocked ? 0.0 : std::cos(received.pitch_rad)};

@@ -23,16 +23,16 @@ namespace tp100::bridge {
 /// One sample interval in device time.
 struct Interval {
   double dt_s = 0.0;
-  estimation::TrackSpeeds tracks{};
+  TrackSpeeds tracks{};
   double gyro_z_radps = 0.0;  ///< mean over the interval, calibrated scale, bias included
   bool gyro_fresh = false;    ///< both ends had a new IMU value
   double warming_degc = 0.0;  ///< rise of the gyro's temperature
 };
 
 /// Turns consecutive samples into intervals. No allocation; safe in the real-time thread.
-class Tracks {
+class SampleIntervals {
  public:
-  Tracks(double counts_per_metre, double gyro_scale)
+  SampleIntervals(double counts_per_metre, double gyro_scale)
       : metres_per_count_(1.0 / counts_per_metre), gyro_scale_(gyro_scale) {}
 
   /// Forgets the last sample (a new session or boot).
@@ -61,7 +61,7 @@ class Tracks {
 /// low-pass filtered with a lag of 40 ms.
 struct Speeds {
   Twist steering{};  ///< of the steering pose
-  estimation::TrackSpeeds tracks{};
+  TrackSpeeds tracks{};
   double encoder_yaw_rate_radps = 0.0;  ///< of eqs 1-5, by this robot's values
   double gyro_yaw_rate_radps = 0.0;     ///< about the world's vertical, bias taken off
 };
@@ -146,7 +146,7 @@ class Perception {
   void update_speeds(double rate_radps);
 
   const Parameters& parameters_;
-  Tracks tracks_;
+  SampleIntervals intervals_;
   estimation::Standstill standstill_;
   estimation::AttitudeFilter attitude_;
   estimation::SlopeState slope_;

@@ -65,7 +65,7 @@ struct Step::State {
   ExternalWorld external;
   std::optional<control::Tracker> tracker;
   std::optional<control::Monitor> monitor;
-  control::Disturbance disturbance;
+  control::DisturbanceDetector disturbance;
   control::HandDrive hand_drive;
   control::Arming arming;
   control::Pause pause;
@@ -328,7 +328,7 @@ void Step::State::publish(StartRefusal refusal, HostNs now) {
   perception.write(snapshot, now);
   snapshot.command = out.command;
   const control::TrackLimits limits = drive_of(parameters, 0.0).limits;
-  const control::Tracks commanded = control::tracks_for(
+  const TrackSpeeds commanded = control::tracks_for(
       target.speed_mps,
       control::turn_asked(target.heading_error_rad, target.yaw_rate_radps, limits), limits);
   snapshot.commanded_left_mps = commanded.left_mps;

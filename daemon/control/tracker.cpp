@@ -46,12 +46,12 @@ std::vector<Corner> corners(const course::Path& path, double x_icr_m) {
 
 }  // namespace
 
-void Disturbance::restart(std::uint32_t contradictions) {
+void DisturbanceDetector::restart(std::uint32_t contradictions) {
   contradictions_ = contradictions;
   lasted_s_ = 0.0;
 }
 
-bool Disturbance::update(const DisturbanceSigns& signs, double dt_s) {
+bool DisturbanceDetector::update(const DisturbanceSigns& signs, double dt_s) {
   const bool turned =
       std::abs(signs.gyro_radps - signs.tracks_radps) > parameters_.disturbance_radps;
   lasted_s_ = turned ? lasted_s_ + dt_s : 0.0;
@@ -138,7 +138,7 @@ bool Tracker::settled(const Twist& twist, bool in_tolerance, double dt_s) {
   return settled_s_ >= parameters_.settle_s || (standstill && waited_s_ >= kPatienceS);
 }
 
-void Tracker::stand(double yaw_rad) {
+void Tracker::come_to_rest(double yaw_rad) {
   commanded_mps_ = 0.0;
   target_.speed_mps = 0.0;
   target_.yaw_rate_radps = 0.0;
@@ -147,7 +147,7 @@ void Tracker::stand(double yaw_rad) {
 
 const Target& Tracker::update(const Pose& pose, const Twist& twist, double dt_s, bool disturbed) {
   if (target_.done) {
-    stand(pose.yaw_rad);
+    come_to_rest(pose.yaw_rad);
     return target_;
   }
   if (disturbed) recovery_.begin();
@@ -177,12 +177,12 @@ void Tracker::follow(const Pose& pose, const Twist& twist, double dt_s) {
   const double left_m = progress_.left_m() - corner().stop_before_m();
   stopping_ = stopping_ || left_m <= parameters_.stop_tolerance_m;
   if (stopping_) {
-    stand(pose.yaw_rad);
+    come_to_rest(pose.yaw_rad);
     if (settled(twist, true, dt_s)) next_segment();
     return;
   }
   if (paused_ && commanded_mps_ <= parameters_.acceleration_mps2 * dt_s) {
-    stand(pose.yaw_rad);
+    come_to_rest(pose.yaw_rad);
     return;
   }
   steer(pose, twist, here, left_m, dt_s);
@@ -264,7 +264,7 @@ void Tracker::turn(const Pose& pose, const Twist& twist, double dt_s) {
                                       target_.progress_m + reach_m);
   if (paused_ && !pivot_.arrived()) {
     pivot_.halt_at(pose.yaw_rad);
-    stand(pose.yaw_rad);
+    come_to_rest(pose.yaw_rad);
     return;
   }
   pivot_.update(parameters_, dt_s);

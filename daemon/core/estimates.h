@@ -117,7 +117,7 @@ enum class PitchSource : std::uint8_t {
 };
 
 /// Obstacle class: what carries the robot.
-enum class Obstacle : std::uint8_t {
+enum class ObstacleClass : std::uint8_t {
   kNone,   ///< the level floor alone
   kRamp,   ///< a ramp, at least in part; its flat top included
   kBlock,  ///< a block, at least in part
@@ -133,10 +133,10 @@ enum class Traction : std::uint8_t {
 /// The ground under the steering pose.
 struct TerrainContact {
   PitchSource pitch_source = PitchSource::kVirtual;
-  Obstacle obstacle = Obstacle::kNone;  ///< by the course's map
-  bool climbing = false;                ///< between touching a block and lying flat behind it
-  double slope_rad = 0.0;               ///< climb angle, nose-up positive
-  double slip_offset = 0.0;             ///< of the surface, added to both slip ratios
+  ObstacleClass obstacle = ObstacleClass::kNone;  ///< by the course's map
+  bool climbing = false;     ///< between touching a block and lying flat behind it
+  double slope_rad = 0.0;    ///< climb angle, nose-up positive
+  double slip_offset = 0.0;  ///< of the surface, added to both slip ratios
   Traction traction = Traction::kHolding;
 };
 

@@ -36,12 +36,8 @@ constexpr int kAround = 8;
 constexpr double kNoGain = 0.02;
 constexpr std::size_t kLastImages = 5;
 
-struct TrackSpeeds {
-  double left_mps, right_mps;
-};
-
 /// The track speeds at which the model moves like that.
-TrackSpeeds tracks_of(const TrackParameters& tracks, const ManoeuvreMotion::Step& step) {
+TrackSpeeds tracks_of(const TrackParameters& tracks, const MotionStep& step) {
   double slip = 0.0, half_difference_mps = 0.0;
   // The wheelbase depends on the turn, and the turn's shape on the wheelbase.
   for (int i = 0; i < 4; ++i) {
@@ -173,7 +169,7 @@ NextManoeuvre::Prediction NextManoeuvre::predict(const OtherPath& manoeuvre) con
   };
   double left_m = 0.0, right_m = 0.0, t_s = 0.0;
   drive.samples.push_back({});
-  for (const ManoeuvreMotion::Step& step : motion.steps()) {
+  for (const MotionStep& step : motion.steps()) {
     const TrackSpeeds speeds = tracks_of(tracks, step);
     left_m += speeds.left_mps * ManoeuvreMotion::kStepS;
     right_m += speeds.right_mps * ManoeuvreMotion::kStepS;

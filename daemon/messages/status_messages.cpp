@@ -103,13 +103,13 @@ const char* name_of(PitchSource source) {
   return "unknown";
 }
 
-const char* name_of(Obstacle obstacle) {
+const char* name_of(ObstacleClass obstacle) {
   switch (obstacle) {
-    case Obstacle::kNone:
+    case ObstacleClass::kNone:
       return "none";
-    case Obstacle::kRamp:
+    case ObstacleClass::kRamp:
       return "ramp";
-    case Obstacle::kBlock:
+    case ObstacleClass::kBlock:
       return "block";
   }
   return "unknown";

@@ -21,7 +21,7 @@ std::string clients_message(const ClientsFigures& clients);
 const char* name_of(RobotState state);
 const char* name_of(Slope slope);
 const char* name_of(PitchSource source);
-const char* name_of(Obstacle obstacle);
+const char* name_of(ObstacleClass obstacle);
 const char* name_of(Traction traction);
 
 /// Name as in /state.stop.status.

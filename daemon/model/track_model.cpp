@@ -34,7 +34,7 @@ TurnShape turn_shape(double left_mps, double right_mps) {
           between(turn, kWideArc, kTightArc), between(turn, kTightArc, kSpin)};
 }
 
-TurnShape TurnMonitor::update(double left_mps, double right_mps, double dt_s) {
+TurnShape TurnShapeFilter::update(double left_mps, double right_mps, double dt_s) {
   const double share = started_ ? 1.0 - std::exp(-dt_s / kLagS) : 1.0;
   started_ = true;
   left_mps_ += (left_mps - left_mps_) * share;
@@ -115,8 +115,8 @@ const Twist& TrackModel::advance(double left_mps, double right_mps, double dt_s,
                                  const Incline& incline) {
   const Incline under = mode_ == Mode::kPaper ? Incline{} : incline;
   slip_ = slip_on(parameters_, mode_, under);
-  const TurnShape shape =
-      turn_monitor_.update(left_mps * (1.0 - slip_.left), right_mps * (1.0 - slip_.right), dt_s);
+  const TurnShape shape = turn_shape_filter_.update(left_mps * (1.0 - slip_.left),
+                                                    right_mps * (1.0 - slip_.right), dt_s);
   twist_ = body_twist(parameters_, mode_, left_mps, right_mps, under, shape);
   model::advance(pose_, twist_, dt_s, under);
   return twist_;

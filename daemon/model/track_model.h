@@ -59,7 +59,7 @@ TurnShape turn_shape(double left_mps, double right_mps);
 
 /// The same from encoders that give a few edges per interval: speeds are low-pass filtered with a
 /// lag of 0.1 s. No allocation; safe in the real-time thread.
-class TurnMonitor {
+class TurnShapeFilter {
  public:
   /// One interval; returns the shape at its end.
   TurnShape update(double left_mps, double right_mps, double dt_s);
@@ -118,7 +118,7 @@ class TrackModel {
   /// Continues from `pose`.
   void reset(const Pose& pose) {
     pose_ = pose;
-    turn_monitor_.restart();
+    turn_shape_filter_.restart();
   }
   /// Tracks at constant speeds for `dt_s`. Returns the twist that was integrated.
   const Twist& advance(double left_mps, double right_mps, double dt_s, const Incline& incline = {});
@@ -133,7 +133,7 @@ class TrackModel {
   Pose pose_{};
   Twist twist_{};
   Slip slip_{};
-  TurnMonitor turn_monitor_{};
+  TurnShapeFilter turn_shape_filter_{};
 };
 
 }  // namespace tp100::model

@@ -39,8 +39,8 @@ struct TrajectoryPoint {
   bool recovering = false;     ///< the controller detected a disturbance and has not recovered yet
   double imu_pitch_rad = 0.0;  ///< by the IMU, of the real body
   Slope slope = Slope::kFlat;  ///< state derived from it
-  Obstacle obstacle_class = Obstacle::kNone;  ///< ... and from its rise
-  Measured measured{};                        ///< by the robot, up to this instant
+  ObstacleClass obstacle_class = ObstacleClass::kNone;  ///< ... and from its rise
+  Measured measured{};                                  ///< by the robot, up to this instant
 };
 
 /// Time window of a disturbance.

@@ -100,8 +100,8 @@ void judge_kinds(SlopeFigures& figures, const std::vector<TrajectoryPoint>& poin
         [&](const TrajectoryPoint& point) { return point.t_s >= change.at_s + kToldS; });
     if (detected == points.end()) continue;
     ++figures.obstacles;
-    const Obstacle real =
-        ramp_at(terrain, detected->truth) != nullptr ? Obstacle::kRamp : Obstacle::kBlock;
+    const ObstacleClass real =
+        ramp_at(terrain, detected->truth) != nullptr ? ObstacleClass::kRamp : ObstacleClass::kBlock;
     if (detected->obstacle_class != real) ++figures.mistaken;
   }
 }

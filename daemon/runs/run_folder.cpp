@@ -29,7 +29,7 @@ constexpr std::size_t kMaxEntries = 20'000;
 constexpr std::size_t kMaxNoteFile = 16'384;
 using record::kRecordingFile;
 
-constexpr std::array<FileKind, 8> kKinds = {{
+constexpr std::array<RunFileType, 8> kKinds = {{
     {kRunNoteFile, "note", "text/plain; charset=utf-8"},
     {".mcap", "recording", "application/octet-stream"},
     {".html", "report", "text/html; charset=utf-8"},
@@ -39,7 +39,7 @@ constexpr std::array<FileKind, 8> kKinds = {{
     {".svg", "figure", "image/svg+xml"},
     {".toml", "other", "text/plain; charset=utf-8"},
 }};
-constexpr FileKind kOther = {"", "other", "application/octet-stream"};
+constexpr RunFileType kOther = {"", "other", "application/octet-stream"};
 
 double seconds(const timespec& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
@@ -131,8 +131,8 @@ class OwnRecording {
 
 bool is_run_name(std::string_view name) { return text::is_file_name(name, kMaxFileName); }
 
-const FileKind& kind_of(std::string_view file) {
-  for (const FileKind& each : kKinds)
+const RunFileType& kind_of(std::string_view file) {
+  for (const RunFileType& each : kKinds)
     if (each.end == kRunNoteFile ? file == each.end : file.ends_with(each.end)) return each;
   return kOther;
 }

@@ -18,12 +18,12 @@ inline constexpr std::size_t kMaxFileName = 128;
 bool is_run_name(std::string_view name);
 
 /// What a file of a run is, by the end of its name.
-struct FileKind {
+struct RunFileType {
   std::string_view end;  ///< ".mcap"
   std::string_view kind;
   std::string_view media_type;
 };
-const FileKind& kind_of(std::string_view file);
+const RunFileType& kind_of(std::string_view file);
 
 struct RunFile {
   std::string name;

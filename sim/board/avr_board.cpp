@@ -55,7 +55,7 @@ struct AvrBoard::Machine {
       core.program(read_avr_image(stock_bootloader()));
       core.set_reset_address(kBootloaderAddress);
     }
-    core.on_event = [this](Cycle at) { return deliver(at); };
+    core.on_event = [this](CpuCycles at) { return deliver(at); };
     core.on_reset = [this] { restore(); };
     fill_eeprom();
     if (settings.start_us != 0) preset_clock();
@@ -121,16 +121,16 @@ struct AvrBoard::Machine {
     let_go();
   }
 
-  Cycle cycle_at(std::int64_t at_ns) const {
+  CpuCycles cycle_at(std::int64_t at_ns) const {
     if (at_ns <= begin_ns) return begin_cycle;
-    return begin_cycle +
-           static_cast<Cycle>(std::llround(static_cast<double>(at_ns - begin_ns) * cycles_per_ns));
+    return begin_cycle + static_cast<CpuCycles>(
+                             std::llround(static_cast<double>(at_ns - begin_ns) * cycles_per_ns));
   }
-  std::int64_t time_at(Cycle cycle) const {
+  std::int64_t time_at(CpuCycles cycle) const {
     return begin_ns + std::llround(static_cast<double>(cycle - begin_cycle) / cycles_per_ns);
   }
 
-  Cycle deliver(Cycle at) {
+  CpuCycles deliver(CpuCycles at) {
     while (!edges.empty() && cycle_at(edges.front().at_ns) <= at) {
       encoders.set(edges.front().channel, edges.front().level);
       edges = edges.subspan(1);
@@ -140,20 +140,20 @@ struct AvrBoard::Machine {
       bytes = bytes.subspan(1);
     }
     if (hang_wanted && core.asleep()) hang();
-    Cycle next = AvrCore::kNever;
+    CpuCycles next = AvrCore::kNever;
     if (!edges.empty()) next = std::min(next, cycle_at(edges.front().at_ns));
     if (!bytes.empty()) next = std::min(next, cycle_at(bytes.front().at_ns));
     if (hang_wanted) next = std::min(next, at + 16);
     return next;
   }
 
-  void advance(std::int64_t until_ns, std::span<const Edge> new_edges,
+  void advance(std::int64_t until_ns, std::span<const EncoderEdge> new_edges,
                std::span<const TimedByte> new_bytes) {
     edges = new_edges;
     bytes = new_bytes;
     now = until_ns;
     if (!powered || until_ns <= begin_ns) {
-      for (const Edge& edge : edges) encoders.set(edge.channel, edge.level);
+      for (const EncoderEdge& edge : edges) encoders.set(edge.channel, edge.level);
       lost_in_reset += bytes.size();
       return;
     }
@@ -202,8 +202,8 @@ struct AvrBoard::Machine {
   bool powered = false;
   std::int64_t now = 0;
   std::int64_t begin_ns = 0;
-  Cycle begin_cycle = 0;
-  std::span<const Edge> edges;
+  CpuCycles begin_cycle = 0;
+  std::span<const EncoderEdge> edges;
   std::span<const TimedByte> bytes;
   std::vector<TimedByte> stamped;
   std::uint64_t lost_in_reset = 0;
@@ -226,7 +226,7 @@ AvrBoard& AvrBoard::operator=(AvrBoard&&) noexcept = default;
 
 void AvrBoard::reset(PowerUp cause, std::int64_t now_ns) { machine_->reset(cause, now_ns); }
 
-void AvrBoard::advance(std::int64_t until_ns, std::span<const Edge> edges,
+void AvrBoard::advance(std::int64_t until_ns, std::span<const EncoderEdge> edges,
                        std::span<const TimedByte> received) {
   machine_->advance(until_ns, edges, received);
 }
@@ -236,7 +236,7 @@ std::vector<TimedByte> AvrBoard::take_sent() {
   return std::exchange(machine_->stamped, {});
 }
 
-MotorDuty AvrBoard::drive() const {
+MotorDuty AvrBoard::motor_duty() const {
   return machine_->powered ? motor_drive(machine_->core) : MotorDuty{};
 }
 
@@ -255,7 +255,7 @@ AvrBoardCounters AvrBoard::counters() const {
           .i2c_bytes = m.i2c.bytes()};
 }
 
-Cycle AvrBoard::longest_i2c_transfer() const { return machine_->i2c.longest_transfer(); }
+CpuCycles AvrBoard::longest_i2c_transfer() const { return machine_->i2c.longest_transfer(); }
 AvrCore& AvrBoard::core() { return machine_->core; }
 const AvrImage& AvrBoard::image() const { return machine_->image; }
 

@@ -45,10 +45,10 @@ class AvrBoard final : public Board {
   AvrBoard& operator=(AvrBoard&&) noexcept;
 
   void reset(PowerUp cause, std::int64_t now_ns) override;
-  void advance(std::int64_t until_ns, std::span<const Edge> edges,
+  void advance(std::int64_t until_ns, std::span<const EncoderEdge> edges,
                std::span<const TimedByte> received) override;
   std::vector<TimedByte> take_sent() override;
-  MotorDuty drive() const override;
+  MotorDuty motor_duty() const override;
   void set_battery(double volts) override;
   void set_supply(double volts) override;
 
@@ -57,7 +57,7 @@ class AvrBoard final : public Board {
   void hang_main_loop();
   AvrBoardCounters counters() const;
   /// Duration from START to STOP.
-  Cycle longest_i2c_transfer() const;
+  CpuCycles longest_i2c_transfer() const;
   /// For measurements and tests.
   AvrCore& core();
   const AvrImage& image() const;

@@ -16,7 +16,7 @@ namespace tp100::sim {
 
 /// A sent byte with the cycle at which its stop bit ends.
 struct SentByte {
-  Cycle at;
+  CpuCycles at;
   std::uint8_t value;
 };
 
@@ -40,13 +40,13 @@ class AvrUart {
   static void on_baud(avr_irq_t*, std::uint32_t, void* uart);
   static void on_send(avr_irq_t*, std::uint32_t value, void* uart);
   static std::uint8_t on_read(avr_t*, std::uint16_t address, void* uart);
-  Cycle byte_cycles() const;
+  CpuCycles byte_cycles() const;
 
   AvrCore& core_;
   avr_uart_t* uart_;
   std::deque<std::uint8_t> received_;
   std::vector<SentByte> sent_;
-  Cycle transmitter_free_ = 0;
+  CpuCycles transmitter_free_ = 0;
   std::uint64_t overruns_ = 0;
   std::uint64_t unheard_ = 0;
 };

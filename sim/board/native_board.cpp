@@ -79,7 +79,7 @@ struct EncoderPins {
   void interrupt() { firmware::take_edge<1>(encoder, levels); }
 };
 
-std::size_t side(const Edge& edge) { return (edge.channel >> 1U) & 1U; }
+std::size_t side(const EncoderEdge& edge) { return (edge.channel >> 1U) & 1U; }
 
 }  // namespace
 
@@ -107,7 +107,7 @@ struct NativeBoard::Machine final : firmware::Hal {
     for (EncoderPins& pins : encoders) pins.reset();
   }
 
-  void advance(std::int64_t until_ns, std::span<const Edge> edges,
+  void advance(std::int64_t until_ns, std::span<const EncoderEdge> edges,
                std::span<const TimedByte> bytes) {
     auto edge = edges.begin();
     auto byte = bytes.begin();
@@ -237,7 +237,7 @@ struct NativeBoard::Machine final : firmware::Hal {
   void kick_watchdog() override {}
   std::uint32_t boot_nonce() override { return nonce; }
   wire::ResetCause reset_cause() override { return cause; }
-  wire::Board board() override { return wire::Board::kNative; }
+  wire::BoardType board() override { return wire::BoardType::kNative; }
 
   // tick_1khz() never interrupts loop() here.
   std::uint8_t lock() override { return 0; }
@@ -277,7 +277,7 @@ NativeBoard& NativeBoard::operator=(NativeBoard&&) noexcept = default;
 
 void NativeBoard::reset(PowerUp cause, std::int64_t now_ns) { machine_->reset(cause, now_ns); }
 
-void NativeBoard::advance(std::int64_t until_ns, std::span<const Edge> edges,
+void NativeBoard::advance(std::int64_t until_ns, std::span<const EncoderEdge> edges,
                           std::span<const TimedByte> received) {
   machine_->advance(until_ns, edges, received);
 }
@@ -292,7 +292,7 @@ std::vector<TimedByte> NativeBoard::take_sent() {
   return taken;
 }
 
-MotorDuty NativeBoard::drive() const { return machine_->duties; }
+MotorDuty NativeBoard::motor_duty() const { return machine_->duties; }
 
 void NativeBoard::set_battery(double volts) { machine_->battery_v = volts; }
 void NativeBoard::set_supply(double volts) { machine_->supply_v = volts; }

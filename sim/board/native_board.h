@@ -38,10 +38,10 @@ class NativeBoard final : public Board {
   NativeBoard& operator=(NativeBoard&&) noexcept;
 
   void reset(PowerUp cause, std::int64_t now_ns) override;
-  void advance(std::int64_t until_ns, std::span<const Edge> edges,
+  void advance(std::int64_t until_ns, std::span<const EncoderEdge> edges,
                std::span<const TimedByte> received) override;
   std::vector<TimedByte> take_sent() override;
-  MotorDuty drive() const override;
+  MotorDuty motor_duty() const override;
   void set_battery(double volts) override;
   void set_supply(double volts) override;
 

@@ -67,7 +67,7 @@ std::vector<TimedByte> FaultInjector::to_host(std::span<const TimedByte> bytes,
   return pass(bytes, until_ns, frames_to_host_, bytes_to_host_);
 }
 
-void FaultInjector::edges(std::vector<Edge>& edges, std::int64_t from_ns) {
+void FaultInjector::edges(std::vector<EncoderEdge>& edges, std::int64_t from_ns) {
   if (begin_ns_) encoders_.pass(edges, from_ns, -*begin_ns_);
 }
 

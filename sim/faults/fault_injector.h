@@ -26,7 +26,7 @@ class FaultInjector {
   std::vector<TimedByte> to_robot(std::span<const TimedByte> bytes, std::int64_t until_ns);
   std::vector<TimedByte> to_host(std::span<const TimedByte> bytes, std::int64_t until_ns);
   /// Edges that reach the pins in the quantum from `from_ns`.
-  void edges(std::vector<Edge>& edges, std::int64_t from_ns);
+  void edges(std::vector<EncoderEdge>& edges, std::int64_t from_ns);
   /// Voltage at the divider instead of `volts`.
   double battery(double volts, std::int64_t now_ns) const;
   /// True if a lasting fault is active now.

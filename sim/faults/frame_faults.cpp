@@ -34,8 +34,8 @@ std::vector<TimedByte> FrameFaults::pass(std::span<const TimedByte> bytes, std::
   std::vector<TimedByte> out;
   for (const TimedByte& byte : bytes) {
     frame_.push_back(byte);
-    const wire::Received received = decoder_.push(byte.value);
-    if (byte.value != wire::kDelimiter && received != wire::Received::kOversize) continue;
+    const wire::DecodeResult received = decoder_.push(byte.value);
+    if (byte.value != wire::kDelimiter && received != wire::DecodeResult::kOversize) continue;
     finish(received, out);
     frame_.clear();
   }
@@ -45,11 +45,11 @@ std::vector<TimedByte> FrameFaults::pass(std::span<const TimedByte> bytes, std::
   return out;
 }
 
-void FrameFaults::finish(wire::Received received, std::vector<TimedByte>& out) {
+void FrameFaults::finish(wire::DecodeResult received, std::vector<TimedByte>& out) {
   const auto give = [&](const std::vector<TimedByte>& frame) {
     out.insert(out.end(), frame.begin(), frame.end());
   };
-  if (received != wire::Received::kFrame) return give(frame_);
+  if (received != wire::DecodeResult::kFrame) return give(frame_);
   const std::int64_t at_ns = frame_.back().at_ns;
   const std::uint8_t type = decoder_.type();
   std::vector<std::uint8_t> payload(decoder_.payload(), decoder_.payload() + decoder_.size());

@@ -33,7 +33,7 @@ class FrameFaults {
     std::uint16_t first_sequence = 0;
   };
 
-  void finish(wire::Received received, std::vector<TimedByte>& out);
+  void finish(wire::DecodeResult received, std::vector<TimedByte>& out);
   /// Changes the payload of the current frame.
   void edit(Planned& planned, std::uint8_t type, std::vector<std::uint8_t>& payload);
   static std::vector<TimedByte> coded(std::uint8_t type, std::span<const std::uint8_t> payload,

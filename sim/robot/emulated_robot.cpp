@@ -154,11 +154,11 @@ void EmulatedRobot::inject() {
 std::vector<TimedByte> EmulatedRobot::advance() {
   constexpr double kStepS = static_cast<double>(kPhysicsStepNs) * 1e-9;
   const std::int64_t until_ns = now_ns_ + kPhysicsStepNs;
-  const MotorDuty drive = board_->drive();
+  const MotorDuty duty = board_->motor_duty();
   const double volts = battery_.volts();
   const Clock::time_point physics = Clock::now();
-  left_motor_.step(drive.left, volts, body_->state().left_load_n);
-  right_motor_.step(drive.right, volts, body_->state().right_load_n);
+  left_motor_.step(duty.left, volts, body_->state().left_load_n);
+  right_motor_.step(duty.right, volts, body_->state().right_load_n);
   battery_.step(std::abs(left_motor_.force_n()) + std::abs(right_motor_.force_n()));
   body_->step(left_motor_.track_mps(), right_motor_.track_mps());
   spent_.physics += Clock::now() - physics;
@@ -170,7 +170,7 @@ std::vector<TimedByte> EmulatedRobot::advance() {
   const auto left_edges = static_cast<std::ptrdiff_t>(edges_.size());
   right_encoder_.move(right_motor_.track_mps() * kStepS, now_ns_, until_ns, edges_);
   std::inplace_merge(edges_.begin(), edges_.begin() + left_edges, edges_.end(),
-                     [](const Edge& a, const Edge& b) { return a.at_ns < b.at_ns; });
+                     [](const EncoderEdge& a, const EncoderEdge& b) { return a.at_ns < b.at_ns; });
 
   faults_.edges(edges_, now_ns_);
 

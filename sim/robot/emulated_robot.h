@@ -96,7 +96,7 @@ class EmulatedRobot {
 
   std::int64_t now_ns() const { return now_ns_; }
   const BodyState& truth() const { return body_->state(); }
-  MotorDuty drive() const { return board_->drive(); }
+  MotorDuty motor_duty() const { return board_->motor_duty(); }
   double battery_v() const { return battery_.volts(); }
   const SpentTime& spent() const { return spent_; }
 
@@ -115,7 +115,7 @@ class EmulatedRobot {
   ImuFaults bus_;
   std::unique_ptr<Board> board_;
   UartLine to_board_;
-  std::vector<Edge> edges_;
+  std::vector<EncoderEdge> edges_;
   std::int64_t now_ns_ = 0;
   SpentTime spent_;
 };

@@ -138,7 +138,7 @@ class FirmwareLog {
   std::uint64_t samples() const { return samples_; }
   void restart() { samples_ = 0; }
   void push(std::uint8_t byte) {
-    if (decoder_.push(byte) != wire::Received::kFrame) return;
+    if (decoder_.push(byte) != wire::DecodeResult::kFrame) return;
     if (decoder_.type() == static_cast<std::uint8_t>(wire::Type::kSample)) read_sample();
     if (decoder_.type() == static_cast<std::uint8_t>(wire::Type::kLog)) print_log();
   }

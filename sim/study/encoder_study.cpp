@@ -206,7 +206,7 @@ EncoderOutcome EncoderStudy::drive(const EncoderTrial& trial) {
   settings.watch = [&](const EmulatedRobot& robot) {
     if (robot.now_ns() <= kOpenNs) return;
     deviation.update(robot.truth().pose);
-    if (robot.drive().left == 0.0 && robot.drive().right == 0.0) return;
+    if (robot.motor_duty().left == 0.0 && robot.motor_duty().right == 0.0) return;
     outcome.off_after_s = to_s(robot.now_ns() - kOpenNs) - at_s;
     outcome.beyond_m = deviation.distance_m;
     outcome.beyond_rad = deviation.yaw_rad;

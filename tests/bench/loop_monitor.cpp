@@ -34,7 +34,7 @@ int LoopMonitor::on_ioctl(avr_io_t* io, std::uint32_t control, void* parameter) 
 }
 
 void LoopMonitor::cycle() {
-  const Cycle awake = core_.cycle() - core_.slept();
+  const CpuCycles awake = core_.cycle() - core_.slept();
   if (began_ != 0) longest_ = std::max(longest_, awake - began_);
   began_ = awake;
   ++cycles_;

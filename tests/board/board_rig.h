@@ -101,7 +101,7 @@ class BoardRig {
 
   std::vector<TimedByte> to_board_;
   std::int64_t wire_free_ns_ = 0;
-  std::vector<Edge> edges_;
+  std::vector<EncoderEdge> edges_;
   std::array<bool, 4> levels_{};
   std::vector<std::uint8_t> glitches_;
   wire::FrameDecoder decoder_;

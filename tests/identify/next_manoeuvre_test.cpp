@@ -123,7 +123,7 @@ TEST(NextManoeuvre, StopsWhenAllIntervalsAreNarrowAndTheyHoldTheTruth) {
   int held = 0;
   for (std::size_t i = 0; i < model::kTrackParameters.size(); ++i) {
     SCOPED_TRACE(model::kTrackParameters[i].key);
-    const Estimate& estimate = found.extended.estimates[i];
+    const ParameterEstimate& estimate = found.extended.estimates[i];
     EXPECT_TRUE(estimate.found);
     EXPECT_LE(estimate.half_interval, 1.001 * goals[i]);
     const double truth = robot().*model::kTrackParameters[i].value;

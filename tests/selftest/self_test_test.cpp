@@ -22,7 +22,7 @@ wire::Hello hello() {
   wire::Hello out{};
   out.protocol = wire::kProtocolVersion;
   out.schema = wire::kSchemaHash;
-  out.board = static_cast<std::uint8_t>(wire::Board::kMega2560);
+  out.board = static_cast<std::uint8_t>(wire::BoardType::kMega2560);
   out.boot_nonce = 7;
   return out;
 }

@@ -68,7 +68,7 @@ class RequestHandlerTest : public ::testing::Test {
   static Heard hear(Viewer& viewer) {
     Heard received;
     while (!viewer.outbox().empty()) {
-      const Frame frame = viewer.outbox().pop();
+      const WebSocketFrame frame = viewer.outbox().pop();
       if (!frame.binary) {
         received.texts.push_back(Json::parse(*frame.body));
       } else if (frame.head_size == 0) {
