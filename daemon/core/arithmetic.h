@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace tp100 {
 
@@ -16,11 +15,6 @@ inline double magnitude(double x, double y) { return std::sqrt(x * x + y * y); }
 inline double magnitude(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
 inline double square(double value) { return value * value; }
-
-/// Kind of this processor, version of the C library and whether its functions use FMA, as in
-/// "x86_64, glibc 2.36 with FMA". Results may differ in their last bits between programs with
-/// different texts, or of different versions.
-std::string arithmetic();
 
 // Angles in radians.
 
