@@ -8,7 +8,7 @@
 
 #include "config/configuration.h"
 #include "core/pose.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "identify/drive.h"
 #include "identify/next_manoeuvre.h"
 #include "link/port_discovery.h"

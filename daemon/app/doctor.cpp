@@ -19,7 +19,7 @@
 #include "config/configuration.h"
 #include "core/error.h"
 #include "course/bundled_files.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "doctor/finding.h"
 #include "doctor/host_checks.h"
 #include "doctor/port_checks.h"

@@ -9,7 +9,7 @@
 #include "bridge/parameters.h"
 #include "config/world_settings.h"
 #include "core/enum_names.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "text/key.h"
 
 namespace tp100::config {

@@ -1,3 +1,5 @@
+#include "course/robot_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <sstream>
 
 #include "course/emulated_keys.h"
-#include "course/robot.h"
 #include "text/key.h"
 
 namespace tp100::course {

@@ -9,7 +9,7 @@
 #include "core/arithmetic.h"
 #include "core/board.h"
 #include "core/clock.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "live/live_events.h"
 #include "text/key.h"
 

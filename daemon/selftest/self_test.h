@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/configuration.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "loop/real_time.h"
 #include "messages/sink.h"
 #include "record/worker.h"

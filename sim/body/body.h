@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "core/pose.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "course/terrain.h"
 
 namespace tp100::sim {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "course/terrain.h"
 
 namespace tp100::sim {

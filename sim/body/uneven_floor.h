@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/pose.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100::sim {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "course/terrain.h"
 #include "sim/board/board.h"
 #include "sim/body/body.h"

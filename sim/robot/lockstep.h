@@ -13,7 +13,7 @@
 #include "core/time.h"
 #include "course/camera.h"
 #include "course/course.h"
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "link/session.h"
 #include "messages/sink.h"
 #include "report/run_result.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <span>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "sim/body/body.h"
 
 namespace tp100::sim {

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 
 namespace tp100::sim {
 

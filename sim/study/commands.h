@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "identify/identify.h"
 #include "model/track_parameters.h"
 #include "sim/robot/options.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "course/robot.h"
+#include "course/robot_file.h"
 #include "sim/board/board.h"
 #include "sim/sensors/mpu6050.h"
 #include "sim/sensors/quadrature_encoder.h"
