@@ -109,12 +109,28 @@ struct FilterFigures {
 /// Slope along the robot, as far as its pitch shows it.
 enum class Slope : std::uint8_t { kFlat, kUp, kDown };
 
+/// Names as in messages and results.
+inline constexpr std::array<EnumName<Slope>, 3> kSlopeNames = {{
+    {Slope::kFlat, "flat"},
+    {Slope::kUp, "up"},
+    {Slope::kDown, "down"},
+}};
+constexpr const char* to_string(Slope slope) { return name_in(kSlopeNames, slope); }
+
 /// Where pitch and roll of the published poses come from; follows from the set-up.
 enum class PitchSource : std::uint8_t {
   kVirtual,   ///< the virtual world (stand, flat)
   kImu,       ///< the robot's own IMU (terrain)
   kExternal,  ///< an external world (udp, files)
 };
+
+/// Names as in messages.
+inline constexpr std::array<EnumName<PitchSource>, 3> kPitchSourceNames = {{
+    {PitchSource::kVirtual, "virtual"},
+    {PitchSource::kImu, "imu"},
+    {PitchSource::kExternal, "external"},
+}};
+constexpr const char* to_string(PitchSource source) { return name_in(kPitchSourceNames, source); }
 
 /// Obstacle class: what carries the robot.
 enum class ObstacleClass : std::uint8_t {
@@ -123,12 +139,30 @@ enum class ObstacleClass : std::uint8_t {
   kBlock,  ///< a block, at least in part
 };
 
+/// Names as in messages.
+inline constexpr std::array<EnumName<ObstacleClass>, 3> kObstacleClassNames = {{
+    {ObstacleClass::kNone, "none"},
+    {ObstacleClass::kRamp, "ramp"},
+    {ObstacleClass::kBlock, "block"},
+}};
+constexpr const char* to_string(ObstacleClass obstacle) {
+  return name_in(kObstacleClassNames, obstacle);
+}
+
 /// Whether the tracks still move the robot.
 enum class Traction : std::uint8_t {
   kHolding,      ///< slip within its bound, or nothing to judge by
   kSlipping,     ///< slip beyond its bound
   kImmobilised,  ///< the tracks run and the robot hardly moves
 };
+
+/// Names as in messages.
+inline constexpr std::array<EnumName<Traction>, 3> kTractionNames = {{
+    {Traction::kHolding, "holding"},
+    {Traction::kSlipping, "slipping"},
+    {Traction::kImmobilised, "immobilised"},
+}};
+constexpr const char* to_string(Traction traction) { return name_in(kTractionNames, traction); }
 
 /// The ground under the steering pose.
 struct TerrainContact {

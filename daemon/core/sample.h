@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/enum_names.h"
 #include "core/faults.h"
 #include "core/pose.h"
 #include "core/time.h"
@@ -14,6 +15,17 @@ namespace tp100 {
 
 /// Robot states, as on the wire (wire/messages.h).
 enum class RobotState : std::uint8_t { kHello, kParameters, kDisarmed, kArmed, kRunning, kFaulted };
+
+/// Names as in messages.
+inline constexpr std::array<EnumName<RobotState>, 6> kRobotStateNames = {{
+    {RobotState::kHello, "hello"},
+    {RobotState::kParameters, "parameters"},
+    {RobotState::kDisarmed, "disarmed"},
+    {RobotState::kArmed, "armed"},
+    {RobotState::kRunning, "running"},
+    {RobotState::kFaulted, "faulted"},
+}};
+constexpr const char* to_string(RobotState state) { return name_in(kRobotStateNames, state); }
 
 /// One sample. Counts and times are extended to 64 bit and never wrap within a boot.
 struct Sample {

@@ -48,15 +48,12 @@ Json json_of(const TrackingErrors& errors) {
           {"false_alarms", errors.false_alarms}};
 }
 
-const char* name_of(Slope slope) {
-  return slope == Slope::kFlat ? "flat" : slope == Slope::kUp ? "up" : "down";
-}
-
 Json json_of(const SlopeFigures& slope) {
   Json changes = Json::array();
   for (const SlopeChange& change : slope.changes)
-    changes.push_back(
-        {{"at_s", change.at_s}, {"to", name_of(change.to)}, {"found_s", json_of(change.found_s)}});
+    changes.push_back({{"at_s", change.at_s},
+                       {"to", to_string(change.to)},
+                       {"found_s", json_of(change.found_s)}});
   return {{"ramp_pitch_max_error_rad", slope.ramp_pitch_max_error_rad},
           {"ramp_pitch_rms_error_rad", slope.ramp_pitch_rms_error_rad},
           {"changes", changes},

@@ -97,16 +97,6 @@ const std::vector<TimedByte>& UartLine::take(std::int64_t until_ns) {
   return taken_;
 }
 
-const char* to_string(BoardKind board) {
-  switch (board) {
-    case BoardKind::kNative:
-      return "native";
-    case BoardKind::kAvr:
-      return "avr";
-  }
-  return "unknown";
-}
-
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
     : EmulatedRobot(settings, drawn(settings.values, stream(settings.seed, 7))) {}
 

@@ -1,6 +1,7 @@
 #pragma once
 // The whole emulated TP100 in virtual time: body, motors, encoders, IMU, battery and board.
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.h"
 #include "course/course.h"
 #include "course/robot_file.h"
 #include "course/terrain.h"
@@ -48,8 +50,12 @@ class UartLine {
 /// Where the firmware runs.
 enum class BoardKind { kNative, kAvr };
 
-/// As on the command line and in results.
-const char* to_string(BoardKind board);
+/// Names as on the command line and in results.
+inline constexpr std::array<EnumName<BoardKind>, 2> kBoardKindNames = {{
+    {BoardKind::kNative, "native"},
+    {BoardKind::kAvr, "avr"},
+}};
+constexpr const char* to_string(BoardKind board) { return name_in(kBoardKindNames, board); }
 
 /// Settings of one emulated robot. A seed is the noise of one robot; another robot has other
 /// `values`.

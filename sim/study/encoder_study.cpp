@@ -151,20 +151,6 @@ std::span<const EncoderFailure> encoder_failures() { return kFailures; }
 std::span<const double> encoder_speeds() { return kSpeeds; }
 std::span<const std::string_view> encoder_robots() { return kRobots; }
 
-const char* to_string(Onset onset) {
-  switch (onset) {
-    case Onset::kStraight:
-      return "straight";
-    case Onset::kArc:
-      return "arc";
-    case Onset::kStandstill:
-      return "standstill";
-    case Onset::kSpin:
-      break;
-  }
-  return "spin";
-}
-
 void EncoderOutcome::merge(const EncoderOutcome& other) {
   if (end.empty() || other.end == "completed") end = other.end;
   off_after_s = std::max(off_after_s, other.off_after_s);

@@ -2,6 +2,7 @@
 // Encoders that fail while the robot drives: how far the robot deviates until its motors are off,
 // over kinds of failure, speeds, positions and robots.
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -25,10 +26,18 @@ struct EncoderFailure {
 /// The robot's motion when the failure begins.
 enum class Onset : std::uint8_t { kStraight, kArc, kStandstill, kSpin };
 
+/// Names as in results.
+inline constexpr std::array<EnumName<Onset>, 4> kOnsetNames = {{
+    {Onset::kStraight, "straight"},
+    {Onset::kArc, "arc"},
+    {Onset::kStandstill, "standstill"},
+    {Onset::kSpin, "spin"},
+}};
+constexpr const char* to_string(Onset onset) { return name_in(kOnsetNames, onset); }
+
 std::span<const EncoderFailure> encoder_failures();
 std::span<const double> encoder_speeds();  ///< of the course [m/s]
 std::span<const std::string_view> encoder_robots();
-const char* to_string(Onset onset);
 
 struct EncoderTrial {
   EncoderFailure failure{};
