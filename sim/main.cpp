@@ -160,14 +160,14 @@ int run(int argc, char** argv) {
       ->type_name("FOLDER")
       ->capture_default_str();
   reproduce_app
-      ->add_option(
-          "--part", reproduce.part,
-          "paper (reference robot), state (slopes and steps, camera noise), robots (all "
-          "others), uneven (floors sampled from the seed), covariance (is it true?), sampled "
-          "(robots of stated ranges), "
-          "held-out (courses that are not bundled), real (measured data of real robots), "
-          "avr (course 3 on the image), all, or random (50 courses of the whole format a "
-          "run)")
+      ->add_option("--part", reproduce.part,
+                   "paper (reference robot), state (slopes and steps, camera noise), robots (all "
+                   "others), uneven (floors sampled from the seed), covariance (does it hold the "
+                   "true pose?), sampled "
+                   "(robots of stated ranges), "
+                   "held-out (courses that are not bundled), real (measured data of real robots), "
+                   "avr (course 3 on the image), all, or random (50 courses of the whole format a "
+                   "run)")
       ->type_name("PART")
       ->capture_default_str();
   reproduce_app

@@ -7,7 +7,7 @@ namespace tp100::bridge {
 namespace {
 
 constexpr double kSpeedLagS = 0.04;
-// A camera that was used this recently sees the robot.
+// The camera counts as seeing the robot for this long after its last accepted sample.
 constexpr double kCameraNowS = 0.15;
 
 model::TrackModel make_model(const Parameters& parameters) {

@@ -71,8 +71,8 @@ struct Speeds {
 /// real-time thread.
 class Perception {
  public:
-  /// `parameters` must outlive this, and may change in what live parameters change. `course` may be
-  /// null: a plane without end.
+  /// `parameters` must outlive this; only live parameters may change. `course` may be null: a plane
+  /// without end.
   Perception(const Parameters& parameters, const course::Course* course);
 
   /// A new session or boot: the following samples do not continue the previous ones.
@@ -83,13 +83,14 @@ class Perception {
   void begin(const Pose& start, HostNs now);
   /// A run begins where the estimates say that the robot is.
   void go_on() { traction_estimator_.restart(); }
-  /// At standstill on level ground, or there is no session: resume() loses nothing of use.
+  /// True at standstill on level ground or without a session: carry() and resume() then keep all
+  /// that matters.
   bool at_rest() const;
   /// At standstill, or there is no session: the robot may be moved by hand.
   bool at_standstill() const { return standstill_.still() || !has_sample_; }
   /// Writes what resume() takes.
   void carry(CarriedState& state) const;
-  /// Changes what carry() wrote to a robot on level ground that is at `at`, or where it was.
+  /// Edits a carried state: the robot is on level ground at `at`, or at its old place.
   void level(const std::optional<Pose>& at, HostNs now, CarriedState& state) const;
   /// As after construction, with this state.
   void resume(const CarriedState& state);

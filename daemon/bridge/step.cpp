@@ -157,7 +157,7 @@ void Step::State::take_requests(std::span<const OperatorRequest> requests) {
         arming.start();
         break;
       case OperatorRequest::kDrive:
-        // A completed path has nothing to go on with.
+        // A completed run cannot be continued.
         if (arming.state() == RunState::kFinished) target.progress_m = 0.0;
         arming.drive();
         break;
@@ -275,7 +275,7 @@ void Step::State::drive_by_hand(HostNs now, double dt_s) {
       parameters.control, now, std::min(dt_s, kLongestSeenS));
   aim(wanted.desired_yaw_rad, wanted.yaw_rate_radps, wanted.speed_mps);
   at_fence = wanted.at_fence;
-  // Whoever drives the robot away from where its run ended does not go on from there.
+  // After the robot was driven away from where its run ended, the run cannot be continued.
   if (!path || target.progress_m <= 0.0) return;
   const course::PathPoint point = path->at(target.progress_m);
   if (magnitude(pose.x_m - point.x_m, pose.y_m - point.y_m) > parameters.control.max_cross_track_m)

@@ -117,7 +117,7 @@ constexpr HostNs kBehindNs = 200 * kNsPerMs;
 constexpr HostNs kReportNs = 10 * kNsPerS;
 
 volatile std::sig_atomic_t g_stop = 0;
-// What waits for images waits for it too: a signal that comes just before would not end its wait.
+// The wait for images polls this descriptor too, so that a signal just before it ends it.
 volatile std::sig_atomic_t g_stop_fd = -1;
 void on_signal(int) {
   g_stop = 1;

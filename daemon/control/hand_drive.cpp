@@ -16,12 +16,12 @@ constexpr double kDelayS = 0.16;
 constexpr double kBrakingShare = 0.4;
 // The yaw is known to within this, and the robot crabs.
 constexpr double kYawErrorRad = 4.0 * kRadPerDeg;
-// Kept from the fence: what the robot moves sideways while it turns on the spot.
+// Margin to the fence for sideways motion in a turn on the spot.
 constexpr double kMarginM = 0.01;
 constexpr double kDeviations = 2.0;
-// However uncertain the position is: a robot that was never placed must be driven, too.
+// Upper bound of the margin for uncertainty, so that a robot that was never placed can be driven.
 constexpr double kMaxMarginM = 0.03;
-// Of the smaller side of the fence.
+// The same as a share of the fence's shorter side.
 constexpr double kMaxMarginShare = 0.15;
 
 // Slower than this the robot would creep on and on, or wind up against its friction.
@@ -30,10 +30,10 @@ constexpr double kCreepMps = 0.01;
 // The yaw error by which the robot's yaw loop makes up for its lag in a turn. More would be wound
 // up while a track is blocked.
 constexpr double kMaxAheadRad = 8.0 * kRadPerDeg;
-// A slower turn is over.
+// Below this rate a turn has ended.
 constexpr double kTurnOverRadps = 0.05;
-// ... or so slow that one to the other side may begin; or so much faster than commanded that the
-// robot still coasts.
+// Below this rate a turn to the other side may begin. A robot that turns faster than commanded by
+// more than this still coasts.
 constexpr double kTurnEndsRadps = 0.12;
 
 /// Towards `to`: away from zero by at most `step`, towards zero at once.
@@ -165,7 +165,7 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
   out.desired_yaw_rad = desired_yaw(state, dt_s);
   out.yaw_rate_radps = yaw_rate_radps_;
   const double turn_radps = turn_asked(ahead_rad_, yaw_rate_radps_, limits);
-  // Where the turn leaves a track nothing for the speed, its own limit must not invent one.
+  // If the turn uses a track's whole limit, no speed is left.
   const double within = speed_within(speed_mps_, turn_radps, limits);
   out.speed_mps = within * speed_mps_ > 0.0 ? within : 0.0;
   return out;
@@ -174,7 +174,7 @@ HandCommand HandDrive::update(const HandDriveState& state, const Parameters& par
 double HandDrive::desired_yaw(const HandDriveState& state, double dt_s) {
   const double yaw_rad = state.pose.yaw_rad;
   const bool turns = yaw_rate_radps_ != 0.0;
-  // How far it coasts beyond the command is not to be turned back.
+  // While the robot coasts, the desired yaw moves with it.
   const bool coasts =
       std::abs(state.measured_yaw_rate_radps) > std::abs(yaw_rate_radps_) + kTurnEndsRadps;
   // Straight on: the yaw to hold is the one at the end of the turn.

@@ -62,7 +62,7 @@ constexpr double kBackwardsMps = 0.02;
 constexpr double kOpposedRad = 6.0 * kRadPerDeg;
 constexpr double kAskedRadps = 0.3;
 constexpr double kTurningRadps = 0.15;
-// At least so fast does a turn end that is asked to reverse.
+// Least deceleration of a turn whose command reverses.
 constexpr double kReversalRadps2 = 2.5;
 // A robot at standstill turns by its tracks alone.
 constexpr double kSlowestMps = 0.02;
@@ -117,7 +117,7 @@ void DutyMonitor::learn(double above_dead_band, double track_mps, double turn_du
   const auto gain_at = [&](double duty) {
     return std::clamp(duty / (motor_.feed_forward * track_mps), kMinGain, kMaxGain);
   };
-  // A small turn loads one track and relieves the other: what it explains teaches nothing.
+  // A small turn loads one track and relieves the other: such samples do not update the gain.
   const double gain =
       std::clamp(gain_, gain_at(above_dead_band - turn_duty), gain_at(above_dead_band + turn_duty));
   const double towards = std::min(1.0, dt_s / kGainDownS);

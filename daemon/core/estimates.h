@@ -49,10 +49,10 @@ constexpr std::string_view inputs_of(PoseSource source) {
   return "";
 }
 
-/// Says nothing of its own without an overhead camera.
+/// True for sources that equal another one without an overhead camera.
 constexpr bool needs_camera(PoseSource source) { return source == PoseSource::kFused; }
 
-/// A robot that is pushed aside leaves no trace in what the source is made from.
+/// True for sources whose inputs do not show a disturbance.
 constexpr bool blind_to_disturbances(PoseSource source) { return source == PoseSource::kModel; }
 
 /// One value for each source.

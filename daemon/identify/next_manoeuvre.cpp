@@ -23,7 +23,7 @@ constexpr std::size_t kRows = kTrackParameters.size();
 constexpr auto kSlipLeft = static_cast<Eigen::Index>(model::row_of(&TrackParameters::slip_left));
 constexpr auto kSlipRight = static_cast<Eigen::Index>(model::row_of(&TrackParameters::slip_right));
 
-// What it costs to get under way, in seconds of driving: otherwise many short ones would win.
+// Fixed cost of each manoeuvre in seconds, so that many short ones are not preferred.
 constexpr double kUnderWayS = 1.0;
 constexpr int kStepsPerImage = 5;
 
@@ -114,7 +114,7 @@ std::optional<OtherPath> NextManoeuvre::choose() const {
   double margin_m = kMarginM;
   while (margin_m > 0.0 && !clear(area_.fence, here_, margin_m)) margin_m -= kMarginM / 5.0;
   margin_m = std::max(margin_m, 0.0);
-  // In a small fence, or near its edge, less room has to do.
+  // In a small fence or near its edge, a smaller margin is accepted.
   bool any = false;
   std::optional<OtherPath> best;
   for (const Clearance& clearance : {Clearance{margin_m, unknown, kRoomAtTheEndM},

@@ -289,7 +289,7 @@ void Session::poll_timeout(HostNs now) {
   enter(SessionState::kListening, now);
 }
 
-// If nothing of ours arrives, the robot's own frames still do.
+// The link may work in one direction only.
 void Session::poll_unanswered(HostNs now) {
   const HostNs since = std::max(handshake_ns_, not_before_ns_);
   if (!in_handshake() || now - since < settings_.first_frame_timeout_ns) return;

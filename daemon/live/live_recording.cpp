@@ -33,7 +33,7 @@ bool happens(Channel channel) {
   return channel == Channel::kEvent || channel == Channel::kLog || channel == Channel::kCameraImage;
 }
 
-/// What is to be said of it, in one line, or nothing.
+/// What was deleted, in one line; empty: nothing.
 std::string describe_freed(const runs::FreedSpace& freed) {
   std::string text;
   if (!freed.deleted.empty()) {

@@ -28,7 +28,7 @@ messages::Event refusal(HostNs now, const std::string& text) {
           .text = "ROS 2: " + text};
 }
 
-/// Without its place in a file that nobody has written.
+/// Removes file:line:column: this text has no file.
 std::string of_goal(const std::string& why) {
   const bool placed = why.starts_with(std::string(course::kGoalCourse) + ".toml:");
   return placed ? why.substr(why.find(": ") + 2) : why;

@@ -94,8 +94,9 @@ std::string RequestHandler::start(const std::vector<RequestField>& request) {
   const messages::StateFigures& state = publisher_.state();
   if (!state.can_start) return state.why_not_start;
   if (!here) return controls_.start();
-  return state.go_on_from ? controls_.go_on()
-                          : "no run ended on its way; start from the course's start";
+  return state.go_on_from
+             ? controls_.go_on()
+             : "no run ended before the end of its course; start from the course's start";
 }
 
 std::string RequestHandler::pause(const Viewer& viewer, bool on, HostNs now) {

@@ -68,7 +68,7 @@ std::optional<std::string> Wheel::take(const Driver& driver, HostNs now) {
 
 std::optional<VelocityInput> Wheel::drive(const DriveRequest& request, HostNs now) {
   if (!holds(request.token)) return std::nullopt;
-  // The quickest message tells how the clocks stand; a later one was delayed by what it is slower.
+  // The least delayed message gives the clocks' offset; the extra delay of another is its age.
   const HostNs offset_ns = now - from_s(request.input_ms * 1e-3);
   clock_offset_ns_ =
       clock_offset_ns_ ? std::min(offset_ns, *clock_offset_ns_ + (now - heard_ns_) / kDriftDivisor)

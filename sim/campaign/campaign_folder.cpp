@@ -98,7 +98,7 @@ class Finding {
       for (const std::string& robot : configured_robots(spec_))
         add_bundled("robot", course::Bundled::kRobots, robot);
     } catch (const SetupError&) {
-      // As unreadable as the configuration, which stands here already.
+      // The configuration's error is reported already.
     }
   }
 
@@ -216,7 +216,7 @@ CampaignFolder::CampaignFolder(std::string path, std::string spec_text, Origin o
     : CampaignFolder(std::move(path), std::move(spec_text)) {
   const std::string origin_path = path_ + "/origin.txt";
   text::make_folder(path_ + "/runs");
-  // Written before the spec, so whoever sees the spec sees it too.
+  // Written before the spec: who finds the spec finds the origin.
   const bool begun = fs::exists(spec_path());
   if (begun && course::read_text_file(spec_path()).text != spec_text_)
     throw SetupError(path_ + ": holds the runs of another campaign (its spec.toml differs); give " +

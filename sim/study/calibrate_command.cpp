@@ -84,7 +84,7 @@ std::vector<CalibrationDrive> calibration_drives(const Loaded& loaded, int repea
                                                      .camera = load_camera("overhead"),
                                                      .seed = seed + kSeedStride * drives.size(),
                                                      .sink = &sink});
-      // Where a robot that nothing is known of ends is one of the things to learn.
+      // An unidentified robot does not end where its course does.
       if (!result.finished)
         throw SetupError(name + ": " + loaded.robot.name + " did not finish it (" + result.cause +
                          "); there is nothing to learn from");

@@ -214,7 +214,7 @@ void TrackMonitor::learn(float above, float speed_duty, float load_duty, float s
   const bool even = speed_duty > kMinMps * p.feed_forward && speed_duty > kSlowest * slow_duty_ &&
                     speed_duty < kFastest * slow_duty_;
   if (!even) return;
-  // A small load may be on this track or on the other: what it explains teaches nothing.
+  // A small load may be on this track or on the other: such samples do not update the gain.
   const float least = smaller(kMaxGain, larger(kMinGain, (above - load_duty) / speed_duty));
   const float most = smaller(kMaxGain, larger(kMinGain, (above + load_duty) / speed_duty));
   const float gain = most < gain_ ? most : larger(least, gain_);
