@@ -163,9 +163,8 @@ int run(int argc, char** argv) {
       ->add_option("--part", reproduce.part,
                    "paper (reference robot), state (slopes and steps, camera noise), robots (all "
                    "others), uneven (floors sampled from the seed), covariance (does it hold the "
-                   "true pose?), sampled "
-                   "(robots of stated ranges), "
-                   "held-out (courses that are not bundled), real (measured data of real robots), "
+                   "true pose?), sampled (robots of stated ranges), held-out (courses that are not "
+                   "bundled), real (measured data of real robots), "
                    "avr (course 3 on the image), all, or random (50 courses of the whole format a "
                    "run)")
       ->type_name("PART")

@@ -132,8 +132,7 @@ std::span<const text::Key<EmulatedShear>> shear_keys() {
        &T::pressure_unevenness,
        {0, 1},
        "How much of the load the wheels carry: with 0 the pressure along the tracks is even, with "
-       "1 "
-       "it is 0 in their middle and three times the mean at their ends"},
+       "1 it is 0 in their middle and three times the mean at their ends"},
   }};
   return kKeys;
 }

@@ -242,13 +242,11 @@ std::string result_table(const RunResult& run, const RunFigures& figures) {
   if (run.setup == "stand")
     text +=
         "On a stand nothing moves: the virtual pose stands in for the truth and is judged against "
-        "itself.\n"
-        "Only completion and tracking mean something here.\n";
+        "itself.\nOnly completion and tracking mean something here.\n";
   if (run.robot == "end-loaded")
     text +=
         "This robot's slip is fitted through its contacts and its tracks make eqs 1-5 nearly "
-        "exact;\n"
-        "the uniformly loaded robot is the harder judge.\n";
+        "exact;\nthe uniformly loaded robot is the harder judge.\n";
   return text;
 }
 

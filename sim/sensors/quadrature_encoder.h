@@ -23,7 +23,7 @@ struct EncoderEdge {
 /// forward.
 class QuadratureEncoder {
  public:
-  /// `first_channel`: 0 for the left track, 2 for the right one (sim/sensors/edge.h).
+  /// `first_channel`: 0 for the left track, 2 for the right one (EncoderEdge).
   QuadratureEncoder(const course::EmulatedEncoder& values, std::uint8_t first_channel,
                     std::uint64_t seed);
 

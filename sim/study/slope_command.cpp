@@ -86,10 +86,8 @@ void print_table(const std::string& robot, const std::array<SlopeSlip, kRows.siz
   std::printf(
       "\nlargest difference %.3f\n\n"
       "The reference robot's table is fitted through its contact creep, not predicted, and the "
-      "slip\n"
-      "on the level is a track speed deficit that no physics explains: see its file. The paper has "
-      "no\n"
-      "row for 4 deg.\n",
+      "slip\non the level is a track speed deficit that no physics explains: see its file. "
+      "The paper has no\nrow for 4 deg.\n",
       worst);
 }
 
