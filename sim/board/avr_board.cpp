@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/time.h"
 #include "sim/board/avr_core.h"
 #include "sim/board/avr_pins.h"
 #include "sim/board/avr_uart.h"
@@ -93,7 +94,7 @@ struct AvrBoard::Machine {
     }
   }
 
-  void reset(PowerUp cause, std::int64_t now_ns) {
+  void reset(PowerUp cause, HostNs now_ns) {
     take_stamped(now_ns);
     powered = true;
     now = now_ns;
@@ -121,12 +122,12 @@ struct AvrBoard::Machine {
     let_go();
   }
 
-  CpuCycles cycle_at(std::int64_t at_ns) const {
+  CpuCycles cycle_at(HostNs at_ns) const {
     if (at_ns <= begin_ns) return begin_cycle;
     return begin_cycle + static_cast<CpuCycles>(
                              std::llround(static_cast<double>(at_ns - begin_ns) * cycles_per_ns));
   }
-  std::int64_t time_at(CpuCycles cycle) const {
+  HostNs time_at(CpuCycles cycle) const {
     return begin_ns + std::llround(static_cast<double>(cycle - begin_cycle) / cycles_per_ns);
   }
 
@@ -147,7 +148,7 @@ struct AvrBoard::Machine {
     return next;
   }
 
-  void advance(std::int64_t until_ns, std::span<const EncoderEdge> new_edges,
+  void advance(HostNs until_ns, std::span<const EncoderEdge> new_edges,
                std::span<const TimedByte> new_bytes) {
     edges = new_edges;
     bytes = new_bytes;
@@ -179,11 +180,11 @@ struct AvrBoard::Machine {
   }
 
   // Bytes that have left by `until_ns`.
-  void take_stamped(std::int64_t until_ns) {
+  void take_stamped(HostNs until_ns) {
     std::vector<SentByte>& sent = uart.sent();
     auto byte = sent.begin();
     for (; byte != sent.end(); ++byte) {
-      const std::int64_t at_ns = time_at(byte->at);
+      const HostNs at_ns = time_at(byte->at);
       if (at_ns > until_ns) break;
       stamped.push_back({at_ns, byte->value});
     }
@@ -200,8 +201,8 @@ struct AvrBoard::Machine {
   double cycles_per_ns;
 
   bool powered = false;
-  std::int64_t now = 0;
-  std::int64_t begin_ns = 0;
+  HostNs now = 0;
+  HostNs begin_ns = 0;
   CpuCycles begin_cycle = 0;
   std::span<const EncoderEdge> edges;
   std::span<const TimedByte> bytes;
@@ -224,9 +225,9 @@ AvrBoard::~AvrBoard() = default;
 AvrBoard::AvrBoard(AvrBoard&&) noexcept = default;
 AvrBoard& AvrBoard::operator=(AvrBoard&&) noexcept = default;
 
-void AvrBoard::reset(PowerUp cause, std::int64_t now_ns) { machine_->reset(cause, now_ns); }
+void AvrBoard::reset(PowerUp cause, HostNs now_ns) { machine_->reset(cause, now_ns); }
 
-void AvrBoard::advance(std::int64_t until_ns, std::span<const EncoderEdge> edges,
+void AvrBoard::advance(HostNs until_ns, std::span<const EncoderEdge> edges,
                        std::span<const TimedByte> received) {
   machine_->advance(until_ns, edges, received);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/time.h"
 #include "sim/board/avr_i2c.h"
 #include "sim/board/board.h"
 
@@ -15,13 +16,13 @@ namespace tp100::sim {
 
 /// One board.
 struct AvrBoardSettings {
-  std::string image{};             ///< ELF or HEX; empty: the one built with this program
-  bool bootloader = false;         ///< Arduino's bootloader runs first and waits for a second
-  bool blank = false;              ///< no firmware yet: `image` is not read
-  std::uint64_t seed = 1;          ///< seed of EEPROM, SRAM at power-on and the ADC's noise
-  double clock_ppm = 0.0;          ///< error of the resonator; positive runs fast
-  std::uint32_t start_us = 0;      ///< device clock at each boot, in steps of 1024; needs an ELF
-  std::int64_t reset_hold_ns = 0;  ///< from reset() to the first instruction
+  std::string image{};         ///< ELF or HEX; empty: the one built with this program
+  bool bootloader = false;     ///< Arduino's bootloader runs first and waits for a second
+  bool blank = false;          ///< no firmware yet: `image` is not read
+  std::uint64_t seed = 1;      ///< seed of EEPROM, SRAM at power-on and the ADC's noise
+  double clock_ppm = 0.0;      ///< error of the resonator; positive runs fast
+  std::uint32_t start_us = 0;  ///< device clock at each boot, in steps of 1024; needs an ELF
+  HostNs reset_hold_ns = 0;    ///< from reset() to the first instruction
   std::uint32_t run_cycle_limit = 16000;  ///< of simavr; changes nothing but speed
 };
 
@@ -44,8 +45,8 @@ class AvrBoard final : public Board {
   AvrBoard(AvrBoard&&) noexcept;
   AvrBoard& operator=(AvrBoard&&) noexcept;
 
-  void reset(PowerUp cause, std::int64_t now_ns) override;
-  void advance(std::int64_t until_ns, std::span<const EncoderEdge> edges,
+  void reset(PowerUp cause, HostNs now_ns) override;
+  void advance(HostNs until_ns, std::span<const EncoderEdge> edges,
                std::span<const TimedByte> received) override;
   std::vector<TimedByte> take_sent() override;
   MotorDuty motor_duty() const override;

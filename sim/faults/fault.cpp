@@ -153,7 +153,7 @@ void take_number(std::string_view word, const FaultText& text, std::string_view 
   fault.number = *number;
 }
 
-std::int64_t time_of(std::string_view text, std::string_view whole) {
+HostNs time_of(std::string_view text, std::string_view whole) {
   const std::optional<double> seconds = number_of(text);
   if (!seconds || *seconds < 0.0 || *seconds > kMaxS)
     refuse(whole, "'" + text::one_line(std::string(text)) + "' is no time in seconds");

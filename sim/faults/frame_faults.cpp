@@ -29,7 +29,7 @@ FrameFaults::FrameFaults(const std::vector<PlannedFault>& faults) {
   for (const PlannedFault& fault : faults) faults_.push_back({.fault = fault});
 }
 
-std::vector<TimedByte> FrameFaults::pass(std::span<const TimedByte> bytes, std::int64_t until_ns) {
+std::vector<TimedByte> FrameFaults::pass(std::span<const TimedByte> bytes, HostNs until_ns) {
   if (faults_.empty()) return {bytes.begin(), bytes.end()};
   std::vector<TimedByte> out;
   for (const TimedByte& byte : bytes) {
@@ -50,7 +50,7 @@ void FrameFaults::finish(wire::DecodeResult received, std::vector<TimedByte>& ou
     out.insert(out.end(), frame.begin(), frame.end());
   };
   if (received != wire::DecodeResult::kFrame) return give(frame_);
-  const std::int64_t at_ns = frame_.back().at_ns;
+  const HostNs at_ns = frame_.back().at_ns;
   const std::uint8_t type = decoder_.type();
   std::vector<std::uint8_t> payload(decoder_.payload(), decoder_.payload() + decoder_.size());
   const bool sync = type == static_cast<std::uint8_t>(wire::Type::kSyncReply);
@@ -116,7 +116,7 @@ void FrameFaults::edit(Planned& planned, std::uint8_t type, std::vector<std::uin
 }
 
 std::vector<TimedByte> FrameFaults::coded(std::uint8_t type, std::span<const std::uint8_t> payload,
-                                          std::int64_t at_ns) {
+                                          HostNs at_ns) {
   std::array<std::uint8_t, wire::kMaxFrame> bytes{};
   const std::size_t size = wire::encode_frame(type, payload.data(), payload.size(), bytes.data());
   std::vector<TimedByte> frame;

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/time.h"
 #include "sim/body/body.h"
 
 namespace tp100::sim {
 namespace {
 
 // As fast as a Mega's interrupts follow.
-constexpr std::int64_t kEdgeNs = 40'000;
+constexpr HostNs kEdgeNs = 40'000;
 
 // ACCEL_XOUT_H to GYRO_ZOUT_L (MPU-6000/6050 register map rev 4.2, 4.17 to 4.19), temperature in
 // between.
@@ -36,8 +37,7 @@ EncoderFaults::EncoderFaults(const std::vector<PlannedFault>& faults) {
   }
 }
 
-void EncoderFaults::pass(std::vector<EncoderEdge>& edges, std::int64_t from_ns,
-                         std::int64_t shift_ns) {
+void EncoderFaults::pass(std::vector<EncoderEdge>& edges, HostNs from_ns, HostNs shift_ns) {
   std::array<bool, 4> after = levels_;
   for (const EncoderEdge& edge : edges) after[edge.channel] = edge.level;
   for (Planned& planned : faults_) {
@@ -60,8 +60,7 @@ void EncoderFaults::pass(std::vector<EncoderEdge>& edges, std::int64_t from_ns,
   levels_ = after;
 }
 
-void EncoderFaults::lose(std::vector<EncoderEdge>& edges, std::int64_t shift_ns,
-                         Planned& planned) const {
+void EncoderFaults::lose(std::vector<EncoderEdge>& edges, HostNs shift_ns, Planned& planned) const {
   const PlannedFault& fault = planned.fault;
   std::array<bool, 4> levels = levels_;
   std::vector<EncoderEdge> passed;
@@ -89,14 +88,13 @@ void EncoderFaults::lose(std::vector<EncoderEdge>& edges, std::int64_t shift_ns,
   edges = std::move(passed);
 }
 
-void EncoderFaults::jump(std::vector<EncoderEdge>& edges, std::int64_t from_ns,
+void EncoderFaults::jump(std::vector<EncoderEdge>& edges, HostNs from_ns,
                          std::uint8_t first_channel, int& cycles) {
   // Before the first edge of the track itself; whole cycles leave the phases as they were.
   const auto first = std::find_if(edges.begin(), edges.end(), [&](const EncoderEdge& edge) {
     return edge.channel / 2 == first_channel / 2;
   });
-  const std::int64_t room_ns =
-      first == edges.end() ? kPhysicsStepNs : first->at_ns - from_ns - kEdgeNs;
+  const HostNs room_ns = first == edges.end() ? kPhysicsStepNs : first->at_ns - from_ns - kEdgeNs;
   if (room_ns <= 0 || cycles == 0) return;
   const int now = std::clamp(cycles, -static_cast<int>(room_ns / (4 * kEdgeNs)),
                              static_cast<int>(room_ns / (4 * kEdgeNs)));

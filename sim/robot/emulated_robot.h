@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/enum_names.h"
+#include "core/time.h"
 #include "course/course.h"
 #include "course/robot_file.h"
 #include "course/terrain.h"
@@ -32,17 +33,17 @@ class UartLine {
   explicit UartLine(std::uint32_t baud) : byte_ns_(10'000'000'000LL / baud) {}
 
   /// `bytes` are handed to the sending UART at `now_ns`.
-  void send(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
+  void send(std::span<const std::uint8_t> bytes, HostNs now_ns);
   /// The bytes whose stop bits end at or before `until_ns`, in order.
-  const std::vector<TimedByte>& take(std::int64_t until_ns);
+  const std::vector<TimedByte>& take(HostNs until_ns);
   /// Number of bytes in transmission.
   std::size_t pending() const { return bytes_.size(); }
   /// The cable is cut: bytes in transmission are lost.
   void clear() { bytes_.clear(); }
 
  private:
-  std::int64_t byte_ns_;
-  std::int64_t free_ns_ = 0;
+  HostNs byte_ns_;
+  HostNs free_ns_ = 0;
   std::deque<TimedByte> bytes_;
   std::vector<TimedByte> taken_;
 };
@@ -93,14 +94,14 @@ class EmulatedRobot {
   /// now; once per occurrence.
   std::optional<double> take_fault(FaultKind kind) { return faults_.take(kind, now_ns_); }
   /// Bytes that the host's UART takes at `now_ns`; they arrive at byte times.
-  void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns);
+  void receive(std::span<const std::uint8_t> bytes, HostNs now_ns);
   /// Advances one physics step and returns the bytes that the robot sent in it.
   std::vector<TimedByte> advance();
   /// Pushes the robot.
   void disturbance(double sideways_m, double yaw_rad, double duration_s);
   bool disturbed() const { return body_->disturbed(); }
 
-  std::int64_t now_ns() const { return now_ns_; }
+  HostNs now_ns() const { return now_ns_; }
   const BodyState& truth() const { return body_->state(); }
   MotorDuty motor_duty() const { return board_->motor_duty(); }
   double battery_v() const { return battery_.volts(); }
@@ -122,7 +123,7 @@ class EmulatedRobot {
   std::unique_ptr<Board> board_;
   UartLine to_board_;
   std::vector<EncoderEdge> edges_;
-  std::int64_t now_ns_ = 0;
+  HostNs now_ns_ = 0;
   SpentTime spent_;
 };
 

@@ -45,7 +45,7 @@ struct LockstepSettings {
   double begin_within_s = 10.0;       ///< of its start; a run that never begins is a failure
 };
 
-inline constexpr std::int64_t kDetectionDelayNs = 60 * kNsPerMs;
+inline constexpr HostNs kDetectionDelayNs = 60 * kNsPerMs;
 
 /// Drives the course once. On a stand no camera is used: the robot that it sees does not move.
 /// Deterministic except for `realtime_factor` and `loop`. Throws SetupError if course and robot do

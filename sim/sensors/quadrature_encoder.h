@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "core/time.h"
 #include "course/robot_file.h"
 
 namespace tp100::sim {
@@ -14,7 +15,7 @@ namespace tp100::sim {
 
 /// One encoder edge. Channels: 0 left A, 1 left B, 2 right A, 3 right B.
 struct EncoderEdge {
-  std::int64_t at_ns;
+  HostNs at_ns;
   std::uint8_t channel;
   bool level;
 };
@@ -29,15 +30,14 @@ class QuadratureEncoder {
 
   /// The track moves `travel_m` evenly between `from_ns` and `to_ns`; edges are appended in time
   /// order.
-  void move(double travel_m, std::int64_t from_ns, std::int64_t to_ns,
-            std::vector<EncoderEdge>& edges);
+  void move(double travel_m, HostNs from_ns, HostNs to_ns, std::vector<EncoderEdge>& edges);
 
   /// Edges forward minus edges backward.
   std::int64_t counts() const { return counts_; }
 
  private:
   double boundary(std::int64_t count) const;
-  void emit(std::int64_t count, std::int64_t at_ns, std::vector<EncoderEdge>& edges);
+  void emit(std::int64_t count, HostNs at_ns, std::vector<EncoderEdge>& edges);
 
   double counts_per_metre_;
   std::uint8_t first_channel_;

@@ -73,7 +73,7 @@ void look_away(LockstepSettings& settings) {
 /// When a healthy robot is where encoders fail.
 class PlaceMonitor : public messages::Sink {
  public:
-  explicit PlaceMonitor(std::int64_t opened_ns) : opened_ns_(opened_ns) {}
+  explicit PlaceMonitor(HostNs opened_ns) : opened_ns_(opened_ns) {}
   void take(const StepRecord& record) override {
     const Snapshot& snapshot = record.snapshot;
     if (snapshot.run_state != RunState::kRunning) return;
@@ -90,7 +90,7 @@ class PlaceMonitor : public messages::Sink {
   std::map<Onset, double> onset_s;
 
  private:
-  std::int64_t opened_ns_;
+  HostNs opened_ns_;
 };
 
 /// Greatest deviation from where a healthy robot has been so far. A robot that is late does not
@@ -133,7 +133,7 @@ class DeviationFromHealthy {
 };
 
 // As in lockstep.cpp: the robot stands before the host opens the port.
-constexpr std::int64_t kOpenNs = 20 * kNsPerMs;
+constexpr HostNs kOpenNs = 20 * kNsPerMs;
 
 std::vector<PlannedFault> planned(const EncoderFailure& failure, double at_s) {
   std::vector<PlannedFault> faults;

@@ -174,10 +174,10 @@ FaultOutcome try_fault(const FaultTrial& trial, BoardKind board, messages::Sink*
   const Loaded loaded = load({});
   std::vector<PlannedFault> faults;
   if (!trial.fault.empty()) faults.push_back(parse_fault(trial.fault));
-  const std::int64_t begin_ns = faults.empty() ? 0 : faults[0].begin_ns;
+  const HostNs begin_ns = faults.empty() ? 0 : faults[0].begin_ns;
   StepMonitor steps(sink);
   FaultOutcome outcome;
-  std::int64_t opened_ns = -1, driven_ns = -1;
+  HostNs opened_ns = -1, driven_ns = -1;
   const LockstepSettings settings{
       .course = short_course(),
       .robot = loaded.robot,
