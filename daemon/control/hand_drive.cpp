@@ -63,13 +63,13 @@ struct Approach {
   double turned_rad;
   double margin_m;
   double braking_mps2;
-  double most_mps;
+  double max_mps;
 
   void limit(const EdgeVector& edge) {
     const double across = std::clamp(x * edge.x + y * edge.y, -1.0, 1.0);
     const double towards = std::cos(std::max(0.0, std::acos(across) - turned_rad));
     if (towards <= 0.0) return;
-    most_mps = std::min(most_mps, approach_mps(edge.distance_m - margin_m, braking_mps2) / towards);
+    max_mps = std::min(max_mps, approach_mps(edge.distance_m - margin_m, braking_mps2) / towards);
   }
 
   /// Inside of a polygon, or outside of it. While the robot is on its wrong side, the nearest edge
@@ -105,7 +105,7 @@ double speed_inside(double speed_mps, const FenceMotion& motion, const course::F
                     .margin_m = std::min({kMarginM + kDeviations * motion.uncertainty_m,
                                           kMaxMarginM, kMaxMarginShare * side_m}),
                     .braking_mps2 = kBrakingShare * motion.braking_mps2,
-                    .most_mps = std::abs(speed_mps)};
+                    .max_mps = std::abs(speed_mps)};
   if (fence.corners.empty()) {
     approach.limit({-1.0, 0.0, pose.x_m - fence.min_x_m});
     approach.limit({1.0, 0.0, fence.max_x_m - pose.x_m});
@@ -115,7 +115,7 @@ double speed_inside(double speed_mps, const FenceMotion& motion, const course::F
     approach.limit(fence.corners, pose, true);
   }
   for (const course::Polygon& area : fence.keep_out) approach.limit(area, pose, false);
-  return sign * approach.most_mps;
+  return sign * approach.max_mps;
 }
 
 void HandDrive::restart(HostNs now) {

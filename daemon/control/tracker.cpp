@@ -16,7 +16,7 @@ using Kind = course::PathSegment::Kind;
 constexpr double kStandstillMps = 0.005;
 constexpr double kStandstillRadps = 0.05;
 // A yaw loop that cannot close the last fraction of a degree must not block the run for ever.
-constexpr double kPatienceS = 2.0;
+constexpr double kSettleTimeoutS = 2.0;
 // A large heading error slows the robot down, but never to a stop.
 constexpr double kSlowestShare = 0.25;
 // A turn may take this share of the tracks' limit: the rest is for the yaw loop.
@@ -116,10 +116,10 @@ void Tracker::begin_segment() {
   waited_s_ = 0.0;
   stopping_ = false;
   if (progress_.segment().kind == Kind::kPivot) {
-    const double most_mps = kTurnShare * drive_.limits.max_track_mps *
-                            (1.0 - std::max(drive_.limits.slip_left, drive_.limits.slip_right));
+    const double max_mps = kTurnShare * drive_.limits.max_track_mps *
+                           (1.0 - std::max(drive_.limits.slip_left, drive_.limits.slip_right));
     pivot_.begin(progress_.segment(),
-                 most_mps / (drive_.limits.wheelbase_m / 2.0 + corner().radius_m()));
+                 max_mps / (drive_.limits.wheelbase_m / 2.0 + corner().radius_m()));
   }
 }
 
@@ -135,7 +135,7 @@ bool Tracker::settled(const Twist& twist, bool in_tolerance, double dt_s) {
       std::abs(twist.vx_mps) < kStandstillMps && std::abs(twist.yaw_rate_radps) < kStandstillRadps;
   settled_s_ = standstill && in_tolerance ? settled_s_ + dt_s : 0.0;
   waited_s_ += dt_s;
-  return settled_s_ >= parameters_.settle_s || (standstill && waited_s_ >= kPatienceS);
+  return settled_s_ >= parameters_.settle_s || (standstill && waited_s_ >= kSettleTimeoutS);
 }
 
 void Tracker::come_to_rest(double yaw_rad) {

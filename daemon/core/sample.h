@@ -38,7 +38,7 @@ struct Sample {
   std::array<double, 3> gyro_radps{};  ///< body axes x, y, z; nominal scale, bias included
   std::array<double, 3> accel_mps2{};  ///< specific force, body axes
   double temperature_degc = 0.0;
-  double battery_v = 0.0;  ///< both cells together
+  double battery_v = 0.0;  ///< of the whole battery
   double left_duty = 0.0;  ///< -1..1, as applied
   double right_duty = 0.0;
   RobotState state = RobotState::kHello;

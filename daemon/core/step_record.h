@@ -42,7 +42,7 @@ struct CarriedFilter {
   std::uint32_t recoveries = 0;
 };
 
-/// Roll and pitch of the body, and the offsets learnt at standstill.
+/// Roll and pitch of the body, and the offsets learned at standstill.
 struct CarriedAttitude {
   double levelled_s = 0.0;
   std::array<double, 3> gyro_offset_radps{};

@@ -72,7 +72,7 @@ std::span<const text::Key<DriveValues>> drive_keys() {
       {"battery_cutoff_v",
        &T::battery_cutoff_v,
        {0, 20},
-       "The robot stops below this voltage of both cells; 0: never"},
+       "The robot stops below this battery voltage; 0: never"},
       {"stall_duty",
        &T::stall_duty,
        {0, 1},

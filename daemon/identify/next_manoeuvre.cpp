@@ -107,7 +107,7 @@ struct NextManoeuvre::Clearance {
 
 std::optional<OtherPath> NextManoeuvre::choose() const {
   const AutoProgress so_far = progress();
-  if (so_far.narrow || so_far.driving_s >= settings_.most_s) return std::nullopt;
+  if (so_far.narrow || so_far.driving_s >= settings_.max_s) return std::nullopt;
   const Eigen::VectorXd half = intervals_.half();
   const double unknown = std::min(kMaxSlipUnknown, std::max(half[kSlipLeft], half[kSlipRight]));
   // It may stay as near to the fence as it is already.

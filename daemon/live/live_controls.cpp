@@ -236,10 +236,11 @@ StartConsent LiveControls::start_consent() {
   return tp100::start_consent(facts);
 }
 
-void LiveControls::set_grants(const std::vector<loop::Grant>& grants) {
-  self_test_.set_grants(grants);
+void LiveControls::set_privileges(const std::vector<loop::Privilege>& privileges) {
+  self_test_.set_privileges(privileges);
   const std::lock_guard lock(mutex_);
-  for (const loop::Grant& grant : grants) privileges_.emplace_back(grant.what, grant.granted);
+  for (const loop::Privilege& privilege : privileges)
+    privileges_.emplace_back(privilege.what, privilege.granted);
 }
 
 void LiveControls::drain_events(std::vector<messages::Event>& events) {

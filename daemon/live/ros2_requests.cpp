@@ -220,7 +220,7 @@ void Ros2Requests::go_on(Start& start, const Snapshot& snapshot, HostNs now) {
     const std::lock_guard lock(shared_->mutex);
     if (shared_->choice.first != start.number) return;
     why = shared_->choice.second;
-    start.until_ns = now + kPatienceNs;
+    start.until_ns = now + kStartTimeoutNs;
   }
   if (why.empty() && snapshot.start_refusal != StartRefusal::kNone && now < start.until_ns) return;
   if (why.empty()) why = why_not(start, snapshot);

@@ -19,7 +19,7 @@ namespace tp100::record {
 namespace {
 
 constexpr std::size_t kQueueBytes = std::size_t{16} << 20;
-constexpr auto kPatience = std::chrono::milliseconds(50);
+constexpr auto kTakeTimeout = std::chrono::milliseconds(50);
 constexpr std::size_t kMaxRequests = 16;
 // A recording that looks back holds at most so many inputs of the steps before it: twenty minutes.
 constexpr std::uint64_t kMaxBeforeLookBack = 50'000'000;
@@ -98,7 +98,7 @@ struct Recorder::State {
   void run() {
     Bytes taken;
     for (bool more = true; more;) {
-      more = queue.take(taken, kPatience);
+      more = queue.take(taken, kTakeTimeout);
       ByteReader in(taken);
       while (in.left() > 0) {
         const auto kind = static_cast<EntryKind>(in.number<std::uint8_t>());

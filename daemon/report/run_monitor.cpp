@@ -13,9 +13,9 @@ std::string change(const char* what, State from, State to) {
 
 }  // namespace
 
-void RunMonitor::add(Happening happening) {
-  if (happenings_.size() < kMax)
-    happenings_.push_back(std::move(happening));
+void RunMonitor::add(StepEvent event) {
+  if (events_.size() < kMax)
+    events_.push_back(std::move(event));
   else
     ++more_;
 }

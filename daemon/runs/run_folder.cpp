@@ -232,7 +232,7 @@ void delete_run(const std::string& folder, const std::string& run) {
                      "); check the folder's permissions");
 }
 
-FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes) {
+FreedSpace free_space(const std::string& folder, std::uint64_t max_bytes) {
   FreedSpace freed;
   std::vector<Run> runs = list_runs(folder);
   std::size_t noted = 0;
@@ -240,7 +240,7 @@ FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes) {
   for (const Run& run : runs) freed.bytes += run.bytes;
   std::reverse(runs.begin(), runs.end());
   for (const Run& run : runs) {
-    if (freed.bytes <= most_bytes) return freed;
+    if (freed.bytes <= max_bytes) return freed;
     if (run.has_note) {
       ++noted;
       continue;
@@ -253,13 +253,13 @@ FreedSpace free_space(const std::string& folder, std::uint64_t most_bytes) {
       if (failure.empty()) failure = error.what();
     }
   }
-  if (freed.bytes > most_bytes)
-    freed.why_not = text::format(
-                        "the recordings have %.0f MB, more than the %.0f MB of "
-                        "record.quota_mb: %zu have a name, note or tags",
-                        static_cast<double>(freed.bytes) * 1e-6,
-                        static_cast<double>(most_bytes) * 1e-6, noted) +
-                    (failure.empty() ? "; delete some" : "; " + failure);
+  if (freed.bytes > max_bytes)
+    freed.why_not =
+        text::format(
+            "the recordings have %.0f MB, more than the %.0f MB of "
+            "record.quota_mb: %zu have a name, note or tags",
+            static_cast<double>(freed.bytes) * 1e-6, static_cast<double>(max_bytes) * 1e-6, noted) +
+        (failure.empty() ? "; delete some" : "; " + failure);
   return freed;
 }
 

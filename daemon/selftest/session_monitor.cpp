@@ -9,7 +9,7 @@ namespace {
 
 // As long as `tp100d doctor` takes for both.
 constexpr HostNs kTestNs = kNsPerS;
-constexpr HostNs kPatienceNs = 5 * kNsPerS;
+constexpr HostNs kTimeoutNs = 5 * kNsPerS;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void SessionMonitor::take(const StepRecord& record) {
     measure(record);
   }
   const bool measured = probing_ == Probing::kMeasuring && record.now_ns - ready_ns_ >= kTestNs;
-  const bool waited = probing_ == Probing::kWaiting && record.now_ns - begun_ns_ >= kPatienceNs;
+  const bool waited = probing_ == Probing::kWaiting && record.now_ns - begun_ns_ >= kTimeoutNs;
   if (!measured && !waited) return;
   probing_ = Probing::kDone;
   ended_ns_ = record.now_ns;

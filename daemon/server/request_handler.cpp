@@ -68,7 +68,7 @@ bool RequestHandler::handle(const std::shared_ptr<Viewer>& viewer, const ClientM
     parameters_.get(*viewer, *get);
   } else if (const auto* set = std::get_if<SetParameters>(&message)) {
     parameters_.set(*viewer, *set, permission == Permission::kCommand, now);
-  } else if (const auto* watch = std::get_if<WatchParameters>(&message)) {
+  } else if (const auto* watch = std::get_if<ParameterSubscription>(&message)) {
     parameters_.watch(*viewer, *watch);
   } else if (const auto* call = std::get_if<ServiceCall>(&message)) {
     on(viewer, *call, permission, now);

@@ -249,7 +249,7 @@ void AvrBoard::hang_main_loop() { machine_->hang_wanted = true; }
 AvrBoardCounters AvrBoard::counters() const {
   const Machine& m = *machine_;
   return {.rx_overruns = m.uart.overruns(),
-          .rx_unheard = m.uart.unheard() + m.lost_in_reset,
+          .rx_while_off = m.uart.while_off() + m.lost_in_reset,
           .watchdog_resets = m.core.own_resets(),
           .cycles = m.core.cycle(),
           .slept_cycles = m.core.slept(),

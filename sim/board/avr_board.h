@@ -29,7 +29,7 @@ struct AvrBoardSettings {
 /// Counts since construction.
 struct AvrBoardCounters {
   std::uint64_t rx_overruns = 0;      ///< bytes that found the receiver full
-  std::uint64_t rx_unheard = 0;       ///< bytes that arrived while the receiver was off
+  std::uint64_t rx_while_off = 0;     ///< bytes that arrived while the receiver was off
   std::uint64_t watchdog_resets = 0;  ///< resets by the chip's own watchdog
   std::uint64_t cycles = 0;
   std::uint64_t slept_cycles = 0;

@@ -61,7 +61,7 @@ void AvrUart::on_send(avr_irq_t*, std::uint32_t value, void* self) {
 void AvrUart::receive(std::uint8_t value) {
   avr_t* avr = core_.chip();
   if (avr_regbit_get(avr, uart_->rxen) == 0) {
-    ++unheard_;
+    ++while_off_;
     return;
   }
   if (received_.size() >= kReceiver) {

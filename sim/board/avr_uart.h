@@ -33,7 +33,7 @@ class AvrUart {
 
   std::uint64_t overruns() const { return overruns_; }
   /// Number of bytes that arrived while the receiver was off.
-  std::uint64_t unheard() const { return unheard_; }
+  std::uint64_t while_off() const { return while_off_; }
   std::size_t waiting() const { return received_.size(); }
 
  private:
@@ -48,7 +48,7 @@ class AvrUart {
   std::vector<SentByte> sent_;
   CpuCycles transmitter_free_ = 0;
   std::uint64_t overruns_ = 0;
-  std::uint64_t unheard_ = 0;
+  std::uint64_t while_off_ = 0;
 };
 
 }  // namespace tp100::sim

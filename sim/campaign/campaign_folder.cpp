@@ -205,7 +205,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kSaidOfDifference = 600;
+constexpr std::size_t kMaxDifferenceText = 600;
 
 }  // namespace
 
@@ -238,7 +238,7 @@ void CampaignFolder::require(const Origin& origin) const {
   const std::string differs = difference(origin_, origin);
   if (differs.empty()) return;
   throw SetupError(path_ + ": its runs come from something else (" +
-                   text::one_line(differs, kSaidOfDifference) +
+                   text::one_line(differs, kMaxDifferenceText) +
                    "); put that back, or give another --out to drive all runs again");
 }
 

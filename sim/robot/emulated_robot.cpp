@@ -98,7 +98,7 @@ const std::vector<TimedByte>& UartLine::take(HostNs until_ns) {
 }
 
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings)
-    : EmulatedRobot(settings, drawn(settings.values, stream(settings.seed, 7))) {}
+    : EmulatedRobot(settings, sampled(settings.values, stream(settings.seed, 7))) {}
 
 EmulatedRobot::EmulatedRobot(const EmulatedRobotSettings& settings, const course::Emulated& values)
     : body_(make_body(values, placed(settings.start, values, stream(settings.seed, 7)),

@@ -100,7 +100,7 @@ bridge::Parameters parameters_of(const LockstepSettings& settings) {
 
 bridge::Parameters host_parameters(const LockstepSettings& settings) {
   bridge::Parameters parameters = parameters_of(settings);
-  if (!settings.host_watches_encoders) {
+  if (!settings.host_checks_encoders) {
     parameters.drive.feed_forward = 0.0;
     parameters.control.turn_slip_share = 1.0;
   }

@@ -41,8 +41,8 @@ struct LockstepSettings {
                                    ///< instant
   /// Receives the session's events, with the robot's hello as far as it is known.
   std::function<void(const link::SessionEvent&, const wire::Hello&)> on_session_event{};
-  bool host_watches_encoders = true;  ///< false: only the robot compares them with duty and gyro
-  double begin_within_s = 10.0;       ///< of its start; a run that never begins is a failure
+  bool host_checks_encoders = true;  ///< false: only the robot compares them with duty and gyro
+  double begin_within_s = 10.0;      ///< of its start; a run that never begins is a failure
 };
 
 inline constexpr HostNs kDetectionDelayNs = 60 * kNsPerMs;

@@ -104,8 +104,9 @@ void go_beside_others() {
 /// not allow it, a machine that is busy for a fifth of a second makes the firmware stop for want of
 /// commands. Niceness alone does not help: the kernel weighs whole sessions against each other.
 void go_before_others() {
-  const std::vector<loop::Grant> grants = loop::apply_to_this_thread({.priority = kFifoPriority});
-  if (!std::ranges::all_of(grants, &loop::Grant::granted)) go_beside_others();
+  const std::vector<loop::Privilege> privileges =
+      loop::apply_to_this_thread({.priority = kFifoPriority});
+  if (!std::ranges::all_of(privileges, &loop::Privilege::granted)) go_beside_others();
 }
 
 /// Whether this thread computed nearly all the time since it was asked last, or since it began.

@@ -67,7 +67,7 @@ void look_away(LockstepSettings& settings) {
   control.max_heading_error_rad = 180.0 * kRadPerDeg;
   control.stall_s = 30.0;
   control.disagreement_radps = 10.0;
-  settings.host_watches_encoders = false;
+  settings.host_checks_encoders = false;
 }
 
 /// When a healthy robot is where encoders fail.
@@ -81,10 +81,10 @@ class PlaceMonitor : public messages::Sink {
       if (there) onset_s.try_emplace(onset, to_s(record.now_ns - opened_ns_));
     };
     const double turned = snapshot.estimates[PoseSource::kOdometry].pose.yaw_rad;
-    const bool stands = snapshot.left_mps == 0.0 && snapshot.right_mps == 0.0;
+    const bool standstill = snapshot.left_mps == 0.0 && snapshot.right_mps == 0.0;
     mark(Onset::kStraight, snapshot.progress_m > kInLineM);
     mark(Onset::kArc, snapshot.progress_m > kInArcM);
-    mark(Onset::kStandstill, snapshot.progress_m > kStoppedM && stands);
+    mark(Onset::kStandstill, snapshot.progress_m > kStoppedM && standstill);
     mark(Onset::kSpin, snapshot.progress_m > kStoppedM && turned > kInSpinRad);
   }
   std::map<Onset, double> onset_s;
@@ -197,7 +197,7 @@ EncoderOutcome EncoderStudy::drive(const EncoderTrial& trial) {
     outcome.beyond_m = deviation.distance_m;
     outcome.beyond_rad = deviation.yaw_rad;
   };
-  if (!host_watches_) look_away(settings);
+  if (!host_checks_) look_away(settings);
   const report::RunResult result = run_lockstep(settings);
   outcome.end = result.finished ? "completed" : result.cause;
   return outcome;

@@ -67,8 +67,8 @@ struct EncoderOutcome {
 /// robots. Deterministic.
 class EncoderStudy {
  public:
-  /// `host_watches` false: the daemon's own checks are off, and only the firmware's remain.
-  explicit EncoderStudy(bool host_watches = true) : host_watches_(host_watches) {}
+  /// `host_checks` false: the daemon's own checks are off, and only the firmware's remain.
+  explicit EncoderStudy(bool host_checks = true) : host_checks_(host_checks) {}
   /// Throws SetupError.
   EncoderOutcome drive(const EncoderTrial& trial);
 
@@ -79,7 +79,7 @@ class EncoderStudy {
   };
   const Healthy& healthy(const EncoderTrial& trial);
 
-  bool host_watches_;
+  bool host_checks_;
   std::map<std::tuple<std::string_view, double, BoardKind>, Healthy> healthy_;
 };
 

@@ -222,7 +222,7 @@ TEST(NextManoeuvre, EndsWithoutAnAnswerThatTheFenceDoesNotAllow) {
 TEST(NextManoeuvre, WithoutACameraEachStartsAtTheMark) {
   AutoSettings by_hand;
   by_hand.camera = false;
-  by_hand.most_s = 60.0;
+  by_hand.max_s = 60.0;
   NextManoeuvre next(nothing_known(), area(1.0), by_hand);
   const double at_first = next.progress().half_interval / next.progress().goal;
   for (unsigned i = 0; i < 4; ++i) {

@@ -167,7 +167,7 @@ TEST_F(SelfTestOfARobot, ExaminesOneAtATime) {
 }
 
 TEST_F(SelfTestOfARobot, ExaminesTheMachineWithThePrivilegesOfTheRun) {
-  test_.set_grants({{.what = "SCHED_FIFO 80", .granted = false, .fix = "not permitted"}});
+  test_.set_privileges({{.what = "SCHED_FIFO 80", .granted = false, .fix = "not permitted"}});
   std::promise<Json> promise;
   test_.examine(server::DoctorPart::kMachine, [&](const std::string&, const std::string& json) {
     promise.set_value(Json::parse(json));
