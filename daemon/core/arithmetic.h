@@ -16,6 +16,9 @@ inline double magnitude(double x, double y, double z) { return std::sqrt(x * x +
 
 inline double square(double value) { return value * value; }
 
+/// In 95 of 100 cases a normally distributed value is within this many standard deviations.
+inline constexpr double kNormal95 = 1.96;
+
 // Angles in radians.
 
 inline constexpr double kPi = std::numbers::pi;

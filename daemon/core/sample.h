@@ -90,6 +90,13 @@ struct WorldSample {
   Pose pose{};
 };
 
+// Standstill by encoder counts.
+
+/// Counts of a track at standstill differ by this at most: one edge may flicker.
+inline constexpr std::int64_t kStandstillCounts = 1;
+/// A shorter standstill gives no useful bias of the gyro.
+inline constexpr double kBiasStandstillS = 0.3;
+
 // Greatest distance that a track can travel between two samples.
 
 /// Counts per second of a track, whether driven, pushed or rolling down a ramp: beyond any.

@@ -142,10 +142,8 @@ void add_link(const LinkTest& link, Findings& findings) {
 }  // namespace
 
 Percentiles percentiles(const Histogram& times) {
-  const auto us = [&times](double fraction) {
-    return static_cast<double>(times.percentile(fraction)) * 1e-3;
-  };
-  return {us(0.5), us(0.9), us(0.99), static_cast<double>(times.max()) * 1e-3};
+  return {times.percentile_us(0.5), times.percentile_us(0.9), times.percentile_us(0.99),
+          times.max_us()};
 }
 
 void add_hello(wire::Hello hello, ProbeResult& probe) {

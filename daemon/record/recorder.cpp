@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <ctime>
 #include <deque>
 #include <exception>
 #include <future>
@@ -11,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "record/record_queue.h"
 #include "record/step_codec.h"
@@ -37,12 +37,6 @@ struct Request {
 
 constexpr double Pose::*kPose[] = {&Pose::x_m,      &Pose::y_m,       &Pose::z_m,
                                    &Pose::roll_rad, &Pose::pitch_rad, &Pose::yaw_rad};
-
-double thread_cpu_s() {
-  timespec used{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
-}
 
 }  // namespace
 
@@ -250,7 +244,7 @@ struct Recorder::State {
       if (now.warning.empty() && !late.empty()) now.warning = now.path + ": " + late;
       if (now.first_ns != 0) now.last_ns = last_ns;
     }
-    now.cpu_s = thread_cpu_s();
+    now.cpu_s = to_s(thread_cpu_ns());
     const bool over = writer != nullptr && !now.active;
     if (over) writer.reset();
     {

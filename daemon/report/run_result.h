@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/arithmetic.h"
 #include "core/estimates.h"
 #include "core/link_state.h"
 #include "core/pose.h"
@@ -58,7 +59,7 @@ struct CameraFigures {
   static constexpr double kNisDegrees = 3.0;
   /// Half width of the band around kNisDegrees that contains the mean of independent samples with a
   /// probability of 95 %.
-  double nis_half_band() const { return 1.96 * std::sqrt(2.0 * kNisDegrees / judged); }
+  double nis_half_band() const { return kNormal95 * std::sqrt(2.0 * kNisDegrees / judged); }
 };
 
 /// Of a step of the run.

@@ -3,6 +3,7 @@
 #include "bridge/cycle.h"
 #include "core/board.h"
 #include "core/faults.h"
+#include "core/time.h"
 
 namespace tp100::selftest {
 namespace {
@@ -79,7 +80,7 @@ void SessionMonitor::follow_commands(const StepRecord& record) {
     sent_ = static_cast<std::uint16_t>(sent_ + missing);
   }
   for (const Sample& sample : record.inputs.samples) {
-    if (!awaited_ || static_cast<std::int16_t>(sample.last_command - *awaited_) < 0) continue;
+    if (!awaited_ || wrapped_difference(sample.last_command, *awaited_) < 0) continue;
     if (probing_ == Probing::kMeasuring) round_trip_->add(record.now_ns - awaited_since_ns_);
     awaited_.reset();
   }

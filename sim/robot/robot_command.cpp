@@ -113,7 +113,7 @@ void go_before_others() {
 class Overloaded {
  public:
   bool operator()(HostNs now_ns) {
-    const HostNs used_ns = thread_time_ns();
+    const HostNs used_ns = thread_cpu_ns();
     const bool all_the_time = used_ns - used_ns_ > (now_ns - asked_ns_) * 4 / 5;
     used_ns_ = used_ns;
     asked_ns_ = now_ns;
@@ -121,14 +121,8 @@ class Overloaded {
   }
 
  private:
-  static HostNs thread_time_ns() {
-    timespec used{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-    return used.tv_sec * kNsPerS + used.tv_nsec;
-  }
-
   HostNs asked_ns_ = monotonic_now();
-  HostNs used_ns_ = thread_time_ns();
+  HostNs used_ns_ = thread_cpu_ns();
 };
 
 /// Prints the firmware's log messages and when its motors begin to run, and counts its samples.
